@@ -2,6 +2,14 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="zh_CN">
 <context>
+    <name>Language</name>
+    <message>
+        <source>English</source>
+        <extracomment>The name of the language in the language itself; without it the file is not used.</extracomment>
+        <translation>简体中文</translation>
+    </message>
+</context>
+<context>
     <name>AccessSentences</name>
     <message>
         <source>View only</source>
@@ -375,10 +383,6 @@
     <message>
         <source>Wrong device</source>
         <translation>设备不符</translation>
-    </message>
-    <message>
-        <source>Unknown state</source>
-        <translation>状态未知</translation>
     </message>
     <message>
         <source>The device on the port is not a controller that this panel knows.</source>
@@ -1602,6 +1606,10 @@
 </context>
 <context>
     <name>EditorViews</name>
+    <message>
+        <source>RMS</source>
+        <translation>均方根</translation>
+    </message>
     <message>
         <source>%1 r/min</source>
         <translation>%1 r/min</translation>
@@ -4930,6 +4938,10 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
 </context>
 <context>
     <name>campanel::panel::Controller</name>
+    <message>
+        <source>Unknown state</source>
+        <translation>状态未知</translation>
+    </message>
     <message>
         <source>Searching</source>
         <translation>正在查找</translation>

@@ -59,6 +59,7 @@ std::optional<QString> valueIn(const toml::node& node, SettingForm form)
     case SettingForm::Rules:
         return rulesIn(node);
     case SettingForm::Word:
+    case SettingForm::Language:
     case SettingForm::Port:
     case SettingForm::Size:
         break;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/shell/folder_wait.h"
 
+#include "app/panel/settings/languages.h"
+
 #include <QGuiApplication>
 #include <QLocale>
 #include <QQmlApplicationEngine>
@@ -30,8 +32,9 @@ std::unique_ptr<store::FolderLock> waitForFolder(const QString& folder, const QS
     std::fprintf(stderr, "campanel: another CamPanel uses the data in %s. Close that one first.\n",
                  qPrintable(folder));
     QTranslator translator;
-    const QLocale locale = language.isEmpty() ? QLocale::system() : QLocale(language);
-    if (translator.load(locale, u"campanel_qml"_s, u"_"_s, u":/i18n"_s))
+    const QList<panel::Language> languages = panel::languagesIn(panel::languageFolders());
+    const QString wanted = language.isEmpty() ? QLocale::system().name() : language;
+    if (panel::loadLanguage(translator, languages, panel::nearestLanguage(languages, wanted)))
         QCoreApplication::installTranslator(&translator);
     QQmlApplicationEngine engine;
     engine.addImportPath(u"qrc:/qt/qml"_s);

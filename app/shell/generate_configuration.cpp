@@ -37,8 +37,9 @@ QString standardOf(Setting setting)
 {
     const QString standard = SettingValues().text(setting);
     switch (setting->form) {
+    case SettingForm::Language:
+        return u"\"en\""_s; // on a system in English
     case SettingForm::Word:
-        return u"\"%1\""_s.arg(standard.isEmpty() ? choicesOf(setting).first() : standard);
     case SettingForm::Port:
     case SettingForm::Size:
         return u"\"%1\""_s.arg(standard);

@@ -97,7 +97,7 @@ Options readOptions(const QCoreApplication& application)
          QStringLiteral("1")},
         {QStringLiteral("unit"), QStringLiteral("Modbus unit on --port, 1 to 247 (1)."),
          QStringLiteral("number"), QStringLiteral("1")},
-        {QStringLiteral("language"), QStringLiteral("en or zh_CN, for this run."),
+        {QStringLiteral("language"), QStringLiteral("en or the code of an installed language, for this run."),
          QStringLiteral("language")},
         {QStringLiteral("theme"), QStringLiteral("light, dark or contrast, for this run."),
          QStringLiteral("theme")},
@@ -122,7 +122,8 @@ Options readOptions(const QCoreApplication& application)
         options.connection = connectionFrom(parser);
     else
         refuseLineParametersWithoutPort(parser);
-    options.language = valueAmong(parser, QStringLiteral("language"), panel::choicesOf("display.language"));
+    options.language = valueAmong(parser, QStringLiteral("language"),
+                                  panel::languageCodes(panel::languagesIn(panel::languageFolders())));
     options.theme = valueAmong(parser, QStringLiteral("theme"), panel::choicesOf("display.theme"));
     if (parser.isSet(QStringLiteral("size")))
         options.size = sizeFrom(parser.value(QStringLiteral("size")));

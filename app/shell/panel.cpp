@@ -76,8 +76,8 @@ Panel::Panel(link::Link& link, const Storage& storage)
 
 Panel::~Panel()
 {
-    for (QTranslator& translator : m_translators)
-        QCoreApplication::removeTranslator(&translator);
+    for (QTranslator* translator : {&m_texts, &m_textsOfQt})
+        QCoreApplication::removeTranslator(translator);
 }
 
 void Panel::open()
@@ -114,15 +114,13 @@ bool Panel::load(QSize size)
 void Panel::translate()
 {
     const QLocale locale(m_settings.language());
-    const std::array names{QStringLiteral("campanel_qml"), QStringLiteral("campanel_app"),
-                           QStringLiteral("qtbase")};
-    const std::array folders{QStringLiteral(":/i18n"), QStringLiteral(":/i18n"),
-                             QLibraryInfo::path(QLibraryInfo::TranslationsPath)};
-    for (std::size_t i = 0; i < m_translators.size(); ++i) {
-        QCoreApplication::removeTranslator(&m_translators[i]);
-        if (m_translators[i].load(locale, names[i], QStringLiteral("_"), folders[i]))
-            QCoreApplication::installTranslator(&m_translators[i]);
-    }
+    for (QTranslator* translator : {&m_texts, &m_textsOfQt})
+        QCoreApplication::removeTranslator(translator);
+    if (panel::loadLanguage(m_texts, m_settings.installedLanguages(), m_settings.language()))
+        QCoreApplication::installTranslator(&m_texts);
+    if (m_textsOfQt.load(locale, QStringLiteral("qtbase"), QStringLiteral("_"),
+                         QLibraryInfo::path(QLibraryInfo::TranslationsPath)))
+        QCoreApplication::installTranslator(&m_textsOfQt);
     QLocale::setDefault(locale);
     m_engine.retranslate();
 }

@@ -28,7 +28,6 @@
 #include <QQuickWindow>
 #include <QTranslator>
 
-#include <array>
 #include <memory>
 
 namespace campanel::shell {
@@ -100,7 +99,8 @@ private:
     panel::ServiceBundle m_bundle;
     panel::Display m_display;
     panel::Explanations m_explanations;
-    std::array<QTranslator, 3> m_translators; // for the panel's QML, its C++, Qt itself
+    QTranslator m_texts;
+    QTranslator m_textsOfQt;
     QQmlEngine m_engine;
     QQmlComponent m_component{&m_engine};
     std::unique_ptr<QQuickWindow> m_window;

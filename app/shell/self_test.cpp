@@ -64,21 +64,26 @@ int selfTest()
 {
     const QtMessageHandler before = qInstallMessageHandler(recordWarning);
     const QTemporaryDir folder;
+    QStringList languages;
     int files = 0;
     qsizetype opened = 0;
     {
         link::ThreadedLink link(nullptr);
         Panel panel(link, {folder.filePath(QStringLiteral("settings.ini")), folder.path()});
+        languages = panel.settings().languages();
         if (panel.load({1024, 600})) {
             files = compileAll(panel.engine());
-            opened = openAll(panel.window());
+            for (const QString& language : std::as_const(languages)) {
+                panel.settings().setLanguage(language);
+                opened = openAll(panel.window());
+            }
         }
     }
     qInstallMessageHandler(before);
     for (const QString& warning : std::as_const(g_warnings))
         std::fprintf(stderr, "campanel: %s\n", qPrintable(warning));
-    std::printf("%d QML files, %lld pages: %lld faults\n", files, static_cast<long long>(opened),
-                static_cast<long long>(g_warnings.size()));
+    std::printf("%d QML files, %lld pages in %s: %lld faults\n", files, static_cast<long long>(opened),
+                qPrintable(languages.join(QStringLiteral(", "))), static_cast<long long>(g_warnings.size()));
     return opened > 0 && g_warnings.isEmpty() ? EXIT_SUCCESS : EXIT_FAILURE;
 }
 

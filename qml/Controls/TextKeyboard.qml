@@ -13,7 +13,7 @@ Item {
     property bool acceptable: true
     signal accepted()
 
-    enum KeySet { Small, Capital, Signs }
+    enum KeySet { Small, Capital, Signs, Letters }
     property int keySet: TextKeyboard.Small
     property bool capitalsStay
 
@@ -23,7 +23,11 @@ Item {
     }
     readonly property bool composing: pinyin.spelling.length > 0
 
-    readonly property var rows: keySet === TextKeyboard.Signs ? ["1234567890", "-_/+*=%#&", "().,:;'\"!?"]
+    //: The letters of the language beyond a to z, small and capital, at most 27; - for none.
+    readonly property string letters: qsTr("-").replace("-", "")
+    readonly property bool hasCapitals: keySet === TextKeyboard.Small || keySet === TextKeyboard.Capital
+    readonly property var rows: keySet === TextKeyboard.Letters ? [letters.slice(0, 10), letters.slice(10, 19), letters.slice(19, 27)]
+        : keySet === TextKeyboard.Signs ? ["1234567890", "-_/+*=%#&", "().,:;'\"!?"]
         : keySet === TextKeyboard.Capital ? ["QWERTYUIOP", "ASDFGHJKL", "ZXCVBNM"] : ["qwertyuiop", "asdfghjkl", "zxcvbnm"]
     readonly property int perRow: 10
     readonly property real keyWidth: (width - (perRow - 1) * Theme.size.outline) / perRow
@@ -95,7 +99,7 @@ Item {
             Key {
                 objectName: "textCapital"
                 Accessible.name: qsTr("Capital letters")
-                visible: keyboard.keySet !== TextKeyboard.Signs
+                visible: keyboard.hasCapitals
                 width: 1.5 * keyboard.keyWidth + Theme.size.outline / 2
                 quiet: true
                 primary: keyboard.keySet === TextKeyboard.Capital && keyboard.capitalsStay
@@ -116,7 +120,7 @@ Item {
                 LetterKey {}
             }
             Key {
-                visible: keyboard.keySet !== TextKeyboard.Signs
+                visible: keyboard.hasCapitals
                 width: 1.5 * keyboard.keyWidth + Theme.size.outline / 2
                 objectName: "key_-"
                 text: "-"
@@ -129,10 +133,12 @@ Item {
                 objectName: "textSigns"
                 width: 2 * keyboard.keyWidth + Theme.size.outline
                 quiet: true
-                text: keyboard.keySet === TextKeyboard.Signs ? qsTr("abc") : qsTr("123")
+                readonly property int nextSet: keyboard.hasCapitals ? TextKeyboard.Signs
+                    : keyboard.keySet === TextKeyboard.Signs && keyboard.letters.length > 0 ? TextKeyboard.Letters : TextKeyboard.Small
+                text: nextSet === TextKeyboard.Signs ? qsTr("123") : nextSet === TextKeyboard.Letters ? keyboard.letters.slice(0, 3) : qsTr("abc")
                 onClicked: {
                     keyboard.pinyin.clear()
-                    keyboard.keySet = keyboard.keySet === TextKeyboard.Signs ? TextKeyboard.Small : TextKeyboard.Signs
+                    keyboard.keySet = nextSet
                 }
             }
             Key {

@@ -46,9 +46,8 @@ Card {
         id: line
         anchors { left: parent.left; right: parent.right; top: parent.top; margins: Theme.size.padding; topMargin: Theme.size.spacing }
         horizontalAlignment: Text.AlignRight
-        fontSizeMode: Text.HorizontalFit
-        minimumPixelSize: Theme.size.caption - 3
-        text: isNaN(editor.cursor) ? (editor.overlayText || Editor.plot.peakText) : editor.readout(editor.cursor, editor.revision)
+        wrapMode: Text.WordWrap
+        text: isNaN(editor.cursor) ? (editor.overlayText || Theme.unbroken(Editor.plot.peakText)) : editor.readout(editor.cursor, editor.revision)
         color: isNaN(editor.cursor) ? Theme.color.secondaryInk : Theme.color.ink
         font { pixelSize: Theme.size.caption; weight: isNaN(editor.cursor) ? Font.Normal : Font.DemiBold }
     }

@@ -1225,14 +1225,6 @@ And %2 more.</source>
         <translation>各规律用于本配方的峰值；长按某一规律，以灰色曲线比较</translation>
     </message>
     <message>
-        <source>Torque</source>
-        <translation>转矩</translation>
-    </message>
-    <message>
-        <source>RMS</source>
-        <translation>均方根</translation>
-    </message>
-    <message>
         <source>The gentlest law is first, each with the ramps that suit it; hold a law to compare its curves in grey</source>
         <translation>按平缓程度排序，各规律采用适合自身的斜坡；长按某一规律，以灰色曲线比较</translation>
     </message>
@@ -2503,6 +2495,11 @@ And %2 more.</source>
 </context>
 <context>
     <name>TextKeyboard</name>
+    <message>
+        <source>-</source>
+        <extracomment>The letters of the language beyond a to z, small and capital, at most 27; - for none.</extracomment>
+        <translation>-</translation>
+    </message>
     <message>
         <source>abc</source>
         <translation>abc</translation>

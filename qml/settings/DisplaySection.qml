@@ -17,6 +17,7 @@ SettingsSection {
 
     readonly property var labels: Settings.labels
     readonly property var languages: Settings.languages
+    readonly property var languageNames: Settings.languageNames
     readonly property var themes: Settings.themes
 
     // Taller keys if there is space.
@@ -33,23 +34,16 @@ SettingsSection {
             readonly property real half: (width - spacing) / 2
             width: parent.width
             spacing: Theme.size.gap
-            Column {
+            SettingRow {
+                objectName: "languageChoice"
                 width: upper.half
-                spacing: Theme.size.spacing
-                Label {
-                    text: section.labels.language
-                    color: Theme.color.secondaryInk
-                }
-                Segmented {
-                    objectName: "languageChoice"
-                    width: parent.width
-                    height: section.keyHeight
-                    choices: section.languages.map((key, i) => ({ key: key, text: Settings.languageNames[i], name: "language_" + key }))
-                    current: Settings.language
-                    onChosen: key => Settings.language = key
-                }
+                height: gloves.height
+                label: section.labels.language
+                value: section.languageNames[section.languages.indexOf(Settings.language)] ?? ""
+                onClicked: section.page.sheetRequested(languagePicker)
             }
             Column {
+                id: gloves
                 width: upper.half
                 spacing: Theme.size.spacing
                 Label {
@@ -113,6 +107,18 @@ SettingsSection {
         }
     }
 
+    Component {
+        id: languagePicker
+        ListPicker {
+            title: section.labels.language
+            choices: section.languages.map((key, i) => ({ key: key, text: section.languageNames[i] }))
+            current: Settings.language
+            onChosen: key => {
+                Settings.language = key
+                closed()
+            }
+        }
+    }
     Component {
         id: holdPicker
         ListPicker {

@@ -308,7 +308,8 @@ private slots:
         QVERIFY2(panel.texts().contains(QStringLiteral("已修改")), qPrintable(panel.texts()));
         panel.tap("nav_settings");
         panel.tap("section0");
-        panel.tap("language_en");
+        panel.tap("languageChoice");
+        panel.tap("choice_en");
         QVERIFY2(panel.texts().contains(QStringLiteral("Edited")), qPrintable(panel.texts()));
         panel.tap("nav_motion");
         panel.tap("undo");

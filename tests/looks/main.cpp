@@ -80,7 +80,8 @@ int main(int argc, char* argv[])
         {QStringLiteral("variants"),
          QStringLiteral(
              "Theme, language, size and gloves, such as \"dark-*\" or \"light-en-*,*-gloves\" (%1). "
-             "\"*\" is each of the 54; \"usual\" is 18 of them.")
+             "\"*\" is each of them; \"usual\" is each language in light, and one each with dark, high "
+             "contrast and gloves.")
              .arg(defaultVariant),
          QStringLiteral("patterns"), defaultVariant},
         {QStringLiteral("screens"), QStringLiteral("Only these, such as \"run*,motion\"."),

@@ -2,6 +2,7 @@
 // Every page and dialog of the panel; see screens.h.
 #include "tests/looks/screens.h"
 
+#include "app/panel/settings/languages.h"
 #include "tests/looks/screen_lists.h"
 
 #include <QDir>
@@ -241,6 +242,7 @@ const QList<Screen>& allScreens()
              window.tap(motion);
          }},
         taps("settings-display", {settings, QStringLiteral("section0")}),
+        taps("settings-language", {settings, QStringLiteral("section0"), QStringLiteral("languageChoice")}),
         taps("settings-connection", {settings, QStringLiteral("section1")}),
         {QStringLiteral("settings-serial"),
          [=](TestWindow& window) {
@@ -438,6 +440,12 @@ namespace {
 
 constexpr std::array variantSizes{QSize(800, 480), QSize(1024, 600), QSize(1280, 800)};
 
+// The installed languages, and the one with longer texts.
+QStringList languages()
+{
+    return panel::languageCodes(panel::languagesIn(panel::languageFolders())) << u"long"_s;
+}
+
 QStringList usualVariants()
 {
     QStringList names;
@@ -448,10 +456,11 @@ QStringList usualVariants()
         const QString light = u"light"_s;
         const QString english = u"en"_s;
         const QString chinese = u"zh_CN"_s;
-        for (const Variant& variant : {Variant{english, light, size}, Variant{chinese, light, size},
-                                       Variant{isMiddle ? chinese : english, u"dark"_s, size},
+        for (const QString& language : languages())
+            names += Variant{language, light, size}.name();
+        for (const Variant& variant : {Variant{isMiddle ? chinese : english, u"dark"_s, size},
                                        Variant{isMiddle ? english : chinese, u"contrast"_s, size},
-                                       Variant{u"long"_s, light, size}, Variant{english, light, size, true}})
+                                       Variant{english, light, size, true}})
             names += variant.name();
     }
     return names;
@@ -471,10 +480,9 @@ QList<Variant> allVariants()
     QList<Variant> variants;
     for (const QSize size : variantSizes) {
         for (const char* theme : {"light", "dark", "contrast"}) {
-            for (const char* language : {"en", "zh_CN", "long"}) {
+            for (const QString& language : languages()) {
                 for (const bool gloves : {false, true})
-                    variants.append(
-                        {QString::fromLatin1(language), QString::fromLatin1(theme), size, gloves});
+                    variants.append({language, QString::fromLatin1(theme), size, gloves});
             }
         }
     }

@@ -215,7 +215,7 @@ private slots:
 
     void everyLookIsEachOfThemTogether()
     {
-        constexpr qsizetype languagesThemesSizesGloves = 3 * 3 * 3 * 2;
+        constexpr qsizetype languagesThemesSizesGloves = 4 * 3 * 3 * 2;
         QCOMPARE(namesOf("*").size(), languagesThemesSizesGloves);
     }
 
@@ -223,9 +223,9 @@ private slots:
     {
         QCOMPARE(namesOf("light-en-1024x600"), QSet{QStringLiteral("light-en-1024x600")});
         QCOMPARE(namesOf("light-en-*,light-zh_CN-*").size(), 12);
-        QCOMPARE(namesOf("*-800x480,dark-*").size(), 9 + 18 - 3);
+        QCOMPARE(namesOf("*-800x480,dark-*").size(), 12 + 24 - 4);
         QCOMPARE(namesOf("light-fr-*"), QSet<QString>());
-        constexpr qsizetype usualInEachSize = 6;
+        constexpr qsizetype usualInEachSize = 7;
         QCOMPARE(namesOf("usual").size(), 3 * usualInEachSize);
         QCOMPARE(namesOf("usual,light-zh_CN-1024x600-gloves").size(), 3 * usualInEachSize + 1);
         QCOMPARE(looks::screensNamed(QStringLiteral("run,motion")).size(), 2);

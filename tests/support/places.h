@@ -12,4 +12,7 @@ namespace campanel::test {
 // Returns the path of a file or folder of the source tree, such as "modbus/REGISTERS.md".
 [[nodiscard]] QString sourcePath(const char* name);
 
+// Returns the file with the texts of a language of the same build, such as "zh_CN".
+[[nodiscard]] QString languageFile(const char* code);
+
 } // namespace campanel::test

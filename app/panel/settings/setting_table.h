@@ -13,14 +13,15 @@
 namespace campanel::panel {
 
 enum class SettingForm {
-    Truth,   // true or false
-    Word,    // one of the choices
-    Choice,  // a whole number, one of the choices
-    Whole,   // a whole number of the range
-    Decimal, // a number of the range
-    Port,    // an absolute path, or nothing
-    Size,    // width and height of a window in pixels: "1024x600"
-    Rules,   // rules for logging, one per line
+    Truth,    // true or false
+    Word,     // one of the choices
+    Language, // the code of a language; which ones are installed is known at run time
+    Choice,   // a whole number, one of the choices
+    Whole,    // a whole number of the range
+    Decimal,  // a number of the range
+    Port,     // an absolute path, or nothing
+    Size,     // width and height of a window in pixels: "1024x600"
+    Rules,    // rules for logging, one per line
 };
 
 struct SettingRow {
@@ -83,10 +84,11 @@ inline constexpr std::array settingTable{
                .help = "Modbus unit number of the controller."},
     SettingRow{.name = "display.language",
                .key = "language",
-               .form = SettingForm::Word,
-               .choices = "en zh_CN",
+               .form = SettingForm::Language,
                .label = QT_TRANSLATE_NOOP("campanel::panel::Settings", "Language"),
-               .help = "Language. Without this key: the language of the system, or English."},
+               .help = "Language: en, or that of a file in a folder of languages, see campanel(1). Without "
+                       "this key: the "
+                       "language of the system, or English."},
     SettingRow{.name = "display.theme",
                .key = "theme",
                .form = SettingForm::Word,

@@ -23,6 +23,13 @@ bool isWindowSize(QSize size)
     return size.width() >= 800 && size.width() <= 9999 && size.height() >= 480 && size.height() <= 9999;
 }
 
+// Returns true for the form of a code such as "de", "zh_CN" or "sr_Latn_RS".
+bool isLanguageCode(const QString& text)
+{
+    static const QRegularExpression form(u"^[a-z]{2,3}(_[A-Z][a-z]{3})?(_[A-Z]{2}|_[0-9]{3})?$"_s);
+    return form.match(text).hasMatch();
+}
+
 bool areRules(const QString& text)
 {
     static const QRegularExpression form(u"^[A-Za-z0-9_.*]+=(true|false)$"_s);
@@ -93,6 +100,8 @@ QString validValues(Setting setting)
         return u"true or false"_s;
     case SettingForm::Word:
         return u"one of \"%1\""_s.arg(choicesOf(setting).join(u"\", \""_s));
+    case SettingForm::Language:
+        return u"the code of an installed language, such as \"zh_CN\""_s;
     case SettingForm::Choice:
         return u"one of "_s + choicesOf(setting).join(u", "_s);
     case SettingForm::Whole:
@@ -122,6 +131,8 @@ bool isValid(Setting setting, const QString& text)
         const double number = numberIn(setting, text);
         return number >= setting->minimum && number <= setting->maximum;
     }
+    case SettingForm::Language:
+        return isLanguageCode(text);
     case SettingForm::Port:
         return text.isEmpty() || text.startsWith(u'/');
     case SettingForm::Size:

@@ -27,7 +27,7 @@ namespace campanel::panel {
 // Return the choices of a setting.
 [[nodiscard]] QStringList choicesOf(Setting setting);
 [[nodiscard]] QList<int> numbersOf(Setting setting);
-// Returns the valid values for a person: "one of en, zh_CN".
+// Returns the valid values for a person: "one of auto, on, off".
 [[nodiscard]] QString validValues(Setting setting);
 // Returns true when the text is a valid value.
 [[nodiscard]] bool isValid(Setting setting, const QString& text);

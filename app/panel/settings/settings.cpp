@@ -101,15 +101,14 @@ Settings::Settings(const QString& storage, QObject* parent, const SettingValues&
 void Settings::load()
 {
     m_values = m_standard;
-    if (m_values.text("display.language").isEmpty()) {
-        const bool isChinese = QLocale::system().language() == QLocale::Chinese;
-        m_values.set("display.language", isChinese ? u"zh_CN"_s : u"en"_s);
-    }
     const auto isInFile = [this](const SettingRow& row) { return isStored(row); };
     if (std::ranges::any_of(settingTable | std::views::filter(&isOfConnection), isInFile))
         m_values.set("connection.simulated", settingText(false));
     for (const SettingRow& row : settingTable | std::views::filter(isInFile))
         m_values.set(row, m_file.value(keyOf(row)));
+    const QString wanted = m_values.text("display.language");
+    m_values.set("display.language",
+                 nearestLanguage(m_languages, wanted.isEmpty() ? QLocale::system().name() : wanted));
 }
 
 // Removes the connection when the panel's controller is unknown. The panel is not new either: it has no
@@ -183,7 +182,10 @@ Settings* Settings::create(QQmlEngine* qmlEngine, QJSEngine*)
 
 QStringList Settings::languageNames() const
 {
-    return {u"English"_s, u"简体中文"_s};
+    QStringList names;
+    for (const Language& language : m_languages)
+        names += language.name;
+    return names;
 }
 
 QVariantMap Settings::labels() const

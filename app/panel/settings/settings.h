@@ -5,6 +5,7 @@
 
 #include "app/link/link_values.h"
 #include "app/panel/kit/value.h"
+#include "app/panel/settings/languages.h"
 #include "app/panel/settings/port_model.h"
 #include "app/panel/settings/setting_values.h"
 #include "app/store/files/settings_file.h"
@@ -107,7 +108,8 @@ public:
     [[nodiscard]] QVariantMap labels() const;
     [[nodiscard]] QString language() const { return m_values.text("display.language"); }
     void setLanguage(const QString& language) { set("display.language", language); }
-    [[nodiscard]] QStringList languages() const { return choicesOf("display.language"); }
+    [[nodiscard]] const QList<Language>& installedLanguages() const { return m_languages; }
+    [[nodiscard]] QStringList languages() const { return languageCodes(m_languages); }
     [[nodiscard]] QStringList languageNames() const; // each in its own language
     [[nodiscard]] QString theme() const { return m_values.text("display.theme"); }
     void setTheme(const QString& theme) { set("display.theme", theme); }
@@ -183,6 +185,7 @@ private:
     [[nodiscard]] bool require(Level needed) const { return !m_access || m_access->require(needed); }
 
     store::SettingsFile m_file;
+    QList<Language> m_languages = languagesIn(languageFolders());
     SettingValues m_standard;
     SettingValues m_values;
     Value m_bagTolerance;

@@ -3,6 +3,7 @@
 #include "app/panel/words/alarm_catalogue.h"
 
 #include "modbus/map/protocol.h"
+#include "tests/support/places.h"
 #include "tests/support/test_program.h"
 
 #include <QRegularExpression>
@@ -90,7 +91,7 @@ private slots:
             QVERIFY2(kind.title().size() <= 30, kind.id);
         }
         QTranslator translator;
-        QVERIFY(translator.load(QStringLiteral(":/i18n/campanel_app_zh_CN.qm")));
+        QVERIFY(translator.load(campanel::test::languageFile("zh_CN")));
         QVERIFY(QCoreApplication::installTranslator(&translator));
         static const QRegularExpression chinese(QStringLiteral("[\\x{4e00}-\\x{9fff}]"));
         for (const AlarmKind& kind : AlarmCatalogue::all()) {

@@ -2,6 +2,7 @@
 // Alarms come, are acknowledged, return, are repeated, flood, are shelved, and outlive the panel.
 #include "alarm_fill.h"
 #include "tests/app/panel/alarm_rig.h"
+#include "tests/support/places.h"
 #include "tests/support/test_program.h"
 
 #include <QAbstractItemModelTester>
@@ -490,7 +491,7 @@ private slots:
         QCOMPARE(title(), "Following error too large");
         QSignalSpy changed(rig.alarms->live(), &panel::AlarmList::dataChanged);
         QTranslator translator;
-        QVERIFY(translator.load(QStringLiteral(":/i18n/campanel_app_zh_CN.qm")));
+        QVERIFY(translator.load(campanel::test::languageFile("zh_CN")));
         QVERIFY(QCoreApplication::installTranslator(&translator));
         QCOMPARE(title(), "跟随误差过大");
         QCOMPARE(rig.alarms->urgentTitle(), "跟随误差过大");

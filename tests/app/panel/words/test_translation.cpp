@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// The Chinese texts of app/: complete, with the same placeholders, and switched at run time.
+// The texts of each language: complete, with the same placeholders, and switched at run time.
 #include "app/panel/kit/language_notifier.h"
 #include "profile/laws/laws.h"
 #include "tests/app/panel/panel_rig.h"
 #include "tests/support/places.h"
 #include "tests/support/test_program.h"
 
+#include <QDir>
 #include <QFile>
 #include <QRegularExpression>
 #include <QSignalSpy>
@@ -30,15 +31,42 @@ QStringList placesIn(const QString& text)
     return places;
 }
 
+// Returns the contexts and texts of a file, in their order.
+QStringList sourcesIn(const QString& path)
+{
+    QFile file(path);
+    QStringList sources;
+    if (!file.open(QIODevice::ReadOnly))
+        return sources;
+    QXmlStreamReader xml(&file);
+    while (!xml.atEnd()) {
+        if (xml.readNext() == QXmlStreamReader::StartElement &&
+            (xml.name() == QLatin1String("name") || xml.name() == QLatin1String("source")))
+            sources += xml.readElementText();
+    }
+    return sources;
+}
+
 } // namespace
 
 class TestTranslation : public QObject {
     Q_OBJECT
 
 private slots:
+    void everyTextIsTranslatedWithItsPlaces_data()
+    {
+        QTest::addColumn<QString>("path");
+        for (const char* folder : {"app/i18n", "qml/i18n"}) {
+            const QDir texts(campanel::test::sourcePath(folder));
+            for (const QString& name : texts.entryList({"*.ts"}))
+                QTest::newRow(qPrintable(name)) << texts.filePath(name);
+        }
+    }
+
     void everyTextIsTranslatedWithItsPlaces()
     {
-        QFile file(campanel::test::sourcePath("app/i18n/campanel_app_zh_CN.ts"));
+        QFETCH(QString, path);
+        QFile file(path);
         QVERIFY(file.open(QIODevice::ReadOnly));
         QXmlStreamReader xml(&file);
         QString source;
@@ -61,10 +89,22 @@ private slots:
         QVERIFY(texts > 200);
     }
 
+    void everyLanguageHasTheSameTexts()
+    {
+        for (const char* folder : {"app/i18n", "qml/i18n"}) {
+            const QDir texts(campanel::test::sourcePath(folder));
+            const QStringList names = texts.entryList({"*.ts"});
+            QVERIFY(names.size() >= 2);
+            const QStringList first = sourcesIn(texts.filePath(names.first()));
+            for (const QString& name : names)
+                QCOMPARE(sourcesIn(texts.filePath(name)), first);
+        }
+    }
+
     void everyLawIsTranslated()
     {
         QTranslator translator;
-        QVERIFY(translator.load(QStringLiteral(":/i18n/campanel_app_zh_CN.qm")));
+        QVERIFY(translator.load(campanel::test::languageFile("zh_CN")));
         for (const profile::Law& law : profile::laws()) {
             for (const std::string_view text : {law.name, law.strength, law.weakness})
                 QVERIFY2(!translator.translate("RecipeWords", text.data()).isEmpty(), text.data());
@@ -81,7 +121,7 @@ private slots:
         QSignalSpy languages(panel::LanguageNotifier::ofApplication(),
                              &panel::LanguageNotifier::languageChanged);
         QTranslator translator;
-        QVERIFY(translator.load(QStringLiteral(":/i18n/campanel_app_zh_CN.qm")));
+        QVERIFY(translator.load(campanel::test::languageFile("zh_CN")));
         QVERIFY(QCoreApplication::installTranslator(&translator));
         QCOMPARE(rig.machine.stateText(), "运行");
         QCOMPARE(states.size(), 1);

@@ -1,0 +1,5896 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="de">
+<context>
+    <name>Language</name>
+    <message>
+        <source>English</source>
+        <extracomment>The name of the language in the language itself; without it the file is not used.</extracomment>
+        <translation>Deutsch</translation>
+    </message>
+</context>
+<context>
+    <name>AccessSentences</name>
+    <message>
+        <source>View only</source>
+        <translation>Nur ansehen</translation>
+    </message>
+    <message>
+        <source>Operator</source>
+        <translation>Bediener</translation>
+    </message>
+    <message>
+        <source>Technician</source>
+        <translation>Techniker</translation>
+    </message>
+    <message>
+        <source>Service</source>
+        <translation>Service</translation>
+    </message>
+    <message>
+        <source>view everything, stop the machine</source>
+        <translation>alles ansehen, Maschine stoppen</translation>
+    </message>
+    <message>
+        <source>start, bag length, rate, recipes, alarms</source>
+        <translation>Start, Beutellänge, Takt, Rezepte, Alarme</translation>
+    </message>
+    <message>
+        <source>plus cam, machine, packing, connection</source>
+        <translation>dazu Kurve, Maschine, Packung, Verbindung</translation>
+    </message>
+    <message>
+        <source>plus users and single registers</source>
+        <translation>dazu Benutzer und einzelne Register</translation>
+    </message>
+    <message>
+        <source>Log in to operate the machine. Stop needs no login.</source>
+        <translation>Anmelden, um die Maschine zu bedienen. Stopp geht ohne Anmeldung.</translation>
+    </message>
+    <message>
+        <source>This requires the level Technician or Service. Users with this level:</source>
+        <translation>Erfordert die Stufe Techniker oder Service. Benutzer mit dieser Stufe:</translation>
+    </message>
+    <message>
+        <source>This requires the level Service. Users with this level:</source>
+        <translation>Erfordert die Stufe Service. Benutzer mit dieser Stufe:</translation>
+    </message>
+    <message>
+        <source>A PIN has %1 to %2 digits.</source>
+        <translation>Eine PIN hat %1 bis %2 Ziffern.</translation>
+    </message>
+    <message>
+        <source>A PIN of equal digits is easy to guess. Choose another PIN.</source>
+        <translation>Gleiche Ziffern sind leicht zu erraten. Andere PIN wählen.</translation>
+    </message>
+    <message>
+        <source>Sequences such as 1234 are easy to guess. Choose another PIN.</source>
+        <translation>Folgen wie 1234 sind leicht zu erraten. Andere PIN wählen.</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>%1 min %2 s</source>
+        <translation>%1 min %2 s</translation>
+    </message>
+    <message>
+        <source>Wrong PIN. Try again in %1.</source>
+        <translation>Falsche PIN. Nächster Versuch in %1.</translation>
+    </message>
+    <message>
+        <source>Wrong PIN. Try again.</source>
+        <translation>Falsche PIN. Noch einmal versuchen.</translation>
+    </message>
+    <message>
+        <source>Locked after wrong PINs. Try again in %1.</source>
+        <translation>Nach falschen PINs gesperrt. Nächster Versuch in %1.</translation>
+    </message>
+    <message>
+        <source>%1 Until then PINs cannot be checked: only operators can work.</source>
+        <comment>%1: whole sentences</comment>
+        <translation>%1 Bis dahin können PINs nicht geprüft werden: nur Bediener können arbeiten.</translation>
+    </message>
+    <message>
+        <source>A PIN of the level Service has %1 to %2 digits.</source>
+        <translation>Eine PIN der Stufe Service hat %1 bis %2 Ziffern.</translation>
+    </message>
+</context>
+<context>
+    <name>AlarmCatalogue</name>
+    <message>
+        <source>%1 %2</source>
+        <comment>whole sentences: cause and what to do</comment>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>Following error too large</source>
+        <translation>Schleppfehler zu groß</translation>
+    </message>
+    <message>
+        <source>The axis cannot follow its setpoint.</source>
+        <translation>Die Achse kann ihrem Sollwert nicht folgen.</translation>
+    </message>
+    <message>
+        <source>Check for a jam, then reset the fault and home.</source>
+        <translation>Auf Verklemmung prüfen, Störung quittieren, Referenzfahrt starten.</translation>
+    </message>
+    <message>
+        <source>Table damaged</source>
+        <translation>Tabelle beschädigt</translation>
+    </message>
+    <message>
+        <source>The table in the controller is damaged.</source>
+        <translation>Die Tabelle in der Steuerung ist beschädigt.</translation>
+    </message>
+    <message>
+        <source>Reset the fault and download the recipe again.</source>
+        <translation>Störung quittieren und das Rezept erneut laden.</translation>
+    </message>
+    <message>
+        <source>No index mark</source>
+        <translation>Keine Nullmarke</translation>
+    </message>
+    <message>
+        <source>No index mark was found while homing.</source>
+        <translation>Bei der Referenzfahrt wurde keine Nullmarke gefunden.</translation>
+    </message>
+    <message>
+        <source>Check drive and index sensor, then reset the fault.</source>
+        <translation>Antrieb und Nullmarkensensor prüfen, dann Störung quittieren.</translation>
+    </message>
+    <message>
+        <source>Max. force reached</source>
+        <translation>Max. Kraft erreicht</translation>
+    </message>
+    <message>
+        <source>The press reached the maximum force, stopped and returned.</source>
+        <translation>Die Presse hat die maximale Kraft erreicht, angehalten und ist zurückgefahren.</translation>
+    </message>
+    <message>
+        <source>Check for a jam or a wrong workpiece, then reset the fault.</source>
+        <translation>Auf Verklemmung oder falsches Werkstück prüfen, dann Störung quittieren.</translation>
+    </message>
+    <message>
+        <source>Contact too early</source>
+        <translation>Kontakt zu früh</translation>
+    </message>
+    <message>
+        <source>The press touched an object during the approach.</source>
+        <translation>Die Presse hat beim Anfahren einen Gegenstand berührt.</translation>
+    </message>
+    <message>
+        <source>Check the workpiece and the approach position, then reset the fault.</source>
+        <translation>Werkstück und Anfahrposition prüfen, dann Störung quittieren.</translation>
+    </message>
+    <message>
+        <source>No workpiece</source>
+        <translation>Kein Werkstück</translation>
+    </message>
+    <message>
+        <source>The press did not detect a workpiece.</source>
+        <translation>Die Presse hat kein Werkstück erkannt.</translation>
+    </message>
+    <message>
+        <source>Insert a workpiece or check the probe position, then reset the fault.</source>
+        <translation>Werkstück einlegen oder Tastposition prüfen, dann Störung quittieren.</translation>
+    </message>
+    <message>
+        <source>Master too fast</source>
+        <translation>Leitachse zu schnell</translation>
+    </message>
+    <message>
+        <source>The axis cannot follow the master: the pulse frequency is too high.</source>
+        <translation>Die Achse kann der Leitachse nicht folgen: die Pulsfrequenz ist zu hoch.</translation>
+    </message>
+    <message>
+        <source>Lower the master speed, then reset the fault.</source>
+        <translation>Leitgeschwindigkeit senken, dann Störung quittieren.</translation>
+    </message>
+    <message>
+        <source>Drive alarm</source>
+        <translation>Alarm des Antriebs</translation>
+    </message>
+    <message>
+        <source>The drive of the axis reports an alarm.</source>
+        <translation>Der Antrieb der Achse meldet einen Alarm.</translation>
+    </message>
+    <message>
+        <source>Read the code on the drive and remove its cause, then reset the fault.</source>
+        <translation>Code am Antrieb ablesen, Ursache beseitigen, dann Störung quittieren.</translation>
+    </message>
+    <message>
+        <source>Unknown fault</source>
+        <translation>Unbekannte Störung</translation>
+    </message>
+    <message>
+        <source>The controller reports a fault that this panel does not know.</source>
+        <translation>Die Steuerung meldet eine Störung, die dieses Panel nicht kennt.</translation>
+    </message>
+    <message>
+        <source>Update the panel. Until then check the machine before you reset the fault.</source>
+        <translation>Panel aktualisieren. Bis dahin vor dem Quittieren die Maschine prüfen.</translation>
+    </message>
+    <message>
+        <source>No panel heartbeat</source>
+        <translation>Kein Lebenszeichen</translation>
+    </message>
+    <message>
+        <source>The controller received no heartbeat from the panel for some time.</source>
+        <translation>Die Steuerung hat einige Zeit kein Lebenszeichen vom Panel erhalten.</translation>
+    </message>
+    <message>
+        <source>Check the cable.</source>
+        <translation>Kabel prüfen.</translation>
+    </message>
+    <message>
+        <source>Not homed</source>
+        <translation>Nicht referenziert</translation>
+    </message>
+    <message>
+        <source>The controller does not know the position of the axis.</source>
+        <translation>Die Steuerung kennt die Position der Achse nicht.</translation>
+    </message>
+    <message>
+        <source>No action required: Start homes the axis first.</source>
+        <translation>Nichts zu tun: Start führt zuerst die Referenzfahrt aus.</translation>
+    </message>
+    <message>
+        <source>Saved copy damaged</source>
+        <translation>Gespeicherte Kopie beschädigt</translation>
+    </message>
+    <message>
+        <source>One of the two saved copies in the controller is damaged.</source>
+        <translation>Eine der zwei gespeicherten Kopien in der Steuerung ist beschädigt.</translation>
+    </message>
+    <message>
+        <source>Save the program again.</source>
+        <translation>Programm erneut speichern.</translation>
+    </message>
+    <message>
+        <source>Clock not set</source>
+        <translation>Uhr nicht gestellt</translation>
+    </message>
+    <message>
+        <source>The controller has had no time of day since power-on.</source>
+        <translation>Die Steuerung hat seit dem Einschalten keine Uhrzeit.</translation>
+    </message>
+    <message>
+        <source>No action required: the panel sets the clock when it connects.</source>
+        <translation>Nichts zu tun: das Panel stellt die Uhr beim Verbinden.</translation>
+    </message>
+    <message>
+        <source>Emergency stop pressed</source>
+        <translation>Not-Halt betätigt</translation>
+    </message>
+    <message>
+        <source>The emergency stop of the machine is pressed.</source>
+        <translation>Der Not-Halt der Maschine ist betätigt.</translation>
+    </message>
+    <message>
+        <source>Make sure that the machine is safe, then release the emergency stop.</source>
+        <translation>Sicherstellen, dass die Maschine sicher ist, dann Not-Halt entriegeln.</translation>
+    </message>
+    <message>
+        <source>Unknown warning</source>
+        <translation>Unbekannte Warnung</translation>
+    </message>
+    <message>
+        <source>The controller reports a warning that this panel does not know.</source>
+        <translation>Die Steuerung meldet eine Warnung, die dieses Panel nicht kennt.</translation>
+    </message>
+    <message>
+        <source>Update the panel.</source>
+        <translation>Panel aktualisieren.</translation>
+    </message>
+    <message>
+        <source>Marks lost</source>
+        <translation>Druckmarken verloren</translation>
+    </message>
+    <message>
+        <source>The controller lost the marks on the film and stopped the run.</source>
+        <translation>Die Steuerung hat die Druckmarken der Folie verloren und den Lauf gestoppt.</translation>
+    </message>
+    <message>
+        <source>Check film and mark sensor, then start again.</source>
+        <translation>Folie und Markensensor prüfen, dann neu starten.</translation>
+    </message>
+    <message>
+        <source>Wrong mark distance</source>
+        <translation>Falscher Markenabstand</translation>
+    </message>
+    <message>
+        <source>The mark distance on the film differs from the bag length, so the run was stopped.</source>
+        <translation>Der Markenabstand der Folie weicht von der Beutellänge ab; der Lauf wurde gestoppt.</translation>
+    </message>
+    <message>
+        <source>Load the right film or measure its marks under Maintenance.</source>
+        <translation>Richtige Folie einlegen oder ihre Marken unter Wartung messen.</translation>
+    </message>
+    <message>
+        <source>Correction limit reached</source>
+        <translation>Korrekturgrenze erreicht</translation>
+    </message>
+    <message>
+        <source>The correction limits were too small to follow the marks, so the run was stopped.</source>
+        <translation>Die Korrekturgrenzen waren zu klein, um den Marken zu folgen; der Lauf wurde gestoppt.</translation>
+    </message>
+    <message>
+        <source>Check the film for tension and slip, then start again.</source>
+        <translation>Folie auf Spannung und Schlupf prüfen, dann neu starten.</translation>
+    </message>
+    <message>
+        <source>Product too long</source>
+        <translation>Produkt zu lang</translation>
+    </message>
+    <message>
+        <source>A product is longer than the bag, so the run was stopped.</source>
+        <translation>Ein Produkt ist länger als der Beutel; der Lauf wurde gestoppt.</translation>
+    </message>
+    <message>
+        <source>Remove the product or set a longer bag, then start again.</source>
+        <translation>Produkt entfernen oder längeren Beutel einstellen, dann neu starten.</translation>
+    </message>
+    <message>
+        <source>Too many skipped cuts</source>
+        <translation>Zu viele Schnitte ausgelassen</translation>
+    </message>
+    <message>
+        <source>Products blocked the knife several times in a row, so the run was stopped.</source>
+        <translation>Produkte lagen mehrmals nacheinander unter dem Messer; der Lauf wurde gestoppt.</translation>
+    </message>
+    <message>
+        <source>Align the products, then start again.</source>
+        <translation>Produkte ausrichten, dann neu starten.</translation>
+    </message>
+    <message>
+        <source>Port missing</source>
+        <translation>Schnittstelle fehlt</translation>
+    </message>
+    <message>
+        <source>The port to the controller does not exist.</source>
+        <translation>Die Schnittstelle zur Steuerung ist nicht vorhanden.</translation>
+    </message>
+    <message>
+        <source>Plug the adapter in, or choose another port in the settings.</source>
+        <translation>Adapter einstecken oder in den Einstellungen eine andere Schnittstelle wählen.</translation>
+    </message>
+    <message>
+        <source>No response</source>
+        <translation>Keine Antwort</translation>
+    </message>
+    <message>
+        <source>No response on the port to the controller.</source>
+        <translation>Keine Antwort an der Schnittstelle zur Steuerung.</translation>
+    </message>
+    <message>
+        <source>Check cable, power, baud rate, parity and unit number.</source>
+        <translation>Kabel, Versorgung, Baudrate, Parität und Gerätenummer prüfen.</translation>
+    </message>
+    <message>
+        <source>Connection lost</source>
+        <translation>Verbindung verloren</translation>
+    </message>
+    <message>
+        <source>The connection to the controller was interrupted.</source>
+        <translation>Die Verbindung zur Steuerung wurde unterbrochen.</translation>
+    </message>
+    <message>
+        <source>Check the cable and the controller&apos;s power; the panel reconnects automatically.</source>
+        <translation>Kabel und Versorgung der Steuerung prüfen; das Panel verbindet sich selbsttätig.</translation>
+    </message>
+    <message>
+        <source>Wrong device</source>
+        <translation>Falsches Gerät</translation>
+    </message>
+    <message>
+        <source>The device on the port is not a controller that this panel knows.</source>
+        <translation>Das Gerät an der Schnittstelle ist keine Steuerung, die dieses Panel kennt.</translation>
+    </message>
+    <message>
+        <source>Choose another port or unit number, or update the older device.</source>
+        <translation>Andere Schnittstelle oder Gerätenummer wählen, oder das ältere Gerät aktualisieren.</translation>
+    </message>
+    <message>
+        <source>Port not usable</source>
+        <translation>Schnittstelle gesperrt</translation>
+    </message>
+    <message>
+        <source>The port to the controller exists but cannot be used.</source>
+        <translation>Die Schnittstelle zur Steuerung ist vorhanden, aber nicht nutzbar.</translation>
+    </message>
+    <message>
+        <source>Close the program that uses the port, or choose another port or other settings.</source>
+        <translation>Das Programm schließen, das sie belegt, oder eine andere Schnittstelle oder andere Einstellungen wählen.</translation>
+    </message>
+    <message>
+        <source>Simulated controller missing</source>
+        <translation>Simulierte Steuerung fehlt</translation>
+    </message>
+    <message>
+        <source>The simulated controller was not found or has stopped.</source>
+        <translation>Die simulierte Steuerung wurde nicht gefunden oder hat angehalten.</translation>
+    </message>
+    <message>
+        <source>Install the simulated controller, or choose a serial port in the settings.</source>
+        <translation>Simulierte Steuerung installieren oder in den Einstellungen eine serielle Schnittstelle wählen.</translation>
+    </message>
+    <message>
+        <source>Database replaced by its copy</source>
+        <translation>Datenbank durch Kopie ersetzt</translation>
+    </message>
+    <message>
+        <source>Check that the newest recipes are there. If this happens again, replace the disk.</source>
+        <translation>Prüfen, ob die neuesten Rezepte da sind. Bei Wiederholung den Datenträger tauschen.</translation>
+    </message>
+    <message>
+        <source>Database lost</source>
+        <translation>Datenbank verloren</translation>
+    </message>
+    <message>
+        <source>Restore a backup if there is one. If this happens again, replace the disk.</source>
+        <translation>Wenn vorhanden, eine Sicherung zurückspielen. Bei Wiederholung den Datenträger tauschen.</translation>
+    </message>
+    <message>
+        <source>Database not opened</source>
+        <translation>Datenbank nicht geöffnet</translation>
+    </message>
+    <message>
+        <source>The panel cannot open its database: new data are lost at a restart.</source>
+        <translation>Das Panel kann seine Datenbank nicht öffnen: neue Daten gehen beim Neustart verloren.</translation>
+    </message>
+    <message>
+        <source>Read the detail, remove the cause and restart the panel.</source>
+        <translation>Einzelheit lesen, Ursache beseitigen und das Panel neu starten.</translation>
+    </message>
+    <message>
+        <source>Disk full</source>
+        <translation>Datenträger voll</translation>
+    </message>
+    <message>
+        <source>The panel&apos;s disk is full: new data are not saved.</source>
+        <translation>Der Datenträger des Panels ist voll: neue Daten werden nicht gespeichert.</translation>
+    </message>
+    <message>
+        <source>Free some disk space. Data saved before are not lost.</source>
+        <translation>Speicherplatz freigeben. Früher gespeicherte Daten sind nicht verloren.</translation>
+    </message>
+    <message>
+        <source>Disk write-protected</source>
+        <translation>Datenträger schreibgeschützt</translation>
+    </message>
+    <message>
+        <source>The panel cannot write to its disk: new data are not saved.</source>
+        <translation>Das Panel kann nicht auf seinen Datenträger schreiben: neue Daten werden nicht gespeichert.</translation>
+    </message>
+    <message>
+        <source>Remove the write protection. If the disk protects itself, replace the disk.</source>
+        <translation>Schreibschutz aufheben. Schützt sich der Datenträger selbst, ihn tauschen.</translation>
+    </message>
+    <message>
+        <source>Not saved</source>
+        <translation>Nicht gespeichert</translation>
+    </message>
+    <message>
+        <source>Some data could not be saved in the panel&apos;s database.</source>
+        <translation>Einige Daten konnten nicht in der Datenbank gespeichert werden.</translation>
+    </message>
+    <message>
+        <source>Read the detail and try again. If this happens again, restart the panel.</source>
+        <translation>Einzelheit lesen und erneut versuchen. Bei Wiederholung das Panel neu starten.</translation>
+    </message>
+    <message>
+        <source>Recipe file</source>
+        <translation>Rezeptdatei</translation>
+    </message>
+    <message>
+        <source>The last recipe could not be read or saved.</source>
+        <translation>Das letzte Rezept konnte nicht gelesen oder gespeichert werden.</translation>
+    </message>
+    <message>
+        <source>Read the detail; check the recipe before you download it.</source>
+        <translation>Einzelheit lesen; das Rezept vor dem Laden prüfen.</translation>
+    </message>
+    <message>
+        <source>Settings file damaged</source>
+        <translation>Einstellungsdatei beschädigt</translation>
+    </message>
+    <message>
+        <source>The settings file was damaged or missing.</source>
+        <translation>Die Einstellungsdatei war beschädigt oder fehlte.</translation>
+    </message>
+    <message>
+        <source>Read the detail; check the settings, the connection first.</source>
+        <translation>Einzelheit lesen; Einstellungen prüfen, zuerst die Verbindung.</translation>
+    </message>
+    <message>
+        <source>Settings not saved</source>
+        <translation>Einstellungen nicht gespeichert</translation>
+    </message>
+    <message>
+        <source>The settings cannot be saved: they are lost when the panel is switched off.</source>
+        <translation>Die Einstellungen lassen sich nicht speichern: sie gehen beim Ausschalten verloren.</translation>
+    </message>
+    <message>
+        <source>Check for a full or write-protected disk.</source>
+        <translation>Auf vollen oder schreibgeschützten Datenträger prüfen.</translation>
+    </message>
+    <message>
+        <source>The panel&apos;s database was damaged or missing. The last good copy is used.</source>
+        <translation>Die Datenbank war beschädigt oder fehlte. Die letzte gute Kopie wird verwendet.</translation>
+    </message>
+    <message>
+        <source>The panel&apos;s database was damaged or missing and there was no copy. A new, empty database was created.</source>
+        <translation>Die Datenbank war beschädigt oder fehlte, und es gab keine Kopie. Eine neue, leere Datenbank wurde angelegt.</translation>
+    </message>
+    <message>
+        <source>Users and PINs lost</source>
+        <translation>Benutzer und PINs verloren</translation>
+    </message>
+    <message>
+        <source>The users were lost with the panel&apos;s database: only operators can work.</source>
+        <translation>Die Benutzer gingen mit der Datenbank verloren: nur Bediener können arbeiten.</translation>
+    </message>
+    <message>
+        <source>Delete the file named in the detail. Then restore a backup.</source>
+        <translation>Die in der Einzelheit genannte Datei löschen. Dann eine Sicherung zurückspielen.</translation>
+    </message>
+</context>
+<context>
+    <name>AlarmWords</name>
+    <message>
+        <source>Alarm of a newer panel version</source>
+        <translation>Alarm einer neueren Version</translation>
+    </message>
+    <message>
+        <source>Active, acknowledged</source>
+        <translation>Aktiv, quittiert</translation>
+    </message>
+    <message>
+        <source>End unknown, acknowledged</source>
+        <translation>Ende unbekannt, quittiert</translation>
+    </message>
+    <message>
+        <source>Cleared, acknowledged</source>
+        <translation>Beendet, quittiert</translation>
+    </message>
+    <message>
+        <source>Active, not acknowledged</source>
+        <translation>Aktiv, nicht quittiert</translation>
+    </message>
+    <message>
+        <source>End unknown, not acknowledged</source>
+        <translation>Ende unbekannt, nicht quittiert</translation>
+    </message>
+    <message>
+        <source>Cleared, not acknowledged</source>
+        <translation>Beendet, nicht quittiert</translation>
+    </message>
+    <message>
+        <source>Active, shelved</source>
+        <translation>Aktiv, zurückgestellt</translation>
+    </message>
+    <message>
+        <source>End unknown, shelved</source>
+        <translation>Ende unbekannt, zurückgestellt</translation>
+    </message>
+    <message>
+        <source>Cleared, shelved</source>
+        <translation>Beendet, zurückgestellt</translation>
+    </message>
+    <message>
+        <source>Active</source>
+        <translation>Aktiv</translation>
+    </message>
+    <message>
+        <source>End unknown</source>
+        <translation>Ende unbekannt</translation>
+    </message>
+    <message>
+        <source>Cleared</source>
+        <translation>Beendet</translation>
+    </message>
+    <message>
+        <source>until %1</source>
+        <translation>bis %1</translation>
+    </message>
+</context>
+<context>
+    <name>AuditWords</name>
+    <message>
+        <source>All</source>
+        <translation>Alle</translation>
+    </message>
+    <message>
+        <source>%1 (reason %2)</source>
+        <comment>refused (reason 7)</comment>
+        <translation>%1 (Grund %2)</translation>
+    </message>
+    <message>
+        <source>nobody logged in</source>
+        <translation>niemand angemeldet</translation>
+    </message>
+    <message>
+        <source>Row %1 was altered after it was written.</source>
+        <translation>Zeile %1 wurde nachträglich verändert.</translation>
+    </message>
+    <message>
+        <source>Row %1 is missing: the audit trail was altered.</source>
+        <translation>Zeile %1 fehlt: das Protokoll wurde verändert.</translation>
+    </message>
+    <message>
+        <source>Row %1 and all later rows are missing.</source>
+        <translation>Zeile %1 und alle späteren Zeilen fehlen.</translation>
+    </message>
+    <message>
+        <source>Checked: %1 rows, intact.</source>
+        <translation>Geprüft: %1 Zeilen, unversehrt.</translation>
+    </message>
+    <message>
+        <source>Commands</source>
+        <translation>Befehle</translation>
+    </message>
+    <message>
+        <source>Programs</source>
+        <translation>Programme</translation>
+    </message>
+    <message>
+        <source>Parameters</source>
+        <translation>Parameter</translation>
+    </message>
+    <message>
+        <source>Wizards</source>
+        <translation>Assistenten</translation>
+    </message>
+    <message>
+        <source>Settings</source>
+        <translation>Einstellungen</translation>
+    </message>
+    <message>
+        <source>Users and logins</source>
+        <translation>Benutzer, Anmeldungen</translation>
+    </message>
+    <message>
+        <source>Audit trail</source>
+        <translation>Protokoll</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Start</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Stopp</translation>
+    </message>
+    <message>
+        <source>Immediate stop</source>
+        <translation>Sofortstopp</translation>
+    </message>
+    <message>
+        <source>Home</source>
+        <translation>Referenzfahrt</translation>
+    </message>
+    <message>
+        <source>Fault reset</source>
+        <translation>Störung quittiert</translation>
+    </message>
+    <message>
+        <source>Saved in the controller</source>
+        <translation>In der Steuerung gespeichert</translation>
+    </message>
+    <message>
+        <source>Marks measured</source>
+        <translation>Marken gemessen</translation>
+    </message>
+    <message>
+        <source>Command</source>
+        <translation>Befehl</translation>
+    </message>
+    <message>
+        <source>Download</source>
+        <translation>Laden</translation>
+    </message>
+    <message>
+        <source>Program value</source>
+        <translation>Programmwert</translation>
+    </message>
+    <message>
+        <source>Parameter written</source>
+        <translation>Parameter geschrieben</translation>
+    </message>
+    <message>
+        <source>Mark sensor measured</source>
+        <translation>Markensensor gemessen</translation>
+    </message>
+    <message>
+        <source>Setting</source>
+        <translation>Einstellung</translation>
+    </message>
+    <message>
+        <source>Login</source>
+        <translation>Anmeldung</translation>
+    </message>
+    <message>
+        <source>Logout</source>
+        <translation>Abmeldung</translation>
+    </message>
+    <message>
+        <source>Automatic logout</source>
+        <translation>Selbsttätige Abmeldung</translation>
+    </message>
+    <message>
+        <source>User added</source>
+        <translation>Benutzer angelegt</translation>
+    </message>
+    <message>
+        <source>New PIN</source>
+        <translation>Neue PIN</translation>
+    </message>
+    <message>
+        <source>Level changed</source>
+        <translation>Stufe geändert</translation>
+    </message>
+    <message>
+        <source>User removed</source>
+        <translation>Benutzer entfernt</translation>
+    </message>
+    <message>
+        <source>Rows lost</source>
+        <translation>Zeilen verloren</translation>
+    </message>
+    <message>
+        <source>Oldest rows deleted</source>
+        <translation>Älteste Zeilen gelöscht</translation>
+    </message>
+    <message>
+        <source>connection</source>
+        <translation>Verbindung</translation>
+    </message>
+    <message>
+        <source>simulated faults</source>
+        <translation>simulierte Fehler</translation>
+    </message>
+    <message>
+        <source>done</source>
+        <translation>ausgeführt</translation>
+    </message>
+    <message>
+        <source>not sent: no connection</source>
+        <translation>nicht gesendet: keine Verbindung</translation>
+    </message>
+    <message>
+        <source>not received by the controller</source>
+        <translation>von der Steuerung nicht empfangen</translation>
+    </message>
+    <message>
+        <source>not known: no confirmation</source>
+        <translation>nicht bekannt: keine Bestätigung</translation>
+    </message>
+    <message>
+        <source>withdrawn</source>
+        <translation>zurückgezogen</translation>
+    </message>
+    <message>
+        <source>canceled</source>
+        <translation>abgebrochen</translation>
+    </message>
+    <message>
+        <source>failed</source>
+        <translation>fehlgeschlagen</translation>
+    </message>
+    <message>
+        <source>refused</source>
+        <translation>abgelehnt</translation>
+    </message>
+    <message>
+        <source>wrong PIN</source>
+        <translation>falsche PIN</translation>
+    </message>
+    <message>
+        <source>locked after wrong PINs</source>
+        <translation>nach falschen PINs gesperrt</translation>
+    </message>
+    <message>
+        <source>written, but the cuts still deviate</source>
+        <translation>geschrieben, aber die Schnitte weichen noch ab</translation>
+    </message>
+    <message>
+        <source>Backup and restore</source>
+        <translation>Sicherung und Rückspielen</translation>
+    </message>
+    <message>
+        <source>Backup created</source>
+        <translation>Sicherung angelegt</translation>
+    </message>
+    <message>
+        <source>Replaced by a backup</source>
+        <translation>Durch Sicherung ersetzt</translation>
+    </message>
+    <message>
+        <source>Restored from a backup</source>
+        <translation>Aus Sicherung zurückgespielt</translation>
+    </message>
+    <message>
+        <source>Homing ended</source>
+        <translation>Referenzfahrt beendet</translation>
+    </message>
+    <message>
+        <source>Jog forward</source>
+        <translation>Tippen vorwärts</translation>
+    </message>
+    <message>
+        <source>Jog reverse</source>
+        <translation>Tippen rückwärts</translation>
+    </message>
+    <message>
+        <source>Jog ended</source>
+        <translation>Tippen beendet</translation>
+    </message>
+    <message>
+        <source>key released</source>
+        <translation>Taste losgelassen</translation>
+    </message>
+    <message>
+        <source>stopped</source>
+        <translation>angehalten</translation>
+    </message>
+    <message>
+        <source>interrupted</source>
+        <translation>unterbrochen</translation>
+    </message>
+    <message>
+        <source>Recipes</source>
+        <translation>Rezepte</translation>
+    </message>
+    <message>
+        <source>New recipe</source>
+        <translation>Neues Rezept</translation>
+    </message>
+    <message>
+        <source>Recipe saved</source>
+        <translation>Rezept gespeichert</translation>
+    </message>
+    <message>
+        <source>Recipe renamed</source>
+        <translation>Rezept umbenannt</translation>
+    </message>
+    <message>
+        <source>Recipe deleted</source>
+        <translation>Rezept gelöscht</translation>
+    </message>
+    <message>
+        <source>Recipe restored</source>
+        <translation>Rezept wiederhergestellt</translation>
+    </message>
+    <message>
+        <source>Newest row unknown</source>
+        <translation>Neueste Zeile unbekannt</translation>
+    </message>
+    <message>
+        <source>Intact up to row %1. The file with the newest row is missing: later rows may be lost.</source>
+        <translation>Unversehrt bis Zeile %1. Die Datei mit der neuesten Zeile fehlt: spätere Zeilen können verloren sein.</translation>
+    </message>
+    <message>
+        <source>Checked: %1 rows, intact; rows may have been lost earlier, see the trail.</source>
+        <translation>Geprüft: %1 Zeilen, unversehrt; früher können Zeilen verloren gegangen sein, siehe Protokoll.</translation>
+    </message>
+    <message>
+        <source>Panel database</source>
+        <translation>Datenbank des Panels</translation>
+    </message>
+    <message>
+        <source>Replaced by its copy</source>
+        <translation>Durch ihre Kopie ersetzt</translation>
+    </message>
+    <message>
+        <source>Lost, new and empty</source>
+        <translation>Verloren, neu und leer</translation>
+    </message>
+</context>
+<context>
+    <name>BackupErrorText</name>
+    <message>
+        <source>The file %1 cannot be read: %2. Nothing was changed.</source>
+        <translation>Die Datei %1 ist nicht lesbar: %2. Nichts wurde geändert.</translation>
+    </message>
+    <message>
+        <source>%1 is not a backup of CamPanel. Nothing was changed.</source>
+        <translation>%1 ist keine Sicherung von CamPanel. Nichts wurde geändert.</translation>
+    </message>
+    <message>
+        <source>%1 was made by the newer CamPanel %2. Install that version first. Nothing was changed.</source>
+        <translation>%1 stammt vom neueren CamPanel %2. Zuerst diese Version installieren. Nichts wurde geändert.</translation>
+    </message>
+    <message>
+        <source>%1 is damaged (%2). Use another backup. Nothing was changed.</source>
+        <translation>%1 ist beschädigt (%2). Eine andere Sicherung verwenden. Nichts wurde geändert.</translation>
+    </message>
+    <message>
+        <source>The backup cannot be unpacked: %1. Free space on this panel. Nothing was changed.</source>
+        <translation>Die Sicherung lässt sich nicht entpacken: %1. Platz auf dem Panel schaffen. Nichts wurde geändert.</translation>
+    </message>
+    <message>
+        <source>%1 MB are required and %2 MB are free</source>
+        <translation>%1 MB sind nötig und %2 MB frei</translation>
+    </message>
+</context>
+<context>
+    <name>ConnectionSentences</name>
+    <message>
+        <source>Connected to the simulated controller.</source>
+        <translation>Mit der simulierten Steuerung verbunden.</translation>
+    </message>
+    <message>
+        <source>Connected to the controller on %1.</source>
+        <translation>Mit der Steuerung an %1 verbunden.</translation>
+    </message>
+    <message>
+        <source>Identifying the controller on %1 …</source>
+        <translation>Steuerung an %1 wird erkannt …</translation>
+    </message>
+    <message>
+        <source>Searching for port %1 …</source>
+        <translation>Schnittstelle %1 wird gesucht …</translation>
+    </message>
+    <message>
+        <source>The simulated controller was not found at %1. Install it, or choose a serial port in the settings.</source>
+        <translation>Die simulierte Steuerung wurde unter %1 nicht gefunden. Installieren oder in den Einstellungen eine serielle Schnittstelle wählen.</translation>
+    </message>
+    <message>
+        <source>The simulated controller has stopped and is restarting.</source>
+        <translation>Die simulierte Steuerung hat angehalten und startet neu.</translation>
+    </message>
+    <message>
+        <source>The simulated controller has stopped and is restarting. Its output: %1</source>
+        <translation>Die simulierte Steuerung hat angehalten und startet neu. Ihre Ausgabe: %1</translation>
+    </message>
+    <message>
+        <source>The simulated controller is starting …</source>
+        <translation>Die simulierte Steuerung startet …</translation>
+    </message>
+    <message>
+        <source>Port %1 does not exist. Plug the adapter in, or choose another port in the settings.</source>
+        <translation>Schnittstelle %1 ist nicht vorhanden. Adapter einstecken oder in den Einstellungen eine andere wählen.</translation>
+    </message>
+    <message>
+        <source>Another program is using port %1. Close that program, or choose another port.</source>
+        <translation>Ein anderes Programm belegt %1. Dieses Programm schließen oder eine andere Schnittstelle wählen.</translation>
+    </message>
+    <message>
+        <source>This user has no right to use port %1. Add the user to the group &quot;%2&quot; and log in again.</source>
+        <translation>Dieser Benutzer darf %1 nicht verwenden. Ihn der Gruppe „%2“ hinzufügen und neu anmelden.</translation>
+    </message>
+    <message>
+        <source>%1 is not a serial port. Choose another port in the settings.</source>
+        <translation>%1 ist keine serielle Schnittstelle. In den Einstellungen eine andere wählen.</translation>
+    </message>
+    <message>
+        <source>Port %1 cannot be set up: %2. Choose other settings.</source>
+        <translation>Schnittstelle %1 lässt sich nicht einrichten: %2. Andere Einstellungen wählen.</translation>
+    </message>
+    <message>
+        <source>Port %1 was removed. Plug the adapter in again.</source>
+        <translation>Schnittstelle %1 wurde entfernt. Adapter wieder einstecken.</translation>
+    </message>
+    <message>
+        <source>No response on %1. Check cable, power, baud rate, parity and unit number.</source>
+        <translation>Keine Antwort an %1. Kabel, Versorgung, Baudrate, Parität und Gerätenummer prüfen.</translation>
+    </message>
+    <message>
+        <source>Invalid data on %1. Check baud rate, parity and stop bits.</source>
+        <translation>Ungültige Daten an %1. Baudrate, Parität und Stoppbits prüfen.</translation>
+    </message>
+    <message>
+        <source>Responses on %1 belong to other requests. Check for another master on the line.</source>
+        <translation>Antworten an %1 gehören zu anderen Anfragen. Auf einen zweiten Master am Bus prüfen.</translation>
+    </message>
+    <message>
+        <source>The device on %1 refuses the request (Modbus exception %2). Check that it is a CamPanel controller.</source>
+        <translation>Das Gerät an %1 lehnt die Anfrage ab (Modbus-Ausnahme %2). Prüfen, ob es eine CamPanel-Steuerung ist.</translation>
+    </message>
+    <message>
+        <source>The device on %1 is not a CamPanel controller. Choose another port or unit number.</source>
+        <translation>Das Gerät an %1 ist keine CamPanel-Steuerung. Andere Schnittstelle oder Gerätenummer wählen.</translation>
+    </message>
+    <message>
+        <source>The controller on %1 has register map version %2, not %3. Update the older device.</source>
+        <translation>Die Steuerung an %1 hat Registerplan %2, nicht %3. Das ältere Gerät aktualisieren.</translation>
+    </message>
+    <message>
+        <source>The controller on %1 reports an impossible value: %2 is %3. Update its firmware.</source>
+        <translation>Die Steuerung an %1 meldet einen unmöglichen Wert: %2 ist %3. Ihre Firmware aktualisieren.</translation>
+    </message>
+    <message>
+        <source>The controller on %1 lacks required registers. Update its firmware.</source>
+        <translation>Der Steuerung an %1 fehlen nötige Register. Ihre Firmware aktualisieren.</translation>
+    </message>
+    <message>
+        <source>The controller did not receive the command. Try again.</source>
+        <translation>Die Steuerung hat den Befehl nicht empfangen. Erneut versuchen.</translation>
+    </message>
+    <message>
+        <source>It is unknown whether the controller received the command. Check the machine before you try again.</source>
+        <translation>Unbekannt, ob die Steuerung den Befehl empfangen hat. Vor einem neuen Versuch die Maschine prüfen.</translation>
+    </message>
+    <message>
+        <source>The controller stored a different value. Try again.</source>
+        <translation>Die Steuerung hat einen anderen Wert gespeichert. Erneut versuchen.</translation>
+    </message>
+    <message>
+        <source>The controller does not allow this access to %1.</source>
+        <translation>Die Steuerung erlaubt diesen Zugriff auf %1 nicht.</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Start</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Stopp</translation>
+    </message>
+    <message>
+        <source>Home</source>
+        <translation>Referenzfahrt</translation>
+    </message>
+    <message>
+        <source>Reset fault</source>
+        <translation>Störung quittieren</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Speichern</translation>
+    </message>
+    <message>
+        <source>Command</source>
+        <translation>Befehl</translation>
+    </message>
+    <message>
+        <source>%1 was refused. %2</source>
+        <comment>%1: command, %2: whole sentence</comment>
+        <translation>%1 wurde abgelehnt. %2</translation>
+    </message>
+    <message>
+        <source>%1 was not sent: there is no connection to the controller.</source>
+        <translation>%1 wurde nicht gesendet: keine Verbindung zur Steuerung.</translation>
+    </message>
+    <message>
+        <source>%1 did not reach the controller. Try again.</source>
+        <translation>%1 hat die Steuerung nicht erreicht. Erneut versuchen.</translation>
+    </message>
+    <message>
+        <source>%1 was sent, but no response was received. Check the machine before you try again.</source>
+        <translation>%1 wurde gesendet, aber ohne Antwort. Vor einem neuen Versuch die Maschine prüfen.</translation>
+    </message>
+    <message>
+        <source>Not downloaded: there is no connection to the controller.</source>
+        <translation>Nicht geladen: keine Verbindung zur Steuerung.</translation>
+    </message>
+    <message>
+        <source>Not downloaded: another download is in progress.</source>
+        <translation>Nicht geladen: ein anderes Laden läuft.</translation>
+    </message>
+    <message>
+        <source>The connection is lost. The download continues when it is restored.</source>
+        <translation>Die Verbindung ist verloren. Das Laden wird danach fortgesetzt.</translation>
+    </message>
+    <message>
+        <source>Sending the table …</source>
+        <translation>Tabelle wird gesendet …</translation>
+    </message>
+    <message>
+        <source>The controller is checking the table …</source>
+        <translation>Die Steuerung prüft die Tabelle …</translation>
+    </message>
+    <message>
+        <source>Checked. The program becomes active at the end of the cycle.</source>
+        <translation>Geprüft. Das Programm wird am Ende des Zyklus aktiv.</translation>
+    </message>
+    <message>
+        <source>Canceled. The controller&apos;s program is unchanged.</source>
+        <translation>Abgebrochen. Das Programm der Steuerung ist unverändert.</translation>
+    </message>
+    <message>
+        <source>Download failed; the controller&apos;s program is unchanged. %1</source>
+        <comment>%1: whole sentence</comment>
+        <translation>Laden fehlgeschlagen; das Programm der Steuerung ist unverändert. %1</translation>
+    </message>
+    <message>
+        <source>The table needs %1 registers, the controller has %2; its program is unchanged. Use fewer slices per ramp.</source>
+        <translation>Die Tabelle braucht %1 Register, die Steuerung hat %2; ihr Programm ist unverändert. Weniger Teilschritte je Rampe wählen.</translation>
+    </message>
+    <message>
+        <source>This controller cannot execute this kind of program; its program is unchanged. Update its firmware.</source>
+        <translation>Diese Steuerung kann diese Programmart nicht ausführen; ihr Programm ist unverändert. Firmware aktualisieren.</translation>
+    </message>
+    <message>
+        <source>The controller refused the table; its program is unchanged. %1</source>
+        <comment>%1: whole sentence</comment>
+        <translation>Die Steuerung hat die Tabelle abgelehnt; ihr Programm ist unverändert. %1</translation>
+    </message>
+    <message>
+        <source>The received data differ from the sent data; the controller&apos;s program is unchanged. Download again.</source>
+        <translation>Die empfangenen Daten weichen ab; das Programm der Steuerung ist unverändert. Erneut laden.</translation>
+    </message>
+    <message>
+        <source>The controller did not apply the table; its program is unchanged. %1</source>
+        <comment>%1: whole sentence</comment>
+        <translation>Die Steuerung hat die Tabelle nicht übernommen; ihr Programm ist unverändert. %1</translation>
+    </message>
+    <message>
+        <source>The change was withdrawn before it became active; the controller&apos;s program is unchanged.</source>
+        <translation>Die Änderung wurde zurückgezogen, bevor sie aktiv wurde; das Programm der Steuerung ist unverändert.</translation>
+    </message>
+    <message>
+        <source>%1 was not changed: there is no connection to the controller.</source>
+        <translation>%1 wurde nicht geändert: keine Verbindung zur Steuerung.</translation>
+    </message>
+    <message>
+        <source>%1 was not changed. %2</source>
+        <comment>%2: whole sentence</comment>
+        <translation>%1 wurde nicht geändert. %2</translation>
+    </message>
+    <message>
+        <source>%1 was sent, but not confirmed. Check the machine before you try again.</source>
+        <translation>%1 wurde gesendet, aber nicht bestätigt. Vor einem neuen Versuch die Maschine prüfen.</translation>
+    </message>
+    <message>
+        <source>The diagnostics are using the ports. The panel reconnects when they have finished.</source>
+        <translation>Die Diagnose belegt die Schnittstellen. Danach verbindet sich das Panel wieder.</translation>
+    </message>
+    <message>
+        <source>No connection since %1 to the simulated controller on %2. The panel reconnects automatically.</source>
+        <translation>Seit %1 keine Verbindung zur simulierten Steuerung an %2. Das Panel verbindet sich selbsttätig.</translation>
+    </message>
+    <message>
+        <source>No connection since %1: port %2 was removed. Plug the adapter in again; the panel finds it under any name and reconnects automatically.</source>
+        <translation>Seit %1 keine Verbindung: %2 wurde entfernt. Adapter wieder einstecken; das Panel findet ihn unter jedem Namen und verbindet sich selbsttätig.</translation>
+    </message>
+    <message>
+        <source>No connection since %1: no response on %2. Check the cable and the controller&apos;s power; the panel reconnects automatically.</source>
+        <translation>Seit %1 keine Verbindung: keine Antwort an %2. Kabel und Versorgung der Steuerung prüfen; das Panel verbindet sich selbsttätig.</translation>
+    </message>
+    <message>
+        <source>Measure marks</source>
+        <translation>Marken messen</translation>
+    </message>
+    <message>
+        <source>No controller is selected. Select one on the Settings page, under Connection.</source>
+        <translation>Keine Steuerung gewählt. Eine auf der Seite Einstellungen unter Verbindung wählen.</translation>
+    </message>
+    <message>
+        <source>The controller has this program.</source>
+        <translation>Die Steuerung hat dieses Programm.</translation>
+    </message>
+</context>
+<context>
+    <name>ControllerSentences</name>
+    <message>
+        <source>The machine keeps running; the new recipe starts with the next cycle.</source>
+        <translation>Die Maschine läuft weiter; das neue Rezept beginnt mit dem nächsten Zyklus.</translation>
+    </message>
+    <message>
+        <source>The film keeps its speed; %1 bags/min after %2 s.</source>
+        <translation>Die Folie behält ihre Geschwindigkeit; %1 Beutel/min nach %2 s.</translation>
+    </message>
+    <message>
+        <source>The master keeps its speed; full speed after %1 s.</source>
+        <translation>Die Leitachse behält ihre Geschwindigkeit; volle Geschwindigkeit nach %1 s.</translation>
+    </message>
+    <message>
+        <source>Slows down to %1 % (bags: %2, %3 s), then %4 bags/min.</source>
+        <translation>Wird auf %1 % langsamer (Beutel: %2, %3 s), dann %4 Beutel/min.</translation>
+    </message>
+    <message>
+        <source>Slows down to %1 % (cycles: %2, %3 s), then full speed.</source>
+        <translation>Wird auf %1 % langsamer (Zyklen: %2, %3 s), dann volle Geschwindigkeit.</translation>
+    </message>
+    <message>
+        <source>No program</source>
+        <translation>Kein Programm</translation>
+    </message>
+    <message>
+        <source>Ready</source>
+        <translation>Bereit</translation>
+    </message>
+    <message>
+        <source>Running</source>
+        <translation>Läuft</translation>
+    </message>
+    <message>
+        <source>Stopping</source>
+        <translation>Hält an</translation>
+    </message>
+    <message>
+        <source>Jogging</source>
+        <translation>Tippen</translation>
+    </message>
+    <message>
+        <source>Homing</source>
+        <translation>Referenzfahrt</translation>
+    </message>
+    <message>
+        <source>Fault</source>
+        <translation>Störung</translation>
+    </message>
+    <message>
+        <source>The controller does not support this command. Update its firmware.</source>
+        <translation>Die Steuerung kennt diesen Befehl nicht. Ihre Firmware aktualisieren.</translation>
+    </message>
+    <message>
+        <source>The controller has no program. Download a recipe first.</source>
+        <translation>Die Steuerung hat kein Programm. Zuerst ein Rezept laden.</translation>
+    </message>
+    <message>
+        <source>The machine is already moving. Stop it first.</source>
+        <translation>Die Maschine bewegt sich schon. Zuerst stoppen.</translation>
+    </message>
+    <message>
+        <source>The machine is not running.</source>
+        <translation>Die Maschine läuft nicht.</translation>
+    </message>
+    <message>
+        <source>The controller is in fault. Reset the fault first.</source>
+        <translation>Die Steuerung ist in Störung. Zuerst die Störung quittieren.</translation>
+    </message>
+    <message>
+        <source>This is only possible at standstill. Stop the machine first.</source>
+        <translation>Nur im Stillstand möglich. Zuerst die Maschine stoppen.</translation>
+    </message>
+    <message>
+        <source>The controller has no checked table. Download again.</source>
+        <translation>Die Steuerung hat keine geprüfte Tabelle. Erneut laden.</translation>
+    </message>
+    <message>
+        <source>Another download interfered. Download again.</source>
+        <translation>Ein anderes Laden kam dazwischen. Erneut laden.</translation>
+    </message>
+    <message>
+        <source>The controller received different data. Download again.</source>
+        <translation>Die Steuerung hat andere Daten empfangen. Erneut laden.</translation>
+    </message>
+    <message>
+        <source>No change is pending.</source>
+        <translation>Es steht keine Änderung an.</translation>
+    </message>
+    <message>
+        <source>Writing to the controller&apos;s flash failed; the saved program is unchanged. Save again.</source>
+        <translation>Schreiben in den Flash-Speicher fehlgeschlagen; das gespeicherte Programm ist unverändert. Erneut speichern.</translation>
+    </message>
+    <message>
+        <source>There is no fault to reset.</source>
+        <translation>Es gibt keine Störung zu quittieren.</translation>
+    </message>
+    <message>
+        <source>The controller does not accept this value. Update the older of panel and controller.</source>
+        <translation>Die Steuerung nimmt diesen Wert nicht an. Das ältere Gerät, Panel oder Steuerung, aktualisieren.</translation>
+    </message>
+    <message>
+        <source>The cause of the fault still exists. Remove it first.</source>
+        <translation>Die Ursache der Störung besteht noch. Zuerst beseitigen.</translation>
+    </message>
+    <message>
+        <source>The controller receives no heartbeat from the panel. Check the cable.</source>
+        <translation>Die Steuerung erhält kein Lebenszeichen vom Panel. Kabel prüfen.</translation>
+    </message>
+    <message>
+        <source>The controller reports reason %1, which this panel does not know. Update the panel.</source>
+        <translation>Die Steuerung meldet Grund %1, den dieses Panel nicht kennt. Panel aktualisieren.</translation>
+    </message>
+    <message>
+        <source>Parts of the table are missing. Download again.</source>
+        <translation>Teile der Tabelle fehlen. Erneut laden.</translation>
+    </message>
+    <message>
+        <source>Panel and controller do not match. Update the older device.</source>
+        <translation>Panel und Steuerung passen nicht zusammen. Das ältere Gerät aktualisieren.</translation>
+    </message>
+    <message>
+        <source>Value %1 in the table header is outside the controller&apos;s limits. Correct the recipe.</source>
+        <translation>Wert %1 im Tabellenkopf liegt außerhalb der Grenzen der Steuerung. Rezept korrigieren.</translation>
+    </message>
+    <message>
+        <source>Row %1 of the table is outside the range of the controller&apos;s timer. Lower the rate.</source>
+        <translation>Zeile %1 der Tabelle liegt außerhalb des Zeitgebers der Steuerung. Taktzahl senken.</translation>
+    </message>
+    <message>
+        <source>The table&apos;s rows do not match its total pulses and time. Download again.</source>
+        <translation>Die Zeilen der Tabelle passen nicht zu ihrer Pulszahl und Zeit. Erneut laden.</translation>
+    </message>
+    <message>
+        <source>An earlier change is waiting for the end of the cycle. Cancel it first.</source>
+        <translation>Eine frühere Änderung wartet auf das Ende des Zyklus. Zuerst abbrechen.</translation>
+    </message>
+    <message>
+        <source>At standstill</source>
+        <translation>Im Stillstand</translation>
+    </message>
+    <message>
+        <source>Approach</source>
+        <translation>Anfahren</translation>
+    </message>
+    <message>
+        <source>Probe</source>
+        <translation>Tasten</translation>
+    </message>
+    <message>
+        <source>Press</source>
+        <translation>Pressen</translation>
+    </message>
+    <message>
+        <source>Hold</source>
+        <translation>Halten</translation>
+    </message>
+    <message>
+        <source>Return</source>
+        <translation>Rückhub</translation>
+    </message>
+    <message>
+        <source>OK</source>
+        <translation>OK</translation>
+    </message>
+    <message>
+        <source>Stop position outside tolerance</source>
+        <translation>Endlage außerhalb der Toleranz</translation>
+    </message>
+    <message>
+        <source>Force too low</source>
+        <translation>Kraft zu klein</translation>
+    </message>
+    <message>
+        <source>Force too high</source>
+        <translation>Kraft zu groß</translation>
+    </message>
+    <message>
+        <source>Contact too early</source>
+        <translation>Kontakt zu früh</translation>
+    </message>
+    <message>
+        <source>No contact</source>
+        <translation>Kein Kontakt</translation>
+    </message>
+    <message>
+        <source>Max. force reached</source>
+        <translation>Max. Kraft erreicht</translation>
+    </message>
+    <message>
+        <source>Stopped</source>
+        <translation>Gestoppt</translation>
+    </message>
+    <message>
+        <source>Machine data can only be changed at standstill. Stop the machine first.</source>
+        <translation>Maschinendaten lassen sich nur im Stillstand ändern. Zuerst die Maschine stoppen.</translation>
+    </message>
+    <message>
+        <source>There are too many bags between mark sensor and knife. Set a longer bag, move the sensor closer, or switch off mark tracking under Maintenance.</source>
+        <translation>Zwischen Markensensor und Messer liegen zu viele Beutel. Längeren Beutel einstellen, Sensor näher setzen oder Markenregelung unter Wartung ausschalten.</translation>
+    </message>
+    <message>
+        <source>The mark window is wider than half a bag. Reduce it under Maintenance.</source>
+        <translation>Das Markenfenster ist breiter als ein halber Beutel. Unter Wartung verkleinern.</translation>
+    </message>
+    <message>
+        <source>The sync window is too long to correct the film. Change k1 to k4.</source>
+        <translation>Der Synchronbereich ist zu lang, um die Folie zu korrigieren. k1 bis k4 ändern.</translation>
+    </message>
+    <message>
+        <source>The product eye is too close or too far to decide in time. Check its distance under Maintenance.</source>
+        <translation>Die Produktlichtschranke ist zu nah oder zu weit entfernt. Ihren Abstand unter Wartung prüfen.</translation>
+    </message>
+    <message>
+        <source>Mark tracking off</source>
+        <translation>Markenregelung aus</translation>
+    </message>
+    <message>
+        <source>Searching for marks</source>
+        <translation>Sucht Druckmarken</translation>
+    </message>
+    <message>
+        <source>Aligning cuts with marks</source>
+        <translation>Richtet Schnitte an Marken aus</translation>
+    </message>
+    <message>
+        <source>Tracking marks</source>
+        <translation>Folgt den Druckmarken</translation>
+    </message>
+    <message>
+        <source>Product in the knife&apos;s path</source>
+        <translation>Produkt im Weg des Messers</translation>
+    </message>
+    <message>
+        <source>Product longer than the bag</source>
+        <translation>Produkt länger als der Beutel</translation>
+    </message>
+    <message>
+        <source>Product missing</source>
+        <translation>Produkt fehlt</translation>
+    </message>
+    <message>
+        <source>Film or infeed would exceed the controller&apos;s speed limit. Lower the rate.</source>
+        <translation>Folie oder Zuführung würde die Grenze der Steuerung überschreiten. Taktzahl senken.</translation>
+    </message>
+    <message>
+        <source>The speed of an axis would change too abruptly. Stop the machine, then download; or raise the largest speed steps under Maintenance.</source>
+        <translation>Eine Achse würde ihre Geschwindigkeit zu plötzlich ändern. Zuerst stoppen, dann laden; oder die größten Geschwindigkeitssprünge unter Wartung anheben.</translation>
+    </message>
+    <message>
+        <source>Another device on the line writes parts of commands. Check the connected devices.</source>
+        <translation>Ein anderes Gerät am Bus schreibt Teile von Befehlen. Angeschlossene Geräte prüfen.</translation>
+    </message>
+    <message>
+        <source>The lead of cam switch %1 is longer than a cycle. Shorten it under Maintenance, or lower the rate.</source>
+        <translation>Die Vorhaltezeit von Nocken %1 ist länger als ein Zyklus. Unter Wartung verkürzen oder Taktzahl senken.</translation>
+    </message>
+</context>
+<context>
+    <name>DifferencesText</name>
+    <message>
+        <source>Recipe</source>
+        <translation>Rezept</translation>
+    </message>
+    <message>
+        <source>Speed law</source>
+        <translation>Geschwindigkeitsgesetz</translation>
+    </message>
+    <message>
+        <source>Pinned values</source>
+        <translation>Feste Werte</translation>
+    </message>
+    <message>
+        <source>Law parameter 2</source>
+        <translation>Parameter 2 des Gesetzes</translation>
+    </message>
+    <message>
+        <source>Law parameter 1</source>
+        <translation>Parameter 1 des Gesetzes</translation>
+    </message>
+    <message>
+        <source>Program type</source>
+        <translation>Programmart</translation>
+    </message>
+    <message>
+        <source>Displacement law</source>
+        <translation>Bewegungsgesetz</translation>
+    </message>
+    <message>
+        <source>Knots</source>
+        <translation>Stützpunkte</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n knot(s)</source>
+        <translation>
+            <numerusform>%n Stützpunkt</numerusform>
+            <numerusform>%n Stützpunkte</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>DoctorSentences</name>
+    <message>
+        <source>%1 baud, 8%2%3, unit %4</source>
+        <comment>parity letter, stop bits</comment>
+        <translation>%1 Baud, 8%2%3, Gerät %4</translation>
+    </message>
+    <message>
+        <source>Controller found</source>
+        <translation>Steuerung gefunden</translation>
+    </message>
+    <message>
+        <source>Controller at another unit number</source>
+        <translation>Steuerung unter anderer Gerätenummer</translation>
+    </message>
+    <message>
+        <source>Controller with another version</source>
+        <translation>Steuerung anderer Version</translation>
+    </message>
+    <message>
+        <source>Another device</source>
+        <translation>Anderes Gerät</translation>
+    </message>
+    <message>
+        <source>Invalid data</source>
+        <translation>Ungültige Daten</translation>
+    </message>
+    <message>
+        <source>No response</source>
+        <translation>Keine Antwort</translation>
+    </message>
+    <message>
+        <source>Echo only</source>
+        <translation>Nur Echo</translation>
+    </message>
+    <message>
+        <source>Port does not exist</source>
+        <translation>Schnittstelle fehlt</translation>
+    </message>
+    <message>
+        <source>Permission denied</source>
+        <translation>Keine Berechtigung</translation>
+    </message>
+    <message>
+        <source>In use by another program</source>
+        <translation>Von anderem Programm belegt</translation>
+    </message>
+    <message>
+        <source>Not a serial port</source>
+        <translation>Keine serielle Schnittstelle</translation>
+    </message>
+    <message>
+        <source>Settings not supported</source>
+        <translation>Einstellungen nicht unterstützt</translation>
+    </message>
+    <message>
+        <source>Unplugged</source>
+        <translation>Abgezogen</translation>
+    </message>
+    <message>
+        <source>A CamPanel controller with firmware %1 responds.</source>
+        <translation>Eine CamPanel-Steuerung mit Firmware %1 antwortet.</translation>
+    </message>
+    <message>
+        <source>A CamPanel controller responds at unit number %1, which differs from the setting. Use this connection, or set the unit number at the controller.</source>
+        <translation>Eine CamPanel-Steuerung antwortet unter Gerätenummer %1, die von der Einstellung abweicht. Diese Verbindung verwenden oder die Nummer an der Steuerung einstellen.</translation>
+    </message>
+    <message>
+        <source>A CamPanel controller responds with register map version %1, not %2. Update the older device.</source>
+        <translation>Eine CamPanel-Steuerung antwortet mit Registerplan %1, nicht %2. Das ältere Gerät aktualisieren.</translation>
+    </message>
+    <message>
+        <source>The responding device is not a CamPanel controller. Choose another port or unit number.</source>
+        <translation>Das antwortende Gerät ist keine CamPanel-Steuerung. Andere Schnittstelle oder Gerätenummer wählen.</translation>
+    </message>
+    <message>
+        <source>%1 bytes were received, but no valid response. Check baud rate, parity and stop bits, or search for the controller; then check shield and ground.</source>
+        <translation>%1 Bytes empfangen, aber keine gültige Antwort. Baudrate, Parität und Stoppbits prüfen oder Steuerung suchen; dann Schirm und Erdung prüfen.</translation>
+    </message>
+    <message>
+        <source>No data was received. Check the controller&apos;s power and both ends of the cable; on RS-232 cross the transmit and receive wires, on RS-485 check A and B.</source>
+        <translation>Keine Daten empfangen. Versorgung der Steuerung und beide Kabelenden prüfen; bei RS-232 Sende- und Empfangsader kreuzen, bei RS-485 A und B prüfen.</translation>
+    </message>
+    <message>
+        <source>The adapter echoes the requests, and no controller responds. Check the controller&apos;s power, both ends of the cable, and A and B.</source>
+        <translation>Der Adapter gibt die Anfragen als Echo zurück, keine Steuerung antwortet. Versorgung der Steuerung, beide Kabelenden sowie A und B prüfen.</translation>
+    </message>
+    <message>
+        <source>%1 The USB adapter delays data by %2 ms: set its latency timer to 1 ms.</source>
+        <comment>%1: whole sentence</comment>
+        <translation>%1 Der USB-Adapter verzögert Daten um %2 ms: seinen Latenz-Timer auf 1 ms stellen.</translation>
+    </message>
+    <message>
+        <source>This port does not exist. Plug the adapter in, or choose another port in the settings.</source>
+        <translation>Diese Schnittstelle ist nicht vorhanden. Adapter einstecken oder in den Einstellungen eine andere wählen.</translation>
+    </message>
+    <message>
+        <source>This user has no right to use the port. Ask the administrator for this right.</source>
+        <translation>Dieser Benutzer darf die Schnittstelle nicht verwenden. Den Administrator um das Recht bitten.</translation>
+    </message>
+    <message>
+        <source>This user has no right to use the port. Add the user to the group &quot;%1&quot; and log in again.</source>
+        <translation>Dieser Benutzer darf die Schnittstelle nicht verwenden. Ihn der Gruppe „%1“ hinzufügen und neu anmelden.</translation>
+    </message>
+    <message>
+        <source>This is not a serial port. Choose another port in the settings.</source>
+        <translation>Das ist keine serielle Schnittstelle. In den Einstellungen eine andere wählen.</translation>
+    </message>
+    <message>
+        <source>The port cannot be set up: %1. Choose other settings.</source>
+        <translation>Die Schnittstelle lässt sich nicht einrichten: %1. Andere Einstellungen wählen.</translation>
+    </message>
+    <message>
+        <source>The adapter was removed during the test. Check its plug and cable.</source>
+        <translation>Der Adapter wurde während der Prüfung entfernt. Stecker und Kabel prüfen.</translation>
+    </message>
+    <message>
+        <source>process %1</source>
+        <translation>Prozess %1</translation>
+    </message>
+    <message>
+        <source>%1 (process %2)</source>
+        <translation>%1 (Prozess %2)</translation>
+    </message>
+    <message>
+        <source>Another program is using this port. Close that program, or choose another port.</source>
+        <translation>Ein anderes Programm belegt diese Schnittstelle. Es schließen oder eine andere wählen.</translation>
+    </message>
+    <message>
+        <source>The port is in use by %1. Close that program, or choose another port.</source>
+        <translation>Die Schnittstelle ist von %1 belegt. Dieses Programm schließen oder eine andere wählen.</translation>
+    </message>
+    <message>
+        <source>%1 of %2, max. %3 min left</source>
+        <translation>%1 von %2, noch max. %3 min</translation>
+    </message>
+    <message>
+        <source>%1 of %2, max. %3 s left</source>
+        <translation>%1 von %2, noch max. %3 s</translation>
+    </message>
+</context>
+<context>
+    <name>EditorViews</name>
+    <message>
+        <source>RMS</source>
+        <translation>Effektiv</translation>
+    </message>
+    <message>
+        <source>%1 r/min</source>
+        <translation>%1/min</translation>
+    </message>
+    <message>
+        <source>%1 m/s²</source>
+        <translation>%1 m/s²</translation>
+    </message>
+    <message>
+        <source>%1 kHz</source>
+        <translation>%1 kHz</translation>
+    </message>
+    <message>
+        <source>acceleration jumps</source>
+        <translation>Beschleunigung springt</translation>
+    </message>
+    <message>
+        <source>%1 m/s³</source>
+        <translation>%1 m/s³</translation>
+    </message>
+    <message>
+        <source>peak %1 r/min · %2 m/s² · %3 kHz</source>
+        <translation>max. %1/min · %2 m/s² · %3 kHz</translation>
+    </message>
+    <message>
+        <source>peak %1 r/min · %2 m/s² · %3 Nm (RMS %5) · %4 kHz</source>
+        <translation>max. %1/min · %2 m/s² · %3 Nm (eff. %5) · %4 kHz</translation>
+    </message>
+    <message>
+        <source>Just within the limits.</source>
+        <translation>Knapp innerhalb der Grenzen.</translation>
+    </message>
+    <message>
+        <source>Within all limits.</source>
+        <translation>Innerhalb aller Grenzen.</translation>
+    </message>
+    <message>
+        <source>Within all limits; building the table …</source>
+        <translation>Innerhalb aller Grenzen; Tabelle wird erstellt …</translation>
+    </message>
+    <message>
+        <source>peak %1 r/min · %2 m/s² · %3 kHz · seal %4 ms</source>
+        <translation>max. %1/min · %2 m/s² · %3 kHz · Siegeln %4 ms</translation>
+    </message>
+    <message>
+        <source>Peak speed</source>
+        <translation>Max. Drehzahl</translation>
+    </message>
+    <message>
+        <source>Acceleration</source>
+        <translation>Beschleunigung</translation>
+    </message>
+    <message>
+        <source>Jerk</source>
+        <translation>Ruck</translation>
+    </message>
+    <message>
+        <source>Torque,
+RMS</source>
+        <translation>Moment,
+Effektiv</translation>
+    </message>
+    <message>
+        <source>Frequency</source>
+        <translation>Frequenz</translation>
+    </message>
+    <message>
+        <source>Error while
+sealing</source>
+        <translation>Fehler beim
+Siegeln</translation>
+    </message>
+    <message>
+        <source>Vibration
+after the move</source>
+        <translation>Schwingung
+danach</translation>
+    </message>
+    <message>
+        <source>%1 Nm
+RMS %2</source>
+        <comment>peak and RMS torque</comment>
+        <translation>%1 Nm
+eff. %2</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+</context>
+<context>
+    <name>FileErrorText</name>
+    <message>
+        <source>The recipe file %1 does not exist. Check its name.</source>
+        <translation>Die Rezeptdatei %1 ist nicht vorhanden. Namen prüfen.</translation>
+    </message>
+    <message>
+        <source>The recipe file %1 cannot be read: %2.</source>
+        <translation>Die Rezeptdatei %1 ist nicht lesbar: %2.</translation>
+    </message>
+    <message>
+        <source>The recipe could not be saved to %1: %2; the stored recipe is unchanged. Free disk space or check the permissions, then save again.</source>
+        <translation>Das Rezept konnte nicht nach %1 gespeichert werden: %2; das gespeicherte Rezept ist unverändert. Platz schaffen oder Rechte prüfen, dann erneut speichern.</translation>
+    </message>
+    <message>
+        <source>The recipe file %1 is damaged at byte %2: %3. Restore it from a copy.</source>
+        <translation>Die Rezeptdatei %1 ist bei Byte %2 beschädigt: %3. Aus einer Kopie wiederherstellen.</translation>
+    </message>
+    <message>
+        <source>%1 is not a CamPanel recipe: the key &quot;format&quot; must be &quot;campanel-recipe&quot;.</source>
+        <translation>%1 ist kein CamPanel-Rezept: Der Schlüssel &quot;format&quot; muss &quot;campanel-recipe&quot; sein.</translation>
+    </message>
+    <message>
+        <source>The recipe file %1 has format version %2, this program reads version %3. Update the program.</source>
+        <translation>Die Rezeptdatei %1 hat Formatversion %2, dieses Programm liest Version %3. Programm aktualisieren.</translation>
+    </message>
+    <message>
+        <source>The recipe file %1 has an unknown key %2. Correct or remove the key.</source>
+        <translation>Die Rezeptdatei %1 hat einen unbekannten Schlüssel %2. Schlüssel korrigieren oder entfernen.</translation>
+    </message>
+    <message>
+        <source>The recipe file %1 lacks the key %2. Add the key.</source>
+        <translation>In der Rezeptdatei %1 fehlt der Schlüssel %2. Schlüssel ergänzen.</translation>
+    </message>
+    <message>
+        <source>In the recipe file %1, %2 must be %3.</source>
+        <translation>In der Rezeptdatei %1 muss %2 %3 sein.</translation>
+    </message>
+    <message>
+        <source>In the recipe file %1, %2 is %3; enter %4.</source>
+        <translation>In der Rezeptdatei %1 ist %2 gleich %3; %4 eingeben.</translation>
+    </message>
+    <message>
+        <source>In the recipe file %1, %2 is &quot;%3&quot;; choose one of: %4.</source>
+        <translation>In der Rezeptdatei %1 ist %2 „%3“; eines davon wählen: %4.</translation>
+    </message>
+    <message>
+        <source>In the recipe file %1, %2 is longer than %3 bytes. Shorten the text.</source>
+        <translation>In der Rezeptdatei %1 ist %2 länger als %3 Bytes. Text kürzen.</translation>
+    </message>
+    <message>
+        <source>a number</source>
+        <translation>eine Zahl</translation>
+    </message>
+    <message>
+        <source>a whole number</source>
+        <translation>eine ganze Zahl</translation>
+    </message>
+    <message>
+        <source>a text</source>
+        <translation>ein Text</translation>
+    </message>
+    <message>
+        <source>an object in braces</source>
+        <translation>ein Objekt in geschweiften Klammern</translation>
+    </message>
+    <message>
+        <source>a list of two of bag_length_mm, rate_bags_per_min, base_speed_mm_per_s, film_speed_mm_per_s</source>
+        <translation>eine Liste von zwei aus bag_length_mm, rate_bags_per_min, base_speed_mm_per_s, film_speed_mm_per_s</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 bis %2</translation>
+    </message>
+    <message>
+        <source>%1 to %2 %3</source>
+        <translation>%1 bis %2 %3</translation>
+    </message>
+    <message>
+        <source>pairs of master angle and slave position</source>
+        <translation>Paare aus Leitwinkel und Folgeposition</translation>
+    </message>
+    <message>
+        <source>the header master_deg,slave_mm</source>
+        <translation>die Kopfzeile master_deg,slave_mm</translation>
+    </message>
+    <message>
+        <source>%1 values, as in the header</source>
+        <translation>%1 Werte, wie in der Kopfzeile</translation>
+    </message>
+    <message>
+        <source>a number with a decimal point</source>
+        <translation>eine Zahl mit Dezimalpunkt</translation>
+    </message>
+    <message>
+        <source>a number with a decimal comma</source>
+        <translation>eine Zahl mit Dezimalkomma</translation>
+    </message>
+    <message>
+        <source>at least one line of values</source>
+        <translation>mindestens eine Zeile mit Werten</translation>
+    </message>
+    <message>
+        <source>The file %1 is not UTF-8 text. Save the file as CSV in UTF-8.</source>
+        <translation>Die Datei %1 ist kein UTF-8-Text. Als CSV in UTF-8 speichern.</translation>
+    </message>
+    <message>
+        <source>%1, line %2: expected %3, found &quot;%4&quot;.</source>
+        <translation>%1, Zeile %2: erwartet %3, gefunden „%4“.</translation>
+    </message>
+    <message>
+        <source>The file %1 does not exist. Check its name.</source>
+        <translation>Die Datei %1 ist nicht vorhanden. Namen prüfen.</translation>
+    </message>
+    <message>
+        <source>The file %1 cannot be written: %2.</source>
+        <translation>Die Datei %1 lässt sich nicht schreiben: %2.</translation>
+    </message>
+    <message>
+        <source>The file %1 cannot be read: %2.</source>
+        <translation>Die Datei %1 ist nicht lesbar: %2.</translation>
+    </message>
+    <message>
+        <source>This panel</source>
+        <translation>Dieses Panel</translation>
+    </message>
+    <message>
+        <source>%1 Free some space, unlock the stick or choose another location.</source>
+        <comment>%1: whole sentence</comment>
+        <translation>%1 Platz schaffen, Stick entsperren oder einen anderen Ort wählen.</translation>
+    </message>
+    <message>
+        <source>The recipe file %1 has the key %2 twice. Remove one of them.</source>
+        <translation>Die Rezeptdatei %1 hat den Schlüssel %2 zweimal. Einen davon entfernen.</translation>
+    </message>
+    <message>
+        <source>not a regular file</source>
+        <translation>keine gewöhnliche Datei</translation>
+    </message>
+    <message>
+        <source>larger than 1 MB</source>
+        <translation>größer als 1 MB</translation>
+    </message>
+    <message>
+        <source>the header %1</source>
+        <translation>die Kopfzeile %1</translation>
+    </message>
+    <message>
+        <source>one of: %1</source>
+        <translation>eines von: %1</translation>
+    </message>
+    <message>
+        <source>a list of objects</source>
+        <translation>eine Liste von Objekten</translation>
+    </message>
+</context>
+<context>
+    <name>FrameWords</name>
+    <message>
+        <source>Sent</source>
+        <translation>Gesendet</translation>
+    </message>
+    <message>
+        <source>Response</source>
+        <translation>Antwort</translation>
+    </message>
+    <message>
+        <source>Refused by the controller</source>
+        <translation>Von der Steuerung abgelehnt</translation>
+    </message>
+    <message>
+        <source>Dropped: response to another request</source>
+        <translation>Verworfen: Antwort auf andere Anfrage</translation>
+    </message>
+    <message>
+        <source>Dropped: wrong checksum</source>
+        <translation>Verworfen: falsche Prüfsumme</translation>
+    </message>
+    <message>
+        <source>Dropped: invalid frame</source>
+        <translation>Verworfen: ungültiger Rahmen</translation>
+    </message>
+    <message>
+        <source>Dropped: incomplete frame</source>
+        <translation>Verworfen: unvollständiger Rahmen</translation>
+    </message>
+    <message>
+        <source>Response timeout</source>
+        <translation>Antwort blieb aus</translation>
+    </message>
+    <message>
+        <source>Dropped: no request pending</source>
+        <translation>Verworfen: keine Anfrage offen</translation>
+    </message>
+    <message>
+        <source>Port removed</source>
+        <translation>Schnittstelle entfernt</translation>
+    </message>
+    <message>
+        <source>illegal function</source>
+        <translation>unzulässige Funktion</translation>
+    </message>
+    <message>
+        <source>illegal register address</source>
+        <translation>unzulässige Registeradresse</translation>
+    </message>
+    <message>
+        <source>illegal value</source>
+        <translation>unzulässiger Wert</translation>
+    </message>
+    <message>
+        <source>device failure</source>
+        <translation>Gerätefehler</translation>
+    </message>
+    <message>
+        <source>acknowledged, in progress</source>
+        <translation>bestätigt, in Arbeit</translation>
+    </message>
+    <message>
+        <source>device busy</source>
+        <translation>Gerät beschäftigt</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>unbekannt</translation>
+    </message>
+    <message>
+        <source>Status request, heartbeat %1</source>
+        <translation>Statusanfrage, Lebenszeichen %1</translation>
+    </message>
+    <message>
+        <source>Command %1, counter %2</source>
+        <comment>name, number</comment>
+        <translation>Befehl %1, Zähler %2</translation>
+    </message>
+    <message>
+        <source>Transfer %1, block %2</source>
+        <comment>operation, number</comment>
+        <translation>Übertragung %1, Block %2</translation>
+    </message>
+    <message>
+        <source>Write %1</source>
+        <translation>Schreiben %1</translation>
+    </message>
+    <message>
+        <source>Sent: function %1</source>
+        <translation>Gesendet: Funktion %1</translation>
+    </message>
+    <message>
+        <source>Status: %1, %2</source>
+        <comment>state, angle</comment>
+        <translation>Status: %1, %2</translation>
+    </message>
+    <message>
+        <source>Command %1: %2</source>
+        <comment>name, what became of it</comment>
+        <translation>Befehl %1: %2</translation>
+    </message>
+    <message>
+        <source>Transfer %1: %2</source>
+        <comment>operation, what became of it</comment>
+        <translation>Übertragung %1: %2</translation>
+    </message>
+    <message>
+        <source>Response: done</source>
+        <translation>Antwort: ausgeführt</translation>
+    </message>
+    <message>
+        <source>Response: %1</source>
+        <translation>Antwort: %1</translation>
+    </message>
+    <message>
+        <source>Exception %1: %2</source>
+        <comment>number, name</comment>
+        <translation>Ausnahme %1: %2</translation>
+    </message>
+    <message>
+        <source>%1, %2 bytes</source>
+        <comment>what, number</comment>
+        <translation>%1, %2 Bytes</translation>
+    </message>
+    <message>
+        <source>Unit %1, function %2</source>
+        <translation>Gerät %1, Funktion %2</translation>
+    </message>
+    <message>
+        <source>Read %1, count %2</source>
+        <translation>Lesen %1, Anzahl %2</translation>
+    </message>
+</context>
+<context>
+    <name>LastRecipe</name>
+    <message>
+        <source>%1 The last good copy is used.</source>
+        <translation>%1 Die letzte gute Kopie wird verwendet.</translation>
+    </message>
+    <message>
+        <source>%1 There is no good copy; the default recipe is used.</source>
+        <translation>%1 Es gibt keine gute Kopie; das Standardrezept wird verwendet.</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::RampControl</name>
+    <message>
+        <source>Peak acceleration</source>
+        <translation>Max. Beschleunigung</translation>
+    </message>
+    <message>
+        <source>RMS acceleration</source>
+        <translation>Effektive Beschleunigung</translation>
+    </message>
+    <message>
+        <source>Peak speed</source>
+        <translation>Max. Drehzahl</translation>
+    </message>
+    <message>
+        <source>Highest rate</source>
+        <translation>Höchste Taktzahl</translation>
+    </message>
+    <message>
+        <source>%1 m/s²</source>
+        <translation>%1 m/s²</translation>
+    </message>
+    <message>
+        <source>%1 r/min</source>
+        <translation>%1/min</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Ratios: %1 %</source>
+        <comment>position between slow and gentle</comment>
+        <translation>Verhältnisse: %1 %</translation>
+    </message>
+    <message>
+        <source>Ratios: %1</source>
+        <comment>set by hand, gentle, cool or slow</comment>
+        <translation>Verhältnisse: %1</translation>
+    </message>
+</context>
+<context>
+    <name>RecipeComparison</name>
+    <message>
+        <source>Recipe</source>
+        <translation>Rezept</translation>
+    </message>
+    <message>
+        <source>Program type</source>
+        <translation>Programmart</translation>
+    </message>
+    <message>
+        <source>Pinned values</source>
+        <translation>Feste Werte</translation>
+    </message>
+    <message>
+        <source>Law parameter 1</source>
+        <translation>Parameter 1 des Gesetzes</translation>
+    </message>
+    <message>
+        <source>Law parameter 2</source>
+        <translation>Parameter 2 des Gesetzes</translation>
+    </message>
+    <message>
+        <source>Knots</source>
+        <translation>Stützpunkte</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n knot(s)</source>
+        <translation>
+            <numerusform>%n Stützpunkt</numerusform>
+            <numerusform>%n Stützpunkte</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>RecipeWords</name>
+    <message>
+        <source>Bag length</source>
+        <translation>Beutellänge</translation>
+    </message>
+    <message>
+        <source>Rate</source>
+        <translation>Taktzahl</translation>
+    </message>
+    <message>
+        <source>Base speed v_a</source>
+        <translation>Grundgeschw. v_a</translation>
+    </message>
+    <message>
+        <source>Film speed v_b</source>
+        <translation>Foliengeschw. v_b</translation>
+    </message>
+    <message>
+        <source>Ratio k1</source>
+        <translation>Verh. k1</translation>
+    </message>
+    <message>
+        <source>Ratio k2</source>
+        <translation>Verh. k2</translation>
+    </message>
+    <message>
+        <source>Ratio k3</source>
+        <translation>Verh. k3</translation>
+    </message>
+    <message>
+        <source>Ratio k4</source>
+        <translation>Verh. k4</translation>
+    </message>
+    <message>
+        <source>Sync ratio</source>
+        <translation>Synchronverhältnis</translation>
+    </message>
+    <message>
+        <source>Slices per ramp</source>
+        <translation>Teilschritte/Rampe</translation>
+    </message>
+    <message>
+        <source>Knife radius R</source>
+        <translation>Messerradius R</translation>
+    </message>
+    <message>
+        <source>Knives N</source>
+        <translation>Messerzahl N</translation>
+    </message>
+    <message>
+        <source>Pulses per motor rev. K</source>
+        <translation>Pulse/Motorumdr. K</translation>
+    </message>
+    <message>
+        <source>Gear Z, motor revs</source>
+        <translation>Getriebe Z, Motor</translation>
+    </message>
+    <message>
+        <source>Gear Z, knife revs</source>
+        <translation>Getriebe Z, Messer</translation>
+    </message>
+    <message>
+        <source>Max. motor speed</source>
+        <translation>Max. Motordrehzahl</translation>
+    </message>
+    <message>
+        <source>Max. acceleration</source>
+        <translation>Max. Beschleunigung</translation>
+    </message>
+    <message>
+        <source>Max. pulse frequency</source>
+        <translation>Max. Pulsfrequenz</translation>
+    </message>
+    <message>
+        <source>Max. rate</source>
+        <translation>Max. Taktzahl</translation>
+    </message>
+    <message>
+        <source>Timer clock</source>
+        <translation>Zeitgebertakt</translation>
+    </message>
+    <message>
+        <source>Timer width</source>
+        <translation>Zeitgeberbreite</translation>
+    </message>
+    <message>
+        <source>Rows in the controller</source>
+        <translation>Zeilen der Steuerung</translation>
+    </message>
+    <message>
+        <source>bags/min</source>
+        <translation>Beutel/min</translation>
+    </message>
+    <message>
+        <source>r/min</source>
+        <translation>1/min</translation>
+    </message>
+    <message>
+        <source>pulses</source>
+        <translation>Pulse</translation>
+    </message>
+    <message>
+        <source>Cubic (paper)</source>
+        <translation>Kubisch (Aufsatz)</translation>
+    </message>
+    <message>
+        <source>Quintic 3-4-5</source>
+        <translation>Polynom 3-4-5</translation>
+    </message>
+    <message>
+        <source>Polynomial 4-5-6-7</source>
+        <translation>Polynom 4-5-6-7</translation>
+    </message>
+    <message>
+        <source>Harmonic</source>
+        <translation>Einfache Sinuslinie</translation>
+    </message>
+    <message>
+        <source>Cycloidal</source>
+        <translation>Geneigte Sinuslinie</translation>
+    </message>
+    <message>
+        <source>Modified sine</source>
+        <translation>Modifizierte Sinuslinie</translation>
+    </message>
+    <message>
+        <source>Modified trapezoid</source>
+        <translation>Mod. Beschl.-Trapez</translation>
+    </message>
+    <message>
+        <source>Parabolic</source>
+        <translation>Quadratische Parabel</translation>
+    </message>
+    <message>
+        <source>Trapezoid</source>
+        <translation>Trapez</translation>
+    </message>
+    <message>
+        <source>Seven-segment S</source>
+        <translation>S-Kurve, 7 Abschnitte</translation>
+    </message>
+    <message>
+        <source>Exponential</source>
+        <translation>Exponentiell</translation>
+    </message>
+    <message>
+        <source>Half modified sine</source>
+        <translation>Halbe mod. Sinuslinie</translation>
+    </message>
+    <message>
+        <source>Ramp fraction r</source>
+        <translation>Rampenanteil r</translation>
+    </message>
+    <message>
+        <source>Jerk share q</source>
+        <translation>Ruckanteil q</translation>
+    </message>
+    <message>
+        <source>Exponent k</source>
+        <translation>Exponent k</translation>
+    </message>
+    <message>
+        <source>motor speed</source>
+        <translation>Motordrehzahl</translation>
+    </message>
+    <message>
+        <source>acceleration</source>
+        <translation>Beschleunigung</translation>
+    </message>
+    <message>
+        <source>pulse frequency</source>
+        <translation>Pulsfrequenz</translation>
+    </message>
+    <message>
+        <source>knife stroke</source>
+        <translation>Messerhub</translation>
+    </message>
+    <message>
+        <source>table rows</source>
+        <translation>Tabellenzeilen</translation>
+    </message>
+    <message>
+        <source>max. rate</source>
+        <translation>max. Taktzahl</translation>
+    </message>
+    <message>
+        <source>knife speed</source>
+        <translation>Messergeschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Feed per motor rev.</source>
+        <translation>Vorschub/Motorumdr.</translation>
+    </message>
+    <message>
+        <source>Max. motor torque</source>
+        <translation>Max. Motormoment</translation>
+    </message>
+    <message>
+        <source>Inertia at the motor</source>
+        <translation>Trägheit am Motor</translation>
+    </message>
+    <message>
+        <source>Friction at the motor</source>
+        <translation>Reibung am Motor</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>Weg</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>Start speed</source>
+        <translation>Anfangsgeschw.</translation>
+    </message>
+    <message>
+        <source>End speed</source>
+        <translation>Endgeschw.</translation>
+    </message>
+    <message>
+        <source>Table intervals</source>
+        <translation>Tabellenschritte</translation>
+    </message>
+    <message>
+        <source>Master speed</source>
+        <translation>Leitgeschw.</translation>
+    </message>
+    <message>
+        <source>Master ramp</source>
+        <translation>Leitrampe</translation>
+    </message>
+    <message>
+        <source>Master revs/cycle</source>
+        <translation>Leitumdr./Zyklus</translation>
+    </message>
+    <message>
+        <source>Master scale</source>
+        <translation>Leitskalierung</translation>
+    </message>
+    <message>
+        <source>Slave scale</source>
+        <translation>Folgeskalierung</translation>
+    </message>
+    <message>
+        <source>Phase</source>
+        <translation>Phase</translation>
+    </message>
+    <message>
+        <source>Approach to</source>
+        <translation>Anfahren bis</translation>
+    </message>
+    <message>
+        <source>Approach speed</source>
+        <translation>Anfahrgeschw.</translation>
+    </message>
+    <message>
+        <source>Probe speed</source>
+        <translation>Tastgeschw.</translation>
+    </message>
+    <message>
+        <source>Probe force</source>
+        <translation>Tastkraft</translation>
+    </message>
+    <message>
+        <source>Contact before</source>
+        <translation>Kontakt vor</translation>
+    </message>
+    <message>
+        <source>Press speed</source>
+        <translation>Pressgeschw.</translation>
+    </message>
+    <message>
+        <source>Press to</source>
+        <translation>Pressen bis</translation>
+    </message>
+    <message>
+        <source>Hold time</source>
+        <translation>Haltezeit</translation>
+    </message>
+    <message>
+        <source>Return speed</source>
+        <translation>Rückhubgeschw.</translation>
+    </message>
+    <message>
+        <source>Max. force</source>
+        <translation>Max. Kraft</translation>
+    </message>
+    <message>
+        <source>Stop tolerance</source>
+        <translation>Endlagentoleranz</translation>
+    </message>
+    <message>
+        <source>Min. force at stop</source>
+        <translation>Min. Kraft am Ende</translation>
+    </message>
+    <message>
+        <source>Max. force at stop</source>
+        <translation>Max. Kraft am Ende</translation>
+    </message>
+    <message>
+        <source>As a speed law, acceleration is zero at both ends and peaks at only 1.5 times its mean.</source>
+        <translation>Als Geschwindigkeitsgesetz ist die Beschleunigung an beiden Enden null und höchstens das 1,5-Fache des Mittels.</translation>
+    </message>
+    <message>
+        <source>Speed and acceleration are zero at both ends, with a short polynomial.</source>
+        <translation>Geschwindigkeit und Beschleunigung sind an beiden Enden null, mit kurzem Polynom.</translation>
+    </message>
+    <message>
+        <source>Speed, acceleration and jerk are zero at both ends, which excites little vibration.</source>
+        <translation>Geschwindigkeit, Beschleunigung und Ruck sind an beiden Enden null: wenig Schwingung.</translation>
+    </message>
+    <message>
+        <source>Half a cosine wave gives a low peak speed (1.57) and a low peak acceleration (4.93).</source>
+        <translation>Eine halbe Kosinuswelle ergibt kleine Geschwindigkeit (1,57) und Beschleunigung (4,93).</translation>
+    </message>
+    <message>
+        <source>Acceleration is one full sine wave: smooth, and zero at both ends.</source>
+        <translation>Die Beschleunigung ist eine volle Sinuswelle: glatt und an beiden Enden null.</translation>
+    </message>
+    <message>
+        <source>Low peak speed (1.76), moderate peak acceleration (5.53) and continuous acceleration suit large inertia.</source>
+        <translation>Kleine Geschwindigkeit (1,76), mäßige Beschleunigung (5,53) ohne Sprung passen zu großer Trägheit.</translation>
+    </message>
+    <message>
+        <source>This law has the lowest peak acceleration (4.89) of the laws without parameters and acceleration jumps.</source>
+        <translation>Kleinste Höchstbeschleunigung (4,89) der Gesetze ohne Parameter und ohne Beschleunigungssprung.</translation>
+    </message>
+    <message>
+        <source>This law has the lowest possible peak acceleration (4) from rest to rest.</source>
+        <translation>Kleinste mögliche Höchstbeschleunigung (4) von Rast zu Rast.</translation>
+    </message>
+    <message>
+        <source>At the same peak acceleration, no law has a lower peak speed; the ramp fraction trades one for the other.</source>
+        <translation>Bei gleicher Beschleunigung hat kein Gesetz eine kleinere Geschwindigkeit; der Rampenanteil tauscht eins gegen das andere.</translation>
+    </message>
+    <message>
+        <source>Acceleration does not jump; the peaks of acceleration and jerk can be set.</source>
+        <translation>Die Beschleunigung springt nicht; die Höchstwerte von Beschleunigung und Ruck sind einstellbar.</translation>
+    </message>
+    <message>
+        <source>Acceleration is highest at low speed, where the motor has the most torque, and lowest near the end speed.</source>
+        <translation>Die Beschleunigung ist groß bei kleiner Drehzahl, wo der Motor das größte Moment hat, und klein nahe der Endgeschwindigkeit.</translation>
+    </message>
+    <message>
+        <source>Acceleration is zero at both ends and peaks at only 1.57 times its mean.</source>
+        <translation>Die Beschleunigung ist an beiden Enden null und höchstens das 1,57-Fache des Mittels.</translation>
+    </message>
+    <message>
+        <source>As a displacement law, acceleration jumps to its peak (6) at both ends; as a speed law, jerk does.</source>
+        <translation>Als Bewegungsgesetz springt an beiden Enden die Beschleunigung auf ihren Höchstwert (6), als Geschwindigkeitsgesetz der Ruck.</translation>
+    </message>
+    <message>
+        <source>Jerk jumps at both ends; a trapezoid with ramps above 22.29 % of the move needs less peak acceleration.</source>
+        <translation>Der Ruck springt an beiden Enden; ein Trapez mit Rampen über 22,29 % des Wegs braucht weniger Beschleunigung.</translation>
+    </message>
+    <message>
+        <source>This law has the highest peak speed (2.19) and peak acceleration (7.51) of the displacement laws without parameters.</source>
+        <translation>Höchste Geschwindigkeit (2,19) und Beschleunigung (7,51) der Bewegungsgesetze ohne Parameter.</translation>
+    </message>
+    <message>
+        <source>As a displacement law, full acceleration at start and end causes jolts.</source>
+        <translation>Als Bewegungsgesetz stößt die volle Beschleunigung am Anfang und am Ende.</translation>
+    </message>
+    <message>
+        <source>Peak speed (2) and peak acceleration (6.28) are high, and jerk jumps at both ends.</source>
+        <translation>Geschwindigkeit (2) und Beschleunigung (6,28) sind hoch, der Ruck springt an beiden Enden.</translation>
+    </message>
+    <message>
+        <source>Jerk jumps at both ends and has the highest finite peak (69.5) of the laws without parameters.</source>
+        <translation>Der Ruck springt an beiden Enden und hat den höchsten endlichen Wert (69,5) der Gesetze ohne Parameter.</translation>
+    </message>
+    <message>
+        <source>Peak speed (2) and peak jerk (61.4) are high, and jerk jumps at both ends.</source>
+        <translation>Geschwindigkeit (2) und Ruck (61,4) sind hoch, der Ruck springt an beiden Enden.</translation>
+    </message>
+    <message>
+        <source>As a displacement law, acceleration jumps at both ends and in the middle, and peak speed (2) is high.</source>
+        <translation>Als Bewegungsgesetz springt die Beschleunigung an den Enden und in der Mitte; die Geschwindigkeit (2) ist hoch.</translation>
+    </message>
+    <message>
+        <source>As a displacement law, acceleration jumps at both ends of both ramps, so jerk is unbounded.</source>
+        <translation>Als Bewegungsgesetz springt die Beschleunigung an beiden Enden beider Rampen; der Ruck ist unbegrenzt.</translation>
+    </message>
+    <message>
+        <source>Jerk jumps at every joint of the segments; a smaller jerk share means a higher jerk.</source>
+        <translation>Der Ruck springt an jeder Naht der Abschnitte; kleinerer Ruckanteil heißt größerer Ruck.</translation>
+    </message>
+    <message>
+        <source>Acceleration jumps at both ends; a larger k increases the jump at the low speed.</source>
+        <translation>Die Beschleunigung springt an beiden Enden; größeres k vergrößert den Sprung bei kleiner Geschwindigkeit.</translation>
+    </message>
+    <message>
+        <source>The law is not symmetric: from rest, the travel is 0.568 of end speed times time; jerk jumps at both ends.</source>
+        <translation>Das Gesetz ist unsymmetrisch: aus dem Stand ist der Weg 0,568 mal Endgeschwindigkeit mal Zeit; der Ruck springt an beiden Enden.</translation>
+    </message>
+    <message>
+        <source>Rotary cutter</source>
+        <translation>Querschneider</translation>
+    </message>
+    <message>
+        <source>Position move</source>
+        <translation>Positionierung</translation>
+    </message>
+    <message>
+        <source>Speed move</source>
+        <translation>Geschw.-Wechsel</translation>
+    </message>
+    <message>
+        <source>Point cam</source>
+        <translation>Punktkurve</translation>
+    </message>
+    <message>
+        <source>Press</source>
+        <translation>Presse</translation>
+    </message>
+    <message>
+        <source>Law</source>
+        <translation>Gesetz</translation>
+    </message>
+    <message>
+        <source>Duration</source>
+        <translation>Dauer</translation>
+    </message>
+    <message>
+        <source>Execution</source>
+        <translation>Ausführung</translation>
+    </message>
+    <message>
+        <source>Spline ends</source>
+        <translation>Spline-Enden</translation>
+    </message>
+    <message>
+        <source>Shape of the ramp</source>
+        <translation>Form der Rampe</translation>
+    </message>
+    <message>
+        <source>In a given time</source>
+        <translation>In gegebener Zeit</translation>
+    </message>
+    <message>
+        <source>As fast as possible</source>
+        <translation>So schnell wie möglich</translation>
+    </message>
+    <message>
+        <source>Over a distance</source>
+        <translation>Über einen Weg</translation>
+    </message>
+    <message>
+        <source>Cam points</source>
+        <translation>Kurvenpunkte</translation>
+    </message>
+    <message>
+        <source>Intervals</source>
+        <translation>Schritte</translation>
+    </message>
+    <message>
+        <source>Natural</source>
+        <translation>Natürlich</translation>
+    </message>
+    <message>
+        <source>Clamped</source>
+        <translation>Eingespannt</translation>
+    </message>
+    <message>
+        <source>Periodic</source>
+        <translation>Periodisch</translation>
+    </message>
+    <message>
+        <source>S curve</source>
+        <translation>S-Kurve</translation>
+    </message>
+    <message>
+        <source>motor torque</source>
+        <translation>Motormoment</translation>
+    </message>
+    <message>
+        <source>Distance from the shaft&apos;s center to the knife edge: half of the diameter measured at the edge. All knife speeds refer to the edge.</source>
+        <translation>Abstand von der Wellenmitte zur Messerschneide: der halbe an der Schneide gemessene Durchmesser. Alle Messergeschwindigkeiten gelten an der Schneide.</translation>
+    </message>
+    <message>
+        <source>Number of knives on the shaft, evenly spaced. Each bag turns the shaft by one knife.</source>
+        <translation>Anzahl der gleichmäßig verteilten Messer auf der Welle. Jeder Beutel dreht die Welle um ein Messer weiter.</translation>
+    </message>
+    <message>
+        <source>Pulses per motor revolution, as set in the servo drive&apos;s electronic gear. A wrong value makes all bags too long or too short.</source>
+        <translation>Pulse je Motorumdrehung laut elektronischem Getriebe des Servoantriebs. Ein falscher Wert macht alle Beutel zu lang oder zu kurz.</translation>
+    </message>
+    <message>
+        <source>Motor revolutions for the knife shaft revolutions below, see the gear&apos;s nameplate: 7 and 3 for a gear of 7:3.</source>
+        <translation>Motorumdrehungen für die Umdrehungen der Messerwelle darunter, siehe Typenschild: 7 und 3 bei einem Getriebe 7:3.</translation>
+    </message>
+    <message>
+        <source>Knife shaft revolutions for the motor revolutions above.</source>
+        <translation>Umdrehungen der Messerwelle für die Motorumdrehungen darüber.</translation>
+    </message>
+    <message>
+        <source>Maximum motor speed, see the motor&apos;s nameplate. No recipe exceeds this speed.</source>
+        <translation>Höchste Motordrehzahl, siehe Typenschild des Motors. Kein Rezept überschreitet sie.</translation>
+    </message>
+    <message>
+        <source>Maximum acceleration without vibration or loss of position. Start with a low value, and raise it as the following error allows.</source>
+        <translation>Höchste Beschleunigung ohne Schwingung und ohne Positionsverlust. Klein beginnen und erhöhen, soweit der Schleppfehler es erlaubt.</translation>
+    </message>
+    <message>
+        <source>Maximum pulse frequency of the drive&apos;s input, see its manual. The controller has its own limit.</source>
+        <translation>Höchste Pulsfrequenz am Eingang des Antriebs, siehe sein Handbuch. Die Steuerung hat ihre eigene Grenze.</translation>
+    </message>
+    <message>
+        <source>Maximum rate that sealing time and infeed allow, independent of the knife.</source>
+        <translation>Höchste Taktzahl, die Siegelzeit und Zuführung unabhängig vom Messer erlauben.</translation>
+    </message>
+    <message>
+        <source>Travel of the axis per motor revolution, including gear and spindle.</source>
+        <translation>Weg der Achse je Motorumdrehung, mit Getriebe und Spindel.</translation>
+    </message>
+    <message>
+        <source>Peak torque of the motor, see the motor&apos;s nameplate. 0: unknown, no limit.</source>
+        <translation>Spitzenmoment des Motors, siehe Typenschild. 0: unbekannt, keine Grenze.</translation>
+    </message>
+    <message>
+        <source>Total inertia of motor, gear and load at the motor. CamPanel uses the inertia to estimate the torque of a motion. 0: unknown.</source>
+        <translation>Gesamte Trägheit von Motor, Getriebe und Last am Motor. CamPanel schätzt daraus das Moment einer Bewegung. 0: unbekannt.</translation>
+    </message>
+    <message>
+        <source>Friction torque at the motor while the axis turns slowly and steadily.</source>
+        <translation>Reibmoment am Motor, während die Achse langsam und gleichmäßig dreht.</translation>
+    </message>
+    <message>
+        <source>Jaw contact angle</source>
+        <translation>Kontaktwinkel Backen</translation>
+    </message>
+    <message>
+        <source>Min. seal time</source>
+        <translation>Min. Siegelzeit</translation>
+    </message>
+    <message>
+        <source>sync window</source>
+        <translation>Synchronbereich</translation>
+    </message>
+    <message>
+        <source>seal time</source>
+        <translation>Siegelzeit</translation>
+    </message>
+    <message>
+        <source>Angle of the knife shaft over which the sealing jaws touch the film: their arc divided by the knife radius. 0 is a thin knife, without checks of window and seal time.</source>
+        <translation>Winkel der Messerwelle, über den die Siegelbacken die Folie berühren: ihr Bogen durch den Messerradius. 0 ist ein dünnes Messer, ohne Prüfung von Bereich und Siegelzeit.</translation>
+    </message>
+    <message>
+        <source>Minimum time of the jaws on the film, see the film&apos;s data sheet. The panel limits the rate accordingly. The controller does not store this value. 0: no minimum.</source>
+        <translation>Kleinste Zeit der Backen auf der Folie, siehe Datenblatt der Folie. Das Panel begrenzt damit die Taktzahl. Die Steuerung speichert den Wert nicht. 0: kein Mindestwert.</translation>
+    </message>
+    <message>
+        <source>Ratios</source>
+        <translation>Verhältnisse</translation>
+    </message>
+    <message>
+        <source>Set by hand</source>
+        <translation>Von Hand</translation>
+    </message>
+    <message>
+        <source>Gentle</source>
+        <translation>Sanft</translation>
+    </message>
+    <message>
+        <source>Cool</source>
+        <translation>Kühl</translation>
+    </message>
+    <message>
+        <source>Slow</source>
+        <translation>Langsam</translation>
+    </message>
+    <message>
+        <source>Between</source>
+        <translation>Dazwischen</translation>
+    </message>
+    <message>
+        <source>Ramps, slow to gentle</source>
+        <translation>Rampen, langsam bis sanft</translation>
+    </message>
+    <message>
+        <source>Rated motor torque</source>
+        <translation>Nennmoment Motor</translation>
+    </message>
+    <message>
+        <source>Natural frequency</source>
+        <translation>Eigenfrequenz</translation>
+    </message>
+    <message>
+        <source>Damping ratio</source>
+        <translation>Dämpfungsgrad</translation>
+    </message>
+    <message>
+        <source>Continuous torque of the motor, see the motor&apos;s nameplate. The RMS torque of a cycle stays below it. 0: unknown, no limit.</source>
+        <translation>Dauermoment des Motors, siehe Typenschild. Das Effektivmoment eines Zyklus bleibt darunter. 0: unbekannt, keine Grenze.</translation>
+    </message>
+    <message>
+        <source>Lowest natural frequency of the shaft behind the motor, from a measurement or the drive&apos;s analysis. 0: unknown.</source>
+        <translation>Kleinste Eigenfrequenz der Welle hinter dem Motor, aus einer Messung oder der Analyse des Antriebs. 0: unbekannt.</translation>
+    </message>
+    <message>
+        <source>Damping of this vibration as a share of critical damping. 0.05 is usual for a shaft with gear.</source>
+        <translation>Dämpfung dieser Schwingung als Anteil der kritischen Dämpfung. 0,05 ist für eine Welle mit Getriebe üblich.</translation>
+    </message>
+    <message>
+        <source>RMS torque</source>
+        <translation>Effektivmoment</translation>
+    </message>
+    <message>
+        <source>natural frequency</source>
+        <translation>Eigenfrequenz</translation>
+    </message>
+    <message>
+        <source>Segment cam</source>
+        <translation>Abschnittskurve</translation>
+    </message>
+    <message>
+        <source>Segments</source>
+        <translation>Abschnitte</translation>
+    </message>
+    <message>
+        <source>Knots</source>
+        <translation>Stützpunkte</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n segment(s)</source>
+        <translation>
+            <numerusform>%n Abschnitt</numerusform>
+            <numerusform>%n Abschnitte</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n knot(s)</source>
+        <translation>
+            <numerusform>%n Stützpunkt</numerusform>
+            <numerusform>%n Stützpunkte</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Dwell</source>
+        <translation>Rast</translation>
+    </message>
+    <message>
+        <source>Constant speed</source>
+        <translation>Gleichförmig</translation>
+    </message>
+    <message>
+        <source>Polynomial 3, with speeds</source>
+        <translation>Polynom 3, mit Geschwindigkeiten</translation>
+    </message>
+    <message>
+        <source>Polynomial 5, with speeds and accelerations</source>
+        <translation>Polynom 5, mit Geschwindigkeiten und Beschleunigungen</translation>
+    </message>
+</context>
+<context>
+    <name>RefusalSentences</name>
+    <message>
+        <source>%1 %2</source>
+        <comment>%1: number, %2: unit</comment>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <comment>%1: name of a field, %2: value with unit</comment>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>Within all limits.</source>
+        <translation>Innerhalb aller Grenzen.</translation>
+    </message>
+    <message>
+        <source>Within all limits. Possible up to %1 (%2).</source>
+        <comment>%1: rate with unit, %2: name of the limit</comment>
+        <translation>Innerhalb aller Grenzen. Möglich bis %1 (%2).</translation>
+    </message>
+    <message>
+        <source>Just within the limits.</source>
+        <translation>Knapp innerhalb der Grenzen.</translation>
+    </message>
+    <message>
+        <source>Just within the limits. Possible up to %1 (%2).</source>
+        <comment>%1: rate with unit, %2: name of the limit</comment>
+        <translation>Knapp innerhalb der Grenzen. Möglich bis %1 (%2).</translation>
+    </message>
+    <message>
+        <source>Motor speed would reach %1 at %3 s (%4°); the limit is %2.</source>
+        <translation>Die Motordrehzahl würde %1 bei %3 s (%4°) erreichen; die Grenze ist %2.</translation>
+    </message>
+    <message>
+        <source>Knife acceleration would reach %1 at %3 s (%4°); the limit is %2.</source>
+        <translation>Die Messerbeschleunigung würde %1 bei %3 s (%4°) erreichen; die Grenze ist %2.</translation>
+    </message>
+    <message>
+        <source>Pulse frequency would reach %1 at %3 s (%4°); the limit is %2.</source>
+        <translation>Die Pulsfrequenz würde %1 bei %3 s (%4°) erreichen; die Grenze ist %2.</translation>
+    </message>
+    <message>
+        <source>%1 is required; the machine&apos;s limit is %2.</source>
+        <translation>%1 wird gebraucht; die Grenze der Maschine ist %2.</translation>
+    </message>
+    <message>
+        <source>%1 has no value. Enter %2 to %3.</source>
+        <translation>%1 hat keinen Wert. %2 bis %3 eingeben.</translation>
+    </message>
+    <message>
+        <source>%1 would be %2; the allowed range is %3 to %4.</source>
+        <translation>%1 wäre %2; erlaubt ist %3 bis %4.</translation>
+    </message>
+    <message>
+        <source>Pin two of bag length, rate, base speed and film speed.</source>
+        <translation>Zwei von Beutellänge, Taktzahl, Grund- und Foliengeschwindigkeit festhalten.</translation>
+    </message>
+    <message>
+        <source>This speed law is unknown. Choose another law.</source>
+        <translation>Dieses Geschwindigkeitsgesetz ist unbekannt. Ein anderes wählen.</translation>
+    </message>
+    <message>
+        <source>%1 is %2; the nearest possible value is %3.</source>
+        <translation>%1 ist %2; der nächste mögliche Wert ist %3.</translation>
+    </message>
+    <message>
+        <source>The ratios must descend from k1 to k4: %1 is %2 and must be below %3.</source>
+        <translation>Die Verhältnisse müssen von k1 bis k4 fallen: %1 ist %2 und muss unter %3 liegen.</translation>
+    </message>
+    <message>
+        <source>A bag of %1 exceeds the knife stroke; with these ratios the maximum is %2.</source>
+        <translation>Ein Beutel von %1 überschreitet den Messerhub; mit diesen Verhältnissen ist %2 das Maximum.</translation>
+    </message>
+    <message>
+        <source>The table needs %1 rows, the controller has %2. Use fewer slices per ramp.</source>
+        <translation>Die Tabelle braucht %1 Zeilen, die Steuerung hat %2. Weniger Teilschritte je Rampe wählen.</translation>
+    </message>
+    <message>
+        <source>A cycle has only %1 pulses. Check pulses per revolution, gear and knives.</source>
+        <translation>Ein Zyklus hat nur %1 Pulse. Pulse je Umdrehung, Getriebe und Messer prüfen.</translation>
+    </message>
+    <message>
+        <source>Motor speed would reach %1 at %3 s; the limit is %2.</source>
+        <translation>Die Motordrehzahl würde %1 bei %3 s erreichen; die Grenze ist %2.</translation>
+    </message>
+    <message>
+        <source>Acceleration would reach %1 at %3 s; the limit is %2.</source>
+        <translation>Die Beschleunigung würde %1 bei %3 s erreichen; die Grenze ist %2.</translation>
+    </message>
+    <message>
+        <source>Motor torque would reach %1 at %3 s; the limit is %2.</source>
+        <translation>Das Motormoment würde %1 bei %3 s erreichen; die Grenze ist %2.</translation>
+    </message>
+    <message>
+        <source>Following the master would require %1 at %3 s; the limit is %2.</source>
+        <translation>Der Leitachse zu folgen erfordert %1 bei %3 s; die Grenze ist %2.</translation>
+    </message>
+    <message>
+        <source>Pulse frequency would reach %1 at %3 s; the limit is %2.</source>
+        <translation>Die Pulsfrequenz würde %1 bei %3 s erreichen; die Grenze ist %2.</translation>
+    </message>
+    <message>
+        <source>The cam has %1 knots; the nearest possible number is %2.</source>
+        <translation>Die Kurve hat %1 Stützpunkte; die nächste mögliche Zahl ist %2.</translation>
+    </message>
+    <message>
+        <source>Knot %1 at %2 must come after the previous knot at %3.</source>
+        <translation>Stützpunkt %1 bei %2 muss nach dem vorigen bei %3 liegen.</translation>
+    </message>
+    <message>
+        <source>Knot %1 is only %2 after the previous knot; the minimum is %3.</source>
+        <translation>Stützpunkt %1 liegt nur %2 nach dem vorigen; das Minimum ist %3.</translation>
+    </message>
+    <message>
+        <source>Knot %1 at %2 is out of range; the nearest position is %3.</source>
+        <translation>Stützpunkt %1 bei %2 liegt außerhalb des Bereichs; die nächste Position ist %3.</translation>
+    </message>
+    <message>
+        <source>Knot %1 is at %2; the cam needs a knot at %3.</source>
+        <translation>Stützpunkt %1 liegt bei %2; die Kurve braucht einen Stützpunkt bei %3.</translation>
+    </message>
+    <message>
+        <source>Near knot %1 the curve reaches %2, beyond the end of the knots&apos; range at %3. Move the knot or add another knot.</source>
+        <translation>Bei Stützpunkt %1 erreicht die Kurve %2, über das Ende des Bereichs bei %3 hinaus. Stützpunkt verschieben oder einen weiteren einfügen.</translation>
+    </message>
+    <message>
+        <source>Position jumps by %1 at the end of the cycle. Choose periodic ends.</source>
+        <translation>Die Position springt am Ende des Zyklus um %1. Periodische Enden wählen.</translation>
+    </message>
+    <message>
+        <source>Speed jumps by %1 at the end of the cycle. Choose periodic ends.</source>
+        <translation>Die Geschwindigkeit springt am Ende des Zyklus um %1. Periodische Enden wählen.</translation>
+    </message>
+    <message>
+        <source>Acceleration jumps by %1 at the end of the cycle. Choose periodic ends.</source>
+        <translation>Die Beschleunigung springt am Ende des Zyklus um %1. Periodische Enden wählen.</translation>
+    </message>
+    <message>
+        <source>%1 is %2, which gives no motion. Enter another value.</source>
+        <translation>%1 ist %2; das ergibt keine Bewegung. Anderen Wert eingeben.</translation>
+    </message>
+    <message>
+        <source>These speeds require at least %1, not %2.</source>
+        <translation>Diese Geschwindigkeiten erfordern mindestens %1, nicht %2.</translation>
+    </message>
+    <message>
+        <source>The distance %1 and the speeds have opposite directions. Change the sign of the distance.</source>
+        <translation>Der Weg %1 und die Geschwindigkeiten sind entgegengesetzt. Vorzeichen des Wegs ändern.</translation>
+    </message>
+    <message>
+        <source>%1 %2 must be beyond %3.</source>
+        <translation>%1 %2 muss jenseits von %3 liegen.</translation>
+    </message>
+    <message>
+        <source>%1 %2 must be at most %3.</source>
+        <translation>%1 %2 darf höchstens %3 sein.</translation>
+    </message>
+    <message>
+        <source>The table exceeds the controller&apos;s range. Use fewer pulses per revolution or a shorter motion.</source>
+        <translation>Die Tabelle überschreitet den Bereich der Steuerung. Weniger Pulse je Umdrehung oder eine kürzere Bewegung wählen.</translation>
+    </message>
+    <message>
+        <source>%1 needs a ramp of %2 ms at maximum acceleration; the controller allows %3 ms. Enter a lower speed or a higher acceleration.</source>
+        <translation>%1 braucht bei höchster Beschleunigung eine Rampe von %2 ms; die Steuerung erlaubt %3 ms. Kleinere Geschwindigkeit oder größere Beschleunigung eingeben.</translation>
+    </message>
+    <message>
+        <source>The motion reverses, but intervals run in one direction. Choose cam points.</source>
+        <translation>Die Bewegung kehrt um, Schritte laufen aber in eine Richtung. Kurvenpunkte wählen.</translation>
+    </message>
+    <message>
+        <source>With whole pulses, the speed error is at least %2 mm/s; %1 mm/s is required. Use more pulses per revolution.</source>
+        <translation>Mit ganzen Pulsen ist der Geschwindigkeitsfehler mindestens %2 mm/s; %1 mm/s sind gefordert. Mehr Pulse je Umdrehung verwenden.</translation>
+    </message>
+    <message>
+        <source>Acceleration would reach %1 at %3 s (%4°); the limit is %2.</source>
+        <translation>Die Beschleunigung würde %1 bei %3 s (%4°) erreichen; die Grenze ist %2.</translation>
+    </message>
+    <message>
+        <source>Motor torque would reach %1 at %3 s (%4°); the limit is %2.</source>
+        <translation>Das Motormoment würde %1 bei %3 s (%4°) erreichen; die Grenze ist %2.</translation>
+    </message>
+    <message>
+        <source>Following the master would require %1 at %3 s (%4°); the limit is %2.</source>
+        <translation>Der Leitachse zu folgen erfordert %1 bei %3 s (%4°); die Grenze ist %2.</translation>
+    </message>
+    <message>
+        <source>%1, or %2</source>
+        <translation>%1 oder %2</translation>
+    </message>
+    <message>
+        <source>%1 Nearest possible value: %2.</source>
+        <comment>%1: whole sentence</comment>
+        <translation>%1 Nächster möglicher Wert: %2.</translation>
+    </message>
+    <message>
+        <source>Widen the window, %1</source>
+        <comment>%1: rate with unit</comment>
+        <translation>Bereich erweitern, %1</translation>
+    </message>
+    <message>
+        <source>Widen the window</source>
+        <translation>Bereich erweitern</translation>
+    </message>
+    <message>
+        <source>Ratios %1</source>
+        <translation>Verhältnisse %1</translation>
+    </message>
+    <message>
+        <source>%1 with %2</source>
+        <comment>%1: ratios, %2: rate</comment>
+        <translation>%1 mit %2</translation>
+    </message>
+    <message>
+        <source>The jaws need a sync window of %2° of the knife; at %3 s (%4°) the window has only %1°.</source>
+        <translation>Die Backen brauchen einen Synchronbereich von %2° des Messers; bei %3 s (%4°) hat er nur %1°.</translation>
+    </message>
+    <message>
+        <source>Seal time would be %1 at %3 s (%4°); the film needs %2.</source>
+        <translation>Die Siegelzeit wäre %1 bei %3 s (%4°); die Folie braucht %2.</translation>
+    </message>
+    <message>
+        <source>The film needs a seal time of %1, but the machine has no contact angle of the jaws. Enter the angle in Settings, Machine.</source>
+        <translation>Die Folie braucht eine Siegelzeit von %1, aber der Kontaktwinkel der Backen fehlt. Unter Einstellungen, Maschine eingeben.</translation>
+    </message>
+    <message>
+        <source>Longer ramps</source>
+        <translation>Längere Rampen</translation>
+    </message>
+    <message>
+        <source>Shorter ramps</source>
+        <translation>Kürzere Rampen</translation>
+    </message>
+    <message>
+        <source>%1 %2 allow %3.</source>
+        <comment>%1: whole sentence, %2: longer ramps, %3: rate with unit</comment>
+        <translation>%1 %2 erlauben %3.</translation>
+    </message>
+    <message>
+        <source>RMS torque would be %1, and the motor would overheat; its rated torque is %2.</source>
+        <translation>Das Effektivmoment wäre %1, der Motor würde überhitzen; sein Nennmoment ist %2.</translation>
+    </message>
+    <message>
+        <source>The cycle repeats at %1, above the shaft&apos;s natural frequency of %2. Enter a lower rate, or correct the machine data.</source>
+        <translation>Der Zyklus wiederholt sich mit %1, über der Eigenfrequenz der Welle von %2. Taktzahl senken oder Maschinendaten korrigieren.</translation>
+    </message>
+</context>
+<context>
+    <name>RegisterWords</name>
+    <message>
+        <source>Identity</source>
+        <translation>Kennung</translation>
+    </message>
+    <message>
+        <source>Clock</source>
+        <translation>Uhr</translation>
+    </message>
+    <message>
+        <source>Parameters</source>
+        <translation>Parameter</translation>
+    </message>
+    <message>
+        <source>Status</source>
+        <translation>Status</translation>
+    </message>
+    <message>
+        <source>Inputs and outputs</source>
+        <translation>Ein- und Ausgänge</translation>
+    </message>
+    <message>
+        <source>Exchange</source>
+        <translation>Austausch</translation>
+    </message>
+    <message>
+        <source>Command</source>
+        <translation>Befehl</translation>
+    </message>
+    <message>
+        <source>Command result</source>
+        <translation>Befehlsergebnis</translation>
+    </message>
+    <message>
+        <source>Transfer</source>
+        <translation>Übertragung</translation>
+    </message>
+    <message>
+        <source>Transfer result</source>
+        <translation>Übertragungsergebnis</translation>
+    </message>
+    <message>
+        <source>Read-back</source>
+        <translation>Rücklesen</translation>
+    </message>
+    <message>
+        <source>Read-back result</source>
+        <translation>Rückleseergebnis</translation>
+    </message>
+    <message>
+        <source>Active program</source>
+        <translation>Aktives Programm</translation>
+    </message>
+    <message>
+        <source>Staged program</source>
+        <translation>Bereitgestelltes Programm</translation>
+    </message>
+    <message>
+        <source>Read only: the panel writes this register with every status request.</source>
+        <translation>Nur lesbar: das Panel schreibt dieses Register mit jeder Statusanfrage.</translation>
+    </message>
+    <message>
+        <source>Read only: the command keys write this register, each command once and with its own counter.</source>
+        <translation>Nur lesbar: die Befehlstasten schreiben dieses Register, jeden Befehl einmal und mit eigenem Zähler.</translation>
+    </message>
+    <message>
+        <source>Read only: written by downloads.</source>
+        <translation>Nur lesbar: wird beim Laden geschrieben.</translation>
+    </message>
+    <message>
+        <source>Read only: the panel uses this register to read other registers.</source>
+        <translation>Nur lesbar: das Panel liest damit andere Register.</translation>
+    </message>
+    <message>
+        <source>Read only: changed by a program download.</source>
+        <translation>Nur lesbar: ändert sich beim Laden eines Programms.</translation>
+    </message>
+    <message>
+        <source>Read only: set by the panel after connecting.</source>
+        <translation>Nur lesbar: vom Panel nach dem Verbinden gesetzt.</translation>
+    </message>
+    <message>
+        <source>Read only: only the controller writes this register.</source>
+        <translation>Nur lesbar: nur die Steuerung schreibt dieses Register.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be %2; the allowed range is %3 to %4. Enter another value.</source>
+        <comment>%1: register</comment>
+        <translation>%1 kann nicht %2 sein; erlaubt ist %3 bis %4. Anderen Wert eingeben.</translation>
+    </message>
+</context>
+<context>
+    <name>StoreErrorText</name>
+    <message>
+        <source>the folder cannot be created</source>
+        <translation>der Ordner lässt sich nicht anlegen</translation>
+    </message>
+    <message>
+        <source>The panel&apos;s database %1 cannot be opened: %2. Check the disk and its permissions.</source>
+        <translation>Die Datenbank %1 lässt sich nicht öffnen: %2. Datenträger und Rechte prüfen.</translation>
+    </message>
+    <message>
+        <source>The panel&apos;s database %1 was written by a newer version of CamPanel. Install that version.</source>
+        <translation>Die Datenbank %1 stammt von einer neueren Version von CamPanel. Diese Version installieren.</translation>
+    </message>
+    <message>
+        <source>The disk is full; data saved before are kept. Free some disk space and save again.</source>
+        <translation>Der Datenträger ist voll; früher gespeicherte Daten bleiben. Platz schaffen und erneut speichern.</translation>
+    </message>
+    <message>
+        <source>The panel&apos;s database %1 is write-protected. Check the disk and its permissions.</source>
+        <translation>Die Datenbank %1 ist schreibgeschützt. Datenträger und Rechte prüfen.</translation>
+    </message>
+    <message>
+        <source>The panel&apos;s database did not accept the data: %1.</source>
+        <translation>Die Datenbank hat die Daten nicht angenommen: %1.</translation>
+    </message>
+    <message>
+        <source>The records of bags and trends were damaged; new records were started. The damaged file was saved as %1.</source>
+        <translation>Die Aufzeichnung der Beutel und Trends war beschädigt; eine neue wurde begonnen. Die beschädigte Datei liegt unter %1.</translation>
+    </message>
+    <message>
+        <source>this user does not exist</source>
+        <translation>diesen Benutzer gibt es nicht</translation>
+    </message>
+    <message>
+        <source>at least one user of the level Service must remain</source>
+        <translation>mindestens ein Benutzer der Stufe Service muss bleiben</translation>
+    </message>
+    <message>
+        <source>the file cannot be written</source>
+        <translation>die Datei lässt sich nicht schreiben</translation>
+    </message>
+    <message>
+        <source>this file does not exist</source>
+        <translation>diese Datei gibt es nicht</translation>
+    </message>
+    <message>
+        <source>The panel&apos;s database %1 is damaged. Restart the panel to use the last good copy, if there is one.</source>
+        <translation>Die Datenbank %1 ist beschädigt. Panel neu starten, um die letzte gute Kopie zu verwenden, falls vorhanden.</translation>
+    </message>
+    <message>
+        <source>The panel&apos;s database %1 is in use by another program. Close that program, then restart the panel.</source>
+        <translation>Die Datenbank %1 ist von einem anderen Programm belegt. Dieses schließen, dann das Panel neu starten.</translation>
+    </message>
+    <message>
+        <source>The users and PINs of this panel are lost; only operators can work. To start without PINs, delete the file %1, restart the panel and restore a backup.</source>
+        <translation>Benutzer und PINs dieses Panels sind verloren; nur Bediener können arbeiten. Für einen Beginn ohne PINs die Datei %1 löschen, das Panel neu starten und eine Sicherung zurückspielen.</translation>
+    </message>
+</context>
+<context>
+    <name>TableText</name>
+    <message>
+        <source>Step table</source>
+        <translation>Schritttabelle</translation>
+    </message>
+    <message>
+        <source>Cam points</source>
+        <translation>Kurvenpunkte</translation>
+    </message>
+    <message>
+        <source>Intervals</source>
+        <translation>Schritte</translation>
+    </message>
+    <message>
+        <source>Press stages</source>
+        <translation>Pressstufen</translation>
+    </message>
+    <message>
+        <source>Row</source>
+        <translation>Zeile</translation>
+    </message>
+    <message>
+        <source>Section</source>
+        <translation>Abschnitt</translation>
+    </message>
+    <message>
+        <source>Time s</source>
+        <translation>Zeit s</translation>
+    </message>
+    <message>
+        <source>Frequency Hz</source>
+        <translation>Frequenz Hz</translation>
+    </message>
+    <message>
+        <source>Pulses</source>
+        <translation>Pulse</translation>
+    </message>
+    <message>
+        <source>Timer ticks</source>
+        <translation>Zeitgeberschritte</translation>
+    </message>
+    <message>
+        <source>Point</source>
+        <translation>Punkt</translation>
+    </message>
+    <message>
+        <source>Master</source>
+        <translation>Leitachse</translation>
+    </message>
+    <message>
+        <source>Position mm</source>
+        <translation>Position mm</translation>
+    </message>
+    <message>
+        <source>Slope pulses</source>
+        <translation>Steigung, Pulse</translation>
+    </message>
+    <message>
+        <source>Motion</source>
+        <translation>Bewegung</translation>
+    </message>
+    <message>
+        <source>Start Hz</source>
+        <translation>Anfang Hz</translation>
+    </message>
+    <message>
+        <source>End Hz</source>
+        <translation>Ende Hz</translation>
+    </message>
+    <message>
+        <source>Hz/s</source>
+        <translation>Hz/s</translation>
+    </message>
+    <message>
+        <source>Stage</source>
+        <translation>Stufe</translation>
+    </message>
+    <message>
+        <source>Speed Hz</source>
+        <translation>Geschw. Hz</translation>
+    </message>
+    <message>
+        <source>End pulses</source>
+        <translation>Endpulse</translation>
+    </message>
+    <message>
+        <source>Force N</source>
+        <translation>Kraft N</translation>
+    </message>
+    <message>
+        <source>Time ms</source>
+        <translation>Zeit ms</translation>
+    </message>
+    <message>
+        <source>%1°</source>
+        <translation>%1°</translation>
+    </message>
+    <message>
+        <source>accel.</source>
+        <translation>beschl.</translation>
+    </message>
+    <message>
+        <source>decel.</source>
+        <translation>bremsen</translation>
+    </message>
+    <message>
+        <source>constant</source>
+        <translation>konstant</translation>
+    </message>
+    <message>
+        <source>base</source>
+        <translation>Grund</translation>
+    </message>
+    <message>
+        <source>ramp</source>
+        <translation>Rampe</translation>
+    </message>
+    <message>
+        <source>sync</source>
+        <translation>synchron</translation>
+    </message>
+    <message>
+        <source>%1 rows, %2 pulses per cycle, %3 s</source>
+        <translation>%1 Zeilen, %2 Pulse je Zyklus, %3 s</translation>
+    </message>
+    <message>
+        <source>Max. speed error: %1 mm/s (%2 %) at %3 s</source>
+        <translation>Max. Geschwindigkeitsfehler: %1 mm/s (%2 %) bei %3 s</translation>
+    </message>
+    <message>
+        <source>Max. frequency step: %1 Hz at %2 s</source>
+        <translation>Max. Frequenzstufe: %1 Hz bei %2 s</translation>
+    </message>
+    <message>
+        <source>Max. position error: %1 pulses between rows, %2 inside</source>
+        <translation>Max. Positionsfehler: %1 Pulse zwischen den Zeilen, %2 in der Zeile</translation>
+    </message>
+    <message>
+        <source>Drift: none; the pulse remainder is carried over to the next cycle</source>
+        <translation>Drift: keine; der Pulsrest geht in den nächsten Zyklus über</translation>
+    </message>
+    <message>
+        <source>Error of the paper&apos;s rounding rule: %1 pulses (%2 mm) per bag</source>
+        <translation>Fehler der Rundungsregel des Aufsatzes: %1 Pulse (%2 mm) je Beutel</translation>
+    </message>
+    <message>
+        <source>%1 points, %2 pulses per cycle, %3 s</source>
+        <translation>%1 Punkte, %2 Pulse je Zyklus, %3 s</translation>
+    </message>
+    <message>
+        <source>Max. position error between points: %1 pulses (%2 mm) at %3 s</source>
+        <translation>Max. Positionsfehler zwischen Punkten: %1 Pulse (%2 mm) bei %3 s</translation>
+    </message>
+    <message>
+        <source>Max. speed error: %1 mm/s at %2 s</source>
+        <translation>Max. Geschwindigkeitsfehler: %1 mm/s bei %2 s</translation>
+    </message>
+    <message>
+        <source>%1 intervals, %2 pulses, %3 s instead of %4 s</source>
+        <translation>%1 Schritte, %2 Pulse, %3 s statt %4 s</translation>
+    </message>
+    <message>
+        <source>Max. speed error: %1 mm/s at %2 s, position: %3 pulses</source>
+        <translation>Max. Geschwindigkeitsfehler: %1 mm/s bei %2 s, Position: %3 Pulse</translation>
+    </message>
+    <message>
+        <source>%1 stages; the pulse generator counts the last section, %2 mm per pulse</source>
+        <translation>%1 Stufen; der Pulsgeber zählt den letzten Abschnitt, %2 mm je Puls</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::Access</name>
+    <message>
+        <source>A name has 1 to %1 characters.</source>
+        <translation>Ein Name hat 1 bis %1 Zeichen.</translation>
+    </message>
+    <message>
+        <source>This name is already in use.</source>
+        <translation>Diesen Namen gibt es schon.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory to store a PIN safely. Restart the panel.</source>
+        <translation>Der Speicher reicht nicht, um eine PIN sicher abzulegen. Panel neu starten.</translation>
+    </message>
+    <message>
+        <source>%1 can log in now.</source>
+        <translation>%1 kann sich jetzt anmelden.</translation>
+    </message>
+    <message>
+        <source>%1 has a new PIN.</source>
+        <translation>%1 hat eine neue PIN.</translation>
+    </message>
+    <message>
+        <source>%1 now has the level %2.</source>
+        <translation>%1 hat jetzt die Stufe %2.</translation>
+    </message>
+    <message>
+        <source>%1 can no longer log in.</source>
+        <translation>%1 kann sich nicht mehr anmelden.</translation>
+    </message>
+    <message>
+        <source>At least one user of the level Service must remain.</source>
+        <translation>Mindestens ein Benutzer der Stufe Service muss bleiben.</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::AlarmDetail</name>
+    <message>
+        <source>Fault</source>
+        <translation>Störung</translation>
+    </message>
+    <message>
+        <source>Warning</source>
+        <translation>Warnung</translation>
+    </message>
+    <message>
+        <source>Notice</source>
+        <translation>Hinweis</translation>
+    </message>
+    <message>
+        <source>This alarm was logged by a newer panel version.</source>
+        <translation>Dieser Alarm stammt von einer neueren Panel-Version.</translation>
+    </message>
+    <message>
+        <source>still active</source>
+        <translation>noch aktiv</translation>
+    </message>
+    <message>
+        <source>unknown: the panel was off or the controller was changed</source>
+        <translation>unbekannt: das Panel war aus oder die Steuerung wurde getauscht</translation>
+    </message>
+    <message>
+        <source>not yet</source>
+        <translation>noch nicht</translation>
+    </message>
+    <message>
+        <source>not required</source>
+        <translation>nicht nötig</translation>
+    </message>
+    <message>
+        <source>%1 by %2</source>
+        <comment>time, person</comment>
+        <translation>%1 von %2</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::Audit</name>
+    <message>
+        <source>Checking the audit trail …</source>
+        <translation>Das Protokoll wird geprüft …</translation>
+    </message>
+    <message>
+        <source>Not checked yet.</source>
+        <translation>Noch nicht geprüft.</translation>
+    </message>
+    <message>
+        <source>audit trail</source>
+        <translation>Protokoll</translation>
+    </message>
+    <message>
+        <source>All users</source>
+        <translation>Alle Benutzer</translation>
+    </message>
+    <message>
+        <source>Row and time</source>
+        <translation>Zeile und Zeit</translation>
+    </message>
+    <message>
+        <source>User</source>
+        <translation>Benutzer</translation>
+    </message>
+    <message>
+        <source>Action</source>
+        <translation>Aktion</translation>
+    </message>
+    <message>
+        <source>Before</source>
+        <translation>Vorher</translation>
+    </message>
+    <message>
+        <source>Requested</source>
+        <translation>Verlangt</translation>
+    </message>
+    <message>
+        <source>Read back</source>
+        <translation>Rückgelesen</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Ergebnis</translation>
+    </message>
+    <message>
+        <source>Hash</source>
+        <translation>Hash</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::AxisSpeed</name>
+    <message>
+        <source>Jog speed</source>
+        <translation>Tippgeschw.</translation>
+    </message>
+    <message>
+        <source>Homing speed</source>
+        <translation>Referenzgeschw.</translation>
+    </message>
+    <message>
+        <source>%1 Hz</source>
+        <translation>%1 Hz</translation>
+    </message>
+    <message>
+        <source>%1 · %2 mm/s</source>
+        <comment>1,000 Hz · 3.1 mm/s</comment>
+        <translation>%1 · %2 mm/s</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::Backup</name>
+    <message>
+        <source>The database could not be opened: a backup would be empty. Correct this first, then restart the panel.</source>
+        <translation>Die Datenbank ließ sich nicht öffnen: eine Sicherung wäre leer. Zuerst beheben, dann das Panel neu starten.</translation>
+    </message>
+    <message>
+        <source>CamPanel backup %1</source>
+        <comment>name of a file</comment>
+        <translation>CamPanel Sicherung %1</translation>
+    </message>
+    <message>
+        <source>%1 by %2</source>
+        <comment>date, person</comment>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>%1 · recipes: %2 · users: %3 · CamPanel %4</source>
+        <comment>when, how many, how many, version</comment>
+        <translation>%1 · Rezepte: %2 · Benutzer: %3 · CamPanel %4</translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
+        <comment>what is in it, place</comment>
+        <translation>%1 · %2</translation>
+    </message>
+    <message>
+        <source>cannot be used · %1</source>
+        <comment>place</comment>
+        <translation>nicht verwendbar · %1</translation>
+    </message>
+    <message>
+        <source>The file is checked first. Nothing is changed before you confirm.</source>
+        <translation>Zuerst wird die Datei geprüft. Vor Ihrer Bestätigung ändert sich nichts.</translation>
+    </message>
+    <message>
+        <source>The machine is moving. Stop it before restoring; the panel will restart.</source>
+        <translation>Die Maschine bewegt sich. Vor dem Rückspielen stoppen; das Panel startet neu.</translation>
+    </message>
+    <message>
+        <source>CamPanel before restore %1</source>
+        <comment>name of a file</comment>
+        <translation>CamPanel vor Rückspielen %1</translation>
+    </message>
+    <message>
+        <source>The restore was not started: %1. Nothing was changed.</source>
+        <translation>Das Rückspielen wurde nicht begonnen: %1. Nichts wurde geändert.</translation>
+    </message>
+    <message>
+        <source>The file is valid: %1.
+It replaces recipes, machine data, users with their PINs, alarms, audit trail and settings of this panel; bags and trends stay. The present state is saved as a backup on this panel, then the panel restarts.</source>
+        <translation>Die Datei ist gültig: %1.
+Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll und Einstellungen dieses Panels; Beutel und Trends bleiben. Der jetzige Stand wird auf dem Panel gesichert, dann startet es neu.</translation>
+    </message>
+    <message>
+        <source>The file is valid: %1.
+It replaces recipes, machine data, users with their PINs, alarms, audit trail, bags, trends and settings of this panel. The present state is saved as a backup on this panel, then the panel restarts.</source>
+        <translation>Die Datei ist gültig: %1.
+Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beutel, Trends und Einstellungen dieses Panels. Der jetzige Stand wird auf dem Panel gesichert, dann startet es neu.</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::Commissioning</name>
+    <message>
+        <source>%1 commissioning %2</source>
+        <comment>name of a file: recipe, date</comment>
+        <translation>%1 Inbetriebnahme %2</translation>
+    </message>
+    <message>
+        <source>Recipe</source>
+        <translation>Rezept</translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation>Programm</translation>
+    </message>
+    <message>
+        <source>The recipe has been edited since it was saved or downloaded.</source>
+        <translation>Das Rezept wurde seit dem Speichern oder Laden bearbeitet.</translation>
+    </message>
+    <message>
+        <source>Machine data</source>
+        <translation>Maschinendaten</translation>
+    </message>
+    <message>
+        <source>Limits</source>
+        <translation>Grenzen</translation>
+    </message>
+    <message>
+        <source>Peaks</source>
+        <translation>Höchstwerte</translation>
+    </message>
+    <message>
+        <source>Table</source>
+        <translation>Tabelle</translation>
+    </message>
+    <message>
+        <source>There is no table: the recipe cannot be downloaded.</source>
+        <translation>Es gibt keine Tabelle: das Rezept kann nicht geladen werden.</translation>
+    </message>
+    <message>
+        <source>Rows</source>
+        <translation>Zeilen</translation>
+    </message>
+    <message>
+        <source>Controller</source>
+        <translation>Steuerung</translation>
+    </message>
+    <message>
+        <source>Serial number</source>
+        <translation>Seriennummer</translation>
+    </message>
+    <message>
+        <source>Firmware</source>
+        <translation>Firmware</translation>
+    </message>
+    <message>
+        <source>Register map</source>
+        <translation>Registerplan</translation>
+    </message>
+    <message>
+        <source>Connected by</source>
+        <translation>Verbunden über</translation>
+    </message>
+    <message>
+        <source>simulated controller</source>
+        <translation>simulierte Steuerung</translation>
+    </message>
+    <message>
+        <source>Active program</source>
+        <translation>Aktives Programm</translation>
+    </message>
+    <message>
+        <source>Saved program</source>
+        <translation>Gespeichertes Programm</translation>
+    </message>
+    <message>
+        <source>The active program was not read back for this report.</source>
+        <translation>Das aktive Programm wurde für diesen Bericht nicht zurückgelesen.</translation>
+    </message>
+    <message>
+        <source>Last bags</source>
+        <translation>Letzte Beutel</translation>
+    </message>
+    <message>
+        <source>No bag has been measured yet.</source>
+        <translation>Noch kein Beutel gemessen.</translation>
+    </message>
+    <message>
+        <source>Measured</source>
+        <translation>Gemessen</translation>
+    </message>
+    <message>
+        <source>Mean length</source>
+        <translation>Mittlere Länge</translation>
+    </message>
+    <message>
+        <source>Mean deviation</source>
+        <translation>Mittlere Abweichung</translation>
+    </message>
+    <message>
+        <source>Standard deviation</source>
+        <translation>Standardabweichung</translation>
+    </message>
+    <message>
+        <source>Within ±%1 mm</source>
+        <translation>Innerhalb ±%1 mm</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>Commissioning report</source>
+        <translation>Inbetriebnahmebericht</translation>
+    </message>
+    <message>
+        <source>%1 · version %2</source>
+        <comment>recipe</comment>
+        <translation>%1 · Version %2</translation>
+    </message>
+    <message>
+        <source>nobody logged in</source>
+        <translation>niemand angemeldet</translation>
+    </message>
+    <message>
+        <source>%1 · %2 · CamPanel %3</source>
+        <comment>date, person, version</comment>
+        <translation>%1 · %2 · CamPanel %3</translation>
+    </message>
+    <message>
+        <source>Page %1</source>
+        <translation>Seite %1</translation>
+    </message>
+    <message>
+        <source>Curves of one cycle</source>
+        <translation>Kurven eines Zyklus</translation>
+    </message>
+    <message>
+        <source>Velocity, mm/s</source>
+        <translation>Geschwindigkeit, mm/s</translation>
+    </message>
+    <message>
+        <source>Acceleration, m/s²</source>
+        <translation>Beschleunigung, m/s²</translation>
+    </message>
+    <message>
+        <source>Pulse frequency, kHz</source>
+        <translation>Pulsfrequenz, kHz</translation>
+    </message>
+    <message>
+        <source>limit</source>
+        <translation>Grenze</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::ProgramDownload</name>
+    <message>
+        <source>Not possible now: there is no connection to the controller.</source>
+        <translation>Jetzt nicht möglich: keine Verbindung zur Steuerung.</translation>
+    </message>
+    <message>
+        <source>Not possible: the machine cannot execute this recipe.</source>
+        <translation>Nicht möglich: die Maschine kann dieses Rezept nicht ausführen.</translation>
+    </message>
+    <message>
+        <source>Not possible: this controller cannot execute this kind of program.</source>
+        <translation>Nicht möglich: diese Steuerung kann diese Programmart nicht ausführen.</translation>
+    </message>
+    <message>
+        <source>Controller: unknown</source>
+        <translation>Steuerung: unbekannt</translation>
+    </message>
+    <message>
+        <source>Controller: reading the program …</source>
+        <translation>Steuerung: Programm wird gelesen …</translation>
+    </message>
+    <message>
+        <source>The controller has no program</source>
+        <translation>Die Steuerung hat kein Programm</translation>
+    </message>
+    <message>
+        <source>Active in controller: generation %1</source>
+        <translation>In der Steuerung aktiv: Generation %1</translation>
+    </message>
+    <message>
+        <source>Active in controller: generation %1 · identical</source>
+        <translation>In der Steuerung aktiv: Generation %1 · gleich</translation>
+    </message>
+    <message>
+        <source>Active in controller: generation %1 · 1 value differs</source>
+        <translation>In der Steuerung aktiv: Generation %1 · 1 Wert anders</translation>
+    </message>
+    <message>
+        <source>Active in controller: generation %1 · %2 values differ</source>
+        <translation>In der Steuerung aktiv: Generation %1 · %2 Werte anders</translation>
+    </message>
+    <message>
+        <source>Program type and machine data can only be changed at standstill. Stop the machine first.</source>
+        <translation>Programmart und Maschinendaten lassen sich nur im Stillstand ändern. Zuerst die Maschine stoppen.</translation>
+    </message>
+    <message>
+        <source>No connection. Last known program in the controller: generation %1</source>
+        <translation>Keine Verbindung. Letztes bekanntes Programm der Steuerung: Generation %1</translation>
+    </message>
+    <message>
+        <source>The controller already has this program.</source>
+        <translation>Die Steuerung hat dieses Programm schon.</translation>
+    </message>
+    <message>
+        <source>The new recipe is used from the next start.</source>
+        <translation>Das neue Rezept gilt ab dem nächsten Start.</translation>
+    </message>
+    <message>
+        <source>Downloaded. The machine is running this recipe.</source>
+        <translation>Geladen. Die Maschine läuft mit diesem Rezept.</translation>
+    </message>
+    <message>
+        <source>Downloaded. Press Start to run this recipe.</source>
+        <translation>Geladen. Start drücken, um dieses Rezept auszuführen.</translation>
+    </message>
+    <message>
+        <source>Downloaded. The controller has this recipe.</source>
+        <translation>Geladen. Die Steuerung hat dieses Rezept.</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::DryRun</name>
+    <message>
+        <source>Time in the cycle</source>
+        <translation>Zeit im Zyklus</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>Position</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>%1 mm/s</source>
+        <translation>%1 mm/s</translation>
+    </message>
+    <message>
+        <source>Acceleration</source>
+        <translation>Beschleunigung</translation>
+    </message>
+    <message>
+        <source>%1 m/s²</source>
+        <translation>%1 m/s²</translation>
+    </message>
+    <message>
+        <source>Pulse frequency</source>
+        <translation>Pulsfrequenz</translation>
+    </message>
+    <message>
+        <source>%1 kHz</source>
+        <translation>%1 kHz</translation>
+    </message>
+    <message>
+        <source>Knife speed</source>
+        <translation>Messergeschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Film speed</source>
+        <translation>Foliengeschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Knife speed / film speed</source>
+        <translation>Messer-/Foliengeschwindigkeit</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Sync window</source>
+        <translation>Synchronbereich</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>ja</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>nein</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::Editor</name>
+    <message>
+        <source>Displacement law</source>
+        <translation>Bewegungsgesetz</translation>
+    </message>
+    <message>
+        <source>Speed law</source>
+        <translation>Geschwindigkeitsgesetz</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::Explanations</name>
+    <message>
+        <source>Rate</source>
+        <translation>Taktzahl</translation>
+    </message>
+    <message>
+        <source>bags/min</source>
+        <translation>Beutel/min</translation>
+    </message>
+    <message>
+        <source>Bags per minute at the present master speed. This value is calculated, not counted.</source>
+        <translation>Beutel je Minute bei der jetzigen Leitgeschwindigkeit. Dieser Wert ist berechnet, nicht gezählt.</translation>
+    </message>
+    <message>
+        <source>rate of the program × master speed</source>
+        <translation>Taktzahl des Programms × Leitgeschwindigkeit</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
+    </message>
+    <message>
+        <source>Mean bag length</source>
+        <translation>Mittlere Beutellänge</translation>
+    </message>
+    <message>
+        <source>Mean of the last bags (%1, at most 60) since the last change of the set length.</source>
+        <translation>Mittel der letzten Beutel (%1, höchstens 60) seit der letzten Änderung der Solllänge.</translation>
+    </message>
+    <message>
+        <source>set length + sum of their deviations / bags</source>
+        <translation>Solllänge + Summe der Abweichungen / Beutel</translation>
+    </message>
+    <message>
+        <source>Standard deviation of the bag length</source>
+        <translation>Standardabweichung der Beutellänge</translation>
+    </message>
+    <message>
+        <source>About two thirds of the last bags (%1) are closer to the mean than this value.</source>
+        <translation>Etwa zwei Drittel der letzten Beutel (%1) liegen näher am Mittel als dieser Wert.</translation>
+    </message>
+    <message>
+        <source>√(sum of (deviation − mean deviation)² / (bags − 1))</source>
+        <translation>√(Summe von (Abweichung − mittlere Abweichung)² / (Beutel − 1))</translation>
+    </message>
+    <message>
+        <source>Bags within the tolerance</source>
+        <translation>Beutel innerhalb der Toleranz</translation>
+    </message>
+    <message>
+        <source>Number of the last bags (%1) within ±%2 mm. Set the tolerance in Settings, Machine.</source>
+        <translation>Anzahl der letzten Beutel (%1) innerhalb ±%2 mm. Toleranz unter Einstellungen, Maschine einstellen.</translation>
+    </message>
+    <message>
+        <source>Start-up scrap and bags of a change of program are left out: %1.</source>
+        <translation>Anlaufausschuss und Beutel eines Programmwechsels zählen nicht: %1.</translation>
+    </message>
+    <message>
+        <source>bags with a deviation within the tolerance</source>
+        <translation>Beutel mit Abweichung innerhalb der Toleranz</translation>
+    </message>
+    <message>
+        <source>Deviation of the last bag</source>
+        <translation>Abweichung des letzten Beutels</translation>
+    </message>
+    <message>
+        <source>Positive: the bag is too long. With skipped cuts, the set length is the sum of all lengths in the bag.</source>
+        <translation>Positiv: der Beutel ist zu lang. Bei ausgelassenen Schnitten ist die Solllänge die Summe aller Längen im Beutel.</translation>
+    </message>
+    <message>
+        <source>measured length − set length</source>
+        <translation>gemessene Länge − Solllänge</translation>
+    </message>
+    <message>
+        <source>Mark error</source>
+        <translation>Markenfehler</translation>
+    </message>
+    <message>
+        <source>Mark error of the last cut with a mark, measured by the controller. Mark tracking corrects a part of this error with each cut.</source>
+        <translation>Markenfehler des letzten Schnitts mit Marke, von der Steuerung gemessen. Die Markenregelung korrigiert mit jedem Schnitt einen Teil.</translation>
+    </message>
+    <message>
+        <source>position of the cut − position required by its mark</source>
+        <translation>Position des Schnitts − von der Marke verlangte Position</translation>
+    </message>
+    <message>
+        <source>Film saved</source>
+        <translation>Gesparte Folie</translation>
+    </message>
+    <message>
+        <source>m</source>
+        <translation>m</translation>
+    </message>
+    <message>
+        <source>Film that was not used because the film waited for missing products. Counted since power-on of the controller.</source>
+        <translation>Folie, die nicht verbraucht wurde, weil sie auf fehlende Produkte wartete. Seit dem Einschalten der Steuerung gezählt.</translation>
+    </message>
+    <message>
+        <source>skipped bags × their mean length</source>
+        <translation>ausgelassene Beutel × ihre mittlere Länge</translation>
+    </message>
+    <message>
+        <source>%1 × %2 m</source>
+        <translation>%1 × %2 m</translation>
+    </message>
+    <message>
+        <source>Following error</source>
+        <translation>Schleppfehler</translation>
+    </message>
+    <message>
+        <source>Last reported difference between commanded and actual position of the axis.</source>
+        <translation>Zuletzt gemeldete Differenz zwischen Soll- und Istposition der Achse.</translation>
+    </message>
+    <message>
+        <source>error in pulses / pulses per mm</source>
+        <translation>Fehler in Pulsen / Pulse je mm</translation>
+    </message>
+    <message>
+        <source>Good strokes</source>
+        <translation>Gute Hübe</translation>
+    </message>
+    <message>
+        <source>Number of the last strokes (%1) that ended at the press position with a force of %2 to %3 N.</source>
+        <translation>Anzahl der letzten Hübe (%1), die an der Pressposition mit einer Kraft von %2 bis %3 N endeten.</translation>
+    </message>
+    <message>
+        <source>strokes that the controller evaluated as good</source>
+        <translation>Hübe, die die Steuerung als gut bewertet hat</translation>
+    </message>
+    <message>
+        <source>Maximum possible rate</source>
+        <translation>Höchste mögliche Taktzahl</translation>
+    </message>
+    <message>
+        <source>Maximum rate with this bag length, law and machine; limited by: %1. Speeds rise with the rate, acceleration with its square.</source>
+        <translation>Höchste Taktzahl mit dieser Beutellänge, diesem Gesetz und dieser Maschine; begrenzt durch: %1. Geschwindigkeiten wachsen mit der Taktzahl, die Beschleunigung mit ihrem Quadrat.</translation>
+    </message>
+    <message>
+        <source>rate × allowed / peak, rounded down</source>
+        <translation>Taktzahl × erlaubt / Höchstwert, abgerundet</translation>
+    </message>
+    <message>
+        <source>rate × √(allowed / peak), rounded down</source>
+        <translation>Taktzahl × √(erlaubt / Höchstwert), abgerundet</translation>
+    </message>
+    <message>
+        <source>the limit itself</source>
+        <translation>die Grenze selbst</translation>
+    </message>
+    <message>
+        <source>Peak motor speed</source>
+        <translation>Höchste Motordrehzahl</translation>
+    </message>
+    <message>
+        <source>Motor speed at the maximum knife speed.</source>
+        <translation>Motordrehzahl bei der höchsten Messergeschwindigkeit.</translation>
+    </message>
+    <message>
+        <source>Peak knife acceleration</source>
+        <translation>Höchste Messerbeschleunigung</translation>
+    </message>
+    <message>
+        <source>Acceleration at the fastest change of the knife speed.</source>
+        <translation>Beschleunigung bei der schnellsten Änderung der Messergeschwindigkeit.</translation>
+    </message>
+    <message>
+        <source>Peak pulse frequency</source>
+        <translation>Höchste Pulsfrequenz</translation>
+    </message>
+    <message>
+        <source>Output frequency of the controller at the maximum knife speed.</source>
+        <translation>Ausgangsfrequenz der Steuerung bei der höchsten Messergeschwindigkeit.</translation>
+    </message>
+    <message>
+        <source>Line utilization</source>
+        <translation>Auslastung der Leitung</translation>
+    </message>
+    <message>
+        <source>Time of the frames on the wire at this baud rate, with the silent intervals of the standard, divided by the communication time. At 100 % no master could poll faster; the rest is time spent waiting for controller and adapter.</source>
+        <translation>Zeit der Rahmen auf der Leitung bei dieser Baudrate, mit den Pausen der Norm, geteilt durch die Kommunikationszeit. Bei 100 % könnte kein Master schneller fragen; der Rest ist Warten auf Steuerung und Adapter.</translation>
+    </message>
+    <message>
+        <source>time of the frames on the wire / communication time</source>
+        <translation>Zeit der Rahmen auf der Leitung / Kommunikationszeit</translation>
+    </message>
+    <message>
+        <source>%1 s / %2 s</source>
+        <translation>%1 s / %2 s</translation>
+    </message>
+    <message>
+        <source>ms</source>
+        <translation>ms</translation>
+    </message>
+    <message>
+        <source>Maximum response time</source>
+        <translation>Höchste Antwortzeit</translation>
+    </message>
+    <message>
+        <source>Time from sending the request to the last byte of the response. This is one single response, perhaps hours ago: the percentages describe normal operation better.</source>
+        <translation>Zeit vom Senden der Anfrage bis zum letzten Byte der Antwort. Eine einzige Antwort, vielleicht Stunden alt: die Prozentwerte beschreiben den Normalbetrieb besser.</translation>
+    </message>
+    <message>
+        <source>maximum since the last reset of the counters</source>
+        <translation>Höchstwert seit dem letzten Zurücksetzen der Zähler</translation>
+    </message>
+    <message>
+        <source>50 % of responses within</source>
+        <translation>50 % der Antworten in</translation>
+    </message>
+    <message>
+        <source>%1 % of responses within</source>
+        <translation>%1 % der Antworten in</translation>
+    </message>
+    <message>
+        <source>Time from sending the request to the last byte of the response, both frames on the wire included. Counted since the start of the panel or the last reset of the counters.</source>
+        <translation>Zeit vom Senden der Anfrage bis zum letzten Byte der Antwort, mit beiden Rahmen auf der Leitung. Gezählt seit dem Start des Panels oder dem letzten Zurücksetzen.</translation>
+    </message>
+    <message>
+        <source>all responses sorted by time: value at %1 % of their number, up to 6.25 % too high, never too low</source>
+        <translation>alle Antworten nach Zeit sortiert: Wert bei %1 % ihrer Anzahl, bis 6,25 % zu hoch, nie zu niedrig</translation>
+    </message>
+    <message>
+        <source>time of response %1 of %2</source>
+        <translation>Zeit der Antwort %1 von %2</translation>
+    </message>
+    <message>
+        <source>Response timeout</source>
+        <translation>Antwort blieb aus</translation>
+    </message>
+    <message>
+        <source>Waiting time for a response, in addition to both frames on the wire. The panel adapts this time to controller and adapter, and doubles it without a response.</source>
+        <translation>Wartezeit auf eine Antwort, zusätzlich zu beiden Rahmen auf der Leitung. Das Panel passt sie an Steuerung und Adapter an und verdoppelt sie ohne Antwort.</translation>
+    </message>
+    <message>
+        <source>%1 × the time in which 99 % of the last responses started, from %2 to %3 ms</source>
+        <translation>%1 × die Zeit, in der 99 % der letzten Antworten begannen, von %2 bis %3 ms</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>Mittel</translation>
+    </message>
+    <message>
+        <source>Mean of all values recorded in the displayed time (n = %1).</source>
+        <translation>Mittel aller im gezeigten Zeitraum aufgezeichneten Werte (n = %1).</translation>
+    </message>
+    <message>
+        <source>sum of the values / n</source>
+        <translation>Summe der Werte / n</translation>
+    </message>
+    <message>
+        <source>Standard deviation</source>
+        <translation>Standardabweichung</translation>
+    </message>
+    <message>
+        <source>About two thirds of the values are closer to the mean than this value.</source>
+        <translation>Etwa zwei Drittel der Werte liegen näher am Mittel als dieser Wert.</translation>
+    </message>
+    <message>
+        <source>√(sum of (value − mean)² / (n − 1))</source>
+        <translation>√(Summe von (Wert − Mittel)² / (n − 1))</translation>
+    </message>
+    <message>
+        <source>Minimum and maximum</source>
+        <translation>Minimum und Maximum</translation>
+    </message>
+    <message>
+        <source>%1 … %2</source>
+        <comment>lowest, highest</comment>
+        <translation>%1 … %2</translation>
+    </message>
+    <message>
+        <source>Minimum and maximum are single values. The curve shows the mean of each column, the pale band its minimum and maximum.</source>
+        <translation>Minimum und Maximum sind Einzelwerte. Die Kurve zeigt das Mittel jeder Spalte, das blasse Band Minimum und Maximum.</translation>
+    </message>
+    <message>
+        <source>minimum … maximum of the n values</source>
+        <translation>Minimum … Maximum der n Werte</translation>
+    </message>
+    <message>
+        <source>Within the tolerance</source>
+        <translation>Innerhalb der Toleranz</translation>
+    </message>
+    <message>
+        <source>Each bag is compared with the tolerance that was valid at its production.</source>
+        <translation>Jeder Beutel wird mit der Toleranz verglichen, die bei seiner Herstellung galt.</translation>
+    </message>
+    <message>
+        <source>bags with a deviation within the tolerance / n</source>
+        <translation>Beutel mit Abweichung innerhalb der Toleranz / n</translation>
+    </message>
+    <message>
+        <source>%1 h</source>
+        <translation>%1 h</translation>
+    </message>
+    <message>
+        <source>%1 min</source>
+        <translation>%1 min</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>Mean at the cursor</source>
+        <translation>Mittel am Cursor</translation>
+    </message>
+    <message>
+        <source>One column of the curves covers %1. At the cursor the minimum was %2, the maximum %3.</source>
+        <translation>Eine Spalte der Kurven umfasst %1. Am Cursor war das Minimum %2, das Maximum %3.</translation>
+    </message>
+    <message>
+        <source>sum of the column&apos;s values / number of values</source>
+        <translation>Summe der Werte der Spalte / Anzahl der Werte</translation>
+    </message>
+    <message>
+        <source>%1 of 100 responses took at most this time.</source>
+        <translation>%1 von 100 Antworten dauerten höchstens so lange.</translation>
+    </message>
+    <message>
+        <source>rate × seal time / required seal time, rounded down</source>
+        <translation>Taktzahl × Siegelzeit / nötige Siegelzeit, abgerundet</translation>
+    </message>
+    <message>
+        <source>Sync window</source>
+        <translation>Synchronbereich</translation>
+    </message>
+    <message>
+        <source>Angle over which the knife moves at film speed. It must exceed the contact angle of the jaws by 2°.</source>
+        <translation>Winkel, über den das Messer mit Foliengeschwindigkeit läuft. Er muss den Kontaktwinkel der Backen um 2° überschreiten.</translation>
+    </message>
+    <message>
+        <source>Seal time</source>
+        <translation>Siegelzeit</translation>
+    </message>
+    <message>
+        <source>Time of the jaws on the film at this rate.</source>
+        <translation>Zeit der Backen auf der Folie bei dieser Taktzahl.</translation>
+    </message>
+    <message>
+        <source>Time of the jaws on the film at the present rate. The contact angle is that of the recipe on the Motion page.</source>
+        <translation>Zeit der Backen auf der Folie bei der jetzigen Taktzahl. Der Kontaktwinkel ist der des Rezepts auf der Seite Bewegung.</translation>
+    </message>
+    <message>
+        <source>60 000 × arc of the jaws / (sync ratio × bag length × rate)</source>
+        <translation>60 000 × Bogen der Backen / (Synchronverhältnis × Beutellänge × Taktzahl)</translation>
+    </message>
+    <message>
+        <source>RMS knife acceleration</source>
+        <translation>Effektive Messerbeschleunigung</translation>
+    </message>
+    <message>
+        <source>Root mean square of the acceleration over a cycle. It heats the motor; I2 is the integral of the squared slope of the law.</source>
+        <translation>Effektivwert der Beschleunigung über einen Zyklus. Er erwärmt den Motor; I2 ist das Integral der quadrierten Steigung des Gesetzes.</translation>
+    </message>
+    <message>
+        <source>Speed ratio k0</source>
+        <translation>Geschwindigkeitsverhältnis k0</translation>
+    </message>
+    <message>
+        <source>Film speed divided by base speed, equation (9) of the paper. It follows from the recipe.</source>
+        <translation>Foliengeschwindigkeit durch Grundgeschwindigkeit, Gleichung (9) des Aufsatzes. Es folgt aus dem Rezept.</translation>
+    </message>
+    <message>
+        <source>Speed of the base circle ω</source>
+        <translation>Drehzahl des Grundkreises ω</translation>
+    </message>
+    <message>
+        <source>Angular speed of the knife at base speed, equation (7) of the paper. Its base circle has the knife radius.</source>
+        <translation>Winkelgeschwindigkeit des Messers bei Grundgeschwindigkeit, Gleichung (7) des Aufsatzes. Sein Grundkreis hat den Messerradius.</translation>
+    </message>
+    <message>
+        <source>Coefficients C0 to C%1</source>
+        <translation>Koeffizienten C0 bis C%1</translation>
+    </message>
+    <message>
+        <source>The law is the polynomial s = C0 + C1 t + C2 t^2 … of the paper, s in mm and t in ms: %1.</source>
+        <translation>Das Gesetz ist das Polynom s = C0 + C1 t + C2 t^2 … des Aufsatzes, s in mm und t in ms: %1.</translation>
+    </message>
+    <message>
+        <source>rate × √((allowed − friction) / (peak − friction)), rounded down</source>
+        <translation>Taktzahl × √((erlaubt − Reibung) / (Höchstwert − Reibung)), abgerundet</translation>
+    </message>
+    <message>
+        <source>rate × ((allowed² − friction²) / (RMS² − friction²))^(1/4), rounded down</source>
+        <translation>Taktzahl × ((erlaubt² − Reibung²) / (Effektiv² − Reibung²))^(1/4), abgerundet</translation>
+    </message>
+    <message>
+        <source>Peak motor torque</source>
+        <translation>Höchstes Motormoment</translation>
+    </message>
+    <message>
+        <source>Torque at the motor for the peak acceleration, plus friction.</source>
+        <translation>Moment am Motor für die höchste Beschleunigung, plus Reibung.</translation>
+    </message>
+    <message>
+        <source>RMS motor torque</source>
+        <translation>Effektives Motormoment</translation>
+    </message>
+    <message>
+        <source>Root mean square over one cycle. It heats the motor, so it stays below the rated torque.</source>
+        <translation>Effektivwert über einen Zyklus. Er erwärmt den Motor und bleibt deshalb unter dem Nennmoment.</translation>
+    </message>
+    <message>
+        <source>Error while sealing</source>
+        <translation>Fehler beim Siegeln</translation>
+    </message>
+    <message>
+        <source>Vibration of the knife shaft, peak to peak, between both ends of the sealing window.</source>
+        <translation>Schwingung der Messerwelle, Spitze zu Spitze, zwischen beiden Enden des Siegelbereichs.</translation>
+    </message>
+    <message>
+        <source>Torque, largest difference</source>
+        <translation>Moment, größte Differenz</translation>
+    </message>
+    <message>
+        <source>torque that the drive reports − (J α + friction), of the rated torque</source>
+        <translation>vom Antrieb gemeldetes Moment − (J α + Reibung), bezogen auf das Nennmoment</translation>
+    </message>
+    <message>
+        <source>Compared while the machine runs at full speed.</source>
+        <translation>Wird verglichen, während die Maschine mit voller Geschwindigkeit läuft.</translation>
+    </message>
+    <message>
+        <source>Largest of the last readings at full speed (%1), at %2° of the cycle. The drive lags behind the program, so the difference is largest where the acceleration changes fast.</source>
+        <translation>Größter der letzten Werte bei voller Geschwindigkeit (%1), bei %2° des Zyklus. Der Antrieb läuft nach; die Differenz ist dort am größten, wo sich die Beschleunigung schnell ändert.</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::FrameList</name>
+    <message>
+        <source>Sent at %1</source>
+        <translation>Gesendet um %1</translation>
+    </message>
+    <message>
+        <source>Received at %1</source>
+        <translation>Empfangen um %1</translation>
+    </message>
+    <message>
+        <source>link frames</source>
+        <translation>Rahmen</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::Homing</name>
+    <message>
+        <source>Homed</source>
+        <translation>Referenziert</translation>
+    </message>
+    <message>
+        <source>Top position known</source>
+        <translation>Oberste Lage bekannt</translation>
+    </message>
+    <message>
+        <source>Not homed</source>
+        <translation>Nicht referenziert</translation>
+    </message>
+    <message>
+        <source>Top position not known</source>
+        <translation>Oberste Lage unbekannt</translation>
+    </message>
+    <message>
+        <source>No homing required</source>
+        <translation>Keine Referenzfahrt nötig</translation>
+    </message>
+    <message>
+        <source>Unknown</source>
+        <translation>Unbekannt</translation>
+    </message>
+    <message>
+        <source>Keep hands away: the knife turns slowly forward to the index mark of its shaft, brakes and returns to 0°. Start homes automatically when required.</source>
+        <translation>Hände weg: das Messer dreht langsam vorwärts zur Nullmarke seiner Welle, bremst und kehrt auf 0° zurück. Start referenziert bei Bedarf selbsttätig.</translation>
+    </message>
+    <message>
+        <source>The axis turns slowly forward to the index mark of its motor, brakes and returns to position 0. Start homes automatically when required.</source>
+        <translation>Die Achse dreht langsam vorwärts zur Nullmarke ihres Motors, bremst und kehrt auf Position 0 zurück. Start referenziert bei Bedarf selbsttätig.</translation>
+    </message>
+    <message>
+        <source>Moves start at the present axis position, so homing is not required. Home turns slowly to the motor&apos;s index mark, which becomes position 0.</source>
+        <translation>Bewegungen beginnen an der jetzigen Position; eine Referenzfahrt ist nicht nötig. Sie dreht langsam zur Nullmarke des Motors, die Position 0 wird.</translation>
+    </message>
+    <message>
+        <source>No motion: the present ram position becomes the top position, the reference of all depths. Jog the ram there first; a wrong top position makes every stroke wrong.</source>
+        <translation>Ohne Bewegung: die jetzige Stößellage wird oberste Lage, Bezug aller Tiefen. Stößel zuerst dorthin tippen; eine falsche oberste Lage macht jeden Hub falsch.</translation>
+    </message>
+    <message>
+        <source>Homing depends on the program. Download a recipe first.</source>
+        <translation>Die Referenzfahrt hängt vom Programm ab. Zuerst ein Rezept laden.</translation>
+    </message>
+    <message>
+        <source>Home</source>
+        <translation>Referenz</translation>
+    </message>
+    <message>
+        <source>Set as top position</source>
+        <translation>Oberste Lage setzen</translation>
+    </message>
+    <message>
+        <source>Searching for the index mark …</source>
+        <translation>Die Nullmarke wird gesucht …</translation>
+    </message>
+    <message>
+        <source>The last homing found the index mark.</source>
+        <translation>Die letzte Referenzfahrt hat die Nullmarke gefunden.</translation>
+    </message>
+    <message>
+        <source>The ram position was set as top position.</source>
+        <translation>Die Stößellage wurde als oberste Lage gesetzt.</translation>
+    </message>
+    <message>
+        <source>The last homing was stopped before its end.</source>
+        <translation>Die letzte Referenzfahrt wurde vor ihrem Ende gestoppt.</translation>
+    </message>
+    <message>
+        <source>The last homing failed: no index mark within two revolutions, or the axis did not follow. See the alarm.</source>
+        <translation>Die letzte Referenzfahrt schlug fehl: keine Nullmarke in zwei Umdrehungen, oder die Achse folgte nicht. Siehe Alarm.</translation>
+    </message>
+    <message>
+        <source>The connection was lost during homing: the result is unknown.</source>
+        <translation>Die Verbindung ging während der Referenzfahrt verloren: Ergebnis unbekannt.</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::CamSwitches</name>
+    <message>
+        <source>Cam switch %1: mode</source>
+        <translation>Nocken %1: Betriebsart</translation>
+    </message>
+    <message>
+        <source>Cam switch %1: on angle</source>
+        <translation>Nocken %1: Einschaltwinkel</translation>
+    </message>
+    <message>
+        <source>Cam switch %1: off angle</source>
+        <translation>Nocken %1: Ausschaltwinkel</translation>
+    </message>
+    <message>
+        <source>Cam switch %1: lead time</source>
+        <translation>Nocken %1: Vorhaltezeit</translation>
+    </message>
+    <message>
+        <source>Cam switch %1: on in every n-th cycle</source>
+        <translation>Nocken %1: ein in jedem n-ten Zyklus</translation>
+    </message>
+    <message>
+        <source>Drive enable</source>
+        <translation>Antriebsfreigabe</translation>
+    </message>
+    <message>
+        <source>Off</source>
+        <translation>Aus</translation>
+    </message>
+    <message>
+        <source>Always on</source>
+        <translation>Immer ein</translation>
+    </message>
+    <message>
+        <source>While running</source>
+        <translation>Im Lauf</translation>
+    </message>
+    <message>
+        <source>By angle</source>
+        <translation>Nach Winkel</translation>
+    </message>
+    <message>
+        <source>Rejected bags</source>
+        <translation>Ausschuss</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::IoList</name>
+    <message>
+        <source>%1 pulses</source>
+        <translation>%1 Pulse</translation>
+    </message>
+    <message>
+        <source>%1 Hz</source>
+        <translation>%1 Hz</translation>
+    </message>
+    <message>
+        <source>Encoder of the axis</source>
+        <translation>Geber der Achse</translation>
+    </message>
+    <message>
+        <source>Encoder, speed</source>
+        <translation>Geber, Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>Kraft</translation>
+    </message>
+    <message>
+        <source>%1 N</source>
+        <translation>%1 N</translation>
+    </message>
+    <message>
+        <source>Index mark</source>
+        <translation>Nullmarke</translation>
+    </message>
+    <message>
+        <source>not found yet</source>
+        <translation>noch nicht gefunden</translation>
+    </message>
+    <message>
+        <source>found or not required</source>
+        <translation>gefunden oder nicht nötig</translation>
+    </message>
+    <message>
+        <source>Heartbeat of the panel</source>
+        <translation>Lebenszeichen des Panels</translation>
+    </message>
+    <message>
+        <source>no. %1</source>
+        <comment>of a heartbeat</comment>
+        <translation>Nr. %1</translation>
+    </message>
+    <message>
+        <source>Pulses to the axis</source>
+        <translation>Pulse zur Achse</translation>
+    </message>
+    <message>
+        <source>Pulses sent</source>
+        <translation>Gesendete Pulse</translation>
+    </message>
+    <message>
+        <source>Sent minus encoder</source>
+        <translation>Gesendet minus Geber</translation>
+    </message>
+    <message>
+        <source>Mark sensor</source>
+        <translation>Markensensor</translation>
+    </message>
+    <message>
+        <source>%1 marks</source>
+        <translation>%1 Marken</translation>
+    </message>
+    <message>
+        <source>Product eye</source>
+        <translation>Produktlichtschranke</translation>
+    </message>
+    <message>
+        <source>%1 products placed</source>
+        <translation>%1 Produkte gelegt</translation>
+    </message>
+    <message>
+        <source>Encoder of the film</source>
+        <translation>Geber der Folie</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>following</source>
+        <translation>folgt</translation>
+    </message>
+    <message>
+        <source>decelerating</source>
+        <translation>bremst</translation>
+    </message>
+    <message>
+        <source>at standstill</source>
+        <translation>im Stillstand</translation>
+    </message>
+    <message>
+        <source>accelerating</source>
+        <translation>beschleunigt</translation>
+    </message>
+    <message>
+        <source>Pulses to the film</source>
+        <translation>Pulse zur Folie</translation>
+    </message>
+    <message>
+        <source>Knife synchronous with film</source>
+        <translation>Messer synchron zur Folie</translation>
+    </message>
+    <message>
+        <source>Film, sent minus encoder</source>
+        <translation>Folie, gesendet minus Geber</translation>
+    </message>
+    <message>
+        <source>Drive alarm</source>
+        <translation>Alarm des Antriebs</translation>
+    </message>
+    <message>
+        <source>Emergency stop</source>
+        <translation>Not-Halt</translation>
+    </message>
+    <message>
+        <source>Limit switch, forward</source>
+        <translation>Endschalter vorwärts</translation>
+    </message>
+    <message>
+        <source>Limit switch, reverse</source>
+        <translation>Endschalter rückwärts</translation>
+    </message>
+    <message>
+        <source>Torque of the axis, of rated</source>
+        <translation>Moment der Achse, vom Nennmoment</translation>
+    </message>
+    <message>
+        <source>Encoder of the infeed</source>
+        <translation>Geber der Zuführung</translation>
+    </message>
+    <message>
+        <source>Infeed, sent minus encoder</source>
+        <translation>Zuführung, gesendet minus Geber</translation>
+    </message>
+    <message>
+        <source>Drive enable</source>
+        <translation>Antriebsfreigabe</translation>
+    </message>
+    <message>
+        <source>Cam switch %1</source>
+        <translation>Nocken %1</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <comment>percent</comment>
+        <translation>%1 %</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::Jog</name>
+    <message>
+        <source>towards the part</source>
+        <translation>zum Teil hin</translation>
+    </message>
+    <message>
+        <source>away from the part</source>
+        <translation>vom Teil weg</translation>
+    </message>
+    <message>
+        <source>There is no connection to the controller.</source>
+        <translation>Keine Verbindung zur Steuerung.</translation>
+    </message>
+    <message>
+        <source>The machine is running. Stop it first.</source>
+        <translation>Die Maschine läuft. Zuerst stoppen.</translation>
+    </message>
+    <message>
+        <source>The machine is stopping. Wait for standstill.</source>
+        <translation>Die Maschine hält an. Stillstand abwarten.</translation>
+    </message>
+    <message>
+        <source>The axis is homing. Wait for standstill.</source>
+        <translation>Die Referenzfahrt läuft. Stillstand abwarten.</translation>
+    </message>
+    <message>
+        <source>The controller is in fault. Reset the fault first.</source>
+        <translation>Die Steuerung ist in Störung. Zuerst die Störung quittieren.</translation>
+    </message>
+    <message>
+        <source>The controller&apos;s state is unknown.</source>
+        <translation>Der Zustand der Steuerung ist unbekannt.</translation>
+    </message>
+    <message>
+        <source>Stop ended the jog. Release the key before you jog again.</source>
+        <translation>Stopp hat das Tippen beendet. Vor neuem Tippen die Taste loslassen.</translation>
+    </message>
+    <message>
+        <source>Two keys are pressed: no motion. Release both keys.</source>
+        <translation>Zwei Tasten sind gedrückt: keine Bewegung. Beide loslassen.</translation>
+    </message>
+    <message>
+        <source>Release the key before you jog again.</source>
+        <translation>Vor neuem Tippen die Taste loslassen.</translation>
+    </message>
+    <message>
+        <source>No motion: the press does not continue against its force.</source>
+        <translation>Keine Bewegung: die Presse fährt nicht gegen ihre Kraft weiter.</translation>
+    </message>
+    <message>
+        <source>No motion. Release the key and try again.</source>
+        <translation>Keine Bewegung. Taste loslassen und erneut versuchen.</translation>
+    </message>
+    <message>
+        <source>Moves forward while you hold the key.</source>
+        <translation>Fährt vorwärts, solange die Taste gehalten wird.</translation>
+    </message>
+    <message>
+        <source>Moves in reverse while you hold the key.</source>
+        <translation>Fährt rückwärts, solange die Taste gehalten wird.</translation>
+    </message>
+    <message>
+        <source>Hold a key to turn the knife. The film stays still, and the next start homes first.</source>
+        <translation>Taste halten, um das Messer zu drehen. Die Folie steht; der nächste Start referenziert zuerst.</translation>
+    </message>
+    <message>
+        <source>Hold a key to move the ram.</source>
+        <translation>Taste halten, um den Stößel zu bewegen.</translation>
+    </message>
+    <message>
+        <source>Hold a key to move the axis.</source>
+        <translation>Taste halten, um die Achse zu bewegen.</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::KnotFiles</name>
+    <message>
+        <source>A new file %1 will be written.</source>
+        <translation>Eine neue Datei %1 wird geschrieben.</translation>
+    </message>
+    <message>
+        <source>%1 knots · %2 · %3</source>
+        <comment>number, date, place</comment>
+        <translation>%1 Stützpunkte · %2 · %3</translation>
+    </message>
+    <message>
+        <source>cannot be used · %1 · %2</source>
+        <comment>date, place</comment>
+        <translation>nicht verwendbar · %1 · %2</translation>
+    </message>
+    <message>
+        <source>Line %1: %2 Correct the file; the panel reads it again automatically.</source>
+        <comment>%2: whole sentence</comment>
+        <translation>Zeile %1: %2 Datei korrigieren; das Panel liest sie selbsttätig neu.</translation>
+    </message>
+    <message>
+        <source>%1 Correct the file; the panel reads it again automatically.</source>
+        <comment>%1: whole sentence</comment>
+        <translation>%1 Datei korrigieren; das Panel liest sie selbsttätig neu.</translation>
+    </message>
+    <message>
+        <source>%1 knots, slave %2 to %3 mm, will replace the recipe&apos;s knots. Undo restores the old knots.</source>
+        <translation>%1 Stützpunkte, Folgeachse %2 bis %3 mm, ersetzen die des Rezepts. Rückgängig stellt die alten wieder her.</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::KnotModel</name>
+    <message>
+        <source>Knot %1, master</source>
+        <translation>Stützpunkt %1, Leitachse</translation>
+    </message>
+    <message>
+        <source>Knot %1, slave</source>
+        <translation>Stützpunkt %1, Folgeachse</translation>
+    </message>
+    <message>
+        <source>The cycle closes smoothly.</source>
+        <translation>Der Zyklus schließt glatt.</translation>
+    </message>
+    <message>
+        <source>The cycle closes smoothly and advances by %1 mm.</source>
+        <translation>Der Zyklus schließt glatt und rückt %1 mm vor.</translation>
+    </message>
+    <message>
+        <source>At the end of the cycle: position jumps by %1 mm, speed by %2 mm/°, acceleration by %3 mm/°².</source>
+        <translation>Am Ende des Zyklus springt die Position um %1 mm, die Geschwindigkeit um %2 mm/°, die Beschleunigung um %3 mm/°².</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::SimulatedFaults</name>
+    <message>
+        <source>Late responses</source>
+        <translation>Späte Antworten</translation>
+    </message>
+    <message>
+        <source>Responses arrive 1.5 timeouts late, after the next request.</source>
+        <translation>Antworten kommen 1,5 Wartezeiten zu spät, nach der nächsten Anfrage.</translation>
+    </message>
+    <message>
+        <source>Lost frames</source>
+        <translation>Verlorene Rahmen</translation>
+    </message>
+    <message>
+        <source>Requests and responses that never arrive.</source>
+        <translation>Anfragen und Antworten, die nie ankommen.</translation>
+    </message>
+    <message>
+        <source>Corrupted responses</source>
+        <translation>Verfälschte Antworten</translation>
+    </message>
+    <message>
+        <source>Flipped bits and truncated responses.</source>
+        <translation>Gekippte Bits und abgeschnittene Antworten.</translation>
+    </message>
+    <message>
+        <source>Noise</source>
+        <translation>Rauschen</translation>
+    </message>
+    <message>
+        <source>Random bytes after the responses.</source>
+        <translation>Zufällige Bytes nach den Antworten.</translation>
+    </message>
+    <message>
+        <source>A second master</source>
+        <translation>Zweiter Master</translation>
+    </message>
+    <message>
+        <source>Its valid responses arrive in place of the panel&apos;s.</source>
+        <translation>Seine gültigen Antworten kommen an Stelle der eigenen.</translation>
+    </message>
+    <message>
+        <source>Responses of other devices</source>
+        <translation>Antworten anderer Geräte</translation>
+    </message>
+    <message>
+        <source>Wrong unit, wrong function, wrong length.</source>
+        <translation>Falsches Gerät, falsche Funktion, falsche Länge.</translation>
+    </message>
+    <message>
+        <source>Busy controller</source>
+        <translation>Steuerung beschäftigt</translation>
+    </message>
+    <message>
+        <source>The controller refuses three requests in a row.</source>
+        <translation>Die Steuerung lehnt drei Anfragen nacheinander ab.</translation>
+    </message>
+    <message>
+        <source>Silence</source>
+        <translation>Stille</translation>
+    </message>
+    <message>
+        <source>No data passes for two seconds.</source>
+        <translation>Zwei Sekunden lang keine Daten.</translation>
+    </message>
+    <message>
+        <source>Unplugged adapter</source>
+        <translation>Adapter abgezogen</translation>
+    </message>
+    <message>
+        <source>The port disappears for two seconds.</source>
+        <translation>Die Schnittstelle verschwindet zwei Sekunden lang.</translation>
+    </message>
+    <message>
+        <source>Restarts of the controller</source>
+        <translation>Neustarts der Steuerung</translation>
+    </message>
+    <message>
+        <source>Silence, then power-on with the saved program. The machine stops.</source>
+        <translation>Stille, dann Einschalten mit dem gespeicherten Programm. Die Maschine hält an.</translation>
+    </message>
+    <message>
+        <source>Another register map</source>
+        <translation>Anderer Registerplan</translation>
+    </message>
+    <message>
+        <source>Takes effect when the panel reconnects, after another fault.</source>
+        <translation>Wirkt beim nächsten Verbinden, nach einem anderen Fehler.</translation>
+    </message>
+    <message>
+        <source>No faults: the connection works without errors.</source>
+        <translation>Keine Fehler: die Verbindung arbeitet fehlerfrei.</translation>
+    </message>
+    <message>
+        <source>Active: %1</source>
+        <translation>Aktiv: %1</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <comment>between names</comment>
+        <translation>, </translation>
+    </message>
+    <message>
+        <source>The simulated controller refused the fault: %1</source>
+        <translation>Die simulierte Steuerung hat den Fehler abgelehnt: %1</translation>
+    </message>
+    <message>
+        <source>Faults are available for the simulated controller only.</source>
+        <translation>Fehler gibt es nur bei der simulierten Steuerung.</translation>
+    </message>
+    <message>
+        <source>The simulated controller is not running. Connect it, then try again.</source>
+        <translation>Die simulierte Steuerung läuft nicht. Verbinden und erneut versuchen.</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::LineFigures</name>
+    <message>
+        <source>Requests</source>
+        <translation>Anfragen</translation>
+    </message>
+    <message>
+        <source>Responses</source>
+        <translation>Antworten</translation>
+    </message>
+    <message>
+        <source>Retries</source>
+        <translation>Wiederholungen</translation>
+    </message>
+    <message>
+        <source>Bytes dropped</source>
+        <translation>Verworfene Bytes</translation>
+    </message>
+    <message>
+        <source>Line utilization</source>
+        <translation>Auslastung der Leitung</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>No response</source>
+        <translation>Keine Antwort</translation>
+    </message>
+    <message>
+        <source>Wrong checksum</source>
+        <translation>Falsche Prüfsumme</translation>
+    </message>
+    <message>
+        <source>Damaged frame</source>
+        <translation>Rahmen beschädigt</translation>
+    </message>
+    <message>
+        <source>Refused by the controller</source>
+        <translation>Von der Steuerung abgelehnt</translation>
+    </message>
+    <message>
+        <source>Port removed</source>
+        <translation>Schnittstelle entfernt</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
+    <message>
+        <source>50 % within</source>
+        <translation>50 % in</translation>
+    </message>
+    <message>
+        <source>95 % within</source>
+        <translation>95 % in</translation>
+    </message>
+    <message>
+        <source>99 % within</source>
+        <translation>99 % in</translation>
+    </message>
+    <message>
+        <source>Maximum</source>
+        <translation>Maximum</translation>
+    </message>
+    <message>
+        <source>Requests answered</source>
+        <translation>Beantwortet</translation>
+    </message>
+    <message>
+        <source>Refused</source>
+        <translation>Abgelehnt</translation>
+    </message>
+    <message>
+        <source>link statistics</source>
+        <translation>Statistik der Verbindung</translation>
+    </message>
+    <message>
+        <source>link 24 hours</source>
+        <translation>Verbindung 24 Stunden</translation>
+    </message>
+    <message>
+        <source>Foreign response</source>
+        <translation>Fremde Antwort</translation>
+    </message>
+    <message>
+        <source>Response timeout</source>
+        <translation>Antwort blieb aus</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::LinkDoctor</name>
+    <message>
+        <source>The machine is moving. Stop it first: diagnosis and search interrupt the connection.</source>
+        <translation>Die Maschine bewegt sich. Zuerst stoppen: Diagnose und Suche unterbrechen die Verbindung.</translation>
+    </message>
+    <message>
+        <source>A stop command is waiting for the connection and has priority.</source>
+        <translation>Ein Stoppbefehl wartet auf die Verbindung und hat Vorrang.</translation>
+    </message>
+    <message>
+        <source>A download is in progress. Wait for its end, or cancel the download.</source>
+        <translation>Ein Laden läuft. Ende abwarten oder das Laden abbrechen.</translation>
+    </message>
+    <message>
+        <source>Trying %1: %2</source>
+        <comment>port, settings</comment>
+        <translation>Versuch %1: %2</translation>
+    </message>
+    <message>
+        <source>simulated controller</source>
+        <translation>simulierte Steuerung</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <comment>port, settings</comment>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>Diagnose tests the port in use. Search tries all ports, baud rates, parities and unit numbers, which may take long; both only read and interrupt the connection.</source>
+        <translation>Diagnose prüft die benutzte Schnittstelle. Suchen probiert alle Schnittstellen, Baudraten, Paritäten und Gerätenummern, das kann dauern; beide lesen nur und unterbrechen die Verbindung.</translation>
+    </message>
+    <message>
+        <source>Searching. The panel reconnects afterwards.</source>
+        <translation>Suche läuft. Danach verbindet sich das Panel wieder.</translation>
+    </message>
+    <message>
+        <source>Testing the port in use. The panel reconnects afterwards.</source>
+        <translation>Die benutzte Schnittstelle wird geprüft. Danach verbindet sich das Panel wieder.</translation>
+    </message>
+    <message>
+        <source>A controller responds: %1.</source>
+        <translation>Eine Steuerung antwortet: %1.</translation>
+    </message>
+    <message>
+        <source>The connection in use works: %1.</source>
+        <translation>Die benutzte Verbindung arbeitet: %1.</translation>
+    </message>
+    <message>
+        <source>Canceled. The panel reconnects automatically.</source>
+        <translation>Abgebrochen. Das Panel verbindet sich selbsttätig.</translation>
+    </message>
+    <message>
+        <source>This computer has no serial port. Plug the adapter in and search again.</source>
+        <translation>Dieser Rechner hat keine serielle Schnittstelle. Adapter einstecken und erneut suchen.</translation>
+    </message>
+    <message>
+        <source>No controller was found. Result for each port:</source>
+        <translation>Keine Steuerung gefunden. Ergebnis je Schnittstelle:</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>port, what was found</comment>
+        <translation>%1: %2</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::Controller</name>
+    <message>
+        <source>Unknown state</source>
+        <translation>Unbekannter Zustand</translation>
+    </message>
+    <message>
+        <source>Searching</source>
+        <translation>Sucht</translation>
+    </message>
+    <message>
+        <source>Connecting</source>
+        <translation>Verbindet</translation>
+    </message>
+    <message>
+        <source>No connection</source>
+        <translation>Keine Verbindung</translation>
+    </message>
+    <message>
+        <source>Wrong device</source>
+        <translation>Falsches Gerät</translation>
+    </message>
+    <message>
+        <source>Port problem</source>
+        <translation>Schnittstellenproblem</translation>
+    </message>
+    <message>
+        <source>There is no connection to the controller.</source>
+        <translation>Keine Verbindung zur Steuerung.</translation>
+    </message>
+    <message>
+        <source>The controller&apos;s state is unknown.</source>
+        <translation>Der Zustand der Steuerung ist unbekannt.</translation>
+    </message>
+    <message>
+        <source>Connection restored. The controller has restarted meanwhile.</source>
+        <translation>Verbindung wieder da. Die Steuerung hat inzwischen neu gestartet.</translation>
+    </message>
+    <message>
+        <source>Connection restored. The controller has a different program now.</source>
+        <translation>Verbindung wieder da. Die Steuerung hat jetzt ein anderes Programm.</translation>
+    </message>
+    <message>
+        <source>Connection restored. Before: %1. Now: %2.</source>
+        <comment>states of the machine</comment>
+        <translation>Verbindung wieder da. Vorher: %1. Jetzt: %2.</translation>
+    </message>
+    <message>
+        <source>Connection restored: Stop was sent, and the controller accepted the command.</source>
+        <translation>Verbindung wieder da: Stopp wurde gesendet und von der Steuerung angenommen.</translation>
+    </message>
+    <message>
+        <source>Stop was withdrawn and will not be sent.</source>
+        <translation>Stopp wurde zurückgezogen und wird nicht gesendet.</translation>
+    </message>
+    <message>
+        <source>Stop was not sent: a different machine is connected now.</source>
+        <translation>Stopp wurde nicht gesendet: jetzt ist eine andere Maschine verbunden.</translation>
+    </message>
+    <message>
+        <source>Connection restored: Stop was sent, but the machine was no longer running.</source>
+        <translation>Verbindung wieder da: Stopp wurde gesendet, aber die Maschine lief nicht mehr.</translation>
+    </message>
+    <message>
+        <source>Stop was sent. Waiting for the response.</source>
+        <translation>Stopp wurde gesendet. Antwort wird erwartet.</translation>
+    </message>
+    <message>
+        <source>Stop is not sent yet. The panel sends Stop as soon as the connection is restored.</source>
+        <translation>Stopp ist noch nicht gesendet. Das Panel sendet Stopp, sobald die Verbindung wieder da ist.</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::MarkWizard</name>
+    <message>
+        <source>Cut offset behind its mark</source>
+        <translation>Schnitt hinter seiner Marke</translation>
+    </message>
+    <message>
+        <source>There is no connection to the controller.</source>
+        <translation>Keine Verbindung zur Steuerung.</translation>
+    </message>
+    <message>
+        <source>The controller has no program for a packing machine. Download a recipe of a rotary cutter.</source>
+        <translation>Die Steuerung hat kein Programm für eine Packmaschine. Ein Rezept für einen Querschneider laden.</translation>
+    </message>
+    <message>
+        <source>Start the machine: this step continues while the machine runs.</source>
+        <translation>Maschine starten: dieser Schritt geht weiter, während sie läuft.</translation>
+    </message>
+    <message>
+        <source>Mark tracking is off. Switch mark tracking on first.</source>
+        <translation>Die Markenregelung ist aus. Zuerst einschalten.</translation>
+    </message>
+    <message>
+        <source>Waiting for the cuts to reach the marks …</source>
+        <translation>Warten, bis die Schnitte die Marken erreichen …</translation>
+    </message>
+    <message>
+        <source>Waiting for the controller …</source>
+        <translation>Warten auf die Steuerung …</translation>
+    </message>
+    <message>
+        <source>The corrected distance is outside the controller&apos;s range. Measure again.</source>
+        <translation>Der korrigierte Abstand liegt außerhalb des Bereichs der Steuerung. Erneut messen.</translation>
+    </message>
+    <message>
+        <source>The distance was written, but the cuts of the last bags deviate by %1 from their marks on average. Check gains and film before you measure again.</source>
+        <translation>Der Abstand ist geschrieben, aber die Schnitte der letzten Beutel weichen im Mittel um %1 von ihren Marken ab. Verstärkungen und Folie prüfen, dann erneut messen.</translation>
+    </message>
+    <message>
+        <source>This bag has been measured already. Wait for the next bag.</source>
+        <translation>Dieser Beutel ist schon gemessen. Nächsten Beutel abwarten.</translation>
+    </message>
+    <message>
+        <source>No bag has been cut yet.</source>
+        <translation>Noch kein Beutel geschnitten.</translation>
+    </message>
+    <message>
+        <source>The simulated machine cannot be measured now.</source>
+        <translation>Die simulierte Maschine kann jetzt nicht gemessen werden.</translation>
+    </message>
+    <message>
+        <source>The new distance is active, and the cuts of the last bags are within %1 of the target. Measure one more bag to be sure; without Save, the distance is lost at power-off.</source>
+        <translation>Der neue Abstand ist aktiv, die Schnitte der letzten Beutel liegen innerhalb %1 vom Ziel. Zur Sicherheit noch einen Beutel messen; ohne Speichern geht der Abstand beim Ausschalten verloren.</translation>
+    </message>
+    <message>
+        <source>When all cuts deviate from their marks by the same distance, the distance from mark sensor to knife is set wrong. The machine cuts a few bags, you measure the cuts from their marks, and the panel corrects the distance after you confirm.</source>
+        <translation>Weichen alle Schnitte gleich weit von ihren Marken ab, ist der Abstand vom Markensensor zum Messer falsch eingestellt. Die Maschine schneidet einige Beutel, Sie messen die Schnitte ab Marke, und das Panel korrigiert nach Ihrer Bestätigung den Abstand.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 bags cut. Keep the bags in order and do not stretch them.</source>
+        <translation>%1 von %2 Beuteln geschnitten. Beutel geordnet halten und nicht dehnen.</translation>
+    </message>
+    <message>
+        <source>The measurements differ by %1. Check that all of them start at the same edge of the mark.</source>
+        <translation>Die Messungen weichen um %1 voneinander ab. Prüfen, ob alle an derselben Kante der Marke beginnen.</translation>
+    </message>
+    <message>
+        <source>This value becomes the distance from mark sensor to knife. The cuts shift over the next bags.</source>
+        <translation>Dieser Wert wird der Abstand vom Markensensor zum Messer. Die Schnitte wandern über die nächsten Beutel.</translation>
+    </message>
+    <message>
+        <source>Writing and reading back …</source>
+        <translation>Schreiben und Rücklesen …</translation>
+    </message>
+    <message>
+        <source>Written and read back. The new distance reaches the knife with bag %1 of at most %2.</source>
+        <translation>Geschrieben und rückgelesen. Der neue Abstand erreicht das Messer mit Beutel %1 von höchstens %2.</translation>
+    </message>
+    <message>
+        <source>Measure from the printed mark to the cut: positive if the cut comes after its mark, negative if the cut comes before its mark. The mean of up to %1 bags counts.</source>
+        <translation>Von der gedruckten Marke zum Schnitt messen: positiv, wenn der Schnitt nach der Marke kommt, negativ, wenn davor. Das Mittel von bis zu %1 Beuteln zählt.</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::MasterDirection</name>
+    <message>
+        <source>There is no connection to the controller.</source>
+        <translation>Keine Verbindung zur Steuerung.</translation>
+    </message>
+    <message>
+        <source>This controller cannot reverse its master. Update its firmware.</source>
+        <translation>Diese Steuerung kann ihre Leitachse nicht umkehren. Firmware aktualisieren.</translation>
+    </message>
+    <message>
+        <source>Waiting for the controller …</source>
+        <translation>Warten auf die Steuerung …</translation>
+    </message>
+    <message>
+        <source>Changing to reverse …</source>
+        <translation>Wechsel auf rückwärts …</translation>
+    </message>
+    <message>
+        <source>Changing to forward …</source>
+        <translation>Wechsel auf vorwärts …</translation>
+    </message>
+    <message>
+        <source>starts in reverse</source>
+        <translation>startet rückwärts</translation>
+    </message>
+    <message>
+        <source>starts forward</source>
+        <translation>startet vorwärts</translation>
+    </message>
+    <message>
+        <source>set to reverse</source>
+        <translation>auf rückwärts gestellt</translation>
+    </message>
+    <message>
+        <source>set to forward</source>
+        <translation>auf vorwärts gestellt</translation>
+    </message>
+    <message>
+        <source>runs in reverse</source>
+        <translation>läuft rückwärts</translation>
+    </message>
+    <message>
+        <source>runs forward</source>
+        <translation>läuft vorwärts</translation>
+    </message>
+    <message>
+        <source>Master direction</source>
+        <translation>Leitrichtung</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::PackingFields</name>
+    <message>
+        <source>Knife: max. speed step at a change</source>
+        <translation>Messer: max. Geschw.-Sprung bei Wechsel</translation>
+    </message>
+    <message>
+        <source>Film: max. speed step at a change</source>
+        <translation>Folie: max. Geschw.-Sprung bei Wechsel</translation>
+    </message>
+    <message>
+        <source>Infeed: max. speed step at a change</source>
+        <translation>Zuführung: max. Geschw.-Sprung bei Wechsel</translation>
+    </message>
+    <message>
+        <source>Mark tracking</source>
+        <translation>Markenregelung</translation>
+    </message>
+    <message>
+        <source>Phase gain: correction of slip</source>
+        <translation>Phasenverstärkung: Schlupfkorrektur</translation>
+    </message>
+    <message>
+        <source>Length gain: correction of length</source>
+        <translation>Längenverstärkung: Längenkorrektur</translation>
+    </message>
+    <message>
+        <source>Mark sensor to knife</source>
+        <translation>Markensensor bis Messer</translation>
+    </message>
+    <message>
+        <source>Cut offset behind its mark</source>
+        <translation>Schnitt hinter seiner Marke</translation>
+    </message>
+    <message>
+        <source>Mark window, ±</source>
+        <translation>Markenfenster, ±</translation>
+    </message>
+    <message>
+        <source>Missing marks in a row before stop</source>
+        <translation>Fehlende Marken bis zum Stopp</translation>
+    </message>
+    <message>
+        <source>Phase limit: max. shift of a cut</source>
+        <translation>Phasengrenze: max. Schnittversatz</translation>
+    </message>
+    <message>
+        <source>Length limit: max. change of a bag</source>
+        <translation>Längengrenze: max. Beuteländerung</translation>
+    </message>
+    <message>
+        <source>Length trim without marks</source>
+        <translation>Längentrimm ohne Marken</translation>
+    </message>
+    <message>
+        <source>Anti-cut: knife stays open over product</source>
+        <translation>Produktschutz: Messer bleibt offen</translation>
+    </message>
+    <message>
+        <source>Clearance on both sides of a cut</source>
+        <translation>Freiraum beiderseits des Schnitts</translation>
+    </message>
+    <message>
+        <source>Skipped cuts in a row before stop</source>
+        <translation>Ausgelassene Schnitte bis zum Stopp</translation>
+    </message>
+    <message>
+        <source>Film waits for a missing product</source>
+        <translation>Folie wartet auf fehlendes Produkt</translation>
+    </message>
+    <message>
+        <source>Product placement to knife</source>
+        <translation>Produktablage bis Messer</translation>
+    </message>
+    <message>
+        <source>Product eye to placement</source>
+        <translation>Produktlichtschranke bis Ablage</translation>
+    </message>
+    <message>
+        <source>Product pitch on the infeed</source>
+        <translation>Produktabstand der Zuführung</translation>
+    </message>
+    <message>
+        <source>Infeed motor: pulses per product</source>
+        <translation>Zuführmotor: Pulse je Produkt</translation>
+    </message>
+    <message>
+        <source>Film motor: film per revolution</source>
+        <translation>Folienmotor: Folie je Umdrehung</translation>
+    </message>
+    <message>
+        <source>Film motor: pulses per revolution</source>
+        <translation>Folienmotor: Pulse je Umdrehung</translation>
+    </message>
+    <message>
+        <source>%1 · suggestion after %2 tracked bags, %3 so far</source>
+        <translation>%1 · Vorschlag nach %2 gefolgten Beuteln, bisher %3</translation>
+    </message>
+    <message>
+        <source>%1 · film slip %2 mm per bag, sensor std dev %3 mm (%4 bags)</source>
+        <translation>%1 · Folienschlupf %2 mm je Beutel, Sensor-Std.-abw. %3 mm (%4 Beutel)</translation>
+    </message>
+    <message>
+        <source>%1 · no suggestion: the mark positions do not vary (%2 bags)</source>
+        <translation>%1 · kein Vorschlag: die Marken schwanken nicht (%2 Beutel)</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::PackingLine</name>
+    <message>
+        <source>Film waits for a product</source>
+        <translation>Folie wartet auf ein Produkt</translation>
+    </message>
+    <message>
+        <source>Knife stays open: product in its path</source>
+        <translation>Messer bleibt offen: Produkt im Weg</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::PackingSetup</name>
+    <message>
+        <source>No packing machine data. Connect the controller and download a recipe of a rotary cutter.</source>
+        <translation>Keine Daten einer Packmaschine. Steuerung verbinden und ein Rezept für einen Querschneider laden.</translation>
+    </message>
+    <message>
+        <source>Waiting: marks are measured while the film runs.</source>
+        <translation>Warten: Marken werden bei laufender Folie gemessen.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 marks measured …</source>
+        <translation>%1 von %2 Marken gemessen …</translation>
+    </message>
+    <message>
+        <source>Measures the distances of the next %1 marks while the machine runs.</source>
+        <translation>Misst bei laufender Maschine die Abstände der nächsten %1 Marken.</translation>
+    </message>
+    <message>
+        <source>Start the machine: marks are measured while the film runs, with mark tracking on or off.</source>
+        <translation>Maschine starten: Marken werden bei laufender Folie gemessen, mit oder ohne Markenregelung.</translation>
+    </message>
+    <message>
+        <source>The mark distance is %1 mm (± %2 mm), the recipe cuts %3 mm. The difference exceeds the length limit: this film does not match this recipe.</source>
+        <translation>Der Markenabstand ist %1 mm (± %2 mm), das Rezept schneidet %3 mm. Die Differenz überschreitet die Längengrenze: diese Folie passt nicht zum Rezept.</translation>
+    </message>
+    <message>
+        <source>The mark distance is %1 mm (± %2 mm), the recipe cuts %3 mm.</source>
+        <translation>Der Markenabstand ist %1 mm (± %2 mm), das Rezept schneidet %3 mm.</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::ParameterFields</name>
+    <message>
+        <source>Writing %1: %2 …</source>
+        <translation>%1 wird geschrieben: %2 …</translation>
+    </message>
+    <message>
+        <source>%1: %2, read back from the controller.</source>
+        <translation>%1: %2, von der Steuerung rückgelesen.</translation>
+    </message>
+    <message>
+        <source>On</source>
+        <translation>Ein</translation>
+    </message>
+    <message>
+        <source>Off</source>
+        <translation>Aus</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 bis %2</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::ProgramProof</name>
+    <message>
+        <source>Not possible now: there is no connection to the controller.</source>
+        <translation>Jetzt nicht möglich: keine Verbindung zur Steuerung.</translation>
+    </message>
+    <message>
+        <source>The controller has no program. Download a recipe first.</source>
+        <translation>Die Steuerung hat kein Programm. Zuerst ein Rezept laden.</translation>
+    </message>
+    <message>
+        <source>The connection is lost. The comparison continues when it is restored.</source>
+        <translation>Die Verbindung ist verloren. Der Vergleich geht danach weiter.</translation>
+    </message>
+    <message>
+        <source>Reading the table back from the controller …</source>
+        <translation>Die Tabelle wird aus der Steuerung zurückgelesen …</translation>
+    </message>
+    <message>
+        <source>Reads back and compares every register of the table, also while the machine runs.</source>
+        <translation>Liest jedes Register der Tabelle zurück und vergleicht, auch im Lauf.</translation>
+    </message>
+    <message>
+        <source>what this panel downloaded</source>
+        <translation>dem von diesem Panel Geladenen</translation>
+    </message>
+    <message>
+        <source>the table computed again from its recipe</source>
+        <translation>der aus dem Rezept neu berechneten Tabelle</translation>
+    </message>
+    <message>
+        <source>the controller&apos;s own checksum</source>
+        <translation>der Prüfsumme der Steuerung</translation>
+    </message>
+    <message>
+        <source>Identical: the table of generation %1 matches %2. CRC-32 %3.</source>
+        <comment>%2: &quot;the controller&apos;s own checksum&quot;</comment>
+        <translation>Gleich: die Tabelle der Generation %1 stimmt mit %2 überein. CRC-32 %3.</translation>
+    </message>
+    <message>
+        <source>Identical: all %1 registers of generation %2 match %3. CRC-32 %4.</source>
+        <comment>%3: for example &quot;what this panel downloaded&quot;</comment>
+        <translation>Gleich: alle %1 Register der Generation %2 stimmen mit %3 überein. CRC-32 %4.</translation>
+    </message>
+    <message>
+        <source>The controller&apos;s program changed during the comparison. Compare again.</source>
+        <translation>Das Programm der Steuerung änderte sich während des Vergleichs. Erneut vergleichen.</translation>
+    </message>
+    <message>
+        <source>Canceled without a result.</source>
+        <translation>Ohne Ergebnis abgebrochen.</translation>
+    </message>
+    <message>
+        <source>Different: the table read back has CRC-32 %1, the controller reports %2. Download the recipe again.</source>
+        <translation>Verschieden: die rückgelesene Tabelle hat CRC-32 %1, die Steuerung meldet %2. Rezept erneut laden.</translation>
+    </message>
+    <message>
+        <source>first %1: %2 instead of %3</source>
+        <comment>register: its value, expected value</comment>
+        <translation>zuerst %1: %2 statt %3</translation>
+    </message>
+    <message>
+        <source>Different: 1 of %1 registers does not match %2, %3. Download the recipe again.</source>
+        <translation>Verschieden: 1 von %1 Registern weicht ab von %2, %3. Rezept erneut laden.</translation>
+    </message>
+    <message>
+        <source>Different: %1 of %2 registers do not match %3, %4. Download the recipe again.</source>
+        <translation>Verschieden: %1 von %2 Registern weichen ab von %3, %4. Rezept erneut laden.</translation>
+    </message>
+    <message>
+        <source>Not compared: there is no connection to the controller.</source>
+        <translation>Nicht verglichen: keine Verbindung zur Steuerung.</translation>
+    </message>
+    <message>
+        <source>Not compared: another comparison is in progress.</source>
+        <translation>Nicht verglichen: ein anderer Vergleich läuft.</translation>
+    </message>
+    <message>
+        <source>Not compared. %1</source>
+        <comment>%1: whole sentence</comment>
+        <translation>Nicht verglichen. %1</translation>
+    </message>
+    <message>
+        <source>register %1 of the rows</source>
+        <translation>Register %1 der Zeilen</translation>
+    </message>
+    <message>
+        <source>no program</source>
+        <translation>kein Programm</translation>
+    </message>
+    <message>
+        <source>generation %1, CRC-32 %2</source>
+        <translation>Generation %1, CRC-32 %2</translation>
+    </message>
+    <message>
+        <source>%1 · v%2, generation %3, CRC-32 %4</source>
+        <translation>%1 · v%2, Generation %3, CRC-32 %4</translation>
+    </message>
+    <message>
+        <source>none: no program after a power loss</source>
+        <translation>keines: nach Stromausfall kein Programm</translation>
+    </message>
+    <message>
+        <source>identical: kept after a power loss</source>
+        <translation>gleich: bleibt nach Stromausfall</translation>
+    </message>
+    <message>
+        <source>different, CRC-32 %1: restored after a power loss</source>
+        <translation>anders, CRC-32 %1: gilt nach Stromausfall</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::RecipeFiles</name>
+    <message>
+        <source>%1 · %2 · %3</source>
+        <comment>what it is, date, place</comment>
+        <translation>%1 · %2 · %3</translation>
+    </message>
+    <message>
+        <source>cannot be used · %1 · %2</source>
+        <comment>date, place</comment>
+        <translation>nicht verwendbar · %1 · %2</translation>
+    </message>
+    <message>
+        <source>%1 Correct the file; the panel reads it again automatically.</source>
+        <comment>%1: whole sentence</comment>
+        <translation>%1 Datei korrigieren; das Panel liest sie selbsttätig neu.</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::Recipes</name>
+    <message>
+        <source>%1 was imported as %2, version %3.</source>
+        <comment>file, recipe</comment>
+        <translation>%1 wurde als %2, Version %3, importiert.</translation>
+    </message>
+    <message>
+        <source>%1 by %2</source>
+        <comment>date, person</comment>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>Knots</source>
+        <translation>Stützpunkte</translation>
+    </message>
+    <message>
+        <source>%1 · version %2, %3</source>
+        <comment>kind of program, number, when it was saved</comment>
+        <translation>%1 · Version %2, %3</translation>
+    </message>
+    <message>
+        <source>Enter a name.</source>
+        <translation>Einen Namen eingeben.</translation>
+    </message>
+    <message>
+        <source>The name is too long. Enter at most %1 letters, or a third as many Chinese characters.</source>
+        <translation>Der Name ist zu lang. Höchstens %1 Buchstaben oder ein Drittel so viele chinesische Zeichen eingeben.</translation>
+    </message>
+    <message>
+        <source>A recipe with this name already exists.</source>
+        <translation>Ein Rezept mit diesem Namen gibt es schon.</translation>
+    </message>
+    <message>
+        <source>Saved: %1, version %2.</source>
+        <translation>Gespeichert: %1, Version %2.</translation>
+    </message>
+    <message>
+        <source>%1 was created with default values and opened. Set your values on the Motion page.</source>
+        <translation>%1 wurde mit Standardwerten angelegt und geöffnet. Werte auf der Seite Bewegung einstellen.</translation>
+    </message>
+    <message>
+        <source>%1 was created as a copy and opened.</source>
+        <translation>%1 wurde als Kopie angelegt und geöffnet.</translation>
+    </message>
+    <message>
+        <source>A deleted recipe has the name %1. Choose another name.</source>
+        <translation>Ein gelöschtes Rezept heißt %1. Anderen Namen wählen.</translation>
+    </message>
+    <message>
+        <source>Renamed %1 to %2.</source>
+        <translation>%1 wurde in %2 umbenannt.</translation>
+    </message>
+    <message>
+        <source>%1 was deleted; its versions are kept.</source>
+        <translation>%1 wurde gelöscht; seine Versionen bleiben.</translation>
+    </message>
+    <message>
+        <source>%1 · v%2</source>
+        <translation>%1 · v%2</translation>
+    </message>
+    <message>
+        <source>Version %1</source>
+        <translation>Version %1</translation>
+    </message>
+    <message>
+        <source>The file becomes the new recipe %1. The data of this machine stay unchanged.</source>
+        <translation>Die Datei wird das neue Rezept %1. Die Daten dieser Maschine bleiben unverändert.</translation>
+    </message>
+    <message>
+        <source>The file is identical to %1, version %2; nothing changes.</source>
+        <translation>Die Datei gleicht %1, Version %2; nichts ändert sich.</translation>
+    </message>
+    <message>
+        <source>The file becomes version %2 of %1; earlier versions are kept.</source>
+        <translation>Die Datei wird Version %2 von %1; frühere Versionen bleiben.</translation>
+    </message>
+    <message>
+        <source>%1 Nm</source>
+        <translation>%1 Nm</translation>
+    </message>
+    <message>
+        <source>Peak motor torque</source>
+        <translation>Höchstes Motormoment</translation>
+    </message>
+    <message>
+        <source>RMS motor torque</source>
+        <translation>Effektives Motormoment</translation>
+    </message>
+    <message>
+        <source>Highest RMS torque</source>
+        <translation>Höchstes Effektivmoment</translation>
+    </message>
+    <message>
+        <source>%1, %2 Nm</source>
+        <comment>recipe, torque</comment>
+        <translation>%1, %2 Nm</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::DatabaseService</name>
+    <message>
+        <source>%1 Until then, new data are lost at a restart.</source>
+        <comment>%1: whole sentences</comment>
+        <translation>%1 Bis dahin gehen neue Daten beim Neustart verloren.</translation>
+    </message>
+    <message>
+        <source>The panel&apos;s database was damaged. The last good copy is used; the damaged file is kept as %1.</source>
+        <translation>Die Datenbank war beschädigt. Die letzte gute Kopie wird verwendet; die beschädigte Datei liegt unter %1.</translation>
+    </message>
+    <message>
+        <source>The panel&apos;s database was damaged and there was no copy. A new, empty database was created; the damaged file is kept as %1.</source>
+        <translation>Die Datenbank war beschädigt, und es gab keine Kopie. Eine neue, leere wurde angelegt; die beschädigte Datei liegt unter %1.</translation>
+    </message>
+    <message>
+        <source>The backup has been restored. The previous data are kept in %1.</source>
+        <translation>Die Sicherung ist zurückgespielt. Die vorigen Daten liegen unter %1.</translation>
+    </message>
+    <message>
+        <source>The restore could not be completed: %1. The panel tries again at the next start.</source>
+        <translation>Das Rückspielen gelang nicht ganz: %1. Das Panel versucht es beim nächsten Start erneut.</translation>
+    </message>
+    <message>
+        <source>The panel&apos;s database was missing or empty and was replaced by the last good copy. Data saved after the last start are lost.</source>
+        <translation>Die Datenbank fehlte oder war leer und wurde durch die letzte gute Kopie ersetzt. Nach dem letzten Start gespeicherte Daten sind verloren.</translation>
+    </message>
+    <message>
+        <source>The panel&apos;s database was missing or empty, and there was no good copy. A new, empty database was created; restore a backup.</source>
+        <translation>Die Datenbank fehlte oder war leer, und es gab keine gute Kopie. Eine neue, leere wurde angelegt; eine Sicherung zurückspielen.</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::RegisterInspector</name>
+    <message>
+        <source>All groups</source>
+        <translation>Alle Gruppen</translation>
+    </message>
+    <message>
+        <source>Tap a register to read its description or to write a value.</source>
+        <translation>Ein Register antippen, um seine Beschreibung zu lesen oder einen Wert zu schreiben.</translation>
+    </message>
+    <message>
+        <source>Writable: %1 to %2, default %3.</source>
+        <translation>Schreibbar: %1 bis %2, Standard %3.</translation>
+    </message>
+    <message>
+        <source>There is no connection to the controller.</source>
+        <translation>Keine Verbindung zur Steuerung.</translation>
+    </message>
+    <message>
+        <source>Writing %1 …</source>
+        <translation>%1 wird geschrieben …</translation>
+    </message>
+    <message>
+        <source>Written and read back from the controller: %1.</source>
+        <translation>Geschrieben und von der Steuerung rückgelesen: %1.</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::RegisterModel</name>
+    <message>
+        <source>cannot be read</source>
+        <translation>nicht lesbar</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::ReportFiles</name>
+    <message>
+        <source>New files will be written to %1.</source>
+        <translation>Neue Dateien werden nach %1 geschrieben.</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::ServiceBundle</name>
+    <message>
+        <source>CamPanel service %1</source>
+        <comment>name of a file</comment>
+        <translation>CamPanel Service %1</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::Settings</name>
+    <message>
+        <source>Unit number</source>
+        <translation>Gerätenummer</translation>
+    </message>
+    <message>
+        <source>Bag tolerance ±</source>
+        <translation>Beuteltoleranz ±</translation>
+    </message>
+    <message>
+        <source>Permission denied: add the user to the group &quot;%1&quot;.</source>
+        <translation>Keine Berechtigung: Benutzer der Gruppe „%1“ hinzufügen.</translation>
+    </message>
+    <message>
+        <source>The settings file was damaged or missing. The last good copy is used; check the settings.</source>
+        <translation>Die Einstellungsdatei war beschädigt oder fehlte. Die letzte gute Kopie wird verwendet; Einstellungen prüfen.</translation>
+    </message>
+    <message>
+        <source>The settings file was damaged and has no good copy. No controller is selected: select one on the Settings page, under Connection.</source>
+        <translation>Die Einstellungsdatei war beschädigt, ohne gute Kopie. Keine Steuerung gewählt: auf der Seite Einstellungen unter Verbindung wählen.</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>Sprache</translation>
+    </message>
+    <message>
+        <source>Theme</source>
+        <translation>Farben</translation>
+    </message>
+    <message>
+        <source>Glove mode</source>
+        <translation>Handschuhe</translation>
+    </message>
+    <message>
+        <source>bag tolerance, mm</source>
+        <translation>Beuteltoleranz, mm</translation>
+    </message>
+    <message>
+        <source>minutes until logout</source>
+        <translation>Minuten bis zur Abmeldung</translation>
+    </message>
+    <message>
+        <source>operator login required</source>
+        <translation>Bediener müssen sich anmelden</translation>
+    </message>
+    <message>
+        <source>hold to start</source>
+        <translation>zum Starten halten</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::Trends</name>
+    <message>
+        <source>bags</source>
+        <translation>Beutel</translation>
+    </message>
+    <message>
+        <source>trends</source>
+        <translation>Trends</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::Value</name>
+    <message>
+        <source>Enter a number.</source>
+        <translation>Eine Zahl eingeben.</translation>
+    </message>
+    <message>
+        <source>The minimum is %1.</source>
+        <translation>Das Minimum ist %1.</translation>
+    </message>
+    <message>
+        <source>The maximum is %1.</source>
+        <translation>Das Maximum ist %1.</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::FileExchange</name>
+    <message>
+        <source>%1 is read-only. Unlock the stick or choose another location.</source>
+        <translation>%1 ist schreibgeschützt. Stick entsperren oder einen anderen Ort wählen.</translation>
+    </message>
+    <message>
+        <source>Written: %1</source>
+        <translation>Geschrieben: %1</translation>
+    </message>
+    <message>
+        <source>%1 · read-only</source>
+        <translation>%1 · schreibgeschützt</translation>
+    </message>
+    <message>
+        <source>Written: %1. You can remove the stick now.</source>
+        <translation>Geschrieben: %1. Der Stick kann jetzt abgezogen werden.</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::CutterMap</name>
+    <message>
+        <source>%1 · %2</source>
+        <comment>%1: bag length, %2: rate</comment>
+        <translation>%1 · %2</translation>
+    </message>
+    <message>
+        <source>Up to %1; limited by: %2.</source>
+        <comment>%1: rate, %2: name of the limit</comment>
+        <translation>Bis %1; begrenzt durch: %2.</translation>
+    </message>
+    <message>
+        <source>No rate is possible; limited by: %1.</source>
+        <comment>name of the limit</comment>
+        <translation>Keine Taktzahl ist möglich; begrenzt durch: %1.</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::TorqueWatch</name>
+    <message>
+        <source>The drive reports no torque.</source>
+        <translation>Der Antrieb meldet kein Moment.</translation>
+    </message>
+    <message>
+        <source>Inertia and rated torque are missing in Settings, Machine.</source>
+        <translation>Trägheit und Nennmoment fehlen unter Einstellungen, Maschine.</translation>
+    </message>
+    <message>
+        <source>The inertia is missing in Settings, Machine.</source>
+        <translation>Die Trägheit fehlt unter Einstellungen, Maschine.</translation>
+    </message>
+    <message>
+        <source>The rated torque is missing in Settings, Machine.</source>
+        <translation>Das Nennmoment fehlt unter Einstellungen, Maschine.</translation>
+    </message>
+    <message>
+        <source>The program was made for other machine data.</source>
+        <translation>Das Programm wurde für andere Maschinendaten erstellt.</translation>
+    </message>
+    <message>
+        <source>Torque %1 %, predicted --. %2</source>
+        <comment>%1: of rated, %2: sentence</comment>
+        <translation>Moment %1 %, vorhergesagt --. %2</translation>
+    </message>
+    <message>
+        <source>Torque %1 % of rated, predicted %2 %, largest difference %3 %</source>
+        <translation>Moment %1 % vom Nennmoment, vorhergesagt %2 %, größte Differenz %3 %</translation>
+    </message>
+    <message>
+        <source>Torque %1 %, predicted %2 %, max. diff. %3 %</source>
+        <translation>Moment %1 %, vorhergesagt %2 %, max. Diff. %3 %</translation>
+    </message>
+</context>
+<context>
+    <name>SegmentSentences</name>
+    <message>
+        <source>%1 %2</source>
+        <comment>%1: number, %2: unit</comment>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>Segment %1 begins at %2, which is out of range; the nearest possible value is %3.</source>
+        <translation>Abschnitt %1 beginnt bei %2, außerhalb des Bereichs; der nächste mögliche Wert ist %3.</translation>
+    </message>
+    <message>
+        <source>Segment %1 has a boundary speed of %2; the nearest possible value is %3.</source>
+        <translation>Abschnitt %1 hat eine Randgeschwindigkeit von %2; der nächste mögliche Wert ist %3.</translation>
+    </message>
+    <message>
+        <source>Segment %1 has a boundary acceleration of %2; the nearest possible value is %3.</source>
+        <translation>Abschnitt %1 hat eine Randbeschleunigung von %2; der nächste mögliche Wert ist %3.</translation>
+    </message>
+    <message>
+        <source>Segment %1 ends at %2, which is out of range; the nearest possible value is %3.</source>
+        <translation>Abschnitt %1 endet bei %2, außerhalb des Bereichs; der nächste mögliche Wert ist %3.</translation>
+    </message>
+    <message>
+        <source>The cam has %1 segments; the nearest possible number is %2.</source>
+        <translation>Die Kurve hat %1 Abschnitte; die nächste mögliche Zahl ist %2.</translation>
+    </message>
+    <message>
+        <source>Segment %1 is only %2 wide; the minimum is %3.</source>
+        <translation>Abschnitt %1 ist nur %2 breit; das Minimum ist %3.</translation>
+    </message>
+    <message>
+        <source>Segment %1 begins at %2 and overlaps the segment before it, which ends at %3. Begin it at %3.</source>
+        <translation>Abschnitt %1 beginnt bei %2 und überlappt den vorigen, der bei %3 endet. Beginn auf %3 setzen.</translation>
+    </message>
+    <message>
+        <source>Segment %1 begins at %2 and leaves a gap: the segment before it ends at %3. Begin it at %3.</source>
+        <translation>Abschnitt %1 beginnt bei %2 und lässt eine Lücke: der vorige endet bei %3. Beginn auf %3 setzen.</translation>
+    </message>
+    <message>
+        <source>The first segment begins at %1; the cycle begins at %2.</source>
+        <translation>Der erste Abschnitt beginnt bei %1; der Zyklus beginnt bei %2.</translation>
+    </message>
+    <message>
+        <source>The last segment ends at %1; the cycle ends at %2.</source>
+        <translation>Der letzte Abschnitt endet bei %1; der Zyklus endet bei %2.</translation>
+    </message>
+    <message>
+        <source>The motion of segment %1 is unknown. Choose another motion.</source>
+        <translation>Die Bewegung von Abschnitt %1 ist unbekannt. Andere Bewegung wählen.</translation>
+    </message>
+    <message>
+        <source>Segment %1: %2 is %3; the nearest possible value is %4.</source>
+        <translation>Abschnitt %1: %2 ist %3; der nächste mögliche Wert ist %4.</translation>
+    </message>
+    <message>
+        <source>Speed jumps by %1 at the end of the cycle; the axis can follow %2. Make the segments continuous.</source>
+        <translation>Die Geschwindigkeit springt am Ende des Zyklus um %1; die Achse kann %2 folgen. Abschnitte stetig machen.</translation>
+    </message>
+    <message>
+        <source>Speed jumps by %1 where segment %2 begins; the axis can follow %3. Make the segments continuous.</source>
+        <translation>Die Geschwindigkeit springt am Anfang von Abschnitt %2 um %1; die Achse kann %3 folgen. Abschnitte stetig machen.</translation>
+    </message>
+    <message>
+        <source>Where segment %1 begins: speed jumps by %2 mm/°, acceleration by %3 mm/°².</source>
+        <translation>Am Anfang von Abschnitt %1 springt die Geschwindigkeit um %2 mm/°, die Beschleunigung um %3 mm/°².</translation>
+    </message>
+    <message>
+        <source>At the end of the cycle: position jumps by %1 mm, speed by %2 mm/°, acceleration by %3 mm/°².</source>
+        <translation>Am Ende des Zyklus springt die Position um %1 mm, die Geschwindigkeit um %2 mm/°, die Beschleunigung um %3 mm/°².</translation>
+    </message>
+    <message>
+        <source>The segments are continuous.</source>
+        <translation>Die Abschnitte sind stetig.</translation>
+    </message>
+    <message>
+        <source>The segments are continuous and advance by %1 mm per cycle.</source>
+        <translation>Die Abschnitte sind stetig und rücken %1 mm je Zyklus vor.</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::SegmentModel</name>
+    <message>
+        <source>%1 – %2°</source>
+        <translation>%1 – %2°</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>Ends at</source>
+        <translation>Endet bei</translation>
+    </message>
+    <message>
+        <source>End position</source>
+        <translation>Endposition</translation>
+    </message>
+    <message>
+        <source>Start speed</source>
+        <translation>Anfangsgeschw.</translation>
+    </message>
+    <message>
+        <source>Start acceleration</source>
+        <translation>Anfangsbeschl.</translation>
+    </message>
+    <message>
+        <source>End speed</source>
+        <translation>Endgeschw.</translation>
+    </message>
+    <message>
+        <source>End acceleration</source>
+        <translation>Endbeschl.</translation>
+    </message>
+</context>
+</TS>
