@@ -37,8 +37,9 @@ struct CutterFigures {
 [[nodiscard]] std::optional<FastestRate>
 fastestByHand(const CycleNumbers& cycle, const RotaryCutterProgram& program, const CutterFigures& figures);
 
-// Returns the fastest rate of a bag length, in mm, with the ratios for it. The window must be valid.
-[[nodiscard]] std::optional<FastestRate> fastestWithRatios(const RotaryCutterProgram& program,
-                                                           double bagLengthMm, const CutterFigures& figures);
+// Returns the program with the ratios for the highest rate of this bag length, in mm, at a low rate. The
+// window must be valid.
+[[nodiscard]] RotaryCutterProgram withFastestRatios(RotaryCutterProgram program, double bagLengthMm,
+                                                    const CutterFigures& figures);
 
 } // namespace campanel::profile::detail

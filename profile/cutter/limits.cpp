@@ -259,9 +259,11 @@ std::optional<FastestRate> fastestRate(const CycleNumbers& cycle, const RotaryCu
                                        const Machine& machine)
 {
     const detail::CutterFigures figures(solved, machine);
-    return solved.ratioMode == RatioMode::ByHand
-               ? detail::fastestByHand(cycle, solved, figures)
-               : detail::fastestWithRatios(solved, cycle.bagLengthMm, figures);
+    if (solved.ratioMode == RatioMode::ByHand)
+        return detail::fastestByHand(cycle, solved, figures);
+    const RotaryCutterProgram program = detail::withFastestRatios(solved, cycle.bagLengthMm, figures);
+    const auto numbers = detail::solveValid(program, detail::cycleShape(program, figures.shape));
+    return numbers ? detail::fastestByHand(*numbers, program, figures) : std::nullopt;
 }
 
 } // namespace campanel::profile

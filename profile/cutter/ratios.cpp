@@ -161,12 +161,19 @@ RotaryCutterProgram withLowest(const RotaryCutterProgram& program, const std::ar
     return best;
 }
 
+// Returns the cycle of a program whose inputs are valid but for the order of its ratios.
+std::optional<CycleNumbers> solved(const RotaryCutterProgram& program, const CutterFigures& figures)
+{
+    if (!detail::hasDescendingRatios(program))
+        return std::nullopt;
+    const auto cycle = detail::solveValid(program, detail::cycleShape(program, figures.shape));
+    return cycle ? std::optional(*cycle) : std::nullopt;
+}
+
 // Ranks feasible programs first, then those with the lowest acceleration.
 std::pair<bool, double> demandOf(const RotaryCutterProgram& program, const CutterFigures& figures)
 {
-    if (!detail::hasDescendingRatios(program))
-        return {true, std::numeric_limits<double>::infinity()};
-    const auto cycle = detail::solveValid(program, detail::cycleShape(program, figures.shape));
+    const auto cycle = solved(program, figures);
     return {!cycle || detail::firstBroken(*cycle, figures),
             cycle ? detail::peaks(*cycle, figures).accelerationMmPerS2
                   : std::numeric_limits<double>::infinity()};
@@ -175,9 +182,7 @@ std::pair<bool, double> demandOf(const RotaryCutterProgram& program, const Cutte
 // Returns the highest rate with these ratios, nothing when there is none.
 std::optional<FastestRate> fastestOf(const RotaryCutterProgram& program, const CutterFigures& figures)
 {
-    if (!detail::hasDescendingRatios(program))
-        return std::nullopt;
-    const auto cycle = detail::solveValid(program, detail::cycleShape(program, figures.shape));
+    const auto cycle = solved(program, figures);
     return cycle ? detail::fastestByHand(*cycle, program, figures) : std::nullopt;
 }
 
@@ -219,25 +224,22 @@ RotaryCutterProgram withRatios(const RotaryCutterProgram& program, const Machine
     return detail::isFeasible(fastest, figures) || !isFeasible(program, machine) ? fastest : program;
 }
 
-std::optional<FastestRate> detail::fastestWithRatios(const RotaryCutterProgram& given, double bagLengthMm,
-                                                     const CutterFigures& figures)
+RotaryCutterProgram detail::withFastestRatios(RotaryCutterProgram program, double bagLengthMm,
+                                              const CutterFigures& figures)
 {
     // The ratios do not depend on the rate; at a low one every speed is within the range of its field.
     constexpr double lowRateBagsPerMin = 2;
-    RotaryCutterProgram program = given;
     program.pinned = {Field::BagLength, Field::Rate};
     program.bagLengthMm = bagLengthMm;
     program.rateBagsPerMin = lowRateBagsPerMin;
     if (!leavesRoom(program))
-        return fastestOf(program, figures);
-    std::optional<FastestRate> best;
-    for (const Ratios& k : ratiosFor(program, figures, fastestRamp)) {
-        program.k = k;
-        const std::optional<FastestRate> fastest = fastestOf(program, figures);
-        if (fastest && (!best || fastest->rateBagsPerMin > best->rateBagsPerMin))
-            best = fastest;
-    }
-    return best;
+        return program;
+    // Where no rate is possible, a cycle that exists names the limit.
+    const auto slowness = [&figures](const RotaryCutterProgram& tried) {
+        const auto fastest = fastestOf(tried, figures);
+        return fastest ? -fastest->rateBagsPerMin : solved(tried, figures) ? 0 : 1;
+    };
+    return withLowest(program, ratiosFor(program, figures, fastestRamp), slowness);
 }
 
 double rampPosition(const RotaryCutter& cutter)

@@ -48,19 +48,19 @@ RegimePoint pointAt(const RotaryCutterProgram& program, double bagLengthMm,
                     const detail::CutterFigures& figures)
 {
     RegimePoint point{bagLengthMm, 0, Limit::StrokeCannotClose};
-    const detail::CycleShape shape = detail::cycleShape(program, figures.shape);
+    const RotaryCutterProgram fastest = program.ratioMode == RatioMode::ByHand
+                                            ? program
+                                            : detail::withFastestRatios(program, bagLengthMm, figures);
+    const detail::CycleShape shape = detail::cycleShape(fastest, figures.shape);
     for (const double rate : startRates) {
-        const RotaryCutterProgram tried = pinnedAt(program, bagLengthMm, rate);
+        const RotaryCutterProgram tried = pinnedAt(fastest, bagLengthMm, rate);
         const auto cycle = detail::solveValid(tried, shape);
         if (!cycle) {
             point.limit = cycle.error().limit;
             continue;
         }
-        const auto fastest = program.ratioMode == RatioMode::ByHand
-                                 ? detail::fastestByHand(*cycle, tried, figures)
-                                 : detail::fastestWithRatios(tried, bagLengthMm, figures);
-        if (fastest)
-            return {bagLengthMm, fastest->rateBagsPerMin, fastest->limitedBy};
+        if (const auto found = detail::fastestByHand(*cycle, tried, figures))
+            return {bagLengthMm, found->rateBagsPerMin, found->limitedBy};
         point.limit = detail::firstBroken(*cycle, figures).value_or(Limit::FieldRange);
     }
     return point;
