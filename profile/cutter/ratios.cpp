@@ -242,6 +242,12 @@ RotaryCutterProgram detail::withFastestRatios(RotaryCutterProgram program, doubl
     return withLowest(program, ratiosFor(program, figures, fastestRamp), slowness);
 }
 
+RotaryCutterProgram withFastestRatios(const RotaryCutter& cutter)
+{
+    return detail::withFastestRatios(cutter.program, cutter.cycle.bagLengthMm,
+                                     {cutter.program, cutter.machine});
+}
+
 double rampPosition(const RotaryCutter& cutter)
 {
     const CycleNumbers& cycle = cutter.cycle;

@@ -16,6 +16,9 @@ namespace campanel::profile {
 // program stays feasible.
 [[nodiscard]] RotaryCutterProgram withRatios(const RotaryCutterProgram& program, const Machine& machine);
 
+// Returns the program with the ratios for the highest rate of this bag length, at a low rate.
+[[nodiscard]] RotaryCutterProgram withFastestRatios(const RotaryCutter& cutter);
+
 // Returns the place of the shorter ramp of a solved cutter among the possible ones, in per cent: 0 the
 // shortest, 50 the coolest, 100 the gentlest.
 [[nodiscard]] double rampPosition(const RotaryCutter& cutter);
