@@ -7,6 +7,8 @@ import CamPanel.Theme
 
 T.AbstractButton {
     id: button
+    Accessible.role: Accessible.Button
+    Accessible.name: button.text
 
     enum Kind { Normal, Primary, Quiet }
 

@@ -7,6 +7,8 @@ import CamPanel.Theme
 
 T.AbstractButton {
     id: entry
+    Accessible.role: Accessible.Button
+    Accessible.name: entry.text
 
     property string note
     property bool holds

@@ -8,6 +8,8 @@ import CamPanel.Theme
 
 T.AbstractButton {
     id: key
+    Accessible.role: Accessible.Button
+    Accessible.name: key.text
 
     required property string glyph
     property string note

@@ -7,6 +7,8 @@ import CamPanel.Theme
 
 T.AbstractButton {
     id: field
+    Accessible.role: Accessible.Button
+    Accessible.name: field.label
 
     required property string label
     required property string value

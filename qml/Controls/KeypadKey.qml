@@ -7,6 +7,8 @@ import CamPanel.Theme
 
 T.AbstractButton {
     id: key
+    Accessible.role: Accessible.Button
+    Accessible.name: key.text
 
     property string glyph
     property string note

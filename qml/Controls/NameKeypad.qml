@@ -59,6 +59,7 @@ Sheet {
             width: keypad.keyWidth
             height: keypad.keyHeight
             objectName: "nameBackspace"
+            Accessible.name: qsTr("Delete")
             quiet: true
             glyph: Theme.icon.backspace
             enabled: keypad.text.length > 0
@@ -69,6 +70,7 @@ Sheet {
             width: keypad.keyWidth
             height: keypad.keyHeight
             objectName: "nameAccept"
+            Accessible.name: qsTr("Confirm")
             primary: true
             glyph: Theme.icon.check
             onClicked: keypad.closed()

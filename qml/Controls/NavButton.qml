@@ -8,6 +8,8 @@ import CamPanel.Theme
 
 T.AbstractButton {
     id: button
+    Accessible.role: Accessible.Button
+    Accessible.name: button.text
 
     required property string glyph
     property int calls                     // number displayed; 0: none

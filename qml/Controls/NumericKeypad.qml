@@ -100,6 +100,7 @@ Card {
         KeypadKey {
             width: keypad.keyWidth; height: keypad.keyHeight
             objectName: "keypadBackspace"
+            Accessible.name: qsTr("Delete")
             quiet: true
             glyph: Theme.icon.backspace
             enabled: !entry.empty

@@ -113,6 +113,7 @@ Card {
         KeypadKey {
             width: pad.keyWidth; height: pad.keyHeight
             objectName: "pinBackspace"
+            Accessible.name: qsTr("Delete")
             quiet: true
             glyph: Theme.icon.backspace
             enabled: pad.digits.length > 0

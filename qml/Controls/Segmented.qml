@@ -25,6 +25,8 @@ Rectangle {
             model: segmented.choices.length
             T.AbstractButton {
                 id: choice
+                Accessible.role: Accessible.Button
+                Accessible.name: choice.text
                 required property int index
                 readonly property var entry: segmented.choices[index] ?? {}  // empty for a key being removed
                 readonly property bool holds: entry.key === segmented.current

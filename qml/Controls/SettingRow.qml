@@ -7,6 +7,8 @@ import CamPanel.Theme
 
 T.AbstractButton {
     id: row
+    Accessible.role: Accessible.Button
+    Accessible.name: row.label
 
     required property string label
     required property string value

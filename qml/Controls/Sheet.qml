@@ -56,6 +56,7 @@ Item {
         Button {
             id: closeButton
             objectName: "sheetClose"
+            Accessible.name: qsTr("Close")
             anchors { right: parent.right; top: parent.top; margins: Theme.size.outline }
             kind: Button.Quiet
             glyph: Theme.icon.close

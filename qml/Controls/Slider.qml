@@ -8,6 +8,7 @@ import CamPanel.Theme
 
 T.Slider {
     id: slider
+    Accessible.role: Accessible.Slider
 
     property bool known: true              // without a value there is no handle
     signal held(real value)

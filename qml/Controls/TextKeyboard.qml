@@ -79,6 +79,7 @@ Item {
             }
             Key {
                 objectName: "textBackspace"
+                Accessible.name: qsTr("Delete")
                 quiet: true
                 glyph: Theme.icon.backspace
                 enabled: keyboard.input.length > 0 || keyboard.composing
@@ -93,6 +94,7 @@ Item {
             spacing: Theme.size.outline
             Key {
                 objectName: "textCapital"
+                Accessible.name: qsTr("Capital letters")
                 visible: keyboard.keySet !== TextKeyboard.Signs
                 width: 1.5 * keyboard.keyWidth + Theme.size.outline / 2
                 quiet: true
@@ -152,6 +154,7 @@ Item {
             }
             Key {
                 objectName: "textAccept"
+                Accessible.name: qsTr("Confirm")
                 width: 2 * keyboard.keyWidth + Theme.size.outline
                 primary: true
                 glyph: Theme.icon.check

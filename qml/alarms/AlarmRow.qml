@@ -9,6 +9,8 @@ import CamPanel.Panel
 
 T.AbstractButton {
     id: row
+    Accessible.role: Accessible.Button
+    Accessible.name: row.title
 
     required property string code
     required property string title

@@ -8,6 +8,8 @@ import CamPanel.Controls
 
 T.AbstractButton {
     id: row
+    Accessible.role: Accessible.Button
+    Accessible.name: row.what
 
     required property string time
     required property string who

@@ -60,6 +60,7 @@ Item {
     Button {
         id: moreButton
         objectName: "more"
+        Accessible.name: qsTr("View and tools")
         anchors { right: grid.right; top: ratioGroup.bottom; topMargin: Theme.size.spacing }
         width: Theme.size.touch
         height: inputs.rowHeight

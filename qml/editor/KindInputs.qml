@@ -126,6 +126,7 @@ Item {
     Button {
         id: moreButton
         objectName: "more"
+        Accessible.name: qsTr("View and tools")
         anchors { right: parent.right; bottom: parent.bottom }
         width: inputs.grouped ? Theme.size.touch : parent.width
         height: Theme.size.touch

@@ -27,6 +27,8 @@ Sheet {
         model: Editor.cam.knots.rows
         delegate: T.AbstractButton {
             id: entry
+            Accessible.role: Accessible.Button
+            Accessible.name: qsTr("Knot %1").arg(entry.number)
             required property int index
             required property int number
             required property string masterText

@@ -8,6 +8,8 @@ import CamPanel.Controls
 
 T.AbstractButton {
     id: row
+    Accessible.role: row.header ? Accessible.StaticText : Accessible.Button
+    Accessible.name: row.header ? row.headings.join(", ") : row.text
 
     property list<string> notes            // strength, weakness
     property bool holds
@@ -15,6 +17,7 @@ T.AbstractButton {
     property bool marked                   // drawn in gray in the background
     property bool usable: true             // exceeds no limit
     required property list<string> cells
+    readonly property var headings: cells
 
     readonly property real cellWidth: width * (cells.length > 5 ? 0.115 : cells.length > 4 ? 0.13 : 0.15)
     implicitHeight: Math.max(Theme.size.touch, words.height + Theme.size.padding)

@@ -9,6 +9,8 @@ import CamPanel.Panel
 
 T.AbstractButton {
     id: group
+    Accessible.role: Accessible.Button
+    Accessible.name: group.fields.map(field => field.label).join(", ")
 
     required property var fields           // list of EditorField
     property string caption                // the origin of the ratios

@@ -51,6 +51,7 @@ Sheet {
             Slider {
                 id: slider
                 objectName: "ratioSlider"
+                Accessible.name: sheet.title
                 width: parent.width
                 from: 0
                 to: 100

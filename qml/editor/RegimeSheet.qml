@@ -106,6 +106,7 @@ Sheet {
         spacing: Theme.size.spacing
         Button {
             objectName: "regimeUndo"
+            Accessible.name: qsTr("Undo")
             width: Theme.size.touch
             kind: Button.Quiet
             glyph: Theme.icon.undo

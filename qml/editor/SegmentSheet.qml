@@ -28,6 +28,8 @@ Sheet {
         model: Editor.cam.segments.rows
         delegate: T.AbstractButton {
             id: entry
+            Accessible.role: Accessible.Button
+            Accessible.name: qsTr("Segment %1").arg(entry.number)
             required property int index
             required property int number
             required property string rangeText

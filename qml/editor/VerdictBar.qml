@@ -67,6 +67,7 @@ Card {
         spacing: Theme.size.spacing
         Button {
             objectName: "undo"
+            Accessible.name: qsTr("Undo")
             visible: tools.goesBack
             width: Theme.size.touch
             kind: Button.Quiet
@@ -76,6 +77,7 @@ Card {
         }
         Button {
             objectName: "redo"
+            Accessible.name: qsTr("Redo")
             visible: tools.goesBack && (Editor.canRedo || !offer.visible)   // an offer has its space
             width: Theme.size.touch
             kind: Button.Quiet

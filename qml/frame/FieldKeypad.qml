@@ -29,6 +29,8 @@ Item {
             model: editor.several ? editor.fields.length : 0
             T.AbstractButton {
                 id: tab
+                Accessible.role: Accessible.Button
+                Accessible.name: tab.field.label
                 required property int index
                 readonly property EditorField field: editor.fields[index]
                 readonly property bool holds: index === editor.index

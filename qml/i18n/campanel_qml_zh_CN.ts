@@ -471,6 +471,10 @@ And %2 more.</source>
         <source>Speed law</source>
         <translation>速度规律</translation>
     </message>
+    <message>
+        <source>View and tools</source>
+        <translation>视图与工具</translation>
+    </message>
 </context>
 <context>
     <name>DialCard</name>
@@ -676,6 +680,10 @@ And %2 more.</source>
     <message>
         <source>Only on the screen: the machine does not move, and nothing is sent to the controller. Turn the left dial.</source>
         <translation>仅在屏幕上演示：机器不动，也不向控制器发送数据。请转动左侧表盘。</translation>
+    </message>
+    <message>
+        <source>Back to the start</source>
+        <translation>回到起点</translation>
     </message>
 </context>
 <context>
@@ -948,6 +956,22 @@ And %2 more.</source>
         <source>Frames as text</source>
         <translation>报文导出为文本</translation>
     </message>
+    <message>
+        <source>Resume</source>
+        <translation>继续</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>暂停</translation>
+    </message>
+    <message>
+        <source>Clear</source>
+        <translation>清空</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>导出</translation>
+    </message>
 </context>
 <context>
     <name>HomingSection</name>
@@ -1189,6 +1213,10 @@ And %2 more.</source>
         <source>CSV files</source>
         <translation>CSV 文件</translation>
     </message>
+    <message>
+        <source>Knot %1</source>
+        <translation>型值点 %1</translation>
+    </message>
 </context>
 <context>
     <name>LawPicker</name>
@@ -1386,6 +1414,10 @@ And %2 more.</source>
         <source>Target</source>
         <translation>目标</translation>
     </message>
+    <message>
+        <source>Delete the measurement</source>
+        <translation>删除测量值</translation>
+    </message>
 </context>
 <context>
     <name>MasterDialCard</name>
@@ -1470,6 +1502,14 @@ And %2 more.</source>
     <message>
         <source>any</source>
         <translation>任意</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>删除</translation>
+    </message>
+    <message>
+        <source>Confirm</source>
+        <translation>确认</translation>
     </message>
 </context>
 <context>
@@ -1616,6 +1656,10 @@ And %2 more.</source>
     <message>
         <source>OK</source>
         <translation>确定</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>删除</translation>
     </message>
 </context>
 <context>
@@ -1765,6 +1809,10 @@ And %2 more.</source>
     <message>
         <source>OK</source>
         <translation>确定</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>删除</translation>
     </message>
 </context>
 <context>
@@ -2117,6 +2165,10 @@ And %2 more.</source>
         <source>%1 registers</source>
         <translation>%1 个寄存器</translation>
     </message>
+    <message>
+        <source>Clear the filter</source>
+        <translation>清除筛选</translation>
+    </message>
 </context>
 <context>
     <name>OfferSheet</name>
@@ -2463,6 +2515,18 @@ And %2 more.</source>
         <source>Space</source>
         <translation>空格</translation>
     </message>
+    <message>
+        <source>Delete</source>
+        <translation>删除</translation>
+    </message>
+    <message>
+        <source>Capital letters</source>
+        <translation>大写字母</translation>
+    </message>
+    <message>
+        <source>Confirm</source>
+        <translation>确认</translation>
+    </message>
 </context>
 <context>
     <name>TopBar</name>
@@ -2773,6 +2837,10 @@ And %2 more.</source>
         <source>Drag the dot to another length and rate.</source>
         <translation>拖动圆点以更改袋长和速率。</translation>
     </message>
+    <message>
+        <source>Undo</source>
+        <translation>撤销</translation>
+    </message>
 </context>
 <context>
     <name>SegmentMotionSheet</name>
@@ -2810,6 +2878,28 @@ And %2 more.</source>
     <message>
         <source>Make continuous</source>
         <translation>使其连续</translation>
+    </message>
+    <message>
+        <source>Segment %1</source>
+        <translation>运动段 %1</translation>
+    </message>
+</context>
+<context>
+    <name>Sheet</name>
+    <message>
+        <source>Close</source>
+        <translation>关闭</translation>
+    </message>
+</context>
+<context>
+    <name>VerdictBar</name>
+    <message>
+        <source>Undo</source>
+        <translation>撤销</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>重做</translation>
     </message>
 </context>
 <context>

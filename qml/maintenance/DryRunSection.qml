@@ -122,6 +122,7 @@ MaintenanceSection {
             spacing: Theme.size.spacing
             Button {
                 objectName: "dryRunStart"
+                Accessible.name: qsTr("Back to the start")
                 glyph: Theme.icon.revert
                 onClicked: section.run.toStart()
             }

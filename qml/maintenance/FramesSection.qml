@@ -30,17 +30,20 @@ MaintenanceSection {
         spacing: Theme.size.spacing
         Button {
             objectName: "framesPause"
+            Accessible.name: section.frames.paused ? qsTr("Resume") : qsTr("Pause")
             kind: section.frames.paused ? Button.Primary : Button.Normal
             glyph: section.frames.paused ? Theme.icon.start : Theme.icon.pause
             onClicked: section.frames.paused = !section.frames.paused
         }
         Button {
             objectName: "framesClear"
+            Accessible.name: qsTr("Clear")
             glyph: Theme.icon.remove
             onClicked: section.frames.clear()
         }
         Button {
             objectName: "framesExport"
+            Accessible.name: qsTr("Export")
             glyph: Theme.icon.save
             enabled: section.frames.count > 0
             onClicked: {

@@ -9,6 +9,8 @@ import CamPanel.Panel
 
 T.AbstractButton {
     id: key
+    Accessible.role: Accessible.Button
+    Accessible.name: key.text
 
     required property Jog jog
     required property int direction        // 1 forward, -1 in reverse

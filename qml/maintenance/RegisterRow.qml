@@ -8,6 +8,8 @@ import CamPanel.Controls
 
 T.AbstractButton {
     id: row
+    Accessible.role: Accessible.Button
+    Accessible.name: row.name
 
     required property string name
     required property string note

@@ -41,6 +41,7 @@ MaintenanceSection {
         Button {
             id: clearButton
             objectName: "registerClear"
+            Accessible.name: qsTr("Clear the filter")
             glyph: Theme.icon.close
             enabled: section.inspector.group.length > 0 || section.inspector.nameFilter.length > 0
             onClicked: {

@@ -114,6 +114,7 @@ Item {
             },
             Button {
                 objectName: "wizardDrop"
+                Accessible.name: qsTr("Delete the measurement")
                 visible: sheet.step === MarkWizard.Step.Measure
                 enabled: sheet.wizard.measuredText.length > 0
                 glyph: Theme.icon.backspace

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Checks the screen contents; see scene_checks.h.
+// Checks the screen contents; see screen_checks.h.
 #include "tests/looks/screen_checks.h"
 
+#include <QAccessible>
 #include <QImage>
 #include <QQuickItem>
 
@@ -26,6 +27,11 @@ bool isText(const QQuickItem& item)
 bool isButton(const QQuickItem& item)
 {
     return item.inherits("QQuickAbstractButton");
+}
+
+bool isControl(const QQuickItem& item)
+{
+    return isButton(item) || item.inherits("QQuickSlider");
 }
 
 QString nameOf(const QQuickItem& item)
@@ -101,6 +107,8 @@ public:
             checkText(item);
         if (isButton(item) && item.isEnabled())
             checkTarget(item);
+        if (isControl(item))
+            checkAccessible(item);
         for (QQuickItem* child : item.childItems())
             visit(*child);
     }
@@ -164,6 +172,16 @@ private:
                             .arg(nameOf(item), ink.name(), behind->name())
                             .arg(ratio, 0, 'f', 2)
                             .arg(needed);
+    }
+
+    // A screen reader and a test by name need both.
+    void checkAccessible(QQuickItem& item)
+    {
+        const QAccessibleInterface* interface = QAccessible::queryAccessibleInterface(&item);
+        if (!interface || interface->role() == QAccessible::NoRole)
+            m_faults += QStringLiteral("%1 has no accessible role").arg(nameOf(item));
+        else if (interface->text(QAccessible::Name).isEmpty())
+            m_faults += QStringLiteral("%1 has no accessible name").arg(nameOf(item));
     }
 
     void checkTarget(const QQuickItem& item)

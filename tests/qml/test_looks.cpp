@@ -4,10 +4,13 @@
 #include "panel_test.h"
 #include "tests/looks/contrast.h"
 #include "tests/looks/picture_difference.h"
+#include "tests/looks/screen_checks.h"
 #include "tests/looks/screens.h"
 #include "tests/support/test_program.h"
 
+#include <QAccessible>
 #include <QPainter>
+#include <QQmlProperty>
 #include <QRegularExpression>
 #include <QSet>
 
@@ -31,6 +34,13 @@ private:
         return names;
     }
     static QSet<QString> namesOf(const char* patterns) { return namesOf(QString::fromLatin1(patterns)); }
+
+    QString accessibleNameOf(const char* name)
+    {
+        QAccessibleInterface* control =
+            QAccessible::queryAccessibleInterface(m_window->find(QString::fromLatin1(name)));
+        return control ? control->text(QAccessible::Name) : QString();
+    }
 
     QObject* part(const char* name) { return m_window->theme()->property(name).value<QObject*>(); }
 
@@ -167,6 +177,23 @@ private slots:
         m_window->hold(QStringLiteral("figuresExchanges"));
         QVERIFY2(textOf("explanationText").contains(QStringLiteral(" s / ")),
                  qPrintable(textOf("explanationText")));
+    }
+
+    // A screen reader speaks the panel's language; a control without a name is a fault of the screen.
+    void everyControlHasAnAccessibleName()
+    {
+        QCOMPARE(accessibleNameOf("startKey"), QStringLiteral("Start"));
+        m_window->panel().settings().setLanguage(QStringLiteral("zh_CN"));
+        m_window->settle();
+        QCOMPARE(accessibleNameOf("startKey"), QStringLiteral("启动"));
+        const looks::ScreenLimits anySize;
+        QCOMPARE(looks::checkScreen(m_window->root(), anySize, m_window->grab()), QStringList());
+        QQuickItem* start = m_window->find(QStringLiteral("startKey"));
+        QVERIFY(QQmlProperty(start, QStringLiteral("Accessible.name"), qmlContext(start)).write(QString()));
+        const QStringList faults = looks::checkScreen(m_window->root(), anySize, m_window->grab());
+        QCOMPARE(faults.size(), 1);
+        QVERIFY2(faults.constFirst().endsWith(QStringLiteral("has no accessible name")),
+                 qPrintable(faults.constFirst()));
     }
 
     void unknownNumbersAreExplainedWithoutNumbers()
