@@ -17,6 +17,10 @@ class Invocation;
 [[nodiscard]] Outcome runKnots(const Invocation& call);
 [[nodiscard]] Outcome runSegments(const Invocation& call);
 [[nodiscard]] Outcome runRecipe(const Invocation& call);
+// Carry out recipe new-key, sign and verify.
+[[nodiscard]] Outcome createKey(const Invocation& call);
+[[nodiscard]] Outcome signFile(const Invocation& call);
+[[nodiscard]] Outcome verifyFile(const Invocation& call);
 [[nodiscard]] Outcome runSimulate(const Invocation& call);
 [[nodiscard]] Outcome runSet(const Invocation& call);
 [[nodiscard]] Outcome runDownload(const Invocation& call);

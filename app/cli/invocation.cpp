@@ -56,6 +56,11 @@ Invocation::Invocation(const CommandInfo& command)
         m_parser.addPositionalArgument(u"verify"_s, u"Check all rows for changes."_s);
         m_parser.addPositionalArgument(u"FILE"_s, u"Database or backup."_s);
     }
+    if (command.takes & CommandInfo::Signing) {
+        m_parser.addPositionalArgument(u"new-key"_s, u"Create the key of a signer."_s, u"| new-key"_s);
+        m_parser.addPositionalArgument(u"sign"_s, u"Sign a recipe file."_s, u"| sign RECIPE.json"_s);
+        m_parser.addPositionalArgument(u"verify"_s, u"Check a signed recipe."_s, u"| verify SIGNED.json"_s);
+    }
     m_parser.addOption({{u"h"_s, u"help"_s}, u"Show this help."_s});
     m_parser.addOptions(command.options);
     if (!command.formats.isEmpty()) {
@@ -77,7 +82,9 @@ Outcome Invocation::parse(const QStringList& arguments)
                     m_parser.errorText() + u" See campanelctl "_s + m_command.name + u" --help."_s);
     m_arguments = m_parser.positionalArguments().mid(1);
     const bool many = (m_command.takes & (CommandInfo::Names | CommandInfo::TrailFile)) != 0;
-    const qsizetype maxArguments = (m_command.takes & CommandInfo::Recipe) != 0 ? 1 : 0;
+    const qsizetype maxArguments = (m_command.takes & CommandInfo::Signing) != 0  ? 2
+                                   : (m_command.takes & CommandInfo::Recipe) != 0 ? 1
+                                                                                  : 0;
     if (!many && m_arguments.size() > maxArguments)
         return fail(ExitCode::Usage, u"Unexpected argument \"%1\". See campanelctl %2 --help."_s.arg(
                                          m_arguments[maxArguments], m_command.name));

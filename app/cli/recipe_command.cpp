@@ -12,6 +12,16 @@ namespace campanel::cli {
 
 Outcome runRecipe(const Invocation& call)
 {
+    const QStringList words = call.arguments();
+    if (words.value(0) == u"new-key")
+        return createKey(call);
+    if (words.value(0) == u"sign")
+        return signFile(call);
+    if (words.value(0) == u"verify")
+        return verifyFile(call);
+    if (words.size() > 1)
+        return fail(ExitCode::Usage,
+                    u"Unexpected argument \"%1\". See campanelctl recipe --help."_s.arg(words[1]));
     auto recipe = recipeOf(call);
     if (!recipe)
         return tl::unexpected(recipe.error());

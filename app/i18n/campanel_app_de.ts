@@ -1837,6 +1837,18 @@ eff. %2</translation>
         <translation>Die Rezeptdatei %1 hat den Schlüssel %2 zweimal. Einen davon entfernen.</translation>
     </message>
     <message>
+        <source>The recipe file %1 is signed by %2, whose key this machine does not have. Ask Service to install the key, or have the recipe signed by somebody else.</source>
+        <translation>Die Rezeptdatei %1 ist von %2 signiert, dessen Schlüssel diese Maschine nicht hat. Den Schlüssel vom Service installieren oder das Rezept von jemand anderem signieren lassen.</translation>
+    </message>
+    <message>
+        <source>The recipe file %1 is signed by %2, whose key was withdrawn. Have the recipe signed with a valid key.</source>
+        <translation>Die Rezeptdatei %1 ist von %2 signiert, dessen Schlüssel zurückgezogen wurde. Das Rezept mit einem gültigen Schlüssel signieren lassen.</translation>
+    </message>
+    <message>
+        <source>The recipe file %1 does not match the signature of %2: it was changed, or another key signed it. Ask for a new copy.</source>
+        <translation>Die Rezeptdatei %1 passt nicht zur Signatur von %2: sie wurde geändert oder mit einem anderen Schlüssel signiert. Eine neue Kopie anfordern.</translation>
+    </message>
+    <message>
         <source>not a regular file</source>
         <translation>keine gewöhnliche Datei</translation>
     </message>
@@ -5438,6 +5450,11 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
         <translation>%1 · %2 · %3</translation>
     </message>
     <message>
+        <source>%1 · signed by %2 · %3 · %4</source>
+        <comment>what it is, person, date, place</comment>
+        <translation>%1 · signiert von %2 · %3 · %4</translation>
+    </message>
+    <message>
         <source>cannot be used · %1 · %2</source>
         <comment>date, place</comment>
         <translation>nicht verwendbar · %1 · %2</translation>
@@ -5524,6 +5541,42 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
     <message>
         <source>The file becomes version %2 of %1; earlier versions are kept.</source>
         <translation>Die Datei wird Version %2 von %1; frühere Versionen bleiben.</translation>
+    </message>
+    <message>
+        <source>%1 Changes: %2.</source>
+        <comment>whole sentence, list</comment>
+        <translation>%1 Änderungen: %2.</translation>
+    </message>
+    <message>
+        <source>%1 %2 to %3</source>
+        <comment>name, old value, new value</comment>
+        <translation>%1 %2 auf %3</translation>
+    </message>
+    <message>
+        <source>; </source>
+        <comment>between changes</comment>
+        <translation>; </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 and %n more</source>
+        <comment>list</comment>
+        <translation>
+            <numerusform>%1 und %n weitere</numerusform>
+            <numerusform>%1 und %n weitere</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 is a %2 on this panel and a %3 in the file. Rename one of them.</source>
+        <translation>%1 ist auf diesem Panel %2 und in der Datei %3. Eines davon umbenennen.</translation>
+    </message>
+    <message>
+        <source>The file has version %2 of %1; this panel has version %3. An older version is not imported; open it from the versions of the recipe.</source>
+        <translation>Die Datei hat Version %2 von %1; dieses Panel hat Version %3. Eine ältere Version wird nicht importiert; aus den Versionen des Rezepts öffnen.</translation>
+    </message>
+    <message>
+        <source>This machine cannot run the recipe. %1</source>
+        <comment>whole sentences</comment>
+        <translation>Diese Maschine kann das Rezept nicht ausführen. %1</translation>
     </message>
     <message>
         <source>%1 Nm</source>

@@ -1835,6 +1835,18 @@ RMS %2</source>
         <translation>配方文件 %1 中的键 %2 出现了两次。请删除其中一个。</translation>
     </message>
     <message>
+        <source>The recipe file %1 is signed by %2, whose key this machine does not have. Ask Service to install the key, or have the recipe signed by somebody else.</source>
+        <translation>配方文件 %1 由 %2 签名，但本机没有其密钥。请让维修人员安装该密钥，或由其他人签名。</translation>
+    </message>
+    <message>
+        <source>The recipe file %1 is signed by %2, whose key was withdrawn. Have the recipe signed with a valid key.</source>
+        <translation>配方文件 %1 由 %2 签名，其密钥已被撤销。请用有效的密钥重新签名。</translation>
+    </message>
+    <message>
+        <source>The recipe file %1 does not match the signature of %2: it was changed, or another key signed it. Ask for a new copy.</source>
+        <translation>配方文件 %1 与 %2 的签名不符：文件被更改过，或由其他密钥签名。请索取新的副本。</translation>
+    </message>
+    <message>
         <source>not a regular file</source>
         <translation>不是普通文件</translation>
     </message>
@@ -5433,6 +5445,11 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
         <translation>%1 · %2 · %3</translation>
     </message>
     <message>
+        <source>%1 · signed by %2 · %3 · %4</source>
+        <comment>what it is, person, date, place</comment>
+        <translation>%1 · %2 签名 · %3 · %4</translation>
+    </message>
+    <message>
         <source>cannot be used · %1 · %2</source>
         <comment>date, place</comment>
         <translation>无法使用 · %1 · %2</translation>
@@ -5519,6 +5536,41 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
     <message>
         <source>The file becomes version %2 of %1; earlier versions are kept.</source>
         <translation>将成为 %1 的第 %2 版，以前的版本均保留。</translation>
+    </message>
+    <message>
+        <source>%1 Changes: %2.</source>
+        <comment>whole sentence, list</comment>
+        <translation>%1更改：%2。</translation>
+    </message>
+    <message>
+        <source>%1 %2 to %3</source>
+        <comment>name, old value, new value</comment>
+        <translation>%1 由 %2 改为 %3</translation>
+    </message>
+    <message>
+        <source>; </source>
+        <comment>between changes</comment>
+        <translation>；</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 and %n more</source>
+        <comment>list</comment>
+        <translation>
+            <numerusform>%1，另有 %n 处</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 is a %2 on this panel and a %3 in the file. Rename one of them.</source>
+        <translation>%1 在本面板上是%2，在文件中是%3。请重命名其中一个。</translation>
+    </message>
+    <message>
+        <source>The file has version %2 of %1; this panel has version %3. An older version is not imported; open it from the versions of the recipe.</source>
+        <translation>文件中是 %1 的第 %2 版，本面板有第 %3 版。不导入较旧的版本，请从该配方的版本中打开。</translation>
+    </message>
+    <message>
+        <source>This machine cannot run the recipe. %1</source>
+        <comment>whole sentences</comment>
+        <translation>本机无法运行该配方。%1</translation>
     </message>
     <message>
         <source>%1 Nm</source>

@@ -60,6 +60,14 @@ bool isOffscreen(Arguments arguments)
     });
 }
 
+// Returns the folder beside the configuration file with the public keys of those who sign recipes.
+QString keyFolderOf(Arguments arguments)
+{
+    const QString named = valueOf(arguments, "--config");
+    const QFileInfo file(named.isEmpty() ? shell::configurationFile() : named);
+    return file.absoluteDir().filePath(QStringLiteral("recipe-keys"));
+}
+
 panel::SettingValues configurationOf(Arguments arguments)
 {
     const QString named = valueOf(arguments, "--config");
@@ -106,10 +114,10 @@ bool hasFonts()
 constexpr int restartCode = 1000;
 
 int runPanel(const shell::Options& options, const panel::SettingValues& configuration,
-             const shell::ServiceManager& manager)
+             const QString& keyFolder, const shell::ServiceManager& manager)
 {
     link::ThreadedLink link(nullptr);
-    shell::Panel panel(link, {{}, {}, configuration});
+    shell::Panel panel(link, {{}, {}, configuration, keyFolder});
     hasFonts(); // reads all fonts while the QML is loading; the panel works without them
     if (options.connection)
         panel.settings().overrideConnection(*options.connection);
@@ -178,7 +186,7 @@ int main(int argc, char* argv[])
     const shell::TerminationSignals terminationSignals;
     int code = restartCode;
     while (code == restartCode)
-        code = runPanel(options, configuration, manager);
+        code = runPanel(options, configuration, keyFolderOf(arguments), manager);
     manager.notify("STOPPING=1");
     return code;
 }

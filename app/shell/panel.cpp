@@ -61,6 +61,7 @@ Panel::Panel(link::Link& link, const Storage& storage)
     m_records.noteRestore(m_restore);
     connect(&m_backup, &panel::Backup::restartWanted, this, &Panel::restartWanted);
     m_maintenance.dryRun()->follow(m_editor);
+    m_recipes.files()->setKeyFolder(storage.keyFolder);
     m_recipes.setAuthor([this] { return m_access.userName(); });
     connect(&m_recipes, &panel::Recipes::noted, &m_trail, &panel::AuditTrail::note);
     connect(&m_access, &panel::Access::changed, this, [this] { m_alarms.setPerson(m_access.userName()); });

@@ -37,6 +37,7 @@ struct Storage {
     QString settingsFile;
     QString recipeFolder;
     panel::SettingValues standard{}; // until another value is set on the panel
+    QString keyFolder{};             // public keys of those who sign recipes; empty: none
 };
 
 class Panel : public QObject {

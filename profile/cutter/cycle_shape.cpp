@@ -13,15 +13,20 @@ namespace campanel::profile::detail {
 CycleShape cycleShape(const RotaryCutterProgram& program, const Machine& machine)
 {
     const Law& law = *findLaw(program.speedLaw);
+    return cycleShape(program, {strokeMm(machine), law.at(1, program.speedLawParameters).integral,
+                                law.peaks(program.speedLawParameters)});
+}
+
+CycleShape cycleShape(const RotaryCutterProgram& program, const LawAndStroke& given)
+{
     const double rampUp = 1 / program.k[1] - 1 / program.k[0];
     const double rampBack = 1 / program.k[3] - 1 / program.k[2];
-    const double travel = law.at(1, program.speedLawParameters).integral;
     CycleShape shape;
-    shape.strokeMm = strokeMm(machine);
-    shape.weight = 1 / program.k[2] - 1 / program.k[1] + travel * (rampUp + rampBack);
+    shape.strokeMm = given.strokeMm;
+    shape.weight = 1 / program.k[2] - 1 / program.k[1] + given.lawTravel * (rampUp + rampBack);
     shape.syncRatio = program.syncRatio;
     shape.shortestRamp = std::min(rampUp, rampBack);
-    shape.lawPeaks = law.peaks(program.speedLawParameters);
+    shape.lawPeaks = given.lawPeaks;
     return shape;
 }
 

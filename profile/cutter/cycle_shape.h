@@ -16,8 +16,16 @@ struct CycleShape {
     LawPeaks lawPeaks;
 };
 
-// Computes the shape. The ratios and the law of the program must have been validated.
+// The part of the shape that law and machine give.
+struct LawAndStroke {
+    double strokeMm = 0;  // h
+    double lawTravel = 0; // G(1)
+    LawPeaks lawPeaks;
+};
+
+// Compute the shape. The ratios and the law of the program must have been validated.
 [[nodiscard]] CycleShape cycleShape(const RotaryCutterProgram& program, const Machine& machine);
+[[nodiscard]] CycleShape cycleShape(const RotaryCutterProgram& program, const LawAndStroke& given);
 
 // The four values; not finite or negative where no cycle exists.
 struct CycleValues {
@@ -33,6 +41,11 @@ struct FieldValue {
     Field field = Field::BagLength;
     double value = 0;
 };
+
+// Solves the numbers of a program whose inputs are valid. Refuses what solveNumbers() refuses after
+// validation.
+[[nodiscard]] tl::expected<CycleNumbers, Refusal> solveValid(const RotaryCutterProgram& program,
+                                                             const CycleShape& shape);
 
 // Solves h = v_a (T - W) + v_b W and v_b = c L / T for two given, different values of L, n, v_a, v_b.
 [[nodiscard]] CycleValues closeCycle(const CycleShape& shape, FieldValue first, FieldValue second);

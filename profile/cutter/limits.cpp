@@ -2,9 +2,12 @@
 // Computes peaks by formula.
 #include "profile/cutter/limits.h"
 
+#include "profile/cutter/cutter_search.h"
+#include "profile/cutter/cycle_shape.h"
 #include "profile/cutter/jaw.h"
 #include "profile/cutter/nearest.h"
 #include "profile/cutter/ratios.h"
+#include "profile/cutter/validate.h"
 #include "profile/laws/laws.h"
 #include "profile/model/torque.h"
 #include "profile/model/vibration.h"
@@ -18,6 +21,7 @@ namespace campanel::profile {
 namespace {
 
 using detail::Bounded;
+using detail::CutterFigures;
 using detail::LimitComparison;
 
 // Returns the share of the cycle in which the knife turns: all of it, unless it stands at its base speed.
@@ -37,42 +41,66 @@ LimitComparison compareNaturalFrequency(const CycleNumbers& cycle, const Machine
 }
 
 std::array<LimitComparison, 9> compareCutter(const CycleNumbers& cycle, const Peaks& peak,
-                                             const RotaryCutterProgram& program, const Machine& machine)
+                                             const CutterFigures& figures)
 {
-    const double pulses = pulseFrequencyLimitHz(machine);
+    const Machine& machine = figures.machine;
+    const double pulses = figures.maxPulseFrequencyHz;
     const TimeSpan window{cycle.tbS, cycle.tcS};
     return {
         {{Limit::JawWindow, Field::ContactAngle, windowDeg(cycle, machine), requiredWindowDeg(machine),
           Bounded::Window, 0, window},
-         {Limit::SealTime, Field::MinSealTime, sealTimeMs(cycle, machine), program.minSealTimeMs,
+         {Limit::SealTime, Field::MinSealTime, sealTimeMs(cycle, machine), figures.minSealTimeMs,
           Bounded::Window, 0, window},
          {Limit::MachineRate, Field::MaxRate, cycle.rateBagsPerMin, machine.maxRateBagsPerMin, Bounded::Rate,
           machine.maxRateBagsPerMin},
          {Limit::MotorSpeed, Field::MaxMotorRpm, peak.motorRpm, machine.maxMotorRpm, Bounded::Speed,
-          machine.maxMotorRpm / motorRpmPerMmPerS(machine)},
+          machine.maxMotorRpm / figures.rpmPerMmPerS},
          {Limit::KnifeAcceleration, Field::MaxKnifeAcceleration, peak.accelerationMmPerS2,
           machine.maxKnifeAccelerationMmPerS2, Bounded::Acceleration, machine.maxKnifeAccelerationMmPerS2},
          {Limit::PulseFrequency, Field::MaxPulseFrequency, peak.pulseFrequencyHz, pulses, Bounded::Speed,
-          pulses / pulsesPerMm(machine)},
+          pulses / figures.pulsesPerMm},
          {Limit::MotorTorque, Field::MaxTorque, peak.torqueNm, machine.maxTorqueNm, Bounded::Acceleration,
-          knifeLoad(machine).peakAllowance(machine.maxTorqueNm)},
+          figures.load.peakAllowance(machine.maxTorqueNm)},
          detail::compareRmsTorque(peak, machine),
          compareNaturalFrequency(cycle, machine)}};
 }
 
-// Returns the RMS acceleration that the rated torque allows, as a share of that of the cycle.
-double rmsShare(const CycleNumbers& cycle, const RotaryCutterProgram& program, const Machine& machine)
+// Returns the mean of the squared acceleration for a law with this I2.
+double meanSquare(const CycleNumbers& cycle, double lawSquare)
 {
-    const double allowed = knifeLoad(machine).rmsAllowance(machine.ratedTorqueNm, movingShare(cycle));
-    return std::max(allowed, 0.0) / std::sqrt(squareAcceleration(cycle, program));
+    const double change = cycle.filmSpeedMmPerS - cycle.baseSpeedMmPerS;
+    const double ramps = 1 / (cycle.tbS - cycle.taS) + 1 / (cycle.tdS - cycle.tcS);
+    return change * change * lawSquare * ramps / cycle.cycleTimeS;
+}
+
+// Returns the RMS acceleration that the rated torque allows, as a share of that of the cycle; infinite while
+// no torque is known.
+double rmsShare(const CycleNumbers& cycle, const CutterFigures& figures)
+{
+    const double allowed = figures.load.rmsAllowance(figures.machine.ratedTorqueNm, movingShare(cycle));
+    return std::max(allowed, 0.0) / std::sqrt(meanSquare(cycle, figures.lawSquare));
 }
 
 } // namespace
 
-Peaks peaks(const CycleNumbers& cycle, const RotaryCutterProgram& program, const Machine& machine)
+detail::CutterFigures::CutterFigures(const RotaryCutterProgram& program, const Machine& machineOfKnife)
+    : machine(machineOfKnife)
+    , minSealTimeMs(program.minSealTimeMs)
+    , rpmPerMmPerS(motorRpmPerMmPerS(machineOfKnife))
+    , pulsesPerMm(profile::pulsesPerMm(machineOfKnife))
+    , maxPulseFrequencyHz(pulseFrequencyLimitHz(machineOfKnife))
+    , load(knifeLoad(machineOfKnife))
 {
     const Law& law = *findLaw(program.speedLaw);
-    const LawPeaks lawPeaks = law.peaks(program.speedLawParameters);
+    const LawParameters& parameters = program.speedLawParameters;
+    shape = {strokeMm(machine), law.at(1, parameters).integral, law.peaks(parameters)};
+    lawSquare = load.isKnown() ? lawSpeedSquare(law, parameters) : 0;
+    accelerationSteps = law.at(0, parameters).g1 > 0;
+}
+
+Peaks detail::peaks(const CycleNumbers& cycle, const CutterFigures& figures)
+{
+    const LawPeaks& law = figures.shape.lawPeaks;
     const double change = std::abs(cycle.filmSpeedMmPerS - cycle.baseSpeedMmPerS);
     const double rampThere = cycle.tbS - cycle.taS;
     const double rampBack = cycle.tdS - cycle.tcS;
@@ -80,27 +108,26 @@ Peaks peaks(const CycleNumbers& cycle, const RotaryCutterProgram& program, const
     Peaks peak;
     peak.speedMmPerS = std::max(cycle.baseSpeedMmPerS, cycle.filmSpeedMmPerS);
     peak.speedTimeS = cycle.filmSpeedMmPerS > cycle.baseSpeedMmPerS ? cycle.tbS : 0;
-    peak.motorRpm = peak.speedMmPerS * motorRpmPerMmPerS(machine);
-    peak.pulseFrequencyHz = peak.speedMmPerS * pulsesPerMm(machine);
-    peak.accelerationMmPerS2 = change * lawPeaks.cv / ramp;
+    peak.motorRpm = peak.speedMmPerS * figures.rpmPerMmPerS;
+    peak.pulseFrequencyHz = peak.speedMmPerS * figures.pulsesPerMm;
+    peak.accelerationMmPerS2 = change * law.cv / ramp;
     peak.accelerationTimeS =
-        rampThere <= rampBack ? cycle.taS + lawPeaks.cvAt * rampThere : cycle.tdS - lawPeaks.cvAt * rampBack;
-    const bool accelerationSteps = law.at(0, program.speedLawParameters).g1 > 0;
-    const TorqueLoad load = knifeLoad(machine);
-    peak.torqueNm = load.peakNm(peak.accelerationMmPerS2);
-    peak.rmsTorqueNm =
-        load.rmsNm({load.isKnown() ? squareAcceleration(cycle, program) : 0, 0, movingShare(cycle)});
-    peak.jerkMmPerS3 = accelerationSteps && change > 0 ? std::numeric_limits<double>::infinity()
-                                                       : change * lawPeaks.ca / (ramp * ramp);
+        rampThere <= rampBack ? cycle.taS + law.cvAt * rampThere : cycle.tdS - law.cvAt * rampBack;
+    peak.torqueNm = figures.load.peakNm(peak.accelerationMmPerS2);
+    peak.rmsTorqueNm = figures.load.rmsNm({meanSquare(cycle, figures.lawSquare), 0, movingShare(cycle)});
+    peak.jerkMmPerS3 = figures.accelerationSteps && change > 0 ? std::numeric_limits<double>::infinity()
+                                                               : change * law.ca / (ramp * ramp);
     return peak;
+}
+
+Peaks peaks(const CycleNumbers& cycle, const RotaryCutterProgram& program, const Machine& machine)
+{
+    return detail::peaks(cycle, {program, machine});
 }
 
 double squareAcceleration(const CycleNumbers& cycle, const RotaryCutterProgram& program)
 {
-    const double change = cycle.filmSpeedMmPerS - cycle.baseSpeedMmPerS;
-    const double ramps = 1 / (cycle.tbS - cycle.taS) + 1 / (cycle.tdS - cycle.tcS);
-    return change * change * lawSpeedSquare(*findLaw(program.speedLaw), program.speedLawParameters) * ramps /
-           cycle.cycleTimeS;
+    return meanSquare(cycle, lawSpeedSquare(*findLaw(program.speedLaw), program.speedLawParameters));
 }
 
 Peaks peaks(const RotaryCutter& cutter)
@@ -108,15 +135,20 @@ Peaks peaks(const RotaryCutter& cutter)
     return peaks(cutter.cycle, cutter.program, cutter.machine);
 }
 
-std::optional<Limit> firstBroken(const CycleNumbers& cycle, const RotaryCutterProgram& program,
-                                 const Machine& machine)
+std::optional<Limit> detail::firstBroken(const CycleNumbers& cycle, const CutterFigures& figures)
 {
-    const Peaks peak = peaks(cycle, program, machine);
-    for (const LimitComparison& each : compareCutter(cycle, peak, program, machine)) {
-        if (detail::isBroken(each, peak))
+    const Peaks peak = peaks(cycle, figures);
+    for (const LimitComparison& each : compareCutter(cycle, peak, figures)) {
+        if (isBroken(each, peak))
             return each.limit;
     }
     return std::nullopt;
+}
+
+std::optional<Limit> firstBroken(const CycleNumbers& cycle, const RotaryCutterProgram& program,
+                                 const Machine& machine)
+{
+    return detail::firstBroken(cycle, {program, machine});
 }
 
 double sealErrorMm(const RotaryCutter& cutter)
@@ -128,7 +160,7 @@ std::vector<Refusal> checkLimits(const RotaryCutter& cutter)
 {
     const Peaks peak = peaks(cutter);
     std::vector<Refusal> broken = detail::brokenLimits(
-        compareCutter(cutter.cycle, peak, cutter.program, cutter.machine), cutter.motion, peak);
+        compareCutter(cutter.cycle, peak, {cutter.program, cutter.machine}), cutter.motion, peak);
     for (Refusal& refusal : broken) {
         if (refusal.timeS)
             refusal.angleDeg = cutter.angleDegAt(*refusal.timeS);
@@ -143,26 +175,79 @@ std::vector<Refusal> checkLimits(const RotaryCutter& cutter)
     return broken;
 }
 
-bool isFeasible(const RotaryCutterProgram& program, const Machine& machine)
+bool detail::isFeasible(const RotaryCutterProgram& program, const CutterFigures& figures)
 {
-    const tl::expected<CycleNumbers, Refusal> cycle = solveNumbers(program, machine);
-    return cycle && !firstBroken(*cycle, program, machine);
+    if (!hasDescendingRatios(program))
+        return false;
+    const auto cycle = solveValid(program, cycleShape(program, figures.shape));
+    return cycle && !firstBroken(*cycle, figures);
 }
 
-MotionLimits motionLimits(const Machine& machine)
+bool isFeasible(const RotaryCutterProgram& program, const Machine& machine)
+{
+    return !detail::findInvalid(program, machine) && detail::isFeasible(program, {program, machine});
+}
+
+MotionLimits detail::motionLimits(const CutterFigures& figures)
 {
     const double fieldLimit = std::min(info(Field::BaseSpeed).max, info(Field::FilmSpeed).max);
     MotionLimits limits{fieldLimit, info(Field::MaxKnifeAcceleration).max};
-    for (const LimitComparison& c : compareCutter({}, {}, {}, machine)) {
+    for (const LimitComparison& c : compareCutter({}, {}, figures)) {
         if (c.bounded == Bounded::Speed)
             limits.maxSpeedMmPerS = std::min(limits.maxSpeedMmPerS, c.allowedInMotion);
         if (c.bounded == Bounded::Acceleration)
             limits.maxAccelerationMmPerS2 = std::min(limits.maxAccelerationMmPerS2, c.allowedInMotion);
     }
-    if (machine.ratedTorqueNm > 0 && knifeLoad(machine).isKnown())
+    if (figures.machine.ratedTorqueNm > 0 && figures.load.isKnown())
         limits.maxRmsAccelerationMmPerS2 =
-            std::max(knifeLoad(machine).rmsAllowance(machine.ratedTorqueNm), 0.0);
+            std::max(figures.load.rmsAllowance(figures.machine.ratedTorqueNm), 0.0);
     return limits;
+}
+
+MotionLimits motionLimits(const Machine& machine)
+{
+    return detail::motionLimits({RotaryCutterProgram{}, machine});
+}
+
+// With a fixed bag length, speeds are proportional to the rate and the acceleration to its square. The window
+// does not depend on the rate, the seal time is inversely proportional to it.
+std::optional<FastestRate> detail::fastestByHand(const CycleNumbers& cycle, const RotaryCutterProgram& solved,
+                                                 const CutterFigures& figures)
+{
+    const Peaks peak = peaks(cycle, figures);
+    const double rate = cycle.rateBagsPerMin;
+    FastestRate fastest{std::min(info(Field::Rate).max, figures.machine.maxRateBagsPerMin),
+                        Limit::MachineRate};
+    const auto lower = [&fastest](double candidate, Limit limit) {
+        if (candidate < fastest.rateBagsPerMin)
+            fastest = {candidate, limit};
+    };
+    for (const LimitComparison& c : compareCutter(cycle, peak, figures)) {
+        if (c.limit == Limit::MachineRate || c.limit == Limit::JawWindow || c.limit == Limit::RmsTorque ||
+            !(c.actual > 0))
+            continue;
+        if (c.bounded == Bounded::Acceleration)
+            lower(rate * std::sqrt(std::max(c.allowedInMotion, 0.0) / peak.accelerationMmPerS2), c.limit);
+        else
+            lower(rate * (c.bounded == Bounded::Window ? c.actual / c.allowed : c.allowed / c.actual),
+                  c.limit);
+    }
+    lower(rate * std::sqrt(rmsShare(cycle, figures)), Limit::RmsTorque);
+    lower(rate * info(Field::BaseSpeed).max / peak.speedMmPerS, Limit::FieldRange);
+
+    RotaryCutterProgram program = solved;
+    program.pinned = {Field::BagLength, Field::Rate};
+    program.bagLengthMm = cycle.bagLengthMm;
+    const double step = info(Field::Rate).resolution();
+    // The grid point below, and one on either side because of the rounding of the formula.
+    constexpr double rounding = 1e-6; // much more than it is
+    for (const int offset : {1, 0, -1}) {
+        program.rateBagsPerMin =
+            snapToGrid(Field::Rate, std::floor(fastest.rateBagsPerMin / step) * step + offset * step);
+        if (program.rateBagsPerMin <= fastest.rateBagsPerMin * (1 + rounding) && isFeasible(program, figures))
+            return FastestRate{program.rateBagsPerMin, fastest.limitedBy};
+    }
+    return std::nullopt;
 }
 
 std::optional<FastestRate> fastestRate(const RotaryCutter& cutter)
@@ -173,46 +258,12 @@ std::optional<FastestRate> fastestRate(const RotaryCutter& cutter)
 std::optional<FastestRate> fastestRate(const CycleNumbers& cycle, const RotaryCutterProgram& solved,
                                        const Machine& machine)
 {
-    if (solved.ratioMode != RatioMode::ByHand) {
-        RotaryCutterProgram program = withFastestRatios({solved, machine, cycle, {}});
-        program.ratioMode = RatioMode::ByHand;
-        const auto numbers = solveNumbers(program, machine);
-        return numbers ? fastestRate(*numbers, program, machine) : std::nullopt;
-    }
-    // With a fixed bag length, speeds are proportional to the rate and the acceleration to its square. The
-    // window does not depend on the rate, the seal time is inversely proportional to it.
-    const Peaks peak = peaks(cycle, solved, machine);
-    const double rate = cycle.rateBagsPerMin;
-    FastestRate fastest{std::min(info(Field::Rate).max, machine.maxRateBagsPerMin), Limit::MachineRate};
-    const auto lower = [&fastest](double candidate, Limit limit) {
-        if (candidate < fastest.rateBagsPerMin)
-            fastest = {candidate, limit};
-    };
-    for (const LimitComparison& c : compareCutter(cycle, peak, solved, machine)) {
-        if (c.limit == Limit::MachineRate || c.limit == Limit::JawWindow || c.limit == Limit::RmsTorque ||
-            !(c.actual > 0))
-            continue;
-        if (c.bounded == Bounded::Acceleration)
-            lower(rate * std::sqrt(std::max(c.allowedInMotion, 0.0) / peak.accelerationMmPerS2), c.limit);
-        else
-            lower(rate * (c.bounded == Bounded::Window ? c.actual / c.allowed : c.allowed / c.actual),
-                  c.limit);
-    }
-    lower(rate * std::sqrt(rmsShare(cycle, solved, machine)), Limit::RmsTorque);
-    lower(rate * info(Field::BaseSpeed).max / peak.speedMmPerS, Limit::FieldRange);
-
-    RotaryCutterProgram program = solved;
-    program.pinned = {Field::BagLength, Field::Rate};
-    program.bagLengthMm = cycle.bagLengthMm;
-    const double step = info(Field::Rate).resolution();
-    // The grid point below, and one on either side because of the rounding of the formula.
-    for (const int offset : {1, 0, -1}) {
-        program.rateBagsPerMin =
-            snapToGrid(Field::Rate, std::floor(fastest.rateBagsPerMin / step) * step + offset * step);
-        if (isFeasible(program, machine))
-            return FastestRate{program.rateBagsPerMin, fastest.limitedBy};
-    }
-    return std::nullopt;
+    const detail::CutterFigures figures(solved, machine);
+    if (solved.ratioMode == RatioMode::ByHand)
+        return detail::fastestByHand(cycle, solved, figures);
+    const RotaryCutterProgram program = detail::withFastestRatios(solved, cycle.bagLengthMm, figures);
+    const auto numbers = detail::solveValid(program, detail::cycleShape(program, figures.shape));
+    return numbers ? detail::fastestByHand(*numbers, program, figures) : std::nullopt;
 }
 
 } // namespace campanel::profile

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// The closed forms of the ramps, and the ratios on the grid of their fields.
+// The ratios on the grid of their fields, around the closed forms of the ramps.
 #include "profile/cutter/ratios.h"
 
-#include "profile/cutter/cycle_shape.h"
+#include "profile/cutter/cutter_search.h"
 #include "profile/cutter/validate.h"
 #include "profile/laws/laws.h"
-#include "profile/model/torque.h"
 
 #include <algorithm>
 #include <array>
@@ -16,6 +15,7 @@
 namespace campanel::profile {
 namespace {
 
+using detail::CutterFigures;
 using Ratios = std::array<double, 4>;
 
 constexpr int bisections = 60; // to the precision of a double
@@ -24,71 +24,19 @@ constexpr int bisections = 60; // to the precision of a double
 // acceleration rises by less than its square near the optimum.
 constexpr double placeTolerance = 0.01;
 
-double remaining(const RampTask& task)
-{
-    return 1 - task.window; // S
-}
-
-double longestRamp(const RampTask& task)
-{
-    return remaining(task) / 2 - minCycleShare;
-}
-
-double change(const RampTask& task)
-{
-    return std::abs(task.filmMm - task.strokeMm); // D
-}
-
-// Returns the longest ramp with v_a >= 0, which is infinite for a bag shorter than the stroke.
-double longestBeforeReversal(const RampTask& task)
-{
-    if (task.filmMm <= task.strokeMm)
-        return std::numeric_limits<double>::infinity();
-    return (task.strokeMm / task.filmMm - task.window) / (2 * task.lawTravel);
-}
-
-// Returns the square of the shortest cycle time, s^2, that keeps the RMS acceleration with this ramp:
-// a_rms = sqrt(2 I2 / tau) D / ((S - 2 G tau) T^2).
-double squareTimeByRms(const RampTask& task, double ramp)
-{
-    return std::sqrt(2 * task.lawSquare / ramp) * change(task) /
-           (task.maxRmsAccelerationMmPerS2 * (remaining(task) - 2 * task.lawTravel * ramp));
-}
-
-// Shortens the range to the ramps that keep the RMS acceleration, which has one minimum at the coolest.
-std::optional<RampRange> withinRms(RampRange range, const RampTask& task)
-{
-    const double square = task.cycleTimeS * task.cycleTimeS;
-    const double coolest = std::clamp(coolestRamp(task), range.shortest, range.longest);
-    if (!(squareTimeByRms(task, coolest) <= square))
-        return std::nullopt;
-    for (double* end : {&range.shortest, &range.longest}) {
-        double kept = coolest;
-        for (int i = 0; i < bisections && squareTimeByRms(task, *end) > square; ++i) {
-            const double middle = (kept + *end) / 2;
-            (squareTimeByRms(task, middle) <= square ? kept : *end) = middle;
-        }
-        if (squareTimeByRms(task, *end) > square)
-            *end = kept;
-    }
-    return range;
-}
-
 // Returns the task without its ramps: what is given by the window, the law and the machine.
-RampTask emptyTask(const RotaryCutterProgram& program, const Machine& machine)
+RampTask emptyTask(const RotaryCutterProgram& program, const CutterFigures& figures)
 {
-    const Law& law = *findLaw(program.speedLaw);
-    const MotionLimits limits = motionLimits(machine);
+    const MotionLimits limits = detail::motionLimits(figures);
     RampTask task;
-    task.strokeMm = strokeMm(machine);
+    task.strokeMm = figures.shape.strokeMm;
     task.window = 1 / program.k[2] - 1 / program.k[1];
-    task.lawTravel = law.at(1, program.speedLawParameters).integral;
-    task.lawPeak = law.peaks(program.speedLawParameters).cv;
+    task.lawTravel = figures.shape.lawTravel;
+    task.lawPeak = figures.shape.lawPeaks.cv;
+    task.lawSquare = figures.lawSquare;
     task.maxSpeedMmPerS = limits.maxSpeedMmPerS;
     task.maxAccelerationMmPerS2 = limits.maxAccelerationMmPerS2;
     task.maxRmsAccelerationMmPerS2 = limits.maxRmsAccelerationMmPerS2;
-    if (std::isfinite(task.maxRmsAccelerationMmPerS2))
-        task.lawSquare = lawSpeedSquare(law, program.speedLawParameters);
     return task;
 }
 
@@ -181,19 +129,27 @@ std::array<Ratios, 6> ratiosAround(const Ratios& present, double ramp)
     return found;
 }
 
-// Returns the program with those ratios on the grid around the ramp of `optimum` that have the lowest rank.
-template <typename Optimum, typename Rank>
-RotaryCutterProgram withOptimum(RotaryCutterProgram program, const Machine& machine, Optimum optimum,
-                                Rank rank, double tolerance = placeTolerance)
+// Returns the ratios on the grid around the ramp of `optimum`, beside the window of the program.
+template <typename Optimum>
+std::array<Ratios, 6> ratiosFor(RotaryCutterProgram program, const CutterFigures& figures, Optimum optimum,
+                                double tolerance = placeTolerance)
 {
-    double ramp = solvedRamp(program, emptyTask(program, machine), optimum);
+    double ramp = solvedRamp(program, emptyTask(program, figures), optimum);
     if (const Ratios moved = withRoom(program.k, ramp, tolerance); moved != program.k) {
         program.k = moved; // its window is wider by the rounding
-        ramp = solvedRamp(program, emptyTask(program, machine), optimum);
+        ramp = solvedRamp(program, emptyTask(program, figures), optimum);
     }
+    return ratiosAround(program.k, ramp);
+}
+
+// Returns the program with the ratios among these that have the lowest rank.
+template <typename Rank>
+RotaryCutterProgram withLowest(const RotaryCutterProgram& program, const std::array<Ratios, 6>& ratios,
+                               Rank rank)
+{
     RotaryCutterProgram best = program;
     std::optional<decltype(rank(program))> bestRank;
-    for (const Ratios& k : ratiosAround(program.k, ramp)) {
+    for (const Ratios& k : ratios) {
         RotaryCutterProgram tried = program;
         tried.k = k;
         const auto triedRank = rank(tried);
@@ -205,163 +161,97 @@ RotaryCutterProgram withOptimum(RotaryCutterProgram program, const Machine& mach
     return best;
 }
 
-// Ranks feasible programs first, then those with the lowest acceleration.
-std::pair<bool, double> demandOf(const RotaryCutterProgram& program, const Machine& machine)
+// Returns the cycle of a program whose inputs are valid but for the order of its ratios.
+std::optional<CycleNumbers> solved(const RotaryCutterProgram& program, const CutterFigures& figures)
 {
-    const auto cycle = solveNumbers(program, machine);
-    return {!isFeasible(program, machine), cycle ? peaks(*cycle, program, machine).accelerationMmPerS2
-                                                 : std::numeric_limits<double>::infinity()};
+    if (!detail::hasDescendingRatios(program))
+        return std::nullopt;
+    const auto cycle = detail::solveValid(program, detail::cycleShape(program, figures.shape));
+    return cycle ? std::optional(*cycle) : std::nullopt;
 }
 
-// Returns the highest rate with these ratios, 0 when there is none.
-double highestRate(RotaryCutterProgram program, const Machine& machine)
+// Ranks feasible programs first, then those with the lowest acceleration.
+std::pair<bool, double> demandOf(const RotaryCutterProgram& program, const CutterFigures& figures)
 {
-    program.ratioMode = RatioMode::ByHand;
-    const auto cycle = solveNumbers(program, machine);
-    const auto fastest =
-        cycle ? fastestRate(RotaryCutter{program, machine, *cycle, {}}) : std::optional<FastestRate>{};
-    return fastest ? fastest->rateBagsPerMin : 0;
+    const auto cycle = solved(program, figures);
+    return {!cycle || detail::firstBroken(*cycle, figures),
+            cycle ? detail::peaks(*cycle, figures).accelerationMmPerS2
+                  : std::numeric_limits<double>::infinity()};
+}
+
+// Returns the highest rate with these ratios, nothing when there is none.
+std::optional<FastestRate> fastestOf(const RotaryCutterProgram& program, const CutterFigures& figures)
+{
+    const auto cycle = solved(program, figures);
+    return cycle ? detail::fastestByHand(*cycle, program, figures) : std::nullopt;
+}
+
+// Returns true when the window leaves room for ramps.
+bool leavesRoom(const RotaryCutterProgram& program)
+{
+    const double window = 1 / program.k[2] - 1 / program.k[1];
+    return (1 - window) / 2 > 2 * minCycleShare;
 }
 
 // Returns true when everything but k1 and k4 is valid, and the window leaves room for ramps.
 bool hasWindow(RotaryCutterProgram program, const Machine& machine)
 {
-    const double window = 1 / program.k[2] - 1 / program.k[1];
     program.k[0] = info(Field::K1).max;
     program.k[3] = info(Field::K4).min;
-    return !detail::findInvalid(program, machine) && (1 - window) / 2 > 2 * minCycleShare;
+    return !detail::findInvalid(program, machine) && leavesRoom(program);
 }
 
 } // namespace
-
-double gentlestRamp(const RampTask& task)
-{
-    return std::min(longestRamp(task), remaining(task) / (4 * task.lawTravel));
-}
-
-double coolestRamp(const RampTask& task)
-{
-    return std::min(longestRamp(task), remaining(task) / (6 * task.lawTravel));
-}
-
-std::optional<RampRange> possibleRamps(const RampTask& task)
-{
-    const double s = remaining(task);
-    const double g = task.lawTravel;
-    const double least = // the product tau (S - 2 G tau) of the largest acceleration
-        task.lawPeak * change(task) / (task.maxAccelerationMmPerS2 * task.cycleTimeS * task.cycleTimeS);
-    const double discriminant = s * s - 8 * g * least;
-    const double travel = task.maxSpeedMmPerS * task.cycleTimeS;
-    if (!(discriminant >= 0) || task.filmMm > travel)
-        return std::nullopt;
-    const double root = std::sqrt(discriminant);
-    RampRange range{std::max(minCycleShare, 2 * least / (s + root)),
-                    std::min({longestRamp(task), (s + root) / (4 * g), longestBeforeReversal(task)})};
-    if (task.filmMm < task.strokeMm && task.filmMm < travel)
-        range.longest = std::min(range.longest,
-                                 ((travel - task.strokeMm) / (travel - task.filmMm) - task.window) / (2 * g));
-    if (!(range.shortest <= range.longest))
-        return std::nullopt;
-    return std::isfinite(task.maxRmsAccelerationMmPerS2) ? withinRms(range, task) : std::optional(range);
-}
-
-double fastestRamp(const RampTask& task)
-{
-    const double longest = std::max(minCycleShare, std::min(gentlestRamp(task), longestBeforeReversal(task)));
-    // Longer ramps need less acceleration and, for a bag shorter than the stroke, a higher base speed. The
-    // functions are the squares of the shortest cycle times; the largest of them has one minimum.
-    const double g = task.lawTravel;
-    const auto byAcceleration = [&](double ramp) {
-        return task.lawPeak * change(task) /
-               (task.maxAccelerationMmPerS2 * ramp * (remaining(task) - 2 * g * ramp));
-    };
-    const auto bySpeed = [&](double ramp) {
-        if (task.filmMm >= task.strokeMm)
-            return 0.0;
-        const double weight = task.window + 2 * g * ramp;
-        return std::pow((task.strokeMm - task.filmMm * weight) / ((1 - weight) * task.maxSpeedMmPerS), 2);
-    };
-    const auto byRms = [&](double ramp) {
-        return std::isfinite(task.maxRmsAccelerationMmPerS2) ? squareTimeByRms(task, ramp) : 0;
-    };
-    if (byAcceleration(longest) >= std::max(bySpeed(longest), byRms(longest)))
-        return longest;
-    const auto square = [&](double ramp) {
-        return std::max({byAcceleration(ramp), bySpeed(ramp), byRms(ramp)});
-    };
-    double low = minCycleShare;
-    double high = longest;
-    for (int i = 0; i < 2 * bisections; ++i) {
-        const double third = (high - low) / 3;
-        if (square(low + third) > square(high - third))
-            low += third;
-        else
-            high -= third;
-    }
-    return (low + high) / 2;
-}
-
-double rampFor(RatioMode mode, double positionPercent, const RampTask& task)
-{
-    const std::optional<RampRange> range = possibleRamps(task);
-    if (!range)
-        return fastestRamp(task);
-    const double gentle = std::clamp(gentlestRamp(task), range->shortest, range->longest);
-    const double cool = std::clamp(coolestRamp(task), range->shortest, range->longest);
-    switch (mode) {
-    case RatioMode::Cool:
-        return cool;
-    case RatioMode::Slow:
-        return range->shortest;
-    case RatioMode::Between: {
-        const double position = std::clamp(positionPercent / 50, 0.0, 2.0); // 1: coolest
-        return position <= 1 ? std::lerp(range->shortest, cool, position)
-                             : std::lerp(cool, gentle, position - 1);
-    }
-    default:
-        return gentle;
-    }
-}
 
 RotaryCutterProgram withRatios(const RotaryCutterProgram& program, const Machine& machine)
 {
     if (program.ratioMode == RatioMode::ByHand || !hasWindow(program, machine))
         return program;
-    const auto demand = [&machine](const RotaryCutterProgram& tried) { return demandOf(tried, machine); };
+    const CutterFigures figures(program, machine);
+    const auto demand = [&figures](const RotaryCutterProgram& tried) { return demandOf(tried, figures); };
     const auto suiting = [&program](const RampTask& task) {
         return rampFor(program.ratioMode, program.rampPositionPercent, task);
     };
-    RotaryCutterProgram wanted = withOptimum(program, machine, suiting, demand);
-    if (isFeasible(wanted, machine))
+    RotaryCutterProgram wanted = withLowest(program, ratiosFor(program, figures, suiting), demand);
+    if (detail::isFeasible(wanted, figures))
         return wanted;
     // Near a limit no ramp may be shortened to keep the place of the window.
-    wanted = withOptimum(program, machine, suiting, demand, 0);
-    if (isFeasible(wanted, machine))
+    wanted = withLowest(program, ratiosFor(program, figures, suiting, 0), demand);
+    if (detail::isFeasible(wanted, figures))
         return wanted;
     // At the limit a ramp may be feasible only before it is rounded.
-    RotaryCutterProgram fastest = withOptimum(program, machine, fastestRamp, demand);
-    return isFeasible(fastest, machine) || !isFeasible(program, machine) ? fastest : program;
+    RotaryCutterProgram fastest = withLowest(program, ratiosFor(program, figures, fastestRamp), demand);
+    return detail::isFeasible(fastest, figures) || !isFeasible(program, machine) ? fastest : program;
+}
+
+RotaryCutterProgram detail::withFastestRatios(RotaryCutterProgram program, double bagLengthMm,
+                                              const CutterFigures& figures)
+{
+    // The ratios do not depend on the rate; at a low one every speed is within the range of its field.
+    constexpr double lowRateBagsPerMin = 2;
+    program.pinned = {Field::BagLength, Field::Rate};
+    program.bagLengthMm = bagLengthMm;
+    program.rateBagsPerMin = lowRateBagsPerMin;
+    if (!leavesRoom(program))
+        return program;
+    // Where no rate is possible, a cycle that exists names the limit.
+    const auto slowness = [&figures](const RotaryCutterProgram& tried) {
+        const auto fastest = fastestOf(tried, figures);
+        return fastest ? -fastest->rateBagsPerMin : solved(tried, figures) ? 0 : 1;
+    };
+    return withLowest(program, ratiosFor(program, figures, fastestRamp), slowness);
 }
 
 RotaryCutterProgram withFastestRatios(const RotaryCutter& cutter)
 {
-    // The ratios do not depend on the rate; at a low one every speed is within the range of its field.
-    constexpr double lowRateBagsPerMin = 2;
-    const Machine& machine = cutter.machine;
-    RotaryCutterProgram program = cutter.program;
-    program.pinned = {Field::BagLength, Field::Rate};
-    program.bagLengthMm = cutter.cycle.bagLengthMm;
-    program.rateBagsPerMin = lowRateBagsPerMin;
-    if (!hasWindow(program, machine))
-        return program;
-    return withOptimum(program, machine, fastestRamp,
-                       [&machine](const RotaryCutterProgram& tried) { return -highestRate(tried, machine); });
+    return detail::withFastestRatios(cutter.program, cutter.cycle.bagLengthMm,
+                                     {cutter.program, cutter.machine});
 }
 
 double rampPosition(const RotaryCutter& cutter)
 {
     const CycleNumbers& cycle = cutter.cycle;
-    RampTask task = emptyTask(cutter.program, cutter.machine);
+    RampTask task = emptyTask(cutter.program, {cutter.program, cutter.machine});
     task.filmMm = cutter.program.syncRatio * cycle.bagLengthMm;
     task.cycleTimeS = cycle.cycleTimeS;
     const double ramp = std::min(cycle.tbS - cycle.taS, cycle.tdS - cycle.tcS) / cycle.cycleTimeS;
@@ -418,9 +308,12 @@ std::optional<RampOffer> otherRamps(const RotaryCutterProgram& program, const Ma
         return offer;
     if (!isPinned(program, Field::BagLength) || !isPinned(program, Field::Rate))
         return std::nullopt;
-    const auto fastest = fastestRate(RotaryCutter{other, machine, *solved, {}});
+    const auto fastest = fastestRate(*solved, other, machine);
     offer.rateBagsPerMin = fastest ? fastest->rateBagsPerMin : 0;
-    return offer.rateBagsPerMin > highestRate(program, machine) ? std::optional(offer) : std::nullopt;
+    const auto present =
+        detail::findInvalid(program, machine) ? std::nullopt : fastestOf(program, {program, machine});
+    return offer.rateBagsPerMin > (present ? present->rateBagsPerMin : 0) ? std::optional(offer)
+                                                                          : std::nullopt;
 }
 
 std::vector<RankedLaw> rankLaws(const RotaryCutterProgram& program, const Machine& machine)

@@ -2,7 +2,7 @@
 // A cycle at a low rate gives the fastest one in closed form, see fastestRate().
 #include "profile/cutter/regime_map.h"
 
-#include "profile/cutter/limits.h"
+#include "profile/cutter/cutter_search.h"
 #include "profile/cutter/validate.h"
 
 #include <algorithm>
@@ -44,23 +44,35 @@ std::vector<double> lengthsOf(const LengthRange& range, std::size_t count, const
     return lengths;
 }
 
-} // namespace
-
-RegimePoint regimePoint(const RotaryCutterProgram& program, const Machine& machine, double bagLengthMm)
+RegimePoint pointAt(const RotaryCutterProgram& program, double bagLengthMm,
+                    const detail::CutterFigures& figures)
 {
     RegimePoint point{bagLengthMm, 0, Limit::StrokeCannotClose};
+    const RotaryCutterProgram fastest = program.ratioMode == RatioMode::ByHand
+                                            ? program
+                                            : detail::withFastestRatios(program, bagLengthMm, figures);
+    const detail::CycleShape shape = detail::cycleShape(fastest, figures.shape);
     for (const double rate : startRates) {
-        const RotaryCutterProgram tried = pinnedAt(program, bagLengthMm, rate);
-        const auto cycle = solveNumbers(tried, machine);
+        const RotaryCutterProgram tried = pinnedAt(fastest, bagLengthMm, rate);
+        const auto cycle = detail::solveValid(tried, shape);
         if (!cycle) {
             point.limit = cycle.error().limit;
             continue;
         }
-        if (const auto fastest = fastestRate(*cycle, tried, machine))
-            return {bagLengthMm, fastest->rateBagsPerMin, fastest->limitedBy};
-        point.limit = firstBroken(*cycle, tried, machine).value_or(Limit::FieldRange);
+        if (const auto found = detail::fastestByHand(*cycle, tried, figures))
+            return {bagLengthMm, found->rateBagsPerMin, found->limitedBy};
+        point.limit = detail::firstBroken(*cycle, figures).value_or(Limit::FieldRange);
     }
     return point;
+}
+
+} // namespace
+
+RegimePoint regimePoint(const RotaryCutterProgram& program, const Machine& machine, double bagLengthMm)
+{
+    if (!inRange(Field::BagLength, bagLengthMm))
+        return {bagLengthMm, 0, Limit::FieldRange};
+    return pointAt(program, bagLengthMm, {program, machine});
 }
 
 LengthRange regimeRange(const RotaryCutterProgram& program, const Machine& machine)
@@ -82,8 +94,9 @@ tl::expected<RegimeMap, Refusal> regimeMap(const RotaryCutterProgram& program, c
     RegimeMap map;
     map.lengths = cutterLengths(program, machine);
     map.range = range;
+    const detail::CutterFigures figures(program, machine);
     for (const double length : lengthsOf(range, count, map.lengths)) {
-        const RegimePoint& point = map.points.emplace_back(regimePoint(program, machine, length));
+        const RegimePoint& point = map.points.emplace_back(pointAt(program, length, figures));
         map.maxRateBagsPerMin = std::max(map.maxRateBagsPerMin, point.rateBagsPerMin);
         if (point.rateBagsPerMin > 0 && std::ranges::find(map.limits, point.limit) == map.limits.end())
             map.limits.push_back(point.limit);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The regime map: for each bag length the fastest rate with the ratios and the law of a program, and the
-// limit that sets it. It asks the same limits as every check, so a new limit appears here without a change.
+// The regime map: for each bag length the fastest rate with the law of a program and its ratios or their mode,
+// and the limit that sets it. It asks the same limits as every check, so a new limit appears here without a change.
 #pragma once
 
 #include "profile/cutter/jaw.h"

@@ -127,20 +127,17 @@ bool isPinned(const RotaryCutterProgram& program, Field field)
     return program.pinned[0] == field || program.pinned[1] == field;
 }
 
-tl::expected<CycleNumbers, Refusal> solveNumbers(const RotaryCutterProgram& program, const Machine& machine)
+tl::expected<CycleNumbers, Refusal> detail::solveValid(const RotaryCutterProgram& program,
+                                                       const CycleShape& shape)
 {
-    if (auto refusal = detail::findInvalid(program, machine))
-        return tl::unexpected(*std::move(refusal));
-    const detail::CycleShape shape = detail::cycleShape(program, machine);
-    detail::CycleValues values =
-        detail::closeCycle(shape, {program.pinned[0], value(program, program.pinned[0])},
-                           {program.pinned[1], value(program, program.pinned[1])});
+    CycleValues values = closeCycle(shape, {program.pinned[0], value(program, program.pinned[0])},
+                                    {program.pinned[1], value(program, program.pinned[1])});
     if (values.baseSpeedMmPerS < -zeroSpeedToleranceMmPerS || values.cycleTimeS <= 0)
         return tl::unexpected(strokeCannotClose(shape, values.bagLengthMm));
     values.baseSpeedMmPerS = std::max(values.baseSpeedMmPerS, 0.0);
     for (const Field field : {Field::Rate, Field::FilmSpeed, Field::BaseSpeed, Field::BagLength}) {
         if (!isPinned(program, field) && !inRange(field, values.of(field)))
-            return tl::unexpected(detail::outOfRange(field, values.of(field)));
+            return tl::unexpected(outOfRange(field, values.of(field)));
     }
 
     const double time = values.cycleTimeS;
@@ -158,6 +155,13 @@ tl::expected<CycleNumbers, Refusal> solveNumbers(const RotaryCutterProgram& prog
     cycle.tcS = time / program.k[2];
     cycle.tdS = time / program.k[3];
     return cycle;
+}
+
+tl::expected<CycleNumbers, Refusal> solveNumbers(const RotaryCutterProgram& program, const Machine& machine)
+{
+    if (auto refusal = detail::findInvalid(program, machine))
+        return tl::unexpected(*std::move(refusal));
+    return detail::solveValid(program, detail::cycleShape(program, machine));
 }
 
 tl::expected<RotaryCutter, Refusal> solve(const RotaryCutterProgram& program, const Machine& machine)

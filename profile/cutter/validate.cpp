@@ -55,6 +55,11 @@ std::optional<Refusal> findWrongOrder(const RotaryCutterProgram& program)
 
 } // namespace
 
+bool hasDescendingRatios(const RotaryCutterProgram& program)
+{
+    return !findWrongOrder(program);
+}
+
 Refusal outOfRange(Field field, double value)
 {
     const FieldInfo& f = info(field);

@@ -11,6 +11,9 @@ namespace campanel::profile::detail {
 // Returns the first fault of the inputs, without suggestions; nothing when all are valid.
 [[nodiscard]] std::optional<Refusal> findInvalid(const RotaryCutterProgram& program, const Machine& machine);
 
+// Returns true when the ratios descend from k1 to k4.
+[[nodiscard]] bool hasDescendingRatios(const RotaryCutterProgram& program);
+
 // Returns the first fault of the data of an axis other than the knife axis.
 [[nodiscard]] std::optional<Refusal> findInvalidAxis(const Machine& machine);
 

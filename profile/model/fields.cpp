@@ -23,6 +23,13 @@ static_assert(indexedByField(), "fields must stand in the order of enum Field");
 constexpr double rangeTolerance = 1e-9;
 constexpr double resolutionShare = 1e-3; // share of the smallest step
 
+constexpr auto rangeRoom = [] {
+    std::array<double, fields.size()> room{};
+    for (std::size_t i = 0; i < fields.size(); ++i)
+        room[i] = std::min(rangeTolerance * fields[i].max, resolutionShare * fields[i].resolution());
+    return room;
+}();
+
 } // namespace
 
 std::optional<Field> fieldById(std::string_view id)
@@ -37,7 +44,7 @@ std::optional<Field> fieldById(std::string_view id)
 bool inRange(Field field, double value)
 {
     const FieldInfo& f = info(field);
-    const double room = std::min(rangeTolerance * f.max, resolutionShare * f.resolution());
+    const double room = rangeRoom[static_cast<std::size_t>(field)];
     return std::isfinite(value) && value >= f.min - room && value <= f.max + room;
 }
 

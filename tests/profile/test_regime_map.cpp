@@ -2,6 +2,7 @@
 // The regime map agrees with the check of each recipe on it, and its lines lie where the behavior changes.
 #include "profile/cutter/limits.h"
 #include "profile/cutter/paper_lengths.h"
+#include "profile/cutter/ramps.h"
 #include "profile/cutter/regime_map.h"
 #include "random_cases.h"
 #include "recipes.h"
@@ -11,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace test_regime_map {
 
@@ -34,6 +36,33 @@ Limit limitAt(const Recipe& recipe, double lengthMm)
     return regimePoint(recipe.program, recipe.machine, lengthMm).limit;
 }
 
+// Returns the rate of the best ramps beside a window in the middle of the cycle. They are found by a search.
+double searchedRate(Recipe recipe, double lengthMm)
+{
+    RotaryCutterProgram& program = recipe.program;
+    const double free = 1 - (1 / program.k[2] - 1 / program.k[1]);
+    program.ratioMode = RatioMode::ByHand;
+    const auto rateWith = [&](double ramp) {
+        program.k = {2 / (free - 2 * ramp), 2 / free, 2 / (2 - free), 1 / (1 - free / 2 + ramp)};
+        return regimePoint(program, recipe.machine, lengthMm).rateBagsPerMin;
+    };
+    double best = 0;
+    double place = free / 4;
+    constexpr int parts = 40;
+    for (double width = free / 4 - minCycleShare; width > 1e-6; width /= parts / 4.0) {
+        const double middle = place;
+        for (int i = -parts; i <= parts; ++i) {
+            const double ramp =
+                std::clamp(middle + i * width / parts, minCycleShare, free / 2 - minCycleShare);
+            const double rate = rateWith(ramp);
+            if (rate > best)
+                place = ramp;
+            best = std::max(best, rate);
+        }
+    }
+    return best;
+}
+
 bool isFeasibleAt(Recipe recipe, double lengthMm, double rate)
 {
     recipe.program.pinned = {Field::BagLength, Field::Rate};
@@ -53,6 +82,7 @@ private slots:
     void linesAreTheEnds();
     void refusesWhatHasNoMap();
     void agreesWithTheCheck();
+    void fastestRampsAreThoseOfASearch();
 };
 
 void TestRegimeMap::regimesOfTheCheckRecipe()
@@ -149,6 +179,43 @@ void TestRegimeMap::agreesWithTheCheck()
     }
     qInfo("%d with a rate, %d without", feasible, none);
     QVERIFY(feasible > count / 10 && none > count / 10);
+}
+
+void TestRegimeMap::fastestRampsAreThoseOfASearch()
+{
+    const int count = std::min(campanel::test::randomCases(300), 10000);
+    qInfo("seed %u, %d machines", seed, count);
+    RandomRecipes random(seed);
+    std::map<Limit, int> limits;
+    double worst = 0;
+    for (int tried = 0; tried < count && !QTest::currentTestFailed();) {
+        Recipe recipe = random.next();
+        recipe.program.ratioMode = RatioMode::Gentle;
+        recipe.machine.maxMotorRpm = std::round(random.uniform(50, 3000));
+        recipe.machine.maxKnifeAccelerationMmPerS2 = std::round(random.uniform(20000, 200000));
+        const LengthRange range{20, 20 + random.uniform(80, 800)};
+        const auto map = regimeMap(recipe.program, recipe.machine, range, 5);
+        if (!map || 1 / recipe.program.k[2] - 1 / recipe.program.k[1] > 0.9)
+            continue;
+        ++tried;
+        for (const RegimePoint& point : map->points) {
+            const double searched = searchedRate(recipe, point.bagLengthMm);
+            // k1 and k4 on their grids cost less than a thousandth.
+            const double tolerance = 0.2 + searched * 1e-3;
+            QVERIFY2(std::abs(point.rateBagsPerMin - searched) <= tolerance,
+                     qPrintable(QStringLiteral("%1: %2 mm %3, searched %4")
+                                    .arg(tried)
+                                    .arg(point.bagLengthMm)
+                                    .arg(point.rateBagsPerMin)
+                                    .arg(searched)));
+            worst = std::max(worst, std::abs(point.rateBagsPerMin - searched));
+            limits[point.limit] += 1;
+        }
+    }
+    qInfo("at most %.1f bags/min from the search, by %zu limits", worst, limits.size());
+    for (const Limit each :
+         {Limit::KnifeAcceleration, Limit::MotorSpeed, Limit::RmsTorque, Limit::MotorTorque})
+        QVERIFY(limits[each] > count / 50);
 }
 
 CAMPANEL_TEST(TestRegimeMap)

@@ -4,7 +4,6 @@
 #include "app/panel/controller/controller.h"
 #include "app/panel/kit/format.h"
 #include "app/program/solved_program.h"
-#include "profile/cam/point_cam.h"
 
 #include <algorithm>
 #include <array>
@@ -82,7 +81,7 @@ void TorqueWatch::noteProgram()
     prepare();
 }
 
-// The motion of a point cam is that of its table, which runs backwards for a negative rate.
+// The motion is that of the table, which a cam runs backwards for a negative rate.
 void TorqueWatch::prepare()
 {
     m_motion = {};
@@ -94,8 +93,7 @@ void TorqueWatch::prepare()
         program::Recipe recipe = program->recipe;
         recipe.machine = *m_machineData;
         if (const auto solved = program::solveProgram(recipe)) {
-            const auto* cam = std::get_if<profile::PointCamProgram>(&recipe.program);
-            m_motion = cam ? profile::forwardMotion(*cam) : solved->motion;
+            m_motion = program::camSource(recipe, *solved).motion;
             m_load = solved->load;
         }
     }
@@ -141,7 +139,7 @@ double TorqueWatch::predictedAt(double angleDeg) const
     // The speed that a speed move has reached is held.
     if (std::holds_alternative<profile::SpeedMoveProgram>(program) && angleDeg >= cycleEndDeg)
         point.accelerationMmPerS2 = 0;
-    const auto* cam = std::get_if<profile::PointCamProgram>(&program);
+    const profile::CamMaster* cam = profile::camMaster(program);
     const bool isReversed = cam && (cam->masterRateRevPerMin < 0) !=
                                        (m_machine.direction()->way() == MasterDirection::Way::Backward);
     const double torqueNm =

@@ -25,6 +25,11 @@ program::Recipe withoutDot(program::Recipe recipe, const profile::Machine& machi
     cutter.pinned = defaults.pinned;
     cutter.bagLengthMm = defaults.bagLengthMm;
     cutter.rateBagsPerMin = defaults.rateBagsPerMin;
+    if (cutter.ratioMode != profile::RatioMode::ByHand) { // the ramps follow the dot
+        cutter.k.front() = defaults.k.front();
+        cutter.k.back() = defaults.k.back();
+        cutter.rampPositionPercent = defaults.rampPositionPercent;
+    }
     recipe.machine = machine;
     return recipe;
 }

@@ -52,12 +52,14 @@ QString version(const store::RecipeVersion& of, const QStringList& values)
 } // namespace
 
 store::AuditEntry recipeSaved(const std::optional<store::RecipeVersion>& before,
-                              const store::RecipeVersion& kept)
+                              const store::RecipeVersion& kept, const QString& signer)
 {
     store::AuditEntry entry;
     entry.what = before ? u"recipe.save"_s : u"recipe.new"_s;
     entry.object = QString::fromStdString(kept.recipe.name);
     entry.readBack = u"version %1"_s.arg(kept.version);
+    if (!signer.isEmpty())
+        entry.readBack += u", signed by "_s + signer;
     entry.outcome = u"done"_s;
     QStringList old;
     QStringList wanted;

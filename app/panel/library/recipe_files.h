@@ -16,13 +16,19 @@ class RecipeFiles : public campanel::panel::FileExchange {
 public:
     // Searches for files; called in another thread.
     using Scanner = std::function<QList<store::RecipeOffer>(const QString& ownFolder)>;
-    // Returns the consequence of importing the recipe, a whole sentence.
-    using Consequence = std::function<QString(const program::Recipe& recipe)>;
+    // The consequence of importing a recipe, whole sentences; or why it is refused.
+    struct Effect {
+        QString text;
+        bool isRefused = false;
+    };
+    using Consequence = std::function<Effect(const store::RecipeOffer& offer)>;
 
     RecipeFiles(const QString& ownFolder, Consequence consequence, QObject* parent);
 
     // Replaces the search of this computer's disks, for tests and captures.
     void setScanner(Scanner scanner) { m_scanner = std::move(scanner); }
+    // Checks signatures with the keys in this folder.
+    void setKeyFolder(const QString& folder);
 
     [[nodiscard]] OfferModel* files() { return &m_files; }
 
@@ -30,7 +36,7 @@ public:
     Q_INVOKABLE void take(int file);
 
 signals:
-    void taken(const campanel::program::Recipe& recipe, const QString& fileName);
+    void taken(const campanel::store::RecipeOffer& offer);
 
 private:
     [[nodiscard]] std::function<Apply()> searcher() override;

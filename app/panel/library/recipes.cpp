@@ -42,8 +42,8 @@ Recipes::Recipes(Controller& machine, Editor& editor, DatabaseService& records, 
     , m_wallClock([] { return QDateTime::currentDateTime(); })
     , m_author([] { return QString(); })
     , m_files(
-          QDir(folder).filePath(u"recipes"_s), [this](const Recipe& recipe) { return consequence(recipe); },
-          this)
+          QDir(folder).filePath(u"recipes"_s),
+          [this](const store::RecipeOffer& offer) { return consequence(offer); }, this)
     , m_exports(QDir(folder).filePath(u"recipes"_s), this)
 {
     connect(&records.store(), &store::StoreThread::opened, this, [this] {
@@ -54,16 +54,7 @@ Recipes::Recipes(Controller& machine, Editor& editor, DatabaseService& records, 
     connect(&editor, &Editor::applied, this, [this](const Recipe& recipe) { keep(recipe, {}); });
     connect(&editor, &Editor::recipeChanged, this, &Recipes::followEditor);
     connect(&machine, &Controller::programChanged, this, &Recipes::show);
-    connect(&m_files, &RecipeFiles::taken, this, [this](const Recipe& recipe, const QString& fileName) {
-        if (!m_machine.accessCheck().require(Level::Technician))
-            return;
-        keep(onThisMachine(recipe), [this, fileName](const RecipeVersion& kept) {
-            m_chosenId = kept.recipeId;
-            say(tr("%1 was imported as %2, version %3.", "file, recipe")
-                    .arg(fileName, nameOf(kept.recipe))
-                    .arg(kept.version));
-        });
-    });
+    connect(&m_files, &RecipeFiles::taken, this, &Recipes::import);
     m_editor.setNewestVersion([this](const std::string& name) {
         const RecipeVersion* known = named(QString::fromStdString(name));
         return known ? known->version : 0;
@@ -117,7 +108,8 @@ void Recipes::reload()
          });
 }
 
-void Recipes::keep(const Recipe& recipe, std::function<void(const RecipeVersion& kept)> done)
+void Recipes::keep(const Recipe& recipe, std::function<void(const RecipeVersion& kept)> done,
+                   const QString& signer)
 {
     const QString by = m_author();
     const qint64 nowMs = m_wallClock().toMSecsSinceEpoch();
@@ -128,13 +120,13 @@ void Recipes::keep(const Recipe& recipe, std::function<void(const RecipeVersion&
                 saved = tl::unexpected(kept.error());
             return saved;
         },
-        [this, recipe, done](const RecipeVersion& saved) {
+        [this, recipe, done, signer](const RecipeVersion& saved) {
             RecipeVersion kept = saved;
             kept.recipe = recipe;
             kept.recipe.version = saved.version;
             const RecipeVersion* before = named(nameOf(recipe));
             if (!before || before->version != kept.version)
-                emit noted(recipeSaved(before ? std::optional(*before) : std::nullopt, kept));
+                emit noted(recipeSaved(before ? std::optional(*before) : std::nullopt, kept, signer));
             if (done)
                 done(kept);
             reload();

@@ -149,8 +149,10 @@ private:
     // Calls `job` with the library in its thread, then `done` in this one; reports an error.
     template <typename Job, typename Done> void work(Job job, Done done);
     // Saves the recipe, reports it (`recipe` of the result is the given one, under its version) and reads all
-    // again.
-    void keep(const program::Recipe& recipe, std::function<void(const store::RecipeVersion& kept)> done);
+    // again. The audit trail names who signed it.
+    void keep(const program::Recipe& recipe, std::function<void(const store::RecipeVersion& kept)> done,
+              const QString& signer = {});
+    void import(const store::RecipeOffer& offer);
     void keepAndOpen(const program::Recipe& recipe,
                      std::function<QString(const program::Recipe& kept)> sentence);
     void followEditor();
@@ -167,7 +169,10 @@ private:
     // Returns the recipe as first version of the wanted name.
     [[nodiscard]] program::Recipe renamed(program::Recipe recipe) const;
     [[nodiscard]] QString savedText(const store::RecipeVersion& version) const;
-    [[nodiscard]] QString consequence(const program::Recipe& recipe) const;
+    [[nodiscard]] RecipeFiles::Effect consequence(const store::RecipeOffer& offer) const;
+    [[nodiscard]] static QString changes(const QList<DifferenceRow>& rows);
+    // Returns why this machine does not take a signed recipe; empty when it does.
+    [[nodiscard]] QString refusalOf(const store::RecipeOffer& offer) const;
 
     Controller& m_machine;
     Editor& m_editor;

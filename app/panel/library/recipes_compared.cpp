@@ -8,7 +8,12 @@
 #include "app/panel/recipe/motor_demand.h"
 #include "app/panel/recipe/recipe_comparison.h"
 #include "app/panel/records/database_service.h"
+#include "app/panel/words/recipe_words.h"
+#include "app/panel/words/refusal_sentences.h"
+#include "app/program/program_image.h"
 #include "app/store/recipes/recipe_json.h"
+
+#include <QFileInfo>
 
 #include <algorithm>
 #include <vector>
@@ -137,17 +142,80 @@ void Recipes::offerExport(bool all)
     m_exports.offer(files);
 }
 
-QString Recipes::consequence(const Recipe& recipe) const
+// Imports a file. A signature replaces the technician: an operator may accept what somebody has signed.
+void Recipes::import(const store::RecipeOffer& offer)
 {
+    const QString signer = offer.signature ? offer.signature->signer : QString();
+    if (!m_machine.accessCheck().require(offer.signature ? Level::Operator : Level::Technician))
+        return;
+    if (const QString refusal = refusalOf(offer); !refusal.isEmpty()) // of another version since the search
+        return say(refusal);
+    keep(
+        onThisMachine(*offer.recipe),
+        [this, fileName = QFileInfo(offer.path).fileName()](const RecipeVersion& kept) {
+            m_chosenId = kept.recipeId;
+            say(tr("%1 was imported as %2, version %3.", "file, recipe")
+                    .arg(fileName, QString::fromStdString(kept.recipe.name))
+                    .arg(kept.version));
+        },
+        signer);
+}
+
+RecipeFiles::Effect Recipes::consequence(const store::RecipeOffer& offer) const
+{
+    if (const QString refusal = refusalOf(offer); !refusal.isEmpty())
+        return {refusal, true};
+    const Recipe& recipe = *offer.recipe;
     const QString name = QString::fromStdString(recipe.name);
     const RecipeVersion* known = named(name);
     if (!known)
-        return tr("The file becomes the new recipe %1. The data of this machine stay unchanged.").arg(name);
-    if (RecipeComparison::rows(known->recipe, recipe).isEmpty())
-        return tr("The file is identical to %1, version %2; nothing changes.").arg(name).arg(known->version);
-    return tr("The file becomes version %2 of %1; earlier versions are kept.")
-        .arg(name)
-        .arg(std::max(known->version + 1, recipe.version));
+        return {tr("The file becomes the new recipe %1. The data of this machine stay unchanged.").arg(name)};
+    const QList<DifferenceRow> rows = RecipeComparison::rows(known->recipe, recipe);
+    if (rows.isEmpty())
+        return {
+            tr("The file is identical to %1, version %2; nothing changes.").arg(name).arg(known->version)};
+    QString text = tr("The file becomes version %2 of %1; earlier versions are kept.")
+                       .arg(name)
+                       .arg(std::max(known->version + 1, recipe.version));
+    if (offer.signature)
+        text = tr("%1 Changes: %2.", "whole sentence, list").arg(text, changes(rows));
+    return {text};
+}
+
+// Returns the first differences, "Bag length 250.0 mm to 260.0 mm".
+QString Recipes::changes(const QList<DifferenceRow>& rows)
+{
+    constexpr qsizetype shown = 4;
+    QStringList texts;
+    for (const DifferenceRow& row : rows.first(std::min(rows.size(), shown)))
+        texts
+            << tr("%1 %2 to %3", "name, old value, new value").arg(row.name, row.activeText, row.editedText);
+    const QString list = texts.join(tr("; ", "between changes"));
+    return rows.size() > shown ? tr("%1 and %n more", "list", static_cast<int>(rows.size() - shown)).arg(list)
+                               : list;
+}
+
+QString Recipes::refusalOf(const store::RecipeOffer& offer) const
+{
+    if (!offer.signature)
+        return {};
+    const Recipe& recipe = *offer.recipe;
+    const QString name = QString::fromStdString(recipe.name);
+    if (const RecipeVersion* known = named(name)) {
+        if (known->recipe.kind() != recipe.kind())
+            return tr("%1 is a %2 on this panel and a %3 in the file. Rename one of them.")
+                .arg(name, RecipeWords::kindName(known->recipe.kind()), RecipeWords::kindName(recipe.kind()));
+        if (recipe.version < known->version)
+            return tr("The file has version %2 of %1; this panel has version %3. An older version is not "
+                      "imported; open it from the versions of the recipe.")
+                .arg(name)
+                .arg(recipe.version)
+                .arg(known->version);
+    }
+    const auto image = program::buildProgram(onThisMachine(recipe));
+    return image ? QString()
+                 : tr("This machine cannot run the recipe. %1", "whole sentences")
+                       .arg(RefusalSentences::program(image.error()));
 }
 
 } // namespace campanel::panel

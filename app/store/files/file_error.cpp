@@ -47,6 +47,18 @@ QString FileErrorText::describe(const FileError& error)
             .arg(path, error.key, error.expected);
     case FileError::Kind::RepeatedKey:
         return tr("The recipe file %1 has the key %2 twice. Remove one of them.").arg(path, error.key);
+    case FileError::Kind::UnknownSigner:
+        return tr("The recipe file %1 is signed by %2, whose key this machine does not have. Ask Service to "
+                  "install the key, or have the recipe signed by somebody else.")
+            .arg(path, error.found);
+    case FileError::Kind::WithdrawnSigner:
+        return tr("The recipe file %1 is signed by %2, whose key was withdrawn. Have the recipe signed with a "
+                  "valid key.")
+            .arg(path, error.found);
+    case FileError::Kind::WrongSignature:
+        return tr("The recipe file %1 does not match the signature of %2: it was changed, or another key "
+                  "signed it. Ask for a new copy.")
+            .arg(path, error.found);
     }
     return {};
 }

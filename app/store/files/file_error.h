@@ -22,6 +22,9 @@ struct FileError {
         NotAChoice, // `expected` lists the choices
         TooLong,    // `expected` is the maximum number of bytes
         RepeatedKey,
+        UnknownSigner,   // `found` is the signer
+        WithdrawnSigner, // the same
+        WrongSignature,  // the same
     };
 
     Kind kind = Kind::NotFound;

@@ -11,6 +11,28 @@
 
 namespace campanel::store {
 
+namespace {
+
+RecipeOffer offeredRecipe(const QFileInfo& file, const Place& place, const QList<SignerKey>& keys)
+{
+    const QString path = file.filePath();
+    RecipeOffer offer{path, place.name, file.lastModified(), tl::unexpected(FileError{})};
+    const auto bytes = readBytes(path);
+    if (!bytes) {
+        offer.recipe = tl::unexpected(bytes.error());
+    } else if (!isSignedRecipe(*bytes)) {
+        offer.recipe = fromJson(*bytes, path);
+    } else if (const auto valid = verifyRecipe(*bytes, path, keys)) {
+        offer.recipe = valid->recipe;
+        offer.signature = valid->signature;
+    } else {
+        offer.recipe = tl::unexpected(valid.error());
+    }
+    return offer;
+}
+
+} // namespace
+
 tl::expected<program::Recipe, FileError> readRecipe(const QString& path)
 {
     return readBytes(path).and_then([&path](const QByteArray& bytes) { return fromJson(bytes, path); });
@@ -27,14 +49,14 @@ tl::expected<void, FileError> writeRecipe(const program::Recipe& recipe, const Q
     return replaceBytes(path, toJson(recipe));
 }
 
-QList<RecipeOffer> offeredRecipes(const QList<Place>& places)
+QList<RecipeOffer> offeredRecipes(const QList<Place>& places, const QString& keyFolder)
 {
     constexpr qsizetype maxFiles = 200; // in one place
+    const QList<SignerKey> keys = signerKeys(keyFolder);
     QList<RecipeOffer> offers;
     for (const Place& place : places) {
         for (const QFileInfo& file : filesIn(place, QStringLiteral("json"), maxFiles))
-            offers << RecipeOffer{file.filePath(), place.name, file.lastModified(),
-                                  readRecipe(file.filePath())};
+            offers << offeredRecipe(file, place, keys);
     }
     std::ranges::stable_sort(offers, std::ranges::greater(), &RecipeOffer::changed);
     return offers;

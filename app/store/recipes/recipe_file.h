@@ -5,6 +5,7 @@
 
 #include "app/store/files/exchange_places.h"
 #include "app/store/recipes/recipe_json.h"
+#include "app/store/recipes/signed_recipe.h"
 
 #include <QDateTime>
 
@@ -15,15 +16,16 @@ namespace campanel::store {
 // Creates the folder when it is missing. After an error the file is unchanged.
 [[nodiscard]] tl::expected<void, FileError> writeRecipe(const program::Recipe& recipe, const QString& path);
 
-// Returns the path of the copy that writeRecipe() makes of the last good file.
 struct RecipeOffer {
     QString path;
     QString placeName;
     QDateTime changed;
     tl::expected<program::Recipe, FileError> recipe;
+    std::optional<RecipeSignature> signature{}; // of a signed recipe that is valid
 };
 
-// Returns the JSON files of the places, newest first. Waits for the disk.
-[[nodiscard]] QList<RecipeOffer> offeredRecipes(const QList<Place>& places);
+// Returns the JSON files of the places, newest first. Signatures are checked with the keys in a folder. Waits
+// for the disk.
+[[nodiscard]] QList<RecipeOffer> offeredRecipes(const QList<Place>& places, const QString& keyFolder);
 
 } // namespace campanel::store

@@ -2,6 +2,7 @@
 // The torque on Run: read while it is watched, compared at full speed only, and what is missing said.
 #include "app/panel/kit/format.h"
 #include "profile/cam/point_cam.h"
+#include "profile/segments/segment_cam.h"
 #include "tests/app/panel/panel_rig.h"
 #include "tests/support/test_program.h"
 
@@ -17,10 +18,10 @@ using test::PanelRig;
 
 namespace {
 
-// A point cam whose axis needs 20 kg cm^2 x acceleration + 0.25 Nm of 2.4 Nm.
-program::Recipe camRecipe()
+// A cam whose axis needs 20 kg cm^2 x acceleration + 0.25 Nm of 2.4 Nm.
+program::Recipe camRecipe(profile::ProgramKind kind = profile::ProgramKind::PointCam)
 {
-    program::Recipe recipe = program::defaultRecipe(profile::ProgramKind::PointCam);
+    program::Recipe recipe = program::defaultRecipe(kind);
     recipe.machine.inertiaKgCm2 = 20;
     recipe.machine.frictionNm = 0.25;
     recipe.machine.ratedTorqueNm = 2.4;
@@ -117,6 +118,28 @@ private slots:
         rig.read(900, 9000);
         QVERIFY(std::isnan(rig.torque.predictedPercent()));
         QCOMPARE(rig.torque.measuredPercent(), 90.0);
+    }
+
+    void followsASegmentCamBackward()
+    {
+        program::Recipe recipe = camRecipe(profile::ProgramKind::SegmentCam);
+        auto& cam = std::get<profile::SegmentCamProgram>(recipe.program);
+        cam.masterRateRevPerMin = -60;
+        RunningRig rig(recipe);
+        answer(rig, 300, 0);
+        const profile::MotionProfile forward = profile::forwardMotion(cam);
+        for (const int angleDeg : {20, 150, 200, 330}) {
+            rig.read(300, 100 * angleDeg);
+            const profile::MotionPoint point = forward.at(forward.durationS() * angleDeg / 360);
+            const double expected =
+                100 * profile::axisLoad(recipe.machine).at(-point.velocityMmPerS, point.accelerationMmPerS2) /
+                2.4;
+            QVERIFY2(std::abs(rig.torque.predictedPercent() - expected) < 1e-9,
+                     qPrintable(QStringLiteral("%1 deg: %2 instead of %3")
+                                    .arg(angleDeg)
+                                    .arg(rig.torque.predictedPercent())
+                                    .arg(expected)));
+        }
     }
 
     void saysWhatIsMissing()

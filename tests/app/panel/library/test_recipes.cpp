@@ -6,7 +6,9 @@
 #include "app/store/recipes/recipe_json.h"
 #include "tests/support/test_program.h"
 
+#include <QDir>
 #include <QFile>
+#include <QFileInfo>
 #include <QSignalSpy>
 #include <QTest>
 
@@ -343,6 +345,72 @@ private slots:
         QVERIFY(rig.recipes.message().contains(QStringLiteral("version 7")));
         rig.recipes.open();
         QCOMPARE(rig.editor.recipe().machine.knifeRadiusMm, 60.0); // from this machine
+    }
+
+    // What somebody has signed needs no technician, but must be newer, of the same kind, and feasible here.
+    void importsWhatIsSigned()
+    {
+        RecipesRig rig;
+        const auto key = store::newSigningKey(QStringLiteral("Plant")).value();
+        const auto put = [&rig](const QString& name, const QByteArray& bytes) {
+            QVERIFY(QDir().mkpath(QFileInfo(rig.folder.filePath(name)).path()));
+            QFile file(rig.folder.filePath(name));
+            QVERIFY(file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size());
+        };
+        put(QStringLiteral("keys/plant.json"), store::publicKeyFile(key));
+        rig.recipes.files()->setKeyFolder(rig.folder.filePath(QStringLiteral("keys")));
+        QSignalSpy noted(&rig.recipes, &Recipes::noted);
+        const auto offer = [&](const program::Recipe& recipe) {
+            const auto before = noted.count();
+            put(QStringLiteral("recipes/offer.json"), store::signRecipe(recipe, 1'790'000'000'000, 1, key));
+            rig.recipes.files()->scan();
+            if (!QTest::qWaitFor([&] { return !rig.recipes.files()->busy(); }))
+                qFatal("the folder was not searched");
+            const OfferRow row = rig.recipes.files()->files()->rows().value(0);
+            rig.recipes.files()->take(0);
+            if (row.usable && !QTest::qWaitFor([&] { return noted.count() > before; }))
+                qFatal("the offer was not imported");
+            return row;
+        };
+        program::Recipe recipe = rig.editor.storedRecipe();
+        recipe.version = 8;
+        program::setValue(recipe, profile::Field::BagLength, 240);
+        rig.machine.accessCheck().setLevel(Level::Operator);
+        OfferRow row = offer(recipe);
+        QVERIFY2(row.usable && row.note.contains(QStringLiteral("signed by Plant")), qPrintable(row.note));
+        QVERIFY2(row.detail.contains(QStringLiteral("version 8")) &&
+                     row.detail.contains(QStringLiteral("250.0 mm to 240.0 mm")),
+                 qPrintable(row.detail));
+        QTRY_COMPARE(rig.names(), QStringList{QStringLiteral("Biscuit 250 v8")});
+        QCOMPARE(noted.last().first().value<store::AuditEntry>().readBack,
+                 QStringLiteral("version 8, signed by Plant"));
+
+        const auto imports = noted.count();
+        recipe.version = 7; // a replay of an older offer
+        row = offer(recipe);
+        QVERIFY2(!row.usable && row.detail.contains(QStringLiteral("older version")), qPrintable(row.detail));
+        recipe.version = 9;
+        program::setValue(recipe, profile::Field::Rate, 590);
+        row = offer(recipe);
+        QVERIFY2(!row.usable && row.detail.contains(QStringLiteral("cannot run the recipe")),
+                 qPrintable(row.detail));
+        program::Recipe move = rig.editor.newRecipe(profile::ProgramKind::PositionMove);
+        move.name = recipe.name;
+        move.version = 9;
+        row = offer(move);
+        QVERIFY2(!row.usable && row.detail.contains(QStringLiteral("Rename")), qPrintable(row.detail));
+        QCOMPARE(noted.count(), imports);
+
+        rig.machine.accessCheck().setLevel(Level::Viewer);
+        QSignalSpy refused(&rig.machine.accessCheck(), &AccessCheck::refused);
+        recipe = rig.editor.storedRecipe();
+        recipe.version = 10;
+        put(QStringLiteral("recipes/offer.json"), store::signRecipe(recipe, 1'790'000'000'000, 1, key));
+        rig.recipes.files()->scan();
+        QTRY_VERIFY(!rig.recipes.files()->busy());
+        rig.recipes.files()->take(0);
+        QCOMPARE(refused.count(), 1);
+        QCOMPARE(refused.last().first().value<Level>(), Level::Operator);
     }
 
     void exportsWhatCanBeImported()

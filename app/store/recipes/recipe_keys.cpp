@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/store/recipes/recipe_keys.h"
+
+#include "app/store/files/files.h"
+#include "app/store/files/store_logging.h"
+
+#include <QDir>
+#include <QJsonDocument>
+#include <QJsonObject>
+
+#include <sodium.h>
+
+#include <algorithm>
+
+using namespace Qt::StringLiterals;
+
+namespace campanel::store {
+
+namespace {
+
+const QString secretFormat = u"campanel-secret-key"_s;
+const QString publicFormat = u"campanel-public-key"_s;
+
+const unsigned char* bytesOf(const QByteArray& bytes)
+{
+    return reinterpret_cast<const unsigned char*>(bytes.constData());
+}
+
+unsigned char* bytesOf(QByteArray& bytes)
+{
+    return reinterpret_cast<unsigned char*>(bytes.data());
+}
+
+QByteArray keyFile(const QString& format, const QString& name, const QByteArray& key)
+{
+    return QJsonDocument(QJsonObject{{u"format"_s, format},
+                                     {u"name"_s, name},
+                                     {u"key"_s, QString::fromLatin1(key.toBase64())}})
+        .toJson();
+}
+
+struct KeyInFile {
+    QString name;
+    QByteArray key;
+    bool isWithdrawn = false;
+};
+
+std::optional<KeyInFile> keyIn(const QByteArray& file, const QString& format, qsizetype size)
+{
+    const QJsonObject root = QJsonDocument::fromJson(file).object();
+    const auto key = QByteArray::fromBase64Encoding(root.value(u"key"_s).toString().toLatin1());
+    const QJsonValue withdrawn = root.value(u"withdrawn"_s);
+    KeyInFile found{root.value(u"name"_s).toString(), key ? *key : QByteArray(), withdrawn.toBool()};
+    const bool isKey = root.value(u"format"_s).toString() == format && isSignerName(found.name) &&
+                       found.key.size() == size && (withdrawn.isUndefined() || withdrawn.isBool());
+    return isKey ? std::optional(found) : std::nullopt;
+}
+
+} // namespace
+
+bool isSignerName(const QString& name)
+{
+    constexpr qsizetype longest = 64;
+    return !name.trimmed().isEmpty() && name.size() <= longest &&
+           std::ranges::none_of(name, [](QChar letter) { return letter.category() == QChar::Other_Control; });
+}
+
+std::optional<SigningKey> newSigningKey(const QString& name)
+{
+    if (sodium_init() < 0)
+        return std::nullopt;
+    QByteArray publicKey(crypto_sign_PUBLICKEYBYTES, '\0');
+    SigningKey key{name, QByteArray(crypto_sign_SECRETKEYBYTES, '\0')};
+    crypto_sign_keypair(bytesOf(publicKey), bytesOf(key.secret));
+    return key;
+}
+
+QByteArray secretKeyFile(const SigningKey& key)
+{
+    return keyFile(secretFormat, key.name, key.secret);
+}
+
+QByteArray publicKeyFile(const SigningKey& key)
+{
+    QByteArray publicKey(crypto_sign_PUBLICKEYBYTES, '\0');
+    crypto_sign_ed25519_sk_to_pk(bytesOf(publicKey), bytesOf(key.secret));
+    return keyFile(publicFormat, key.name, publicKey);
+}
+
+std::optional<SigningKey> secretKeyIn(const QByteArray& file)
+{
+    const auto found = keyIn(file, secretFormat, crypto_sign_SECRETKEYBYTES);
+    return found ? std::optional(SigningKey{found->name, found->key}) : std::nullopt;
+}
+
+std::optional<SignerKey> publicKeyIn(const QByteArray& file)
+{
+    const auto found = keyIn(file, publicFormat, crypto_sign_PUBLICKEYBYTES);
+    return found ? std::optional(SignerKey{found->name, found->key, found->isWithdrawn}) : std::nullopt;
+}
+
+QList<SignerKey> signerKeys(const QString& folder)
+{
+    QList<SignerKey> keys;
+    const QFileInfoList files = QDir(folder).entryInfoList({u"*.json"_s}, QDir::Files, QDir::Name);
+    for (const QFileInfo& file : files) {
+        const auto bytes = readBytes(file.filePath());
+        const auto key = bytes ? publicKeyIn(*bytes) : std::nullopt;
+        if (key)
+            keys << *key;
+        else
+            qCWarning(storeLog) << file.filePath() << "is no public key of a signer; it is ignored";
+    }
+    return keys;
+}
+
+QByteArray signatureOf(const QByteArray& text, const SigningKey& key)
+{
+    QByteArray signature(crypto_sign_BYTES, '\0');
+    crypto_sign_detached(bytesOf(signature), nullptr, bytesOf(text),
+                         static_cast<unsigned long long>(text.size()), bytesOf(key.secret));
+    return signature;
+}
+
+bool isSignedBy(const SignerKey& key, const QByteArray& text, const QByteArray& signature)
+{
+    return signature.size() == crypto_sign_BYTES &&
+           crypto_sign_verify_detached(bytesOf(signature), bytesOf(text),
+                                       static_cast<unsigned long long>(text.size()),
+                                       bytesOf(key.publicKey)) == 0;
+}
+
+} // namespace campanel::store

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+// Keys of people who sign recipes: Ed25519 by libsodium, each key in a JSON file of its own.
+#pragma once
+
+#include <QByteArray>
+#include <QList>
+#include <QString>
+
+#include <optional>
+
+namespace campanel::store {
+
+// The secret key of a signer; it stays with the signer.
+struct SigningKey {
+    QString name;
+    QByteArray secret; // 64 bytes
+};
+
+// The public key of a signer, which a panel trusts.
+struct SignerKey {
+    QString name;
+    QByteArray publicKey; // 32 bytes
+    bool isWithdrawn = false;
+};
+
+// Returns true for a name that a signature can carry: 1 to 64 characters without control characters.
+[[nodiscard]] bool isSignerName(const QString& name);
+// Creates a key from random numbers of the system; empty when there are none.
+[[nodiscard]] std::optional<SigningKey> newSigningKey(const QString& name);
+
+// Return the files of a key.
+[[nodiscard]] QByteArray secretKeyFile(const SigningKey& key);
+[[nodiscard]] QByteArray publicKeyFile(const SigningKey& key);
+// Read a file of a key; empty when it is none.
+[[nodiscard]] std::optional<SigningKey> secretKeyIn(const QByteArray& file);
+[[nodiscard]] std::optional<SignerKey> publicKeyIn(const QByteArray& file);
+
+// Reads the public keys in a folder. A file that is no public key is logged and left out.
+[[nodiscard]] QList<SignerKey> signerKeys(const QString& folder);
+
+// Returns the signature of a text, 64 bytes.
+[[nodiscard]] QByteArray signatureOf(const QByteArray& text, const SigningKey& key);
+[[nodiscard]] bool isSignedBy(const SignerKey& key, const QByteArray& text, const QByteArray& signature);
+
+} // namespace campanel::store
