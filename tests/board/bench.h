@@ -1,0 +1,47 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/* The core with the whole-number machine on a bench, in C and in whole numbers, so that host and target do
+ * the same: programs of every kind, installed over the registers as a panel does it. */
+#ifndef BOARD_BENCH_H
+#define BOARD_BENCH_H
+
+#include "machine/whole_machine.h"
+
+/* host.c or target.c: prints; returns the instructions carried out so far, 0 on the host. */
+void bench_print(const char* text);
+uint32_t bench_counter(void);
+/* Runs with the number of the command line; returns 0 when all went well. */
+int bench_run(uint32_t number);
+
+void bench_print_number(const char* before, uint32_t number, const char* behind);
+void bench_print_hex(const char* before, uint32_t number, const char* behind);
+
+typedef struct {
+    const char* name;
+    uint16_t kind;
+    uint32_t (*build)(uint16_t* registers); /* returns the length */
+} bench_case;
+
+extern const bench_case bench_cases[];
+extern const uint32_t bench_case_count;
+
+typedef struct {
+    ctl_core core;
+    whole_machine machine;
+    uint64_t now_us;
+    uint16_t counter; /* of the last command */
+} bench;
+
+/* Powers up on a machine of everything that goes wrong, with marks, anti-cut, empty bags and eight cam
+ * switches on. */
+void bench_power_up(bench* self);
+/* Calls the core for the next slice. */
+void bench_slice(bench* self, uint32_t slice_us);
+/* Downloads, seals and applies at standstill; returns 0 or the result of the transfer or the refusal. */
+uint16_t bench_install(bench* self, const bench_case* program);
+/* Returns the refusal. */
+uint16_t bench_command(bench* self, uint16_t code, uint16_t argument0, uint16_t argument1,
+                       uint32_t argument2);
+/* Carries out one request of the line; returns the size of the answer, which stays in `frame`. */
+size_t bench_exchange(bench* self, uint8_t* frame, size_t size);
+
+#endif
