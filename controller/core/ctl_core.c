@@ -54,6 +54,16 @@ static void slice(ctl_core* core, uint32_t ticks)
     ctl_io_slice(&core->io, motion);
 }
 
+/* Timer ticks of so many microseconds; what is left of one is kept. */
+static uint32_t ticks_of(ctl_core* core, uint32_t slice_us)
+{
+    const uint64_t sum = (uint64_t)slice_us * core->board.config.timer_clock_hz + core->tick_rest;
+    /* The shorter division where it does: up to half a millisecond at 8 MHz. */
+    const uint32_t ticks = sum <= UINT32_MAX ? (uint32_t)sum / US_PER_S : (uint32_t)(sum / US_PER_S);
+    core->tick_rest = (uint32_t)(sum - (uint64_t)ticks * US_PER_S);
+    return ticks;
+}
+
 void ctl_tick(ctl_core* core, uint64_t now_us)
 {
     ctl_board* board = &core->board;
@@ -62,9 +72,7 @@ void ctl_tick(ctl_core* core, uint64_t now_us)
         const uint32_t slice_us = left < board->config.slice_us ? (uint32_t)left : board->config.slice_us;
         board->now_us += slice_us;
         board->catching_up = board->now_us < now_us;
-        const uint64_t sum = (uint64_t)slice_us * board->config.timer_clock_hz + core->tick_rest;
-        core->tick_rest = (uint32_t)(sum % US_PER_S);
-        slice(core, (uint32_t)(sum / US_PER_S));
+        slice(core, ticks_of(core, slice_us));
     }
     ctl_receive_silence(core, now_us);
 }

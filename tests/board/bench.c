@@ -110,11 +110,52 @@ void bench_power_up(bench* self)
     turn_everything_on(self);
 }
 
+static uint32_t larger(uint32_t one, uint32_t other)
+{
+    return one > other ? one : other;
+}
+
 void bench_slice(bench* self, uint32_t slice_us)
 {
     self->now_us += slice_us;
+    const uint32_t from = bench_counter();
     ctl_tick(&self->core, self->now_us);
+    self->slice_cost = bench_counter() - from;
+    self->max_slice_cost = larger(self->max_slice_cost, self->slice_cost);
     whole_machine_follow(&self->machine, &self->core);
+}
+
+size_t bench_exchange(bench* self, uint8_t* frame, size_t size)
+{
+    const uint16_t crc = ctl_crc16(frame, size);
+    frame[size] = (uint8_t)(crc & 0xFFu);
+    frame[size + 1u] = (uint8_t)(crc >> 8);
+    const uint32_t from = bench_counter();
+    ctl_receive(&self->core, frame, size + 2u, self->now_us);
+    ctl_receive_silence(&self->core, self->now_us + 1u);
+    const size_t answered = ctl_take_answer(&self->core, frame);
+    self->request_cost = bench_counter() - from;
+    self->max_request_cost = larger(self->max_request_cost, self->request_cost);
+    return answered;
+}
+
+uint16_t bench_write_read(bench* self, uint16_t address, const uint16_t* values, uint16_t count,
+                          uint16_t read_address, uint16_t* read, uint16_t read_count)
+{
+    uint8_t frame[CTL_FRAME_BYTES] = {1, 23};
+    ctl_put_bytes16(&frame[2], read_address);
+    ctl_put_bytes16(&frame[4], read_count);
+    ctl_put_bytes16(&frame[6], address);
+    ctl_put_bytes16(&frame[8], count);
+    frame[10] = (uint8_t)(2u * count);
+    for (uint32_t i = 0; i < count; ++i)
+        ctl_put_bytes16(&frame[11u + 2u * i], values[i]);
+    (void)bench_exchange(self, frame, 11u + 2u * count);
+    if (frame[1] != 23)
+        return frame[2];
+    for (uint32_t i = 0; i < read_count; ++i)
+        read[i] = ctl_get_bytes16(&frame[3u + 2u * i]);
+    return 0;
 }
 
 uint16_t bench_command(bench* self, uint16_t code, uint16_t argument0, uint16_t argument1, uint32_t argument2)
@@ -122,9 +163,9 @@ uint16_t bench_command(bench* self, uint16_t code, uint16_t argument0, uint16_t 
     uint16_t request[CTL_GROUP_COMMAND] = {++self->counter, code, argument0, argument1};
     uint16_t result[CTL_GROUP_RESULT] = {0};
     ctl_put32(&request[4], argument2);
-    (void)ctl_map_write(&self->core, CTL_REG_COMMAND_COUNTER, request, CTL_GROUP_COMMAND);
     for (uint32_t i = 0; i < PATIENCE_SLICES; ++i) {
-        (void)ctl_map_read(&self->core, CTL_REG_RESULT_COUNTER, result, CTL_GROUP_RESULT);
+        (void)bench_write_read(self, CTL_REG_COMMAND_COUNTER, request, CTL_GROUP_COMMAND,
+                               CTL_REG_RESULT_COUNTER, result, CTL_GROUP_RESULT);
         if (result[0] == self->counter)
             break;
         bench_slice(self, CTL_SLICE_US);
@@ -135,19 +176,20 @@ uint16_t bench_command(bench* self, uint16_t code, uint16_t argument0, uint16_t 
 static uint16_t transfer(bench* self, uint16_t operation, uint16_t block, const uint16_t* data, uint16_t size)
 {
     uint16_t request[CTL_GROUP_TRANSFER] = {SESSION, operation, block, size};
-    uint16_t result[CTL_GROUP_TRANSFER_RESULT];
+    uint16_t result[CTL_GROUP_TRANSFER_RESULT] = {0};
     if (size != 0)
         memcpy(&request[4], data, size * sizeof request[0]);
-    (void)ctl_map_write(&self->core, CTL_REG_TRANSFER_SESSION, request, 4u + size);
-    (void)ctl_map_read(&self->core, CTL_REG_TRANSFER_RESULT_SESSION, result, CTL_GROUP_TRANSFER_RESULT);
+    (void)bench_write_read(self, CTL_REG_TRANSFER_SESSION, request, (uint16_t)(4u + size),
+                           CTL_REG_TRANSFER_RESULT_SESSION, result, CTL_GROUP_TRANSFER_RESULT);
     return result[3];
 }
 
-uint16_t bench_install(bench* self, const bench_case* program)
+uint16_t bench_download(bench* self, const bench_case* program, uint32_t* crc)
 {
     static uint16_t registers[CTL_BANK_REGISTERS]; /* as the panel holds it */
     const uint16_t length = (uint16_t)program->build(registers);
     const uint16_t announced[3] = {program->kind, length, CTL_MAP_MAJOR};
+    *crc = ~ctl_crc32_registers(CTL_CRC32_START, registers, length);
     uint16_t result = transfer(self, CTL_TRANSFER_OPERATION_BEGIN, 0, announced, 3);
     for (uint16_t first = 0; result == CTL_TRANSFER_RESULT_ACCEPTED && first < length;
          first += CTL_BLOCK_REGISTERS) {
@@ -155,24 +197,24 @@ uint16_t bench_install(bench* self, const bench_case* program)
         result =
             transfer(self, CTL_TRANSFER_OPERATION_BLOCK, (uint16_t)(first / CTL_BLOCK_REGISTERS),
                      &registers[first], left < CTL_BLOCK_REGISTERS ? left : (uint16_t)CTL_BLOCK_REGISTERS);
+        bench_slice(self, CTL_SLICE_US);
     }
-    if (result == CTL_TRANSFER_RESULT_ACCEPTED)
-        result = transfer(self, CTL_TRANSFER_OPERATION_SEAL, 0, NULL, 0);
     if (result != CTL_TRANSFER_RESULT_ACCEPTED)
         return result;
-    const uint32_t crc = ~ctl_crc32_registers(CTL_CRC32_START, registers, length);
-    const uint16_t refusal =
-        bench_command(self, CTL_COMMAND_APPLY_STAGED, CTL_APPLY_MODE_WHEN_STOPPED, SESSION, crc);
+    return transfer(self, CTL_TRANSFER_OPERATION_SEAL, 0, NULL, 0);
+}
+
+uint16_t bench_apply(bench* self, uint16_t mode, uint32_t crc)
+{
+    const uint16_t refusal = bench_command(self, CTL_COMMAND_APPLY_STAGED, mode, SESSION, crc);
     whole_machine_follow(&self->machine, &self->core);
     return refusal;
 }
 
-size_t bench_exchange(bench* self, uint8_t* frame, size_t size)
+uint16_t bench_install(bench* self, const bench_case* program)
 {
-    const uint16_t crc = ctl_crc16(frame, size);
-    frame[size] = (uint8_t)(crc & 0xFFu);
-    frame[size + 1u] = (uint8_t)(crc >> 8);
-    ctl_receive(&self->core, frame, size + 2u, self->now_us);
-    ctl_receive_silence(&self->core, self->now_us + 1u);
-    return ctl_take_answer(&self->core, frame);
+    uint32_t crc = 0;
+    const uint16_t result = bench_download(self, program, &crc);
+    return result != CTL_TRANSFER_RESULT_ACCEPTED ? result
+                                                  : bench_apply(self, CTL_APPLY_MODE_WHEN_STOPPED, crc);
 }

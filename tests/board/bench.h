@@ -28,7 +28,11 @@ typedef struct {
     ctl_core core;
     whole_machine machine;
     uint64_t now_us;
-    uint16_t counter; /* of the last command */
+    uint16_t counter;        /* of the last command */
+    uint32_t slice_cost;     /* instructions of the last slice */
+    uint32_t request_cost;   /* of the last request */
+    uint32_t max_slice_cost; /* since they were set to 0 */
+    uint32_t max_request_cost;
 } bench;
 
 /* Powers up on a machine of everything that goes wrong, with marks, anti-cut, empty bags and eight cam
@@ -36,12 +40,20 @@ typedef struct {
 void bench_power_up(bench* self);
 /* Calls the core for the next slice. */
 void bench_slice(bench* self, uint32_t slice_us);
-/* Downloads, seals and applies at standstill; returns 0 or the result of the transfer or the refusal. */
+/* Downloads and seals; returns the result of the transfer and the bank's CRC-32. */
+uint16_t bench_download(bench* self, const bench_case* program, uint32_t* crc);
+/* Applies it; returns the refusal. */
+uint16_t bench_apply(bench* self, uint16_t mode, uint32_t crc);
+/* Does all of it at standstill; returns 0, or the result of the transfer or the refusal. */
 uint16_t bench_install(bench* self, const bench_case* program);
 /* Returns the refusal. */
 uint16_t bench_command(bench* self, uint16_t code, uint16_t argument0, uint16_t argument1,
                        uint32_t argument2);
-/* Carries out one request of the line; returns the size of the answer, which stays in `frame`. */
+/* Carries out one request of the line, `size` bytes without CRC-16; returns the size of the answer, which
+ * stays in `frame`. */
 size_t bench_exchange(bench* self, uint8_t* frame, size_t size);
+/* Writes registers and reads others in one request; returns 0 or the exception. */
+uint16_t bench_write_read(bench* self, uint16_t address, const uint16_t* values, uint16_t count,
+                          uint16_t read_address, uint16_t* read, uint16_t read_count);
 
 #endif

@@ -61,8 +61,10 @@ static bool every(uint32_t number, uint32_t period)
 }
 
 /* Where the edge of the next product is that comes to the eye. */
-static int64_t next_edge(const whole_line* line)
+static int64_t next_edge(whole_line* line)
 {
+    while (!line->covered && every(line->number, line->disturbance.missing_every))
+        line->number += 1;
     int64_t place = line->first_product + line->flight * line->number;
     if (every(line->number, line->disturbance.misplaced_every))
         place += line->flight * MISPLACED_SHARE / 100;
@@ -74,16 +76,14 @@ static bool take_edge(void* context, int64_t* infeed_at_edge, bool* covered)
     whole_line* line = line_of(context);
     if (!line->has_knife)
         return false;
-    while (!line->covered && every(line->number, line->disturbance.missing_every))
-        line->number += 1;
-    const int64_t edge = next_edge(line);
-    if (edge > line->infeed * CTL_FINE)
+    if (line->edge > line->infeed * CTL_FINE)
         return false;
     line->covered = !line->covered;
     if (!line->covered)
         line->number += 1;
-    *infeed_at_edge = edge;
+    *infeed_at_edge = line->edge;
     *covered = line->covered;
+    line->edge = next_edge(line);
     return true;
 }
 
@@ -139,6 +139,7 @@ static void set_up_infeed(whole_line* line, const ctl_core* core, uint32_t angle
     line->first_product = place + (whole_floor(here - place, line->flight) + 1) * line->flight;
     line->number = 0;
     line->covered = false;
+    line->edge = next_edge(line);
 }
 
 void whole_line_set_up(whole_line* line, const ctl_core* core, int64_t mark)

@@ -29,6 +29,7 @@ typedef struct {
     int64_t product; /* length of a product on it */
     int64_t first_product;
     uint32_t number; /* of the next product */
+    int64_t edge;    /* of it, that comes to the eye next */
     bool covered;
     uint64_t stroke; /* pulses of the main drive from knife to knife, times parts */
     uint32_t parts;

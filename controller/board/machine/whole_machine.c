@@ -49,11 +49,15 @@ static int64_t behind_mark(const whole_machine* machine)
 
 static uint16_t inputs(void* context)
 {
-    const whole_machine* machine = context;
-    uint32_t levels = whole_line_inputs(&machine->line);
+    return ((const whole_machine*)context)->inputs;
+}
+
+static uint16_t levels(const whole_machine* machine)
+{
+    uint32_t bits = whole_line_inputs(&machine->line);
     if (!machine->has_press && behind_mark(machine) < (int64_t)machine->turn / INDEX_SHARE)
-        levels |= 1u << CTL_INPUT_BIT_INDEX_MARK;
-    return (uint16_t)levels;
+        bits |= 1u << CTL_INPUT_BIT_INDEX_MARK;
+    return (uint16_t)bits;
 }
 
 static void outputs(void* context, uint16_t levels)
@@ -139,4 +143,5 @@ void whole_machine_follow(whole_machine* machine, ctl_core* core)
         pass_index(machine);
     whole_line_follow(&machine->line, core, machine->before, machine->position);
     machine->before = machine->position;
+    machine->inputs = levels(machine);
 }

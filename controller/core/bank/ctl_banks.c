@@ -29,10 +29,10 @@ bool ctl_banks_check(ctl_banks* banks)
         return false;
     if (banks->check_position == 0)
         banks->check_crc = CTL_CRC32_START;
-    for (uint32_t i = 0; i < CHECKED_PER_SLICE && banks->check_position < length; ++i) {
-        banks->check_crc = ctl_crc32_registers(banks->check_crc, &bank->registers[banks->check_position], 1);
-        banks->check_position += 1;
-    }
+    const uint32_t left = length - banks->check_position;
+    const uint32_t part = left < CHECKED_PER_SLICE ? left : CHECKED_PER_SLICE;
+    banks->check_crc = ctl_crc32_registers(banks->check_crc, &bank->registers[banks->check_position], part);
+    banks->check_position += part;
     if (banks->check_position < length)
         return true;
     banks->check_position = 0;

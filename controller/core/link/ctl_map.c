@@ -198,6 +198,8 @@ uint8_t ctl_map_write(ctl_core* core, uint32_t address, const uint16_t* values, 
     if (!ctl_within_limits(changed, ranges[group].base, ranges[group].count))
         return CTL_ILLEGAL_VALUE;
     memcpy(target, changed, ranges[group].count * sizeof changed[0]);
+    if (group == GROUP_PARAMETER)
+        core->board.parameter_writes += 1;
     act(core, address, count);
     return 0;
 }
