@@ -1314,6 +1314,10 @@
         <translation>之前的更改仍在等待周期结束。请先取消该更改。</translation>
     </message>
     <message>
+        <source>The controller has not finished checking or saving a table. Download again.</source>
+        <translation>控制器尚未完成表格的检查或保存。请重新下载。</translation>
+    </message>
+    <message>
         <source>At standstill</source>
         <translation>静止</translation>
     </message>

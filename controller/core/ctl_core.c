@@ -3,6 +3,7 @@
 
 #include "link/ctl_function.h"
 #include "link/ctl_map.h"
+#include "link/ctl_work.h"
 
 #include <string.h>
 
@@ -52,6 +53,7 @@ static void slice(ctl_core* core, uint32_t ticks)
     if (core->banks.has_active && motion->state != CTL_STATE_FAULT && !ctl_banks_check(&core->banks))
         ctl_motion_fault(motion, CTL_FAULT_BIT_ACTIVE_TABLE_DAMAGED);
     ctl_io_slice(&core->io, motion);
+    ctl_work_slice(core);
 }
 
 /* Timer ticks of so many microseconds; what is left of one is kept. */

@@ -14,6 +14,8 @@ namespace {
 
 // The maximum number of starts: the download of another panel would alternate with this one endlessly.
 constexpr int maxBeginnings = 20;
+// The maximum time for checking or saving in pieces.
+constexpr std::chrono::seconds longestBusy{10};
 
 bool isWithoutSession(TransferResult result)
 {
@@ -97,6 +99,20 @@ bool Download::beginAgain()
     return true;
 }
 
+// A slow controller checks a table in pieces, and takes no other one while it saves: the step is repeated.
+// Returns false when that takes too long.
+bool Download::isStillBusy(const TransferAnswer& answer)
+{
+    if (answer.result != TransferResult::Busy) {
+        m_busySince.reset();
+        return false;
+    }
+    const auto now = std::chrono::steady_clock::now();
+    if (!m_busySince)
+        m_busySince = now;
+    return now - *m_busySince < longestBusy;
+}
+
 Download::Step Download::linkFailed(const LinkError& error)
 {
     DownloadError failure;
@@ -154,6 +170,8 @@ Download::Step Download::begin(RtuClient& client)
     const auto answer = client.transfer({m_options.session, TransferOperation::Begin, 0, announced});
     if (!answer)
         return linkFailed(answer.error());
+    if (isStillBusy(*answer))
+        return m_phase;
     if (!answer->accepted())
         return refused(*answer);
     m_nextBlock = 0;
@@ -207,6 +225,8 @@ Download::Step Download::seal(RtuClient& client)
         return m_phase;
     }
     if (isWithoutSession(answer->result) && beginAgain())
+        return m_phase;
+    if (isStillBusy(*answer))
         return m_phase;
     if (!answer->accepted())
         return refused(*answer);

@@ -8,6 +8,7 @@
 #include "modbus/download/bank_reader.h"
 #include "modbus/line/rtu_client.h"
 
+#include <chrono>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -95,6 +96,7 @@ private:
     [[nodiscard]] Step fail(DownloadError error);
     [[nodiscard]] Step refused(const TransferAnswer& answer);
     [[nodiscard]] bool beginAgain();
+    [[nodiscard]] bool isStillBusy(const TransferAnswer& answer);
     [[nodiscard]] static Step linkFailed(const LinkError& error);
     [[nodiscard]] std::uint16_t blockCount() const;
 
@@ -112,6 +114,7 @@ private:
     bool m_applySent = false;
     int m_beginnings = 0; // number of starts after the controller had lost the session
     bool m_isMismatchKnown = false;
+    std::optional<std::chrono::steady_clock::time_point> m_busySince;
 };
 
 } // namespace campanel::modbus

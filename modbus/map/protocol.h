@@ -15,7 +15,7 @@ inline constexpr std::uint16_t deviceType = 0xCA3D;
 // The major version of the register map. A panel refuses a controller with another one; a higher minor
 // version only adds registers.
 inline constexpr std::uint16_t mapMajor = 1;
-inline constexpr std::uint16_t mapMinor = 3;
+inline constexpr std::uint16_t mapMinor = 4;
 
 enum class State : std::uint16_t { Idle = 0, Ready, Running, Stopping, Jogging, Homing, Fault };
 
@@ -80,7 +80,7 @@ enum class Command : std::uint16_t {
 
 enum class ApplyMode : std::uint16_t { WhenStopped = 0, NextCycle = 1 };
 
-enum class CommandStatus : std::uint16_t { None = 0, Done, Refused };
+enum class CommandStatus : std::uint16_t { None = 0, Done, Refused, Busy };
 
 enum class Refusal : std::uint16_t {
     None = 0,
@@ -134,6 +134,7 @@ enum class TransferResult : std::uint16_t {
     BadRow,
     BadSum,
     StateRefuses,
+    Busy,
 };
 
 // The bits of status.fault.

@@ -8,12 +8,15 @@
 #include <string.h>
 
 #define FLASH_BYTES 16384u
+#define ERASED_AT_A_TIME 128u
 #define SESSION 7u
 /* A seal or a save in pieces is over by then. */
 #define PATIENCE_SLICES 200000u
 
 /* The flash of the bench: one controller at a time, and too large for its stack. */
 static uint8_t flash[CTL_FLASH_SLOTS][FLASH_BYTES];
+static uint32_t erased_slot;
+static uint32_t erased = FLASH_BYTES;
 
 static bool flash_read(void* context, uint32_t slot, uint32_t offset, uint8_t* bytes, uint32_t size)
 {
@@ -25,8 +28,20 @@ static bool flash_read(void* context, uint32_t slot, uint32_t offset, uint8_t* b
 static bool flash_erase(void* context, uint32_t slot)
 {
     (void)context;
-    memset(flash[slot], 0xFF, FLASH_BYTES);
+    erased_slot = slot;
+    erased = 0;
     return true;
+}
+
+/* It erases by itself, a little whenever it is asked. */
+static ctl_flash_progress flash_progress(void* context)
+{
+    (void)context;
+    if (erased == FLASH_BYTES)
+        return CTL_FLASH_DONE;
+    memset(&flash[erased_slot][erased], 0xFF, ERASED_AT_A_TIME);
+    erased += ERASED_AT_A_TIME;
+    return CTL_FLASH_BUSY;
 }
 
 static bool flash_write(void* context, uint32_t slot, uint32_t offset, const uint8_t* bytes, uint32_t size)
@@ -94,11 +109,14 @@ void bench_power_up(bench* self)
         .timer_clock_hz = 8000000,
         .timer_bits = 16,
         .max_pulse_hz = 200000,
+        .max_rows_per_slice = 16,
+        .work_registers = 48,
     };
     const whole_disturbance disturbance = {.stretch_ppm = 800, .missing_every = 7, .misplaced_every = 11};
     ctl_port port;
     memset(&port, 0, sizeof port);
     memset(flash, 0xFF, sizeof flash);
+    erased = FLASH_BYTES;
     self->now_us = 0;
     self->counter = 0;
     whole_machine_init(&self->machine, disturbance);
@@ -106,6 +124,7 @@ void bench_power_up(bench* self)
     port.flash_read = flash_read;
     port.flash_erase = flash_erase;
     port.flash_write = flash_write;
+    port.flash_progress = flash_progress;
     ctl_init(&self->core, &config, &port, 0);
     turn_everything_on(self);
 }
@@ -166,7 +185,7 @@ uint16_t bench_command(bench* self, uint16_t code, uint16_t argument0, uint16_t 
     for (uint32_t i = 0; i < PATIENCE_SLICES; ++i) {
         (void)bench_write_read(self, CTL_REG_COMMAND_COUNTER, request, CTL_GROUP_COMMAND,
                                CTL_REG_RESULT_COUNTER, result, CTL_GROUP_RESULT);
-        if (result[0] == self->counter)
+        if (result[2] != CTL_COMMAND_STATUS_BUSY)
             break;
         bench_slice(self, CTL_SLICE_US);
     }
@@ -201,7 +220,11 @@ uint16_t bench_download(bench* self, const bench_case* program, uint32_t* crc)
     }
     if (result != CTL_TRANSFER_RESULT_ACCEPTED)
         return result;
-    return transfer(self, CTL_TRANSFER_OPERATION_SEAL, 0, NULL, 0);
+    do {
+        result = transfer(self, CTL_TRANSFER_OPERATION_SEAL, 0, NULL, 0);
+        bench_slice(self, CTL_SLICE_US);
+    } while (result == CTL_TRANSFER_RESULT_BUSY);
+    return result;
 }
 
 uint16_t bench_apply(bench* self, uint16_t mode, uint32_t crc)

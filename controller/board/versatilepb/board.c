@@ -25,6 +25,8 @@ ctl_config board_config(void)
         .timer_clock_hz = 8000000,
         .timer_bits = 16,
         .max_pulse_hz = 200000,
+        .max_rows_per_slice = 16,
+        .work_registers = 48,
     };
 }
 

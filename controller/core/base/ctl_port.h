@@ -10,6 +10,8 @@
 #define CTL_FLASH_SLOTS 2u
 #define CTL_SLICE_US 250u
 
+typedef enum { CTL_FLASH_DONE, CTL_FLASH_BUSY, CTL_FLASH_FAILED } ctl_flash_progress;
+
 typedef struct {
     void* context; /* given back to every callback */
 
@@ -50,6 +52,9 @@ typedef struct {
     bool (*flash_read)(void* context, uint32_t slot, uint32_t offset, uint8_t* bytes, uint32_t size);
     bool (*flash_erase)(void* context, uint32_t slot);
     bool (*flash_write)(void* context, uint32_t slot, uint32_t offset, const uint8_t* bytes, uint32_t size);
+    /* Flash that erases and writes by itself: erase and write begin only. Returns CTL_FLASH_BUSY until that
+     * is done, then CTL_FLASH_DONE, or CTL_FLASH_FAILED. NULL: they end before they return. */
+    ctl_flash_progress (*flash_progress)(void* context);
 } ctl_port;
 
 typedef struct {
@@ -61,6 +66,13 @@ typedef struct {
     uint16_t timer_bits;     /* its width, at most 16 */
     uint32_t max_pulse_hz;   /* highest pulse frequency of the output stage */
     uint32_t slice_us;       /* longest step of the control, 0: CTL_SLICE_US */
+
+    /* The bounds of a slow processor or a small memory; 0: none. */
+    uint16_t bank_registers;     /* that a bank may have, header included */
+    uint16_t row_capacity;       /* rows of a step table */
+    uint16_t table_layouts;      /* bit n: table layout n can be executed */
+    uint16_t max_rows_per_slice; /* rows of a step table that one slice may meet, at least 2 */
+    uint16_t work_registers;     /* registers that one slice checks, sums up or saves of long work */
 } ctl_config;
 
 #endif

@@ -78,24 +78,25 @@ static int64_t most_per_interval(const ctl_bank* bank, const ctl_config* config)
     return most < (uint64_t)LARGEST_STEP ? (int64_t)most + 1 : LARGEST_STEP;
 }
 
-ctl_verdict ctl_cam_check(const ctl_bank* bank, const ctl_config* config)
+ctl_verdict ctl_cam_check(const ctl_bank* bank, const ctl_config* config, ctl_row_check* check, uint32_t rows)
 {
-    const uint32_t bad_offset = bad_header_offset(bank, config);
+    const uint32_t bad_offset = check->row == 0 ? bad_header_offset(bank, config) : CTL_BANK_HEADER_REGISTERS;
     if (bad_offset != CTL_BANK_HEADER_REGISTERS)
         return ctl_refuse(CTL_TRANSFER_RESULT_BAD_HEADER, bad_offset);
 
-    const uint32_t rows = ctl_bank_row_count(bank);
+    const uint32_t count = ctl_bank_row_count(bank);
     const int64_t most = most_per_interval(bank, config);
-    int64_t last = 0;
-    for (uint32_t i = 0; i < rows; ++i) {
-        const cam_row row = row_at(bank, i);
-        const bool first_is_zero = i != 0 || row.position == 0;
-        if (!first_is_zero || magnitude(row.slope) > most || magnitude(row.position - last) > most)
-            return ctl_refuse(CTL_TRANSFER_RESULT_BAD_ROW, i);
-        last = row.position;
+    for (uint32_t i = 0; i < rows && check->row < count; ++i, ++check->row) {
+        const cam_row row = row_at(bank, check->row);
+        const bool first_is_zero = check->row != 0 || row.position == 0;
+        if (!first_is_zero || magnitude(row.slope) > most || magnitude(row.position - check->last) > most)
+            return ctl_refuse(CTL_TRANSFER_RESULT_BAD_ROW, check->row);
+        check->last = row.position;
     }
+    if (check->row < count)
+        return ctl_refuse(CTL_TRANSFER_RESULT_BUSY, 0);
     const uint64_t fraction = (uint64_t)UNITS_PER_PULSE * ctl_bank_remainder(bank) / ctl_bank_divisor(bank);
-    if (magnitude(last - advance_units(bank) - (int64_t)fraction) > 1)
+    if (magnitude(check->last - advance_units(bank) - (int64_t)fraction) > 1)
         return ctl_refuse(CTL_TRANSFER_RESULT_BAD_SUM, CTL_OFFSET_BANK_ADVANCE);
     return ctl_refuse(CTL_TRANSFER_RESULT_ACCEPTED, 0);
 }

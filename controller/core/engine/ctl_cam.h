@@ -33,7 +33,8 @@ typedef struct {
 } ctl_cam;
 
 /* Checks what ctl_bank_check() leaves to the engine: the rest of the header, every row, their end. */
-ctl_verdict ctl_cam_check(const ctl_bank* bank, const ctl_config* config);
+ctl_verdict ctl_cam_check(const ctl_bank* bank, const ctl_config* config, ctl_row_check* check,
+                          uint32_t rows);
 
 /* Pulse frequency at full speed at the end of a cycle, or at its beginning. */
 int64_t ctl_cam_boundary_hz(const ctl_bank* bank, const ctl_config* config, bool end);

@@ -190,24 +190,32 @@ static uint32_t bad_header_offset(const ctl_bank* bank, const ctl_config* config
     return CTL_BANK_HEADER_REGISTERS;
 }
 
-ctl_verdict ctl_interval_check(const ctl_bank* bank, const ctl_config* config)
+ctl_verdict ctl_interval_check_some(const ctl_bank* bank, const ctl_config* config, ctl_row_check* check,
+                                    uint32_t rows)
 {
-    const uint32_t bad_offset = bad_header_offset(bank, config);
+    const uint32_t bad_offset = check->row == 0 ? bad_header_offset(bank, config) : CTL_BANK_HEADER_REGISTERS;
     if (bad_offset != CTL_BANK_HEADER_REGISTERS)
         return ctl_refuse(CTL_TRANSFER_RESULT_BAD_HEADER, bad_offset);
-    const uint32_t rows = ctl_bank_row_count(bank);
+    const uint32_t count = ctl_bank_row_count(bank);
     const bool backwards = advance_of(bank) < 0;
     const bool owes = ctl_bank_remainder(bank) != 0;
-    uint64_t pulses = 0;
-    for (uint32_t i = 0; i < rows; ++i) {
-        ctl_interval_row row = ctl_interval_bank_row(bank, i);
-        pulses += row.distance;
-        if (owes && backwards && i + 1u == rows && row.distance != 0)
+    for (uint32_t i = 0; i < rows && check->row < count; ++i, ++check->row) {
+        ctl_interval_row row = ctl_interval_bank_row(bank, check->row);
+        check->pulses += row.distance;
+        if (owes && backwards && check->row + 1u == count && row.distance != 0)
             row.distance -= 1u;
         if (!row_fits(row, fraction_bits(bank), config))
-            return ctl_refuse(CTL_TRANSFER_RESULT_BAD_ROW, i);
+            return ctl_refuse(CTL_TRANSFER_RESULT_BAD_ROW, check->row);
     }
-    if (pulses != (uint64_t)(backwards ? -(int64_t)advance_of(bank) : advance_of(bank)))
+    if (check->row < count)
+        return ctl_refuse(CTL_TRANSFER_RESULT_BUSY, 0);
+    if (check->pulses != (uint64_t)(backwards ? -(int64_t)advance_of(bank) : advance_of(bank)))
         return ctl_refuse(CTL_TRANSFER_RESULT_BAD_SUM, CTL_OFFSET_BANK_ADVANCE);
     return ctl_refuse(CTL_TRANSFER_RESULT_ACCEPTED, 0);
+}
+
+ctl_verdict ctl_interval_check(const ctl_bank* bank, const ctl_config* config)
+{
+    ctl_row_check check = {0};
+    return ctl_interval_check_some(bank, config, &check, UINT32_MAX);
 }

@@ -52,6 +52,9 @@ int64_t ctl_interval_hz(const ctl_interval* interval);
 /* Checks what ctl_bank_check() leaves to the engine: the rest of the header, every row, their sum. No table
  * may repeat. */
 ctl_verdict ctl_interval_check(const ctl_bank* bank, const ctl_config* config);
+/* The same, at most `rows` rows in this call; CTL_TRANSFER_RESULT_BUSY while there are more. */
+ctl_verdict ctl_interval_check_some(const ctl_bank* bank, const ctl_config* config, ctl_row_check* check,
+                                    uint32_t rows);
 
 #ifdef __cplusplus
 }

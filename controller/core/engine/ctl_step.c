@@ -5,6 +5,7 @@
 
 #define LONGEST_EVENT_TICKS 65535u
 #define FULL_CIRCLE 36000u /* 0.01 degrees */
+#define US_PER_S 1000000u
 
 ctl_row ctl_step_row(const ctl_bank* bank, uint32_t index)
 {
@@ -55,36 +56,63 @@ static bool is_too_short(ctl_row row, const ctl_config* config)
     return (uint64_t)row.ticks * config->max_pulse_hz < config->timer_clock_hz;
 }
 
-ctl_verdict ctl_step_check(const ctl_bank* bank, const ctl_config* config)
+/* Rows of which as many as these last a slice at least, so that it meets at most two more; 0: no bound. */
+static uint32_t window_rows(const ctl_bank* bank, const ctl_config* config)
 {
-    const uint32_t bad_offset = bad_header_offset(bank, config);
-    if (bad_offset != CTL_BANK_HEADER_REGISTERS)
-        return ctl_refuse(CTL_TRANSFER_RESULT_BAD_HEADER, bad_offset);
+    const uint32_t most = config->max_rows_per_slice;
+    return most < 2u || ctl_bank_row_count(bank) < most ? 0u : most - 1u;
+}
 
-    uint64_t ticks = 0;
-    uint64_t pulses = 0;
-    bool after_pause = false;
+/* The last rows up to this one, over the boundary of the cycle too, are too many for a slice. */
+static bool crowds_slice(const ctl_bank* bank, const ctl_config* config, ctl_row_check* check, ctl_row row)
+{
+    const uint32_t window = window_rows(bank, config);
     const uint32_t rows = ctl_bank_row_count(bank);
-    for (uint32_t i = 0; i < rows; ++i) {
-        const ctl_row row = ctl_step_row(bank, i);
-        const bool is_pause = row.pulses == 0;
-        const bool crowds = is_pause && after_pause && is_too_short(row, config);
-        after_pause = is_pause;
-        if (crowds || !row_fits(row, config))
-            return ctl_refuse(CTL_TRANSFER_RESULT_BAD_ROW, i);
-        ticks += row.ticks;
-        pulses += row.pulses;
-    }
+    if (window == 0)
+        return false;
+    check->window += row.ticks;
+    if (check->row >= window)
+        check->window -= ctl_step_row(bank, (check->row - window) % rows).ticks;
+    const uint32_t slice_us = config->slice_us == 0 ? CTL_SLICE_US : config->slice_us;
+    return check->row + 1u >= window &&
+           check->window * US_PER_S < (uint64_t)slice_us * config->timer_clock_hz;
+}
+
+static ctl_verdict check_sums(const ctl_bank* bank, const ctl_config* config, const ctl_row_check* check)
+{
     const uint32_t carry = bank->registers[CTL_OFFSET_BANK_CARRY_ROW];
     ctl_row longer = ctl_step_row(bank, carry);
     longer.pulses += 1;
     if (ctl_bank_remainder(bank) != 0 && !row_fits(longer, config))
         return ctl_refuse(CTL_TRANSFER_RESULT_BAD_ROW, carry);
-    if (ticks != ctl_bank_cycle_ticks(bank))
+    if (check->ticks != ctl_bank_cycle_ticks(bank))
         return ctl_refuse(CTL_TRANSFER_RESULT_BAD_SUM, CTL_OFFSET_BANK_CYCLE_TICKS);
-    if (pulses != ctl_get32(&bank->registers[CTL_OFFSET_BANK_CYCLE_PULSES]))
+    if (check->pulses != ctl_get32(&bank->registers[CTL_OFFSET_BANK_CYCLE_PULSES]))
         return ctl_refuse(CTL_TRANSFER_RESULT_BAD_SUM, CTL_OFFSET_BANK_CYCLE_PULSES);
     return ctl_refuse(CTL_TRANSFER_RESULT_ACCEPTED, 0);
+}
+
+ctl_verdict ctl_step_check(const ctl_bank* bank, const ctl_config* config, ctl_row_check* check,
+                           uint32_t rows)
+{
+    const uint32_t bad_offset = check->row == 0 ? bad_header_offset(bank, config) : CTL_BANK_HEADER_REGISTERS;
+    if (bad_offset != CTL_BANK_HEADER_REGISTERS)
+        return ctl_refuse(CTL_TRANSFER_RESULT_BAD_HEADER, bad_offset);
+
+    const uint32_t count = ctl_bank_row_count(bank);
+    const uint32_t window = window_rows(bank, config);
+    const uint32_t end = count + (window == 0 ? 0u : window - 1u);
+    for (uint32_t i = 0; i < rows && check->row < end; ++i, ++check->row) {
+        const ctl_row row = ctl_step_row(bank, check->row % count);
+        const bool is_pause = row.pulses == 0;
+        const bool crowds = is_pause && check->after_pause && check->row < count && is_too_short(row, config);
+        check->after_pause = is_pause;
+        if (crowds || !row_fits(row, config) || crowds_slice(bank, config, check, row))
+            return ctl_refuse(CTL_TRANSFER_RESULT_BAD_ROW, check->row % count);
+        check->ticks += check->row < count ? row.ticks : 0u;
+        check->pulses += check->row < count ? row.pulses : 0u;
+    }
+    return check->row < end ? ctl_refuse(CTL_TRANSFER_RESULT_BUSY, 0) : check_sums(bank, config, check);
 }
 
 static void enter_row(ctl_step* step, uint32_t row)

@@ -34,8 +34,10 @@ typedef struct {
 } ctl_event;
 
 ctl_row ctl_step_row(const ctl_bank* bank, uint32_t index);
-/* Checks what ctl_bank_check() leaves to the engine: the rest of the header, every row, their sums. */
-ctl_verdict ctl_step_check(const ctl_bank* bank, const ctl_config* config);
+/* Checks what ctl_bank_check() leaves to the engine: the rest of the header, every row, their sums; at most
+ * `rows` rows in this call, CTL_TRANSFER_RESULT_BUSY while there are more. */
+ctl_verdict ctl_step_check(const ctl_bank* bank, const ctl_config* config, ctl_row_check* check,
+                           uint32_t rows);
 
 /* Stand between two cycles of `bank` with no fraction owed. */
 void ctl_step_reset(ctl_step* step, const ctl_bank* bank);

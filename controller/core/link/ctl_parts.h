@@ -29,6 +29,17 @@ typedef struct {
     uint64_t set_us;
 } ctl_clock;
 
+/* The check of the active bank that a command waits for. */
+typedef struct {
+    bool checks;
+    uint16_t request[CTL_GROUP_COMMAND]; /* that command, as it came */
+    uint32_t generation;                 /* of the bank that is being checked */
+    uint32_t position;                   /* registers that are in the sum */
+    uint32_t crc;
+    bool saves;            /* a save is to be answered: */
+    uint16_t save_counter; /* counter of its command */
+} ctl_work;
+
 typedef struct ctl_core {
     ctl_board board;
     uint32_t tick_rest; /* of the timer ticks since power-up, in 1 / 1 000 000 */
@@ -37,6 +48,7 @@ typedef struct ctl_core {
     uint16_t command_result[CTL_GROUP_RESULT];
     ctl_banks banks;
     ctl_transfer transfer;
+    ctl_work work;
     ctl_flash flash;
     ctl_motion motion;
     ctl_heartbeat heartbeat;
