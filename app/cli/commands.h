@@ -10,10 +10,12 @@ class Invocation;
 
 [[nodiscard]] Outcome runProfile(const Invocation& call);
 [[nodiscard]] Outcome runTable(const Invocation& call);
+[[nodiscard]] Outcome runMap(const Invocation& call);
 [[nodiscard]] Outcome runLaws(const Invocation& call);
 [[nodiscard]] Outcome runCompare(const Invocation& call);
 [[nodiscard]] Outcome runIntervals(const Invocation& call);
 [[nodiscard]] Outcome runKnots(const Invocation& call);
+[[nodiscard]] Outcome runSegments(const Invocation& call);
 [[nodiscard]] Outcome runRecipe(const Invocation& call);
 [[nodiscard]] Outcome runSimulate(const Invocation& call);
 [[nodiscard]] Outcome runSet(const Invocation& call);

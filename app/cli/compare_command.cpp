@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// campanelctl compare: the same move with every suitable law, peaks side by side.
+// campanelctl compare: the same motion with every suitable law, peaks side by side. The laws of a rotary
+// cutter are ranked, each with its own best ratios.
 #include "app/cli/commands.h"
 #include "app/cli/invocation.h"
 #include "app/cli/recipe_options.h"
 #include "app/cli/report.h"
+#include "profile/cutter/ratios.h"
 #include "profile/laws/laws.h"
+#include "profile/model/vibration.h"
 #include "profile/moves/compare_laws.h"
 
 #include <QJsonArray>
@@ -23,7 +26,7 @@ std::vector<profile::LawComparison> compared(const P& program, const profile::Ma
     return profile::compareLaws(program, machine, profile::suitableLaws(program));
 }
 
-QJsonObject comparisonRow(const profile::LawComparison& each)
+QJsonObject comparisonRow(const profile::LawComparison& each, const profile::ShaftMode& mode)
 {
     QJsonObject row{{u"law"_s, fromView(profile::findLaw(each.choice.law)->key)}};
     if (!each.result) {
@@ -36,9 +39,61 @@ QJsonObject comparisonRow(const profile::LawComparison& each)
     row[u"motor_rpm"_s] = peaks.motorRpm;
     row[u"acceleration_mm_per_s2"_s] = peaks.accelerationMmPerS2;
     row[u"jerk_mm_per_s3"_s] = peaks.jerkMmPerS3; // JSON has no infinity: null
-    row[u"torque_nm"_s] = peaks.torqueNm;
+    row[u"torque_nm"_s] = peaks.torqueNm;         // null while the inertia is unknown
+    row[u"rms_torque_nm"_s] = peaks.rmsTorqueNm;
+    row[u"residual_mm"_s] = profile::residualAmplitudeMm(each.result->motion, mode);
     row[u"feasible"_s] = each.result->broken.empty();
     return row;
+}
+
+QJsonObject rankedRow(const profile::RankedLaw& each, const profile::Machine& machine)
+{
+    const profile::RotaryCutterProgram& program = each.program;
+    QJsonObject row{{u"law"_s, fromView(profile::findLaw(program.speedLaw)->key)},
+                    {u"k"_s, QJsonArray{program.k[0], program.k[1], program.k[2], program.k[3]}},
+                    {u"motor_rpm"_s, each.peaks.motorRpm},
+                    {u"acceleration_mm_per_s2"_s, each.peaks.accelerationMmPerS2},
+                    {u"rms_acceleration_mm_per_s2"_s, each.rmsAccelerationMmPerS2},
+                    {u"jerk_mm_per_s3"_s, each.peaks.jerkMmPerS3}, // JSON has no infinity: null
+                    {u"feasible"_s, each.isFeasible}};
+    if (!each.cycle)
+        return row;
+    if (const auto fastest = profile::fastestRate({program, machine, *each.cycle, {}}))
+        row[u"fastest_bags_per_min"_s] = fastest->rateBagsPerMin;
+    return row;
+}
+
+QString cell(const QJsonValue& value, int width, int decimals, const QString& otherwise)
+{
+    return (value.isDouble() ? QString::number(value.toDouble(), 'f', decimals) : otherwise)
+        .rightJustified(width);
+}
+
+// The laws of a rotary cutter, the gentlest first, each with the ratios that suit it.
+QByteArray rankedText(const QJsonArray& rows)
+{
+    const QString unknown = u"--"_s;
+    QString text = u"%1 %2 %3 %4 %5 %6 %7 %8 %9\n"_s.arg(u"law"_s, -20)
+                       .arg(u"k1"_s, 9)
+                       .arg(u"k4"_s, 7)
+                       .arg(u"r/min"_s, 8)
+                       .arg(u"mm/s^2"_s, 10)
+                       .arg(u"rms mm/s^2"_s, 11)
+                       .arg(u"mm/s^3"_s, 12)
+                       .arg(u"bags/min"_s, 9)
+                       .arg(u"within limits"_s, 13);
+    for (const QJsonValue& each : rows) {
+        const QJsonObject row = each.toObject();
+        text += u"%1 %2 %3 %4 %5 %6 %7 %8 %9\n"_s.arg(row[u"law"_s].toString(), -20)
+                    .arg(cell(row[u"k"_s][0], 9, 4, unknown), cell(row[u"k"_s][3], 7, 4, unknown),
+                         cell(row[u"motor_rpm"_s], 8, 1, unknown),
+                         cell(row[u"acceleration_mm_per_s2"_s], 10, 1, unknown),
+                         cell(row[u"rms_acceleration_mm_per_s2"_s], 11, 1, unknown),
+                         cell(row[u"jerk_mm_per_s3"_s], 12, 0, u"steps"_s),
+                         cell(row[u"fastest_bags_per_min"_s], 9, 1, unknown))
+                    .arg(row[u"feasible"_s].toBool() ? u"yes"_s : u"no"_s, 13);
+    }
+    return text.toUtf8();
 }
 
 QByteArray comparisonText(const QJsonArray& rows)
@@ -57,12 +112,13 @@ QByteArray comparisonText(const QJsonArray& rows)
             continue;
         }
         const double jerk = row[u"jerk_mm_per_s3"_s].toDouble(qInf());
+        const double torque = row[u"torque_nm"_s].toDouble(qQNaN());
         text += u"%1 %2 %3 %4 %5 %6 %7\n"_s.arg(row[u"law"_s].toString(), -20)
                     .arg(row[u"time_s"_s].toDouble(), 9, 'f', 3)
                     .arg(row[u"motor_rpm"_s].toDouble(), 9, 'f', 1)
                     .arg(row[u"acceleration_mm_per_s2"_s].toDouble(), 11, 'f', 1)
                     .arg(std::isfinite(jerk) ? QString::number(jerk, 'f', 0) : u"steps"_s, 13)
-                    .arg(row[u"torque_nm"_s].toDouble(), 9, 'f', 4)
+                    .arg(std::isfinite(torque) ? QString::number(torque, 'f', 4) : u"--"_s, 9)
                     .arg(row[u"feasible"_s].toBool() ? u"yes"_s : u"no"_s, 13);
     }
     return text.toUtf8();
@@ -75,6 +131,14 @@ Outcome runCompare(const Invocation& call)
     const auto recipe = recipeOf(call);
     if (!recipe)
         return tl::unexpected(recipe.error());
+    QJsonArray rows;
+    if (recipe->isCutter()) {
+        const program::Recipe rounded = program::quantised(*recipe);
+        for (const profile::RankedLaw& each : profile::rankLaws(rounded.cutter(), rounded.machine))
+            rows.append(rankedRow(each, rounded.machine));
+        return call.deliver(call.format() == u"json" ? formatted({{u"laws"_s, rows}}, call.format())
+                                                     : rankedText(rows));
+    }
     std::vector<profile::LawComparison> laws;
     if (const auto* move = std::get_if<profile::PositionMoveProgram>(&recipe->program))
         laws = compared(*move, recipe->machine);
@@ -82,10 +146,9 @@ Outcome runCompare(const Invocation& call)
         laws = compared(*change, recipe->machine);
     else
         return fail(ExitCode::Usage,
-                    u"Laws are compared for moves: --kind position_move or --kind speed_move."_s);
-    QJsonArray rows;
+                    u"Laws are compared for --kind position_move, speed_move and rotary_cutter."_s);
     for (const profile::LawComparison& each : laws)
-        rows.append(comparisonRow(each));
+        rows.append(comparisonRow(each, profile::shaftMode(recipe->machine)));
     if (call.format() == u"json")
         return call.deliver(formatted(QJsonObject{{u"laws"_s, rows}}, call.format()));
     return call.deliver(comparisonText(rows));

@@ -29,6 +29,18 @@ Outcome writeDevice(const QString& path, const QByteArray& bytes)
     return {};
 }
 
+// Writes to standard output.
+Outcome writeBytes(const QByteArray& bytes)
+{
+    const auto size = static_cast<std::size_t>(bytes.size());
+    if (std::fwrite(bytes.constData(), 1, size, stdout) != size || std::fflush(stdout) != 0)
+        return fail(
+            ExitCode::File,
+            u"Standard output cannot be written: %1. Free some disk space, or redirect the output to another file."_s
+                .arg(qt_error_string()));
+    return {};
+}
+
 } // namespace
 
 Invocation::Invocation(const CommandInfo& command)
@@ -65,10 +77,10 @@ Outcome Invocation::parse(const QStringList& arguments)
                     m_parser.errorText() + u" See campanelctl "_s + m_command.name + u" --help."_s);
     m_arguments = m_parser.positionalArguments().mid(1);
     const bool many = (m_command.takes & (CommandInfo::Names | CommandInfo::TrailFile)) != 0;
-    const qsizetype most = (m_command.takes & CommandInfo::Recipe) != 0 ? 1 : 0;
-    if (!many && m_arguments.size() > most)
+    const qsizetype maxArguments = (m_command.takes & CommandInfo::Recipe) != 0 ? 1 : 0;
+    if (!many && m_arguments.size() > maxArguments)
         return fail(ExitCode::Usage, u"Unexpected argument \"%1\". See campanelctl %2 --help."_s.arg(
-                                         m_arguments[most], m_command.name));
+                                         m_arguments[maxArguments], m_command.name));
     if (!m_command.formats.isEmpty() && !m_command.formats.contains(format()))
         return fail(ExitCode::Usage, u"\"%1\" is not a format of %2; choose one of: %3."_s.arg(
                                          format(), m_command.name, m_command.formats.join(u", "_s)));
@@ -91,10 +103,14 @@ QString Invocation::format() const
 
 Outcome Invocation::deliver(const QByteArray& text) const
 {
+    return deliverBytes(store::printable(QString::fromUtf8(text)).toUtf8());
+}
+
+Outcome Invocation::deliverBytes(const QByteArray& bytes) const
+{
     if (m_command.formats.isEmpty() || !isSet(u"output"_s))
-        return writeStandardOutput(text);
+        return writeBytes(bytes);
     const QString path = value(u"output"_s);
-    const QByteArray bytes = store::printable(QString::fromUtf8(text)).toUtf8();
     if (const QFileInfo present(path); present.exists() && !present.isFile() && !present.isDir())
         return writeDevice(path, bytes);
     if (const auto written = store::replaceBytes(path, bytes); !written)
@@ -107,14 +123,7 @@ Outcome Invocation::deliver(const QByteArray& text) const
 
 Outcome writeStandardOutput(const QByteArray& text)
 {
-    const QByteArray bytes = store::printable(QString::fromUtf8(text)).toUtf8();
-    const auto size = static_cast<std::size_t>(bytes.size());
-    if (std::fwrite(bytes.constData(), 1, size, stdout) != size || std::fflush(stdout) != 0)
-        return fail(
-            ExitCode::File,
-            u"Standard output cannot be written: %1. Free some disk space, or redirect the output to another file."_s
-                .arg(qt_error_string()));
-    return {};
+    return writeBytes(store::printable(QString::fromUtf8(text)).toUtf8());
 }
 
 QString overviewText(std::span<const CommandInfo> commands)

@@ -43,6 +43,8 @@ public:
     [[nodiscard]] QString format() const;
     // Prints the whole text, or writes it to the file of -o; nothing on an error.
     [[nodiscard]] Outcome deliver(const QByteArray& text) const;
+    // Does the same with bytes that are not text.
+    [[nodiscard]] Outcome deliverBytes(const QByteArray& bytes) const;
 
 private:
     const CommandInfo& m_command;

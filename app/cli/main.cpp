@@ -5,13 +5,16 @@
 #include "app/cli/simulate_options.h"
 #include "app/store/files/files.h"
 
-#include <QCoreApplication>
+#include <QGuiApplication>
 #include <QLocale>
+#include <QLoggingCategory>
 
 #include <algorithm>
 #include <array>
 #include <clocale>
 #include <cstdio>
+#include <memory>
+#include <string_view>
 
 using namespace Qt::StringLiterals;
 using namespace campanel::cli;
@@ -38,6 +41,15 @@ std::vector<CommandInfo> commandTable()
          all,
          {},
          runTable},
+        {u"map"_s,
+         u"Print the maximum rate of a cutter for each bag length, and the limit that sets it."_s,
+         u"A rate of 0: no rate is possible. PNG: the map as a picture."_s,
+         recipe,
+         {u"csv"_s, u"json"_s, u"png"_s},
+         {{u"lengths"_s, u"Number of lengths (2 to 10000, default 200)."_s, u"COUNT"_s, u"200"_s},
+          {u"from-mm"_s, u"Shortest bag."_s, u"NUMBER"_s},
+          {u"to-mm"_s, u"Longest bag (default: all regimes)."_s, u"NUMBER"_s}},
+         runMap},
         {u"laws"_s,
          u"Print the laws of motion with their peak values, strengths and weaknesses."_s,
          u"Cv, Ca, Cj: maximum speed, acceleration and jerk of a move over 1 in time 1. For a speed law they are one\nderivative lower: Cv is the maximum acceleration. G(1): travel of a speed law. cj is null or inf where\nthe acceleration jumps inside; laws with parameters are shown with their default values."_s,
@@ -46,7 +58,7 @@ std::vector<CommandInfo> commandTable()
          {{u"json"_s, u"Same as --format json."_s}, {u"csv"_s, u"Same as --format csv."_s}},
          runLaws},
         {u"compare"_s,
-         u"Print the peaks of a move for each possible law."_s,
+         u"Print the peaks of a move or a rotary cutter for each possible law."_s,
          {},
          recipe,
          {u"text"_s, u"json"_s},
@@ -69,6 +81,13 @@ std::vector<CommandInfo> commandTable()
          all,
          {{u"repair"_s, u"Close the cam smoothly first."_s}},
          runKnots},
+        {u"segments"_s,
+         u"Check the joints of a segment cam; print its segments as CSV."_s,
+         {},
+         recipe,
+         all,
+         {{u"repair"_s, u"Make the segments continuous first."_s}},
+         runSegments},
         {u"recipe"_s,
          u"Print a recipe file, or the default recipe of a kind, with the options applied."_s,
          {},
@@ -108,7 +127,7 @@ std::vector<CommandInfo> commandTable()
         {u"save"_s, u"Save the active program to the controller's flash."_s, {}, link, {}, {}, runSave},
         {u"set"_s,
          u"Write a parameter of the controller and read it back: set parameter.ramp_time 800."_s,
-         u"parameter.master_direction 1 reverses the master of a point cam, also while the machine runs."_s,
+         u"parameter.master_direction 1 reverses the master of a cam, also while the machine runs."_s,
          link | CommandInfo::Names,
          {},
          {},
@@ -178,13 +197,25 @@ void preferUtf8()
         qputenv("LC_ALL", "C.UTF-8");
 }
 
+// Returns the application: a picture needs fonts, but no screen.
+std::unique_ptr<QCoreApplication> newApplication(int& argc, char** argv)
+{
+    const auto isPicture = [](const char* argument) { return std::string_view(argument).ends_with("png"); };
+    if (argc < 2 || std::string_view(argv[1]) != "map" || std::none_of(argv + 2, argv + argc, isPicture))
+        return std::make_unique<QCoreApplication>(argc, argv);
+    qputenv("QT_QPA_PLATFORM", "minimal:enable_fonts");
+    // Qt warns of an absent runtime folder, which a picture does not need.
+    QLoggingCategory::setFilterRules(u"default.warning=false"_s);
+    return std::make_unique<QGuiApplication>(argc, argv);
+}
+
 } // namespace
 
 int main(int argc, char** argv)
 {
     preferUtf8();
     QLocale::setDefault(QLocale(QLocale::English)); // the language of the sentences, with a decimal point
-    QCoreApplication application(argc, argv);
+    const auto application = newApplication(argc, argv);
     QCoreApplication::setApplicationName(u"campanelctl"_s);
     QCoreApplication::setApplicationVersion(QStringLiteral(CAMPANEL_VERSION));
     const QStringList arguments = QCoreApplication::arguments();

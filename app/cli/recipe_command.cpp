@@ -15,6 +15,9 @@ Outcome runRecipe(const Invocation& call)
     auto recipe = recipeOf(call);
     if (!recipe)
         return tl::unexpected(recipe.error());
+    // A new recipe begins with the gentlest ratios.
+    if (call.arguments().isEmpty() && !call.isSet(u"k"_s) && !call.isSet(u"ratios"_s))
+        recipe = program::gentleRecipe(*recipe);
     if (call.isSet(u"name"_s))
         recipe->name = call.value(u"name"_s).toStdString();
     if (recipe->name.empty() || recipe->name.size() > program::longestNameBytes)

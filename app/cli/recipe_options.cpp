@@ -5,6 +5,7 @@
 #include "app/cli/invocation.h"
 #include "app/store/recipes/knots_file.h"
 #include "app/store/recipes/recipe_file.h"
+#include "app/store/recipes/segments_file.h"
 #include "profile/laws/laws.h"
 
 #include <algorithm>
@@ -207,6 +208,7 @@ Outcome applyRatios(const Invocation& call, program::Recipe& recipe)
     if (values->size() != 4)
         return notANumber(u"k"_s, call.value(u"k"_s), form);
     std::copy(values->begin(), values->end(), recipe.cutter().k.begin());
+    recipe.cutter().ratioMode = profile::RatioMode::ByHand;
     return {};
 }
 
@@ -274,6 +276,20 @@ Outcome applyKnots(const Invocation& call, program::Recipe& recipe)
     return {};
 }
 
+Outcome applySegments(const Invocation& call, program::Recipe& recipe)
+{
+    if (!call.isSet(u"segments-csv"_s))
+        return {};
+    auto* cam = std::get_if<profile::SegmentCamProgram>(&recipe.program);
+    if (cam == nullptr)
+        return fail(ExitCode::Usage, u"--segments-csv applies to a segment cam only."_s);
+    auto segments = store::readSegments(call.value(u"segments-csv"_s));
+    if (!segments)
+        return fail(ExitCode::File, segments.error());
+    cam->segments = std::move(*segments);
+    return {};
+}
+
 } // namespace
 
 QList<QCommandLineOption> recipeOptions()
@@ -297,6 +313,9 @@ QList<QCommandLineOption> recipeOptions()
                                   u"Kind of the default recipe, if no recipe is named: %1."_s.arg(kindKeys()),
                                   u"KIND"_s)
             << QCommandLineOption(u"knots-csv"_s, u"Knots of a point cam: lines of master_deg,slave_mm."_s,
+                                  u"FILE"_s)
+            << QCommandLineOption(u"segments-csv"_s,
+                                  u"Segments of a segment cam, as printed by segments --format csv."_s,
                                   u"FILE"_s);
     options << QCommandLineOption(u"gear"_s, u"Motor revolutions per knife revolution, such as 5/2."_s,
                                   u"A/B"_s)
@@ -326,10 +345,16 @@ tl::expected<program::Recipe, Failure> recipeOf(const Invocation& call)
             return fail(ExitCode::Usage,
                         u"The recipe is of kind %1."_s.arg(fromText(program::kindInfo(recipe.kind()).key)));
     }
-    for (const auto apply : {applyFields, applyGear, applyRatios, applyLaw, applyChoices, applyKnots}) {
+    for (const auto apply :
+         {applyFields, applyGear, applyRatios, applyLaw, applyChoices, applyKnots, applySegments}) {
         if (const Outcome applied = apply(call, recipe); !applied)
             return tl::unexpected(applied.error());
     }
+    // The ratios of a file without options are those that were saved.
+    if (call.arguments().isEmpty() || std::ranges::any_of(recipeOptions(), [&call](const auto& option) {
+            return call.isSet(option.names().first());
+        }))
+        program::followRatios(recipe);
     return recipe;
 }
 

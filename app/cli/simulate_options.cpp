@@ -24,8 +24,8 @@ struct Disturbance {
     const char* name;
     const char* what;
     const char* unit;
-    double least;
-    double most;
+    double minimum;
+    double maximum;
     double& (*place)(controller::MachineOptions& machine);
 };
 
@@ -92,9 +92,9 @@ tl::expected<std::vector<controller::ParameterValue>, Failure> parameterValues(c
 }
 
 tl::expected<double, Failure> wholeOf(const Invocation& call, const QString& option, double otherwise,
-                                      double least, double most)
+                                      double minimum, double maximum)
 {
-    auto value = numberOf(call, option, otherwise, least, most);
+    auto value = numberOf(call, option, otherwise, minimum, maximum);
     if (value && *value != std::floor(*value))
         return fail(ExitCode::Usage,
                     u"--%1 takes a whole number, not \"%2\"."_s.arg(option, call.value(option)));
@@ -127,8 +127,8 @@ QList<QCommandLineOption> simulateOptions()
         options << QCommandLineOption(
             QString::fromLatin1(each.name),
             u"Disturbance: %1 (%2 to %3, default %4)."_s.arg(QLatin1String(each.what))
-                .arg(each.least)
-                .arg(each.most)
+                .arg(each.minimum)
+                .arg(each.maximum)
                 .arg(each.place(machine)),
             QString::fromLatin1(each.unit));
     }
@@ -136,16 +136,16 @@ QList<QCommandLineOption> simulateOptions()
 }
 
 tl::expected<double, Failure> numberOf(const Invocation& call, const QString& option, double otherwise,
-                                       double least, double most)
+                                       double minimum, double maximum)
 {
     if (!call.isSet(option))
         return otherwise;
     bool isNumber = false;
     const double value = call.value(option).toDouble(&isNumber);
-    if (!isNumber || !(value >= least && value <= most))
+    if (!isNumber || !(value >= minimum && value <= maximum))
         return fail(ExitCode::Usage, u"--%1 takes a number from %2 to %3, not \"%4\"."_s.arg(option)
-                                         .arg(least, 0, 'g', 10)
-                                         .arg(most, 0, 'g', 10)
+                                         .arg(minimum, 0, 'g', 10)
+                                         .arg(maximum, 0, 'g', 10)
                                          .arg(call.value(option)));
     return value;
 }
@@ -164,7 +164,7 @@ tl::expected<controller::PackingJob, Failure> jobOf(const Invocation& call)
     job.goOn = call.isSet(u"go-on"_s);
     for (const Disturbance& each : disturbances) {
         double& place = each.place(job.machine);
-        const auto value = numberOf(call, QString::fromLatin1(each.name), place, each.least, each.most);
+        const auto value = numberOf(call, QString::fromLatin1(each.name), place, each.minimum, each.maximum);
         if (!value)
             return tl::unexpected(value.error());
         place = *value;

@@ -16,7 +16,7 @@ class Invocation;
 
 // Returns the number of an option, or `otherwise`; refuses values outside the limits.
 [[nodiscard]] tl::expected<double, Failure> numberOf(const Invocation& call, const QString& option,
-                                                     double otherwise, double least, double most);
+                                                     double otherwise, double minimum, double maximum);
 
 // Returns the job without the bank.
 [[nodiscard]] tl::expected<controller::PackingJob, Failure> jobOf(const Invocation& call);

@@ -6,10 +6,12 @@
 #include "app/cli/simulate_figures.h"
 #include "app/cli/simulate_options.h"
 #include "profile/cutter/limits.h"
+#include "profile/cutter/paper_lengths.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 using namespace Qt::StringLiterals;
 
@@ -20,17 +22,6 @@ using profile::Field;
 
 constexpr double slowRate = 60.0; // bags/min
 constexpr double maxRate = 300.0;
-
-// Table 2 of the paper: set bag length and the deviation measured on its machine, mm.
-struct PaperRow {
-    double lengthMm;
-    double deviationMm;
-};
-constexpr std::array paperRows{
-    PaperRow{100, 0.1}, PaperRow{125, -0.1}, PaperRow{150, -0.1}, PaperRow{175, 0.1},  PaperRow{200, -0.1},
-    PaperRow{220, 0.1}, PaperRow{249, -0.2}, PaperRow{277, -0.2}, PaperRow{300, 0.1},  PaperRow{319, 0.2},
-    PaperRow{353, 0.2}, PaperRow{386, -0.1}, PaperRow{400, 0.1},  PaperRow{434, -0.2}, PaperRow{460, 0.1},
-};
 
 struct TableColumn {
     const char* key;
@@ -49,13 +40,17 @@ constexpr std::array measuredColumns{
     TableColumn{"bags_before_settled", "unsettled", 10, 0},
     TableColumn{"untracked_mean_mm", "untr. mean", 11, 3},
     TableColumn{"untracked_largest_mm", "largest", 9, 3},
+    // The same with the gentlest ratios.
+    TableColumn{"gentle_standard_deviation_mm", "gentle sd", 10, 4},
+    TableColumn{"gentle_largest_mm", "largest", 9, 3},
 };
 
 tl::expected<std::vector<double>, Failure> lengthsOf(const Invocation& call)
 {
     std::vector<double> lengths;
     if (!call.isSet(u"lengths"_s)) {
-        std::ranges::transform(paperRows, std::back_inserter(lengths), &PaperRow::lengthMm);
+        std::ranges::transform(profile::paperLengths, std::back_inserter(lengths),
+                               &profile::PaperLength::bagLengthMm);
         return lengths;
     }
     for (const QString& part : call.value(u"lengths"_s).split(u',')) {
@@ -74,6 +69,7 @@ tl::expected<program::ProgramImage, Failure> imageAt(program::Recipe recipe, dou
     recipe.cutter().pinned = {Field::BagLength, Field::Rate};
     program::setValue(recipe, Field::BagLength, lengthMm);
     program::setValue(recipe, Field::Rate, rate);
+    program::followRatios(recipe);
     auto image = program::buildProgram(recipe);
     if (!image)
         return fail(ExitCode::Refused, u"%1 mm at %2 bags/min: "_s.arg(lengthMm).arg(rate) +
@@ -98,54 +94,92 @@ Measured measure(const program::ProgramImage& image, controller::PackingJob job,
     return measured;
 }
 
-tl::expected<QJsonObject, Failure> measuredRow(const program::ProgramImage& image,
-                                               const controller::PackingJob& job, double toleranceMm)
+// One line of the table: a length at a rate. The own ratios of the recipe may not allow it.
+struct Line {
+    double lengthMm = 0;
+    double rate = 0;
+    std::optional<program::ProgramImage> own;
+    std::optional<program::ProgramImage> gentle;
+};
+
+Outcome addLine(const Line& line, const controller::PackingJob& job, double toleranceMm, QJsonArray& rows)
 {
-    const double lengthMm = program::value(image.recipe, Field::BagLength);
-    const double rate = program::value(image.recipe, Field::Rate);
-    const Measured tracked = measure(image, job, true, toleranceMm);
-    const Measured untracked = measure(image, job, false, toleranceMm);
-    for (const auto& each : {tracked.result, untracked.result}) {
-        if (const Outcome ended = outcomeOf(each); !ended)
-            return fail(ended.error().code,
-                        u"%1 mm at %2 bags/min: "_s.arg(lengthMm).arg(rate) + ended.error().sentence);
+    const auto paper =
+        std::ranges::find(profile::paperLengths, line.lengthMm, &profile::PaperLength::bagLengthMm);
+    QJsonObject row;
+    for (const TableColumn& column : measuredColumns)
+        row[QLatin1String(column.key)] = QJsonValue(); // not known
+    row[u"set_length_mm"_s] = line.lengthMm;
+    row[u"rate_bags_per_min"_s] = line.rate;
+    if (paper != profile::paperLengths.end())
+        row[u"paper_deviation_mm"_s] = paper->deviationMm;
+    Outcome outcome;
+    const auto measured = [&](const std::optional<program::ProgramImage>& image, bool tracks) {
+        std::optional<Measured> found;
+        if (!image)
+            return found;
+        found = measure(*image, job, tracks, toleranceMm);
+        if (const Outcome ended = outcomeOf(found->result); !ended && outcome)
+            outcome = fail(ended.error().code, u"%1 mm at %2 bags/min: "_s.arg(line.lengthMm).arg(line.rate) +
+                                                   ended.error().sentence);
+        return found;
+    };
+    if (const auto tracked = measured(line.own, true)) {
+        const Spread& length = tracked->figures.lengthMm();
+        row[u"mean_mm"_s] = orNull(length.mean());
+        row[u"standard_deviation_mm"_s] = orNull(length.deviation());
+        row[u"largest_mm"_s] = orNull(length.largest());
+        row[u"share_within"_s] = orNull(tracked->figures.shareWithin());
+        row[u"bags_before_settled"_s] = static_cast<qint64>(tracked->result.bags - length.count());
     }
-    const Spread& length = tracked.figures.lengthMm();
-    const auto paper = std::ranges::find(paperRows, lengthMm, &PaperRow::lengthMm);
-    return QJsonObject{
-        {u"set_length_mm"_s, lengthMm},
-        {u"paper_deviation_mm"_s, paper == paperRows.end() ? QJsonValue() : QJsonValue(paper->deviationMm)},
-        {u"rate_bags_per_min"_s, rate},
-        {u"mean_mm"_s, orNull(length.mean())},
-        {u"standard_deviation_mm"_s, orNull(length.deviation())},
-        {u"largest_mm"_s, orNull(length.largest())},
-        {u"share_within"_s, orNull(tracked.figures.shareWithin())},
-        {u"bags_before_settled"_s, static_cast<qint64>(tracked.result.bags - length.count())},
-        {u"untracked_mean_mm"_s, orNull(untracked.figures.lengthMm().mean())},
-        {u"untracked_largest_mm"_s, orNull(untracked.figures.lengthMm().largest())}};
+    if (const auto untracked = measured(line.own, false)) {
+        row[u"untracked_mean_mm"_s] = orNull(untracked->figures.lengthMm().mean());
+        row[u"untracked_largest_mm"_s] = orNull(untracked->figures.lengthMm().largest());
+    }
+    if (const auto gentle = measured(line.gentle, true)) {
+        row[u"gentle_standard_deviation_mm"_s] = orNull(gentle->figures.lengthMm().deviation());
+        row[u"gentle_largest_mm"_s] = orNull(gentle->figures.lengthMm().largest());
+    }
+    if (outcome)
+        rows.append(row);
+    return outcome;
 }
 
-// Adds the slow row and, if the machine can be faster, the fast one.
+// Returns the highest whole rate of the table with these ratios.
+double highestRate(const program::ProgramImage& image)
+{
+    const auto fastest = profile::fastestRate(image.cutter());
+    return fastest ? std::floor(std::min(maxRate, fastest->rateBagsPerMin)) : slowRate;
+}
+
+// Adds the slow row, the fastest one of the recipe's ratios, and the fastest one of the gentlest ratios,
+// where each is faster than the one before.
 Outcome addRows(const program::Recipe& recipe, double lengthMm, const controller::PackingJob& job,
                 double toleranceMm, QJsonArray& rows)
 {
     const auto slow = imageAt(recipe, lengthMm, slowRate);
     if (!slow)
         return tl::unexpected(slow.error());
-    std::vector<program::ProgramImage> images{*slow};
-    const auto fastest = profile::fastestRate(slow->cutter());
-    const double rate = fastest ? std::floor(std::min(maxRate, fastest->rateBagsPerMin)) : slowRate;
-    if (rate > slowRate) {
-        auto fast = imageAt(recipe, lengthMm, rate);
-        if (!fast)
-            return tl::unexpected(fast.error());
-        images.push_back(std::move(*fast));
-    }
-    for (const program::ProgramImage& image : images) {
-        auto row = measuredRow(image, job, toleranceMm);
-        if (!row)
-            return tl::unexpected(row.error());
-        rows.append(*row);
+    program::Recipe gentle = recipe;
+    gentle.cutter().ratioMode = profile::RatioMode::Gentle;
+    const auto slowGentle = imageAt(gentle, lengthMm, slowRate);
+    double last = 0;
+    const double ownRate = highestRate(*slow);
+    for (const double rate : {slowRate, ownRate, slowGentle ? highestRate(*slowGentle) : slowRate}) {
+        if (rate <= last)
+            continue;
+        last = rate;
+        Line line{lengthMm, rate, {}, {}};
+        if (auto image = imageAt(gentle, lengthMm, rate))
+            line.gentle = std::move(*image);
+        if (rate <= ownRate) {
+            auto image = imageAt(recipe, lengthMm, rate);
+            if (!image)
+                return tl::unexpected(image.error());
+            line.own = std::move(*image);
+        }
+        if (const Outcome added = addLine(line, job, toleranceMm, rows); !added)
+            return added;
     }
     return {};
 }

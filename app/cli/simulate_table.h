@@ -11,7 +11,8 @@ namespace campanel::cli {
 
 class Invocation;
 
-// Runs each length at 60 bags/min and at the largest feasible rate up to 300, with and without mark tracking.
+// Runs each length at 60 bags/min and at the largest feasible rate up to 300, with and without mark tracking,
+// and with the gentlest ratios at the same rates and at their own largest one.
 // Prints the whole table; fails when a row is incomplete.
 [[nodiscard]] Outcome simulateTable(const Invocation& call, const program::Recipe& recipe,
                                     const controller::PackingJob& job, double toleranceMm);

@@ -97,6 +97,7 @@ QJsonObject ioObject(const modbus::IoStatus& io)
     return {{u"inputs"_s, io.inputs ? QJsonValue(bitNames("InputBit", *io.inputs)) : QJsonValue()},
             {u"outputs"_s, io.outputs ? QJsonValue(bitNames("OutputBit", *io.outputs)) : QJsonValue()},
             {u"torque_percent"_s, orNull(io.torquePercent)},
+            {u"torque_angle_deg"_s, orNull(io.torqueAngleDeg)},
             {u"infeed_position_mm"_s, orNull(io.infeedPositionMm)},
             {u"infeed_following_error_mm"_s, orNull(io.infeedFollowingErrorMm)}};
 }
@@ -147,7 +148,7 @@ Outcome runStatus(const Invocation& call)
         const auto header = session->client().readProven(modbus::activeBankBase, modbus::bankHeaderRegisters);
         if (!header)
             return fail(header.error());
-        const modbus::KnotSpan span = modbus::knotSpan(*header);
+        const modbus::ListSpan span = modbus::listSpan(*header);
         modbus::BankReader knots(static_cast<std::uint16_t>(modbus::activeBankBase + span.offset),
                                  span.count);
         while (!knots.complete()) {

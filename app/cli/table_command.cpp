@@ -69,12 +69,9 @@ void addFigures(QJsonObject& object, const profile::StepTable& table, const prog
 
 void addFigures(QJsonObject& object, const profile::CamTable& table, const program::ProgramImage& image)
 {
-    const bool repeats = image.recipe.kind() == profile::ProgramKind::PointCam;
-    const profile::CamErrors errors = profile::camErrors(
-        table,
-        repeats ? profile::forwardMotion(std::get<profile::PointCamProgram>(image.recipe.program))
-                : image.solved.motion,
-        image.solved.machine, repeats ? profile::CamUse::Repeats : profile::CamUse::Once);
+    const program::CamSource source = program::camSource(image.recipe, image.solved);
+    const profile::CamErrors errors =
+        profile::camErrors(table, source.motion, image.solved.machine, source.use);
     object[u"pulses_per_cycle"_s] = pulsesObject(table.advance);
     object[u"errors"_s] = QJsonObject{{u"position_pulses"_s, errors.positionPulses},
                                       {u"position_mm"_s, errors.positionMm},

@@ -583,10 +583,6 @@
 <context>
     <name>AuditWords</name>
     <message>
-        <source>hold to start</source>
-        <translation>按住启动</translation>
-    </message>
-    <message>
         <source>All</source>
         <translation>全部</translation>
     </message>
@@ -732,24 +728,8 @@
         <translation>删除最旧记录</translation>
     </message>
     <message>
-        <source>language</source>
-        <translation>语言</translation>
-    </message>
-    <message>
-        <source>bag tolerance, mm</source>
-        <translation>袋长公差，mm</translation>
-    </message>
-    <message>
         <source>connection</source>
         <translation>通信</translation>
-    </message>
-    <message>
-        <source>minutes until logout</source>
-        <translation>自动退出分钟数</translation>
-    </message>
-    <message>
-        <source>operator login required</source>
-        <translation>操作员须登录</translation>
     </message>
     <message>
         <source>simulated faults</source>
@@ -842,14 +822,6 @@
     <message>
         <source>interrupted</source>
         <translation>已中断</translation>
-    </message>
-    <message>
-        <source>theme</source>
-        <translation>主题</translation>
-    </message>
-    <message>
-        <source>glove mode</source>
-        <translation>手套模式</translation>
     </message>
     <message>
         <source>Recipes</source>
@@ -1647,12 +1619,8 @@
         <translation>峰值 %1 r/min · %2 m/s² · %3 kHz</translation>
     </message>
     <message>
-        <source>%1 Nm</source>
-        <translation>%1 Nm</translation>
-    </message>
-    <message>
-        <source>peak %1 r/min · %2 m/s² · %3 Nm · %4 kHz</source>
-        <translation>峰值 %1 r/min · %2 m/s² · %3 Nm · %4 kHz</translation>
+        <source>peak %1 r/min · %2 m/s² · %3 Nm (RMS %5) · %4 kHz</source>
+        <translation>峰值 %1 r/min · %2 m/s² · %3 Nm（均方根 %5） · %4 kHz</translation>
     </message>
     <message>
         <source>Just within the limits.</source>
@@ -1665,6 +1633,54 @@
     <message>
         <source>Within all limits; building the table …</source>
         <translation>在所有限值之内；正在生成数据表…</translation>
+    </message>
+    <message>
+        <source>peak %1 r/min · %2 m/s² · %3 kHz · seal %4 ms</source>
+        <translation>峰值 %1 r/min · %2 m/s² · %3 kHz · 封口 %4 ms</translation>
+    </message>
+    <message>
+        <source>Peak speed</source>
+        <translation>峰值速度</translation>
+    </message>
+    <message>
+        <source>Acceleration</source>
+        <translation>加速度</translation>
+    </message>
+    <message>
+        <source>Jerk</source>
+        <translation>跃度</translation>
+    </message>
+    <message>
+        <source>Torque,
+RMS</source>
+        <translation>转矩、
+均方根</translation>
+    </message>
+    <message>
+        <source>Frequency</source>
+        <translation>频率</translation>
+    </message>
+    <message>
+        <source>Error while
+sealing</source>
+        <translation>封切误差</translation>
+    </message>
+    <message>
+        <source>Vibration
+after the move</source>
+        <translation>运动后
+振动</translation>
+    </message>
+    <message>
+        <source>%1 Nm
+RMS %2</source>
+        <comment>peak and RMS torque</comment>
+        <translation>%1 Nm
+均方根 %2</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
     </message>
 </context>
 <context>
@@ -1754,8 +1770,8 @@
         <translation>表头 master_deg,slave_mm</translation>
     </message>
     <message>
-        <source>two values, as in the header</source>
-        <translation>与表头一致的两个值</translation>
+        <source>%1 values, as in the header</source>
+        <translation>与表头一致的 %1 个值</translation>
     </message>
     <message>
         <source>a number with a decimal point</source>
@@ -1809,6 +1825,18 @@
     <message>
         <source>larger than 1 MB</source>
         <translation>大于 1 MB</translation>
+    </message>
+    <message>
+        <source>the header %1</source>
+        <translation>表头 %1</translation>
+    </message>
+    <message>
+        <source>one of: %1</source>
+        <translation>以下之一：%1</translation>
+    </message>
+    <message>
+        <source>a list of objects</source>
+        <translation>对象列表</translation>
     </message>
 </context>
 <context>
@@ -1954,6 +1982,47 @@
     <message>
         <source>%1 There is no good copy; the default recipe is used.</source>
         <translation>%1 没有完好的副本，已使用默认配方。</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::RampControl</name>
+    <message>
+        <source>Peak acceleration</source>
+        <translation>峰值加速度</translation>
+    </message>
+    <message>
+        <source>RMS acceleration</source>
+        <translation>均方根加速度</translation>
+    </message>
+    <message>
+        <source>Peak speed</source>
+        <translation>峰值转速</translation>
+    </message>
+    <message>
+        <source>Highest rate</source>
+        <translation>最高速率</translation>
+    </message>
+    <message>
+        <source>%1 m/s²</source>
+        <translation>%1 m/s²</translation>
+    </message>
+    <message>
+        <source>%1 r/min</source>
+        <translation>%1 r/min</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Ratios: %1 %</source>
+        <comment>position between slow and gentle</comment>
+        <translation>比例：%1 %</translation>
+    </message>
+    <message>
+        <source>Ratios: %1</source>
+        <comment>set by hand, gentle, cool or slow</comment>
+        <translation>比例：%1</translation>
     </message>
 </context>
 <context>
@@ -2508,16 +2577,140 @@
         <translation>电机每转的轴位移，含减速机和丝杠。</translation>
     </message>
     <message>
-        <source>Peak torque of the motor, see the motor&apos;s nameplate.</source>
-        <translation>电机峰值转矩，见电机铭牌。</translation>
+        <source>Peak torque of the motor, see the motor&apos;s nameplate. 0: unknown, no limit.</source>
+        <translation>电机峰值转矩，见电机铭牌。0 表示未知，不限制。</translation>
     </message>
     <message>
-        <source>Total inertia of motor, gear and load at the motor. CamPanel uses the inertia to estimate the torque of a motion.</source>
-        <translation>折算到电机的电机、减速机和负载总惯量，用于估算运动所需转矩。</translation>
+        <source>Total inertia of motor, gear and load at the motor. CamPanel uses the inertia to estimate the torque of a motion. 0: unknown.</source>
+        <translation>折算到电机的电机、减速机和负载总惯量，用于估算运动所需转矩。0 表示未知。</translation>
     </message>
     <message>
         <source>Friction torque at the motor while the axis turns slowly and steadily.</source>
         <translation>轴缓慢匀速转动时折算到电机的摩擦转矩。</translation>
+    </message>
+    <message>
+        <source>Jaw contact angle</source>
+        <translation>封刀接触角</translation>
+    </message>
+    <message>
+        <source>Min. seal time</source>
+        <translation>最短封口时间</translation>
+    </message>
+    <message>
+        <source>sync window</source>
+        <translation>同步区</translation>
+    </message>
+    <message>
+        <source>seal time</source>
+        <translation>封口时间</translation>
+    </message>
+    <message>
+        <source>Angle of the knife shaft over which the sealing jaws touch the film: their arc divided by the knife radius. 0 is a thin knife, without checks of window and seal time.</source>
+        <translation>封刀接触薄膜时刀轴转过的角度：封刀弧长除以刀半径。0 表示薄刀，不检查同步区和封口时间。</translation>
+    </message>
+    <message>
+        <source>Minimum time of the jaws on the film, see the film&apos;s data sheet. The panel limits the rate accordingly. The controller does not store this value. 0: no minimum.</source>
+        <translation>封刀接触薄膜的最短时间，见薄膜数据表。面板据此限制速率。控制器不存储该值。0 表示无要求。</translation>
+    </message>
+    <message>
+        <source>Ratios</source>
+        <translation>比例</translation>
+    </message>
+    <message>
+        <source>Set by hand</source>
+        <translation>手动设定</translation>
+    </message>
+    <message>
+        <source>Gentle</source>
+        <translation>平缓</translation>
+    </message>
+    <message>
+        <source>Cool</source>
+        <translation>低热</translation>
+    </message>
+    <message>
+        <source>Slow</source>
+        <translation>低速</translation>
+    </message>
+    <message>
+        <source>Between</source>
+        <translation>之间</translation>
+    </message>
+    <message>
+        <source>Ramps, slow to gentle</source>
+        <translation>斜坡位置（低速至平缓）</translation>
+    </message>
+    <message>
+        <source>Rated motor torque</source>
+        <translation>电机额定转矩</translation>
+    </message>
+    <message>
+        <source>Natural frequency</source>
+        <translation>固有频率</translation>
+    </message>
+    <message>
+        <source>Damping ratio</source>
+        <translation>阻尼比</translation>
+    </message>
+    <message>
+        <source>Continuous torque of the motor, see the motor&apos;s nameplate. The RMS torque of a cycle stays below it. 0: unknown, no limit.</source>
+        <translation>电机连续转矩，见电机铭牌。一个周期的均方根转矩不超过该值。0 表示未知，不限制。</translation>
+    </message>
+    <message>
+        <source>Lowest natural frequency of the shaft behind the motor, from a measurement or the drive&apos;s analysis. 0: unknown.</source>
+        <translation>电机后轴系的最低固有频率，由测量或驱动器分析得到。0 表示未知。</translation>
+    </message>
+    <message>
+        <source>Damping of this vibration as a share of critical damping. 0.05 is usual for a shaft with gear.</source>
+        <translation>该振动的阻尼与临界阻尼之比。带减速机的轴通常为 0.05。</translation>
+    </message>
+    <message>
+        <source>RMS torque</source>
+        <translation>均方根转矩</translation>
+    </message>
+    <message>
+        <source>natural frequency</source>
+        <translation>固有频率</translation>
+    </message>
+    <message>
+        <source>Segment cam</source>
+        <translation>分段凸轮</translation>
+    </message>
+    <message>
+        <source>Segments</source>
+        <translation>运动段</translation>
+    </message>
+    <message>
+        <source>Knots</source>
+        <translation>型值点</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n segment(s)</source>
+        <translation>
+            <numerusform>%n 个运动段</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n knot(s)</source>
+        <translation>
+            <numerusform>%n 个型值点</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Dwell</source>
+        <translation>休止</translation>
+    </message>
+    <message>
+        <source>Constant speed</source>
+        <translation>匀速</translation>
+    </message>
+    <message>
+        <source>Polynomial 3, with speeds</source>
+        <translation>三次多项式，可设速度</translation>
+    </message>
+    <message>
+        <source>Polynomial 5, with speeds and accelerations</source>
+        <translation>五次多项式，可设速度和加速度</translation>
     </message>
 </context>
 <context>
@@ -2714,6 +2907,57 @@
         <source>%1 Nearest possible value: %2.</source>
         <comment>%1: whole sentence</comment>
         <translation>%1最近的可行值：%2。</translation>
+    </message>
+    <message>
+        <source>Widen the window, %1</source>
+        <comment>%1: rate with unit</comment>
+        <translation>加宽同步区，%1</translation>
+    </message>
+    <message>
+        <source>Widen the window</source>
+        <translation>加宽同步区</translation>
+    </message>
+    <message>
+        <source>Ratios %1</source>
+        <translation>比例 %1</translation>
+    </message>
+    <message>
+        <source>%1 with %2</source>
+        <comment>%1: ratios, %2: rate</comment>
+        <translation>%1，同时 %2</translation>
+    </message>
+    <message>
+        <source>The jaws need a sync window of %2° of the knife; at %3 s (%4°) the window has only %1°.</source>
+        <translation>封刀需要 %2° 的同步区（刀轴角）；在 %3 s（%4°）处只有 %1°。</translation>
+    </message>
+    <message>
+        <source>Seal time would be %1 at %3 s (%4°); the film needs %2.</source>
+        <translation>在 %3 s（%4°）处封口时间将为 %1；薄膜需要 %2。</translation>
+    </message>
+    <message>
+        <source>The film needs a seal time of %1, but the machine has no contact angle of the jaws. Enter the angle in Settings, Machine.</source>
+        <translation>薄膜需要 %1 的封口时间，但机器没有封刀接触角。请在“设置”的“机器”中输入该角度。</translation>
+    </message>
+    <message>
+        <source>Longer ramps</source>
+        <translation>加长斜坡</translation>
+    </message>
+    <message>
+        <source>Shorter ramps</source>
+        <translation>缩短斜坡</translation>
+    </message>
+    <message>
+        <source>%1 %2 allow %3.</source>
+        <comment>%1: whole sentence, %2: longer ramps, %3: rate with unit</comment>
+        <translation>%1%2可达到 %3。</translation>
+    </message>
+    <message>
+        <source>RMS torque would be %1, and the motor would overheat; its rated torque is %2.</source>
+        <translation>均方根转矩将为 %1，电机会过热；额定转矩为 %2。</translation>
+    </message>
+    <message>
+        <source>The cycle repeats at %1, above the shaft&apos;s natural frequency of %2. Enter a lower rate, or correct the machine data.</source>
+        <translation>循环频率为 %1，高于轴的固有频率 %2。请降低速率，或更正机器数据。</translation>
     </message>
 </context>
 <context>
@@ -3870,6 +4114,114 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
     <message>
         <source>%1 of 100 responses took at most this time.</source>
         <translation>每 100 个应答中有 %1 个不超过此时间。</translation>
+    </message>
+    <message>
+        <source>rate × seal time / required seal time, rounded down</source>
+        <translation>速率 × 封口时间 / 要求的封口时间，向下取整</translation>
+    </message>
+    <message>
+        <source>Sync window</source>
+        <translation>同步区</translation>
+    </message>
+    <message>
+        <source>Angle over which the knife moves at film speed. It must exceed the contact angle of the jaws by 2°.</source>
+        <translation>切刀以膜速转过的角度，必须比封刀接触角大 2°。</translation>
+    </message>
+    <message>
+        <source>Seal time</source>
+        <translation>封口时间</translation>
+    </message>
+    <message>
+        <source>Time of the jaws on the film at this rate.</source>
+        <translation>该速率下封刀接触薄膜的时间。</translation>
+    </message>
+    <message>
+        <source>Time of the jaws on the film at the present rate. The contact angle is that of the recipe on the Motion page.</source>
+        <translation>当前速率下封刀接触薄膜的时间。接触角取自“运动”页的配方。</translation>
+    </message>
+    <message>
+        <source>60 000 × arc of the jaws / (sync ratio × bag length × rate)</source>
+        <translation>60 000 × 封刀弧长 /（同步比 × 袋长 × 速率）</translation>
+    </message>
+    <message>
+        <source>RMS knife acceleration</source>
+        <translation>切刀均方根加速度</translation>
+    </message>
+    <message>
+        <source>Root mean square of the acceleration over a cycle. It heats the motor; I2 is the integral of the squared slope of the law.</source>
+        <translation>一个周期内加速度的均方根值，决定电机发热；I2 是规律斜率平方的积分。</translation>
+    </message>
+    <message>
+        <source>Speed ratio k0</source>
+        <translation>速度比 k0</translation>
+    </message>
+    <message>
+        <source>Film speed divided by base speed, equation (9) of the paper. It follows from the recipe.</source>
+        <translation>膜速与基本速度之比，即论文的式 (9)，由配方得出。</translation>
+    </message>
+    <message>
+        <source>Speed of the base circle ω</source>
+        <translation>基圆角速度 ω</translation>
+    </message>
+    <message>
+        <source>Angular speed of the knife at base speed, equation (7) of the paper. Its base circle has the knife radius.</source>
+        <translation>基本速度下切刀的角速度，即论文的式 (7)，基圆半径取切刀半径。</translation>
+    </message>
+    <message>
+        <source>Coefficients C0 to C%1</source>
+        <translation>系数 C0 至 C%1</translation>
+    </message>
+    <message>
+        <source>The law is the polynomial s = C0 + C1 t + C2 t^2 … of the paper, s in mm and t in ms: %1.</source>
+        <translation>该规律是论文中的多项式 s = C0 + C1 t + C2 t^2 …，s 以 mm、t 以 ms 计：%1。</translation>
+    </message>
+    <message>
+        <source>rate × √((allowed − friction) / (peak − friction)), rounded down</source>
+        <translation>速率 × √((允许值 − 摩擦) / (峰值 − 摩擦))，向下取整</translation>
+    </message>
+    <message>
+        <source>rate × ((allowed² − friction²) / (RMS² − friction²))^(1/4), rounded down</source>
+        <translation>速率 × ((允许值² − 摩擦²) / (均方根² − 摩擦²))^(1/4)，向下取整</translation>
+    </message>
+    <message>
+        <source>Peak motor torque</source>
+        <translation>电机峰值转矩</translation>
+    </message>
+    <message>
+        <source>Torque at the motor for the peak acceleration, plus friction.</source>
+        <translation>峰值加速度所需的电机转矩，加上摩擦。</translation>
+    </message>
+    <message>
+        <source>RMS motor torque</source>
+        <translation>电机均方根转矩</translation>
+    </message>
+    <message>
+        <source>Root mean square over one cycle. It heats the motor, so it stays below the rated torque.</source>
+        <translation>一个周期内的均方根值。它使电机发热，因此须低于额定转矩。</translation>
+    </message>
+    <message>
+        <source>Error while sealing</source>
+        <translation>封切误差</translation>
+    </message>
+    <message>
+        <source>Vibration of the knife shaft, peak to peak, between both ends of the sealing window.</source>
+        <translation>切刀轴在封切窗口两端之间振动的峰峰值。</translation>
+    </message>
+    <message>
+        <source>Torque, largest difference</source>
+        <translation>转矩最大偏差</translation>
+    </message>
+    <message>
+        <source>torque that the drive reports − (J α + friction), of the rated torque</source>
+        <translation>驱动器报告的转矩 − (J α + 摩擦)，占额定转矩</translation>
+    </message>
+    <message>
+        <source>Compared while the machine runs at full speed.</source>
+        <translation>机器以全速运行时进行比较。</translation>
+    </message>
+    <message>
+        <source>Largest of the last readings at full speed (%1), at %2° of the cycle. The drive lags behind the program, so the difference is largest where the acceleration changes fast.</source>
+        <translation>最近全速读数（%1 个）中的最大值，位于周期的 %2°。驱动器滞后于程序，因此加速度变化快处偏差最大。</translation>
     </message>
 </context>
 <context>
@@ -5148,6 +5500,27 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
         <source>The file becomes version %2 of %1; earlier versions are kept.</source>
         <translation>将成为 %1 的第 %2 版，以前的版本均保留。</translation>
     </message>
+    <message>
+        <source>%1 Nm</source>
+        <translation>%1 Nm</translation>
+    </message>
+    <message>
+        <source>Peak motor torque</source>
+        <translation>电机峰值转矩</translation>
+    </message>
+    <message>
+        <source>RMS motor torque</source>
+        <translation>电机均方根转矩</translation>
+    </message>
+    <message>
+        <source>Highest RMS torque</source>
+        <translation>最高均方根转矩</translation>
+    </message>
+    <message>
+        <source>%1, %2 Nm</source>
+        <comment>recipe, torque</comment>
+        <translation>%1，%2 Nm</translation>
+    </message>
 </context>
 <context>
     <name>campanel::panel::DatabaseService</name>
@@ -5252,6 +5625,34 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
         <source>The settings file was damaged and has no good copy. No controller is selected: select one on the Settings page, under Connection.</source>
         <translation>设置文件已损坏，且没有完好的副本。未选择控制器：请在“设置”页的“通信”中选择。</translation>
     </message>
+    <message>
+        <source>Language</source>
+        <translation>语言</translation>
+    </message>
+    <message>
+        <source>Theme</source>
+        <translation>主题</translation>
+    </message>
+    <message>
+        <source>Glove mode</source>
+        <translation>手套模式</translation>
+    </message>
+    <message>
+        <source>bag tolerance, mm</source>
+        <translation>袋长公差，mm</translation>
+    </message>
+    <message>
+        <source>minutes until logout</source>
+        <translation>自动退出分钟数</translation>
+    </message>
+    <message>
+        <source>operator login required</source>
+        <translation>操作员须登录</translation>
+    </message>
+    <message>
+        <source>hold to start</source>
+        <translation>按住启动</translation>
+    </message>
 </context>
 <context>
     <name>campanel::panel::Trends</name>
@@ -5296,6 +5697,175 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
     <message>
         <source>Written: %1. You can remove the stick now.</source>
         <translation>已写入：%1。现在可以拔出 U 盘。</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::CutterMap</name>
+    <message>
+        <source>%1 · %2</source>
+        <comment>%1: bag length, %2: rate</comment>
+        <translation>%1 · %2</translation>
+    </message>
+    <message>
+        <source>Up to %1; limited by: %2.</source>
+        <comment>%1: rate, %2: name of the limit</comment>
+        <translation>最快 %1，受限于%2。</translation>
+    </message>
+    <message>
+        <source>No rate is possible; limited by: %1.</source>
+        <comment>name of the limit</comment>
+        <translation>任何速率都不可行，受限于%1。</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::TorqueWatch</name>
+    <message>
+        <source>The drive reports no torque.</source>
+        <translation>驱动器不报告转矩。</translation>
+    </message>
+    <message>
+        <source>Inertia and rated torque are missing in Settings, Machine.</source>
+        <translation>“设置”的“机器”中缺少惯量和额定转矩。</translation>
+    </message>
+    <message>
+        <source>The inertia is missing in Settings, Machine.</source>
+        <translation>“设置”的“机器”中缺少惯量。</translation>
+    </message>
+    <message>
+        <source>The rated torque is missing in Settings, Machine.</source>
+        <translation>“设置”的“机器”中缺少额定转矩。</translation>
+    </message>
+    <message>
+        <source>The program was made for other machine data.</source>
+        <translation>该程序是按其他机器数据生成的。</translation>
+    </message>
+    <message>
+        <source>Torque %1 %, predicted --. %2</source>
+        <comment>%1: of rated, %2: sentence</comment>
+        <translation>转矩 %1 %，预测 --。%2</translation>
+    </message>
+    <message>
+        <source>Torque %1 % of rated, predicted %2 %, largest difference %3 %</source>
+        <translation>转矩为额定的 %1 %，预测 %2 %，最大偏差 %3 %</translation>
+    </message>
+    <message>
+        <source>Torque %1 %, predicted %2 %, max. diff. %3 %</source>
+        <translation>转矩 %1 %，预测 %2 %，最大偏差 %3 %</translation>
+    </message>
+</context>
+<context>
+    <name>SegmentSentences</name>
+    <message>
+        <source>%1 %2</source>
+        <comment>%1: number, %2: unit</comment>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>Segment %1 begins at %2, which is out of range; the nearest possible value is %3.</source>
+        <translation>第 %1 段起点 %2 超出范围；最接近的可用值为 %3。</translation>
+    </message>
+    <message>
+        <source>Segment %1 has a boundary speed of %2; the nearest possible value is %3.</source>
+        <translation>第 %1 段的边界速度为 %2；最接近的可用值为 %3。</translation>
+    </message>
+    <message>
+        <source>Segment %1 has a boundary acceleration of %2; the nearest possible value is %3.</source>
+        <translation>第 %1 段的边界加速度为 %2；最接近的可用值为 %3。</translation>
+    </message>
+    <message>
+        <source>Segment %1 ends at %2, which is out of range; the nearest possible value is %3.</source>
+        <translation>第 %1 段终点 %2 超出范围；最接近的可用值为 %3。</translation>
+    </message>
+    <message>
+        <source>The cam has %1 segments; the nearest possible number is %2.</source>
+        <translation>凸轮有 %1 段；最接近的可用段数为 %2。</translation>
+    </message>
+    <message>
+        <source>Segment %1 is only %2 wide; the minimum is %3.</source>
+        <translation>第 %1 段宽度仅 %2；最小为 %3。</translation>
+    </message>
+    <message>
+        <source>Segment %1 begins at %2 and overlaps the segment before it, which ends at %3. Begin it at %3.</source>
+        <translation>第 %1 段起点为 %2，与前一段重叠，前一段终点为 %3。请将起点设为 %3。</translation>
+    </message>
+    <message>
+        <source>Segment %1 begins at %2 and leaves a gap: the segment before it ends at %3. Begin it at %3.</source>
+        <translation>第 %1 段起点为 %2，留有间隙：前一段终点为 %3。请将起点设为 %3。</translation>
+    </message>
+    <message>
+        <source>The first segment begins at %1; the cycle begins at %2.</source>
+        <translation>第一段起点为 %1；周期起点为 %2。</translation>
+    </message>
+    <message>
+        <source>The last segment ends at %1; the cycle ends at %2.</source>
+        <translation>最后一段终点为 %1；周期终点为 %2。</translation>
+    </message>
+    <message>
+        <source>The motion of segment %1 is unknown. Choose another motion.</source>
+        <translation>第 %1 段的运动规律未知。请选择其他运动规律。</translation>
+    </message>
+    <message>
+        <source>Segment %1: %2 is %3; the nearest possible value is %4.</source>
+        <translation>第 %1 段：%2 为 %3；最接近的可用值为 %4。</translation>
+    </message>
+    <message>
+        <source>Speed jumps by %1 at the end of the cycle; the axis can follow %2. Make the segments continuous.</source>
+        <translation>周期末速度突变 %1；轴可跟随 %2。请使各段连续。</translation>
+    </message>
+    <message>
+        <source>Speed jumps by %1 where segment %2 begins; the axis can follow %3. Make the segments continuous.</source>
+        <translation>第 %2 段起点速度突变 %1；轴可跟随 %3。请使各段连续。</translation>
+    </message>
+    <message>
+        <source>Where segment %1 begins: speed jumps by %2 mm/°, acceleration by %3 mm/°².</source>
+        <translation>第 %1 段起点：速度突变 %2 mm/°，加速度突变 %3 mm/°²。</translation>
+    </message>
+    <message>
+        <source>At the end of the cycle: position jumps by %1 mm, speed by %2 mm/°, acceleration by %3 mm/°².</source>
+        <translation>周期末：位置突变 %1 mm，速度突变 %2 mm/°，加速度突变 %3 mm/°²。</translation>
+    </message>
+    <message>
+        <source>The segments are continuous.</source>
+        <translation>各段连续。</translation>
+    </message>
+    <message>
+        <source>The segments are continuous and advance by %1 mm per cycle.</source>
+        <translation>各段连续，每周期前进 %1 mm。</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::SegmentModel</name>
+    <message>
+        <source>%1 – %2°</source>
+        <translation>%1 – %2°</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>Ends at</source>
+        <translation>终点</translation>
+    </message>
+    <message>
+        <source>End position</source>
+        <translation>终点位置</translation>
+    </message>
+    <message>
+        <source>Start speed</source>
+        <translation>起点速度</translation>
+    </message>
+    <message>
+        <source>Start acceleration</source>
+        <translation>起点加速度</translation>
+    </message>
+    <message>
+        <source>End speed</source>
+        <translation>终点速度</translation>
+    </message>
+    <message>
+        <source>End acceleration</source>
+        <translation>终点加速度</translation>
     </message>
 </context>
 </TS>

@@ -79,13 +79,13 @@ struct StatusBatch {
     int failedExchanges = 0; // since the last batch
 };
 
-// The header of the controller's active bank, and the knots of a point cam. The header is empty without a
-// program.
+// The header of the controller's active bank, and the knots or segments of a cam. The header is empty
+// without a program.
 struct ActiveProgram {
     std::uint32_t generation = 0;
     std::uint32_t crc = 0;
     std::vector<std::uint16_t> header;
-    std::vector<std::uint16_t> knots{}; // registers, modbus::knotRegisters each
+    std::vector<std::uint16_t> list{}; // registers of the knots or segments
 
     [[nodiscard]] bool isEmpty() const { return header.empty(); }
 };

@@ -298,7 +298,7 @@ void LinkWorker::noteProgram(const ProgramId& program)
     if (!isEmpty && (m_header.empty() || m_headerOf != program)) {
         m_headerOf = program;
         m_header.clear();
-        m_knots.reset();
+        m_list.reset();
         m_isHeaderWanted = true;
         return;
     }
@@ -308,7 +308,7 @@ void LinkWorker::noteProgram(const ProgramId& program)
     ActiveProgram read{program.first, program.second, {}, {}};
     if (!isEmpty) {
         read.header = m_header;
-        read.knots = m_knots ? m_knots->registers() : std::vector<std::uint16_t>{};
+        read.list = m_list ? m_list->registers() : std::vector<std::uint16_t>{};
     }
     emit programRead(read);
 }
@@ -319,13 +319,13 @@ void LinkWorker::readHeader()
     if (m_header.empty()) {
         m_header = m_client->readProven(modbus::activeBankBase, modbus::bankHeaderRegisters)
                        .value_or(std::vector<std::uint16_t>{});
-        const modbus::KnotSpan knots = m_header.empty() ? modbus::KnotSpan{} : modbus::knotSpan(m_header);
-        m_isHeaderWanted = knots.count > 0;
+        const modbus::ListSpan list = m_header.empty() ? modbus::ListSpan{} : modbus::listSpan(m_header);
+        m_isHeaderWanted = list.count > 0;
         if (m_isHeaderWanted)
-            m_knots.emplace(static_cast<std::uint16_t>(modbus::activeBankBase + knots.offset), knots.count);
+            m_list.emplace(static_cast<std::uint16_t>(modbus::activeBankBase + list.offset), list.count);
         return;
     }
-    const auto isComplete = m_knots->advance(*m_client);
+    const auto isComplete = m_list->advance(*m_client);
     m_isHeaderWanted = isComplete && !*isComplete;
     if (!isComplete)
         m_header.clear();

@@ -122,7 +122,7 @@ private:
     bool m_isHeaderWanted = false;
     std::optional<ProgramId> m_headerOf; // the active program before m_header was read
     std::vector<std::uint16_t> m_header;
-    std::optional<modbus::BankReader> m_knots; // only for a point cam
+    std::optional<modbus::BankReader> m_list; // only for a point cam
 };
 
 } // namespace campanel::link

@@ -135,7 +135,7 @@ void LinkWorker::tryToConnect()
     m_programRead.reset();
     m_headerOf.reset();
     m_header.clear();
-    m_knots.reset();
+    m_list.reset();
     m_isHeaderWanted = false;
     if (m_heldStop && identity->uniqueId != m_controllerId)
         endHeldStop(CommandEnd::NotSent); // meant for another machine

@@ -89,8 +89,8 @@ void CurvePlot::updatePolish()
 CurvePlot::Mapping CurvePlot::mapping() const
 {
     const PlotPanel* panel = velocityPanel();
-    return {m_plotArea, m_timeMap.s2(), panel ? panel->scale().lower() : 0.0,
-            panel ? panel->scale().upper() : 0.0};
+    return {m_plotArea, panel ? panel->canvas() : QRectF(), m_timeMap.s2(),
+            panel ? panel->scale().lower() : 0.0, panel ? panel->scale().upper() : 0.0};
 }
 
 void CurvePlot::ensureLayout()
@@ -298,6 +298,11 @@ void CurvePlot::setTimeMaximum(double timeS)
     }
 }
 
+void CurvePlot::setLimitTorque(double limit)
+{
+    changeLimit(m_limitTorque, limit);
+}
+
 double CurvePlot::limitOf(Quantity quantity) const
 {
     switch (quantity) {
@@ -307,6 +312,8 @@ double CurvePlot::limitOf(Quantity quantity) const
         return m_limitAcceleration;
     case Quantity::Frequency:
         return m_limitFrequency;
+    case Quantity::Torque:
+        return m_limitTorque;
     case Quantity::Position:
     case Quantity::Jerk:
         break;

@@ -25,7 +25,7 @@ class CurvePlot : public QQuickPaintedItem {
     Q_PROPERTY(QVariant curves MEMBER m_curves NOTIFY curvesChanged FINAL)
     Q_PROPERTY(QVariant overlayCurves MEMBER m_overlayCurves NOTIFY overlayCurvesChanged FINAL)
     // The panels from top to bottom: "position" mm, "velocity" mm/s, "acceleration" m/s2, "jerk" m/s3,
-    // "frequency" kHz.
+    // "frequency" kHz, "torque" Nm.
     Q_PROPERTY(QStringList quantities MEMBER m_quantities NOTIFY quantitiesChanged FINAL)
     Q_PROPERTY(QStringList titles MEMBER m_titles NOTIFY titlesChanged FINAL)
     // The measured points over the velocity panel: x cycle time in s, ascending; y in mm/s.
@@ -34,11 +34,12 @@ class CurvePlot : public QQuickPaintedItem {
     Q_PROPERTY(double cursorTime READ cursorTime WRITE setCursorTime NOTIFY cursorTimeChanged FINAL)
     Q_PROPERTY(bool cursorDotsVisible MEMBER m_cursorDotsVisible NOTIFY cursorDotsVisibleChanged FINAL)
     Q_PROPERTY(QList<double> markerTimes MEMBER m_markerTimes NOTIFY markersChanged FINAL)
-    // The limits in mm/s, mm/s2 and Hz; NaN for none.
+    // The limits in mm/s, mm/s2, Hz and Nm; NaN for none.
     Q_PROPERTY(double limitVelocity READ limitVelocity WRITE setLimitVelocity NOTIFY limitsChanged FINAL)
     Q_PROPERTY(
         double limitAcceleration READ limitAcceleration WRITE setLimitAcceleration NOTIFY limitsChanged FINAL)
     Q_PROPERTY(double limitFrequency READ limitFrequency WRITE setLimitFrequency NOTIFY limitsChanged FINAL)
+    Q_PROPERTY(double limitTorque READ limitTorque WRITE setLimitTorque NOTIFY limitsChanged FINAL)
     // The spans that exceed a limit: x from, y to, in s.
     Q_PROPERTY(QList<QPointF> violations MEMBER m_violations NOTIFY markersChanged FINAL)
     // The text at the limit lines; empty for none.
@@ -68,7 +69,8 @@ public:
     [[nodiscard]] Q_INVOKABLE double valuePerPixel(int index);
     [[nodiscard]] Q_INVOKABLE double panelTop(int index);
     [[nodiscard]] Q_INVOKABLE double panelHeight(int index);
-    // Returns one value per panel in its displayed unit (mm, mm/s, m/s2, m/s3, kHz); NaN outside the curves.
+    // Returns one value per panel in its displayed unit (mm, mm/s, m/s2, m/s3, kHz, Nm); NaN outside the
+    // curves.
     [[nodiscard]] Q_INVOKABLE QList<double> valuesAt(double timeS);
 
     [[nodiscard]] CurveStyle* curveStyle() { return &m_style; }
@@ -83,6 +85,8 @@ public:
     void setLimitAcceleration(double limit);
     [[nodiscard]] double limitFrequency() const { return m_limitFrequency; }
     void setLimitFrequency(double limit);
+    [[nodiscard]] double limitTorque() const { return m_limitTorque; }
+    void setLimitTorque(double limit);
     [[nodiscard]] double timeMaximum() const { return m_timeMaximum; }
     void setTimeMaximum(double timeS);
 
@@ -115,6 +119,7 @@ private:
 
     struct Mapping {
         QRectF area;
+        QRectF velocityCanvas; // another panel makes it lower, also at the same scale
         double timeEnd = 0;
         double velocityLow = 0;
         double velocityHigh = 0;
@@ -164,6 +169,7 @@ private:
     double m_limitVelocity = none;
     double m_limitAcceleration = none;
     double m_limitFrequency = none;
+    double m_limitTorque = none;
     QList<QPointF> m_violations;
     QString m_limitLabel;
     double m_timeMaximum = none;

@@ -3,7 +3,7 @@
 #include "app/plot/curve_plot.h"
 
 #include "app/plot/decimation.h"
-#include "app/plot/label_draw.h"
+#include "app/plot/picture/label_draw.h"
 
 #include <QPainter>
 #include <QPalette>
@@ -222,6 +222,8 @@ QColor CurvePlot::colorOf(Quantity quantity) const
         return m_style.jerkColor;
     case Quantity::Frequency:
         return m_style.frequencyColor;
+    case Quantity::Torque:
+        return m_style.torqueColor;
     }
     return m_style.inkColor;
 }

@@ -25,6 +25,7 @@ class CurveStyle : public QObject {
     Q_PROPERTY(QColor accelerationColor MEMBER accelerationColor NOTIFY changed FINAL)
     Q_PROPERTY(QColor jerkColor MEMBER jerkColor NOTIFY changed FINAL)
     Q_PROPERTY(QColor frequencyColor MEMBER frequencyColor NOTIFY changed FINAL)
+    Q_PROPERTY(QColor torqueColor MEMBER torqueColor NOTIFY changed FINAL)
     Q_PROPERTY(QColor overlayColor MEMBER overlayColor NOTIFY changed FINAL)
     Q_PROPERTY(QColor traceColor MEMBER traceColor NOTIFY traceChanged FINAL)
     Q_PROPERTY(QColor limitColor MEMBER limitColor NOTIFY changed FINAL)
@@ -47,6 +48,7 @@ public:
     QColor accelerationColor{Qt::black};
     QColor jerkColor{Qt::black};
     QColor frequencyColor{Qt::black};
+    QColor torqueColor{Qt::black};
     QColor overlayColor{Qt::gray};
     QColor traceColor{Qt::blue};
     QColor limitColor{Qt::darkYellow};

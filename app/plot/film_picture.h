@@ -52,7 +52,7 @@ class FilmPicture : public QQuickPaintedItem {
     Q_PROPERTY(QColor windowColor MEMBER m_windowColor NOTIFY styleChanged FINAL)
     Q_PROPERTY(QColor productColor MEMBER m_productColor NOTIFY styleChanged FINAL)
     Q_PROPERTY(QColor cutColor MEMBER m_cutColor NOTIFY styleChanged FINAL)
-    Q_PROPERTY(QColor leftOutColor MEMBER m_leftOutColor NOTIFY styleChanged FINAL)
+    Q_PROPERTY(QColor skippedColor MEMBER m_skippedColor NOTIFY styleChanged FINAL)
     Q_PROPERTY(QColor knifeColor MEMBER m_knifeColor NOTIFY styleChanged FINAL)
     Q_PROPERTY(QColor textColor MEMBER m_textColor NOTIFY styleChanged FINAL)
     Q_PROPERTY(QColor staleColor MEMBER m_staleColor NOTIFY styleChanged FINAL)
@@ -133,7 +133,7 @@ private:
     QColor m_windowColor{Qt::cyan};
     QColor m_productColor{Qt::darkCyan};
     QColor m_cutColor{Qt::blue};
-    QColor m_leftOutColor{Qt::red};
+    QColor m_skippedColor{Qt::red};
     QColor m_knifeColor{Qt::black};
     QColor m_textColor{Qt::black};
     QColor m_staleColor{Qt::gray};

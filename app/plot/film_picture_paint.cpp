@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/plot/film_picture.h"
-#include "app/plot/label_draw.h"
+#include "app/plot/picture/label_draw.h"
 
 #include <QFontMetricsF>
 #include <QPainter>
@@ -168,14 +168,14 @@ void FilmPicture::paintCuts(QPainter& painter, const Rows& rows) const
         const double x = xOf(cut.x());
         if (x > knifeX())
             continue; // already cut
-        const bool isLeftOut = cut.y() != 0;
-        const QColor color = live(isLeftOut ? m_leftOutColor : m_cutColor);
+        const bool isSkipped = cut.y() != 0;
+        const QColor color = live(isSkipped ? m_skippedColor : m_cutColor);
         QPen pen(color, lineWidth, Qt::SolidLine, Qt::FlatCap);
-        if (isLeftOut)
+        if (isSkipped)
             pen.setDashPattern({2, 2});
         painter.setPen(pen);
         painter.drawLine(QPointF(x, rows.filmTop), QPointF(x, bottom));
-        if (isLeftOut) {
+        if (isSkipped) {
             const double reach = head / 2 - 1;
             const QPointF middle(x, rows.filmTop - head / 2);
             painter.setPen(QPen(color, lineWidth));

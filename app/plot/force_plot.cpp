@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/plot/force_plot.h"
 
-#include "app/plot/label_draw.h"
+#include "app/plot/picture/label_draw.h"
 #include "app/plot/plot_panel.h"
 #include "app/plot/plot_style.h"
 
@@ -61,13 +61,13 @@ void ForcePlot::fitScales(const QPolygonF& points)
     if (!std::isfinite(from))
         from = points.isEmpty() ? (hasGate ? m_gatePosition - emptyWayMm : 0) : points.first().x();
     double to = hasGate ? m_gatePosition : from + emptyWayMm;
-    double most = std::isfinite(m_gateHigh) ? m_gateHigh * gateHeadroom : minimumForceN;
+    double maxForceN = std::isfinite(m_gateHigh) ? m_gateHigh * gateHeadroom : minimumForceN;
     for (const QPointF& point : points) {
         to = std::max(to, point.x());
-        most = std::max(most, point.y());
+        maxForceN = std::max(maxForceN, point.y());
     }
     m_positionScale.fit(std::min(from, to), to, minimumWayMm);
-    m_forceScale.fit(0, most, minimumForceN);
+    m_forceScale.fit(0, maxForceN, minimumForceN);
 }
 
 void ForcePlot::place()

@@ -3,7 +3,7 @@
 // there. Drawn by Qwt into a Qt Quick item.
 #pragma once
 
-#include "app/plot/axis_scale.h"
+#include "app/plot/picture/axis_scale.h"
 
 #include <QColor>
 #include <QFont>

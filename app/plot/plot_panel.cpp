@@ -2,7 +2,7 @@
 #include "app/plot/plot_panel.h"
 
 #include "app/plot/decimation.h"
-#include "app/plot/label_draw.h"
+#include "app/plot/picture/label_draw.h"
 
 #include <QFontMetricsF>
 #include <QPainter>

@@ -3,7 +3,7 @@
 // and controlled by CurvePlot.
 #pragma once
 
-#include "app/plot/axis_scale.h"
+#include "app/plot/picture/axis_scale.h"
 #include "app/plot/plot_style.h"
 #include "app/plot/quantity.h"
 

@@ -20,12 +20,13 @@ struct QuantityRow {
 };
 
 // The rows in the order of the enum.
-constexpr std::array<QuantityRow, 5> rows{{
+constexpr std::array<QuantityRow, 6> rows{{
     {"position", &profile::Curves::positionMm, 1.0, 1e-3},
     {"velocity", &profile::Curves::velocityMmPerS, 1.0, 1e-2},
     {"acceleration", &profile::Curves::accelerationMmPerS2, 1e-3, 1e-3},
     {"jerk", &profile::Curves::jerkMmPerS3, 1e-3, 1e-2},
     {"frequency", &profile::Curves::frequencyHz, 1e-3, 1e-3},
+    {"torque", &profile::Curves::torqueNm, 1.0, 1e-4},
 }};
 
 const QuantityRow& rowOf(Quantity quantity)
@@ -61,8 +62,11 @@ CurveSet curveSetFrom(const QVariant& value)
     if (!curves || curves->timeS.size() < 2) {
         return nullptr;
     }
-    const bool complete = std::ranges::all_of(
-        rows, [&](const QuantityRow& row) { return ((*curves).*row.values).size() == curves->timeS.size(); });
+    const bool complete = std::ranges::all_of(rows, [&](const QuantityRow& row) {
+        const auto& values = (*curves).*row.values;
+        return values.size() == curves->timeS.size() ||
+               (row.values == &profile::Curves::torqueNm && values.empty());
+    });
     return complete ? curves : nullptr;
 }
 
@@ -80,7 +84,7 @@ double valueAt(const CurveSet& curves, Quantity quantity, double timeS)
 {
     const std::span<const double> times = timesOf(curves);
     const std::span<const double> values = valuesOf(curves, quantity);
-    if (times.empty() || !(timeS >= times.front()) || !(timeS <= times.back())) {
+    if (times.empty() || values.empty() || !(timeS >= times.front()) || !(timeS <= times.back())) {
         return std::numeric_limits<double>::quiet_NaN();
     }
     const double factor = displayFactor(quantity);

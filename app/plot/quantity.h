@@ -15,14 +15,14 @@ struct Curves;
 
 namespace campanel::plot {
 
-enum class Quantity : quint8 { Position, Velocity, Acceleration, Jerk, Frequency };
+enum class Quantity : quint8 { Position, Velocity, Acceleration, Jerk, Frequency, Torque };
 
-// Returns the quantity "position", "velocity", "acceleration", "jerk" or "frequency"; nothing for any other
-// name.
+// Returns the quantity "position", "velocity", "acceleration", "jerk", "frequency" or "torque"; nothing for
+// any other name.
 [[nodiscard]] std::optional<Quantity> quantityByName(const QString& name);
 
-// Returns the factor displayed = sampled * displayFactor. Curves are in mm, s and Hz; displayed units are mm,
-// mm/s, m/s2, m/s3 and kHz.
+// Returns the factor displayed = sampled * displayFactor. Curves are in mm, s, Hz and Nm; displayed units are
+// mm, mm/s, m/s2, m/s3, kHz and Nm.
 [[nodiscard]] double displayFactor(Quantity quantity);
 
 // Returns the difference (in the displayed unit) below which a curve counts as constant, because of rounding.
@@ -30,7 +30,8 @@ enum class Quantity : quint8 { Position, Velocity, Acceleration, Jerk, Frequency
 
 using CurveSet = std::shared_ptr<const profile::Curves>;
 
-// Returns null without a valid curve set: at least two points and arrays of equal length.
+// Returns null without a valid curve set: at least two points and arrays of equal length. The torque may be
+// missing.
 [[nodiscard]] CurveSet curveSetFrom(const QVariant& value);
 
 // Returns an empty span for a null set. The span is valid during the lifetime of the set.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/plot/strip_chart.h"
 
-#include "app/plot/label_draw.h"
+#include "app/plot/picture/label_draw.h"
 #include "app/plot/plot_panel.h"
 
 #include <QFontMetricsF>

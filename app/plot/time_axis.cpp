@@ -22,10 +22,11 @@ constexpr std::array<qint64, 20> roundSteps{1,           2,           5,        
                                             6 * hour,    12 * hour,   day,        2 * day,    5 * day};
 constexpr double msPerSecond = 1000;
 
-qint64 stepFor(double spanMs, int most)
+qint64 stepFor(double spanMs, int maxTicks)
 {
-    const auto fits = std::ranges::find_if(
-        roundSteps, [&](qint64 step) { return spanMs / (msPerSecond * static_cast<double>(step)) < most; });
+    const auto fits = std::ranges::find_if(roundSteps, [&](qint64 step) {
+        return spanMs / (msPerSecond * static_cast<double>(step)) < maxTicks;
+    });
     return fits == roundSteps.end() ? roundSteps.back() : *fits;
 }
 
@@ -65,12 +66,12 @@ QString momentText(double timeMs, double spanMs, const QLocale& locale)
     return shortDate(time.date(), locale) + u' ' + time.toString(needsSeconds ? u"HH:mm:ss"_s : u"HH:mm"_s);
 }
 
-QList<TimeTick> timeTicks(double fromMs, double toMs, int most, const QLocale& locale)
+QList<TimeTick> timeTicks(double fromMs, double toMs, int maxTicks, const QLocale& locale)
 {
     QList<TimeTick> ticks;
     if (!(toMs > fromMs))
         return ticks;
-    const qint64 step = stepFor(toMs - fromMs, std::max(2, most));
+    const qint64 step = stepFor(toMs - fromMs, std::max(2, maxTicks));
     QDateTime tick = roundBefore(QDateTime::fromMSecsSinceEpoch(std::llround(std::ceil(fromMs))), step);
     for (; static_cast<double>(tick.toMSecsSinceEpoch()) <= toMs; tick = roundAfter(tick, step)) {
         const auto at = static_cast<double>(tick.toMSecsSinceEpoch());

@@ -13,9 +13,9 @@ struct TimeTick {
     QString text;
 };
 
-// Returns at most `most` ticks (at least 2) in the window, at round times of the computer's time zone. A tick
-// at midnight has the date, the others the time; with steps of days each has the date.
-[[nodiscard]] QList<TimeTick> timeTicks(double fromMs, double toMs, int most, const QLocale& locale);
+// Returns at most `maxTicks` ticks (at least 2) in the window, at round times of the computer's time zone. A
+// tick at midnight has the date, the others the time; with steps of days each has the date.
+[[nodiscard]] QList<TimeTick> timeTicks(double fromMs, double toMs, int maxTicks, const QLocale& locale);
 // Returns "15 Jan", "1月15日".
 [[nodiscard]] QString shortDate(const QDate& date, const QLocale& locale);
 // Returns a time for a cursor, with a precision that depends on the window: date, hours, minutes, seconds.

@@ -3,7 +3,7 @@
 // with its own value scale and tolerance lines. Owned and controlled by TrendPlot.
 #pragma once
 
-#include "app/plot/axis_scale.h"
+#include "app/plot/picture/axis_scale.h"
 #include "app/plot/plot_style.h"
 
 #include <QPolygonF>

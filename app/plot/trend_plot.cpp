@@ -163,10 +163,10 @@ void TrendPlot::paintTimeAxis(QPainter& painter) const
 {
     const QFontMetricsF metrics(m_axisFont);
     const double widest = metrics.horizontalAdvance(QStringLiteral("00:00:00"));
-    const int most = std::max(2, static_cast<int>(m_area.width() / (tickSpacing * widest)));
+    const int maxTicks = std::max(2, static_cast<int>(m_area.width() / (tickSpacing * widest)));
     const QwtScaleMap map = timeMap();
     painter.setFont(m_axisFont);
-    for (const TimeTick& tick : timeTicks(m_fromMs, m_toMs, most, m_locale)) {
+    for (const TimeTick& tick : timeTicks(m_fromMs, m_toMs, maxTicks, m_locale)) {
         const double x = std::round(map.transform(tick.timeMs)) + 0.5;
         painter.setPen(QPen(m_gridColor, 1));
         for (const TrendLane& lane : m_lanes)

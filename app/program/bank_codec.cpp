@@ -3,6 +3,7 @@
 #include "app/program/bank_codec.h"
 
 #include "app/program/register_fields.h"
+#include "app/program/register_words.h"
 #include "modbus/map/bank_header.h"
 
 #include <algorithm>
@@ -13,22 +14,6 @@ namespace campanel::program {
 namespace {
 
 using modbus::TableLayout;
-
-void append32(std::vector<std::uint16_t>& registers, std::uint32_t value)
-{
-    registers.push_back(static_cast<std::uint16_t>(value >> 16));
-    registers.push_back(static_cast<std::uint16_t>(value & 0xFFFFu));
-}
-
-void append32(std::vector<std::uint16_t>& registers, std::int32_t value)
-{
-    append32(registers, static_cast<std::uint32_t>(value));
-}
-
-std::uint32_t get32(std::span<const std::uint16_t> registers, std::size_t at)
-{
-    return static_cast<std::uint32_t>(registers[at]) << 16 | registers[at + 1];
-}
 
 // Writes header values; stores the first error.
 class HeaderWriter {
@@ -110,8 +95,8 @@ void writeTable(HeaderWriter& header, const Recipe& recipe, const SolvedProgram&
         table);
     if (layout == TableLayout::CamPoints || layout == TableLayout::Intervals)
         header.put("bank.end_behavior", kindInfo(recipe.kind()).end);
-    if (const auto* cam = std::get_if<profile::PointCamProgram>(&recipe.program))
-        header.put("cam.knot_count", static_cast<double>(cam->knots.size()));
+    if (const ListInfo* list = kindInfo(recipe.kind()).list)
+        header.put(list->countRegister, static_cast<double>(list->size(recipe.program)));
 }
 
 void appendRows(std::vector<std::uint16_t>& bank, const profile::StepTable& table)
@@ -226,16 +211,12 @@ encodeBank(const Recipe& recipe, const SolvedProgram& solved, const Table& table
     if (header.failure())
         return tl::unexpected(*header.failure());
     std::visit([&](const auto& rows) { appendRows(bank, rows); }, table);
-    if (const auto* cam = std::get_if<profile::PointCamProgram>(&recipe.program)) {
-        for (const profile::Knot& knot : cam->knots) {
-            append32(bank, static_cast<std::uint32_t>(std::lround(knot.masterDeg * knotStepsPerDeg)));
-            append32(bank, static_cast<std::int32_t>(std::lround(knot.slaveMm * knotStepsPerMm)));
-        }
-    }
+    if (const ListInfo* list = kindInfo(recipe.kind()).list)
+        list->append(recipe.program, bank);
     return bank;
 }
 
-bool decodeBank(std::span<const std::uint16_t> header, std::span<const std::uint16_t> knots, Recipe& recipe)
+bool decodeBank(std::span<const std::uint16_t> header, std::span<const std::uint16_t> list, Recipe& recipe)
 {
     const KindInfo& kind = kindInfo(recipe.kind());
     const modbus::RegisterReader reader(header, 0);
@@ -255,12 +236,8 @@ bool decodeBank(std::span<const std::uint16_t> header, std::span<const std::uint
         for (std::size_t i = 0; i < parameters->size(); ++i)
             (*parameters)[i] = reader.physical(*registerOf(kind, lawParameterSuffixes[i]));
     }
-    if (auto* cam = std::get_if<profile::PointCamProgram>(&recipe.program)) {
-        cam->knots.clear();
-        for (std::size_t at = 0; at + modbus::knotRegisters <= knots.size(); at += modbus::knotRegisters)
-            cam->knots.push_back({get32(knots, at) / knotStepsPerDeg,
-                                  static_cast<std::int32_t>(get32(knots, at + 2)) / knotStepsPerMm});
-    }
+    if (kind.list != nullptr)
+        kind.list->read(list, recipe.program);
     recipe.version = reader.u16("program.recipe_version");
     recipe.name = reader.text("program.recipe_name");
     return !recipe.isCutter() || setPinned(recipe.cutter(), reader.u16(pinnedRegister));

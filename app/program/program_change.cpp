@@ -9,16 +9,11 @@ namespace {
 
 constexpr double minShare = 1.0 / 2048;
 
-using profile::ProgramKind;
-
 struct Side {
     const Recipe& recipe;
     const SolvedProgram& solved;
 
-    [[nodiscard]] const profile::PointCamProgram& cam() const
-    {
-        return std::get<profile::PointCamProgram>(recipe.program);
-    }
+    [[nodiscard]] const profile::CamMaster& cam() const { return *profile::camMaster(recipe.program); }
     // The speed that goes on over the boundary: of the film, or of the master.
     [[nodiscard]] double referenceSpeed() const
     {
@@ -67,7 +62,7 @@ RampPart rampFrom(double share, bool isSCurve)
 
 bool changesWhileRunning(const Recipe& from, const Recipe& to)
 {
-    return from.kind() == to.kind() && (to.isCutter() || to.kind() == ProgramKind::PointCam);
+    return from.kind() == to.kind() && (to.isCutter() || profile::camMaster(to.program) != nullptr);
 }
 
 std::optional<ProgramChange> programChange(const Recipe& from, const SolvedProgram& solvedFrom,

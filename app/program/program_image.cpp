@@ -3,8 +3,10 @@
 #include "app/program/program_image.h"
 
 #include "modbus/map/crc32.h"
+#include "profile/cam/point_cam.h"
 #include "profile/cutter/limits.h"
 #include "profile/laws/laws.h"
+#include "profile/segments/segment_cam.h"
 
 #include <algorithm>
 
@@ -60,11 +62,14 @@ struct TableBuilder {
     {
         return profile::buildPressTable(press, solved.machine);
     }
-    Built operator()(const profile::PointCamProgram& cam) const
+    template <typename P> Built operator()(const P& program) const
     {
-        return profile::buildCamTable(cam, solved.machine);
+        if constexpr (std::is_base_of_v<profile::CamMaster, P>)
+            return profile::buildCamTable(program, solved.machine);
+        else
+            return tableOfMove(program);
     }
-    template <typename Move> Built operator()(const Move& move) const
+    template <typename Move> [[nodiscard]] Built tableOfMove(const Move& move) const
     {
         if (move.execution == profile::Execution::Intervals)
             return intervalsOf(solved);
@@ -123,7 +128,7 @@ std::optional<DecodeError> wrongChoice(const Recipe& recipe)
 } // namespace
 
 tl::expected<Recipe, DecodeError> decodeProgram(std::span<const std::uint16_t> registers,
-                                                std::span<const std::uint16_t> knots,
+                                                std::span<const std::uint16_t> list,
                                                 const profile::Machine& limits)
 {
     const modbus::RegisterReader header(registers, 0);
@@ -137,7 +142,7 @@ tl::expected<Recipe, DecodeError> decodeProgram(std::span<const std::uint16_t> r
         return unknown(DecodeErrorKind::Layout, layout);
     Recipe recipe = defaultRecipe(kind);
     recipe.machine = limits;
-    const bool isPinned = decodeBank(registers, knots, recipe);
+    const bool isPinned = decodeBank(registers, list, recipe);
     if (const auto wrong = wrongChoice(recipe))
         return tl::unexpected(*wrong);
     if (!isPinned)

@@ -53,11 +53,11 @@ struct DecodeError {
     int code = 0;
 };
 
-// Returns the recipe stored beside the table: the controller's active program. `knots`: the registers of
-// modbus::knotSpan(), for a point cam. `limits` supplies the data that is not in the bank (limits of the
+// Returns the recipe stored beside the table: the controller's active program. `list`: the registers of
+// modbus::listSpan(), for a cam. `limits` supplies the data that is not in the bank (limits of the
 // drive, timer, table size). The derived cycle values are those of the header.
 [[nodiscard]] tl::expected<Recipe, DecodeError> decodeProgram(std::span<const std::uint16_t> header,
-                                                              std::span<const std::uint16_t> knots,
+                                                              std::span<const std::uint16_t> list,
                                                               const profile::Machine& limits);
 
 } // namespace campanel::program

@@ -21,6 +21,7 @@ static_assert(hasSameCodes(profile::ProgramKind::PositionMove, modbus::ProgramKi
 static_assert(hasSameCodes(profile::ProgramKind::SpeedMove, modbus::ProgramKind::SpeedMove));
 static_assert(hasSameCodes(profile::ProgramKind::PointCam, modbus::ProgramKind::PointCam));
 static_assert(hasSameCodes(profile::ProgramKind::Press, modbus::ProgramKind::Press));
+static_assert(hasSameCodes(profile::ProgramKind::SegmentCam, modbus::ProgramKind::SegmentCam));
 static_assert(hasSameCodes(profile::MoveDuration::GivenTime, modbus::MoveDuration::GivenTime));
 static_assert(hasSameCodes(profile::MoveDuration::Fastest, modbus::MoveDuration::Fastest));
 static_assert(hasSameCodes(profile::MoveDuration::OverDistance, modbus::MoveDuration::OverDistance));
@@ -37,6 +38,7 @@ using profile::PressProgram;
 using profile::Program;
 using profile::ProgramKind;
 using profile::RotaryCutterProgram;
+using profile::SegmentCamProgram;
 using profile::SpeedMoveProgram;
 
 template <typename E> constexpr ChoiceOption option(std::string_view key, E value)
@@ -59,7 +61,13 @@ constexpr std::array ends{option("natural", SplineEnds::Natural), option("clampe
                           option("periodic", SplineEnds::Periodic)};
 constexpr std::array shapes{option("trapezoid", RampShape::Trapezoid), option("s_curve", RampShape::SCurve)};
 
-constexpr std::array cutterChoices{ChoiceInfo{Choice::Law, "speed_law", {}}};
+using profile::RatioMode;
+constexpr std::array ratioModes{option("hand", RatioMode::ByHand), option("gentle", RatioMode::Gentle),
+                                option("cool", RatioMode::Cool), option("slow", RatioMode::Slow),
+                                option("between", RatioMode::Between)};
+
+constexpr std::array cutterChoices{ChoiceInfo{Choice::Law, "speed_law", {}},
+                                   ChoiceInfo{Choice::Ratios, "ratios", ratioModes}};
 constexpr std::array positionChoices{ChoiceInfo{Choice::Law, "law", {}},
                                      ChoiceInfo{Choice::Duration, "duration", positionDurations},
                                      ChoiceInfo{Choice::Execution, "execution", executions}};
@@ -68,18 +76,23 @@ constexpr std::array speedChoices{ChoiceInfo{Choice::Law, "law", {}},
                                   ChoiceInfo{Choice::Execution, "execution", executions}};
 constexpr std::array camChoices{ChoiceInfo{Choice::SplineEnds, "ends", ends},
                                 ChoiceInfo{Choice::MasterRampShape, "master_ramp_shape", shapes}};
+constexpr std::array segmentChoices{ChoiceInfo{Choice::MasterRampShape, "master_ramp_shape", shapes}};
 
-constexpr std::array cutterFields{Field::BagLength, Field::Rate,         Field::BaseSpeed, Field::FilmSpeed,
-                                  Field::K1,        Field::K2,           Field::K3,        Field::K4,
-                                  Field::SyncRatio, Field::SlicesPerRamp};
-constexpr std::array cutterMachine{
-    Field::KnifeRadius,     Field::Knives,      Field::PulsesPerMotorRev,    Field::GearNumerator,
-    Field::GearDenominator, Field::MaxMotorRpm, Field::MaxKnifeAcceleration, Field::MaxPulseFrequency,
-    Field::MaxRate};
+constexpr std::array cutterFields{
+    Field::BagLength,   Field::Rate,        Field::BaseSpeed, Field::FilmSpeed, Field::K1,
+    Field::K2,          Field::K3,          Field::K4,        Field::SyncRatio, Field::SlicesPerRamp,
+    Field::MinSealTime, Field::RampPosition};
+constexpr std::array cutterMachine{Field::KnifeRadius, Field::Knives, Field::PulsesPerMotorRev,
+                                   Field::GearNumerator, Field::GearDenominator, Field::MaxMotorRpm,
+                                   Field::MaxKnifeAcceleration, Field::MaxPulseFrequency, Field::MaxRate,
+                                   // Optional: the motor, and the shaft behind it.
+                                   Field::MaxTorque, Field::RatedTorque, Field::Inertia, Field::Friction,
+                                   Field::NaturalFrequency, Field::DampingRatio, Field::ContactAngle};
 
-constexpr std::array axisMachine{Field::FeedPerMotorRev, Field::PulsesPerMotorRev, Field::MaxMotorRpm,
-                                 Field::MaxAcceleration, Field::MaxPulseFrequency, Field::MaxTorque,
-                                 Field::Inertia,         Field::Friction};
+constexpr std::array axisMachine{Field::FeedPerMotorRev,  Field::PulsesPerMotorRev, Field::MaxMotorRpm,
+                                 Field::MaxAcceleration,  Field::MaxPulseFrequency, Field::MaxTorque,
+                                 Field::Inertia,          Field::Friction,          Field::RatedTorque,
+                                 Field::NaturalFrequency, Field::DampingRatio};
 constexpr std::array positionFields{Field::Distance, Field::MoveTime, Field::CamPoints};
 constexpr std::array speedFields{Field::StartSpeed, Field::EndSpeed, Field::MoveTime, Field::Distance,
                                  Field::CamPoints};
@@ -113,6 +126,9 @@ void paperAxis(profile::Machine& machine)
 {
     machine.pulsesPerMotorRev = 1000;
     machine.maxMotorRpm = 7200;
+    machine.maxTorqueNm = 1.33;
+    machine.inertiaKgCm2 = 0.2;
+    machine.frictionNm = 0.02;
 }
 
 void paperPress(profile::Machine& machine)
@@ -122,7 +138,7 @@ void paperPress(profile::Machine& machine)
     machine.maxAccelerationMmPerS2 = 2000;
 }
 
-constexpr std::array<KindInfo, 5> kindTable{{
+constexpr std::array<KindInfo, 6> kindTable{{
     {ProgramKind::RotaryCutter, "rotary_cutter", cutterFields, cutterMachine, cutterChoices, "program.",
      stepTable, EndBehavior::Repeat, "Biscuit 250", newProgram<RotaryCutterProgram>, paperCutter},
     {ProgramKind::PositionMove, "position_move", positionFields, axisMachine, positionChoices,
@@ -130,8 +146,8 @@ constexpr std::array<KindInfo, 5> kindTable{{
      newProgram<PositionMoveProgram>, paperAxis},
     {ProgramKind::SpeedMove, "speed_move", speedFields, axisMachine, speedChoices, "speed_move.",
      camPointsOrIntervals, EndBehavior::HoldSpeed, "Speed move", newProgram<SpeedMoveProgram>, paperAxis},
-    {ProgramKind::PointCam, "point_cam", camFields, axisMachine, camChoices, "point_cam.", camPoints,
-     EndBehavior::Repeat, "Point cam", newProgram<PointCamProgram>, paperAxis},
+    {ProgramKind::PointCam, "point_cam", camFields, axisMachine, camChoices, "cam.", camPoints,
+     EndBehavior::Repeat, "Point cam", newProgram<PointCamProgram>, paperAxis, &knotList},
     {ProgramKind::Press,
      "press",
      pressFields,
@@ -143,12 +159,15 @@ constexpr std::array<KindInfo, 5> kindTable{{
      "Press",
      newProgram<PressProgram>,
      paperPress},
+    {ProgramKind::SegmentCam, "segment_cam", camFields, axisMachine, segmentChoices, "cam.", camPoints,
+     EndBehavior::Repeat, "Segment cam", newProgram<SegmentCamProgram>, paperAxis, &segmentList},
 }};
 
 // Calls visit(choice, member) for every choice of the program.
 template <typename Visitor> void visitChoices(RotaryCutterProgram& program, Visitor visit)
 {
     visit(Choice::Law, program.speedLaw);
+    visit(Choice::Ratios, program.ratioMode);
 }
 
 template <typename Move, typename Visitor> void visitMove(Move& program, Visitor visit)
@@ -175,6 +194,11 @@ template <typename Visitor> void visitChoices(PointCamProgram& program, Visitor 
 }
 
 template <typename Visitor> void visitChoices(PressProgram&, Visitor) {}
+
+template <typename Visitor> void visitChoices(SegmentCamProgram& program, Visitor visit)
+{
+    visit(Choice::MasterRampShape, program.masterRamp);
+}
 
 } // namespace
 
@@ -268,8 +292,11 @@ bool isRead(const Program& program, Field field)
         return (field != Field::MoveTime || move->duration == MoveDuration::GivenTime) &&
                (field != Field::Distance || move->duration == MoveDuration::OverDistance) &&
                (field != Field::CamPoints || move->execution == Execution::CamPoints);
-    if (const auto* cutter = std::get_if<RotaryCutterProgram>(&program))
+    if (const auto* cutter = std::get_if<RotaryCutterProgram>(&program)) {
+        if (field == Field::RampPosition)
+            return cutter->ratioMode == RatioMode::Between;
         return field > Field::FilmSpeed || profile::isPinned(*cutter, field);
+    }
     return true;
 }
 

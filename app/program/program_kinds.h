@@ -3,6 +3,8 @@
 // registers, the command line and the panel use it, so that a kind is added in one place.
 #pragma once
 
+#include "app/program/program_list.h"
+
 #include "modbus/map/protocol.h"
 #include "profile/program/programs.h"
 
@@ -13,7 +15,7 @@
 namespace campanel::program {
 
 // The inputs that are not numbers.
-enum class Choice : std::uint8_t { Law, Duration, Execution, SplineEnds, MasterRampShape };
+enum class Choice : std::uint8_t { Law, Duration, Execution, SplineEnds, MasterRampShape, Ratios };
 
 struct ChoiceOption {
     std::string_view key; // in the recipe file
@@ -39,6 +41,7 @@ struct KindInfo {
     std::string_view defaultName;
     profile::Program (*defaultProgram)() = nullptr;
     void (*adaptMachine)(profile::Machine& machine) = nullptr;
+    const ListInfo* list = nullptr; // only for a cam
 };
 
 [[nodiscard]] std::span<const KindInfo> kinds();

@@ -4,6 +4,7 @@
 
 #include "app/program/register_fields.h"
 #include "modbus/map/codec.h"
+#include "profile/cutter/ratios.h"
 #include "profile/laws/laws.h"
 
 #include <algorithm>
@@ -12,30 +13,12 @@
 #include <string>
 
 namespace campanel::program {
-namespace {
-
-// Rounds to the grid; a value far beyond any range is unchanged, so that its refusal names it.
-double onKnotGrid(double value, double steps)
-{
-    const double rounded = std::round(value * steps) / steps;
-    return std::isfinite(rounded) ? rounded : value;
-}
-
-void quantiseKnots(profile::PointCamProgram& cam)
-{
-    for (profile::Knot& knot : cam.knots) {
-        knot.masterDeg = onKnotGrid(knot.masterDeg, knotStepsPerDeg);
-        knot.slaveMm = onKnotGrid(knot.slaveMm, knotStepsPerMm);
-    }
-}
-
-} // namespace
-
 const modbus::RegisterInfo* registerOf(const KindInfo& kind, std::string_view suffix)
 {
     const auto* found = modbus::findRegister(std::string(kind.registerPrefix).append(suffix));
-    const bool isCam = kind.kind == profile::ProgramKind::PointCam;
-    return found == nullptr && isCam ? modbus::findRegister(std::string("cam.").append(suffix)) : found;
+    const auto code = static_cast<modbus::ProgramKind>(kind.kind);
+    const bool isOfKind = found != nullptr && found->appliesTo(code, kind.layouts.front());
+    return isOfKind ? found : nullptr;
 }
 
 Recipe defaultRecipe(profile::ProgramKind kind)
@@ -52,6 +35,13 @@ bool isProgramField(const Recipe& recipe, profile::Field field)
 {
     const auto fields = kindInfo(recipe.kind()).programFields;
     return std::ranges::find(fields, field) != fields.end();
+}
+
+bool isInController(const Recipe& recipe, profile::Field field)
+{
+    const auto entry = std::ranges::find(registerFields, field, &RegisterField::field);
+    return isProgramField(recipe, field) && entry != registerFields.end() &&
+           registerOf(kindInfo(recipe.kind()), entry->suffix) != nullptr;
 }
 
 double value(const Recipe& recipe, profile::Field field)
@@ -95,9 +85,25 @@ Recipe quantised(const Recipe& recipe)
     result.name = modbus::fittingUtf8(recipe.name, longestNameBytes);
     if (result.isCutter())
         std::ranges::sort(result.cutter().pinned); // the order of pinning is not stored
-    if (auto* cam = std::get_if<profile::PointCamProgram>(&result.program))
-        quantiseKnots(*cam);
+    if (kind.list != nullptr)
+        kind.list->quantise(result.program);
     return result;
+}
+
+void followRatios(Recipe& recipe)
+{
+    if (!recipe.isCutter() || recipe.cutter().ratioMode == profile::RatioMode::ByHand)
+        return;
+    const Recipe rounded = quantised(recipe); // the motion that the controller gets
+    recipe.cutter().k = profile::withRatios(rounded.cutter(), rounded.machine).k;
+}
+
+Recipe gentleRecipe(Recipe recipe)
+{
+    if (recipe.isCutter())
+        recipe.cutter().ratioMode = profile::RatioMode::Gentle;
+    followRatios(recipe);
+    return recipe;
 }
 
 profile::Machine withController(const profile::Machine& machine, const modbus::Identity& controller)

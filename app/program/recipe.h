@@ -48,6 +48,8 @@ inline constexpr std::array pinnableFields{profile::Field::BagLength, profile::F
 
 // Access inputs and machine data of any kind; `field` must be among those of the recipe's kind.
 [[nodiscard]] bool isProgramField(const Recipe& recipe, profile::Field field);
+// Returns true for an input that the controller stores with the program.
+[[nodiscard]] bool isInController(const Recipe& recipe, profile::Field field);
 [[nodiscard]] double value(const Recipe& recipe, profile::Field field);
 void setValue(Recipe& recipe, profile::Field field, double value);
 
@@ -55,6 +57,12 @@ void setValue(Recipe& recipe, profile::Field field, double value);
 // identical. A value that no register can hold is unchanged; buildProgram() refuses it. Unpinned cycle values
 // become 0.
 [[nodiscard]] Recipe quantised(const Recipe& recipe);
+
+// Sets the ratios of a rotary cutter that were not set by hand, after any other change of the recipe.
+void followRatios(Recipe& recipe);
+
+// Returns the recipe with the gentlest ratios for its machine, as a person begins one.
+[[nodiscard]] Recipe gentleRecipe(Recipe recipe);
 
 // Returns the machine with the timer and table size of this controller, and its output stage as a limit.
 [[nodiscard]] profile::Machine withController(const profile::Machine& machine,

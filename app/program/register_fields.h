@@ -69,6 +69,10 @@ inline constexpr std::array registerFields{
     RegisterField{"max_stop_force", profile::Field::MaxStopForce},
 };
 
+// The inputs without a register: they are in the recipe's file alone. The panel checks them, the controller
+// does not need them.
+inline constexpr std::array fileFields{profile::Field::MinSealTime, profile::Field::RampPosition};
+
 inline constexpr std::array registerChoices{
     RegisterChoice{"law", Choice::Law},
     RegisterChoice{"duration", Choice::Duration},
@@ -85,10 +89,6 @@ inline constexpr std::array<std::string_view, profile::maxLawParameters> lawPara
 {
     return field == profile::Field::MasterRamp ? 1000 : 1;
 }
-
-// The steps of a knot's registers: 0.0001 degrees and 0.001 mm, the knot grid of profile.
-inline constexpr double knotStepsPerDeg = 10000;
-inline constexpr double knotStepsPerMm = 1000;
 
 // Returns the register of this input in the header of this kind, or null when the header does not have it.
 [[nodiscard]] const modbus::RegisterInfo* registerOf(const KindInfo& kind, std::string_view suffix);

@@ -6,6 +6,9 @@
 #include "profile/moves/position_move.h"
 #include "profile/moves/speed_move.h"
 #include "profile/press/press.h"
+#include "profile/segments/segment_cam.h"
+
+#include <cmath>
 
 namespace campanel::program {
 namespace {
@@ -23,6 +26,7 @@ Solved ofCutter(tl::expected<profile::RotaryCutter, profile::Refusal> cutter)
     solved.broken = profile::checkLimits(*cutter);
     solved.marksS = {cutter->cycle.taS, cutter->cycle.tbS, cutter->cycle.tcS, cutter->cycle.tdS};
     solved.pulsesPerMm = profile::pulsesPerMm(cutter->machine);
+    solved.load = profile::knifeLoad(cutter->machine);
     solved.cutter = std::move(*cutter);
     return solved;
 }
@@ -38,6 +42,8 @@ Solved ofAxis(tl::expected<profile::AxisMotion, profile::Refusal> axis, const pr
     solved.broken = std::move(axis->broken);
     solved.marksS = std::move(axis->marksS);
     solved.pulsesPerMm = profile::axisPulsesPerMm(machine);
+    if (std::isfinite(solved.peaks.torqueNm))
+        solved.load = profile::axisLoad(machine);
     return solved;
 }
 
@@ -61,9 +67,23 @@ tl::expected<SolvedProgram, profile::Refusal> solveProgram(const Recipe& recipe)
     return std::visit(Solver{recipe.machine}, recipe.program);
 }
 
+CamSource camSource(const Recipe& recipe, const SolvedProgram& solved)
+{
+    return std::visit(
+        [&solved]<typename P>(const P& program) -> CamSource {
+            if constexpr (std::is_base_of_v<profile::CamMaster, P>)
+                return {profile::forwardMotion(program), profile::CamUse::Repeats};
+            else
+                return {solved.motion, profile::CamUse::Once};
+        },
+        recipe.program);
+}
+
 profile::Curves sampleCurves(const SolvedProgram& solved, std::size_t points)
 {
-    return profile::sampleCurves(solved.motion, solved.pulsesPerMm, points);
+    profile::Curves curves = profile::sampleCurves(solved.motion, solved.pulsesPerMm, points);
+    profile::addTorque(curves, solved.load);
+    return curves;
 }
 
 } // namespace campanel::program

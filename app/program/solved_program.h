@@ -4,9 +4,11 @@
 
 #include "app/program/recipe.h"
 
+#include "profile/cam/cam_table.h"
 #include "profile/cutter/limits.h"
 #include "profile/cutter/sampling.h"
 #include "profile/model/axis_motion.h"
+#include "profile/model/torque.h"
 
 #include <optional>
 #include <tl/expected.hpp>
@@ -17,8 +19,9 @@ namespace campanel::program {
 struct SolvedProgram {
     std::optional<profile::RotaryCutter> cutter; // only for a rotary cutter
     profile::Machine machine;
-    profile::MotionProfile motion;        // one cycle; for a press a nominal stroke
-    profile::Peaks peaks;             // the torque of a cutter is NaN
+    profile::MotionProfile motion; // one cycle; for a press a nominal stroke
+    profile::Peaks peaks;
+    profile::TorqueLoad load;             // unknown without an inertia, and for a press
     std::vector<profile::Refusal> broken; // exceeded limits of the machine; empty when it can execute the
                                           // motion
     std::vector<double> marksS;           // lines on the plot: ends of segments, knots, stages
@@ -29,6 +32,14 @@ struct SolvedProgram {
 
 // Solves the recipe. Refuses inputs without a possible motion.
 [[nodiscard]] tl::expected<SolvedProgram, profile::Refusal> solveProgram(const Recipe& recipe);
+
+// The motion that the cam points of a program are made of: of a cam the forward one, in either direction of
+// its master.
+struct CamSource {
+    profile::MotionProfile motion;
+    profile::CamUse use = profile::CamUse::Once;
+};
+[[nodiscard]] CamSource camSource(const Recipe& recipe, const SolvedProgram& solved);
 
 [[nodiscard]] profile::Curves sampleCurves(const SolvedProgram& solved, std::size_t points);
 

@@ -5,9 +5,8 @@
 
 #include <QRegularExpression>
 
-#include <array>
-#include <cmath>
-#include <functional>
+#include <algorithm>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -19,186 +18,64 @@ namespace campanel::shell {
 namespace {
 
 using namespace Qt::StringLiterals;
-using panel::ConnectionChoice;
+using panel::SettingForm;
+using panel::SettingRow;
+using panel::settingText;
 
-// Puts the value into the configuration, or returns the valid values: "one of en, zh_CN".
-using Take = std::function<std::optional<QString>(const toml::node&, Configuration&)>;
-
-std::optional<QString> textOf(const toml::node& node)
+std::optional<QString> textIn(const toml::node& node)
 {
     const auto text = node.value_exact<std::string>();
     return text ? std::optional(QString::fromStdString(*text)) : std::nullopt;
 }
 
-template <typename Member> Take truth(Member member)
+// Returns the rules of a list, one per line.
+std::optional<QString> rulesIn(const toml::node& node)
 {
-    return [member](const toml::node& node, Configuration& into) -> std::optional<QString> {
-        const auto value = node.value_exact<bool>();
-        if (!value)
-            return u"true or false"_s;
-        std::invoke(member, into) = *value;
-        return std::nullopt;
-    };
-}
-
-template <typename Member> Take oneOf(QStringList choices, Member member)
-{
-    return [choices, member](const toml::node& node, Configuration& into) -> std::optional<QString> {
-        const auto value = textOf(node);
-        if (!value || !choices.contains(*value))
-            return u"one of \"%1\""_s.arg(choices.join(u"\", \""_s));
-        std::invoke(member, into) = *value;
-        return std::nullopt;
-    };
-}
-
-template <typename Member> Take oneOf(const QList<int>& choices, Member member)
-{
-    QStringList names;
-    for (const int choice : choices)
-        names += QString::number(choice);
-    return [choices, names, member](const toml::node& node, Configuration& into) -> std::optional<QString> {
-        const auto value = node.value_exact<int64_t>();
-        if (!value || !choices.contains(static_cast<int>(*value)) || *value != static_cast<int>(*value))
-            return u"one of "_s + names.join(u", "_s);
-        std::invoke(member, into) = static_cast<int>(*value);
-        return std::nullopt;
-    };
-}
-
-template <typename Member> Take between(int lowest, int highest, Member member)
-{
-    return [=](const toml::node& node, Configuration& into) -> std::optional<QString> {
-        const auto value = node.value_exact<int64_t>();
-        if (!value || *value < lowest || *value > highest)
-            return u"a whole number from %1 to %2"_s.arg(lowest).arg(highest);
-        std::invoke(member, into) = static_cast<int>(*value);
-        return std::nullopt;
-    };
-}
-
-std::optional<QString> takePort(const toml::node& node, Configuration& into)
-{
-    const auto value = textOf(node);
-    if (!value || (!value->isEmpty() && !value->startsWith(u'/')))
-        return u"the path of a serial port, such as \"/dev/campanel-serial\""_s;
-    into.standard.connection.portName = *value;
-    return std::nullopt;
-}
-
-std::optional<QString> takeTolerance(const toml::node& node, Configuration& into)
-{
-    const auto value = node.is_number() ? node.value<double>() : std::nullopt;
-    const double least = panel::Settings::minToleranceMm;
-    const double most = panel::Settings::maxToleranceMm;
-    if (!value || !std::isfinite(*value) || *value < least || *value > most)
-        return u"a number from %1 to %2"_s.arg(least).arg(most);
-    into.standard.bagToleranceMm = *value;
-    return std::nullopt;
-}
-
-std::optional<QString> takeSize(const toml::node& node, Configuration& into)
-{
-    static const QRegularExpression form(u"^(\\d{3,4})x(\\d{3,4})$"_s);
-    const auto match = form.match(textOf(node).value_or(QString()));
-    const QSize size(match.captured(1).toInt(), match.captured(2).toInt());
-    if (size.width() < 800 || size.height() < 480)
-        return u"from \"800x480\" to \"9999x9999\""_s;
-    into.windowSize = size;
-    return std::nullopt;
-}
-
-std::optional<QString> takeScreen(const toml::node& node, Configuration& into)
-{
-    constexpr std::array<std::pair<const char*, ScreenAccess>, 3> names{
-        {{"auto", ScreenAccess::Auto}, {"eglfs", ScreenAccess::EglFs}, {"linuxfb", ScreenAccess::LinuxFb}}};
-    for (const auto& [name, access] : names) {
-        if (textOf(node) == QString::fromLatin1(name)) {
-            into.screen = access;
-            return std::nullopt;
-        }
-    }
-    return u"one of \"auto\", \"eglfs\", \"linuxfb\""_s;
-}
-
-std::optional<QString> takeLogRules(const toml::node& node, Configuration& into)
-{
-    static const QRegularExpression form(u"^[A-Za-z0-9_.*]+=(true|false)$"_s);
-    const QString wanted = u"a list of rules such as [\"campanel.link.debug=true\"]"_s;
     QStringList rules;
     if (!node.is_array())
-        return wanted;
-    for (const toml::node& element : *node.as_array()) {
-        const auto rule = textOf(element);
-        if (!rule || !form.match(*rule).hasMatch())
-            return wanted;
-        rules += *rule;
+        return {};
+    for (const toml::node& element : *node.as_array())
+        rules += textIn(element).value_or(u"?"_s);
+    return rules.join(u'\n');
+}
+
+// Returns the value as a settings file has it; empty for a value of another type.
+std::optional<QString> valueIn(const toml::node& node, SettingForm form)
+{
+    switch (form) {
+    case SettingForm::Truth:
+        if (const auto truth = node.value_exact<bool>())
+            return settingText(*truth);
+        return {};
+    case SettingForm::Choice:
+    case SettingForm::Whole:
+        if (const auto number = node.value_exact<int64_t>())
+            return QString::number(*number);
+        return {};
+    case SettingForm::Decimal:
+        if (const auto number = node.is_number() ? node.value<double>() : std::nullopt)
+            return settingText(*number);
+        return {};
+    case SettingForm::Rules:
+        return rulesIn(node);
+    case SettingForm::Word:
+    case SettingForm::Port:
+    case SettingForm::Size:
+        break;
     }
-    into.logRules = rules;
-    return std::nullopt;
+    return textIn(node);
 }
 
-struct Key {
-    const char* name; // section.key
-    Take take;
-};
-
-auto connection(auto member)
+const SettingRow* rowNamed(std::string_view name)
 {
-    return [member](Configuration & into) -> auto&
-    {
-        return into.standard.connection.*member;
-    };
-}
-auto standard(auto member)
-{
-    return [member](Configuration & into) -> auto&
-    {
-        return into.standard.*member;
-    };
-}
-
-const std::vector<Key>& keys()
-{
-    using panel::Settings;
-    using panel::StandardSettings;
-    static const std::vector<Key> all{
-        {"connection.simulated", truth(connection(&ConnectionChoice::simulated))},
-        {"connection.port", takePort},
-        {"connection.baud", oneOf(Settings::possibleBauds(), connection(&ConnectionChoice::baud))},
-        {"connection.parity", oneOf(Settings::possibleParities(), connection(&ConnectionChoice::parity))},
-        {"connection.stop_bits", between(1, 2, connection(&ConnectionChoice::stopBits))},
-        {"connection.unit", between(1, 247, connection(&ConnectionChoice::unit))},
-        {"display.language", oneOf(Settings::possibleLanguages(), standard(&StandardSettings::language))},
-        {"display.theme", oneOf(Settings::possibleThemes(), standard(&StandardSettings::theme))},
-        {"display.gloves", truth(standard(&StandardSettings::gloves))},
-        {"display.size", takeSize},
-        {"display.fullscreen", truth(&Configuration::isFullScreen)},
-        {"bags.tolerance_mm", takeTolerance},
-        {"access.auto_logout_minutes",
-         oneOf(Settings::possibleLogouts(), standard(&StandardSettings::autoLogoutMinutes))},
-        {"access.operators_log_in", truth(standard(&StandardSettings::operatorsLogIn))},
-        {"access.hold_to_start", oneOf(Settings::possibleHolds(), standard(&StandardSettings::holdToStart))},
-        {"log.rules", takeLogRules},
-        {"kiosk.screen", takeScreen},
-    };
-    return all;
-}
-
-const Key* keyNamed(const std::string& name)
-{
-    for (const Key& key : keys()) {
-        if (name == key.name)
-            return &key;
-    }
-    return nullptr;
+    const auto row = std::ranges::find(panel::settingTable, name, &SettingRow::name);
+    return row != panel::settingTable.end() && row->help ? &*row : nullptr;
 }
 
 bool isSection(std::string_view name)
 {
-    return std::any_of(keys().begin(), keys().end(), [name](const Key& key) {
-        const std::string_view whole = key.name;
-        return whole.substr(0, whole.find('.')) == name;
+    return std::ranges::any_of(panel::settingTable, [name](const SettingRow& row) {
+        return row.help && row.name.substr(0, row.name.find('.')) == name;
     });
 }
 
@@ -271,9 +148,8 @@ private:
     ReadConfiguration result()
     {
         constexpr qsizetype maxComplaints = 60;
-        auto& connection = m_result.values.standard.connection;
-        if (m_isConnectionUnsure && connection.portName.isEmpty())
-            connection.simulated = false;
+        if (m_isConnectionUnsure && m_result.values.text("connection.port").isEmpty())
+            m_result.values.set("connection.simulated", settingText(false));
         if (const qsizetype more = m_result.complaints.size() - maxComplaints; more > 0) {
             m_result.complaints.remove(maxComplaints - 1, more); // the last one stays
             m_result.complaints.insert(maxComplaints - 1, u"%1: and %2 more."_s.arg(m_file).arg(more));
@@ -313,22 +189,26 @@ private:
         const bool isSaid = root.at_path("connection.simulated").is_boolean();
         m_isConnectionUnsure = m_isConnectionUnsure && !isSaid;
         // A port implies a real connection.
-        if (!m_result.values.standard.connection.portName.isEmpty() && !isSaid)
-            m_result.values.standard.connection.simulated = false;
+        if (!m_result.values.text("connection.port").isEmpty() && !isSaid)
+            m_result.values.set("connection.simulated", settingText(false));
     }
 
     void takeKeys(const std::string& section, const toml::table& table)
     {
         for (const auto& [name, node] : table) {
             const std::string whole = section + '.' + std::string(name.str());
-            const Key* key = keyNamed(whole);
+            const SettingRow* row = rowNamed(whole);
             const QString shown = QString::fromStdString(whole);
-            const auto wanted = key ? key->take(node, m_result.values) : std::nullopt;
-            if (!key)
+            const auto value = row ? valueIn(node, row->form) : std::nullopt;
+            const bool isTaken = value && isValid(*row, *value);
+            if (isTaken)
+                m_result.values.set(*row, *value);
+            else if (row)
+                reportError(node.source().begin.line,
+                            u"%1 must be %2; it is ignored."_s.arg(shown, validValues(*row)));
+            else
                 reportError(node.source().begin.line, u"there is no key %1; it is ignored."_s.arg(shown));
-            else if (wanted)
-                reportError(node.source().begin.line, u"%1 must be %2; it is ignored."_s.arg(shown, *wanted));
-            if ((!key || wanted) && section == "connection")
+            if (!isTaken && section == "connection")
                 m_isConnectionUnsure = true;
         }
     }
@@ -355,7 +235,7 @@ ReadConfiguration readConfiguration(const QString& file)
         return {};
     ReadConfiguration unread{{},
                              {u"%1: cannot be read (%2); it is ignored."_s.arg(file, text.error().found)}};
-    unread.values.standard.connection.simulated = false; // it may name the controller
+    unread.values.set("connection.simulated", settingText(false)); // it may name the controller
     return unread;
 }
 
@@ -368,8 +248,10 @@ ReadConfiguration configurationFrom(const QByteArray& text, const QString& file)
 QStringList configurationKeys()
 {
     QStringList names;
-    for (const Key& key : keys())
-        names += QString::fromLatin1(key.name);
+    for (const SettingRow& row : panel::settingTable) {
+        if (row.help)
+            names += QString::fromLatin1(row.name.data(), qsizetype(row.name.size()));
+    }
     return names;
 }
 

@@ -1,30 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
-// The machine builder's configuration file: connection to the controller, start of the panel, logging. It
-// sets the defaults until another value is set on the panel; see campanel.toml(5).
+// The machine builder's configuration file: the settings that have a sentence in the table. Its values hold
+// until others are set on the panel; see campanel.toml(5).
 #pragma once
 
-#include "app/panel/settings/settings.h"
-#include "app/shell/kiosk.h"
+#include "app/panel/settings/setting_values.h"
 
 #include <QByteArray>
-#include <QSize>
 #include <QString>
 #include <QStringList>
 
-#include <optional>
-
 namespace campanel::shell {
 
-struct Configuration {
-    panel::StandardSettings standard;
-    std::optional<QSize> windowSize;
-    bool isFullScreen = false;
-    ScreenAccess screen = ScreenAccess::Auto; // for the kiosk
-    QStringList logRules;                     // such as "campanel.link.debug=true"
-};
-
 struct ReadConfiguration {
-    Configuration values;
+    panel::SettingValues values;
     // The errors, one sentence each with file and line; the other values are valid.
     QStringList complaints;
 };

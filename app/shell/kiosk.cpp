@@ -41,6 +41,13 @@ QString connectedOutput(const ScreenPlaces& places)
 
 } // namespace
 
+ScreenAccess screenAccess(const QString& word)
+{
+    return word == u"eglfs"_s     ? ScreenAccess::EglFs
+           : word == u"linuxfb"_s ? ScreenAccess::LinuxFb
+                                  : ScreenAccess::Auto;
+}
+
 ScreenChoice chooseScreen(ScreenAccess wanted, const ScreenPlaces& places)
 {
     const QString output = connectedOutput(places);

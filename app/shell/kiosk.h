@@ -14,6 +14,9 @@ enum class ScreenAccess {
     LinuxFb, // the plain framebuffer: slower, but always possible
 };
 
+// Returns the access of a word in campanel.toml: "auto", "eglfs" or "linuxfb".
+[[nodiscard]] ScreenAccess screenAccess(const QString& word);
+
 // The paths of the machine's graphics devices.
 struct ScreenPlaces {
     QString connectors = QStringLiteral("/sys/class/drm");

@@ -60,7 +60,7 @@ bool isOffscreen(Arguments arguments)
     });
 }
 
-shell::Configuration configurationOf(Arguments arguments)
+panel::SettingValues configurationOf(Arguments arguments)
 {
     const QString named = valueOf(arguments, "--config");
     const shell::ReadConfiguration read =
@@ -69,19 +69,20 @@ shell::Configuration configurationOf(Arguments arguments)
         std::fprintf(stderr, "campanel: %s\n", qPrintable(complaint));
     if (!named.isEmpty() && !QFile::exists(named))
         std::fprintf(stderr, "campanel: %s: there is no such file.\n", qPrintable(named));
-    QLoggingCategory::setFilterRules(read.values.logRules.join(u'\n'));
+    QLoggingCategory::setFilterRules(read.values.text("log.rules"));
     return read.values;
 }
 
 constexpr std::chrono::seconds screenAwaited{30};
 
 // Returns false without a screen. A platform set by an environment variable stays.
-bool prepareScreen(shell::ScreenAccess wanted)
+bool prepareScreen(const QString& wanted)
 {
     if (!qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM"))
         return true;
     const shell::ScreenPlaces places;
-    const shell::ScreenChoice choice = shell::waitForScreen(wanted, places, screenAwaited);
+    const shell::ScreenChoice choice =
+        shell::waitForScreen(shell::screenAccess(wanted), places, screenAwaited);
     std::fprintf(stderr, "campanel: %s\n", qPrintable(choice.reason));
     if (choice.platform.isEmpty())
         return false;
@@ -104,23 +105,22 @@ bool hasFonts()
 // The exit code of the event loop to rebuild the panel from the data on the disk.
 constexpr int restartCode = 1000;
 
-int runPanel(const shell::Options& options, const shell::Configuration& configuration,
+int runPanel(const shell::Options& options, const panel::SettingValues& configuration,
              const shell::ServiceManager& manager)
 {
     link::ThreadedLink link(nullptr);
-    shell::Panel panel(link, {{}, {}, configuration.standard});
+    shell::Panel panel(link, {{}, {}, configuration});
     hasFonts(); // reads all fonts while the QML is loading; the panel works without them
     if (options.connection)
         panel.settings().overrideConnection(*options.connection);
     if (!options.language.isEmpty())
-        panel.settings().overrideLanguage(options.language);
+        panel.settings().overrideValue("display.language", options.language);
     if (!options.theme.isEmpty())
-        panel.settings().overrideTheme(options.theme);
-    constexpr QSize usualSize(1024, 600);
-    if (!panel.load(options.size.value_or(configuration.windowSize.value_or(usualSize))))
+        panel.settings().overrideValue("display.theme", options.theme);
+    if (!panel.load(options.size.value_or(panel::sizeIn(configuration.text("display.size")))))
         return EXIT_FAILURE;
     const shell::ServiceWatchdog watchdog(manager, link, panel.window());
-    if (options.isFullScreen || options.isKiosk || configuration.isFullScreen)
+    if (options.isFullScreen || options.isKiosk || configuration.isTrue("display.fullscreen"))
         panel.window().showFullScreen();
     else
         panel.window().show();
@@ -151,12 +151,13 @@ int main(int argc, char* argv[])
 {
     shell::keepMemoryFlat();
     const Arguments arguments(argv, static_cast<std::size_t>(argc));
-    shell::Configuration configuration;
+    panel::SettingValues configuration;
     if (isOffscreen(arguments))
         qputenv("QT_QPA_PLATFORM", "offscreen");
     else
         configuration = configurationOf(arguments);
-    if (!isOffscreen(arguments) && isGiven(arguments, "--kiosk") && !prepareScreen(configuration.screen))
+    if (!isOffscreen(arguments) && isGiven(arguments, "--kiosk") &&
+        !prepareScreen(configuration.text("kiosk.screen")))
         return EXIT_FAILURE;
     const shell::ServiceManager manager;
     QGuiApplication application(argc, argv);
@@ -180,6 +181,6 @@ int main(int argc, char* argv[])
     int code = restartCode;
     while (code == restartCode)
         code = runPanel(options, configuration, manager);
-    manager.tell("STOPPING=1");
+    manager.notify("STOPPING=1");
     return code;
 }

@@ -6,7 +6,6 @@
 
 #include <QCommandLineParser>
 #include <QCoreApplication>
-#include <QRegularExpression>
 
 #include <cstdio>
 #include <cstdlib>
@@ -45,11 +44,10 @@ QString valueAmong(const QCommandLineParser& parser, const QString& option, cons
 
 QSize sizeFrom(const QString& text)
 {
-    static const QRegularExpression form(QStringLiteral("^(\\d{3,5})x(\\d{3,5})$"));
-    const auto match = form.match(text);
-    if (!match.hasMatch())
+    const QSize size = panel::sizeIn(text);
+    if (size.isEmpty())
         refuse(QStringLiteral("--size %1 is not of the form 1024x600.").arg(text));
-    return {match.captured(1).toInt(), match.captured(2).toInt()};
+    return size;
 }
 
 // Refuses line parameters without a port: they would silently have no effect.
@@ -71,8 +69,7 @@ panel::ConnectionChoice connectionFrom(const QCommandLineParser& parser)
     choice.simulated = false;
     choice.portName = parser.value(QStringLiteral("port"));
     choice.baud = number(parser, QStringLiteral("baud"), 1200, 921600);
-    choice.parity = valueAmong(parser, QStringLiteral("parity"),
-                               {QStringLiteral("N"), QStringLiteral("E"), QStringLiteral("O")});
+    choice.parity = valueAmong(parser, QStringLiteral("parity"), panel::choicesOf("connection.parity"));
     choice.stopBits = number(parser, QStringLiteral("stop-bits"), 1, 2);
     choice.unit = number(parser, QStringLiteral("unit"), 1, 247);
     return choice;
@@ -125,10 +122,8 @@ Options readOptions(const QCoreApplication& application)
         options.connection = connectionFrom(parser);
     else
         refuseLineParametersWithoutPort(parser);
-    options.language =
-        valueAmong(parser, QStringLiteral("language"), {QStringLiteral("en"), QStringLiteral("zh_CN")});
-    options.theme = valueAmong(parser, QStringLiteral("theme"),
-                               {QStringLiteral("light"), QStringLiteral("dark"), QStringLiteral("contrast")});
+    options.language = valueAmong(parser, QStringLiteral("language"), panel::choicesOf("display.language"));
+    options.theme = valueAmong(parser, QStringLiteral("theme"), panel::choicesOf("display.theme"));
     if (parser.isSet(QStringLiteral("size")))
         options.size = sizeFrom(parser.value(QStringLiteral("size")));
     options.isKiosk = parser.isSet(QStringLiteral("kiosk"));

@@ -37,7 +37,7 @@ namespace campanel::shell {
 struct Storage {
     QString settingsFile;
     QString recipeFolder;
-    panel::StandardSettings standard{}; // until another value is set on the panel
+    panel::SettingValues standard{}; // until another value is set on the panel
 };
 
 class Panel : public QObject {

@@ -41,7 +41,7 @@ ServiceManager::ServiceManager()
         m_watchdogPeriod = std::chrono::microseconds(*period);
 }
 
-void ServiceManager::tell(std::string_view state) const
+void ServiceManager::notify(std::string_view state) const
 {
     sockaddr_un address{};
     address.sun_family = AF_UNIX;

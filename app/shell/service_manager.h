@@ -22,7 +22,7 @@ public:
 
     // Sends "READY=1", "WATCHDOG=1" or "STOPPING=1". An undeliverable datagram is lost; the service manager
     // notices a missing one by its timeout.
-    void tell(std::string_view state) const;
+    void notify(std::string_view state) const;
 
 private:
     std::string m_address; // a path; with '@' in front an abstract address

@@ -49,7 +49,7 @@ void ServiceWatchdog::notePainted()
 {
     if (!m_isReady) {
         m_isReady = true;
-        m_manager.tell("READY=1");
+        m_manager.notify("READY=1");
     }
     m_isPainted = true;
     feedWhenComplete();
@@ -60,7 +60,7 @@ void ServiceWatchdog::feedWhenComplete()
     if (!m_isOpen || !m_isAnswered || !m_isPainted)
         return;
     m_isOpen = false;
-    m_manager.tell("WATCHDOG=1");
+    m_manager.notify("WATCHDOG=1");
 }
 
 } // namespace campanel::shell

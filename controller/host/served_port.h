@@ -27,7 +27,6 @@ public:
     // Closes the pseudo-terminal; a program that has it open gets a hang-up.
     void unplug();
 
-    [[nodiscard]] bool isPlugged() const { return m_terminal.has_value(); }
     // Returns the path of the pseudo-terminal, empty while unplugged.
     [[nodiscard]] std::string path() const;
     // Returns a descriptor that becomes readable when there are bytes from the panel, and when a panel closed

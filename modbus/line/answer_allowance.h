@@ -24,8 +24,8 @@ public:
     static constexpr Milliseconds longest{400};
     // The answers in one generation of measurements; two generations are used.
     static constexpr std::uint64_t window = 200;
-    static constexpr std::uint64_t fewest = 50; // below this number the start value is used
-    static constexpr int margin = 3;            // multiple of the p99
+    static constexpr std::uint64_t minCount = 50; // below this number the start value is used
+    static constexpr int margin = 3;              // multiple of the p99
 
     explicit AnswerAllowance(Milliseconds start)
         : m_value(start)
@@ -39,7 +39,7 @@ public:
         m_recent.note(turnaround);
         if (m_recent.count() >= window)
             m_before = std::exchange(m_recent, {});
-        else if (m_recent.count() != fewest)
+        else if (m_recent.count() != minCount)
             return;
         LatencyHistogram both = m_before;
         both += m_recent;

@@ -3,7 +3,26 @@
 
 #include "modbus/map/codec.h"
 
+#include <algorithm>
+#include <array>
+#include <string_view>
+
 namespace campanel::modbus {
+namespace {
+
+// The list behind the rows of a kind.
+struct ListSize {
+    ProgramKind kind = ProgramKind::None;
+    std::string_view countRegister;
+    std::uint16_t registers = 0; // of one entry
+    std::uint16_t capacity = 0;
+};
+
+constexpr std::array lists{
+    ListSize{ProgramKind::PointCam, "cam.knot_count", knotRegisters, knotCapacity},
+    ListSize{ProgramKind::SegmentCam, "cam.segment_count", segmentRegisters, segmentCapacity}};
+
+} // namespace
 
 RowSize rowSize(TableLayout layout)
 {
@@ -22,17 +41,19 @@ RowSize rowSize(TableLayout layout)
     return {};
 }
 
-KnotSpan knotSpan(std::span<const std::uint16_t> header)
+ListSpan listSpan(std::span<const std::uint16_t> header)
 {
     const RegisterReader reader(header, 0);
-    if (reader.u16("bank.kind") != static_cast<std::uint16_t>(ProgramKind::PointCam))
+    const auto kind = static_cast<ProgramKind>(reader.u16("bank.kind"));
+    const auto list = std::ranges::find(lists, kind, &ListSize::kind);
+    if (list == lists.end())
         return {};
     const unsigned rows = reader.u16("bank.row_count");
-    const unsigned knots = reader.u16("cam.knot_count");
-    if (rows > camPointCapacity || knots > knotCapacity)
+    const unsigned count = reader.u16(list->countRegister);
+    if (rows > camPointCapacity || count > list->capacity)
         return {};
     return {static_cast<std::uint16_t>(bankHeaderRegisters + camPointRegisters * rows),
-            static_cast<std::uint16_t>(knotRegisters * knots)};
+            static_cast<std::uint16_t>(list->registers * count)};
 }
 
 std::optional<std::uint16_t> bankLength(std::span<const std::uint16_t> header)
@@ -40,7 +61,7 @@ std::optional<std::uint16_t> bankLength(std::span<const std::uint16_t> header)
     const RegisterReader reader(header, 0);
     const unsigned rowLength = rowSize(static_cast<TableLayout>(reader.u16("bank.layout"))).registers;
     const unsigned length =
-        bankHeaderRegisters + rowLength * reader.u16("bank.row_count") + knotSpan(header).count;
+        bankHeaderRegisters + rowLength * reader.u16("bank.row_count") + listSpan(header).count;
     if (rowLength == 0 || length > bankRegisters)
         return std::nullopt;
     return static_cast<std::uint16_t>(length);

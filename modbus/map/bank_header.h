@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The sizes of a program bank by its header. The rows follow the header; a point cam's knots follow its rows.
+// The sizes of a program bank by its header. The rows follow the header; the knots or segments of a cam
+// follow its rows.
 #pragma once
 
 #include "modbus/map/protocol.h"
@@ -17,14 +18,15 @@ struct RowSize {
 };
 [[nodiscard]] RowSize rowSize(TableLayout layout);
 
-// The place of a point cam's knots in its bank, behind the rows; count 0 for other banks.
-struct KnotSpan {
+// The place of a cam's list in its bank, behind the rows: the knots or segments of which its curve is made.
+// count is 0 for other banks.
+struct ListSpan {
     std::uint16_t offset = 0; // from the bank's base
     std::uint16_t count = 0;  // registers
 };
-[[nodiscard]] KnotSpan knotSpan(std::span<const std::uint16_t> header);
+[[nodiscard]] ListSpan listSpan(std::span<const std::uint16_t> header);
 
-// Returns the number of registers of the whole bank by its header: header, rows and knots. Empty for an
+// Returns the number of registers of the whole bank by its header: header, rows and list. Empty for an
 // impossible bank.
 [[nodiscard]] std::optional<std::uint16_t> bankLength(std::span<const std::uint16_t> header);
 

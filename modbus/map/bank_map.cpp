@@ -29,6 +29,19 @@ constexpr RegisterInfo pointCam(RegisterInfo row)
     return withKind(ProgramKind::PointCam, row);
 }
 
+constexpr RegisterInfo segmentCam(RegisterInfo row)
+{
+    return withKind(ProgramKind::SegmentCam, row);
+}
+
+// A register of every cam that follows a master.
+constexpr RegisterInfo cam(RegisterInfo row)
+{
+    row.kinds = static_cast<std::uint16_t>(RegisterInfo::bitOf(ProgramKind::PointCam) |
+                                           RegisterInfo::bitOf(ProgramKind::SegmentCam));
+    return row;
+}
+
 constexpr RegisterInfo press(RegisterInfo row)
 {
     return withKind(ProgramKind::Press, row);
@@ -61,7 +74,8 @@ constexpr std::array bankTable{
                     "speeds and accelerations of the rows count 2^-bits; 0 as published, at most 8"),
                Layout::Intervals),
     withLayout(ro16("cam.ramp_shape", 13, "how the master gets there", "RampShape"), Layout::CamPoints),
-    withLayout(ro16("cam.knot_count", 14, "knots after the rows"), Layout::CamPoints),
+    pointCam(withLayout(ro16("cam.knot_count", 14, "knots after the rows"), Layout::CamPoints)),
+    segmentCam(withLayout(ro16("cam.segment_count", 14, "segments after the rows"), Layout::CamPoints)),
     cutter(ro32("program.knife_radius", 15, "knife-tip radius", 0.001, "mm")),
     cutter(ro16("program.knives", 17, "knives on the shaft")),
     cutter(ro32("program.pulses_per_motor_rev", 18, "pulses per motor revolution K", 1.0, "pulses")),
@@ -111,17 +125,17 @@ constexpr std::array bankTable{
     speedMove(ro32("speed_move.pulses_per_motor_rev", 32, "pulses per motor revolution K", 1.0, "pulses")),
     speedMove(ro32("speed_move.inertia", 34, "inertia at the motor", 0.001, "kg cm^2")),
     speedMove(ro32("speed_move.friction", 36, "friction at the motor", 0.001, "Nm")),
-    pointCam(roI16("point_cam.master_rate", 15, "speed of the master, negative: backwards", 0.1, "r/min")),
-    pointCam(ro16("point_cam.ends", 16, "ends of the spline", "SplineEnds")),
-    pointCam(ro32("point_cam.master_ratio", 17, "master revolutions per cam cycle", 0.001)),
-    pointCam(ro32("point_cam.master_scale", 19, "stretch of the cam over the master", 0.001)),
-    pointCam(roScaled32("point_cam.slave_scale", 21, "stretch of the cam over the slave", 0.001, {})),
-    pointCam(roI16("point_cam.phase", 23, "of the cam, at which the master starts", 0.1, "deg")),
-    pointCam(ro16("point_cam.cam_points", 24, "intervals of the cam table")),
-    pointCam(ro32("point_cam.feed", 25, "feed per motor revolution", 0.001, "mm")),
-    pointCam(ro32("point_cam.pulses_per_motor_rev", 27, "pulses per motor revolution K", 1.0, "pulses")),
-    pointCam(ro32("point_cam.inertia", 29, "inertia at the motor", 0.001, "kg cm^2")),
-    pointCam(ro32("point_cam.friction", 31, "friction at the motor", 0.001, "Nm")),
+    cam(roI16("cam.master_rate", 15, "speed of the master, negative: backwards", 0.1, "r/min")),
+    pointCam(ro16("cam.ends", 16, "ends of the spline", "SplineEnds")),
+    cam(ro32("cam.master_ratio", 17, "master revolutions per cam cycle", 0.001)),
+    cam(ro32("cam.master_scale", 19, "stretch of the cam over the master", 0.001)),
+    cam(roScaled32("cam.slave_scale", 21, "stretch of the cam over the slave", 0.001, {})),
+    cam(roI16("cam.phase", 23, "of the cam, at which the master starts", 0.1, "deg")),
+    cam(ro16("cam.cam_points", 24, "intervals of the cam table")),
+    cam(ro32("cam.feed", 25, "feed per motor revolution", 0.001, "mm")),
+    cam(ro32("cam.pulses_per_motor_rev", 27, "pulses per motor revolution K", 1.0, "pulses")),
+    cam(ro32("cam.inertia", 29, "inertia at the motor", 0.001, "kg cm^2")),
+    cam(ro32("cam.friction", 31, "friction at the motor", 0.001, "Nm")),
     press(ro32("press.approach_position", 15, "end of the approach", 0.001, "mm")),
     press(ro16("press.approach_speed", 17, "speed of the approach", {}, 0.1, "mm/s")),
     press(ro16("press.probe_speed", 18, "speed of the probing", {}, 0.1, "mm/s")),

@@ -65,7 +65,7 @@ std::string Identity::firmwareVersion() const
 
 bool Identity::supports(ProgramKind kind) const
 {
-    return kind <= ProgramKind::Press && (programKinds & bit(kind)) != 0;
+    return kind <= lastProgramKind && (programKinds & bit(kind)) != 0;
 }
 
 bool StatusBlock::has(FaultBit which) const
@@ -131,7 +131,7 @@ StatusBlock decodeStatus(std::span<const std::uint16_t> registers)
     status.faultBits = reader.u16("status.fault");
     status.warningBits = reader.u16("status.warning");
     status.programKind =
-        known(reader.u16("status.program_kind"), ProgramKind::Press).value_or(ProgramKind::None);
+        known(reader.u16("status.program_kind"), lastProgramKind).value_or(ProgramKind::None);
     status.stagedState = known(reader.u16("status.staged_state"), StagedState::Armed);
     status.generation = reader.u32("status.generation");
     status.activeCrc = unlessZero(reader.u32("status.active_crc"));

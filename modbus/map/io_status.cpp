@@ -41,8 +41,10 @@ IoStatus decodeIo(std::span<const std::uint16_t> registers)
         status.inputs = reader.u16("io.inputs");
     if (hasPin(available, IoBit::Outputs))
         status.outputs = reader.u16("io.outputs");
-    if (hasPin(available, IoBit::Torque))
+    if (hasPin(available, IoBit::Torque)) {
         status.torquePercent = reader.physical("io.torque");
+        status.torqueAngleDeg = reader.physical("io.torque_angle");
+    }
     if (hasPin(available, IoBit::Infeed)) {
         status.infeedPositionMm = reader.physical("io.infeed_position");
         status.infeedFollowingErrorMm = reader.physical("io.infeed_following_error");

@@ -11,7 +11,7 @@
 namespace campanel::modbus {
 
 inline constexpr std::uint16_t ioAddress = 0x01B0;
-inline constexpr std::uint16_t ioRegisters = 7;
+inline constexpr std::uint16_t ioRegisters = 8;
 // The first minor version of the map with this group and the parameters of the cam switches.
 inline constexpr std::uint16_t ioMapMinor = 3;
 
@@ -20,6 +20,7 @@ struct IoStatus {
     std::optional<std::uint16_t> inputs;  // bits of InputBit
     std::optional<std::uint16_t> outputs; // bits of OutputBit
     std::optional<double> torquePercent;  // of the rated torque
+    std::optional<double> torqueAngleDeg; // of the master, when it was reported
     std::optional<double> infeedPositionMm;
     std::optional<double> infeedFollowingErrorMm;
 

@@ -41,7 +41,7 @@ struct FilmMark {
 
 struct FilmCut {
     double distanceMm = 0.0;
-    bool isLeftOut = false; // skipped because of a product
+    bool isSkipped = false; // skipped because of a product
 };
 
 struct FilmProduct {

@@ -7,11 +7,6 @@
 namespace campanel::modbus {
 namespace {
 
-template <typename E> constexpr EnumValue entry(E value, std::string_view name, std::string_view text)
-{
-    return {name, static_cast<std::uint16_t>(value), text};
-}
-
 constexpr std::array states{
     entry(State::Idle, "Idle", "No active program."),
     entry(State::Ready, "Ready", "An active program, standing still."),
@@ -31,7 +26,9 @@ constexpr std::array programKinds{
     entry(ProgramKind::SpeedMove, "SpeedMove", "Move from one speed to another, which is then held."),
     entry(ProgramKind::PointCam, "PointCam", "Cam through given points, following a virtual master."),
     entry(ProgramKind::Press, "Press", "Press stroke in five stages."),
+    entry(ProgramKind::SegmentCam, "SegmentCam", "Cam of segments, following a virtual master."),
 };
+static_assert(programKinds.back().value == static_cast<std::uint16_t>(lastProgramKind));
 
 constexpr std::array tableLayouts{
     entry(TableLayout::None, "None", "Nothing."),
@@ -39,13 +36,18 @@ constexpr std::array tableLayouts{
           "Rows of three registers: pulses (u16), ticks (u32). Pulse j = 1 .. pulses comes floor(j * ticks / "
           "pulses) "
           "ticks after the row's start, the last one at its end; a row without pulses is a pause."),
-    entry(TableLayout::CamPoints, "CamPoints",
-          "Rows of four registers, one for each end of the equal intervals of the master: position (i32, "
-          "1/256 pulse "
-          "from the first row) and slope (i32, 1/256 pulse per interval); in between a cubic with these "
-          "slopes. After "
-          "the rows cam.knot_count knots of four registers: master (u32, 0.0001 degrees), slave (i32, 0.001 "
-          "mm)."),
+    entry(
+        TableLayout::CamPoints, "CamPoints",
+        "Rows of four registers, one for each end of the equal intervals of the master: position (i32, "
+        "1/256 pulse "
+        "from the first row) and slope (i32, 1/256 pulse per interval); in between a cubic with these "
+        "slopes. After "
+        "the rows of a point cam cam.knot_count knots of four registers: master (u32, 0.0001 degrees), slave "
+        "(i32, 0.001 mm). After those of a segment cam cam.segment_count segments of 17 registers: end (u32, "
+        "0.0001 degrees), slave at the end (i32, 0.001 mm), motion (u16: 0 dwell, 101 constant speed, 103 "
+        "and 105 polynomials of the third and fifth degree, else the code of a law), speed and acceleration "
+        "at the start, then at the end (i32, 0.000001 mm/degree and 0.0000001 mm/degree^2), two parameters "
+        "of the law (u32, 0.000001)."),
     entry(TableLayout::Intervals, "Intervals",
           "Rows of eight registers, constant acceleration each: distance (u32, pulses), first and last speed "
           "(u32, "
@@ -252,43 +254,6 @@ constexpr std::array transferResults{
     entry(TransferResult::StateRefuses, "StateRefuses", "An armed change must be cancelled first."),
     entry(TransferResult::Busy, "Busy",
           "Being checked in pieces, or the bank is being saved; send the same again."),
-};
-
-constexpr std::array faultBits{
-    entry(FaultBit::FollowingError, "FollowingError",
-          "The axis lags more than parameter.following_error_limit."),
-    entry(FaultBit::ActiveTableDamaged, "ActiveTableDamaged", "The active table no longer has its CRC-32."),
-    entry(FaultBit::DriveNotFollowing, "DriveNotFollowing",
-          "No index mark of the axis found within two revolutions of homing."),
-    entry(FaultBit::ForceLimit, "ForceLimit",
-          "The press reached its largest force; it stopped and returned."),
-    entry(FaultBit::TouchedTooEarly, "TouchedTooEarly", "The press felt the work piece during the approach."),
-    entry(FaultBit::NeverTouched, "NeverTouched",
-          "The press did not feel the work piece where it should be."),
-    entry(FaultBit::MasterTooFast, "MasterTooFast",
-          "The cam asked for more pulses in one update than the output stage gives."),
-    entry(FaultBit::DriveAlarm, "DriveAlarm", "The drive reported an alarm by its output."),
-};
-
-constexpr std::array warningBits{
-    entry(WarningBit::HeartbeatLost, "HeartbeatLost",
-          "The panel has not been heard for parameter.heartbeat_timeout."),
-    entry(WarningBit::NotHomed, "NotHomed", "Where the axis stands is not known since power-up; home first."),
-    entry(WarningBit::FlashSlotInvalid, "FlashSlotInvalid",
-          "A flash slot had a wrong CRC-32 at power-up; the other was used."),
-    entry(WarningBit::ClockNotSet, "ClockNotSet", "The clock has not been set since power-up."),
-    entry(WarningBit::MarksLost, "MarksLost",
-          "The run was ended: parameter.mark_missing_limit marks in a row did not come."),
-    entry(WarningBit::MarkPitchWrong, "MarkPitchWrong",
-          "The run was ended: the marks are not one bag length apart."),
-    entry(WarningBit::CorrectionAtLimit, "CorrectionAtLimit",
-          "The run was ended: five bags in a row needed more correction than the limits allow."),
-    entry(WarningBit::ProductTooLong, "ProductTooLong",
-          "The run was ended: a product with its clearance is longer than the bag."),
-    entry(WarningBit::TooManySkips, "TooManySkips",
-          "The run was ended: parameter.skip_limit cuts in a row were skipped for a product across."),
-    entry(WarningBit::EmergencyStop, "EmergencyStop",
-          "The emergency stop is pressed, or was within the last two seconds. No function depends on it."),
 };
 
 constexpr std::array jogBits{

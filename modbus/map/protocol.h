@@ -3,6 +3,8 @@
 // controller's C header and the register document are generated from the tables at the end of this file.
 #pragma once
 
+#include "modbus/map/alarm_bits.h"
+
 #include <array>
 #include <cstdint>
 #include <span>
@@ -15,7 +17,7 @@ inline constexpr std::uint16_t deviceType = 0xCA3D;
 // The major version of the register map. A panel refuses a controller with another one; a higher minor
 // version only adds registers.
 inline constexpr std::uint16_t mapMajor = 1;
-inline constexpr std::uint16_t mapMinor = 4;
+extern const std::uint16_t mapMinor; // beside the registers, in register_map.cpp
 
 enum class State : std::uint16_t { Idle = 0, Ready, Running, Stopping, Jogging, Homing, Fault };
 
@@ -26,7 +28,9 @@ enum class ProgramKind : std::uint16_t {
     SpeedMove = 3,
     PointCam = 4,
     Press = 5,
+    SegmentCam = 6,
 };
+inline constexpr ProgramKind lastProgramKind = ProgramKind::SegmentCam;
 
 // The type of the rows of a bank, as named in its header.
 enum class TableLayout : std::uint16_t {
@@ -137,33 +141,6 @@ enum class TransferResult : std::uint16_t {
     Busy,
 };
 
-// The bits of status.fault.
-enum class FaultBit : std::uint16_t {
-    FollowingError = 0,
-    ActiveTableDamaged = 1,
-    DriveNotFollowing = 2,
-    ForceLimit = 3,
-    TouchedTooEarly = 4,
-    NeverTouched = 5,
-    MasterTooFast = 6,
-    DriveAlarm = 7
-};
-
-// The bits of status.warning.
-enum class WarningBit : std::uint16_t {
-    HeartbeatLost = 0,
-    NotHomed = 1,
-    FlashSlotInvalid = 2,
-    ClockNotSet = 3,
-    // The reasons for the end of a run of the packing machine; valid until the next start.
-    MarksLost = 4,
-    MarkPitchWrong = 5,
-    CorrectionAtLimit = 6,
-    ProductTooLong = 7,
-    TooManySkips = 8,
-    EmergencyStop = 9
-};
-
 enum class MarkState : std::uint16_t { Off = 0, Searching, Aligning, Tracking };
 
 enum class GateState : std::uint16_t { Running = 0, Slowing, Standing, Gaining };
@@ -216,12 +193,6 @@ enum class OutputBit : std::uint16_t {
     Switch7,
     Switch8,
     DriveEnable
-};
-
-struct EnumValue {
-    std::string_view name; // as in the enum class
-    std::uint16_t value = 0;
-    std::string_view text; // one sentence for the register document
 };
 
 struct EnumInfo {

@@ -126,6 +126,8 @@ void printCHeader(std::ostream& out)
     define("CAM_POINT_CAPACITY", std::to_string(camPointCapacity) + "u");
     define("KNOT_REGISTERS", std::to_string(knotRegisters) + "u");
     define("KNOT_CAPACITY", std::to_string(knotCapacity) + "u");
+    define("SEGMENT_REGISTERS", std::to_string(segmentRegisters) + "u");
+    define("SEGMENT_CAPACITY", std::to_string(segmentCapacity) + "u");
     define("INTERVAL_REGISTERS", std::to_string(intervalRegisters) + "u");
     define("INTERVAL_CAPACITY", std::to_string(intervalCapacity) + "u");
     define("STAGE_REGISTERS", std::to_string(stageRegisters) + "u");
@@ -253,15 +255,17 @@ void printRules(std::ostream& out)
            "at most at "
            "max_pulse_frequency; 0 pulses: a pause; ticks and pulses add up to cycle_ticks and cycle_pulses; "
            "cycle_pulses + remainder / divisor = K Z / N exactly |\n"
-           "| CamPoints | PositionMove, SpeedMove, PointCam | 2 to "
+           "| CamPoints | PositionMove, SpeedMove, PointCam, SegmentCam | 2 to "
         << camPointCapacity
         << " | position i32 in 1/256 pulse from the first row, slope i32 in 1/256 pulse per interval | the "
            "first position "
            "is 0; the last one is advance + remainder / divisor, to 1/256 pulse; neither a step nor a slope "
            "is faster "
            "than max_pulse_frequency; up to "
-        << knotCapacity
-        << " knots follow: master u32 in 0.0001 deg, slave i32 in 0.001 mm |\n"
+        << knotCapacity << " knots of a point cam, or up to " << segmentCapacity
+        << " segments of a segment cam follow; their registers are under TableLayout. Segments end in "
+           "ascending "
+           "order, the last one at 360 deg |\n"
            "| Intervals | PositionMove, SpeedMove | 1 to "
         << intervalCapacity
         << " | distance, first speed, last speed, acceleration, u32 each | speeds in 2^-fraction_bits of an "
@@ -281,7 +285,7 @@ void printRules(std::ostream& out)
            "speed move goes as far\nas a cycle at one of its speeds at least, as a cycle at the other at "
            "most, and over its "
            "given distance; cam points of a move take\nits given time; a point cam advances by (last knot - "
-           "first knot) "
+           "first knot), a segment cam by the end of its last segment, times "
            "slave_scale in 60 s master_ratio master_scale / |master_rate|.\nSeal answers BadHeader or BadSum "
            "with the offset of "
            "the header register in\n`transfer_result.detail`, BadRow with the number of the row, from 0.\n\n";

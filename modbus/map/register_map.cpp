@@ -8,6 +8,9 @@
 #include <unordered_map>
 
 namespace campanel::modbus {
+
+const std::uint16_t mapMinor = 4;
+
 namespace {
 
 using namespace rows;
@@ -226,6 +229,8 @@ constexpr std::array registerTable{
     roScaled32("io.infeed_position", 0x01B4, "infeed motor's position, lower 32 bits", 0.001, "mm"),
     roI16("io.infeed_following_error", 0x01B6, "infeed motor: commanded minus actual, saturating", 0.001,
           "mm"),
+    ro16("io.torque_angle", 0x01B7, "position in the cycle at which the torque was reported", {}, 0.01,
+         "deg"),
 
     rw16("exchange.tag", 0x0200, "any value that differs from the last one; comes back as status.tag"),
     rw16("exchange.heartbeat", 0x0201, "must advance; jog dies 200 ms after it last did"),

@@ -54,12 +54,16 @@ inline constexpr std::uint16_t camPointRegisters = 4; // position i32, slope i32
 inline constexpr std::uint16_t camPointCapacity = 2001;
 inline constexpr std::uint16_t knotRegisters = 4; // master u32, slave i32
 inline constexpr std::uint16_t knotCapacity = 100;
+// A segment: end u32, slave i32, motion u16, speed and acceleration i32 at both ends, two parameters u32.
+inline constexpr std::uint16_t segmentRegisters = 17;
+inline constexpr std::uint16_t segmentCapacity = 40;
 inline constexpr std::uint16_t intervalRegisters = 8; // distance, first speed, last speed, acceleration u32
 inline constexpr std::uint16_t intervalCapacity = 1024;
 inline constexpr std::uint16_t stageRegisters = 8; // speed u32, position i32, force u32, time u32
 inline constexpr std::uint16_t stageCount = 5;
 inline constexpr std::uint16_t bankRegisters =
-    bankHeaderRegisters + camPointRegisters * camPointCapacity + knotRegisters * knotCapacity;
+    bankHeaderRegisters + camPointRegisters * camPointCapacity + segmentRegisters * segmentCapacity;
+static_assert(knotRegisters * knotCapacity <= segmentRegisters * segmentCapacity);
 inline constexpr std::uint16_t blockRegisters =
     116; // payload of one transfer block: the maximum of one FC23 request
 inline constexpr std::uint16_t readbackRegisters = 122; // payload of one read-back answer

@@ -24,15 +24,18 @@ std::vector<SmoothStretch> smoothStretches(const MotionProfile& motion)
     std::vector<SmoothStretch> stretches;
     for (const Segment& s : motion.segments()) {
         if (s.law == nullptr || !(s.durationS > 0)) {
-            stretches.push_back({&s, s.startS, s.endS(), 0});
+            const double snap =
+                std::max(std::abs(s.snapMmPerS4), std::abs(s.snapMmPerS4 + s.crackleMmPerS5 * s.durationS));
+            stretches.push_back({&s, s.startS, s.endS(), snap});
             continue;
         }
         const LawPieces pieces = s.law->pieces(s.parameters);
         const bool isRamp = s.form == SegmentForm::Ramp;
-        const double cubedS = s.durationS * s.durationS * s.durationS;
+        const double lawS = s.lawDurationS();
+        const double cubedS = lawS * lawS * lawS;
         const double snap = isRamp
                                 ? std::abs(s.endVelocityMmPerS - s.startVelocityMmPerS) * pieces.g3 / cubedS
-                                : std::abs(s.distanceMm) * pieces.g4 / (cubedS * s.durationS);
+                                : std::abs(s.distanceMm) * pieces.g4 / (cubedS * lawS);
         std::vector<double> ends(pieces.joints.begin(), pieces.joints.end());
         if (s.isMirrored) {
             std::ranges::reverse(ends);
@@ -42,7 +45,7 @@ std::vector<SmoothStretch> smoothStretches(const MotionProfile& motion)
         ends.push_back(1);
         double from = s.startS;
         for (const double x : ends) {
-            const double to = std::min(s.startS + x * s.durationS, s.endS());
+            const double to = std::clamp(s.startS + (x - s.lawFrom) * lawS, s.startS, s.endS());
             stretches.push_back({&s, from, to, snap});
             from = to;
         }

@@ -187,22 +187,21 @@ tl::expected<CamTable, Refusal> buildCamTable(const MotionProfile& motion, int i
     return table;
 }
 
-tl::expected<CamTable, Refusal> buildCamTable(const PointCamProgram& program, const Machine& machine)
+tl::expected<CamTable, Refusal> buildCamTable(const MotionProfile& forward, const CamMaster& master,
+                                              const Machine& machine)
 {
-    auto table = buildCamTable(forwardMotion(program), program.camPoints, machine, CamUse::Repeats);
+    auto table = buildCamTable(forward, master.camPoints, machine, CamUse::Repeats);
     if (table)
         return table;
     Refusal& refusal = table.error();
     if (refusal.limit == Limit::MasterTooFast) {
-        const double slower = program.masterRateRevPerMin * refusal.allowed / refusal.actual;
+        const double slower = master.masterRateRevPerMin * refusal.allowed / refusal.actual;
         const double step = info(Field::MasterRate).resolution();
         const double rate = std::copysign(std::floor(std::abs(slower) / step) * step, slower);
         if (rate != 0)
             refusal.nearest.push_back({Field::MasterRate, snapToGrid(Field::MasterRate, rate)});
     } else if (refusal.limit == Limit::FieldRange) {
-        PointCamProgram mended = program;
-        setValue(mended, Field::CamPoints, refusal.allowed);
-        if (buildCamTable(mended, machine))
+        if (buildCamTable(forward, static_cast<int>(refusal.allowed), machine, CamUse::Repeats))
             refusal.nearest.push_back({Field::CamPoints, refusal.allowed});
     }
     return table;

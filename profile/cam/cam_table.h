@@ -3,14 +3,15 @@
 // a slope; rows are equal master intervals apart. The curve between two rows is the cubic with these slopes.
 #pragma once
 
-#include "profile/cam/point_cam.h"
 #include "profile/model/machine.h"
 #include "profile/model/motion_profile.h"
 #include "profile/model/refusal.h"
+#include "profile/program/programs.h"
 
 #include <cstddef>
 #include <cstdint>
 #include <tl/expected.hpp>
+#include <type_traits>
 #include <vector>
 
 namespace campanel::profile {
@@ -47,11 +48,17 @@ enum class CamUse : std::uint8_t {
 [[nodiscard]] tl::expected<CamTable, Refusal> buildCamTable(const MotionProfile& motion, int intervals,
                                                             const Machine& machine, CamUse use);
 
-// Builds the table of a solved point cam from its forward motion, regardless of the sign of the master rate.
+// Builds the table of a solved cam from its forward motion, regardless of the sign of the master rate.
 // FieldRange refusals get the nearest valid number of points, MasterTooFast refusals the nearest valid master
 // rate.
-[[nodiscard]] tl::expected<CamTable, Refusal> buildCamTable(const PointCamProgram& program,
-                                                            const Machine& machine);
+[[nodiscard]] tl::expected<CamTable, Refusal> buildCamTable(const MotionProfile& forward,
+                                                            const CamMaster& master, const Machine& machine);
+template <typename Cam>
+[[nodiscard]] tl::expected<CamTable, Refusal>
+buildCamTable(const Cam& cam, const Machine& machine) requires std::is_base_of_v<CamMaster, Cam>
+{
+    return buildCamTable(forwardMotion(cam), cam, machine);
+}
 
 // The position at a share 0..1 of an interval, in 1/256 pulse from the first row, and its derivative per
 // interval.

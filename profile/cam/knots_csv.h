@@ -2,10 +2,10 @@
 // Converts the knots of a cam to and from CSV text. Pure functions of text without file access.
 #pragma once
 
+#include "profile/cam/csv_reader.h"
 #include "profile/program/programs.h"
 
 #include <cstddef>
-#include <cstdint>
 #include <span>
 #include <string>
 #include <string_view>
@@ -14,23 +14,7 @@
 
 namespace campanel::profile {
 
-enum class CsvExpectation : std::uint8_t {
-    Header,       // "master_deg,slave_mm" or the same with a semicolon
-    TwoValues,    // master and slave, with the separator of the header
-    Number,       // a finite number
-    DecimalPoint, // the decimal sign of the earlier numbers, a point
-    DecimalComma, // the decimal sign of the earlier numbers, a comma
-    Knots,        // at least one line of values
-    Utf8,         // UTF-8 text; the file is UTF-16 or not text
-};
-
-struct CsvError {
-    int line = 1; // from 1
-    CsvExpectation expected = CsvExpectation::Header;
-    std::string found; // the line or the field as read, at most 40 bytes; '?' for control characters
-
-    bool operator==(const CsvError&) const = default;
-};
+[[nodiscard]] std::span<const std::string_view> knotColumns();
 
 // Reads a header line, then one line per knot: "master_deg,slave_mm" in degrees and mm. With a semicolon as
 // separator the decimal sign may be a comma, the same one throughout. Lines end with LF or CRLF. Empty lines,

@@ -3,84 +3,30 @@
 #include "profile/cam/point_cam.h"
 
 #include "profile/cam/point_cam_validate.h"
-#include "profile/model/limit_check.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 namespace campanel::profile {
 namespace {
 
-constexpr double secondsPerMinute = 60;
 constexpr double overshootShare = 0.1; // share of the knots' span
-constexpr double jumpTolerance = 1e-9; // share of the maximum speed: the rounding of a continuous speed
-
-double phaseWithinCycleDeg(const PointCamProgram& program)
-{
-    const double phase = std::fmod(program.phaseDeg, camCycleDeg);
-    return phase < 0 ? phase + camCycleDeg : phase;
-}
-
-// Adds a part of a piece as a segment in time, forward or backward.
-void addPart(MotionProfile& motion, const SplinePiece& piece, double fromDeg, double toDeg, double degPerS,
-             double scale)
-{
-    const double widthDeg = std::abs(toDeg - fromDeg);
-    if (widthDeg <= detail::angleToleranceDeg)
-        return;
-    const SplinePoint start = piece.at(fromDeg);
-    motion.addCubic(widthDeg / std::abs(degPerS), scale * start.slope * degPerS,
-                    scale * start.curvature * degPerS * degPerS,
-                    scale * start.third * degPerS * degPerS * degPerS);
-}
 
 // Returns one cycle of the curve from the phase on. degPerS, of the cam, is negative for backward motion.
-MotionProfile camCycleMotion(const PointCamProgram& program, double degPerS)
+MotionProfile pointCamMotion(const PointCamProgram& program, double degPerS)
 {
     const Spline curve = camCurve(program);
-    const auto pieces = curve.pieces();
-    const double phase = phaseWithinCycleDeg(program);
-    MotionProfile motion;
-    motion.setStartPosition(program.slaveScale * curve.at(phase).value);
-    // Two passes over the pieces: the part after the phase in the first, the part before it in the second.
-    const auto add = [&](const SplinePiece& piece, double low, double high) {
-        const double from = std::max(piece.start, low);
-        const double to = std::min(piece.end(), high);
-        if (to > from)
-            addPart(motion, piece, degPerS > 0 ? from : to, degPerS > 0 ? to : from, degPerS,
-                    program.slaveScale);
-    };
-    if (degPerS > 0) {
-        for (const SplinePiece& piece : pieces)
-            add(piece, phase, camCycleDeg);
-        for (const SplinePiece& piece : pieces)
-            add(piece, 0, phase);
-    } else {
-        for (auto piece = pieces.rbegin(); piece != pieces.rend(); ++piece)
-            add(*piece, 0, phase);
-        for (auto piece = pieces.rbegin(); piece != pieces.rend(); ++piece)
-            add(*piece, phase, camCycleDeg);
-    }
-    return motion;
-}
-
-double camDegPerS(const PointCamProgram& program)
-{
-    return std::copysign(camCycleDeg / camCycleS(program), program.masterRateRevPerMin);
-}
-
-double timeOfAngleS(const PointCamProgram& program, double angleDeg)
-{
-    const double turned = (angleDeg - phaseWithinCycleDeg(program)) / camDegPerS(program);
-    return turned < 0 ? turned + camCycleS(program) : turned;
-}
-
-double angleOfTimeDeg(const PointCamProgram& program, double timeS)
-{
-    const double angle = std::fmod(phaseWithinCycleDeg(program) + camDegPerS(program) * timeS, camCycleDeg);
-    return angle < 0 ? angle + camCycleDeg : angle;
+    const double scale = program.slaveScale;
+    const double startMm = scale * curve.at(detail::phaseWithinCycleDeg(program)).value;
+    return detail::camCycleMotion(
+        program, degPerS, curve.pieces(), startMm,
+        [&](MotionProfile& motion, const SplinePiece& piece, double fromDeg, double toDeg) {
+            const SplinePoint start = piece.at(fromDeg);
+            motion.addCubic(std::abs(toDeg - fromDeg) / std::abs(degPerS), scale * start.slope * degPerS,
+                            scale * start.curvature * degPerS * degPerS,
+                            scale * start.third * degPerS * degPerS * degPerS);
+        });
 }
 
 // Returns the zeros of the slope inside a piece. The second form avoids the cancellation of the first one.
@@ -120,104 +66,25 @@ std::optional<Refusal> findOvershoot(const PointCamProgram& program)
                 continue;
             worstExcess = excess;
             const std::size_t nearest = *angle - piece.start < piece.width / 2 ? i : i + 1;
-            worst =
-                detail::knotRefusal(Limit::Overshoot, nearest, reached, reached > most ? most : least, "mm");
+            worst = detail::indexedRefusal(Limit::Overshoot, nearest, reached, reached > most ? most : least,
+                                           "mm");
             worst->angleDeg = angle;
-            worst->timeS = timeOfAngleS(program, *angle);
+            worst->timeS = detail::timeOfAngleS(program, *angle);
         }
     }
     return worst;
 }
 
-// Returns the speed after the wrap minus the speed before it.
-double wrapJumpMmPerS(const PointCamProgram& program)
-{
-    const Spline curve = camCurve(program);
-    return (curve.pieces().front().at0.slope - curve.at(camCycleDeg).slope) * program.slaveScale *
-           camDegPerS(program);
-}
-
-// Returns the largest speed step that the axis follows within one update of the master.
-double allowedWrapJumpMmPerS(const Machine& machine)
-{
-    return std::max(axisAllowance(machine).accelerationMmPerS2, 0.0) * masterUpdateS;
-}
-
-std::optional<Refusal> findWrapJump(const PointCamProgram& program, const Machine& machine)
-{
-    const double jump = std::abs(wrapJumpMmPerS(program));
-    const double allowed = allowedWrapJumpMmPerS(machine);
-    // Without any acceleration the rest of the cycle is refused as well, and a jump may be rounding.
-    if (jump <= allowed * (1 + detail::limitTolerance) || allowed <= 0)
-        return std::nullopt;
-    Refusal refusal;
-    refusal.limit = Limit::WrapJump;
-    refusal.lawParameter = "speed";
-    refusal.actual = jump;
-    refusal.allowed = allowed;
-    refusal.unit = "mm/s";
-    refusal.angleDeg = 0;
-    refusal.timeS = timeOfAngleS(program, 0);
-    return refusal;
-}
-
-// Includes the acceleration and the torque of the jump at the wrap in the peaks.
-void addWrapPeak(Peaks& peaks, const PointCamProgram& program, const Machine& machine)
-{
-    const double jump = std::abs(wrapJumpMmPerS(program));
-    if (jump > jumpTolerance * peaks.speedMmPerS)
-        peaks.jerkMmPerS3 = std::numeric_limits<double>::infinity();
-    if (jump / masterUpdateS <= peaks.accelerationMmPerS2)
-        return;
-    peaks.accelerationMmPerS2 = jump / masterUpdateS;
-    peaks.accelerationTimeS = timeOfAngleS(program, 0);
-    peaks.torqueNm = axisTorqueNm(machine, peaks.accelerationMmPerS2);
-}
-
-// Returns the feasible rate: speeds are proportional to it, accelerations to its square; the limits of both
-// are known.
-std::optional<Suggestion> feasibleRate(const PointCamProgram& program, const Machine& machine,
-                                       const Peaks& peaks)
-{
-    const AxisAllowance allowance = axisAllowance(machine);
-    const auto share = [](double allowed, double actual) {
-        return actual > allowed ? std::max(allowed, 0.0) / actual : 1.0;
-    };
-    const double factor =
-        std::min({share(allowance.speedMmPerS, peaks.speedMmPerS),
-                  std::sqrt(share(allowance.accelerationMmPerS2, peaks.accelerationMmPerS2)),
-                  share(allowedWrapJumpMmPerS(machine), std::abs(wrapJumpMmPerS(program)))});
-    const double present = program.masterRateRevPerMin;
-    const double step = info(Field::MasterRate).resolution();
-    const double steps = std::floor(std::abs(present) * factor / step * (1 + detail::limitTolerance));
-    if (steps < 1)
-        return std::nullopt;
-    return Suggestion{Field::MasterRate, snapToGrid(Field::MasterRate, std::copysign(steps * step, present))};
-}
-
 AxisMotion solveValid(const PointCamProgram& program, const Machine& machine)
 {
-    AxisMotion solved;
-    solved.motion = camCycleMotion(program, camDegPerS(program));
-    solved.peaks = axisPeaks(solved.motion, machine);
-    solved.broken = checkAxis(solved.motion, solved.peaks, machine);
-    for (Refusal& refusal : solved.broken) {
-        if (refusal.timeS)
-            refusal.angleDeg = angleOfTimeDeg(program, *refusal.timeS);
-    }
-    if (auto jump = findWrapJump(program, machine))
-        solved.broken.push_back(*std::move(jump));
-    if (auto overshoot = findOvershoot(program)) {
-        solved.broken.push_back(*std::move(overshoot)); // no rate corrects the curve
-    } else if (!solved.broken.empty()) {
-        if (const auto rate = feasibleRate(program, machine, solved.peaks)) {
-            for (Refusal& refusal : solved.broken)
-                refusal.nearest.push_back(*rate);
-        }
-    }
-    addWrapPeak(solved.peaks, program, machine);
+    const Spline curve = camCurve(program);
+    const std::array wrap{
+        detail::SpeedStep{0, curve.pieces().front().at0.slope - curve.at(camCycleDeg).slope}};
+    AxisMotion solved =
+        detail::solveCycle(program, machine, pointCamMotion(program, detail::camDegPerS(program)), wrap,
+                           {Limit::WrapJump, false}, findOvershoot(program));
     for (const Knot& knot : program.knots)
-        solved.marksS.push_back(timeOfAngleS(program, knot.masterDeg));
+        solved.marksS.push_back(detail::timeOfAngleS(program, knot.masterDeg));
     std::sort(solved.marksS.begin(), solved.marksS.end());
     return solved;
 }
@@ -241,34 +108,17 @@ double netAdvanceMm(const PointCamProgram& program)
     return program.knots.back().slaveMm - program.knots.front().slaveMm;
 }
 
-double camCycleS(const PointCamProgram& program)
-{
-    return secondsPerMinute / std::abs(program.masterRateRevPerMin) * program.masterRatio *
-           program.masterScale;
-}
-
 MotionProfile forwardMotion(const PointCamProgram& program)
 {
-    return camCycleMotion(program, std::abs(camDegPerS(program)));
+    return pointCamMotion(program, std::abs(detail::camDegPerS(program)));
 }
 
 tl::expected<AxisMotion, Refusal> solve(const PointCamProgram& program, const Machine& machine)
 {
-    if (auto refusal = detail::findInvalid(program, machine)) {
-        if (refusal->limit == Limit::FieldRange) {
-            PointCamProgram mended = program;
-            Machine mendedMachine = machine;
-            const double inside =
-                std::isfinite(refusal->actual) ? refusal->allowed : info(refusal->field).defaultValue;
-            setValue(mended, refusal->field, inside);
-            setValue(mendedMachine, refusal->field, inside);
-            if (!detail::findInvalid(mended, mendedMachine) &&
-                solveValid(mended, mendedMachine).broken.empty())
-                refusal->nearest.push_back({refusal->field, inside});
-        }
-        return tl::unexpected(*std::move(refusal));
-    }
-    return solveValid(program, machine);
+    return detail::solveCam(
+        program, machine,
+        [](const PointCamProgram& cam, const Machine& axis) { return detail::findInvalid(cam, axis); },
+        solveValid);
 }
 
 } // namespace campanel::profile

@@ -3,9 +3,8 @@
 // cam cycle of a virtual master that turns at its full speed.
 #pragma once
 
+#include "profile/cam/cam_cycle.h"
 #include "profile/cam/spline.h"
-#include "profile/model/axis_motion.h"
-#include "profile/program/programs.h"
 
 #include <cstddef>
 #include <optional>
@@ -15,14 +14,6 @@ namespace campanel::profile {
 
 inline constexpr std::size_t minKnots = 5;
 inline constexpr std::size_t maxKnots = 100;
-inline constexpr double camCycleDeg = 360;
-inline constexpr double minKnotSpacingDeg = 0.1;
-inline constexpr double knotMasterStepDeg = 1e-4; // grid of a knot in the controller
-inline constexpr double knotSlaveStepMm = 1e-3;
-inline constexpr double maxSlaveMm = info(Field::Distance).max; // limit of the magnitude
-// The interval, in seconds, at which the master's position is updated. The slave's pulses are spread evenly
-// over it.
-inline constexpr double masterUpdateS = 0.002;
 
 // Returns the first fault of the knots: KnotCount, KnotRange, KnotOrder, KnotSpacing, KnotEnds.
 [[nodiscard]] std::optional<Refusal> checkKnots(std::span<const Knot> knots);
@@ -33,10 +24,6 @@ inline constexpr double masterUpdateS = 0.002;
 
 // Returns the net advance of a cycle in mm, before scaling: last slave - first slave. 0 for a closed cam.
 [[nodiscard]] double netAdvanceMm(const PointCamProgram& program);
-
-// Returns the seconds of one cam cycle at full speed: 60 / |rate| * masterRatio * masterScale. Infinite at
-// rate 0.
-[[nodiscard]] double camCycleS(const PointCamProgram& program);
 
 // Returns one cam cycle from the phase on with a forward master, regardless of the sign of the rate. The cam
 // table is built from this motion: at a negative rate the controller runs the same table backward.

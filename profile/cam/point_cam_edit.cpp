@@ -8,30 +8,6 @@
 namespace campanel::profile {
 namespace {
 
-double onGrid(double value, double step)
-{
-    const double perUnit = std::round(1 / step);
-    return std::round(value * perUnit) / perUnit;
-}
-
-double slaveOnGrid(double slaveMm)
-{
-    return std::isfinite(slaveMm) ? onGrid(std::clamp(slaveMm, -maxSlaveMm, maxSlaveMm), knotSlaveStepMm) : 0;
-}
-
-// Returns the grid angle nearest to masterDeg that is far enough from both neighbors, if there is one.
-std::optional<double> placeBetween(const Knot& before, const Knot& after, double masterDeg)
-{
-    const double perDeg = std::round(1 / knotMasterStepDeg);
-    constexpr double rounding = 1e-6; // share of a grid step
-    const double low = std::ceil((before.masterDeg + minKnotSpacingDeg) * perDeg - rounding);
-    const double high = std::floor((after.masterDeg - minKnotSpacingDeg) * perDeg + rounding);
-    if (!(low <= high))
-        return std::nullopt;
-    const double wanted = std::isfinite(masterDeg) ? std::round(masterDeg * perDeg) : low;
-    return std::clamp(wanted, low, high) / perDeg;
-}
-
 double slaveSpanMm(const PointCamProgram& program)
 {
     const auto [least, most] =
@@ -80,10 +56,10 @@ std::optional<std::size_t> insertKnot(PointCamProgram& program, double masterDeg
         return std::nullopt;
     const auto next = std::upper_bound(knots.begin() + 1, knots.end() - 1, masterDeg,
                                        [](double deg, const Knot& knot) { return deg < knot.masterDeg; });
-    const auto place = placeBetween(*(next - 1), *next, masterDeg);
+    const auto place = detail::masterBetween((next - 1)->masterDeg, next->masterDeg, masterDeg);
     if (!place)
         return std::nullopt;
-    const Knot knot{*place, slaveOnGrid(camCurve(program).at(*place).value)};
+    const Knot knot{*place, detail::slaveOnGrid(camCurve(program).at(*place).value)};
     const auto inserted = knots.insert(next, knot);
     return static_cast<std::size_t>(inserted - knots.begin());
 }
@@ -104,14 +80,15 @@ Knot moveKnot(PointCamProgram& program, std::size_t index, const Knot& wanted)
     const bool isClosed = program.ends == SplineEnds::Periodic && netAdvanceMm(program) == 0;
     const bool isEnd = index == 0 || index + 1 == knots.size();
     if (std::isfinite(wanted.slaveMm))
-        knot.slaveMm = slaveOnGrid(wanted.slaveMm);
+        knot.slaveMm = detail::slaveOnGrid(wanted.slaveMm);
     if (isEnd && isClosed) {
         knots.front().slaveMm = knot.slaveMm;
         knots.back().slaveMm = knot.slaveMm;
     }
     if (!isEnd && std::isfinite(wanted.masterDeg))
         knot.masterDeg =
-            placeBetween(knots[index - 1], knots[index + 1], wanted.masterDeg).value_or(knot.masterDeg);
+            detail::masterBetween(knots[index - 1].masterDeg, knots[index + 1].masterDeg, wanted.masterDeg)
+                .value_or(knot.masterDeg);
     return knot;
 }
 

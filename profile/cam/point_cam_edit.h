@@ -9,10 +9,6 @@
 
 namespace campanel::profile {
 
-// The share of the knots' span up to which a difference between last and first slave counts as a closing
-// error. A larger difference is the net advance of a progressive cam.
-inline constexpr double closingShare = 0.01;
-
 // The jump of the slave at the wrap, as entered, before scaling. It is the value just after 0 degrees (less
 // the net advance) minus the value just before 360 degrees.
 struct WrapCheck {

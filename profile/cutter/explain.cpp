@@ -2,9 +2,14 @@
 // The formulas with their numbers, for each pair of inputs.
 #include "profile/cutter/explain.h"
 
+#include "profile/cutter/jaw.h"
 #include "profile/cutter/limits.h"
+#include "profile/cutter/ratios.h"
 #include "profile/laws/laws.h"
 #include "profile/model/text.h"
+#include "profile/model/torque.h"
+
+#include <cmath>
 
 namespace campanel::profile {
 namespace {
@@ -115,6 +120,85 @@ Explanation explainFrequency(const RotaryCutter& cutter)
             peak.pulseFrequencyHz, "Hz"};
 }
 
+Explanation explainWindow(const RotaryCutter& cutter)
+{
+    const CycleNumbers& c = cutter.cycle;
+    return {"360 v_b (tc - tb) / (2 pi R)",
+            concat({product(360, c.filmSpeedMmPerS), " * (", n(c.tcS), " - ", n(c.tbS), ") / (2 pi * ",
+                    n(cutter.machine.knifeRadiusMm), ")"}),
+            windowDeg(c, cutter.machine), "deg"};
+}
+
+Explanation explainSealTime(const RotaryCutter& cutter)
+{
+    const CycleNumbers& c = cutter.cycle;
+    const Machine& m = cutter.machine;
+    return {"1000 A / v_b, A = 2 pi R theta_c / 360",
+            concat({"1000 * 2 pi * ", product(m.knifeRadiusMm, m.contactAngleDeg), " / 360 / ",
+                    n(c.filmSpeedMmPerS)}),
+            sealTimeMs(c, m), "ms"};
+}
+
+Explanation explainRms(const RotaryCutter& cutter)
+{
+    const CycleNumbers& c = cutter.cycle;
+    const double slope = lawSpeedSquare(*findLaw(cutter.program.speedLaw), cutter.program.speedLawParameters);
+    return {"|v_b - v_a| sqrt(I2 (1/(tb - ta) + 1/(td - tc)) / T)",
+            concat({"|", n(c.filmSpeedMmPerS), " - ", n(c.baseSpeedMmPerS), "| * sqrt(", n(slope), " * (1/(",
+                    n(c.tbS), " - ", n(c.taS), ") + 1/(", n(c.tdS), " - ", n(c.tcS), ")) / ", n(c.cycleTimeS),
+                    ")"}),
+            rmsAcceleration(c, cutter.program), "mm/s^2"};
+}
+
+Explanation explainSpeedRatio(const RotaryCutter& cutter)
+{
+    const CycleNumbers& c = cutter.cycle;
+    return {"k0 = v_b / v_a", concat({n(c.filmSpeedMmPerS), " / ", n(c.baseSpeedMmPerS)}), c.speedRatio, ""};
+}
+
+// Eq. (7) of the paper, v_a = r omega, with the knife-tip radius as the base circle.
+Explanation explainBaseCircle(const RotaryCutter& cutter)
+{
+    const double radius = cutter.machine.knifeRadiusMm;
+    return {"omega = v_a / R", concat({n(cutter.cycle.baseSpeedMmPerS), " / ", n(radius)}),
+            cutter.cycle.baseSpeedMmPerS / radius, "rad/s"};
+}
+
+// The factor from mm/s^2 at the knife to Nm at the motor.
+std::string loadNumbers(const Machine& m)
+{
+    return concat({n(m.inertiaKgCm2), " * 1e-4 * ", n(m.gearNumerator), " / ", n(m.gearDenominator), " / ",
+                   n(m.knifeRadiusMm)});
+}
+
+Explanation explainTorque(const RotaryCutter& cutter)
+{
+    const Peaks peak = peaks(cutter);
+    return {"J Z a / R + M_f",
+            concat({loadNumbers(cutter.machine), " * ", n(peak.accelerationMmPerS2), " + ",
+                    n(cutter.machine.frictionNm)}),
+            peak.torqueNm, "Nm"};
+}
+
+Explanation explainRmsTorque(const RotaryCutter& cutter)
+{
+    return {"sqrt((J Z / R)^2 a_rms^2 + M_f^2)",
+            concat({"sqrt((", loadNumbers(cutter.machine), ")^2 * ",
+                    n(std::sqrt(squareAcceleration(cutter.cycle, cutter.program))), "^2 + ",
+                    n(cutter.machine.frictionNm), "^2)"}),
+            peaks(cutter).rmsTorqueNm, "Nm"};
+}
+
+Explanation explainSealError(const RotaryCutter& cutter)
+{
+    const Machine& m = cutter.machine;
+    return {"max e - min e, e'' + 2 zeta w e' + w^2 e = -a - 2 zeta w v, w = 2 pi f_0",
+            concat({"f_0 = ", n(m.naturalFrequencyHz), " Hz, zeta = ", n(m.dampingRatio),
+                    ", T = ", n(cutter.cycle.cycleTimeS), " s, ", n(cutter.cycle.tbS), " .. ",
+                    n(cutter.cycle.tcS), " s"}),
+            sealErrorMm(cutter), "mm"};
+}
+
 Explanation explainPinned(const RotaryCutter& cutter, Field field)
 {
     const double given = value(cutter.program, field);
@@ -145,6 +229,22 @@ Explanation explain(const RotaryCutter& cutter, CutterQuantity quantity)
         return explainAcceleration(cutter);
     case CutterQuantity::PeakFrequency:
         return explainFrequency(cutter);
+    case CutterQuantity::SyncWindow:
+        return explainWindow(cutter);
+    case CutterQuantity::SealTime:
+        return explainSealTime(cutter);
+    case CutterQuantity::RmsAcceleration:
+        return explainRms(cutter);
+    case CutterQuantity::SpeedRatio:
+        return explainSpeedRatio(cutter);
+    case CutterQuantity::BaseCircleSpeed:
+        return explainBaseCircle(cutter);
+    case CutterQuantity::PeakTorque:
+        return explainTorque(cutter);
+    case CutterQuantity::RmsTorque:
+        return explainRmsTorque(cutter);
+    case CutterQuantity::SealError:
+        return explainSealError(cutter);
     }
     return {};
 }

@@ -19,6 +19,14 @@ enum class CutterQuantity : std::uint8_t {
     PeakMotorRpm,
     PeakAcceleration,
     PeakFrequency,
+    SyncWindow, // as an angle of the knife's shaft
+    SealTime,
+    RmsAcceleration,
+    SpeedRatio,      // k0
+    BaseCircleSpeed, // omega of the paper's cam
+    PeakTorque, // torques and error are NaN while the machine data are unknown
+    RmsTorque,
+    SealError,
 };
 
 struct Explanation {

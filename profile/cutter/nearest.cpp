@@ -5,9 +5,13 @@
 #include "profile/cutter/nearest.h"
 
 #include "profile/cutter/cycle_shape.h"
+#include "profile/cutter/jaw.h"
 #include "profile/cutter/limits.h"
 #include "profile/cutter/validate.h"
+#include "profile/cutter/window_mend.h"
+#include "profile/laws/laws.h"
 #include "profile/model/grid_search.h"
+#include "profile/model/torque.h"
 
 #include <algorithm>
 #include <array>
@@ -44,6 +48,22 @@ std::vector<double> accelerationTimes(const CycleShape& shape, FieldValue kept, 
     }
 }
 
+// Returns the values of (v_b - v_a) / T at which the peak of acceleration or torque, or the RMS torque, is
+// met.
+std::array<double, 6> speedChangeLimits(const RotaryCutterProgram& program, const Machine& machine,
+                                        const CycleShape& shape)
+{
+    const TorqueLoad load = knifeLoad(machine);
+    const double perPeak = shape.shortestRamp / shape.lawPeaks.cv;
+    const double acceleration = machine.maxKnifeAccelerationMmPerS2 * perPeak;
+    const double torque = load.peakAllowance(machine.maxTorqueNm) * perPeak;
+    const double ramps =
+        1 / (1 / program.k[1] - 1 / program.k[0]) + 1 / (1 / program.k[3] - 1 / program.k[2]);
+    const double square = lawSpeedSquare(*findLaw(program.speedLaw), program.speedLawParameters) * ramps;
+    const double rms = load.rmsAllowance(machine.ratedTorqueNm) / std::sqrt(square);
+    return {acceleration, -acceleration, torque, -torque, rms, -rms};
+}
+
 std::vector<double> candidates(const RotaryCutterProgram& program, const Machine& machine, Field field)
 {
     const CycleShape shape = cycleShape(program, machine);
@@ -62,13 +82,15 @@ std::vector<double> candidates(const RotaryCutterProgram& program, const Machine
         meet(other, info(other).max);
     }
     meet(Field::Rate, machine.maxRateBagsPerMin);
+    meet(Field::BagLength, cutterLengths(program, machine).jawWithMarginMm);
+    meet(Field::FilmSpeed, 1000 * jawArcMm(machine) / program.minSealTimeMs); // from ms
     for (const double speed : {machine.maxMotorRpm / motorRpmPerMmPerS(machine),
                                pulseFrequencyLimitHz(machine) / pulsesPerMm(machine)}) {
         meet(Field::BaseSpeed, speed);
         meet(Field::FilmSpeed, speed);
     }
-    const double limit = machine.maxKnifeAccelerationMmPerS2 * shape.shortestRamp / shape.lawPeaks.cv;
-    for (const double d : {limit, -limit}) {
+    meet(Field::Rate, 60 * machine.naturalFrequencyHz);
+    for (const double d : speedChangeLimits(program, machine, shape)) {
         for (const double time : accelerationTimes(shape, kept, d)) {
             if (keptField == Field::Rate)
                 meet(Field::BaseSpeed, shape.strokeMm / time - shape.weight * d * time);
@@ -126,6 +148,30 @@ std::optional<Suggestion> nearestRatio(const RotaryCutterProgram& program, const
     return std::nullopt;
 }
 
+// Lowers the demand of jaws or film to what the present cycle gives.
+std::optional<Suggestion> nearestDemand(RotaryCutterProgram program, Machine machine, const Refusal& refusal)
+{
+    const double given = refusal.limit == Limit::JawWindow ? refusal.actual - jawMarginDeg : refusal.actual;
+    const double step = info(refusal.field).resolution();
+    const double demand = snapToGrid(refusal.field, std::floor(given / step) * step);
+    setValue(program, refusal.field, demand);
+    setValue(machine, refusal.field, demand);
+    if (!isFeasible(program, machine))
+        return std::nullopt;
+    return Suggestion{refusal.field, demand};
+}
+
+// Returns the natural frequency that the cycle needs, for one that was entered too low.
+std::optional<Suggestion> nearestNaturalFrequency(const RotaryCutterProgram& program, Machine machine,
+                                                  const Refusal& refusal)
+{
+    const double step = info(Field::NaturalFrequency).resolution();
+    machine.naturalFrequencyHz = snapToGrid(Field::NaturalFrequency, std::ceil(refusal.actual / step) * step);
+    if (!isFeasible(program, machine))
+        return std::nullopt;
+    return Suggestion{Field::NaturalFrequency, machine.naturalFrequencyHz};
+}
+
 // Returns the sort key of a suggestion: a machine limit is corrected by a lower speed first; the product
 // stays.
 std::pair<bool, double> cost(const RotaryCutterProgram& program, const Refusal& refusal,
@@ -172,6 +218,14 @@ std::vector<Suggestion> nearestFeasible(const RotaryCutterProgram& program, cons
     std::stable_sort(found.begin(), found.end(), [&](const Suggestion& a, const Suggestion& b) {
         return cost(program, refusal, a) < cost(program, refusal, b);
     });
+    if (refusal.limit == Limit::JawWindow) {
+        if (const auto widened = widenedWindow(program, machine))
+            found.insert(found.begin(), *widened);
+    }
+    if (found.empty() && (refusal.limit == Limit::JawWindow || refusal.limit == Limit::SealTime))
+        keep(nearestDemand(program, machine, refusal));
+    if (refusal.limit == Limit::NaturalFrequency)
+        keep(nearestNaturalFrequency(program, machine, refusal));
     return found;
 }
 

@@ -5,6 +5,7 @@
 
 #include "profile/cutter/cycle_shape.h"
 #include "profile/cutter/nearest.h"
+#include "profile/cutter/ratios.h"
 #include "profile/cutter/validate.h"
 #include "profile/laws/laws.h"
 
@@ -68,6 +69,10 @@ double value(const RotaryCutterProgram& program, Field field)
         return program.syncRatio;
     case Field::SlicesPerRamp:
         return program.slicesPerRamp;
+    case Field::MinSealTime:
+        return program.minSealTimeMs;
+    case Field::RampPosition:
+        return program.rampPositionPercent;
     default:
         return std::numeric_limits<double>::quiet_NaN();
     }
@@ -105,6 +110,12 @@ void setValue(RotaryCutterProgram& program, Field field, double value)
         break;
     case Field::SlicesPerRamp:
         program.slicesPerRamp = static_cast<int>(std::clamp(std::round(value), -1e9, 1e9));
+        break;
+    case Field::MinSealTime:
+        program.minSealTimeMs = value;
+        break;
+    case Field::RampPosition:
+        program.rampPositionPercent = value;
         break;
     default:
         break;
@@ -154,6 +165,7 @@ tl::expected<RotaryCutter, Refusal> solve(const RotaryCutterProgram& program, co
     tl::expected<CycleNumbers, Refusal> cycle = solveNumbers(program, machine);
     if (!cycle) {
         cycle.error().nearest = detail::nearestFeasible(program, machine, cycle.error());
+        cycle.error().ramps = otherRamps(program, machine);
         return tl::unexpected(std::move(cycle.error()));
     }
     return RotaryCutter{program, machine, *cycle, cycleMotion(program, *cycle)};

@@ -11,9 +11,20 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <tl/expected.hpp>
 
 namespace campanel::profile {
+
+// The origin of the ratios: set by hand, or those that suit the machine, see ratios.h. Not sent to the
+// controller.
+enum class RatioMode : std::uint8_t {
+    ByHand = 0,
+    Gentle = 1,  // minimum peak acceleration
+    Cool = 2,    // minimum RMS acceleration
+    Slow = 3,    // minimum peak speed
+    Between = 4, // at a position between slow, cool and gentle
+};
 
 struct RotaryCutterProgram {
     std::array<Field, 2> pinned{Field::BagLength, Field::Rate};
@@ -29,6 +40,9 @@ struct RotaryCutterProgram {
     LawParameters speedLawParameters{};
     double syncRatio = 1; // v_b = syncRatio * L / T
     int slicesPerRamp = static_cast<int>(info(Field::SlicesPerRamp).defaultValue);
+    double minSealTimeMs = info(Field::MinSealTime).defaultValue; // that the film needs; 0: none
+    RatioMode ratioMode = RatioMode::ByHand;
+    double rampPositionPercent = info(Field::RampPosition).defaultValue; // only for Between
 };
 
 [[nodiscard]] double value(const RotaryCutterProgram& program,

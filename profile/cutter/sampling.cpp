@@ -44,7 +44,19 @@ Curves sampleCurves(const MotionProfile& motion, double pulsesPerMm, std::size_t
 
 Curves sampleCurves(const RotaryCutter& cutter, std::size_t points)
 {
-    return sampleCurves(cutter.motion, pulsesPerMm(cutter.machine), points);
+    Curves curves = sampleCurves(cutter.motion, pulsesPerMm(cutter.machine), points);
+    addTorque(curves, knifeLoad(cutter.machine));
+    return curves;
+}
+
+void addTorque(Curves& curves, const TorqueLoad& load)
+{
+    curves.torqueNm.clear();
+    if (!load.isKnown())
+        return;
+    curves.torqueNm.reserve(curves.timeS.size());
+    for (std::size_t i = 0; i < curves.timeS.size(); ++i)
+        curves.torqueNm.push_back(load.at(curves.velocityMmPerS[i], curves.accelerationMmPerS2[i]));
 }
 
 } // namespace campanel::profile

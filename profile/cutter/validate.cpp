@@ -10,21 +10,16 @@ namespace campanel::profile::detail {
 namespace {
 
 constexpr std::array ratioFields{Field::K1, Field::K2, Field::K3, Field::K4};
-constexpr std::array machineFields{Field::KnifeRadius,
-                                   Field::Knives,
-                                   Field::PulsesPerMotorRev,
-                                   Field::GearNumerator,
-                                   Field::GearDenominator,
-                                   Field::MaxMotorRpm,
-                                   Field::MaxKnifeAcceleration,
-                                   Field::MaxPulseFrequency,
-                                   Field::MaxRate,
-                                   Field::TimerClock,
-                                   Field::TimerBits,
-                                   Field::RowCapacity};
+constexpr std::array machineFields{
+    Field::KnifeRadius,     Field::Knives,           Field::PulsesPerMotorRev,    Field::GearNumerator,
+    Field::GearDenominator, Field::MaxMotorRpm,      Field::MaxKnifeAcceleration, Field::MaxPulseFrequency,
+    Field::MaxRate,         Field::ContactAngle,     Field::TimerClock,           Field::TimerBits,
+    Field::RowCapacity,     Field::MaxTorque,        Field::RatedTorque,          Field::Inertia,
+    Field::Friction,        Field::NaturalFrequency, Field::DampingRatio};
 constexpr std::array axisFields{Field::PulsesPerMotorRev, Field::FeedPerMotorRev,   Field::MaxMotorRpm,
                                 Field::MaxAcceleration,   Field::MaxTorque,         Field::Inertia,
-                                Field::Friction,          Field::MaxPulseFrequency, Field::TimerClock};
+                                Field::Friction,          Field::MaxPulseFrequency, Field::TimerClock,
+                                Field::RatedTorque,       Field::NaturalFrequency,  Field::DampingRatio};
 
 bool isCycleValue(Field field)
 {
@@ -122,8 +117,9 @@ std::optional<Refusal> findInvalid(const RotaryCutterProgram& program, const Mac
     }
     if (auto refusal = findNarrowTimer(machine))
         return refusal;
-    for (const Field field : {program.pinned[0], program.pinned[1], Field::K1, Field::K2, Field::K3,
-                              Field::K4, Field::SyncRatio, Field::SlicesPerRamp}) {
+    for (const Field field :
+         {program.pinned[0], program.pinned[1], Field::K1, Field::K2, Field::K3, Field::K4, Field::SyncRatio,
+          Field::SlicesPerRamp, Field::MinSealTime, Field::RampPosition}) {
         if (!inRange(field, value(program, field)))
             return outOfRange(field, value(program, field));
     }

@@ -77,13 +77,15 @@ double jerkBound(const Segment& segment)
     const double t = segment.durationS;
     if (t <= 0 || segment.form == SegmentForm::Constant)
         return 0;
-    if (segment.form == SegmentForm::Cubic)
-        return std::abs(segment.jerkMmPerS3);
+    if (segment.form == SegmentForm::Polynomial)
+        return std::abs(segment.jerkMmPerS3) + std::abs(segment.snapMmPerS4) * t +
+               std::abs(segment.crackleMmPerS5) * t * t / 2;
     const LawPeaks peaks = segment.law->peaks(segment.parameters);
     if (segment.form == SegmentForm::Ramp)
         return std::abs(segment.endVelocityMmPerS - segment.startVelocityMmPerS) / (t * t) * peaks.ca;
     // Laws with steps of the acceleration have a constant acceleration between them.
-    return std::isfinite(peaks.cj) ? std::abs(segment.distanceMm) / (t * t * t) * peaks.cj : 0;
+    const double lawS = segment.lawDurationS();
+    return std::isfinite(peaks.cj) ? std::abs(segment.distanceMm) / (lawS * lawS * lawS) * peaks.cj : 0;
 }
 
 void SpeedCurve::sample(const Segment& segment, int pieces, double startMm, double pulsesPerMm)

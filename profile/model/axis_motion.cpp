@@ -2,6 +2,8 @@
 // Computes peaks from Cv, Ca and Cj of each segment's law.
 #include "profile/model/axis_motion.h"
 
+#include "profile/model/torque.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -42,12 +44,21 @@ void takeAccelerations(Peaks& peaks, const Segment& s)
         takeLarger(peaks.accelerationMmPerS2, peaks.accelerationTimeS, acceleration, timeS);
         peaks.jerkMmPerS3 = std::max(peaks.jerkMmPerS3, std::abs(jerk));
     };
-    if (s.form == SegmentForm::Cubic) {
-        take(s.startAccelerationMmPerS2, s.startS, s.jerkMmPerS3);
-        take(s.startAccelerationMmPerS2 + s.jerkMmPerS3 * s.durationS, s.endS(), s.jerkMmPerS3);
+    if (s.form == SegmentForm::Polynomial) {
+        for (const double timeS : accelerationTurns(s))
+            take(s.at(timeS).accelerationMmPerS2, timeS, s.at(timeS).jerkMmPerS3);
+        const double jerkVertexS = -s.snapMmPerS4 / s.crackleMmPerS5;
+        if (jerkVertexS > 0 && jerkVertexS < s.durationS)
+            take(0, s.startS, s.at(s.startS + jerkVertexS).jerkMmPerS3);
         return;
     }
     const LawPeaks law = s.law->peaks(s.parameters);
+    if (s.form == SegmentForm::Displacement && s.lawTo - s.lawFrom < 1) {
+        const double lawS = s.lawDurationS();
+        for (const double timeS : accelerationTurns(s))
+            take(s.at(timeS).accelerationMmPerS2, timeS, s.distanceMm / (lawS * lawS * lawS) * law.cj);
+        return;
+    }
     const double peakTimeS = accelerationTurns(s)[1];
     if (s.form == SegmentForm::Ramp) {
         const double mean = (s.endVelocityMmPerS - s.startVelocityMmPerS) / s.durationS;
@@ -77,16 +88,7 @@ bool hasAccelerationStep(const MotionProfile& motion, const Peaks& peaks)
            std::max(std::abs(first.accelerationMmPerS2), std::abs(last.accelerationMmPerS2)) > room;
 }
 
-double torqueAllowance(const Machine& machine)
-{
-    const double left = machine.maxTorqueNm - machine.frictionNm;
-    const double perAcceleration = axisTorqueNm(machine, 1) - axisTorqueNm(machine, 0);
-    if (perAcceleration > 0)
-        return left / perAcceleration;
-    return left >= 0 ? std::numeric_limits<double>::max() : std::numeric_limits<double>::lowest();
-}
-
-std::array<LimitComparison, 4> compareAxis(const Peaks& peaks, const Machine& m)
+std::array<LimitComparison, 5> compareAxis(const Peaks& peaks, const Machine& m)
 {
     const double pulses = pulseFrequencyLimitHz(m);
     return {{{Limit::MotorSpeed, Field::MaxMotorRpm, peaks.motorRpm, m.maxMotorRpm, Bounded::Speed,
@@ -94,7 +96,8 @@ std::array<LimitComparison, 4> compareAxis(const Peaks& peaks, const Machine& m)
              {Limit::AxisAcceleration, Field::MaxAcceleration, peaks.accelerationMmPerS2,
               m.maxAccelerationMmPerS2, Bounded::Acceleration, m.maxAccelerationMmPerS2},
              {Limit::MotorTorque, Field::MaxTorque, peaks.torqueNm, m.maxTorqueNm, Bounded::Acceleration,
-              torqueAllowance(m)},
+              axisLoad(m).peakAllowance(m.maxTorqueNm)},
+             detail::compareRmsTorque(peaks, m),
              {Limit::PulseFrequency, Field::MaxPulseFrequency, peaks.pulseFrequencyHz, pulses, Bounded::Speed,
               pulses / axisPulsesPerMm(m)}}};
 }
@@ -105,7 +108,7 @@ AxisAllowance axisAllowance(const Machine& machine)
 {
     return {std::min(machine.maxMotorRpm / axisRpmPerMmPerS(machine),
                      pulseFrequencyLimitHz(machine) / axisPulsesPerMm(machine)),
-            std::min(machine.maxAccelerationMmPerS2, torqueAllowance(machine))};
+            std::min(machine.maxAccelerationMmPerS2, axisLoad(machine).peakAllowance(machine.maxTorqueNm))};
 }
 
 Peaks axisPeaks(const MotionProfile& motion, const Machine& machine)
@@ -119,7 +122,9 @@ Peaks axisPeaks(const MotionProfile& motion, const Machine& machine)
     }
     peaks.motorRpm = peaks.speedMmPerS * axisRpmPerMmPerS(machine);
     peaks.pulseFrequencyHz = peaks.speedMmPerS * axisPulsesPerMm(machine);
-    peaks.torqueNm = axisTorqueNm(machine, peaks.accelerationMmPerS2);
+    const TorqueLoad load = axisLoad(machine);
+    peaks.torqueNm = load.peakNm(peaks.accelerationMmPerS2);
+    peaks.rmsTorqueNm = load.isKnown() ? load.rmsNm(torqueMeans(motion)) : load.rmsNm({});
     if (hasAccelerationStep(motion, peaks))
         peaks.jerkMmPerS3 = inf;
     return peaks;

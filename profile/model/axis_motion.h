@@ -20,7 +20,8 @@ struct AxisMotion {
 
 // The largest speed and acceleration within the limits of the machine. Motor speed and pulse frequency limit
 // the speed. The acceleration limit and the torque left after friction limit the acceleration. The
-// acceleration is negative when friction alone exceeds the available torque.
+// acceleration is negative when friction alone exceeds the available torque. The RMS torque limits the time
+// of a motion instead.
 struct AxisAllowance {
     double speedMmPerS = 0;
     double accelerationMmPerS2 = 0;
@@ -33,8 +34,8 @@ struct AxisAllowance {
 // counts as a step.
 [[nodiscard]] Peaks axisPeaks(const MotionProfile& motion, const Machine& machine);
 
-// Returns every exceeded limit (motor speed, acceleration, torque, pulse frequency) with its peak, the place
-// of the peak and the time spans. Suggestions are missing; each kind of program adds its own.
+// Returns every exceeded limit (motor speed, acceleration, peak and RMS torque, pulse frequency) with its
+// peak, the place of the peak and the time spans. Suggestions are missing; each kind of program adds its own.
 [[nodiscard]] std::vector<Refusal> checkAxis(const MotionProfile& motion, const Peaks& peaks,
                                              const Machine& machine);
 

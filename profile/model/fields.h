@@ -63,6 +63,13 @@ enum class Field : std::uint8_t {
     PositionTolerance,
     MinStopForce,
     MaxStopForce,
+    ContactAngle,
+    MinSealTime,
+    RampPosition,
+    // Optional machine data of every axis but the press's; 0 is unknown.
+    RatedTorque,
+    NaturalFrequency,
+    DampingRatio,
 };
 
 struct FieldInfo {
@@ -122,10 +129,10 @@ inline constexpr std::array fields{
               10000, 100, 3},
     FieldInfo{Field::MaxAcceleration, "max_acceleration_mm_per_s2", "Largest acceleration", "a_max", "mm/s^2",
               1, 10000000, 50000, 0},
-    FieldInfo{Field::MaxTorque, "max_torque_nm", "Largest motor torque", "M_max", "Nm", 0.001, 10000, 1.33,
-              3},
-    FieldInfo{Field::Inertia, "inertia_kg_cm2", "Inertia at the motor", "J", "kg cm^2", 0, 100000, 0.2, 3},
-    FieldInfo{Field::Friction, "friction_nm", "Friction at the motor", "M_f", "Nm", 0, 1000, 0.02, 3},
+    // Torque and inertia are unknown while they are 0.
+    FieldInfo{Field::MaxTorque, "max_torque_nm", "Largest motor torque", "M_max", "Nm", 0, 10000, 0, 3},
+    FieldInfo{Field::Inertia, "inertia_kg_cm2", "Inertia at the motor", "J", "kg cm^2", 0, 100000, 0, 3},
+    FieldInfo{Field::Friction, "friction_nm", "Friction at the motor", "M_f", "Nm", 0, 1000, 0, 3},
     FieldInfo{Field::Distance, "distance_mm", "Distance", "S", "mm", -1000000, 1000000, 6000, 3},
     FieldInfo{Field::MoveTime, "time_s", "Time", "T", "s", 0.01, 600, 1, 3},
     FieldInfo{Field::StartSpeed, "start_speed_mm_per_s", "Start speed", "V0", "mm/s", -100000, 100000, 0, 1},
@@ -156,11 +163,29 @@ inline constexpr std::array fields{
               1000, 0},
     FieldInfo{Field::MaxStopForce, "max_stop_force_n", "Most force at the stop", "F_top", "N", 0, 60000, 6000,
               0},
+    // The sealing jaws of a rotary cutter: 0 is a thin knife, and a film without a required seal time.
+    FieldInfo{Field::ContactAngle, "contact_angle_deg", "Contact angle of the jaws", "theta_c", "deg", 0, 180,
+              0, 1},
+    FieldInfo{Field::MinSealTime, "min_seal_time_ms", "Minimum seal time", "t_min", "ms", 0, 10000, 0, 0},
+    // The ramps of a rotary cutter: 0 the slowest motor, 50 the coolest, 100 the gentlest.
+    FieldInfo{Field::RampPosition, "ramp_position_percent", "Ramps from slowest to gentlest", "p", "%", 0,
+              100, 100, 0},
+    FieldInfo{Field::RatedTorque, "rated_torque_nm", "Rated motor torque", "M_n", "Nm", 0, 10000, 0, 3},
+    FieldInfo{Field::NaturalFrequency, "natural_frequency_hz", "Natural frequency", "f_0", "Hz", 0, 1000, 0,
+              1},
+    FieldInfo{Field::DampingRatio, "damping_ratio", "Damping ratio", "zeta", "", 0.001, 0.9, 0.05, 3},
 };
 
 [[nodiscard]] constexpr const FieldInfo& info(Field field)
 {
     return fields[static_cast<std::size_t>(field)];
+}
+
+// Returns true when the field has no value while it is 0: optional data of a machine.
+[[nodiscard]] constexpr bool isUnknownAtZero(Field field)
+{
+    return field == Field::MaxTorque || field == Field::RatedTorque || field == Field::Inertia ||
+           field == Field::NaturalFrequency;
 }
 
 // Returns the field with this id, or nothing.

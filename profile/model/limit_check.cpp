@@ -4,7 +4,10 @@
 
 #include "profile/model/law.h"
 
+#include <algorithm>
 #include <cmath>
+#include <initializer_list>
+#include <limits>
 
 namespace campanel::profile::detail {
 namespace {
@@ -17,10 +20,73 @@ bool exceeds(double actual, double limit)
     return actual > limit + limitTolerance * std::abs(limit);
 }
 
-// Returns the elapsed time of the extremum of the speed's parabola, when it is inside.
-double vertexS(const Segment& cubic)
+// Returns the elapsed times inside the polynomial at which its acceleration has an extremum, ascending.
+std::vector<double> accelerationVerticesS(const Segment& s)
 {
-    return -cubic.startAccelerationMmPerS2 / cubic.jerkMmPerS3;
+    const double a = s.crackleMmPerS5 / 2;
+    const double b = s.snapMmPerS4;
+    const double c = s.jerkMmPerS3;
+    const double discriminant = b * b - 4 * a * c;
+    if ((a == 0 && b == 0) || discriminant < 0)
+        return {};
+    const double q = -(b + std::copysign(std::sqrt(discriminant), b)) / 2;
+    std::vector<double> times;
+    for (const double t : {a == 0 ? -1 : q / a, q == 0 ? -1 : c / q}) {
+        if (t > 0 && t < s.durationS)
+            times.push_back(t);
+    }
+    std::ranges::sort(times);
+    return times;
+}
+
+// Returns the elapsed times inside the polynomial at which its acceleration is zero, ascending.
+std::vector<double> accelerationZerosS(const Segment& s)
+{
+    if (s.snapMmPerS4 == 0 && s.crackleMmPerS5 == 0) {
+        const double t = -s.startAccelerationMmPerS2 / s.jerkMmPerS3;
+        return t > 0 && t < s.durationS ? std::vector{t} : std::vector<double>{};
+    }
+    std::vector<double> bounds{0};
+    for (const double t : accelerationVerticesS(s))
+        bounds.push_back(t);
+    bounds.push_back(s.durationS);
+    const auto accelerationAt = [&s](double t) { return s.at(s.startS + t).accelerationMmPerS2; };
+    std::vector<double> zeros;
+    for (std::size_t i = 0; i + 1 < bounds.size(); ++i) {
+        double low = bounds[i];
+        double high = bounds[i + 1];
+        const double sign = accelerationAt(low) > 0 ? 1 : -1;
+        if (accelerationAt(low) * accelerationAt(high) >= 0)
+            continue;
+        constexpr int halvings = 60;
+        for (int step = 0; step < halvings; ++step) {
+            const double middle = (low + high) / 2;
+            (sign * accelerationAt(middle) > 0 ? low : high) = middle;
+        }
+        zeros.push_back(high);
+    }
+    return zeros;
+}
+
+// Returns the start, the given elapsed times and the end.
+std::vector<double> withEnds(const Segment& s, const std::vector<double>& elapsedS)
+{
+    std::vector<double> times{s.startS};
+    for (const double t : elapsedS)
+        times.push_back(s.startS + t);
+    times.push_back(s.endS());
+    return times;
+}
+
+// Returns the elapsed times of those places of the law that the segment covers.
+std::vector<double> lawTimesS(const Segment& s, std::initializer_list<double> places)
+{
+    std::vector<double> times;
+    for (const double x : places) {
+        if (x >= s.lawFrom && x <= s.lawTo)
+            times.push_back((x - s.lawFrom) * s.lawDurationS());
+    }
+    return times;
 }
 
 // Returns the last time from `trueS` towards `falseS` at which the condition holds.
@@ -61,6 +127,8 @@ std::vector<TimeSpan> brokenSpans(const MotionProfile& motion, const LimitCompar
     std::vector<TimeSpan> spans;
     if (comparison.bounded == Bounded::Rate)
         return spans;
+    if (comparison.bounded == Bounded::Window)
+        return {comparison.window};
     if (allowed < 0)
         return {{0, motion.durationS()}}; // friction alone
     const bool isAcceleration = comparison.bounded == Bounded::Acceleration;
@@ -97,7 +165,7 @@ bool hasAcceleration(const Segment& segment)
         return segment.durationS > 0 && segment.startVelocityMmPerS != segment.endVelocityMmPerS;
     case SegmentForm::Displacement:
         return segment.durationS > 0 && segment.distanceMm != 0;
-    case SegmentForm::Cubic:
+    case SegmentForm::Polynomial:
         return segment.durationS > 0;
     case SegmentForm::Constant:
         break;
@@ -108,21 +176,30 @@ bool hasAcceleration(const Segment& segment)
 std::vector<double> speedTurns(const Segment& s)
 {
     if (s.form == SegmentForm::Displacement && hasAcceleration(s))
-        return {s.startS, s.startS + s.law->peaks(s.parameters).cvAt * s.durationS, s.endS()};
-    if (s.form == SegmentForm::Cubic && vertexS(s) > 0 && vertexS(s) < s.durationS)
-        return {s.startS, s.startS + vertexS(s), s.endS()};
+        return withEnds(s, lawTimesS(s, {s.law->peaks(s.parameters).cvAt}));
+    if (s.form == SegmentForm::Polynomial)
+        return withEnds(s, accelerationZerosS(s));
     return {s.startS, s.endS()};
 }
 
 // A displacement law is symmetric: it has extrema at caAt and at 1 - caAt.
 std::vector<double> accelerationTurns(const Segment& s)
 {
-    if (!hasAcceleration(s) || s.form == SegmentForm::Cubic)
+    if (!hasAcceleration(s))
         return {s.startS, s.endS()};
+    if (s.form == SegmentForm::Polynomial)
+        return withEnds(s, accelerationVerticesS(s));
     const LawPeaks law = s.law->peaks(s.parameters);
     if (s.form == SegmentForm::Ramp)
         return {s.startS, s.startS + (s.isMirrored ? 1 - law.cvAt : law.cvAt) * s.durationS, s.endS()};
-    return {s.startS, s.startS + law.caAt * s.durationS, s.endS() - law.caAt * s.durationS, s.endS()};
+    return withEnds(s, lawTimesS(s, {law.caAt, 1 - law.caAt}));
+}
+
+LimitComparison compareRmsTorque(const Peaks& peaks, const Machine& machine)
+{
+    const double allowed =
+        machine.ratedTorqueNm > 0 ? machine.ratedTorqueNm : std::numeric_limits<double>::max();
+    return {Limit::RmsTorque, Field::RatedTorque, peaks.rmsTorqueNm, allowed, Bounded::Rate, allowed};
 }
 
 bool isBroken(const LimitComparison& c, const Peaks& peaks)
@@ -132,6 +209,8 @@ bool isBroken(const LimitComparison& c, const Peaks& peaks)
         return exceeds(peaks.speedMmPerS, c.allowedInMotion);
     case Bounded::Acceleration:
         return exceeds(peaks.accelerationMmPerS2, c.allowedInMotion);
+    case Bounded::Window:
+        return exceeds(c.allowed, c.actual);
     case Bounded::Rate:
         break;
     }
@@ -151,7 +230,9 @@ std::vector<Refusal> brokenLimits(std::span<const LimitComparison> comparisons, 
         refusal.actual = c.actual;
         refusal.allowed = c.allowed;
         refusal.unit = info(c.field).unit;
-        if (c.bounded != Bounded::Rate)
+        if (c.bounded == Bounded::Window)
+            refusal.timeS = c.window.fromS;
+        else if (c.bounded != Bounded::Rate)
             refusal.timeS = c.bounded == Bounded::Speed ? peaks.speedTimeS : peaks.accelerationTimeS;
         refusal.brokenDuring = brokenSpans(motion, c);
         broken.push_back(std::move(refusal));

@@ -3,6 +3,7 @@
 // comparisons.
 #pragma once
 
+#include "profile/model/machine.h"
 #include "profile/model/motion_profile.h"
 #include "profile/model/refusal.h"
 
@@ -21,6 +22,7 @@ struct Peaks {
     double accelerationMmPerS2 = 0;
     double accelerationTimeS = 0;
     double torqueNm = 0;    // NaN where no inertia is known
+    double rmsTorqueNm = 0; // over the whole motion; NaN where no inertia is known
     double jerkMmPerS3 = 0; // infinite where the acceleration has a step, also at the ends
 };
 
@@ -29,8 +31,9 @@ namespace detail {
 // The relative amount by which a value may exceed a limit: the rounding of a value that meets it exactly.
 inline constexpr double limitTolerance = 1e-9;
 
-// The quantity of the motion that a limit bounds; Rate: the cycle as a whole, without a place in it.
-enum class Bounded : std::uint8_t { Rate, Speed, Acceleration };
+// The quantity of the motion that a limit bounds. Rate: the cycle as a whole, without a place in it. Window:
+// the limit is a minimum that the synchronous window must reach.
+enum class Bounded : std::uint8_t { Rate, Speed, Acceleration, Window };
 
 struct LimitComparison {
     Limit limit = Limit::MotorSpeed;
@@ -39,7 +42,11 @@ struct LimitComparison {
     double allowed = 0;
     Bounded bounded = Bounded::Speed;
     double allowedInMotion = 0; // the limit as a rate, a speed in mm/s or an acceleration in mm/s^2
+    TimeSpan window{};          // the place of a Window
 };
+
+// Compares the RMS torque with the rated torque; without a limit while either is unknown.
+[[nodiscard]] LimitComparison compareRmsTorque(const Peaks& peaks, const Machine& machine);
 
 // Returns true when the peak exceeds the limit. The comparison is in the motion's own quantity, like the
 // spans: beside a large friction a small torque would be lost in the tolerance.

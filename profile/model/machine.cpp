@@ -44,6 +44,8 @@ double value(const Machine& machine, Field field)
         return machine.maxPulseFrequencyHz;
     case Field::MaxRate:
         return machine.maxRateBagsPerMin;
+    case Field::ContactAngle:
+        return machine.contactAngleDeg;
     case Field::TimerClock:
         return machine.timerClockHz;
     case Field::TimerBits:
@@ -60,6 +62,12 @@ double value(const Machine& machine, Field field)
         return machine.inertiaKgCm2;
     case Field::Friction:
         return machine.frictionNm;
+    case Field::RatedTorque:
+        return machine.ratedTorqueNm;
+    case Field::NaturalFrequency:
+        return machine.naturalFrequencyHz;
+    case Field::DampingRatio:
+        return machine.dampingRatio;
     default:
         return std::numeric_limits<double>::quiet_NaN();
     }
@@ -96,6 +104,9 @@ void setValue(Machine& machine, Field field, double value)
     case Field::MaxRate:
         machine.maxRateBagsPerMin = value;
         break;
+    case Field::ContactAngle:
+        machine.contactAngleDeg = value;
+        break;
     case Field::TimerClock:
         machine.timerClockHz = static_cast<std::uint32_t>(std::max(asInt(), 0));
         break;
@@ -119,6 +130,15 @@ void setValue(Machine& machine, Field field, double value)
         break;
     case Field::Friction:
         machine.frictionNm = value;
+        break;
+    case Field::RatedTorque:
+        machine.ratedTorqueNm = value;
+        break;
+    case Field::NaturalFrequency:
+        machine.naturalFrequencyHz = value;
+        break;
+    case Field::DampingRatio:
+        machine.dampingRatio = value;
         break;
     default:
         break;
@@ -173,13 +193,6 @@ double axisRpmPerMmPerS(const Machine& machine)
 {
     constexpr double secondsPerMinute = 60;
     return secondsPerMinute / machine.feedMmPerMotorRev;
-}
-
-double axisTorqueNm(const Machine& machine, double accelerationMmPerS2)
-{
-    constexpr double kgM2PerKgCm2 = 1e-4;
-    const double radPerS2 = 2 * std::numbers::pi * std::abs(accelerationMmPerS2) / machine.feedMmPerMotorRev;
-    return machine.inertiaKgCm2 * kgM2PerKgCm2 * radPerS2 + machine.frictionNm;
 }
 
 } // namespace campanel::profile

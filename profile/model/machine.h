@@ -20,18 +20,28 @@ struct Machine {
     double maxPulseFrequencyHz =
         info(Field::MaxPulseFrequency).defaultValue; // 200 kHz open collector, 500 kHz line driver
     double maxRateBagsPerMin = info(Field::MaxRate).defaultValue;
+    double contactAngleDeg = info(Field::ContactAngle).defaultValue; // of the sealing jaws; 0: a thin knife
 
     // An axis other than the knife axis: a linear motion.
     double feedMmPerMotorRev = info(Field::FeedPerMotorRev).defaultValue;
     double maxAccelerationMmPerS2 = info(Field::MaxAcceleration).defaultValue;
+
+    // The motor and what it turns, for the knife as for other axes. Inertia and friction are those of the
+    // whole axis, referred to the motor shaft. Limits and inertia are unknown while they are 0.
     double maxTorqueNm = info(Field::MaxTorque).defaultValue;
-    double inertiaKgCm2 = info(Field::Inertia).defaultValue; // total, referred to the motor shaft
-    double frictionNm = info(Field::Friction).defaultValue;  // referred to the motor shaft
+    double ratedTorqueNm = info(Field::RatedTorque).defaultValue;
+    double inertiaKgCm2 = info(Field::Inertia).defaultValue;
+    double frictionNm = info(Field::Friction).defaultValue;
+    // The lowest mode of the shaft behind the motor.
+    double naturalFrequencyHz = info(Field::NaturalFrequency).defaultValue; // 0: unknown
+    double dampingRatio = info(Field::DampingRatio).defaultValue;           // of critical damping
 
     // The figures from the controller's identity block.
     std::uint32_t timerClockHz = 8000000;
     int timerBits = 16;
     int rowCapacity = 2048;
+
+    bool operator==(const Machine&) const = default;
 };
 
 [[nodiscard]] double value(const Machine& machine, Field field); // field must be one of the machine's
@@ -57,8 +67,6 @@ struct PulsesPerCycle {
 // The same figures for an axis other than the knife axis.
 [[nodiscard]] double axisPulsesPerMm(const Machine& machine);  // K / feed
 [[nodiscard]] double axisRpmPerMmPerS(const Machine& machine); // 60 / feed
-// Returns the motor torque at this acceleration: J alpha + friction, always as a magnitude.
-[[nodiscard]] double axisTorqueNm(const Machine& machine, double accelerationMmPerS2);
 
 // Returns the limits of the timer constant, in ticks per pulse. The minimum also limits the frequency: clock
 // / smallest <= max.

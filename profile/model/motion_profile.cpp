@@ -31,21 +31,27 @@ MotionPoint rampAt(const Segment& segment, double elapsedS)
 
 MotionPoint displacementAt(const Segment& segment, double elapsedS)
 {
-    const double duration = segment.durationS;
-    const LawPoint p = segment.law->at(std::clamp(elapsedS / duration, 0.0, 1.0), segment.parameters);
-    return {segment.startPositionMm + segment.startVelocityMmPerS * elapsedS + segment.distanceMm * p.g,
+    const double duration = segment.lawDurationS();
+    const double from = segment.lawFrom;
+    const double x = std::clamp(from + elapsedS / duration, from, segment.lawTo);
+    const LawPoint p = segment.law->at(x, segment.parameters);
+    const double passed = from > 0 ? p.g - segment.law->at(from, segment.parameters).g : p.g;
+    return {segment.startPositionMm + segment.startVelocityMmPerS * elapsedS + segment.distanceMm * passed,
             segment.startVelocityMmPerS + segment.distanceMm / duration * p.g1,
             segment.distanceMm / (duration * duration) * p.g2,
             segment.distanceMm / (duration * duration * duration) * p.g3};
 }
 
-MotionPoint cubicPoint(const Segment& segment, double t)
+MotionPoint polynomialPoint(const Segment& segment, double t)
 {
     const double v0 = segment.startVelocityMmPerS;
     const double a0 = segment.startAccelerationMmPerS2;
-    const double j = segment.jerkMmPerS3;
-    return {segment.startPositionMm + t * (v0 + t * (a0 / 2 + t * j / 6)), v0 + t * (a0 + t * j / 2),
-            a0 + t * j, j};
+    const double j0 = segment.jerkMmPerS3;
+    const double s0 = segment.snapMmPerS4;
+    const double c = segment.crackleMmPerS5;
+    return {segment.startPositionMm + t * (v0 + t * (a0 / 2 + t * (j0 / 6 + t * (s0 / 24 + t * c / 120)))),
+            v0 + t * (a0 + t * (j0 / 2 + t * (s0 / 6 + t * c / 24))),
+            a0 + t * (j0 + t * (s0 / 2 + t * c / 6)), j0 + t * (s0 + t * c / 2)};
 }
 
 } // namespace
@@ -53,8 +59,8 @@ MotionPoint cubicPoint(const Segment& segment, double t)
 MotionPoint Segment::at(double timeS) const
 {
     const double elapsed = timeS - startS;
-    if (form == SegmentForm::Cubic)
-        return cubicPoint(*this, elapsed);
+    if (form == SegmentForm::Polynomial)
+        return polynomialPoint(*this, elapsed);
     if (form == SegmentForm::Ramp && durationS > 0)
         return rampAt(*this, elapsed);
     if (form == SegmentForm::Displacement && durationS > 0)
@@ -114,7 +120,7 @@ void MotionProfile::addCubic(double durationS, double velocityMmPerS, double acc
                              double jerkMmPerS3)
 {
     Segment segment;
-    segment.form = SegmentForm::Cubic;
+    segment.form = SegmentForm::Polynomial;
     segment.durationS = durationS;
     segment.startVelocityMmPerS = velocityMmPerS;
     segment.startAccelerationMmPerS2 = accelerationMmPerS2;

@@ -23,7 +23,7 @@ enum class SegmentForm : std::uint8_t {
     Constant,     // speed
     Ramp,         // from the start to the end speed by a speed law
     Displacement, // by a displacement law: s = startPosition + startVelocity t + distance g(t / duration)
-    Cubic,        // a cubic polynomial of time: start speed, acceleration and constant jerk
+    Polynomial,   // of time, up to the fifth degree: start speed, acceleration, jerk, snap, constant crackle
 };
 
 // A segment in time.
@@ -35,13 +35,20 @@ struct Segment {
     double startVelocityMmPerS = 0;
     double endVelocityMmPerS = 0;        // Ramp
     double distanceMm = 0;               // Displacement
-    double startAccelerationMmPerS2 = 0; // Cubic
-    double jerkMmPerS3 = 0;              // Cubic
+    double startAccelerationMmPerS2 = 0; // Polynomial
+    double jerkMmPerS3 = 0;              // Polynomial: at its start
+    double snapMmPerS4 = 0;              // Polynomial: at its start; the derivative of the jerk
+    double crackleMmPerS5 = 0;           // Polynomial: the derivative of the snap
     const Law* law = nullptr;            // Ramp, Displacement
     LawParameters parameters{};
     bool isMirrored = false; // Ramp: the law runs backward in time, from its end to its start
+    // Displacement: the part of the law that the segment covers. distanceMm is that of the whole law.
+    double lawFrom = 0;
+    double lawTo = 1;
 
     [[nodiscard]] double endS() const { return startS + durationS; }
+    // Returns the duration of the whole law, of which the segment may be a part.
+    [[nodiscard]] double lawDurationS() const { return durationS / (lawTo - lawFrom); }
     [[nodiscard]] MotionPoint at(double timeS) const;
 };
 
@@ -58,6 +65,8 @@ public:
                          double velocityMmPerS = 0);
     // Appends a segment of constant jerk; jerk 0 gives constant acceleration.
     void addCubic(double durationS, double velocityMmPerS, double accelerationMmPerS2, double jerkMmPerS3);
+    // Appends a polynomial of time or a part of a displacement law. The segment's own start is ignored.
+    void addPart(Segment segment) { append(segment); }
     // Sets the position at which the next segment starts; 0 unless set before the first one.
     void setStartPosition(double positionMm) { m_startPositionMm = positionMm; }
 

@@ -5,6 +5,7 @@
 
 #include "profile/model/fields.h"
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -46,16 +47,35 @@ enum class Limit : std::uint8_t {
     Reversal,         // the motion reverses within a cycle, and intervals have one direction
     SpeedError,       // intervals cannot keep it with whole pulses; `allowed` can be kept
     RampTooLong,      // the ramp of a press stage is longer than a row holds
+    JawWindow,        // the knife leaves the film's speed while the jaws are in contact
+    SealTime,         // the jaws are in contact for less than the film needs
+    RmsTorque,        // the motor would overheat: the RMS torque of a cycle exceeds the rated torque
+    NaturalFrequency, // the cycle is faster than the natural frequency of the shaft
+    SegmentCount,     // too few or too many segments; `allowed` is the nearest valid number
+    SegmentRange,     // a value of segment `index` is out of range; `lawParameter` names it
+    SegmentWidth,     // segment `index` is narrower than `allowed` degrees
+    SegmentOverlap,   // segment `index` begins before the one before it ends, at `allowed`
+    SegmentGap,       // segment `index` begins after the one before it ends, at `allowed`
+    SegmentEnds,      // the first segment does not begin at 0, or the last one does not end at 360 degrees
+    SegmentMotion,    // the motion of segment `index` is unknown
+    JointJump,        // the speed jumps where segment `index` begins; index 0: at the wrap
 };
 
 // Returns the stable id of a limit, for logs and machine-readable output.
 [[nodiscard]] std::string_view limitId(Limit limit);
 
 // A value of one input that, changed alone, makes the whole recipe feasible; the nearest one on the field's
-// grid.
+// grid. With `ratios` the synchronous window is widened: k1..k4 change together, and the field with them.
 struct Suggestion {
     Field field = Field::BagLength;
     double value = 0;
+    std::optional<std::array<double, 4>> ratios{};
+};
+
+// The rate that is possible with the gentlest ratios, in place of ratios that were set by hand.
+struct RampOffer {
+    double rateBagsPerMin = 0;
+    bool isLonger = true; // the shorter of the two ramps becomes longer
 };
 
 struct TimeSpan {
@@ -74,8 +94,10 @@ struct Refusal {
     std::vector<TimeSpan> brokenDuring;
     std::vector<Suggestion> nearest; // best first; empty when no single input can correct it
     std::string_view
-        lawParameter; // LawParameter: id of the parameter; WrapJump: "position", "speed", "acceleration"
-    int index = -1;   // knot index from 0, only for the limits of knots
+        lawParameter; // LawParameter: id of the parameter; WrapJump: "position", "speed", "acceleration";
+                      // SegmentRange: "from", "to", "end", "speed", "acceleration"
+    std::optional<RampOffer> ramps; // only for a rotary cutter; empty when other ratios do not help
+    int index = -1;                 // index from 0 of the knot or the segment, only for their limits
 };
 
 // Returns the ids and the numbers, for logs.

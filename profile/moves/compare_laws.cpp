@@ -57,7 +57,9 @@ std::vector<LawComparison> compareLaws(const SpeedMoveProgram& program, const Ma
 
 Curves sampleAxisCurves(const AxisMotion& motion, const Machine& machine, std::size_t points)
 {
-    return sampleCurves(motion.motion, axisPulsesPerMm(machine), points);
+    Curves curves = sampleCurves(motion.motion, axisPulsesPerMm(machine), points);
+    addTorque(curves, axisLoad(machine));
+    return curves;
 }
 
 } // namespace campanel::profile

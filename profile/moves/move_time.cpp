@@ -3,6 +3,7 @@
 #include "profile/moves/move_time.h"
 
 #include "profile/cutter/validate.h"
+#include "profile/model/torque.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,14 +21,23 @@ Refusal noMotion(Field field, double value)
     return refusal;
 }
 
-Refusal noTorqueLeft(const Machine& machine)
+std::optional<Refusal> noTorqueLeft(const Machine& machine)
 {
+    const TorqueLoad load = axisLoad(machine);
     Refusal refusal;
-    refusal.limit = Limit::MotorTorque;
-    refusal.field = Field::MaxTorque;
     refusal.actual = machine.frictionNm;
-    refusal.allowed = machine.maxTorqueNm;
-    refusal.unit = info(Field::MaxTorque).unit;
+    if (!(load.peakAllowance(machine.maxTorqueNm) > 0)) {
+        refusal.limit = Limit::MotorTorque;
+        refusal.field = Field::MaxTorque;
+        refusal.allowed = machine.maxTorqueNm;
+    } else if (!(load.rmsAllowance(machine.ratedTorqueNm) > 0)) {
+        refusal.limit = Limit::RmsTorque;
+        refusal.field = Field::RatedTorque;
+        refusal.allowed = machine.ratedTorqueNm;
+    } else {
+        return std::nullopt;
+    }
+    refusal.unit = info(refusal.field).unit;
     return refusal;
 }
 

@@ -5,6 +5,7 @@
 
 #include "profile/model/axis_motion.h"
 
+#include <optional>
 #include <tl/expected.hpp>
 
 namespace campanel::profile::detail {
@@ -12,8 +13,8 @@ namespace campanel::profile::detail {
 // Returns the refusal of a move without motion, caused by this value of `field`.
 [[nodiscard]] Refusal noMotion(Field field, double value);
 
-// Returns the refusal for friction that takes all the available torque, so that no time is long enough.
-[[nodiscard]] Refusal noTorqueLeft(const Machine& machine);
+// Returns the refusal when friction takes all the peak or rated torque, so that no time is long enough.
+[[nodiscard]] std::optional<Refusal> noTorqueLeft(const Machine& machine);
 
 // Rounds the time up to the grid of Field::MoveTime, so that a feasible move stays feasible. Refuses a time
 // beyond the range.

@@ -6,6 +6,7 @@
 #include "profile/cutter/validate.h"
 #include "profile/laws/laws.h"
 #include "profile/model/grid_search.h"
+#include "profile/model/torque.h"
 #include "profile/moves/move_time.h"
 
 #include <algorithm>
@@ -42,21 +43,31 @@ std::optional<Refusal> findInvalidPositionInput(const PositionMoveProgram& progr
     return std::nullopt;
 }
 
+// Returns the largest |distance| / time^2 within the rated torque: the RMS acceleration is that times the
+// root of the integral of g''^2.
+double ratedDistancePerSquare(const PositionMoveProgram& program, const Machine& machine)
+{
+    return axisLoad(machine).rmsAllowance(machine.ratedTorqueNm) /
+           std::sqrt(lawAccelerationSquare(*findLaw(program.law), program.lawParameters));
+}
+
 double shortestPositionMoveS(const PositionMoveProgram& program, const Machine& machine)
 {
     const LawPeaks law = findLaw(program.law)->peaks(program.lawParameters);
     const AxisAllowance allowed = axisAllowance(machine);
     const double distance = std::abs(program.distanceMm);
-    return std::max(distance * law.cv / allowed.speedMmPerS,
-                    std::sqrt(distance * law.ca / allowed.accelerationMmPerS2));
+    return std::max({distance * law.cv / allowed.speedMmPerS,
+                     std::sqrt(distance * law.ca / allowed.accelerationMmPerS2),
+                     std::sqrt(distance / ratedDistancePerSquare(program, machine))});
 }
 
 double longestDistanceMm(const PositionMoveProgram& program, const Machine& machine, double timeS)
 {
     const LawPeaks law = findLaw(program.law)->peaks(program.lawParameters);
     const AxisAllowance allowed = axisAllowance(machine);
-    return std::min(allowed.speedMmPerS * timeS / law.cv,
-                    allowed.accelerationMmPerS2 * timeS * timeS / law.ca);
+    return std::min({allowed.speedMmPerS * timeS / law.cv,
+                     allowed.accelerationMmPerS2 * timeS * timeS / law.ca,
+                     ratedDistancePerSquare(program, machine) * timeS * timeS});
 }
 
 // Returns the time of the move, without suggestions in the refusal.
@@ -66,8 +77,8 @@ tl::expected<double, Refusal> positionMoveTimeS(const PositionMoveProgram& progr
         return tl::unexpected(*std::move(refusal));
     if (!isFastest(program))
         return program.timeS;
-    if (!(axisAllowance(machine).accelerationMmPerS2 > 0))
-        return tl::unexpected(detail::noTorqueLeft(machine));
+    if (auto refusal = detail::noTorqueLeft(machine))
+        return tl::unexpected(*std::move(refusal));
     return detail::timeOnGrid(shortestPositionMoveS(program, machine));
 }
 

@@ -6,6 +6,8 @@
 #include "profile/cutter/validate.h"
 #include "profile/laws/laws.h"
 #include "profile/model/grid_search.h"
+#include "profile/model/polynomial.h"
+#include "profile/model/torque.h"
 #include "profile/moves/move_time.h"
 
 #include <algorithm>
@@ -15,6 +17,10 @@
 
 namespace campanel::profile {
 namespace {
+
+using detail::Polynomial;
+using detail::product;
+using detail::realRoots;
 
 bool isMirrored(const SpeedMoveProgram& program)
 {
@@ -71,9 +77,28 @@ std::optional<Refusal> findInvalidSpeedInput(const SpeedMoveProgram& program, co
     return std::nullopt;
 }
 
+// Returns the time at which the RMS torque is the rated one; 0 while either is unknown. With G = |v1| - |v0|:
+// (M_n^2 - M_f^2) T^2 - 2 k M_f G T - k^2 (v1 - v0)^2 I2 = 0.
+double ratedSpeedMoveS(const SpeedMoveProgram& program, const Machine& machine)
+{
+    const TorqueLoad load = axisLoad(machine);
+    if (!load.isKnown() || !(machine.ratedTorqueNm > 0))
+        return 0;
+    const double k = load.nmPerMmPerS2;
+    const double left = machine.ratedTorqueNm * machine.ratedTorqueNm - load.frictionNm * load.frictionNm;
+    const double gain = std::abs(program.endSpeedMmPerS) - std::abs(program.startSpeedMmPerS);
+    const double half = k * load.frictionNm * gain;
+    const double change = k * changeMmPerS(program);
+    const double square = change * change * lawSpeedSquare(*findLaw(program.law), program.lawParameters);
+    return left > 0 ? (half + std::sqrt(half * half + left * square)) / left
+                    : std::numeric_limits<double>::infinity();
+}
+
 double shortestSpeedMoveS(const SpeedMoveProgram& program, const Machine& machine)
 {
-    return std::abs(changeMmPerS(program)) * lawCv(program) / axisAllowance(machine).accelerationMmPerS2;
+    return std::max(std::abs(changeMmPerS(program)) * lawCv(program) /
+                        axisAllowance(machine).accelerationMmPerS2,
+                    ratedSpeedMoveS(program, machine));
 }
 
 Refusal distanceRefusal(Limit limit, double actualMm, double allowedMm)
@@ -117,8 +142,8 @@ tl::expected<double, Refusal> speedMoveTimeS(const SpeedMoveProgram& program, co
         return program.timeS;
     if (program.duration == MoveDuration::OverDistance)
         return timeOverDistanceS(program);
-    if (!(axisAllowance(machine).accelerationMmPerS2 > 0))
-        return tl::unexpected(detail::noTorqueLeft(machine));
+    if (auto refusal = detail::noTorqueLeft(machine))
+        return tl::unexpected(*std::move(refusal));
     return detail::timeOnGrid(shortestSpeedMoveS(program, machine));
 }
 
@@ -180,6 +205,46 @@ std::vector<double> distanceCandidates(const SpeedMoveProgram& program, const Ma
             mean * info(Field::MoveTime).min, mean * info(Field::MoveTime).max};
 }
 
+// Returns the speeds s at which the RMS torque is the rated one, with the other speed u fixed:
+// k^2 I2 (s - u)^2 m^2 + 2 k M_f D G m = (M_n^2 - M_f^2) D^2, where T = D / m, m is the mean speed, and G the
+// gain of |speed|. In a given time m is 1 and D the time.
+std::vector<double> speedsAtRatedTorque(const SpeedMoveProgram& program, const Machine& machine, Field field)
+{
+    const TorqueLoad load = axisLoad(machine);
+    std::vector<double> found;
+    if (!load.isKnown() || !(machine.ratedTorqueNm > 0))
+        return found;
+    const bool isEnd = field == Field::EndSpeed;
+    const double kept = isEnd ? program.startSpeedMmPerS : program.endSpeedMmPerS;
+    const bool isOverDistance = program.duration == MoveDuration::OverDistance;
+    const double timeS =
+        program.duration == MoveDuration::GivenTime ? program.timeS : info(Field::MoveTime).max;
+    const double d = isOverDistance ? program.distanceMm : timeS;
+    const double k = load.nmPerMmPerS2;
+    const double left = machine.ratedTorqueNm * machine.ratedTorqueNm - load.frictionNm * load.frictionNm;
+    const double square = k * k * lawSpeedSquare(*findLaw(program.law), program.lawParameters);
+    const double travel = lawTravel(program);
+    for (const double g : {travel, 1 - travel}) {
+        const double share = isEnd ? g : 1 - g;
+        const Polynomial mean = isOverDistance ? Polynomial{kept * (1 - share), share} : Polynomial{1};
+        const Polynomial change{-kept, 1};
+        Polynomial squares = product(product(change, change), product(mean, mean));
+        for (double& c : squares)
+            c *= square;
+        for (const double direction : {-1.0, 1.0}) { // of the speed s
+            const double friction = (isEnd ? 2 : -2) * k * load.frictionNm * d;
+            const Polynomial work = product({-friction * std::abs(kept), friction * direction}, mean);
+            Polynomial excess = squares;
+            for (std::size_t i = 0; i < work.size(); ++i)
+                excess[i] += work[i];
+            excess[0] -= left * d * d;
+            for (const double root : realRoots(excess, info(field).min, info(field).max))
+                found.push_back(root);
+        }
+    }
+    return found;
+}
+
 std::optional<Suggestion> nearestSpeedInput(const SpeedMoveProgram& program, const Machine& machine,
                                             Field field)
 {
@@ -195,6 +260,8 @@ std::optional<Suggestion> nearestSpeedInput(const SpeedMoveProgram& program, con
     }
     if (field == Field::StartSpeed || field == Field::EndSpeed) {
         for (const double candidate : speedCandidates(program, machine, field))
+            search.tryAround(candidate);
+        for (const double candidate : speedsAtRatedTorque(program, machine, field))
             search.tryAround(candidate);
     }
     return search.best();

@@ -174,7 +174,6 @@ tl::expected<PressStroke, Refusal> strokeOf(const PressProgram& program, const M
     endStage(0);
 
     stroke.motion = detail::checkedMotion(std::move(motion), withoutTorque(machine));
-    stroke.motion.peaks.torqueNm = std::numeric_limits<double>::quiet_NaN(); // unknown
     std::vector<Refusal> unfit = findUnfit(program, machine);
     std::ranges::move(stroke.motion.broken, std::back_inserter(unfit));
     const bool isPulsing = std::ranges::find(unfit, Limit::PulseFrequency, &Refusal::limit) != unfit.end();

@@ -31,14 +31,15 @@ constexpr std::array<Member<SpeedMoveProgram>, 5> speedMoveMembers{{
     {Field::CamPoints, nullptr, &SpeedMoveProgram::camPoints},
 }};
 
-constexpr std::array<Member<PointCamProgram>, 7> pointCamMembers{{
-    {Field::MasterRate, &PointCamProgram::masterRateRevPerMin, nullptr},
-    {Field::MasterRamp, &PointCamProgram::masterRampS, nullptr},
-    {Field::MasterRatio, &PointCamProgram::masterRatio, nullptr},
-    {Field::MasterScale, &PointCamProgram::masterScale, nullptr},
-    {Field::SlaveScale, &PointCamProgram::slaveScale, nullptr},
-    {Field::Phase, &PointCamProgram::phaseDeg, nullptr},
-    {Field::CamPoints, nullptr, &PointCamProgram::camPoints},
+template <typename Cam>
+constexpr std::array<Member<Cam>, 7> camMembers{{
+    {Field::MasterRate, &Cam::masterRateRevPerMin, nullptr},
+    {Field::MasterRamp, &Cam::masterRampS, nullptr},
+    {Field::MasterRatio, &Cam::masterRatio, nullptr},
+    {Field::MasterScale, &Cam::masterScale, nullptr},
+    {Field::SlaveScale, &Cam::slaveScale, nullptr},
+    {Field::Phase, &Cam::phaseDeg, nullptr},
+    {Field::CamPoints, nullptr, &Cam::camPoints},
 }};
 
 constexpr std::array<Member<PressProgram>, 13> pressMembers{{
@@ -69,7 +70,12 @@ constexpr const auto& membersOf(const SpeedMoveProgram&)
 
 constexpr const auto& membersOf(const PointCamProgram&)
 {
-    return pointCamMembers;
+    return camMembers<PointCamProgram>;
+}
+
+constexpr const auto& membersOf(const SegmentCamProgram&)
+{
+    return camMembers<SegmentCamProgram>;
 }
 
 constexpr const auto& membersOf(const PressProgram&)
@@ -142,6 +148,16 @@ double value(const PressProgram& program, Field field)
 }
 
 void setValue(PressProgram& program, Field field, double value)
+{
+    setNumber(program, field, value);
+}
+
+double value(const SegmentCamProgram& program, Field field)
+{
+    return numberOf(program, field);
+}
+
+void setValue(SegmentCamProgram& program, Field field, double value)
 {
     setNumber(program, field, value);
 }

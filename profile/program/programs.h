@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The inputs of every kind of program, as a person enters them. The header of each kind has the derived
-// figures: rotary_cutter.h, position_move.h, speed_move.h, point_cam.h, press.h.
+// figures: rotary_cutter.h, position_move.h, speed_move.h, point_cam.h, press.h, segment_cam.h.
 #pragma once
 
 #include "profile/cutter/rotary_cutter.h"
@@ -8,6 +8,7 @@
 #include "profile/model/law.h"
 
 #include <cstdint>
+#include <type_traits>
 #include <variant>
 #include <vector>
 
@@ -20,6 +21,7 @@ enum class ProgramKind : std::uint16_t {
     SpeedMove = 3,
     PointCam = 4,
     Press = 5,
+    SegmentCam = 6,
 };
 
 // The execution of a move in the controller. Stable codes.
@@ -79,9 +81,8 @@ struct Knot {
     return {{0, 0}, {90, 20}, {180, 50}, {270, 20}, {360, 0}};
 }
 
-struct PointCamProgram {
-    std::vector<Knot> knots = defaultKnots(); // 5..100, ascending
-    SplineEnds ends = SplineEnds::Periodic;
+// The virtual master of a cam, and how the cam lies on it. Every kind that follows a master derives from it.
+struct CamMaster {
     double masterRateRevPerMin = info(Field::MasterRate).defaultValue; // negative: the master runs backward
     double masterRampS = info(Field::MasterRamp).defaultValue;
     RampShape masterRamp = RampShape::Trapezoid;
@@ -90,6 +91,58 @@ struct PointCamProgram {
     double slaveScale = 1;  // stretches the cam over the slave
     double phaseDeg = 0;    // start of the master within the cam cycle
     int camPoints = 1000;
+};
+
+struct PointCamProgram : CamMaster {
+    std::vector<Knot> knots = defaultKnots(); // 5..100, ascending
+    SplineEnds ends = SplineEnds::Periodic;
+};
+
+// The motion of a segment of a cam. Stable codes; a displacement law has the code of its LawId.
+enum class SegmentMotion : std::uint16_t {
+    Dwell = 0,
+    ConstantSpeed = 101,
+    Polynomial3 = 103, // with the speeds at both ends
+    Polynomial5 = 105, // with the speeds and accelerations at both ends
+};
+
+[[nodiscard]] constexpr SegmentMotion segmentMotion(LawId law)
+{
+    return static_cast<SegmentMotion>(law);
+}
+
+// The derivatives of the slave by the master's angle at one end of a segment, before scaling.
+struct SegmentBoundary {
+    double speedMmPerDeg = 0;
+    double accelerationMmPerDeg2 = 0;
+
+    bool operator==(const SegmentBoundary&) const = default;
+};
+
+// A part of the cam cycle. It begins at the slave position at which the segment before ends.
+struct CamSegment {
+    double fromDeg = 0; // 0..360 degrees of a cam cycle
+    double toDeg = 0;
+    SegmentMotion motion = SegmentMotion::Dwell;
+    double endMm = 0;      // slave position at the end; 0 is that of the beginning of the cycle
+    SegmentBoundary start; // Polynomial3, Polynomial5
+    SegmentBoundary end;
+    LawParameters lawParameters{};
+
+    bool operator==(const CamSegment&) const = default;
+};
+
+// Returns a rise, a dwell, a return and a dwell.
+[[nodiscard]] inline std::vector<CamSegment> defaultSegments()
+{
+    return {{0, 120, segmentMotion(LawId::Quintic), 50, {}, {}, {}},
+            {120, 180, SegmentMotion::Dwell, 50, {}, {}, {}},
+            {180, 300, segmentMotion(LawId::ModifiedSine), 0, {}, {}, {}},
+            {300, 360, SegmentMotion::Dwell, 0, {}, {}, {}}};
+}
+
+struct SegmentCamProgram : CamMaster {
+    std::vector<CamSegment> segments = defaultSegments(); // 1..40, one after the other
 };
 
 struct PressProgram {
@@ -115,17 +168,32 @@ struct PressProgram {
 [[nodiscard]] double value(const SpeedMoveProgram& program, Field field);
 [[nodiscard]] double value(const PointCamProgram& program, Field field);
 [[nodiscard]] double value(const PressProgram& program, Field field);
+[[nodiscard]] double value(const SegmentCamProgram& program, Field field);
 void setValue(PositionMoveProgram& program, Field field, double value);
 void setValue(SpeedMoveProgram& program, Field field, double value);
 void setValue(PointCamProgram& program, Field field, double value);
 void setValue(PressProgram& program, Field field, double value);
+void setValue(SegmentCamProgram& program, Field field, double value);
 
-using Program =
-    std::variant<RotaryCutterProgram, PositionMoveProgram, SpeedMoveProgram, PointCamProgram, PressProgram>;
+using Program = std::variant<RotaryCutterProgram, PositionMoveProgram, SpeedMoveProgram, PointCamProgram,
+                             PressProgram, SegmentCamProgram>;
 
 [[nodiscard]] inline ProgramKind kindOf(const Program& program)
 {
     return static_cast<ProgramKind>(program.index() + 1);
+}
+
+// Returns the master of a program that follows one, or null.
+[[nodiscard]] inline const CamMaster* camMaster(const Program& program)
+{
+    return std::visit(
+        []<typename P>(const P& inputs) -> const CamMaster* {
+            if constexpr (std::is_base_of_v<CamMaster, P>)
+                return &inputs;
+            else
+                return nullptr;
+        },
+        program);
 }
 
 } // namespace campanel::profile

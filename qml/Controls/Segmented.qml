@@ -25,13 +25,13 @@ Rectangle {
             T.AbstractButton {
                 id: choice
                 required property int index
-                readonly property var told: segmented.choices[index] ?? {}  // empty for a key being removed
-                readonly property bool holds: told.key === segmented.current
+                readonly property var entry: segmented.choices[index] ?? {}  // empty for a key being removed
+                readonly property bool holds: entry.key === segmented.current
                 readonly property color ink: !enabled ? Theme.color.disabledInk : holds ? Theme.color.touch : Theme.color.secondaryInk
-                objectName: told.name ?? ""
+                objectName: entry.name ?? ""
                 width: segmented.width / segmented.choices.length
                 height: segmented.height
-                onClicked: segmented.chosen(told.key)
+                onClicked: segmented.chosen(entry.key)
                 background: Rectangle {
                     radius: Theme.size.radius
                     color: choice.holds || choice.down ? Theme.color.touchTint : "transparent"
@@ -46,7 +46,7 @@ Rectangle {
                             id: sign
                             anchors.verticalCenter: parent.verticalCenter
                             visible: code.length > 0
-                            code: choice.told.glyph ?? ""
+                            code: choice.entry.glyph ?? ""
                             color: choice.ink
                         }
                         Label {
@@ -55,7 +55,7 @@ Rectangle {
                             width: Math.min(implicitWidth, choice.width - 2 * Theme.size.accent - (sign.visible ? sign.width + Theme.size.spacing : 0))
                             fontSizeMode: Text.HorizontalFit
                             minimumPixelSize: Theme.size.caption - 5
-                            text: choice.told.text ?? ""
+                            text: choice.entry.text ?? ""
                             color: choice.ink
                             font.weight: choice.holds ? Font.Bold : Font.DemiBold
                         }

@@ -9,6 +9,7 @@ Item {
 
     required property string title
     property string note
+    property bool beside                   // at the left of the page, the rest of which stays visible
     default property alias content: body.data
     property alias footer: footerRow.data
     property real panelWidth: width - 2 * Theme.size.gap
@@ -17,6 +18,7 @@ Item {
 
     Rectangle {
         anchors.fill: parent
+        visible: !sheet.beside
         color: Theme.color.scrim
     }
     MouseArea {
@@ -26,7 +28,8 @@ Item {
     Card {
         id: panel
         objectName: "sheetPanel"
-        anchors.centerIn: parent
+        x: sheet.beside ? Theme.size.navigation + Theme.size.gap : (parent.width - width) / 2
+        y: (parent.height - height) / 2
         width: Math.min(sheet.panelWidth, sheet.width - 2 * Theme.size.gap)
         height: Math.min(sheet.panelHeight, sheet.height - 2 * Theme.size.gap)
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The motion as curves with handles to drag: the four ends of segments of a cutter, the knots of a point cam. The cursor's
-// values are above the curves, not under the finger.
+// The motion as curves with handles to drag: the four ends of segments of a cutter, the knots or segments of a cam. The
+// cursor's values are above the curves, not under the finger.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme
@@ -13,14 +13,16 @@ Card {
 
     required property bool showPosition
     required property bool showJerk
+    required property bool showTorque
     required property bool compare
-    readonly property bool hasKnots: Editor.kind === Editor.Kind.PointCam
-    readonly property list<real> handleTimes: hasKnots ? Editor.knots.times : Editor.plot.ratioTimes
-    readonly property int handlePanel: quantities.indexOf(hasKnots ? "position" : "velocity")
-    readonly property var quantities: [...(showPosition || hasKnots ? ["position"] : []), "velocity", "acceleration",
-        ...(showJerk ? ["jerk"] : []), "frequency"]
-    readonly property list<string> units: ["mm", "mm/s", "m/s²", "m/s³", "kHz"]
-    readonly property list<string> allQuantities: ["position", "velocity", "acceleration", "jerk", "frequency"]
+    readonly property CamHandles handles: Editor.handles
+    readonly property bool hasHandles: handles !== null
+    readonly property list<real> handleTimes: handles !== null ? handles.times : Editor.plot.ratioTimes
+    readonly property int handlePanel: quantities.indexOf(hasHandles ? "position" : "velocity")
+    readonly property var quantities: [...(showPosition || hasHandles ? ["position"] : []), "velocity", "acceleration",
+        ...(showJerk ? ["jerk"] : []), ...(showTorque && Editor.plot.hasTorque ? ["torque"] : []), "frequency"]
+    readonly property list<string> units: ["mm", "mm/s", "m/s²", "m/s³", "kHz", "Nm"]
+    readonly property list<string> allQuantities: ["position", "velocity", "acceleration", "jerk", "frequency", "torque"]
     property int dragged: -1
     property real cursor: NaN
     property int revision
@@ -46,7 +48,7 @@ Card {
         horizontalAlignment: Text.AlignRight
         fontSizeMode: Text.HorizontalFit
         minimumPixelSize: Theme.size.caption - 3
-        text: isNaN(editor.cursor) ? (editor.overlayText || Editor.peakText) : editor.readout(editor.cursor, editor.revision)
+        text: isNaN(editor.cursor) ? (editor.overlayText || Editor.plot.peakText) : editor.readout(editor.cursor, editor.revision)
         color: isNaN(editor.cursor) ? Theme.color.secondaryInk : Theme.color.ink
         font { pixelSize: Theme.size.caption; weight: isNaN(editor.cursor) ? Font.Normal : Font.DemiBold }
     }
@@ -59,12 +61,13 @@ Card {
         overlayCurves: editor.compare ? Editor.overlayCurves : undefined
         quantities: editor.quantities
         titles: editor.quantities.map(quantity => editor.titleOf(quantity))
-        markerTimes: editor.hasKnots ? [] : Editor.plot.markTimes
+        markerTimes: editor.hasHandles ? [] : Editor.plot.markTimes
         cursorTime: editor.cursor
         cursorDotsVisible: editor.dragged < 0
         limitVelocity: Editor.plot.limitVelocity
         limitAcceleration: Editor.plot.limitAcceleration
         limitFrequency: Editor.plot.limitFrequency
+        limitTorque: Editor.plot.limitTorque
         limitLabel: qsTr("limit")
         violations: Editor.plot.violations
         onLayoutChanged: ++editor.revision
@@ -74,13 +77,13 @@ Card {
         ? qsTr("grey: %1").arg(Editor.overlayName) : ""
     function titleOf(quantity: string): string {
         return ({ position: qsTr("Position mm"), velocity: qsTr("Velocity mm/s"), acceleration: qsTr("Acceleration m/s²"),
-            jerk: qsTr("Jerk m/s³"), frequency: qsTr("Pulse frequency kHz") })[quantity]
+            jerk: qsTr("Jerk m/s³"), frequency: qsTr("Pulse frequency kHz"), torque: qsTr("Motor torque Nm, RMS %1").arg(Theme.number(Editor.plot.rmsTorque, 3)) })[quantity]
     }
     Repeater {
         model: Editor.solvable ? editor.handleTimes.length : 0
         Rectangle {
             required property int index
-            readonly property bool holds: editor.hasKnots ? Editor.knots.selected === index : editor.dragged === index
+            readonly property bool holds: editor.handles !== null ? editor.handles.selected === index : editor.dragged === index
             objectName: "handle" + index
             width: editor.handleTimes.length > 12 ? Theme.size.handle / 2 : Theme.size.handle
             height: width
@@ -110,8 +113,8 @@ Card {
             start = Qt.point(mouse.x, mouse.y)
             pixelSeconds = plot.timeOfX(1) - plot.timeOfX(0)
             pixelMm = plot.valuePerPixel(editor.handlePanel)
-            if (editor.hasKnots && editor.dragged >= 0)
-                Editor.knots.beginDrag(editor.dragged)
+            if (editor.hasHandles && editor.dragged >= 0)
+                editor.handles.beginDrag(editor.dragged)
             plot.timeMaximum = Editor.plot.cycleSeconds
             follow(mouse.x, mouse.y)
         }
@@ -123,16 +126,16 @@ Card {
         onCanceled: finish()
 
         function follow(x: real, y: real) {
-            if (editor.dragged >= 0 && editor.hasKnots)
-                Editor.knots.drag((x - start.x) * pixelSeconds, (start.y - y) * pixelMm)
+            if (editor.dragged >= 0 && editor.hasHandles)
+                editor.handles.drag((x - start.x) * pixelSeconds, (start.y - y) * pixelMm)
             else if (editor.dragged >= 0)
                 Editor.dragRatio(editor.dragged, plot.timeOfX(x + grab))
             editor.cursor = editor.dragged >= 0 ? editor.handleTimes[editor.dragged]
                 : Math.max(0, Math.min(Editor.plot.cycleSeconds, plot.timeOfX(x)))
         }
         function finish() {
-            if (editor.dragged >= 0 && editor.hasKnots)
-                Editor.knots.endDrag()
+            if (editor.dragged >= 0 && editor.hasHandles)
+                editor.handles.endDrag()
             else if (editor.dragged >= 0)
                 Editor.commitDrag()
             if (editor.dragged >= 0 || hideCursor)

@@ -13,6 +13,7 @@ Item {
     signal editRequested(var fields, int index, Item source)
     signal explainRequested(EditorField field)
     signal lawRequested()
+    signal ratiosRequested()
     signal moreRequested()
 
     readonly property var ratios: [Editor.cutter.k1, Editor.cutter.k2, Editor.cutter.k3, Editor.cutter.k4]
@@ -45,7 +46,8 @@ Item {
         anchors { left: grid.left; right: grid.right; top: grid.bottom; topMargin: Theme.size.spacing }
         height: inputs.rowHeight
         fields: inputs.ratios
-        onEditRequested: index => inputs.editRequested(inputs.ratios, index, ratioGroup)
+        caption: Editor.cutter.ramps.stateText
+        onEditRequested: inputs.ratiosRequested()
     }
     SettingRow {
         objectName: "lawButton"

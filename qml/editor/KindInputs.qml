@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The inputs of every kind but the rotary cutter, from its tables: numbers, choices, law, knots. Scrolls when it is longer
+// The inputs of every kind but the rotary cutter, from its tables: numbers, choices, law, knots, segments. Scrolls when it is longer
 // than the screen.
 pragma ComponentBehavior: Bound
 import QtQuick
@@ -15,6 +15,7 @@ Item {
     signal explainRequested(EditorField field)
     signal lawRequested()
     signal knotsRequested()
+    signal segmentsRequested()
     signal choiceRequested(int row, string name, var options, int option)
     signal moreRequested()
 
@@ -47,8 +48,16 @@ Item {
                 visible: Editor.kind === Editor.Kind.PointCam
                 width: body.width
                 label: qsTr("Knots")
-                value: Editor.knots.count
+                value: Editor.cam.knots.count
                 onClicked: inputs.knotsRequested()
+            }
+            SettingRow {
+                objectName: "segmentsButton"
+                visible: Editor.kind === Editor.Kind.SegmentCam
+                width: body.width
+                label: qsTr("Segments")
+                value: Editor.cam.segments.count
+                onClicked: inputs.segmentsRequested()
             }
             Repeater {
                 model: inputs.visible ? Editor.choices : null

@@ -12,7 +12,7 @@ ListPicker {
     readonly property list<string> notes: [
         qsTr("A knife that follows the film while it seals"), qsTr("A distance, from rest to rest"),
         qsTr("From one speed to another constant speed"), qsTr("A curve through knots that follows a master"),
-        qsTr("Approach, probe, press, hold, return")]
+        qsTr("Approach, probe, press, hold, return"), qsTr("Segments by laws, one after another, that follow a master")]
 
     title: qsTr("New program")
     note: qsTr("Replaces the recipe on this page; Undo restores the old recipe")

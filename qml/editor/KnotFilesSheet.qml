@@ -14,18 +14,18 @@ OfferSheet {
     signal knotsTaken()
 
     title: qsTr("Knots as CSV")
-    exchange: Editor.knotFiles
-    offers: exports ? Editor.knotFiles.places : Editor.knotFiles.files
+    exchange: Editor.cam.knotFiles
+    offers: exports ? Editor.cam.knotFiles.places : Editor.cam.knotFiles.files
     chooseText: exports ? qsTr("Choose the location of the new file.") : qsTr("Choose a file to view its content.")
-    emptyText: qsTr("There is no CSV file on a USB stick or in %1. Plug a stick in; the panel finds it automatically.").arg(Editor.knotFiles.ownFolder)
+    emptyText: qsTr("There is no CSV file on a USB stick or in %1. Plug a stick in; the panel finds it automatically.").arg(Editor.cam.knotFiles.ownFolder)
     actionText: exports ? qsTr("Write file") : qsTr("Import")
     headHeight: way.height + Theme.size.spacing
-    Component.onCompleted: Editor.knotFiles.scan()
+    Component.onCompleted: Editor.cam.knotFiles.scan()
     onAccepted: row => {
         if (sheet.exports) {
-            Editor.knotFiles.write(row)
+            Editor.cam.knotFiles.write(row)
         } else {
-            Editor.knotFiles.take(row)
+            Editor.cam.knotFiles.take(row)
             sheet.knotsTaken()
         }
     }
@@ -39,7 +39,7 @@ OfferSheet {
         onChosen: key => {
             sheet.exports = key
             sheet.chosen = -1
-            Editor.knotFiles.scan()
+            Editor.cam.knotFiles.scan()
         }
     }
 }

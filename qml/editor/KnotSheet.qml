@@ -15,7 +15,7 @@ Sheet {
     signal filesRequested()
 
     title: qsTr("Knots")
-    note: Editor.knots.wrapText
+    note: Editor.cam.knots.wrapText
     panelWidth: width * 0.86
 
     ListView {
@@ -24,7 +24,7 @@ Sheet {
         anchors { left: parent.left; right: parent.right; top: parent.top; bottom: tiles.top; bottomMargin: Theme.size.spacing }
         clip: true
         boundsBehavior: Flickable.StopAtBounds
-        model: Editor.knots.rows
+        model: Editor.cam.knots.rows
         delegate: T.AbstractButton {
             id: entry
             required property int index
@@ -35,7 +35,7 @@ Sheet {
             objectName: "knot" + index
             width: list.width - 2 * Theme.size.accent
             height: Theme.size.touch
-            onClicked: Editor.knots.selected = index
+            onClicked: Editor.cam.knots.selected = index
             background: Rectangle {
                 radius: Theme.size.radius
                 color: entry.selected || entry.down ? Theme.color.touchTint : Theme.color.surface
@@ -55,7 +55,7 @@ Sheet {
         height: Theme.size.touch
         spacing: Theme.size.spacing
         Repeater {
-            model: [Editor.knots.master, Editor.knots.slave]
+            model: [Editor.cam.knots.master, Editor.cam.knots.slave]
             FieldTile {
                 required property var modelData
                 required property int index
@@ -80,23 +80,23 @@ Sheet {
             width: tools.part
             height: tools.height
             text: qsTr("Add after")
-            onClicked: Editor.knots.insertAfterSelected()
+            onClicked: Editor.cam.knots.insertAfterSelected()
         }
         Button {
             objectName: "knotRemove"
             width: tools.part
             height: tools.height
             text: qsTr("Remove")
-            enabled: Editor.knots.canRemove
-            onClicked: Editor.knots.removeSelected()
+            enabled: Editor.cam.knots.canRemove
+            onClicked: Editor.cam.knots.removeSelected()
         }
         Button {
             objectName: "knotRepair"
             width: tools.part
             height: tools.height
             text: qsTr("Close smoothly")
-            enabled: Editor.knots.canRepair
-            onClicked: Editor.knots.repairWrap()
+            enabled: Editor.cam.knots.canRepair
+            onClicked: Editor.cam.knots.repairWrap()
         }
         Button {
             objectName: "knotFilesButton"

@@ -13,14 +13,18 @@ Sheet {
     signal editRequested(var fields, int index, Item source)
 
     title: Editor.lawTitle
-    note: qsTr("Peak values of each law for this recipe; hold a law to compare its curves in grey")
+    note: sheet.isByHand ? qsTr("The figures are those of the ratios set by hand; the law that is gentlest with its own ramps is first")
+        : sheet.isCutter ? qsTr("The gentlest law is first, each with the ramps that suit it; hold a law to compare its curves in grey")
+        : qsTr("Peak values of each law for this recipe; hold a law to compare its curves in grey")
+    readonly property bool isByHand: isCutter && Editor.cutter.ramps.mode === RampControl.ByHand
+    readonly property bool isCutter: Editor.kind === Editor.Kind.RotaryCutter
 
     LawRow {
         id: head
         anchors { left: parent.left; right: parent.right; rightMargin: 2 * Theme.size.accent; top: parent.top }
-        height: Theme.size.caption * 2
+        height: Theme.size.caption * 3
         header: true
-        cells: [qsTr("Peak speed"), qsTr("Acceleration"), qsTr("Jerk"), Editor.kind === Editor.Kind.RotaryCutter ? qsTr("Frequency") : qsTr("Torque")]
+        cells: [...Editor.lawColumns]
     }
     ListView {
         id: list
@@ -37,8 +41,10 @@ Sheet {
             required property string weakness
             required property string peakRpmText
             required property string peakAccelerationText
+            required property string rmsText
             required property string peakFrequencyText
             required property string peakJerkText
+            required property string vibrationText
             required property bool current
             required property bool compared
             required usable
@@ -47,7 +53,8 @@ Sheet {
             text: name
             notes: [strength, weakness]
             holds: current
-            cells: [peakRpmText, peakAccelerationText, peakJerkText, peakFrequencyText]
+            cells: [peakRpmText, peakAccelerationText, ...(rmsText.length > 0 ? [rmsText] : []), peakJerkText, peakFrequencyText,
+                    ...(vibrationText.length > 0 ? [vibrationText] : [])]
             marked: compared
             onClicked: {
                 if (usable)

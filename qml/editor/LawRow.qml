@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One law: its name, its four peaks in columns, and its strength and weakness below. The header row has the column titles.
+// One law: its name, its figures in columns, and its strength and weakness below. The header row has the column titles.
 pragma ComponentBehavior: Bound
 import QtQuick
 import QtQuick.Templates as T
@@ -16,7 +16,7 @@ T.AbstractButton {
     property bool usable: true             // exceeds no limit
     required property list<string> cells
 
-    readonly property real cellWidth: width * 0.15
+    readonly property real cellWidth: width * (cells.length > 5 ? 0.115 : cells.length > 4 ? 0.13 : 0.15)
     implicitHeight: Math.max(Theme.size.touch, words.height + Theme.size.padding)
     enabled: !header
 
@@ -34,7 +34,7 @@ T.AbstractButton {
         Row {
             width: parent.width
             Label {
-                width: parent.width - 4 * row.cellWidth
+                width: parent.width - row.cells.length * row.cellWidth
                 text: row.text
                 fontSizeMode: Text.HorizontalFit
                 minimumPixelSize: Theme.size.caption

@@ -12,96 +12,136 @@ Sheet {
 
     required property bool showPosition
     required property bool showJerk
+    required property bool showTorque
     required property bool compare
     signal positionToggled(bool on)
     signal jerkToggled(bool on)
+    signal torqueToggled(bool on)
     signal compareToggled(bool on)
     signal tableRequested()
     signal proofRequested()
+    signal mapRequested()
     signal kindRequested()
     signal editRequested(var fields, int index, Item source)
+    signal explainRequested(EditorField field)
 
     readonly property real half: Math.floor((body.width - body.spacing) / 2)
+    readonly property bool isCutter: Editor.kind === Editor.Kind.RotaryCutter
 
     title: qsTr("View and tools")
     panelWidth: width * 0.82
-    panelHeight: (Editor.kind === Editor.Kind.RotaryCutter ? 6 : 5) * Theme.size.touch + 3 * Theme.size.spacing + Theme.size.padding
+    panelHeight: body.height + Theme.size.touch + 2 * Theme.size.padding
 
     component Switch: ChoiceRow {
         width: sheet.half
     }
 
-    Flow {
-        id: body
+    Flickable {
+        id: list
         anchors.fill: parent
-        spacing: Theme.size.spacing
+        contentHeight: body.height
+        clip: true
+        boundsBehavior: Flickable.StopAtBounds
 
-        Switch {
-            objectName: "positionSwitch"
-            visible: Editor.kind !== Editor.Kind.PointCam   // a point cam has its knots on the page
-            text: qsTr("Position curve")
-            note: sheet.showPosition ? qsTr("shown") : qsTr("hidden")
-            holds: sheet.showPosition
-            onClicked: sheet.positionToggled(!sheet.showPosition)
-        }
-        Switch {
-            objectName: "jerkSwitch"
-            text: qsTr("Jerk curve")
-            note: sheet.showJerk ? qsTr("shown") : qsTr("hidden")
-            holds: sheet.showJerk
-            onClicked: sheet.jerkToggled(!sheet.showJerk)
-        }
-        Switch {
-            text: qsTr("Compare with controller")
-            note: sheet.compare ? qsTr("controller in grey") : qsTr("hidden")
-            holds: sheet.compare
-            onClicked: sheet.compareToggled(!sheet.compare)
-        }
-        SettingRow {
-            objectName: "tableButton"
-            width: sheet.half
-            label: qsTr("Rows, pulses, errors")
-            value: Editor.table.name.length > 0 ? Editor.table.name : qsTr("Table")
-            onClicked: sheet.tableRequested()
-        }
-        SettingRow {
-            objectName: "proofButton"
-            width: sheet.half
-            label: qsTr("Edited, active, saved")
-            value: qsTr("Compare")
-            onClicked: sheet.proofRequested()
-        }
-        FieldTile {
-            visible: Editor.kind === Editor.Kind.RotaryCutter
-            field: Editor.cutter.syncRatio
-            compact: false
-            width: sheet.half
-            onEditRequested: (field, source) => sheet.editRequested([field], 0, source)
-        }
-        FieldTile {
-            visible: Editor.kind === Editor.Kind.RotaryCutter
-            field: Editor.cutter.rampSlices
-            compact: false
-            width: sheet.half
-            onEditRequested: (field, source) => sheet.editRequested([field], 0, source)
-        }
-        SettingRow {
-            objectName: "kindButton"
-            width: sheet.half
-            label: qsTr("Program")
-            value: Editor.kindNames[Editor.kind - 1]
-            onClicked: sheet.kindRequested()
-        }
-        Button {
-            width: sheet.half
-            height: Theme.size.touch
-            glyph: Theme.icon.revert
-            text: qsTr("Restore stored recipe")
-            enabled: Editor.edited
-            onClicked: {
-                Editor.revert()
-                sheet.closed()
+        Flow {
+            id: body
+            width: list.width - 2 * Theme.size.accent
+            spacing: Theme.size.spacing
+
+            Switch {
+                objectName: "positionSwitch"
+                visible: Editor.handles === null   // the handles of a cam are on this curve
+                text: qsTr("Position curve")
+                note: sheet.showPosition ? qsTr("shown") : qsTr("hidden")
+                holds: sheet.showPosition
+                onClicked: sheet.positionToggled(!sheet.showPosition)
+            }
+            Switch {
+                objectName: "jerkSwitch"
+                text: qsTr("Jerk curve")
+                note: sheet.showJerk ? qsTr("shown") : qsTr("hidden")
+                holds: sheet.showJerk
+                onClicked: sheet.jerkToggled(!sheet.showJerk)
+            }
+            Switch {
+                objectName: "torqueSwitch"
+                visible: Editor.kind !== Editor.Kind.Press   // the work piece decides the torque of a press
+                enabled: Editor.plot.hasTorque
+                text: qsTr("Torque curve")
+                note: !Editor.plot.hasTorque ? qsTr("needs the inertia, see Settings, Machine") : sheet.showTorque ? qsTr("shown") : qsTr("hidden")
+                holds: sheet.showTorque && Editor.plot.hasTorque
+                onClicked: sheet.torqueToggled(!sheet.showTorque)
+            }
+            Switch {
+                text: qsTr("Compare with controller")
+                note: sheet.compare ? qsTr("controller in grey") : qsTr("hidden")
+                holds: sheet.compare
+                onClicked: sheet.compareToggled(!sheet.compare)
+            }
+            SettingRow {
+                objectName: "mapButton"
+                visible: sheet.isCutter
+                width: sheet.half
+                label: qsTr("Fastest rate over length")
+                value: qsTr("Regime map")
+                onClicked: sheet.mapRequested()
+            }
+            SettingRow {
+                objectName: "tableButton"
+                width: sheet.half
+                label: qsTr("Rows, pulses, errors")
+                value: Editor.table.name.length > 0 ? Editor.table.name : qsTr("Table")
+                onClicked: sheet.tableRequested()
+            }
+            SettingRow {
+                objectName: "kindButton"
+                width: sheet.half
+                label: qsTr("Program")
+                value: Editor.kindNames[Editor.kind - 1]
+                onClicked: sheet.kindRequested()
+            }
+            SettingRow {
+                objectName: "proofButton"
+                width: sheet.half
+                label: qsTr("Edited, active, saved")
+                value: qsTr("Compare")
+                onClicked: sheet.proofRequested()
+            }
+            FieldTile {
+                objectName: "field_" + field.fieldId
+                visible: sheet.isCutter
+                field: Editor.cutter.minSealTime
+                compact: false
+                width: sheet.half
+                onEditRequested: (field, source) => sheet.editRequested([field], 0, source)
+                onExplainRequested: field => sheet.explainRequested(field)
+            }
+            FieldTile {
+                visible: sheet.isCutter
+                field: Editor.cutter.syncRatio
+                compact: false
+                width: sheet.half
+                onEditRequested: (field, source) => sheet.editRequested([field], 0, source)
+            }
+            FieldTile {
+                visible: sheet.isCutter
+                field: Editor.cutter.rampSlices
+                compact: false
+                width: sheet.half
+                onEditRequested: (field, source) => sheet.editRequested([field], 0, source)
+            }
+            Button {
+                width: sheet.half
+                height: Theme.size.touch
+                glyph: Theme.icon.revert
+                text: qsTr("Restore stored recipe")
+                enabled: Editor.edited
+                onClicked: {
+                    Editor.revert()
+                    sheet.closed()
+                }
             }
         }
     }
+    ScrollMark { view: list }
 }

@@ -13,7 +13,10 @@ Page {
 
     property bool showPosition
     property bool showJerk
+    property bool showTorque
     property bool compare: true
+    property bool ratiosOpen               // the sheet covers the texts of the verdict
+    onCoveredChanged: ratiosOpen = ratiosOpen && covered
     readonly property bool isCutter: Editor.kind === Editor.Kind.RotaryCutter
 
     bannerLeft: side.width + Theme.size.gap
@@ -30,6 +33,10 @@ Page {
             onEditRequested: (fields, index, source) => page.editRequested(fields, index, source)
             onExplainRequested: field => page.explainRequested(field)
             onLawRequested: page.sheetRequested(page.lawSheet)
+            onRatiosRequested: {
+                page.sheetRequested(page.ratioSheet)
+                page.ratiosOpen = true
+            }
             onMoreRequested: page.sheetRequested(page.moreSheet)
         }
         KindInputs {
@@ -39,6 +46,7 @@ Page {
             onExplainRequested: field => page.explainRequested(field)
             onLawRequested: page.sheetRequested(page.lawSheet)
             onKnotsRequested: page.sheetRequested(page.knotSheet)
+            onSegmentsRequested: page.sheetRequested(page.segmentSheet)
             onChoiceRequested: (row, name, options, option) => {
                 page.chosen = { row: row, title: name, options: options, current: option }
                 page.sheetRequested(page.choiceSheet)
@@ -50,10 +58,12 @@ Page {
         anchors { left: side.right; leftMargin: Theme.size.gap; right: parent.right; top: side.top; bottom: side.bottom; bottomMargin: page.bottomInset }
         showPosition: page.showPosition
         showJerk: page.showJerk
+        showTorque: page.showTorque
         compare: page.compare && (Editor.programDownload.differenceCount > 0 || Editor.overlayName.length > 0)
     }
     VerdictBar {
         id: verdict
+        textsVisible: !page.ratiosOpen
         anchors { left: parent.left; right: parent.right; bottom: parent.bottom }
         onDownloadRequested: page.sheetRequested(page.downloadSheet)
         onExplainRequested: quantities => page.numbersExplainRequested(quantities)
@@ -61,6 +71,12 @@ Page {
 
     readonly property Component lawSheet: Component {
         LawPicker { onEditRequested: (fields, index, source) => page.editRequested(fields, index, source) }
+    }
+    readonly property Component ratioSheet: Component {
+        RatioSheet {
+            onEditRequested: (fields, index, source) => page.editRequested(fields, index, source)
+            onExplainRequested: quantities => page.numbersExplainRequested(quantities)
+        }
     }
     property var chosen: ({ row: 0, title: "", options: [], current: 0 })
     readonly property Component choiceSheet: Component {
@@ -80,6 +96,15 @@ Page {
     readonly property Component knotFilesSheet: Component {
         KnotFilesSheet { onKnotsTaken: page.sheetRequested(page.knotSheet) }
     }
+    readonly property Component segmentSheet: Component {
+        SegmentSheet {
+            onEditRequested: (fields, index, source) => page.editRequested(fields, index, source)
+            onMotionRequested: page.sheetRequested(page.segmentMotionSheet)
+        }
+    }
+    readonly property Component segmentMotionSheet: Component {
+        SegmentMotionSheet { onPicked: page.sheetRequested(page.segmentSheet) }
+    }
     readonly property Component kindSheet: Component {
         KindSheet {
             onChosen: key => {
@@ -97,18 +122,25 @@ Page {
     readonly property Component tableSheet: Component {
         TableSheet {}
     }
+    readonly property Component regimeSheet: Component {
+        RegimeSheet {}
+    }
     readonly property Component moreSheet: Component {
         MoreSheet {
             showPosition: page.showPosition
             showJerk: page.showJerk
+            showTorque: page.showTorque
             compare: page.compare
             onPositionToggled: on => page.showPosition = on
             onJerkToggled: on => page.showJerk = on
+            onTorqueToggled: on => page.showTorque = on
             onCompareToggled: on => page.compare = on
             onTableRequested: page.sheetRequested(page.tableSheet)
             onProofRequested: page.sheetRequested(page.proofSheet)
+            onMapRequested: page.sheetRequested(page.regimeSheet)
             onKindRequested: page.sheetRequested(page.kindSheet)
             onEditRequested: (fields, index, source) => page.editRequested(fields, index, source)
+            onExplainRequested: field => page.explainRequested(field)
         }
     }
 }

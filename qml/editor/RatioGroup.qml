@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The four ratios in one touch target; a tap opens the keypad for the nearest one.
+// The four ratios in one touch target, with their origin above; a tap opens what edits them, the nearest one first.
 pragma ComponentBehavior: Bound
 import QtQuick
 import QtQuick.Templates as T
@@ -11,6 +11,7 @@ T.AbstractButton {
     id: group
 
     required property var fields           // list of EditorField
+    property string caption                // the origin of the ratios
     signal editRequested(int index)
 
     implicitHeight: Theme.size.touch
@@ -21,8 +22,27 @@ T.AbstractButton {
         color: group.down ? Theme.color.touchTint : Theme.color.inset
         border { width: Theme.size.hairline; color: Theme.color.line }
     }
+    Label {
+        id: origin
+        objectName: "ratioOrigin"
+        visible: text.length > 0
+        anchors { left: parent.left; right: arrow.left; top: parent.top; margins: Theme.size.spacing; leftMargin: Theme.size.padding }
+        text: group.caption
+        fontSizeMode: Text.HorizontalFit
+        minimumPixelSize: Theme.size.caption - 3
+        color: Theme.color.secondaryInk
+        font.pixelSize: Theme.size.caption
+    }
+    IconLabel {
+        id: arrow
+        visible: origin.visible
+        anchors { right: parent.right; rightMargin: Theme.size.spacing; verticalCenter: origin.verticalCenter }
+        code: Theme.icon.next
+        color: Theme.color.touch
+        font.pixelSize: Theme.size.body
+    }
     Row {
-        anchors.fill: parent
+        anchors { left: parent.left; right: parent.right; bottom: parent.bottom; top: origin.visible ? origin.bottom : parent.top }
         Repeater {
             model: group.fields.length
             Item {
@@ -30,11 +50,11 @@ T.AbstractButton {
                 required property int index
                 readonly property EditorField field: group.fields[index]
                 width: group.width / group.fields.length
-                height: group.height
+                height: parent.height
                 Rectangle {
                     visible: cell.index > 0
                     width: Theme.size.hairline
-                    height: parent.height - 2 * Theme.size.padding
+                    height: parent.height - 2 * Theme.size.spacing
                     anchors.verticalCenter: parent.verticalCenter
                     color: Theme.color.line
                 }
@@ -50,7 +70,7 @@ T.AbstractButton {
                         anchors.horizontalCenter: parent.horizontalCenter
                         width: Math.min(implicitWidth, cell.width - Theme.size.spacing)
                         fontSizeMode: Text.HorizontalFit
-                        minimumPixelSize: Theme.size.caption
+                        minimumPixelSize: Theme.size.caption - 3
                         text: cell.field.text
                         font { pixelSize: Theme.size.body; bold: true }
                     }

@@ -10,6 +10,7 @@ import CamPanel.Panel
 Card {
     id: bar
 
+    property bool textsVisible: true
     signal downloadRequested()
     signal explainRequested(var quantities)
 
@@ -21,6 +22,7 @@ Card {
 
     IconLabel {
         id: mark
+        visible: bar.textsVisible
         anchors { left: parent.left; leftMargin: Theme.size.padding; top: verdict.top; bottom: verdict.bottom }
         code: bar.good ? Theme.icon.good : Theme.icon.alert
         color: bar.verdictColor
@@ -28,6 +30,7 @@ Card {
     Label {
         id: verdict
         objectName: "verdict"
+        visible: bar.textsVisible
         anchors { left: mark.right; leftMargin: Theme.size.spacing; right: tools.left; rightMargin: Theme.size.padding; top: parent.top; topMargin: Theme.size.spacing }
         height: (parent.height - 2 * Theme.size.spacing) * (bar.good ? 0.56 : 1)
         wrapMode: Text.WordWrap
@@ -37,7 +40,7 @@ Card {
         font.weight: Font.DemiBold
     }
     Label {
-        visible: bar.good                  // a refused recipe displays only its refusal
+        visible: bar.good && bar.textsVisible   // a refused recipe displays only its refusal
         anchors { left: verdict.left; right: verdict.right; top: verdict.bottom; bottom: parent.bottom; bottomMargin: Theme.size.spacing }
         wrapMode: Text.WordWrap
         fontSizeMode: Text.Fit
@@ -73,12 +76,21 @@ Card {
         }
         Button {
             objectName: "redo"
-            visible: tools.goesBack
+            visible: tools.goesBack && (Editor.canRedo || !offer.visible)   // an offer has its space
             width: Theme.size.touch
             kind: Button.Quiet
             glyph: Theme.icon.redo
             enabled: Editor.canRedo
             onClicked: Editor.redo()
+        }
+        Button {
+            id: offer
+            objectName: "rampOffer"
+            visible: Editor.cutter.ramps.offerName.length > 0
+            width: Math.min(implicitWidth, Math.max(Theme.size.touch, 8.5 * Theme.size.caption))   // two words
+            text: Editor.cutter.ramps.offerName
+            note: Editor.cutter.ramps.offerRate
+            onClicked: Editor.cutter.ramps.takeOffer()
         }
         NextStepButton {
             onDownloadRequested: bar.downloadRequested()

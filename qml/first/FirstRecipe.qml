@@ -12,6 +12,8 @@ FirstStep {
 
     readonly property real half: (width - Theme.size.spacing) / 2
 
+    Component.onCompleted: Editor.cutter.ramps.begin()
+
     Column {
         width: parent.width
         spacing: Theme.size.spacing

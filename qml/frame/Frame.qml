@@ -156,7 +156,7 @@ Rectangle {
     Rectangle {
         anchors { left: navigation.left; right: navigation.right; top: parent.top; bottom: topBar.bottom }
         visible: frame.sheet !== null || loginLoader.active || firstStart.active
-        color: firstStart.active ? "transparent" : Theme.color.scrim
+        color: firstStart.active || frame.sheet?.beside && !loginLoader.active ? "transparent" : Theme.color.scrim
         MouseArea {
             anchors.fill: parent
             onClicked: frame.closeAll()

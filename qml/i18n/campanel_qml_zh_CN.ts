@@ -460,6 +460,10 @@ And %2 more.</source>
         <source>Pulse frequency kHz</source>
         <translation>脉冲频率 kHz</translation>
     </message>
+    <message>
+        <source>Motor torque Nm, RMS %1</source>
+        <translation>电机转矩 Nm，均方根 %1</translation>
+    </message>
 </context>
 <context>
     <name>CutterInputs</name>
@@ -541,20 +545,8 @@ And %2 more.</source>
         <translation>显示</translation>
     </message>
     <message>
-        <source>Language</source>
-        <translation>语言</translation>
-    </message>
-    <message>
-        <source>Theme</source>
-        <translation>主题</translation>
-    </message>
-    <message>
         <source>High contrast</source>
         <translation>高对比度</translation>
-    </message>
-    <message>
-        <source>Glove mode</source>
-        <translation>手套模式</translation>
     </message>
     <message>
         <source>Off</source>
@@ -1064,6 +1056,10 @@ And %2 more.</source>
         <source>View and tools</source>
         <translation>视图与工具</translation>
     </message>
+    <message>
+        <source>Segments</source>
+        <translation>运动段</translation>
+    </message>
 </context>
 <context>
     <name>KindSheet</name>
@@ -1094,6 +1090,10 @@ And %2 more.</source>
     <message>
         <source>Replaces the recipe on this page; Undo restores the old recipe</source>
         <translation>将取代本页的配方，可用“撤销”恢复</translation>
+    </message>
+    <message>
+        <source>Segments by laws, one after another, that follow a master</source>
+        <translation>由各运动规律依次组成、跟随主轴的运动段</translation>
     </message>
 </context>
 <context>
@@ -1157,28 +1157,24 @@ And %2 more.</source>
 <context>
     <name>LawPicker</name>
     <message>
-        <source>Peak speed</source>
-        <translation>峰值速度</translation>
-    </message>
-    <message>
-        <source>Acceleration</source>
-        <translation>加速度</translation>
-    </message>
-    <message>
-        <source>Jerk</source>
-        <translation>跃度</translation>
-    </message>
-    <message>
-        <source>Frequency</source>
-        <translation>频率</translation>
-    </message>
-    <message>
         <source>Peak values of each law for this recipe; hold a law to compare its curves in grey</source>
         <translation>各规律用于本配方的峰值；长按某一规律，以灰色曲线比较</translation>
     </message>
     <message>
         <source>Torque</source>
         <translation>转矩</translation>
+    </message>
+    <message>
+        <source>RMS</source>
+        <translation>均方根</translation>
+    </message>
+    <message>
+        <source>The gentlest law is first, each with the ramps that suit it; hold a law to compare its curves in grey</source>
+        <translation>按平缓程度排序，各规律采用适合自身的斜坡；长按某一规律，以灰色曲线比较</translation>
+    </message>
+    <message>
+        <source>The figures are those of the ratios set by hand; the law that is gentlest with its own ramps is first</source>
+        <translation>数值按手动设定的比例计算；采用自身最佳斜坡时最平缓的规律排在最前</translation>
     </message>
 </context>
 <context>
@@ -1415,6 +1411,22 @@ And %2 more.</source>
     <message>
         <source>Compare</source>
         <translation>比较</translation>
+    </message>
+    <message>
+        <source>Fastest rate over length</source>
+        <translation>各袋长的最高速率</translation>
+    </message>
+    <message>
+        <source>Regime map</source>
+        <translation>可行域图</translation>
+    </message>
+    <message>
+        <source>Torque curve</source>
+        <translation>转矩曲线</translation>
+    </message>
+    <message>
+        <source>needs the inertia, see Settings, Machine</source>
+        <translation>需要惯量，见“设置 &gt; 机器”</translation>
     </message>
 </context>
 <context>
@@ -1789,6 +1801,29 @@ And %2 more.</source>
     </message>
 </context>
 <context>
+    <name>RatioSheet</name>
+    <message>
+        <source>Slow</source>
+        <translation>低速</translation>
+    </message>
+    <message>
+        <source>Cool</source>
+        <translation>低热</translation>
+    </message>
+    <message>
+        <source>Gentle</source>
+        <translation>平缓</translation>
+    </message>
+    <message>
+        <source>Sealing window</source>
+        <translation>封切窗口</translation>
+    </message>
+    <message>
+        <source>Ratios</source>
+        <translation>比例</translation>
+    </message>
+</context>
+<context>
     <name>RecipeCard</name>
     <message>
         <source>In the controller</source>
@@ -2110,6 +2145,10 @@ And %2 more.</source>
         <source>Knife speed mm/s</source>
         <translation>切刀速度 mm/s</translation>
     </message>
+    <message>
+        <source>bags/min · seal %1 ms</source>
+        <translation>袋/分 · 封口 %1 ms</translation>
+    </message>
 </context>
 <context>
     <name>RunEmpty</name>
@@ -2127,6 +2166,10 @@ And %2 more.</source>
     <message>
         <source>Knife speed mm/s</source>
         <translation>切刀速度 mm/s</translation>
+    </message>
+    <message>
+        <source>bags/min · %1 bags · seal %2 ms</source>
+        <translation>袋/分 · 共 %1 袋 · 封口 %2 ms</translation>
     </message>
 </context>
 <context>
@@ -2658,6 +2701,67 @@ And %2 more.</source>
     <message>
         <source>Clean the screen now. The panel ignores touches until the time is over; Stop still works.</source>
         <translation>现在请清洁屏幕。计时结束前触摸无效，“停止”仍有效。</translation>
+    </message>
+</context>
+<context>
+    <name>RegimeSheet</name>
+    <message>
+        <source>Regime map</source>
+        <translation>可行域图</translation>
+    </message>
+    <message>
+        <source>bags/min</source>
+        <translation>袋/分</translation>
+    </message>
+    <message>
+        <source>not possible</source>
+        <translation>不可行</translation>
+    </message>
+    <message>
+        <source>lengths of the paper</source>
+        <translation>论文中的袋长</translation>
+    </message>
+    <message>
+        <source>Drag the dot to another length and rate.</source>
+        <translation>拖动圆点以更改袋长和速率。</translation>
+    </message>
+</context>
+<context>
+    <name>SegmentMotionSheet</name>
+    <message>
+        <source>Motion of segment %1</source>
+        <translation>第 %1 段的运动规律</translation>
+    </message>
+</context>
+<context>
+    <name>SegmentSheet</name>
+    <message>
+        <source>Segments</source>
+        <translation>运动段</translation>
+    </message>
+    <message>
+        <source>%1 · jump at the start</source>
+        <translation>%1 · 起点突变</translation>
+    </message>
+    <message>
+        <source>Motion</source>
+        <translation>运动规律</translation>
+    </message>
+    <message>
+        <source>Add dwell</source>
+        <translation>添加休止</translation>
+    </message>
+    <message>
+        <source>Split</source>
+        <translation>拆分</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>删除</translation>
+    </message>
+    <message>
+        <source>Make continuous</source>
+        <translation>使其连续</translation>
     </message>
 </context>
 </TS>

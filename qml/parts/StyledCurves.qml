@@ -17,6 +17,7 @@ CurvePlot {
     style.accelerationColor: Theme.color.acceleration
     style.jerkColor: Theme.color.jerk
     style.frequencyColor: Theme.color.frequency
+    style.torqueColor: Theme.color.acceleration
     style.overlayColor: Theme.color.target
     style.traceColor: Theme.color.touch
     style.limitColor: Theme.color.warning

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The direction of a point cam's master, with the choice of the other one, also during a run. The selected choice is the
+// The direction of a cam's master, with the choice of the other one, also during a run. The selected choice is the
 // controller's setting, not the last touch.
 pragma ComponentBehavior: Bound
 import QtQuick

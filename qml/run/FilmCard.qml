@@ -90,7 +90,7 @@ Card {
         windowColor: Theme.color.touch
         productColor: Theme.color.sync
         cutColor: Theme.color.ink
-        leftOutColor: Theme.color.warning
+        skippedColor: Theme.color.warning
         knifeColor: Theme.color.ink
         textColor: card.fresh ? Theme.color.secondaryInk : Theme.color.disabledInk
         staleColor: Theme.color.target

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The live angle of a point cam's master.
+// The live angle of a cam's master.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Run of a move or a point cam: speed, position, count, and the measured speed over its target; for a point cam also its
-// master.
+// Run of a move or a cam: speed, position, count, and the measured speed over its target; for a cam also its master.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme
@@ -13,7 +12,7 @@ Item {
     readonly property int gap: Theme.size.gap
     property real bottomInset
     signal explainRequested(var quantities)
-    readonly property bool isCam: Controller.active.kind === Editor.Kind.PointCam
+    readonly property bool isCam: Controller.active.followsMaster
     readonly property real upper: Math.round((height - gap) * (isCam ? 0.4 : 0.28))
     readonly property real start: isCam ? dial.width + gap : 0
     readonly property real cell: isCam ? (width - start - gap) / 2 : (width - 2 * gap) / 3

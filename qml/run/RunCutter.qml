@@ -26,8 +26,9 @@ Item {
         height: (view.upper - view.gap) / 2
         value: Controller.live.rateBagsPerMin
         decimals: 1
-        caption: qsTr("bags/min")
-        quantities: [Explanations.Rate]
+        caption: isNaN(Controller.live.sealTimeMs) ? qsTr("bags/min")
+            : qsTr("bags/min · seal %1 ms").arg(Theme.number(Controller.live.sealTimeMs, 0))
+        quantities: isNaN(Controller.live.sealTimeMs) ? [Explanations.Rate] : [Explanations.Rate, Explanations.LiveSealTime]
         onExplainRequested: quantities => view.explainRequested(quantities)
     }
     NumberCard {

@@ -24,9 +24,10 @@ Item {
         height: Math.round(view.room * 0.3)
         value: Controller.live.rateBagsPerMin
         decimals: 1
-        caption: qsTr("bags/min · %1 bags").arg(Theme.count(Controller.bags.count, 0))
+        caption: isNaN(Controller.live.sealTimeMs) ? qsTr("bags/min · %1 bags").arg(Theme.count(Controller.bags.count, 0))
+            : qsTr("bags/min · %1 bags · seal %2 ms").arg(Theme.count(Controller.bags.count, 0)).arg(Theme.number(Controller.live.sealTimeMs, 0))
         captionColor: Controller.fresh ? Theme.color.secondaryInk : Theme.color.disabledInk
-        quantities: [Explanations.Rate]
+        quantities: isNaN(Controller.live.sealTimeMs) ? [Explanations.Rate] : [Explanations.Rate, Explanations.LiveSealTime]
         onExplainRequested: quantities => view.explainRequested(quantities)
     }
     BagStrip {
@@ -42,13 +43,13 @@ Item {
         onExplainRequested: quantities => view.explainRequested(quantities)
     }
     SpeedCard {
-        anchors { left: parent.left; right: leftOut.left; rightMargin: view.gap; top: film.bottom; topMargin: view.gap; bottom: leftOut.bottom }
+        anchors { left: parent.left; right: skippedCuts.left; rightMargin: view.gap; top: film.bottom; topMargin: view.gap; bottom: skippedCuts.bottom }
         compact: Theme.size.name === "small"
         title: qsTr("Knife speed mm/s")
         onExplainRequested: quantities => view.explainRequested(quantities)
     }
     SkippedCutsCard {
-        id: leftOut
+        id: skippedCuts
         anchors { right: parent.right; top: film.bottom; topMargin: view.gap; bottom: parent.bottom; bottomMargin: view.bottomInset }
         width: Math.round((view.width - view.gap) * 0.36)
         onTapped: view.sheetRequested(view.details)

@@ -9,8 +9,8 @@ Page {
     id: page
 
     // The views by Controller.active.kind: no program, cutter (of a controller without film and marks), position move, speed
-    // move, point cam, press.
-    readonly property list<string> views: ["RunEmpty.qml", "RunCutter.qml", "RunAxis.qml", "RunAxis.qml", "RunAxis.qml", "RunPress.qml"]
+    // move, point cam, press, segment cam.
+    readonly property list<string> views: ["RunEmpty.qml", "RunCutter.qml", "RunAxis.qml", "RunAxis.qml", "RunAxis.qml", "RunPress.qml", "RunAxis.qml"]
     readonly property string view: Controller.active.kind === Editor.Kind.RotaryCutter && Controller.packing.present ? "RunPacking.qml" : page.views[Controller.active.kind]
 
     Loader {
@@ -23,6 +23,11 @@ Page {
         ignoreUnknownSignals: true
         function onExplainRequested(quantities: var) { page.numbersExplainRequested(quantities) }
         function onSheetRequested(sheet: Component) { page.sheetRequested(sheet) }
+    }
+    Binding {
+        target: Controller.torque
+        property: "watched"
+        value: page.visible && !Display.dark && Controller.active.isPresent && Controller.active.kind !== Editor.Kind.Press
     }
     Binding {
         target: loader.item

@@ -42,7 +42,7 @@ Card {
         anchors { left: parent.left; right: parent.right; verticalCenter: parent.verticalCenter; margins: Theme.size.padding }
         spacing: Theme.size.outline
         Figure {
-            objectName: "cutsLeftOut"
+            objectName: "skippedCuts"
             label: qsTr("Skipped cuts")
             value: Theme.count(card.line.cutsSkipped, 0)
         }
@@ -71,7 +71,7 @@ Card {
         }
     }
     Explained {
-        objectName: "leftOutCard"
+        objectName: "skippedCutsCard"
         quantities: [Explanations.FilmSaved]
         onExplainRequested: quantities => card.explainRequested(quantities)
         onClicked: card.tapped()

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The speed over one cycle: the target of the program, and the axis in the newest cycle.
+// The speed over one cycle: the target of the program, and the axis in the newest cycle. Below it the torque.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme
@@ -70,7 +70,7 @@ Card {
         Key { id: actual; text: qsTr("actual"); color: card.traceColor }
     }
     StyledCurves {
-        anchors { left: parent.left; right: parent.right; top: caption.bottom; bottom: parent.bottom; margins: Theme.size.spacing; topMargin: Theme.size.outline }
+        anchors { left: parent.left; right: parent.right; top: caption.bottom; bottom: torque.top; margins: Theme.size.spacing; topMargin: Theme.size.outline; bottomMargin: 0 }
         curves: Controller.active.curves
         quantities: ["velocity"]
         style.velocityColor: Theme.color.target
@@ -81,9 +81,26 @@ Card {
         cursorTime: Controller.live.masterAngleDeg / 360 * Controller.active.cycleSeconds
         cursorDotsVisible: false
     }
+    Label {
+        id: torque
+        objectName: "torqueText"
+        anchors { left: parent.left; right: parent.right; bottom: parent.bottom; leftMargin: Theme.size.padding; rightMargin: Theme.size.padding; bottomMargin: Theme.size.outline }
+        horizontalAlignment: Text.AlignRight
+        fontSizeMode: Text.HorizontalFit
+        minimumPixelSize: Theme.size.caption - 5
+        elide: Text.ElideRight
+        text: card.compact || torqueWords.advanceWidth > width ? Controller.torque.shortText : torqueWords.text
+        TextMetrics {
+            id: torqueWords
+            font: Theme.captionFont
+            text: Controller.torque.text
+        }
+        color: Controller.fresh ? Theme.color.secondaryInk : Theme.color.disabledInk
+        font.pixelSize: Theme.size.caption
+    }
     Explained {
         objectName: "speedNumbers"
-        quantities: [Explanations.FollowingError]
+        quantities: [Explanations.FollowingError, Explanations.Torque]
         onExplainRequested: quantities => card.explainRequested(quantities)
     }
 }

@@ -15,6 +15,7 @@ SettingsSection {
         contrast: { key: "contrast", text: qsTr("High contrast"), glyph: Theme.icon.contrast }
     })
 
+    readonly property var labels: Settings.labels
     readonly property var languages: Settings.languages
     readonly property var themes: Settings.themes
 
@@ -36,7 +37,7 @@ SettingsSection {
                 width: upper.half
                 spacing: Theme.size.spacing
                 Label {
-                    text: qsTr("Language")
+                    text: section.labels.language
                     color: Theme.color.secondaryInk
                 }
                 Segmented {
@@ -55,7 +56,7 @@ SettingsSection {
                     width: parent.width
                     fontSizeMode: Text.HorizontalFit
                     minimumPixelSize: Theme.size.caption - 2
-                    text: qsTr("Glove mode")
+                    text: section.labels.gloves
                     color: Theme.color.secondaryInk
                 }
                 Segmented {
@@ -70,7 +71,7 @@ SettingsSection {
         }
         Item { width: 1; height: Theme.size.spacing }
         Label {
-            text: qsTr("Theme")
+            text: section.labels.theme
             color: Theme.color.secondaryInk
         }
         Segmented {

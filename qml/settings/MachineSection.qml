@@ -10,7 +10,7 @@ import CamPanel.Panel
 SettingsSection {
     id: section
 
-    readonly property real half: (width - Theme.size.spacing) / 2
+    readonly property real half: (width - Theme.size.spacing - 2 * Theme.size.accent) / 2   // beside the scroll mark
     readonly property real rowHeight: Math.max(Theme.size.touch, (height - bodyTop - 4 * Theme.size.spacing) / 5)
 
     title: qsTr("Machine")
@@ -25,6 +25,18 @@ SettingsSection {
             id: grid
             columns: 2
             spacing: Theme.size.spacing
+            SettingRow {
+                objectName: "bagTolerance"
+                visible: Editor.kind === Editor.Kind.RotaryCutter
+                width: section.half
+                height: section.rowHeight
+                label: qsTr("Bag tolerance")
+                value: qsTr("±%1 mm").arg(Theme.number(Settings.bagToleranceMm, 2))
+                onClicked: {
+                    if (Access.ask(Access.Technician))
+                        section.page.sheetRequested(toleranceKeypad)
+                }
+            }
             Repeater {
                 model: Editor.machineFields
                 FieldTile {
@@ -36,18 +48,6 @@ SettingsSection {
                     height: section.rowHeight
                     onEditRequested: (field, source) => section.page.editRequested([field], 0, source)
                     onExplainRequested: field => section.page.explainRequested(field)
-                }
-            }
-            SettingRow {
-                objectName: "bagTolerance"
-                visible: Editor.kind === Editor.Kind.RotaryCutter
-                width: section.half
-                height: section.rowHeight
-                label: qsTr("Bag tolerance")
-                value: qsTr("±%1 mm").arg(Theme.number(Settings.bagToleranceMm, 2))
-                onClicked: {
-                    if (Access.ask(Access.Technician))
-                        section.page.sheetRequested(toleranceKeypad)
                 }
             }
         }

@@ -31,9 +31,9 @@ Card {
         return quantity <= Trends.Deviation ? figures.arg(Theme.number(100 * found.within, 1)) : figures
     }
     function explain(lane: int): void {
-        const told = isNaN(card.cursor) ? Explanations.ofTrend(lane) : Explanations.ofTrendCursor(lane, plot.valuesAt(lane, card.cursor))
-        if (told.length > 0)
-            card.explanationsRequested(card.words.titles[Trends.chosen[lane]], told)
+        const explanations = isNaN(card.cursor) ? Explanations.ofTrend(lane) : Explanations.ofTrendCursor(lane, plot.valuesAt(lane, card.cursor))
+        if (explanations.length > 0)
+            card.explanationsRequested(card.words.titles[Trends.chosen[lane]], explanations)
     }
     // Returns the figures; `at` is the revision of the curves that a binding depends on.
     function valuesOf(lane: int, quantity: int, at: int): string {

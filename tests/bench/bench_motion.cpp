@@ -2,12 +2,15 @@
 // The mathematics behind one edit: solve, sample, build the table. Timed by Google Benchmark.
 #include "bench_report.h"
 
+#include "profile/cutter/regime_map.h"
 #include "profile/cutter/sampling.h"
 #include "profile/cutter/step_table.h"
 
 #include <benchmark/benchmark.h>
 
+#include <map>
 #include <stdexcept>
+#include <string>
 
 namespace campanel::bench {
 namespace {
@@ -32,6 +35,28 @@ void editOnce(benchmark::State& state)
     }
 }
 
+// A map with five regimes: jaws, acceleration, motor speed, seal time and the machine's own rate.
+profile::RegimeMap mapWithFiveLimits()
+{
+    profile::RotaryCutterProgram program;
+    program.minSealTimeMs = 12;
+    profile::Machine machine;
+    machine.contactAngleDeg = 20;
+    machine.maxMotorRpm = 300;
+    machine.maxRateBagsPerMin = 280;
+    machine.maxKnifeAccelerationMmPerS2 = 60000;
+    const auto map = profile::regimeMap(program, machine, profile::regimeRange(program, machine), 200);
+    return map.value();
+}
+
+void mapOnce(benchmark::State& state)
+{
+    for (auto _ : state) {
+        const profile::RegimeMap map = mapWithFiveLimits();
+        benchmark::DoNotOptimize(map.points.data());
+    }
+}
+
 // Stores the medians instead of printing.
 class MedianReporter : public benchmark::BenchmarkReporter {
 public:
@@ -40,13 +65,13 @@ public:
     {
         for (const Run& run : runs) {
             if (run.aggregate_name == "median")
-                m_medianMs = run.GetAdjustedRealTime();
+                m_medianMs[run.run_name.function_name] = run.GetAdjustedRealTime();
         }
     }
-    [[nodiscard]] double medianMs() const { return m_medianMs; }
+    [[nodiscard]] double medianMs(const std::string& name) const { return m_medianMs.at(name); }
 
 private:
-    double m_medianMs = -1;
+    std::map<std::string, double> m_medianMs;
 };
 
 } // namespace
@@ -63,10 +88,18 @@ Figures measureMotion()
         ->MinTime(0.1)
         ->Repetitions(9)
         ->ReportAggregatesOnly();
+    benchmark::RegisterBenchmark("map", mapOnce)
+        ->Unit(benchmark::kMillisecond)
+        ->MinTime(0.1)
+        ->Repetitions(9)
+        ->ReportAggregatesOnly();
     MedianReporter reporter;
     benchmark::RunSpecifiedBenchmarks(&reporter);
+    const std::size_t limits = mapWithFiveLimits().limits.size();
     return {{"solve + sample 1000 points + " + std::to_string(table->rows.size()) + "-row table",
-             reporter.medianMs(), 1.0, "ms", "one millisecond", true}};
+             reporter.medianMs("edit"), 1.0, "ms", "one millisecond", true},
+            {"regime map of 200 lengths, " + std::to_string(limits) + " limits set a rate",
+             reporter.medianMs("map"), 2.0, "ms", "two milliseconds", true}};
 }
 
 } // namespace campanel::bench

@@ -9,6 +9,7 @@
 #define TURN_PULSES 10000u
 #define FINE 256
 #define FEED_UM 100000u
+#define FULL_CYCLE 3600000u /* 0.0001 degrees */
 
 static void wide(uint16_t* registers, uint32_t offset, uint32_t value)
 {
@@ -93,27 +94,56 @@ static uint32_t build_speed_move(uint16_t* registers)
     return ctl_bank_length((const ctl_bank*)registers);
 }
 
+/* All of a cam's header but its list: a master of 60 r/min makes 0.2 turns, that is a cycle, in 0.2 s. */
+static void begin_cam(uint16_t* registers, uint16_t kind)
+{
+    begin(registers, CTL_TABLE_LAYOUT_CAM_POINTS, kind, CTL_CAM_POINT_CAPACITY);
+    wide(registers, CTL_OFFSET_BANK_ADVANCE, TURN_PULSES);
+    registers[CTL_OFFSET_BANK_END_BEHAVIOR] = CTL_END_BEHAVIOR_REPEAT;
+    registers[CTL_OFFSET_CAM_MASTER_RAMP] = 300;
+    registers[CTL_OFFSET_CAM_RAMP_SHAPE] = CTL_RAMP_SHAPE_SCURVE;
+    registers[CTL_OFFSET_CAM_MASTER_RATE] = 600;
+    wide(registers, CTL_OFFSET_CAM_MASTER_RATIO, 200000);
+    wide(registers, CTL_OFFSET_CAM_MASTER_SCALE, 1);
+    wide(registers, CTL_OFFSET_CAM_SLAVE_SCALE, 1000);
+    wide(registers, CTL_OFFSET_CAM_PULSES_PER_MOTOR_REV, TURN_PULSES);
+    wide(registers, CTL_OFFSET_CAM_FEED, FEED_UM);
+}
+
 /* A turn in 0.2 s with 16 a x^2 (1 - x)^2 on top of it, by the most rows that there may be. */
 static uint32_t build_point_cam(uint16_t* registers)
 {
     const int64_t n = CTL_CAM_POINT_CAPACITY - 1;
     const int64_t top = 3000;
-    begin(registers, CTL_TABLE_LAYOUT_CAM_POINTS, CTL_PROGRAM_KIND_POINT_CAM, (uint32_t)n + 1u);
-    wide(registers, CTL_OFFSET_BANK_ADVANCE, TURN_PULSES);
-    registers[CTL_OFFSET_BANK_END_BEHAVIOR] = CTL_END_BEHAVIOR_REPEAT;
-    registers[CTL_OFFSET_CAM_MASTER_RAMP] = 300;
-    registers[CTL_OFFSET_CAM_RAMP_SHAPE] = CTL_RAMP_SHAPE_SCURVE;
-    registers[CTL_OFFSET_POINT_CAM_MASTER_RATE] = 600; /* 60 r/min: 0.2 turns in 0.2 s */
-    wide(registers, CTL_OFFSET_POINT_CAM_MASTER_RATIO, 200000);
-    wide(registers, CTL_OFFSET_POINT_CAM_MASTER_SCALE, 1);
-    wide(registers, CTL_OFFSET_POINT_CAM_SLAVE_SCALE, 1000);
-    wide(registers, CTL_OFFSET_POINT_CAM_PULSES_PER_MOTOR_REV, TURN_PULSES);
-    wide(registers, CTL_OFFSET_POINT_CAM_FEED, FEED_UM);
+    begin_cam(registers, CTL_PROGRAM_KIND_POINT_CAM);
     for (int64_t i = 0; i <= n; ++i) {
         const int64_t bump = FINE * top * 16 * (i * i * (n - i) * (n - i) / n) / (n * n * n);
         const int64_t rise = FINE * top * 32 * i * (n - i) * (n - 2 * i) / (n * n * n * n);
         cam_row(registers, (uint32_t)i, FINE * (int64_t)TURN_PULSES * i / n + bump,
                 FINE * (int64_t)TURN_PULSES / n + rise);
+    }
+    return ctl_bank_length((const ctl_bank*)registers);
+}
+
+/* A quarter at standstill, a turn by x^2 (3 - 2 x) in half of the cycle, a quarter at standstill: by the most
+ * rows and the most segments, of which the controller executes the rows alone. */
+static uint32_t build_segment_cam(uint16_t* registers)
+{
+    const int64_t n = CTL_CAM_POINT_CAPACITY - 1;
+    const int64_t half = n / 2;
+    begin_cam(registers, CTL_PROGRAM_KIND_SEGMENT_CAM);
+    registers[CTL_OFFSET_CAM_SEGMENT_COUNT] = CTL_SEGMENT_CAPACITY;
+    for (int64_t i = 0; i <= n; ++i) {
+        const int64_t at = i < half / 2 ? 0 : i > n - half / 2 ? half : i - half / 2;
+        cam_row(registers, (uint32_t)i,
+                FINE * (int64_t)TURN_PULSES * at * at * (3 * half - 2 * at) / (half * half * half),
+                FINE * (int64_t)TURN_PULSES * 6 * at * (half - at) / (half * half * half));
+    }
+    uint32_t offset = ctl_bank_list_offset((const ctl_bank*)registers);
+    for (uint32_t i = 1; i <= CTL_SEGMENT_CAPACITY; ++i) {
+        wide(registers, offset, FULL_CYCLE / CTL_SEGMENT_CAPACITY * i);
+        wide(registers, offset + 2u, FEED_UM / CTL_SEGMENT_CAPACITY * i);
+        offset += CTL_SEGMENT_REGISTERS;
     }
     return ctl_bank_length((const ctl_bank*)registers);
 }
@@ -177,6 +207,7 @@ const bench_case bench_cases[] = {
     {"position_move", CTL_PROGRAM_KIND_POSITION_MOVE, build_position_move},
     {"speed_move", CTL_PROGRAM_KIND_SPEED_MOVE, build_speed_move},
     {"point_cam", CTL_PROGRAM_KIND_POINT_CAM, build_point_cam},
+    {"segment_cam", CTL_PROGRAM_KIND_SEGMENT_CAM, build_segment_cam},
     {"press", CTL_PROGRAM_KIND_PRESS, build_press},
     {"intervals", CTL_PROGRAM_KIND_POSITION_MOVE, build_intervals},
 };

@@ -352,8 +352,8 @@ void TestCamEngine::checkRefuses_data()
                                   << CTL_OFFSET_BANK_END_BEHAVIOR;
     QTest::newRow("ramp shape") << int{CTL_OFFSET_CAM_RAMP_SHAPE} << 2u << header
                                 << CTL_OFFSET_CAM_RAMP_SHAPE;
-    QTest::newRow("no pulses per revolution") << int{CTL_OFFSET_POINT_CAM_PULSES_PER_MOTOR_REV} + 1 << 0u
-                                              << header << CTL_OFFSET_POINT_CAM_PULSES_PER_MOTOR_REV;
+    QTest::newRow("no pulses per revolution") << int{CTL_OFFSET_CAM_PULSES_PER_MOTOR_REV} + 1 << 0u << header
+                                              << CTL_OFFSET_CAM_PULSES_PER_MOTOR_REV;
     QTest::newRow("first row not zero") << rowAt(0, 1) << 1u << row << 0u;
     QTest::newRow("steep row") << rowAt(7, 2) << 0x4000u << row << 7u;
     QTest::newRow("steep row downwards") << rowAt(7, 2) << 0xC000u << row << 7u;

@@ -238,7 +238,8 @@ void TestFlash::savingWhileRunning()
 void TestFlash::maxCamThroughFlash()
 {
     CamImage cam = sineCam(5000.0, 1000.0, CTL_CAM_POINT_CAPACITY - 1, 8'000'000);
-    cam.knots = CTL_KNOT_CAPACITY;
+    cam.kind = CTL_PROGRAM_KIND_SEGMENT_CAM;
+    cam.segments = CTL_SEGMENT_CAPACITY;
     const Registers image = cam.registers();
     QCOMPARE(image.size(), std::size_t{CTL_BANK_REGISTERS});
     MemoryFlash flash;

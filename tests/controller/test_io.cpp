@@ -274,6 +274,8 @@ void TestIo::torque()
     QCOMPARE(static_cast<std::int16_t>(pins(even, CTL_REG_IO_TORQUE)), 0);
     even.start();
     even.run(3 * second);
+    const int angle = pins(even, CTL_REG_IO_TORQUE_ANGLE);
+    QVERIFY(angle > 0 && std::abs(angle - ctl_motion_master_angle(&even.core().motion)) < 500); // 14 ms
     double sum = 0.0;
     for (int i = 0; i < 4000; ++i) {
         even.controller().step();

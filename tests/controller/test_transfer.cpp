@@ -87,7 +87,7 @@ void TestTransfer::beginRefusals()
     Rig rig;
     QCOMPARE(begin(rig, 0, 100)[3], CTL_TRANSFER_RESULT_WRONG_SESSION);
     QCOMPARE(begin(rig, 1, 100, 0)[3], CTL_TRANSFER_RESULT_KIND_NOT_SUPPORTED);
-    QCOMPARE(begin(rig, 1, 100, CTL_PROGRAM_KIND_PRESS + 1)[3], CTL_TRANSFER_RESULT_KIND_NOT_SUPPORTED);
+    QCOMPARE(begin(rig, 1, 100, CTL_PROGRAM_KIND_LAST + 1)[3], CTL_TRANSFER_RESULT_KIND_NOT_SUPPORTED);
     QCOMPARE(begin(rig, 1, 100, 1, 2)[3], CTL_TRANSFER_RESULT_WRONG_MAP_VERSION);
     QCOMPARE(begin(rig, 1, 64)[3], CTL_TRANSFER_RESULT_BAD_LENGTH);
     QCOMPARE(begin(rig, 1, CTL_BANK_REGISTERS + 1)[3], CTL_TRANSFER_RESULT_BAD_LENGTH);
@@ -311,20 +311,20 @@ void TestTransfer::sealComparesCyclesWithTheInputs_data()
     cam.knots = 5;
     const Registers points = cam.registers();
     constexpr int good = CTL_TRANSFER_RESULT_ACCEPTED;
-    row("1 s a cycle, 60 r/min, 100 mm", points, CTL_OFFSET_POINT_CAM_SLAVE_SCALE, 1000, good);
-    bad("0.1 mm more", points, CTL_OFFSET_POINT_CAM_SLAVE_SCALE, 1001);
-    bad("as far backwards", points, CTL_OFFSET_POINT_CAM_SLAVE_SCALE, 0u - 1000);
-    bad("farthest", points, CTL_OFFSET_POINT_CAM_SLAVE_SCALE, 0x80000000u);
-    bad("1 us longer", points, CTL_OFFSET_POINT_CAM_MASTER_RATIO, 1'000'001);
-    bad("1 us shorter", points, CTL_OFFSET_POINT_CAM_MASTER_RATIO, 999'999);
-    bad("longest", points, CTL_OFFSET_POINT_CAM_MASTER_RATIO, 0xFFFFFFFFu);
-    row("largest stretch", points, CTL_OFFSET_POINT_CAM_MASTER_SCALE, 0xFFFFFFFFu,
-        CTL_TRANSFER_RESULT_BAD_SUM, CTL_OFFSET_POINT_CAM_MASTER_RATIO);
-    row("no stretch", points, CTL_OFFSET_POINT_CAM_MASTER_SCALE, 0, CTL_TRANSFER_RESULT_BAD_SUM,
-        CTL_OFFSET_POINT_CAM_MASTER_RATIO);
+    row("1 s a cycle, 60 r/min, 100 mm", points, CTL_OFFSET_CAM_SLAVE_SCALE, 1000, good);
+    bad("0.1 mm more", points, CTL_OFFSET_CAM_SLAVE_SCALE, 1001);
+    bad("as far backwards", points, CTL_OFFSET_CAM_SLAVE_SCALE, 0u - 1000);
+    bad("farthest", points, CTL_OFFSET_CAM_SLAVE_SCALE, 0x80000000u);
+    bad("1 us longer", points, CTL_OFFSET_CAM_MASTER_RATIO, 1'000'001);
+    bad("1 us shorter", points, CTL_OFFSET_CAM_MASTER_RATIO, 999'999);
+    bad("longest", points, CTL_OFFSET_CAM_MASTER_RATIO, 0xFFFFFFFFu);
+    row("largest stretch", points, CTL_OFFSET_CAM_MASTER_SCALE, 0xFFFFFFFFu, CTL_TRANSFER_RESULT_BAD_SUM,
+        CTL_OFFSET_CAM_MASTER_RATIO);
+    row("no stretch", points, CTL_OFFSET_CAM_MASTER_SCALE, 0, CTL_TRANSFER_RESULT_BAD_SUM,
+        CTL_OFFSET_CAM_MASTER_RATIO);
     cam.masterRate = 0;
-    row("standing master", cam.registers(), CTL_OFFSET_POINT_CAM_SLAVE_SCALE, 1000,
-        CTL_TRANSFER_RESULT_BAD_SUM, CTL_OFFSET_POINT_CAM_MASTER_RATE);
+    row("standing master", cam.registers(), CTL_OFFSET_CAM_SLAVE_SCALE, 1000, CTL_TRANSFER_RESULT_BAD_SUM,
+        CTL_OFFSET_CAM_MASTER_RATE);
 
     // 0 to 200 mm/s in about 0.5 s: 50.12 mm. No slower than 100.1 mm/s on average, no faster than 100.3.
     for (const bool backwards : {false, true}) {

@@ -17,7 +17,7 @@ public:
     // Loads the window and connects. Its folder is new: all machine data comes from the line.
     explicit PanelWindow(const QString& port)
     {
-        m_panel.settings().overrideLanguage(QStringLiteral("en"));
+        m_panel.settings().overrideValue("display.language", QStringLiteral("en"));
         panel::ConnectionChoice choice;
         choice.simulated = false;
         choice.portName = port;

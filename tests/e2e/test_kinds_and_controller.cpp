@@ -5,6 +5,7 @@
 #include "app/panel/controller/controller.h"
 #include "app/panel/editor/editor.h"
 #include "app/panel/settings/settings.h"
+#include "profile/segments/segment_cam.h"
 #include "tests/support/controller_process.h"
 #include "tests/support/places.h"
 #include "tests/support/test_program.h"
@@ -86,6 +87,7 @@ private slots:
     void aSpeedIsHeldUntilTheStop();
     void anotherPanelSeesTheKnots_data();
     void anotherPanelSeesTheKnots();
+    void anotherPanelSeesTheSegments();
     void aStrokeStopsWhereItShould();
     void aMissingWorkPieceIsAFault();
 
@@ -238,6 +240,51 @@ void TestKindsAndController::anotherPanelSeesTheKnots()
     }
     QVERIFY(other.machine.active().curves.isValid());
     QCOMPARE(other.machine.active().cycleSeconds, 0.5);
+}
+
+// A segment is split and its end moved; what jumps is repaired, downloaded, run, and read back.
+void TestKindsAndController::anotherPanelSeesTheSegments()
+{
+    const ControllerProcess controller(fast(5));
+    std::vector<profile::CamSegment> segments;
+    double topMm = 0;
+    {
+        Panel panel(controller.port());
+        panel.editor.newProgram(static_cast<int>(ProgramKind::SegmentCam));
+        panel.editor.setRecipeName("Lift");
+        panel::SegmentModel& list = *panel.editor.segments();
+        const auto count = list.rows()->count();
+        list.select(0);
+        list.split();
+        QCOMPARE(list.rows()->count(), count + 1);
+        panel::EditorField* const end = list.field("segmentEnd");
+        QVERIFY(end);
+        end->set(end->value() + 2);
+        if (list.canRepair())
+            list.repair();
+        QVERIFY2(!list.canRepair(), qPrintable(list.jointText()));
+        const auto& cam = std::get<profile::SegmentCamProgram>(panel.editor.recipe().program);
+        segments = cam.segments;
+        for (const double position : profile::jointPositionsMm(segments))
+            topMm = std::max(topMm, position);
+        begin(panel);
+        if (QTest::currentTestFailed())
+            return;
+        QTRY_VERIFY_WITH_TIMEOUT(panel.machine.live().cycleCount >= 5, timeoutMs);
+        QCOMPARE(panel.machine.state(), Controller::State::Running);
+        panel.machine.stop();
+        QTRY_COMPARE_WITH_TIMEOUT(panel.machine.state(), Controller::State::Ready, timeoutMs);
+        QCOMPARE(panel.status().commandedPositionPulses, 0); // a closed cam ends where it began
+        QVERIFY2(panel.machine.alarmText().isEmpty(), qPrintable(panel.machine.alarmText()));
+    }
+    QVERIFY(topMm > 0);
+    Panel other(controller.port());
+    QTRY_VERIFY_WITH_TIMEOUT(other.machine.active().isPresent, timeoutMs);
+    QCOMPARE(other.machine.active().name, "Lift");
+    const program::Recipe& shown = other.machine.program()->recipe;
+    QCOMPARE(shown.kind(), ProgramKind::SegmentCam);
+    QVERIFY(std::get<profile::SegmentCamProgram>(shown.program).segments == segments);
+    QVERIFY(other.machine.active().curves.isValid());
 }
 
 void TestKindsAndController::aStrokeStopsWhereItShould()

@@ -54,7 +54,7 @@ const QList<House>& houses()
           {u"cutter"_s},
           {u"program"_s},
           {u"moves"_s, u"cam"_s, u"intervals"_s},
-          {u"press"_s}}},
+          {u"press"_s, u"segments"_s}}},
         {u"modbus"_s,
          {},
          {standardCpp, posix, expected, u"(modbus/)?modbus(-[a-z]+)?\\.h"_s},
@@ -128,7 +128,8 @@ const QList<Rule>& includeRules()
             {u"app/plot"_s, {standardCpp, qtAny, u"qwt[a-z_]*\\.h"_s, u"profile/.*"_s, u"app/plot/.*"_s}},
             {u"app/report"_s, {standardCpp, qtAny, u"app/(panel|plot|report)/.*"_s}},
             {u"app/cli"_s,
-             {standardCpp, posix, expected, qtAny, u"(profile|modbus)/.*"_s, u"app/(program|store|cli|panel/words)/.*"_s,
+             {standardCpp, posix, expected, qtAny, u"(profile|modbus)/.*"_s,
+              u"app/(program|store|cli|panel/words)/.*"_s, u"app/plot/picture/regime_picture\\.h"_s,
               u"packing_run\\.h"_s}},
             {u"app/shell"_s, {standardCpp, qtAny, u"app/.*"_s, posix, u"toml\\+\\+/toml\\.h"_s}},
         };
@@ -195,6 +196,12 @@ QStringList filesBelow(const QStringList& folders, const QStringList& patterns)
     return result;
 }
 
+QString textOf(const QString& relativePath)
+{
+    QFile file(QDir(campanel::test::sourcePath(".")).filePath(relativePath));
+    return file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()) : QString();
+}
+
 // Returns every first capture of `pattern` in the file that no rule allows, as "path: what".
 QStringList violationsIn(const QString& text, const QString& relativePath, const QList<Rule>& rules,
                          const QRegularExpression& pattern)
@@ -218,10 +225,10 @@ QStringList violationsIn(const QString& text, const QString& relativePath, const
 QStringList violations(const QString& relativePath, const QList<Rule>& rules,
                        const QRegularExpression& pattern)
 {
-    QFile file(QDir(campanel::test::sourcePath(".")).filePath(relativePath));
-    if (!file.open(QIODevice::ReadOnly))
+    const QString text = textOf(relativePath);
+    if (text.isEmpty())
         return {relativePath + u": cannot be read"_s};
-    return violationsIn(QString::fromUtf8(file.readAll()), relativePath, rules, pattern);
+    return violationsIn(text, relativePath, rules, pattern);
 }
 
 const QRegularExpression includePattern(uR"(^\s*#\s*include\s*[<\x22]([^>\x22]+)[>\x22])"_s,
@@ -249,8 +256,7 @@ Graph includeGraph(const QStringList& files, QString (*nodeOf)(const QString&) =
     const QSet<QString> known(files.begin(), files.end());
     Graph graph;
     for (const QString& path : files) {
-        QFile file(QDir(campanel::test::sourcePath(".")).filePath(path));
-        const QString text = file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()) : QString();
+        const QString text = textOf(path);
         const QStringList places{QString(), QFileInfo(path).path() + u'/', u"controller/core/"_s,
                                  u"controller/sim/"_s, u"controller/host/"_s};
         for (const QRegularExpressionMatch& match : includePattern.globalMatch(text)) {
@@ -328,6 +334,81 @@ private slots:
         QVERIFY(planted > 300);
     }
 
+    // Plants an include between any two folders with a rule, in both directions: one is a violation at least.
+    void noTwoFoldersIncludeEachOther()
+    {
+        QStringList folders;
+        for (const Rule& rule : includeRules())
+            folders << rule.folder;
+        QVERIFY(folders.size() > 40);
+        const auto isFound = [](const QString& from, const QString& to) {
+            const qsizetype left = to.startsWith(u"controller/core/"_s) ? u"controller/core/"_s.size() : 0;
+            const QString text = u"#include \"%1/planted.h\"\n"_s.arg(to.sliced(left));
+            return !violationsIn(text, from + u"/planted.cpp"_s, includeRules(), includePattern).isEmpty();
+        };
+        for (const QString& a : folders) {
+            for (const QString& b : folders) {
+                const bool isWithin = a.startsWith(b) || b.startsWith(a); // the files of a house's own folder
+                if (a < b && !isWithin)
+                    QVERIFY2(isFound(a, b) || isFound(b, a), qPrintable(a + u" <-> "_s + b));
+            }
+        }
+    }
+
+    // The same for the imports of the rooms of qml/.
+    void plantedImportIsFound()
+    {
+        const auto isFound = [](const QString& from, const QString& to) {
+            const QString text = u"import "_s + moduleOf(to).remove(u'\\') + u'\n';
+            const QString path = u"qml/%1/Planted.qml"_s.arg(from);
+            return !violationsIn(text, path, importRules(), importPattern).isEmpty();
+        };
+        for (qsizetype from = 0; from < qmlLevels().size(); ++from) {
+            for (qsizetype to = 0; to < qmlLevels().size(); ++to) {
+                for (const QString& a : qmlLevels()[from]) {
+                    for (const QString& b : qmlLevels()[to])
+                        QVERIFY2(isFound(a, b) == (to >= from), qPrintable(a + u" -> "_s + b));
+                }
+            }
+        }
+    }
+
+    void noFolderHasTooManyFiles()
+    {
+        constexpr int maxFiles = 40;
+        QMap<QString, int> counts;
+        const QStringList files = filesBelow({u"profile"_s, u"modbus"_s, u"controller"_s, u"app"_s, u"qml"_s,
+                                              u"tests"_s, u"packaging"_s, u"examples"_s},
+                                             {u"*"_s});
+        for (const QString& file : files)
+            ++counts[QFileInfo(file).path()];
+        QVERIFY(counts.size() > 60);
+        for (auto it = counts.begin(); it != counts.end(); ++it)
+            QVERIFY2(it.value() <= maxFiles, qPrintable(u"%1: %2 files"_s.arg(it.key()).arg(it.value())));
+    }
+
+    void noClassHasTooManyProperties()
+    {
+        constexpr int maxProperties = 30;
+        static const QRegularExpression start(u"^(class|struct) (\\w+)"_s,
+                                              QRegularExpression::MultilineOption);
+        int classes = 0;
+        for (const QString& name : filesBelow({u"app"_s}, {u"*.h"_s})) {
+            const QString text = textOf(name);
+            QRegularExpressionMatchIterator it = start.globalMatch(text);
+            while (it.hasNext()) {
+                const QRegularExpressionMatch match = it.next();
+                const qsizetype end = it.hasNext() ? it.peekNext().capturedStart() : text.size();
+                const QString body = text.sliced(match.capturedStart(), end - match.capturedStart());
+                const qsizetype count = body.count(u"Q_PROPERTY("_s);
+                QVERIFY2(count <= maxProperties,
+                         qPrintable(u"%1: %2 properties"_s.arg(match.captured(2)).arg(count)));
+                classes += count > 0 ? 1 : 0;
+            }
+        }
+        QVERIFY(classes > 40);
+    }
+
     void noHeaderIncludesItself()
     {
         const QStringList headers =
@@ -373,9 +454,8 @@ private slots:
                                              {u"*.h"_s, u"*.cpp"_s, u"*.c"_s, u"*.qml"_s, u"CMakeLists.txt"_s,
                                               u"*.cmake"_s, u"*.py"_s, u"*.sh"_s});
         for (const QString& name : files) {
-            QFile file(QDir(campanel::test::sourcePath(".")).filePath(name));
-            QVERIFY(file.open(QIODevice::ReadOnly));
-            QVERIFY2(file.read(200).contains("SPDX-License-Identifier: Apache-2.0"), qPrintable(name));
+            QVERIFY2(textOf(name).left(200).contains(u"SPDX-License-Identifier: Apache-2.0"_s),
+                     qPrintable(name));
         }
     }
 
@@ -386,9 +466,7 @@ private slots:
         QVERIFY(files.size() > 20);
         QStringList found;
         for (const QString& name : files) {
-            QFile file(QDir(campanel::test::sourcePath(".")).filePath(name));
-            QVERIFY(file.open(QIODevice::ReadOnly));
-            const QString text = QString::fromUtf8(file.readAll());
+            const QString text = textOf(name);
             for (const QRegularExpressionMatch& match : subjectlessComment.globalMatch(text))
                 found << name + u": "_s + match.captured(0);
         }

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Every relative link in a Markdown file leads to a file, and its anchor to a heading there.
+// Every relative link in a Markdown file leads to a file, and its anchor to a heading there. Every name of
+// code in docs/architecture.md exists.
 #include "tests/support/places.h"
 #include "tests/support/test_program.h"
 
 #include <QDirIterator>
 #include <QRegularExpression>
+#include <QSet>
 #include <QTest>
 
 namespace test_links {
@@ -55,6 +57,29 @@ QStringList deadLinks(const QDir& root, const QString& path)
     return dead;
 }
 
+// Returns the words of all sources, without their comments, and the names of their files.
+QSet<QString> wordsOfSources(const QDir& root)
+{
+    static const QRegularExpression comment(u"//[^\\n]*"_s);
+    static const QRegularExpression word(u"\\w+"_s);
+    QSet<QString> words;
+    for (const char* folder : {"profile", "modbus", "controller", "app", "qml", "tests"}) {
+        QDirIterator it(root.filePath(QString::fromLatin1(folder)),
+                        {u"*.h"_s, u"*.c"_s, u"*.cpp"_s, u"*.qml"_s}, QDir::Files,
+                        QDirIterator::Subdirectories);
+        while (it.hasNext()) {
+            QFile file(it.next());
+            if (!file.open(QIODevice::ReadOnly))
+                continue;
+            words << QFileInfo(file).completeBaseName() << QFileInfo(file).suffix();
+            const QString text = QString::fromUtf8(file.readAll()).remove(comment);
+            for (const QRegularExpressionMatch& match : word.globalMatch(text))
+                words << match.captured();
+        }
+    }
+    return words;
+}
+
 } // namespace
 
 class TestLinks : public QObject {
@@ -77,6 +102,28 @@ private slots:
         for (const QString& document : documents)
             dead += deadLinks(root, root.filePath(document));
         QVERIFY2(dead.isEmpty(), qPrintable(u"lead nowhere:\n  "_s + dead.join(u"\n  "_s)));
+    }
+
+    // The life of one change names the functions that it goes through.
+    void everyNameOfTheArchitectureExists()
+    {
+        static const QRegularExpression code(u"`([^`\\n]+)`"_s);
+        static const QRegularExpression word(u"\\w+"_s);
+        const QDir root(campanel::test::sourcePath("."));
+        QFile file(root.filePath(u"docs/architecture.md"_s));
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        const QString text = QString::fromUtf8(file.readAll()).section(u"## The life of one change"_s, 1);
+        QStringList named;
+        for (const QRegularExpressionMatch& match : code.globalMatch(text)) {
+            if (match.captured(1).contains(u'/')) // a path
+                continue;
+            for (const QRegularExpressionMatch& part : word.globalMatch(match.captured(1)))
+                named << part.captured();
+        }
+        QVERIFY(named.size() > 30);
+        const QSet<QString> known = wordsOfSources(root);
+        named.removeIf([&known](const QString& name) { return known.contains(name); });
+        QCOMPARE(named, QStringList());
     }
 };
 

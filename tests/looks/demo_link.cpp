@@ -59,6 +59,9 @@ program::ProgramImage demoProgram(profile::ProgramKind kind)
     case profile::ProgramKind::Press:
         recipe.name = "Bearing 6204";
         break;
+    case profile::ProgramKind::SegmentCam:
+        recipe.name = "Gripper";
+        break;
     }
     return *program::buildProgram(recipe);
 }
@@ -242,10 +245,10 @@ void DemoLink::show(Situation situation, Kind kind)
     } else {
         const auto& bank = m_program.registers;
         const std::vector<std::uint16_t> header(bank.begin(), bank.begin() + modbus::bankHeaderRegisters);
-        const modbus::KnotSpan span = modbus::knotSpan(header);
-        const auto knots = bank.begin() + span.offset;
+        const modbus::ListSpan span = modbus::listSpan(header);
+        const auto list = bank.begin() + span.offset;
         pass(0, statusAt(0)); // the status causes the program to be read
-        emit programRead({generationOf(m_kind), m_program.crc, header, {knots, knots + span.count}});
+        emit programRead({generationOf(m_kind), m_program.crc, header, {list, list + span.count}});
         runProgram();
     }
     report(link::LinkState::Connected); // the figures of the link are read again
@@ -400,7 +403,7 @@ bool DemoLink::isRunning() const
 modbus::Identity DemoLink::demoIdentity() const
 {
     modbus::Identity identity = FakeLink::identity();
-    identity.mapMinor = m_isOld ? 0 : modbus::mapMinor;
+    identity.mapMinor = m_isOld ? std::uint16_t{0} : modbus::mapMinor;
     identity.firmwareMajor = 1;
     identity.uniqueId = 1;
     identity.maxPulseFrequencyHz = 500'000;
@@ -413,7 +416,8 @@ modbus::StatusBlock DemoLink::statusAt(double cycleShare) const
     const double cycleS = solved.cycleS();
     const double timeS = cycleShare * cycleS;
     // A cutter and a cam continue from the previous cycle; a move and a stroke begin at rest.
-    const bool repeats = m_kind == Kind::RotaryCutter || m_kind == Kind::PointCam;
+    const bool repeats =
+        m_kind == Kind::RotaryCutter || profile::camMaster(m_program.recipe.program) != nullptr;
     const double lateS = repeats ? std::fmod(timeS - lagS + cycleS, cycleS) : std::max(0.0, timeS - lagS);
     const auto wanted = solved.motion.at(timeS);
     const auto actual = solved.motion.at(lateS);

@@ -188,7 +188,21 @@ const QList<Screen>& allScreens()
              window.tap(length);
              window.type(QStringLiteral("99999"));
          }},
-        taps("keypad-ratios", {motion, QStringLiteral("ratios")}),
+        taps("ratios", {motion, QStringLiteral("ratios")}),
+        {QStringLiteral("ratios-gentle"),
+         [=](TestWindow& window) {
+             window.panel().editor().rate()->set(200);
+             window.panel().editor().ramps()->choose(panel::RampControl::Gentle);
+             window.tap(motion);
+             window.tap(QStringLiteral("ratios"));
+         }},
+        taps("keypad-ratios", {motion, QStringLiteral("ratios"), QStringLiteral("ratioNumbers")}),
+        {QStringLiteral("laws-ranked"),
+         [=](TestWindow& window) {
+             window.panel().editor().ramps()->choose(panel::RampControl::Cool);
+             window.tap(motion);
+             window.tap(QStringLiteral("lawButton"));
+         }},
         {QStringLiteral("explanation"),
          [=](TestWindow& window) {
              window.tap(motion);
@@ -218,6 +232,12 @@ const QList<Screen>& allScreens()
         {QStringLiteral("motion-limits"),
          [=](TestWindow& window) {
              window.panel().editor().rate()->set(390);
+             window.tap(motion);
+         }},
+        {QStringLiteral("motion-ramps"),
+         [=](TestWindow& window) {
+             window.panel().editor().bagLength()->set(150);
+             window.panel().editor().rate()->set(320);
              window.tap(motion);
          }},
         taps("settings-display", {settings, QStringLiteral("section0")}),
@@ -300,6 +320,7 @@ const QList<Screen>& allScreens()
         running("run-position", Kind::PositionMove),
         running("run-speed", Kind::SpeedMove),
         running("run-cam", Kind::PointCam),
+        running("run-segments", Kind::SegmentCam),
         running("run-cam-stopped", Kind::PointCam, Situation::Stopped),
         {QStringLiteral("run-cam-lost"),
          [=](TestWindow& window) {
@@ -349,6 +370,10 @@ const QList<Screen>& allScreens()
         editing("motion-cam", Kind::PointCam),
         editing("motion-press", Kind::Press),
         editing("knots", Kind::PointCam, {QStringLiteral("knotsButton")}),
+        editing("motion-segments", Kind::SegmentCam),
+        editing("segments", Kind::SegmentCam, {QStringLiteral("segmentsButton")}),
+        editing("segment-motions", Kind::SegmentCam,
+                {QStringLiteral("segmentsButton"), QStringLiteral("segmentMotion")}),
         knotFiles("knots-import", {QStringLiteral("offer0")}),
         knotFiles("knots-import-refused", {QStringLiteral("offer1")}),
         knotFiles("knots-export", {QStringLiteral("knotsExport"), QStringLiteral("offer0")}),
@@ -405,7 +430,7 @@ const QList<Screen>& allScreens()
     };
     static const QList<Screen> all = screens + packingScreens() + recipeScreens() + trendScreens() +
                                      alarmScreens() + accessScreens() + firstScreens() + backupScreens() +
-                                     maintenanceScreens();
+                                     maintenanceScreens() + cutterScreens() + motorScreens();
     return all;
 }
 

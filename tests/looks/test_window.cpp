@@ -38,9 +38,10 @@ TestWindow::TestWindow(const Variant& variant)
 {
     panel::NetworkInfo::fix({QDateTime(QDate(2026, 1, 15), QTime(14, 7), QTimeZone::utc()),
                              {QStringLiteral("eth0: 192.168.1.20, fe80::2e0:4cff:fe68:1")}});
-    m_panel.settings().overrideLanguage(variant.isLong() ? QStringLiteral("en") : variant.language);
-    m_panel.settings().overrideTheme(variant.theme);
-    m_panel.settings().overrideGloves(variant.gloves);
+    m_panel.settings().overrideValue("display.language",
+                                     variant.isLong() ? QStringLiteral("en") : variant.language);
+    m_panel.settings().overrideValue("display.theme", variant.theme);
+    m_panel.settings().overrideValue("display.gloves", panel::settingText(variant.gloves));
     const auto wallClock = [] { return QDateTime(QDate(2026, 1, 15), QTime(14, 6, 58)); };
     m_panel.machine().setWallClock(wallClock);
     m_panel.recipes().setWallClock(wallClock);

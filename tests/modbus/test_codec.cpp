@@ -193,7 +193,7 @@ void CodecTest::statusKnowns()
 
 void CodecTest::ioHasWhatIsAvailable()
 {
-    std::vector<std::uint16_t> registers{0x000F, 0x0005, 0x0101, 0xFFFB, 0xFFFF, 0xFFFE, 0x0003};
+    std::vector<std::uint16_t> registers{0x000F, 0x0005, 0x0101, 0xFFFB, 0xFFFF, 0xFFFE, 0x0003, 9050};
     const IoStatus all = decodeIo(registers);
     QCOMPARE(all.level(InputBit::DriveAlarm), std::optional(true));
     QCOMPARE(all.level(InputBit::EmergencyStop), std::optional(false));
@@ -202,6 +202,7 @@ void CodecTest::ioHasWhatIsAvailable()
     QCOMPARE(all.level(OutputBit::Switch8), std::optional(false));
     QCOMPARE(all.level(OutputBit::DriveEnable), std::optional(true));
     QCOMPARE(all.torquePercent, std::optional(-0.5));
+    QCOMPARE(all.torqueAngleDeg, std::optional(90.5));
     QCOMPARE(all.infeedPositionMm, std::optional(-0.002));
     QCOMPARE(all.infeedFollowingErrorMm, std::optional(0.003));
     registers[0] = 0;

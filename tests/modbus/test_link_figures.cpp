@@ -164,7 +164,7 @@ private slots:
     void allowanceFollowsTheMeasuredTurnaround()
     {
         AnswerAllowance allowance(100ms);
-        for (std::uint64_t i = 1; i < AnswerAllowance::fewest; ++i)
+        for (std::uint64_t i = 1; i < AnswerAllowance::minCount; ++i)
             allowance.noteTurnaround(1ms);
         QCOMPARE(allowance.value(), 100ms); // too few measurements
         for (int i = 0; i < 500; ++i)

@@ -156,11 +156,16 @@ void RegisterMapTest::registersOfMap12AreUnchanged()
         if (isNewParameter || row.name.starts_with("io.") || row.name == "identity.table_layouts")
             continue;
         ++count;
+        // The windows of the banks may grow: a controller says how large its own are
+        // (identity.bank_registers).
+        const bool isBank = row.name == "active" || row.name == "staged";
+        constexpr int bankRegistersOfMap12 = 8468;
+        QVERIFY(!isBank || row.count >= bankRegistersOfMap12);
         const QByteArray text =
             QByteArray(row.name.data(), static_cast<qsizetype>(row.name.size())) + ' ' +
             QByteArray::number(row.address) + ' ' + QByteArray::number(static_cast<int>(row.type)) + ' ' +
-            QByteArray::number(row.count) + ' ' + QByteArray::number(static_cast<int>(row.access)) + ' ' +
-            QByteArray::number(row.scale) + '\n';
+            QByteArray::number(isBank ? bankRegistersOfMap12 : row.count) + ' ' +
+            QByteArray::number(static_cast<int>(row.access)) + ' ' + QByteArray::number(row.scale) + '\n';
         rows.insert(rows.end(), text.begin(), text.end());
     }
     QCOMPARE(count, 141);

@@ -4,6 +4,7 @@
 
 #include "profile/laws/laws.h"
 #include "profile/model/axis_motion.h"
+#include "profile/model/torque.h"
 
 #include <QTest>
 
@@ -16,6 +17,16 @@ namespace campanel::profile::test {
 inline bool near(double a, double b, double relative)
 {
     return std::abs(a - b) <= relative * std::max({std::abs(a), std::abs(b), 1.0});
+}
+
+// Returns the motor of the servo paper on the default axis.
+inline Machine paperMotor()
+{
+    Machine machine;
+    machine.maxTorqueNm = 1.33;
+    machine.inertiaKgCm2 = 0.2;
+    machine.frictionNm = 0.02;
+    return machine;
 }
 
 class RandomValues {
@@ -57,10 +68,13 @@ public:
         m.maxAccelerationMmPerS2 = decades(Field::MaxAcceleration, 100, 500000);
         m.maxPulseFrequencyHz = pick(2) == 0 ? 200000 : 500000;
         m.maxTorqueNm = decades(Field::MaxTorque, 0.1, 100);
+        m.ratedTorqueNm = pick(3) == 0 ? 0 : decades(Field::RatedTorque, 0.05, 50);
         m.inertiaKgCm2 = pick(10) == 0 ? 0 : decades(Field::Inertia, 0.01, 100);
         m.frictionNm = pick(10) == 0 ? 0 : decades(Field::Friction, 0.001, 0.2);
         if (m.frictionNm == m.maxTorqueNm) // no torque is left, but by an amount that cannot be measured
             m.frictionNm = 0;
+        if (m.ratedTorqueNm <= m.frictionNm) // no motion is possible
+            m.ratedTorqueNm = 0;
         return m;
     }
 
@@ -74,7 +88,7 @@ inline bool isBeyondLimits(const MotionPoint& p, const Machine& m, double room)
     return speed * 60 / m.feedMmPerMotorRev > m.maxMotorRpm * (1 + room) ||
            speed * m.pulsesPerMotorRev / m.feedMmPerMotorRev > m.maxPulseFrequencyHz * (1 + room) ||
            std::abs(p.accelerationMmPerS2) > m.maxAccelerationMmPerS2 * (1 + room) ||
-           axisTorqueNm(m, p.accelerationMmPerS2) > m.maxTorqueNm * (1 + room);
+           (m.maxTorqueNm > 0 && axisLoad(m).peakNm(p.accelerationMmPerS2) > m.maxTorqueNm * (1 + room));
 }
 
 // Checks by sampling: within the peaks, and within the machine's limits exactly when no limit is reported as
@@ -94,6 +108,11 @@ inline void verifyAgainstSamples(const AxisMotion& solved, const Machine& machin
     }
     for (const Refusal& refusal : solved.broken) {
         QVERIFY(refusal.actual > refusal.allowed);
+        if (refusal.limit == Limit::RmsTorque) { // has no place
+            QVERIFY(!refusal.timeS && refusal.brokenDuring.empty());
+            QCOMPARE(refusal.actual, solved.peaks.rmsTorqueNm);
+            continue;
+        }
         QVERIFY(!refusal.brokenDuring.empty());
         QVERIFY(isBeyondLimits(solved.motion.at(*refusal.timeS), machine, 0));
         for (const TimeSpan& span : refusal.brokenDuring) {
@@ -110,7 +129,9 @@ template <typename Program> bool isClearlyFeasible(const Program& program, const
     constexpr double clear = 1 - 2e-9;
     const auto solved = solve(program, machine);
     const AxisAllowance allowed = axisAllowance(machine);
-    return solved && solved->peaks.speedMmPerS <= allowed.speedMmPerS * clear &&
+    const bool isCool = !(machine.ratedTorqueNm > 0) || !solved ||
+                        !(solved->peaks.rmsTorqueNm > machine.ratedTorqueNm * clear);
+    return isCool && solved && solved->peaks.speedMmPerS <= allowed.speedMmPerS * clear &&
            solved->peaks.accelerationMmPerS2 <= allowed.accelerationMmPerS2 * clear;
 }
 

@@ -41,6 +41,9 @@ public:
         m.maxPulseFrequencyHz = pick(2) == 0 ? 200000 : 500000;
         m.maxAccelerationMmPerS2 = onGrid(Field::MaxAcceleration, 1000, 200000);
         m.frictionNm = onGrid(Field::Friction, 0, 0.3);
+        m.maxTorqueNm = 1.33;
+        m.ratedTorqueNm = pick(3) == 0 ? 0 : onGrid(Field::RatedTorque, 0.05, 1);
+        m.inertiaKgCm2 = 0.2;
         return recipe;
     }
 

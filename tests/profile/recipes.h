@@ -70,6 +70,7 @@ public:
         m.gearDenominator = 1 + static_cast<int>(pick(7));
         m.maxKnifeAccelerationMmPerS2 = onGrid(Field::MaxKnifeAcceleration, 5000, 200000);
         m.maxPulseFrequencyHz = pick(2) == 0 ? 200000 : 500000;
+        addMotor(m);
         return recipe;
     }
 
@@ -83,6 +84,18 @@ public:
     }
 
 private:
+    // Some machines know their motor and their shaft.
+    void addMotor(Machine& m)
+    {
+        if (pick(2) == 0) {
+            m.inertiaKgCm2 = onGrid(Field::Inertia, 0.5, 20);
+            m.frictionNm = onGrid(Field::Friction, 0, 0.3);
+            m.maxTorqueNm = pick(3) == 0 ? 0 : onGrid(Field::MaxTorque, 0.5, 20);
+            m.ratedTorqueNm = pick(3) == 0 ? 0 : onGrid(Field::RatedTorque, 0.3, 10);
+        }
+        if (pick(4) == 0)
+            m.naturalFrequencyHz = onGrid(Field::NaturalFrequency, 1, 50);
+    }
     double onGrid(Field field, double from, double to) { return snapToGrid(field, uniform(from, to)); }
 
     std::mt19937 m_random;

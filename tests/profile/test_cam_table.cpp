@@ -124,8 +124,11 @@ void verifyMotion(const CamRecipe& recipe, const AxisMotion& cam)
         QVERIFY(std::abs(p.velocityMmPerS) * axisPulsesPerMm(recipe.machine) <=
                 recipe.machine.maxPulseFrequencyHz * (1 + 1e-6));
     }
-    if (cam.broken.empty())
+    if (cam.broken.empty()) {
         QVERIFY(cam.peaks.torqueNm <= recipe.machine.maxTorqueNm * (1 + 1e-6));
+        QVERIFY(recipe.machine.ratedTorqueNm == 0 ||
+                cam.peaks.rmsTorqueNm <= recipe.machine.ratedTorqueNm * (1 + 1e-6));
+    }
     for (const Refusal& refusal : cam.broken) {
         for (const Suggestion& s : refusal.nearest) {
             PointCamProgram mended = recipe.program;

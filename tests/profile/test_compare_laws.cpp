@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // One move with many laws: peaks side by side, and their curves.
+#include "move_checks.h"
+
 #include "profile/laws/laws.h"
 #include "profile/moves/compare_laws.h"
 #include "tests/support/test_program.h"
@@ -38,7 +40,7 @@ private slots:
 void TestCompareLaws::positionMove()
 {
     const PositionMoveProgram program;
-    const auto compared = compareLaws(program, Machine(), suitableLaws(program));
+    const auto compared = compareLaws(program, test::paperMotor(), suitableLaws(program));
     QCOMPARE(compared.size(), std::size_t{10});
     for (const LawComparison& c : compared) {
         const Law& law = *findLaw(c.choice.law);
@@ -48,7 +50,7 @@ void TestCompareLaws::positionMove()
         QCOMPARE(c.result->peaks.speedMmPerS, 6000 * peaks.cv);
         QCOMPARE(c.result->peaks.motorRpm, 3600 * peaks.cv);
         QCOMPARE(c.result->peaks.accelerationMmPerS2, 6000 * peaks.ca);
-        QCOMPARE(c.result->peaks.torqueNm, axisTorqueNm(Machine(), 6000 * peaks.ca));
+        QCOMPARE(c.result->peaks.torqueNm, axisLoad(test::paperMotor()).peakNm(6000 * peaks.ca));
         const bool isFinite = std::abs(law.at(0, c.choice.parameters).g2) < 1e-9 && std::isfinite(peaks.cj);
         QCOMPARE(std::isfinite(c.result->peaks.jerkMmPerS3), isFinite);
         if (isFinite)

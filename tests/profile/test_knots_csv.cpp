@@ -73,10 +73,10 @@ void TestKnotsCsv::refuses_data()
     row("empty", "", 1, CsvExpectation::Header, "");
     row("no header", "0,0\n90,20\n", 1, CsvExpectation::Header, "0,0");
     row("columns swapped", "slave_mm,master_deg\n0,0\n", 1, CsvExpectation::Header, "slave_mm,master_deg");
-    row("header only", "master_deg,slave_mm\n", 1, CsvExpectation::Knots, "");
-    row("one value", "master_deg,slave_mm\n0,0\n90\n", 3, CsvExpectation::TwoValues, "90");
-    row("three values", "master_deg,slave_mm\n0,0,0\n", 2, CsvExpectation::TwoValues, "0,0,0");
-    row("other separator", "master_deg;slave_mm\n0,0\n", 2, CsvExpectation::TwoValues, "0,0");
+    row("header only", "master_deg,slave_mm\n", 1, CsvExpectation::Rows, "");
+    row("one value", "master_deg,slave_mm\n0,0\n90\n", 3, CsvExpectation::Values, "90");
+    row("three values", "master_deg,slave_mm\n0,0,0\n", 2, CsvExpectation::Values, "0,0,0");
+    row("other separator", "master_deg;slave_mm\n0,0\n", 2, CsvExpectation::Values, "0,0");
     row("word", "master_deg,slave_mm\n0,0\n\nninety,20\n", 4, CsvExpectation::Number, "ninety");
     row("no number", "master_deg,slave_mm\n0,\n", 2, CsvExpectation::Number, "");
     row("not finite", "master_deg,slave_mm\n0,nan\n", 2, CsvExpectation::Number, "nan");

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Point cams: invalid knots, the cycle in time (scales, phase, direction, wrap), limits and the rate that
 // corrects them, the wrap check and its repair, and the panel's edits.
+#include "move_checks.h"
+
 #include "profile/cam/point_cam_edit.h"
 #include "tests/support/test_program.h"
 
@@ -266,7 +268,7 @@ void TestPointCam::wrapJumpTakesTorque()
     PointCamProgram program;
     program.ends = SplineEnds::Natural;
     program.masterRateRevPerMin = 58;
-    Machine machine;
+    Machine machine = test::paperMotor();
     machine.maxMotorRpm = 7200;
     machine.inertiaKgCm2 = 5;
     const AxisMotion motion = solved(program, machine);

@@ -174,7 +174,7 @@ void TestPositionMove::wrongLaws()
 void TestPositionMove::brokenLimitsSuggest()
 {
     const PositionMoveProgram program;
-    Machine machine;
+    Machine machine = paperMotor();
     machine.maxPulseFrequencyHz = 4000000;
     const auto solved = solve(program, machine);
     QCOMPARE(solved->broken.size(), std::size_t{1});
@@ -193,7 +193,7 @@ void TestPositionMove::fastest()
     PositionMoveProgram program;
     program.duration = MoveDuration::Fastest;
     program.timeS = std::nan(""); // not used
-    Machine machine;
+    Machine machine = paperMotor();
     machine.maxPulseFrequencyHz = 4000000;
     const auto limitedBySpeed = solve(program, machine);
     QCOMPARE(limitedBySpeed->motion.durationS(), 2.25);
@@ -213,7 +213,7 @@ void TestPositionMove::fastestBeyondTheRange()
     PositionMoveProgram program;
     program.duration = MoveDuration::Fastest;
     program.distanceMm = -1000000;
-    Machine machine;
+    Machine machine = paperMotor();
     machine.maxMotorRpm = 30; // 50 mm/s: 37 500 s
     const auto solved = solve(program, machine);
     QCOMPARE(solved.error().limit, Limit::FieldRange);

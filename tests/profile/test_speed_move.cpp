@@ -260,7 +260,7 @@ void TestSpeedMove::fastest()
 {
     SpeedMoveProgram program = gentleMove();
     program.duration = MoveDuration::Fastest;
-    Machine machine;
+    Machine machine = paperMotor();
     QCOMPARE(solve(program, machine)->motion.durationS(), 0.032); // 1000 * pi / 2 / 50 000 = 0.0314
     machine.maxAccelerationMmPerS2 = 2;
     const auto tooSlow = solve(program, machine); // 785 s

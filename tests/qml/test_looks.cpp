@@ -135,7 +135,7 @@ private slots:
         QFETCH(QString, language);
         QFETCH(double, rate);
         QFETCH(QString, unit);
-        m_window->panel().settings().overrideLanguage(language);
+        m_window->panel().settings().overrideValue("display.language", language);
         m_window->settle();
         editor().rate()->set(rate);
         tap("nav_motion");

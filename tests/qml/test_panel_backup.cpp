@@ -203,7 +203,7 @@ private slots:
     void theReportIsAPdf()
     {
         QFETCH(QString, language);
-        m_window->panel().settings().overrideLanguage(language);
+        m_window->panel().settings().overrideValue("display.language", language);
         m_window->settle();
         openSection();
         m_window->link().show(looks::DemoLink::Situation::Running);

@@ -71,7 +71,7 @@ private slots:
     {
         QTest::addColumn<QString>("card");
         QTest::newRow("film") << QStringLiteral("filmCard");
-        QTest::newRow("left out") << QStringLiteral("leftOutCard");
+        QTest::newRow("left out") << QStringLiteral("skippedCutsCard");
     }
     void theNumbersBehindItOpen()
     {

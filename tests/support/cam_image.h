@@ -28,6 +28,7 @@ struct CamImage {
     std::uint16_t masterRampMs = 300;
     std::uint16_t rampShape = CTL_RAMP_SHAPE_TRAPEZOID;
     std::uint16_t knots = 0;
+    std::uint16_t segments = 0; // only for a segment cam
     std::uint32_t pulsesPerMotorRev = 10000;
     std::uint32_t feedUm = 100'000;
     std::int16_t masterRate = 600; // only for a point cam, 0.1 r/min
@@ -39,7 +40,7 @@ struct CamImage {
             row.slope / 256.0 * static_cast<double>(rows.size() - 1) * clockHz / cycleTicks;
         return static_cast<std::uint32_t>(std::lround(pulsesPerS * feedUm / pulsesPerMotorRev));
     }
-    // Returns header, rows and knots as sent over the line.
+    // Returns header, rows, and knots or segments as sent over the line.
     [[nodiscard]] std::vector<std::uint16_t> registers() const
     {
         std::vector<std::uint16_t> result(CTL_BANK_HEADER_REGISTERS, 0);
@@ -62,7 +63,7 @@ struct CamImage {
         result[CTL_OFFSET_BANK_END_BEHAVIOR] = atEnd;
         result[CTL_OFFSET_CAM_MASTER_RAMP] = masterRampMs;
         result[CTL_OFFSET_CAM_RAMP_SHAPE] = rampShape;
-        result[CTL_OFFSET_CAM_KNOT_COUNT] = knots;
+        result[CTL_OFFSET_CAM_KNOT_COUNT] = kind == CTL_PROGRAM_KIND_SEGMENT_CAM ? segments : knots;
         switch (kind) {
         case CTL_PROGRAM_KIND_POSITION_MOVE:
             wide(CTL_OFFSET_POSITION_MOVE_PULSES_PER_MOTOR_REV, pulsesPerMotorRev);
@@ -79,15 +80,15 @@ struct CamImage {
             wide(CTL_OFFSET_SPEED_MOVE_END_SPEED, speedUmPerS(rows.back()));
             break;
         default:
-            result[CTL_OFFSET_POINT_CAM_MASTER_RATE] = static_cast<std::uint16_t>(masterRate);
+            result[CTL_OFFSET_CAM_MASTER_RATE] = static_cast<std::uint16_t>(masterRate);
             // 60 s * ratio * scale / rate
-            wide(CTL_OFFSET_POINT_CAM_MASTER_RATIO,
+            wide(CTL_OFFSET_CAM_MASTER_RATIO,
                  static_cast<std::uint32_t>(
                      std::lround(1e6 * cycleTicks * std::abs(masterRate) / (clockHz * 600))));
-            wide(CTL_OFFSET_POINT_CAM_MASTER_SCALE, 1);
-            wide(CTL_OFFSET_POINT_CAM_SLAVE_SCALE, 1000);
-            wide(CTL_OFFSET_POINT_CAM_PULSES_PER_MOTOR_REV, pulsesPerMotorRev);
-            wide(CTL_OFFSET_POINT_CAM_FEED, feedUm);
+            wide(CTL_OFFSET_CAM_MASTER_SCALE, 1);
+            wide(CTL_OFFSET_CAM_SLAVE_SCALE, 1000);
+            wide(CTL_OFFSET_CAM_PULSES_PER_MOTOR_REV, pulsesPerMotorRev);
+            wide(CTL_OFFSET_CAM_FEED, feedUm);
             break;
         }
         for (const CamRow& row : rows) {
@@ -98,6 +99,12 @@ struct CamImage {
             append(3'600'000 / knots * i);
             append(static_cast<std::int32_t>(std::int64_t{advance} * feedUm / pulsesPerMotorRev * i /
                                              (knots - 1)));
+        }
+        for (std::int32_t i = 1; i <= segments; ++i) {
+            append(3'600'000 / segments * i);
+            append(
+                static_cast<std::int32_t>(std::int64_t{advance} * feedUm / pulsesPerMotorRev * i / segments));
+            result.resize(result.size() + CTL_SEGMENT_REGISTERS - 4, 0);
         }
         return result;
     }

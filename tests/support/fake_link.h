@@ -104,7 +104,7 @@ public:
         if (status.state == modbus::State::Idle)
             status.state = modbus::State::Ready;
         sendStatus(at);
-        const modbus::KnotSpan span = modbus::knotSpan(image.registers);
+        const modbus::ListSpan span = modbus::listSpan(image.registers);
         const auto knots = image.registers.begin() + span.offset;
         emit programRead({status.generation,
                           image.crc,

@@ -36,7 +36,7 @@ Access::Access(DatabaseService& records, Controller& machine, Settings& settings
     m_pool.setMaxThreadCount(1);
     connect(&machine.accessCheck(), &AccessCheck::refused, this,
             [this](panel::Level needed) { emit loginRequested(static_cast<int>(needed)); });
-    connect(&settings, &Settings::accessChanged, this, &Access::update);
+    connect(&settings, &Settings::changed, this, &Access::update);
     connect(&m_idleTimer, &QTimer::timeout, this, &Access::checkClock);
     m_idleTimer.setInterval(idlePeriod);
     connect(&m_waitTimer, &QTimer::timeout, this, [this] {
@@ -156,7 +156,7 @@ void Access::takeAttempt(const tl::expected<store::LoginAttempt, store::StoreErr
 {
     if (!attempt) {
         m_records.reportError(attempt.error());
-        tell(store::StoreErrorText::describe(attempt.error()), true);
+        showMessage(store::StoreErrorText::describe(attempt.error()), true);
         end();
         return;
     }
@@ -184,7 +184,7 @@ void Access::takeVerdict(const store::User& user, const Verdict& verdict)
         if (known != m_users.end())
             *known = user;
         emit happened({u"user.login"_s, user.name, {}, {}, u"wrong_pin"_s});
-        tell(AccessSentences::wrongPin(store::waitMs(user, m_wallClock())), true);
+        showMessage(AccessSentences::wrongPin(store::waitMs(user, m_wallClock())), true);
         choose(chosen());
         end();
         return;
@@ -220,7 +220,7 @@ void Access::admit(const store::User& user)
     m_touchedAt = m_machine.now();
     update();
     emit happened({u"user.login"_s, user.name, {}, {}});
-    tell({}, false);
+    showMessage({}, false);
     emit loginSucceeded();
 }
 
@@ -258,7 +258,7 @@ void Access::end()
     emit busyChanged();
 }
 
-void Access::tell(const QString& message, bool isFailed)
+void Access::showMessage(const QString& message, bool isFailed)
 {
     m_message = message;
     m_isFailed = isFailed;
@@ -267,7 +267,7 @@ void Access::tell(const QString& message, bool isFailed)
 
 void Access::clearMessage()
 {
-    tell({}, false);
+    showMessage({}, false);
 }
 
 void Access::retranslate()

@@ -171,7 +171,7 @@ private:
     void apply(Change change, const Event& event, const QString& done);
     void begin();
     void end();
-    void tell(const QString& message, bool isFailed);
+    void showMessage(const QString& message, bool isFailed);
 
     DatabaseService& m_records;
     Controller& m_machine;

@@ -127,7 +127,7 @@ void Access::hash(const QString& pin, std::function<void(const QString& hash)> t
             if (made)
                 then(*made);
             else
-                tell(tr("There is not enough memory to store a PIN safely. Restart the panel."), true);
+                showMessage(tr("There is not enough memory to store a PIN safely. Restart the panel."), true);
             end();
         });
     });
@@ -138,13 +138,13 @@ void Access::apply(Change change, const Event& event, const QString& done)
     begin();
     m_records.store().run(
         this, std::move(change), [this, event, done](const tl::expected<void, store::StoreError>& outcome) {
-            Event told = event;
+            Event noted = event;
             if (!outcome)
-                told.outcome = u"refused"_s;
-            tell(outcome ? done : store::StoreErrorText::describe(outcome.error()), !outcome);
+                noted.outcome = u"refused"_s;
+            showMessage(outcome ? done : store::StoreErrorText::describe(outcome.error()), !outcome);
             if (outcome)
                 m_records.makeCopy(); // the copy must not contain an invalid PIN
-            emit happened(told);
+            emit happened(noted);
             end();
         });
     begin();
@@ -163,7 +163,7 @@ void Access::addUser(const QString& name, int level, const QString& pin)
     if (!ask(Service) || !isUserLevel(level) || busy())
         return;
     if (!refusal.isEmpty()) {
-        tell(refusal, true);
+        showMessage(refusal, true);
         return;
     }
     const auto userLevel = isFirst ? store::UserLevel::Service : static_cast<store::UserLevel>(level);
@@ -197,7 +197,7 @@ void Access::changePin(int id, const QString& pin)
     if (!ask(Service) || !user || busy())
         return;
     if (const QString refusal = pinRefusal(pin, static_cast<int>(user->level)); !refusal.isEmpty()) {
-        tell(refusal, true);
+        showMessage(refusal, true);
         return;
     }
     hash(pin, [this, id, name = user->name](const QString& made) {
@@ -213,7 +213,7 @@ void Access::changeLevel(int id, int level)
         return;
     const auto wanted = static_cast<store::UserLevel>(level);
     if (wanted != store::UserLevel::Service && isLastService(*user)) {
-        tell(tr("At least one user of the level Service must remain."), true);
+        showMessage(tr("At least one user of the level Service must remain."), true);
         return;
     }
     apply([id, wanted](store::Database& database) { return store::setUserLevel(database, id, wanted); },
@@ -228,7 +228,7 @@ void Access::removeUser(int id)
     if (!ask(Service) || !user || busy())
         return;
     if (isLastService(*user)) {
-        tell(tr("At least one user of the level Service must remain."), true);
+        showMessage(tr("At least one user of the level Service must remain."), true);
         return;
     }
     apply([id](store::Database& database) { return store::removeUser(database, id); },

@@ -69,7 +69,7 @@ void AlarmWatch::noteController()
 {
     const auto& status = m_machine.status();
     if (!status) {
-        tellController({}, {}, AlarmRow::End::Unknown); // another controller
+        setControllerAlarms({}, {}, AlarmRow::End::Unknown); // another controller
         return;
     }
     // Invisible alarms have not ended.
@@ -77,12 +77,12 @@ void AlarmWatch::noteController()
         return;
     const QString bits = u"0x%1 0x%2"_s.arg(status->faultBits, 4, 16, QLatin1Char('0'))
                              .arg(status->warningBits, 4, 16, QLatin1Char('0'));
-    tellController(kindsOf<modbus::FaultBit>(status->faultBits) +
-                       kindsOf<modbus::WarningBit>(status->warningBits),
-                   bits, AlarmRow::End::Returned);
+    setControllerAlarms(kindsOf<modbus::FaultBit>(status->faultBits) +
+                            kindsOf<modbus::WarningBit>(status->warningBits),
+                        bits, AlarmRow::End::Returned);
 }
 
-void AlarmWatch::tellController(const Kinds& now, const QString& bits, AlarmRow::End end)
+void AlarmWatch::setControllerAlarms(const Kinds& now, const QString& bits, AlarmRow::End end)
 {
     const Kinds before = std::exchange(m_controller, now);
     for (const AlarmKind* kind : before - now)
@@ -102,7 +102,7 @@ void AlarmWatch::noteLink()
     if (report.state == link::LinkState::Connected) {
         m_patience.stop();
         m_isPatienceOver = false;
-        tellLink(nullptr);
+        setLinkAlarm(nullptr);
         return;
     }
     if (isComing(report.state)) {
@@ -118,10 +118,10 @@ void AlarmWatch::noteLink()
     }
     const bool isSimulatorMissing = report.simulated && (report.simulator == link::SimulatorState::NotFound ||
                                                          report.simulator == link::SimulatorState::Ended);
-    tellLink(isSimulatorMissing ? &AlarmCatalogue::simulatorMissing() : AlarmCatalogue::of(report.state));
+    setLinkAlarm(isSimulatorMissing ? &AlarmCatalogue::simulatorMissing() : AlarmCatalogue::of(report.state));
 }
 
-void AlarmWatch::tellLink(const AlarmKind* kind)
+void AlarmWatch::setLinkAlarm(const AlarmKind* kind)
 {
     const AlarmKind* before = std::exchange(m_link, kind);
     if (before == kind)
@@ -135,7 +135,7 @@ void AlarmWatch::tellLink(const AlarmKind* kind)
 void AlarmWatch::noteRecipe()
 {
     if (!m_editor.notice().isEmpty())
-        tellEvent(AlarmCatalogue::recipeNotKept(), m_editor.notice());
+        raiseEvent(AlarmCatalogue::recipeNotKept(), m_editor.notice());
 }
 
 void AlarmWatch::noteOpening(const store::StoreThread::Report& report)
@@ -144,7 +144,7 @@ void AlarmWatch::noteOpening(const store::StoreThread::Report& report)
         emit raised(AlarmCatalogue::of(store::StoreError::Kind::CannotOpen),
                     store::StoreErrorText::describe(*report.error));
     else if (report.opening.isReplaced())
-        tellEvent(AlarmCatalogue::memoryDamaged(report.opening.fromCopy), report.opening.damagedKeptAs);
+        raiseEvent(AlarmCatalogue::memoryDamaged(report.opening.fromCopy), report.opening.damagedKeptAs);
 }
 
 void AlarmWatch::noteTrouble(const store::StoreError& error)
@@ -174,7 +174,7 @@ void AlarmWatch::check()
         emit raised(AlarmCatalogue::settingsNotKept(), {});
 }
 
-void AlarmWatch::tellEvent(const AlarmKind& kind, const QString& detail)
+void AlarmWatch::raiseEvent(const AlarmKind& kind, const QString& detail)
 {
     emit raised(kind, detail);
     emit cleared(kind, AlarmRow::End::Returned);

@@ -42,14 +42,14 @@ private:
     using Kinds = QSet<const AlarmKind*>;
 
     void noteController();
-    void tellController(const Kinds& now, const QString& detail, store::AlarmRow::End end);
+    void setControllerAlarms(const Kinds& now, const QString& detail, store::AlarmRow::End end);
     void noteLink();
-    void tellLink(const AlarmKind* kind);
+    void setLinkAlarm(const AlarmKind* kind);
     void noteRecipe();
     void noteOpening(const store::StoreThread::Report& report);
     void noteTrouble(const store::StoreError& error);
     // Reports an event, which does not last.
-    void tellEvent(const AlarmKind& kind, const QString& detail);
+    void raiseEvent(const AlarmKind& kind, const QString& detail);
 
     Controller& m_machine;
     Editor& m_editor;

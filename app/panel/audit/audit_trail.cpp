@@ -11,7 +11,6 @@
 
 #include <QLocale>
 
-#include <array>
 #include <cmath>
 
 using namespace Qt::StringLiterals;
@@ -108,32 +107,23 @@ QString connectionText(const ConnectionChoice& choice)
 }
 
 struct AuditedSetting {
-    const char* object;
-    void (Settings::*changed)();
-    QString (*text)(const Settings& settings);
+    QString object;
+    QString text;
 };
 
-QString truthText(bool value)
+// Returns what is recorded of the settings: the connection, and each setting with a label.
+QList<AuditedSetting> auditedSettings(const Settings& settings)
 {
-    return value ? u"1"_s : u"0"_s;
+    QList<AuditedSetting> audited{{u"connection"_s, connectionText(settings.connection())}};
+    for (const SettingRow& row : settingTable) {
+        const bool isTruth = row.form == SettingForm::Truth;
+        if (row.label)
+            audited << AuditedSetting{shortKeyOf(row), isTruth
+                                                           ? QString::number(settings.values().isTrue(row))
+                                                           : settings.values().text(row)};
+    }
+    return audited;
 }
-
-constexpr std::array auditedSettings{
-    AuditedSetting{"language", &Settings::languageChanged, [](const Settings& s) { return s.language(); }},
-    AuditedSetting{"theme", &Settings::themeChanged, [](const Settings& s) { return s.theme(); }},
-    AuditedSetting{"gloves", &Settings::glovesChanged,
-                   [](const Settings& s) { return truthText(s.gloves()); }},
-    AuditedSetting{"bag_tolerance_mm", &Settings::bagToleranceChanged,
-                   [](const Settings& s) { return numberText(s.bagToleranceMm()); }},
-    AuditedSetting{"connection", &Settings::connectionApplied,
-                   [](const Settings& s) { return connectionText(s.connection()); }},
-    AuditedSetting{"auto_logout_minutes", &Settings::accessChanged,
-                   [](const Settings& s) { return QString::number(s.autoLogoutMinutes()); }},
-    AuditedSetting{"operators_log_in", &Settings::accessChanged,
-                   [](const Settings& s) { return truthText(s.operatorsLogIn()); }},
-    AuditedSetting{"hold_to_start", &Settings::holdToStartChanged,
-                   [](const Settings& s) { return s.holdToStart(); }},
-};
 
 QString outcomeKey(Jog::End end)
 {
@@ -414,22 +404,20 @@ void AuditTrail::proveDownload(bool isLast)
 
 void AuditTrail::watchSettings()
 {
-    for (const AuditedSetting& setting : auditedSettings) {
-        m_settings << setting.text(m_watched.settings);
-        connect(&m_watched.settings, setting.changed, this, &AuditTrail::noteSettings, Qt::UniqueConnection);
-    }
+    for (const AuditedSetting& setting : auditedSettings(m_watched.settings))
+        m_settings << setting.text;
+    connect(&m_watched.settings, &Settings::changed, this, &AuditTrail::noteSettings);
 }
 
 void AuditTrail::noteSettings()
 {
-    for (std::size_t i = 0; i < auditedSettings.size(); ++i) {
-        QString& seen = m_settings[static_cast<qsizetype>(i)];
-        const QString now = auditedSettings[i].text(m_watched.settings);
-        if (seen == now)
+    const QList<AuditedSetting> now = auditedSettings(m_watched.settings);
+    for (qsizetype i = 0; i < now.size(); ++i) {
+        if (m_settings[i] == now[i].text)
             continue;
-        store::AuditEntry changed = entry(u"setting.change"_s, QLatin1String(auditedSettings[i].object));
-        changed.before = std::exchange(seen, now);
-        changed.after = now;
+        store::AuditEntry changed = entry(u"setting.change"_s, now[i].object);
+        changed.before = std::exchange(m_settings[i], now[i].text);
+        changed.after = now[i].text;
         append(changed);
     }
 }

@@ -4,6 +4,7 @@
 #include "app/panel/kit/format.h"
 #include "app/panel/maintenance/cam_switches.h"
 #include "app/panel/packing/packing_fields.h"
+#include "app/panel/settings/settings.h"
 #include "app/panel/words/access_sentences.h"
 #include "app/panel/words/recipe_words.h"
 #include "app/program/register_fields.h"
@@ -78,14 +79,7 @@ constexpr std::array whatWords{
 };
 
 constexpr std::array objectWords{
-    Word{"language", QT_TRANSLATE_NOOP("AuditWords", "language")},
-    Word{"theme", QT_TRANSLATE_NOOP("AuditWords", "theme")},
-    Word{"gloves", QT_TRANSLATE_NOOP("AuditWords", "glove mode")},
-    Word{"bag_tolerance_mm", QT_TRANSLATE_NOOP("AuditWords", "bag tolerance, mm")},
     Word{"connection", QT_TRANSLATE_NOOP("AuditWords", "connection")},
-    Word{"auto_logout_minutes", QT_TRANSLATE_NOOP("AuditWords", "minutes until logout")},
-    Word{"operators_log_in", QT_TRANSLATE_NOOP("AuditWords", "operator login required")},
-    Word{"hold_to_start", QT_TRANSLATE_NOOP("AuditWords", "hold to start")},
     Word{"simulated_faults", QT_TRANSLATE_NOOP("AuditWords", "simulated faults")},
 };
 
@@ -163,7 +157,13 @@ QString AuditWords::object(const store::AuditEntry& entry)
         }
         return entry.object;
     }
-    const char* words = entry.what == u"setting.change" ? wordsFor(objectWords, entry.object) : nullptr;
+    if (entry.what != u"setting.change")
+        return entry.object;
+    for (const SettingRow& row : settingTable) {
+        if (row.label && shortKeyOf(row) == entry.object)
+            return Settings::tr(row.label);
+    }
+    const char* words = wordsFor(objectWords, entry.object);
     return words ? tr(words) : entry.object;
 }
 

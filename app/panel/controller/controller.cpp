@@ -42,8 +42,10 @@ Controller::Controller(link::Link& link, Settings& settings, QObject* parent)
     connect(this, &Controller::connectionChanged, &m_packing, &PackingLine::noteConnection);
     connect(this, &Controller::programChanged, &m_packing, &PackingLine::noteProgram);
     connect(this, &Controller::freshChanged, &m_packing, &PackingLine::changed);
+    connect(this, &Controller::connectionChanged, &m_torque, &TorqueWatch::noteConnection);
+    connect(this, &Controller::programChanged, &m_torque, &TorqueWatch::noteProgram);
     connect(&m_packing, &PackingLine::bagRecorded, this, &Controller::takeBag);
-    connect(&settings, &Settings::bagToleranceChanged, this, &Controller::bagChanged);
+    connect(&settings, &Settings::changed, this, &Controller::bagChanged);
     connect(&m_direction, &MasterDirection::failed, this, &Controller::showMessage);
     connect(&m_ageTimer, &QTimer::timeout, this, &Controller::updateAge);
     m_ageTimer.start(agePeriod);
@@ -172,6 +174,7 @@ void Controller::takeStatus(const link::StatusBatch& batch)
     }
     updateAge();
     m_direction.noteStatus(*m_status);
+    m_torque.noteStatus();
     emit liveChanged();
     if (bagsChanged)
         emit bagChanged();
@@ -251,6 +254,14 @@ void Controller::resetFault()
 {
     if (m_access.require(Level::Operator))
         send(modbus::Command::ResetFault);
+}
+
+void Controller::setContactAngle(double deg)
+{
+    if (m_contactAngleDeg == deg)
+        return;
+    m_contactAngleDeg = deg;
+    emit liveChanged();
 }
 
 void Controller::send(modbus::Command command, const modbus::CommandArguments& arguments)
@@ -354,6 +365,7 @@ void Controller::retranslate()
     m_strokes.rows()->refresh();
     m_direction.retranslate();
     m_packing.retranslate();
+    m_torque.retranslate();
 }
 
 } // namespace campanel::panel

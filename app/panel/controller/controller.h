@@ -12,6 +12,7 @@
 #include "app/panel/controller/parameter.h"
 #include "app/panel/controller/status_rate.h"
 #include "app/panel/controller/stroke_model.h"
+#include "app/panel/controller/torque_watch.h"
 #include "app/panel/kit/access_check.h"
 #include "app/panel/kit/numbers.h"
 #include "app/panel/recipe/controller_program.h"
@@ -71,6 +72,8 @@ class Controller : public QObject {
     Q_PROPERTY(campanel::panel::MasterDirection* direction READ direction CONSTANT FINAL)
     // The packing line, only for a rotary cutter.
     Q_PROPERTY(campanel::panel::PackingLine* packing READ packing CONSTANT FINAL)
+    // The torque of the axis, of any program but a press's.
+    Q_PROPERTY(campanel::panel::TorqueWatch* torque READ torque CONSTANT FINAL)
     // The figures of a press.
     Q_PROPERTY(QStringList stageNames READ stageNames NOTIFY stateChanged FINAL)
     Q_PROPERTY(campanel::panel::StrokeModel* strokes READ strokes CONSTANT FINAL)
@@ -123,6 +126,7 @@ public:
     [[nodiscard]] QList<QPointF> actualTrace() const { return m_trace.points(); }
     [[nodiscard]] MasterDirection* direction() { return &m_direction; }
     [[nodiscard]] PackingLine* packing() { return &m_packing; }
+    [[nodiscard]] TorqueWatch* torque() { return &m_torque; }
     [[nodiscard]] QStringList stageNames() const;
     [[nodiscard]] StrokeModel* strokes() { return &m_strokes; }
     [[nodiscard]] double generation() const;
@@ -154,6 +158,9 @@ public:
     [[nodiscard]] const std::optional<modbus::Identity>& identity() const { return m_report.identity; }
     [[nodiscard]] const std::optional<modbus::StatusBlock>& status() const { return m_status; }
     [[nodiscard]] const std::shared_ptr<const ControllerProgram>& program() const { return m_program; }
+    // The contact angle of the machine's jaws, which is in recipes and not in the controller; 0: none.
+    [[nodiscard]] double contactAngleDeg() const { return m_contactAngleDeg; }
+    void setContactAngle(double deg);
     void send(modbus::Command command, const modbus::CommandArguments& arguments = {});
     // Returns the parameter with a name of the register table.
     [[nodiscard]] Parameter& parameter(std::string_view name);
@@ -206,6 +213,7 @@ private:
     std::optional<modbus::StatusBlock> m_status; // last status, also after the connection is lost
     std::optional<link::SteadyTime> m_statusAt;
     std::shared_ptr<const ControllerProgram> m_program;
+    double m_contactAngleDeg = 0;
     ActualTrace m_trace;
     BagStatistics m_bags;
     StrokeModel m_strokes{this};
@@ -222,6 +230,7 @@ private:
     QString m_commandMessage;
     MasterDirection m_direction{*this};
     PackingLine m_packing{*this};
+    TorqueWatch m_torque{*this};
 };
 
 } // namespace campanel::panel

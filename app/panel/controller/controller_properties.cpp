@@ -5,6 +5,7 @@
 #include "app/panel/settings/settings.h"
 #include "app/panel/words/connection_sentences.h"
 #include "app/panel/words/controller_sentences.h"
+#include "profile/cutter/jaw.h"
 
 namespace campanel::panel {
 
@@ -13,6 +14,18 @@ namespace {
 double orUnknown(const std::optional<double>& value)
 {
     return value.value_or(unknown);
+}
+
+// Returns the time of the jaws on the film at this rate; the controller does not know their angle.
+double sealTimeMs(const ControllerProgram& program, double rateBagsPerMin, double contactAngleDeg)
+{
+    if (!program.recipe.isCutter() || !(contactAngleDeg > 0) || !(rateBagsPerMin > 0))
+        return unknown;
+    profile::Machine machine = program.recipe.machine;
+    machine.contactAngleDeg = contactAngleDeg;
+    profile::CycleNumbers cycle;
+    cycle.filmSpeedMmPerS = program.recipe.cutter().syncRatio * program.bagLengthMm * rateBagsPerMin / 60;
+    return profile::sealTimeMs(cycle, machine);
 }
 
 } // namespace
@@ -162,6 +175,7 @@ LiveValues Controller::live() const
     if (!program)
         return values;
     values.rateBagsPerMin = program->rateBagsPerMin * m_status->masterSpeedPercent / 100;
+    values.sealTimeMs = sealTimeMs(*program, values.rateBagsPerMin, m_contactAngleDeg);
     if (program->pulsesPerMm > 0) {
         values.knifeSpeedMmPerS = m_status->actualFrequencyHz / program->pulsesPerMm;
         values.followingErrorMm = m_status->followingErrorPulses / program->pulsesPerMm;
@@ -193,6 +207,7 @@ ActiveProgramValues Controller::active() const
         return values;
     values.isPresent = true;
     values.kind = static_cast<int>(m_program->recipe.kind());
+    values.followsMaster = profile::camMaster(m_program->recipe.program) != nullptr;
     values.name = QString::fromStdString(m_program->name);
     values.version = m_program->version;
     values.bagLengthMm = m_program->bagLengthMm;

@@ -26,6 +26,7 @@ struct LiveValues {
     Q_PROPERTY(double cycleCount MEMBER cycleCount FINAL)
     Q_PROPERTY(double positionMm MEMBER positionMm FINAL)
     Q_PROPERTY(double masterSpeedPercent MEMBER masterSpeedPercent FINAL)
+    Q_PROPERTY(double sealTimeMs MEMBER sealTimeMs FINAL)
     Q_PROPERTY(double forceN MEMBER forceN FINAL)
     Q_PROPERTY(int stage MEMBER stage FINAL)
 
@@ -40,8 +41,9 @@ public:
     double cycleCount = unknown;
     double positionMm = unknown;
     double masterSpeedPercent = unknown;
-    double forceN = unknown; // of a press
-    int stage = -1;          // of a press: 0 approach .. 4 return, an index into Controller.stageNames
+    double sealTimeMs = unknown; // of a rotary cutter with jaws, while the master turns
+    double forceN = unknown;     // of a press
+    int stage = -1;              // of a press: 0 approach .. 4 return, an index into Controller.stageNames
 };
 
 // `Controller.bags` in QML: the last bag and the last 60.
@@ -80,6 +82,7 @@ struct ActiveProgramValues {
     QML_VALUE_TYPE(activeProgramValues)
     Q_PROPERTY(bool isPresent MEMBER isPresent FINAL)
     Q_PROPERTY(int kind MEMBER kind FINAL)
+    Q_PROPERTY(bool followsMaster MEMBER followsMaster FINAL)
     Q_PROPERTY(QString name MEMBER name FINAL)
     Q_PROPERTY(double version MEMBER version FINAL)
     Q_PROPERTY(double bagLengthMm MEMBER bagLengthMm FINAL)
@@ -96,7 +99,8 @@ struct ActiveProgramValues {
 
 public:
     bool isPresent = false;
-    int kind = 0; // as Editor.kind; 0 without a program
+    int kind = 0;               // as Editor.kind; 0 without a program
+    bool followsMaster = false; // a cam with a virtual master
     QString name;
     double version = unknown;
     double bagLengthMm = unknown;

@@ -29,7 +29,7 @@ MasterDirection::MasterDirection(Controller& machine)
 std::optional<int> MasterDirection::programSign() const
 {
     const auto* program = m_machine.program().get();
-    const auto* cam = program ? std::get_if<profile::PointCamProgram>(&program->recipe.program) : nullptr;
+    const profile::CamMaster* cam = program ? profile::camMaster(program->recipe.program) : nullptr;
     return cam ? std::optional(cam->masterRateRevPerMin < 0 ? -1 : 1) : std::nullopt;
 }
 

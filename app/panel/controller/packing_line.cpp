@@ -216,7 +216,7 @@ QList<QPointF> PackingLine::cuts() const
 {
     QList<QPointF> cuts;
     for (const modbus::FilmCut& cut : m_status ? m_status->cuts : std::vector<modbus::FilmCut>())
-        cuts << QPointF(cut.distanceMm, cut.isLeftOut ? 1 : 0);
+        cuts << QPointF(cut.distanceMm, cut.isSkipped ? 1 : 0);
     return cuts;
 }
 

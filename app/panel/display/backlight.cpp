@@ -33,9 +33,9 @@ std::optional<Backlight> Backlight::find(const QString& folder)
     for (const QFileInfo& device :
          QDir(folder).entryInfoList(QDir::Dirs | QDir::NoDotAndDotDot, QDir::Name)) {
         const QDir files(device.filePath());
-        const auto most = readNumber(files.filePath(u"max_brightness"_s));
-        if (most && *most > 0 && QFileInfo(files.filePath(levelFile)).isWritable())
-            return Backlight(device.filePath(), *most);
+        const auto maximum = readNumber(files.filePath(u"max_brightness"_s));
+        if (maximum && *maximum > 0 && QFileInfo(files.filePath(levelFile)).isWritable())
+            return Backlight(device.filePath(), *maximum);
     }
     return {};
 }
@@ -43,13 +43,13 @@ std::optional<Backlight> Backlight::find(const QString& folder)
 int Backlight::percent() const
 {
     const auto level = readNumber(QDir(m_device).filePath(levelFile));
-    return static_cast<int>(std::lround(whole * level.value_or(0) / m_most));
+    return static_cast<int>(std::lround(whole * level.value_or(0) / m_maximum));
 }
 
 bool Backlight::setPercent(int percent) const
 {
     QFile file(QDir(m_device).filePath(levelFile));
-    const QByteArray level = QByteArray::number(static_cast<int>(std::lround(percent / whole * m_most)));
+    const QByteArray level = QByteArray::number(static_cast<int>(std::lround(percent / whole * m_maximum)));
     return file.open(QIODevice::WriteOnly) && file.write(level) == level.size() && file.flush();
 }
 

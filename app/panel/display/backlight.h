@@ -21,14 +21,14 @@ public:
     [[nodiscard]] bool setPercent(int percent) const;
 
 private:
-    Backlight(QString device, int most)
+    Backlight(QString device, int maximum)
         : m_device(std::move(device))
-        , m_most(most)
+        , m_maximum(maximum)
     {
     }
 
     QString m_device; // its folder
-    int m_most;
+    int m_maximum;
 };
 
 } // namespace campanel::panel

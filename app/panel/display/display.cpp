@@ -13,31 +13,15 @@ using namespace std::chrono_literals;
 
 namespace campanel::panel {
 
-namespace {
-
-const QString brightnessKey = u"display/brightness"_s;
-const QString darkAfterKey = u"display/dark_after_minutes"_s;
-const QList<int> possibleBrightness{25, 50, 75, 100};
-const QList<int> possibleDarkAfter{0, 5, 30};
-
-} // namespace
-
 Display::Display(Controller& machine, Settings& settings, QObject* parent)
     : QObject(parent)
     , m_machine(machine)
-    , m_file(settings.file())
+    , m_settings(settings)
     , m_backlight(Backlight::find())
     , m_touchedAt(machine.now())
 {
-    const int brightness = m_file.value(brightnessKey).toInt();
-    if (possibleBrightness.contains(brightness))
-        m_brightness = brightness;
-    bool isSet = false;
-    const int minutes = m_file.value(darkAfterKey).toInt(&isSet);
-    if (isSet && possibleDarkAfter.contains(minutes))
-        m_darkAfterMinutes = minutes;
-    if (m_file.contains(brightnessKey)) // else the system's brightness stays
-        light(m_brightness);
+    if (settings.isStored("display.brightness")) // else the system's brightness stays
+        light(brightness());
     m_timer.callOnTimeout(this, &Display::tick);
     m_timer.start(1s);
     connect(&machine, &Controller::stateChanged, this, [this] {
@@ -58,32 +42,38 @@ void Display::setBacklight(const std::optional<Backlight>& backlight)
     emit changed();
 }
 
+int Display::brightness() const
+{
+    return m_settings.values().whole("display.brightness");
+}
+
 QList<int> Display::brightnessChoices() const
 {
-    return possibleBrightness;
+    return numbersOf("display.brightness");
+}
+
+int Display::darkAfterMinutes() const
+{
+    return m_settings.values().whole("display.dark_after_minutes");
 }
 
 QList<int> Display::darkChoices() const
 {
-    return possibleDarkAfter;
+    return numbersOf("display.dark_after_minutes");
 }
 
 void Display::setBrightness(int percent)
 {
-    if (!possibleBrightness.contains(percent))
+    if (!brightnessChoices().contains(percent))
         return;
-    m_brightness = percent;
-    m_file.set(brightnessKey, QString::number(percent));
+    m_settings.set("display.brightness", settingText(percent));
     light(percent);
     emit changed();
 }
 
 void Display::setDarkAfterMinutes(int minutes)
 {
-    if (!possibleDarkAfter.contains(minutes))
-        return;
-    m_darkAfterMinutes = minutes;
-    m_file.set(darkAfterKey, QString::number(minutes));
+    m_settings.set("display.dark_after_minutes", settingText(minutes));
     emit changed();
 }
 
@@ -118,7 +108,7 @@ void Display::setDark(bool isDark)
     m_isDark = isDark;
     if (!isDark)
         m_touchedAt = m_machine.now();
-    light(isDark ? 0 : m_brightness);
+    light(isDark ? 0 : brightness());
     emit darkChanged();
 }
 
@@ -136,7 +126,7 @@ void Display::tick()
     }
     if (!mayBeDark())
         m_touchedAt = m_machine.now(); // the time starts at standstill
-    if (m_darkAfterMinutes > 0 && m_machine.now() - m_touchedAt >= std::chrono::minutes(m_darkAfterMinutes))
+    if (darkAfterMinutes() > 0 && m_machine.now() - m_touchedAt >= std::chrono::minutes(darkAfterMinutes()))
         setDark(true);
 }
 

@@ -7,7 +7,6 @@
 #include "app/panel/display/backlight.h"
 
 #include "app/link/link_values.h"
-#include "app/store/files/settings_file.h"
 
 #include <QObject>
 #include <QTimer>
@@ -49,10 +48,10 @@ public:
     void setBacklight(const std::optional<Backlight>& backlight);
 
     [[nodiscard]] bool adjustable() const { return m_backlight.has_value(); }
-    [[nodiscard]] int brightness() const { return m_brightness; }
+    [[nodiscard]] int brightness() const;
     void setBrightness(int percent);
     [[nodiscard]] QList<int> brightnessChoices() const;
-    [[nodiscard]] int darkAfterMinutes() const { return m_darkAfterMinutes; }
+    [[nodiscard]] int darkAfterMinutes() const;
     void setDarkAfterMinutes(int minutes);
     [[nodiscard]] QList<int> darkChoices() const;
     [[nodiscard]] bool dark() const { return m_isDark; }
@@ -76,12 +75,10 @@ private:
     [[nodiscard]] bool mayBeDark() const;
 
     Controller& m_machine;
-    store::SettingsFile& m_file;
+    Settings& m_settings;
     std::optional<Backlight> m_backlight;
     QTimer m_timer;
     link::SteadyTime m_touchedAt;
-    int m_brightness = 100;
-    int m_darkAfterMinutes = 0;
     int m_wipeSeconds = 0;
     bool m_isDark = false;
     bool m_isWaking = false; // the waking touch has not ended

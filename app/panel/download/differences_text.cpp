@@ -106,11 +106,12 @@ QList<DifferenceRow> DifferencesText::rows(const ControllerProgram& active,
             !isUnreadInBoth(difference, active.recipe, edited.recipe))
             rows << row(difference, edited.recipe.kind());
     }
-    const auto* knots = std::get_if<profile::PointCamProgram>(&active.recipe.program);
-    const auto* wanted = std::get_if<profile::PointCamProgram>(&edited.recipe.program);
-    if (knots && wanted && knots->knots != wanted->knots)
-        rows << DifferenceRow{tr("Knots"), tr("%n knot(s)", nullptr, static_cast<int>(knots->knots.size())),
-                              tr("%n knot(s)", nullptr, static_cast<int>(wanted->knots.size()))};
+    const program::ListInfo* list = program::kindInfo(edited.recipe.kind()).list;
+    if (list && active.recipe.kind() == edited.recipe.kind() &&
+        !list->isEqual(active.recipe.program, edited.recipe.program))
+        rows << DifferenceRow{RecipeWords::listName(edited.recipe.kind()),
+                              RecipeWords::listSize(active.recipe.program),
+                              RecipeWords::listSize(edited.recipe.program)};
     return rows;
 }
 

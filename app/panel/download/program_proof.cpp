@@ -29,7 +29,7 @@ program::Recipe withoutLimits(program::Recipe recipe)
     recipe.machine.maxPulseFrequencyHz = most(Field::MaxPulseFrequency);
     recipe.machine.maxRateBagsPerMin = most(Field::MaxRate);
     recipe.machine.maxAccelerationMmPerS2 = most(Field::MaxAcceleration);
-    recipe.machine.maxTorqueNm = most(Field::MaxTorque);
+    recipe.machine.maxTorqueNm = recipe.machine.ratedTorqueNm = recipe.machine.naturalFrequencyHz = 0;
     return recipe;
 }
 

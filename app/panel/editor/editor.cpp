@@ -62,6 +62,9 @@ Level levelBetween(const program::Recipe& before, const program::Recipe& after)
     same.cutter().pinned = before.cutter().pinned;
     for (const Field field : program::pinnableFields)
         program::setValue(same, field, program::value(before, field));
+    // Ratios that follow are no change of their own.
+    if (same.cutter().ratioMode != profile::RatioMode::ByHand)
+        same.cutter().k = before.cutter().k;
     return sameRecipe(before, same) ? Level::Operator : Level::Technician;
 }
 
@@ -74,7 +77,10 @@ constexpr auto tableDelay = 80ms;
 Editor::Editor(Controller& machine, const QString& folder, QObject* parent)
     : QObject(parent)
     , m_knots(this)
+    , m_segments(this)
     , m_knotFiles(QDir(folder).filePath(u"knots"_s), this)
+    , m_map(this)
+    , m_ramps(this)
     , m_choices(this)
     , m_laws(this)
     , m_table(this)
@@ -96,6 +102,8 @@ Editor::Editor(Controller& machine, const QString& folder, QObject* parent)
     }
     connectFields();
     connectKnots();
+    connectMap();
+    connectRamps();
     m_keepTimer.setSingleShot(true);
     m_keepTimer.setInterval(keepDelay);
     m_tableTimer.setSingleShot(true);
@@ -157,22 +165,28 @@ void Editor::connectFields()
     connectParameter(m_lawParameter2, 1);
 }
 
-void Editor::connectKnots()
+CamHandles* Editor::handles()
 {
-    connect(&m_knots, &KnotModel::edited, this, [this](const profile::PointCamProgram& program) {
+    if (std::holds_alternative<profile::PointCamProgram>(m_recipe.program))
+        return &m_knots;
+    return std::holds_alternative<profile::SegmentCamProgram>(m_recipe.program) ? &m_segments : nullptr;
+}
+
+void Editor::connectHandles(CamHandles& handles)
+{
+    connect(&handles, &CamHandles::edited, this, [this](const profile::Program& program) {
         edit(Level::Technician, [&](program::Recipe& recipe) { recipe.program = program; });
     });
-    connect(&m_knots, &KnotModel::dragged, this, [this](const profile::PointCamProgram& program) {
-        if (!m_beforeDrag && !require(Level::Technician)) {
-            show(); // the handle returns
-            return;
-        }
-        if (!m_beforeDrag)
-            m_beforeDrag = m_recipe;
-        m_recipe.program = program;
-        recompute();
+    connect(&handles, &CamHandles::dragged, this, [this](const profile::Program& program) {
+        drag(Level::Technician, [&](program::Recipe& recipe) { recipe.program = program; });
     });
-    connect(&m_knots, &KnotModel::dragEnded, this, &Editor::commitDrag);
+    connect(&handles, &CamHandles::dragEnded, this, &Editor::commitDrag);
+}
+
+void Editor::connectKnots()
+{
+    connectHandles(m_knots);
+    connectHandles(m_segments);
     connect(&m_knotFiles, &KnotFiles::taken, this, [this](const std::vector<profile::Knot>& knots) {
         edit(Level::Technician, [&](program::Recipe& recipe) {
             if (auto* cam = std::get_if<profile::PointCamProgram>(&recipe.program))
@@ -181,9 +195,56 @@ void Editor::connectKnots()
     });
 }
 
+void Editor::connectMap()
+{
+    connect(&m_map, &CutterMap::dragged, this, [this](double lengthMm, double rate) {
+        if (!m_recipe.isCutter())
+            return;
+        drag(Level::Operator, [&](program::Recipe& recipe) {
+            enterField(recipe, Field::BagLength, lengthMm);
+            enterField(recipe, Field::Rate, rate);
+        });
+    });
+    connect(&m_map, &CutterMap::dragEnded, this, &Editor::commitDrag);
+}
+
+void Editor::connectRamps()
+{
+    connect(&m_ramps, &RampControl::edited, this, [this](const profile::RotaryCutterProgram& program) {
+        edit(Level::Technician, [&](program::Recipe& recipe) { recipe.program = program; });
+    });
+    connect(&m_ramps, &RampControl::dragged, this, [this](const profile::RotaryCutterProgram& program) {
+        drag(Level::Technician, [&](program::Recipe& recipe) { recipe.program = program; });
+    });
+    connect(&m_ramps, &RampControl::dragEnded, this, &Editor::commitDrag);
+}
+
+void Editor::follow(program::Recipe& recipe) const
+{
+    program::Recipe solved = recipe;
+    if (m_controller)
+        solved.machine = program::withController(recipe.machine, *m_controller);
+    program::followRatios(solved);
+    recipe.program = solved.program;
+}
+
 bool Editor::require(Level needed) const
 {
     return m_machine.accessCheck().require(needed);
+}
+
+// Changes the recipe as part of a drag; commitDrag() ends the drag.
+template <typename Change> void Editor::drag(Level needed, Change change)
+{
+    if (!m_beforeDrag && !require(needed)) {
+        show(); // the handle returns
+        return;
+    }
+    if (!m_beforeDrag)
+        m_beforeDrag = m_recipe;
+    change(m_recipe);
+    follow(m_recipe);
+    recompute();
 }
 
 template <typename Change> void Editor::edit(Level needed, Change change)
@@ -194,6 +255,7 @@ template <typename Change> void Editor::edit(Level needed, Change change)
     program::Recipe before = m_recipe;
     change(m_recipe);
     if (!sameRecipe(before, m_recipe)) {
+        follow(m_recipe);
         m_history.note(std::move(before));
         m_keepTimer.start();
     }
@@ -239,6 +301,7 @@ void Editor::compareCurves()
     }
     program::Recipe other = m_recipe;
     chooseLaw(other, *law);
+    follow(other);
     if (const auto solved = program::solveProgram(program::quantised(other)))
         m_comparedCurves =
             std::make_shared<const profile::Curves>(program::sampleCurves(*solved, curvePoints));
@@ -258,22 +321,19 @@ void Editor::applySuggestion()
     if (!suggestion())
         return;
     const profile::Suggestion wanted = *suggestion();
-    edit(levelFor(wanted.field),
-         [&](program::Recipe& recipe) { enterField(recipe, wanted.field, wanted.value); });
+    edit(wanted.ratios ? Level::Technician : levelFor(wanted.field), [&](program::Recipe& recipe) {
+        if (wanted.ratios)
+            recipe.cutter().k = *wanted.ratios;
+        enterField(recipe, wanted.field, wanted.value);
+    });
 }
 
 void Editor::dragRatio(int index, double timeSeconds)
 {
     if (!m_recipe.isCutter() || index < 0 || index >= static_cast<int>(m_recipe.cutter().k.size()))
         return;
-    if (!m_beforeDrag && !require(Level::Technician)) {
-        show(); // the handle returns
-        return;
-    }
-    if (!m_beforeDrag)
-        m_beforeDrag = m_recipe;
-    panel::dragRatio(m_recipe, index, timeSeconds / m_cycleSeconds);
-    recompute();
+    drag(Level::Technician,
+         [&](program::Recipe& recipe) { panel::dragRatio(recipe, index, timeSeconds / m_cycleSeconds); });
 }
 
 void Editor::commitDrag()
@@ -302,7 +362,11 @@ void Editor::redo()
 
 void Editor::revert()
 {
-    edit(Level::Operator, [this](program::Recipe& recipe) { recipe = m_stored; });
+    commitDrag();
+    if (!edited() || !require(Level::Operator))
+        return;
+    m_history.note(m_recipe);
+    replace(m_stored);
 }
 
 void Editor::replace(program::Recipe recipe)
@@ -332,6 +396,7 @@ void Editor::takeSolution(Solution solution)
         adopt(m_recipe, cutter->cycle);
     if (m_solution.solved)
         m_cycleSeconds = m_solution.solved->cycleS();
+    m_machine.setContactAngle(m_recipe.isCutter() ? m_recipe.machine.contactAngleDeg : 0);
     compareCurves();
     m_table.setImage(m_solution.image);
     m_download.offer(m_solution.image);
@@ -349,16 +414,33 @@ void Editor::show()
     showFields();
     m_choices.setRows(ChoiceRow::rows(m_recipe));
     const auto* cam = std::get_if<profile::PointCamProgram>(&m_recipe.program);
-    m_knots.show(cam ? std::optional(*cam) : std::nullopt, m_cycleSeconds);
+    m_map.show(m_recipe, m_solution, m_controller);
+    m_ramps.show(m_recipe, m_solution);
+    m_knots.show(m_recipe.program, m_cycleSeconds, cam != nullptr);
+    m_segments.show(m_recipe.program, m_cycleSeconds, handles() == &m_segments);
     m_knotFiles.show(cam ? cam->knots : std::vector<profile::Knot>{}, recipeName());
     m_lawParameter1.show(views.lawParameter(0));
     m_lawParameter2.show(views.lawParameter(1));
     m_laws.setRows(views.laws(m_comparedLaw));
+    shareMachine();
     emit kindChanged();
     emit overlayChanged();
     emit solutionChanged();
     emit historyChanged();
     emit recipeChanged();
+}
+
+// Tells the controller's figures the machine data of the kind that is active.
+void Editor::shareMachine()
+{
+    const auto& program = m_machine.program();
+    const auto kind = program ? program->recipe.kind() : m_recipe.kind();
+    const auto known = m_machines.find(kind);
+    if (kind == m_recipe.kind())
+        m_machine.torque()->setMachineData(m_recipe.machine);
+    else
+        m_machine.torque()->setMachineData(known == m_machines.end() ? std::nullopt
+                                                                     : std::optional(known->second));
 }
 
 // Emits only when the fields themselves change: the list then creates its items again.

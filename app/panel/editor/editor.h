@@ -3,10 +3,13 @@
 #pragma once
 
 #include "app/panel/download/program_download.h"
+#include "app/panel/editor/cutter_map.h"
 #include "app/panel/editor/edit_history.h"
 #include "app/panel/editor/editor_values.h"
 #include "app/panel/editor/knot_files.h"
 #include "app/panel/editor/knot_model.h"
+#include "app/panel/editor/ramp_control.h"
+#include "app/panel/editor/segment_model.h"
 #include "app/panel/recipe/choice_model.h"
 #include "app/panel/recipe/law_model.h"
 #include "app/panel/recipe/solution.h"
@@ -48,13 +51,15 @@ class Editor : public QObject {
     Q_PROPERTY(QVariantList fields READ fields NOTIFY fieldsChanged FINAL)
     Q_PROPERTY(QVariantList machineFields READ machineFields NOTIFY fieldsChanged FINAL)
     Q_PROPERTY(campanel::panel::RowModelBase* choices READ choices CONSTANT FINAL)
-    Q_PROPERTY(campanel::panel::KnotModel* knots READ knots CONSTANT FINAL)
-    Q_PROPERTY(campanel::panel::KnotFiles* knotFiles READ knotFiles CONSTANT FINAL)
+    Q_PROPERTY(campanel::panel::CamLists cam READ cam CONSTANT FINAL)
+    // The handles on the curve; null for a kind without any.
+    Q_PROPERTY(campanel::panel::CamHandles* handles READ handles NOTIFY kindChanged FINAL)
     Q_PROPERTY(bool hasLaw READ hasLaw NOTIFY kindChanged FINAL)
     Q_PROPERTY(QString lawTitle READ lawTitle NOTIFY kindChanged FINAL)
 
     Q_PROPERTY(campanel::panel::RowModelBase* laws READ laws CONSTANT FINAL)
     Q_PROPERTY(QString lawName READ lawName NOTIFY solutionChanged FINAL)
+    Q_PROPERTY(QStringList lawColumns READ lawColumns NOTIFY solutionChanged FINAL)
 
     Q_PROPERTY(bool solvable READ solvable NOTIFY solutionChanged FINAL)
     Q_PROPERTY(QString verdict READ verdict NOTIFY solutionChanged FINAL)
@@ -63,7 +68,6 @@ class Editor : public QObject {
 
     Q_PROPERTY(QVariant overlayCurves READ overlayCurves NOTIFY overlayChanged FINAL)
     Q_PROPERTY(QString overlayName READ overlayName NOTIFY overlayChanged FINAL)
-    Q_PROPERTY(QString peakText READ peakText NOTIFY solutionChanged FINAL)
 
     Q_PROPERTY(campanel::panel::TableModel* table READ table CONSTANT FINAL)
 
@@ -81,6 +85,7 @@ public:
         SpeedMove = static_cast<int>(profile::ProgramKind::SpeedMove),
         PointCam = static_cast<int>(profile::ProgramKind::PointCam),
         Press = static_cast<int>(profile::ProgramKind::Press),
+        SegmentCam = static_cast<int>(profile::ProgramKind::SegmentCam),
     };
     Q_ENUM(Kind)
     enum class Severity { Good, Warning, Bad };
@@ -102,6 +107,7 @@ public:
     [[nodiscard]] EditorField* k4() { return item(profile::Field::K4); }
     [[nodiscard]] EditorField* syncRatio() { return item(profile::Field::SyncRatio); }
     [[nodiscard]] EditorField* rampSlices() { return item(profile::Field::SlicesPerRamp); }
+    [[nodiscard]] EditorField* minSealTime() { return item(profile::Field::MinSealTime); }
     [[nodiscard]] CutterFields cutter();
     [[nodiscard]] EditorPlot plot() const;
     [[nodiscard]] ProgramDownload* programDownload() { return &m_download; }
@@ -117,10 +123,16 @@ public:
     [[nodiscard]] QVariantList fields() const; // list of EditorField*
     [[nodiscard]] QVariantList machineFields() const;
     [[nodiscard]] ChoiceModel* choices() { return &m_choices; }
+    [[nodiscard]] CamLists cam() { return {&m_knots, &m_knotFiles, &m_segments}; }
     [[nodiscard]] KnotModel* knots() { return &m_knots; }
+    [[nodiscard]] CutterMap* map() { return &m_map; }
+    [[nodiscard]] SegmentModel* segments() { return &m_segments; }
+    [[nodiscard]] CamHandles* handles();
     [[nodiscard]] KnotFiles* knotFiles() { return &m_knotFiles; }
+    [[nodiscard]] RampControl* ramps() { return &m_ramps; }
     [[nodiscard]] bool hasLaw() const { return program::lawParameters(m_recipe.program) != nullptr; }
     [[nodiscard]] QString lawTitle() const;
+    [[nodiscard]] QStringList lawColumns() const;
     [[nodiscard]] LawModel* laws() { return &m_laws; }
     [[nodiscard]] QString lawName() const;
     [[nodiscard]] bool solvable() const { return m_solution.solved.has_value(); }
@@ -189,7 +201,7 @@ signals:
     void historyChanged();
     void recipeChanged();
     void noticeChanged();
-    // Emitted for the audit trail, see DownloadDesk.
+    // Emitted for the audit trail, see ProgramDownload.
     void downloadBegun(const campanel::program::ProgramImage& image);
     void downloadEnded(const campanel::link::DownloadReport& report);
 
@@ -197,7 +209,15 @@ private:
     void retranslate();
     void connectFields();
     void connectKnots();
+    void connectMap();
+    void connectRamps();
+    // Shows a step of a drag; commitDrag() ends it as one undo step.
+    template <typename Change> void drag(Level needed, Change change);
+    // Sets the ratios that were not set by hand.
+    void follow(program::Recipe& recipe) const;
+    void connectHandles(CamHandles& handles);
     void compareCurves();
+    void shareMachine();
     void showFields();
     // Returns true when the person has the level. Otherwise requests a login, and nothing changes.
     [[nodiscard]] bool require(Level needed) const;
@@ -216,7 +236,10 @@ private:
     EditorField m_lawParameter2{QStringLiteral("lawParameter2"), this};
     std::array<EditorField*, profile::fields.size()> m_fields{}; // children, by field
     KnotModel m_knots;
+    SegmentModel m_segments;
     KnotFiles m_knotFiles;
+    CutterMap m_map;
+    RampControl m_ramps;
     ChoiceModel m_choices;
     LawModel m_laws;
     TableModel m_table;

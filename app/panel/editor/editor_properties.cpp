@@ -17,6 +17,11 @@ QString Editor::lawName() const
         static_cast<profile::LawId>(program::choice(m_recipe.program, program::Choice::Law)));
 }
 
+QStringList Editor::lawColumns() const
+{
+    return EditorViews(m_recipe, m_solution, nullptr).lawColumns();
+}
+
 QString Editor::verdict() const
 {
     return EditorViews(m_recipe, m_solution, nullptr).verdict();
@@ -36,17 +41,24 @@ QString Editor::suggestionText() const
 
 CutterFields Editor::cutter()
 {
-    return {bagLength(), rate(), baseSpeed(), filmSpeed(), k1(), k2(), k3(), k4(), syncRatio(), rampSlices()};
+    return {bagLength(), rate(),      baseSpeed(),  filmSpeed(),   k1(),    k2(), k3(),
+            k4(),        syncRatio(), rampSlices(), minSealTime(), ramps(), map()};
 }
 
 EditorPlot Editor::plot() const
 {
     EditorPlot plot;
+    plot.peakText = peakText();
     if (m_solution.curves)
         plot.curves = QVariant::fromValue(m_solution.curves);
     plot.cycleSeconds = m_cycleSeconds;
     const profile::Machine& limits = m_solution.solved ? m_solution.solved->machine : m_recipe.machine;
     plot.limitFrequency = profile::pulseFrequencyLimitHz(limits);
+    plot.hasTorque = m_solution.curves && !m_solution.curves->torqueNm.empty();
+    if (m_solution.solved)
+        plot.rmsTorque = m_solution.solved->peaks.rmsTorqueNm;
+    if (limits.maxTorqueNm > 0)
+        plot.limitTorque = limits.maxTorqueNm;
     if (m_recipe.isCutter()) {
         for (const double k : m_recipe.cutter().k)
             plot.ratioTimes << m_cycleSeconds / k;

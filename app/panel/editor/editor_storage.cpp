@@ -35,7 +35,7 @@ program::Recipe Editor::newRecipe(profile::ProgramKind kind) const
     program::Recipe recipe = program::defaultRecipe(kind);
     if (const auto machine = m_machines.find(kind); machine != m_machines.end())
         recipe.machine = machine->second;
-    return recipe;
+    return program::gentleRecipe(recipe);
 }
 
 void Editor::open(const program::Recipe& stored, const std::optional<program::Recipe>& edited)

@@ -2,7 +2,13 @@
 // Groups of what the editor shows, as values for QML.
 #pragma once
 
+#include "app/panel/editor/cutter_map.h"
 #include "app/panel/editor/editor_field.h"
+#include "app/panel/editor/knot_files.h"
+#include "app/panel/editor/knot_model.h"
+#include "app/panel/editor/ramp_control.h"
+#include "app/panel/editor/segment_model.h"
+#include "app/panel/kit/numbers.h"
 
 #include <QList>
 #include <QObject>
@@ -12,7 +18,7 @@
 
 namespace campanel::panel {
 
-// `Editor.cutter` in QML: the fields of a rotary cutter by name.
+// `Editor.cutter` in QML: the fields of a rotary cutter by name, its ratios and its regime map.
 struct CutterFields {
     Q_GADGET
     QML_VALUE_TYPE(cutterFields)
@@ -26,6 +32,9 @@ struct CutterFields {
     Q_PROPERTY(campanel::panel::EditorField* k4 MEMBER k4 CONSTANT FINAL)
     Q_PROPERTY(campanel::panel::EditorField* syncRatio MEMBER syncRatio CONSTANT FINAL)
     Q_PROPERTY(campanel::panel::EditorField* rampSlices MEMBER rampSlices CONSTANT FINAL)
+    Q_PROPERTY(campanel::panel::EditorField* minSealTime MEMBER minSealTime CONSTANT FINAL)
+    Q_PROPERTY(campanel::panel::RampControl* ramps MEMBER ramps CONSTANT FINAL)
+    Q_PROPERTY(campanel::panel::CutterMap* map MEMBER map CONSTANT FINAL)
 
 public:
     EditorField* bagLength = nullptr;
@@ -38,6 +47,23 @@ public:
     EditorField* k4 = nullptr;
     EditorField* syncRatio = nullptr;
     EditorField* rampSlices = nullptr;
+    EditorField* minSealTime = nullptr;
+    RampControl* ramps = nullptr;
+    CutterMap* map = nullptr;
+};
+
+// `Editor.cam` in QML: the knots of a point cam, their files, and the segments of a segment cam.
+struct CamLists {
+    Q_GADGET
+    QML_VALUE_TYPE(camLists)
+    Q_PROPERTY(campanel::panel::KnotModel* knots MEMBER knots CONSTANT FINAL)
+    Q_PROPERTY(campanel::panel::KnotFiles* knotFiles MEMBER knotFiles CONSTANT FINAL)
+    Q_PROPERTY(campanel::panel::SegmentModel* segments MEMBER segments CONSTANT FINAL)
+
+public:
+    KnotModel* knots = nullptr;
+    KnotFiles* knotFiles = nullptr;
+    SegmentModel* segments = nullptr;
 };
 
 // `Editor.plot` in QML: the curves of the edited recipe and what is drawn with them. Times in s.
@@ -51,7 +77,11 @@ struct EditorPlot {
     Q_PROPERTY(double limitVelocity MEMBER limitVelocity FINAL)
     Q_PROPERTY(double limitAcceleration MEMBER limitAcceleration FINAL)
     Q_PROPERTY(double limitFrequency MEMBER limitFrequency FINAL)
+    Q_PROPERTY(bool hasTorque MEMBER hasTorque FINAL)
+    Q_PROPERTY(double limitTorque MEMBER limitTorque FINAL)
+    Q_PROPERTY(double rmsTorque MEMBER rmsTorque FINAL)
     Q_PROPERTY(QList<QPointF> violations MEMBER violations FINAL)
+    Q_PROPERTY(QString peakText MEMBER peakText FINAL)
 
 public:
     QVariant curves;
@@ -61,7 +91,11 @@ public:
     double limitVelocity = 0;     // mm/s
     double limitAcceleration = 0; // mm/s^2
     double limitFrequency = 0;    // Hz
+    bool hasTorque = false;       // the inertia is known
+    double limitTorque = unknown; // Nm
+    double rmsTorque = unknown;   // Nm
     QList<QPointF> violations;    // from and to
+    QString peakText;             // the peaks in one line
 };
 
 } // namespace campanel::panel

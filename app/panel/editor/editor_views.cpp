@@ -7,7 +7,10 @@
 #include "app/panel/words/refusal_sentences.h"
 #include "app/panel/words/register_words.h"
 #include "profile/cutter/explain.h"
+#include "profile/cutter/jaw.h"
+#include "profile/cutter/ratios.h"
 #include "profile/laws/laws.h"
+#include "profile/model/vibration.h"
 
 #include <algorithm>
 #include <cmath>
@@ -60,7 +63,7 @@ FieldView EditorViews::field(Field field) const
     if (!view.derived || m_solution.solved)
         view.value = program::value(m_recipe, field);
     view.text = RecipeWords::valueText(field, view.value);
-    if (m_active && m_active->recipe.kind() == m_recipe.kind() && program::isProgramField(m_recipe, field))
+    if (m_active && m_active->recipe.kind() == m_recipe.kind() && program::isInController(m_recipe, field))
         view.activeText = RecipeWords::valueText(field, program::value(m_active->recipe, field));
     if (isRatio(field))
         narrowRatio(field, view);
@@ -121,54 +124,106 @@ LawDemand EditorViews::demandOf(const profile::Law& law) const
         tried.machine = m_solution.solved->machine;
     LawDemand demand;
     demand.peaks.motorRpm = demand.peaks.accelerationMmPerS2 = demand.peaks.pulseFrequencyHz =
-        demand.peaks.jerkMmPerS3 = demand.peaks.torqueNm = NAN;
+        demand.peaks.jerkMmPerS3 = demand.peaks.torqueNm = demand.peaks.rmsTorqueNm = NAN;
+    demand.rmsAccelerationMmPerS2 = NAN;
     if (!tried.isCutter()) {
         if (const auto solved = program::solveProgram(tried)) {
             demand.peaks = solved->peaks;
             demand.isFeasible = solved->broken.empty();
+            demand.vibrationMm =
+                profile::residualAmplitudeMm(solved->motion, profile::shaftMode(solved->machine));
         }
         return demand;
     }
     // Without its curves: up to twelve cutters are solved after each change.
     demand.isFeasible = profile::isFeasible(tried.cutter(), tried.machine);
     if (const auto cycle = profile::solveNumbers(tried.cutter(), tried.machine)) {
-        const profile::Peaks peaks = profile::peaks(*cycle, tried.cutter(), tried.machine);
-        demand.peaks.motorRpm = peaks.motorRpm;
-        demand.peaks.accelerationMmPerS2 = peaks.accelerationMmPerS2;
-        demand.peaks.pulseFrequencyHz = peaks.pulseFrequencyHz;
-        demand.peaks.jerkMmPerS3 = peaks.jerkMmPerS3;
+        demand.peaks = profile::peaks(*cycle, tried.cutter(), tried.machine);
+        demand.rmsAccelerationMmPerS2 = profile::rmsAcceleration(*cycle, tried.cutter());
+        if (hasVibration())
+            demand.vibrationMm = profile::sealErrorMm(*profile::solve(tried.cutter(), tried.machine));
     }
     return demand;
 }
 
-QList<LawRow> EditorViews::laws(std::optional<profile::LawId> compared) const
+bool EditorViews::hasTorque() const
+{
+    return !m_recipe.isCutter() || m_recipe.machine.inertiaKgCm2 > 0;
+}
+
+// The column of the torque has the RMS value where the torque is known.
+bool EditorViews::hasRmsAcceleration() const
+{
+    return m_recipe.isCutter() && !hasTorque();
+}
+
+bool EditorViews::hasVibration() const
+{
+    return m_recipe.machine.naturalFrequencyHz > 0;
+}
+
+QStringList EditorViews::lawColumns() const
+{
+    QStringList columns{tr("Peak speed"), tr("Acceleration")};
+    if (hasRmsAcceleration())
+        columns << tr("RMS");
+    columns << tr("Jerk") << (hasTorque() ? tr("Torque,\nRMS") : tr("Frequency"));
+    if (hasVibration())
+        columns << (m_recipe.isCutter() ? tr("Error while\nsealing") : tr("Vibration\nafter the move"));
+    return columns;
+}
+
+LawRow EditorViews::lawRow(const profile::Law& law, const LawDemand& demand) const
 {
     const Format format;
+    const profile::Peaks& peaks = demand.peaks;
+    constexpr double mmPerM = 1000;
+    LawRow row;
+    row.lawId = QString::fromUtf8(law.key.data(), static_cast<qsizetype>(law.key.size()));
+    row.name = RecipeWords::inWords(law.name);
+    row.strength = RecipeWords::inWords(law.strength);
+    row.weakness = RecipeWords::inWords(law.weakness);
+    row.current = law.id == lawOf(m_recipe);
+    row.usable = demand.isFeasible;
+    row.peakRpmText = tr("%1 r/min").arg(format.number(peaks.motorRpm, 0));
+    row.peakAccelerationText = tr("%1 m/s²").arg(format.number(peaks.accelerationMmPerS2 / mmPerM, 2));
+    if (hasRmsAcceleration())
+        row.rmsText = tr("%1 m/s²").arg(format.number(demand.rmsAccelerationMmPerS2 / mmPerM, 2));
+    row.peakFrequencyText =
+        hasTorque() ? tr("%1 Nm\nRMS %2", "peak and RMS torque")
+                          .arg(format.number(peaks.torqueNm, 3), format.number(peaks.rmsTorqueNm, 3))
+                    : tr("%1 kHz").arg(format.number(peaks.pulseFrequencyHz / 1000, 1));
+    if (hasVibration())
+        row.vibrationText = tr("%1 mm").arg(format.number(demand.vibrationMm, 3));
+    row.peakJerkText = std::isinf(peaks.jerkMmPerS3)
+                           ? tr("acceleration jumps")
+                           : tr("%1 m/s³").arg(format.number(peaks.jerkMmPerS3 / mmPerM, 1));
+    return row;
+}
+
+QList<LawRow> EditorViews::laws(std::optional<profile::LawId> compared) const
+{
     QList<LawRow> rows;
+    const auto append = [&](const profile::Law& law, const LawDemand& demand) {
+        LawRow row = lawRow(law, demand);
+        row.compared = compared == law.id;
+        rows << row;
+    };
+    if (m_recipe.isCutter()) {
+        const bool isByHand = m_recipe.cutter().ratioMode == profile::RatioMode::ByHand;
+        const profile::Machine& machine = m_solution.solved ? m_solution.solved->machine : m_recipe.machine;
+        for (const profile::RankedLaw& each : profile::rankLaws(m_recipe.cutter(), machine)) {
+            const profile::Law& law = *profile::findLaw(each.program.speedLaw);
+            append(law, isByHand ? demandOf(law)
+                                 : LawDemand{each.peaks, each.rmsAccelerationMmPerS2, each.isFeasible});
+        }
+        return rows;
+    }
     if (!program::lawParameters(m_recipe.program))
         return rows;
     for (const profile::Law& law : profile::laws()) {
-        if (!program::isLawOf(m_recipe.kind(), law))
-            continue;
-        LawRow row;
-        row.lawId = QString::fromUtf8(law.key.data(), static_cast<qsizetype>(law.key.size()));
-        row.name = RecipeWords::inWords(law.name);
-        row.strength = RecipeWords::inWords(law.strength);
-        row.weakness = RecipeWords::inWords(law.weakness);
-        row.current = law.id == lawOf(m_recipe);
-        row.compared = compared == law.id;
-        const auto [peaks, isFeasible] = demandOf(law);
-        row.usable = isFeasible;
-        row.peakRpmText = tr("%1 r/min").arg(format.number(peaks.motorRpm, 0));
-        row.peakAccelerationText = tr("%1 m/s²").arg(format.number(peaks.accelerationMmPerS2 / 1000, 2));
-        // A knife has no inertia in the recipe; its limit is the pulse frequency.
-        row.peakFrequencyText = m_recipe.isCutter()
-                                    ? tr("%1 kHz").arg(format.number(peaks.pulseFrequencyHz / 1000, 1))
-                                    : tr("%1 Nm").arg(format.number(peaks.torqueNm, 3));
-        row.peakJerkText = std::isinf(peaks.jerkMmPerS3)
-                               ? tr("acceleration jumps")
-                               : tr("%1 m/s³").arg(format.number(peaks.jerkMmPerS3 / 1000, 1));
-        rows << row;
+        if (program::isLawOf(m_recipe.kind(), law))
+            append(law, demandOf(law));
     }
     return rows;
 }
@@ -179,11 +234,18 @@ QString EditorViews::peaks() const
         return {};
     const Format format;
     const profile::Peaks& peaks = m_solution.solved->peaks;
-    // The recipe has no inertia for a knife or a press.
-    if (!m_solution.cutter() && m_recipe.kind() != profile::ProgramKind::Press)
-        return tr("peak %1 r/min · %2 m/s² · %3 Nm · %4 kHz")
+    // The recipe of a press has no inertia, that of a cutter may have one.
+    if (m_recipe.kind() != profile::ProgramKind::Press && hasTorque())
+        return tr("peak %1 r/min · %2 m/s² · %3 Nm (RMS %5) · %4 kHz")
             .arg(format.number(peaks.motorRpm, 0), format.number(peaks.accelerationMmPerS2 / 1000, 2),
-                 format.number(peaks.torqueNm, 3), format.number(peaks.pulseFrequencyHz / 1000, 1));
+                 format.number(peaks.torqueNm, 3), format.number(peaks.pulseFrequencyHz / 1000, 1),
+                 format.number(peaks.rmsTorqueNm, 3));
+    const auto* cutter = m_solution.cutter();
+    if (cutter && cutter->machine.contactAngleDeg > 0)
+        return tr("peak %1 r/min · %2 m/s² · %3 kHz · seal %4 ms")
+            .arg(format.number(peaks.motorRpm, 0), format.number(peaks.accelerationMmPerS2 / 1000, 2),
+                 format.number(peaks.pulseFrequencyHz / 1000, 1),
+                 format.number(profile::sealTimeMs(cutter->cycle, cutter->machine), 0));
     return tr("peak %1 r/min · %2 m/s² · %3 kHz")
         .arg(format.number(peaks.motorRpm, 0), format.number(peaks.accelerationMmPerS2 / 1000, 2),
              format.number(peaks.pulseFrequencyHz / 1000, 1));

@@ -10,12 +10,16 @@
 #include <QCoreApplication>
 #include <QStringList>
 
+#include <cmath>
+
 namespace campanel::panel {
 
 // The demands of a law on the machine; peaks are NaN without a motion.
 struct LawDemand {
     profile::Peaks peaks;
+    double rmsAccelerationMmPerS2 = 0; // only of a rotary cutter
     bool isFeasible = false;
+    double vibrationMm = NAN; // see EditorViews::vibration(); NaN while the natural frequency is unknown
 };
 
 class EditorViews {
@@ -32,7 +36,10 @@ public:
     [[nodiscard]] FieldView field(profile::Field field) const;
     [[nodiscard]] FieldView lawParameter(std::size_t index) const; // not visible when the law has no such
                                                                    // parameter
-    // Returns an empty list for a kind without a law.
+    // Returns the titles of the laws' columns for a kind without a law.
+    [[nodiscard]] QStringList lawColumns() const;
+    // Returns an empty list for a kind without a law. The laws of a cutter are ranked, each at the ratios
+    // that suit it; the figures are those of the recipe with its own ratios.
     [[nodiscard]] QList<LawRow> laws(std::optional<profile::LawId> compared) const;
     [[nodiscard]] QString peaks() const; // "peak 71 r/min · 1.95 m/s² · 11.8 kHz"
     [[nodiscard]] QString verdict() const;
@@ -41,6 +48,11 @@ public:
 private:
     [[nodiscard]] QString explanation(profile::Field field) const;
     [[nodiscard]] LawDemand demandOf(const profile::Law& law) const;
+    [[nodiscard]] LawRow lawRow(const profile::Law& law, const LawDemand& demand) const;
+    // Returns the columns of the law picker that not every machine has.
+    [[nodiscard]] bool hasTorque() const;
+    [[nodiscard]] bool hasRmsAcceleration() const;
+    [[nodiscard]] bool hasVibration() const;
     void narrowRatio(profile::Field field, FieldView& view) const;
 
     const program::Recipe& m_recipe;

@@ -99,7 +99,7 @@ void KnotFiles::write(int place)
     run([where = m_found.places[place], knots = m_knots,
          name = m_recipeName] { return store::exportKnots(knots, name, where); },
         [this, isOnStick = m_found.places[place].isRemovable](const auto& written) {
-            tellWritten({written.value_or(QString())}, written ? QString() : written.error(), isOnStick);
+            showWritten({written.value_or(QString())}, written ? QString() : written.error(), isOnStick);
             search();
         });
 }

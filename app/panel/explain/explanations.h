@@ -35,17 +35,28 @@ public:
         MarkError,
         FilmSaved,
         FollowingError,
+        Torque,
         GoodStrokes,
         FastestRate,
         PeakMotorSpeed,
         PeakAcceleration,
         PeakFrequency,
+        PeakTorque,
+        RmsTorque,
+        SealError,
         WireShare,
         AnswersHalf,
         Answers95,
         Answers99,
         AnswersLongest,
-        AnswerAllowance
+        AnswerAllowance,
+        SyncWindow,
+        SealTime,
+        LiveSealTime,
+        RmsAcceleration,
+        SpeedRatio,
+        BaseCircleSpeed,
+        Coefficients
     };
     Q_ENUM(Topic)
 
@@ -61,11 +72,11 @@ public:
 
     static Explanations* create(QQmlEngine* qmlEngine, QJSEngine* jsEngine);
 
-    // Explains a value of Topic. Packing line and press use the controller's values; FastestRate and the
-    // peaks use the recipe in the editor.
+    // Explains a value of Topic. Packing line and press use the controller's values; FastestRate, the peaks,
+    // SyncWindow and SealTime use the recipe in the editor.
     [[nodiscard]] Q_INVOKABLE campanel::panel::Explanation of(int quantity) const;
-    // Returns the explainable quantities of the recipe's verdict: the known ones of FastestRate and the
-    // peaks.
+    // Returns the explainable quantities of the recipe's verdict: the known ones of FastestRate, the peaks and
+    // the figures that the papers name; Coefficients for a move by one polynomial.
     [[nodiscard]] Q_INVOKABLE QList<int> ofVerdict() const;
     // Explains the statistics of a trend curve, counted from the top. Returns a list of Explanation, empty
     // when nothing was recorded in the window.
@@ -79,9 +90,12 @@ private:
     [[nodiscard]] Explanation bags(Topic quantity) const;
     [[nodiscard]] Explanation packing(Topic quantity) const;
     [[nodiscard]] Explanation followingError() const;
+    [[nodiscard]] Explanation torque() const;
     [[nodiscard]] Explanation goodStrokes() const;
     [[nodiscard]] Explanation fastestRate() const;
     [[nodiscard]] Explanation peak(Topic quantity) const;
+    [[nodiscard]] Explanation liveSealTime() const;
+    [[nodiscard]] Explanation coefficients() const;
     [[nodiscard]] Explanation wireShare() const;
     [[nodiscard]] Explanation answers(Topic quantity) const;
     [[nodiscard]] Explanation answerAllowance() const;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The permissions of the person at the panel. Every function that changes something asks the gate itself, not
-// only the screen. A refused person is asked to log in. Without PINs the gate admits everybody.
+// The permissions of the person at the panel. Every function that changes something asks this check itself,
+// not only the screen. A refused person is asked to log in. Without PINs the check admits everybody.
 #pragma once
 
 #include <QObject>

@@ -17,7 +17,7 @@ FileExchange::~FileExchange()
 
 void FileExchange::scan()
 {
-    tell({}, false);
+    showMessage({}, false);
     search();
 }
 
@@ -50,22 +50,22 @@ void FileExchange::end()
     emit changed();
 }
 
-void FileExchange::tell(const QString& message, bool failed)
+void FileExchange::showMessage(const QString& message, bool failed)
 {
     m_message = message;
     m_failed = failed;
     emit changed();
 }
 
-void FileExchange::tellWritten(const QStringList& paths, const QString& problem, bool isOnStick)
+void FileExchange::showWritten(const QStringList& paths, const QString& problem, bool isOnStick)
 {
     const QString all = paths.join(QStringLiteral(", "));
     if (!problem.isEmpty())
-        tell(problem, true);
+        showMessage(problem, true);
     else
-        tell(isOnStick ? tr("Written: %1. You can remove the stick now.").arg(all)
-                       : tr("Written: %1").arg(all),
-             false);
+        showMessage(isOnStick ? tr("Written: %1. You can remove the stick now.").arg(all)
+                              : tr("Written: %1").arg(all),
+                    false);
 }
 
 QList<OfferRow> FileExchange::placeRows(const QList<store::Place>& places,

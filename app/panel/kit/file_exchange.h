@@ -70,9 +70,9 @@ protected:
     void search();
     void begin();
     void end();
-    void tell(const QString& message, bool failed);
+    void showMessage(const QString& message, bool failed);
     // Tells the result of a write: the paths, or the error.
-    void tellWritten(const QStringList& paths, const QString& problem, bool isOnStick);
+    void showWritten(const QStringList& paths, const QString& problem, bool isOnStick);
     // Returns the rows of places, with the consequence of choosing one that can be written.
     [[nodiscard]] static QList<OfferRow>
     placeRows(const QList<store::Place>& places, const std::function<QString(qsizetype place)>& consequence);

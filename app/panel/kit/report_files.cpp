@@ -59,7 +59,7 @@ void ReportFiles::write(int place)
         return;
     run([where = m_found[place], files = m_files] { return writeAll(files, where); },
         [this](const Written& written) {
-            tellWritten(written.paths, written.problem, written.isOnStick);
+            showWritten(written.paths, written.problem, written.isOnStick);
             emit this->written(written.paths, written.problem);
             search();
         });

@@ -19,7 +19,7 @@ QString valueText(const QJsonValue& value)
 {
     if (value.isString())
         return value.toString();
-    if (value.isArray()) // the knots of a point cam
+    if (value.isArray()) // the knots or segments of a cam
         return QString::fromUtf8(QJsonDocument(value.toArray()).toJson(QJsonDocument::Compact));
     return value.toVariant().toString();
 }

@@ -167,7 +167,10 @@ const RecipeVersion* Recipes::named(const QString& name) const
 
 Recipe Recipes::onThisMachine(Recipe recipe) const
 {
+    const Recipe before = recipe;
     recipe.machine = m_editor.newRecipe(recipe.kind()).machine;
+    if (!sameRecipe(before, recipe))
+        program::followRatios(recipe);
     return recipe;
 }
 
@@ -223,12 +226,14 @@ void Recipes::showFigures()
             rows << FigureRow{RecipeWords::fieldName(field),
                               RefusalSentences::valueWithUnit(field, program::value(recipe, field))};
     }
-    if (const auto* cam = std::get_if<profile::PointCamProgram>(&recipe.program))
-        rows << FigureRow{tr("Knots"), Format().number(static_cast<double>(cam->knots.size()), 0)};
+    if (kind.list)
+        rows << FigureRow{RecipeWords::listName(recipe.kind()),
+                          Format().number(static_cast<double>(kind.list->size(recipe.program)), 0)};
     if (program::lawParameters(recipe.program))
         rows << FigureRow{RecipeWords::choiceName(program::Choice::Law),
                           RecipeWords::lawName(static_cast<profile::LawId>(
                               program::choice(recipe.program, program::Choice::Law)))};
+    addMotor(rows, chosen->recipe);
     m_figures.setRows(rows);
 }
 

@@ -156,6 +156,7 @@ private:
     void followEditor();
     void show();
     void showFigures();
+    void addMotor(QList<FigureRow>& rows, const program::Recipe& recipe) const;
     void clearComparison();
     void compare(const program::Recipe& before, const program::Recipe& after);
     void say(const QString& text);

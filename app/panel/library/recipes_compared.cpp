@@ -4,11 +4,14 @@
 
 #include "app/panel/controller/controller.h"
 #include "app/panel/editor/editor.h"
+#include "app/panel/kit/format.h"
+#include "app/panel/recipe/motor_demand.h"
 #include "app/panel/recipe/recipe_comparison.h"
 #include "app/panel/records/database_service.h"
 #include "app/store/recipes/recipe_json.h"
 
 #include <algorithm>
+#include <vector>
 
 namespace campanel::panel {
 
@@ -57,6 +60,28 @@ void Recipes::listVersions()
                 rows << OfferRow{tr("Version %1").arg(each.version), savedText(each), {}};
             m_candidates.setRows(rows);
         });
+}
+
+// Adds the torque of the recipe on this machine, and the recipe that needs the most.
+void Recipes::addMotor(QList<FigureRow>& rows, const Recipe& recipe) const
+{
+    const auto demand = motorDemand(onThisMachine(recipe));
+    if (!demand)
+        return;
+    const Format format;
+    const auto torque = [&format](double nm) { return tr("%1 Nm").arg(format.number(nm, 3)); };
+    rows << FigureRow{tr("Peak motor torque"), torque(demand->peakNm)}
+         << FigureRow{tr("RMS motor torque"), torque(demand->rmsNm)};
+    std::vector<Recipe> same;
+    for (const RecipeVersion& each : m_all) {
+        if (each.recipe.kind() == recipe.kind())
+            same.push_back(onThisMachine(each.recipe));
+    }
+    const auto hardest = hardestForMotor(same);
+    if (hardest && same.size() > 1)
+        rows << FigureRow{tr("Highest RMS torque"), tr("%1, %2 Nm", "recipe, torque")
+                                                        .arg(QString::fromStdString(hardest->recipeName),
+                                                             format.number(hardest->rmsNm, 3))};
 }
 
 void Recipes::listOthers()

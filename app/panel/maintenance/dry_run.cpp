@@ -40,9 +40,9 @@ void DryRun::follow(const Editor& editor)
     connect(&editor, &Editor::solutionChanged, this, [this] {
         if (!available())
             setPlaying(false);
-        tell();
+        update();
     });
-    tell();
+    update();
 }
 
 const Solution* DryRun::solution() const
@@ -135,7 +135,7 @@ void DryRun::turn(double deg)
     const double cycles = std::floor(turned / 360);
     m_masterDeg = turned - 360 * cycles;
     m_cycle = ((m_cycle + static_cast<int>(cycles)) % manyCycles + manyCycles) % manyCycles;
-    tell();
+    update();
 }
 
 void DryRun::toStart()
@@ -143,7 +143,7 @@ void DryRun::toStart()
     setPlaying(false);
     m_masterDeg = 0;
     m_cycle = 0;
-    tell();
+    update();
 }
 
 void DryRun::grab(double x, double y)
@@ -161,10 +161,10 @@ void DryRun::drag(double x, double y)
 
 void DryRun::retranslate()
 {
-    tell();
+    update();
 }
 
-void DryRun::tell()
+void DryRun::update()
 {
     QList<FigureRow> rows;
     if (available()) {
@@ -173,7 +173,7 @@ void DryRun::tell()
         const profile::MotionPoint at = solved.motion.at(timeS());
         rows << FigureRow{tr("Time in the cycle"), tr("%1 s").arg(format.number(timeS(), 3)), false};
         if (cutter())
-            tellCutter(rows);
+            addCutterRows(rows);
         else
             rows << FigureRow{tr("Position"), tr("%1 mm").arg(format.number(at.positionMm, 2)), false}
                  << FigureRow{tr("Speed"), tr("%1 mm/s").arg(format.number(at.velocityMmPerS, 1)), false};
@@ -187,7 +187,7 @@ void DryRun::tell()
     emit changed();
 }
 
-void DryRun::tellCutter(QList<FigureRow>& rows) const
+void DryRun::addCutterRows(QList<FigureRow>& rows) const
 {
     const Format format;
     const profile::RotaryCutter& cutter = *solution()->cutter();

@@ -83,8 +83,8 @@ signals:
 private:
     [[nodiscard]] const Solution* solution() const;
     [[nodiscard]] double knifeDegAt(double masterDeg) const;
-    void tell();
-    void tellCutter(QList<FigureRow>& rows) const;
+    void update();
+    void addCutterRows(QList<FigureRow>& rows) const;
 
     const Editor* m_editor = nullptr;
     FigureModel m_figures{this};

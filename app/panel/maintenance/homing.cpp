@@ -21,9 +21,9 @@ Homing::Homing(Controller& machine, QObject* parent)
     , m_machine(machine)
     , m_speed(machine, AxisSpeed::Use::Home, this)
 {
-    for (const auto told :
+    for (const auto trigger :
          {&Controller::stateChanged, &Controller::freshChanged, &Controller::connectionChanged})
-        connect(&machine, told, this, &Homing::note);
+        connect(&machine, trigger, this, &Homing::note);
     connect(&machine, &Controller::programChanged, this, &Homing::noteProgram);
     connect(&machine, &Controller::commandEnded, this, [this](const link::CommandOutcome& outcome) {
         // A press sets the present position: homing ends with the command.
@@ -70,6 +70,7 @@ QString Homing::explanation() const
         return tr("Keep hands away: the knife turns slowly forward to the index mark of its shaft, brakes "
                   "and returns to 0°. Start homes automatically when required.");
     case Kind::PointCam:
+    case Kind::SegmentCam:
         return tr("The axis turns slowly forward to the index mark of its motor, brakes and returns to "
                   "position 0. Start homes automatically when required.");
     case Kind::PositionMove:

@@ -51,8 +51,8 @@ IoList::IoList(Controller& machine, QObject* parent)
         if (watched())
             showRows();
     });
-    for (const auto told : {&Controller::freshChanged, &Controller::connectionChanged})
-        connect(&machine, told, this, [this] {
+    for (const auto trigger : {&Controller::freshChanged, &Controller::connectionChanged})
+        connect(&machine, trigger, this, [this] {
             if (watched())
                 refresh();
         });

@@ -4,8 +4,8 @@
 #pragma once
 
 #include "app/link/link_values.h"
+#include "app/panel/controller/io_pins.h"
 #include "app/panel/kit/row_model.h"
-#include "app/panel/maintenance/io_pins.h"
 
 #include <QTimer>
 #include <QtQml/qqmlregistration.h>

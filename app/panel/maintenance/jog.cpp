@@ -61,11 +61,11 @@ Jog::Jog(Controller& machine, QObject* parent)
     m_settleTimer.setInterval(settleTime);
     connect(&m_settleTimer, &QTimer::timeout, this, [this] {
         if (m_machine.state() != Controller::State::Jogging)
-            tellEnd();
+            reportEnd();
     });
-    for (const auto told : {&Controller::stateChanged, &Controller::freshChanged,
-                            &Controller::connectionChanged, &Controller::programChanged})
-        connect(&machine, told, this, &Jog::check);
+    for (const auto trigger : {&Controller::stateChanged, &Controller::freshChanged,
+                               &Controller::connectionChanged, &Controller::programChanged})
+        connect(&machine, trigger, this, &Jog::check);
     connect(&machine, &Controller::liveChanged, this, &Jog::positionChanged);
     // Any command ends jogging, above all Stop.
     connect(&machine, &Controller::commandSending, this, [this] { finish(End::Stopped); });
@@ -188,7 +188,7 @@ void Jog::letGo()
 
 void Jog::begin(int direction)
 {
-    tellEnd(); // for the previous one
+    reportEnd(); // for the previous one
     m_held = direction;
     m_isRefused = false;
     m_machine.link().setJog(linkDirection(direction));
@@ -219,11 +219,11 @@ void Jog::check()
     if (m_held != 0 && m_machine.state() == Controller::State::Jogging)
         m_isRefused = false;
     if (m_endedDirection != 0 && !m_machine.isConnected())
-        tellEnd();
+        reportEnd();
     emit changed();
 }
 
-void Jog::tellEnd()
+void Jog::reportEnd()
 {
     m_settleTimer.stop();
     if (m_endedDirection != 0)

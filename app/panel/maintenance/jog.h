@@ -68,7 +68,7 @@ private:
     void begin(int direction);
     void finish(End end);
     void check();
-    void tellEnd();
+    void reportEnd();
 
     Controller& m_machine;
     AxisSpeed m_speed;

@@ -23,7 +23,7 @@ struct LineFaultRow {
 
 public:
     int fault = 0;
-    int level = 0; // LineFaults.Level
+    int level = 0; // SimulatedFaults.Level
 
     [[nodiscard]] QString name() const;
     [[nodiscard]] QString note() const;

@@ -11,8 +11,8 @@ QList<ChoiceRow> ChoiceRow::rows(const program::Recipe& recipe)
 {
     QList<ChoiceRow> rows;
     for (const program::ChoiceInfo& info : program::kindInfo(recipe.kind()).choices) {
-        if (info.choice == program::Choice::Law)
-            continue;
+        if (info.choice == program::Choice::Law || info.choice == program::Choice::Ratios)
+            continue; // they have views of their own
         ChoiceRow row{info.choice, RecipeWords::choiceName(info.choice), {}, 0};
         for (const program::ChoiceOption& option : info.options)
             row.options << RecipeWords::optionName(option.key);

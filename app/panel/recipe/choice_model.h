@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The inputs of the recipe that are not numbers, each with its options; the law has its own list.
+// The inputs of the recipe that are not numbers, each with its options; law and ratios have their own views.
 #pragma once
 
 #include "app/panel/kit/row_model.h"

@@ -32,12 +32,12 @@ std::shared_ptr<const ControllerProgram> readProgram(const link::ActiveProgram& 
     program->generation = active.generation;
     program->crc = active.crc;
     program->registers = active.header;
-    program->knots = active.knots;
+    program->list = active.list;
     const modbus::RegisterReader header(active.header, 0);
     program->kind = static_cast<modbus::ProgramKind>(header.u16("bank.kind"));
     program->layout = static_cast<modbus::TableLayout>(header.u16("bank.layout"));
     program->name = header.text("program.recipe_name");
-    const auto recipe = program::decodeProgram(active.header, active.knots,
+    const auto recipe = program::decodeProgram(active.header, active.list,
                                                program::withController(profile::Machine(), identity));
     if (!recipe) {
         qCWarning(motionLog, "active program: unknown value %d (error %d)", recipe.error().code,

@@ -19,7 +19,7 @@ struct ControllerProgram {
     std::uint32_t generation = 0;
     std::uint32_t crc = 0;
     std::vector<std::uint16_t> registers; // the header
-    std::vector<std::uint16_t> knots;     // only for a point cam
+    std::vector<std::uint16_t> list;      // the knots or segments of a cam
     modbus::ProgramKind kind = modbus::ProgramKind::None;
     modbus::TableLayout layout = modbus::TableLayout::None;
     std::string name;

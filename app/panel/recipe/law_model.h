@@ -16,8 +16,10 @@ struct LawRow {
     Q_PROPERTY(QString weakness MEMBER weakness)
     Q_PROPERTY(QString peakRpmText MEMBER peakRpmText)
     Q_PROPERTY(QString peakAccelerationText MEMBER peakAccelerationText)
+    Q_PROPERTY(QString rmsText MEMBER rmsText)
     Q_PROPERTY(QString peakFrequencyText MEMBER peakFrequencyText)
     Q_PROPERTY(QString peakJerkText MEMBER peakJerkText)
+    Q_PROPERTY(QString vibrationText MEMBER vibrationText)
     Q_PROPERTY(bool current MEMBER current)
     Q_PROPERTY(bool usable MEMBER usable)
     Q_PROPERTY(bool compared MEMBER compared)
@@ -29,8 +31,10 @@ public:
     QString weakness;
     QString peakRpmText;
     QString peakAccelerationText;
-    QString peakFrequencyText;
+    QString rmsText; // RMS acceleration, only of a rotary cutter
+    QString peakFrequencyText; // or the torque, where it is known
     QString peakJerkText;
+    QString vibrationText; // empty while the natural frequency is unknown
     bool current = false;
     bool usable = false;   // exceeds no limit with this recipe
     bool compared = false; // its curves are in the background

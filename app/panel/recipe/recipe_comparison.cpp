@@ -71,11 +71,9 @@ QList<DifferenceRow> RecipeComparison::rows(const Recipe& before, const Recipe& 
     for (std::size_t i = 0; left && right && i < left->size(); ++i)
         compare(i == 0 ? tr("Law parameter 1") : tr("Law parameter 2"), Format().compact((*left)[i], 0, 3),
                 Format().compact((*right)[i], 0, 3));
-    const auto* knots = std::get_if<profile::PointCamProgram>(&a.program);
-    const auto* wanted = std::get_if<profile::PointCamProgram>(&b.program);
-    if (knots && wanted && knots->knots != wanted->knots)
-        rows << DifferenceRow{tr("Knots"), tr("%n knot(s)", nullptr, static_cast<int>(knots->knots.size())),
-                              tr("%n knot(s)", nullptr, static_cast<int>(wanted->knots.size()))};
+    if (kind.list && !kind.list->isEqual(a.program, b.program))
+        rows << DifferenceRow{RecipeWords::listName(a.kind()), RecipeWords::listSize(a.program),
+                              RecipeWords::listSize(b.program)};
     return rows;
 }
 
@@ -83,8 +81,8 @@ QString RecipeComparison::summary(const Recipe& recipe)
 {
     const Recipe numbers = solved(recipe);
     QStringList texts;
-    if (const auto* cam = std::get_if<profile::PointCamProgram>(&numbers.program))
-        texts << tr("%n knot(s)", nullptr, static_cast<int>(cam->knots.size()));
+    if (program::kindInfo(numbers.kind()).list)
+        texts << RecipeWords::listSize(numbers.program);
     for (const profile::Field field : program::kindInfo(numbers.kind()).programFields) {
         const bool isShown = numbers.isCutter()
                                  ? field == profile::Field::BagLength || field == profile::Field::Rate

@@ -48,6 +48,8 @@ bool isPinnable(Field field)
 void enterField(Recipe& recipe, Field field, double value)
 {
     program::setValue(recipe, field, value);
+    if (field >= Field::K1 && field <= Field::K4)
+        recipe.cutter().ratioMode = profile::RatioMode::ByHand;
     if (isPinnable(field))
         pin(recipe.cutter(), field);
 }
@@ -104,6 +106,7 @@ void dragRatio(Recipe& recipe, int index, double share)
     const ShareRange range = ratioRange(recipe, index);
     const double kept = std::clamp(std::isfinite(share) ? share : range.from, range.from, range.to);
     recipe.cutter().k[static_cast<std::size_t>(index)] = profile::snapToGrid(Field::K1, 1 / kept);
+    recipe.cutter().ratioMode = profile::RatioMode::ByHand;
 }
 
 bool sameRecipe(const Recipe& left, const Recipe& right)
@@ -132,8 +135,7 @@ bool sameRecipe(const Recipe& left, const Recipe& right)
     const auto sameMachine = [&](Field field) {
         return program::value(left, field) == program::value(right, field);
     };
-    const auto* cam = std::get_if<profile::PointCamProgram>(&left.program);
-    return (!cam || cam->knots == std::get<profile::PointCamProgram>(right.program).knots) &&
+    return (!kind.list || kind.list->isEqual(left.program, right.program)) &&
            std::ranges::all_of(kind.programFields, isSame) &&
            std::ranges::all_of(kind.machineFields, sameMachine);
 }

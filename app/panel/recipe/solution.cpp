@@ -2,6 +2,7 @@
 #include "app/panel/recipe/solution.h"
 
 #include "app/panel/recipe/controller_program.h"
+#include "profile/cutter/jaw.h"
 
 #include <algorithm>
 
@@ -19,11 +20,18 @@ bool Solution::isCloseToLimit() const
     // A press always uses the maximum acceleration in its ramps.
     if (image->recipe.kind() == profile::ProgramKind::Press)
         return speedShare > closeShare;
-    if (cutter())
-        return std::max(speedShare, peaks.accelerationMmPerS2 / machine.maxKnifeAccelerationMmPerS2) >
-               closeShare;
-    return std::max({speedShare, peaks.accelerationMmPerS2 / machine.maxAccelerationMmPerS2,
-                     peaks.torqueNm / machine.maxTorqueNm}) > closeShare;
+    // A torque or a limit that is unknown is not close.
+    const auto isCloseTorque = [](double torqueNm, double limitNm) {
+        return limitNm > 0 && torqueNm > closeShare * limitNm;
+    };
+    const double maxAcceleration =
+        cutter() ? machine.maxKnifeAccelerationMmPerS2 : machine.maxAccelerationMmPerS2;
+    const auto* knife = cutter();
+    const double sealShare =
+        knife ? knife->program.minSealTimeMs / profile::sealTimeMs(knife->cycle, machine) : 0;
+    return std::max({speedShare, sealShare, peaks.accelerationMmPerS2 / maxAcceleration}) > closeShare ||
+           isCloseTorque(peaks.torqueNm, machine.maxTorqueNm) ||
+           isCloseTorque(peaks.rmsTorqueNm, machine.ratedTorqueNm);
 }
 
 Solution solveRecipe(const program::Recipe& recipe, const std::optional<modbus::Identity>& controller,

@@ -111,7 +111,7 @@ void Backup::snapshot(const std::function<void(const Snapshot&)>& then)
             if (made)
                 addTrends(*made, then);
             else
-                tell(store::StoreErrorText::describe(made.error()), true);
+                showMessage(store::StoreErrorText::describe(made.error()), true);
             end();
         });
 }
@@ -133,7 +133,7 @@ void Backup::addTrends(const Snapshot& taken, const std::function<void(const Sna
                 whole.manifest.madeBy = m_parts.access.userName();
                 then(whole);
             } else {
-                tell(store::StoreErrorText::describe(added.error()), true);
+                showMessage(store::StoreErrorText::describe(added.error()), true);
             }
             end();
         });
@@ -144,11 +144,11 @@ void Backup::make()
     if (!require())
         return;
     if (m_parts.records.openError())
-        return tell(
+        return showMessage(
             tr("The database could not be opened: a backup would be empty. Correct this first, then restart "
                "the panel."),
             true);
-    tell({}, false);
+    showMessage({}, false);
     snapshot([this](const Snapshot& taken) {
         const QString name =
             tr("CamPanel backup %1", "name of a file").arg(m_wallClock().toString(u"yyyy-MM-dd HH-mm"_s));
@@ -215,14 +215,15 @@ void Backup::check(int row)
     if (row < 0 || row >= m_files.size() || !m_files[row].manifest || !require())
         return;
     m_checked.reset();
-    tell({}, false);
+    showMessage({}, false);
     if (moves(m_parts.machine.state()))
-        return tell(tr("The machine is moving. Stop it before restoring; the panel will restart."), true);
+        return showMessage(tr("The machine is moving. Stop it before restoring; the panel will restart."),
+                           true);
     const QString path = m_files[row].path;
     run([path, folder = m_folder] { return store::stageRestore(path, folder); },
         [this, path](const tl::expected<store::BackupManifest, store::BackupError>& staged) {
             if (!staged)
-                return tell(store::BackupErrorText::describe(staged.error()), true);
+                return showMessage(store::BackupErrorText::describe(staged.error()), true);
             m_checked = Checked{path, *staged};
             QMetaObject::invokeMethod(this, &Backup::checked, Qt::QueuedConnection); // not busy any more
         });
@@ -247,7 +248,8 @@ void Backup::restore()
     if (!m_checked || !require())
         return;
     if (moves(m_parts.machine.state()))
-        return tell(tr("The machine is moving. Stop it before restoring; the panel will restart."), true);
+        return showMessage(tr("The machine is moving. Stop it before restoring; the panel will restart."),
+                           true);
     // The old trail gets an entry too, so that it documents its end.
     store::AuditEntry entry;
     entry.what = u"backup.restore"_s;
@@ -286,14 +288,15 @@ void Backup::seal(const Snapshot& present)
             if (ready)
                 QMetaObject::invokeMethod(this, &Backup::restartWanted, Qt::QueuedConnection);
             else
-                tell(tr("The restore was not started: %1. Nothing was changed.").arg(ready.error()), true);
+                showMessage(tr("The restore was not started: %1. Nothing was changed.").arg(ready.error()),
+                            true);
         });
 }
 
 void Backup::retranslate()
 {
     takeFound(m_files);
-    tell({}, false); // the message is in the previous language
+    showMessage({}, false); // the message is in the previous language
 }
 
 } // namespace campanel::panel

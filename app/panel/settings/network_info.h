@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// `SystemFacts` in QML: the clock and the network of this computer, read-only. They are set in the operating
+// `NetworkInfo` in QML: the clock and the network of this computer, read-only. They are set in the operating
 // system.
 #pragma once
 

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ranges>
 
 using namespace Qt::StringLiterals;
 
@@ -18,60 +19,42 @@ namespace campanel::panel {
 
 namespace {
 
-// Modbus: 0 is broadcast, numbers above 247 are reserved.
-constexpr int minUnit = 1;
-constexpr int maxUnit = 247;
-
-const QString languageKey = u"language"_s;
-const QString themeKey = u"theme"_s;
-const QString glovesKey = u"gloves"_s;
-const QString bagToleranceKey = u"bag_tolerance_mm"_s;
-const QString autoLogoutKey = u"access/auto_logout_minutes"_s;
 const QString firstStartKey = u"first_start"_s;
 const QString firstStartBegun = u"begun"_s;
 const QString firstStartDone = u"done"_s;
-const QString operatorsLogInKey = u"access/operators_log_in"_s;
-const QString holdToStartKey = u"access/hold_to_start"_s;
-const QString simulatedKey = u"connection/simulated"_s;
-const QString portKey = u"connection/port"_s;
-const QString baudKey = u"connection/baud"_s;
-const QString parityKey = u"connection/parity"_s;
-const QString stopBitsKey = u"connection/stop_bits"_s;
-const QString unitKey = u"connection/unit"_s;
-const QStringList connectionKeys{simulatedKey, portKey, baudKey, parityKey, stopBitsKey, unitKey};
 
-QString textOf(bool truth)
+bool isOfConnection(const SettingRow& row)
 {
-    return truth ? u"true"_s : u"false"_s;
+    return row.name.starts_with("connection.");
 }
 
-bool truthOf(const QString& text, bool otherwise)
+ConnectionChoice connectionOf(const SettingValues& values)
 {
-    return text == textOf(true) || (otherwise && text != textOf(false));
+    return {values.isTrue("connection.simulated"), values.text("connection.port"),
+            values.whole("connection.baud"),       values.text("connection.parity"),
+            values.whole("connection.stop_bits"),  values.whole("connection.unit")};
 }
 
-QString chosen(const QString& wanted, const QStringList& possible, const QString& otherwise)
+SettingValues valuesOf(const ConnectionChoice& choice)
 {
-    return possible.contains(wanted) ? wanted : otherwise;
+    return {{"connection.simulated", settingText(choice.simulated)},
+            {"connection.port", choice.portName},
+            {"connection.baud", settingText(choice.baud)},
+            {"connection.parity", choice.parity},
+            {"connection.stop_bits", settingText(choice.stopBits)},
+            {"connection.unit", settingText(choice.unit)}};
 }
 
-// Returns the stored connection. Invalid values become the default, but never select the simulated
-// controller.
-ConnectionChoice storedConnection(const store::SettingsFile& file, const ConnectionChoice& standard)
+// Returns the connection in the form of the settings file.
+store::SettingsFile::Values storedForm(const ConnectionChoice& choice)
 {
-    if (std::none_of(connectionKeys.begin(), connectionKeys.end(),
-                     [&file](const QString& key) { return file.contains(key); }))
-        return standard;
-    ConnectionChoice choice;
-    choice.simulated = truthOf(file.value(simulatedKey), false);
-    choice.portName = file.value(portKey, standard.portName);
-    choice.baud = file.value(baudKey).toInt();
-    if (!Settings::possibleBauds().contains(choice.baud))
-        choice.baud = standard.baud;
-    choice.parity = chosen(file.value(parityKey), Settings::possibleParities(), standard.parity);
-    choice.stopBits = std::clamp(file.value(stopBitsKey, QString::number(standard.stopBits)).toInt(), 1, 2);
-    choice.unit = std::clamp(file.value(unitKey, QString::number(standard.unit)).toInt(), 1, 247);
-    return choice;
+    const SettingValues values = valuesOf(choice);
+    store::SettingsFile::Values stored;
+    for (const SettingRow& row : settingTable) {
+        if (isOfConnection(row))
+            stored.insert(keyOf(row), values.text(row));
+    }
+    return stored;
 }
 
 ConnectionChoice choiceOf(const link::ConnectionSettings& settings, const ConnectionChoice& before)
@@ -88,64 +71,57 @@ ConnectionChoice choiceOf(const link::ConnectionSettings& settings, const Connec
     return choice;
 }
 
-store::SettingsFile::Values valuesOf(const ConnectionChoice& choice)
-{
-    return {{simulatedKey, textOf(choice.simulated)},        {portKey, choice.portName},
-            {baudKey, QString::number(choice.baud)},         {parityKey, choice.parity},
-            {stopBitsKey, QString::number(choice.stopBits)}, {unitKey, QString::number(choice.unit)}};
-}
-
 } // namespace
 
-Settings::Settings(const QString& storage, QObject* parent, const StandardSettings& standard)
+Settings::Settings(const QString& storage, QObject* parent, const SettingValues& standard)
     : QObject(parent)
     , m_file(fileName(storage), fileKeys())
-    , m_gloves(truthOf(m_file.value(glovesKey), standard.gloves))
-    , m_standardToleranceMm(standard.bagToleranceMm)
-    , m_bagToleranceMm(standard.bagToleranceMm)
-    , m_autoLogoutMinutes(standard.autoLogoutMinutes)
-    , m_operatorsLogIn(truthOf(m_file.value(operatorsLogInKey), standard.operatorsLogIn))
+    , m_standard(standard)
     , m_isNoticed(m_file.origin() == store::SettingsFile::Origin::Copy ||
                   m_file.origin() == store::SettingsFile::Origin::Defaults)
 {
-    const bool chineseSystem = QLocale::system().language() == QLocale::Chinese;
-    const QString systemLanguage = chineseSystem ? u"zh_CN"_s : u"en"_s;
-    m_language = chosen(m_file.value(languageKey), languages(),
-                        chosen(standard.language, languages(), systemLanguage));
-    m_theme = chosen(m_file.value(themeKey), themes(), standard.theme);
-    m_holdToStart = chosen(m_file.value(holdToStartKey), possibleHolds(), standard.holdToStart);
-    const double stored = m_file.value(bagToleranceKey).toDouble();
-    if (stored >= minToleranceMm && stored <= maxToleranceMm)
-        m_bagToleranceMm = stored;
-    const int minutes = m_file.value(autoLogoutKey).toInt();
-    if (possibleLogouts().contains(minutes))
-        m_autoLogoutMinutes = minutes;
     if (m_file.origin() == store::SettingsFile::Origin::Defaults)
-        forgetController(standard.connection);
-    m_applied = storedConnection(m_file, standard.connection);
-    m_draft = m_applied;
-    QLocale::setDefault(QLocale(m_language));
+        forgetController();
+    load();
+    m_draft = connection();
+    QLocale::setDefault(QLocale(language()));
     // Queued until the texts of the new language are available.
-    connect(this, &Settings::languageChanged, this, &Settings::noticeChanged, Qt::QueuedConnection);
+    connect(this, &Settings::languageChanged, this, &Settings::textsChanged, Qt::QueuedConnection);
     connect(this, &Settings::languageChanged, this, &Settings::updateValues, Qt::QueuedConnection);
-    connect(this, &Settings::bagToleranceChanged, this, &Settings::updateValues);
-    connect(this, &Settings::connectionApplied, this, &Settings::holdToStartChanged);
+    connect(this, &Settings::changed, this, &Settings::updateValues);
     connect(this, &Settings::connectionChanged, this, &Settings::updateValues);
+    connect(this, &Settings::connectionApplied, this, &Settings::changed);
     connect(&m_bagTolerance, &Value::setRequested, this, &Settings::setBagToleranceMm);
     connect(&m_unitNumber, &Value::setRequested, this,
             [this](double unit) { setUnit(static_cast<int>(std::lround(unit))); });
     updateValues();
 }
 
+// Reads the stored values over the defaults. A damaged connection never selects the simulated controller.
+void Settings::load()
+{
+    m_values = m_standard;
+    if (m_values.text("display.language").isEmpty()) {
+        const bool isChinese = QLocale::system().language() == QLocale::Chinese;
+        m_values.set("display.language", isChinese ? u"zh_CN"_s : u"en"_s);
+    }
+    const auto isInFile = [this](const SettingRow& row) { return isStored(row); };
+    if (std::ranges::any_of(settingTable | std::views::filter(&isOfConnection), isInFile))
+        m_values.set("connection.simulated", settingText(false));
+    for (const SettingRow& row : settingTable | std::views::filter(isInFile))
+        m_values.set(row, m_file.value(keyOf(row)));
+}
+
 // Removes the connection when the panel's controller is unknown. The panel is not new either: it has no
 // controller until somebody chooses one, also after the next start.
-void Settings::forgetController(ConnectionChoice standard)
+void Settings::forgetController()
 {
-    standard.simulated = false;
-    standard.portName.clear();
-    store::SettingsFile::Values values = valuesOf(standard);
-    values.insert(firstStartKey, firstStartDone);
-    m_file.set(values);
+    ConnectionChoice none = connectionOf(m_standard);
+    none.simulated = false;
+    none.portName.clear();
+    store::SettingsFile::Values stored = storedForm(none);
+    stored.insert(firstStartKey, firstStartDone);
+    m_file.set(stored);
 }
 
 QString Settings::notice() const
@@ -162,48 +138,17 @@ QString Settings::notice() const
 void Settings::dismissNotice()
 {
     m_isNoticed = false;
-    emit noticeChanged();
+    emit textsChanged();
 }
 
 QStringList Settings::fileKeys()
 {
-    // Display writes brightness and screen-off time.
-    return QStringList{languageKey,
-                       themeKey,
-                       glovesKey,
-                       bagToleranceKey,
-                       autoLogoutKey,
-                       firstStartKey,
-                       operatorsLogInKey,
-                       holdToStartKey,
-                       u"display/brightness"_s,
-                       u"display/dark_after_minutes"_s} +
-           connectionKeys;
-}
-
-QList<int> Settings::possibleBauds()
-{
-    return {9600, 19200, 38400, 57600, 115200};
-}
-
-QStringList Settings::possibleParities()
-{
-    return {u"N"_s, u"E"_s, u"O"_s};
-}
-
-QStringList Settings::possibleLanguages()
-{
-    return {u"en"_s, u"zh_CN"_s};
-}
-
-QStringList Settings::possibleThemes()
-{
-    return {u"light"_s, u"dark"_s, u"contrast"_s};
-}
-
-QList<int> Settings::possibleLogouts()
-{
-    return {1, 2, 5, 10, 30};
+    QStringList keys{firstStartKey};
+    for (const SettingRow& row : settingTable) {
+        if (!row.key.empty())
+            keys << keyOf(row);
+    }
+    return keys;
 }
 
 QString Settings::fileName(const QString& storage)
@@ -241,153 +186,73 @@ QStringList Settings::languageNames() const
     return {u"English"_s, u"简体中文"_s};
 }
 
-void Settings::overrideLanguage(const QString& language)
+QVariantMap Settings::labels() const
 {
-    if (m_language == language || !languages().contains(language))
+    QVariantMap labels;
+    for (const SettingRow& row : settingTable) {
+        if (row.label)
+            labels.insert(shortKeyOf(row), tr(row.label));
+    }
+    return labels;
+}
+
+bool Settings::isStored(Setting setting) const
+{
+    return !setting->key.empty() && m_file.contains(keyOf(setting));
+}
+
+void Settings::set(Setting setting, const QString& text)
+{
+    const QString value = m_values.nearest(setting, text);
+    // A choice that everybody may make is stored also when it is the default.
+    const bool isWanted = value != m_values.text(setting) || setting->level == Level::Viewer;
+    if (!isWanted || !require(setting->level))
         return;
-    m_language = language;
-    QLocale::setDefault(QLocale(m_language));
-    emit languageChanged();
+    m_file.set(keyOf(setting), value);
+    overrideValue(setting, value);
 }
 
-void Settings::setLanguage(const QString& language)
+void Settings::overrideValue(Setting setting, const QString& text)
 {
-    overrideLanguage(language);
-    m_file.set(languageKey, m_language);
-}
-
-void Settings::overrideTheme(const QString& theme)
-{
-    if (m_theme == theme || !themes().contains(theme))
+    const QString before = language();
+    if (!m_values.set(setting, text))
         return;
-    m_theme = theme;
-    emit themeChanged();
-}
-
-void Settings::setTheme(const QString& theme)
-{
-    overrideTheme(theme);
-    m_file.set(themeKey, m_theme);
-}
-
-void Settings::overrideGloves(bool gloves)
-{
-    if (m_gloves == gloves)
-        return;
-    m_gloves = gloves;
-    emit glovesChanged();
-}
-
-void Settings::setGloves(bool gloves)
-{
-    overrideGloves(gloves);
-    m_file.set(glovesKey, textOf(m_gloves));
-}
-
-void Settings::setBagToleranceMm(double toleranceMm)
-{
-    const double taken = std::clamp(toleranceMm, minToleranceMm, maxToleranceMm);
-    if (std::isnan(toleranceMm) || taken == m_bagToleranceMm || !require(Level::Technician))
-        return;
-    m_bagToleranceMm = taken;
-    m_file.set(bagToleranceKey, QString::number(m_bagToleranceMm, 'g', QLocale::FloatingPointShortest));
-    emit bagToleranceChanged();
+    if (language() != before) {
+        QLocale::setDefault(QLocale(language()));
+        emit languageChanged();
+    }
+    emit changed();
 }
 
 void Settings::updateValues()
 {
     constexpr int decimals = 2;
     const Format format;
-    m_bagTolerance.show({tr("Bag tolerance ±"), u"mm"_s, format.number(m_bagToleranceMm, decimals),
-                         minToleranceMm, maxToleranceMm, m_standardToleranceMm, decimals});
-    m_unitNumber.show({tr("Unit number"), {}, QString::number(m_draft.unit), minUnit, maxUnit, minUnit, 0});
-}
-
-void Settings::setAutoLogoutMinutes(int minutes)
-{
-    if (minutes == m_autoLogoutMinutes || !possibleLogouts().contains(minutes) || !require(Level::Service))
-        return;
-    m_autoLogoutMinutes = minutes;
-    m_file.set(autoLogoutKey, QString::number(minutes));
-    emit accessChanged();
-}
-
-void Settings::setOperatorsLogIn(bool logIn)
-{
-    if (logIn == m_operatorsLogIn || !require(Level::Service))
-        return;
-    m_operatorsLogIn = logIn;
-    m_file.set(operatorsLogInKey, textOf(logIn));
-    emit accessChanged();
-}
-
-QStringList Settings::possibleHolds()
-{
-    return {u"auto"_s, u"on"_s, u"off"_s};
-}
-
-void Settings::setHoldToStart(const QString& hold)
-{
-    if (hold == m_holdToStart || !possibleHolds().contains(hold) || !require(Level::Technician))
-        return;
-    m_holdToStart = hold;
-    m_file.set(holdToStartKey, hold);
-    emit holdToStartChanged();
+    constexpr Setting tolerance("bags.tolerance_mm");
+    constexpr Setting unit("connection.unit");
+    m_bagTolerance.show({tr("Bag tolerance ±"), u"mm"_s, format.number(bagToleranceMm(), decimals),
+                         tolerance->minimum, tolerance->maximum, m_standard.number(tolerance), decimals});
+    m_unitNumber.show({tr("Unit number"),
+                       {},
+                       QString::number(m_draft.unit),
+                       unit->minimum,
+                       unit->maximum,
+                       unit->minimum,
+                       0});
 }
 
 bool Settings::startIsHeld() const
 {
-    return m_holdToStart == u"on"_s || (m_holdToStart == u"auto"_s && !m_applied.simulated);
+    return holdToStart() == u"on"_s || (holdToStart() == u"auto"_s && !connection().simulated);
 }
 
-void Settings::edit(ConnectionChoice choice)
+void Settings::edit(Setting setting, const QString& text)
 {
-    if (m_draft == choice || !require(Level::Technician))
+    SettingValues values = valuesOf(m_draft);
+    if (!values.set(setting, text) || !require(setting->level))
         return;
-    m_draft = std::move(choice);
+    m_draft = connectionOf(values);
     emit connectionChanged();
-}
-
-void Settings::setSimulated(bool simulated)
-{
-    ConnectionChoice choice = m_draft;
-    choice.simulated = simulated;
-    edit(choice);
-}
-
-void Settings::setPortName(const QString& portName)
-{
-    ConnectionChoice choice = m_draft;
-    choice.portName = portName;
-    edit(choice);
-}
-
-void Settings::setBaud(int baud)
-{
-    ConnectionChoice choice = m_draft;
-    choice.baud = bauds().contains(baud) ? baud : choice.baud;
-    edit(choice);
-}
-
-void Settings::setParity(const QString& parity)
-{
-    ConnectionChoice choice = m_draft;
-    choice.parity = chosen(parity, possibleParities(), choice.parity);
-    edit(choice);
-}
-
-void Settings::setStopBits(int stopBits)
-{
-    ConnectionChoice choice = m_draft;
-    choice.stopBits = std::clamp(stopBits, 1, 2);
-    edit(choice);
-}
-
-void Settings::setUnit(int unit)
-{
-    ConnectionChoice choice = m_draft;
-    choice.unit = std::clamp(unit, minUnit, maxUnit);
-    edit(choice);
 }
 
 void Settings::refreshPorts()
@@ -406,23 +271,27 @@ void Settings::applyConnection()
 {
     if (!require(Level::Technician))
         return;
-    m_applied = m_draft;
-    m_file.set(valuesOf(m_applied));
-    emit connectionChanged();
-    emit connectionApplied();
+    m_file.set(storedForm(m_draft));
+    overrideConnection(m_draft);
+}
+
+ConnectionChoice Settings::connection() const
+{
+    return connectionOf(m_values);
 }
 
 link::ConnectionSettings Settings::linkSettings() const
 {
+    const ConnectionChoice applied = connection();
     link::ConnectionSettings settings;
-    settings.simulated = m_applied.simulated;
-    settings.port = m_applied.portName;
-    settings.line.baud = static_cast<std::uint32_t>(m_applied.baud);
-    settings.line.parity = m_applied.parity == u"E"_s   ? modbus::Parity::Even
-                           : m_applied.parity == u"O"_s ? modbus::Parity::Odd
-                                                        : modbus::Parity::None;
-    settings.line.stopBits = static_cast<std::uint8_t>(m_applied.stopBits);
-    settings.unit = m_applied.unit;
+    settings.simulated = applied.simulated;
+    settings.port = applied.portName;
+    settings.line.baud = static_cast<std::uint32_t>(applied.baud);
+    settings.line.parity = applied.parity == u"E"_s   ? modbus::Parity::Even
+                           : applied.parity == u"O"_s ? modbus::Parity::Odd
+                                                      : modbus::Parity::None;
+    settings.line.stopBits = static_cast<std::uint8_t>(applied.stopBits);
+    settings.unit = applied.unit;
     settings.simulatorProgram = m_simulatorProgram;
     settings.simulatorStateDir =
         m_simulatorStateDir.isEmpty()
@@ -435,13 +304,13 @@ void Settings::takeConnection(const link::ConnectionSettings& settings)
 {
     if (!require(Level::Technician))
         return;
-    m_draft = choiceOf(settings, m_applied);
+    m_draft = choiceOf(settings, connection());
     applyConnection();
 }
 
 bool Settings::isInUse(const link::ConnectionSettings& settings) const
 {
-    return choiceOf(settings, m_applied) == m_applied;
+    return choiceOf(settings, connection()) == connection();
 }
 
 void Settings::overrideSimulator(const QString& program, const QString& stateDir)
@@ -452,8 +321,8 @@ void Settings::overrideSimulator(const QString& program, const QString& stateDir
 
 void Settings::overrideConnection(const ConnectionChoice& choice)
 {
-    m_applied = choice;
     m_draft = choice;
+    m_values.assign(valuesOf(choice));
     emit connectionChanged();
     emit connectionApplied();
 }

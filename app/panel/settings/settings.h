@@ -4,14 +4,15 @@
 #pragma once
 
 #include "app/link/link_values.h"
-#include "app/panel/kit/access_check.h"
 #include "app/panel/kit/value.h"
 #include "app/panel/settings/port_model.h"
+#include "app/panel/settings/setting_values.h"
 #include "app/store/files/settings_file.h"
 
 #include <QObject>
 #include <QPointer>
 #include <QStringList>
+#include <QVariantMap>
 #include <QtQml/qqmlregistration.h>
 
 class QJSEngine;
@@ -31,33 +32,22 @@ struct ConnectionChoice {
     bool operator==(const ConnectionChoice&) const = default;
 };
 
-// The defaults until another value is set on the panel.
-struct StandardSettings {
-    ConnectionChoice connection;
-    QString language; // empty: the system's language, or English
-    QString theme = QStringLiteral("light");
-    bool gloves = false;
-    double bagToleranceMm = 0.5;
-    int autoLogoutMinutes = 5;
-    bool operatorsLogIn = false;
-    QString holdToStart = QStringLiteral("auto");
-};
-
 class Settings : public QObject {
     Q_OBJECT
     QML_ELEMENT
     QML_SINGLETON
 
     Q_PROPERTY(QString language READ language WRITE setLanguage NOTIFY languageChanged FINAL)
+    // The labels of the settings that have one, by the setting's key.
+    Q_PROPERTY(QVariantMap labels READ labels NOTIFY textsChanged FINAL)
     Q_PROPERTY(QStringList languages READ languages CONSTANT FINAL)
     Q_PROPERTY(QStringList languageNames READ languageNames CONSTANT FINAL)
-    Q_PROPERTY(QString theme READ theme WRITE setTheme NOTIFY themeChanged FINAL)
+    Q_PROPERTY(QString theme READ theme WRITE setTheme NOTIFY changed FINAL)
     Q_PROPERTY(QStringList themes READ themes CONSTANT FINAL)
     // True for larger keys, for thick gloves: a quarter larger.
-    Q_PROPERTY(bool gloves READ gloves WRITE setGloves NOTIFY glovesChanged FINAL)
+    Q_PROPERTY(bool gloves READ gloves WRITE setGloves NOTIFY changed FINAL)
     // The tolerance of a bag's length, +- mm; for display only, the controller does not know it.
-    Q_PROPERTY(
-        double bagToleranceMm READ bagToleranceMm WRITE setBagToleranceMm NOTIFY bagToleranceChanged FINAL)
+    Q_PROPERTY(double bagToleranceMm READ bagToleranceMm WRITE setBagToleranceMm NOTIFY changed FINAL)
     // The same and the unit number, for the keypad.
     Q_PROPERTY(campanel::panel::Value* bagTolerance READ bagTolerance CONSTANT FINAL)
     Q_PROPERTY(campanel::panel::Value* unitNumber READ unitNumber CONSTANT FINAL)
@@ -72,33 +62,23 @@ class Settings : public QObject {
     Q_PROPERTY(QList<int> bauds READ bauds CONSTANT FINAL)
 
     // The minutes without a touch until the automatic logout.
-    Q_PROPERTY(
-        int autoLogoutMinutes READ autoLogoutMinutes WRITE setAutoLogoutMinutes NOTIFY accessChanged FINAL)
+    Q_PROPERTY(int autoLogoutMinutes READ autoLogoutMinutes WRITE setAutoLogoutMinutes NOTIFY changed FINAL)
     Q_PROPERTY(QList<int> autoLogoutChoices READ autoLogoutChoices CONSTANT FINAL)
     // True when operating needs a login; viewing and Stop never do.
-    Q_PROPERTY(bool operatorsLogIn READ operatorsLogIn WRITE setOperatorsLogIn NOTIFY accessChanged FINAL)
+    Q_PROPERTY(bool operatorsLogIn READ operatorsLogIn WRITE setOperatorsLogIn NOTIFY changed FINAL)
     // "on", "off" or "auto": on with a real controller.
-    Q_PROPERTY(QString holdToStart READ holdToStart WRITE setHoldToStart NOTIFY holdToStartChanged FINAL)
-    Q_PROPERTY(bool startIsHeld READ startIsHeld NOTIFY holdToStartChanged FINAL)
+    Q_PROPERTY(QString holdToStart READ holdToStart WRITE setHoldToStart NOTIFY changed FINAL)
+    Q_PROPERTY(bool startIsHeld READ startIsHeld NOTIFY changed FINAL)
     Q_PROPERTY(campanel::panel::RowModelBase* ports READ ports CONSTANT FINAL)
     // True on a new panel: language, controller, PINs, machine and a first recipe must be set.
     Q_PROPERTY(bool firstStart READ firstStart NOTIFY firstStartChanged FINAL)
     // The notice about damaged settings; empty: none.
-    Q_PROPERTY(QString notice READ notice NOTIFY noticeChanged FINAL)
+    Q_PROPERTY(QString notice READ notice NOTIFY textsChanged FINAL)
 
 public:
-    // `storage` is the path of an ini file; empty: the user's standard folder.
-    explicit Settings(const QString& storage, QObject* parent, const StandardSettings& standard = {});
-
-    // Return the choices, and the limits of the tolerance.
-    [[nodiscard]] static QList<int> possibleBauds();
-    [[nodiscard]] static QStringList possibleParities();
-    [[nodiscard]] static QStringList possibleLanguages();
-    [[nodiscard]] static QStringList possibleThemes();
-    [[nodiscard]] static QList<int> possibleLogouts();
-    [[nodiscard]] static QStringList possibleHolds();
-    static constexpr double minToleranceMm = 0.05;
-    static constexpr double maxToleranceMm = 5;
+    // `storage` is the path of an ini file; empty: the user's standard folder. The values of `standard` hold
+    // until others are set on the panel.
+    explicit Settings(const QString& storage, QObject* parent, const SettingValues& standard = {});
 
     // Returns the path of the file for that `storage`.
     [[nodiscard]] static QString fileName(const QString& storage);
@@ -115,47 +95,56 @@ public:
 
     static Settings* create(QQmlEngine* qmlEngine, QJSEngine* jsEngine);
 
-    [[nodiscard]] QString language() const { return m_language; }
-    void setLanguage(const QString& language);
-    [[nodiscard]] QStringList languages() const { return possibleLanguages(); }
+    // Returns the values of all settings; a draft of the connection is not among them.
+    [[nodiscard]] const SettingValues& values() const { return m_values; }
+    // Returns true when the setting has been set on this panel.
+    [[nodiscard]] bool isStored(Setting setting) const;
+    // Sets and stores the nearest valid value, for a person with the level of the setting.
+    void set(Setting setting, const QString& text);
+    // Sets the value for the present run only; nothing is stored.
+    void overrideValue(Setting setting, const QString& text);
+
+    [[nodiscard]] QVariantMap labels() const;
+    [[nodiscard]] QString language() const { return m_values.text("display.language"); }
+    void setLanguage(const QString& language) { set("display.language", language); }
+    [[nodiscard]] QStringList languages() const { return choicesOf("display.language"); }
     [[nodiscard]] QStringList languageNames() const; // each in its own language
-    [[nodiscard]] QString theme() const { return m_theme; }
-    void setTheme(const QString& theme);
-    [[nodiscard]] QStringList themes() const { return possibleThemes(); }
-    [[nodiscard]] bool gloves() const { return m_gloves; }
-    void setGloves(bool gloves);
-    [[nodiscard]] double bagToleranceMm() const { return m_bagToleranceMm; }
-    void setBagToleranceMm(double toleranceMm); // limited to its range
+    [[nodiscard]] QString theme() const { return m_values.text("display.theme"); }
+    void setTheme(const QString& theme) { set("display.theme", theme); }
+    [[nodiscard]] QStringList themes() const { return choicesOf("display.theme"); }
+    [[nodiscard]] bool gloves() const { return m_values.isTrue("display.gloves"); }
+    void setGloves(bool gloves) { set("display.gloves", settingText(gloves)); }
+    [[nodiscard]] double bagToleranceMm() const { return m_values.number("bags.tolerance_mm"); }
+    void setBagToleranceMm(double toleranceMm) { set("bags.tolerance_mm", settingText(toleranceMm)); }
     [[nodiscard]] Value* bagTolerance() { return &m_bagTolerance; }
     [[nodiscard]] Value* unitNumber() { return &m_unitNumber; }
 
     [[nodiscard]] bool simulated() const { return m_draft.simulated; }
-    void setSimulated(bool simulated);
+    void setSimulated(bool simulated) { edit("connection.simulated", settingText(simulated)); }
     [[nodiscard]] QString portName() const { return m_draft.portName; }
-    void setPortName(const QString& portName);
+    void setPortName(const QString& portName) { edit("connection.port", portName); }
     [[nodiscard]] int baud() const { return m_draft.baud; }
-    void setBaud(int baud);
+    void setBaud(int baud) { edit("connection.baud", settingText(baud)); }
     [[nodiscard]] QString parity() const { return m_draft.parity; }
-    void setParity(const QString& parity);
+    void setParity(const QString& parity) { edit("connection.parity", parity); }
     [[nodiscard]] int stopBits() const { return m_draft.stopBits; }
-    void setStopBits(int stopBits);
+    void setStopBits(int stopBits) { edit("connection.stop_bits", settingText(stopBits)); }
     [[nodiscard]] int unit() const { return m_draft.unit; }
-    void setUnit(int unit);
-    [[nodiscard]] bool connectionDirty() const { return m_draft != m_applied; }
-    [[nodiscard]] QList<int> bauds() const { return possibleBauds(); }
+    void setUnit(int unit) { edit("connection.unit", settingText(unit)); }
+    [[nodiscard]] bool connectionDirty() const { return m_draft != connection(); }
+    [[nodiscard]] QList<int> bauds() const { return numbersOf("connection.baud"); }
     [[nodiscard]] PortModel* ports() { return &m_ports; }
 
-    [[nodiscard]] int autoLogoutMinutes() const { return m_autoLogoutMinutes; }
-    void setAutoLogoutMinutes(int minutes);
-    [[nodiscard]] QList<int> autoLogoutChoices() const { return possibleLogouts(); }
-    [[nodiscard]] bool operatorsLogIn() const { return m_operatorsLogIn; }
-    void setOperatorsLogIn(bool logIn);
-    [[nodiscard]] QString holdToStart() const { return m_holdToStart; }
-    void setHoldToStart(const QString& hold);
+    [[nodiscard]] int autoLogoutMinutes() const { return m_values.whole("access.auto_logout_minutes"); }
+    void setAutoLogoutMinutes(int minutes) { set("access.auto_logout_minutes", settingText(minutes)); }
+    [[nodiscard]] QList<int> autoLogoutChoices() const { return numbersOf("access.auto_logout_minutes"); }
+    [[nodiscard]] bool operatorsLogIn() const { return m_values.isTrue("access.operators_log_in"); }
+    void setOperatorsLogIn(bool logIn) { set("access.operators_log_in", settingText(logIn)); }
+    [[nodiscard]] QString holdToStart() const { return m_values.text("access.hold_to_start"); }
+    void setHoldToStart(const QString& hold) { set("access.hold_to_start", hold); }
     // Returns true when Start acts only after it has been held.
     [[nodiscard]] bool startIsHeld() const;
-    // Sets the access check before changes: connection, tolerance and hold to start need a technician, login
-    // settings the level Service, language and appearance nobody.
+    // Sets the access check that is asked before a change.
     void guardBy(AccessCheck& accessCheck) { m_access = &accessCheck; }
 
     [[nodiscard]] bool firstStart() const { return m_isFirstStart; }
@@ -168,7 +157,7 @@ public:
     Q_INVOKABLE void applyConnection();
 
     // Return the connection in use, and the same for the link.
-    [[nodiscard]] const ConnectionChoice& connection() const { return m_applied; }
+    [[nodiscard]] ConnectionChoice connection() const;
     [[nodiscard]] link::ConnectionSettings linkSettings() const;
     // Uses and stores this connection; discards a draft.
     void takeConnection(const link::ConnectionSettings& settings);
@@ -177,44 +166,31 @@ public:
     void overrideSimulator(const QString& program, const QString& stateDir);
     // Uses this connection for the present run only, for the command line; nothing is stored.
     void overrideConnection(const ConnectionChoice& choice);
-    void overrideLanguage(const QString& language);
-    void overrideTheme(const QString& theme);
-    void overrideGloves(bool gloves);
 
 signals:
+    void changed(); // a value without a signal of its own
     void languageChanged();
-    void themeChanged();
-    void glovesChanged();
-    void bagToleranceChanged();
+    void textsChanged();
     void connectionChanged();
     void connectionApplied();
-    void accessChanged();
-    void holdToStartChanged();
     void firstStartChanged();
-    void noticeChanged();
 
 private:
+    void load();
     void updateValues();
-    void forgetController(ConnectionChoice standard);
-    void edit(ConnectionChoice choice);
+    void forgetController();
+    void edit(Setting setting, const QString& text);
     [[nodiscard]] bool require(Level needed) const { return !m_access || m_access->require(needed); }
 
     store::SettingsFile m_file;
-    QString m_language;
-    QString m_theme;
-    bool m_gloves;
-    double m_standardToleranceMm;
-    double m_bagToleranceMm;
+    SettingValues m_standard;
+    SettingValues m_values;
     Value m_bagTolerance;
     Value m_unitNumber;
-    int m_autoLogoutMinutes;
-    bool m_operatorsLogIn;
-    QString m_holdToStart;
     bool m_isNoticed;
     bool m_isFirstStart = false;
     QPointer<AccessCheck> m_access;
     ConnectionChoice m_draft;
-    ConnectionChoice m_applied;
     PortModel m_ports;
     QString m_simulatorProgram;
     QString m_simulatorStateDir;

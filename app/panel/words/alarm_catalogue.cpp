@@ -182,6 +182,13 @@ const AlarmKind& known(std::string_view id)
     return *std::ranges::find(kinds, id, [](const AlarmKind& kind) { return std::string_view(kind.id); });
 }
 
+// The alarm of each bit of the controller, in the order of the bits.
+constexpr std::array faultIds{"C-01", "C-02", "C-03", "C-04", "C-05", "C-06", "C-07", "C-08"};
+constexpr std::array warningIds{"W-01", "W-02", "W-03", "W-04", "M-01",
+                                "M-02", "M-03", "M-04", "M-05", "W-05"};
+static_assert(faultIds.size() == modbus::faultBits.size());
+static_assert(warningIds.size() == modbus::warningBits.size());
+
 } // namespace
 
 QString AlarmKind::title() const
@@ -219,54 +226,14 @@ const AlarmKind* AlarmCatalogue::find(const QString& code)
 
 const AlarmKind& AlarmCatalogue::of(modbus::FaultBit bit)
 {
-    using modbus::FaultBit;
-    switch (bit) {
-    case FaultBit::FollowingError:
-        return known("C-01");
-    case FaultBit::ActiveTableDamaged:
-        return known("C-02");
-    case FaultBit::DriveNotFollowing:
-        return known("C-03");
-    case FaultBit::ForceLimit:
-        return known("C-04");
-    case FaultBit::TouchedTooEarly:
-        return known("C-05");
-    case FaultBit::NeverTouched:
-        return known("C-06");
-    case FaultBit::MasterTooFast:
-        return known("C-07");
-    case FaultBit::DriveAlarm:
-        return known("C-08");
-    }
-    return unknownFault();
+    const auto index = static_cast<std::size_t>(bit);
+    return index < faultIds.size() ? known(faultIds[index]) : unknownFault();
 }
 
 const AlarmKind& AlarmCatalogue::of(modbus::WarningBit bit)
 {
-    using modbus::WarningBit;
-    switch (bit) {
-    case WarningBit::HeartbeatLost:
-        return known("W-01");
-    case WarningBit::NotHomed:
-        return known("W-02");
-    case WarningBit::FlashSlotInvalid:
-        return known("W-03");
-    case WarningBit::ClockNotSet:
-        return known("W-04");
-    case WarningBit::MarksLost:
-        return known("M-01");
-    case WarningBit::MarkPitchWrong:
-        return known("M-02");
-    case WarningBit::CorrectionAtLimit:
-        return known("M-03");
-    case WarningBit::ProductTooLong:
-        return known("M-04");
-    case WarningBit::TooManySkips:
-        return known("M-05");
-    case WarningBit::EmergencyStop:
-        return known("W-05");
-    }
-    return unknownWarning();
+    const auto index = static_cast<std::size_t>(bit);
+    return index < warningIds.size() ? known(warningIds[index]) : unknownWarning();
 }
 
 const AlarmKind& AlarmCatalogue::unknownFault()

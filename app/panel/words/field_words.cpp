@@ -111,6 +111,18 @@ QString RecipeWords::fieldName(Field field)
         return tr("Min. force at stop");
     case Field::MaxStopForce:
         return tr("Max. force at stop");
+    case Field::ContactAngle:
+        return tr("Jaw contact angle");
+    case Field::MinSealTime:
+        return tr("Min. seal time");
+    case Field::RampPosition:
+        return tr("Ramps, slow to gentle");
+    case Field::RatedTorque:
+        return tr("Rated motor torque");
+    case Field::NaturalFrequency:
+        return tr("Natural frequency");
+    case Field::DampingRatio:
+        return tr("Damping ratio");
     }
     return {};
 }

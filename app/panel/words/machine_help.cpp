@@ -33,15 +33,32 @@ QString RecipeWords::machineHelp(Field field)
                   "limit.");
     case Field::MaxRate:
         return tr("Maximum rate that sealing time and infeed allow, independent of the knife.");
+    case Field::ContactAngle:
+        return tr("Angle of the knife shaft over which the sealing jaws touch the film: their arc divided by "
+                  "the knife radius. 0 is a thin knife, without checks of window and seal time.");
+    case Field::MinSealTime:
+        return tr(
+            "Minimum time of the jaws on the film, see the film's data sheet. The panel limits the rate "
+            "accordingly. The controller does not store this value. 0: no minimum.");
     case Field::FeedPerMotorRev:
         return tr("Travel of the axis per motor revolution, including gear and spindle.");
     case Field::MaxTorque:
-        return tr("Peak torque of the motor, see the motor's nameplate.");
+        return tr("Peak torque of the motor, see the motor's nameplate. 0: unknown, no limit.");
     case Field::Inertia:
         return tr("Total inertia of motor, gear and load at the motor. CamPanel uses the inertia to estimate "
-                  "the torque of a motion.");
+                  "the torque of a motion. 0: unknown.");
     case Field::Friction:
         return tr("Friction torque at the motor while the axis turns slowly and steadily.");
+    case Field::RatedTorque:
+        return tr(
+            "Continuous torque of the motor, see the motor's nameplate. The RMS torque of a cycle stays "
+            "below it. 0: unknown, no limit.");
+    case Field::NaturalFrequency:
+        return tr("Lowest natural frequency of the shaft behind the motor, from a measurement or the drive's "
+                  "analysis. 0: unknown.");
+    case Field::DampingRatio:
+        return tr("Damping of this vibration as a share of critical damping. 0.05 is usual for a shaft with "
+                  "gear.");
     default:
         return {};
     }

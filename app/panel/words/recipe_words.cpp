@@ -18,6 +18,8 @@ QString RecipeWords::inWords(std::string_view text)
 
 QString RecipeWords::valueText(Field field, double value)
 {
+    if (value == 0 && profile::isUnknownAtZero(field))
+        return Format::unknownText();
     const int decimals = profile::info(field).decimals;
     const Format format;
     return decimals > 2 ? format.compact(value, 2, decimals) : format.number(value, decimals);
@@ -29,6 +31,10 @@ QString RecipeWords::unit(std::string_view unit)
         return QStringLiteral("mm/s²");
     if (unit == "deg")
         return QStringLiteral("°");
+    if (unit == "mm/deg")
+        return QStringLiteral("mm/°");
+    if (unit == "mm/deg^2")
+        return QStringLiteral("mm/°²");
     if (unit == "bags/min")
         return tr("bags/min");
     if (unit == "r/min")
@@ -69,8 +75,23 @@ QString RecipeWords::kindName(profile::ProgramKind kind)
         return tr("Point cam");
     case ProgramKind::Press:
         return tr("Press");
+    case ProgramKind::SegmentCam:
+        return tr("Segment cam");
     }
     return {};
+}
+
+QString RecipeWords::listName(profile::ProgramKind kind)
+{
+    return program::kindInfo(kind).list == &program::segmentList ? tr("Segments") : tr("Knots");
+}
+
+QString RecipeWords::listSize(const profile::Program& program)
+{
+    const program::ListInfo& list = *program::kindInfo(profile::kindOf(program)).list;
+    const int size = static_cast<int>(list.size(program));
+    return &list == &program::segmentList ? tr("%n segment(s)", nullptr, size)
+                                          : tr("%n knot(s)", nullptr, size);
 }
 
 QString RecipeWords::choiceName(program::Choice choice)
@@ -87,6 +108,8 @@ QString RecipeWords::choiceName(program::Choice choice)
         return tr("Spline ends");
     case Choice::MasterRampShape:
         return tr("Shape of the ramp");
+    case Choice::Ratios:
+        return tr("Ratios");
     }
     return {};
 }
@@ -113,6 +136,16 @@ QString RecipeWords::optionName(std::string_view key)
         return tr("Trapezoid");
     if (key == "s_curve")
         return tr("S curve");
+    if (key == "hand")
+        return tr("Set by hand");
+    if (key == "gentle")
+        return tr("Gentle");
+    if (key == "cool")
+        return tr("Cool");
+    if (key == "slow")
+        return tr("Slow");
+    if (key == "between")
+        return tr("Between");
     return QString::fromUtf8(key.data(), static_cast<qsizetype>(key.size()));
 }
 
@@ -126,6 +159,10 @@ QString RecipeWords::limitName(Limit limit)
         return tr("acceleration");
     case Limit::MotorTorque:
         return tr("motor torque");
+    case Limit::RmsTorque:
+        return tr("RMS torque");
+    case Limit::NaturalFrequency:
+        return tr("natural frequency");
     case Limit::PulseFrequency:
         return tr("pulse frequency");
     case Limit::StrokeCannotClose:
@@ -134,6 +171,10 @@ QString RecipeWords::limitName(Limit limit)
         return tr("table rows");
     case Limit::MachineRate:
         return tr("max. rate");
+    case Limit::JawWindow:
+        return tr("sync window");
+    case Limit::SealTime:
+        return tr("seal time");
     case Limit::FieldRange: // for the fastest rate: the limit of the speeds in a recipe
         return tr("knife speed");
     case Limit::PinnedPair:
@@ -158,6 +199,14 @@ QString RecipeWords::limitName(Limit limit)
     case Limit::Reversal:
     case Limit::SpeedError:
     case Limit::RampTooLong:
+    case Limit::SegmentCount:
+    case Limit::SegmentRange:
+    case Limit::SegmentWidth:
+    case Limit::SegmentOverlap:
+    case Limit::SegmentGap:
+    case Limit::SegmentEnds:
+    case Limit::SegmentMotion:
+    case Limit::JointJump:
         break;
     }
     return {};

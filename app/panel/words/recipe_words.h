@@ -16,8 +16,8 @@ class RecipeWords {
 
 public:
     [[nodiscard]] static QString fieldName(profile::Field field);
-    // Explains a number of the machine: its meaning, where to find it and the effect of a wrong one. Empty
-    // for the other fields.
+    // Explains a number of machine or film: its meaning, where to find it and the effect of a wrong one.
+    // Empty for the other fields.
     [[nodiscard]] static QString machineHelp(profile::Field field);
     // Returns the value with the field's decimals and without its unit; ratios without superfluous zeros.
     [[nodiscard]] static QString valueText(profile::Field field, double value);
@@ -27,6 +27,9 @@ public:
     [[nodiscard]] static QString inWords(std::string_view text);
     [[nodiscard]] static QString lawParameterName(std::string_view parameterId);
     [[nodiscard]] static QString kindName(profile::ProgramKind kind);
+    // Returns "Knots", "Segments"; the kind must have a list.
+    [[nodiscard]] static QString listName(profile::ProgramKind kind);
+    [[nodiscard]] static QString listSize(const profile::Program& program); // "5 knots"
     [[nodiscard]] static QString choiceName(program::Choice choice);
     // Returns the name of an option of a choice other than the law, by its key.
     [[nodiscard]] static QString optionName(std::string_view key);

@@ -3,6 +3,7 @@
 
 #include "app/panel/words/recipe_words.h"
 #include "app/panel/words/register_words.h"
+#include "app/panel/words/segment_sentences.h"
 
 #include <cmath>
 
@@ -34,16 +35,50 @@ QString RefusalSentences::valueWithUnit(profile::Field field, double value)
 
 QString RefusalSentences::suggestion(const profile::Suggestion& suggestion)
 {
+    if (suggestion.ratios)
+        return suggestion.field == profile::Field::Rate
+                   ? tr("Widen the window, %1", "%1: rate with unit")
+                         .arg(valueWithUnit(suggestion.field, suggestion.value))
+                   : tr("Widen the window");
+    return numbers(suggestion);
+}
+
+// Returns the values themselves: "Ratios 4 / 2.6 / 1.63 / 1.33".
+QString RefusalSentences::numbers(const profile::Suggestion& suggestion)
+{
+    if (suggestion.ratios) {
+        QStringList ratios;
+        for (const double k : *suggestion.ratios)
+            ratios << Format().compact(k, 0, 4);
+        const QString text = tr("Ratios %1").arg(ratios.join(QStringLiteral(" / ")));
+        return suggestion.field == profile::Field::Rate
+                   ? tr("%1 with %2", "%1: ratios, %2: rate")
+                         .arg(text, valueWithUnit(suggestion.field, suggestion.value))
+                   : text;
+    }
     return tr("%1 %2", "%1: name of a field, %2: value with unit")
         .arg(RecipeWords::fieldName(suggestion.field), valueWithUnit(suggestion.field, suggestion.value));
+}
+
+QString RefusalSentences::rampsName(const profile::RampOffer& offer)
+{
+    return offer.isLonger ? tr("Longer ramps") : tr("Shorter ramps");
+}
+
+QString RefusalSentences::rampsRate(const profile::RampOffer& offer)
+{
+    return valueWithUnit(profile::Field::Rate, offer.rateBagsPerMin);
 }
 
 QString RefusalSentences::withSuggestions(const profile::Refusal& refusal)
 {
     QString values;
     for (const profile::Suggestion& each : refusal.nearest)
-        values = values.isEmpty() ? suggestion(each) : tr("%1, or %2").arg(values, suggestion(each));
-    const QString sentence = RefusalSentences::refusal(refusal);
+        values = values.isEmpty() ? numbers(each) : tr("%1, or %2").arg(values, numbers(each));
+    QString sentence = RefusalSentences::refusal(refusal);
+    if (refusal.ramps)
+        sentence = tr("%1 %2 allow %3.", "%1: whole sentence, %2: longer ramps, %3: rate with unit")
+                       .arg(sentence, rampsName(*refusal.ramps), rampsRate(*refusal.ramps));
     return values.isEmpty()
                ? sentence
                : tr("%1 Nearest possible value: %2.", "%1: whole sentence").arg(sentence, values);
@@ -134,6 +169,27 @@ QString RefusalSentences::limitBroken(const profile::Refusal& refusal)
         .arg(valueWithUnit(refusal.field, refusal.actual), valueWithUnit(refusal.field, refusal.allowed));
 }
 
+// Returns the sentence of a window or a time that jaws or film do not have.
+QString RefusalSentences::jaw(const profile::Refusal& refusal)
+{
+    const Format format;
+    const auto inUnit = [&](double value) {
+        return tr("%1 %2", "%1: number, %2: unit")
+            .arg(format.compact(value, 0, 1), RecipeWords::unit(refusal.unit));
+    };
+    const QString time = format.number(*refusal.timeS, 3);
+    const QString angle = format.number(*refusal.angleDeg, 0);
+    if (refusal.limit == Limit::JawWindow)
+        return tr("The jaws need a sync window of %2° of the knife; at %3 s (%4°) the window has only %1°.")
+            .arg(format.compact(refusal.actual, 0, 1), format.compact(refusal.allowed, 0, 1), time, angle);
+    if (refusal.actual > 0)
+        return tr("Seal time would be %1 at %3 s (%4°); the film needs %2.")
+            .arg(inUnit(refusal.actual), inUnit(refusal.allowed), time, angle);
+    return tr("The film needs a seal time of %1, but the machine has no contact angle of the jaws. Enter the "
+              "angle in Settings, Machine.")
+        .arg(inUnit(refusal.allowed));
+}
+
 QString RefusalSentences::knot(const profile::Refusal& refusal)
 {
     const Format format;
@@ -193,6 +249,8 @@ QString RefusalSentences::refusal(const profile::Refusal& refusal)
     case Limit::LawUnknown:
         return tr("This speed law is unknown. Choose another law.");
     case Limit::LawParameter:
+        if (refusal.index >= 0)
+            return SegmentSentences::refusal(refusal);
         return tr("%1 is %2; the nearest possible value is %3.")
             .arg(RecipeWords::lawParameterName(refusal.lawParameter), format.compact(refusal.actual, 0, 3),
                  format.compact(refusal.allowed, 0, 3));
@@ -217,6 +275,17 @@ QString RefusalSentences::refusal(const profile::Refusal& refusal)
     case Limit::MotorTorque:
     case Limit::MasterTooFast:
         return limitBroken(refusal);
+    case Limit::JawWindow:
+    case Limit::SealTime:
+        return jaw(refusal);
+    case Limit::RmsTorque:
+        return tr("RMS torque would be %1, and the motor would overheat; its rated torque is %2.")
+            .arg(valueWithUnit(refusal.field, refusal.actual), valueWithUnit(refusal.field, refusal.allowed));
+    case Limit::NaturalFrequency:
+        return tr("The cycle repeats at %1, above the shaft's natural frequency of %2. Enter a lower rate, "
+                  "or "
+                  "correct the machine data.")
+            .arg(valueWithUnit(refusal.field, refusal.actual), valueWithUnit(refusal.field, refusal.allowed));
     case Limit::NoMotion:
         return tr("%1 is %2, which gives no motion. Enter another value.")
             .arg(name, valueWithUnit(refusal.field, refusal.actual));
@@ -257,6 +326,15 @@ QString RefusalSentences::refusal(const profile::Refusal& refusal)
     case Limit::Overshoot:
     case Limit::WrapJump:
         return knot(refusal);
+    case Limit::SegmentCount:
+    case Limit::SegmentRange:
+    case Limit::SegmentWidth:
+    case Limit::SegmentOverlap:
+    case Limit::SegmentGap:
+    case Limit::SegmentEnds:
+    case Limit::SegmentMotion:
+    case Limit::JointJump:
+        return SegmentSentences::refusal(refusal);
     }
     return {};
 }

@@ -20,8 +20,11 @@ public:
     [[nodiscard]] static QString withSuggestions(const profile::Refusal& refusal);
     // Returns the same for each exceeded limit, or the value that cannot be stored.
     [[nodiscard]] static QString program(const program::ProgramRefusal& refusal);
-    // Returns the text of a button: "Rate 143.2 bags/min".
+    // Returns the text of a button: "Rate 143.2 bags/min", "Widen the window".
     [[nodiscard]] static QString suggestion(const profile::Suggestion& suggestion);
+    // Returns what other ratios do, and the rate that they make possible.
+    [[nodiscard]] static QString rampsName(const profile::RampOffer& offer); // "Longer ramps"
+    [[nodiscard]] static QString rampsRate(const profile::RampOffer& offer); // "291.0 bags/min"
     [[nodiscard]] static QString withinLimits(const std::optional<profile::FastestRate>& fastest);
     [[nodiscard]] static QString closeToLimits(const std::optional<profile::FastestRate>& fastest);
     // Returns "60.0 mm".
@@ -32,6 +35,8 @@ private:
     [[nodiscard]] static QString limitBrokenAt(const profile::Refusal& refusal);
     [[nodiscard]] static QString axisLimitBrokenAt(profile::Limit limit, const QString& actual,
                                                    const QString& allowed, const QString& time);
+    [[nodiscard]] static QString jaw(const profile::Refusal& refusal);
+    [[nodiscard]] static QString numbers(const profile::Suggestion& suggestion);
     [[nodiscard]] static QString knot(const profile::Refusal& refusal);
 };
 

@@ -4,7 +4,6 @@
 #include "app/panel/kit/format.h"
 #include "app/panel/words/controller_sentences.h"
 #include "app/program/interval_speeds.h"
-#include "profile/cam/point_cam.h"
 #include "profile/cutter/paper_table.h"
 
 #include <cmath>
@@ -164,11 +163,9 @@ QStringList TableText::summaryOf(const profile::StepTable& table) const
 QStringList TableText::summaryOf(const profile::CamTable& table) const
 {
     const Format format;
-    // The table of a cam is that of the forward motion, in either direction of the master.
-    const auto* cam = std::get_if<profile::PointCamProgram>(&m_image.recipe.program);
+    const program::CamSource source = program::camSource(m_image.recipe, m_image.solved);
     const profile::CamErrors errors =
-        profile::camErrors(table, cam ? profile::forwardMotion(*cam) : m_image.solved.motion,
-                           m_image.solved.machine, cam ? profile::CamUse::Repeats : profile::CamUse::Once);
+        profile::camErrors(table, source.motion, m_image.solved.machine, source.use);
     QStringList lines;
     lines << tr("%1 points, %2 pulses per cycle, %3 s")
                  .arg(table.rows.size())

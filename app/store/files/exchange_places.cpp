@@ -59,9 +59,9 @@ QList<Place> exchangePlaces(const QString& ownFolder)
     return places;
 }
 
-QFileInfoList filesIn(const Place& place, const QString& suffix, qsizetype most)
+QFileInfoList filesIn(const Place& place, const QString& suffix, qsizetype maxFiles)
 {
-    return QDir(place.path).entryInfoList({u"*."_s + suffix}, QDir::Files, QDir::Time).mid(0, most);
+    return QDir(place.path).entryInfoList({u"*."_s + suffix}, QDir::Files, QDir::Time).mid(0, maxFiles);
 }
 
 QString freePath(const Place& place, const QString& name, const QString& suffix)

@@ -27,9 +27,9 @@ struct Place {
 // the media: not for the GUI thread.
 [[nodiscard]] QList<Place> exchangePlaces(const QString& ownFolder);
 
-// Returns at most `most` files directly in the place with this suffix in any case ("csv"), newest first.
+// Returns at most `maxFiles` files directly in the place with this suffix in any case ("csv"), newest first.
 // Hidden files are skipped.
-[[nodiscard]] QFileInfoList filesIn(const Place& place, const QString& suffix, qsizetype most);
+[[nodiscard]] QFileInfoList filesIn(const Place& place, const QString& suffix, qsizetype maxFiles);
 
 // Returns an unused path in the place: NAME.suffix, NAME-2.suffix ... `name` is any text; characters that a
 // stick's file system does not allow become "_".

@@ -86,6 +86,11 @@ QString FileErrorText::twoPinnedKeys()
     return tr("a list of two of bag_length_mm, rate_bags_per_min, base_speed_mm_per_s, film_speed_mm_per_s");
 }
 
+QString FileErrorText::objects()
+{
+    return tr("a list of objects");
+}
+
 QString FileErrorText::pairsOfNumbers()
 {
     return tr("pairs of master angle and slave position");

@@ -48,6 +48,7 @@ public:
     [[nodiscard]] static QString anObject();
     [[nodiscard]] static QString twoPinnedKeys();
     [[nodiscard]] static QString pairsOfNumbers();
+    [[nodiscard]] static QString objects();
     [[nodiscard]] static QString range(double minimum, double maximum, const QString& unit);
 };
 

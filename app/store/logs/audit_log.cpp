@@ -163,7 +163,7 @@ tl::expected<Link, StoreError> trim(Database& database, const Link& last, const 
     const auto start = beginning(database);
     if (!start)
         return tl::unexpected(start.error());
-    if (last.sequence - start->sequence < bounds.most)
+    if (last.sequence - start->sequence < bounds.maxRows)
         return last;
     const qint64 until = start->sequence + bounds.dropped;
     for (const auto& [statement, values] :
@@ -222,14 +222,14 @@ tl::expected<AuditRow, StoreError> appendAudit(Database& database, const AuditEn
 }
 
 tl::expected<QList<AuditRow>, StoreError> readAudit(Database& database, const AuditFilter& filter,
-                                                    std::optional<qint64> before, int most)
+                                                    std::optional<qint64> before, int maxRows)
 {
     const QString name = stored(filter.who.value_or(QString()));
     auto found = database.execute(
         columns +
             u"WHERE sequence < ? AND (? OR who = ?) AND (? OR what GLOB ?) ORDER BY sequence DESC LIMIT ?"_s,
         {before.value_or(newestOfAll), !filter.who, name, filter.area.isEmpty(), filter.area + u".*"_s,
-         most});
+         maxRows});
     if (!found)
         return tl::unexpected(found.error());
     QList<AuditRow> rows;

@@ -42,10 +42,10 @@ struct AuditRow {
 // big-endian. The texts follow in their order, as four bytes of length and UTF-8, then the previous hash.
 [[nodiscard]] QByteArray auditHash(qint64 sequence, const AuditEntry& entry, const QByteArray& previous);
 
-// The limits of the trail. At `most` rows the oldest `dropped` are deleted. The new start of the chain is
+// The limits of the trail. At `maxRows` rows the oldest `dropped` are deleted. The new start of the chain is
 // stored, and a row "audit.trimmed" records it.
 struct AuditBounds {
-    qint64 most = 1'000'000;
+    qint64 maxRows = 1'000'000;
     qint64 dropped = 10'000;
 };
 
@@ -63,7 +63,7 @@ struct AuditFilter {
 };
 // Returns rows, newest first, starting before `before`.
 [[nodiscard]] tl::expected<QList<AuditRow>, StoreError>
-readAudit(Database& database, const AuditFilter& filter, std::optional<qint64> before, int most);
+readAudit(Database& database, const AuditFilter& filter, std::optional<qint64> before, int maxRows);
 // Returns all names in the trail, sorted.
 [[nodiscard]] tl::expected<QStringList, StoreError> auditNames(Database& database);
 

@@ -101,11 +101,11 @@ tl::expected<qint64, StoreError> BagLog::count()
     return rowsOf(m_database, bagTable);
 }
 
-tl::expected<qint64, StoreError> BagLog::countBetween(qint64 fromMs, qint64 toMs, qint64 most)
+tl::expected<qint64, StoreError> BagLog::countBetween(qint64 fromMs, qint64 toMs, qint64 maxRows)
 {
     auto counted = m_database.execute(
         u"SELECT count(*) FROM (SELECT 1 FROM bag WHERE time_ms >= ? AND time_ms < ? LIMIT ?)"_s,
-        {fromMs, toMs, most});
+        {fromMs, toMs, maxRows});
     if (!counted)
         return tl::unexpected(counted.error());
     return counted->next() ? counted->value(0).toLongLong() : 0;

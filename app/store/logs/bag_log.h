@@ -45,8 +45,8 @@ public:
     // Adds bags; call it in a transaction. A bag whose time is taken is stored at the next free millisecond.
     [[nodiscard]] tl::expected<void, StoreError> add(const QList<Bag>& bags);
     [[nodiscard]] tl::expected<qint64, StoreError> count();
-    // Counts the bags from `fromMs` to before `toMs`, but not further than `most`.
-    [[nodiscard]] tl::expected<qint64, StoreError> countBetween(qint64 fromMs, qint64 toMs, qint64 most);
+    // Counts the bags from `fromMs` to before `toMs`, but not further than `maxRows`.
+    [[nodiscard]] tl::expected<qint64, StoreError> countBetween(qint64 fromMs, qint64 toMs, qint64 maxRows);
     // Calls `take` for each bag, oldest first.
     [[nodiscard]] tl::expected<void, StoreError> forEach(qint64 fromMs, qint64 toMs,
                                                          const std::function<void(const Bag&)>& take);

@@ -59,13 +59,13 @@ QString nameOf(TrendQuantity quantity)
 
 } // namespace
 
-tl::expected<QByteArray, StoreError> bagsCsv(Database& database, qint64 fromMs, qint64 toMs, qint64 most)
+tl::expected<QByteArray, StoreError> bagsCsv(Database& database, qint64 fromMs, qint64 toMs, qint64 maxRows)
 {
     BagLog log(database);
-    const auto counted = log.countBetween(fromMs, toMs, most + 1);
+    const auto counted = log.countBetween(fromMs, toMs, maxRows + 1);
     if (!counted)
         return tl::unexpected(counted.error());
-    if (*counted == 0 || *counted > most)
+    if (*counted == 0 || *counted > maxRows)
         return QByteArray();
     QByteArray csv =
         "each_bag_utc,each_bag_local,program,version,lengths,length_mm,deviation_mm,mark_error_mm,"

@@ -10,9 +10,9 @@
 
 namespace campanel::store {
 
-// Returns one line for each bag, oldest first. Empty when there are none, or more than `most`.
+// Returns one line for each bag, oldest first. Empty when there are none, or more than `maxRows`.
 [[nodiscard]] tl::expected<QByteArray, StoreError> bagsCsv(Database& database, qint64 fromMs, qint64 toMs,
-                                                           qint64 most);
+                                                           qint64 maxRows);
 // Returns one line for each column (second, minute ...) of each quantity that begins in the window.
 [[nodiscard]] QByteArray trendsCsv(const TrendWindow& window, qint64 fromMs, qint64 toMs);
 

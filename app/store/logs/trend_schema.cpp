@@ -9,6 +9,20 @@ namespace campanel::store {
 
 namespace {
 
+// Returns the statement for a table of buckets. slot: start of the bucket in units of its length, times 8,
+// plus the quantity.
+QString bucketTable(const QString& name)
+{
+    return uR"(CREATE TABLE %1 (
+                    slot INTEGER PRIMARY KEY,
+                    count INTEGER NOT NULL,
+                    sum INTEGER NOT NULL,
+                    squares INTEGER NOT NULL,
+                    low INTEGER NOT NULL,
+                    high INTEGER NOT NULL,
+                    inside INTEGER NOT NULL))"_s.arg(name);
+}
+
 const std::vector<QStringList>& steps()
 {
     static const std::vector<QStringList> all{
@@ -30,31 +44,9 @@ const std::vector<QStringList>& steps()
                     following_error_um INTEGER,
                     rate INTEGER,
                     flags INTEGER NOT NULL))"_s,
-            // slot: start of the bucket in units of its length, times 8, plus the quantity.
-            uR"(CREATE TABLE trend_second (
-                    slot INTEGER PRIMARY KEY,
-                    count INTEGER NOT NULL,
-                    sum INTEGER NOT NULL,
-                    squares INTEGER NOT NULL,
-                    low INTEGER NOT NULL,
-                    high INTEGER NOT NULL,
-                    inside INTEGER NOT NULL))"_s,
-            uR"(CREATE TABLE trend_minute (
-                    slot INTEGER PRIMARY KEY,
-                    count INTEGER NOT NULL,
-                    sum INTEGER NOT NULL,
-                    squares INTEGER NOT NULL,
-                    low INTEGER NOT NULL,
-                    high INTEGER NOT NULL,
-                    inside INTEGER NOT NULL))"_s,
-            uR"(CREATE TABLE trend_hour (
-                    slot INTEGER PRIMARY KEY,
-                    count INTEGER NOT NULL,
-                    sum INTEGER NOT NULL,
-                    squares INTEGER NOT NULL,
-                    low INTEGER NOT NULL,
-                    high INTEGER NOT NULL,
-                    inside INTEGER NOT NULL))"_s,
+            bucketTable(u"trend_second"_s),
+            bucketTable(u"trend_minute"_s),
+            bucketTable(u"trend_hour"_s),
             // The number of rows of each table: counting ten million takes seconds.
             u"CREATE TABLE ring (name TEXT PRIMARY KEY, held INTEGER NOT NULL) WITHOUT ROWID"_s,
             u"INSERT INTO ring VALUES ('bag', 0), ('trend_second', 0), ('trend_minute', 0), ('trend_hour', 0)"_s,

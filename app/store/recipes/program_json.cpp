@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Writes and reads all kinds by their tables of fields and choices. The cutter adds which two of its four
-// values are given, the point cam its knots.
+// values are given, a cam its knots or segments.
 #include "app/store/recipes/program_json.h"
 
-#include "app/store/files/json_reader.h"
+#include "app/store/recipes/segments_file.h"
 #include "profile/laws/laws.h"
 
 #include <QJsonArray>
@@ -174,6 +174,8 @@ QJsonObject programJson(const Recipe& recipe)
             knots.append(QJsonArray{knot.masterDeg, knot.slaveMm});
         object[u"knots"_s] = knots;
     }
+    if (const auto* cam = std::get_if<profile::SegmentCamProgram>(&recipe.program))
+        object[u"segments"_s] = segmentsJson(cam->segments);
     return object;
 }
 
@@ -202,6 +204,13 @@ void readProgram(const QJsonObject& object, Recipe& recipe, std::optional<FileEr
     recipe.machine = start.machine;
     if (recipe.isCutter())
         readPinned(reader, recipe);
+    // First, because they decide which values are read.
+    for (const program::ChoiceInfo& choice : kind->choices) {
+        if (choice.choice == Choice::Law)
+            readLaw(reader, recipe, failure);
+        else
+            readChoice(reader, recipe, choice);
+    }
     for (const Field field : kind->programFields) {
         const bool needed =
             recipe.isCutter() && field <= Field::FilmSpeed && program::isRead(recipe.program, field);
@@ -212,14 +221,10 @@ void readProgram(const QJsonObject& object, Recipe& recipe, std::optional<FileEr
             program::setValue(recipe, field,
                               reader.number(idOf(field), isWhole(field), profile::info(field)));
     }
-    for (const program::ChoiceInfo& choice : kind->choices) {
-        if (choice.choice == Choice::Law)
-            readLaw(reader, recipe, failure);
-        else
-            readChoice(reader, recipe, choice);
-    }
     if (auto* cam = std::get_if<profile::PointCamProgram>(&recipe.program))
         readCamKnots(reader, *cam);
+    if (auto* cam = std::get_if<profile::SegmentCamProgram>(&recipe.program))
+        readSegmentsJson(reader, *cam, failure);
     reader.refuseUnknownKeys();
 }
 

@@ -75,9 +75,12 @@ tl::expected<Recipe, FileError> fromJson(const QByteArray& json, const QString& 
     versions.max = program::maxVersion;
     if (reader.has(u"version"_s))
         recipe.version = static_cast<int>(reader.number(u"version"_s, true, versions));
-    readProgram(reader.object(u"program"_s), recipe, failure);
+    const QJsonObject program = reader.object(u"program"_s);
+    readProgram(program, recipe, failure);
     if (reader.has(u"machine"_s))
         readMachine(reader.object(u"machine"_s), recipe, failure);
+    if (!program.contains(idOf(profile::Field::K1)) && !program.contains(idOf(profile::Field::K4)))
+        program::followRatios(recipe);
     reader.refuseUnknownKeys();
     if (failure)
         return refuse(*failure);

@@ -25,7 +25,8 @@ typedef struct {
 static const layout_info layouts[] = {
     [CTL_TABLE_LAYOUT_STEP_TABLE] = {CTL_ROW_REGISTERS, 1, CTL_ROW_CAPACITY, KIND(ROTARY_CUTTER)},
     [CTL_TABLE_LAYOUT_CAM_POINTS] = {CTL_CAM_POINT_REGISTERS, 2, CTL_CAM_POINT_CAPACITY,
-                                     KIND(POSITION_MOVE) | KIND(SPEED_MOVE) | KIND(POINT_CAM)},
+                                     KIND(POSITION_MOVE) | KIND(SPEED_MOVE) | KIND(POINT_CAM) |
+                                         KIND(SEGMENT_CAM)},
     [CTL_TABLE_LAYOUT_INTERVALS] = {CTL_INTERVAL_REGISTERS, 1, CTL_INTERVAL_CAPACITY,
                                     KIND(POSITION_MOVE) | KIND(SPEED_MOVE)},
     [CTL_TABLE_LAYOUT_PRESS_STAGES] = {CTL_STAGE_REGISTERS, CTL_STAGE_COUNT, CTL_STAGE_COUNT, KIND(PRESS)},
@@ -35,6 +36,9 @@ static const layout_info layouts[] = {
 _Static_assert(FITS(CTL_ROW_REGISTERS* CTL_ROW_CAPACITY), "the longest step table fits a bank");
 _Static_assert(FITS(CTL_CAM_POINT_REGISTERS* CTL_CAM_POINT_CAPACITY + CTL_KNOT_REGISTERS * CTL_KNOT_CAPACITY),
                "the longest cam with its knots fits a bank");
+_Static_assert(FITS(CTL_CAM_POINT_REGISTERS* CTL_CAM_POINT_CAPACITY +
+                    CTL_SEGMENT_REGISTERS * CTL_SEGMENT_CAPACITY),
+               "the longest cam with its segments fits a bank");
 _Static_assert(FITS(CTL_INTERVAL_REGISTERS* CTL_INTERVAL_CAPACITY), "the most intervals fit a bank");
 _Static_assert(FITS(CTL_STAGE_REGISTERS* CTL_STAGE_COUNT), "the stages of a press fit a bank");
 
@@ -47,23 +51,37 @@ static const layout_info* layout_of(const ctl_bank* bank)
     return layout < LAYOUTS && layouts[layout].row_registers != 0 ? &layouts[layout] : NULL;
 }
 
-/* Where each kind keeps the data of its machine. */
+/* Where each kind keeps the data of its machine, and the list behind the rows of a cam. */
 typedef struct {
     uint16_t pulses_per_motor_rev;
     uint16_t length; /* knife radius or feed */
     bool needs_homing;
+    bool follows_master;
+    ctl_bank_list list;
 } kind_info;
+
+#define CAM_LIST(name)                                                                                       \
+    {                                                                                                        \
+        CTL_OFFSET_CAM_##name##_COUNT, CTL_##name##_REGISTERS, CTL_##name##_CAPACITY                         \
+    }
+#define NO_LIST                                                                                              \
+    {                                                                                                        \
+        CTL_OFFSET_BANK_LAYOUT, 0, 0                                                                         \
+    }
 
 static const kind_info kinds[] = {
     [CTL_PROGRAM_KIND_ROTARY_CUTTER] = {CTL_OFFSET_PROGRAM_PULSES_PER_MOTOR_REV,
-                                        CTL_OFFSET_PROGRAM_KNIFE_RADIUS, true},
+                                        CTL_OFFSET_PROGRAM_KNIFE_RADIUS, true, false, NO_LIST},
     [CTL_PROGRAM_KIND_POSITION_MOVE] = {CTL_OFFSET_POSITION_MOVE_PULSES_PER_MOTOR_REV,
-                                        CTL_OFFSET_POSITION_MOVE_FEED, false},
+                                        CTL_OFFSET_POSITION_MOVE_FEED, false, false, NO_LIST},
     [CTL_PROGRAM_KIND_SPEED_MOVE] = {CTL_OFFSET_SPEED_MOVE_PULSES_PER_MOTOR_REV, CTL_OFFSET_SPEED_MOVE_FEED,
-                                     false},
-    [CTL_PROGRAM_KIND_POINT_CAM] = {CTL_OFFSET_POINT_CAM_PULSES_PER_MOTOR_REV, CTL_OFFSET_POINT_CAM_FEED,
-                                    true},
-    [CTL_PROGRAM_KIND_PRESS] = {CTL_OFFSET_PRESS_PULSES_PER_MOTOR_REV, CTL_OFFSET_PRESS_FEED, false},
+                                     false, false, NO_LIST},
+    [CTL_PROGRAM_KIND_POINT_CAM] = {CTL_OFFSET_CAM_PULSES_PER_MOTOR_REV, CTL_OFFSET_CAM_FEED, true, true,
+                                    CAM_LIST(KNOT)},
+    [CTL_PROGRAM_KIND_PRESS] = {CTL_OFFSET_PRESS_PULSES_PER_MOTOR_REV, CTL_OFFSET_PRESS_FEED, false, false,
+                                NO_LIST},
+    [CTL_PROGRAM_KIND_SEGMENT_CAM] = {CTL_OFFSET_CAM_PULSES_PER_MOTOR_REV, CTL_OFFSET_CAM_FEED, true, true,
+                                      CAM_LIST(SEGMENT)},
 };
 
 /* A bank that was damaged after its check may name any kind. */
@@ -111,10 +129,31 @@ uint16_t ctl_bank_ramp_shape(const ctl_bank* bank)
     return has_cam_points(bank) ? bank->registers[CTL_OFFSET_CAM_RAMP_SHAPE] : CTL_RAMP_SHAPE_TRAPEZOID;
 }
 
+bool ctl_bank_follows_master(const ctl_bank* bank)
+{
+    return kind_of(bank)->follows_master;
+}
+
+ctl_bank_list ctl_bank_list_of(const ctl_bank* bank)
+{
+    return kind_of(bank)->list;
+}
+
+uint32_t ctl_bank_list_count(const ctl_bank* bank)
+{
+    const ctl_bank_list list = kind_of(bank)->list;
+    return list.registers == 0 ? 0u : bank->registers[list.count];
+}
+
+uint32_t ctl_bank_list_offset(const ctl_bank* bank)
+{
+    return CTL_BANK_HEADER_REGISTERS + CTL_CAM_POINT_REGISTERS * ctl_bank_row_count(bank);
+}
+
 int32_t ctl_bank_direction(const ctl_bank* bank)
 {
-    const bool turns_back = ctl_bank_kind(bank) == CTL_PROGRAM_KIND_POINT_CAM &&
-                            (bank->registers[CTL_OFFSET_POINT_CAM_MASTER_RATE] & 0x8000u) != 0;
+    const bool turns_back =
+        ctl_bank_follows_master(bank) && (bank->registers[CTL_OFFSET_CAM_MASTER_RATE] & 0x8000u) != 0;
     return turns_back ? -1 : 1;
 }
 
@@ -129,9 +168,7 @@ uint32_t ctl_bank_length(const ctl_bank* bank)
     uint32_t length = CTL_BANK_HEADER_REGISTERS;
     if (layout != NULL)
         length += layout->row_registers * ctl_bank_row_count(bank);
-    if (has_cam_points(bank))
-        length += (uint32_t)CTL_KNOT_REGISTERS * bank->registers[CTL_OFFSET_CAM_KNOT_COUNT];
-    return length;
+    return length + kind_of(bank)->list.registers * ctl_bank_list_count(bank);
 }
 
 uint32_t ctl_bank_crc(const ctl_bank* bank)

@@ -28,6 +28,13 @@ typedef struct {
     uint16_t detail; /* row, or offset in the header, that was refused */
 } ctl_verdict;
 
+/* The list behind the rows of a cam: the knots or segments of which its curve is made. */
+typedef struct {
+    uint16_t count;     /* header register with the number of entries */
+    uint16_t registers; /* of one entry; 0: the kind has no list */
+    uint16_t capacity;
+} ctl_bank_list;
+
 /* Bit n set: program kind n can be executed. All kinds of the register map can. */
 #define CTL_PROGRAM_KINDS ((2u << CTL_PROGRAM_KIND_LAST) - 2u)
 
@@ -44,6 +51,12 @@ uint16_t ctl_bank_ramp_shape(const ctl_bank* bank); /* CTL_RAMP_SHAPE_... */
 /* The direction of the master: -1 where the program wants it to run through the rows from their end to their
  * beginning. */
 int32_t ctl_bank_direction(const ctl_bank* bank);
+/* The kind follows a virtual master, whose speed goes on when the program changes. */
+bool ctl_bank_follows_master(const ctl_bank* bank);
+ctl_bank_list ctl_bank_list_of(const ctl_bank* bank);
+uint32_t ctl_bank_list_count(const ctl_bank* bank);
+/* Offset of the list's first register. */
+uint32_t ctl_bank_list_offset(const ctl_bank* bank);
 uint32_t ctl_bank_row_count(const ctl_bank* bank);
 /* Registers in use: header, rows and what follows them; the header alone when the layout is not known. */
 uint32_t ctl_bank_length(const ctl_bank* bank);

@@ -59,8 +59,9 @@ static uint32_t bad_header_offset(const ctl_bank* bank, const ctl_config* config
         return CTL_OFFSET_BANK_END_BEHAVIOR;
     if (header[CTL_OFFSET_CAM_RAMP_SHAPE] > CTL_RAMP_SHAPE_SCURVE)
         return CTL_OFFSET_CAM_RAMP_SHAPE;
-    if (header[CTL_OFFSET_CAM_KNOT_COUNT] > CTL_KNOT_CAPACITY)
-        return CTL_OFFSET_CAM_KNOT_COUNT;
+    const ctl_bank_list list = ctl_bank_list_of(bank);
+    if (ctl_bank_list_count(bank) > list.capacity)
+        return list.count;
     return CTL_BANK_HEADER_REGISTERS;
 }
 

@@ -13,11 +13,11 @@ static uint32_t bag_um(const ctl_bank* bank)
 
 static uint64_t master_rate(const ctl_bank* bank)
 {
-    const int16_t rate = (int16_t)bank->registers[CTL_OFFSET_POINT_CAM_MASTER_RATE];
+    const int16_t rate = (int16_t)bank->registers[CTL_OFFSET_CAM_MASTER_RATE];
     return (uint64_t)(rate < 0 ? -rate : rate);
 }
 
-/* The film's speed goes on over the boundary, the master's of a point cam, otherwise the cycles a second. */
+/* The film's speed goes on over the boundary, the master's of a cam, otherwise the cycles a second. */
 static void set_ratio(ctl_change_plan* plan, const ctl_bank* from, const ctl_bank* to)
 {
     uint64_t numerator = ctl_bank_cycle_ticks(to);
@@ -25,7 +25,7 @@ static void set_ratio(ctl_change_plan* plan, const ctl_bank* from, const ctl_ban
     if (ctl_bank_kind(from) == CTL_PROGRAM_KIND_ROTARY_CUTTER) {
         numerator *= bag_um(from);
         denominator *= bag_um(to);
-    } else if (ctl_bank_kind(from) == CTL_PROGRAM_KIND_POINT_CAM) {
+    } else if (ctl_bank_follows_master(from)) {
         numerator = master_rate(from);
         denominator = master_rate(to);
     }

@@ -118,6 +118,7 @@ void ctl_io_registers(const ctl_io* io, const ctl_motion* motion, uint16_t* regi
     if (board->port.torque != NULL) {
         available |= 1u << CTL_IO_BIT_TORQUE;
         put(registers, CTL_REG_IO_TORQUE, ctl_saturated16(board->port.torque(board->port.context)));
+        put(registers, CTL_REG_IO_TORQUE_ANGLE, ctl_motion_master_angle(motion));
     }
     if (ctl_packer_active(packer)) {
         available |= 1u << CTL_IO_BIT_INFEED;

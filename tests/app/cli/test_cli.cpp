@@ -33,6 +33,8 @@ private slots:
     void pulsesPerCycleAreExact();
     void tableCsvAddsUp();
     void profileNumbers();
+    void ratiosThatSuit();
+    void lawsOfACutterAreRanked();
     void curvesAreDrawnPastABrokenLimit();
     void optionsReplaceInputs_data();
     void optionsReplaceInputs();
@@ -202,6 +204,69 @@ void CliTest::profileNumbers()
     QCOMPARE(times.last().toDouble(), 1.0);
 }
 
+// The check values of L = 150 mm at 200 bags/min, the figures that the papers name, and who decides the
+// ratios.
+void CliTest::ratiosThatSuit()
+{
+    const auto profileOf = [](const QString& options) {
+        return call(u"profile --format json --bag-length-mm 150 --rate 200 "_s + options).json();
+    };
+    const auto near = [](const QJsonValue& value, double expected, double relative) {
+        return std::abs(value.toDouble() - expected) <= relative * expected;
+    };
+    const QJsonObject gentle = profileOf(u"--ratios gentle"_s);
+    QCOMPARE(gentle[u"ratios"_s][u"mode"_s].toString(), u"gentle"_s);
+    QVERIFY(gentle[u"ratios"_s][u"k1"_s].toDouble() > 900);
+    QVERIFY(near(gentle[u"peaks"_s][u"acceleration_mm_per_s2"_s], 23645, 1e-4));
+    QVERIFY(near(gentle[u"fastest"_s][u"rate_bags_per_min"_s], 290.8, 1e-3));
+    const QJsonObject cool = profileOf(u"--ratios cool"_s);
+    QVERIFY(near(cool[u"peaks"_s][u"rms_acceleration_mm_per_s2"_s], 14186.94, 1e-4));
+    const QJsonObject between = profileOf(u"--ratios between --ramp-position-percent 50"_s);
+    QCOMPARE(between[u"ratios"_s][u"k1"_s], cool[u"ratios"_s][u"k1"_s]);
+    const QJsonObject hand = profileOf({});
+    QCOMPARE(hand[u"ratios"_s][u"mode"_s].toString(), u"hand"_s);
+    QCOMPARE(hand[u"ratios"_s][u"k1"_s].toDouble(), 4.0);
+    const QJsonObject cycle = hand[u"cycle"_s].toObject();
+    const double base = cycle[u"base_speed_mm_per_s"_s].toDouble();
+    QVERIFY(near(cycle[u"speed_ratio"_s], 500 / base, 1e-9)); // k0
+    QVERIFY(near(cycle[u"base_circle_rad_per_s"_s], base / 60, 1e-9));
+    const QJsonObject move = call(u"profile --kind position_move --format json"_s).json();
+    QVERIFY(near(move[u"coefficients"_s][u"C3"_s], 6e-5, 1e-9));
+    QVERIFY(near(move[u"coefficients"_s][u"C5"_s], 3.6e-11, 1e-9));
+
+    QCOMPARE(call(u"profile --ratios fastest"_s).code, int{Usage});
+    QCOMPARE(call(u"profile --kind press --ratios gentle"_s).code, int{Usage});
+    // A new recipe begins gentle; the ratios of a file stay.
+    const auto modeOf = [](const Result& result) {
+        return result.json()[u"program"_s][u"ratios"_s].toString();
+    };
+    QCOMPARE(modeOf(call(u"recipe"_s)), u"gentle"_s);
+    QCOMPARE(modeOf(call(u"recipe --k 5,2.5,1.6,1.2"_s)), u"hand"_s);
+    const QString path = m_directory.filePath(u"hand.json"_s);
+    QVERIFY(store::writeRecipe(program::Recipe{}, path).has_value());
+    QCOMPARE(modeOf(call(QStringList{u"recipe"_s, path})), u"hand"_s);
+    const Result followed = call({u"recipe"_s, path, u"--ratios"_s, u"slow"_s, u"--rate"_s, u"180"_s});
+    QCOMPARE(modeOf(followed), u"slow"_s);
+    QVERIFY(followed.json()[u"program"_s][u"k1"_s].toDouble() < 4);
+}
+
+void CliTest::lawsOfACutterAreRanked()
+{
+    const Result result = call(u"compare --bag-length-mm 150 --rate 200 --format json"_s);
+    QVERIFY2(result.code == Ok, result.complaint.constData());
+    const QJsonArray rows = result.json()[u"laws"_s].toArray();
+    QCOMPARE(rows.size(), static_cast<qsizetype>(profile::laws().size()));
+    double before = 0;
+    for (const QJsonValue& row : rows) {
+        QVERIFY(row[u"acceleration_mm_per_s2"_s].toDouble() >= before);
+        before = row[u"acceleration_mm_per_s2"_s].toDouble();
+        QVERIFY(row[u"rms_acceleration_mm_per_s2"_s].toDouble() < before);
+    }
+    const Result text = call(u"compare --bag-length-mm 150 --rate 200"_s);
+    QCOMPARE(text.lines().size(), rows.size() + 1);
+    QVERIFY(text.lines().first().startsWith("law"));
+}
+
 void CliTest::curvesAreDrawnPastABrokenLimit()
 {
     const Result result = call({u"profile"_s, u"--rate"_s, u"400"_s, u"--format"_s, u"csv"_s});
@@ -335,7 +400,7 @@ void CliTest::otherLocale()
     process.start(campanel::test::programPath("campanelctl"), {u"profile"_s});
     QVERIFY(process.waitForFinished());
     QCOMPARE(process.exitCode(), int{Ok});
-    QVERIFY(process.readAllStandardOutput().contains("cycle.base_speed_mm_per_s     445.37"));
+    QVERIFY(process.readAllStandardOutput().contains("cycle.base_speed_mm_per_s         445.37"));
     QCOMPARE(process.readAllStandardError(), QByteArray());
 }
 

@@ -47,6 +47,7 @@ private slots:
     void profileAgreesWithTheTable_data();
     void profileAgreesWithTheTable();
     void numbersThatAreNone();
+    void motorAndShaftOfAKnife();
     void knotsAsCsv();
     void knotsThatCannotBe();
     void knotsRepaired();
@@ -278,8 +279,45 @@ void CliKindsTest::numbersThatAreNone()
     QVERIFY(noTorque.match(QString::fromUtf8(call(u"profile"_s).out)).hasMatch());
     static const QRegularExpression steps(u"\\nharmonic .* steps +0.0"_s);
     QVERIFY(steps.match(QString::fromUtf8(call(u"compare --kind position_move"_s).out)).hasMatch());
-    const QJsonObject peaks = call(u"profile --format json"_s).json()[u"peaks"_s].toObject();
-    QVERIFY(peaks[u"torque_nm"_s].isNull());
+    const QJsonObject object = call(u"profile --format json"_s).json();
+    QVERIFY(object[u"peaks"_s][u"torque_nm"_s].isNull() && object[u"peaks"_s][u"rms_torque_nm"_s].isNull());
+    QVERIFY(object[u"vibration"_s][u"seal_error_mm"_s].isNull());
+    QVERIFY(!object[u"curves"_s].toObject().contains(u"torque_nm"_s));
+}
+
+// The check numbers of torque and vibration, and the refusals of their limits.
+void CliKindsTest::motorAndShaftOfAKnife()
+{
+    const QString words = u"profile --bag-length-mm 150 --rate 200 --inertia-kg-cm2 10 --friction-nm 0.1 "
+                          "--natural-frequency-hz 25"_s;
+    const QJsonObject object = call(words + u" --format json"_s).json();
+    const QJsonObject peaks = object[u"peaks"_s].toObject();
+    QVERIFY(std::abs(peaks[u"torque_nm"_s].toDouble() -
+                     (1e-3 * peaks[u"acceleration_mm_per_s2"_s].toDouble() / 60 + 0.1)) < 1e-9);
+    QVERIFY(std::abs(object[u"vibration"_s][u"seal_error_mm"_s].toDouble() - 1.72) < 0.005);
+    QCOMPARE(object[u"curves"_s][u"torque_nm"_s].toArray().size(),
+             object[u"curves"_s][u"time_s"_s].toArray().size());
+    QVERIFY(call(words + u" --format csv"_s)
+                .out.startsWith("time_s,position_mm,velocity_mm_per_s,"
+                                "acceleration_mm_per_s2,jerk_mm_per_s3,"
+                                "frequency_hz,torque_nm\n"));
+    for (const auto& [limit, sentence] :
+         {std::pair{u" --max-torque-nm 0.2"_s, "Motor torque would reach"},
+          std::pair{u" --rated-torque-nm 0.2"_s, "RMS torque would be"},
+          std::pair{u" --natural-frequency-hz 3"_s, "The cycle repeats at 3.3 Hz"}}) {
+        const Result refused = call(words + limit);
+        QCOMPARE(refused.code, Refused);
+        QVERIFY2(refused.complaint.contains(sentence), refused.complaint.constData());
+    }
+    const Result compared = call(u"compare --kind position_move --natural-frequency-hz 2 --format json"_s);
+    const QJsonArray laws = compared.json()[u"laws"_s].toArray();
+    for (const QJsonValue& law : laws) {
+        const double strokes = law[u"residual_mm"_s].toDouble() / 6000; // f T = 2
+        if (law[u"law"_s].toString() == u"quintic")
+            QVERIFY(std::abs(strokes - 0.02887) < 1e-5);
+        if (law[u"law"_s].toString() == u"cycloidal")
+            QVERIFY(strokes < 1e-5);
+    }
 }
 
 void CliKindsTest::lawsCompared()

@@ -345,6 +345,16 @@ void TestCurvePlot::announcesALayoutOnce()
     plot.setProperty("curves", test::curveVariant([](double t) { return 300 + 900 * t; }));
     window.grabWindow();
     QCOMPARE(spy.count(), 2);
+    // Another panel makes the others lower, also at the same scale of the velocity.
+    QStringList quantities{QStringLiteral("velocity")};
+    for (const char* more : {"acceleration", "jerk", "frequency", "position"}) {
+        const double before = plot.yOfVelocity(1000);
+        const auto announced = spy.count();
+        quantities << QString::fromLatin1(more);
+        plot.setProperty("quantities", quantities);
+        window.grabWindow();
+        QCOMPARE(spy.count() > announced, plot.yOfVelocity(1000) != before);
+    }
     plot.setParentItem(nullptr);
 }
 

@@ -38,7 +38,7 @@ struct Rig {
         picture.setProperty("windowColor", QColor(Qt::cyan));
         picture.setProperty("productColor", green);
         picture.setProperty("cutColor", blue);
-        picture.setProperty("leftOutColor", red);
+        picture.setProperty("skippedColor", red);
         picture.setProperty("knifeColor", magenta);
         picture.setProperty("staleColor", QColor(Qt::gray));
         picture.setProperty("textColor", QColor(Qt::gray));
@@ -109,7 +109,7 @@ private slots:
         QCOMPARE(rig.inkAt(image, 270, green, 4), 0);
     }
 
-    void aCutThatIsLeftOutLooksOtherwise()
+    void aSkippedCutLooksOtherwise()
     {
         Rig rig;
         rig.set("cuts", {{100, 0}, {350, 1}, {600, 0}});
@@ -120,7 +120,7 @@ private slots:
         }
         QCOMPARE(rig.inkAt(image, 350, blue), 0);
         // Not only by its color: its line is broken.
-        rig.picture.setProperty("leftOutColor", blue);
+        rig.picture.setProperty("skippedColor", blue);
         const QImage sameColor = rig.paint();
         const int broken = rig.inkAt(sameColor, 350, blue);
         QVERIFY(broken > 20);

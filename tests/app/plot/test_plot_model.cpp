@@ -2,9 +2,9 @@
 // The model of the plots before painting: decimation, scales, quantities.
 #include "samples.h"
 
-#include "app/plot/axis_scale.h"
+#include "app/plot/picture/axis_scale.h"
 #include "app/plot/decimation.h"
-#include "app/plot/label_draw.h"
+#include "app/plot/picture/label_draw.h"
 #include "tests/support/test_program.h"
 
 #include <QTest>
@@ -209,7 +209,18 @@ void TestPlotModel::unknownValuesAreNoCurves()
     uneven->jerkMmPerS3.pop_back();
     QVERIFY(!curveSetFrom(QVariant::fromValue<CurveSet>(uneven)));
     QVERIFY(curveSetFrom(test::curveVariant([](double) { return 1.0; })));
-    QVERIFY(!quantityByName(QStringLiteral("torque")));
+    QVERIFY(!quantityByName(QStringLiteral("power")));
+    QCOMPARE(quantityByName(QStringLiteral("torque")), Quantity::Torque);
+    // A torque may be unknown, but not in parts.
+    auto known = test::makeCurves([](double) { return 1.0; });
+    const CurveSet unknown = curveSetFrom(QVariant::fromValue<CurveSet>(known));
+    QVERIFY(std::isnan(valueAt(unknown, Quantity::Torque, known->timeS.front())));
+    known->torqueNm.assign(known->timeS.size(), 0.25);
+    QCOMPARE(
+        valueAt(curveSetFrom(QVariant::fromValue<CurveSet>(known)), Quantity::Torque, known->timeS.front()),
+        0.25);
+    known->torqueNm.pop_back();
+    QVERIFY(!curveSetFrom(QVariant::fromValue<CurveSet>(known)));
     QCOMPARE(quantityByName(QStringLiteral("frequency")), Quantity::Frequency);
 }
 

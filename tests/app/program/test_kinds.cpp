@@ -36,7 +36,7 @@ std::span<const std::uint16_t> headerOf(const ProgramImage& image)
 
 std::vector<std::uint16_t> knotsOf(const ProgramImage& image)
 {
-    const modbus::KnotSpan span = modbus::knotSpan(image.registers);
+    const modbus::ListSpan span = modbus::listSpan(image.registers);
     const auto all = std::span(image.registers).subspan(span.offset, span.count);
     return {all.begin(), all.end()};
 }
@@ -54,6 +54,17 @@ ctl_verdict checked(const ProgramImage& image)
     return ctl_bank_check(bank.get(), &config, static_cast<std::uint32_t>(image.registers.size()));
 }
 
+bool isInRegisters(Field field)
+{
+    return std::ranges::find(fileFields, field) == fileFields.end();
+}
+
+// The origin of the ratios is the panel's own: the controller knows the ratios alone.
+bool isInRegisters(Choice choice)
+{
+    return choice != Choice::Ratios;
+}
+
 // Returns an empty text, or the input that differs.
 QString lostInput(const Recipe& kept, const Recipe& given)
 {
@@ -62,14 +73,15 @@ QString lostInput(const Recipe& kept, const Recipe& given)
     const KindInfo& kind = kindInfo(given.kind());
     for (const Field field : kind.programFields) {
         const bool isRead = !given.isCutter() || program::isRead(given.program, field);
-        if (isRead && value(kept, field) != value(given, field))
+        if (isRead && isInRegisters(field) && value(kept, field) != value(given, field))
             return QStringLiteral("%1: %2 is not %3")
                 .arg(profile::info(field).id.data())
                 .arg(value(kept, field), 0, 'g', 17)
                 .arg(value(given, field), 0, 'g', 17);
     }
     for (const ChoiceInfo& each : kind.choices) {
-        if (choice(kept.program, each.choice) != choice(given.program, each.choice))
+        if (isInRegisters(each.choice) &&
+            choice(kept.program, each.choice) != choice(given.program, each.choice))
             return QString::fromLatin1(each.id.data());
     }
     const auto* parameters = lawParameters(given.program);
@@ -208,6 +220,8 @@ void KindsTest::everyChoiceIsKept()
     QFETCH(ProgramKind, kind);
     for (const ChoiceInfo& info : kindInfo(kind).choices) {
         const Choice each = info.choice;
+        if (!isInRegisters(each))
+            continue;
         std::vector<std::uint16_t> codes;
         for (const ChoiceOption& option : info.options)
             codes.push_back(option.code);
@@ -266,8 +280,11 @@ void KindsTest::everyFieldMakesADifference()
         QVERIFY(std::abs(found.front().b - found.front().a - info->scale) < 1e-6 * info->scale);
         kept.insert(entry.field);
     }
-    for (const Field field : kindInfo(kind).programFields)
-        QVERIFY2(kept.contains(field), profile::info(field).id.data());
+    for (const Field field : kindInfo(kind).programFields) {
+        const bool isInFileAlone = std::ranges::find(fileFields, field) != fileFields.end();
+        QVERIFY2(kept.contains(field) != isInFileAlone, profile::info(field).id.data());
+        QCOMPARE(isInController(recipe, field), !isInFileAlone);
+    }
 }
 
 // The last speed of intervals is held until a stop; more pulses make it more exact.
@@ -340,7 +357,7 @@ void KindsTest::headersThatCannotBeShown_data()
         QTest::newRow(tag) << kind << QString::fromLatin1(name) << value << static_cast<int>(error);
     };
     row("kind 0", ProgramKind::PointCam, "bank.kind", 0, DecodeErrorKind::Kind);
-    row("kind 6", ProgramKind::Press, "bank.kind", 6, DecodeErrorKind::Kind);
+    row("kind 7", ProgramKind::Press, "bank.kind", 7, DecodeErrorKind::Kind);
     row("layout of the future", ProgramKind::PositionMove, "bank.layout", 9, DecodeErrorKind::Layout);
     row("no layout", ProgramKind::SpeedMove, "bank.layout", 0, DecodeErrorKind::Layout);
     row("a cam of intervals", ProgramKind::PointCam, "bank.layout",
@@ -354,7 +371,7 @@ void KindsTest::headersThatCannotBeShown_data()
     row("unknown duration", ProgramKind::SpeedMove, "speed_move.duration", 3, DecodeErrorKind::Choice);
     row("position over a distance", ProgramKind::PositionMove, "position_move.duration", 2,
         DecodeErrorKind::Choice);
-    row("unknown ends", ProgramKind::PointCam, "point_cam.ends", 3, DecodeErrorKind::Choice);
+    row("unknown ends", ProgramKind::PointCam, "cam.ends", 3, DecodeErrorKind::Choice);
     row("unknown ramp", ProgramKind::PointCam, "cam.ramp_shape", 2, DecodeErrorKind::Choice);
 }
 

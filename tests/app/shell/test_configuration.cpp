@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // The configuration file: valid values, errors with their line, and no fatal error.
 #include "app/shell/configuration.h"
+
+#include "app/panel/settings/settings.h"
+#include "app/shell/kiosk.h"
 #include "tests/support/places.h"
 #include "tests/support/test_program.h"
 
 #include <QFile>
+#include <QProcess>
 #include <QRegularExpression>
 #include <QTemporaryDir>
 #include <QTest>
@@ -17,7 +21,6 @@ namespace test_configuration {
 using namespace campanel;
 using namespace Qt::StringLiterals;
 using panel::Settings;
-using shell::Configuration;
 using shell::configurationFrom;
 using shell::ReadConfiguration;
 
@@ -25,15 +28,27 @@ namespace {
 
 const QString name = u"c.toml"_s;
 
+// Returns what the generator of the configuration's documents prints.
+QByteArray generated(const QString& form)
+{
+    QProcess generator;
+    generator.start(campanel::test::programPath("campanel-generate-configuration"), {form});
+    if (!generator.waitForFinished() || generator.exitCode() != 0)
+        qFatal("%s", qPrintable(generator.errorString()));
+    return generator.readAllStandardOutput();
+}
+
 // Returns the installed file with its examples enabled.
 QByteArray installedExamples()
 {
-    QFile file(campanel::test::sourcePath("packaging/kiosk/campanel.toml"));
-    if (!file.open(QIODevice::ReadOnly))
-        qFatal("%s cannot be read", qPrintable(file.fileName()));
-    QString text = QString::fromUtf8(file.readAll());
+    QString text = QString::fromUtf8(generated(u"--toml"_s));
     static const QRegularExpression example(u"^#([a-z_]+ = )"_s, QRegularExpression::MultilineOption);
     return text.replace(example, u"\\1"_s).toUtf8();
+}
+
+bool isSimulated(const ReadConfiguration& read)
+{
+    return read.values.isTrue("connection.simulated");
 }
 
 } // namespace
@@ -57,28 +72,46 @@ private slots:
         }
         QCOMPARE(shown, shell::configurationKeys());
 
-        const Configuration fresh;
-        QCOMPARE(read.values.standard.connection, fresh.standard.connection);
-        QCOMPARE(read.values.standard.language, u"en"_s);
-        QCOMPARE(read.values.standard.theme, fresh.standard.theme);
-        QCOMPARE(read.values.standard.gloves, fresh.standard.gloves);
-        QCOMPARE(read.values.standard.bagToleranceMm, fresh.standard.bagToleranceMm);
-        QCOMPARE(read.values.standard.autoLogoutMinutes, fresh.standard.autoLogoutMinutes);
-        QCOMPARE(read.values.standard.operatorsLogIn, fresh.standard.operatorsLogIn);
-        QCOMPARE(read.values.windowSize, QSize(1024, 600));
-        QCOMPARE(read.values.isFullScreen, fresh.isFullScreen);
-        QCOMPARE(read.values.logRules, fresh.logRules);
-        QCOMPARE(read.values.screen, fresh.screen);
+        for (const panel::SettingRow& row : panel::settingTable) {
+            const QString standard = panel::SettingValues().text(row);
+            QCOMPARE(read.values.text(row), row.name == "display.language" ? u"en"_s : standard);
+        }
+    }
+
+    // Each default, choice and limit of the table is valid, and beyond a limit is not.
+    void everyRowOfTheTableIsConsistent()
+    {
+        QList<std::string_view> names;
+        QStringList keys;
+        for (const panel::SettingRow& row : panel::settingTable) {
+            const QByteArray name(row.name.data(), qsizetype(row.name.size()));
+            QVERIFY2(!names.contains(row.name), name);
+            names << row.name;
+            QVERIFY2(row.key.empty() || !keys.contains(keyOf(row)), name);
+            if (!row.key.empty())
+                keys << keyOf(row);
+            QVERIFY2(row.help || !row.key.empty(), name);
+            QVERIFY2(!row.label || !row.key.empty(), name);
+            if (!row.standard.empty())
+                QVERIFY2(isValid(row, panel::SettingValues().text(row)), name);
+            if (!row.choices.empty()) {
+                for (const QString& choice : choicesOf(row))
+                    QVERIFY2(isValid(row, choice), name);
+            }
+            if (row.maximum > row.minimum) {
+                QVERIFY2(isValid(row, panel::settingText(row.minimum)), name);
+                QVERIFY2(isValid(row, panel::settingText(row.maximum)), name);
+                QVERIFY2(!isValid(row, panel::settingText(row.minimum - 1)), name);
+                QVERIFY2(!isValid(row, panel::settingText(row.maximum + 1)), name);
+            }
+        }
     }
 
     void theManPageNamesEveryKey()
     {
-        QFile page(campanel::test::sourcePath("packaging/man/campanel.toml.5"));
-        QVERIFY(page.open(QIODevice::ReadOnly));
         QString section;
         QStringList named;
-        while (!page.atEnd()) {
-            const QString line = QString::fromUtf8(page.readLine()).trimmed();
+        for (const QString& line : QString::fromUtf8(generated(u"--man"_s)).split(u'\n')) {
             if (line.startsWith(u".Ss ["))
                 section = line.mid(5).chopped(1);
             else if (line.startsWith(u".It Cm "))
@@ -116,28 +149,28 @@ screen = "linuxfb"
 )",
                                                          name);
         QCOMPARE(read.complaints, QStringList());
-        const auto& standard = read.values.standard;
-        QCOMPARE(standard.connection,
+        const Settings settings(u"/none/settings.ini"_s, nullptr, read.values);
+        QCOMPARE(settings.connection(),
                  (panel::ConnectionChoice{false, u"/dev/campanel-serial"_s, 9600, u"E"_s, 2, 247}));
-        QCOMPARE(standard.language, u"zh_CN"_s);
-        QCOMPARE(standard.theme, u"contrast"_s);
-        QVERIFY(standard.gloves);
-        QCOMPARE(standard.bagToleranceMm, 2.0);
-        QCOMPARE(standard.autoLogoutMinutes, 30);
-        QVERIFY(standard.operatorsLogIn);
-        QCOMPARE(standard.holdToStart, u"on"_s);
-        QCOMPARE(read.values.windowSize, QSize(1280, 800));
-        QVERIFY(read.values.isFullScreen);
-        QCOMPARE(read.values.logRules, (QStringList{u"campanel.link.debug=true"_s, u"campanel.*=false"_s}));
-        QCOMPARE(read.values.screen, shell::ScreenAccess::LinuxFb);
+        QCOMPARE(settings.language(), u"zh_CN"_s);
+        QCOMPARE(settings.theme(), u"contrast"_s);
+        QVERIFY(settings.gloves());
+        QCOMPARE(settings.bagToleranceMm(), 2.0);
+        QCOMPARE(settings.autoLogoutMinutes(), 30);
+        QVERIFY(settings.operatorsLogIn());
+        QCOMPARE(settings.holdToStart(), u"on"_s);
+        QCOMPARE(panel::sizeIn(read.values.text("display.size")), QSize(1280, 800));
+        QVERIFY(read.values.isTrue("display.fullscreen"));
+        QCOMPARE(read.values.text("log.rules"), u"campanel.link.debug=true\ncampanel.*=false"_s);
+        QCOMPARE(shell::screenAccess(read.values.text("kiosk.screen")), shell::ScreenAccess::LinuxFb);
     }
 
     void aNamedPortIsMeant()
     {
         const QByteArray port = "[connection]\nport = \"/dev/ttyS1\"\n";
-        QVERIFY(!configurationFrom(port, name).values.standard.connection.simulated);
-        QVERIFY(configurationFrom(port + "simulated = true\n", name).values.standard.connection.simulated);
-        QVERIFY(configurationFrom("[connection]\nbaud = 9600\n", name).values.standard.connection.simulated);
+        QVERIFY(!isSimulated(configurationFrom(port, name)));
+        QVERIFY(isSimulated(configurationFrom(port + "simulated = true\n", name)));
+        QVERIFY(isSimulated(configurationFrom("[connection]\nbaud = 9600\n", name)));
     }
 
     void whatIsWrongIsNamedAndIgnored_data()
@@ -187,15 +220,14 @@ screen = "linuxfb"
         const ReadConfiguration read =
             configurationFrom("[access]\noperators_log_in = true\n[connection]\n\n" + line + '\n', name);
         QCOMPARE(read.complaints, QStringList{complaint});
-        QVERIFY(read.values.standard.operatorsLogIn);
+        QVERIFY(read.values.isTrue("access.operators_log_in"));
         // Anything that may have named the controller never leads to the simulated one.
-        panel::ConnectionChoice expected;
-        expected.simulated = !complaint.contains(u"connection."_s) && !complaint.contains(u"no section"_s);
-        QCOMPARE(read.values.standard.connection, expected);
-        QCOMPARE(read.values.standard.bagToleranceMm, 0.5);
-        QVERIFY(!read.values.windowSize);
-        QCOMPARE(read.values.logRules, QStringList());
-        QCOMPARE(read.values.screen, shell::ScreenAccess::Auto);
+        QCOMPARE(isSimulated(read),
+                 !complaint.contains(u"connection."_s) && !complaint.contains(u"no section"_s));
+        for (const panel::SettingRow& row : panel::settingTable) {
+            if (row.name != "connection.simulated" && row.name != "access.operators_log_in")
+                QCOMPARE(read.values.text(row), panel::SettingValues().text(row));
+        }
     }
 
     // Invalid TOML costs only its line, not the file.
@@ -231,8 +263,8 @@ screen = "linuxfb"
             "[connection]\nunit = 7\n" + line + "\n[ access ]\noperators_log_in = true\n", name);
         QVERIFY(!read.complaints.isEmpty());
         QVERIFY2(read.complaints.first().startsWith(u"c.toml:3: "), qPrintable(read.complaints.first()));
-        QCOMPARE(read.values.standard.connection.unit, 7);
-        QVERIFY(read.values.standard.operatorsLogIn);
+        QCOMPARE(read.values.whole("connection.unit"), 7);
+        QVERIFY(read.values.isTrue("access.operators_log_in"));
     }
 
     void textsAndCommentsTakeEveryLetter()
@@ -241,7 +273,7 @@ screen = "linuxfb"
             "[connection] # caf\xc3\xa9's\nport = \"/dev/\xc3\xa9\\\"#[}\" # [} \xe4\xb8\xb2\xe5\x8f\xa3\n",
             name);
         QCOMPARE(read.complaints, QStringList());
-        QCOMPARE(read.values.standard.connection.portName, u"/dev/\u00e9\"#[}"_s);
+        QCOMPARE(read.values.text("connection.port"), u"/dev/\u00e9\"#[}"_s);
     }
 
     // Windows' editor writes it before the text.
@@ -250,9 +282,9 @@ screen = "linuxfb"
         const ReadConfiguration read =
             configurationFrom("\xEF\xBB\xBF[connection]\nport = \"/dev/ttyS1\"\nunit = 7\n", name);
         QCOMPARE(read.complaints, QStringList());
-        QCOMPARE(read.values.standard.connection.portName, u"/dev/ttyS1"_s);
-        QCOMPARE(read.values.standard.connection.unit, 7);
-        QVERIFY(!read.values.standard.connection.simulated);
+        QCOMPARE(read.values.text("connection.port"), u"/dev/ttyS1"_s);
+        QCOMPARE(read.values.whole("connection.unit"), 7);
+        QVERIFY(!isSimulated(read));
     }
 
     void damageNeverChoosesTheSimulatedController_data()
@@ -272,7 +304,7 @@ screen = "linuxfb"
     {
         QFETCH(QByteArray, text);
         QFETCH(bool, simulated);
-        QCOMPARE(configurationFrom(text, name).values.standard.connection.simulated, simulated);
+        QCOMPARE(isSimulated(configurationFrom(text, name)), simulated);
     }
 
     void manyBrokenLinesCostTheFileNotTheStart()
@@ -284,8 +316,8 @@ screen = "linuxfb"
         QVERIFY(read.complaints.size() <= 62);
         QVERIFY2(read.complaints.last().contains(u"the whole file is ignored"_s),
                  qPrintable(read.complaints.last()));
-        QCOMPARE(read.values.standard.theme, u"light"_s);
-        QVERIFY(!read.values.standard.connection.simulated);
+        QCOMPARE(read.values.text("display.theme"), u"light"_s);
+        QVERIFY(!isSimulated(read));
     }
 
     void complaintsAreFitForATerminal()
@@ -300,7 +332,7 @@ screen = "linuxfb"
         const ReadConfiguration read = configurationFrom("[connection]\nunit = 7\nunit = 8\n", name);
         QCOMPARE(read.complaints.size(), 1);
         QVERIFY2(read.complaints.first().startsWith(u"c.toml:3: "), qPrintable(read.complaints.first()));
-        QCOMPARE(read.values.standard.connection.unit, 7);
+        QCOMPARE(read.values.whole("connection.unit"), 7);
     }
 
     void keysOutsideASectionAreNamed()
@@ -320,11 +352,9 @@ screen = "linuxfb"
             for (int i = 0; i < changes; ++i)
                 text[static_cast<qsizetype>(random() % static_cast<unsigned>(text.size()))] =
                     static_cast<char>(random() % 256);
-            const Configuration values = configurationFrom(text, name).values;
-            const auto& line = values.standard.connection;
-            QVERIFY(Settings::possibleBauds().contains(line.baud));
-            QVERIFY(line.unit >= 1 && line.unit <= 247);
-            QVERIFY(Settings::possibleThemes().contains(values.standard.theme));
+            const panel::SettingValues values = configurationFrom(text, name).values;
+            for (const panel::SettingRow& row : panel::settingTable)
+                QVERIFY(values.text(row).isEmpty() || isValid(row, values.text(row)));
         }
     }
 
@@ -344,14 +374,13 @@ screen = "linuxfb"
     {
         const QTemporaryDir folder;
         const QString storage = folder.filePath(u"settings.ini"_s);
-        panel::StandardSettings standard;
-        standard.language = u"zh_CN"_s;
-        standard.theme = u"dark"_s;
-        standard.gloves = true;
-        standard.bagToleranceMm = 1.5;
-        standard.autoLogoutMinutes = 10;
-        standard.operatorsLogIn = true;
-        standard.connection = {false, u"/dev/ttyS1"_s, 19200, u"E"_s, 2, 9};
+        const panel::SettingValues standard{
+            {"display.language", u"zh_CN"_s},        {"display.theme", u"dark"_s},
+            {"display.gloves", u"true"_s},           {"bags.tolerance_mm", u"1.5"_s},
+            {"access.auto_logout_minutes", u"10"_s}, {"access.operators_log_in", u"true"_s},
+            {"connection.simulated", u"false"_s},    {"connection.port", u"/dev/ttyS1"_s},
+            {"connection.baud", u"19200"_s},         {"connection.parity", u"E"_s},
+            {"connection.stop_bits", u"2"_s},        {"connection.unit", u"9"_s}};
         {
             Settings settings(storage, nullptr, standard);
             QCOMPARE(settings.language(), u"zh_CN"_s);
@@ -361,7 +390,8 @@ screen = "linuxfb"
             QCOMPARE(settings.bagTolerance()->defaultValue(), 1.5);
             QCOMPARE(settings.autoLogoutMinutes(), 10);
             QVERIFY(settings.operatorsLogIn());
-            QCOMPARE(settings.connection(), standard.connection);
+            QCOMPARE(settings.connection(),
+                     (panel::ConnectionChoice{false, u"/dev/ttyS1"_s, 19200, u"E"_s, 2, 9}));
             settings.setTheme(u"light"_s);
             settings.setGloves(false);
             settings.setUnit(11);

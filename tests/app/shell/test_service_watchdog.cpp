@@ -124,7 +124,7 @@ private slots:
         const ServiceManager manager;
         QVERIFY(!manager.isThere());
         QVERIFY(!manager.watchdogPeriod());
-        manager.tell("READY=1");
+        manager.notify("READY=1");
         StoppableLink link(nullptr);
         QQuickWindow window;
         const ServiceWatchdog watchdog(manager, link, window);
@@ -141,7 +141,7 @@ private slots:
         QCOMPARE(manager.watchdogPeriod(), std::chrono::milliseconds(periodMs));
         QVERIFY(qEnvironmentVariableIsEmpty("NOTIFY_SOCKET"));
         QVERIFY(qEnvironmentVariableIsEmpty("WATCHDOG_USEC"));
-        manager.tell("STOPPING=1");
+        manager.notify("STOPPING=1");
         QCOMPARE(socket.heard(), QStringList{QStringLiteral("STOPPING=1")});
     }
     void theWatchdogOfAnotherProcessIsNotFed()

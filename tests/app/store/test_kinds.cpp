@@ -31,7 +31,9 @@ private slots:
     void randomRecipesTrip();
     void everyChoiceTrips_data() { addKinds(); }
     void everyChoiceTrips();
+    void ratiosOfOlderAndNewerFiles();
     void whatIsAbsentHasTheDefaultsOfItsKind();
+    void cutterFilesWithoutAMotorMeanUnknown();
     void fieldsOfOtherKindsAreUnknown();
     void complaints_data();
     void complaints();
@@ -106,6 +108,40 @@ void StoreKindsTest::randomRecipesTrip()
     }
 }
 
+// Older files have no origin of the ratios: they were set by hand. A file with an origin and without ratios
+// gets those that suit its machine.
+void StoreKindsTest::ratiosOfOlderAndNewerFiles()
+{
+    program::Recipe recipe = program::gentleRecipe(program::defaultRecipe(ProgramKind::RotaryCutter));
+    QJsonObject root = QJsonDocument::fromJson(toJson(recipe)).object();
+    QJsonObject program = root[u"program"_s].toObject();
+    QCOMPARE(program[u"ratios"_s].toString(), u"gentle"_s);
+    const auto read = [&] {
+        root[u"program"_s] = program;
+        return fromJson(QJsonDocument(root).toJson(), u"ratios"_s);
+    };
+    for (const auto& key : {u"k1"_s, u"k2"_s, u"k3"_s, u"k4"_s})
+        program.remove(key);
+    QVERIFY(read());
+    QCOMPARE(read()->cutter().k, recipe.cutter().k);
+    // Saved ratios are those that run, whatever would suit now.
+    program[u"k1"_s] = 7;
+    program[u"k4"_s] = 1.4;
+    QCOMPARE(read()->cutter().k[0], 7.0);
+    QCOMPARE(read()->cutter().ratioMode, profile::RatioMode::Gentle);
+    program.remove(u"ratios"_s);
+    program.remove(u"ramp_position_percent"_s);
+    QCOMPARE(read()->cutter().k[0], 7.0);
+    QCOMPARE(read()->cutter().ratioMode, profile::RatioMode::ByHand);
+    program[u"ratios"_s] = u"fastest"_s;
+    QCOMPARE(read().error().kind, Kind::NotAChoice);
+    program[u"ratios"_s] = u"between"_s;
+    program[u"ramp_position_percent"_s] = 70;
+    QCOMPARE(read()->cutter().rampPositionPercent, 70.0);
+    program[u"ramp_position_percent"_s] = 101;
+    QCOMPARE(read().error().kind, Kind::OutOfRange);
+}
+
 void StoreKindsTest::everyChoiceTrips()
 {
     QFETCH(ProgramKind, kind);
@@ -153,6 +189,28 @@ void StoreKindsTest::whatIsAbsentHasTheDefaultsOfItsKind()
         QVERIFY2(read, read ? "" : qPrintable(FileErrorText::describe(read.error())));
         QCOMPARE(toJson(*read), toJson(expected));
     }
+}
+
+// The files of cutters before they had a motor and a shaft.
+void StoreKindsTest::cutterFilesWithoutAMotorMeanUnknown()
+{
+    QJsonObject root = QJsonDocument::fromJson(toJson(program::Recipe())).object();
+    QJsonObject machine = root[u"machine"_s].toObject();
+    for (const Field field : {Field::MaxTorque, Field::RatedTorque, Field::Inertia, Field::Friction,
+                              Field::NaturalFrequency, Field::DampingRatio}) {
+        const QString key = QString::fromLatin1(profile::info(field).id.data());
+        QVERIFY(machine.contains(key));
+        machine.remove(key);
+    }
+    root[u"machine"_s] = machine;
+    const auto read = fromJson(QJsonDocument(root).toJson(), {});
+    QVERIFY2(read, read ? "" : qPrintable(FileErrorText::describe(read.error())));
+    QCOMPARE(read->machine.inertiaKgCm2, 0.0);
+    QCOMPARE(read->machine.maxTorqueNm, 0.0);
+    QCOMPARE(read->machine.ratedTorqueNm, 0.0);
+    QCOMPARE(read->machine.frictionNm, 0.0);
+    QCOMPARE(read->machine.naturalFrequencyHz, 0.0);
+    QCOMPARE(toJson(*read), toJson(program::Recipe()));
 }
 
 void StoreKindsTest::fieldsOfOtherKindsAreUnknown()
@@ -270,7 +328,7 @@ void StoreKindsTest::wrongKnotFiles_data()
     QTest::newRow("no header") << QByteArray("0,0\n90,1\n") << u"line 1: expected the header"_s;
     QTest::newRow("header only") << QByteArray("master_deg,slave_mm\n") << u"at least one line of values"_s;
     QTest::newRow("three values") << QByteArray("master_deg,slave_mm\n0,0\n90,1,2\n")
-                                  << u"line 3: expected two values, as in the header, found \"90,1,2\""_s;
+                                  << u"line 3: expected 2 values, as in the header, found \"90,1,2\""_s;
     QTest::newRow("a word") << QByteArray("master_deg,slave_mm\n0,0\n\nninety,1\n")
                             << u"line 4: expected a number, found \"ninety\""_s;
     QTest::newRow("both decimal signs") << QByteArray("master_deg;slave_mm\n0,5;0\n1.5;1\n")

@@ -306,6 +306,7 @@ private slots:
         AccessRig rig;
         panel::DatabaseService records(folder.path(), nullptr);
         Access access(records, rig.machine, rig.settings, nullptr);
+        access.setWallClock([&] { return rig.wallMs; });
         records.open();
         access.open();
         QTRY_VERIFY(access.protectedByPins());
@@ -331,7 +332,8 @@ private slots:
         logIn(u"258136"_s);
         QVERIFY(!access.loggedIn());
         QVERIFY(access.waits());
-        QTRY_VERIFY(!access.waits());
+        rig.wallMs += 1000;
+        QVERIFY(!access.waits());
         logIn(u"258036"_s);
         QVERIFY(access.ask(Access::Service));
     }

@@ -53,7 +53,7 @@ struct Film {
 struct Rig : PanelRig {
     Film film;
 
-    explicit Rig(std::uint8_t mapMinor = modbus::mapMinor)
+    explicit Rig(std::uint16_t mapMinor = modbus::mapMinor)
     {
         connect(mapMinor);
         link.activate(image(), now);
@@ -61,7 +61,7 @@ struct Rig : PanelRig {
         link.status.masterSpeedPercent = 100;
         link.sendStatus(now);
     }
-    void connect(std::uint8_t mapMinor = modbus::mapMinor)
+    void connect(std::uint16_t mapMinor = modbus::mapMinor)
     {
         link::LinkReport report;
         report.state = link::LinkState::Connected;
@@ -279,7 +279,7 @@ private slots:
         {
             panel::Settings settings(path, nullptr);
             QCOMPARE(settings.bagToleranceMm(), 0.5);
-            QSignalSpy changed(&settings, &panel::Settings::bagToleranceChanged);
+            QSignalSpy changed(&settings, &panel::Settings::changed);
             settings.setBagToleranceMm(0.2);
             settings.setBagToleranceMm(0.2);
             QCOMPARE(changed.size(), 1);

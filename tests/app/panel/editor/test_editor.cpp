@@ -281,21 +281,54 @@ private slots:
         QVERIFY(offered > 50);
     }
 
+    // Torque and vibration have a column where the machine's data are known.
+    void lawsHaveTheColumnsOfTheMachine()
+    {
+        PanelRig rig;
+        // The gentlest law is first, so the law is found by its name.
+        const auto& row = [&rig] {
+            int index = 0;
+            while (rig.editor.laws()->row(index).lawId != "cubic")
+                ++index;
+            return rig.editor.laws()->row(index);
+        };
+        QCOMPARE(rig.editor.lawColumns().size(), 5);
+        QCOMPARE(rig.editor.lawColumns()[2], "RMS"); // the column of the torque has it where it is known
+        QCOMPARE(rig.editor.lawColumns().last(), "Frequency");
+        QVERIFY(row().vibrationText.isEmpty());
+        QVERIFY(!rig.editor.plot().hasTorque);
+        QCOMPARE(rig.editor.item(profile::Field::Inertia)->text(), "--");
+        rig.editor.bagLength()->set(150);
+        rig.editor.rate()->set(200);
+        rig.editor.item(profile::Field::Inertia)->set(10);
+        rig.editor.item(profile::Field::Friction)->set(0.1);
+        rig.editor.item(profile::Field::MaxTorque)->set(2);
+        rig.editor.item(profile::Field::NaturalFrequency)->set(25);
+        QCOMPARE(rig.editor.lawColumns().mid(3), QStringList({"Torque,\nRMS", "Error while\nsealing"}));
+        QCOMPARE(row().peakFrequencyText, "0.747 Nm\nRMS 0.277");
+        QCOMPARE(row().vibrationText, "1.720 mm");
+        QVERIFY2(rig.editor.peakText().contains("0.747 Nm (RMS 0.277)"), qPrintable(rig.editor.peakText()));
+        QVERIFY(rig.editor.plot().hasTorque);
+        QCOMPARE(rig.editor.plot().limitTorque, 2.0);
+        QVERIFY(std::abs(rig.editor.plot().rmsTorque - 0.2773) < 1e-4);
+    }
+
     void listsWhatEachLawWouldDemand()
     {
         PanelRig rig;
         panel::LawModel* laws = rig.editor.laws();
         QCOMPARE(laws->count(), static_cast<int>(profile::laws().size()));
-        const panel::LawRow& first = laws->row(0);
+        const auto isCurrent = [](const panel::LawRow& row) { return row.current; };
+        QCOMPARE(std::ranges::count_if(laws->rows(), isCurrent), 1);
+        const panel::LawRow first = *std::ranges::find_if(laws->rows(), isCurrent);
         QCOMPARE(first.lawId, "cubic");
-        QVERIFY(first.current);
         QCOMPARE(first.peakRpmText, "71 r/min");
         QCOMPARE(first.peakAccelerationText, "1.95 m/s²");
         QCOMPARE(first.peakFrequencyText, "11.8 kHz");
         QVERIFY(rig.editor.peakText().contains("71 r/min · 1.95 m/s² · 11.8 kHz"));
         for (int row = 0; row < laws->count(); ++row) {
             QVERIFY(!laws->row(row).name.isEmpty());
-            const profile::Law& law = profile::laws()[static_cast<std::size_t>(row)];
+            const profile::Law& law = *profile::findLaw(laws->row(row).lawId.toStdString());
             QCOMPARE(laws->row(row).strength, QString::fromUtf8(law.strength));
             QCOMPARE(laws->row(row).weakness, QString::fromUtf8(law.weakness));
         }

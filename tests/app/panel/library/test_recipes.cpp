@@ -215,6 +215,33 @@ private slots:
         QVERIFY(!rig.editor.edited());
     }
 
+    // The shortest bag at its rate heats the motor the most.
+    void namesTheRecipeWithTheHighestTorque()
+    {
+        RecipesRig rig;
+        const auto figure = [&rig](const QString& label) {
+            for (const FigureRow& row : rig.recipes.figures()->rows()) {
+                if (row.label == label)
+                    return row.value;
+            }
+            return QString();
+        };
+        QVERIFY(figure(QStringLiteral("RMS motor torque")).isEmpty());
+        rig.editor.item(profile::Field::Inertia)->set(10);
+        rig.editor.item(profile::Field::Friction)->set(0.1);
+        rig.recipes.save();
+        QTRY_COMPARE(figure(QStringLiteral("RMS motor torque")), QStringLiteral("0.101 Nm"));
+        QCOMPARE(figure(QStringLiteral("Peak motor torque")), QStringLiteral("0.133 Nm"));
+        QVERIFY(figure(QStringLiteral("Highest RMS torque")).isEmpty()); // of one recipe
+        rig.create(QStringLiteral("Short"));
+        rig.editor.bagLength()->set(100);
+        rig.recipes.save();
+        QTRY_COMPARE(rig.names().first(), QStringLiteral("Short v2"));
+        rig.choose(QStringLiteral("Biscuit 250"));
+        QVERIFY2(figure(QStringLiteral("Highest RMS torque")).startsWith(QStringLiteral("Short, ")),
+                 qPrintable(figure(QStringLiteral("Highest RMS torque"))));
+    }
+
     void comparesVersionsAndRecipes()
     {
         RecipesRig rig;

@@ -336,7 +336,7 @@ private slots:
         io.retranslate(); // one reading at a time
         QCOMPARE(rig.link.reads.size(), 1);
         // All available; emergency stop; switches 2 and 8, drive enable; -12.3 %, 65.538 mm, 1.5 mm
-        answer(rig, {0x000F, 0x0002, 0x0182, 0xFF85, 0x0001, 0x0002, 1500});
+        answer(rig, {0x000F, 0x0002, 0x0182, 0xFF85, 0x0001, 0x0002, 1500, 0});
         QCOMPARE(lampOf(io, QStringLiteral("Emergency stop")), IoList::Lamp::Bad);
         QCOMPARE(lampOf(io, QStringLiteral("Limit switch, forward")), IoList::Lamp::Off);
         QCOMPARE(lampOf(io, QStringLiteral("Cam switch 2")), IoList::Lamp::On);
@@ -349,7 +349,7 @@ private slots:
         // What the machine does not have has no row.
         io.retranslate();
         QCOMPARE(rig.link.reads.size(), 2);
-        answer(rig, {0x0002, 0x0002, 0x0001, 100, 0, 0, 0});
+        answer(rig, {0x0002, 0x0002, 0x0001, 100, 0, 0, 0, 0});
         QCOMPARE(valueOf(io, QStringLiteral("Emergency stop")), QStringLiteral("no such row"));
         QCOMPARE(valueOf(io, QStringLiteral("Torque of the axis, of rated")), QStringLiteral("no such row"));
         QCOMPARE(lampOf(io, QStringLiteral("Cam switch 1")), IoList::Lamp::On);

@@ -41,6 +41,14 @@ private slots:
         const auto position = ProgramKind::PositionMove;
         row("motor too slow", position, {{Field::Distance, 7000}}, "Motor speed would reach", true);
         row("torque", position, {{Field::MaxTorque, 0.05}}, "Motor torque would reach", true);
+        row("RMS torque", position, {{Field::RatedTorque, 0.03}}, "the motor would overheat", true);
+        const auto cutter = ProgramKind::RotaryCutter;
+        row("torque of the knife", cutter, {{Field::Inertia, 20}, {Field::MaxTorque, 0.03}},
+            "Motor torque would reach 0.040 Nm at 0.201 s (72°)", true);
+        row("RMS torque of the knife", cutter, {{Field::Inertia, 20}, {Field::RatedTorque, 0.02}},
+            "RMS torque would be 0.024 Nm", true);
+        row("cycle above the natural frequency", cutter, {{Field::NaturalFrequency, 0.8}},
+            "The cycle repeats at 1.0 Hz, above the shaft's natural frequency of 0.8 Hz", true);
         row("acceleration", position, {{Field::MaxAcceleration, 30000}}, "Acceleration would reach", true);
         row("frequency", position, {{Field::MaxPulseFrequency, 100000}}, "Pulse frequency would reach", true);
         row("nothing moves", position, {{Field::Distance, 0}}, "gives no motion", false);
@@ -73,7 +81,7 @@ private slots:
         rig.editor.newProgram(kind);
         for (const auto& [field, value] : values)
             enter(rig.editor, static_cast<Field>(field), value);
-        QVERIFY(!rig.editor.feasible());
+        QVERIFY2(!rig.editor.feasible(), qPrintable(rig.editor.verdict() + rig.editor.peakText()));
         QCOMPARE(rig.editor.severity(), Editor::Severity::Bad);
         QVERIFY2(rig.editor.verdict().contains(words), qPrintable(rig.editor.verdict()));
         QCOMPARE(rig.editor.table()->count(), 0);
@@ -89,7 +97,7 @@ private slots:
     {
         const QString maxRate = panel::RecipeWords::limitName(profile::Limit::MachineRate);
         QCOMPARE(maxRate, QStringLiteral("max. rate"));
-        constexpr int last = static_cast<int>(profile::Limit::SpeedError);
+        constexpr int last = static_cast<int>(profile::Limit::NaturalFrequency);
         for (int i = 0; i <= last; ++i) {
             const auto limit = static_cast<profile::Limit>(i);
             if (limit != profile::Limit::MachineRate)

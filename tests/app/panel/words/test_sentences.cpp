@@ -73,7 +73,7 @@ private slots:
         profile::test::Recipe recipe = profile::test::checkRecipe(1100);
         QCOMPARE(sentenceOf(recipe),
                  "A bag of 1100.0 mm exceeds the knife stroke; with these ratios the maximum is 1077.1 mm. "
-                 "Nearest possible value: Bag length 1077.1 mm.");
+                 "Shorter ramps allow 60.0 bags/min. Nearest possible value: Bag length 1077.1 mm.");
         QCOMPARE(
             sentenceOf(profile::test::checkRecipe(5)),
             "Bag length would be 5.0 mm; the allowed range is 10.0 to 2000.0 mm. Nearest possible value: "
@@ -87,6 +87,7 @@ private slots:
         recipe.machine.maxKnifeAccelerationMmPerS2 = 11100;
         QCOMPARE(sentenceOf(recipe),
                  "Knife acceleration would reach 12.21 m/s² at 0.130 s (117°); the limit is 11.10 m/s². "
+                 "Longer ramps allow 150.0 bags/min. "
                  "Nearest possible value: Rate 143.0 bags/min, or Bag length 261.6 mm.");
         recipe = profile::test::checkRecipe();
         recipe.program.k[1] = 5;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/plot/axis_scale.h"
+#include "app/plot/picture/axis_scale.h"
 
 #include <qwt_scale_engine.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/plot/label_draw.h"
+#include "app/plot/picture/label_draw.h"
 
 #include <qwt_text.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/panel/maintenance/io_pins.h"
+#include "app/panel/controller/io_pins.h"
 
 #include "app/panel/controller/controller.h"
 

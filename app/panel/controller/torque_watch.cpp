@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/panel/controller/torque_watch.h"
+
+#include "app/panel/controller/controller.h"
+#include "app/panel/kit/format.h"
+#include "app/program/solved_program.h"
+#include "profile/cam/point_cam.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+using namespace std::chrono_literals;
+
+namespace campanel::panel {
+
+namespace {
+
+using profile::Field;
+
+constexpr auto readPeriod = 300ms; // faster numbers cannot be read
+constexpr double fullSpeedPercent = 99.99;
+constexpr double cycleEndDeg = 359.99;
+
+// The data of an axis that its program contains.
+constexpr std::array axisFields{Field::KnifeRadius,       Field::Knives,
+                                Field::GearNumerator,     Field::GearDenominator,
+                                Field::PulsesPerMotorRev, Field::FeedPerMotorRev};
+
+bool hasTorque(const ControllerProgram& program)
+{
+    return program.recipe.kind() != profile::ProgramKind::Press;
+}
+
+} // namespace
+
+TorqueWatch::TorqueWatch(Controller& machine)
+    : m_machine(machine)
+    , m_pins(machine, this)
+    , m_timer(this)
+{
+    m_timer.setInterval(readPeriod);
+    connect(&m_timer, &QTimer::timeout, &m_pins, &IoPins::read);
+    connect(&m_pins, &IoPins::changed, this, &TorqueWatch::takePins);
+}
+
+void TorqueWatch::setWatched(bool isWatched)
+{
+    if (isWatched == watched())
+        return;
+    m_isPending = false;
+    if (isWatched) {
+        m_timer.start();
+        m_pins.read();
+    } else {
+        m_timer.stop();
+        m_last = {};
+        m_readings.clear();
+    }
+    emit watchedChanged();
+    emit changed();
+}
+
+void TorqueWatch::setMachineData(const std::optional<profile::Machine>& machine)
+{
+    if (machine == m_machineData)
+        return;
+    m_machineData = machine;
+    prepare();
+}
+
+void TorqueWatch::noteConnection()
+{
+    if (!m_machine.isConnected())
+        m_isPending = false;
+    emit changed();
+}
+
+void TorqueWatch::noteProgram()
+{
+    prepare();
+}
+
+// The motion of a point cam is that of its table, which runs backwards for a negative rate.
+void TorqueWatch::prepare()
+{
+    m_motion = {};
+    m_load = {};
+    m_isPending = false;
+    m_readings.clear();
+    const auto& program = m_machine.program();
+    if (program && hasTorque(*program) && isSameAxis() && m_machineData->ratedTorqueNm > 0) {
+        program::Recipe recipe = program->recipe;
+        recipe.machine = *m_machineData;
+        if (const auto solved = program::solveProgram(recipe)) {
+            const auto* cam = std::get_if<profile::PointCamProgram>(&recipe.program);
+            m_motion = cam ? profile::forwardMotion(*cam) : solved->motion;
+            m_load = solved->load;
+        }
+    }
+    m_last.predictedPercent = predictedAt(m_last.angleDeg);
+    emit changed();
+}
+
+bool TorqueWatch::isSameAxis() const
+{
+    const auto& program = m_machine.program();
+    if (!program || !m_machineData)
+        return false;
+    const auto fields = program::kindInfo(program->recipe.kind()).machineFields;
+    return std::ranges::all_of(axisFields, [&](Field field) {
+        const bool isRead = std::ranges::find(fields, field) != fields.end();
+        const double step = profile::info(field).resolution();
+        return !isRead || std::abs(profile::value(*m_machineData, field) -
+                                   profile::value(program->recipe.machine, field)) < step / 2;
+    });
+}
+
+bool TorqueWatch::isAtFullSpeed() const
+{
+    const auto& status = m_machine.status();
+    const auto& program = m_machine.program();
+    if (!status || !program || !m_machine.isConnected() || !m_machine.fresh() ||
+        status->state != modbus::State::Running || status->masterSpeedPercent < fullSpeedPercent ||
+        program->generation != status->generation || program->crc != status->activeCrc)
+        return false;
+    // A knife that waits for the film is not in its program.
+    const auto& packer = m_machine.packing()->status();
+    return !m_machine.packing()->recordsBags() ||
+           (packer && packer->knifeGate == modbus::GateState::Running &&
+            packer->filmGate == modbus::GateState::Running);
+}
+
+double TorqueWatch::predictedAt(double angleDeg) const
+{
+    if (!m_load.isKnown() || m_motion.segments().empty() || std::isnan(angleDeg))
+        return unknown;
+    profile::MotionPoint point = m_motion.at(angleDeg / 360 * m_motion.durationS());
+    const profile::Program& program = m_machine.program()->recipe.program;
+    // The speed that a speed move has reached is held.
+    if (std::holds_alternative<profile::SpeedMoveProgram>(program) && angleDeg >= cycleEndDeg)
+        point.accelerationMmPerS2 = 0;
+    const auto* cam = std::get_if<profile::PointCamProgram>(&program);
+    const bool isReversed = cam && (cam->masterRateRevPerMin < 0) !=
+                                       (m_machine.direction()->way() == MasterDirection::Way::Backward);
+    const double torqueNm =
+        m_load.at(isReversed ? -point.velocityMmPerS : point.velocityMmPerS, point.accelerationMmPerS2);
+    return 100 * torqueNm / m_machineData->ratedTorqueNm;
+}
+
+void TorqueWatch::takePins()
+{
+    m_last = {};
+    m_isPending = false;
+    const auto& pins = m_pins.status();
+    if (watched() && pins && pins->torquePercent) {
+        m_last.measuredPercent = *pins->torquePercent;
+        if (pins->torqueAngleDeg && isAtFullSpeed()) {
+            m_last.angleDeg = *pins->torqueAngleDeg;
+            m_last.predictedPercent = predictedAt(m_last.angleDeg);
+            m_isPending = std::isfinite(m_last.predictedPercent);
+        }
+    }
+    emit changed();
+}
+
+// A reading counts between two statuses at full speed: the machine may have begun to stop just before it.
+void TorqueWatch::noteStatus()
+{
+    if (!std::exchange(m_isPending, false) || !isAtFullSpeed())
+        return;
+    if (m_readings.size() >= maxReadings)
+        m_readings.removeFirst();
+    m_readings << m_last;
+    emit changed();
+}
+
+double TorqueWatch::measuredPercent() const
+{
+    return m_machine.isConnected() ? m_last.measuredPercent : unknown;
+}
+
+std::optional<TorqueWatch::Reading> TorqueWatch::worst() const
+{
+    const auto found = std::ranges::max_element(
+        m_readings, {}, [](const Reading& each) { return std::abs(each.difference()); });
+    return found == m_readings.end() ? std::nullopt : std::optional(*found);
+}
+
+double TorqueWatch::differencePercent() const
+{
+    const auto found = worst();
+    return found ? std::abs(found->difference()) : unknown;
+}
+
+QString TorqueWatch::missingText() const
+{
+    const auto& program = m_machine.program();
+    if (!m_machine.isConnected() || !program || !hasTorque(*program))
+        return {};
+    const auto& pins = m_pins.status();
+    if (!m_pins.present() || (pins && !pins->torquePercent))
+        return tr("The drive reports no torque.");
+    const bool hasInertia = m_machineData && m_machineData->inertiaKgCm2 > 0;
+    const bool hasRated = m_machineData && m_machineData->ratedTorqueNm > 0;
+    if (!hasInertia && !hasRated)
+        return tr("Inertia and rated torque are missing in Settings, Machine.");
+    if (!hasInertia)
+        return tr("The inertia is missing in Settings, Machine.");
+    if (!hasRated)
+        return tr("The rated torque is missing in Settings, Machine.");
+    if (!isSameAxis())
+        return tr("The program was made for other machine data.");
+    return {};
+}
+
+QString TorqueWatch::text() const
+{
+    const Format format;
+    const QString measured = format.number(measuredPercent(), 0);
+    const QString missing = missingText();
+    if (!missing.isEmpty())
+        return tr("Torque %1 %, predicted --. %2", "%1: of rated, %2: sentence").arg(measured, missing);
+    return tr("Torque %1 % of rated, predicted %2 %, largest difference %3 %")
+        .arg(measured, format.number(predictedPercent(), 0), format.number(differencePercent(), 1));
+}
+
+QString TorqueWatch::shortText() const
+{
+    const Format format;
+    return tr("Torque %1 %, predicted %2 %, max. diff. %3 %")
+        .arg(format.number(measuredPercent(), 0), format.number(predictedPercent(), 0),
+             format.number(differencePercent(), 1));
+}
+
+} // namespace campanel::panel

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: Apache-2.0
+// `Controller.torque` in QML: the torque that the drive reports beside the one that program and machine data
+// predict, while somebody looks at them. In per cent of the rated torque; NaN while unknown.
+#pragma once
+
+#include "app/panel/controller/io_pins.h"
+#include "app/panel/kit/numbers.h"
+#include "profile/model/machine.h"
+#include "profile/model/motion_profile.h"
+#include "profile/model/torque.h"
+
+#include <QList>
+#include <QObject>
+#include <QPointF>
+#include <QTimer>
+#include <QVariant>
+#include <QtQml/qqmlregistration.h>
+
+#include <optional>
+
+namespace campanel::panel {
+
+class TorqueWatch : public QObject {
+    Q_OBJECT
+    QML_ELEMENT
+    QML_UNCREATABLE("The torque belongs to the Machine")
+    // True while it is displayed; otherwise nothing is read.
+    Q_PROPERTY(bool watched READ watched WRITE setWatched NOTIFY watchedChanged FINAL)
+    Q_PROPERTY(double measuredPercent READ measuredPercent NOTIFY changed FINAL)
+    Q_PROPERTY(double predictedPercent READ predictedPercent NOTIFY changed FINAL) // at the same angle
+    // The largest magnitude of measured minus predicted among the last readings at full speed.
+    Q_PROPERTY(double differencePercent READ differencePercent NOTIFY changed FINAL)
+    Q_PROPERTY(QString text READ text NOTIFY changed FINAL)
+    Q_PROPERTY(QString shortText READ shortText NOTIFY changed FINAL)
+    // The data that a comparison needs and does not have, as a sentence; empty when there are none.
+    Q_PROPERTY(QString missingText READ missingText NOTIFY changed FINAL)
+
+public:
+    // The readings that the difference is of: half a minute of them.
+    static constexpr int maxReadings = 100;
+
+    struct Reading {
+        double angleDeg = unknown; // of the master
+        double measuredPercent = unknown;
+        double predictedPercent = unknown;
+
+        [[nodiscard]] double difference() const { return measuredPercent - predictedPercent; }
+    };
+
+    // The machine must outlive the object.
+    explicit TorqueWatch(Controller& machine);
+
+    [[nodiscard]] bool watched() const { return m_timer.isActive(); }
+    void setWatched(bool isWatched);
+    [[nodiscard]] double measuredPercent() const;
+    [[nodiscard]] double predictedPercent() const { return m_last.predictedPercent; }
+    [[nodiscard]] double differencePercent() const;
+    [[nodiscard]] QString text() const;
+    [[nodiscard]] QString shortText() const;
+    [[nodiscard]] QString missingText() const;
+
+    // Returns the readings at full speed, and the one with the largest difference; empty without any.
+    [[nodiscard]] const QList<Reading>& readings() const { return m_readings; }
+    [[nodiscard]] std::optional<Reading> worst() const;
+    [[nodiscard]] const profile::TorqueLoad& load() const { return m_load; }
+    [[nodiscard]] double ratedTorqueNm() const { return m_machineData ? m_machineData->ratedTorqueNm : 0; }
+
+    // Sets the machine data for the kind of the active program; empty: nobody has entered any.
+    void setMachineData(const std::optional<profile::Machine>& machine);
+    // Handle events of the Machine.
+    void noteConnection();
+    void noteProgram();
+    void noteStatus();
+    void retranslate() { emit changed(); }
+
+signals:
+    void watchedChanged();
+    void changed();
+
+private:
+    void takePins();
+    void prepare();
+    // Returns true when the machine data are those of the axis that the active program was made for.
+    [[nodiscard]] bool isSameAxis() const;
+    [[nodiscard]] bool isAtFullSpeed() const;
+    // Returns the torque at this angle of the master, in per cent of the rated torque.
+    [[nodiscard]] double predictedAt(double angleDeg) const;
+
+    Controller& m_machine;
+    IoPins m_pins;
+    QTimer m_timer;
+    std::optional<profile::Machine> m_machineData;
+    profile::MotionProfile m_motion; // of the active program, forward; empty while unknown
+    profile::TorqueLoad m_load;
+    Reading m_last;
+    bool m_isPending = false; // the last reading counts if the next status is at full speed as well
+    QList<Reading> m_readings;
+};
+
+} // namespace campanel::panel

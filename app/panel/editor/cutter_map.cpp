@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/panel/editor/cutter_map.h"
+
+#include "app/panel/kit/numbers.h"
+#include "app/panel/recipe/recipe_edit.h"
+#include "app/panel/words/recipe_words.h"
+#include "app/panel/words/refusal_sentences.h"
+#include "profile/cutter/paper_lengths.h"
+
+#include <cmath>
+
+namespace campanel::panel {
+
+namespace {
+
+using profile::Field;
+
+constexpr std::size_t lengthsOfMap = 200;
+
+// Returns the recipe without what the map does not depend on, so that a drag computes no map again.
+program::Recipe withoutDot(program::Recipe recipe, const profile::Machine& machine)
+{
+    const profile::RotaryCutterProgram defaults;
+    profile::RotaryCutterProgram& cutter = recipe.cutter();
+    cutter.pinned = defaults.pinned;
+    cutter.bagLengthMm = defaults.bagLengthMm;
+    cutter.rateBagsPerMin = defaults.rateBagsPerMin;
+    recipe.machine = machine;
+    return recipe;
+}
+
+} // namespace
+
+CutterMap::CutterMap(QObject* parent)
+    : QObject(parent)
+{
+}
+
+void CutterMap::setWatched(bool isWatched)
+{
+    if (m_isWatched == isWatched)
+        return;
+    m_isWatched = isWatched;
+    updateMap();
+    emit watchedChanged();
+    emit changed();
+}
+
+void CutterMap::show(const program::Recipe& recipe, const Solution& solution,
+                     const std::optional<modbus::Identity>& controller)
+{
+    m_recipe = recipe;
+    m_isKnown = recipe.isCutter() && solution.cutter() != nullptr;
+    m_machine = controller ? program::withController(recipe.machine, *controller) : recipe.machine;
+    updateMap();
+    emit changed();
+}
+
+void CutterMap::updateMap()
+{
+    if (!m_isWatched || !m_recipe.isCutter()) {
+        m_mapOf.reset();
+        setMap(nullptr);
+        return;
+    }
+    program::Recipe wanted = withoutDot(m_recipe, m_machine);
+    const bool isSeen =
+        m_map && (!m_isKnown || (lengthMm() >= m_map->range.fromMm && lengthMm() <= m_map->range.toMm));
+    if (isSeen && m_mapOf && sameRecipe(*m_mapOf, wanted))
+        return;
+    const profile::RotaryCutterProgram& cutter = m_recipe.cutter();
+    auto map = profile::regimeMap(cutter, m_machine, profile::regimeRange(cutter, m_machine), lengthsOfMap);
+    m_mapOf = std::move(wanted);
+    setMap(map ? std::make_shared<const profile::RegimeMap>(std::move(*map)) : nullptr);
+}
+
+void CutterMap::setMap(std::shared_ptr<const profile::RegimeMap> map)
+{
+    const bool isSame = m_map == map;
+    m_map = std::move(map);
+    if (!isSame)
+        emit mapChanged();
+}
+
+QVariant CutterMap::map() const
+{
+    return m_map ? QVariant::fromValue(m_map) : QVariant();
+}
+
+QStringList CutterMap::limitNames() const
+{
+    QStringList names;
+    if (m_map) {
+        for (const profile::Limit limit : m_map->limits)
+            names << RecipeWords::limitName(limit);
+    }
+    return names;
+}
+
+QList<double> CutterMap::paperLengths() const
+{
+    QList<double> lengths;
+    for (const profile::PaperLength& each : profile::paperLengths)
+        lengths << each.bagLengthMm;
+    return lengths;
+}
+
+double CutterMap::lengthMm() const
+{
+    return m_recipe.isCutter() && m_isKnown ? m_recipe.cutter().bagLengthMm : unknown;
+}
+
+double CutterMap::rateBagsPerMin() const
+{
+    return m_recipe.isCutter() && m_isKnown ? m_recipe.cutter().rateBagsPerMin : unknown;
+}
+
+QString CutterMap::title() const
+{
+    return m_isKnown ? tr("%1 · %2", "%1: bag length, %2: rate")
+                           .arg(RefusalSentences::valueWithUnit(Field::BagLength, lengthMm()),
+                                RefusalSentences::valueWithUnit(Field::Rate, rateBagsPerMin()))
+                     : QString();
+}
+
+QString CutterMap::text() const
+{
+    if (!m_map || !m_isKnown)
+        return {};
+    const profile::RegimePoint point = profile::regimePoint(m_recipe.cutter(), m_machine, lengthMm());
+    const QString limit = RecipeWords::limitName(point.limit);
+    return point.rateBagsPerMin > 0
+               ? tr("Up to %1; limited by: %2.", "%1: rate, %2: name of the limit")
+                     .arg(RefusalSentences::valueWithUnit(Field::Rate, point.rateBagsPerMin), limit)
+               : tr("No rate is possible; limited by: %1.", "name of the limit").arg(limit);
+}
+
+void CutterMap::drag(double lengthMm, double rateBagsPerMin)
+{
+    if (!m_map || !std::isfinite(lengthMm) || !std::isfinite(rateBagsPerMin))
+        return;
+    emit dragged(profile::snapToGrid(Field::BagLength, std::round(lengthMm)),
+                 profile::snapToGrid(Field::Rate, std::round(rateBagsPerMin)));
+}
+
+void CutterMap::endDrag()
+{
+    emit dragEnded();
+}
+
+} // namespace campanel::panel

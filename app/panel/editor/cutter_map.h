@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+// `Editor.cutter.map` in QML: the regime map of the edited cutter, and its recipe as a dot that a finger drags. The
+// map is computed only while it is watched.
+#pragma once
+
+#include "app/panel/recipe/solution.h"
+#include "profile/cutter/regime_map.h"
+
+#include <QList>
+#include <QObject>
+#include <QStringList>
+#include <QVariant>
+#include <QtQml/qqmlregistration.h>
+
+#include <memory>
+#include <optional>
+
+namespace campanel::panel {
+
+class CutterMap : public QObject {
+    Q_OBJECT
+    QML_ELEMENT
+    QML_UNCREATABLE("The map belongs to the Editor")
+
+    Q_PROPERTY(bool watched READ watched WRITE setWatched NOTIFY watchedChanged FINAL)
+    // The map as RegimePlot takes it; invalid when the recipe has none.
+    Q_PROPERTY(QVariant map READ map NOTIFY mapChanged FINAL)
+    Q_PROPERTY(QStringList limitNames READ limitNames NOTIFY changed FINAL)
+    Q_PROPERTY(QList<double> paperLengths READ paperLengths CONSTANT FINAL)
+    // The recipe: length in mm, rate in bags/min, NaN while unknown.
+    Q_PROPERTY(double lengthMm READ lengthMm NOTIFY changed FINAL)
+    Q_PROPERTY(double rateBagsPerMin READ rateBagsPerMin NOTIFY changed FINAL)
+    Q_PROPERTY(QString title READ title NOTIFY changed FINAL)
+    // The fastest rate of this length, with the limit in words.
+    Q_PROPERTY(QString text READ text NOTIFY changed FINAL)
+
+public:
+    explicit CutterMap(QObject* parent);
+
+    [[nodiscard]] bool watched() const { return m_isWatched; }
+    void setWatched(bool isWatched);
+    [[nodiscard]] QVariant map() const;
+    [[nodiscard]] QStringList limitNames() const;
+    [[nodiscard]] QList<double> paperLengths() const;
+    [[nodiscard]] double lengthMm() const;
+    [[nodiscard]] double rateBagsPerMin() const;
+    [[nodiscard]] QString title() const;
+    [[nodiscard]] QString text() const;
+
+    // Moves the recipe to whole mm and bags/min; endDrag() makes the whole drag one undo step.
+    Q_INVOKABLE void drag(double lengthMm, double rateBagsPerMin);
+    Q_INVOKABLE void endDrag();
+
+    // Updates the map; called by the Editor.
+    void show(const program::Recipe& recipe, const Solution& solution,
+              const std::optional<modbus::Identity>& controller);
+
+signals:
+    void watchedChanged();
+    void mapChanged();
+    void changed(); // the recipe or the map
+    void dragged(double lengthMm, double rateBagsPerMin);
+    void dragEnded();
+
+private:
+    void updateMap();
+    void setMap(std::shared_ptr<const profile::RegimeMap> map);
+
+    bool m_isWatched = false;
+    program::Recipe m_recipe;
+    bool m_isKnown = false;                 // the recipe is a cutter with a motion
+    profile::Machine m_machine;             // with the controller's limits
+    std::optional<program::Recipe> m_mapOf; // recipe of the map, without its length and rate
+    std::shared_ptr<const profile::RegimeMap> m_map;
+};
+
+} // namespace campanel::panel

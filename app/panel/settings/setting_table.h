@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: Apache-2.0
+// Every setting, one row each: its place, form, default, level, label and sentence. The keys of both files,
+// campanel.toml(5), the checks and the audit entries follow from the rows.
+#pragma once
+
+#include "app/panel/kit/access_check.h"
+
+#include <QtGlobal>
+
+#include <array>
+#include <string_view>
+
+namespace campanel::panel {
+
+enum class SettingForm {
+    Truth,   // true or false
+    Word,    // one of the choices
+    Choice,  // a whole number, one of the choices
+    Whole,   // a whole number of the range
+    Decimal, // a number of the range
+    Port,    // an absolute path, or nothing
+    Size,    // width and height of a window in pixels: "1024x600"
+    Rules,   // rules for logging, one per line
+};
+
+struct SettingRow {
+    std::string_view name;     // "section.key"; the key in campanel.toml
+    std::string_view key = {}; // in the settings file; empty: it cannot be set on the panel
+    SettingForm form = SettingForm::Truth;
+    std::string_view choices = {}; // separated by spaces
+    double minimum = 0;
+    double maximum = 0;
+    std::string_view standard = {}; // the default, as the settings file has it
+    Level level = Level::Viewer;    // the lowest level that may change it
+    const char* label = nullptr;    // on the page and in the audit trail; nullptr: it is not audited
+    const char* help = nullptr;     // in campanel.toml and its man page; nullptr: it has no key there
+};
+
+// In the order of campanel.toml.
+inline constexpr std::array settingTable{
+    SettingRow{.name = "connection.simulated",
+               .key = "connection/simulated",
+               .standard = "true",
+               .level = Level::Technician,
+               .help = "Use the simulated controller instead of a serial port. Without this key: false when "
+                       "a port is named."},
+    SettingRow{.name = "connection.port",
+               .key = "connection/port",
+               .form = SettingForm::Port,
+               .level = Level::Technician,
+               .help = "Serial port. /dev/campanel-serial is the USB adapter at any socket. With several "
+                       "adapters use a path below /dev/serial/by-id."},
+    SettingRow{.name = "connection.baud",
+               .key = "connection/baud",
+               .form = SettingForm::Choice,
+               .choices = "9600 19200 38400 57600 115200",
+               .standard = "115200",
+               .level = Level::Technician,
+               .help = "Baud rate."},
+    SettingRow{.name = "connection.parity",
+               .key = "connection/parity",
+               .form = SettingForm::Word,
+               .choices = "N E O",
+               .standard = "N",
+               .level = Level::Technician,
+               .help = "Parity: none, even or odd."},
+    SettingRow{.name = "connection.stop_bits",
+               .key = "connection/stop_bits",
+               .form = SettingForm::Whole,
+               .minimum = 1,
+               .maximum = 2,
+               .standard = "1",
+               .level = Level::Technician,
+               .help = "Stop bits."},
+    // Modbus: 0 is broadcast, numbers above 247 are reserved.
+    SettingRow{.name = "connection.unit",
+               .key = "connection/unit",
+               .form = SettingForm::Whole,
+               .minimum = 1,
+               .maximum = 247,
+               .standard = "1",
+               .level = Level::Technician,
+               .help = "Modbus unit number of the controller."},
+    SettingRow{.name = "display.language",
+               .key = "language",
+               .form = SettingForm::Word,
+               .choices = "en zh_CN",
+               .label = QT_TRANSLATE_NOOP("campanel::panel::Settings", "Language"),
+               .help = "Language. Without this key: the language of the system, or English."},
+    SettingRow{.name = "display.theme",
+               .key = "theme",
+               .form = SettingForm::Word,
+               .choices = "light dark contrast",
+               .standard = "light",
+               .label = QT_TRANSLATE_NOOP("campanel::panel::Settings", "Theme"),
+               .help = "Colors."},
+    SettingRow{.name = "display.gloves",
+               .key = "gloves",
+               .standard = "false",
+               .label = QT_TRANSLATE_NOOP("campanel::panel::Settings", "Glove mode"),
+               .help = "Enlarge all keys by a quarter, for thick gloves."},
+    SettingRow{.name = "display.size",
+               .form = SettingForm::Size,
+               .standard = "1024x600",
+               .help = "Width and height of the window in pixels. The kiosk always fills the screen."},
+    SettingRow{
+        .name = "display.fullscreen", .standard = "false", .help = "Fill the screen of a desktop as well."},
+    SettingRow{.name = "display.brightness",
+               .key = "display/brightness",
+               .form = SettingForm::Choice,
+               .choices = "25 50 75 100",
+               .standard = "100"},
+    SettingRow{.name = "display.dark_after_minutes",
+               .key = "display/dark_after_minutes",
+               .form = SettingForm::Choice,
+               .choices = "0 5 30",
+               .standard = "0"},
+    SettingRow{.name = "bags.tolerance_mm",
+               .key = "bag_tolerance_mm",
+               .form = SettingForm::Decimal,
+               .minimum = 0.05,
+               .maximum = 5,
+               .standard = "0.5",
+               .level = Level::Technician,
+               .label = QT_TRANSLATE_NOOP("campanel::panel::Settings", "bag tolerance, mm"),
+               .help = "Largest deviation of a bag's length that is shown as good, in mm."},
+    SettingRow{.name = "access.auto_logout_minutes",
+               .key = "access/auto_logout_minutes",
+               .form = SettingForm::Choice,
+               .choices = "1 2 5 10 30",
+               .standard = "5",
+               .level = Level::Service,
+               .label = QT_TRANSLATE_NOOP("campanel::panel::Settings", "minutes until logout"),
+               .help = "Minutes without a touch until the user is logged out."},
+    SettingRow{.name = "access.operators_log_in",
+               .key = "access/operators_log_in",
+               .standard = "false",
+               .level = Level::Service,
+               .label = QT_TRANSLATE_NOOP("campanel::panel::Settings", "operator login required"),
+               .help = "Operators must log in. Without a login a person can only view and stop."},
+    SettingRow{.name = "access.hold_to_start",
+               .key = "access/hold_to_start",
+               .form = SettingForm::Word,
+               .choices = "auto on off",
+               .standard = "auto",
+               .level = Level::Technician,
+               .label = QT_TRANSLATE_NOOP("campanel::panel::Settings", "hold to start"),
+               .help = "Start acts only after its key was held for half a second. auto: with a real "
+                       "controller."},
+    SettingRow{.name = "log.rules",
+               .form = SettingForm::Rules,
+               .help = "What is logged in addition: a category and true or false each, with * for any part. "
+                       "Categories: campanel.link, campanel.link.raw, campanel.motion, campanel.store, "
+                       "campanel.ui."},
+    SettingRow{.name = "kiosk.screen",
+               .form = SettingForm::Word,
+               .choices = "auto eglfs linuxfb",
+               .standard = "auto",
+               .help =
+                   "How the kiosk draws: eglfs (graphics processor) or linuxfb (plain framebuffer). auto: "
+                   "eglfs with a screen at a graphics card; linuxfb without one, or after eglfs has "
+                   "ended without drawing."},
+};
+
+// A row of the table by its name. An unknown name does not compile.
+class Setting {
+public:
+    consteval Setting(const char* name) // NOLINT(google-explicit-constructor): written as a text
+        : m_row(find(name))
+    {
+    }
+    constexpr Setting(const SettingRow& row) // NOLINT(google-explicit-constructor)
+        : m_row(&row)
+    {
+    }
+
+    constexpr const SettingRow* operator->() const { return m_row; }
+
+private:
+    static consteval const SettingRow* find(std::string_view name)
+    {
+        for (const SettingRow& row : settingTable) {
+            if (row.name == name)
+                return &row;
+        }
+        throw "no setting has this name";
+    }
+
+    const SettingRow* m_row;
+};
+
+} // namespace campanel::panel

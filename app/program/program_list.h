@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+// The list that a kind may have beside its numbers: the knots or the segments of a cam. Its registers follow
+// the rows of the table.
+#pragma once
+
+#include "profile/program/programs.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string_view>
+#include <vector>
+
+namespace campanel::program {
+
+// Access to the list of a program, which must be of the kind.
+struct ListInfo {
+    std::string_view key; // in the recipe file
+    std::string_view countRegister;
+    std::size_t (*size)(const profile::Program& program) = nullptr;
+    bool (*isEqual)(const profile::Program& one, const profile::Program& other) = nullptr;
+    // Rounds to register values. A value far beyond any range is unchanged, so that its refusal names it.
+    void (*quantise)(profile::Program& program) = nullptr;
+    void (*append)(const profile::Program& program, std::vector<std::uint16_t>& registers) = nullptr;
+    void (*read)(std::span<const std::uint16_t> registers, profile::Program& program) = nullptr;
+};
+
+extern const ListInfo knotList;
+extern const ListInfo segmentList;
+
+} // namespace campanel::program

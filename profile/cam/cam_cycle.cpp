@@ -1,0 +1,283 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "profile/cam/cam_cycle.h"
+
+#include "profile/cutter/validate.h"
+#include "profile/model/limit_check.h"
+#include "profile/model/torque.h"
+
+#include <array>
+#include <limits>
+
+namespace campanel::profile {
+namespace {
+
+constexpr double secondsPerMinute = 60;
+constexpr double jumpTolerance = 1e-9; // share of the maximum speed: the rounding of a continuous speed
+
+double angleOfTimeDeg(const CamMaster& master, double timeS)
+{
+    const double angle =
+        std::fmod(detail::phaseWithinCycleDeg(master) + detail::camDegPerS(master) * timeS, camCycleDeg);
+    return angle < 0 ? angle + camCycleDeg : angle;
+}
+
+// Returns the largest speed step that the axis follows within one update of the master.
+double allowedStepMmPerS(const Machine& machine)
+{
+    return std::max(axisAllowance(machine).accelerationMmPerS2, 0.0) * masterUpdateS;
+}
+
+// The largest speed step of a cycle.
+struct LargestStep {
+    double speedMmPerS = 0;
+    double masterDeg = 0;
+    std::size_t index = 0;
+};
+
+LargestStep largestStep(const CamMaster& master, std::span<const detail::SpeedStep> steps)
+{
+    LargestStep largest;
+    for (std::size_t i = 0; i < steps.size(); ++i) {
+        const double speed =
+            std::abs(steps[i].speedMmPerDeg * master.slaveScale * detail::camDegPerS(master));
+        if (speed > largest.speedMmPerS)
+            largest = {speed, steps[i].masterDeg, i};
+    }
+    return largest;
+}
+
+std::optional<Refusal> findJump(const CamMaster& master, const Machine& machine, const LargestStep& step,
+                                detail::StepRule rule)
+{
+    const double allowed = allowedStepMmPerS(machine);
+    // Without any acceleration the rest of the cycle is refused as well, and a jump may be rounding.
+    if (step.speedMmPerS <= allowed * (1 + detail::limitTolerance) || allowed <= 0)
+        return std::nullopt;
+    Refusal refusal;
+    refusal.limit = rule.jump;
+    refusal.lawParameter = "speed";
+    refusal.actual = step.speedMmPerS;
+    refusal.allowed = allowed;
+    refusal.unit = "mm/s";
+    refusal.index = rule.isIndexed ? static_cast<int>(step.index) : -1;
+    refusal.angleDeg = step.masterDeg;
+    refusal.timeS = detail::timeOfAngleS(master, step.masterDeg);
+    return refusal;
+}
+
+// Includes the acceleration and the torque of the largest step in the peaks.
+void addStepPeak(Peaks& peaks, const CamMaster& master, const Machine& machine, const LargestStep& step)
+{
+    if (step.speedMmPerS > jumpTolerance * peaks.speedMmPerS)
+        peaks.jerkMmPerS3 = std::numeric_limits<double>::infinity();
+    if (step.speedMmPerS / masterUpdateS <= peaks.accelerationMmPerS2)
+        return;
+    peaks.accelerationMmPerS2 = step.speedMmPerS / masterUpdateS;
+    peaks.accelerationTimeS = detail::timeOfAngleS(master, step.masterDeg);
+    peaks.torqueNm = axisLoad(machine).peakNm(peaks.accelerationMmPerS2);
+}
+
+// Refuses a cycle that repeats faster than the natural frequency of the shaft.
+std::optional<Refusal> findFastCycle(const CamMaster& master, const Machine& machine)
+{
+    const double cycleHz = 1 / camCycleS(master);
+    if (!(machine.naturalFrequencyHz > 0) ||
+        cycleHz <= machine.naturalFrequencyHz * (1 + detail::limitTolerance))
+        return std::nullopt;
+    Refusal refusal;
+    refusal.limit = Limit::NaturalFrequency;
+    refusal.field = Field::NaturalFrequency;
+    refusal.actual = cycleHz;
+    refusal.allowed = machine.naturalFrequencyHz;
+    refusal.unit = info(Field::NaturalFrequency).unit;
+    return refusal;
+}
+
+// The mean of the squared acceleration of a cycle, mm^2/s^4: of the motion itself and of its speed steps.
+struct CycleMeans {
+    TorqueMeans all;
+    double stepSquareMm2PerS4 = 0;
+};
+
+// With its steps the cycle ends at the speed of its beginning.
+CycleMeans cycleMeans(const CamMaster& master, const MotionProfile& motion,
+                      std::span<const detail::SpeedStep> steps)
+{
+    CycleMeans means{torqueMeans(motion), 0};
+    for (const detail::SpeedStep& step : steps) {
+        const double speed = step.speedMmPerDeg * master.slaveScale * detail::camDegPerS(master);
+        means.stepSquareMm2PerS4 += speed * speed / (masterUpdateS * camCycleS(master));
+    }
+    means.all.squareMm2PerS4 += means.stepSquareMm2PerS4;
+    means.all.speedGainMmPerS2 = 0;
+    return means;
+}
+
+// Returns the share of the rate at which the RMS torque is the rated one, 1 when it is below that already.
+// The mean square grows with the fourth power of the rate; the part of the steps with its cube.
+double rmsFactor(const CycleMeans& means, const Machine& machine)
+{
+    const double allowed =
+        std::max(axisLoad(machine).rmsAllowance(machine.ratedTorqueNm, means.all.movingShare), 0.0);
+    const double step = means.stepSquareMm2PerS4;
+    const auto isWithin = [&](double factor) {
+        const double cube = factor * factor * factor;
+        return std::sqrt(cube * (factor * (means.all.squareMm2PerS4 - step) + step)) <= allowed;
+    };
+    double within = 0;
+    double beyond = 1;
+    constexpr int halvings = 60;
+    for (int i = 0; i < halvings && !isWithin(1); ++i) {
+        const double middle = (within + beyond) / 2;
+        (isWithin(middle) ? within : beyond) = middle;
+    }
+    return isWithin(1) ? 1 : within;
+}
+
+// Returns the feasible rate: speeds are proportional to it, accelerations to its square; the limits of both
+// are known.
+std::optional<Suggestion> feasibleRate(const CamMaster& master, const Machine& machine, const Peaks& peaks,
+                                       const LargestStep& step, const CycleMeans& means)
+{
+    const AxisAllowance allowance = axisAllowance(machine);
+    const auto share = [](double allowed, double actual) {
+        return actual > allowed ? std::max(allowed, 0.0) / actual : 1.0;
+    };
+    const double factor =
+        std::min({share(allowance.speedMmPerS, peaks.speedMmPerS),
+                  std::sqrt(share(allowance.accelerationMmPerS2, peaks.accelerationMmPerS2)),
+                  share(allowedStepMmPerS(machine), step.speedMmPerS), rmsFactor(means, machine),
+                  share(machine.naturalFrequencyHz > 0 ? machine.naturalFrequencyHz
+                                                       : std::numeric_limits<double>::max(),
+                        1 / camCycleS(master))});
+    const double present = master.masterRateRevPerMin;
+    const double grid = info(Field::MasterRate).resolution();
+    const double steps = std::floor(std::abs(present) * factor / grid * (1 + detail::limitTolerance));
+    if (steps < 1)
+        return std::nullopt;
+    return Suggestion{Field::MasterRate, snapToGrid(Field::MasterRate, std::copysign(steps * grid, present))};
+}
+
+} // namespace
+
+double camCycleS(const CamMaster& master)
+{
+    return secondsPerMinute / std::abs(master.masterRateRevPerMin) * master.masterRatio * master.masterScale;
+}
+
+namespace detail {
+
+double onStep(double value, double step)
+{
+    const double perUnit = std::round(1 / step);
+    return std::round(value * perUnit) / perUnit;
+}
+
+double slaveOnGrid(double slaveMm)
+{
+    return std::isfinite(slaveMm) ? onStep(std::clamp(slaveMm, -maxSlaveMm, maxSlaveMm), slaveStepMm) : 0;
+}
+
+std::optional<double> masterBetween(double beforeDeg, double afterDeg, double wantedDeg)
+{
+    const double perDeg = std::round(1 / masterStepDeg);
+    constexpr double rounding = 1e-6; // share of a grid step
+    const double low = std::ceil((beforeDeg + minMasterSpacingDeg) * perDeg - rounding);
+    const double high = std::floor((afterDeg - minMasterSpacingDeg) * perDeg + rounding);
+    if (!(low <= high))
+        return std::nullopt;
+    const double wanted = std::isfinite(wantedDeg) ? std::round(wantedDeg * perDeg) : low;
+    return std::clamp(wanted, low, high) / perDeg;
+}
+
+double phaseWithinCycleDeg(const CamMaster& master)
+{
+    const double phase = std::fmod(master.phaseDeg, camCycleDeg);
+    return phase < 0 ? phase + camCycleDeg : phase;
+}
+
+double camDegPerS(const CamMaster& master)
+{
+    return std::copysign(camCycleDeg / camCycleS(master), master.masterRateRevPerMin);
+}
+
+double timeOfAngleS(const CamMaster& master, double angleDeg)
+{
+    const double turned = (angleDeg - phaseWithinCycleDeg(master)) / camDegPerS(master);
+    return turned < 0 ? turned + camCycleS(master) : turned;
+}
+
+AxisMotion solveCycle(const CamMaster& master, const Machine& machine, MotionProfile motion,
+                      std::span<const SpeedStep> steps, StepRule rule, std::optional<Refusal> unmendable)
+{
+    AxisMotion solved;
+    solved.motion = std::move(motion);
+    solved.peaks = axisPeaks(solved.motion, machine);
+    const CycleMeans means = cycleMeans(master, solved.motion, steps);
+    if (const TorqueLoad load = axisLoad(machine); load.isKnown())
+        solved.peaks.rmsTorqueNm = load.rmsNm(means.all);
+    solved.broken = checkAxis(solved.motion, solved.peaks, machine);
+    for (Refusal& refusal : solved.broken) {
+        if (refusal.timeS)
+            refusal.angleDeg = angleOfTimeDeg(master, *refusal.timeS);
+    }
+    const LargestStep step = largestStep(master, steps);
+    if (auto jump = findJump(master, machine, step, rule))
+        solved.broken.push_back(*std::move(jump));
+    if (auto fast = findFastCycle(master, machine))
+        solved.broken.push_back(*std::move(fast));
+    if (unmendable) {
+        solved.broken.push_back(*std::move(unmendable)); // no rate corrects the curve
+    } else if (!solved.broken.empty()) {
+        if (const auto rate = feasibleRate(master, machine, solved.peaks, step, means)) {
+            for (Refusal& refusal : solved.broken)
+                refusal.nearest.push_back(*rate);
+        }
+    }
+    addStepPeak(solved.peaks, master, machine, step);
+    return solved;
+}
+
+std::optional<Refusal> findInvalidMaster(const CamMaster& master, const Machine& machine)
+{
+    if (auto refusal = findInvalidAxis(machine))
+        return refusal;
+    const std::array values{std::pair{Field::MasterRate, master.masterRateRevPerMin},
+                            std::pair{Field::MasterRamp, master.masterRampS},
+                            std::pair{Field::MasterRatio, master.masterRatio},
+                            std::pair{Field::MasterScale, master.masterScale},
+                            std::pair{Field::SlaveScale, master.slaveScale},
+                            std::pair{Field::Phase, master.phaseDeg},
+                            std::pair{Field::CamPoints, static_cast<double>(master.camPoints)}};
+    for (const auto& [field, value] : values) {
+        if (!inRange(field, value))
+            return outOfRange(field, value);
+    }
+    return std::nullopt;
+}
+
+std::optional<Refusal> findNoMotion(const CamMaster& master, bool isFlat)
+{
+    if (master.masterRateRevPerMin != 0 && master.slaveScale != 0 && !isFlat)
+        return std::nullopt;
+    Refusal refusal;
+    refusal.limit = Limit::NoMotion;
+    refusal.field =
+        master.masterRateRevPerMin == 0 ? Field::MasterRate : (isFlat ? Field::Distance : Field::SlaveScale);
+    refusal.unit = info(refusal.field).unit;
+    return refusal;
+}
+
+Refusal indexedRefusal(Limit limit, std::size_t index, double actual, double allowed, std::string_view unit)
+{
+    Refusal refusal;
+    refusal.limit = limit;
+    refusal.index = static_cast<int>(index);
+    refusal.actual = actual;
+    refusal.allowed = allowed;
+    refusal.unit = unit;
+    return refusal;
+}
+
+} // namespace detail
+} // namespace campanel::profile

@@ -1,0 +1,263 @@
+// SPDX-License-Identifier: Apache-2.0
+// The curve of the segments, its joints, and one cycle in time.
+#include "profile/segments/segment_cam.h"
+
+#include "profile/laws/laws.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace campanel::profile {
+namespace {
+
+constexpr int curveDerivatives = 5;
+
+std::vector<SegmentMotionInfo> motionTable()
+{
+    std::vector<SegmentMotionInfo> table{
+        {SegmentMotion::Dwell, "dwell", "Dwell", nullptr, 0},
+        {SegmentMotion::ConstantSpeed, "constant_speed", "Constant speed", nullptr, 0},
+        {SegmentMotion::Polynomial3, "polynomial_3", "Polynomial 3, with speeds", nullptr, 1},
+        {SegmentMotion::Polynomial5, "polynomial_5", "Polynomial 5, with speeds and accelerations", nullptr,
+         2}};
+    for (const Law& law : laws()) {
+        if (law.isDisplacementLaw && law.isSymmetric) // backward it is the same law
+            table.push_back({segmentMotion(law.id), law.key, law.name, &law, 0});
+    }
+    return table;
+}
+
+// The cubic with these ends: x from 0 to the width.
+void setCubic(SegmentPiece& piece, double endSpeed)
+{
+    const double w = piece.width;
+    const double h = piece.distanceMm;
+    const double v = piece.boundary.speedMmPerDeg;
+    piece.boundary.accelerationMmPerDeg2 = 2 * (3 * h - (2 * v + endSpeed) * w) / (w * w);
+    piece.thirdMmPerDeg3 = 6 * ((v + endSpeed) * w - 2 * h) / (w * w * w);
+}
+
+// The polynomial of the fifth degree with these ends.
+void setQuintic(SegmentPiece& piece, const SegmentBoundary& end)
+{
+    const double w = piece.width;
+    const double h = piece.distanceMm;
+    const double v0 = piece.boundary.speedMmPerDeg * w;
+    const double v1 = end.speedMmPerDeg * w;
+    const double a0 = piece.boundary.accelerationMmPerDeg2 * w * w;
+    const double a1 = end.accelerationMmPerDeg2 * w * w;
+    const double cubed = w * w * w;
+    piece.thirdMmPerDeg3 = 3 * (20 * h - 8 * v1 - 12 * v0 - 3 * a0 + a1) / cubed;
+    piece.fourthMmPerDeg4 = 12 * (-30 * h + 14 * v1 + 16 * v0 + 3 * a0 - 2 * a1) / (cubed * w);
+    piece.fifthMmPerDeg5 = 60 * (12 * h - 6 * (v1 + v0) + a1 - a0) / (cubed * w * w);
+}
+
+SegmentPiece pieceOf(const CamSegment& segment, double startMm, double endMm)
+{
+    SegmentPiece piece;
+    piece.start = segment.fromDeg;
+    piece.width = segment.toDeg - segment.fromDeg;
+    piece.startMm = startMm;
+    piece.distanceMm = endMm - startMm;
+    const SegmentMotionInfo* motion = findSegmentMotion(segment.motion);
+    piece.law = motion->law;
+    piece.lawParameters = segment.lawParameters;
+    if (segment.motion == SegmentMotion::ConstantSpeed)
+        piece.boundary.speedMmPerDeg = piece.distanceMm / piece.width;
+    if (motion->boundaryOrder > 0)
+        piece.boundary = segment.start;
+    if (motion->boundaryOrder == 1)
+        setCubic(piece, segment.end.speedMmPerDeg);
+    if (motion->boundaryOrder == 2)
+        setQuintic(piece, segment.end);
+    return piece;
+}
+
+// The slave and its five derivatives by the angle, of a polynomial.
+std::array<double, curveDerivatives + 1> polynomialAt(const SegmentPiece& piece, double masterDeg)
+{
+    std::array<double, curveDerivatives + 1> values{
+        piece.startMm,        piece.boundary.speedMmPerDeg, piece.boundary.accelerationMmPerDeg2,
+        piece.thirdMmPerDeg3, piece.fourthMmPerDeg4,        piece.fifthMmPerDeg5};
+    const double x = masterDeg - piece.start;
+    // Taylor's series of each derivative, from its last term back.
+    for (int order = 0; order < curveDerivatives; ++order) {
+        double sum = 0;
+        for (int i = curveDerivatives; i > order; --i)
+            sum = (sum + values[static_cast<std::size_t>(i)]) * x / (i - order);
+        values[static_cast<std::size_t>(order)] += sum;
+    }
+    return values;
+}
+
+void addSegmentPart(MotionProfile& motion, const SegmentPiece& piece, double fromDeg, double toDeg,
+                    double degPerS, double scale)
+{
+    Segment part;
+    part.durationS = std::abs(toDeg - fromDeg) / std::abs(degPerS);
+    if (piece.law != nullptr && piece.distanceMm != 0) {
+        const bool isForward = degPerS > 0;
+        const double from = (fromDeg - piece.start) / piece.width;
+        const double to = (toDeg - piece.start) / piece.width;
+        part.form = SegmentForm::Displacement;
+        part.law = piece.law;
+        part.parameters = piece.lawParameters;
+        part.distanceMm = scale * (isForward ? piece.distanceMm : -piece.distanceMm);
+        part.lawFrom = isForward ? from : 1 - from;
+        part.lawTo = isForward ? to : 1 - to;
+        motion.addPart(part);
+        return;
+    }
+    const auto values = polynomialAt(piece, fromDeg);
+    if (piece.law != nullptr ||
+        std::all_of(values.begin() + 2, values.end(), [](double v) { return v == 0; })) {
+        motion.addConstant(part.durationS, piece.law != nullptr ? 0 : scale * values[1] * degPerS);
+        return;
+    }
+    part.form = SegmentForm::Polynomial;
+    const std::array members{&part.startVelocityMmPerS, &part.startAccelerationMmPerS2, &part.jerkMmPerS3,
+                             &part.snapMmPerS4, &part.crackleMmPerS5};
+    double unit = scale;
+    for (std::size_t i = 0; i < members.size(); ++i) {
+        unit *= degPerS;
+        *members[i] = values[i + 1] * unit;
+    }
+    motion.addPart(part);
+}
+
+MotionProfile segmentMotionOf(const SegmentCamProgram& program, double degPerS)
+{
+    const std::vector<SegmentPiece> pieces = segmentPieces(program.segments);
+    const double phase = detail::phaseWithinCycleDeg(program);
+    const auto first =
+        std::ranges::find_if(pieces, [phase](const SegmentPiece& p) { return phase < p.end(); });
+    const double startMm = first == pieces.end() ? pieces.back().at(phase).value : first->at(phase).value;
+    return detail::camCycleMotion(
+        program, degPerS, std::span<const SegmentPiece>(pieces), program.slaveScale * startMm,
+        [&](MotionProfile& motion, const SegmentPiece& piece, double fromDeg, double toDeg) {
+            addSegmentPart(motion, piece, fromDeg, toDeg, degPerS, program.slaveScale);
+        });
+}
+
+AxisMotion solveValidSegments(const SegmentCamProgram& program, const Machine& machine)
+{
+    std::vector<detail::SpeedStep> steps;
+    for (const SegmentJoint& joint : segmentJoints(program)) {
+        const bool isRounding = std::abs(joint.speedMmPerDeg) <= boundarySpeedStepMmPerDeg;
+        steps.push_back({joint.masterDeg, isRounding ? 0 : joint.speedMmPerDeg});
+    }
+    AxisMotion solved =
+        detail::solveCycle(program, machine, segmentMotionOf(program, detail::camDegPerS(program)), steps,
+                           {Limit::JointJump, true}, std::nullopt);
+    for (const CamSegment& segment : program.segments)
+        solved.marksS.push_back(detail::timeOfAngleS(program, segment.fromDeg));
+    std::ranges::sort(solved.marksS);
+    return solved;
+}
+
+} // namespace
+
+std::span<const SegmentMotionInfo> segmentMotions()
+{
+    static const std::vector<SegmentMotionInfo> table = motionTable();
+    return table;
+}
+
+const SegmentMotionInfo* findSegmentMotion(SegmentMotion motion)
+{
+    const auto found = std::ranges::find(segmentMotions(), motion, &SegmentMotionInfo::motion);
+    return found == segmentMotions().end() ? nullptr : &*found;
+}
+
+const SegmentMotionInfo* findSegmentMotion(std::string_view key)
+{
+    const auto found = std::ranges::find(segmentMotions(), key, &SegmentMotionInfo::key);
+    return found == segmentMotions().end() ? nullptr : &*found;
+}
+
+SplinePoint SegmentPiece::at(double masterDeg) const
+{
+    if (law == nullptr) {
+        const auto values = polynomialAt(*this, masterDeg);
+        return {values[0], values[1], values[2], values[3]};
+    }
+    const LawPoint p = law->at(std::clamp((masterDeg - start) / width, 0.0, 1.0), lawParameters);
+    return {startMm + distanceMm * p.g, distanceMm / width * p.g1, distanceMm / (width * width) * p.g2,
+            distanceMm / (width * width * width) * p.g3};
+}
+
+std::vector<double> jointPositionsMm(std::span<const CamSegment> segments)
+{
+    std::vector<double> positions{0};
+    for (const CamSegment& segment : segments)
+        positions.push_back(segment.motion == SegmentMotion::Dwell ? positions.back() : segment.endMm);
+    return positions;
+}
+
+std::vector<SegmentPiece> segmentPieces(std::span<const CamSegment> segments)
+{
+    const std::vector<double> positions = jointPositionsMm(segments);
+    std::vector<SegmentPiece> pieces;
+    for (std::size_t i = 0; i < segments.size(); ++i)
+        pieces.push_back(pieceOf(segments[i], positions[i], positions[i + 1]));
+    return pieces;
+}
+
+bool detail::isMeantToBeClosed(std::span<const CamSegment> segments)
+{
+    const std::vector<double> positions = jointPositionsMm(segments);
+    const auto [low, high] = std::ranges::minmax(positions);
+    return std::abs(positions.back()) <= closingShare * (high - low);
+}
+
+double segmentAdvanceMm(const SegmentCamProgram& program)
+{
+    return detail::isMeantToBeClosed(program.segments) ? 0 : jointPositionsMm(program.segments).back();
+}
+
+std::vector<SegmentJoint> segmentJoints(const SegmentCamProgram& program)
+{
+    const std::vector<SegmentPiece> pieces = segmentPieces(program.segments);
+    std::vector<SegmentJoint> joints;
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+        const SegmentPiece& previous = i == 0 ? pieces.back() : pieces[i - 1];
+        const SplinePoint before = previous.at(previous.end());
+        const SplinePoint behind = pieces[i].at(pieces[i].start);
+        SegmentJoint joint;
+        joint.masterDeg = pieces[i].start;
+        joint.speedMmPerDeg = behind.slope - before.slope;
+        joint.accelerationMmPerDeg2 = behind.curvature - before.curvature;
+        if (i == 0 && detail::isMeantToBeClosed(program.segments))
+            joint.positionMm = -jointPositionsMm(program.segments).back();
+        joint.isSmooth = joint.positionMm == 0 &&
+                         std::abs(joint.speedMmPerDeg) <= boundarySpeedStepMmPerDeg &&
+                         std::abs(joint.accelerationMmPerDeg2) <= boundaryAccelerationStepMmPerDeg2;
+        joints.push_back(joint);
+    }
+    return joints;
+}
+
+MotionProfile forwardMotion(const SegmentCamProgram& program)
+{
+    return segmentMotionOf(program, std::abs(detail::camDegPerS(program)));
+}
+
+tl::expected<AxisMotion, Refusal> solve(const SegmentCamProgram& program, const Machine& machine)
+{
+    const auto findInvalid = [](const SegmentCamProgram& cam, const Machine& axis) {
+        if (auto refusal = detail::findInvalidMaster(cam, axis))
+            return refusal;
+        if (auto refusal = checkSegments(cam.segments))
+            return refusal;
+        const std::vector<double> positions = jointPositionsMm(cam.segments);
+        const bool isFlat = std::ranges::all_of(positions, [](double mm) { return mm == 0; }) &&
+                            std::ranges::all_of(cam.segments, [](const CamSegment& segment) {
+                                return findSegmentMotion(segment.motion)->boundaryOrder == 0;
+                            });
+        return detail::findNoMotion(cam, isFlat);
+    };
+    return detail::solveCam(program, machine, findInvalid, solveValidSegments);
+}
+
+} // namespace campanel::profile

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+// A slider between two ends; the handle and the whole height can be touched. `held` reports a drag by its values, `released`
+// its end.
+pragma ComponentBehavior: Bound
+import QtQuick
+import QtQuick.Templates as T
+import CamPanel.Theme
+
+T.Slider {
+    id: slider
+
+    property bool known: true              // without a value there is no handle
+    signal held(real value)
+    signal released()
+
+    implicitWidth: 3 * Theme.size.touch
+    implicitHeight: Theme.size.touch
+    leftPadding: Theme.size.handle / 2
+    rightPadding: Theme.size.handle / 2
+    onMoved: slider.held(slider.value)
+    onPressedChanged: {
+        if (!slider.pressed)
+            slider.released()
+    }
+
+    background: Item {
+        Rectangle {
+            x: slider.leftPadding
+            anchors.verticalCenter: parent.verticalCenter
+            width: slider.availableWidth
+            height: Theme.size.accent
+            radius: height / 2
+            color: Theme.color.line
+        }
+    }
+    handle: Rectangle {
+        visible: slider.known
+        x: slider.leftPadding + slider.visualPosition * slider.availableWidth - width / 2
+        y: (slider.height - height) / 2
+        width: Theme.size.handle
+        height: width
+        radius: width / 2
+        color: slider.pressed ? Theme.color.touch : Theme.color.surface
+        border { width: Theme.size.curve; color: slider.enabled ? Theme.color.touch : Theme.color.disabledInk }
+    }
+}

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: Apache-2.0
+// The ratios beside the curve: keys that let them suit the machine, a slider between, what they demand, the four numbers and
+// the window.
+pragma ComponentBehavior: Bound
+import QtQuick
+import CamPanel.Theme
+import CamPanel.Controls
+import CamPanel.Panel
+
+Sheet {
+    id: sheet
+
+    signal editRequested(var fields, int index, Item source)
+    signal explainRequested(var quantities)
+
+    readonly property var ratios: [Editor.cutter.k1, Editor.cutter.k2, Editor.cutter.k3, Editor.cutter.k4]
+
+    objectName: "ratioSheet"
+    beside: true
+    title: qsTr("Ratios")
+    note: Editor.cutter.ramps.stateText
+    // Three keys beside each other, also with gloves.
+    panelWidth: Math.max(Theme.size.sideColumn, 3 * Theme.size.touch + 2 * Theme.size.padding + 3 * Theme.size.accent)
+    panelHeight: height
+
+    Flickable {
+        id: list
+        anchors.fill: parent
+        clip: true
+        contentWidth: width
+        contentHeight: rows.height
+        boundsBehavior: Flickable.StopAtBounds
+        interactive: scrolls && !slider.pressed
+        readonly property bool scrolls: contentHeight > height
+
+        Column {
+            id: rows
+            width: list.width - (list.scrolls ? 2 * Theme.size.accent : 0)
+            spacing: Theme.size.outline
+
+            Segmented {
+                width: parent.width
+                choices: [
+                    { key: RampControl.Slow, text: qsTr("Slow"), name: "ratioSlow" },
+                    { key: RampControl.Cool, text: qsTr("Cool"), name: "ratioCool" },
+                    { key: RampControl.Gentle, text: qsTr("Gentle"), name: "ratioGentle" }
+                ]
+                current: Editor.cutter.ramps.mode
+                onChosen: key => Editor.cutter.ramps.choose(key)
+            }
+            Slider {
+                id: slider
+                objectName: "ratioSlider"
+                width: parent.width
+                from: 0
+                to: 100
+                known: !isNaN(Editor.cutter.ramps.position)
+                enabled: known
+                onHeld: value => Editor.cutter.ramps.drag(value)
+                onReleased: Editor.cutter.ramps.endDrag()
+                Binding {
+                    target: slider
+                    property: "value"
+                    value: Editor.cutter.ramps.position
+                    when: slider.known && !slider.pressed
+                    restoreMode: Binding.RestoreNone
+                }
+            }
+            Item {
+                objectName: "ratioFigures"
+                width: parent.width
+                height: figures.height
+                Column {
+                    id: figures
+                    width: parent.width
+                    spacing: Theme.size.outline
+                    Repeater {
+                        model: Editor.cutter.ramps.figures
+                        Item {
+                            id: figure
+                            required property string label
+                            required property string value
+                            width: figures.width
+                            height: name.height
+                            Label {
+                                id: name
+                                width: parent.width * 0.55
+                                fontSizeMode: Text.HorizontalFit
+                                minimumPixelSize: Theme.size.caption - 4
+                                text: figure.label
+                                color: Theme.color.secondaryInk
+                                font.pixelSize: Theme.size.caption
+                            }
+                            Label {
+                                anchors { right: parent.right; baseline: name.baseline }
+                                width: parent.width * 0.45
+                                horizontalAlignment: Text.AlignRight
+                                fontSizeMode: Text.HorizontalFit
+                                minimumPixelSize: Theme.size.caption - 3
+                                text: figure.value
+                                font { pixelSize: Theme.size.body; bold: true }
+                            }
+                        }
+                    }
+                }
+                MouseArea {
+                    anchors.fill: parent
+                    pressAndHoldInterval: Theme.longPressTime
+                    onPressAndHold: sheet.explainRequested(Explanations.ofVerdict())
+                }
+            }
+            RatioGroup {
+                id: group
+                objectName: "ratioNumbers"
+                width: parent.width
+                fields: sheet.ratios
+                onEditRequested: index => sheet.editRequested(sheet.ratios, index, group)
+            }
+            Row {
+                width: parent.width
+                Button {
+                    objectName: "windowNarrower"
+                    width: Theme.size.touch
+                    text: "\u2212"
+                    onClicked: Editor.cutter.ramps.narrowWindow()
+                }
+                Column {
+                    width: parent.width - 2 * Theme.size.touch
+                    anchors.verticalCenter: parent.verticalCenter
+                    Label {
+                        width: parent.width
+                        horizontalAlignment: Text.AlignHCenter
+                        fontSizeMode: Text.HorizontalFit
+                        minimumPixelSize: Theme.size.caption - 5
+                        text: qsTr("Sealing window")
+                        color: Theme.color.secondaryInk
+                        font.pixelSize: Theme.size.caption
+                    }
+                    Label {
+                        objectName: "windowText"
+                        width: parent.width
+                        horizontalAlignment: Text.AlignHCenter
+                        text: Editor.cutter.ramps.windowText
+                        font { pixelSize: Theme.size.body; bold: true }
+                    }
+                }
+                Button {
+                    objectName: "windowWider"
+                    width: Theme.size.touch
+                    text: "+"
+                    onClicked: Editor.cutter.ramps.widenWindow()
+                }
+            }
+        }
+    }
+    ScrollMark { view: list }
+}

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+// The motions that the selected segment of a cam may have.
+pragma ComponentBehavior: Bound
+import QtQuick
+import CamPanel.Controls
+import CamPanel.Panel
+
+ListPicker {
+    id: sheet
+
+    signal picked()
+
+    title: qsTr("Motion of segment %1").arg(Editor.cam.segments.selected + 1)
+    current: Editor.cam.segments.motion
+    choices: [...Editor.cam.segments.motions].map((text, index) => ({ key: index, text: text }))
+    onChosen: key => {
+        Editor.cam.segments.setMotion(key)
+        sheet.picked()
+    }
+}

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: Apache-2.0
+// The regime map agrees with the check of each recipe on it, and its lines lie where the behavior changes.
+#include "profile/cutter/limits.h"
+#include "profile/cutter/paper_lengths.h"
+#include "profile/cutter/regime_map.h"
+#include "random_cases.h"
+#include "recipes.h"
+#include "tests/support/test_program.h"
+
+#include <QTest>
+
+#include <algorithm>
+#include <cmath>
+
+namespace test_regime_map {
+
+using namespace campanel::profile;
+using namespace campanel::profile::test;
+
+namespace {
+
+constexpr unsigned seed = 20261125;
+
+Recipe withJaws()
+{
+    Recipe recipe = checkRecipe();
+    recipe.machine.contactAngleDeg = 20;
+    recipe.program.minSealTimeMs = 30;
+    return recipe;
+}
+
+Limit limitAt(const Recipe& recipe, double lengthMm)
+{
+    return regimePoint(recipe.program, recipe.machine, lengthMm).limit;
+}
+
+bool isFeasibleAt(Recipe recipe, double lengthMm, double rate)
+{
+    recipe.program.pinned = {Field::BagLength, Field::Rate};
+    recipe.program.bagLengthMm = lengthMm;
+    recipe.program.rateBagsPerMin = rate;
+    return isFeasible(recipe.program, recipe.machine);
+}
+
+} // namespace
+
+class TestRegimeMap : public QObject {
+    Q_OBJECT
+
+private slots:
+    void regimesOfTheCheckRecipe();
+    void paperLengthsOnTheDefaultMachine();
+    void linesAreTheEnds();
+    void refusesWhatHasNoMap();
+    void agreesWithTheCheck();
+};
+
+void TestRegimeMap::regimesOfTheCheckRecipe()
+{
+    const Recipe recipe = withJaws();
+    const auto map = regimeMap(recipe.program, recipe.machine, {50, 1200}, 200);
+    QVERIFY(map.has_value());
+    QCOMPARE(map->points.size(), std::size_t{204}); // both ends of the feasible lengths from both sides
+    QVERIFY(std::ranges::is_sorted(map->points, {}, &RegimePoint::bagLengthMm));
+    QCOMPARE(limitAt(recipe, 100), Limit::JawWindow);
+    QCOMPARE(limitAt(recipe, 120), Limit::KnifeAcceleration);
+    QCOMPARE(limitAt(recipe, 350), Limit::SealTime); // 60 R theta_c / (L t_min) = 119.7
+    QCOMPARE(regimePoint(recipe.program, recipe.machine, 350).rateBagsPerMin, 119.6);
+    QCOMPARE(limitAt(recipe, 1100), Limit::StrokeCannotClose);
+    QCOMPARE(regimePoint(recipe.program, recipe.machine, 1100).rateBagsPerMin, 0.0);
+    QCOMPARE(map->limits, (std::vector{Limit::KnifeAcceleration, Limit::SealTime}));
+    QVERIFY(map->maxRateBagsPerMin > 200);
+}
+
+// The fastest rates of the paper's machine with the default ratios, as known without a map.
+void TestRegimeMap::paperLengthsOnTheDefaultMachine()
+{
+    const Recipe recipe = checkRecipe();
+    QCOMPARE(std::floor(regimePoint(recipe.program, recipe.machine, 100).rateBagsPerMin), 205.0);
+    QCOMPARE(std::floor(regimePoint(recipe.program, recipe.machine, 150).rateBagsPerMin), 227.0);
+    QCOMPARE(std::floor(regimePoint(recipe.program, recipe.machine, 249).rateBagsPerMin), 302.0);
+    QCOMPARE(paperLengths.size(), std::size_t{15});
+    for (const PaperLength& each : paperLengths)
+        QVERIFY(regimePoint(recipe.program, recipe.machine, each.bagLengthMm).rateBagsPerMin > 100);
+}
+
+void TestRegimeMap::linesAreTheEnds()
+{
+    const Recipe recipe = withJaws();
+    const CutterLengths lengths = cutterLengths(recipe.program, recipe.machine);
+    QVERIFY(!isFeasibleAt(recipe, lengths.jawWithMarginMm - 0.01, 60));
+    QVERIFY(isFeasibleAt(recipe, lengths.jawWithMarginMm + 0.01, 60));
+    QVERIFY(isFeasibleAt(recipe, lengths.strokeMm - 0.01, 10));
+    QVERIFY(!isFeasibleAt(recipe, lengths.strokeMm + 0.01, 10));
+    // L_crit: ramps as long as possible and a window that the jaws just fill rest the knife.
+    Recipe longest = recipe;
+    const double window = jawArcMm(recipe.machine) / lengths.dwellMm;
+    longest.program.k = {1000, 2 / (1 - window), 2 / (1 + window), 1.001};
+    longest.program.bagLengthMm = lengths.dwellMm;
+    longest.program.rateBagsPerMin = 10;
+    longest.program.minSealTimeMs = 0;
+    const auto cycle = solveNumbers(longest.program, longest.machine);
+    QVERIFY(cycle.has_value());
+    QVERIFY(cycle->baseSpeedMmPerS < 0.01 * cycle->filmSpeedMmPerS);
+    longest.program.bagLengthMm = 1.01 * lengths.dwellMm;
+    QCOMPARE(solveNumbers(longest.program, longest.machine).error().limit, Limit::StrokeCannotClose);
+    const LengthRange range = regimeRange(recipe.program, recipe.machine);
+    QVERIFY(range.fromMm < 100 && range.toMm > lengths.dwellMm);
+}
+
+void TestRegimeMap::refusesWhatHasNoMap()
+{
+    Recipe recipe = checkRecipe();
+    recipe.program.k = {4, 2, 2.5, 1.3};
+    const auto map = regimeMap(recipe.program, recipe.machine, {50, 500}, 20);
+    QVERIFY(!map.has_value());
+    QCOMPARE(map.error().limit, Limit::RatioOrder);
+    // The inputs of the cycle do not matter, only ratios, law and machine.
+    recipe = checkRecipe(5000, 9000);
+    QVERIFY(regimeMap(recipe.program, recipe.machine, {50, 500}, 20).has_value());
+}
+
+void TestRegimeMap::agreesWithTheCheck()
+{
+    const int count = campanel::test::randomCases(2000);
+    qInfo("seed %u, %d recipes", seed, count);
+    RandomRecipes random(seed);
+    int feasible = 0;
+    int none = 0;
+    for (int i = 0; i < count && !QTest::currentTestFailed(); ++i) {
+        Recipe recipe = random.next();
+        recipe.machine.contactAngleDeg = random.pick(2) == 0 ? 0 : random.uniform(1, 40);
+        recipe.program.minSealTimeMs =
+            recipe.machine.contactAngleDeg > 0 ? std::round(random.uniform(0, 60)) : 0;
+        const double length = random.uniform(20, 900);
+        const RegimePoint point = regimePoint(recipe.program, recipe.machine, length);
+        if (point.rateBagsPerMin > 0) {
+            ++feasible;
+            QVERIFY(isFeasibleAt(recipe, length, point.rateBagsPerMin));
+            QVERIFY(!isFeasibleAt(recipe, length, point.rateBagsPerMin + 0.2));
+            // Every slower rate works as well: the region has no holes.
+            const double slower = random.uniform(std::min(2.0, point.rateBagsPerMin), point.rateBagsPerMin);
+            QVERIFY(isFeasibleAt(recipe, length, slower));
+        } else {
+            ++none;
+            for (const double rate : {1.0, 7.0, 60.0, 200.0})
+                QVERIFY(!isFeasibleAt(recipe, length, rate));
+        }
+    }
+    qInfo("%d with a rate, %d without", feasible, none);
+    QVERIFY(feasible > count / 10 && none > count / 10);
+}
+
+CAMPANEL_TEST(TestRegimeMap)
+
+} // namespace test_regime_map
+
+#include "test_regime_map.moc"
