@@ -162,6 +162,13 @@ void ctl_flash_begin_save(ctl_flash* flash, const ctl_board* board, const ctl_ba
         saving->bank = NULL; /* the next piece says so */
 }
 
+bool ctl_flash_saves(const ctl_flash* flash, const ctl_board* board, const ctl_banks* banks)
+{
+    const ctl_flash_saving* saving = &flash->saving;
+    return saving->busy && saving->bank == ctl_active_bank(banks) &&
+           memcmp(&saving->head[FIXED_REGISTERS + 1u], board->parameter, PARAMETER_BYTES) == 0;
+}
+
 /* Writes the next registers; false when the flash refused. */
 static bool write_piece(ctl_flash_saving* saving, const ctl_board* board, const uint16_t* registers,
                         uint32_t count)

@@ -38,6 +38,8 @@ typedef struct {
 void ctl_flash_load(ctl_flash* flash, const ctl_board* board, ctl_banks* banks, uint16_t* parameter);
 /* Begins to save the active bank and the parameters, which may change meanwhile; the bank may not. */
 void ctl_flash_begin_save(ctl_flash* flash, const ctl_board* board, const ctl_banks* banks);
+/* Returns whether the save under way saves the active bank and the parameters as they are now. */
+bool ctl_flash_saves(const ctl_flash* flash, const ctl_board* board, const ctl_banks* banks);
 /* Goes on with the save by one piece of at most 32 registers. CTL_FLASH_FAILED: the flash refused, and what
  * was saved before is still valid. */
 ctl_flash_progress ctl_flash_save_piece(ctl_flash* flash, const ctl_board* board);

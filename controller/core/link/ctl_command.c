@@ -150,6 +150,35 @@ static void answer(ctl_core* core, uint16_t refusal)
     result[3] = CTL_REFUSAL_NONE;
 }
 
+/* The save under way saves what this command wants saved. */
+static bool joins_save(const ctl_core* core, const uint16_t* request)
+{
+    return ctl_get32(&request[ARGUMENT2]) == core->banks.active_crc &&
+           ctl_flash_saves(&core->flash, &core->board, &core->banks);
+}
+
+/* Begins with a command: at once, after the check of the active bank, or after the save under way. */
+static void begin(ctl_core* core, const uint16_t* request)
+{
+    ctl_work* work = &core->work;
+    const bool saving = request[CODE] == CTL_COMMAND_SAVE_TO_FLASH && core->flash.saving.busy;
+    if (saving && joins_save(core, request)) {
+        work->saves = true;
+        work->save_counter = request[COUNTER];
+        answer(core, IN_WORK);
+    } else if (saving && ctl_get32(&request[ARGUMENT2]) != core->banks.active_crc) {
+        answer(core, CTL_REFUSAL_WRONG_CHECKSUM);
+    } else if (saving || needs_check(core, request[CODE])) {
+        work->waits = saving;
+        work->checks = !saving;
+        work->position = 0;
+        memmove(work->request, request, sizeof work->request);
+        answer(core, IN_WORK);
+    } else {
+        answer(core, carry_out(core, request));
+    }
+}
+
 void ctl_command(ctl_core* core, bool has_code)
 {
     const uint16_t* request = core->written.command;
@@ -159,21 +188,11 @@ void ctl_command(ctl_core* core, bool has_code)
     result[0] = request[COUNTER];
     result[1] = request[CODE];
     core->work.checks = false; /* the command that waits is overtaken, and not carried out */
-    if (!has_code) {
-        /* Register by register, in either order, the code of another command may be there. */
+    core->work.waits = false;
+    if (has_code)
+        begin(core, request);
+    else /* register by register, in either order, the code of another command may be there */
         answer(core, CTL_REFUSAL_COMMAND_INCOMPLETE);
-    } else if (request[CODE] == CTL_COMMAND_SAVE_TO_FLASH && core->flash.saving.busy) {
-        core->work.saves = true;
-        core->work.save_counter = request[COUNTER];
-        answer(core, IN_WORK);
-    } else if (needs_check(core, request[CODE])) {
-        core->work.checks = true;
-        core->work.position = 0;
-        memcpy(core->work.request, request, sizeof core->work.request);
-        answer(core, IN_WORK);
-    } else {
-        answer(core, carry_out(core, request));
-    }
 }
 
 void ctl_command_checked(ctl_core* core, const uint16_t* request)
@@ -185,4 +204,10 @@ void ctl_command_saved(ctl_core* core, uint16_t counter, bool done)
 {
     if (core->command_result[0] == counter)
         answer(core, done ? CTL_REFUSAL_NONE : CTL_REFUSAL_FLASH_FAILED);
+}
+
+void ctl_command_waited(ctl_core* core)
+{
+    core->work.waits = false;
+    begin(core, core->work.request);
 }

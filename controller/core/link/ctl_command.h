@@ -19,6 +19,8 @@ void ctl_command(struct ctl_core* core, bool has_code);
 void ctl_command_checked(struct ctl_core* core, const uint16_t* request);
 /* Answers the save with this counter, unless another command came meanwhile. */
 void ctl_command_saved(struct ctl_core* core, uint16_t counter, bool done);
+/* Goes on with the save that waited for the end of another one. */
+void ctl_command_waited(struct ctl_core* core);
 
 #ifdef __cplusplus
 }

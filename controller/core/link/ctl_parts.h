@@ -29,10 +29,11 @@ typedef struct {
     uint64_t set_us;
 } ctl_clock;
 
-/* The check of the active bank that a command waits for. */
+/* The command that waits for a check of the active bank or for the end of a save. */
 typedef struct {
-    bool checks;
-    uint16_t request[CTL_GROUP_COMMAND]; /* that command, as it came */
+    bool waits;                          /* for the end of the save under way */
+    bool checks;                         /* for the check */
+    uint16_t request[CTL_GROUP_COMMAND]; /* as it came */
     uint32_t generation;                 /* of the bank that is being checked */
     uint32_t position;                   /* registers that are in the sum */
     uint32_t crc;

@@ -41,6 +41,8 @@ static void save_piece(ctl_core* core)
     if (work->saves)
         ctl_command_saved(core, work->save_counter, progress == CTL_FLASH_DONE);
     work->saves = false;
+    if (work->waits)
+        ctl_command_waited(core);
 }
 
 void ctl_work_slice(ctl_core* core)
