@@ -65,8 +65,8 @@ QJsonObject rankedRow(const profile::RankedLaw& each, const profile::Machine& ma
 
 QString cell(const QJsonValue& value, int width, int decimals, const QString& otherwise)
 {
-    return (value.isDouble() ? QString::number(value.toDouble(), 'f', decimals) : otherwise)
-        .rightJustified(width);
+    const double number = value.toDouble(qQNaN());
+    return (std::isfinite(number) ? QString::number(number, 'f', decimals) : otherwise).rightJustified(width);
 }
 
 // The laws of a rotary cutter, the gentlest first, each with the ratios that suit it.

@@ -124,7 +124,7 @@ tl::unexpected<Failure> notANumber(const QString& option, const QString& text, c
 }
 
 // Parses `count` numbers separated by commas.
-tl::expected<QList<double>, Failure> numbers(const Invocation& call, const QString& option, qsizetype most,
+tl::expected<QList<double>, Failure> numbers(const Invocation& call, const QString& option, qsizetype max,
                                              const QString& form)
 {
     QList<double> values;
@@ -134,7 +134,7 @@ tl::expected<QList<double>, Failure> numbers(const Invocation& call, const QStri
         if (!ok || !std::isfinite(values.last()))
             return notANumber(option, call.value(option), form);
     }
-    if (values.size() > most)
+    if (values.size() > max)
         return notANumber(option, call.value(option), form);
     return values;
 }

@@ -489,6 +489,18 @@
         <translation>请查看详情；下载前请核对配方。</translation>
     </message>
     <message>
+        <source>Settings file damaged</source>
+        <translation>设置文件损坏</translation>
+    </message>
+    <message>
+        <source>The settings file was damaged or missing.</source>
+        <translation>设置文件损坏或丢失。</translation>
+    </message>
+    <message>
+        <source>Read the detail; check the settings, the connection first.</source>
+        <translation>请查看详情；检查设置，先检查连接。</translation>
+    </message>
+    <message>
         <source>Settings not saved</source>
         <translation>设置未保存</translation>
     </message>

@@ -138,7 +138,7 @@ void CurvePlot::paintTimeLabels(QPainter& painter, const PlotStyle& plotStyle) c
     const double end = m_timeMap.s2();
     labels.setScaleDiv(m_timeDivision);
     labels.setSpecialLabel(end,
-                           m_style.locale.toString(end, 'g', timeDigits) + QLatin1Char(' ') + m_timeUnit);
+                           m_style.locale.toString(end, 'G', timeDigits) + QLatin1Char(' ') + m_timeUnit);
     labels.move(m_plotArea.bottomLeft());
     labels.setLength(m_plotArea.width());
     QPalette palette;

@@ -2,6 +2,7 @@
 // The panel's executable: reads the options and creates the parts.
 #include "app/link/threaded_link.h"
 #include "app/shell/configuration.h"
+#include "app/shell/folder_wait.h"
 #include "app/shell/fonts.h"
 #include "app/shell/kiosk.h"
 #include "app/shell/memory.h"
@@ -12,7 +13,6 @@
 #include "app/shell/self_test.h"
 #include "app/shell/service_watchdog.h"
 #include "app/shell/termination_signals.h"
-#include "app/store/files/folder_lock.h"
 
 #include <QFile>
 #include <QGuiApplication>
@@ -170,13 +170,11 @@ int main(int argc, char* argv[])
     if (options.isSelfTest)
         return hasFonts() ? shell::selfTest() : EXIT_FAILURE;
     const QString folder = QStandardPaths::writableLocation(QStandardPaths::AppDataLocation);
-    const store::FolderLock lock(folder);
-    if (lock.isHeldByAnother()) {
-        std::fprintf(stderr, "campanel: another CamPanel uses the data in %s. Close that one first.\n",
-                     qPrintable(folder));
-        return EXIT_FAILURE;
-    }
     shell::chooseRenderer();
+    const auto lock = shell::waitForFolder(
+        folder, options.language.isEmpty() ? configuration.text("display.language") : options.language);
+    if (!lock)
+        return EXIT_FAILURE;
     const shell::TerminationSignals terminationSignals;
     int code = restartCode;
     while (code == restartCode)

@@ -103,19 +103,19 @@ Samples sample(const MotionProfile& motion, std::size_t intervals, const Machine
     samples.positions.resize(intervals + 1);
     Walker walker(motion);
     const MotionPoint first = walker.at(0);
-    double least = 0;
-    double most = 0;
+    double minUnits = 0;
+    double maxUnits = 0;
     for (std::size_t i = 0; i <= intervals; ++i) {
         const double position =
             units * (walker.at(intervalS * static_cast<double>(i)).positionMm - first.positionMm);
         samples.positions[i] = position;
-        least = std::min(least, position);
-        most = std::max(most, position);
+        minUnits = std::min(minUnits, position);
+        maxUnits = std::max(maxUnits, position);
     }
     const Segment& end = motion.segments().back();
     const MotionPoint last = end.at(end.endS());
-    const bool isPeriodic =
-        use == CamUse::Repeats && continuesAtWrap(first, last, motion.durationS(), (most - least) / units);
+    const bool isPeriodic = use == CamUse::Repeats &&
+                            continuesAtWrap(first, last, motion.durationS(), (maxUnits - minUnits) / units);
     samples.slopes =
         unitSplineSlopes(samples.positions, isPeriodic ? SplineEnds::Periodic : SplineEnds::Clamped,
                          {units * first.velocityMmPerS * intervalS, units * last.velocityMmPerS * intervalS});
@@ -131,18 +131,18 @@ std::int32_t rounded(double value)
 std::optional<Refusal> findTooFast(const CamTable& table, double durationS, const Machine& machine)
 {
     const double intervalS = durationS / static_cast<double>(table.rows.size() - 1);
-    std::int64_t most = 0;
+    std::int64_t maxStep = 0;
     std::size_t worst = 0;
     for (std::size_t i = 0; i + 1 < table.rows.size(); ++i) {
         const std::int64_t step =
             std::abs(std::int64_t{table.rows[i + 1].position256} - table.rows[i].position256);
-        if (step <= most)
+        if (step <= maxStep)
             continue;
-        most = step;
+        maxStep = step;
         worst = i;
     }
     // Both positions are rounded by up to half a unit.
-    const double needed = static_cast<double>(most - 1) / camUnitsPerPulse / intervalS;
+    const double needed = static_cast<double>(maxStep - 1) / camUnitsPerPulse / intervalS;
     const double allowed = pulseFrequencyLimitHz(machine);
     if (needed <= allowed * (1 + detail::limitTolerance))
         return std::nullopt;
@@ -175,11 +175,11 @@ tl::expected<CamTable, Refusal> buildCamTable(const MotionProfile& motion, int i
     table.cycleTicks = static_cast<std::uint32_t>(ticks);
     table.advance = *advance;
     table.rows.resize(samples.positions.size());
-    constexpr double most = std::numeric_limits<std::int32_t>::max();
+    constexpr double maxRaw = std::numeric_limits<std::int32_t>::max();
     for (std::size_t i = 0; i < table.rows.size(); ++i) {
         const double larger = std::max(std::abs(samples.positions[i]), std::abs(samples.slopes[i]));
-        if (!(larger <= most))
-            return tl::unexpected(tooLarge(Field::PulsesPerMotorRev, larger, most));
+        if (!(larger <= maxRaw))
+            return tl::unexpected(tooLarge(Field::PulsesPerMotorRev, larger, maxRaw));
         table.rows[i] = {rounded(samples.positions[i]), rounded(samples.slopes[i])};
     }
     if (auto refusal = findTooFast(table, motion.durationS(), machine))

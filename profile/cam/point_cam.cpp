@@ -48,26 +48,26 @@ std::array<std::optional<double>, 2> turningPoints(const SplinePiece& piece)
 
 std::optional<Refusal> findOvershoot(const PointCamProgram& program)
 {
-    double least = program.knots.front().slaveMm;
-    double most = least;
+    double minMm = program.knots.front().slaveMm;
+    double maxMm = minMm;
     for (const Knot& knot : program.knots) {
-        least = std::min(least, knot.slaveMm);
-        most = std::max(most, knot.slaveMm);
+        minMm = std::min(minMm, knot.slaveMm);
+        maxMm = std::max(maxMm, knot.slaveMm);
     }
     std::optional<Refusal> worst;
-    double worstExcess = overshootShare * (most - least);
+    double worstExcess = overshootShare * (maxMm - minMm);
     const Spline curve = camCurve(program);
     for (std::size_t i = 0; i < curve.pieces().size(); ++i) {
         const SplinePiece& piece = curve.pieces()[i];
         for (const std::optional<double> angle : turningPoints(piece)) {
-            const double reached = angle ? piece.at(*angle).value : least;
-            const double excess = std::max(reached - most, least - reached);
+            const double reached = angle ? piece.at(*angle).value : minMm;
+            const double excess = std::max(reached - maxMm, minMm - reached);
             if (excess <= worstExcess)
                 continue;
             worstExcess = excess;
             const std::size_t nearest = *angle - piece.start < piece.width / 2 ? i : i + 1;
-            worst = detail::indexedRefusal(Limit::Overshoot, nearest, reached, reached > most ? most : least,
-                                           "mm");
+            worst = detail::indexedRefusal(Limit::Overshoot, nearest, reached,
+                                           reached > maxMm ? maxMm : minMm, "mm");
             worst->angleDeg = angle;
             worst->timeS = detail::timeOfAngleS(program, *angle);
         }

@@ -10,10 +10,10 @@ namespace {
 
 double slaveSpanMm(const PointCamProgram& program)
 {
-    const auto [least, most] =
+    const auto [min, max] =
         std::minmax_element(program.knots.begin(), program.knots.end(),
                             [](const Knot& a, const Knot& b) { return a.slaveMm < b.slaveMm; });
-    return most->slaveMm - least->slaveMm;
+    return max->slaveMm - min->slaveMm;
 }
 
 bool isMeantToBeClosed(const PointCamProgram& program)

@@ -12,9 +12,9 @@ namespace {
 using detail::angleToleranceDeg;
 using detail::indexedRefusal;
 
-double nearestWithin(double value, double least, double most)
+double nearestWithin(double value, double min, double max)
 {
-    return std::isfinite(value) ? std::clamp(value, least, most) : std::max(least, 0.0);
+    return std::isfinite(value) ? std::clamp(value, min, max) : std::max(min, 0.0);
 }
 
 std::optional<Refusal> checkPlaces(std::span<const Knot> knots)

@@ -196,10 +196,10 @@ std::optional<Node> RowSearch::follow(const Node& from, std::int64_t pulses, dou
         else if (!isHeld && rounding == Rounding::Down)
             acceleration = std::floor(exact);
         const double squares = change * (static_cast<double>(row.firstSpeed) + row.lastSpeed);
-        const double least = std::ceil(squares / (std::ldexp(2 * whole, m_rules.fractionBits)));
+        const double minAcceleration = std::ceil(squares / (std::ldexp(2 * whole, m_rules.fractionBits)));
         acceleration = std::max(1.0, acceleration);
         if (isHeld || rounding == Rounding::Keep)
-            acceleration = std::max(acceleration, least);
+            acceleration = std::max(acceleration, minAcceleration);
         if (!(std::max(acceleration, whole) <= max))
             return std::nullopt;
         row.acceleration = static_cast<std::uint32_t>(acceleration);

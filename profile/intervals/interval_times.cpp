@@ -24,14 +24,14 @@ tl::expected<ScaledInterval, Refusal> intervalRow(std::uint32_t pulses, double f
     const double first = std::round(firstHz * k * unit);
     const double last = std::round(lastHz * k * unit);
     const double acceleration = std::round(accelerationHzPerS * k * k * unit);
-    constexpr double most = std::numeric_limits<std::uint32_t>::max();
+    constexpr double maxRaw = std::numeric_limits<std::uint32_t>::max();
     for (const double value : {first, last, acceleration}) {
-        if (value >= 1 && value <= most)
+        if (value >= 1 && value <= maxRaw)
             continue;
         Refusal refusal;
         refusal.limit = Limit::TableRange;
         refusal.actual = value;
-        refusal.allowed = most;
+        refusal.allowed = maxRaw;
         return tl::unexpected(refusal);
     }
     scaled.row = {pulses, static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(last),

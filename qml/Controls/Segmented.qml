@@ -11,6 +11,7 @@ Rectangle {
 
     required property var choices
     required property var current
+    property bool stacked                  // signs stand above small texts
     signal chosen(var key)
 
     implicitHeight: Theme.size.touch
@@ -29,6 +30,7 @@ Rectangle {
                 readonly property bool holds: entry.key === segmented.current
                 readonly property color ink: !enabled ? Theme.color.disabledInk : holds ? Theme.color.touch : Theme.color.secondaryInk
                 objectName: entry.name ?? ""
+                text: entry.text ?? ""
                 width: segmented.width / segmented.choices.length
                 height: segmented.height
                 onClicked: segmented.chosen(entry.key)
@@ -39,25 +41,26 @@ Rectangle {
                 }
                 Item {
                     anchors.fill: parent
-                    Row {
+                    Grid {
                         anchors.centerIn: parent
-                        spacing: Theme.size.spacing
+                        columns: segmented.stacked ? 1 : 2
+                        spacing: segmented.stacked ? Theme.size.accent : Theme.size.spacing
+                        horizontalItemAlignment: Grid.AlignHCenter
+                        verticalItemAlignment: Grid.AlignVCenter
                         IconLabel {
                             id: sign
-                            anchors.verticalCenter: parent.verticalCenter
                             visible: code.length > 0
                             code: choice.entry.glyph ?? ""
                             color: choice.ink
                         }
                         Label {
-                            anchors.verticalCenter: parent.verticalCenter
                             visible: text.length > 0
-                            width: Math.min(implicitWidth, choice.width - 2 * Theme.size.accent - (sign.visible ? sign.width + Theme.size.spacing : 0))
+                            width: Math.min(implicitWidth, choice.width - 2 * Theme.size.accent - (sign.visible && !segmented.stacked ? sign.width + Theme.size.spacing : 0))
                             fontSizeMode: Text.HorizontalFit
                             minimumPixelSize: Theme.size.caption - 5
-                            text: choice.entry.text ?? ""
+                            text: choice.text
                             color: choice.ink
-                            font.weight: choice.holds ? Font.Bold : Font.DemiBold
+                            font { pixelSize: segmented.stacked ? Theme.size.caption : Theme.size.body; weight: choice.holds ? Font.Bold : Font.DemiBold }
                         }
                     }
                 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The inputs of every kind but the rotary cutter, from its tables: numbers, choices, law, knots, segments. Scrolls when it is longer
-// than the screen.
+// The inputs of every kind but the rotary cutter, from its tables: numbers, choices, law, knots, segments. What is longer
+// than the screen is shown group by group.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme
@@ -21,6 +21,29 @@ Item {
 
     readonly property int columns: Theme.size.fieldColumns
     readonly property real cell: (grid.width - (columns - 1) * grid.spacing) / columns
+    readonly property var groupNames: ({
+        move: qsTr("Move"), curve: qsTr("Curve"), master: qsTr("Master"), output: qsTr("Output"),
+        approach: qsTr("Approach"), press: qsTr("Press"), limits: qsTr("Limits")
+    })
+    readonly property bool hasLists: Editor.kind === Editor.Kind.PointCam || Editor.kind === Editor.Kind.SegmentCam
+    readonly property var shownFields: Array.from(Editor.fields).filter(field => field.visible)
+    readonly property var groups: Object.keys(groupNames).filter(key => shownFields.some(field => field.group === key)
+        || key === "curve" && (Editor.hasLaw || hasLists))
+    readonly property int rows: (Editor.hasLaw ? 1 : 0) + (hasLists ? 1 : 0) + Editor.choices.count + Math.ceil(shownFields.length / columns)
+    readonly property bool grouped: rows * (Theme.size.touch + Theme.size.spacing) - Theme.size.spacing > list.height
+    property int opened                    // as chosen by the finger; `shown` is among the groups
+    readonly property int shown: Math.min(opened, groups.length - 1)
+    readonly property int next: (shown + 1) % groups.length
+    readonly property string group: grouped ? groups[shown] : ""
+
+    function has(group: string): bool {
+        return !inputs.grouped || inputs.group === group
+    }
+
+    Connections {
+        target: Editor
+        function onKindChanged() { inputs.opened = 0 }
+    }
 
     Flickable {
         id: list
@@ -37,7 +60,7 @@ Item {
 
             SettingRow {
                 objectName: "lawButton"
-                visible: Editor.hasLaw
+                visible: Editor.hasLaw && inputs.has("curve")
                 width: body.width
                 label: Editor.lawTitle
                 value: Editor.lawName
@@ -45,7 +68,7 @@ Item {
             }
             SettingRow {
                 objectName: "knotsButton"
-                visible: Editor.kind === Editor.Kind.PointCam
+                visible: Editor.kind === Editor.Kind.PointCam && inputs.has("curve")
                 width: body.width
                 label: qsTr("Knots")
                 value: Editor.cam.knots.count
@@ -53,7 +76,7 @@ Item {
             }
             SettingRow {
                 objectName: "segmentsButton"
-                visible: Editor.kind === Editor.Kind.SegmentCam
+                visible: Editor.kind === Editor.Kind.SegmentCam && inputs.has("curve")
                 width: body.width
                 label: qsTr("Segments")
                 value: Editor.cam.segments.count
@@ -67,7 +90,9 @@ Item {
                     required property string valueText
                     required property list<string> options
                     required property int option
+                    required property string group
                     objectName: "choice" + index
+                    visible: inputs.has(group)
                     width: body.width
                     label: name
                     value: valueText
@@ -86,6 +111,7 @@ Item {
                         required property var modelData
                         objectName: "field_" + field.fieldId
                         field: modelData as EditorField
+                        visible: field.visible && inputs.has(field.group)
                         compact: inputs.columns > 1
                         width: inputs.cell
                         height: Theme.size.touch
@@ -100,10 +126,20 @@ Item {
     Button {
         id: moreButton
         objectName: "more"
-        anchors { left: parent.left; right: parent.right; bottom: parent.bottom }
+        anchors { right: parent.right; bottom: parent.bottom }
+        width: inputs.grouped ? Theme.size.touch : parent.width
         height: Theme.size.touch
         glyph: Theme.icon.more
-        text: qsTr("View and tools")
+        text: inputs.grouped ? "" : qsTr("View and tools")
         onClicked: inputs.moreRequested()
+    }
+    Button {
+        objectName: "nextGroup"
+        anchors { left: parent.left; right: moreButton.left; rightMargin: Theme.size.spacing; bottom: parent.bottom }
+        visible: inputs.grouped
+        height: Theme.size.touch
+        text: qsTr("Next: %1").arg(inputs.groupNames[inputs.groups[inputs.next]] ?? "")
+        note: qsTr("%1, %2 of %3").arg(inputs.groupNames[inputs.group] ?? "").arg(inputs.shown + 1).arg(inputs.groups.length)
+        onClicked: inputs.opened = inputs.next
     }
 }

@@ -123,6 +123,7 @@ Rectangle {
                         function onNumbersExplainRequested(quantities: var) { frame.openSheet(Qt.createComponent(frame.numbersExplained), { quantities: quantities }) }
                         function onExplanationsRequested(title: string, explanations: var) { frame.openSheet(Qt.createComponent(frame.numbersExplained), { heading: title, told: explanations }) }
                         function onSheetRequested(sheet: Component) { frame.openSheet(sheet, {}) }
+                        function onPageRequested(name: string) { frame.openPage(name) }
                     }
                     Binding {
                         target: loader.item

@@ -1049,6 +1049,42 @@ And %2 more.</source>
 <context>
     <name>KindInputs</name>
     <message>
+        <source>Move</source>
+        <translation>移动</translation>
+    </message>
+    <message>
+        <source>Curve</source>
+        <translation>曲线</translation>
+    </message>
+    <message>
+        <source>Master</source>
+        <translation>主轴</translation>
+    </message>
+    <message>
+        <source>Output</source>
+        <translation>输出</translation>
+    </message>
+    <message>
+        <source>Approach</source>
+        <translation>接近</translation>
+    </message>
+    <message>
+        <source>Press</source>
+        <translation>压装</translation>
+    </message>
+    <message>
+        <source>Limits</source>
+        <translation>限值</translation>
+    </message>
+    <message>
+        <source>Next: %1</source>
+        <translation>下一组：%1</translation>
+    </message>
+    <message>
+        <source>%1, %2 of %3</source>
+        <translation>%1，第 %2 / %3 组</translation>
+    </message>
+    <message>
         <source>Knots</source>
         <translation>型值点</translation>
     </message>
@@ -2153,8 +2189,12 @@ And %2 more.</source>
 <context>
     <name>RunEmpty</name>
     <message>
-        <source>The controller has no program yet. Open Motion and press Download.</source>
-        <translation>控制器中还没有程序。请打开“运动”并按“下载”。</translation>
+        <source>The controller has no program yet. Download one on the Motion page.</source>
+        <translation>控制器中还没有程序。请在“运动”页面下载。</translation>
+    </message>
+    <message>
+        <source>Open Motion</source>
+        <translation>打开“运动”</translation>
     </message>
 </context>
 <context>
@@ -2236,6 +2276,14 @@ And %2 more.</source>
     <message>
         <source>Connection to the controller</source>
         <translation>与控制器的通信</translation>
+    </message>
+    <message>
+        <source>Link</source>
+        <translation>通信</translation>
+    </message>
+    <message>
+        <source>Panel</source>
+        <translation>面板</translation>
     </message>
     <message>
         <source>Machine</source>
@@ -2762,6 +2810,17 @@ And %2 more.</source>
     <message>
         <source>Make continuous</source>
         <translation>使其连续</translation>
+    </message>
+</context>
+<context>
+    <name>FolderInUse</name>
+    <message>
+        <source>Another CamPanel uses the data in %1. Close the other one: this panel then starts.</source>
+        <translation>另一个 CamPanel 正在使用 %1 中的数据。关闭另一个后，本面板即启动。</translation>
+    </message>
+    <message>
+        <source>Close this window</source>
+        <translation>关闭本窗口</translation>
     </message>
 </context>
 </TS>

@@ -29,9 +29,9 @@ Page {
     ]
     readonly property var memory: [{ key: 0, name: "maintenanceBackup", text: qsTr("Backup"), source: "../Reports/BackupSection.qml" }]
     readonly property var groups: [
-        { key: 0, name: "maintenanceLine", text: "", glyph: Theme.icon.serialPort },
-        { key: 1, name: "maintenanceMachine", text: "", glyph: Theme.icon.machine },
-        { key: 2, name: "maintenancePanel", text: "", glyph: Theme.icon.save }
+        { key: 0, name: "maintenanceLine", text: qsTr("Link"), glyph: Theme.icon.serialPort },
+        { key: 1, name: "maintenanceMachine", text: qsTr("Machine"), glyph: Theme.icon.machine },
+        { key: 2, name: "maintenancePanel", text: qsTr("Panel"), glyph: Theme.icon.save }
     ]
     // With keys for gloves they do not fit beside the longest group: one key then opens the choice of groups.
     readonly property bool oneGroupKey: width < (groups.length + machine.length) * Theme.size.touch + Theme.size.spacing
@@ -40,26 +40,22 @@ Page {
 
     Segmented {
         id: groupKeys
-        visible: !page.oneGroupKey
         anchors { left: parent.left; top: parent.top }
-        width: page.groups.length * Theme.size.touch
+        width: choices.length * Theme.size.touch
         color: Theme.color.surface
-        choices: page.groups
+        stacked: true
+        choices: page.oneGroupKey ? [Object.assign({}, page.groups[page.group], { name: "maintenanceGroup" })] : page.groups
         current: page.group
-        onChosen: key => page.group = key
-    }
-    Button {
-        id: groupKey
-        objectName: "maintenanceGroup"
-        visible: page.oneGroupKey
-        anchors { left: parent.left; top: parent.top }
-        width: Theme.size.touch
-        glyph: page.groups[page.group].glyph
-        onClicked: page.sheetRequested(groupSheet)
+        onChosen: key => {
+            if (page.oneGroupKey)
+                page.sheetRequested(groupSheet)
+            else
+                page.group = key
+        }
     }
     Segmented {
         id: tabs
-        anchors { left: page.oneGroupKey ? groupKey.right : groupKeys.right; leftMargin: Theme.size.spacing; right: parent.right; top: parent.top }
+        anchors { left: groupKeys.right; leftMargin: Theme.size.spacing; right: parent.right; top: parent.top }
         color: Theme.color.surface
         choices: page.all[page.group]
         current: page.shown.key

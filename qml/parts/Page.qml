@@ -18,4 +18,5 @@ Item {
     // Requests one sheet with that title for a list of Explanation.
     signal explanationsRequested(string title, var explanations)
     signal sheetRequested(Component sheet)
+    signal pageRequested(string name)
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Run without a program: instructions for a first one.
+// Run without a program: the way to a first one.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme
@@ -10,6 +10,7 @@ Item {
     id: view
 
     property real bottomInset
+    signal pageRequested(string page)
     readonly property bool connected: Controller.connection === Controller.Connection.Connected
 
     Card {
@@ -28,9 +29,20 @@ Item {
                 width: parent.width
                 horizontalAlignment: Text.AlignHCenter
                 wrapMode: Text.WordWrap
-                text: view.connected ? qsTr("The controller has no program yet. Open Motion and press Download.") : Controller.connectionText
+                text: view.connected ? qsTr("The controller has no program yet. Download one on the Motion page.") : Controller.connectionText
                 color: Theme.color.secondaryInk
                 font.pixelSize: Theme.size.title
+            }
+            Button {
+                objectName: "openMotion"
+                anchors.horizontalCenter: parent.horizontalCenter
+                visible: view.connected
+                width: Math.max(implicitWidth, 3 * Theme.size.touch)
+                height: Theme.size.commandKey
+                kind: Button.Primary
+                glyph: Theme.icon.motion
+                text: qsTr("Open Motion")
+                onClicked: view.pageRequested("motion")
             }
         }
     }

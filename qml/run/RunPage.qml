@@ -23,6 +23,7 @@ Page {
         ignoreUnknownSignals: true
         function onExplainRequested(quantities: var) { page.numbersExplainRequested(quantities) }
         function onSheetRequested(sheet: Component) { page.sheetRequested(sheet) }
+        function onPageRequested(name: string) { page.pageRequested(name) }
     }
     Binding {
         target: Controller.torque

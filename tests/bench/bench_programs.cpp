@@ -7,6 +7,7 @@
 #include "app/program/program_kinds.h"
 #include "app/program/solved_program.h"
 #include "profile/cam/cam_table.h"
+#include "profile/intervals/intervals.h"
 #include "profile/laws/laws.h"
 
 #include <QProcess>
@@ -183,11 +184,35 @@ Figure slowestIntervals()
         "build the slowest move as intervals (" + name + ")", slowest * msPerS, 16, "ms", "one frame", true};
 }
 
+// Times a long move at almost the smallest speed error that whole pulses allow: hundreds of rows.
+Figure finestIntervals()
+{
+    constexpr double speedErrorMmPerS = 0.001;
+    program::Recipe recipe = program::defaultRecipe(profile::ProgramKind::PositionMove);
+    profile::PositionMoveProgram move;
+    move.law = profile::LawId::Harmonic;
+    move.distanceMm = 600;
+    move.timeS = 5;
+    move.execution = profile::Execution::Intervals;
+    recipe.program = move;
+    recipe.machine.pulsesPerMotorRev = 100'000;
+    const auto solved = program::solveProgram(recipe);
+    bool isBuilt = false;
+    const double time = secondsPerCall(1, [&] {
+        isBuilt = solved && profile::compileIntervals(solved->motion, solved->machine, speedErrorMmPerS,
+                                                      profile::IntervalMode::Corrected)
+                                .has_value();
+    });
+    if (!isBuilt)
+        throw std::runtime_error("the long move to be timed does not give intervals");
+    return {"intervals of a long move at the smallest speed error", time, 1, "s", "one second", true};
+}
+
 } // namespace
 
 Figures measurePrograms()
 {
-    return {slowestLaw(), camTable(), slowestPreview(), slowestIntervals()};
+    return {slowestLaw(), camTable(), slowestPreview(), slowestIntervals(), finestIntervals()};
 }
 
 } // namespace campanel::bench

@@ -26,7 +26,7 @@ ctl_mark_settings markSettings()
     settings.distance = sensor;
     settings.window = 10'000;
     settings.jump = 1000;
-    settings.most_difference = bag / 50;
+    settings.max_difference = bag / 50;
     settings.phase_gain = 250;
     settings.length_gain = 100;
     settings.missing_limit = 3;

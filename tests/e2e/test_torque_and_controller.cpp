@@ -75,11 +75,14 @@ program::Recipe recipeOf(ProgramKind kind)
 }
 
 // The torque that the drive reports over one cycle. A critically damped servo passes its command
-// through 1 / (1 + s / w)^2.
+// through 1 / (1 + s / w)^2. A command that steps by one pulse moves its speed by up to w / e pulses: below
+// that, friction may have either sign.
 class ServoModel {
 public:
-    ServoModel(const profile::MotionProfile& motion, const profile::TorqueLoad& load, bool isRepeated)
+    ServoModel(const profile::MotionProfile& motion, const profile::TorqueLoad& load, double pulsesPerMm,
+               bool isRepeated)
     {
+        const double pulseMmPerS = servoRadPerS / std::numbers::e / pulsesPerMm;
         constexpr int cycles = 2; // the first one settles
         const double cycleS = motion.durationS();
         const double h = cycleS / steps;
@@ -97,8 +100,12 @@ public:
             v2 += share * (v1 - v2);
             if (i >= (isRepeated ? (cycles - 1) * steps : 0)) {
                 const double predicted = load.at(p.velocityMmPerS, p.accelerationMmPerS2);
-                m_percent.push_back(100 * load.at(v2, a2) / ratedNm);
-                m_largest = std::max(m_largest, std::abs(m_percent.back() - 100 * predicted / ratedNm));
+                const double percent = 100 * load.at(v2, a2) / ratedNm;
+                const double reversed = 100 * load.at(-v2, a2) / ratedNm;
+                const bool isNearRest = std::abs(v2) <= pulseMmPerS;
+                m_low.push_back(isNearRest ? std::min(percent, reversed) : percent);
+                m_high.push_back(isNearRest ? std::max(percent, reversed) : percent);
+                m_largest = std::max(m_largest, std::abs(percent - 100 * predicted / ratedNm));
             }
         }
     }
@@ -110,14 +117,16 @@ public:
         const auto place = [](double deg) {
             return std::clamp(static_cast<int>(deg / 360 * steps), 0, steps - 1);
         };
-        const auto [low, high] = std::minmax_element(m_percent.begin() + place(angleDeg - marginDeg),
-                                                     m_percent.begin() + place(angleDeg + marginDeg) + 1);
-        return {*low, *high};
+        const int first = place(angleDeg - marginDeg);
+        const int end = place(angleDeg + marginDeg) + 1;
+        return {*std::min_element(m_low.begin() + first, m_low.begin() + end),
+                *std::max_element(m_high.begin() + first, m_high.begin() + end)};
     }
 
 private:
     static constexpr int steps = 40'000;
-    std::vector<double> m_percent;
+    std::vector<double> m_low;
+    std::vector<double> m_high;
     double m_largest = 0;
 };
 
@@ -168,7 +177,8 @@ void TestTorqueAndController::measuredIsWhatTheServoDoes()
     QVERIFY(solved.has_value());
     const bool isRepeated = recipe.isCutter() || recipe.kind() == ProgramKind::PointCam;
     const auto* cam = std::get_if<profile::PointCamProgram>(&recipe.program);
-    const ServoModel servo(cam ? profile::forwardMotion(*cam) : solved->motion, solved->load, isRepeated);
+    const ServoModel servo(cam ? profile::forwardMotion(*cam) : solved->motion, solved->load,
+                           solved->pulsesPerMm, isRepeated);
     // The command comes in whole pulses: a step of one is an acceleration of w^2 pulses, until the axis
     // follows.
     const double radPerPulse = 2 * std::numbers::pi / recipe.machine.pulsesPerMotorRev;

@@ -66,6 +66,8 @@ TestWindow::TestWindow(const Variant& variant)
               [](const panel::Recipes& recipes) { return recipes.ready(); });
 }
 
+constexpr int maxInputGroups = 7;
+
 void TestWindow::tap(const QString& name)
 {
     const QStringList groups{QStringLiteral("maintenanceLine"), QStringLiteral("maintenanceMachine"),
@@ -75,6 +77,10 @@ void TestWindow::tap(const QString& name)
         TouchDriver::tap(QStringLiteral("choice_%1").arg(groups.indexOf(name)));
         return;
     }
+    // An input of another group is behind the key to the next one.
+    const QString nextGroup = QStringLiteral("nextGroup");
+    for (int turn = 0; turn < maxInputGroups && !find(name) && find(nextGroup); ++turn)
+        TouchDriver::tap(nextGroup);
     const QString navigation = QStringLiteral("nav_");
     if (!name.startsWith(navigation) || find(name)) {
         TouchDriver::tap(name);

@@ -33,8 +33,8 @@ public:
 
     using TouchDriver::tap;
     // Taps an item, also one behind a menu. A page without a key in the navigation, as in glove mode on a
-    // small screen, is behind the key More. A group of Service without a key is behind the key for all
-    // groups.
+    // small screen, is behind the key More. A group of Maintenance without a key is behind the key for all
+    // groups, and an input of another group is behind the key to the next one.
     void tap(const QString& name);
     // Updates the age of the machine's data, as its timer does every tenth of a real second.
     void checkClock();

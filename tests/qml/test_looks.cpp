@@ -95,12 +95,13 @@ private slots:
         m_window->panel().settings().setGloves(true);
         m_window->settle();
         QVERIFY(!m_window->find(QStringLiteral("maintenancePanel")));
+        QCOMPARE(textOf("maintenanceGroup"), QStringLiteral("Machine"));
         tap("maintenanceGroup");
         tap("choice_2");
         QVERIFY(m_window->find(QStringLiteral("maintenanceBackup")));
         m_window->panel().settings().setGloves(false);
         m_window->settle();
-        QVERIFY(m_window->find(QStringLiteral("maintenancePanel")));
+        QCOMPARE(textOf("maintenancePanel"), QStringLiteral("Panel"));
         QVERIFY(!m_window->find(QStringLiteral("maintenanceGroup")));
     }
 

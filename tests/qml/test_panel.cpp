@@ -442,6 +442,16 @@ private slots:
         QVERIFY(!m_window->find(QStringLiteral("banner")));
     }
 
+    // Power-on with an empty controller: the next step is a key on Run, Motion and the sheet.
+    void withoutAProgramTheNextStepIsAKey()
+    {
+        m_window->link().show(campanel::looks::DemoLink::Situation::Empty);
+        m_window->settle();
+        for (const char* name : {"nav_run", "openMotion", "nextStep"})
+            tap(name);
+        QVERIFY(m_window->find(QStringLiteral("downloadStart")));
+    }
+
     void homeIsOfferedWhenTheControllerTakesIt()
     {
         m_window->link().show(campanel::looks::DemoLink::Situation::Empty);

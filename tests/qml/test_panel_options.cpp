@@ -1,12 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 // The refusals of the panel's command line: one sentence, exit code 2, and no window. The selection of the
 // self-test.
+#include "app/shell/folder_wait.h"
 #include "tests/support/places.h"
 #include "tests/support/test_program.h"
 
+#include <QGuiApplication>
 #include <QProcess>
 #include <QRegularExpression>
+#include <QTemporaryDir>
 #include <QTest>
+#include <QTimer>
+#include <QWindow>
+
+#include <memory>
 
 namespace test_panel_options {
 
@@ -48,6 +55,48 @@ private slots:
         QCOMPARE(panel.exitCode(), 2);
         const QString said = QString::fromUtf8(panel.readAllStandardError());
         QVERIFY2(said.endsWith(sentence), qPrintable(said));
+    }
+
+    void aSecondPanelWaitsForTheFirst()
+    {
+        const QTemporaryDir home;
+        const QString folder = home.filePath(QStringLiteral("campanel/campanel"));
+        auto first = std::make_unique<campanel::store::FolderLock>(folder);
+        QVERIFY(!first->isHeldByAnother());
+        QProcess panel;
+        QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+        environment.insert(QStringLiteral("QT_QPA_PLATFORM"), QStringLiteral("offscreen"));
+        for (const char* place : {"XDG_DATA_HOME", "XDG_CONFIG_HOME", "XDG_STATE_HOME"})
+            environment.insert(QString::fromLatin1(place), home.path());
+        panel.setProcessEnvironment(environment);
+        panel.start(campanel::test::programPath("campanel"), {QStringLiteral("--announce-first-frame")});
+        QByteArray said;
+        QTRY_VERIFY_WITH_TIMEOUT((said += panel.readAllStandardError()).contains("another CamPanel uses"),
+                                 20'000);
+        QCOMPARE(panel.state(), QProcess::Running);
+        first.reset();
+        said.clear();
+        QTRY_VERIFY_WITH_TIMEOUT((said += panel.readAllStandardOutput()).contains("first frame"), 20'000);
+        panel.terminate();
+        QVERIFY(panel.waitForFinished());
+        QCOMPARE(panel.exitCode(), 0);
+    }
+
+    void theWaitIsSeenAndIsClosed()
+    {
+        const QTemporaryDir home;
+        const campanel::store::FolderLock first(home.path());
+        QString text;
+        QTimer::singleShot(200, this, [&text] {
+            auto* window = QGuiApplication::topLevelWindows().value(0);
+            auto* label = window ? window->findChild<QObject*>(QStringLiteral("bannerText")) : nullptr;
+            text = label ? label->property("text").toString() : QStringLiteral("no text");
+            if (window)
+                window->close();
+        });
+        QVERIFY(!campanel::shell::waitForFolder(home.path(), QStringLiteral("en")));
+        QVERIFY2(text.contains(QStringLiteral("Another CamPanel uses the data in ") + home.path()),
+                 qPrintable(text));
     }
 
     void selfTestOpensEveryPage()

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Random recipes of any kind for tests: every field, choice, law parameter and knot, about half of them
-// within the limits of their machine.
+// Random recipes of any kind for tests: every field, choice, law parameter, knot and segment, about half of
+// them within the limits of their machine.
 #pragma once
 
 #include "app/program/recipe.h"
 #include "profile/laws/laws.h"
+#include "profile/segments/segment_edit.h"
 
 #include <algorithm>
 #include <cmath>
@@ -44,6 +45,8 @@ public:
             choose(recipe, choice);
         if (auto* cam = std::get_if<profile::PointCamProgram>(&recipe.program))
             cam->knots = knots();
+        if (auto* cam = std::get_if<profile::SegmentCamProgram>(&recipe.program))
+            cam->segments = segments();
         if (auto* press = std::get_if<profile::PressProgram>(&recipe.program)) {
             if (press->minStopForceN > press->maxStopForceN)
                 std::swap(press->minStopForceN, press->maxStopForceN);
@@ -153,6 +156,29 @@ private:
             knots.push_back({deg, rise});
         }
         return knots;
+    }
+
+    // Returns a closed cam of dwells, laws and polynomials that start and end at rest.
+    std::vector<profile::CamSegment> segments()
+    {
+        const int count = 2 + below(7);
+        std::vector<profile::CamSegment> segments;
+        for (int i = 0; i < count; ++i) {
+            profile::CamSegment segment;
+            segment.fromDeg = i == 0 ? 0 : segments.back().toDeg;
+            segment.toDeg = i + 1 == count ? 360 : 360.0 * (i + between(0.8, 1.2)) / count;
+            segment.endMm = i + 1 == count ? 0 : between(-10, 10);
+            const auto motions = profile::segmentMotions();
+            const profile::SegmentMotionInfo* motion = &motions[0];
+            do
+                motion = &motions[static_cast<std::size_t>(below(static_cast<int>(motions.size())))];
+            while (motion->motion == profile::SegmentMotion::ConstantSpeed);
+            segment.motion = motion->motion;
+            if (motion->law != nullptr)
+                segment.lawParameters = profile::defaultParameters(*motion->law);
+            segments.push_back(segment);
+        }
+        return profile::onSegmentGrid(segments);
     }
 
     std::mt19937 m_random;

@@ -60,6 +60,8 @@ AlarmWatch::AlarmWatch(Controller& machine, Editor& editor, DatabaseService& rec
 
 void AlarmWatch::begin()
 {
+    if (!m_settings.notice().isEmpty())
+        raiseEvent(AlarmCatalogue::settingsDamaged(), m_settings.notice());
     noteRecipe();
     noteController();
     noteLink();

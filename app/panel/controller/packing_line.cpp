@@ -54,7 +54,7 @@ void PackingLine::noteConnection()
 // Resets the last bag: it was begun under another program, and the next reading identifies it.
 void PackingLine::noteProgram()
 {
-    m_toldBag.reset();
+    m_lastReportedBag.reset();
     for (Parameter* parameter : {&m_sensor, &m_window})
         parameter->doubt(); // its download may have written them
     askWhenIdle();
@@ -82,7 +82,7 @@ void PackingLine::readSetup()
 void PackingLine::forget()
 {
     m_status.reset();
-    m_toldBag.reset();
+    m_lastReportedBag.reset();
     emit changed();
 }
 
@@ -113,19 +113,19 @@ void PackingLine::takeRead(const link::ReadOutcome& outcome)
     m_status = modbus::decodePacker(outcome.registers);
     m_receivedAt = outcome.receivedAt;
     m_wasFresh = true;
-    tellBags();
+    reportBags();
     emit changed();
 }
 
 // Reports the new bags. After a restart the controller counts from the start.
-void PackingLine::tellBags()
+void PackingLine::reportBags()
 {
-    const bool hasRestarted = m_toldBag && *m_toldBag > m_status->bagNumber;
-    const bool isFirst = !m_toldBag || hasRestarted;
-    const std::uint32_t told = isFirst ? m_status->bagNumber : *m_toldBag;
-    m_toldBag = m_status->bagNumber;
+    const bool hasRestarted = m_lastReportedBag && *m_lastReportedBag > m_status->bagNumber;
+    const bool isFirst = !m_lastReportedBag || hasRestarted;
+    const std::uint32_t lastReported = isFirst ? m_status->bagNumber : *m_lastReportedBag;
+    m_lastReportedBag = m_status->bagNumber;
     for (const modbus::BagRecord& bag : m_status->bags) {
-        if (bag.number > told)
+        if (bag.number > lastReported)
             emit bagRecorded(bag);
     }
 }

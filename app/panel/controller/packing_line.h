@@ -139,7 +139,7 @@ private:
     void ask();
     void readSetup();
     void takeRead(const link::ReadOutcome& outcome);
-    void tellBags();
+    void reportBags();
     void forget();
     template <typename T> [[nodiscard]] double number(T modbus::PackerStatus::*member) const
     {
@@ -155,7 +155,7 @@ private:
     link::SteadyTime m_askedAt;
     bool m_isAsked = false;
     bool m_wasFresh = false;
-    std::optional<std::uint32_t> m_toldBag;
+    std::optional<std::uint32_t> m_lastReportedBag;
 };
 
 } // namespace campanel::panel

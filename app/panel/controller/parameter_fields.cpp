@@ -31,7 +31,7 @@ void ParameterFields::setFields(std::vector<Field> fields)
     m_fields = std::move(fields);
     m_selected = -1;
     for (const Field& field : m_fields)
-        connect(field.parameter, &Parameter::changed, this, &ParameterFields::tell);
+        connect(field.parameter, &Parameter::changed, this, &ParameterFields::notifyChange);
     endResetModel();
 }
 
@@ -103,7 +103,7 @@ void ParameterFields::takeCommand(const link::CommandOutcome& outcome)
     emit changed();
 }
 
-void ParameterFields::tell()
+void ParameterFields::notifyChange()
 {
     updateValue();
     if (!m_fields.empty())
@@ -114,7 +114,7 @@ void ParameterFields::tell()
 void ParameterFields::retranslate()
 {
     m_outcome.clear();
-    tell();
+    notifyChange();
 }
 
 void ParameterFields::select(int row)

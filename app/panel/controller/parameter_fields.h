@@ -84,7 +84,7 @@ protected:
     [[nodiscard]] Controller& machine() const { return m_machine; }
     void setFields(std::vector<Field> fields);
     [[nodiscard]] Field& find(std::string_view name);
-    void tell();
+    void notifyChange();
 
     [[nodiscard]] virtual QString label(const Field& field) const = 0;
     // Returns the texts of the choices; Off and On unless overridden.

@@ -143,6 +143,7 @@ void Editor::connectFields()
         const Field field = info.field;
         auto* item = new EditorField(fieldId(field), this);
         item->setNeededLevel(levelFor(field));
+        item->setGroup(inputGroup(field));
         m_fields[static_cast<std::size_t>(field)] = item;
         connect(item, &EditorField::setRequested, this, [this, field](double value) {
             edit(levelFor(field), [&](program::Recipe& recipe) {
@@ -428,19 +429,6 @@ void Editor::show()
     emit solutionChanged();
     emit historyChanged();
     emit recipeChanged();
-}
-
-// Tells the controller's figures the machine data of the kind that is active.
-void Editor::shareMachine()
-{
-    const auto& program = m_machine.program();
-    const auto kind = program ? program->recipe.kind() : m_recipe.kind();
-    const auto known = m_machines.find(kind);
-    if (kind == m_recipe.kind())
-        m_machine.torque()->setMachineData(m_recipe.machine);
-    else
-        m_machine.torque()->setMachineData(known == m_machines.end() ? std::nullopt
-                                                                     : std::optional(known->second));
 }
 
 // Emits only when the fields themselves change: the list then creates its items again.

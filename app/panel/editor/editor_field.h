@@ -28,6 +28,8 @@ class EditorField : public campanel::panel::Value {
     QML_UNCREATABLE("Fields belong to the Editor")
 
     Q_PROPERTY(QString fieldId READ fieldId CONSTANT FINAL)
+    // The group of a program's input, empty for other numbers; see input_groups.h.
+    Q_PROPERTY(QString group READ group CONSTANT FINAL)
     // The level needed to change it, as Access.level.
     Q_PROPERTY(int neededLevel READ neededLevel CONSTANT FINAL)
     Q_PROPERTY(double value READ value NOTIFY changed FINAL)
@@ -42,6 +44,8 @@ public:
     EditorField(QString fieldId, QObject* parent);
 
     [[nodiscard]] QString fieldId() const { return m_fieldId; }
+    [[nodiscard]] QString group() const { return m_group; }
+    void setGroup(const QString& group) { m_group = group; }
     [[nodiscard]] int neededLevel() const { return static_cast<int>(m_neededLevel); }
     void setNeededLevel(Level level) { m_neededLevel = level; }
     [[nodiscard]] double value() const { return m_view.value; }
@@ -62,6 +66,7 @@ signals:
 
 private:
     QString m_fieldId;
+    QString m_group;
     Level m_neededLevel = Level::Technician;
     FieldView m_view;
 };

@@ -2,6 +2,7 @@
 // The persistent data of the Editor: the stored recipe, the working copy, and their versions.
 #include "app/panel/editor/editor.h"
 
+#include "app/panel/controller/controller.h"
 #include "app/panel/recipe/recipe_edit.h"
 
 #include <algorithm>
@@ -60,6 +61,19 @@ void Editor::keepWorkingCopy()
     m_keepTimer.stop();
     if (const auto kept = m_workingFile.save(m_recipe); !kept)
         showNotice(store::FileErrorText::describe(kept.error()));
+}
+
+// Sends the controller's figures the machine data of the kind that is active.
+void Editor::shareMachine()
+{
+    const auto& program = m_machine.program();
+    const auto kind = program ? program->recipe.kind() : m_recipe.kind();
+    const auto known = m_machines.find(kind);
+    if (kind == m_recipe.kind())
+        m_machine.torque()->setMachineData(m_recipe.machine);
+    else
+        m_machine.torque()->setMachineData(known == m_machines.end() ? std::nullopt
+                                                                     : std::optional(known->second));
 }
 
 } // namespace campanel::panel

@@ -34,23 +34,24 @@ int decimalsOf(int quantity)
 Explanation Explanations::wireShare() const
 {
     const Format format;
-    Explanation told;
-    told.title = tr("Line utilization");
-    told.value = Format::unknownText();
-    told.meaning = tr("Time of the frames on the wire at this baud rate, with the silent intervals of the "
-                      "standard, divided by the communication time. At 100 % no master could poll faster; "
-                      "the rest is time spent waiting for controller and adapter.");
-    told.formula = tr("time of the frames on the wire / communication time");
+    Explanation explanation;
+    explanation.title = tr("Line utilization");
+    explanation.value = Format::unknownText();
+    explanation.meaning =
+        tr("Time of the frames on the wire at this baud rate, with the silent intervals of the "
+           "standard, divided by the communication time. At 100 % no master could poll faster; "
+           "the rest is time spent waiting for controller and adapter.");
+    explanation.formula = tr("time of the frames on the wire / communication time");
     const auto& report = m_figures.report();
     const auto share = report ? report->figures.wireShare() : std::nullopt;
     if (!share)
-        return told;
-    told.value = format.number(100 * *share, 1);
-    told.unit = u"%"_s;
-    told.numbers = tr("%1 s / %2 s")
-                       .arg(format.number(secondsOf(report->figures.wireTime()), 2),
-                            format.number(secondsOf(report->figures.spentTime()), 2));
-    return told;
+        return explanation;
+    explanation.value = format.number(100 * *share, 1);
+    explanation.unit = u"%"_s;
+    explanation.numbers = tr("%1 s / %2 s")
+                              .arg(format.number(secondsOf(report->figures.wireTime()), 2),
+                                   format.number(secondsOf(report->figures.spentTime()), 2));
+    return explanation;
 }
 
 Explanation Explanations::answers(Topic quantity) const
@@ -60,60 +61,62 @@ Explanation Explanations::answers(Topic quantity) const
     const modbus::LatencyHistogram latency = report ? report->figures.latency() : modbus::LatencyHistogram();
     const bool isKnown = latency.count() > 0;
     const auto count = static_cast<double>(latency.count());
-    Explanation told;
-    told.value = Format::unknownText();
+    Explanation explanation;
+    explanation.value = Format::unknownText();
     const auto take = [&](std::chrono::microseconds time) {
         if (!isKnown)
             return;
-        told.value = format.number(millisecondsOf(time), 1);
-        told.unit = tr("ms");
+        explanation.value = format.number(millisecondsOf(time), 1);
+        explanation.unit = tr("ms");
     };
     if (quantity == AnswersLongest) {
-        told.title = tr("Maximum response time");
-        told.meaning =
+        explanation.title = tr("Maximum response time");
+        explanation.meaning =
             tr("Time from sending the request to the last byte of the response. This is one single response, "
                "perhaps hours ago: the percentages describe normal operation better.");
-        told.formula = tr("maximum since the last reset of the counters");
+        explanation.formula = tr("maximum since the last reset of the counters");
         take(latency.maximum());
-        return told;
+        return explanation;
     }
     const int percent = quantity == AnswersHalf ? 50 : quantity == Answers95 ? 95 : 99;
-    told.title = quantity == AnswersHalf ? tr("50 % of responses within")
-                                         : tr("%1 % of responses within").arg(percent);
-    told.meaning =
+    explanation.title = quantity == AnswersHalf ? tr("50 % of responses within")
+                                                : tr("%1 % of responses within").arg(percent);
+    explanation.meaning =
         quantity == AnswersHalf
             ? tr("Time from sending the request to the last byte of the response, both frames on the wire "
                  "included. Counted since the start of the panel or the last reset of the counters.")
             : tr("%1 of 100 responses took at most this time.").arg(percent);
-    told.formula = tr("all responses sorted by time: value at %1 % of their number, up to 6.25 % too high, "
-                      "never too low")
-                       .arg(percent);
+    explanation.formula =
+        tr("all responses sorted by time: value at %1 % of their number, up to 6.25 % too high, "
+           "never too low")
+            .arg(percent);
     take(latency.percentile(percent / 100.0));
     if (isKnown)
-        told.numbers =
+        explanation.numbers =
             tr("time of response %1 of %2")
                 .arg(format.grouped(std::ceil(count * percent / 100.0), 0), format.grouped(count, 0));
-    return told;
+    return explanation;
 }
 
 Explanation Explanations::answerAllowance() const
 {
     const Format format;
     const auto& report = m_figures.report();
-    Explanation told;
-    told.title = tr("Response timeout");
-    told.value = Format::unknownText();
-    told.meaning = tr("Waiting time for a response, in addition to both frames on the wire. The panel adapts "
-                      "this time to controller and adapter, and doubles it without a response.");
-    told.formula = tr("%1 × the time in which 99 % of the last responses started, from %2 to %3 ms")
-                       .arg(modbus::AnswerAllowance::margin)
-                       .arg(modbus::AnswerAllowance::shortest.count())
-                       .arg(modbus::AnswerAllowance::longest.count());
+    Explanation explanation;
+    explanation.title = tr("Response timeout");
+    explanation.value = Format::unknownText();
+    explanation.meaning =
+        tr("Waiting time for a response, in addition to both frames on the wire. The panel adapts "
+           "this time to controller and adapter, and doubles it without a response.");
+    explanation.formula = tr("%1 × the time in which 99 % of the last responses started, from %2 to %3 ms")
+                              .arg(modbus::AnswerAllowance::margin)
+                              .arg(modbus::AnswerAllowance::shortest.count())
+                              .arg(modbus::AnswerAllowance::longest.count());
     if (report && report->answerAllowance.count() > 0) {
-        told.value = format.number(static_cast<double>(report->answerAllowance.count()), 0);
-        told.unit = tr("ms");
+        explanation.value = format.number(static_cast<double>(report->answerAllowance.count()), 0);
+        explanation.unit = tr("ms");
     }
-    return told;
+    return explanation;
 }
 
 QVariantList Explanations::ofTrend(int lane) const
@@ -139,7 +142,7 @@ QVariantList Explanations::ofTrend(int lane) const
     mean.meaning = tr("Mean of all values recorded in the displayed time (n = %1).").arg(values);
     mean.formula = tr("sum of the values / n");
     mean.numbers = u"%1 / %2"_s.arg(format.grouped(average * count, decimals), values);
-    QVariantList told{QVariant::fromValue(mean)};
+    QVariantList explanation{QVariant::fromValue(mean)};
 
     const double deviation = found.value(u"scatter"_s).toDouble();
     Explanation scatter;
@@ -151,7 +154,7 @@ QVariantList Explanations::ofTrend(int lane) const
     if (std::isfinite(deviation))
         scatter.numbers =
             u"√(%1 / (%2 − 1))"_s.arg(format.compact(deviation * deviation * (count - 1), 2, 4), values);
-    told << QVariant::fromValue(scatter);
+    explanation << QVariant::fromValue(scatter);
 
     Explanation ends;
     ends.title = tr("Minimum and maximum");
@@ -162,10 +165,10 @@ QVariantList Explanations::ofTrend(int lane) const
     ends.meaning = tr("Minimum and maximum are single values. The curve shows the mean of each column, the "
                       "pale band its minimum and maximum.");
     ends.formula = tr("minimum … maximum of the n values");
-    told << QVariant::fromValue(ends);
+    explanation << QVariant::fromValue(ends);
 
     if (quantity > Trends::Deviation)
-        return told;
+        return explanation;
     const double share = found.value(u"within"_s).toDouble();
     Explanation within;
     within.title = tr("Within the tolerance");
@@ -174,7 +177,7 @@ QVariantList Explanations::ofTrend(int lane) const
     within.meaning = tr("Each bag is compared with the tolerance that was valid at its production.");
     within.formula = tr("bags with a deviation within the tolerance / n");
     within.numbers = u"%1 / %2"_s.arg(format.grouped(std::round(share * count), 0), values);
-    return told << QVariant::fromValue(within);
+    return explanation << QVariant::fromValue(within);
 }
 
 QVariantList Explanations::ofTrendCursor(int lane, const QList<double>& values) const
@@ -191,14 +194,15 @@ QVariantList Explanations::ofTrendCursor(int lane, const QList<double>& values) 
     const QString width = columnMs >= msPerHour     ? tr("%1 h").arg(columnMs / msPerHour)
                           : columnMs >= msPerMinute ? tr("%1 min").arg(columnMs / msPerMinute)
                                                     : tr("%1 s").arg(columnMs / msPerSecond);
-    Explanation told;
-    told.title = tr("Mean at the cursor");
-    told.value = format.number(values[1], decimals);
-    told.unit = trendUnit(quantity);
-    told.meaning = tr("One column of the curves covers %1. At the cursor the minimum was %2, the maximum %3.")
-                       .arg(width, format.number(values[0], decimals), format.number(values[2], decimals));
-    told.formula = tr("sum of the column's values / number of values");
-    return {QVariant::fromValue(told)};
+    Explanation explanation;
+    explanation.title = tr("Mean at the cursor");
+    explanation.value = format.number(values[1], decimals);
+    explanation.unit = trendUnit(quantity);
+    explanation.meaning =
+        tr("One column of the curves covers %1. At the cursor the minimum was %2, the maximum %3.")
+            .arg(width, format.number(values[0], decimals), format.number(values[2], decimals));
+    explanation.formula = tr("sum of the column's values / number of values");
+    return {QVariant::fromValue(explanation)};
 }
 
 QString Explanations::trendUnit(int quantity)

@@ -26,7 +26,7 @@ QString Format::number(double value, int decimals) const
     if (!std::isfinite(value))
         return unknownText();
     if (std::abs(value) >= withExponentFrom)
-        return withMinus(m_locale.toString(value, 'g', QLocale::FloatingPointShortest), m_locale);
+        return withMinus(m_locale.toString(value, 'G', QLocale::FloatingPointShortest), m_locale);
     // A rounded negative zero would read as "-0.0".
     const double step = std::pow(10.0, -decimals);
     return withMinus(m_locale.toString(std::abs(value) < step / 2 ? 0.0 : value, 'f', decimals), m_locale);

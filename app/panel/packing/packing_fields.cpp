@@ -93,7 +93,7 @@ void PackingFields::suggest(const std::optional<GainSuggestion>& gains, int bags
     m_bags = bags;
     find("parameter.phase_gain").suggestion = gains ? std::optional(gains->phaseGain) : std::nullopt;
     find("parameter.length_gain").suggestion = gains ? std::optional(gains->lengthGain) : std::nullopt;
-    tell();
+    notifyChange();
 }
 
 QString PackingFields::note(const Field& field) const

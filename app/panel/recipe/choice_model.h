@@ -3,6 +3,7 @@
 #pragma once
 
 #include "app/panel/kit/row_model.h"
+#include "app/panel/recipe/input_groups.h"
 #include "app/program/recipe.h"
 
 #include <QStringList>
@@ -15,6 +16,7 @@ struct ChoiceRow {
     Q_PROPERTY(QString valueText READ valueText)
     Q_PROPERTY(QStringList options MEMBER options)
     Q_PROPERTY(int option MEMBER option)
+    Q_PROPERTY(QString group READ group)
 
 public:
     program::Choice choice = program::Choice::Law;
@@ -23,6 +25,7 @@ public:
     int option = 0;
 
     [[nodiscard]] static QList<ChoiceRow> rows(const program::Recipe& recipe);
+    [[nodiscard]] QString group() const { return inputGroup(choice); }
     [[nodiscard]] QString valueText() const { return options.value(option); }
     // Sets an option in the recipe, if there is one with this index.
     void apply(int index, program::Recipe& recipe) const;

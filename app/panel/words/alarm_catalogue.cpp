@@ -169,6 +169,10 @@ constexpr std::array kinds{
         QT_TRANSLATE_NOOP("AlarmCatalogue",
                           "The users were lost with the panel's database: only operators can work."),
         QT_TRANSLATE_NOOP("AlarmCatalogue", "Delete the file named in the detail. Then restore a backup.")},
+    AlarmKind{
+        "P-10", warning, runsOn, QT_TRANSLATE_NOOP("AlarmCatalogue", "Settings file damaged"),
+        QT_TRANSLATE_NOOP("AlarmCatalogue", "The settings file was damaged or missing."),
+        QT_TRANSLATE_NOOP("AlarmCatalogue", "Read the detail; check the settings, the connection first.")},
 };
 
 QString translated(const char* source)
@@ -307,6 +311,11 @@ const AlarmKind& AlarmCatalogue::recipeNotKept()
 const AlarmKind& AlarmCatalogue::settingsNotKept()
 {
     return known("P-08");
+}
+
+const AlarmKind& AlarmCatalogue::settingsDamaged()
+{
+    return known("P-10");
 }
 
 } // namespace campanel::panel

@@ -53,6 +53,7 @@ public:
     [[nodiscard]] static const AlarmKind& memoryDamaged(bool isFromCopy);
     [[nodiscard]] static const AlarmKind& recipeNotKept();
     [[nodiscard]] static const AlarmKind& settingsNotKept();
+    [[nodiscard]] static const AlarmKind& settingsDamaged();
 };
 
 } // namespace campanel::panel

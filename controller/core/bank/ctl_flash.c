@@ -16,14 +16,14 @@
 #define MAGIC_OF_MAP_1_1 0x43414D32u /* "CAM2" */
 #define PARAMETERS_OF_MAP_1_2 38u
 #define PARAMETERS_OF_MAP_1_1 10u
-#define MOST_PARAMETERS 256u
+#define MAX_PARAMETERS 256u
 #define BLANK 0xFFFFFFFFu
 #define FIXED_REGISTERS 6u
 #define HEAD_REGISTERS (FIXED_REGISTERS + CTL_GROUP_PARAMETER)
 #define PARAMETER_BYTES (CTL_GROUP_PARAMETER * sizeof(uint16_t))
 #define CHUNK_REGISTERS 32u
 
-_Static_assert(CTL_GROUP_PARAMETER <= MOST_PARAMETERS, "a slot holds all parameters");
+_Static_assert(CTL_GROUP_PARAMETER <= MAX_PARAMETERS, "a slot holds all parameters");
 _Static_assert(CTL_FLASH_HEAD_REGISTERS == HEAD_REGISTERS + 1u, "the head has the number of parameters, too");
 
 typedef struct {
@@ -79,7 +79,7 @@ static uint32_t read_parameter_count(slot_stream* stream, uint32_t magic)
     switch (magic) {
     case MAGIC:
         read_some(stream, &count, 1);
-        return count <= MOST_PARAMETERS ? count : 0;
+        return count <= MAX_PARAMETERS ? count : 0;
     case MAGIC_OF_MAP_1_2:
         return PARAMETERS_OF_MAP_1_2;
     case MAGIC_OF_MAP_1_1:

@@ -109,10 +109,10 @@ static uint32_t wrong_advance(const ctl_bank* bank, int64_t net_um)
     const int64_t length_nm = net_um * signed_wide(bank, CTL_OFFSET_CAM_SLAVE_SCALE);
     const int64_t feed_nm = (int64_t)NM_PER_UM * wide(bank, CTL_OFFSET_CAM_FEED);
     const int64_t per_revolution = wide(bank, CTL_OFFSET_CAM_PULSES_PER_MOTOR_REV);
-    const int64_t most_nm = INT64_MAX / 4 / per_revolution;
-    const int64_t most_pulses = INT64_MAX / 4 / feed_nm;
+    const int64_t max_nm = INT64_MAX / 4 / per_revolution;
+    const int64_t max_pulses = INT64_MAX / 4 / feed_nm;
     const int64_t pulses = signed_wide(bank, CTL_OFFSET_BANK_ADVANCE);
-    if (length_nm > most_nm || length_nm < -most_nm || pulses > most_pulses || pulses < -most_pulses)
+    if (length_nm > max_nm || length_nm < -max_nm || pulses > max_pulses || pulses < -max_pulses)
         return CTL_OFFSET_CAM_SLAVE_SCALE;
     const int64_t difference = pulses * feed_nm - length_nm * per_revolution;
     return difference <= feed_nm && -difference <= feed_nm ? CTL_NO_WRONG_INPUT : CTL_OFFSET_CAM_SLAVE_SCALE;

@@ -15,8 +15,8 @@
 /* The differences from layout to layout. */
 typedef struct {
     uint16_t row_registers;
-    uint16_t fewest_rows;
-    uint16_t most_rows;
+    uint16_t min_rows;
+    uint16_t max_rows;
     uint16_t kinds; /* bit n: program kind n may have it */
 } layout_info;
 
@@ -282,7 +282,7 @@ uint32_t ctl_bank_bad_header(const ctl_bank* bank, const ctl_config* config, uin
     if (kind > CTL_PROGRAM_KIND_LAST || (layout->kinds & CTL_PROGRAM_KINDS & 1u << kind) == 0)
         return CTL_OFFSET_BANK_KIND;
     const uint32_t rows = ctl_bank_row_count(bank);
-    if (rows < layout->fewest_rows || rows > layout->most_rows || ctl_bank_length(bank) != length ||
+    if (rows < layout->min_rows || rows > layout->max_rows || ctl_bank_length(bank) != length ||
         !fits_board(bank, config))
         return CTL_OFFSET_BANK_ROW_COUNT;
     const uint32_t per_revolution = wide(bank, kind_of(bank)->pulses_per_motor_rev);

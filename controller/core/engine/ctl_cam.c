@@ -11,7 +11,7 @@
 #define FRACTION_BITS 4u
 #define LARGEST_STEP ((int64_t)1 << 30)
 /* Keeps slope * intervals * ticks inside 64 bits. */
-#define MOST_HELD_TICKS ((uint32_t)1 << 20)
+#define MAX_HELD_TICKS ((uint32_t)1 << 20)
 
 typedef struct {
     int64_t position; /* 1/256 pulse from the first row */
@@ -71,12 +71,12 @@ static int64_t advance_units(const ctl_bank* bank)
 }
 
 /* Most units that the output stage gives in one interval, and one for the rounding of the rows. */
-static int64_t most_per_interval(const ctl_bank* bank, const ctl_config* config)
+static int64_t max_per_interval(const ctl_bank* bank, const ctl_config* config)
 {
     const uint64_t intervals = ctl_bank_row_count(bank) - 1u;
-    const uint64_t most = (uint64_t)UNITS_PER_PULSE * config->max_pulse_hz * ctl_bank_cycle_ticks(bank) /
-                          (intervals * config->timer_clock_hz);
-    return most < (uint64_t)LARGEST_STEP ? (int64_t)most + 1 : LARGEST_STEP;
+    const uint64_t max_units = (uint64_t)UNITS_PER_PULSE * config->max_pulse_hz * ctl_bank_cycle_ticks(bank) /
+                               (intervals * config->timer_clock_hz);
+    return max_units < (uint64_t)LARGEST_STEP ? (int64_t)max_units + 1 : LARGEST_STEP;
 }
 
 ctl_verdict ctl_cam_check(const ctl_bank* bank, const ctl_config* config, ctl_row_check* check, uint32_t rows)
@@ -86,11 +86,11 @@ ctl_verdict ctl_cam_check(const ctl_bank* bank, const ctl_config* config, ctl_ro
         return ctl_refuse(CTL_TRANSFER_RESULT_BAD_HEADER, bad_offset);
 
     const uint32_t count = ctl_bank_row_count(bank);
-    const int64_t most = most_per_interval(bank, config);
+    const int64_t max_step = max_per_interval(bank, config);
     for (uint32_t i = 0; i < rows && check->row < count; ++i, ++check->row) {
         const cam_row row = row_at(bank, check->row);
         const bool first_is_zero = check->row != 0 || row.position == 0;
-        if (!first_is_zero || magnitude(row.slope) > most || magnitude(row.position - check->last) > most)
+        if (!first_is_zero || magnitude(row.slope) > max_step || magnitude(row.position - check->last) > max_step)
             return ctl_refuse(CTL_TRANSFER_RESULT_BAD_ROW, check->row);
         check->last = row.position;
     }
@@ -169,7 +169,7 @@ static void hold(ctl_cam* cam, uint32_t ticks)
 {
     const int64_t per_tick = row_at(cam->bank, cam->intervals).slope * (int64_t)cam->intervals;
     while (ticks != 0) {
-        const uint32_t part = ticks < MOST_HELD_TICKS ? ticks : MOST_HELD_TICKS;
+        const uint32_t part = ticks < MAX_HELD_TICKS ? ticks : MAX_HELD_TICKS;
         const int64_t sum = per_tick * part + (int64_t)cam->hold_rest;
         const int64_t units = floor_divide(sum, cam->cycle_ticks);
         cam->hold_rest = (uint64_t)(sum - units * cam->cycle_ticks);
@@ -263,8 +263,9 @@ bool ctl_cam_settled(const ctl_cam* cam)
 
 bool ctl_cam_too_fast(const ctl_cam* cam, const ctl_config* config)
 {
-    const uint64_t most = (uint64_t)UNITS_PER_PULSE * config->max_pulse_hz * CTL_CAM_UPDATE_US / US_PER_S;
-    return magnitude(cam->line_to - cam->line_from) > (int64_t)most + UNITS_PER_PULSE;
+    const uint64_t max_units =
+        (uint64_t)UNITS_PER_PULSE * config->max_pulse_hz * CTL_CAM_UPDATE_US / US_PER_S;
+    return magnitude(cam->line_to - cam->line_from) > (int64_t)max_units + UNITS_PER_PULSE;
 }
 
 int64_t ctl_cam_hz(const ctl_cam* cam, const ctl_config* config)

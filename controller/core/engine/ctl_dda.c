@@ -95,11 +95,11 @@ static void accelerate(ctl_dda* dda, uint32_t iterations, uint64_t ramp)
     dda->velocity_rest = (uint32_t)sum & VELOCITY_MASK;
 }
 
-/* The iteration that brings pulse number `pulses` from here, known to be among the next `most`. */
-static uint32_t iteration_of(const ctl_dda* dda, uint64_t pulses, uint32_t most, uint64_t ramp)
+/* The iteration that brings pulse number `pulses` from here, known to be among the next `max`. */
+static uint32_t iteration_of(const ctl_dda* dda, uint64_t pulses, uint32_t max, uint64_t ramp)
 {
     uint32_t low = 0;
-    uint32_t high = most;
+    uint32_t high = max;
     while (high - low > 1u) {
         const uint32_t middle = low + (high - low) / 2u;
         if (position_after(dda, middle, ramp) >> dda->position_bits >= pulses)

@@ -3,7 +3,7 @@
 
 #include "base/ctl_words.h"
 
-#define MOST_ITERATIONS 0x80000000u /* in one go */
+#define MAX_ITERATIONS 0x80000000u /* in one go */
 
 static int32_t advance_of(const ctl_bank* bank)
 {
@@ -116,7 +116,7 @@ int32_t ctl_interval_advance(ctl_interval* interval, uint32_t* ticks)
     uint32_t emitted = 0;
     while (interval->in_cycle && time >= interval->ticks) {
         const uint64_t whole = time / interval->ticks;
-        uint32_t iterations = whole < MOST_ITERATIONS ? (uint32_t)whole : MOST_ITERATIONS;
+        uint32_t iterations = whole < MAX_ITERATIONS ? (uint32_t)whole : MAX_ITERATIONS;
         emitted += ctl_dda_iterate(&interval->dda, &iterations);
         time -= (uint64_t)iterations * interval->ticks;
         if (ctl_interval_holding(interval))

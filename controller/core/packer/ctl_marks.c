@@ -7,7 +7,7 @@
 
 #define GAIN_ONE 1000
 /* Searching: so many distances in a row that are no bag length mean that the film does not fit. */
-#define MOST_WRONG_GAPS 8u
+#define MAX_WRONG_GAPS 8u
 
 static int64_t size_of(int64_t value)
 {
@@ -65,8 +65,8 @@ static void found(ctl_marks* marks, int64_t film)
 {
     const int64_t cut = film + marks->settings.distance;
     const int64_t back = (cut - film) / marks->pitch;
-    const int64_t most = (int64_t)CTL_WAITING_MARKS - 1;
-    for (int64_t i = back < most ? back : most; i > 0; --i)
+    const int64_t max_back = (int64_t)CTL_WAITING_MARKS - 1;
+    for (int64_t i = back < max_back ? back : max_back; i > 0; --i)
         push(marks, cut - i * marks->pitch, marks->pitch, false);
     push(marks, cut, marks->pitch, true);
     marks->last = film;
@@ -82,15 +82,15 @@ static void search(ctl_marks* marks, int64_t film)
     const ctl_mark_settings* settings = &marks->settings;
     const int64_t gap = film - marks->candidate;
     if (marks->has_candidate &&
-        size_of(gap - settings->nominal) <= settings->most_difference + settings->window) {
-        marks->pitch = settings->nominal + limited(gap - settings->nominal, settings->most_difference);
+        size_of(gap - settings->nominal) <= settings->max_difference + settings->window) {
+        marks->pitch = settings->nominal + limited(gap - settings->nominal, settings->max_difference);
         found(marks, film);
         return;
     }
     if (marks->has_candidate) {
         marks->unexpected += 1;
         marks->wrong_gaps += 1;
-        if (marks->wrong_gaps >= MOST_WRONG_GAPS)
+        if (marks->wrong_gaps >= MAX_WRONG_GAPS)
             marks->alarm = CTL_WARNING_BIT_MARK_PITCH_WRONG;
     }
     marks->has_candidate = true;
@@ -135,7 +135,7 @@ static void follow(ctl_marks* marks, int64_t film)
     }
     marks->error = error;
     marks->last = film;
-    marks->pitch = settings->nominal + limited(pitch - settings->nominal, settings->most_difference);
+    marks->pitch = settings->nominal + limited(pitch - settings->nominal, settings->max_difference);
     marks->expected = place + marks->pitch;
     marks->missing_in_row = 0;
     marks->false_in_row = 0;

@@ -18,13 +18,13 @@ extern "C" {
 #define CTL_WAITING_MARKS 24u
 
 typedef struct {
-    int64_t nominal;         /* between two marks: the bag length */
-    int64_t distance;        /* from the sensor to where the mark's cut is at the knife */
-    int64_t window;          /* to both sides of where a mark is expected */
-    int64_t jump;            /* an error larger than this is not slip */
-    int64_t most_difference; /* of the distance between marks from the nominal one */
-    uint32_t phase_gain;     /* 0.001 */
-    uint32_t length_gain;    /* 0.001 */
+    int64_t nominal;        /* between two marks: the bag length */
+    int64_t distance;       /* from the sensor to where the mark's cut is at the knife */
+    int64_t window;         /* to both sides of where a mark is expected */
+    int64_t jump;           /* an error larger than this is not slip */
+    int64_t max_difference; /* of the distance between marks from the nominal one */
+    uint32_t phase_gain;    /* 0.001 */
+    uint32_t length_gain;   /* 0.001 */
     uint32_t missing_limit;
 } ctl_mark_settings;
 

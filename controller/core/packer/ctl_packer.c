@@ -13,8 +13,8 @@
 /* In tenths of a cycle: the sealing window at most, and each ramp beside it at least. */
 #define WIDEST_WINDOW 9u
 #define SHORTEST_RAMP 40u
-#define MOST_FLIGHTS_TO_EYE 8u
-#define MOST_TAUGHT 100u
+#define MAX_FLIGHTS_TO_EYE 8u
+#define MAX_TAUGHT 100u
 /* In so many the infeed makes up for where it was left. */
 #define INFEED_CYCLES 4u
 
@@ -70,7 +70,7 @@ static bool eye_too_near(const ctl_packer* packer, const ctl_bank* bank)
     const uint64_t cycles = (to_slow > to_gain ? to_slow : to_gain) + cycle / 10u;
     const uint64_t pitch = ctl_parameter32(packer->board, CTL_REG_PARAMETER_FLIGHT_PITCH);
     const uint64_t eye = ctl_parameter32(packer->board, CTL_REG_PARAMETER_EYE_DISTANCE);
-    return eye * cycle < pitch * cycles || eye > pitch * MOST_FLIGHTS_TO_EYE;
+    return eye * cycle < pitch * cycles || eye > pitch * MAX_FLIGHTS_TO_EYE;
 }
 
 static bool no_room(const ctl_bank* bank)
@@ -144,7 +144,7 @@ static ctl_mark_settings mark_settings(const ctl_packer* packer)
                                         ctl_parameter32(packer->board, CTL_REG_PARAMETER_MARK_OFFSET)),
         .window = ctl_packer_film(packer, parameter(packer, CTL_REG_PARAMETER_MARK_WINDOW)),
         .jump = ctl_packer_film(packer, JUMP_UM),
-        .most_difference = ctl_packer_length_limit(packer),
+        .max_difference = ctl_packer_length_limit(packer),
         .phase_gain = parameter(packer, CTL_REG_PARAMETER_PHASE_GAIN),
         .length_gain = parameter(packer, CTL_REG_PARAMETER_LENGTH_GAIN),
         .missing_limit = parameter(packer, CTL_REG_PARAMETER_MARK_MISSING_LIMIT),
@@ -412,7 +412,7 @@ uint16_t ctl_packer_teach(ctl_packer* packer, const ctl_bank* bank, uint16_t mar
 {
     if (!has_film(packer, bank))
         return CTL_REFUSAL_NO_ACTIVE_PROGRAM;
-    if (marks < 2u || marks > MOST_TAUGHT)
+    if (marks < 2u || marks > MAX_TAUGHT)
         return CTL_REFUSAL_BAD_ARGUMENT;
     ctl_marks_teach(&packer->marks, marks);
     return CTL_REFUSAL_NONE;

@@ -84,7 +84,7 @@ void CliTest::complaints_data()
     row("unit 0", u"status --port /dev/null --unit 0"_s, Usage, u"1 to 247"_s);
     row("unknown register", u"registers --read status.mood --port /dev/null"_s, Usage, u"status.mood"_s);
     row("name without --read", u"registers status.state"_s, Usage, u"--read"_s);
-    row("a block", u"registers --read active --port /dev/null"_s, Usage, u"8468"_s);
+    row("a block", u"registers --read active --port /dev/null"_s, Usage, u"is a block of"_s);
     row("ratios do not descend", u"table --k 4,5,2,1.5"_s, Refused, u"descend"_s);
     row("bag too long", u"table --bag-length-mm 1500"_s, Refused, u"stroke"_s);
     row("bag out of range", u"table --bag-length-mm 5"_s, Refused, u"the allowed range is 10.0 to"_s);

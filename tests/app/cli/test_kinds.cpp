@@ -269,7 +269,8 @@ void CliKindsTest::numbersThatAreNone()
 {
     for (const QString& words :
          {u"profile"_s, u"profile --kind press"_s, u"profile --base-speed-mm-per-s 0 --rate 60"_s,
-          u"profile --kind position_move --law harmonic"_s, u"compare --kind position_move"_s}) {
+          u"profile --kind position_move --law harmonic"_s, u"compare"_s,
+          u"compare --kind position_move"_s}) {
         const Result text = call(words);
         QVERIFY2(text.code == Ok, text.complaint.constData());
         static const QRegularExpression none(u"\\b(nan|inf)\\b"_s);

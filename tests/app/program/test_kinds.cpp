@@ -90,6 +90,9 @@ QString lostInput(const Recipe& kept, const Recipe& given)
     const auto* cam = std::get_if<profile::PointCamProgram>(&given.program);
     if (cam && std::get<profile::PointCamProgram>(kept.program).knots != cam->knots)
         return QStringLiteral("knots");
+    const auto* segments = std::get_if<profile::SegmentCamProgram>(&given.program);
+    if (segments && std::get<profile::SegmentCamProgram>(kept.program).segments != segments->segments)
+        return QStringLiteral("segments");
     return {};
 }
 

@@ -99,6 +99,8 @@ void StoreKindsTest::randomRecipesTrip()
             QCOMPARE(program::value(*read, field), program::value(recipe, field));
         if (const auto* cam = std::get_if<profile::PointCamProgram>(&recipe.program))
             QVERIFY(std::get<profile::PointCamProgram>(read->program).knots == cam->knots);
+        if (const auto* cam = std::get_if<profile::SegmentCamProgram>(&recipe.program))
+            QVERIFY(std::get<profile::SegmentCamProgram>(read->program).segments == cam->segments);
         if (const auto* parameters = program::lawParameters(recipe.program)) {
             const auto law =
                 static_cast<profile::LawId>(program::choice(recipe.program, program::Choice::Law));

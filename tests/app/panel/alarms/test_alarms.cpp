@@ -7,6 +7,7 @@
 #include <QAbstractItemModelTester>
 #include <QElapsedTimer>
 #include <QFile>
+#include <QRegularExpression>
 #include <QSignalSpy>
 #include <QTranslator>
 
@@ -401,6 +402,26 @@ private slots:
         rig.open();
         QTRY_COMPARE(rig.live(), Lines{"P-02 gone calls"});
         QTRY_COMPARE(rig.logged().size(), 1);
+    }
+
+    void damagedSettingsAreLogged()
+    {
+        AlarmRig rig;
+        rig.end();
+        const QString path = rig.folder.filePath(QStringLiteral("settings.ini"));
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::WriteOnly) && file.write("; damaged") > 0);
+        file.close();
+        QTest::ignoreMessage(QtWarningMsg,
+                             QRegularExpression(QStringLiteral("settings file .* no good copy")));
+        panel::Settings settings(path, nullptr);
+        rig.records = std::make_unique<panel::DatabaseService>(rig.folder.path(), nullptr);
+        rig.alarms = std::make_unique<panel::Alarms>(rig.panel.machine, rig.panel.editor, *rig.records,
+                                                     settings, nullptr);
+        rig.open();
+        QTRY_COMPARE(rig.logged().size(), 1);
+        QCOMPARE(rig.logged()[0].code, "P-10");
+        QCOMPARE(rig.logged()[0].detail, settings.notice());
     }
 
     void memoryThatCannotBeOpenedStaysAnAlarm()

@@ -219,7 +219,7 @@ private slots:
         QTRY_COMPARE(rig.link.parameters.size(), 5);
     }
 
-    void eachBagIsToldOnce()
+    void eachBagIsReportedOnce()
     {
         Rig rig;
         QSignalSpy told(&rig.line(), &PackingLine::bagRecorded);

@@ -39,7 +39,7 @@ GainEstimate follow(const Film& film, int marks, double phaseGain, unsigned seed
     settings.distance = std::llround(900 * unitsPerMm);
     settings.window = std::llround(6 * unitsPerMm);
     settings.jump = std::llround(1.5 * unitsPerMm);
-    settings.most_difference = settings.nominal / 50;
+    settings.max_difference = settings.nominal / 50;
     settings.phase_gain = static_cast<std::uint32_t>(std::lround(1000 * phaseGain));
     settings.length_gain = 100;
     settings.missing_limit = 5;
