@@ -74,7 +74,9 @@ void ctl_tick(ctl_core* core, uint64_t now_us)
         const uint32_t slice_us = left < board->config.slice_us ? (uint32_t)left : board->config.slice_us;
         board->now_us += slice_us;
         board->catching_up = board->now_us < now_us;
-        slice(core, ticks_of(core, slice_us));
+        board->slice_ticks = ticks_of(core, slice_us);
+        slice(core, board->slice_ticks);
+        board->tick += board->slice_ticks;
     }
     ctl_receive_silence(core, now_us);
 }

@@ -9,7 +9,6 @@
 
 #define FLASH_BYTES 16384u
 #define ERASED_AT_A_TIME 128u
-#define SESSION 7u
 /* A seal or a save in pieces is over by then. */
 #define PATIENCE_SLICES 200000u
 
@@ -51,6 +50,16 @@ static bool flash_write(void* context, uint32_t slot, uint32_t offset, const uin
     return true;
 }
 
+void bench_connect_flash(ctl_port* port)
+{
+    memset(flash, 0xFF, sizeof flash);
+    erased = FLASH_BYTES;
+    port->flash_read = flash_read;
+    port->flash_erase = flash_erase;
+    port->flash_write = flash_write;
+    port->flash_progress = flash_progress;
+}
+
 static void print_digits(const char* before, uint32_t number, uint32_t base, uint32_t least,
                          const char* behind)
 {
@@ -76,33 +85,37 @@ void bench_print_hex(const char* before, uint32_t number, const char* behind)
     print_digits(before, number, 16u, 8u, behind);
 }
 
-static void set_parameter(bench* self, uint32_t address, uint16_t value)
+static void set_parameter(ctl_core* core, uint32_t address, uint16_t value)
 {
-    if (ctl_map_write(&self->core, address, &value, 1) != 0)
+    if (ctl_map_write(core, address, &value, 1) != 0)
         bench_print("a parameter was refused\n");
 }
 
-static void turn_everything_on(bench* self)
+void bench_turn_on(ctl_core* core)
 {
     const uint16_t home_hz[2] = {0, CTL_MAX_PARAMETER_HOME_FREQUENCY};
-    (void)ctl_map_write(&self->core, CTL_REG_PARAMETER_HOME_FREQUENCY, home_hz, 2);
-    set_parameter(self, CTL_REG_PARAMETER_EMPTY_BAG, 1);
-    set_parameter(self, CTL_REG_PARAMETER_HEARTBEAT_TIMEOUT, CTL_MAX_PARAMETER_HEARTBEAT_TIMEOUT);
-    set_parameter(self, CTL_REG_PARAMETER_SKIP_LIMIT, CTL_MAX_PARAMETER_SKIP_LIMIT);
+    (void)ctl_map_write(core, CTL_REG_PARAMETER_HOME_FREQUENCY, home_hz, 2);
+    set_parameter(core, CTL_REG_PARAMETER_EMPTY_BAG, 1);
+    set_parameter(core, CTL_REG_PARAMETER_HEARTBEAT_TIMEOUT, CTL_MAX_PARAMETER_HEARTBEAT_TIMEOUT);
+    set_parameter(core, CTL_REG_PARAMETER_SKIP_LIMIT, CTL_MAX_PARAMETER_SKIP_LIMIT);
+}
+
+void bench_switch_on(ctl_core* core)
+{
     const uint32_t each = CTL_REG_PARAMETER_SWITCH2_MODE - CTL_REG_PARAMETER_SWITCH1_MODE;
     for (uint32_t i = 0; i < 8u; ++i) {
         const uint32_t base = CTL_REG_PARAMETER_SWITCH1_MODE + each * i;
-        set_parameter(self, base, i == 7u ? CTL_SWITCH_MODE_REJECTED_BAGS : CTL_SWITCH_MODE_CYCLES);
-        set_parameter(self, base + 1u, (uint16_t)(4000u * i));
-        set_parameter(self, base + 2u, (uint16_t)(4000u * i + 3000u));
-        set_parameter(self, base + 3u, (uint16_t)(2u * i));
-        set_parameter(self, base + 4u, (uint16_t)(1u + i / 4u));
+        set_parameter(core, base, i == 7u ? CTL_SWITCH_MODE_REJECTED_BAGS : CTL_SWITCH_MODE_CYCLES);
+        set_parameter(core, base + 1u, (uint16_t)(4000u * i));
+        set_parameter(core, base + 2u, (uint16_t)(4000u * i + 3000u));
+        set_parameter(core, base + 3u, (uint16_t)(2u * i));
+        set_parameter(core, base + 4u, (uint16_t)(1u + i / 4u));
     }
 }
 
-void bench_power_up(bench* self)
+ctl_config bench_config(void)
 {
-    const ctl_config config = {
+    return (ctl_config){
         .unit = 1,
         .frame_gap_us = 1,
         .unique_id = 1,
@@ -112,21 +125,21 @@ void bench_power_up(bench* self)
         .max_rows_per_slice = 16,
         .work_registers = 48,
     };
+}
+
+void bench_power_up(bench* self)
+{
+    const ctl_config config = bench_config();
     const whole_disturbance disturbance = {.stretch_ppm = 800, .missing_every = 7, .misplaced_every = 11};
     ctl_port port;
     memset(&port, 0, sizeof port);
-    memset(flash, 0xFF, sizeof flash);
-    erased = FLASH_BYTES;
     self->now_us = 0;
     self->counter = 0;
     whole_machine_init(&self->machine, disturbance);
     whole_machine_connect(&self->machine, &port);
-    port.flash_read = flash_read;
-    port.flash_erase = flash_erase;
-    port.flash_write = flash_write;
-    port.flash_progress = flash_progress;
+    bench_connect_flash(&port);
     ctl_init(&self->core, &config, &port, 0);
-    turn_everything_on(self);
+    bench_turn_on(&self->core);
 }
 
 static uint32_t larger(uint32_t one, uint32_t other)
@@ -158,10 +171,11 @@ size_t bench_exchange(bench* self, uint8_t* frame, size_t size)
     return answered;
 }
 
-uint16_t bench_write_read(bench* self, uint16_t address, const uint16_t* values, uint16_t count,
-                          uint16_t read_address, uint16_t* read, uint16_t read_count)
+size_t bench_write_read_frame(uint8_t* frame, uint16_t address, const uint16_t* values, uint16_t count,
+                              uint16_t read_address, uint16_t read_count)
 {
-    uint8_t frame[CTL_FRAME_BYTES] = {1, 23};
+    frame[0] = 1;
+    frame[1] = 23;
     ctl_put_bytes16(&frame[2], read_address);
     ctl_put_bytes16(&frame[4], read_count);
     ctl_put_bytes16(&frame[6], address);
@@ -169,7 +183,15 @@ uint16_t bench_write_read(bench* self, uint16_t address, const uint16_t* values,
     frame[10] = (uint8_t)(2u * count);
     for (uint32_t i = 0; i < count; ++i)
         ctl_put_bytes16(&frame[11u + 2u * i], values[i]);
-    (void)bench_exchange(self, frame, 11u + 2u * count);
+    return 11u + 2u * count;
+}
+
+uint16_t bench_write_read(bench* self, uint16_t address, const uint16_t* values, uint16_t count,
+                          uint16_t read_address, uint16_t* read, uint16_t read_count)
+{
+    uint8_t frame[CTL_FRAME_BYTES];
+    (void)bench_exchange(self, frame,
+                         bench_write_read_frame(frame, address, values, count, read_address, read_count));
     if (frame[1] != 23)
         return frame[2];
     for (uint32_t i = 0; i < read_count; ++i)
@@ -194,7 +216,7 @@ uint16_t bench_command(bench* self, uint16_t code, uint16_t argument0, uint16_t 
 
 static uint16_t transfer(bench* self, uint16_t operation, uint16_t block, const uint16_t* data, uint16_t size)
 {
-    uint16_t request[CTL_GROUP_TRANSFER] = {SESSION, operation, block, size};
+    uint16_t request[CTL_GROUP_TRANSFER] = {BENCH_SESSION, operation, block, size};
     uint16_t result[CTL_GROUP_TRANSFER_RESULT] = {0};
     if (size != 0)
         memcpy(&request[4], data, size * sizeof request[0]);
@@ -229,7 +251,7 @@ uint16_t bench_download(bench* self, const bench_case* program, uint32_t* crc)
 
 uint16_t bench_apply(bench* self, uint16_t mode, uint32_t crc)
 {
-    const uint16_t refusal = bench_command(self, CTL_COMMAND_APPLY_STAGED, mode, SESSION, crc);
+    const uint16_t refusal = bench_command(self, CTL_COMMAND_APPLY_STAGED, mode, BENCH_SESSION, crc);
     whole_machine_follow(&self->machine, &self->core);
     return refusal;
 }

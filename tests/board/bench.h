@@ -15,6 +15,8 @@ int bench_run(uint32_t number);
 void bench_print_number(const char* before, uint32_t number, const char* behind);
 void bench_print_hex(const char* before, uint32_t number, const char* behind);
 
+#define BENCH_SESSION 7u /* of a download */
+
 typedef struct {
     const char* name;
     uint16_t kind;
@@ -35,9 +37,15 @@ typedef struct {
     uint32_t max_request_cost;
 } bench;
 
-/* Powers up on a machine of everything that goes wrong, with marks, anti-cut, empty bags and eight cam
- * switches on. */
+/* Powers up on a machine of everything that goes wrong, with marks, anti-cut and empty bags. */
 void bench_power_up(bench* self);
+/* Sets the parameters for that; then also for the eight cam switches. */
+void bench_turn_on(ctl_core* core);
+void bench_switch_on(ctl_core* core);
+/* Returns the figures of a board at 8 MHz whose processor has 60 MHz. */
+ctl_config bench_config(void);
+/* Fills in the callbacks of a blank flash in memory. */
+void bench_connect_flash(ctl_port* port);
 /* Calls the core for the next slice. */
 void bench_slice(bench* self, uint32_t slice_us);
 /* Downloads and seals; returns the result of the transfer and the bank's CRC-32. */
@@ -52,7 +60,10 @@ uint16_t bench_command(bench* self, uint16_t code, uint16_t argument0, uint16_t 
 /* Carries out one request of the line, `size` bytes without CRC-16; returns the size of the answer, which
  * stays in `frame`. */
 size_t bench_exchange(bench* self, uint8_t* frame, size_t size);
-/* Writes registers and reads others in one request; returns 0 or the exception. */
+/* Composes a request that writes registers and reads others; returns its size without CRC-16. */
+size_t bench_write_read_frame(uint8_t* frame, uint16_t address, const uint16_t* values, uint16_t count,
+                              uint16_t read_address, uint16_t read_count);
+/* Carries out such a request; returns 0 or the exception. */
 uint16_t bench_write_read(bench* self, uint16_t address, const uint16_t* values, uint16_t count,
                           uint16_t read_address, uint16_t* read, uint16_t read_count);
 

@@ -9,7 +9,7 @@
 
 static bench the_bench;
 static uint32_t crc;
-static uint32_t pulse_calls;
+static uint32_t pulses; /* of all axes */
 static ctl_port inner;
 
 static void add(uint32_t value)
@@ -19,23 +19,15 @@ static void add(uint32_t value)
     crc = ctl_crc32_bytes(crc, bytes, sizeof bytes);
 }
 
-static void axis_pulses(void* context, int32_t count)
+/* Every pulse with its tick. */
+static void axis_pulses(void* context, ctl_axis axis, const ctl_train* train)
 {
-    add((uint32_t)count);
-    pulse_calls += 1;
-    inner.pulses(context, count);
-}
-
-static void film_pulses(void* context, int32_t count)
-{
-    add((uint32_t)count ^ 0x10000000u);
-    inner.film_pulses(context, count);
-}
-
-static void infeed_pulses(void* context, int32_t count)
-{
-    add((uint32_t)count ^ 0x20000000u);
-    inner.infeed_pulses(context, count);
+    ctl_train left = *train;
+    add((uint32_t)axis << 28 ^ (uint32_t)train->direction);
+    while (left.count != 0)
+        add(ctl_train_next(&left));
+    pulses += train->count;
+    inner.pulses(context, axis, train);
 }
 
 static void outputs(void* context, uint16_t levels)
@@ -65,12 +57,11 @@ static void run(const bench_case* program, uint32_t slices)
     ctl_core* core = &the_bench.core;
     uint64_t seed = 88172645463325252u;
     crc = CTL_CRC32_START;
-    pulse_calls = 0;
+    pulses = 0;
     bench_power_up(&the_bench);
+    bench_switch_on(&the_bench.core);
     inner = core->board.port;
     core->board.port.pulses = axis_pulses;
-    core->board.port.film_pulses = film_pulses;
-    core->board.port.infeed_pulses = infeed_pulses;
     core->board.port.outputs = outputs;
     bench_print(program->name);
     bench_print_number(": installed ", bench_install(&the_bench, program), "");
@@ -94,7 +85,7 @@ static void run(const bench_case* program, uint32_t slices)
     bench_print_number(", faults ", core->motion.fault, "");
     bench_print_number(", cycles ", core->motion.cycle_count, "");
     bench_print_number(", bags ", core->packer.bags, "");
-    bench_print_number(", calls ", pulse_calls, "");
+    bench_print_number(", pulses ", pulses, "");
     bench_print_hex(", CRC-32 ", ~crc, "\n");
 }
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /* The bench in QEMU, which semihosting starts with a number and ends. With -icount shift=10 an instruction
  * takes 1.024 us of the virtual time that the timer counts. */
-#include "bench.h"
+#include "bench_target.h"
 #include "versatilepb/devices.h"
 
 #define UART_DATA 0x101F1000u
@@ -34,7 +34,7 @@ static uint32_t ask_host(uint32_t number, void* data)
 }
 
 /* The number behind the program's name. */
-static uint32_t number_of_command_line(void)
+uint32_t bench_number(void)
 {
     char text[80];
     struct {
@@ -64,11 +64,14 @@ uint32_t bench_counter(void)
     return (uint32_t)((uint64_t)~DEVICE(TIMER_VALUE) * NS_PER_US / NS_PER_INSTRUCTION);
 }
 
-int main(void)
+void bench_exit(bool good)
+{
+    (void)ask_host(EXIT, good ? STOPPED : FAILED);
+}
+
+void bench_open(void)
 {
     DEVICE(UART_CONTROL) = UART_ENABLED;
     DEVICE(TIMER_LOAD) = UINT32_MAX;
     DEVICE(TIMER_CONTROL) = FREE_RUNNING;
-    (void)ask_host(EXIT, bench_run(number_of_command_line()) == 0 ? STOPPED : FAILED);
-    return 0;
 }

@@ -24,19 +24,9 @@ static whole_line* line_of(void* context)
     return &((whole_machine*)context)->line;
 }
 
-static void film_pulses(void* context, int32_t count)
-{
-    line_of(context)->film += count;
-}
-
 static int64_t film_position(void* context)
 {
     return line_of(context)->film * CTL_FINE;
-}
-
-static void infeed_pulses(void* context, int32_t count)
-{
-    line_of(context)->infeed += count;
 }
 
 static int64_t infeed_position(void* context)
@@ -94,9 +84,7 @@ void whole_line_init(whole_line* line, whole_disturbance disturbance)
 
 void whole_line_connect(ctl_port* port)
 {
-    port->film_pulses = film_pulses;
     port->film = film_position;
-    port->infeed_pulses = infeed_pulses;
     port->infeed = infeed_position;
     port->mark = take_mark;
     port->eye = take_edge;

@@ -11,11 +11,16 @@
 #define UM_PER_MM 1000
 #define ENABLE (1u << CTL_OUTPUT_BIT_DRIVE_ENABLE)
 
-static void take_pulses(void* context, int32_t count)
+static void take_pulses(void* context, ctl_axis axis, const ctl_train* train)
 {
     whole_machine* machine = context;
-    if (machine->is_enabled)
-        machine->position += count;
+    const int64_t way = train->direction * (int64_t)train->count;
+    if (axis == CTL_AXIS_FILM)
+        machine->line.film += way;
+    else if (axis == CTL_AXIS_INFEED)
+        machine->line.infeed += way;
+    else if (machine->is_enabled)
+        machine->position += way;
 }
 
 static int64_t encoder(void* context)

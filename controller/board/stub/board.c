@@ -38,11 +38,13 @@ ctl_config board_config(void)
     };
 }
 
-/* To the pulse timer: these pulses leave in the slice that follows, evenly. */
-static void pulses(void* context, int32_t count)
+/* Into a queue that the pulse timer's interrupt empties: ctl_train_next() gives it the tick of each pulse, to
+ * which it adds the delay of this board and which it loads into the timer. Here they leave at once. */
+static void pulses(void* context, ctl_axis axis, const ctl_train* train)
 {
     stub* self = context;
-    self->position += count;
+    if (axis == CTL_AXIS_MAIN)
+        self->position += train->direction * (int64_t)train->count;
 }
 
 /* Of the quadrature counter, extended to 64 bits here. */

@@ -64,13 +64,6 @@ trap:                              @ a fault: one byte on the line, then silence
     str r1, [r0]
 4:  b 4b
 
-    .global board_idle
-    .type board_idle, %function
-board_idle:                        @ waits for an interrupt through CP15; an ARM7TDMI has a register of its chip for that
-    mov r0, #0
-    mcr p15, 0, r0, c7, c0, 4
-    bx lr
-
     .global interrupts_mask
     .type interrupts_mask, %function
 interrupts_mask:

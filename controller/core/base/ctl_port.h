@@ -4,19 +4,24 @@
 #ifndef CTL_PORT_H
 #define CTL_PORT_H
 
+#include "base/ctl_train.h"
+
 #include <stdbool.h>
 #include <stdint.h>
 
 #define CTL_FLASH_SLOTS 2u
 #define CTL_SLICE_US 250u
 
+typedef enum { CTL_AXIS_MAIN, CTL_AXIS_FILM, CTL_AXIS_INFEED } ctl_axis;
 typedef enum { CTL_FLASH_DONE, CTL_FLASH_BUSY, CTL_FLASH_FAILED } ctl_flash_progress;
 
 typedef struct {
     void* context; /* given back to every callback */
 
-    /* Pulses that leave now; negative: in reverse. */
-    void (*pulses)(void* context, int32_t count);
+    /* Pulses of an axis, their ticks in timer ticks since power-up, modulo 2^32. They lie in the slice that is
+     * being computed, in the order of time, in several calls; the board lets all of them leave later by the
+     * same time, long enough for its slowest turn. A board with a rate generator goes by the count alone. */
+    void (*pulses)(void* context, ctl_axis axis, const ctl_train* train);
     /* Encoder position since power-up, in pulses of the command. */
     int64_t (*encoder)(void* context);
     /* True once after the index mark was passed forward; gives the encoder position latched there. */
@@ -27,11 +32,9 @@ typedef struct {
     /* Force of a press now, N; NULL on a machine without. */
     int32_t (*force)(void* context);
 
-    /* Film and infeed of a packing machine; all NULL on a machine without. Pulses that leave now; positions
-     * since power-up in 1/256 pulse of the command. */
-    void (*film_pulses)(void* context, int32_t count);
+    /* Film and infeed of a packing machine; all NULL on a machine without. Positions since power-up in 1/256
+     * pulse of the command. */
     int64_t (*film)(void* context);
-    void (*infeed_pulses)(void* context, int32_t count);
     int64_t (*infeed)(void* context);
     /* True once for each printed mark that passed its sensor; gives the film position latched there. */
     bool (*mark)(void* context, int64_t* film_at_mark);

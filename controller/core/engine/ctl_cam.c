@@ -4,7 +4,7 @@
 #include "base/ctl_words.h"
 
 #define US_PER_S 1000000u
-#define UNITS_PER_PULSE 256
+#define UNITS_PER_PULSE CTL_TRAIN_FINE
 /* Bits of the way through an interval. */
 #define WAY_BITS 24u
 /* Bits of a unit in the arithmetic of the cubic: 2^30 units of a row keep it inside 64 bits. */
@@ -131,6 +131,7 @@ void ctl_cam_reset(ctl_cam* cam, const ctl_bank* bank, const ctl_config* config)
     cam->line_to = 0;
     cam->line_ticks = 0;
     cam->sent = 0;
+    cam->train = ctl_train_line(0, 0, cam->update_ticks);
 }
 
 void ctl_cam_change_bank(ctl_cam* cam, const ctl_bank* bank)
@@ -240,18 +241,22 @@ uint32_t ctl_cam_until_update(const ctl_cam* cam)
     return cam->update_ticks - cam->line_ticks;
 }
 
-int64_t ctl_cam_pass(ctl_cam* cam, uint32_t ticks)
+int64_t ctl_cam_pass(ctl_cam* cam, uint32_t ticks, const ctl_pace* pace)
 {
+    const uint32_t before = cam->line_ticks;
     cam->line_ticks += ticks;
-    const int64_t passed = (cam->line_to - cam->line_from) * cam->line_ticks;
-    const int64_t here = cam->line_from + floor_divide(passed, cam->update_ticks);
-    const int64_t reached = floor_divide(here + UNITS_PER_PULSE / 2, UNITS_PER_PULSE);
-    const int64_t pulses = reached - cam->sent;
-    cam->sent = reached;
-    if (cam->line_ticks == cam->update_ticks) {
+    const bool ends = cam->line_ticks == cam->update_ticks;
+    ctl_train train = ends ? cam->train : ctl_train_until(&cam->train, cam->line_ticks);
+    const int64_t pulses = train.direction * (int64_t)train.count;
+    train.tick -= before;
+    ctl_pace_give(pace, &train);
+    cam->sent += pulses;
+    if (ends) {
         cam->line_ticks = 0;
         cam->line_from = cam->line_to;
         cam->line_to = ctl_cam_target(cam);
+        cam->train = ctl_train_line(cam->line_from + UNITS_PER_PULSE / 2, cam->line_to + UNITS_PER_PULSE / 2,
+                                    cam->update_ticks);
     }
     return pulses;
 }

@@ -3,6 +3,8 @@
 
 #include "base/ctl_words.h"
 
+#include <stddef.h>
+
 #define MAX_ITERATIONS 0x80000000u /* in one go */
 
 static int32_t advance_of(const ctl_bank* bank)
@@ -105,20 +107,37 @@ bool ctl_interval_holding(const ctl_interval* interval)
     return interval->next_row > interval->rows && !interval->dda.has_loaded;
 }
 
-int32_t ctl_interval_advance(ctl_interval* interval, uint32_t* ticks)
+/* Gives the pulse that came with the iteration at `time`, counted as iterations_rest is, at the end of its
+ * tick. */
+static void give_pulse(const ctl_interval* interval, uint64_t time, const ctl_pace* pace)
+{
+    const ctl_train train = {.count = 1,
+                             .direction = interval->direction,
+                             .tick = (uint32_t)((time + interval->iterations - 1u) / interval->iterations),
+                             .divisor = 1};
+    ctl_pace_give(pace, &train);
+}
+
+int32_t ctl_interval_advance(ctl_interval* interval, uint32_t* ticks, const ctl_pace* pace)
 {
     if (!interval->in_cycle) {
         *ticks = 0;
         return 0;
     }
     const bool held = ctl_interval_holding(interval);
-    uint64_t time = interval->iterations_rest + (uint64_t)*ticks * interval->iterations;
+    const uint64_t given = (uint64_t)*ticks * interval->iterations;
+    uint64_t time = interval->iterations_rest + given;
     uint32_t emitted = 0;
     while (interval->in_cycle && time >= interval->ticks) {
         const uint64_t whole = time / interval->ticks;
         uint32_t iterations = whole < MAX_ITERATIONS ? (uint32_t)whole : MAX_ITERATIONS;
-        emitted += ctl_dda_iterate(&interval->dda, &iterations);
+        if (pace != NULL)
+            iterations = ctl_dda_to_pulse(&interval->dda, iterations);
+        const uint32_t pulses = ctl_dda_iterate(&interval->dda, &iterations);
+        emitted += pulses;
         time -= (uint64_t)iterations * interval->ticks;
+        if (pulses != 0 && pace != NULL)
+            give_pulse(interval, given - time, pace);
         if (ctl_interval_holding(interval))
             interval->dda.emitted = 0; /* without end */
         feed(interval);

@@ -119,12 +119,14 @@ static void enter_row(ctl_step* step, uint32_t row)
 {
     step->row = row;
     step->row_ticks = 0;
-    step->row_pulses = 0;
-    if (row == ctl_bank_row_count(step->bank))
+    if (row == ctl_bank_row_count(step->bank)) {
+        step->train.count = step->current.pulses; /* none was emitted */
         return;
+    }
     step->current = ctl_step_row(step->bank, row);
     if (step->carries && row == step->bank->registers[CTL_OFFSET_BANK_CARRY_ROW])
         step->current.pulses += 1;
+    step->train = ctl_train_even(step->current.pulses, step->current.ticks);
 }
 
 void ctl_step_begin_cycle(ctl_step* step)
@@ -159,22 +161,13 @@ bool ctl_step_between_cycles(const ctl_step* step)
     return step->row == ctl_bank_row_count(step->bank);
 }
 
-/* Ticks from the row's start to its pulse `number`: floor(number * ticks / pulses) in 32-bit arithmetic. */
-static uint32_t pulse_ticks(ctl_row row, uint32_t number)
-{
-    const uint32_t whole = row.ticks / row.pulses;
-    const uint32_t rest = row.ticks % row.pulses;
-    return number * whole + number * rest / row.pulses;
-}
-
 ctl_event ctl_step_next(ctl_step* step)
 {
     ctl_event event = {0, false};
     uint32_t target = step->current.ticks;
     if (step->current.pulses != 0) {
-        target = pulse_ticks(step->current, step->row_pulses + 1);
+        target = ctl_train_next(&step->train);
         event.pulse = true;
-        step->row_pulses += 1;
     } else if (target - step->row_ticks > LONGEST_EVENT_TICKS) {
         target = step->row_ticks + LONGEST_EVENT_TICKS;
     }
@@ -186,34 +179,31 @@ ctl_event ctl_step_next(ctl_step* step)
     return event;
 }
 
-/* Pulses that have come once `ticks` of the row have passed. */
-static uint32_t pulses_after(ctl_row row, uint32_t ticks)
+uint32_t ctl_step_row_pulses(const ctl_step* step)
 {
-    if (row.pulses == 0)
-        return 0;
-    return (uint32_t)((((uint64_t)ticks + 1u) * row.pulses - 1u) / row.ticks);
+    return step->current.pulses - step->train.count;
 }
 
-uint32_t ctl_step_advance(ctl_step* step, uint32_t* ticks)
+uint32_t ctl_step_advance(ctl_step* step, uint32_t* ticks, const ctl_pace* pace)
 {
-    uint32_t left = *ticks;
+    uint32_t passed = 0;
     uint32_t emitted = 0;
-    while (left != 0 && !ctl_step_between_cycles(step)) {
+    while (passed != *ticks && !ctl_step_between_cycles(step)) {
         const uint32_t row_left = step->current.ticks - step->row_ticks;
-        if (left >= row_left) {
-            emitted += step->current.pulses - step->row_pulses;
-            step->cycle_ticks += row_left;
-            left -= row_left;
+        const uint32_t left = *ticks - passed;
+        const bool ends = left >= row_left;
+        const uint32_t part = ends ? row_left : left;
+        ctl_train train = ends ? step->train : ctl_train_until(&step->train, step->row_ticks + part);
+        emitted += train.count;
+        train.tick += passed - step->row_ticks;
+        ctl_pace_give(pace, &train);
+        passed += part;
+        step->cycle_ticks += part;
+        if (ends)
             enter_row(step, step->row + 1);
-        } else {
-            step->row_ticks += left;
-            step->cycle_ticks += left;
-            left = 0;
-            const uint32_t reached = pulses_after(step->current, step->row_ticks);
-            emitted += reached - step->row_pulses;
-            step->row_pulses = reached;
-        }
+        else
+            step->row_ticks += part;
     }
-    *ticks -= left;
+    *ticks = passed;
     return emitted;
 }
