@@ -1096,6 +1096,10 @@
         <translation>数据表需要 %1 个寄存器，控制器只有 %2 个，其程序没有改变。请减少斜坡分段数。</translation>
     </message>
     <message>
+        <source>This controller cannot execute intervals; its program is unchanged. Choose cam points.</source>
+        <translation>该控制器不能执行区间表，其程序没有改变。请选择凸轮点。</translation>
+    </message>
+    <message>
         <source>This controller cannot execute this kind of program; its program is unchanged. Update its firmware.</source>
         <translation>该控制器不能执行这类程序，其程序没有改变。请升级其固件。</translation>
     </message>

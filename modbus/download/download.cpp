@@ -30,7 +30,9 @@ Download::Download(std::vector<std::uint16_t> image, const Identity& controller,
     , m_blockRegisters(std::min(controller.blockRegisters, blockRegisters))
     , m_bankRegisters(controller.bankRegisters)
     , m_kind(RegisterReader(m_image, 0).u16("bank.kind"))
+    , m_layout(static_cast<TableLayout>(RegisterReader(m_image, 0).u16("bank.layout")))
     , m_kindSupported(controller.supports(static_cast<ProgramKind>(m_kind)))
+    , m_layoutSupported(controller.supports(m_layout))
     , m_crc(crc32OfRegisters(m_image))
 {
 }
@@ -155,7 +157,9 @@ void Download::resume()
 
 Download::Step Download::begin(RtuClient& client)
 {
-    if (!m_kindSupported)
+    if (!m_layoutSupported && m_layout == TableLayout::Intervals)
+        return fail({DownloadErrorKind::IntervalsNotSupported, {}, {}, Refusal::None, 0, 0, 0});
+    if (!m_kindSupported || !m_layoutSupported)
         return fail({DownloadErrorKind::KindNotSupported, {}, {}, Refusal::None, 0, 0, 0});
     if (m_blockRegisters == 0 || m_image.size() > m_bankRegisters)
         return fail({DownloadErrorKind::ImageTooLong,

@@ -5,8 +5,8 @@
 
 #include "bench.h"
 
-/* Opens the line that bench_print() writes to, and starts the counter of SP804 at 0x101E3000: 1 MHz, down from
- * UINT32_MAX. */
+/* Opens the line that bench_print() writes to, and starts the counter of SP804 at 0x101E3000: 1 MHz, down
+ * from UINT32_MAX. */
 void bench_open(void);
 /* Returns the number behind the program's name in QEMU's command line; 0 when there is none. */
 uint32_t bench_number(void);

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-/* When pulses leave a board of 31 million instructions a second, which is what 60 MHz give an ARM7TDMI: the real
- * loop of firmware.c with a cutter at full speed and a master that asks as fast as 115200 baud allow, downloads,
- * seals and saves meanwhile. In QEMU with -icount shift=5 an instruction takes 32 ns of the timer. Prints how many
- * ticks a pulse of the knife is off its table, and how late after its tick a board learns of a pulse: its pulses
- * must leave that much later, all by the same time. */
+/* When pulses leave a board of 31 million instructions a second, which is what 60 MHz give an ARM7TDMI: the
+ * real loop of firmware.c with a cutter at full speed and a master that asks as fast as 115200 baud allow,
+ * downloads, seals and saves meanwhile. In QEMU with -icount shift=5 an instruction takes 32 ns of the timer.
+ * Prints how many ticks a pulse of the knife is off its table, and how late after its tick a board learns of
+ * a pulse: its pulses must leave that much later, all by the same time. */
 #include "base/ctl_crc.h"
 #include "base/ctl_words.h"
 #include "bench_target.h"
@@ -21,7 +21,8 @@
 #define POLLS 100u
 
 enum { BEGIN, BLOCKS, SEAL, APPLY, START, POLL, SAVE, END };
-static const uint8_t script[] = {BEGIN, BLOCKS, SEAL, APPLY, START, POLL, BEGIN, BLOCKS, SEAL, SAVE, POLL, END};
+static const uint8_t script[] = {BEGIN, BLOCKS, SEAL, APPLY, START, POLL,
+                                 BEGIN, BLOCKS, SEAL, SAVE,  POLL,  END};
 
 static struct {
     whole_machine machine;

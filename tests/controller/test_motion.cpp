@@ -229,7 +229,7 @@ void TestMotion::changeWhileRunningDoesNotJump()
             rig.controller().step();
             const std::int64_t moved = rig.commanded() - position;
             QVERIFY(moved >= 0 && moved <= 50); // 200 kHz for 250 us
-            QVERIFY(++steps < 20'000); // 5 s
+            QVERIFY(++steps < 20'000);          // 5 s
         }
         generation += 1;
         QCOMPARE(rig.core().banks.generation, generation);

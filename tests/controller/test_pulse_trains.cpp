@@ -166,8 +166,8 @@ void TestPulseTrains::slowMasterStretchesThem()
         QCOMPARE(pulses.size(), std::size_t{number});
         for (std::uint32_t j = 1; j <= number; ++j) {
             const Wide exact = Wide{j} * row * ticks / (Wide{number} * travel);
-            const std::int64_t off = static_cast<std::int64_t>(pulses[j - 1].tick) - 1000 -
-                                     static_cast<std::int64_t>(exact);
+            const std::int64_t off =
+                static_cast<std::int64_t>(pulses[j - 1].tick) - 1000 - static_cast<std::int64_t>(exact);
             QVERIFY2(off >= -1 && off <= 1, qPrintable(QString::number(off)));
         }
     }
@@ -355,7 +355,8 @@ void TestPulseTrains::runningCutterKeepsItsTable()
             event = ctl_step_next(&table);
             tick += event.ticks;
         } while (!event.pulse);
-        largest = std::max(largest, std::abs(static_cast<std::int64_t>(static_cast<std::int32_t>(leaves - tick))));
+        largest =
+            std::max(largest, std::abs(static_cast<std::int64_t>(static_cast<std::int32_t>(leaves - tick))));
         ++compared;
     };
     for (int i = 0; i < 5; ++i) {

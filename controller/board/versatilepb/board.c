@@ -25,6 +25,8 @@ ctl_config board_config(void)
         .timer_clock_hz = 8000000,
         .timer_bits = 16,
         .max_pulse_hz = 200000,
+        .table_layouts = 1u << CTL_TABLE_LAYOUT_STEP_TABLE | 1u << CTL_TABLE_LAYOUT_CAM_POINTS |
+                         1u << CTL_TABLE_LAYOUT_PRESS_STAGES, /* intervals do not fit 60 MHz */
         .max_rows_per_slice = 16,
         .work_registers = 48,
     };
@@ -36,6 +38,7 @@ void board_connect(ctl_port* port)
     port->flash_read = flash_read;
     port->flash_erase = flash_erase;
     port->flash_write = flash_write;
+    port->flash_progress = flash_progress;
 }
 
 uint64_t board_now_us(void)

@@ -15,6 +15,11 @@
  * time. A real board wakes once per slice. */
 #define WAKE_US 1000u
 
+/* A test begins shortly before the counter wraps. */
+#ifndef CLOCK_START
+#define CLOCK_START UINT32_MAX
+#endif
+
 #define INTERRUPTS 0x10140000u
 #define STATUS 0x00u
 #define ENABLE 0x10u
@@ -28,7 +33,8 @@ static uint32_t clock_low;
 
 void clock_init(void)
 {
-    DEVICE(CLOCK_TIMER + LOAD) = UINT32_MAX;
+    DEVICE(CLOCK_TIMER + LOAD) = CLOCK_START;
+    clock_low = ~CLOCK_START;
     DEVICE(CLOCK_TIMER + CONTROL) = FREE_RUNNING;
     DEVICE(WAKE_TIMER + LOAD) = WAKE_US - 1u;
     DEVICE(WAKE_TIMER + CONTROL) = PERIODIC;

@@ -4,6 +4,8 @@
 #ifndef VERSATILEPB_DEVICES_H
 #define VERSATILEPB_DEVICES_H
 
+#include "base/ctl_port.h"
+
 #include <stdbool.h>
 #include <stdint.h>
 
@@ -26,5 +28,6 @@ void interrupts_restore(uint32_t state);
 bool flash_read(void* context, uint32_t slot, uint32_t offset, uint8_t* bytes, uint32_t size);
 bool flash_erase(void* context, uint32_t slot);
 bool flash_write(void* context, uint32_t slot, uint32_t offset, const uint8_t* bytes, uint32_t size);
+ctl_flash_progress flash_progress(void* context);
 
 #endif

@@ -18,9 +18,10 @@ typedef enum { CTL_FLASH_DONE, CTL_FLASH_BUSY, CTL_FLASH_FAILED } ctl_flash_prog
 typedef struct {
     void* context; /* given back to every callback */
 
-    /* Pulses of an axis, their ticks in timer ticks since power-up, modulo 2^32. They lie in the slice that is
-     * being computed, in the order of time, in several calls; the board lets all of them leave later by the
-     * same time, long enough for its slowest turn. A board with a rate generator goes by the count alone. */
+    /* Pulses of an axis, their ticks in timer ticks since power-up, modulo 2^32. They lie in the slice that
+     * is being computed, in the order of time, in several calls; the board lets all of them leave later by
+     * the same time, long enough for its slowest turn. A board with a rate generator goes by the count alone.
+     */
     void (*pulses)(void* context, ctl_axis axis, const ctl_train* train);
     /* Encoder position since power-up, in pulses of the command. */
     int64_t (*encoder)(void* context);

@@ -30,7 +30,8 @@ ctl_train ctl_train_line(int64_t from, int64_t to, uint32_t ticks)
         train.tick = even.tick;
         return train;
     }
-    /* Forward ceil(left * ticks / way), backwards floor(left * ticks / way) + 1; `left` is at most a pulse. */
+    /* Forward ceil(left * ticks / way), backwards floor(left * ticks / way) + 1; `left` is at most a pulse.
+     */
     const uint32_t left =
         (uint32_t)(forward ? (whole + 1) * CTL_TRAIN_FINE - from : from - whole * CTL_TRAIN_FINE);
     const uint64_t first = (uint64_t)left * ticks + way - (forward ? 1u : 0u);

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-/* A train of pulses at even distances: what a pulse timer is loaded with. A distance is so many ticks, and one
- * more whenever the rests of the distances add up to a tick, so that no pulse is a tick off its place and no
- * division is needed from one to the next. */
+/* A train of pulses at even distances: what a pulse timer is loaded with. A distance is so many ticks, and
+ * one more whenever the rests of the distances add up to a tick, so that no pulse is a tick off its place and
+ * no division is needed from one to the next. */
 #ifndef CTL_TRAIN_H
 #define CTL_TRAIN_H
 

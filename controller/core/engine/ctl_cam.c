@@ -90,7 +90,8 @@ ctl_verdict ctl_cam_check(const ctl_bank* bank, const ctl_config* config, ctl_ro
     for (uint32_t i = 0; i < rows && check->row < count; ++i, ++check->row) {
         const cam_row row = row_at(bank, check->row);
         const bool first_is_zero = check->row != 0 || row.position == 0;
-        if (!first_is_zero || magnitude(row.slope) > max_step || magnitude(row.position - check->last) > max_step)
+        if (!first_is_zero || magnitude(row.slope) > max_step ||
+            magnitude(row.position - check->last) > max_step)
             return ctl_refuse(CTL_TRANSFER_RESULT_BAD_ROW, check->row);
         check->last = row.position;
     }

@@ -97,8 +97,8 @@ static void accelerate(ctl_dda* dda, uint32_t iterations, uint64_t ramp)
     dda->velocity_rest = (uint32_t)sum & VELOCITY_MASK;
 }
 
-/* The iteration that brings pulse number `pulses` from here, known to be among the next `max`: first where the
- * speed of now would bring it, then nearer by what is lacking. */
+/* The iteration that brings pulse number `pulses` from here, known to be among the next `max`: first where
+ * the speed of now would bring it, then nearer by what is lacking. */
 static uint32_t iteration_of(const ctl_dda* dda, uint64_t pulses, uint32_t max, uint64_t ramp)
 {
     const uint64_t wanted = pulses << dda->position_bits;

@@ -195,8 +195,7 @@ static void slice_stopping(ctl_motion* motion, ctl_pace pace)
         pace.travel = ctl_ramp_up(&motion->ramp, pace.ticks);
         break;
     case CTL_STOP_AT_BOUNDARY:
-        pace.travel =
-            ctl_ramp_land(&motion->ramp, pace.ticks, motion->stop_remaining, motion->stop_limit);
+        pace.travel = ctl_ramp_land(&motion->ramp, pace.ticks, motion->stop_remaining, motion->stop_limit);
         break;
     }
     travel(motion, pace);

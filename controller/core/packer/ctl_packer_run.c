@@ -130,8 +130,7 @@ static void plan_cut(ctl_packer* packer, const ctl_drive* drive)
 
 static void count_skip(ctl_packer* packer)
 {
-    const bool too_long =
-        packer->products.longest + 2 * cut_clearance(packer) > packer->bag;
+    const bool too_long = packer->products.longest + 2 * cut_clearance(packer) > packer->bag;
     packer->skipped += 1;
     packer->skips_in_row += 1;
     packer->skips_in_run += 1;
