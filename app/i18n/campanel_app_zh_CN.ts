@@ -1100,6 +1100,10 @@
         <translation>数据表需要 %1 个寄存器，控制器只有 %2 个，其程序没有改变。请减少斜坡分段数。</translation>
     </message>
     <message>
+        <source>This controller cannot execute intervals; its program is unchanged. Choose cam points.</source>
+        <translation>该控制器不能执行区间表，其程序没有改变。请选择凸轮点。</translation>
+    </message>
+    <message>
         <source>This controller cannot execute this kind of program; its program is unchanged. Update its firmware.</source>
         <translation>该控制器不能执行这类程序，其程序没有改变。请升级其固件。</translation>
     </message>
@@ -1300,6 +1304,10 @@
     <message>
         <source>An earlier change is waiting for the end of the cycle. Cancel it first.</source>
         <translation>之前的更改仍在等待周期结束。请先取消该更改。</translation>
+    </message>
+    <message>
+        <source>The controller has not finished checking or saving a table. Download again.</source>
+        <translation>控制器尚未完成表格的检查或保存。请重新下载。</translation>
     </message>
     <message>
         <source>At standstill</source>

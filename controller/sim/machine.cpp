@@ -69,6 +69,12 @@ Machine::Machine(const MachineOptions& options)
     switchDrives();
 }
 
+void Machine::command(ctl_axis axis, std::int64_t pulses)
+{
+    Servo& servo = axis == CTL_AXIS_FILM ? m_filmMotor : axis == CTL_AXIS_INFEED ? m_infeedMotor : m_main;
+    servo.command(pulses);
+}
+
 void Machine::setDriveOn(bool on)
 {
     m_hasPower = on;

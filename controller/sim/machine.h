@@ -6,6 +6,7 @@
 #pragma once
 
 #include "base/ctl_bank.h"
+#include "base/ctl_port.h"
 #include "film.h"
 #include "infeed.h"
 #include "press_ram.h"
@@ -57,9 +58,8 @@ public:
 
     // Sets the program to execute; the shaft keeps its angle.
     void setProgram(const ctl_bank& bank);
-    void command(std::int64_t pulses) { m_main.command(pulses); }
-    void commandFilm(std::int64_t pulses) { m_filmMotor.command(pulses); }
-    void commandInfeed(std::int64_t pulses) { m_infeedMotor.command(pulses); }
+    // Moves the command of an axis; within a time step it rises evenly, at whichever ticks the pulses come.
+    void command(ctl_axis axis, std::int64_t pulses);
     // Cuts the power of the main drive.
     void setDriveOn(bool on);
     // Sets the output pins; the drives follow only while they are enabled.

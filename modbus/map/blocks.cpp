@@ -68,6 +68,12 @@ bool Identity::supports(ProgramKind kind) const
     return kind <= lastProgramKind && (programKinds & bit(kind)) != 0;
 }
 
+bool Identity::supports(TableLayout layout) const
+{
+    return tableLayouts == 0 ||
+           (layout <= TableLayout::PressStages && (tableLayouts >> static_cast<unsigned>(layout) & 1u) != 0);
+}
+
 bool StatusBlock::has(FaultBit which) const
 {
     return (faultBits & bit(which)) != 0;
@@ -97,6 +103,7 @@ Identity decodeIdentity(std::span<const std::uint16_t> registers)
     identity.timerClockHz = reader.u32("identity.timer_clock");
     identity.timerBits = reader.u16("identity.timer_bits");
     identity.maxPulseFrequencyHz = reader.u32("identity.max_pulse_frequency");
+    identity.tableLayouts = reader.u16("identity.table_layouts");
     return identity;
 }
 

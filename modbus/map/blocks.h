@@ -35,9 +35,11 @@ struct Identity {
     std::uint32_t timerClockHz = 0;
     std::uint16_t timerBits = 0;
     std::uint32_t maxPulseFrequencyHz = 0;
+    std::uint16_t tableLayouts = 0; // bit n: table layout n; 0 before map 1.4, which executes all
 
     [[nodiscard]] std::string firmwareVersion() const;
     [[nodiscard]] bool supports(ProgramKind kind) const;
+    [[nodiscard]] bool supports(TableLayout layout) const;
 
     bool operator==(const Identity&) const = default;
 };

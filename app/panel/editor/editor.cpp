@@ -413,7 +413,7 @@ void Editor::show()
             item(field)->show(views.field(field));
     }
     showFields();
-    m_choices.setRows(ChoiceRow::rows(m_recipe));
+    m_choices.setRows(ChoiceRow::rows(m_recipe, m_controller));
     const auto* cam = std::get_if<profile::PointCamProgram>(&m_recipe.program);
     m_map.show(m_recipe, m_solution, m_controller);
     m_ramps.show(m_recipe, m_solution);
@@ -451,7 +451,8 @@ void Editor::watchController()
     const bool isSame = identity.has_value() == m_controller.has_value() &&
                         (!identity || (identity->uniqueId == m_controller->uniqueId &&
                                        identity->timerClockHz == m_controller->timerClockHz &&
-                                       identity->rowCapacity == m_controller->rowCapacity));
+                                       identity->rowCapacity == m_controller->rowCapacity &&
+                                       identity->tableLayouts == m_controller->tableLayouts));
     if (isSame)
         return;
     m_controller = identity;

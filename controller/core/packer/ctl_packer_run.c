@@ -2,6 +2,7 @@
 /* A packing machine's line while it runs: gates, the plan of each cut, sensors, cuts. */
 #include "packer/ctl_packer.h"
 
+#include "base/ctl_pace.h"
 #include "base/ctl_words.h"
 
 #include <stddef.h>
@@ -25,6 +26,17 @@ static uint32_t bag_um(const ctl_packer* packer)
 static int64_t film_um(const ctl_packer* packer, uint32_t address)
 {
     return ctl_packer_film(packer, ctl_parameter16(packer->board, address));
+}
+
+/* The film that a product must keep from a cut; computed when the panel has written a parameter. */
+static int64_t cut_clearance(ctl_packer* packer)
+{
+    const uint32_t settings = packer->board->parameter_writes + 1u;
+    if (packer->settings != settings) {
+        packer->settings = settings;
+        packer->clearance = film_um(packer, CTL_REG_PARAMETER_CUT_CLEARANCE);
+    }
+    return packer->clearance;
 }
 
 /* Command of the film motor at the next cut when nothing is corrected; asked behind a sealing window or, with
@@ -118,8 +130,7 @@ static void plan_cut(ctl_packer* packer, const ctl_drive* drive)
 
 static void count_skip(ctl_packer* packer)
 {
-    const bool too_long =
-        packer->products.longest + 2 * film_um(packer, CTL_REG_PARAMETER_CUT_CLEARANCE) > packer->bag;
+    const bool too_long = packer->products.longest + 2 * cut_clearance(packer) > packer->bag;
     packer->skipped += 1;
     packer->skips_in_row += 1;
     packer->skips_in_run += 1;
@@ -137,7 +148,7 @@ static bool knife_must_wait(ctl_packer* packer, const ctl_drive* drive)
     }
     if (ctl_parameter16(packer->board, CTL_REG_PARAMETER_ANTI_CUT) == 0)
         return false;
-    int64_t clearance = film_um(packer, CTL_REG_PARAMETER_CUT_CLEARANCE);
+    int64_t clearance = cut_clearance(packer);
     int64_t cut = packer->next.command;
     if (!packer->planned) { /* it may still be shifted */
         cut = uncorrected(packer);
@@ -155,7 +166,7 @@ void ctl_packer_ask_first_cut(ctl_packer* packer)
 {
     if (ctl_parameter16(packer->board, CTL_REG_PARAMETER_ANTI_CUT) == 0 ||
         !ctl_products_across(&packer->products, packer->next.command + packer->next.lag,
-                             film_um(packer, CTL_REG_PARAMETER_CUT_CLEARANCE)))
+                             cut_clearance(packer)))
         return;
     count_skip(packer);
     ctl_gate_stand(&packer->knife_gate);
@@ -220,23 +231,23 @@ uint32_t ctl_packer_advance(ctl_packer* packer, const ctl_drive* drive, uint32_t
     return knife;
 }
 
-/* Whole pulses up to a position in 1/256 pulse. */
-static int64_t whole_pulses(int64_t fine)
+/* The pulses of an axis that goes evenly from `from` to `to` in this slice; returns their number. */
+static int64_t emit(const ctl_board* board, ctl_axis axis, int64_t from, int64_t to)
 {
-    return (fine - (fine < 0 ? CTL_FINE - 1 : 0)) / CTL_FINE;
+    const ctl_pace pace = {&board->port, axis, board->tick, board->slice_ticks, board->slice_ticks};
+    const ctl_train train = ctl_train_line(from, to, board->slice_ticks);
+    ctl_pace_give(&pace, &train);
+    return train.direction * (int64_t)train.count;
 }
 
-static void emit(ctl_packer* packer)
+static void emit_feeds(ctl_packer* packer)
 {
-    const int64_t film = whole_pulses(ctl_feed_position(&packer->film));
-    const int64_t infeed = whole_pulses(ctl_feed_position(&packer->infeed));
-    if (film != packer->film_sent)
-        packer->board->port.film_pulses(packer->board->port.context, (int32_t)(film - packer->film_sent));
-    if (infeed != packer->infeed_sent)
-        packer->board->port.infeed_pulses(packer->board->port.context,
-                                          (int32_t)(infeed - packer->infeed_sent));
-    packer->film_sent = film;
-    packer->infeed_sent = infeed;
+    const int64_t film = ctl_feed_position(&packer->film);
+    const int64_t infeed = ctl_feed_position(&packer->infeed);
+    packer->film_sent += emit(packer->board, CTL_AXIS_FILM, packer->film_at, film);
+    packer->infeed_sent += emit(packer->board, CTL_AXIS_INFEED, packer->infeed_at, infeed);
+    packer->film_at = film;
+    packer->infeed_at = infeed;
 }
 
 static void read_sensors(ctl_packer* packer)
@@ -264,7 +275,7 @@ static bool has_alarms(ctl_packer* packer)
     if (packer->marks.alarm != 0 && ctl_packer_tracks(packer))
         raise_alarm(packer, packer->marks.alarm);
     if (ctl_parameter16(packer->board, CTL_REG_PARAMETER_ANTI_CUT) != 0 &&
-        packer->products.longest + 2 * film_um(packer, CTL_REG_PARAMETER_CUT_CLEARANCE) > packer->bag)
+        packer->products.longest + 2 * cut_clearance(packer) > packer->bag)
         raise_alarm(packer, CTL_WARNING_BIT_PRODUCT_TOO_LONG);
     return packer->alarms != 0;
 }
@@ -273,7 +284,7 @@ bool ctl_packer_slice(ctl_packer* packer, bool in_cycle)
 {
     if (packer->bank == NULL)
         return false;
-    emit(packer);
+    emit_feeds(packer);
     read_sensors(packer);
     return in_cycle && has_alarms(packer);
 }
