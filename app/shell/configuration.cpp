@@ -60,6 +60,8 @@ std::optional<QString> valueIn(const toml::node& node, SettingForm form)
         return rulesIn(node);
     case SettingForm::Word:
     case SettingForm::Port:
+    case SettingForm::File:
+    case SettingForm::Name:
     case SettingForm::Size:
         break;
     }

@@ -40,6 +40,8 @@ QString standardOf(Setting setting)
     case SettingForm::Word:
         return u"\"%1\""_s.arg(standard.isEmpty() ? choicesOf(setting).first() : standard);
     case SettingForm::Port:
+    case SettingForm::File:
+    case SettingForm::Name:
     case SettingForm::Size:
         return u"\"%1\""_s.arg(standard);
     case SettingForm::Rules:
