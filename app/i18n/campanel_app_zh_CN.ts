@@ -887,6 +887,14 @@
         <source>Lost, new and empty</source>
         <translation>已丢失，已新建空库</translation>
     </message>
+    <message>
+        <source>Network</source>
+        <translation>网络</translation>
+    </message>
+    <message>
+        <source>Command from the network</source>
+        <translation>来自网络的命令</translation>
+    </message>
 </context>
 <context>
     <name>BackupErrorText</name>

@@ -61,6 +61,8 @@ std::optional<QString> valueIn(const toml::node& node, SettingForm form)
     case SettingForm::Word:
     case SettingForm::Language:
     case SettingForm::Port:
+    case SettingForm::File:
+    case SettingForm::Name:
     case SettingForm::Size:
         break;
     }

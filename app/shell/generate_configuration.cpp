@@ -41,6 +41,8 @@ QString standardOf(Setting setting)
         return u"\"en\""_s; // on a system in English
     case SettingForm::Word:
     case SettingForm::Port:
+    case SettingForm::File:
+    case SettingForm::Name:
     case SettingForm::Size:
         return u"\"%1\""_s.arg(standard);
     case SettingForm::Rules:

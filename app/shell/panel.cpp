@@ -3,6 +3,7 @@
 #include "app/shell/panel.h"
 
 #include "app/panel/kit/engine_instances.h"
+#include "app/plant/socket_path.h"
 #include "app/report/commissioning_pdf.h"
 #include "app/store/files/private_files.h"
 
@@ -55,6 +56,8 @@ Panel::Panel(link::Link& link, const Storage& storage)
     , m_bundle({m_machine, m_editor, m_records, *m_maintenance.figures(), *m_maintenance.files()}, nullptr)
     , m_display(m_machine, m_settings, nullptr)
     , m_explanations({m_machine, m_editor, *m_maintenance.figures(), m_trends}, nullptr)
+    , m_plant(m_machine, m_alarms, m_trail, nullptr)
+    , m_hasBroker(!storage.standard.text("gateway.host").isEmpty())
     , m_pageMemory(recipeFolder(storage) + QStringLiteral("/open-page"))
 {
     m_commissioning.setPrinter(&report::commissioningPdf);
@@ -88,6 +91,8 @@ void Panel::open()
     m_trends.open();
     m_access.open();
     m_trail.open();
+    if (m_hasBroker)
+        m_plant.open(plant::panelSocketPath());
 }
 
 bool Panel::load(QSize size)

@@ -14,6 +14,7 @@
 #include "app/panel/explain/explanations.h"
 #include "app/panel/library/recipes.h"
 #include "app/panel/maintenance/maintenance.h"
+#include "app/panel/plant/plant_feed.h"
 #include "app/panel/records/database_service.h"
 #include "app/panel/reports/backup.h"
 #include "app/panel/reports/commissioning.h"
@@ -100,6 +101,8 @@ private:
     panel::ServiceBundle m_bundle;
     panel::Display m_display;
     panel::Explanations m_explanations;
+    panel::PlantFeed m_plant;
+    bool m_hasBroker = false; // the configuration names one
     QTranslator m_texts;
     QTranslator m_textsOfQt;
     QQmlEngine m_engine;

@@ -34,6 +34,7 @@ constexpr std::array areaWords{
     Word{"setting", QT_TRANSLATE_NOOP("AuditWords", "Settings")},
     Word{"backup", QT_TRANSLATE_NOOP("AuditWords", "Backup and restore")},
     Word{"user", QT_TRANSLATE_NOOP("AuditWords", "Users and logins")},
+    Word{"network", QT_TRANSLATE_NOOP("AuditWords", "Network")},
     Word{"memory", QT_TRANSLATE_NOOP("AuditWords", "Panel database")},
     Word{"audit", QT_TRANSLATE_NOOP("AuditWords", "Audit trail")},
 };
@@ -71,6 +72,7 @@ constexpr std::array whatWords{
     Word{"user.pin", QT_TRANSLATE_NOOP("AuditWords", "New PIN")},
     Word{"user.level", QT_TRANSLATE_NOOP("AuditWords", "Level changed")},
     Word{"user.remove", QT_TRANSLATE_NOOP("AuditWords", "User removed")},
+    Word{"network.command", QT_TRANSLATE_NOOP("AuditWords", "Command from the network")},
     Word{"memory.from_copy", QT_TRANSLATE_NOOP("AuditWords", "Replaced by its copy")},
     Word{"memory.lost", QT_TRANSLATE_NOOP("AuditWords", "Lost, new and empty")},
     Word{"audit.loss", QT_TRANSLATE_NOOP("AuditWords", "Rows lost")},

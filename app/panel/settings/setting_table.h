@@ -20,6 +20,8 @@ enum class SettingForm {
     Whole,    // a whole number of the range
     Decimal,  // a number of the range
     Port,     // an absolute path, or nothing
+    File,     // an absolute path, or nothing
+    Name,     // up to 64 letters without those that have a meaning in MQTT topics, or nothing
     Size,     // width and height of a window in pixels: "1024x600"
     Rules,    // rules for logging, one per line
 };
@@ -162,6 +164,37 @@ inline constexpr std::array settingTable{
                    "How the kiosk draws: eglfs (graphics processor) or linuxfb (plain framebuffer). auto: "
                    "eglfs with a screen at a graphics card; linuxfb without one, or after eglfs has "
                    "ended without drawing."},
+    SettingRow{.name = "gateway.host",
+               .form = SettingForm::Name,
+               .help = "Name or address of the MQTT broker to which campanel-gateway sends the values of the "
+                       "machine. Empty: nothing is sent."},
+    SettingRow{.name = "gateway.port",
+               .form = SettingForm::Whole,
+               .minimum = 1,
+               .maximum = 65535,
+               .standard = "8883",
+               .help = "Port of the broker: 8883 with TLS, usually 1883 without."},
+    SettingRow{.name = "gateway.ca",
+               .form = SettingForm::File,
+               .help = "Certificate of the authority that has signed the broker's, in PEM form. With it the "
+                       "connection uses TLS; without it everybody on the network can read the values."},
+    SettingRow{.name = "gateway.certificate",
+               .form = SettingForm::File,
+               .help = "Certificate of this machine, for a broker that asks for one; PEM."},
+    SettingRow{.name = "gateway.key", .form = SettingForm::File, .help = "Key of this certificate; PEM."},
+    SettingRow{.name = "gateway.group",
+               .form = SettingForm::Name,
+               .standard = "CamPanel",
+               .help = "Sparkplug group: usually the hall or the line."},
+    SettingRow{.name = "gateway.node",
+               .form = SettingForm::Name,
+               .help =
+                   "Sparkplug node: the name of this machine, which no other one in the group has. Empty: "
+                   "the name of the computer."},
+    SettingRow{.name = "gateway.primary_host",
+               .form = SettingForm::Name,
+               .help = "Sparkplug primary host. While it is offline, values are kept instead of sent. Empty: "
+                       "the broker is enough."},
 };
 
 // A row of the table by its name. An unknown name does not compile.

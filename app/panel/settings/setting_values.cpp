@@ -37,6 +37,14 @@ bool areRules(const QString& text)
     return std::ranges::all_of(rules, [](const QString& rule) { return form.match(rule).hasMatch(); });
 }
 
+bool isTopicName(const QString& text)
+{
+    constexpr qsizetype maxLength = 64;
+    return text.size() <= maxLength && text == text.trimmed() && std::ranges::none_of(text, [](QChar letter) {
+               return !letter.isPrint() || letter == u'/' || letter == u'+' || letter == u'#';
+           });
+}
+
 // Returns the number of the text; NaN when it is none of the setting's form.
 double numberIn(Setting setting, const QString& text)
 {
@@ -110,6 +118,10 @@ QString validValues(Setting setting)
         return u"a number from %1 to %2"_s.arg(setting->minimum).arg(setting->maximum);
     case SettingForm::Port:
         return u"the path of a serial port, such as \"/dev/campanel-serial\""_s;
+    case SettingForm::File:
+        return u"the path of a file, such as \"/etc/campanel/broker.pem\""_s;
+    case SettingForm::Name:
+        return u"up to 64 letters, without / + #"_s;
     case SettingForm::Size:
         return u"from \"800x480\" to \"9999x9999\""_s;
     case SettingForm::Rules:
@@ -134,7 +146,10 @@ bool isValid(Setting setting, const QString& text)
     case SettingForm::Language:
         return isLanguageCode(text);
     case SettingForm::Port:
+    case SettingForm::File:
         return text.isEmpty() || text.startsWith(u'/');
+    case SettingForm::Name:
+        return isTopicName(text);
     case SettingForm::Size:
         return isWindowSize(sizeIn(text));
     case SettingForm::Rules:
