@@ -4208,6 +4208,30 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
         <translation>一个周期内的均方根值。它使电机发热，因此须低于额定转矩。</translation>
     </message>
     <message>
+        <source>Vibration over the cycle</source>
+        <translation>周期内的振动</translation>
+    </message>
+    <message>
+        <source>Vibration after the move</source>
+        <translation>运动后的振动</translation>
+    </message>
+    <message>
+        <source>Error of the load behind the shaft, peak to peak over one cycle.</source>
+        <translation>轴后负载在一个周期内的误差（峰峰值）。</translation>
+    </message>
+    <message>
+        <source>Amplitude of the load behind the shaft after the end of the move.</source>
+        <translation>运动结束后轴后负载的残余振幅。</translation>
+    </message>
+    <message>
+        <source>f0 = %1 Hz, ζ = %2, T = %3 s</source>
+        <translation>f0 = %1 Hz，ζ = %2，T = %3 s</translation>
+    </message>
+    <message>
+        <source>f0 = %1 Hz, T = %2 s</source>
+        <translation>f0 = %1 Hz，T = %2 s</translation>
+    </message>
+    <message>
         <source>Error while sealing</source>
         <translation>封切误差</translation>
     </message>
