@@ -422,7 +422,8 @@ void Editor::show()
     m_knotFiles.show(cam ? cam->knots : std::vector<profile::Knot>{}, recipeName());
     m_lawParameter1.show(views.lawParameter(0));
     m_lawParameter2.show(views.lawParameter(1));
-    m_laws.setRows(views.laws(m_comparedLaw));
+    if (m_areLawsWatched)
+        m_laws.setRows(views.laws(m_comparedLaw));
     shareMachine();
     emit kindChanged();
     emit overlayChanged();

@@ -156,6 +156,8 @@ public:
     Q_INVOKABLE void newProgram(int kind);
     Q_INVOKABLE void setChoice(int row, int option);
     Q_INVOKABLE void setLaw(const QString& lawId);
+    // Fills laws() while they are displayed: each law is a program of its own to be solved.
+    Q_INVOKABLE void watchLaws(bool isWatched);
     // Displays the curves of the same motion with another law in the background; an empty id ends it.
     Q_INVOKABLE void compareLaw(const QString& lawId);
     Q_INVOKABLE void applySuggestion();
@@ -260,6 +262,7 @@ private:
     Solution m_solution;
     program::Recipe m_solvedFor;
     std::optional<profile::LawId> m_comparedLaw;
+    bool m_areLawsWatched = false;
     std::shared_ptr<const profile::Curves> m_comparedCurves;
     QList<profile::Field> m_shownFields; // last fields reported by fieldsChanged()
     double m_cycleSeconds = 1;           // the last known one, so that the handles keep their places
