@@ -5734,6 +5734,18 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
 <context>
     <name>campanel::panel::CutterMap</name>
     <message>
+    <message>
+        <source>L_min: the jaws just fill the window</source>
+        <translation>L_min：封刀刚好占满窗口</translation>
+    </message>
+    <message>
+        <source>h/c: the knife turns evenly</source>
+        <translation>h/c：切刀匀速转动</translation>
+    </message>
+    <message>
+        <source>L_crit: the knife stops in each cycle</source>
+        <translation>L_crit：切刀每周期停顿</translation>
+    </message>
         <source>%1 · %2</source>
         <comment>%1: bag length, %2: rate</comment>
         <translation>%1 · %2</translation>
