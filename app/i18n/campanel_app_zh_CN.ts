@@ -1714,8 +1714,8 @@ RMS %2</source>
         <translation>%1 不是 CamPanel 配方：键 &quot;format&quot; 必须为 &quot;campanel-recipe&quot;。</translation>
     </message>
     <message>
-        <source>The recipe file %1 has format version %2, this program reads version %3. Update the program.</source>
-        <translation>配方文件 %1 的格式版本为 %2，本程序读取版本 %3。请升级程序。</translation>
+        <source>The recipe file %1 has format version %2, this program reads versions up to %3. Update the program.</source>
+        <translation>配方文件 %1 的格式版本为 %2，本程序最高读取版本 %3。请升级程序。</translation>
     </message>
     <message>
         <source>The recipe file %1 has an unknown key %2. Correct or remove the key.</source>
