@@ -4626,15 +4626,15 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
     </message>
 </context>
 <context>
-    <name>campanel::panel::KnotFiles</name>
+    <name>campanel::panel::CamFiles</name>
     <message>
         <source>A new file %1 will be written.</source>
         <translation>将写入新文件 %1。</translation>
     </message>
     <message>
-        <source>%1 knots · %2 · %3</source>
-        <comment>number, date, place</comment>
-        <translation>%1 个型值点 · %2 · %3</translation>
+        <source>%1 · %2 · %3</source>
+        <comment>number of knots or segments, date, place</comment>
+        <translation>%1 · %2 · %3</translation>
     </message>
     <message>
         <source>cannot be used · %1 · %2</source>
@@ -4652,8 +4652,9 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
         <translation>%1请更正文件，面板会自动重新读取。</translation>
     </message>
     <message>
-        <source>%1 knots, slave %2 to %3 mm, will replace the recipe&apos;s knots. Undo restores the old knots.</source>
-        <translation>%1 个型值点，从轴 %2 至 %3 mm，将取代配方中的型值点。可用“撤销”恢复。</translation>
+        <source>%1, slave %2 to %3 mm, will replace those of the recipe. Undo restores them.</source>
+        <comment>%1: number of knots or segments</comment>
+        <translation>%1，从轴 %2 至 %3 mm，将取代配方中的原有内容。可用“撤销”恢复。</translation>
     </message>
 </context>
 <context>
@@ -5734,7 +5735,6 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
 <context>
     <name>campanel::panel::CutterMap</name>
     <message>
-    <message>
         <source>L_min: the jaws just fill the window</source>
         <translation>L_min：封刀刚好占满窗口</translation>
     </message>
@@ -5746,6 +5746,7 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
         <source>L_crit: the knife stops in each cycle</source>
         <translation>L_crit：切刀每周期停顿</translation>
     </message>
+    <message>
         <source>%1 · %2</source>
         <comment>%1: bag length, %2: rate</comment>
         <translation>%1 · %2</translation>

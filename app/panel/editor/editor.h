@@ -3,10 +3,10 @@
 #pragma once
 
 #include "app/panel/download/program_download.h"
+#include "app/panel/editor/cam_files.h"
 #include "app/panel/editor/cutter_map.h"
 #include "app/panel/editor/edit_history.h"
 #include "app/panel/editor/editor_values.h"
-#include "app/panel/editor/knot_files.h"
 #include "app/panel/editor/knot_model.h"
 #include "app/panel/editor/ramp_control.h"
 #include "app/panel/editor/segment_model.h"
@@ -123,12 +123,12 @@ public:
     [[nodiscard]] QVariantList fields() const; // list of EditorField*
     [[nodiscard]] QVariantList machineFields() const;
     [[nodiscard]] ChoiceModel* choices() { return &m_choices; }
-    [[nodiscard]] CamLists cam() { return {&m_knots, &m_knotFiles, &m_segments}; }
+    [[nodiscard]] CamLists cam() { return {&m_knots, &m_camFiles, &m_segments}; }
     [[nodiscard]] KnotModel* knots() { return &m_knots; }
     [[nodiscard]] CutterMap* map() { return &m_map; }
     [[nodiscard]] SegmentModel* segments() { return &m_segments; }
     [[nodiscard]] CamHandles* handles();
-    [[nodiscard]] KnotFiles* knotFiles() { return &m_knotFiles; }
+    [[nodiscard]] CamFiles* camFiles() { return &m_camFiles; }
     [[nodiscard]] RampControl* ramps() { return &m_ramps; }
     [[nodiscard]] bool hasLaw() const { return program::lawParameters(m_recipe.program) != nullptr; }
     [[nodiscard]] QString lawTitle() const;
@@ -239,7 +239,7 @@ private:
     std::array<EditorField*, profile::fields.size()> m_fields{}; // children, by field
     KnotModel m_knots;
     SegmentModel m_segments;
-    KnotFiles m_knotFiles;
+    CamFiles m_camFiles;
     CutterMap m_map;
     RampControl m_ramps;
     ChoiceModel m_choices;
