@@ -318,6 +318,7 @@ private slots:
     void listsWhatEachLawWouldDemand()
     {
         PanelRig rig;
+        rig.editor.watchLaws(true);
         panel::LawModel* laws = rig.editor.laws();
         QCOMPARE(laws->count(), static_cast<int>(profile::laws().size()));
         const auto isCurrent = [](const panel::LawRow& row) { return row.current; };
