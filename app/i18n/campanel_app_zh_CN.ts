@@ -1738,8 +1738,8 @@ RMS %2</source>
         <translation>%1 不是 CamPanel 配方：键 &quot;format&quot; 必须为 &quot;campanel-recipe&quot;。</translation>
     </message>
     <message>
-        <source>The recipe file %1 has format version %2, this program reads version %3. Update the program.</source>
-        <translation>配方文件 %1 的格式版本为 %2，本程序读取版本 %3。请升级程序。</translation>
+        <source>The recipe file %1 has format version %2, this program reads versions up to %3. Update the program.</source>
+        <translation>配方文件 %1 的格式版本为 %2，本程序最高读取版本 %3。请升级程序。</translation>
     </message>
     <message>
         <source>The recipe file %1 has an unknown key %2. Correct or remove the key.</source>
@@ -4244,6 +4244,30 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
         <translation>一个周期内的均方根值。它使电机发热，因此须低于额定转矩。</translation>
     </message>
     <message>
+        <source>Vibration over the cycle</source>
+        <translation>周期内的振动</translation>
+    </message>
+    <message>
+        <source>Vibration after the move</source>
+        <translation>运动后的振动</translation>
+    </message>
+    <message>
+        <source>Error of the load behind the shaft, peak to peak over one cycle.</source>
+        <translation>轴后负载在一个周期内的误差（峰峰值）。</translation>
+    </message>
+    <message>
+        <source>Amplitude of the load behind the shaft after the end of the move.</source>
+        <translation>运动结束后轴后负载的残余振幅。</translation>
+    </message>
+    <message>
+        <source>f0 = %1 Hz, ζ = %2, T = %3 s</source>
+        <translation>f0 = %1 Hz，ζ = %2，T = %3 s</translation>
+    </message>
+    <message>
+        <source>f0 = %1 Hz, T = %2 s</source>
+        <translation>f0 = %1 Hz，T = %2 s</translation>
+    </message>
+    <message>
         <source>Error while sealing</source>
         <translation>封切误差</translation>
     </message>
@@ -4638,15 +4662,15 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
     </message>
 </context>
 <context>
-    <name>campanel::panel::KnotFiles</name>
+    <name>campanel::panel::CamFiles</name>
     <message>
         <source>A new file %1 will be written.</source>
         <translation>将写入新文件 %1。</translation>
     </message>
     <message>
-        <source>%1 knots · %2 · %3</source>
-        <comment>number, date, place</comment>
-        <translation>%1 个型值点 · %2 · %3</translation>
+        <source>%1 · %2 · %3</source>
+        <comment>number of knots or segments, date, place</comment>
+        <translation>%1 · %2 · %3</translation>
     </message>
     <message>
         <source>cannot be used · %1 · %2</source>
@@ -4664,8 +4688,9 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
         <translation>%1请更正文件，面板会自动重新读取。</translation>
     </message>
     <message>
-        <source>%1 knots, slave %2 to %3 mm, will replace the recipe&apos;s knots. Undo restores the old knots.</source>
-        <translation>%1 个型值点，从轴 %2 至 %3 mm，将取代配方中的型值点。可用“撤销”恢复。</translation>
+        <source>%1, slave %2 to %3 mm, will replace those of the recipe. Undo restores them.</source>
+        <comment>%1: number of knots or segments</comment>
+        <translation>%1，从轴 %2 至 %3 mm，将取代配方中的原有内容。可用“撤销”恢复。</translation>
     </message>
 </context>
 <context>
@@ -5789,6 +5814,18 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
 </context>
 <context>
     <name>campanel::panel::CutterMap</name>
+    <message>
+        <source>L_min: the jaws just fill the window</source>
+        <translation>L_min：封刀刚好占满窗口</translation>
+    </message>
+    <message>
+        <source>h/c: the knife turns evenly</source>
+        <translation>h/c：切刀匀速转动</translation>
+    </message>
+    <message>
+        <source>L_crit: the knife stops in each cycle</source>
+        <translation>L_crit：切刀每周期停顿</translation>
+    </message>
     <message>
         <source>%1 · %2</source>
         <comment>%1: bag length, %2: rate</comment>

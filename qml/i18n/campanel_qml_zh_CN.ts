@@ -1157,7 +1157,7 @@ And %2 more.</source>
     </message>
 </context>
 <context>
-    <name>KnotFilesSheet</name>
+    <name>CamFilesSheet</name>
     <message>
         <source>There is no CSV file on a USB stick or in %1. Plug a stick in; the panel finds it automatically.</source>
         <translation>U 盘和 %1 中都没有 CSV 文件。请插入 U 盘，面板会自动找到。</translation>
@@ -1169,6 +1169,10 @@ And %2 more.</source>
     <message>
         <source>Choose a file to view its content.</source>
         <translation>请选择文件以查看其内容。</translation>
+    </message>
+    <message>
+        <source>Segments as CSV</source>
+        <translation>运动段 CSV 文件</translation>
     </message>
     <message>
         <source>Knots as CSV</source>
@@ -2875,6 +2879,10 @@ And %2 more.</source>
     <message>
         <source>Make continuous</source>
         <translation>使其连续</translation>
+    </message>
+    <message>
+        <source>CSV files</source>
+        <translation>CSV 文件</translation>
     </message>
     <message>
         <source>Segment %1</source>

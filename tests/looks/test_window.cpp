@@ -101,7 +101,7 @@ template <typename Files> void TestWindow::waitUntilIdle(Files& files)
     waitUntil(files, &Files::changed, [](const Files& each) { return !each.busy(); });
 }
 
-void TestWindow::waitFor(panel::KnotFiles& files)
+void TestWindow::waitFor(panel::CamFiles& files)
 {
     waitUntilIdle(files);
 }

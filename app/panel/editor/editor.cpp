@@ -78,7 +78,7 @@ Editor::Editor(Controller& machine, const QString& folder, QObject* parent)
     : QObject(parent)
     , m_knots(this)
     , m_segments(this)
-    , m_knotFiles(QDir(folder).filePath(u"knots"_s), this)
+    , m_camFiles(QDir(folder).filePath(u"knots"_s), this)
     , m_map(this)
     , m_ramps(this)
     , m_choices(this)
@@ -188,10 +188,10 @@ void Editor::connectKnots()
 {
     connectHandles(m_knots);
     connectHandles(m_segments);
-    connect(&m_knotFiles, &KnotFiles::taken, this, [this](const std::vector<profile::Knot>& knots) {
+    connect(&m_camFiles, &CamFiles::taken, this, [this](const profile::Program& program) {
         edit(Level::Technician, [&](program::Recipe& recipe) {
-            if (auto* cam = std::get_if<profile::PointCamProgram>(&recipe.program))
-                cam->knots = knots;
+            if (recipe.program.index() == program.index())
+                recipe.program = program;
         });
     });
 }
@@ -414,15 +414,15 @@ void Editor::show()
     }
     showFields();
     m_choices.setRows(ChoiceRow::rows(m_recipe, m_controller));
-    const auto* cam = std::get_if<profile::PointCamProgram>(&m_recipe.program);
     m_map.show(m_recipe, m_solution, m_controller);
     m_ramps.show(m_recipe, m_solution);
-    m_knots.show(m_recipe.program, m_cycleSeconds, cam != nullptr);
+    m_knots.show(m_recipe.program, m_cycleSeconds, handles() == &m_knots);
     m_segments.show(m_recipe.program, m_cycleSeconds, handles() == &m_segments);
-    m_knotFiles.show(cam ? cam->knots : std::vector<profile::Knot>{}, recipeName());
+    m_camFiles.show(m_recipe.program, recipeName());
     m_lawParameter1.show(views.lawParameter(0));
     m_lawParameter2.show(views.lawParameter(1));
-    m_laws.setRows(views.laws(m_comparedLaw));
+    if (m_areLawsWatched)
+        m_laws.setRows(views.laws(m_comparedLaw));
     shareMachine();
     emit kindChanged();
     emit overlayChanged();

@@ -87,6 +87,8 @@ Explanation Explanations::of(int quantity) const
         return liveSealTime();
     case Coefficients:
         return coefficients();
+    case ShaftVibration:
+        return shaftVibration();
     case WireShare:
         return wireShare();
     case AnswersHalf:

@@ -56,7 +56,8 @@ public:
         RmsAcceleration,
         SpeedRatio,
         BaseCircleSpeed,
-        Coefficients
+        Coefficients,
+        ShaftVibration
     };
     Q_ENUM(Topic)
 
@@ -75,8 +76,9 @@ public:
     // Explains a value of Topic. Packing line and press use the controller's values; FastestRate, the peaks,
     // SyncWindow and SealTime use the recipe in the editor.
     [[nodiscard]] Q_INVOKABLE campanel::panel::Explanation of(int quantity) const;
-    // Returns the explainable quantities of the recipe's verdict: the known ones of FastestRate, the peaks and
-    // the figures that the papers name; Coefficients for a move by one polynomial.
+    // Returns the explainable quantities of the recipe's verdict: the known ones of FastestRate, the peaks
+    // and the figures that the papers name; Coefficients for a move by one polynomial, ShaftVibration of
+    // moves and cams.
     [[nodiscard]] Q_INVOKABLE QList<int> ofVerdict() const;
     // Explains the statistics of a trend curve, counted from the top. Returns a list of Explanation, empty
     // when nothing was recorded in the window.
@@ -96,6 +98,7 @@ private:
     [[nodiscard]] Explanation peak(Topic quantity) const;
     [[nodiscard]] Explanation liveSealTime() const;
     [[nodiscard]] Explanation coefficients() const;
+    [[nodiscard]] Explanation shaftVibration() const;
     [[nodiscard]] Explanation wireShare() const;
     [[nodiscard]] Explanation answers(Topic quantity) const;
     [[nodiscard]] Explanation answerAllowance() const;

@@ -150,6 +150,30 @@ private slots:
         QVERIFY(!editor.canUndo());
     }
 
+    // The ratios follow the dot, the map stays; its lines are explained.
+    void dragWithRatiosThatFollow()
+    {
+        PanelRig rig;
+        Editor& editor = rig.editor;
+        editor.item(Field::ContactAngle)->set(20);
+        editor.ramps()->choose(panel::RampControl::Slow);
+        editor.map()->setWatched(true);
+        const auto map = mapOf(editor);
+        QCOMPARE(editor.map()->linesText().count(u'·'), 2);
+        QVERIFY(editor.map()->linesText().startsWith(QStringLiteral("L_min: the jaws")));
+        const double before = editor.k1()->value();
+        for (int i = 1; i <= 20; ++i)
+            editor.map()->drag(250 + 20 * i, 60);
+        editor.map()->endDrag();
+        QVERIFY(editor.k1()->value() != before);
+        QCOMPARE(mapOf(editor), map);
+        QVERIFY2(editor.feasible(), qPrintable(editor.verdict()));
+        // 650 mm are beyond the stroke of the ratios at 250 mm, and on the map all the same.
+        QVERIFY2(editor.map()->text().startsWith(QStringLiteral("Up to")), qPrintable(editor.map()->text()));
+        editor.item(Field::ContactAngle)->set(0);
+        QVERIFY(editor.map()->linesText().startsWith(QStringLiteral("h/c: ")));
+    }
+
     void dotOfDerivedValues()
     {
         PanelRig rig;

@@ -1,43 +1,45 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/panel/editor/knot_files.h"
+#include "app/panel/editor/cam_files.h"
 
 #include "app/panel/kit/format.h"
+#include "app/panel/words/recipe_words.h"
 #include "app/panel/words/refusal_sentences.h"
+#include "app/program/program_kinds.h"
 
 #include <QFileInfo>
-
-#include <algorithm>
 
 namespace campanel::panel {
 
 namespace {
 
-KnotFiles::Found scanDisks(const QString& ownFolder)
+CamFiles::Found scanDisks(const QString& ownFolder, const profile::Program& cam)
 {
-    KnotFiles::Found found;
+    CamFiles::Found found;
     found.places = store::exchangePlaces(ownFolder);
-    found.offers = store::offeredKnots(found.places);
+    found.offers = store::offeredLists(found.places, cam);
     return found;
 }
 
 } // namespace
 
-KnotFiles::KnotFiles(const QString& ownFolder, QObject* parent)
+CamFiles::CamFiles(const QString& ownFolder, QObject* parent)
     : FileExchange(ownFolder, parent)
     , m_scanner(&scanDisks)
 {
 }
 
-void KnotFiles::show(const std::vector<profile::Knot>& knots, const QString& recipeName)
+void CamFiles::show(const profile::Program& cam, const QString& recipeName)
 {
-    m_knots = knots;
+    if (program::kindInfo(profile::kindOf(cam)).list == nullptr)
+        return;
+    m_cam = cam;
     m_recipeName = recipeName;
 }
 
-std::function<FileExchange::Apply()> KnotFiles::searcher()
+std::function<FileExchange::Apply()> CamFiles::searcher()
 {
-    return [this, scan = m_scanner, folder = ownFolder(), name = m_recipeName]() -> Apply {
-        const Found found = scan(folder);
+    return [this, scan = m_scanner, folder = ownFolder(), cam = m_cam, name = m_recipeName]() -> Apply {
+        const Found found = scan(folder, cam);
         QStringList paths;
         for (const store::Place& place : found.places)
             paths << store::exportPath(name, place);
@@ -45,11 +47,11 @@ std::function<FileExchange::Apply()> KnotFiles::searcher()
     };
 }
 
-void KnotFiles::showFound(const Found& found, const QStringList& exportPaths)
+void CamFiles::showFound(const Found& found, const QStringList& exportPaths)
 {
     m_found = found;
     QList<OfferRow> files;
-    for (const store::KnotsOffer& offer : found.offers)
+    for (const store::ListOffer& offer : found.offers)
         files << fileRow(offer);
     m_files.setRows(files);
     m_places.setRows(placeRows(found.places, [&exportPaths](qsizetype place) {
@@ -57,16 +59,15 @@ void KnotFiles::showFound(const Found& found, const QStringList& exportPaths)
     }));
 }
 
-OfferRow KnotFiles::fileRow(const store::KnotsOffer& offer) const
+OfferRow CamFiles::fileRow(const store::ListOffer& offer) const
 {
     const Format format;
     OfferRow row;
     row.title = QFileInfo(offer.path).fileName();
     row.usable = offer.isUsable();
     const QString date = Format::minute(offer.changed);
-    row.note = row.usable ? tr("%1 knots · %2 · %3", "number, date, place")
-                                .arg(offer.knots.size())
-                                .arg(date, offer.placeName)
+    row.note = row.usable ? tr("%1 · %2 · %3", "number of knots or segments, date, place")
+                                .arg(RecipeWords::listSize(offer.program), date, offer.placeName)
                           : tr("cannot be used · %1 · %2", "date, place").arg(date, offer.placeName);
     if (offer.refusal) {
         row.detail =
@@ -77,27 +78,28 @@ OfferRow KnotFiles::fileRow(const store::KnotsOffer& offer) const
         row.detail = tr("%1 Correct the file; the panel reads it again automatically.", "%1: whole sentence")
                          .arg(offer.problem);
     } else {
-        const auto [lowest, highest] = std::ranges::minmax(offer.knots, {}, &profile::Knot::slaveMm);
-        row.detail =
-            tr("%1 knots, slave %2 to %3 mm, will replace the recipe's knots. Undo restores the old knots.")
-                .arg(offer.knots.size())
-                .arg(format.compact(lowest.slaveMm, 0, 3), format.compact(highest.slaveMm, 0, 3));
+        const auto& list = *program::kindInfo(profile::kindOf(offer.program)).list;
+        const auto [lowestMm, highestMm] = list.slaveRangeMm(offer.program);
+        row.detail = tr("%1, slave %2 to %3 mm, will replace those of the recipe. Undo restores them.",
+                        "%1: number of knots or segments")
+                         .arg(RecipeWords::listSize(offer.program), format.compact(lowestMm, 0, 3),
+                              format.compact(highestMm, 0, 3));
     }
     return row;
 }
 
-void KnotFiles::take(int file)
+void CamFiles::take(int file)
 {
     if (file >= 0 && file < m_found.offers.size() && m_found.offers[file].isUsable())
-        emit taken(m_found.offers[file].knots);
+        emit taken(m_found.offers[file].program);
 }
 
-void KnotFiles::write(int place)
+void CamFiles::write(int place)
 {
     if (place < 0 || place >= m_found.places.size() || m_found.places[place].isReadOnly)
         return;
-    run([where = m_found.places[place], knots = m_knots,
-         name = m_recipeName] { return store::exportKnots(knots, name, where); },
+    run([where = m_found.places[place], cam = m_cam,
+         name = m_recipeName] { return store::exportList(cam, name, where); },
         [this, isOnStick = m_found.places[place].isRemovable](const auto& written) {
             showWritten({written.value_or(QString())}, written ? QString() : written.error(), isOnStick);
             search();
