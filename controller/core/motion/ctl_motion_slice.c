@@ -8,7 +8,7 @@
 /* The slice, in which the engine's ticks are those of the timer. */
 static ctl_pace pace_of(const ctl_motion* motion, uint32_t ticks)
 {
-    return (ctl_pace){&motion->board->port, CTL_AXIS_MAIN, motion->board->tick, ticks, ticks};
+    return (ctl_pace){&motion->board->port, motion->board->tick, ticks, ticks};
 }
 
 /* Pulses at even distances, up to the end of the pace. */
