@@ -4,7 +4,7 @@
 #include "base/ctl_crc.h"
 
 /* Registers of the active bank that the background check reads per slice: a full bank in under a second. */
-#define CHECKED_PER_SLICE 3u
+#define CHECKED_PER_SLICE 2u
 
 void ctl_banks_swap(ctl_banks* banks, uint32_t crc)
 {
