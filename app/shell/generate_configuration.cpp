@@ -41,8 +41,11 @@ QString standardOf(Setting setting)
         return u"\"%1\""_s.arg(standard.isEmpty() ? choicesOf(setting).first() : standard);
     case SettingForm::Port:
     case SettingForm::Size:
+    case SettingForm::Times:
+    case SettingForm::Days:
         return u"\"%1\""_s.arg(standard);
     case SettingForm::Rules:
+    case SettingForm::Reasons:
         return u"[]"_s;
     case SettingForm::Truth:
     case SettingForm::Choice:
