@@ -15,6 +15,7 @@ Sheet {
     property int latest
     readonly property StopSetup setup: Stops.setup
     readonly property int count: setup.starts.count
+    readonly property var workingDays: setup.workingDays
 
     title: qsTr("Shifts")
     note: qsTr("A shift lasts until the next one starts. It belongs to the day on which it starts.")
@@ -110,7 +111,7 @@ Sheet {
             model: sheet.setup.dayNames.length
             Button {
                 required property int index
-                readonly property bool works: sheet.setup.workingDays.includes(index + 1)
+                readonly property bool works: sheet.workingDays.includes(index + 1)
                 objectName: "workingDay" + (index + 1)
                 width: (days.width - 6 * days.spacing) / 7
                 glyph: works ? Theme.icon.check : ""

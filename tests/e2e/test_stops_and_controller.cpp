@@ -62,6 +62,10 @@ private slots:
         QCOMPARE(controller.tell("pin drive-alarm off"), QByteArray("pin drive-alarm off"));
         panel.touchDriver().settle();
         panel.tap("middleKey"); // Reset
+        QTRY_VERIFY_WITH_TIMEOUT(panel.machine().state() != Controller::State::Fault, timeoutMs);
+        panel.touchDriver().settle();
+        panel.tap("middleKey"); // Home
+        QTRY_COMPARE_WITH_TIMEOUT(panel.machine().state(), Controller::State::Homing, timeoutMs);
         QTRY_VERIFY_WITH_TIMEOUT(panel.machine().canStart(), timeoutMs);
         panel.start();
         QTRY_COMPARE_WITH_TIMEOUT(panel.machine().state(), Controller::State::Running, timeoutMs);
