@@ -11,7 +11,7 @@ Item {
 
     required property ReasonKeys keys
     readonly property int columns: 4
-    readonly property real keyHeight: Math.min((height - Theme.size.spacing) / 2, 1.5 * Theme.size.commandKey)
+    readonly property real keyHeight: Math.min((height - Theme.size.spacing) / 2, 2 * Theme.size.commandKey)
 
     Grid {
         id: grid
@@ -29,6 +29,7 @@ Item {
                 objectName: "reason_" + reason
                 width: (area.width - (area.columns - 1) * grid.spacing) / area.columns
                 height: area.keyHeight
+                textSize: Theme.size.command
                 note: opens ? qsTr("more …") : isPlanned ? qsTr("planned") : ""
                 onClicked: area.keys.touch(index)
             }

@@ -10,7 +10,7 @@ Card {
     id: card
 
     // By BarRow::Kind.
-    readonly property list<color> colors: [Theme.color.good, Theme.color.target, Theme.color.warning, Theme.color.touch, Theme.color.fault]
+    readonly property list<color> colors: [Theme.color.sync, Theme.color.secondaryInk, Theme.color.warning, Theme.color.touch, Theme.color.fault]
     readonly property list<real> heights: [1, 0.4, 0.55, 0.25, 0.75]
     readonly property list<string> names: [qsTr("Running"), qsTr("Stopped"), qsTr("Waiting"), qsTr("Manual"), qsTr("Fault")]
 
@@ -25,10 +25,10 @@ Card {
                 required property real from
                 required property real share
                 required property int kind
-                x: from * bar.width
+                x: Math.round(from * bar.width)
                 y: bar.height - height
-                width: Math.max(1, share * bar.width)
-                height: card.heights[kind] * bar.height
+                width: Math.max(1, Math.round((from + share) * bar.width) - x)
+                height: Math.round(card.heights[kind] * bar.height)
                 color: card.colors[kind]
             }
         }
