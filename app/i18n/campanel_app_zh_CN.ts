@@ -1452,12 +1452,6 @@
         <source>Knots</source>
         <translation>型值点</translation>
     </message>
-    <message numerus="yes">
-        <source>%n knot(s)</source>
-        <translation>
-            <numerusform>%n 个型值点</numerusform>
-        </translation>
-    </message>
 </context>
 <context>
     <name>DoctorSentences</name>
@@ -2058,12 +2052,6 @@ RMS %2</source>
     <message>
         <source>Knots</source>
         <translation>型值点</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n knot(s)</source>
-        <translation>
-            <numerusform>%n 个型值点</numerusform>
-        </translation>
     </message>
 </context>
 <context>
@@ -2692,17 +2680,17 @@ RMS %2</source>
         <source>Knots</source>
         <translation>型值点</translation>
     </message>
-    <message numerus="yes">
-        <source>%n segment(s)</source>
-        <translation>
-            <numerusform>%n 个运动段</numerusform>
-        </translation>
+    <message>
+        <source>%1 segments</source>
+        <translation>%1 个运动段</translation>
     </message>
-    <message numerus="yes">
-        <source>%n knot(s)</source>
-        <translation>
-            <numerusform>%n 个型值点</numerusform>
-        </translation>
+    <message>
+        <source>1 segment</source>
+        <translation>1 个运动段</translation>
+    </message>
+    <message>
+        <source>%1 knots</source>
+        <translation>%1 个型值点</translation>
     </message>
     <message>
         <source>Dwell</source>
