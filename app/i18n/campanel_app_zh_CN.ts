@@ -5731,8 +5731,8 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
         <translation>h/c：切刀匀速转动</translation>
     </message>
     <message>
-        <source>L_crit: the knife stops in each cycle</source>
-        <translation>L_crit：切刀每周期停顿</translation>
+        <source>L_crit: the longest ramps stop the knife</source>
+        <translation>L_crit：最长斜坡使切刀停顿</translation>
     </message>
     <message>
         <source>%1 · %2</source>
