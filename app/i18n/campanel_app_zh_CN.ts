@@ -1480,12 +1480,6 @@
         <source>Knots</source>
         <translation>型值点</translation>
     </message>
-    <message numerus="yes">
-        <source>%n knot(s)</source>
-        <translation>
-            <numerusform>%n 个型值点</numerusform>
-        </translation>
-    </message>
 </context>
 <context>
     <name>DoctorSentences</name>
@@ -2102,12 +2096,6 @@ RMS %2</source>
     <message>
         <source>Knots</source>
         <translation>型值点</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n knot(s)</source>
-        <translation>
-            <numerusform>%n 个型值点</numerusform>
-        </translation>
     </message>
 </context>
 <context>
@@ -2736,17 +2724,17 @@ RMS %2</source>
         <source>Knots</source>
         <translation>型值点</translation>
     </message>
-    <message numerus="yes">
-        <source>%n segment(s)</source>
-        <translation>
-            <numerusform>%n 个运动段</numerusform>
-        </translation>
+    <message>
+        <source>%1 segments</source>
+        <translation>%1 个运动段</translation>
     </message>
-    <message numerus="yes">
-        <source>%n knot(s)</source>
-        <translation>
-            <numerusform>%n 个型值点</numerusform>
-        </translation>
+    <message>
+        <source>1 segment</source>
+        <translation>1 个运动段</translation>
+    </message>
+    <message>
+        <source>%1 knots</source>
+        <translation>%1 个型值点</translation>
     </message>
     <message>
         <source>Dwell</source>
@@ -5907,8 +5895,8 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
         <translation>h/c：切刀匀速转动</translation>
     </message>
     <message>
-        <source>L_crit: the knife stops in each cycle</source>
-        <translation>L_crit：切刀每周期停顿</translation>
+        <source>L_crit: the longest ramps stop the knife</source>
+        <translation>L_crit：最长斜坡使切刀停顿</translation>
     </message>
     <message>
         <source>%1 · %2</source>
