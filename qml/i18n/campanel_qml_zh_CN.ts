@@ -3080,6 +3080,14 @@ And %2 more.</source>
         <source>Shift report as PDF</source>
         <translation>班次报告 PDF</translation>
     </message>
+    <message>
+        <source>Previous shift</source>
+        <translation>上一班次</translation>
+    </message>
+    <message>
+        <source>Next shift</source>
+        <translation>下一班次</translation>
+    </message>
 </context>
 <context>
     <name>StopsSection</name>
