@@ -1308,8 +1308,8 @@ And %2 more.</source>
         <translation>±%1 mm</translation>
     </message>
     <message>
-        <source>Reasons, shifts, ideal rate</source>
-        <translation>原因、班次、理想速率</translation>
+        <source>Reasons, ideal rate</source>
+        <translation>原因、理想速率</translation>
     </message>
     <message>
         <source>Stops and shifts</source>
