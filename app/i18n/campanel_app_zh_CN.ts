@@ -6365,8 +6365,8 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
         <translation>%1 件/分</translation>
     </message>
     <message>
-        <source>fastest of the recipe</source>
-        <translation>配方的最高速率</translation>
+        <source>by recipe</source>
+        <translation>按配方</translation>
     </message>
     <message>
         <source>every day</source>

@@ -41,7 +41,7 @@ SettingsSection {
                 objectName: "openStops"
                 width: section.half
                 height: section.rowHeight
-                label: qsTr("Reasons, shifts, ideal rate")
+                label: qsTr("Reasons, ideal rate")
                 value: qsTr("Stops and shifts")
                 onClicked: (section.page as SettingsPage).openStops()
             }
