@@ -113,6 +113,7 @@ Page {
             }
         }
     }
+    firstSheet: downloadSheet
     readonly property Component downloadSheet: Component {
         DownloadSheet { onProofRequested: page.sheetRequested(page.proofSheet) }
     }
