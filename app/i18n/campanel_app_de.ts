@@ -505,6 +505,18 @@
         <translation>Einzelheit lesen; Einstellungen prüfen, zuerst die Verbindung.</translation>
     </message>
     <message>
+        <source>Touchscreen missing</source>
+        <translation>Touchscreen fehlt</translation>
+    </message>
+    <message>
+        <source>A touchscreen of this panel was unplugged or has failed.</source>
+        <translation>Ein Touchscreen dieses Panels wurde abgezogen oder ist ausgefallen.</translation>
+    </message>
+    <message>
+        <source>Check the cable of the touchscreen. Stop the machine with its own switch.</source>
+        <translation>Kabel des Touchscreens prüfen. Die Maschine mit ihrem eigenen Schalter stoppen.</translation>
+    </message>
+    <message>
         <source>Settings not saved</source>
         <translation>Einstellungen nicht gespeichert</translation>
     </message>

@@ -850,8 +850,8 @@ Und %2 weitere.</translation>
         <translation>Name</translation>
     </message>
     <message>
-        <source>Next: press Download on the Motion page, then Start.</source>
-        <translation>Weiter: Laden auf der Seite Bewegung, dann Start.</translation>
+        <source>Next: Download, then Start.</source>
+        <translation>Weiter: Laden, dann Start.</translation>
     </message>
     <message>
         <source>Name of the recipe</source>
@@ -1416,6 +1416,13 @@ Und %2 weitere.</translation>
     <message>
         <source>Master</source>
         <translation>Leitachse</translation>
+    </message>
+</context>
+<context>
+    <name>MachineDrawing</name>
+    <message>
+        <source>Drawing of the machine</source>
+        <translation>Zeichnung der Maschine</translation>
     </message>
 </context>
 <context>
