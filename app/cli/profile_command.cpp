@@ -6,7 +6,6 @@
 #include "app/cli/report.h"
 #include "app/program/solved_program.h"
 #include "profile/cutter/ratios.h"
-#include "profile/model/vibration.h"
 #include "profile/moves/position_move.h"
 
 #include <QJsonArray>
@@ -90,13 +89,12 @@ QJsonObject coefficientObject(const program::Recipe& recipe, double timeS)
 }
 
 // Returns the vibration of the shaft; null while its natural frequency is unknown.
-QJsonObject vibrationObject(const program::SolvedProgram& solved, bool isMove)
+QJsonObject vibrationObject(const program::Recipe& recipe, const program::SolvedProgram& solved)
 {
-    if (solved.cutter)
-        return {{u"seal_error_mm"_s, profile::sealErrorMm(*solved.cutter)}};
-    const profile::ShaftMode mode = profile::shaftMode(solved.machine);
-    return {{u"residual_mm"_s, isMove ? profile::residualAmplitudeMm(solved.motion, mode)
-                                      : std::numeric_limits<double>::quiet_NaN()}};
+    const QString name = solved.cutter                        ? u"seal_error_mm"_s
+                         : profile::camMaster(recipe.program) ? u"cycle_error_mm"_s
+                                                              : u"residual_mm"_s;
+    return {{name, program::vibrationMm(recipe, solved)}};
 }
 
 QJsonObject motionObject(const program::SolvedProgram& solved)
@@ -163,7 +161,7 @@ Outcome runProfile(const Invocation& call)
             {u"kind"_s, fromView(program::kindInfo(recipe->kind()).key)},
             {u"cycle"_s, solved->cutter ? cycleObject(*solved->cutter) : motionObject(*solved)},
             {u"peaks"_s, peakObject(*solved)},
-            {u"vibration"_s, vibrationObject(*solved, program::lawParameters(recipe->program) != nullptr)},
+            {u"vibration"_s, vibrationObject(*recipe, *solved)},
             {u"feasible"_s, broken.limits.empty()},
             {u"broken_limits"_s, limits}};
         if (const QJsonObject found = coefficientObject(*recipe, solved->cycleS()); !found.isEmpty())

@@ -3,9 +3,8 @@
 #include "app/cli/recipe_options.h"
 
 #include "app/cli/invocation.h"
-#include "app/store/recipes/knots_file.h"
+#include "app/store/recipes/list_file.h"
 #include "app/store/recipes/recipe_file.h"
-#include "app/store/recipes/segments_file.h"
 #include "profile/laws/laws.h"
 
 #include <algorithm>
@@ -262,32 +261,25 @@ Outcome applyChoices(const Invocation& call, program::Recipe& recipe)
     return {};
 }
 
-Outcome applyKnots(const Invocation& call, program::Recipe& recipe)
+// Reads the list of a cam of this kind from the file of the option.
+Outcome applyList(const Invocation& call, program::Recipe& recipe, const QString& option,
+                  profile::ProgramKind kind, const QString& kindName)
 {
-    if (!call.isSet(u"knots-csv"_s))
+    if (!call.isSet(option))
         return {};
-    auto* cam = std::get_if<profile::PointCamProgram>(&recipe.program);
-    if (cam == nullptr)
-        return fail(ExitCode::Usage, u"--knots-csv applies to a point cam only."_s);
-    auto knots = store::readKnots(call.value(u"knots-csv"_s));
-    if (!knots)
-        return fail(ExitCode::File, knots.error());
-    cam->knots = std::move(*knots);
+    if (recipe.kind() != kind)
+        return fail(ExitCode::Usage, u"--%1 applies to a %2 only."_s.arg(option, kindName));
+    if (const auto read = store::readListCsv(call.value(option), recipe.program); !read)
+        return fail(ExitCode::File, read.error());
     return {};
 }
 
-Outcome applySegments(const Invocation& call, program::Recipe& recipe)
+Outcome applyLists(const Invocation& call, program::Recipe& recipe)
 {
-    if (!call.isSet(u"segments-csv"_s))
-        return {};
-    auto* cam = std::get_if<profile::SegmentCamProgram>(&recipe.program);
-    if (cam == nullptr)
-        return fail(ExitCode::Usage, u"--segments-csv applies to a segment cam only."_s);
-    auto segments = store::readSegments(call.value(u"segments-csv"_s));
-    if (!segments)
-        return fail(ExitCode::File, segments.error());
-    cam->segments = std::move(*segments);
-    return {};
+    using Kind = profile::ProgramKind;
+    if (Outcome outcome = applyList(call, recipe, u"knots-csv"_s, Kind::PointCam, u"point cam"_s); !outcome)
+        return outcome;
+    return applyList(call, recipe, u"segments-csv"_s, Kind::SegmentCam, u"segment cam"_s);
 }
 
 } // namespace
@@ -345,8 +337,7 @@ tl::expected<program::Recipe, Failure> recipeOf(const Invocation& call)
             return fail(ExitCode::Usage,
                         u"The recipe is of kind %1."_s.arg(fromText(program::kindInfo(recipe.kind()).key)));
     }
-    for (const auto apply :
-         {applyFields, applyGear, applyRatios, applyLaw, applyChoices, applyKnots, applySegments}) {
+    for (const auto apply : {applyFields, applyGear, applyRatios, applyLaw, applyChoices, applyLists}) {
         if (const Outcome applied = apply(call, recipe); !applied)
             return tl::unexpected(applied.error());
     }

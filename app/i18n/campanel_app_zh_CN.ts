@@ -899,6 +899,22 @@
         <source>Lost, new and empty</source>
         <translation>已丢失，已新建空库</translation>
     </message>
+    <message>
+        <source>Network</source>
+        <translation>网络</translation>
+    </message>
+    <message>
+        <source>Command from the network</source>
+        <translation>来自网络的命令</translation>
+    </message>
+    <message>
+        <source>Stops</source>
+        <translation>停机</translation>
+    </message>
+    <message>
+        <source>Reason of a stop changed</source>
+        <translation>停机原因已更改</translation>
+    </message>
 </context>
 <context>
     <name>BackupErrorText</name>
@@ -1112,6 +1128,10 @@
         <translation>数据表需要 %1 个寄存器，控制器只有 %2 个，其程序没有改变。请减少斜坡分段数。</translation>
     </message>
     <message>
+        <source>This controller cannot execute intervals; its program is unchanged. Choose cam points.</source>
+        <translation>该控制器不能执行区间表，其程序没有改变。请选择凸轮点。</translation>
+    </message>
+    <message>
         <source>This controller cannot execute this kind of program; its program is unchanged. Update its firmware.</source>
         <translation>该控制器不能执行这类程序，其程序没有改变。请升级其固件。</translation>
     </message>
@@ -1312,6 +1332,10 @@
     <message>
         <source>An earlier change is waiting for the end of the cycle. Cancel it first.</source>
         <translation>之前的更改仍在等待周期结束。请先取消该更改。</translation>
+    </message>
+    <message>
+        <source>The controller has not finished checking or saving a table. Download again.</source>
+        <translation>控制器尚未完成表格的检查或保存。请重新下载。</translation>
     </message>
     <message>
         <source>At standstill</source>
@@ -1734,8 +1758,8 @@ RMS %2</source>
         <translation>%1 不是 CamPanel 配方：键 &quot;format&quot; 必须为 &quot;campanel-recipe&quot;。</translation>
     </message>
     <message>
-        <source>The recipe file %1 has format version %2, this program reads version %3. Update the program.</source>
-        <translation>配方文件 %1 的格式版本为 %2，本程序读取版本 %3。请升级程序。</translation>
+        <source>The recipe file %1 has format version %2, this program reads versions up to %3. Update the program.</source>
+        <translation>配方文件 %1 的格式版本为 %2，本程序最高读取版本 %3。请升级程序。</translation>
     </message>
     <message>
         <source>The recipe file %1 has an unknown key %2. Correct or remove the key.</source>
@@ -4240,6 +4264,30 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
         <translation>一个周期内的均方根值。它使电机发热，因此须低于额定转矩。</translation>
     </message>
     <message>
+        <source>Vibration over the cycle</source>
+        <translation>周期内的振动</translation>
+    </message>
+    <message>
+        <source>Vibration after the move</source>
+        <translation>运动后的振动</translation>
+    </message>
+    <message>
+        <source>Error of the load behind the shaft, peak to peak over one cycle.</source>
+        <translation>轴后负载在一个周期内的误差（峰峰值）。</translation>
+    </message>
+    <message>
+        <source>Amplitude of the load behind the shaft after the end of the move.</source>
+        <translation>运动结束后轴后负载的残余振幅。</translation>
+    </message>
+    <message>
+        <source>f0 = %1 Hz, ζ = %2, T = %3 s</source>
+        <translation>f0 = %1 Hz，ζ = %2，T = %3 s</translation>
+    </message>
+    <message>
+        <source>f0 = %1 Hz, T = %2 s</source>
+        <translation>f0 = %1 Hz，T = %2 s</translation>
+    </message>
+    <message>
         <source>Error while sealing</source>
         <translation>封切误差</translation>
     </message>
@@ -4262,6 +4310,62 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
     <message>
         <source>Largest of the last readings at full speed (%1), at %2° of the cycle. The drive lags behind the program, so the difference is largest where the acceleration changes fast.</source>
         <translation>最近全速读数（%1 个）中的最大值，位于周期的 %2°。驱动器滞后于程序，因此加速度变化快处偏差最大。</translation>
+    </message>
+    <message>
+        <source>Availability</source>
+        <translation>时间开动率</translation>
+    </message>
+    <message>
+        <source>Share of the planned time in which the machine ran. Planned time is the recorded time of the shift (%1 min) without planned stops (%2 min).</source>
+        <translation>机器运行时间占计划时间的比例。计划时间为班次的记录时间（%1 分）减去计划停机（%2 分）。</translation>
+    </message>
+    <message>
+        <source>run time / planned time</source>
+        <translation>运行时间 / 计划时间</translation>
+    </message>
+    <message>
+        <source>%1 min / %2 min</source>
+        <translation>%1 分 / %2 分</translation>
+    </message>
+    <message>
+        <source>Performance</source>
+        <translation>性能开动率</translation>
+    </message>
+    <message>
+        <source>Speed compared with the ideal rate: the fastest rate of each recipe, or the rate in Settings. A piece is a bag, a stroke or a cycle; a skipped cut takes the time of a piece. Waiting of up to %1 s is a loss of performance. At most 100 %.</source>
+        <translation>与理想速率相比的速度：各配方的最高速率，或设置中的速率。一件为一袋、一次压装或一个周期；跳过的切断占用一件的时间。不超过 %1 秒的等待计为性能损失。最高 100 %。</translation>
+    </message>
+    <message>
+        <source>sum of pieces × ideal time per piece / run time</source>
+        <translation>Σ（件数 × 每件理想时间）/ 运行时间</translation>
+    </message>
+    <message>
+        <source>%1 min for %2 pieces / %3 min</source>
+        <translation>%1 分（%2 件）/ %3 分</translation>
+    </message>
+    <message>
+        <source>Quality</source>
+        <translation>合格品率</translation>
+    </message>
+    <message>
+        <source>Share of good pieces. Not good: %1 out of tolerance, %2 start-up scrap, %3 skipped cuts.</source>
+        <translation>合格件的比例。不合格：超差 %1，开机废品 %2，跳过的切断 %3。</translation>
+    </message>
+    <message>
+        <source>good pieces / pieces</source>
+        <translation>合格件数 / 件数</translation>
+    </message>
+    <message>
+        <source>Overall equipment effectiveness (OEE)</source>
+        <translation>设备综合效率 (OEE)</translation>
+    </message>
+    <message>
+        <source>Good pieces at the ideal rate, as a share of the planned time.</source>
+        <translation>按理想速率生产合格件所需时间占计划时间的比例。</translation>
+    </message>
+    <message>
+        <source>availability × performance × quality</source>
+        <translation>时间开动率 × 性能开动率 × 合格品率</translation>
     </message>
 </context>
 <context>
@@ -4634,15 +4738,15 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
     </message>
 </context>
 <context>
-    <name>campanel::panel::KnotFiles</name>
+    <name>campanel::panel::CamFiles</name>
     <message>
         <source>A new file %1 will be written.</source>
         <translation>将写入新文件 %1。</translation>
     </message>
     <message>
-        <source>%1 knots · %2 · %3</source>
-        <comment>number, date, place</comment>
-        <translation>%1 个型值点 · %2 · %3</translation>
+        <source>%1 · %2 · %3</source>
+        <comment>number of knots or segments, date, place</comment>
+        <translation>%1 · %2 · %3</translation>
     </message>
     <message>
         <source>cannot be used · %1 · %2</source>
@@ -4660,8 +4764,9 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
         <translation>%1请更正文件，面板会自动重新读取。</translation>
     </message>
     <message>
-        <source>%1 knots, slave %2 to %3 mm, will replace the recipe&apos;s knots. Undo restores the old knots.</source>
-        <translation>%1 个型值点，从轴 %2 至 %3 mm，将取代配方中的型值点。可用“撤销”恢复。</translation>
+        <source>%1, slave %2 to %3 mm, will replace those of the recipe. Undo restores them.</source>
+        <comment>%1: number of knots or segments</comment>
+        <translation>%1，从轴 %2 至 %3 mm，将取代配方中的原有内容。可用“撤销”恢复。</translation>
     </message>
 </context>
 <context>
@@ -5737,6 +5842,26 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
         <source>hold to start</source>
         <translation>按住启动</translation>
     </message>
+    <message>
+        <source>seconds of a stop until its question</source>
+        <translation>停机多少秒后询问原因</translation>
+    </message>
+    <message>
+        <source>ideal rate, pieces/min</source>
+        <translation>理想速率，件/分</translation>
+    </message>
+    <message>
+        <source>start of the shifts</source>
+        <translation>班次开始时间</translation>
+    </message>
+    <message>
+        <source>working days</source>
+        <translation>工作日</translation>
+    </message>
+    <message>
+        <source>reasons of a stop</source>
+        <translation>停机原因</translation>
+    </message>
 </context>
 <context>
     <name>campanel::panel::Trends</name>
@@ -5785,6 +5910,18 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
 </context>
 <context>
     <name>campanel::panel::CutterMap</name>
+    <message>
+        <source>L_min: the jaws just fill the window</source>
+        <translation>L_min：封刀刚好占满窗口</translation>
+    </message>
+    <message>
+        <source>h/c: the knife turns evenly</source>
+        <translation>h/c：切刀匀速转动</translation>
+    </message>
+    <message>
+        <source>L_crit: the knife stops in each cycle</source>
+        <translation>L_crit：切刀每周期停顿</translation>
+    </message>
     <message>
         <source>%1 · %2</source>
         <comment>%1: bag length, %2: rate</comment>
@@ -5950,6 +6087,330 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
     <message>
         <source>End acceleration</source>
         <translation>终点加速度</translation>
+    </message>
+</context>
+<context>
+    <name>StopWords</name>
+    <message>
+        <source>Waiting for products</source>
+        <translation>等待产品</translation>
+    </message>
+    <message>
+        <source>Material</source>
+        <translation>材料</translation>
+    </message>
+    <message>
+        <source>Film change</source>
+        <translation>换膜卷</translation>
+    </message>
+    <message>
+        <source>Film torn</source>
+        <translation>膜断裂</translation>
+    </message>
+    <message>
+        <source>No product</source>
+        <translation>缺产品</translation>
+    </message>
+    <message>
+        <source>Product jam</source>
+        <translation>产品卡料</translation>
+    </message>
+    <message>
+        <source>Machine</source>
+        <translation>机器</translation>
+    </message>
+    <message>
+        <source>Film jam</source>
+        <translation>薄膜卡住</translation>
+    </message>
+    <message>
+        <source>Knife, jaws</source>
+        <translation>切刀、封刀</translation>
+    </message>
+    <message>
+        <source>Sensor</source>
+        <translation>传感器</translation>
+    </message>
+    <message>
+        <source>Adjustment</source>
+        <translation>调整</translation>
+    </message>
+    <message>
+        <source>Quality</source>
+        <translation>质量</translation>
+    </message>
+    <message>
+        <source>Seal</source>
+        <translation>封口</translation>
+    </message>
+    <message>
+        <source>Bag length</source>
+        <translation>袋长</translation>
+    </message>
+    <message>
+        <source>Print</source>
+        <translation>印刷</translation>
+    </message>
+    <message>
+        <source>Changeover</source>
+        <translation>换产</translation>
+    </message>
+    <message>
+        <source>Cleaning</source>
+        <translation>清洁</translation>
+    </message>
+    <message>
+        <source>Maintenance</source>
+        <translation>维护</translation>
+    </message>
+    <message>
+        <source>Break</source>
+        <translation>休息</translation>
+    </message>
+    <message>
+        <source>No order</source>
+        <translation>无订单</translation>
+    </message>
+    <message>
+        <source>Waiting</source>
+        <translation>等待</translation>
+    </message>
+    <message>
+        <source>No reason</source>
+        <translation>无原因</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <comment>title and code of an alarm</comment>
+        <translation>%1（%2）</translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
+        <comment>group and reason</comment>
+        <translation>%1 · %2</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 秒</translation>
+    </message>
+    <message>
+        <source>%1 min</source>
+        <translation>%1 分</translation>
+    </message>
+    <message>
+        <source>%1 h %2 min</source>
+        <translation>%1 小时 %2 分</translation>
+    </message>
+    <message>
+        <source>Short stops (up to %1)</source>
+        <translation>短停机（%1 以内）</translation>
+    </message>
+    <message>
+        <source>%1 · %2×</source>
+        <comment>duration, number of stops</comment>
+        <translation>%1 · %2 次</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::ReasonEditor</name>
+    <message>
+        <source>Enter a name.</source>
+        <translation>请输入名称。</translation>
+    </message>
+    <message>
+        <source>The name is longer than %1 letters.</source>
+        <translation>名称超过 %1 个字符。</translation>
+    </message>
+    <message>
+        <source>The name cannot contain a slash.</source>
+        <translation>名称不能包含斜杠。</translation>
+    </message>
+    <message>
+        <source>This name is already in the list.</source>
+        <translation>列表中已有此名称。</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::ShiftReport</name>
+    <message>
+        <source>shift %1</source>
+        <comment>name of a file: date and time</comment>
+        <translation>班次 %1</translation>
+    </message>
+    <message>
+        <source>Shift report</source>
+        <translation>班次报告</translation>
+    </message>
+    <message>
+        <source>Page %1</source>
+        <translation>第 %1 页</translation>
+    </message>
+    <message>
+        <source>Effectiveness</source>
+        <translation>效率</translation>
+    </message>
+    <message>
+        <source>OEE</source>
+        <translation>OEE</translation>
+    </message>
+    <message>
+        <source>Availability</source>
+        <translation>时间开动率</translation>
+    </message>
+    <message>
+        <source>Performance</source>
+        <translation>性能开动率</translation>
+    </message>
+    <message>
+        <source>Quality</source>
+        <translation>合格品率</translation>
+    </message>
+    <message>
+        <source>Run time</source>
+        <translation>运行时间</translation>
+    </message>
+    <message>
+        <source>Planned time</source>
+        <translation>计划时间</translation>
+    </message>
+    <message>
+        <source>Stops</source>
+        <translation>停机</translation>
+    </message>
+    <message>
+        <source>Planned stops</source>
+        <translation>计划停机</translation>
+    </message>
+    <message>
+        <source>Pieces</source>
+        <translation>件数</translation>
+    </message>
+    <message>
+        <source>Good pieces</source>
+        <translation>合格件数</translation>
+    </message>
+    <message>
+        <source>Out of tolerance</source>
+        <translation>超差</translation>
+    </message>
+    <message>
+        <source>Start-up scrap</source>
+        <translation>开机废品</translation>
+    </message>
+    <message>
+        <source>Skipped cuts</source>
+        <translation>跳过的切断</translation>
+    </message>
+    <message>
+        <source>Reasons by time</source>
+        <translation>按时间排列的原因</translation>
+    </message>
+    <message>
+        <source>%1 (planned)</source>
+        <translation>%1（计划）</translation>
+    </message>
+    <message>
+        <source>No stop in this shift.</source>
+        <translation>本班次无停机。</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <comment>time, duration</comment>
+        <translation>%1，%2</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <comment>reason, person</comment>
+        <translation>%1（%2）</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::ShiftView</name>
+    <message>
+        <source>ddd d MMM</source>
+        <comment>date: weekday, day, month</comment>
+        <translation>M月d日 ddd</translation>
+    </message>
+    <message>
+        <source>%1, %2 – %3</source>
+        <comment>date, begin and end of a shift</comment>
+        <translation>%1，%2 – %3</translation>
+    </message>
+    <message>
+        <source>Day off: no production planned</source>
+        <translation>休息日：无生产计划</translation>
+    </message>
+    <message>
+        <source>Present shift</source>
+        <translation>当前班次</translation>
+    </message>
+    <message>
+        <source>Run %1 · stops %2 · planned stops %3</source>
+        <translation>运行 %1 · 停机 %2 · 计划停机 %3</translation>
+    </message>
+    <message>
+        <source>Run %1 · stops %2 · planned stops %3 · not recorded %4</source>
+        <translation>运行 %1 · 停机 %2 · 计划停机 %3 · 未记录 %4</translation>
+    </message>
+    <message>
+        <source>%1, %2: %3</source>
+        <comment>time, duration, reason of a stop</comment>
+        <translation>%1，%2：%3</translation>
+    </message>
+    <message>
+        <source>stops</source>
+        <translation>停机</translation>
+    </message>
+    <message>
+        <source>states</source>
+        <translation>状态</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::StopSetup</name>
+    <message>
+        <source>Question after</source>
+        <translation>询问原因的时间</translation>
+    </message>
+    <message>
+        <source>s</source>
+        <translation>秒</translation>
+    </message>
+    <message>
+        <source>Ideal rate (0: of the recipe)</source>
+        <translation>理想速率（0：按配方）</translation>
+    </message>
+    <message>
+        <source>pieces/min</source>
+        <translation>件/分</translation>
+    </message>
+    <message>
+        <source>%1 pieces/min</source>
+        <translation>%1 件/分</translation>
+    </message>
+    <message>
+        <source>fastest of the recipe</source>
+        <translation>配方的最高速率</translation>
+    </message>
+    <message>
+        <source>every day</source>
+        <translation>每天</translation>
+    </message>
+    <message>
+        <source>standard list</source>
+        <translation>标准列表</translation>
+    </message>
+    <message>
+        <source>own list (%1)</source>
+        <translation>自定义列表（%1）</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::Stops</name>
+    <message>
+        <source>Since %1, %2</source>
+        <comment>time, duration</comment>
+        <translation>自 %1 起，%2</translation>
     </message>
 </context>
 </TS>

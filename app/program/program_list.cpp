@@ -4,8 +4,12 @@
 #include "app/program/register_words.h"
 #include "modbus/map/register_map.h"
 #include "profile/cam/cam_cycle.h"
+#include "profile/cam/knots_csv.h"
+#include "profile/cam/point_cam.h"
 #include "profile/segments/segment_edit.h"
+#include "profile/segments/segments_csv.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace campanel::program {
@@ -128,15 +132,45 @@ void readSegments(std::span<const std::uint16_t> registers, Program& program)
     }
 }
 
+// Moves the entries of a file into the list, or returns the error.
+template <typename Entries>
+std::optional<profile::CsvError> takeCsv(tl::expected<Entries, profile::CsvError> read, Entries& list)
+{
+    if (!read)
+        return std::move(read.error());
+    list = std::move(*read);
+    return std::nullopt;
+}
+
+std::pair<double, double> slaveRangeOfKnots(const Program& program)
+{
+    const auto [lowest, highest] = std::ranges::minmax(knotsOf(program), {}, &profile::Knot::slaveMm);
+    return {lowest.slaveMm, highest.slaveMm};
+}
+
+std::pair<double, double> slaveRangeOfSegments(const Program& program)
+{
+    const auto [lowest, highest] = std::ranges::minmax(profile::jointPositionsMm(segmentsOf(program)));
+    return {lowest, highest};
+}
+
 } // namespace
 
-constinit const ListInfo knotList{"knots",
-                                  "cam.knot_count",
-                                  [](const Program& program) { return knotsOf(program).size(); },
-                                  [](const Program& a, const Program& b) { return knotsOf(a) == knotsOf(b); },
-                                  quantiseKnots,
-                                  appendKnots,
-                                  readKnots};
+constinit const ListInfo knotList{
+    "knots",
+    "cam.knot_count",
+    [](const Program& program) { return knotsOf(program).size(); },
+    [](const Program& a, const Program& b) { return knotsOf(a) == knotsOf(b); },
+    quantiseKnots,
+    appendKnots,
+    readKnots,
+    profile::knotColumns,
+    [](const Program& program) { return profile::writeKnotsCsv(knotsOf(program)); },
+    [](std::string_view text, Program& program) {
+        return takeCsv(profile::readKnotsCsv(text), knotsOf(program));
+    },
+    [](const Program& program) { return profile::checkKnots(knotsOf(program)); },
+    slaveRangeOfKnots};
 
 constinit const ListInfo segmentList{
     "segments",
@@ -145,6 +179,13 @@ constinit const ListInfo segmentList{
     [](const Program& a, const Program& b) { return segmentsOf(a) == segmentsOf(b); },
     [](Program& program) { segmentsOf(program) = profile::onSegmentGrid(segmentsOf(program)); },
     appendSegments,
-    readSegments};
+    readSegments,
+    profile::segmentColumns,
+    [](const Program& program) { return profile::writeSegmentsCsv(segmentsOf(program)); },
+    [](std::string_view text, Program& program) {
+        return takeCsv(profile::readSegmentsCsv(text), segmentsOf(program));
+    },
+    [](const Program& program) { return profile::checkSegments(segmentsOf(program)); },
+    slaveRangeOfSegments};
 
 } // namespace campanel::program

@@ -3,12 +3,17 @@
 // the rows of the table.
 #pragma once
 
+#include "profile/cam/csv_reader.h"
+#include "profile/model/refusal.h"
 #include "profile/program/programs.h"
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
+#include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace campanel::program {
@@ -23,6 +28,14 @@ struct ListInfo {
     void (*quantise)(profile::Program& program) = nullptr;
     void (*append)(const profile::Program& program, std::vector<std::uint16_t>& registers) = nullptr;
     void (*read)(std::span<const std::uint16_t> registers, profile::Program& program) = nullptr;
+    // As CSV text. Text that cannot be read leaves the program unchanged.
+    std::span<const std::string_view> (*csvColumns)() = nullptr;
+    std::string (*writeCsv)(const profile::Program& program) = nullptr;
+    std::optional<profile::CsvError> (*readCsv)(std::string_view text, profile::Program& program) = nullptr;
+    // Returns the first fault of the entries; `index` is the entry.
+    std::optional<profile::Refusal> (*check)(const profile::Program& program) = nullptr;
+    // The lowest and the highest slave position of the entries, mm.
+    std::pair<double, double> (*slaveRangeMm)(const profile::Program& program) = nullptr;
 };
 
 extern const ListInfo knotList;

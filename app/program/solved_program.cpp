@@ -3,6 +3,7 @@
 #include "app/program/solved_program.h"
 
 #include "profile/cam/point_cam.h"
+#include "profile/model/vibration.h"
 #include "profile/moves/position_move.h"
 #include "profile/moves/speed_move.h"
 #include "profile/press/press.h"
@@ -77,6 +78,15 @@ CamSource camSource(const Recipe& recipe, const SolvedProgram& solved)
                 return {solved.motion, profile::CamUse::Once};
         },
         recipe.program);
+}
+
+double vibrationMm(const Recipe& recipe, const SolvedProgram& solved)
+{
+    if (solved.cutter)
+        return profile::sealErrorMm(*solved.cutter);
+    const profile::ShaftMode mode = profile::shaftMode(solved.machine);
+    return profile::camMaster(recipe.program) ? profile::cycleErrorMm(solved.motion, mode)
+                                              : profile::residualAmplitudeMm(solved.motion, mode);
 }
 
 profile::Curves sampleCurves(const SolvedProgram& solved, std::size_t points)

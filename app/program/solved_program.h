@@ -41,6 +41,10 @@ struct CamSource {
 };
 [[nodiscard]] CamSource camSource(const Recipe& recipe, const SolvedProgram& solved);
 
+// Returns the vibration of the shaft in mm: of a cutter the error while it seals and of a cam that over its
+// cycle, peak to peak; of a move the amplitude after it. NaN while the natural frequency is unknown.
+[[nodiscard]] double vibrationMm(const Recipe& recipe, const SolvedProgram& solved);
+
 [[nodiscard]] profile::Curves sampleCurves(const SolvedProgram& solved, std::size_t points);
 
 } // namespace campanel::program

@@ -41,9 +41,14 @@ QString standardOf(Setting setting)
         return u"\"en\""_s; // on a system in English
     case SettingForm::Word:
     case SettingForm::Port:
+    case SettingForm::File:
+    case SettingForm::Name:
     case SettingForm::Size:
+    case SettingForm::Times:
+    case SettingForm::Days:
         return u"\"%1\""_s.arg(standard);
     case SettingForm::Rules:
+    case SettingForm::Reasons:
         return u"[]"_s;
     case SettingForm::Truth:
     case SettingForm::Choice:

@@ -14,11 +14,14 @@
 #include "app/panel/explain/explanations.h"
 #include "app/panel/library/recipes.h"
 #include "app/panel/maintenance/maintenance.h"
+#include "app/panel/plant/plant_feed.h"
 #include "app/panel/records/database_service.h"
 #include "app/panel/reports/backup.h"
 #include "app/panel/reports/commissioning.h"
 #include "app/panel/reports/service_bundle.h"
+#include "app/panel/reports/shift_report.h"
 #include "app/panel/settings/settings.h"
+#include "app/panel/stops/stops.h"
 #include "app/panel/trends/trends.h"
 #include "app/shell/page_memory.h"
 
@@ -56,11 +59,13 @@ public:
     [[nodiscard]] panel::Recipes& recipes() { return m_recipes; }
     [[nodiscard]] panel::Maintenance& maintenance() { return m_maintenance; }
     [[nodiscard]] panel::Trends& trends() { return m_trends; }
+    [[nodiscard]] panel::Stops& stops() { return m_stops; }
     [[nodiscard]] panel::Access& access() { return m_access; }
     [[nodiscard]] panel::AuditTrail& trail() { return m_trail; }
     [[nodiscard]] panel::Audit& audit() { return m_audit; }
     [[nodiscard]] panel::Backup& backup() { return m_backup; }
     [[nodiscard]] panel::Commissioning& commissioning() { return m_commissioning; }
+    [[nodiscard]] panel::ShiftReport& shiftReport() { return m_shiftReport; }
     [[nodiscard]] panel::Display& display() { return m_display; }
     [[nodiscard]] panel::ServiceBundle& bundle() { return m_bundle; }
     [[nodiscard]] panel::Explanations& explanations() { return m_explanations; }
@@ -92,14 +97,18 @@ private:
     panel::Recipes m_recipes;
     panel::Maintenance m_maintenance;
     panel::Trends m_trends;
+    panel::Stops m_stops;
     panel::Access m_access;
     panel::AuditTrail m_trail;
     panel::Audit m_audit;
     panel::Backup m_backup;
     panel::Commissioning m_commissioning;
+    panel::ShiftReport m_shiftReport;
     panel::ServiceBundle m_bundle;
     panel::Display m_display;
     panel::Explanations m_explanations;
+    panel::PlantFeed m_plant;
+    bool m_hasBroker = false; // the configuration names one
     QTranslator m_texts;
     QTranslator m_textsOfQt;
     QQmlEngine m_engine;

@@ -3,6 +3,7 @@
 
 #include "link/ctl_function.h"
 #include "link/ctl_map.h"
+#include "link/ctl_work.h"
 
 #include <string.h>
 
@@ -52,6 +53,17 @@ static void slice(ctl_core* core, uint32_t ticks)
     if (core->banks.has_active && motion->state != CTL_STATE_FAULT && !ctl_banks_check(&core->banks))
         ctl_motion_fault(motion, CTL_FAULT_BIT_ACTIVE_TABLE_DAMAGED);
     ctl_io_slice(&core->io, motion);
+    ctl_work_slice(core);
+}
+
+/* Timer ticks of so many microseconds; what is left of one is kept. */
+static uint32_t ticks_of(ctl_core* core, uint32_t slice_us)
+{
+    const uint64_t sum = (uint64_t)slice_us * core->board.config.timer_clock_hz + core->tick_rest;
+    /* The shorter division where it does: up to half a millisecond at 8 MHz. */
+    const uint32_t ticks = sum <= UINT32_MAX ? (uint32_t)sum / US_PER_S : (uint32_t)(sum / US_PER_S);
+    core->tick_rest = (uint32_t)(sum - (uint64_t)ticks * US_PER_S);
+    return ticks;
 }
 
 void ctl_tick(ctl_core* core, uint64_t now_us)
@@ -62,9 +74,9 @@ void ctl_tick(ctl_core* core, uint64_t now_us)
         const uint32_t slice_us = left < board->config.slice_us ? (uint32_t)left : board->config.slice_us;
         board->now_us += slice_us;
         board->catching_up = board->now_us < now_us;
-        const uint64_t sum = (uint64_t)slice_us * board->config.timer_clock_hz + core->tick_rest;
-        core->tick_rest = (uint32_t)(sum % US_PER_S);
-        slice(core, (uint32_t)(sum / US_PER_S));
+        board->slice_ticks = ticks_of(core, slice_us);
+        slice(core, board->slice_ticks);
+        board->tick += board->slice_ticks;
     }
     ctl_receive_silence(core, now_us);
 }

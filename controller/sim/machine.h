@@ -6,6 +6,7 @@
 #pragma once
 
 #include "base/ctl_bank.h"
+#include "base/ctl_port.h"
 #include "film.h"
 #include "infeed.h"
 #include "press_ram.h"
@@ -57,9 +58,9 @@ public:
 
     // Sets the program to execute; the shaft keeps its angle.
     void setProgram(const ctl_bank& bank);
+    // Move the commands of the axes; within a time step they rise evenly. Feeds in 1/256 pulse.
     void command(std::int64_t pulses) { m_main.command(pulses); }
-    void commandFilm(std::int64_t pulses) { m_filmMotor.command(pulses); }
-    void commandInfeed(std::int64_t pulses) { m_infeedMotor.command(pulses); }
+    void commandFeed(ctl_axis axis, std::int64_t from, std::int64_t to);
     // Cuts the power of the main drive.
     void setDriveOn(bool on);
     // Sets the output pins; the drives follow only while they are enabled.

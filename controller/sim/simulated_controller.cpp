@@ -39,9 +39,10 @@ bool takeEdge(void* context, std::int64_t* infeedAtEdge, bool* covered)
 
 void connectFeeds(ctl_port& port)
 {
-    port.film_pulses = [](void* context, std::int32_t count) { machineOf(context).commandFilm(count); };
+    port.feed = [](void* context, ctl_axis axis, std::int64_t from, std::int64_t to) {
+        machineOf(context).commandFeed(axis, from, to);
+    };
     port.film = [](void* context) { return machineOf(context).filmEncoder(); };
-    port.infeed_pulses = [](void* context, std::int32_t count) { machineOf(context).commandInfeed(count); };
     port.infeed = [](void* context) { return machineOf(context).infeedEncoder(); };
     port.mark = takeMark;
     port.eye = takeEdge;
@@ -60,7 +61,12 @@ SimulatedController::SimulatedController(const ctl_config& config, const Machine
     stepped.slice_us = static_cast<std::uint32_t>(stepUs);
     ctl_port port{};
     port.context = this;
-    port.pulses = [](void* context, std::int32_t count) { machineOf(context).command(count); };
+    port.pulses = [](void* context, const ctl_train* train) {
+        auto& self = *static_cast<SimulatedController*>(context);
+        if (self.onPulses)
+            self.onPulses(*train);
+        self.machine().command(train->direction * static_cast<std::int64_t>(train->count));
+    };
     port.encoder = [](void* context) { return machineOf(context).encoder(); };
     port.index = takeIndex;
     port.scale = [](void* context) { return machineOf(context).scale(); };

@@ -8,6 +8,7 @@
 #include "machine.h"
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 
@@ -35,6 +36,9 @@ public:
     [[nodiscard]] Machine& machine() { return m_machine; }
     // Returns the cut of the last step.
     [[nodiscard]] const std::optional<BagCut>& cut() const { return m_cut; }
+
+    // Called with the pulses that the main drive is given, if set.
+    std::function<void(const ctl_train&)> onPulses;
 
 private:
     void takeOverProgram();

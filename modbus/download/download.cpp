@@ -14,6 +14,8 @@ namespace {
 
 // The maximum number of starts: the download of another panel would alternate with this one endlessly.
 constexpr int maxBeginnings = 20;
+// The maximum time for checking or saving in pieces.
+constexpr std::chrono::seconds longestBusy{10};
 
 bool isWithoutSession(TransferResult result)
 {
@@ -28,7 +30,9 @@ Download::Download(std::vector<std::uint16_t> image, const Identity& controller,
     , m_blockRegisters(std::min(controller.blockRegisters, blockRegisters))
     , m_bankRegisters(controller.bankRegisters)
     , m_kind(RegisterReader(m_image, 0).u16("bank.kind"))
+    , m_layout(static_cast<TableLayout>(RegisterReader(m_image, 0).u16("bank.layout")))
     , m_kindSupported(controller.supports(static_cast<ProgramKind>(m_kind)))
+    , m_layoutSupported(controller.supports(m_layout))
     , m_crc(crc32OfRegisters(m_image))
 {
 }
@@ -97,6 +101,20 @@ bool Download::beginAgain()
     return true;
 }
 
+// A slow controller checks a table in pieces, and takes no other one while it saves: the step is repeated.
+// Returns false when that takes too long.
+bool Download::isStillBusy(const TransferAnswer& answer)
+{
+    if (answer.result != TransferResult::Busy) {
+        m_busySince.reset();
+        return false;
+    }
+    const auto now = std::chrono::steady_clock::now();
+    if (!m_busySince)
+        m_busySince = now;
+    return now - *m_busySince < longestBusy;
+}
+
 Download::Step Download::linkFailed(const LinkError& error)
 {
     DownloadError failure;
@@ -139,7 +157,9 @@ void Download::resume()
 
 Download::Step Download::begin(RtuClient& client)
 {
-    if (!m_kindSupported)
+    if (!m_layoutSupported && m_layout == TableLayout::Intervals)
+        return fail({DownloadErrorKind::IntervalsNotSupported, {}, {}, Refusal::None, 0, 0, 0});
+    if (!m_kindSupported || !m_layoutSupported)
         return fail({DownloadErrorKind::KindNotSupported, {}, {}, Refusal::None, 0, 0, 0});
     if (m_blockRegisters == 0 || m_image.size() > m_bankRegisters)
         return fail({DownloadErrorKind::ImageTooLong,
@@ -154,6 +174,8 @@ Download::Step Download::begin(RtuClient& client)
     const auto answer = client.transfer({m_options.session, TransferOperation::Begin, 0, announced});
     if (!answer)
         return linkFailed(answer.error());
+    if (isStillBusy(*answer))
+        return m_phase;
     if (!answer->accepted())
         return refused(*answer);
     m_nextBlock = 0;
@@ -207,6 +229,8 @@ Download::Step Download::seal(RtuClient& client)
         return m_phase;
     }
     if (isWithoutSession(answer->result) && beginAgain())
+        return m_phase;
+    if (isStillBusy(*answer))
         return m_phase;
     if (!answer->accepted())
         return refused(*answer);

@@ -8,6 +8,7 @@
 #include "modbus/download/bank_reader.h"
 #include "modbus/line/rtu_client.h"
 
+#include <chrono>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -16,14 +17,15 @@
 namespace campanel::modbus {
 
 enum class DownloadErrorKind : std::uint8_t {
-    Link,             // `link`; the download can go on after resume()
-    ImageTooLong,     // more registers than the controller's bank
-    KindNotSupported, // the controller cannot execute this program kind
-    TransferRefused,  // see `transfer`
-    ChecksumDiffers,  // the controller sealed other bytes than were sent
-    RowsDiffer,       // the register at offset `offset` reads back differently
-    CommandRefused,   // see `refusal`
-    Withdrawn,        // the armed change was cancelled or discarded before it became active
+    Link,                  // `link`; the download can go on after resume()
+    ImageTooLong,          // `actual` registers, more than the `expected` ones of the controller's bank
+    KindNotSupported,      // the controller cannot execute this program kind
+    IntervalsNotSupported, // its processor is too slow for a table of intervals
+    TransferRefused,       // see `transfer`
+    ChecksumDiffers,       // the controller sealed other bytes than were sent
+    RowsDiffer,            // the register at offset `offset` reads back differently
+    CommandRefused,        // see `refusal`
+    Withdrawn,             // the armed change was cancelled or discarded before it became active
 };
 
 // The running program is untouched in every case.
@@ -95,6 +97,7 @@ private:
     [[nodiscard]] Step fail(DownloadError error);
     [[nodiscard]] Step refused(const TransferAnswer& answer);
     [[nodiscard]] bool beginAgain();
+    [[nodiscard]] bool isStillBusy(const TransferAnswer& answer);
     [[nodiscard]] static Step linkFailed(const LinkError& error);
     [[nodiscard]] std::uint16_t blockCount() const;
 
@@ -102,8 +105,10 @@ private:
     Options m_options;
     std::uint16_t m_blockRegisters = 0;
     std::uint16_t m_bankRegisters = 0;
-    std::uint16_t m_kind = 0; // kind of the image
+    std::uint16_t m_kind = 0;                 // kind of the image
+    TableLayout m_layout = TableLayout::None; // of the image
     bool m_kindSupported = false;
+    bool m_layoutSupported = false;
     std::uint32_t m_crc = 0;
     Phase m_phase = Phase::Begin;
     std::uint16_t m_nextBlock = 0;
@@ -112,6 +117,7 @@ private:
     bool m_applySent = false;
     int m_beginnings = 0; // number of starts after the controller had lost the session
     bool m_isMismatchKnown = false;
+    std::optional<std::chrono::steady_clock::time_point> m_busySince;
 };
 
 } // namespace campanel::modbus

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <initializer_list>
+#include <thread>
 
 namespace campanel::modbus {
 namespace {
@@ -20,6 +21,8 @@ using Clock = std::chrono::steady_clock;
 constexpr milliseconds flashAllowance{2000};
 constexpr milliseconds sealAllowance{1000};
 constexpr int resolveAttempts = 3;
+// The pause between two questions whether a controller has finished its work.
+constexpr milliseconds busyPause{5};
 
 std::string commandName(Command code)
 {
@@ -162,7 +165,16 @@ tl::expected<Identity, LinkError> RtuClient::identify()
     const auto proven = readProven(identityAddress, identityRegisters);
     if (!proven)
         return tl::unexpected(proven.error());
-    return identityIn(*proven);
+    auto identity = identityIn(*proven);
+    constexpr std::uint16_t firstMinorWithLayouts = 4;
+    if (!identity || identity->mapMinor < firstMinorWithLayouts)
+        return identity;
+    static const std::uint16_t layoutsAddress = registerNamed("identity.table_layouts").address;
+    const auto layouts = readProven(layoutsAddress, 1);
+    if (!layouts)
+        return tl::unexpected(layouts.error());
+    identity->tableLayouts = layouts->front();
+    return identity;
 }
 
 tl::expected<StatusBlock, LinkError> RtuClient::exchangeStatus(std::uint16_t heartbeat, std::uint16_t jogBits)
@@ -246,6 +258,8 @@ tl::expected<CommandResult, LinkError> RtuClient::command(Command code, CommandA
         return found;
     }
     m_commandCounter = counter;
+    if (result.status == CommandStatus::Busy)
+        return resolve(request, counter);
     return result;
 }
 
@@ -268,6 +282,20 @@ tl::expected<CommandResult, LinkError> RtuClient::resolve(const std::string& req
 }
 
 tl::expected<std::optional<CommandResult>, LinkError> RtuClient::findResult(std::uint16_t counter)
+{
+    const auto deadline = Clock::now() + flashAllowance;
+    for (;;) {
+        auto found = readResult(counter);
+        if (!found || !*found || (*found)->status != CommandStatus::Busy)
+            return found;
+        if (Clock::now() >= deadline)
+            return tl::unexpected(
+                error(LinkErrorKind::OutcomeUnknown, commandName((*found)->code), {}, counter));
+        std::this_thread::sleep_for(busyPause);
+    }
+}
+
+tl::expected<std::optional<CommandResult>, LinkError> RtuClient::readResult(std::uint16_t counter)
 {
     const auto registers = readProven(registerNamed("result.counter").address, commandResultRegisters);
     if (!registers)

@@ -68,13 +68,15 @@ public:
                                                                                  std::uint16_t count);
 
     // Sends the command once. When the answer is doubtful, reads the last result instead of repeating the
-    // command. The error is then CommandLost (not received) or OutcomeUnknown (resolve later with
-    // findResult()). A refusal by the controller is a result, not an error.
+    // command. Waits for the end of a command that is carried out in pieces. The error is then CommandLost
+    // (not received) or OutcomeUnknown (resolve later with findResult()). A refusal by the controller is a
+    // result, not an error.
     [[nodiscard]] tl::expected<CommandResult, LinkError> command(Command code,
                                                                  CommandArguments arguments = {});
 
     // Returns the result of the command with `counter`; empty when the controller's last command was another
-    // one.
+    // one. Waits for the end of a command that the controller carries out in pieces (CommandStatus::Busy),
+    // for as long as flash takes; then the error is OutcomeUnknown.
     [[nodiscard]] tl::expected<std::optional<CommandResult>, LinkError> findResult(std::uint16_t counter);
 
     // Sends one frame of a download; the answer belongs to this frame (session, operation and block are
@@ -105,6 +107,7 @@ private:
     [[nodiscard]] tl::expected<Registers, LinkError> readPlain(const std::string& request,
                                                                std::uint16_t address, std::uint16_t count);
     [[nodiscard]] tl::expected<Identity, LinkError> identityIn(const Registers& registers) const;
+    [[nodiscard]] tl::expected<std::optional<CommandResult>, LinkError> readResult(std::uint16_t counter);
     [[nodiscard]] tl::expected<CommandResult, LinkError> resolve(const std::string& request,
                                                                  std::uint16_t counter);
 

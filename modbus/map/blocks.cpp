@@ -68,6 +68,12 @@ bool Identity::supports(ProgramKind kind) const
     return kind <= lastProgramKind && (programKinds & bit(kind)) != 0;
 }
 
+bool Identity::supports(TableLayout layout) const
+{
+    return tableLayouts == 0 ||
+           (layout <= TableLayout::PressStages && (tableLayouts >> static_cast<unsigned>(layout) & 1u) != 0);
+}
+
 bool StatusBlock::has(FaultBit which) const
 {
     return (faultBits & bit(which)) != 0;

@@ -35,9 +35,12 @@ struct Identity {
     std::uint32_t timerClockHz = 0;
     std::uint16_t timerBits = 0;
     std::uint32_t maxPulseFrequencyHz = 0;
+    // Bit n: table layout n; read apart, because no controller before map 1.4 has it. 0: all.
+    std::uint16_t tableLayouts = 0;
 
     [[nodiscard]] std::string firmwareVersion() const;
     [[nodiscard]] bool supports(ProgramKind kind) const;
+    [[nodiscard]] bool supports(TableLayout layout) const;
 
     bool operator==(const Identity&) const = default;
 };
@@ -120,7 +123,7 @@ struct TransferAnswer {
     [[nodiscard]] bool accepted() const { return result == TransferResult::Accepted; }
 };
 
-// Decode exactly the registers of a block, from its first address.
+// Decode exactly the registers of a block, from its first address; of the identity all but the table layouts.
 [[nodiscard]] Identity decodeIdentity(std::span<const std::uint16_t> registers);
 [[nodiscard]] StatusBlock decodeStatus(std::span<const std::uint16_t> registers);
 [[nodiscard]] CommandResult decodeCommandResult(std::span<const std::uint16_t> registers);

@@ -166,6 +166,8 @@ constexpr std::array commandStatuses{
     entry(CommandStatus::None, "None", "No command received since power-up."),
     entry(CommandStatus::Done, "Done", "Accepted and carried out, or started where it takes time."),
     entry(CommandStatus::Refused, "Refused", "Not carried out; result.reason says why."),
+    entry(CommandStatus::Busy, "Busy",
+          "Being carried out in pieces; read the result again until it is another one."),
 };
 
 constexpr std::array refusals{
@@ -250,6 +252,8 @@ constexpr std::array transferResults{
           "Row transfer_result.detail is outside what the controller can execute."),
     entry(TransferResult::BadSum, "BadSum", "The rows do not add up to the header's pulses or ticks."),
     entry(TransferResult::StateRefuses, "StateRefuses", "An armed change must be cancelled first."),
+    entry(TransferResult::Busy, "Busy",
+          "Being checked in pieces, or the bank is being saved; send the same again."),
 };
 
 constexpr std::array jogBits{

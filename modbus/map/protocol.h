@@ -84,7 +84,7 @@ enum class Command : std::uint16_t {
 
 enum class ApplyMode : std::uint16_t { WhenStopped = 0, NextCycle = 1 };
 
-enum class CommandStatus : std::uint16_t { None = 0, Done, Refused };
+enum class CommandStatus : std::uint16_t { None = 0, Done, Refused, Busy };
 
 enum class Refusal : std::uint16_t {
     None = 0,
@@ -138,6 +138,7 @@ enum class TransferResult : std::uint16_t {
     BadRow,
     BadSum,
     StateRefuses,
+    Busy,
 };
 
 enum class MarkState : std::uint16_t { Off = 0, Searching, Aligning, Tracking };

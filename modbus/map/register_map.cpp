@@ -9,7 +9,7 @@
 
 namespace campanel::modbus {
 
-const std::uint16_t mapMinor = 3;
+const std::uint16_t mapMinor = 4;
 
 namespace {
 
@@ -48,6 +48,7 @@ constexpr std::array registerTable{
     ro32("identity.timer_clock", 0x000E, "clock of the pulse timer", 1.0, "Hz"),
     ro16("identity.timer_bits", 0x0010, "width of the pulse timer"),
     ro32("identity.max_pulse_frequency", 0x0011, "highest pulse frequency of the output stage", 1.0, "Hz"),
+    ro16("identity.table_layouts", 0x0013, "bit n set: table layout n can be executed", "TableLayout"),
     ro32("clock.unix_time", 0x0060, "seconds since 1970-01-01 UTC, 0 until set", 1.0, "s"),
 
     rw16("parameter.heartbeat_timeout", 0x0080,

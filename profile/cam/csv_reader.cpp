@@ -114,20 +114,6 @@ tl::unexpected<CsvError> CsvReader::fail(CsvExpectation expected, std::string_vi
     return tl::unexpected(CsvError{std::max(m_line, 1), expected, std::move(shown)});
 }
 
-int csvLineOfRow(std::string_view text, std::size_t index)
-{
-    CsvReader reader(text);
-    static_cast<void>(reader.readHeader({})); // any header
-    int line = reader.line();
-    for (std::size_t i = 0; i <= index; ++i) {
-        const auto row = reader.readRow();
-        if (row && !*row)
-            break;
-        line = reader.line();
-    }
-    return line;
-}
-
 void appendCsvHeader(std::string& text, std::span<const std::string_view> columns)
 {
     for (const std::string_view column : columns) {
@@ -146,3 +132,21 @@ void appendCsvNumber(std::string& text, double value)
 }
 
 } // namespace campanel::profile::detail
+
+namespace campanel::profile {
+
+int csvLineOfRow(std::string_view text, std::size_t index)
+{
+    detail::CsvReader reader(text);
+    static_cast<void>(reader.readHeader({})); // any header
+    int line = reader.line();
+    for (std::size_t i = 0; i <= index; ++i) {
+        const auto row = reader.readRow();
+        if (row && !*row)
+            break;
+        line = reader.line();
+    }
+    return line;
+}
+
+} // namespace campanel::profile

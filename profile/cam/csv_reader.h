@@ -33,6 +33,9 @@ struct CsvError {
     bool operator==(const CsvError&) const = default;
 };
 
+// Returns the line, from 1, of row `index` behind the header; that of the last row when there are fewer.
+[[nodiscard]] int csvLineOfRow(std::string_view text, std::size_t index);
+
 namespace detail {
 
 class CsvReader {
@@ -57,9 +60,6 @@ private:
     char m_separator = ',';
     char m_decimalSign = 0; // unknown yet
 };
-
-// Returns the line, from 1, of row `index` behind the header; that of the last row when there are fewer.
-[[nodiscard]] int csvLineOfRow(std::string_view text, std::size_t index);
 
 // Appends the columns with commas and LF.
 void appendCsvHeader(std::string& text, std::span<const std::string_view> columns);

@@ -36,11 +36,6 @@ tl::expected<std::vector<Knot>, CsvError> readKnotsCsv(std::string_view text)
     return knots;
 }
 
-int lineOfKnot(std::string_view text, std::size_t index)
-{
-    return detail::csvLineOfRow(text, index);
-}
-
 std::string writeKnotsCsv(std::span<const Knot> knots)
 {
     std::string text;

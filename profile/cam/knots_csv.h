@@ -22,10 +22,6 @@ namespace campanel::profile {
 // valid cam.
 [[nodiscard]] tl::expected<std::vector<Knot>, CsvError> readKnotsCsv(std::string_view text);
 
-// Returns the line, from 1, of knot `index` in a text that readKnotsCsv() has read; the line of the last knot
-// when there are fewer.
-[[nodiscard]] int lineOfKnot(std::string_view text, std::size_t index);
-
 // Writes the shortest numbers that read back exactly, with comma, decimal point and LF.
 [[nodiscard]] std::string writeKnotsCsv(std::span<const Knot> knots);
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Solves the mode step by step. The drive of the error e = x - u is -a - 2 z w v, a parabola within each
 // step, for which the solution is exact. A cycle that repeats begins where it ends: (I - Phi) e0 = e(T) from
-// rest.
+// rest. A step of the motor's speed is one of the error's, the other way.
 #include "profile/model/vibration.h"
 
 #include <algorithm>
@@ -90,7 +90,7 @@ struct Range {
 // Carries the mode through a motion and records the error between two times.
 class ModeRun {
 public:
-    ModeRun(const MotionProfile& motion, const ShaftMode& mode)
+    ModeRun(const MotionProfile& motion, const ShaftMode& mode, bool repeats)
         : m_motion(motion)
         , m_mode(mode)
         , m_meanMmPerS(motion.durationS() > 0
@@ -98,13 +98,17 @@ public:
                                  motion.durationS()
                            : 0)
         , m_joinedS(1e-9 * motion.durationS())
+        , m_beforeMmPerS(motion.at(repeats ? motion.durationS() : 0).velocityMmPerS)
     {
     }
 
     // Returns the state at the end.
     ModeState run(ModeState state, double fromS, double toS, Range* range) const
     {
+        double beforeMmPerS = m_beforeMmPerS;
         for (const Segment& segment : m_motion.segments()) {
+            state.errorSpeed -= segment.at(segment.startS).velocityMmPerS - beforeMmPerS;
+            beforeMmPerS = segment.at(segment.endS()).velocityMmPerS;
             double from = segment.startS;
             for (const double joint : jointsOf(segment, fromS, toS)) {
                 const bool isRecorded =
@@ -194,7 +198,8 @@ private:
     const MotionProfile& m_motion;
     ShaftMode m_mode;
     double m_meanMmPerS;
-    double m_joinedS; // times closer than this are one
+    double m_joinedS;      // times closer than this are one
+    double m_beforeMmPerS; // the speed before the motion
 };
 
 // Returns the state at the beginning of each cycle of a motion that repeats.
@@ -224,18 +229,23 @@ double windowErrorMm(const MotionProfile& motion, double fromS, double toS, cons
     const double cycleS = motion.durationS();
     if (!mode.isKnown() || !(cycleS > 0))
         return unknown;
-    const ModeRun run(motion, mode);
+    const ModeRun run(motion, mode, true);
     const ModeState afterRest = run.run({}, fromS, toS, nullptr);
     Range range;
     run.run(steadyState(afterRest, mode, cycleS), fromS, toS, &range);
     return range.max >= range.min ? range.max - range.min : 0;
 }
 
+double cycleErrorMm(const MotionProfile& motion, const ShaftMode& mode)
+{
+    return windowErrorMm(motion, 0, motion.durationS(), mode);
+}
+
 double residualAmplitudeMm(const MotionProfile& motion, const ShaftMode& mode)
 {
     if (!mode.isKnown() || !(motion.durationS() > 0))
         return unknown;
-    const ModeState end = ModeRun(motion, {mode.naturalFrequencyHz, 0}).run({}, 0, 0, nullptr);
+    const ModeState end = ModeRun(motion, {mode.naturalFrequencyHz, 0}, false).run({}, 0, 0, nullptr);
     return std::hypot(end.error, end.errorSpeed / (2 * std::numbers::pi * mode.naturalFrequencyHz));
 }
 

@@ -25,6 +25,10 @@ struct ShaftMode {
 [[nodiscard]] double windowErrorMm(const MotionProfile& motion, double fromS, double toS,
                                    const ShaftMode& mode);
 
+// Returns the same over the whole cycle: of a cam, whose load has to follow everywhere. A step of the speed,
+// as at the wrap of a natural spline, strikes the mode.
+[[nodiscard]] double cycleErrorMm(const MotionProfile& motion, const ShaftMode& mode);
+
 // Returns the amplitude in mm that remains after a motion from one steady speed to another, rest to rest
 // among them: |A(w)| / w, A = integral of a e^(-i w t). Damping is left out; it makes the amplitude smaller.
 // NaN while the mode is unknown.

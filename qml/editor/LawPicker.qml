@@ -19,6 +19,9 @@ Sheet {
     readonly property bool isByHand: isCutter && Editor.cutter.ramps.mode === RampControl.ByHand
     readonly property bool isCutter: Editor.kind === Editor.Kind.RotaryCutter
 
+    Component.onCompleted: Editor.watchLaws(true)
+    Component.onDestruction: Editor.watchLaws(false)
+
     LawRow {
         id: head
         anchors { left: parent.left; right: parent.right; rightMargin: 2 * Theme.size.accent; top: parent.top }

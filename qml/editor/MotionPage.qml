@@ -90,16 +90,17 @@ Page {
     readonly property Component knotSheet: Component {
         KnotSheet {
             onEditRequested: (fields, index, source) => page.editRequested(fields, index, source)
-            onFilesRequested: page.sheetRequested(page.knotFilesSheet)
+            onFilesRequested: page.sheetRequested(page.camFilesSheet)
         }
     }
-    readonly property Component knotFilesSheet: Component {
-        KnotFilesSheet { onKnotsTaken: page.sheetRequested(page.knotSheet) }
+    readonly property Component camFilesSheet: Component {
+        CamFilesSheet { onTaken: page.sheetRequested(Editor.kind === Editor.Kind.SegmentCam ? page.segmentSheet : page.knotSheet) }
     }
     readonly property Component segmentSheet: Component {
         SegmentSheet {
             onEditRequested: (fields, index, source) => page.editRequested(fields, index, source)
             onMotionRequested: page.sheetRequested(page.segmentMotionSheet)
+            onFilesRequested: page.sheetRequested(page.camFilesSheet)
         }
     }
     readonly property Component segmentMotionSheet: Component {

@@ -13,6 +13,7 @@ Sheet {
 
     signal editRequested(var fields, int index, Item source)
     signal motionRequested()
+    signal filesRequested()
 
     title: qsTr("Segments")
     note: Editor.cam.segments.jointText
@@ -124,7 +125,7 @@ Sheet {
         anchors { left: parent.left; right: parent.right; bottom: parent.bottom }
         height: Theme.size.touch
         spacing: Theme.size.spacing
-        readonly property real part: (width - 3 * spacing) / 4
+        readonly property real part: (width - 4 * spacing) / 5
         Button {
             objectName: "segmentAdd"
             width: tools.part
@@ -156,6 +157,13 @@ Sheet {
             text: qsTr("Make continuous")
             enabled: Editor.cam.segments.canRepair
             onClicked: Editor.cam.segments.repair()
+        }
+        Button {
+            objectName: "segmentFilesButton"
+            width: tools.part
+            height: tools.height
+            text: qsTr("CSV files")
+            onClicked: sheet.filesRequested()
         }
     }
 }

@@ -17,6 +17,7 @@ Rectangle {
         motion: "../Editor/MotionPage.qml",
         recipes: "../Library/RecipesPage.qml",
         trends: "../Trends/TrendsPage.qml",
+        stops: "../Stops/StopsPage.qml",
         alarms: "../Alarms/AlarmsPage.qml",
         maintenance: "../Maintenance/MaintenancePage.qml",
         settings: "../Settings/SettingsPage.qml"

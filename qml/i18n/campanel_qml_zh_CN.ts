@@ -1157,7 +1157,7 @@ And %2 more.</source>
     </message>
 </context>
 <context>
-    <name>KnotFilesSheet</name>
+    <name>CamFilesSheet</name>
     <message>
         <source>There is no CSV file on a USB stick or in %1. Plug a stick in; the panel finds it automatically.</source>
         <translation>U 盘和 %1 中都没有 CSV 文件。请插入 U 盘，面板会自动找到。</translation>
@@ -1169,6 +1169,10 @@ And %2 more.</source>
     <message>
         <source>Choose a file to view its content.</source>
         <translation>请选择文件以查看其内容。</translation>
+    </message>
+    <message>
+        <source>Segments as CSV</source>
+        <translation>运动段 CSV 文件</translation>
     </message>
     <message>
         <source>Knots as CSV</source>
@@ -1326,6 +1330,14 @@ And %2 more.</source>
     <message>
         <source>±%1 mm</source>
         <translation>±%1 mm</translation>
+    </message>
+    <message>
+        <source>Reasons, shifts, ideal rate</source>
+        <translation>原因、班次、理想速率</translation>
+    </message>
+    <message>
+        <source>Stops and shifts</source>
+        <translation>停机与班次</translation>
     </message>
 </context>
 <context>
@@ -2697,6 +2709,10 @@ And %2 more.</source>
         <source>Bags and trends as CSV</source>
         <translation>袋记录和趋势 CSV</translation>
     </message>
+    <message>
+        <source>Stops</source>
+        <translation>停机</translation>
+    </message>
 </context>
 <context>
     <name>UserSheet</name>
@@ -2884,6 +2900,10 @@ And %2 more.</source>
         <translation>使其连续</translation>
     </message>
     <message>
+        <source>CSV files</source>
+        <translation>CSV 文件</translation>
+    </message>
+    <message>
         <source>Segment %1</source>
         <translation>运动段 %1</translation>
     </message>
@@ -2915,6 +2935,295 @@ And %2 more.</source>
     <message>
         <source>Close this window</source>
         <translation>关闭本窗口</translation>
+    </message>
+</context>
+<context>
+    <name>OeeCard</name>
+    <message>
+        <source>OEE</source>
+        <translation>OEE</translation>
+    </message>
+    <message>
+        <source>Availability</source>
+        <translation>时间开动率</translation>
+    </message>
+    <message>
+        <source>Performance</source>
+        <translation>性能开动率</translation>
+    </message>
+    <message>
+        <source>Quality</source>
+        <translation>合格品率</translation>
+    </message>
+</context>
+<context>
+    <name>ReasonGrid</name>
+    <message>
+        <source>more …</source>
+        <translation>更多 …</translation>
+    </message>
+    <message>
+        <source>planned</source>
+        <translation>计划</translation>
+    </message>
+</context>
+<context>
+    <name>ReasonList</name>
+    <message>
+        <source>Reasons by time</source>
+        <translation>按时间排列的原因</translation>
+    </message>
+    <message>
+        <source>%1 (planned)</source>
+        <translation>%1（计划）</translation>
+    </message>
+    <message>
+        <source>No stop in this shift.</source>
+        <translation>本班次无停机。</translation>
+    </message>
+</context>
+<context>
+    <name>ReasonsSheet</name>
+    <message>
+        <source>Reasons: %1</source>
+        <translation>原因：%1</translation>
+    </message>
+    <message>
+        <source>Reasons of a stop</source>
+        <translation>停机原因</translation>
+    </message>
+    <message>
+        <source>Planned stops are not counted as losses. Earlier stops keep their reason.</source>
+        <translation>计划停机不计为损失。以前的停机保留其原因。</translation>
+    </message>
+    <message>
+        <source>planned</source>
+        <translation>计划</translation>
+    </message>
+    <message>
+        <source>more …</source>
+        <translation>更多 …</translation>
+    </message>
+    <message>
+        <source>This group has no reasons yet.</source>
+        <translation>此组尚无原因。</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>返回</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>打开</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>添加</translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation>重命名</translation>
+    </message>
+    <message>
+        <source>Planned</source>
+        <translation>计划</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>删除</translation>
+    </message>
+    <message>
+        <source>Standard list</source>
+        <translation>标准列表</translation>
+    </message>
+</context>
+<context>
+    <name>ShiftsSheet</name>
+    <message>
+        <source>Shifts</source>
+        <translation>班次</translation>
+    </message>
+    <message>
+        <source>A shift lasts until the next one starts. It belongs to the day on which it starts.</source>
+        <translation>班次持续到下一班次开始，属于其开始的那一天。</translation>
+    </message>
+    <message>
+        <source>− 1 h</source>
+        <translation>− 1 小时</translation>
+    </message>
+    <message>
+        <source>+ 1 h</source>
+        <translation>+ 1 小时</translation>
+    </message>
+    <message>
+        <source>− 15 min</source>
+        <translation>− 15 分</translation>
+    </message>
+    <message>
+        <source>+ 15 min</source>
+        <translation>+ 15 分</translation>
+    </message>
+    <message>
+        <source>Add a shift</source>
+        <translation>添加班次</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>删除</translation>
+    </message>
+    <message>
+        <source>Working days</source>
+        <translation>工作日</translation>
+    </message>
+</context>
+<context>
+    <name>StateBar</name>
+    <message>
+        <source>Running</source>
+        <translation>运行</translation>
+    </message>
+    <message>
+        <source>Stopped</source>
+        <translation>停机</translation>
+    </message>
+    <message>
+        <source>Waiting</source>
+        <translation>等待</translation>
+    </message>
+    <message>
+        <source>Manual</source>
+        <translation>手动</translation>
+    </message>
+    <message>
+        <source>Fault</source>
+        <translation>故障</translation>
+    </message>
+</context>
+<context>
+    <name>StopListRow</name>
+    <message>
+        <source>%1 · %2</source>
+        <translation>%1 · %2</translation>
+    </message>
+</context>
+<context>
+    <name>StopListSheet</name>
+    <message>
+        <source>Reason of the stop</source>
+        <translation>停机原因</translation>
+    </message>
+    <message>
+        <source>Stops</source>
+        <translation>停机</translation>
+    </message>
+    <message>
+        <source>No stop in this shift.</source>
+        <translation>本班次无停机。</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>返回</translation>
+    </message>
+</context>
+<context>
+    <name>StopQuestion</name>
+    <message>
+        <source>Why is the machine stopped?</source>
+        <translation>机器为何停机？</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>返回</translation>
+    </message>
+    <message>
+        <source>Stops</source>
+        <translation>停机</translation>
+    </message>
+    <message>
+        <source>Later</source>
+        <translation>以后</translation>
+    </message>
+</context>
+<context>
+    <name>StopsPage</name>
+    <message>
+        <source>Now</source>
+        <translation>现在</translation>
+    </message>
+    <message>
+        <source>Trends</source>
+        <translation>趋势</translation>
+    </message>
+    <message>
+        <source>Stops: %1</source>
+        <translation>停机：%1</translation>
+    </message>
+    <message>
+        <source>%1 without a reason</source>
+        <translation>%1 次无原因</translation>
+    </message>
+    <message>
+        <source>CSV</source>
+        <translation>CSV</translation>
+    </message>
+    <message>
+        <source>PDF</source>
+        <translation>PDF</translation>
+    </message>
+    <message>
+        <source>Nothing was recorded in this shift.</source>
+        <translation>本班次无记录。</translation>
+    </message>
+    <message>
+        <source>Stops as CSV</source>
+        <translation>停机 CSV</translation>
+    </message>
+    <message>
+        <source>Shift report as PDF</source>
+        <translation>班次报告 PDF</translation>
+    </message>
+</context>
+<context>
+    <name>StopsSection</name>
+    <message>
+        <source>Stops and shifts</source>
+        <translation>停机与班次</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 秒</translation>
+    </message>
+    <message>
+        <source>Ideal rate</source>
+        <translation>理想速率</translation>
+    </message>
+    <message>
+        <source>Shifts start at</source>
+        <translation>班次开始</translation>
+    </message>
+    <message>
+        <source>Working days</source>
+        <translation>工作日</translation>
+    </message>
+    <message>
+        <source>Reasons of a stop</source>
+        <translation>停机原因</translation>
+    </message>
+    <message>
+        <source>Name of the reason</source>
+        <translation>原因名称</translation>
+    </message>
+    <message>
+        <source>Standard list</source>
+        <translation>标准列表</translation>
+    </message>
+    <message>
+        <source>Replace the own list by the standard list? Stops keep their reasons.</source>
+        <translation>用标准列表替换自定义列表？停机保留其原因。</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>替换</translation>
     </message>
 </context>
 </TS>

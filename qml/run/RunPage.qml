@@ -18,6 +18,18 @@ Page {
         anchors.fill: parent
         source: page.view
     }
+    // Above the view: nothing of it changes while the machine stands.
+    Loader {
+        id: question
+        anchors { fill: parent; bottomMargin: page.bottomInset }
+        active: Stops.asking
+        source: "StopQuestion.qml"
+    }
+    Connections {
+        target: question.item
+        ignoreUnknownSignals: true
+        function onPageRequested(name: string) { page.pageRequested(name) }
+    }
     Connections {
         target: loader.item
         ignoreUnknownSignals: true

@@ -39,6 +39,14 @@ SettingsSection {
                         section.page.sheetRequested(toleranceKeypad)
                 }
             }
+            SettingRow {
+                objectName: "openStops"
+                width: section.half
+                height: section.rowHeight
+                label: qsTr("Reasons, shifts, ideal rate")
+                value: qsTr("Stops and shifts")
+                onClicked: (section.page as SettingsPage).openStops()
+            }
             Repeater {
                 model: Editor.machineFields
                 FieldTile {

@@ -186,15 +186,20 @@ def give_command(master, document, code, argument0=0, argument1=0, argument2=0):
     assert master.write(registers["command.counter"][0],
                         [counter, words["Command", code], argument0, argument1, *encode(argument2, "u32")]) == 0
     result = master.read_group(registers, "result")
+    while result["result.status"] == words["CommandStatus", "Busy"]:
+        result = master.read_group(registers, "result")
     assert result["result.counter"] == counter and result["result.code"] == words["Command", code], result
     assert result["result.status"] == words["CommandStatus", "Done"], result
 
 
 def transfer(master, document, session, operation, block, data):
     registers, words = document.registers, document.words
-    assert master.write(registers["transfer.session"][0],
-                        [session, words["TransferOperation", operation], block, len(data), *data]) == 0
-    result = master.read_group(registers, "transfer_result")
+    busy = words["TransferResult", "Busy"]
+    result = {"transfer_result.result": busy}
+    while result["transfer_result.result"] == busy:
+        assert master.write(registers["transfer.session"][0],
+                            [session, words["TransferOperation", operation], block, len(data), *data]) == 0
+        result = master.read_group(registers, "transfer_result")
     assert result["transfer_result.session"] == session and result["transfer_result.block"] == block, result
     assert result["transfer_result.result"] == words["TransferResult", "Accepted"], result
     return result

@@ -28,7 +28,9 @@ PressBench::PressBench(const PressImage& image, const controller::MachineOptions
 {
     ctl_port port{};
     port.context = this;
-    port.pulses = [](void* context, std::int32_t count) { benchOf(context).onPulses(count); };
+    port.pulses = [](void* context, const ctl_train* train) {
+        benchOf(context).onPulses(train->direction * static_cast<std::int32_t>(train->count));
+    };
     port.encoder = [](void* context) { return benchOf(context).m_machine.encoder(); };
     port.index = [](void*, std::int64_t*) { return false; };
     port.scale = [](void* context) { return benchOf(context).m_machine.scale(); };

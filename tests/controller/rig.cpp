@@ -163,10 +163,12 @@ std::uint16_t Rig::command(std::uint16_t code, std::uint16_t argument0, std::uin
                            std::uint32_t argument2)
 {
     ++m_counter;
-    const Registers result =
+    Registers result =
         readWrite(CTL_REG_RESULT_COUNTER, 4, CTL_REG_COMMAND_COUNTER,
                   {m_counter, code, argument0, argument1, static_cast<std::uint16_t>(argument2 >> 16),
                    static_cast<std::uint16_t>(argument2 & 0xFFFFu)});
+    while (result.size() == 4 && result[2] == CTL_COMMAND_STATUS_BUSY)
+        result = read(CTL_REG_RESULT_COUNTER, 4);
     if (result.size() != 4 || result[0] != m_counter || result[1] != code)
         throw std::runtime_error("the command was not echoed");
     if ((result[2] == CTL_COMMAND_STATUS_DONE) != (result[3] == CTL_REFUSAL_NONE))
@@ -194,7 +196,10 @@ std::uint16_t Rig::download(const Registers& image, std::uint16_t session, std::
                  Registers(image.begin() + static_cast<std::ptrdiff_t>(first),
                            image.begin() + static_cast<std::ptrdiff_t>(last)));
     }
-    return transfer(session, CTL_TRANSFER_OPERATION_SEAL, 0, {}).at(3);
+    std::uint16_t result = CTL_TRANSFER_RESULT_BUSY;
+    while (result == CTL_TRANSFER_RESULT_BUSY)
+        result = transfer(session, CTL_TRANSFER_OPERATION_SEAL, 0, {}).at(3);
+    return result;
 }
 
 std::uint16_t Rig::apply(const Registers& image, std::uint16_t mode, std::uint16_t session)

@@ -50,7 +50,7 @@ public:
     std::uint16_t status(std::uint16_t address) { return read(address, 1).at(0); }
     std::uint32_t statusWide(std::uint16_t address);
     std::int32_t signedWide(std::uint16_t address) { return static_cast<std::int32_t>(statusWide(address)); }
-    // Returns the refusal (CTL_REFUSAL_...).
+    // Returns the refusal (CTL_REFUSAL_...), after Busy.
     std::uint16_t command(std::uint16_t code, std::uint16_t argument0 = 0, std::uint16_t argument1 = 0,
                           std::uint32_t argument2 = 0);
     // Returns the eight transfer result registers.

@@ -50,12 +50,12 @@ struct Follower {
                 if (ctl_table_between_cycles(&table))
                     ctl_table_begin_cycle(&table, direction);
                 std::uint32_t used = left;
-                pulses += ctl_table_advance(&table, direction, &used);
+                pulses += ctl_table_advance(&table, direction, &used, nullptr);
                 left -= used;
                 if (ctl_table_between_cycles(&table))
                     cycles += direction;
             }
-            pulses += ctl_table_pass(&table, part);
+            pulses += ctl_table_pass(&table, part, nullptr);
         }
         return pulses;
     }
@@ -219,7 +219,7 @@ void TestCamEngine::noDriftInAMillionWraps()
     // To the end of the cycle, in whole numbers of 1/256 pulse: floor(cycles * net * 256).
     while (!ctl_table_between_cycles(&follower.table)) {
         std::uint32_t rest = 1'000'000;
-        ctl_table_advance(&follower.table, direction, &rest);
+        ctl_table_advance(&follower.table, direction, &rest, nullptr);
         if (ctl_table_between_cycles(&follower.table))
             follower.cycles += direction;
     }
@@ -229,7 +229,7 @@ void TestCamEngine::noDriftInAMillionWraps()
     exact -= numerator % divisor < 0 ? 1 : 0;
     QCOMPARE(ctl_cam_target(&follower.table.cam), static_cast<std::int64_t>(exact));
     while (!ctl_table_settled(&follower.table))
-        sent += ctl_table_pass(&follower.table, ctl_table_longest_pass(&follower.table));
+        sent += ctl_table_pass(&follower.table, ctl_table_longest_pass(&follower.table), nullptr);
     QCOMPARE(sent, static_cast<std::int64_t>(std::floor((static_cast<double>(exact) + 128.0) / 256.0)));
 }
 
@@ -309,7 +309,7 @@ void TestCamEngine::holdIsExact()
             const auto part =
                 1 + static_cast<std::uint32_t>(random() % (i % 100 == 0 ? 100'000'000u : 5000u));
             std::uint32_t used = part;
-            ctl_table_advance(&follower.table, 1, &used);
+            ctl_table_advance(&follower.table, 1, &used, nullptr);
             QCOMPARE(used, part);
             ticks += part;
             const Wide sum = static_cast<Wide>(image.rows.back().slope) * 100 * ticks;

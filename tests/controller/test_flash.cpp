@@ -27,6 +27,46 @@ std::uint16_t saveNumber(Rig& rig, std::uint32_t number)
     return rig.command(CTL_COMMAND_SAVE_TO_FLASH, 0, 0, crc32(bank.registers()));
 }
 
+// Returns the result registers.
+Registers sendSave(Rig& rig, std::uint16_t counter, std::uint32_t crc)
+{
+    return rig.readWrite(CTL_REG_RESULT_COUNTER, 4, CTL_REG_COMMAND_COUNTER,
+                         {counter, CTL_COMMAND_SAVE_TO_FLASH, 0, 0, static_cast<std::uint16_t>(crc >> 16),
+                          static_cast<std::uint16_t>(crc & 0xFFFFu)});
+}
+
+// Saves on a slow board, with a flash that is busy until runUntilSaved().
+void beginSaveInPieces(Rig& rig, std::uint32_t crc)
+{
+    rig.core().board.config.work_registers = 48;
+    rig.core().board.port.flash_progress = [](void*) { return CTL_FLASH_BUSY; };
+    sendSave(rig, 101, crc);
+    rig.run(20'000);
+    QCOMPARE(rig.read(CTL_REG_RESULT_COUNTER, 4)[2], CTL_COMMAND_STATUS_BUSY);
+    QVERIFY(rig.core().flash.saving.busy);
+}
+
+void runUntilSaved(Rig& rig)
+{
+    rig.core().board.port.flash_progress = [](void*) { return CTL_FLASH_DONE; };
+    rig.run(500'000);
+    QVERIFY(!rig.core().flash.saving.busy);
+}
+
+// An asynchronous flash that fails after some answers; what it was writing then is damaged.
+MemoryFlash* failingFlash = nullptr;
+int answersUntilFailure = 0;
+
+ctl_flash_progress failLater(void* /*context*/)
+{
+    if (answersUntilFailure-- != 0)
+        return CTL_FLASH_DONE;
+    Bytes& slot = failingFlash->contents[1];
+    if (!slot.empty())
+        slot.back() ^= 1;
+    return CTL_FLASH_FAILED;
+}
+
 } // namespace
 
 class TestFlash : public QObject {
@@ -40,6 +80,10 @@ private slots:
     void powerCutAtEveryByte();
     void everyDamagedByteIsNoticed();
     void flashFailureIsReported();
+    void secondSaveJoinsTheRunningOne();
+    void secondSaveWithAWrongSumIsRefused();
+    void secondSaveOfSomethingElseFollows();
+    void asynchronousFlashFailsHalfWay();
     void savingWhileRunning();
     void maxCamThroughFlash();
     void slotsOfOtherVersions_data();
@@ -164,6 +208,101 @@ void TestFlash::flashFailureIsReported()
     flash.bytesUntilPowerCut = 10;
     QCOMPARE(saveNumber(rig, 2), CTL_REFUSAL_FLASH_FAILED);
     QCOMPARE(rig.statusWide(CTL_REG_STATUS_SAVED_CRC), saved);
+}
+
+// A save in pieces is under way. A second command for the same bank joins it.
+void TestFlash::secondSaveJoinsTheRunningOne()
+{
+    MemoryFlash flash;
+    Rig rig({}, &flash);
+    rig.install(bankNumber(1));
+    const std::uint32_t crc = crc32(bankNumber(1).registers());
+    beginSaveInPieces(rig, crc);
+    const std::size_t written = flash.written;
+    const Registers second = sendSave(rig, 102, crc);
+    QCOMPARE(second[0], 102);
+    QCOMPARE(second[2], CTL_COMMAND_STATUS_BUSY);
+    runUntilSaved(rig);
+    QCOMPARE(rig.read(CTL_REG_RESULT_COUNTER, 4),
+             (Registers{102, CTL_COMMAND_SAVE_TO_FLASH, CTL_COMMAND_STATUS_DONE, CTL_REFUSAL_NONE}));
+    QCOMPARE(rig.statusWide(CTL_REG_STATUS_SAVED_CRC), crc);
+    QVERIFY(flash.contents[1].empty() && flash.written > written); // one save, not two
+}
+
+void TestFlash::secondSaveWithAWrongSumIsRefused()
+{
+    MemoryFlash flash;
+    Rig rig({}, &flash);
+    rig.install(bankNumber(1));
+    const std::uint32_t crc = crc32(bankNumber(1).registers());
+    beginSaveInPieces(rig, crc);
+    QCOMPARE(
+        sendSave(rig, 102, crc + 1),
+        (Registers{102, CTL_COMMAND_SAVE_TO_FLASH, CTL_COMMAND_STATUS_REFUSED, CTL_REFUSAL_WRONG_CHECKSUM}));
+    runUntilSaved(rig);
+    QCOMPARE(rig.statusWide(CTL_REG_STATUS_SAVED_CRC), crc); // the first save has ended all the same
+    QCOMPARE(rig.read(CTL_REG_RESULT_COUNTER, 4)[2], CTL_COMMAND_STATUS_REFUSED);
+}
+
+// The program, or a parameter, has changed since the first save began: it is saved after the first one. With
+// and without the check of the bank in pieces.
+void TestFlash::secondSaveOfSomethingElseFollows()
+{
+    for (const std::uint16_t registers : {std::uint16_t{0}, std::uint16_t{48}}) {
+        for (const std::uint32_t number : {1u, 2u}) {
+            MemoryFlash flash;
+            Rig rig({}, &flash);
+            rig.install(bankNumber(1));
+            beginSaveInPieces(rig, crc32(bankNumber(1).registers()));
+            rig.core().board.config.work_registers = 0; // a seal in one piece
+            if (number == 2)
+                rig.install(bankNumber(2).registers(), 2);
+            rig.setParameter(CTL_REG_PARAMETER_RAMP_TIME, 1234);
+            rig.core().board.config.work_registers = registers;
+            const std::uint32_t crc = crc32(bankNumber(number).registers());
+            QCOMPARE(sendSave(rig, 77, crc)[2], CTL_COMMAND_STATUS_BUSY);
+            runUntilSaved(rig);
+            QCOMPARE(rig.read(CTL_REG_RESULT_COUNTER, 4),
+                     (Registers{77, CTL_COMMAND_SAVE_TO_FLASH, CTL_COMMAND_STATUS_DONE, CTL_REFUSAL_NONE}));
+            QCOMPARE(rig.statusWide(CTL_REG_STATUS_SAVED_CRC), crc);
+            Rig after({}, &flash);
+            QCOMPARE(after.statusWide(CTL_REG_STATUS_ACTIVE_CRC), crc);
+            QCOMPARE(after.status(CTL_REG_PARAMETER_RAMP_TIME), 1234);
+        }
+    }
+}
+
+// The flash works by itself and reports its failure only later: at its erase, and at every piece.
+void TestFlash::asynchronousFlashFailsHalfWay()
+{
+    const std::uint32_t first = crc32(bankNumber(1).registers());
+    const std::uint32_t second = crc32(bankNumber(2).registers());
+    for (int answers = 0;; ++answers) {
+        MemoryFlash flash;
+        {
+            Rig rig({}, &flash);
+            QCOMPARE(saveNumber(rig, 1), CTL_REFUSAL_NONE);
+            rig.install(bankNumber(2));
+            answersUntilFailure = answers;
+            failingFlash = &flash;
+            rig.core().board.port.flash_progress = failLater;
+            rig.core().board.config.work_registers = 48;
+            Registers result = sendSave(rig, 99, second);
+            QCOMPARE(result[2], CTL_COMMAND_STATUS_BUSY);
+            rig.run(500'000);
+            result = rig.read(CTL_REG_RESULT_COUNTER, 4);
+            const bool isSaved = answersUntilFailure >= 0;
+            QCOMPARE(result[2], isSaved ? CTL_COMMAND_STATUS_DONE : CTL_COMMAND_STATUS_REFUSED);
+            QCOMPARE(result[3], isSaved ? CTL_REFUSAL_NONE : CTL_REFUSAL_FLASH_FAILED);
+            QCOMPARE(rig.statusWide(CTL_REG_STATUS_SAVED_CRC), isSaved ? second : first);
+            if (isSaved) {
+                QVERIFY(answers > 5);
+                return;
+            }
+        }
+        Rig rig({}, &flash); // power comes back: the older program
+        QCOMPARE(rig.statusWide(CTL_REG_STATUS_ACTIVE_CRC), first);
+    }
 }
 
 // A slot as another version wrote it: its magic, and its number of parameters where it has one.

@@ -272,7 +272,7 @@ void TestIntervalEngine::countsAreExact()
         std::int64_t emitted = 0;
         while (!ctl_interval_between_cycles(&interval)) {
             std::uint32_t ticks = 1 + static_cast<std::uint32_t>(random() % 100'000'000u);
-            emitted += ctl_interval_advance(&interval, &ticks);
+            emitted += ctl_interval_advance(&interval, &ticks, nullptr);
         }
         QCOMPARE(emitted, backwards ? -expected : expected);
     }
@@ -298,7 +298,7 @@ void TestIntervalEngine::clocksAreKeptExactly()
         ctl_interval_begin_cycle(&interval);
         while (!ctl_interval_between_cycles(&interval)) {
             std::uint32_t ticks = 1 + static_cast<std::uint32_t>(random() % 50'000u);
-            emitted += static_cast<std::uint64_t>(ctl_interval_advance(&interval, &ticks));
+            emitted += static_cast<std::uint64_t>(ctl_interval_advance(&interval, &ticks, nullptr));
             ticksPassed += ticks;
             if (ctl_interval_between_cycles(&interval))
                 break;
@@ -334,7 +334,7 @@ void TestIntervalEngine::fractionOwed()
     for (std::int64_t cycle = 1; cycle <= 3000; ++cycle) {
         ctl_interval_begin_cycle(&interval);
         std::uint32_t ticks = 100'000'000;
-        emitted += ctl_interval_advance(&interval, &ticks);
+        emitted += ctl_interval_advance(&interval, &ticks, nullptr);
         QVERIFY(ctl_interval_between_cycles(&interval));
         QCOMPARE(emitted, cycle * (backwards ? -17 : 17) + cycle * 2 / 3);
     }
@@ -354,7 +354,7 @@ void TestIntervalEngine::holdsTheLastSpeed()
     constexpr int seconds = 10'000;
     for (int second = 0; second < seconds; ++second) {
         std::uint32_t ticks = 8'000'000;
-        emitted += ctl_interval_advance(&interval, &ticks);
+        emitted += ctl_interval_advance(&interval, &ticks, nullptr);
         QCOMPARE(ticks, 8'000'000u);
         QVERIFY(ctl_interval_holding(&interval));
     }

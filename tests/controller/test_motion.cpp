@@ -229,7 +229,7 @@ void TestMotion::changeWhileRunningDoesNotJump()
             rig.controller().step();
             const std::int64_t moved = rig.commanded() - position;
             QVERIFY(moved >= 0 && moved <= 50); // 200 kHz for 250 us
-            QVERIFY(++steps < 20'000); // 5 s
+            QVERIFY(++steps < 20'000);          // 5 s
         }
         generation += 1;
         QCOMPARE(rig.core().banks.generation, generation);
@@ -237,7 +237,7 @@ void TestMotion::changeWhileRunningDoesNotJump()
         // It changed at a boundary: the rest of the step belongs to the new table's first row.
         const ctl_step& step = rig.core().motion.table.step;
         QVERIFY(step.cycle_ticks <= 2000);
-        QCOMPARE(rig.commanded(), pulsesOf(slow, rig.core().motion.cycle_count) + step.row_pulses);
+        QCOMPARE(rig.commanded(), pulsesOf(slow, rig.core().motion.cycle_count) + ctl_step_row_pulses(&step));
         QCOMPARE(rig.status(CTL_REG_STATUS_STAGED_STATE), CTL_STAGED_STATE_EMPTY);
     }
     rig.command(CTL_COMMAND_STOP_AT_CYCLE_END);

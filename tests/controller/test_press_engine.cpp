@@ -28,7 +28,7 @@ std::vector<std::uint64_t> pulseTicks(ctl_count run, std::uint32_t portion)
     std::uint64_t now = 0;
     while (!ctl_count_done(&run)) {
         now += portion;
-        times.insert(times.end(), ctl_count_advance(&run, portion), now);
+        times.insert(times.end(), ctl_count_advance(&run, portion, 1, nullptr), now);
     }
     return times;
 }
@@ -114,17 +114,17 @@ void TestPressEngine::brakeComesToStandOnTheRamp()
         ctl_count run = whole;
         std::uint32_t out = 0;
         while (out < sent)
-            out += ctl_count_advance(&run, 1);
+            out += ctl_count_advance(&run, 1, 1, nullptr);
         ctl_count_brake(&run);
         out += static_cast<std::uint32_t>(pulseTicks(run, 100).size());
         const std::uint32_t expected = sent <= 200 ? 2 * sent : std::min(sent + 200, 1000u);
         QCOMPARE(out, expected);
     }
     ctl_count run = whole;
-    ctl_count_advance(&run, 1'000'000);
+    ctl_count_advance(&run, 1'000'000, 1, nullptr);
     ctl_count_halt(&run);
     QVERIFY(ctl_count_done(&run));
-    QCOMPARE(ctl_count_advance(&run, 10'000'000), 0u);
+    QCOMPARE(ctl_count_advance(&run, 10'000'000, 1, nullptr), 0u);
 }
 
 void TestPressEngine::stopErrorOfThePaper_data()

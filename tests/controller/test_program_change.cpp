@@ -88,7 +88,7 @@ Axes positions(Rig& rig)
     const double part = ctl_step_between_cycles(&step)
                             ? 0.0
                             : static_cast<double>(step.current.pulses) * step.row_ticks / step.current.ticks -
-                                  step.row_pulses;
+                                  ctl_step_row_pulses(&step);
     return {static_cast<double>(motion.commanded) + part,
             static_cast<double>(ctl_feed_position(&rig.core().packer.film)) / CTL_FINE,
             static_cast<double>(ctl_feed_position(&rig.core().packer.infeed)) / CTL_FINE};

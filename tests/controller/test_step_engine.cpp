@@ -126,7 +126,7 @@ void TestStepEngine::bulkEqualsPulseByPulse()
             beginIfNeeded(bulk);
             std::uint32_t ticks =
                 1 + static_cast<std::uint32_t>(random() % (random() % 2 == 0 ? 60u : 100'000u));
-            emitted += ctl_step_advance(&bulk, &ticks);
+            emitted += ctl_step_advance(&bulk, &ticks, nullptr);
             passed += ticks;
             const auto due = std::ranges::upper_bound(pulseTimes, passed) - pulseTimes.begin();
             QCOMPARE(emitted, static_cast<std::uint64_t>(due));
@@ -158,10 +158,10 @@ void TestStepEngine::bothWaysMayAlternate()
                 ticks = event.ticks;
                 mixedPulses += event.pulse ? 1 : 0;
             } else {
-                mixedPulses += ctl_step_advance(&mixed, &ticks);
+                mixedPulses += ctl_step_advance(&mixed, &ticks, nullptr);
             }
             if (ticks > 0)
-                bulkPulses += ctl_step_advance(&bulk, &ticks);
+                bulkPulses += ctl_step_advance(&bulk, &ticks, nullptr);
             QCOMPARE(mixedPulses, bulkPulses);
         }
         QVERIFY(ctl_step_between_cycles(&bulk));
@@ -194,7 +194,7 @@ void TestStepEngine::noDriftInAMillionCycles()
     while (cycles < 1'000'000) {
         beginIfNeeded(step);
         std::uint32_t ticks = 1'000 + static_cast<std::uint32_t>(random() % 3'000'000u);
-        emitted += ctl_step_advance(&step, &ticks);
+        emitted += ctl_step_advance(&step, &ticks, nullptr);
         ticksPassed += ticks;
         if (!ctl_step_between_cycles(&step))
             continue;
@@ -237,7 +237,7 @@ void TestStepEngine::changeOfBankKeepsWhatIsOwed()
         ctl_step_change_bank(&step, cycle % 2 == 0 ? one.get() : other.get());
         ctl_step_begin_cycle(&step);
         std::uint32_t ticks = 10'000'000;
-        emitted += ctl_step_advance(&step, &ticks);
+        emitted += ctl_step_advance(&step, &ticks, nullptr);
         QCOMPARE(emitted, cycle * 10007 / 3);
     }
 }

@@ -175,7 +175,7 @@ void TestTableInController::aMillionCyclesWithoutDrift()
         std::int64_t ticksOfCycle = 0;
         while (!ctl_step_between_cycles(&step)) {
             std::uint32_t advance = image->stepTable().cycleTicks;
-            pulses += ctl_step_advance(&step, &advance);
+            pulses += ctl_step_advance(&step, &advance, nullptr);
             ticksOfCycle += advance;
         }
         ticks += ticksOfCycle;
@@ -293,7 +293,7 @@ void TestTableInController::intervalsAreAccepted()
         ctl_interval_reset(&engine, bank.get(), static_cast<std::uint32_t>(clockHz));
         ctl_interval_begin_cycle(&engine);
         std::uint32_t ticks = 2 * table->cycleTicks;
-        QCOMPARE(ctl_interval_advance(&engine, &ticks), static_cast<std::int32_t>(table->advance));
+        QCOMPARE(ctl_interval_advance(&engine, &ticks, nullptr), static_cast<std::int32_t>(table->advance));
         QCOMPARE(ticks, table->cycleTicks);
     }
     qInfo("%d of %d compiled", accepted, cases);

@@ -69,17 +69,17 @@ const QList<House>& houses()
          {{u"files"_s}, {u"database"_s}, {u"users"_s, u"recipes"_s, u"logs"_s}, {u"backup"_s}, {u"."_s}}},
         {u"app/panel"_s,
          {},
-         {standardCpp, expected, qtAny, u"profile/.*"_s, u"app/(link|program|store)/.*"_s},
+         {standardCpp, expected, qtAny, u"profile/.*"_s, u"app/(link|plant|program|store)/.*"_s},
          {{u"kit"_s},
           {u"words"_s},
           {u"recipe"_s},
           {u"records"_s, u"settings"_s},
           {u"controller"_s},
-          {u"access"_s, u"download"_s, u"packing"_s, u"trends"_s, u"display"_s},
+          {u"access"_s, u"download"_s, u"packing"_s, u"trends"_s, u"stops"_s, u"display"_s},
           {u"editor"_s},
           {u"library"_s, u"alarms"_s, u"maintenance"_s},
           {u"explain"_s, u"audit"_s},
-          {u"reports"_s}}},
+          {u"reports"_s, u"plant"_s}}},
     };
     return all;
 }
@@ -119,15 +119,23 @@ const QList<Rule>& includeRules()
             {u"controller/sim"_s,
              {standardCpp, standardC,
               u"(base/ctl_(bank|words)|engine/ctl_(press|step)|bank/ctl_check|packer/ctl_feed|link/ctl_map|ctl_core)\\.h"_s}},
+            {u"controller/board"_s,
+             {standardC,
+              u"(board|ctl_core|(machine|versatilepb)/[a-z_]+|base/ctl_(crc|words)|engine/ctl_step)\\.h"_s}},
             {u"controller/host"_s, {standardCpp, standardC, posix, expected, controllerHost}},
             {u"app/link"_s, {standardCpp, posix, expected, qtAny, u"modbus/.*"_s, u"app/link/.*"_s}},
             {u"app/program"_s, {standardCpp, expected, u"profile/.*"_s, u"modbus/.*"_s, u"app/program/.*"_s}},
+            {u"app/plant"_s, {standardCpp, qtAny, u"app/plant/.*"_s}},
             {u"app/plot"_s, {standardCpp, qtAny, u"qwt[a-z_]*\\.h"_s, u"profile/.*"_s, u"app/plot/.*"_s}},
             {u"app/report"_s, {standardCpp, qtAny, u"app/(panel|plot|report)/.*"_s}},
             {u"app/cli"_s,
              {standardCpp, posix, expected, qtAny, u"(profile|modbus)/.*"_s,
               u"app/(program|store|cli|panel/words)/.*"_s, u"app/plot/picture/regime_picture\\.h"_s,
               u"packing_run\\.h"_s}},
+            {u"gateway"_s,
+             {standardCpp, posix, qtAny, u"app/plant/.*"_s,
+              u"app/shell/(configuration|termination_signals)\\.h"_s, u"app/store/files/files\\.h"_s,
+              u"gateway/.*"_s, u"mosquitto\\.h"_s, u"sparkplug_payload\\.pb-c\\.h"_s}},
             {u"app/shell"_s, {standardCpp, qtAny, u"app/.*"_s, posix, u"toml\\+\\+/toml\\.h"_s}},
         };
     return rules;
@@ -138,7 +146,7 @@ const QList<QStringList>& qmlLevels()
 {
     static const QList<QStringList> levels{{u"parts"_s},
                                            {u"explain"_s, u"access"_s, u"audit"_s, u"download"_s, u"alarms"_s,
-                                            u"trends"_s, u"run"_s, u"packing"_s, u"maintenance"_s,
+                                            u"trends"_s, u"stops"_s, u"run"_s, u"packing"_s, u"maintenance"_s,
                                             u"reports"_s},
                                            {u"editor"_s},
                                            {u"library"_s, u"settings"_s, u"first"_s},
@@ -295,7 +303,7 @@ private slots:
     void everyIncludeIsAllowed()
     {
         const QStringList files =
-            filesBelow({u"profile"_s, u"modbus"_s, u"controller"_s, u"app"_s, u"examples"_s},
+            filesBelow({u"profile"_s, u"modbus"_s, u"controller"_s, u"app"_s, u"examples"_s, u"gateway"_s},
                        {u"*.h"_s, u"*.cpp"_s, u"*.c"_s, u"*.hpp"_s});
         QVERIFY(files.size() > 20);
         QStringList all;
@@ -375,7 +383,7 @@ private slots:
         constexpr int maxFiles = 40;
         QMap<QString, int> counts;
         const QStringList files = filesBelow({u"profile"_s, u"modbus"_s, u"controller"_s, u"app"_s, u"qml"_s,
-                                              u"tests"_s, u"packaging"_s, u"examples"_s},
+                                              u"gateway"_s, u"tests"_s, u"packaging"_s, u"examples"_s},
                                              {u"*"_s});
         for (const QString& file : files)
             ++counts[QFileInfo(file).path()];
@@ -408,8 +416,8 @@ private slots:
 
     void noHeaderIncludesItself()
     {
-        const QStringList headers =
-            filesBelow({u"profile"_s, u"modbus"_s, u"controller"_s, u"app"_s}, {u"*.h"_s, u"*.hpp"_s});
+        const QStringList headers = filesBelow(
+            {u"profile"_s, u"modbus"_s, u"controller"_s, u"app"_s, u"gateway"_s}, {u"*.h"_s, u"*.hpp"_s});
         QVERIFY(headers.size() > 300);
         QCOMPARE(circleIn(includeGraph(headers)), QStringList());
     }

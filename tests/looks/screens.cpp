@@ -88,41 +88,47 @@ Screen edited(const char* name, double bagLengthMm, const QStringList& names)
             }};
 }
 
-// Returns two files on a simulated stick with their dates, and the panel's own folder.
-panel::KnotFiles::Found knotsOnStick(const QString&)
+// Returns two files on a simulated stick with their dates, and the panel's own folder. The newer file has an
+// entry before the one above it.
+panel::CamFiles::Found listsOnStick(const QString&, const profile::Program& cam)
 {
-    panel::KnotFiles::Found found;
+    panel::CamFiles::Found found;
     const QString path = QStringLiteral("/media/panel/KINGSTON");
     found.places = {{path, QStringLiteral("KINGSTON"), false},
                     {QStringLiteral("/media/panel/OLD"), QStringLiteral("OLD"), true}};
-    store::KnotsOffer good;
+    store::ListOffer good;
     good.path = path + QStringLiteral("/pusher-slow.csv");
     good.placeName = QStringLiteral("KINGSTON");
     good.changed = QDateTime(QDate(2026, 1, 15), QTime(13, 52));
-    const auto cam = program::defaultRecipe(Kind::PointCam);
-    good.knots = std::get<profile::PointCamProgram>(cam.program).knots;
-    store::KnotsOffer bad = good;
+    good.program = cam;
+    store::ListOffer bad = good;
     bad.path = path + QStringLiteral("/pusher-new.csv");
     bad.changed = QDateTime(QDate(2026, 1, 14), QTime(9, 5));
-    bad.knots[2].masterDeg = bad.knots[1].masterDeg - 5;
-    bad.refusal = profile::checkKnots(bad.knots);
+    if (auto* points = std::get_if<profile::PointCamProgram>(&bad.program))
+        points->knots[2].masterDeg = points->knots[1].masterDeg - 5;
+    else if (auto* segments = std::get_if<profile::SegmentCamProgram>(&bad.program))
+        segments->segments[2].fromDeg = segments->segments[1].toDeg - 5;
+    bad.refusal = program::kindInfo(profile::kindOf(cam)).list->check(bad.program);
     bad.refusedLine = 4;
     found.offers = {good, bad};
     return found;
 }
 
-// Opens the sheet of knot files after the search, then taps.
-Screen knotFiles(const char* name, const QStringList& names)
+// Opens the sheet of a cam's files after the search, then taps.
+Screen camFiles(const char* name, Kind kind, const QStringList& names)
 {
-    return {QString::fromLatin1(name), [names](TestWindow& window) {
-                window.link().show(Situation::Running, Kind::PointCam);
+    return {QString::fromLatin1(name), [kind, names](TestWindow& window) {
+                window.link().show(Situation::Running, kind);
                 panel::Editor& editor = window.panel().editor();
-                editor.newProgram(static_cast<int>(Kind::PointCam));
-                editor.knotFiles()->setScanner(&knotsOnStick);
-                for (const char* tapped : {"nav_motion", "knotsButton", "knotFilesButton"})
-                    window.tap(QString::fromLatin1(tapped));
+                editor.newProgram(static_cast<int>(kind));
+                editor.camFiles()->setScanner(&listsOnStick);
+                window.tap(QStringLiteral("nav_motion"));
+                const QString list =
+                    kind == Kind::PointCam ? QStringLiteral("knot") : QStringLiteral("segment");
+                window.tap(list + QStringLiteral("sButton"));
+                window.tap(list + QStringLiteral("FilesButton"));
                 for (const QString& tapped : names) {
-                    window.waitFor(*editor.knotFiles());
+                    window.waitFor(*editor.camFiles());
                     window.tap(tapped);
                 }
             }};
@@ -376,9 +382,13 @@ const QList<Screen>& allScreens()
         editing("segments", Kind::SegmentCam, {QStringLiteral("segmentsButton")}),
         editing("segment-motions", Kind::SegmentCam,
                 {QStringLiteral("segmentsButton"), QStringLiteral("segmentMotion")}),
-        knotFiles("knots-import", {QStringLiteral("offer0")}),
-        knotFiles("knots-import-refused", {QStringLiteral("offer1")}),
-        knotFiles("knots-export", {QStringLiteral("knotsExport"), QStringLiteral("offer0")}),
+        camFiles("knots-import", Kind::PointCam, {QStringLiteral("offer0")}),
+        camFiles("knots-import-refused", Kind::PointCam, {QStringLiteral("offer1")}),
+        camFiles("knots-export", Kind::PointCam, {QStringLiteral("listExport"), QStringLiteral("offer0")}),
+        camFiles("segments-import", Kind::SegmentCam, {QStringLiteral("offer0")}),
+        camFiles("segments-import-refused", Kind::SegmentCam, {QStringLiteral("offer1")}),
+        camFiles("segments-export", Kind::SegmentCam,
+                 {QStringLiteral("listExport"), QStringLiteral("offer0")}),
         editing("choice", Kind::SpeedMove, {QStringLiteral("choice0")}),
         editing("kinds", Kind::PositionMove, {QStringLiteral("more"), QStringLiteral("kindButton")}),
         editing("tools-cam", Kind::PointCam, {QStringLiteral("more")}),
@@ -431,8 +441,9 @@ const QList<Screen>& allScreens()
          }},
     };
     static const QList<Screen> all = screens + packingScreens() + recipeScreens() + trendScreens() +
-                                     alarmScreens() + accessScreens() + firstScreens() + backupScreens() +
-                                     maintenanceScreens() + cutterScreens() + motorScreens();
+                                     stopScreens() + alarmScreens() + accessScreens() + firstScreens() +
+                                     backupScreens() + maintenanceScreens() + cutterScreens() +
+                                     motorScreens();
     return all;
 }
 
@@ -526,6 +537,8 @@ void enterScreen(TestWindow& window, const Screen& screen)
     window.panel().maintenance().inspector()->setGroup({});
     window.panel().maintenance().inspector()->setNameFilter({});
     window.panel().maintenance().jog()->letGo();
+    window.panel().settings().overrideValue("stops.ask_after_seconds", QStringLiteral("600"));
+    window.panel().stops().setup()->reasons()->restoreStandard();
     window.link().setSimulated(false);
     if (window.link().setOld(false))
         window.link().show(Situation::Empty);

@@ -39,7 +39,7 @@ public:
     // Updates the age of the machine's data, as its timer does every tenth of a real second.
     void checkClock();
     // Waits until the search has ended.
-    void waitFor(panel::KnotFiles& files);
+    void waitFor(panel::CamFiles& files);
     void waitFor(panel::ReportFiles& files);
     // Waits until all requested trends are read; their store must be open.
     void waitForTrends();

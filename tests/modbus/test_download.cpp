@@ -26,6 +26,7 @@ private slots:
     void appliedAtOnceWhenStopped();
     void linkErrorsAreRepeated_data();
     void linkErrorsAreRepeated();
+    void busyStepsAreRepeated();
     void resumesAtTheMissingBlock();
     void beginsAgainAfterARestartOfTheController();
     void beginsAgainWhenNobodySawTheRestart_data();
@@ -130,6 +131,18 @@ void DownloadTest::becomesActiveAtTheCycleBoundary()
     QCOMPARE(download.crc(), crc32OfRegisters(m_image));
     for (std::size_t i = 0; i < m_image.size(); ++i)
         QCOMPARE(m_slave->getRegister(static_cast<std::uint16_t>(activeBankBase + i)), m_image[i]);
+}
+
+// A slow controller: the last bank is still being saved at the Begin, and the Seal goes in pieces.
+void DownloadTest::busyStepsAreRepeated()
+{
+    Download download = make({ApplyMode::WhenStopped, 23, false});
+    m_slave->setBusy(5);
+    QVERIFY(run(download, Download::Phase::Seal));
+    m_slave->setBusy(5);
+    for (int i = 0; i < 5; ++i)
+        QCOMPARE(download.advance(*m_client), Download::Phase::Seal);
+    QVERIFY(run(download, Download::Phase::Active));
 }
 
 void DownloadTest::appliedAtOnceWhenStopped()

@@ -55,6 +55,8 @@ private slots:
     void lateAnswersNeverBecomeValues();
     void answersThatAreAlwaysLateAreTaken();
     void slowerAnswersAreWaitedForSoon();
+    void commandInPiecesIsWaitedFor();
+    void commandInPiecesThatNeverEnds();
     void echoIsTakenOffTheAnswers();
     void exceptionIsNotWaitedOut();
     void answerToNobodyIsDropped();
@@ -93,6 +95,26 @@ void RtuClientTest::cleanup()
 {
     m_client.reset();
     m_slave.reset();
+}
+
+void RtuClientTest::commandInPiecesIsWaitedFor()
+{
+    m_slave->setBusy(4);
+    const int before = m_slave->requests();
+    const auto result = m_client->command(Command::SaveToFlash);
+    QVERIFY2(result.has_value(), result ? "" : describe(result.error()).c_str());
+    QCOMPARE(result->status, CommandStatus::Done);
+    QCOMPARE(m_slave->commandsExecuted(), 1);
+    QVERIFY(m_slave->requests() >= before + 5);
+}
+
+void RtuClientTest::commandInPiecesThatNeverEnds()
+{
+    m_slave->setBusy(1'000'000);
+    const auto result = m_client->command(Command::SaveToFlash);
+    QVERIFY(!result.has_value());
+    QCOMPARE(result.error().kind, LinkErrorKind::OutcomeUnknown);
+    QCOMPARE(m_slave->commandsExecuted(), 1);
 }
 
 void RtuClientTest::identity()

@@ -28,10 +28,10 @@ private slots:
 void TestKnotsCsv::namesTheLineOfAKnot()
 {
     const std::string text = "\n master_deg , slave_mm \n\n 0 , +0\n\t90.5,-20.25 \n   \n360, +1000\n\n";
-    QCOMPARE(lineOfKnot(text, 0), 4);
-    QCOMPARE(lineOfKnot(text, 1), 5);
-    QCOMPARE(lineOfKnot(text, 2), 7);
-    QCOMPARE(lineOfKnot(text, 99), 7);
+    QCOMPARE(csvLineOfRow(text, 0), 4);
+    QCOMPARE(csvLineOfRow(text, 1), 5);
+    QCOMPARE(csvLineOfRow(text, 2), 7);
+    QCOMPARE(csvLineOfRow(text, 99), 7);
 }
 
 void TestKnotsCsv::reads_data()

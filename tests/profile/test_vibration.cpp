@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // Vibration: published numbers, an integration of the same mode for random cams, refused natural frequencies.
+#include "random_cams.h"
+#include "random_segments.h"
 #include "recipes.h"
 
 #include "profile/cam/point_cam.h"
 #include "profile/cutter/limits.h"
 #include "profile/model/vibration.h"
 #include "profile/moves/position_move.h"
+#include "profile/segments/segment_cam.h"
 #include "tests/support/test_program.h"
 
 #include <QTest>
@@ -107,6 +110,7 @@ private slots:
     void agreesWithAnIntegration();
     void residualOfMoves();
     void residualAgreesWithAnIntegration();
+    void camAgreesWithAnIntegration();
     void unknownModeIsNoNumber();
     void naturalFrequencyBelowTheCycle();
     void naturalFrequencyBelowACam();
@@ -210,6 +214,47 @@ void TestVibration::residualAgreesWithAnIntegration()
                                     .arg((high - low) / 2)));
         }
     }
+}
+
+// Splines of every end, with their steps of speed at the wrap, and segments with steps at their joints.
+void TestVibration::camAgreesWithAnIntegration()
+{
+    qInfo("seed %u", seed);
+    RandomCams splines(seed);
+    RandomSegments segments(seed);
+    double worst = 0;
+    for (int compared = 0; compared < 100;) {
+        const auto solved = [&]() -> tl::expected<AxisMotion, Refusal> {
+            if (compared % 2 == 0) {
+                const auto cam = splines.next();
+                return solve(cam.program, cam.machine);
+            }
+            const auto cam = segments.next();
+            return solve(cam.program, cam.machine);
+        }();
+        if (!solved)
+            continue;
+        const MotionProfile& motion = solved->motion;
+        const double cycleS = motion.durationS();
+        const ShaftMode shaft{splines.uniform(1.5, 12) / cycleS, splines.uniform(0.03, 0.3)};
+        const double found = cycleErrorMm(motion, shaft);
+        IntegratedMode mode(motion, shaft.naturalFrequencyHz, shaft.dampingRatio);
+        const double decayPerCycle =
+            2 * std::numbers::pi * shaft.naturalFrequencyHz * shaft.dampingRatio * cycleS;
+        double low = 0;
+        double high = 0;
+        for (int cycle = 0; cycle < 2 + static_cast<int>(9 / decayPerCycle); ++cycle) {
+            low = std::numeric_limits<double>::max();
+            high = std::numeric_limits<double>::lowest();
+            mode.cycle(0, cycleS, low, high);
+        }
+        const double difference = std::abs(found - (high - low)) / (high - low + 1e-4);
+        worst = std::max(worst, difference);
+        QVERIFY2(difference < 0.01,
+                 qPrintable(QStringLiteral("%1: %2 mm, not %3 mm").arg(compared).arg(found).arg(high - low)));
+        ++compared;
+    }
+    qInfo("100 cams, largest difference %.3f %%", 100 * worst);
 }
 
 void TestVibration::unknownModeIsNoNumber()

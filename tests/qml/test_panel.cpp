@@ -203,10 +203,10 @@ private slots:
         file.write("master_deg,slave_mm\n0,0\n60,3\n120,9\n200,8\n300,1\n360,0\n");
         file.close();
         editor().newProgram(4);
-        panel::KnotFiles& files = *editor().knotFiles();
-        files.setScanner([path = stick.path()](const QString&) {
+        panel::CamFiles& files = *editor().camFiles();
+        files.setScanner([path = stick.path()](const QString&, const campanel::profile::Program& cam) {
             const QList<campanel::store::Place> places{{path, QStringLiteral("STICK"), false}};
-            return panel::KnotFiles::Found{places, campanel::store::offeredKnots(places)};
+            return panel::CamFiles::Found{places, campanel::store::offeredLists(places, cam)};
         });
         tap("nav_motion");
         tap("knotsButton");
@@ -222,7 +222,7 @@ private slots:
         QVERIFY2(m_window->find(QStringLiteral("knotList")), "back among the knots");
         tap("knotFilesButton");
         m_window->waitFor(files);
-        tap("knotsExport");
+        tap("listExport");
         m_window->waitFor(files);
         tap("offer0");
         tap("offerGo");
@@ -245,10 +245,10 @@ private slots:
         };
         QVERIFY(write("0,0\n60,3\n50,9\n200,8\n300,1\n360,0\n"));
         editor().newProgram(4);
-        panel::KnotFiles& files = *editor().knotFiles();
-        files.setScanner([path = stick.path()](const QString&) {
+        panel::CamFiles& files = *editor().camFiles();
+        files.setScanner([path = stick.path()](const QString&, const campanel::profile::Program& cam) {
             const QList<campanel::store::Place> places{{path, QStringLiteral("STICK"), false}};
-            return panel::KnotFiles::Found{places, campanel::store::offeredKnots(places)};
+            return panel::CamFiles::Found{places, campanel::store::offeredLists(places, cam)};
         });
         tap("nav_motion");
         tap("knotsButton");

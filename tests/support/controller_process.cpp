@@ -27,7 +27,9 @@ ControllerProcess::~ControllerProcess()
 
 void ControllerProcess::start()
 {
-    m_process.start(campanel::test::programPath("campanel-controller"),
+    // Another program with the same contract: the firmware in QEMU.
+    const QString other = qEnvironmentVariable("CAMPANEL_CONTROLLER");
+    m_process.start(other.isEmpty() ? campanel::test::programPath("campanel-controller") : other,
                     QStringList{u"--link"_s, port(), u"--state"_s, m_folder.filePath(u"state"_s)} +
                         m_arguments);
     while (!m_process.canReadLine()) {

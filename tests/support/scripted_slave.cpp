@@ -225,6 +225,9 @@ ScriptedSlave::Bytes ScriptedSlave::execute(const Bytes& request)
     const std::uint16_t first = word(&request[2]);
     const std::uint16_t count = word(&request[4]);
     Bytes reply(request.begin(), request.begin() + 2);
+    std::uint16_t& status = m_registers[address("result.status")];
+    if (status == static_cast<std::uint16_t>(CommandStatus::Busy) && --m_busy <= 0)
+        status = static_cast<std::uint16_t>(CommandStatus::Done);
     if (request[1] == writeMultiple) {
         write(first, &request[7], count);
         reply.insert(reply.end(), request.begin() + 2, request.begin() + 6);
@@ -300,6 +303,8 @@ void ScriptedSlave::runCommand()
                                                 ? static_cast<std::uint16_t>(CommandStatus::Done)
                                                 : static_cast<std::uint16_t>(CommandStatus::Refused);
     m_registers[address("result.reason")] = static_cast<std::uint16_t>(refusal);
+    if (m_busy > 0)
+        m_registers[address("result.status")] = static_cast<std::uint16_t>(CommandStatus::Busy);
 }
 
 void ScriptedSlave::activateStaged()
@@ -320,7 +325,10 @@ void ScriptedSlave::runTransfer()
     const auto data = m_registers.begin() + address("transfer.data");
     std::uint16_t& mySession = m_registers[address("transfer_result.session")];
     TransferResult result = TransferResult::Accepted;
-    if (operation == TransferOperation::Begin) {
+    if (m_busy > 0 && operation != TransferOperation::Block) {
+        --m_busy;
+        result = TransferResult::Busy;
+    } else if (operation == TransferOperation::Begin) {
         mySession = session;
         m_announced = data[1];
         m_received.assign((m_announced + blockRegisters - 1u) / blockRegisters, false);

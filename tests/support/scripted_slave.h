@@ -52,6 +52,9 @@ public:
     // Activates an armed change, as at the cycle boundary.
     void reachCycleBoundary();
     void refuseRow(std::uint16_t row);
+    // Works in pieces: answers the next Begin or Seal Busy this many times, and the result of the next
+    // command for this many requests.
+    void setBusy(int requests) { m_busy = requests; }
     // Delays every answer by this time.
     void delayAnswers(std::chrono::milliseconds delay) { m_delayMs = static_cast<int>(delay.count()); }
     // Returns every request before its answer, like some adapters.
@@ -84,6 +87,7 @@ private:
     std::uint16_t m_announced = 0;
     std::uint16_t m_refusedRow = 0xFFFF;
     Bytes m_late;
+    std::atomic<int> m_busy = 0;
     std::atomic<int> m_commands = 0;
     std::atomic<int> m_requests = 0;
     std::atomic<int> m_writes = 0;

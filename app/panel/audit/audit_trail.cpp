@@ -214,6 +214,12 @@ void AuditTrail::note(store::AuditEntry noted)
     append(noted);
 }
 
+void AuditTrail::noteOutside(store::AuditEntry noted)
+{
+    noted.timeMs = m_wallClock();
+    append(noted);
+}
+
 void AuditTrail::append(const store::AuditEntry& entry)
 {
     m_records.store().run(

@@ -48,6 +48,8 @@ public:
     void open();
     // Adds an entry that is not watched here; sets its time, user and level.
     void note(store::AuditEntry entry);
+    // Adds an entry that no person at the panel has caused; sets its time.
+    void noteOutside(store::AuditEntry entry);
     void setWallClock(Access::WallClock clock) { m_wallClock = std::move(clock); }
 
 signals:

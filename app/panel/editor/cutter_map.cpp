@@ -140,6 +140,22 @@ QString CutterMap::text() const
                : tr("No rate is possible; limited by: %1.", "name of the limit").arg(limit);
 }
 
+QString CutterMap::linesText() const
+{
+    QStringList texts;
+    if (!m_map)
+        return {};
+    const profile::CutterLengths& lengths = m_map->lengths;
+    const auto add = [&](double lineMm, const QString& text) {
+        if (lineMm > m_map->range.fromMm && lineMm < m_map->range.toMm)
+            texts << text;
+    };
+    add(lengths.jawMm, tr("L_min: the jaws just fill the window"));
+    add(lengths.equalSpeedMm, tr("h/c: the knife turns evenly"));
+    add(lengths.dwellMm, tr("L_crit: the knife stops in each cycle"));
+    return texts.join(QStringLiteral(" · "));
+}
+
 void CutterMap::drag(double lengthMm, double rateBagsPerMin)
 {
     if (!m_map || !std::isfinite(lengthMm) || !std::isfinite(rateBagsPerMin))

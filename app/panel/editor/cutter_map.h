@@ -33,6 +33,8 @@ class CutterMap : public QObject {
     Q_PROPERTY(QString title READ title NOTIFY changed FINAL)
     // The fastest rate of this length, with the limit in words.
     Q_PROPERTY(QString text READ text NOTIFY changed FINAL)
+    // The meaning of the lines on the map.
+    Q_PROPERTY(QString linesText READ linesText NOTIFY changed FINAL)
 
 public:
     explicit CutterMap(QObject* parent);
@@ -46,6 +48,7 @@ public:
     [[nodiscard]] double rateBagsPerMin() const;
     [[nodiscard]] QString title() const;
     [[nodiscard]] QString text() const;
+    [[nodiscard]] QString linesText() const;
 
     // Moves the recipe to whole mm and bags/min; endDrag() makes the whole drag one undo step.
     Q_INVOKABLE void drag(double lengthMm, double rateBagsPerMin);

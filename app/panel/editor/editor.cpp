@@ -78,7 +78,7 @@ Editor::Editor(Controller& machine, const QString& folder, QObject* parent)
     : QObject(parent)
     , m_knots(this)
     , m_segments(this)
-    , m_knotFiles(QDir(folder).filePath(u"knots"_s), this)
+    , m_camFiles(QDir(folder).filePath(u"knots"_s), this)
     , m_map(this)
     , m_ramps(this)
     , m_choices(this)
@@ -188,10 +188,10 @@ void Editor::connectKnots()
 {
     connectHandles(m_knots);
     connectHandles(m_segments);
-    connect(&m_knotFiles, &KnotFiles::taken, this, [this](const std::vector<profile::Knot>& knots) {
+    connect(&m_camFiles, &CamFiles::taken, this, [this](const profile::Program& program) {
         edit(Level::Technician, [&](program::Recipe& recipe) {
-            if (auto* cam = std::get_if<profile::PointCamProgram>(&recipe.program))
-                cam->knots = knots;
+            if (recipe.program.index() == program.index())
+                recipe.program = program;
         });
     });
 }
@@ -413,16 +413,16 @@ void Editor::show()
             item(field)->show(views.field(field));
     }
     showFields();
-    m_choices.setRows(ChoiceRow::rows(m_recipe));
-    const auto* cam = std::get_if<profile::PointCamProgram>(&m_recipe.program);
+    m_choices.setRows(ChoiceRow::rows(m_recipe, m_controller));
     m_map.show(m_recipe, m_solution, m_controller);
     m_ramps.show(m_recipe, m_solution);
-    m_knots.show(m_recipe.program, m_cycleSeconds, cam != nullptr);
+    m_knots.show(m_recipe.program, m_cycleSeconds, handles() == &m_knots);
     m_segments.show(m_recipe.program, m_cycleSeconds, handles() == &m_segments);
-    m_knotFiles.show(cam ? cam->knots : std::vector<profile::Knot>{}, recipeName());
+    m_camFiles.show(m_recipe.program, recipeName());
     m_lawParameter1.show(views.lawParameter(0));
     m_lawParameter2.show(views.lawParameter(1));
-    m_laws.setRows(views.laws(m_comparedLaw));
+    if (m_areLawsWatched)
+        m_laws.setRows(views.laws(m_comparedLaw));
     shareMachine();
     emit kindChanged();
     emit overlayChanged();
@@ -451,7 +451,8 @@ void Editor::watchController()
     const bool isSame = identity.has_value() == m_controller.has_value() &&
                         (!identity || (identity->uniqueId == m_controller->uniqueId &&
                                        identity->timerClockHz == m_controller->timerClockHz &&
-                                       identity->rowCapacity == m_controller->rowCapacity));
+                                       identity->rowCapacity == m_controller->rowCapacity &&
+                                       identity->tableLayouts == m_controller->tableLayouts));
     if (isSame)
         return;
     m_controller = identity;

@@ -3,10 +3,10 @@
 #pragma once
 
 #include "app/panel/download/program_download.h"
+#include "app/panel/editor/cam_files.h"
 #include "app/panel/editor/cutter_map.h"
 #include "app/panel/editor/edit_history.h"
 #include "app/panel/editor/editor_values.h"
-#include "app/panel/editor/knot_files.h"
 #include "app/panel/editor/knot_model.h"
 #include "app/panel/editor/ramp_control.h"
 #include "app/panel/editor/segment_model.h"
@@ -123,12 +123,12 @@ public:
     [[nodiscard]] QVariantList fields() const; // list of EditorField*
     [[nodiscard]] QVariantList machineFields() const;
     [[nodiscard]] ChoiceModel* choices() { return &m_choices; }
-    [[nodiscard]] CamLists cam() { return {&m_knots, &m_knotFiles, &m_segments}; }
+    [[nodiscard]] CamLists cam() { return {&m_knots, &m_camFiles, &m_segments}; }
     [[nodiscard]] KnotModel* knots() { return &m_knots; }
     [[nodiscard]] CutterMap* map() { return &m_map; }
     [[nodiscard]] SegmentModel* segments() { return &m_segments; }
     [[nodiscard]] CamHandles* handles();
-    [[nodiscard]] KnotFiles* knotFiles() { return &m_knotFiles; }
+    [[nodiscard]] CamFiles* camFiles() { return &m_camFiles; }
     [[nodiscard]] RampControl* ramps() { return &m_ramps; }
     [[nodiscard]] bool hasLaw() const { return program::lawParameters(m_recipe.program) != nullptr; }
     [[nodiscard]] QString lawTitle() const;
@@ -156,6 +156,8 @@ public:
     Q_INVOKABLE void newProgram(int kind);
     Q_INVOKABLE void setChoice(int row, int option);
     Q_INVOKABLE void setLaw(const QString& lawId);
+    // Fills laws() while they are displayed: each law is a program of its own to be solved.
+    Q_INVOKABLE void watchLaws(bool isWatched);
     // Displays the curves of the same motion with another law in the background; an empty id ends it.
     Q_INVOKABLE void compareLaw(const QString& lawId);
     Q_INVOKABLE void applySuggestion();
@@ -237,7 +239,7 @@ private:
     std::array<EditorField*, profile::fields.size()> m_fields{}; // children, by field
     KnotModel m_knots;
     SegmentModel m_segments;
-    KnotFiles m_knotFiles;
+    CamFiles m_camFiles;
     CutterMap m_map;
     RampControl m_ramps;
     ChoiceModel m_choices;
@@ -260,6 +262,7 @@ private:
     Solution m_solution;
     program::Recipe m_solvedFor;
     std::optional<profile::LawId> m_comparedLaw;
+    bool m_areLawsWatched = false;
     std::shared_ptr<const profile::Curves> m_comparedCurves;
     QList<profile::Field> m_shownFields; // last fields reported by fieldsChanged()
     double m_cycleSeconds = 1;           // the last known one, so that the handles keep their places

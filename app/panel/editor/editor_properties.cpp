@@ -122,6 +122,14 @@ QVariant Editor::overlayCurves() const
     return active && active->recipe.kind() == m_recipe.kind() ? m_machine.active().curves : QVariant();
 }
 
+void Editor::watchLaws(bool isWatched)
+{
+    m_areLawsWatched = isWatched;
+    m_laws.setRows(isWatched
+                       ? EditorViews(m_recipe, m_solution, m_machine.program().get()).laws(m_comparedLaw)
+                       : QList<LawRow>{});
+}
+
 QString Editor::overlayName() const
 {
     return m_comparedLaw ? RecipeWords::lawName(*m_comparedLaw) : QString();

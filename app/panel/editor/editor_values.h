@@ -2,9 +2,9 @@
 // Groups of what the editor shows, as values for QML.
 #pragma once
 
+#include "app/panel/editor/cam_files.h"
 #include "app/panel/editor/cutter_map.h"
 #include "app/panel/editor/editor_field.h"
-#include "app/panel/editor/knot_files.h"
 #include "app/panel/editor/knot_model.h"
 #include "app/panel/editor/ramp_control.h"
 #include "app/panel/editor/segment_model.h"
@@ -52,17 +52,18 @@ public:
     CutterMap* map = nullptr;
 };
 
-// `Editor.cam` in QML: the knots of a point cam, their files, and the segments of a segment cam.
+// `Editor.cam` in QML: the knots of a point cam, the segments of a segment cam, and the files
+// of either.
 struct CamLists {
     Q_GADGET
     QML_VALUE_TYPE(camLists)
     Q_PROPERTY(campanel::panel::KnotModel* knots MEMBER knots CONSTANT FINAL)
-    Q_PROPERTY(campanel::panel::KnotFiles* knotFiles MEMBER knotFiles CONSTANT FINAL)
+    Q_PROPERTY(campanel::panel::CamFiles* files MEMBER files CONSTANT FINAL)
     Q_PROPERTY(campanel::panel::SegmentModel* segments MEMBER segments CONSTANT FINAL)
 
 public:
     KnotModel* knots = nullptr;
-    KnotFiles* knotFiles = nullptr;
+    CamFiles* files = nullptr;
     SegmentModel* segments = nullptr;
 };
 

@@ -10,7 +10,6 @@
 #include "profile/cutter/jaw.h"
 #include "profile/cutter/ratios.h"
 #include "profile/laws/laws.h"
-#include "profile/model/vibration.h"
 
 #include <algorithm>
 #include <cmath>
@@ -115,13 +114,18 @@ FieldView EditorViews::lawParameter(std::size_t index) const
     return view;
 }
 
-// Returns the demands of the law; unknown without a motion.
-LawDemand EditorViews::demandOf(const profile::Law& law) const
+program::Recipe EditorViews::withLaw(const profile::Law& law) const
 {
     program::Recipe tried = m_recipe;
     chooseLaw(tried, law);
     if (m_solution.solved)
         tried.machine = m_solution.solved->machine;
+    return tried;
+}
+
+// Returns the demands of a recipe; unknown without a motion.
+LawDemand EditorViews::demandOf(const program::Recipe& tried) const
+{
     LawDemand demand;
     demand.peaks.motorRpm = demand.peaks.accelerationMmPerS2 = demand.peaks.pulseFrequencyHz =
         demand.peaks.jerkMmPerS3 = demand.peaks.torqueNm = demand.peaks.rmsTorqueNm = NAN;
@@ -130,12 +134,11 @@ LawDemand EditorViews::demandOf(const profile::Law& law) const
         if (const auto solved = program::solveProgram(tried)) {
             demand.peaks = solved->peaks;
             demand.isFeasible = solved->broken.empty();
-            demand.vibrationMm =
-                profile::residualAmplitudeMm(solved->motion, profile::shaftMode(solved->machine));
+            demand.vibrationMm = program::vibrationMm(tried, *solved);
         }
         return demand;
     }
-    // Without its curves: up to twelve cutters are solved after each change.
+    // Without its curves: up to twelve cutters are solved after each change while the laws are displayed.
     demand.isFeasible = profile::isFeasible(tried.cutter(), tried.machine);
     if (const auto cycle = profile::solveNumbers(tried.cutter(), tried.machine)) {
         demand.peaks = profile::peaks(*cycle, tried.cutter(), tried.machine);
@@ -215,8 +218,10 @@ QList<LawRow> EditorViews::laws(std::optional<profile::LawId> compared) const
         const profile::Machine& machine = m_solution.solved ? m_solution.solved->machine : m_recipe.machine;
         for (const profile::RankedLaw& each : profile::rankLaws(m_recipe.cutter(), machine)) {
             const profile::Law& law = *profile::findLaw(each.program.speedLaw);
-            append(law, isByHand ? demandOf(law)
-                                 : LawDemand{each.peaks, each.rmsAccelerationMmPerS2, each.isFeasible});
+            program::Recipe tried = withLaw(law);
+            if (!isByHand)
+                tried.cutter() = each.program;
+            append(law, demandOf(tried));
         }
         return rows;
     }
@@ -224,7 +229,7 @@ QList<LawRow> EditorViews::laws(std::optional<profile::LawId> compared) const
         return rows;
     for (const profile::Law& law : profile::laws()) {
         if (program::isLawOf(m_recipe.kind(), law))
-            append(law, demandOf(law));
+            append(law, demandOf(withLaw(law)));
     }
     return rows;
 }

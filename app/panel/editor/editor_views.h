@@ -47,7 +47,8 @@ public:
     // Returns the value with the field's decimals; ratios without superfluous zeros.
 private:
     [[nodiscard]] QString explanation(profile::Field field) const;
-    [[nodiscard]] LawDemand demandOf(const profile::Law& law) const;
+    [[nodiscard]] program::Recipe withLaw(const profile::Law& law) const;
+    [[nodiscard]] LawDemand demandOf(const program::Recipe& tried) const;
     [[nodiscard]] LawRow lawRow(const profile::Law& law, const LawDemand& demand) const;
     // Returns the columns of the law picker that not every machine has.
     [[nodiscard]] bool hasTorque() const;

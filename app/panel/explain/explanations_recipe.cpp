@@ -46,6 +46,12 @@ std::optional<PolynomialMove> coefficientsOf(const program::Recipe& recipe)
                         : std::nullopt;
 }
 
+double vibrationOf(const Solution& solution, const program::Recipe& recipe)
+{
+    return solution.solved ? program::vibrationMm(recipe, *solution.solved)
+                           : std::numeric_limits<double>::quiet_NaN();
+}
+
 // Returns the cutter with the ratios of its highest rate, at its own rate where they allow that.
 profile::RotaryCutter atFastestRatios(const profile::RotaryCutter& cutter)
 {
@@ -63,9 +69,14 @@ profile::RotaryCutter atFastestRatios(const profile::RotaryCutter& cutter)
 QList<int> Explanations::ofVerdict() const
 {
     const auto cutter = cutterOf(m_editor.recipe());
-    if (!cutter)
-        return coefficientsOf(m_editor.recipe()) ? QList<int>{Coefficients} : QList<int>{};
     QList<int> topics;
+    if (!cutter) {
+        if (coefficientsOf(m_editor.recipe()))
+            topics << Coefficients;
+        if (std::isfinite(vibrationOf(m_editor.solution(), m_editor.recipe())))
+            topics << ShaftVibration;
+        return topics;
+    }
     if (profile::fastestRate(*cutter))
         topics << FastestRate;
     topics << PeakMotorSpeed << PeakAcceleration << RmsAcceleration << PeakFrequency << SpeedRatio
@@ -245,6 +256,32 @@ Explanation Explanations::coefficients() const
     explanation.numbers = numbers.join(u" + "_s);
     explanation.value = Format().compact(move->distanceMm, 1, 3);
     explanation.unit = tr("mm");
+    return explanation;
+}
+
+// The equation is that of the sealing error; a move is observed after its end, without damping.
+Explanation Explanations::shaftVibration() const
+{
+    const Format format;
+    const program::Recipe& recipe = m_editor.recipe();
+    const bool isCam = profile::camMaster(recipe.program) != nullptr;
+    Explanation explanation;
+    explanation.title = isCam ? tr("Vibration over the cycle") : tr("Vibration after the move");
+    explanation.meaning = isCam ? tr("Error of the load behind the shaft, peak to peak over one cycle.")
+                                : tr("Amplitude of the load behind the shaft after the end of the move.");
+    const double vibrationMm = vibrationOf(m_editor.solution(), recipe);
+    explanation.value = format.compact(vibrationMm, 0, 3);
+    explanation.unit = tr("mm");
+    explanation.formula = isCam ? u"max e − min e, e'' + 2 ζ ω e' + ω² e = −a − 2 ζ ω v, ω = 2 π f0"_s
+                                : u"|∫ a e^(−i ω t) dt| / ω, ω = 2 π f0"_s;
+    if (!std::isfinite(vibrationMm))
+        return explanation;
+    const profile::Machine& machine = m_editor.solution().solved->machine;
+    const QString frequency = format.compact(machine.naturalFrequencyHz, 0, 1);
+    const QString duration = format.compact(m_editor.solution().solved->cycleS(), 0, 4);
+    explanation.numbers = isCam ? tr("f0 = %1 Hz, ζ = %2, T = %3 s")
+                                      .arg(frequency, format.compact(machine.dampingRatio, 0, 3), duration)
+                                : tr("f0 = %1 Hz, T = %2 s").arg(frequency, duration);
     return explanation;
 }
 

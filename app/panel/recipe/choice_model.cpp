@@ -7,18 +7,33 @@
 
 namespace campanel::panel {
 
-QList<ChoiceRow> ChoiceRow::rows(const program::Recipe& recipe)
+namespace {
+
+bool isExecuted(program::Choice choice, std::uint16_t code, const std::optional<modbus::Identity>& controller)
+{
+    return choice != program::Choice::Execution ||
+           code != static_cast<std::uint16_t>(profile::Execution::Intervals) || !controller ||
+           controller->supports(modbus::TableLayout::Intervals);
+}
+
+} // namespace
+
+QList<ChoiceRow> ChoiceRow::rows(const program::Recipe& recipe,
+                                 const std::optional<modbus::Identity>& controller)
 {
     QList<ChoiceRow> rows;
     for (const program::ChoiceInfo& info : program::kindInfo(recipe.kind()).choices) {
         if (info.choice == program::Choice::Law || info.choice == program::Choice::Ratios)
             continue; // they have views of their own
-        ChoiceRow row{info.choice, RecipeWords::choiceName(info.choice), {}, 0};
-        for (const program::ChoiceOption& option : info.options)
+        ChoiceRow row{info.choice, RecipeWords::choiceName(info.choice), {}, {}, 0};
+        const std::uint16_t current = program::choice(recipe.program, info.choice);
+        for (const program::ChoiceOption& option : info.options) {
+            if (option.code != current && !isExecuted(info.choice, option.code, controller))
+                continue;
             row.options << RecipeWords::optionName(option.key);
-        const auto current = std::ranges::find(info.options, program::choice(recipe.program, info.choice),
-                                               &program::ChoiceOption::code);
-        row.option = static_cast<int>(current - info.options.begin());
+            row.codes << option.code;
+        }
+        row.option = static_cast<int>(row.codes.indexOf(current));
         rows << row;
     }
     return rows;
@@ -26,9 +41,8 @@ QList<ChoiceRow> ChoiceRow::rows(const program::Recipe& recipe)
 
 void ChoiceRow::apply(int index, program::Recipe& recipe) const
 {
-    const auto infos = program::choiceInfo(recipe.kind(), choice).options;
-    if (index >= 0 && index < options.size())
-        program::setChoice(recipe.program, choice, infos[static_cast<std::size_t>(index)].code);
+    if (index >= 0 && index < codes.size())
+        program::setChoice(recipe.program, choice, codes[index]);
 }
 
 } // namespace campanel::panel

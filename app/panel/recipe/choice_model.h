@@ -5,8 +5,12 @@
 #include "app/panel/kit/row_model.h"
 #include "app/panel/recipe/input_groups.h"
 #include "app/program/recipe.h"
+#include "modbus/map/blocks.h"
 
 #include <QStringList>
+
+#include <cstdint>
+#include <optional>
 
 namespace campanel::panel {
 
@@ -22,9 +26,12 @@ public:
     program::Choice choice = program::Choice::Law;
     QString name;
     QStringList options;
+    QList<std::uint16_t> codes; // of the options
     int option = 0;
 
-    [[nodiscard]] static QList<ChoiceRow> rows(const program::Recipe& recipe);
+    // Returns the choices of the recipe. What the controller cannot execute is no option, unless selected.
+    [[nodiscard]] static QList<ChoiceRow> rows(const program::Recipe& recipe,
+                                               const std::optional<modbus::Identity>& controller);
     [[nodiscard]] QString group() const { return inputGroup(choice); }
     [[nodiscard]] QString valueText() const { return options.value(option); }
     // Sets an option in the recipe, if there is one with this index.

@@ -20,8 +20,13 @@ enum class SettingForm {
     Whole,    // a whole number of the range
     Decimal,  // a number of the range
     Port,     // an absolute path, or nothing
+    File,     // an absolute path, or nothing
+    Name,     // up to 64 letters without those that have a meaning in MQTT topics, or nothing
     Size,     // width and height of a window in pixels: "1024x600"
     Rules,    // rules for logging, one per line
+    Times,    // times of the day: "06:00 14:00"
+    Days,     // days of the week, 1: Monday: "12345"
+    Reasons,  // reasons of a stop, one per line; empty: the standard ones
 };
 
 struct SettingRow {
@@ -149,6 +154,51 @@ inline constexpr std::array settingTable{
                .label = QT_TRANSLATE_NOOP("campanel::panel::Settings", "hold to start"),
                .help = "Start acts only after its key was held for half a second. auto: with a real "
                        "controller."},
+    SettingRow{.name = "stops.ask_after_seconds",
+               .key = "stops/ask_after_seconds",
+               .form = SettingForm::Whole,
+               .minimum = 1,
+               .maximum = 3600,
+               .standard = "60",
+               .level = Level::Service,
+               .label =
+                   QT_TRANSLATE_NOOP("campanel::panel::Settings", "seconds of a stop until its question"),
+               .help = "Seconds that the machine stands until the Run page asks for the reason."},
+    SettingRow{.name = "stops.ideal_rate",
+               .key = "stops/ideal_rate",
+               .form = SettingForm::Decimal,
+               .minimum = 0,
+               .maximum = 2000,
+               .standard = "0",
+               .level = Level::Service,
+               .label = QT_TRANSLATE_NOOP("campanel::panel::Settings", "ideal rate, pieces/min"),
+               .help = "Ideal rate of the machine for its performance, in pieces per minute. 0: the fastest "
+                       "rate of the recipe."},
+    SettingRow{.name = "stops.shift_starts",
+               .key = "stops/shift_starts",
+               .form = SettingForm::Times,
+               .standard = "06:00 14:00 22:00",
+               .level = Level::Service,
+               .label = QT_TRANSLATE_NOOP("campanel::panel::Settings", "start of the shifts"),
+               .help = "Local times at which the shifts start."},
+    SettingRow{.name = "stops.working_days",
+               .key = "stops/working_days",
+               .form = SettingForm::Days,
+               .standard = "1234567",
+               .level = Level::Service,
+               .label = QT_TRANSLATE_NOOP("campanel::panel::Settings", "working days"),
+               .help =
+                   "Days of the week whose shifts are planned, 1 is Monday. A shift belongs to the day on "
+                   "which it starts."},
+    SettingRow{.name = "stops.reasons",
+               .key = "stops/reasons",
+               .form = SettingForm::Reasons,
+               .level = Level::Service,
+               .label = QT_TRANSLATE_NOOP("campanel::panel::Settings", "reasons of a stop"),
+               .help =
+                   "Reasons of a stop: at most eight groups with at most eight reasons each. An empty list "
+                   "stands for the standard reasons. The time of planned ones is not planned production "
+                   "time."},
     SettingRow{.name = "log.rules",
                .form = SettingForm::Rules,
                .help = "What is logged in addition: a category and true or false each, with * for any part. "
@@ -162,6 +212,37 @@ inline constexpr std::array settingTable{
                    "How the kiosk draws: eglfs (graphics processor) or linuxfb (plain framebuffer). auto: "
                    "eglfs with a screen at a graphics card; linuxfb without one, or after eglfs has "
                    "ended without drawing."},
+    SettingRow{.name = "gateway.host",
+               .form = SettingForm::Name,
+               .help = "Name or address of the MQTT broker to which campanel-gateway sends the values of the "
+                       "machine. Empty: nothing is sent."},
+    SettingRow{.name = "gateway.port",
+               .form = SettingForm::Whole,
+               .minimum = 1,
+               .maximum = 65535,
+               .standard = "8883",
+               .help = "Port of the broker: 8883 with TLS, usually 1883 without."},
+    SettingRow{.name = "gateway.ca",
+               .form = SettingForm::File,
+               .help = "Certificate of the authority that has signed the broker's, in PEM form. With it the "
+                       "connection uses TLS; without it everybody on the network can read the values."},
+    SettingRow{.name = "gateway.certificate",
+               .form = SettingForm::File,
+               .help = "Certificate of this machine, for a broker that asks for one; PEM."},
+    SettingRow{.name = "gateway.key", .form = SettingForm::File, .help = "Key of this certificate; PEM."},
+    SettingRow{.name = "gateway.group",
+               .form = SettingForm::Name,
+               .standard = "CamPanel",
+               .help = "Sparkplug group: usually the hall or the line."},
+    SettingRow{.name = "gateway.node",
+               .form = SettingForm::Name,
+               .help =
+                   "Sparkplug node: the name of this machine, which no other one in the group has. Empty: "
+                   "the name of the computer."},
+    SettingRow{.name = "gateway.primary_host",
+               .form = SettingForm::Name,
+               .help = "Sparkplug primary host. While it is offline, values are kept instead of sent. Empty: "
+                       "the broker is enough."},
 };
 
 // A row of the table by its name. An unknown name does not compile.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/panel/settings/setting_values.h"
 
+#include "app/panel/settings/stop_forms.h"
+
 #include <QLocale>
 #include <QRegularExpression>
 
@@ -35,6 +37,14 @@ bool areRules(const QString& text)
     static const QRegularExpression form(u"^[A-Za-z0-9_.*]+=(true|false)$"_s);
     const QStringList rules = text.isEmpty() ? QStringList() : text.split(u'\n');
     return std::ranges::all_of(rules, [](const QString& rule) { return form.match(rule).hasMatch(); });
+}
+
+bool isTopicName(const QString& text)
+{
+    constexpr qsizetype maxLength = 64;
+    return text.size() <= maxLength && text == text.trimmed() && std::ranges::none_of(text, [](QChar letter) {
+               return !letter.isPrint() || letter == u'/' || letter == u'+' || letter == u'#';
+           });
 }
 
 // Returns the number of the text; NaN when it is none of the setting's form.
@@ -110,8 +120,18 @@ QString validValues(Setting setting)
         return u"a number from %1 to %2"_s.arg(setting->minimum).arg(setting->maximum);
     case SettingForm::Port:
         return u"the path of a serial port, such as \"/dev/campanel-serial\""_s;
+    case SettingForm::File:
+        return u"the path of a file, such as \"/etc/campanel/broker.pem\""_s;
+    case SettingForm::Name:
+        return u"up to 64 letters, without / + #"_s;
     case SettingForm::Size:
         return u"from \"800x480\" to \"9999x9999\""_s;
+    case SettingForm::Times:
+        return u"from one to six quarters of an hour in their order, such as \"06:00 14:00 22:00\""_s;
+    case SettingForm::Days:
+        return u"days in their order, such as \"12345\" for Monday to Friday"_s;
+    case SettingForm::Reasons:
+        return u"a list such as [\"material\", \"material/Film change\", \"planned:Break\"]"_s;
     case SettingForm::Rules:
         break;
     }
@@ -134,9 +154,18 @@ bool isValid(Setting setting, const QString& text)
     case SettingForm::Language:
         return isLanguageCode(text);
     case SettingForm::Port:
+    case SettingForm::File:
         return text.isEmpty() || text.startsWith(u'/');
+    case SettingForm::Name:
+        return isTopicName(text);
     case SettingForm::Size:
         return isWindowSize(sizeIn(text));
+    case SettingForm::Times:
+        return !shiftStartsIn(text).isEmpty();
+    case SettingForm::Days:
+        return !workingDaysIn(text).isEmpty();
+    case SettingForm::Reasons:
+        return !stopReasonsIn(text).isEmpty();
     case SettingForm::Rules:
         break;
     }

@@ -236,6 +236,8 @@ QString ConnectionSentences::error(const modbus::DownloadError& error)
     case DownloadErrorKind::KindNotSupported:
         return tr("This controller cannot execute this kind of program; its program is unchanged. Update its "
                   "firmware.");
+    case DownloadErrorKind::IntervalsNotSupported:
+        return tr("This controller cannot execute intervals; its program is unchanged. Choose cam points.");
     case DownloadErrorKind::TransferRefused:
         return tr("The controller refused the table; its program is unchanged. %1", "%1: whole sentence")
             .arg(ControllerSentences::transferResult(error.transfer));

@@ -249,6 +249,8 @@ QString ControllerSentences::transferResult(const modbus::TransferAnswer& answer
         return tr("The table's rows do not match its total pulses and time. Download again.");
     case TransferResult::StateRefuses:
         return tr("An earlier change is waiting for the end of the cycle. Cancel it first.");
+    case TransferResult::Busy:
+        return tr("The controller has not finished checking or saving a table. Download again.");
     }
     return {};
 }

@@ -26,8 +26,8 @@ QString FileErrorText::describe(const FileError& error)
     case FileError::Kind::NotARecipe:
         return tr("%1 is not a CamPanel recipe: the key \"format\" must be \"campanel-recipe\".").arg(path);
     case FileError::Kind::NewerVersion:
-        return tr("The recipe file %1 has format version %2, this program reads version %3. Update the "
-                  "program.")
+        return tr("The recipe file %1 has format version %2, this program reads versions up to %3. "
+                  "Update the program.")
             .arg(path, error.found, error.expected);
     case FileError::Kind::UnknownKey:
         return tr("The recipe file %1 has an unknown key %2. Correct or remove the key.")

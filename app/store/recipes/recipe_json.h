@@ -11,7 +11,7 @@
 
 namespace campanel::store {
 
-inline constexpr int recipeFormatVersion = 1;
+inline constexpr int recipeFormatVersion = 2;
 
 [[nodiscard]] QByteArray toJson(const program::Recipe& recipe);
 

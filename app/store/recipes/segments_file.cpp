@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/store/recipes/segments_file.h"
 
-#include "app/store/files/files.h"
-#include "app/store/recipes/csv_problem.h"
 #include "profile/laws/laws.h"
+#include "profile/segments/segment_cam.h"
 #include "profile/segments/segment_values.h"
-#include "profile/segments/segments_csv.h"
 
 #include <limits>
 
@@ -53,17 +51,6 @@ CamSegment segmentOf(ObjectReader& reader)
 }
 
 } // namespace
-
-tl::expected<std::vector<CamSegment>, QString> readSegments(const QString& path)
-{
-    const auto bytes = readBytes(path);
-    if (!bytes)
-        return tl::unexpected(csvNotOpened(bytes.error()));
-    auto segments = profile::readSegmentsCsv({bytes->constData(), static_cast<std::size_t>(bytes->size())});
-    if (!segments)
-        return tl::unexpected(csvProblem(segments.error(), path, profile::segmentColumns()));
-    return std::move(*segments);
-}
 
 QJsonArray segmentsJson(std::span<const CamSegment> segments)
 {

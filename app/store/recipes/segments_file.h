@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The segments of a cam as CSV file (format: profile/segments/segments_csv.h) and in a recipe file.
+// The segments of a cam in a recipe file.
 #pragma once
 
 #include "app/store/files/json_reader.h"
@@ -8,14 +8,8 @@
 #include <QJsonArray>
 
 #include <span>
-#include <tl/expected.hpp>
-#include <vector>
 
 namespace campanel::store {
-
-// Reads the segments. Waits for the disk. Errors are whole sentences in the language of the program, with
-// file and line.
-[[nodiscard]] tl::expected<std::vector<profile::CamSegment>, QString> readSegments(const QString& path);
 
 // Returns an object for each segment. Numbers that its motion does not use are left out.
 [[nodiscard]] QJsonArray segmentsJson(std::span<const profile::CamSegment> segments);

@@ -4,7 +4,7 @@
 #include "base/ctl_crc.h"
 
 /* Registers of the active bank that the background check reads per slice: a full bank in under a second. */
-#define CHECKED_PER_SLICE 3u
+#define CHECKED_PER_SLICE 2u
 
 void ctl_banks_swap(ctl_banks* banks, uint32_t crc)
 {
@@ -17,7 +17,9 @@ void ctl_banks_swap(ctl_banks* banks, uint32_t crc)
 
 bool ctl_active_bank_intact(const ctl_banks* banks)
 {
-    return ctl_bank_length(ctl_active_bank(banks)) <= CTL_BANK_REGISTERS &&
+    if (banks->proof != CTL_PROOF_NONE)
+        return banks->proof == CTL_PROOF_INTACT;
+    return ctl_bank_length(ctl_active_bank(banks)) <= CTL_BANK_STORAGE &&
            ctl_bank_crc(ctl_active_bank(banks)) == banks->active_crc;
 }
 
@@ -25,14 +27,14 @@ bool ctl_banks_check(ctl_banks* banks)
 {
     const ctl_bank* bank = ctl_active_bank(banks);
     const uint32_t length = ctl_bank_length(bank);
-    if (length > CTL_BANK_REGISTERS) /* the number of rows itself is damaged */
+    if (length > CTL_BANK_STORAGE) /* the number of rows itself is damaged */
         return false;
     if (banks->check_position == 0)
         banks->check_crc = CTL_CRC32_START;
-    for (uint32_t i = 0; i < CHECKED_PER_SLICE && banks->check_position < length; ++i) {
-        banks->check_crc = ctl_crc32_registers(banks->check_crc, &bank->registers[banks->check_position], 1);
-        banks->check_position += 1;
-    }
+    const uint32_t left = length - banks->check_position;
+    const uint32_t part = left < CHECKED_PER_SLICE ? left : CHECKED_PER_SLICE;
+    banks->check_crc = ctl_crc32_registers(banks->check_crc, &bank->registers[banks->check_position], part);
+    banks->check_position += part;
     if (banks->check_position < length)
         return true;
     banks->check_position = 0;

@@ -9,6 +9,9 @@
 extern "C" {
 #endif
 
+/* The answer of a check of the whole active bank that was made in pieces. */
+typedef enum { CTL_PROOF_NONE, CTL_PROOF_INTACT, CTL_PROOF_DAMAGED } ctl_proof;
+
 typedef struct {
     ctl_bank bank[2];
     uint8_t active;
@@ -17,6 +20,7 @@ typedef struct {
     uint32_t generation;
     uint32_t check_crc; /* the active bank is read over and over in the background */
     uint32_t check_position;
+    ctl_proof proof; /* instead of a check, while a command is carried out */
 } ctl_banks;
 
 static inline const ctl_bank* ctl_active_bank(const ctl_banks* banks)

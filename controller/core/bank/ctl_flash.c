@@ -8,6 +8,7 @@
 #include "base/ctl_limits.h"
 #include "base/ctl_words.h"
 
+#include <stddef.h>
 #include <string.h>
 
 #define MAGIC 0x43414D34u            /* "CAM4" */
@@ -23,6 +24,7 @@
 #define CHUNK_REGISTERS 32u
 
 _Static_assert(CTL_GROUP_PARAMETER <= MAX_PARAMETERS, "a slot holds all parameters");
+_Static_assert(CTL_FLASH_HEAD_REGISTERS == HEAD_REGISTERS + 1u, "the head has the number of parameters, too");
 
 typedef struct {
     const ctl_port* port;
@@ -109,7 +111,7 @@ static bool read_slot(const ctl_board* board, uint32_t slot, uint16_t* head, ctl
     memcpy(&head[FIXED_REGISTERS], board->parameter, PARAMETER_BYTES);
     read_parameters(&stream, count, &head[FIXED_REGISTERS]);
     read_some(&stream, bank->registers, CTL_BANK_HEADER_REGISTERS);
-    if (!stream.ok || ctl_bank_length(bank) > CTL_BANK_REGISTERS)
+    if (!stream.ok || ctl_bank_length(bank) > CTL_BANK_STORAGE)
         return false;
     read_some(&stream, &bank->registers[CTL_BANK_HEADER_REGISTERS],
               ctl_bank_length(bank) - CTL_BANK_HEADER_REGISTERS);
@@ -145,30 +147,75 @@ void ctl_flash_load(ctl_flash* flash, const ctl_board* board, ctl_banks* banks, 
     }
 }
 
-bool ctl_flash_save(ctl_flash* flash, const ctl_board* board, const ctl_banks* banks)
+void ctl_flash_begin_save(ctl_flash* flash, const ctl_board* board, const ctl_banks* banks)
 {
-    const uint32_t slot = flash->any_valid ? flash->newest ^ 1u : 0u;
-    const ctl_bank* bank = ctl_active_bank(banks);
-    const uint16_t count = CTL_GROUP_PARAMETER;
-    uint16_t head[FIXED_REGISTERS];
-    ctl_put32(head, MAGIC);
-    ctl_put32(&head[2], flash->sequence + 1);
-    ctl_put32(&head[4], banks->generation);
+    ctl_flash_saving* saving = &flash->saving;
+    *saving = (ctl_flash_saving){.busy = true, .bank = ctl_active_bank(banks), .bank_crc = banks->active_crc};
+    saving->slot = flash->any_valid ? flash->newest ^ 1u : 0u;
+    saving->crc = CTL_CRC32_START;
+    ctl_put32(saving->head, MAGIC);
+    ctl_put32(&saving->head[2], flash->sequence + 1u);
+    ctl_put32(&saving->head[4], banks->generation);
+    saving->head[FIXED_REGISTERS] = CTL_GROUP_PARAMETER;
+    memcpy(&saving->head[FIXED_REGISTERS + 1u], board->parameter, PARAMETER_BYTES);
+    if (!board->port.flash_erase(board->port.context, saving->slot))
+        saving->bank = NULL; /* the next piece says so */
+}
 
-    slot_stream stream = open_slot(board, slot);
-    stream.ok = board->port.flash_erase(board->port.context, slot);
-    write_some(&stream, head, FIXED_REGISTERS);
-    write_some(&stream, &count, 1);
-    write_some(&stream, board->parameter, CTL_GROUP_PARAMETER);
-    write_some(&stream, bank->registers, ctl_bank_length(bank));
-    uint16_t crc[2];
-    ctl_put32(crc, ~stream.crc);
-    write_some(&stream, crc, 2);
-    if (!stream.ok)
-        return false;
-    flash->any_valid = true;
-    flash->newest = (uint8_t)slot;
-    flash->sequence += 1;
-    flash->saved_crc = banks->active_crc;
-    return true;
+bool ctl_flash_saves(const ctl_flash* flash, const ctl_board* board, const ctl_banks* banks)
+{
+    const ctl_flash_saving* saving = &flash->saving;
+    return saving->busy && saving->bank == ctl_active_bank(banks) &&
+           memcmp(&saving->head[FIXED_REGISTERS + 1u], board->parameter, PARAMETER_BYTES) == 0;
+}
+
+/* Writes the next registers; false when the flash refused. */
+static bool write_piece(ctl_flash_saving* saving, const ctl_board* board, const uint16_t* registers,
+                        uint32_t count)
+{
+    slot_stream stream = open_slot(board, saving->slot);
+    stream.offset = 2u * saving->written;
+    stream.crc = saving->crc;
+    write_some(&stream, registers, count);
+    saving->crc = stream.crc;
+    saving->written += count;
+    return stream.ok;
+}
+
+static uint32_t least(uint32_t one, uint32_t other)
+{
+    return one < other ? one : other;
+}
+
+ctl_flash_progress ctl_flash_save_piece(ctl_flash* flash, const ctl_board* board)
+{
+    ctl_flash_saving* saving = &flash->saving;
+    const ctl_port* port = &board->port;
+    const ctl_flash_progress before =
+        port->flash_progress == NULL ? CTL_FLASH_DONE : port->flash_progress(port->context);
+    if (before == CTL_FLASH_BUSY)
+        return CTL_FLASH_BUSY;
+    bool ok = before == CTL_FLASH_DONE && saving->bank != NULL;
+    const uint32_t length = ok ? CTL_FLASH_HEAD_REGISTERS + ctl_bank_length(saving->bank) : 0u;
+    if (ok && saving->written < CTL_FLASH_HEAD_REGISTERS) {
+        const uint32_t count = least(CHUNK_REGISTERS, CTL_FLASH_HEAD_REGISTERS - saving->written);
+        ok = write_piece(saving, board, &saving->head[saving->written], count);
+    } else if (ok && saving->written < length) {
+        const uint32_t at = saving->written - CTL_FLASH_HEAD_REGISTERS;
+        ok = write_piece(saving, board, &saving->bank->registers[at],
+                         least(CHUNK_REGISTERS, length - saving->written));
+    } else if (ok && saving->written == length) {
+        uint16_t crc[2];
+        ctl_put32(crc, ~saving->crc);
+        ok = write_piece(saving, board, crc, 2);
+    } else if (ok) {
+        saving->busy = false;
+        flash->any_valid = true;
+        flash->newest = (uint8_t)saving->slot;
+        flash->sequence += 1;
+        flash->saved_crc = saving->bank_crc;
+        return CTL_FLASH_DONE;
+    }
+    saving->busy = ok;
+    return ok ? CTL_FLASH_BUSY : CTL_FLASH_FAILED;
 }

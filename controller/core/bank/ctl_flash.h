@@ -12,7 +12,21 @@
 extern "C" {
 #endif
 
+#define CTL_FLASH_HEAD_REGISTERS (7u + CTL_GROUP_PARAMETER)
+
+/* A save under way. */
 typedef struct {
+    bool busy;
+    const ctl_bank* bank;
+    uint32_t bank_crc;
+    uint16_t head[CTL_FLASH_HEAD_REGISTERS]; /* all before the bank, as it was when the save began */
+    uint32_t slot;
+    uint32_t written; /* registers of head and bank */
+    uint32_t crc;
+} ctl_flash_saving;
+
+typedef struct {
+    ctl_flash_saving saving;
     bool any_valid;
     bool slot_invalid;  /* at power-up a slot that is not blank had a wrong CRC-32 */
     uint8_t newest;     /* slot, when any is valid */
@@ -22,9 +36,13 @@ typedef struct {
 
 /* Loads the newest valid slot: active bank, generation, and the parameters into `parameter`. */
 void ctl_flash_load(ctl_flash* flash, const ctl_board* board, ctl_banks* banks, uint16_t* parameter);
-/* Saves the active bank and the parameters. False when the flash refused; what was saved before is still
- * valid. */
-bool ctl_flash_save(ctl_flash* flash, const ctl_board* board, const ctl_banks* banks);
+/* Begins to save the active bank and the parameters, which may change meanwhile; the bank may not. */
+void ctl_flash_begin_save(ctl_flash* flash, const ctl_board* board, const ctl_banks* banks);
+/* Returns whether the save under way saves the active bank and the parameters as they are now. */
+bool ctl_flash_saves(const ctl_flash* flash, const ctl_board* board, const ctl_banks* banks);
+/* Goes on with the save by one piece of at most 32 registers. CTL_FLASH_FAILED: the flash refused, and what
+ * was saved before is still valid. */
+ctl_flash_progress ctl_flash_save_piece(ctl_flash* flash, const ctl_board* board);
 
 #ifdef __cplusplus
 }

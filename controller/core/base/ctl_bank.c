@@ -253,16 +253,37 @@ uint32_t ctl_bank_bad_cycle(const ctl_bank* bank, const ctl_config* config)
     return NOTHING_BAD;
 }
 
-uint32_t ctl_bank_bad_header(const ctl_bank* bank, uint32_t length)
+uint32_t ctl_bank_capacity(const ctl_config* config)
+{
+    const uint32_t wanted = config->bank_registers;
+    return wanted == 0 || wanted > CTL_BANK_STORAGE ? CTL_BANK_STORAGE : wanted;
+}
+
+uint32_t ctl_bank_row_registers(const ctl_bank* bank)
+{
+    const layout_info* layout = layout_of(bank);
+    return layout == NULL ? 0 : layout->row_registers;
+}
+
+static bool fits_board(const ctl_bank* bank, const ctl_config* config)
+{
+    return ctl_bank_layout(bank) != CTL_TABLE_LAYOUT_STEP_TABLE || config->row_capacity == 0 ||
+           ctl_bank_row_count(bank) <= config->row_capacity;
+}
+
+uint32_t ctl_bank_bad_header(const ctl_bank* bank, const ctl_config* config, uint32_t length)
 {
     const layout_info* layout = layout_of(bank);
     if (layout == NULL)
+        return CTL_OFFSET_BANK_LAYOUT;
+    if (config->table_layouts != 0 && (config->table_layouts >> ctl_bank_layout(bank) & 1u) == 0)
         return CTL_OFFSET_BANK_LAYOUT;
     const uint32_t kind = ctl_bank_kind(bank);
     if (kind > CTL_PROGRAM_KIND_LAST || (layout->kinds & CTL_PROGRAM_KINDS & 1u << kind) == 0)
         return CTL_OFFSET_BANK_KIND;
     const uint32_t rows = ctl_bank_row_count(bank);
-    if (rows < layout->min_rows || rows > layout->max_rows || ctl_bank_length(bank) != length)
+    if (rows < layout->min_rows || rows > layout->max_rows || ctl_bank_length(bank) != length ||
+        !fits_board(bank, config))
         return CTL_OFFSET_BANK_ROW_COUNT;
     const uint32_t per_revolution = wide(bank, kind_of(bank)->pulses_per_motor_rev);
     if (per_revolution == 0 || per_revolution > MAX_PULSES_PER_MOTOR_REV)

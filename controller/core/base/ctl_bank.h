@@ -14,8 +14,13 @@
 extern "C" {
 #endif
 
+/* A board with little memory may be compiled with smaller banks; it says so in its identity. */
+#ifndef CTL_BANK_STORAGE
+#define CTL_BANK_STORAGE CTL_BANK_REGISTERS
+#endif
+
 typedef struct {
-    uint16_t registers[CTL_BANK_REGISTERS];
+    uint16_t registers[CTL_BANK_STORAGE];
 } ctl_bank;
 
 typedef struct {
@@ -32,6 +37,9 @@ typedef struct {
 
 /* Bit n set: program kind n can be executed. All kinds of the register map can. */
 #define CTL_PROGRAM_KINDS ((2u << CTL_PROGRAM_KIND_LAST) - 2u)
+
+/* The same of table layouts. */
+#define CTL_TABLE_LAYOUTS ((2u << CTL_TABLE_LAYOUT_PRESS_STAGES) - 2u)
 
 uint16_t ctl_bank_kind(const ctl_bank* bank);   /* CTL_PROGRAM_KIND_... */
 uint16_t ctl_bank_layout(const ctl_bank* bank); /* CTL_TABLE_LAYOUT_... */
@@ -74,11 +82,25 @@ static inline ctl_verdict ctl_refuse(uint16_t result, uint32_t detail)
     const ctl_verdict verdict = {result, (uint16_t)detail};
     return verdict;
 }
+/* How far the check of a bank's rows has come; all 0 at first. */
+typedef struct {
+    uint32_t row;
+    uint64_t ticks; /* sums of the rows so far */
+    uint64_t pulses;
+    uint64_t window; /* ticks of the last rows, as many as a slice may meet */
+    int64_t last;    /* position of the row before */
+    bool after_pause;
+} ctl_row_check;
+
+/* Registers that a bank of this board may have. */
+uint32_t ctl_bank_capacity(const ctl_config* config);
+/* Registers of a row of the bank's layout; 0 when the layout is not known. */
+uint32_t ctl_bank_row_registers(const ctl_bank* bank);
 /* The shortest cycle. A slice is shorter, so it crosses at most one boundary between cycles. */
 #define CTL_MIN_CYCLE_US 2000u
-/* Returns the first header register that no bank of `length` registers may have so; CTL_BANK_HEADER_REGISTERS
- * when there is none. */
-uint32_t ctl_bank_bad_header(const ctl_bank* bank, uint32_t length);
+/* Returns the first header register that no bank of `length` registers may have so on this board;
+ * CTL_BANK_HEADER_REGISTERS when there is none. */
+uint32_t ctl_bank_bad_header(const ctl_bank* bank, const ctl_config* config, uint32_t length);
 /* Returns the header register of the cycle's time, its remainder or its divisor that is outside its range;
  * CTL_BANK_HEADER_REGISTERS when there is none. */
 uint32_t ctl_bank_bad_cycle(const ctl_bank* bank, const ctl_config* config);

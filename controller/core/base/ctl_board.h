@@ -15,8 +15,11 @@ typedef struct {
     ctl_config config;
     ctl_port port;
     const uint16_t* parameter; /* registers of the group `parameter`, as the panel left them */
+    uint32_t parameter_writes; /* how often the panel has written any of them */
     uint64_t started_us;
     uint64_t now_us;
+    uint32_t tick;        /* timer ticks since power-up at the start of the slice, modulo 2^32 */
+    uint32_t slice_ticks; /* timer ticks of the slice */
     bool catching_up; /* the slice is not the last one of its call: what is measured is newer than now_us */
 } ctl_board;
 

@@ -14,28 +14,27 @@ uint16_t ctl_crc16(const uint8_t* bytes, size_t size)
     return crc;
 }
 
-static uint32_t crc32_byte(uint32_t crc, uint8_t byte)
+static uint32_t half_byte(uint32_t crc)
 {
     static const uint32_t table[16] = {0x00000000u, 0x1DB71064u, 0x3B6E20C8u, 0x26D930ACu,
                                        0x76DC4190u, 0x6B6B51F4u, 0x4DB26158u, 0x5005713Cu,
                                        0xEDB88320u, 0xF00F9344u, 0xD6D6A3E8u, 0xCB61B38Cu,
                                        0x9B64C2B0u, 0x86D3D2D4u, 0xA00AE278u, 0xBDBDF21Cu};
-    crc = (crc >> 4) ^ table[(crc ^ byte) & 0xFu];
-    return (crc >> 4) ^ table[(crc ^ ((uint32_t)byte >> 4)) & 0xFu];
+    return (crc >> 4) ^ table[crc & 0xFu];
 }
 
 uint32_t ctl_crc32_bytes(uint32_t crc, const uint8_t* bytes, size_t size)
 {
     for (size_t i = 0; i < size; ++i)
-        crc = crc32_byte(crc, bytes[i]);
+        crc = half_byte(half_byte(crc ^ bytes[i]));
     return crc;
 }
 
 uint32_t ctl_crc32_registers(uint32_t crc, const uint16_t* registers, size_t count)
 {
     for (size_t i = 0; i < count; ++i) {
-        crc = crc32_byte(crc, (uint8_t)(registers[i] >> 8));
-        crc = crc32_byte(crc, (uint8_t)(registers[i] & 0xFFu));
+        const uint32_t swapped = (uint32_t)registers[i] >> 8 | ((uint32_t)registers[i] & 0xFFu) << 8;
+        crc = half_byte(half_byte(half_byte(half_byte(crc ^ swapped))));
     }
     return crc;
 }

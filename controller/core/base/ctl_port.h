@@ -4,17 +4,24 @@
 #ifndef CTL_PORT_H
 #define CTL_PORT_H
 
+#include "base/ctl_train.h"
+
 #include <stdbool.h>
 #include <stdint.h>
 
 #define CTL_FLASH_SLOTS 2u
 #define CTL_SLICE_US 250u
 
+typedef enum { CTL_AXIS_FILM, CTL_AXIS_INFEED } ctl_axis;
+typedef enum { CTL_FLASH_DONE, CTL_FLASH_BUSY, CTL_FLASH_FAILED } ctl_flash_progress;
+
 typedef struct {
     void* context; /* given back to every callback */
 
-    /* Pulses that leave now; negative: in reverse. */
-    void (*pulses)(void* context, int32_t count);
+    /* Pulses of the main axis, their ticks in timer ticks since power-up, modulo 2^32. They lie in the slice
+     * that is being computed, in the order of time, in several calls; the board lets all axes move later by
+     * the same time, long enough for its slowest turn. */
+    void (*pulses)(void* context, const ctl_train* train);
     /* Encoder position since power-up, in pulses of the command. */
     int64_t (*encoder)(void* context);
     /* True once after the index mark was passed forward; gives the encoder position latched there. */
@@ -25,11 +32,11 @@ typedef struct {
     /* Force of a press now, N; NULL on a machine without. */
     int32_t (*force)(void* context);
 
-    /* Film and infeed of a packing machine; all NULL on a machine without. Pulses that leave now; positions
-     * since power-up in 1/256 pulse of the command. */
-    void (*film_pulses)(void* context, int32_t count);
+    /* Film and infeed of a packing machine; all NULL on a machine without. The axis runs evenly from one
+     * position to the other in the slice that is being computed: for a rate generator as they are, for a
+     * pulse timer by ctl_train_line(). Positions since power-up, 1/256 pulse of the command. */
+    void (*feed)(void* context, ctl_axis axis, int64_t from, int64_t to);
     int64_t (*film)(void* context);
-    void (*infeed_pulses)(void* context, int32_t count);
     int64_t (*infeed)(void* context);
     /* True once for each printed mark that passed its sensor; gives the film position latched there. */
     bool (*mark)(void* context, int64_t* film_at_mark);
@@ -50,6 +57,9 @@ typedef struct {
     bool (*flash_read)(void* context, uint32_t slot, uint32_t offset, uint8_t* bytes, uint32_t size);
     bool (*flash_erase)(void* context, uint32_t slot);
     bool (*flash_write)(void* context, uint32_t slot, uint32_t offset, const uint8_t* bytes, uint32_t size);
+    /* Flash that erases and writes by itself: erase and write begin only. Returns CTL_FLASH_BUSY until that
+     * is done, then CTL_FLASH_DONE, or CTL_FLASH_FAILED. NULL: they end before they return. */
+    ctl_flash_progress (*flash_progress)(void* context);
 } ctl_port;
 
 typedef struct {
@@ -61,6 +71,13 @@ typedef struct {
     uint16_t timer_bits;     /* its width, at most 16 */
     uint32_t max_pulse_hz;   /* highest pulse frequency of the output stage */
     uint32_t slice_us;       /* longest step of the control, 0: CTL_SLICE_US */
+
+    /* The bounds of a slow processor or a small memory; 0: none. */
+    uint16_t bank_registers;     /* that a bank may have, header included */
+    uint16_t row_capacity;       /* rows of a step table */
+    uint16_t table_layouts;      /* bit n: table layout n can be executed */
+    uint16_t max_rows_per_slice; /* rows of a step table that one slice may meet, at least 2 */
+    uint16_t work_registers;     /* registers that one slice checks, sums up or saves of long work */
 } ctl_config;
 
 #endif

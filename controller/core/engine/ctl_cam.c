@@ -4,7 +4,7 @@
 #include "base/ctl_words.h"
 
 #define US_PER_S 1000000u
-#define UNITS_PER_PULSE 256
+#define UNITS_PER_PULSE CTL_TRAIN_FINE
 /* Bits of the way through an interval. */
 #define WAY_BITS 24u
 /* Bits of a unit in the arithmetic of the cubic: 2^30 units of a row keep it inside 64 bits. */
@@ -79,24 +79,26 @@ static int64_t max_per_interval(const ctl_bank* bank, const ctl_config* config)
     return max_units < (uint64_t)LARGEST_STEP ? (int64_t)max_units + 1 : LARGEST_STEP;
 }
 
-ctl_verdict ctl_cam_check(const ctl_bank* bank, const ctl_config* config)
+ctl_verdict ctl_cam_check(const ctl_bank* bank, const ctl_config* config, ctl_row_check* check, uint32_t rows)
 {
-    const uint32_t bad_offset = bad_header_offset(bank, config);
+    const uint32_t bad_offset = check->row == 0 ? bad_header_offset(bank, config) : CTL_BANK_HEADER_REGISTERS;
     if (bad_offset != CTL_BANK_HEADER_REGISTERS)
         return ctl_refuse(CTL_TRANSFER_RESULT_BAD_HEADER, bad_offset);
 
-    const uint32_t rows = ctl_bank_row_count(bank);
+    const uint32_t count = ctl_bank_row_count(bank);
     const int64_t max_step = max_per_interval(bank, config);
-    int64_t last = 0;
-    for (uint32_t i = 0; i < rows; ++i) {
-        const cam_row row = row_at(bank, i);
-        const bool first_is_zero = i != 0 || row.position == 0;
-        if (!first_is_zero || magnitude(row.slope) > max_step || magnitude(row.position - last) > max_step)
-            return ctl_refuse(CTL_TRANSFER_RESULT_BAD_ROW, i);
-        last = row.position;
+    for (uint32_t i = 0; i < rows && check->row < count; ++i, ++check->row) {
+        const cam_row row = row_at(bank, check->row);
+        const bool first_is_zero = check->row != 0 || row.position == 0;
+        if (!first_is_zero || magnitude(row.slope) > max_step ||
+            magnitude(row.position - check->last) > max_step)
+            return ctl_refuse(CTL_TRANSFER_RESULT_BAD_ROW, check->row);
+        check->last = row.position;
     }
+    if (check->row < count)
+        return ctl_refuse(CTL_TRANSFER_RESULT_BUSY, 0);
     const uint64_t fraction = (uint64_t)UNITS_PER_PULSE * ctl_bank_remainder(bank) / ctl_bank_divisor(bank);
-    if (magnitude(last - advance_units(bank) - (int64_t)fraction) > 1)
+    if (magnitude(check->last - advance_units(bank) - (int64_t)fraction) > 1)
         return ctl_refuse(CTL_TRANSFER_RESULT_BAD_SUM, CTL_OFFSET_BANK_ADVANCE);
     return ctl_refuse(CTL_TRANSFER_RESULT_ACCEPTED, 0);
 }
@@ -130,6 +132,7 @@ void ctl_cam_reset(ctl_cam* cam, const ctl_bank* bank, const ctl_config* config)
     cam->line_to = 0;
     cam->line_ticks = 0;
     cam->sent = 0;
+    cam->train = ctl_train_line(0, 0, cam->update_ticks);
 }
 
 void ctl_cam_change_bank(ctl_cam* cam, const ctl_bank* bank)
@@ -239,18 +242,22 @@ uint32_t ctl_cam_until_update(const ctl_cam* cam)
     return cam->update_ticks - cam->line_ticks;
 }
 
-int64_t ctl_cam_pass(ctl_cam* cam, uint32_t ticks)
+int64_t ctl_cam_pass(ctl_cam* cam, uint32_t ticks, const ctl_pace* pace)
 {
+    const uint32_t before = cam->line_ticks;
     cam->line_ticks += ticks;
-    const int64_t passed = (cam->line_to - cam->line_from) * cam->line_ticks;
-    const int64_t here = cam->line_from + floor_divide(passed, cam->update_ticks);
-    const int64_t reached = floor_divide(here + UNITS_PER_PULSE / 2, UNITS_PER_PULSE);
-    const int64_t pulses = reached - cam->sent;
-    cam->sent = reached;
-    if (cam->line_ticks == cam->update_ticks) {
+    const bool ends = cam->line_ticks == cam->update_ticks;
+    ctl_train train = ends ? cam->train : ctl_train_until(&cam->train, cam->line_ticks);
+    const int64_t pulses = train.direction * (int64_t)train.count;
+    train.tick -= before;
+    ctl_pace_give(pace, &train);
+    cam->sent += pulses;
+    if (ends) {
         cam->line_ticks = 0;
         cam->line_from = cam->line_to;
         cam->line_to = ctl_cam_target(cam);
+        cam->train = ctl_train_line(cam->line_from + UNITS_PER_PULSE / 2, cam->line_to + UNITS_PER_PULSE / 2,
+                                    cam->update_ticks);
     }
     return pulses;
 }

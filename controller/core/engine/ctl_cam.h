@@ -8,6 +8,7 @@
 #define CTL_CAM_H
 
 #include "base/ctl_bank.h"
+#include "base/ctl_pace.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -30,10 +31,12 @@ typedef struct {
     int64_t line_to;
     uint32_t line_ticks; /* timer ticks passed of it */
     int64_t sent;        /* pulses since the reset */
+    ctl_train train;     /* pulses left of the line, at ticks of the line */
 } ctl_cam;
 
 /* Checks what ctl_bank_check() leaves to the engine: the rest of the header, every row, their end. */
-ctl_verdict ctl_cam_check(const ctl_bank* bank, const ctl_config* config);
+ctl_verdict ctl_cam_check(const ctl_bank* bank, const ctl_config* config, ctl_row_check* check,
+                          uint32_t rows);
 
 /* Pulse frequency at full speed at the end of a cycle, or at its beginning. */
 int64_t ctl_cam_boundary_hz(const ctl_bank* bank, const ctl_config* config, bool end);
@@ -54,7 +57,7 @@ int64_t ctl_cam_target(const ctl_cam* cam);
 uint32_t ctl_cam_until_update(const ctl_cam* cam);
 /* Lets so many timer ticks pass, at most to the next update, which is then made; returns the pulses that
  * leave meanwhile. */
-int64_t ctl_cam_pass(ctl_cam* cam, uint32_t ticks);
+int64_t ctl_cam_pass(ctl_cam* cam, uint32_t ticks, const ctl_pace* pace);
 /* Everything up to where the master stands has left. */
 bool ctl_cam_settled(const ctl_cam* cam);
 /* More pulses than the output stage gives are to leave until the next update. */

@@ -56,13 +56,22 @@ static uint64_t pulse_ticks(const ctl_count* count, uint32_t number)
            ramp_ticks(count, count->total - number);
 }
 
-uint32_t ctl_count_advance(ctl_count* count, uint32_t ticks)
+uint32_t ctl_count_advance(ctl_count* count, uint32_t ticks, int32_t direction, const ctl_pace* pace)
 {
-    const uint32_t before = count->sent;
+    const uint32_t sent_before = count->sent;
+    const uint64_t before = count->elapsed;
     count->elapsed += ticks;
-    while (count->sent < count->total && pulse_ticks(count, count->sent + 1u) <= count->elapsed)
+    while (count->sent < count->total) {
+        const uint64_t at = pulse_ticks(count, count->sent + 1u);
+        if (at > count->elapsed)
+            break;
+        /* After a brake the rest of the run may say that a pulse was due already. */
+        const uint32_t tick = at > before ? (uint32_t)(at - before) : 1u;
+        const ctl_train train = {.count = 1, .direction = direction, .tick = tick, .divisor = 1};
+        ctl_pace_give(pace, &train);
         count->sent += 1;
-    return count->sent - before;
+    }
+    return count->sent - sent_before;
 }
 
 void ctl_count_brake(ctl_count* count)

@@ -5,6 +5,8 @@
 #ifndef CTL_COUNT_H
 #define CTL_COUNT_H
 
+#include "base/ctl_pace.h"
+
 #include <stdbool.h>
 #include <stdint.h>
 
@@ -34,8 +36,8 @@ typedef struct {
 /* Stand with nothing to send. */
 void ctl_count_clear(ctl_count* count);
 void ctl_count_start(ctl_count* count, ctl_count_speed speed, uint32_t pulses);
-/* Moves on by `ticks`; returns the pulses that came. */
-uint32_t ctl_count_advance(ctl_count* count, uint32_t ticks);
+/* Moves on by `ticks`; returns the pulses that came, which are given in this direction. */
+uint32_t ctl_count_advance(ctl_count* count, uint32_t ticks, int32_t direction, const ctl_pace* pace);
 /* Fewer pulses than begun with: only those of the ramp down from the present speed. */
 void ctl_count_brake(ctl_count* count);
 /* No pulse comes any more. */

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "engine/ctl_dda.h"
 
+/* Then the rest is halved, whatever the speed does. */
+#define MAX_GUESSES 8u
 #define VELOCITY_MASK ((1u << CTL_DDA_CAPACITY_BITS) - 1u)
 
 static void start(ctl_dda* dda, ctl_interval_row row)
@@ -95,19 +97,36 @@ static void accelerate(ctl_dda* dda, uint32_t iterations, uint64_t ramp)
     dda->velocity_rest = (uint32_t)sum & VELOCITY_MASK;
 }
 
-/* The iteration that brings pulse number `pulses` from here, known to be among the next `max`. */
+/* The iteration that brings pulse number `pulses` from here, known to be among the next `max`: first where
+ * the speed of now would bring it, then nearer by what is lacking. */
 static uint32_t iteration_of(const ctl_dda* dda, uint64_t pulses, uint32_t max, uint64_t ramp)
 {
+    const uint64_t wanted = pulses << dda->position_bits;
+    const uint64_t speed = dda->velocity == 0 ? 1u : dda->velocity;
     uint32_t low = 0;
     uint32_t high = max;
-    while (high - low > 1u) {
-        const uint32_t middle = low + (high - low) / 2u;
-        if (position_after(dda, middle, ramp) >> dda->position_bits >= pulses)
-            high = middle;
-        else
-            low = middle;
+    uint64_t guess = (wanted - dda->position_rest) / speed;
+    for (uint32_t i = 0; high - low > 1u; ++i) {
+        if (i >= MAX_GUESSES || guess <= low || guess >= high)
+            guess = low + (i < MAX_GUESSES ? (guess <= low ? 1u : high - low - 1u) : (high - low) / 2u);
+        const uint64_t position = position_after(dda, (uint32_t)guess, ramp);
+        if (position >= wanted) {
+            high = (uint32_t)guess;
+            const uint64_t back = (position - wanted) / speed;
+            guess = guess > back ? guess - back : 0;
+        } else {
+            low = (uint32_t)guess;
+            guess += (wanted - position + speed - 1u) / speed;
+        }
     }
     return high;
+}
+
+uint32_t ctl_dda_to_pulse(const ctl_dda* dda, uint32_t max)
+{
+    const uint64_t ramp = ramp_left(dda);
+    const bool comes = dda->moves && position_after(dda, max, ramp) >> dda->position_bits != 0;
+    return comes ? iteration_of(dda, 1, max, ramp) : max;
 }
 
 uint32_t ctl_dda_iterate(ctl_dda* dda, uint32_t* iterations)

@@ -55,6 +55,8 @@ uint32_t ctl_dda_status(const ctl_dda* dda);
 /* Goes on by *iterations (at most 2^31), at most to the end of the running interval, and takes the loaded one
  * over there. Returns the pulses; *iterations becomes what was used. */
 uint32_t ctl_dda_iterate(ctl_dda* dda, uint32_t* iterations);
+/* Returns the iterations to the next pulse, at most `max`. */
+uint32_t ctl_dda_to_pulse(const ctl_dda* dda, uint32_t max);
 
 #ifdef __cplusplus
 }

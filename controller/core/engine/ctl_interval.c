@@ -3,6 +3,8 @@
 
 #include "base/ctl_words.h"
 
+#include <stddef.h>
+
 #define MAX_ITERATIONS 0x80000000u /* in one go */
 
 static int32_t advance_of(const ctl_bank* bank)
@@ -105,20 +107,37 @@ bool ctl_interval_holding(const ctl_interval* interval)
     return interval->next_row > interval->rows && !interval->dda.has_loaded;
 }
 
-int32_t ctl_interval_advance(ctl_interval* interval, uint32_t* ticks)
+/* Gives the pulse that came with the iteration at `time`, counted as iterations_rest is, at the end of its
+ * tick. */
+static void give_pulse(const ctl_interval* interval, uint64_t time, const ctl_pace* pace)
+{
+    const ctl_train train = {.count = 1,
+                             .direction = interval->direction,
+                             .tick = (uint32_t)((time + interval->iterations - 1u) / interval->iterations),
+                             .divisor = 1};
+    ctl_pace_give(pace, &train);
+}
+
+int32_t ctl_interval_advance(ctl_interval* interval, uint32_t* ticks, const ctl_pace* pace)
 {
     if (!interval->in_cycle) {
         *ticks = 0;
         return 0;
     }
     const bool held = ctl_interval_holding(interval);
-    uint64_t time = interval->iterations_rest + (uint64_t)*ticks * interval->iterations;
+    const uint64_t given = (uint64_t)*ticks * interval->iterations;
+    uint64_t time = interval->iterations_rest + given;
     uint32_t emitted = 0;
     while (interval->in_cycle && time >= interval->ticks) {
         const uint64_t whole = time / interval->ticks;
         uint32_t iterations = whole < MAX_ITERATIONS ? (uint32_t)whole : MAX_ITERATIONS;
-        emitted += ctl_dda_iterate(&interval->dda, &iterations);
+        if (pace != NULL)
+            iterations = ctl_dda_to_pulse(&interval->dda, iterations);
+        const uint32_t pulses = ctl_dda_iterate(&interval->dda, &iterations);
+        emitted += pulses;
         time -= (uint64_t)iterations * interval->ticks;
+        if (pulses != 0 && pace != NULL)
+            give_pulse(interval, given - time, pace);
         if (ctl_interval_holding(interval))
             interval->dda.emitted = 0; /* without end */
         feed(interval);
@@ -190,24 +209,32 @@ static uint32_t bad_header_offset(const ctl_bank* bank, const ctl_config* config
     return CTL_BANK_HEADER_REGISTERS;
 }
 
-ctl_verdict ctl_interval_check(const ctl_bank* bank, const ctl_config* config)
+ctl_verdict ctl_interval_check_some(const ctl_bank* bank, const ctl_config* config, ctl_row_check* check,
+                                    uint32_t rows)
 {
-    const uint32_t bad_offset = bad_header_offset(bank, config);
+    const uint32_t bad_offset = check->row == 0 ? bad_header_offset(bank, config) : CTL_BANK_HEADER_REGISTERS;
     if (bad_offset != CTL_BANK_HEADER_REGISTERS)
         return ctl_refuse(CTL_TRANSFER_RESULT_BAD_HEADER, bad_offset);
-    const uint32_t rows = ctl_bank_row_count(bank);
+    const uint32_t count = ctl_bank_row_count(bank);
     const bool backwards = advance_of(bank) < 0;
     const bool owes = ctl_bank_remainder(bank) != 0;
-    uint64_t pulses = 0;
-    for (uint32_t i = 0; i < rows; ++i) {
-        ctl_interval_row row = ctl_interval_bank_row(bank, i);
-        pulses += row.distance;
-        if (owes && backwards && i + 1u == rows && row.distance != 0)
+    for (uint32_t i = 0; i < rows && check->row < count; ++i, ++check->row) {
+        ctl_interval_row row = ctl_interval_bank_row(bank, check->row);
+        check->pulses += row.distance;
+        if (owes && backwards && check->row + 1u == count && row.distance != 0)
             row.distance -= 1u;
         if (!row_fits(row, fraction_bits(bank), config))
-            return ctl_refuse(CTL_TRANSFER_RESULT_BAD_ROW, i);
+            return ctl_refuse(CTL_TRANSFER_RESULT_BAD_ROW, check->row);
     }
-    if (pulses != (uint64_t)(backwards ? -(int64_t)advance_of(bank) : advance_of(bank)))
+    if (check->row < count)
+        return ctl_refuse(CTL_TRANSFER_RESULT_BUSY, 0);
+    if (check->pulses != (uint64_t)(backwards ? -(int64_t)advance_of(bank) : advance_of(bank)))
         return ctl_refuse(CTL_TRANSFER_RESULT_BAD_SUM, CTL_OFFSET_BANK_ADVANCE);
     return ctl_refuse(CTL_TRANSFER_RESULT_ACCEPTED, 0);
+}
+
+ctl_verdict ctl_interval_check(const ctl_bank* bank, const ctl_config* config)
+{
+    ctl_row_check check = {0};
+    return ctl_interval_check_some(bank, config, &check, UINT32_MAX);
 }

@@ -6,6 +6,7 @@
 #define CTL_INTERVAL_H
 
 #include "base/ctl_bank.h"
+#include "base/ctl_pace.h"
 #include "engine/ctl_dda.h"
 
 #ifdef __cplusplus
@@ -39,7 +40,7 @@ bool ctl_interval_between_cycles(const ctl_interval* interval);
 void ctl_interval_begin_cycle(ctl_interval* interval);
 /* Moves on by *ticks, at most to the end of the cycle; returns the pulses, negative in reverse. *ticks
  * becomes what was used: a cycle ends with the tick in or at the end of which its last pulse came. */
-int32_t ctl_interval_advance(ctl_interval* interval, uint32_t* ticks);
+int32_t ctl_interval_advance(ctl_interval* interval, uint32_t* ticks, const ctl_pace* pace);
 
 /* The table is over and its last speed is held, as bank.end_behavior says; such a cycle ends with a reset or
  * a change of bank only. */
@@ -52,6 +53,9 @@ int64_t ctl_interval_hz(const ctl_interval* interval);
 /* Checks what ctl_bank_check() leaves to the engine: the rest of the header, every row, their sum. No table
  * may repeat. */
 ctl_verdict ctl_interval_check(const ctl_bank* bank, const ctl_config* config);
+/* The same, at most `rows` rows in this call; CTL_TRANSFER_RESULT_BUSY while there are more. */
+ctl_verdict ctl_interval_check_some(const ctl_bank* bank, const ctl_config* config, ctl_row_check* check,
+                                    uint32_t rows);
 
 #ifdef __cplusplus
 }

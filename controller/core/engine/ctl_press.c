@@ -204,7 +204,8 @@ static void end_run(ctl_press* press, const ctl_press_reading* reading)
     }
 }
 
-int32_t ctl_press_slice(ctl_press* press, const ctl_press_reading* reading, uint32_t ticks)
+int32_t ctl_press_slice(ctl_press* press, const ctl_press_reading* reading, uint32_t ticks,
+                        const ctl_pace* pace)
 {
     if (press->stage == CTL_PRESS_STAGE_STANDING)
         return 0;
@@ -215,7 +216,8 @@ int32_t ctl_press_slice(ctl_press* press, const ctl_press_reading* reading, uint
         end_run(press, reading);
     if (press->stage == CTL_PRESS_STAGE_STANDING)
         return 0;
-    const int32_t pulses = press->direction * (int32_t)ctl_count_advance(&press->count, ticks);
+    const int32_t pulses =
+        press->direction * (int32_t)ctl_count_advance(&press->count, ticks, press->direction, pace);
     if (press->stage == CTL_PRESS_STAGE_PRESS && ctl_count_done(&press->count) && !press->stopped) {
         enter(press, CTL_PRESS_STAGE_HOLD);
         press->hold_since_us = reading->now_us;

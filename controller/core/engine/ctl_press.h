@@ -79,7 +79,8 @@ void ctl_press_begin(ctl_press* press, const ctl_bank* bank, uint32_t clock_hz,
                      const ctl_press_reading* reading);
 /* Moves on by `ticks` after the reading; returns the pulses that come meanwhile, negative upwards. The stroke
  * has ended when the stage is Standing afterwards. */
-int32_t ctl_press_slice(ctl_press* press, const ctl_press_reading* reading, uint32_t ticks);
+int32_t ctl_press_slice(ctl_press* press, const ctl_press_reading* reading, uint32_t ticks,
+                        const ctl_pace* pace);
 /* Ramp down; the stroke ends where the ram comes to stand. */
 void ctl_press_stop(ctl_press* press);
 /* The stroke under way ends here and now, without another pulse. */

@@ -101,6 +101,8 @@ bool ctl_ramp_can_land(const ctl_ramp* ramp, uint64_t remaining)
 
 uint32_t ctl_ramp_share(const ctl_ramp* ramp, uint32_t value)
 {
+    if (ramp->speed == ramp->full)
+        return value;
     if (ramp->s_curve)
         return (uint32_t)(value * s_share(ramp) >> SHARE_BITS);
     return (uint32_t)((uint64_t)value * ramp->speed / ramp->full);

@@ -5,6 +5,7 @@
 
 #define LONGEST_EVENT_TICKS 65535u
 #define FULL_CIRCLE 36000u /* 0.01 degrees */
+#define US_PER_S 1000000u
 
 ctl_row ctl_step_row(const ctl_bank* bank, uint32_t index)
 {
@@ -55,48 +56,77 @@ static bool is_too_short(ctl_row row, const ctl_config* config)
     return (uint64_t)row.ticks * config->max_pulse_hz < config->timer_clock_hz;
 }
 
-ctl_verdict ctl_step_check(const ctl_bank* bank, const ctl_config* config)
+/* Rows of which as many as these last a slice at least, so that it meets at most two more; 0: no bound. */
+static uint32_t window_rows(const ctl_bank* bank, const ctl_config* config)
 {
-    const uint32_t bad_offset = bad_header_offset(bank, config);
-    if (bad_offset != CTL_BANK_HEADER_REGISTERS)
-        return ctl_refuse(CTL_TRANSFER_RESULT_BAD_HEADER, bad_offset);
+    const uint32_t most = config->max_rows_per_slice;
+    return most < 2u || ctl_bank_row_count(bank) < most ? 0u : most - 1u;
+}
 
-    uint64_t ticks = 0;
-    uint64_t pulses = 0;
-    bool after_pause = false;
+/* The last rows up to this one, over the boundary of the cycle too, are too many for a slice. */
+static bool crowds_slice(const ctl_bank* bank, const ctl_config* config, ctl_row_check* check, ctl_row row)
+{
+    const uint32_t window = window_rows(bank, config);
     const uint32_t rows = ctl_bank_row_count(bank);
-    for (uint32_t i = 0; i < rows; ++i) {
-        const ctl_row row = ctl_step_row(bank, i);
-        const bool is_pause = row.pulses == 0;
-        const bool crowds = is_pause && after_pause && is_too_short(row, config);
-        after_pause = is_pause;
-        if (crowds || !row_fits(row, config))
-            return ctl_refuse(CTL_TRANSFER_RESULT_BAD_ROW, i);
-        ticks += row.ticks;
-        pulses += row.pulses;
-    }
+    if (window == 0)
+        return false;
+    check->window += row.ticks;
+    if (check->row >= window)
+        check->window -= ctl_step_row(bank, (check->row - window) % rows).ticks;
+    const uint32_t slice_us = config->slice_us == 0 ? CTL_SLICE_US : config->slice_us;
+    return check->row + 1u >= window &&
+           check->window * US_PER_S < (uint64_t)slice_us * config->timer_clock_hz;
+}
+
+static ctl_verdict check_sums(const ctl_bank* bank, const ctl_config* config, const ctl_row_check* check)
+{
     const uint32_t carry = bank->registers[CTL_OFFSET_BANK_CARRY_ROW];
     ctl_row longer = ctl_step_row(bank, carry);
     longer.pulses += 1;
     if (ctl_bank_remainder(bank) != 0 && !row_fits(longer, config))
         return ctl_refuse(CTL_TRANSFER_RESULT_BAD_ROW, carry);
-    if (ticks != ctl_bank_cycle_ticks(bank))
+    if (check->ticks != ctl_bank_cycle_ticks(bank))
         return ctl_refuse(CTL_TRANSFER_RESULT_BAD_SUM, CTL_OFFSET_BANK_CYCLE_TICKS);
-    if (pulses != ctl_get32(&bank->registers[CTL_OFFSET_BANK_CYCLE_PULSES]))
+    if (check->pulses != ctl_get32(&bank->registers[CTL_OFFSET_BANK_CYCLE_PULSES]))
         return ctl_refuse(CTL_TRANSFER_RESULT_BAD_SUM, CTL_OFFSET_BANK_CYCLE_PULSES);
     return ctl_refuse(CTL_TRANSFER_RESULT_ACCEPTED, 0);
+}
+
+ctl_verdict ctl_step_check(const ctl_bank* bank, const ctl_config* config, ctl_row_check* check,
+                           uint32_t rows)
+{
+    const uint32_t bad_offset = check->row == 0 ? bad_header_offset(bank, config) : CTL_BANK_HEADER_REGISTERS;
+    if (bad_offset != CTL_BANK_HEADER_REGISTERS)
+        return ctl_refuse(CTL_TRANSFER_RESULT_BAD_HEADER, bad_offset);
+
+    const uint32_t count = ctl_bank_row_count(bank);
+    const uint32_t window = window_rows(bank, config);
+    const uint32_t end = count + (window == 0 ? 0u : window - 1u);
+    for (uint32_t i = 0; i < rows && check->row < end; ++i, ++check->row) {
+        const ctl_row row = ctl_step_row(bank, check->row % count);
+        const bool is_pause = row.pulses == 0;
+        const bool crowds = is_pause && check->after_pause && check->row < count && is_too_short(row, config);
+        check->after_pause = is_pause;
+        if (crowds || !row_fits(row, config) || crowds_slice(bank, config, check, row))
+            return ctl_refuse(CTL_TRANSFER_RESULT_BAD_ROW, check->row % count);
+        check->ticks += check->row < count ? row.ticks : 0u;
+        check->pulses += check->row < count ? row.pulses : 0u;
+    }
+    return check->row < end ? ctl_refuse(CTL_TRANSFER_RESULT_BUSY, 0) : check_sums(bank, config, check);
 }
 
 static void enter_row(ctl_step* step, uint32_t row)
 {
     step->row = row;
     step->row_ticks = 0;
-    step->row_pulses = 0;
-    if (row == ctl_bank_row_count(step->bank))
+    if (row == ctl_bank_row_count(step->bank)) {
+        step->train.count = step->current.pulses; /* none was emitted */
         return;
+    }
     step->current = ctl_step_row(step->bank, row);
     if (step->carries && row == step->bank->registers[CTL_OFFSET_BANK_CARRY_ROW])
         step->current.pulses += 1;
+    step->train = ctl_train_even(step->current.pulses, step->current.ticks);
 }
 
 void ctl_step_begin_cycle(ctl_step* step)
@@ -131,22 +161,13 @@ bool ctl_step_between_cycles(const ctl_step* step)
     return step->row == ctl_bank_row_count(step->bank);
 }
 
-/* Ticks from the row's start to its pulse `number`: floor(number * ticks / pulses) in 32-bit arithmetic. */
-static uint32_t pulse_ticks(ctl_row row, uint32_t number)
-{
-    const uint32_t whole = row.ticks / row.pulses;
-    const uint32_t rest = row.ticks % row.pulses;
-    return number * whole + number * rest / row.pulses;
-}
-
 ctl_event ctl_step_next(ctl_step* step)
 {
     ctl_event event = {0, false};
     uint32_t target = step->current.ticks;
     if (step->current.pulses != 0) {
-        target = pulse_ticks(step->current, step->row_pulses + 1);
+        target = ctl_train_next(&step->train);
         event.pulse = true;
-        step->row_pulses += 1;
     } else if (target - step->row_ticks > LONGEST_EVENT_TICKS) {
         target = step->row_ticks + LONGEST_EVENT_TICKS;
     }
@@ -158,34 +179,31 @@ ctl_event ctl_step_next(ctl_step* step)
     return event;
 }
 
-/* Pulses that have come once `ticks` of the row have passed. */
-static uint32_t pulses_after(ctl_row row, uint32_t ticks)
+uint32_t ctl_step_row_pulses(const ctl_step* step)
 {
-    if (row.pulses == 0)
-        return 0;
-    return (uint32_t)((((uint64_t)ticks + 1u) * row.pulses - 1u) / row.ticks);
+    return step->current.pulses - step->train.count;
 }
 
-uint32_t ctl_step_advance(ctl_step* step, uint32_t* ticks)
+uint32_t ctl_step_advance(ctl_step* step, uint32_t* ticks, const ctl_pace* pace)
 {
-    uint32_t left = *ticks;
+    uint32_t passed = 0;
     uint32_t emitted = 0;
-    while (left != 0 && !ctl_step_between_cycles(step)) {
+    while (passed != *ticks && !ctl_step_between_cycles(step)) {
         const uint32_t row_left = step->current.ticks - step->row_ticks;
-        if (left >= row_left) {
-            emitted += step->current.pulses - step->row_pulses;
-            step->cycle_ticks += row_left;
-            left -= row_left;
+        const uint32_t left = *ticks - passed;
+        const bool ends = left >= row_left;
+        const uint32_t part = ends ? row_left : left;
+        ctl_train train = ends ? step->train : ctl_train_until(&step->train, step->row_ticks + part);
+        emitted += train.count;
+        train.tick += passed - step->row_ticks;
+        ctl_pace_give(pace, &train);
+        passed += part;
+        step->cycle_ticks += part;
+        if (ends)
             enter_row(step, step->row + 1);
-        } else {
-            step->row_ticks += left;
-            step->cycle_ticks += left;
-            left = 0;
-            const uint32_t reached = pulses_after(step->current, step->row_ticks);
-            emitted += reached - step->row_pulses;
-            step->row_pulses = reached;
-        }
+        else
+            step->row_ticks += part;
     }
-    *ticks -= left;
+    *ticks = passed;
     return emitted;
 }

@@ -7,6 +7,7 @@
 #define CTL_STEP_H
 
 #include "base/ctl_bank.h"
+#include "base/ctl_pace.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -22,7 +23,7 @@ typedef struct {
     uint32_t row;         /* being executed; the number of rows between two cycles */
     ctl_row current;      /* that row, with this cycle's carry in it */
     uint32_t row_ticks;   /* passed in the row */
-    uint32_t row_pulses;  /* emitted in the row */
+    ctl_train train;      /* pulses left in the row, at ticks of the row */
     uint32_t cycle_ticks; /* passed in the cycle */
     uint32_t owed;        /* fraction of a pulse owed, numerator over the bank's divisor */
     bool carries;         /* this cycle has one pulse more */
@@ -34,8 +35,10 @@ typedef struct {
 } ctl_event;
 
 ctl_row ctl_step_row(const ctl_bank* bank, uint32_t index);
-/* Checks what ctl_bank_check() leaves to the engine: the rest of the header, every row, their sums. */
-ctl_verdict ctl_step_check(const ctl_bank* bank, const ctl_config* config);
+/* Checks what ctl_bank_check() leaves to the engine: the rest of the header, every row, their sums; at most
+ * `rows` rows in this call, CTL_TRANSFER_RESULT_BUSY while there are more. */
+ctl_verdict ctl_step_check(const ctl_bank* bank, const ctl_config* config, ctl_row_check* check,
+                           uint32_t rows);
 
 /* Stand between two cycles of `bank` with no fraction owed. */
 void ctl_step_reset(ctl_step* step, const ctl_bank* bank);
@@ -49,7 +52,9 @@ void ctl_step_begin_cycle(ctl_step* step);
 ctl_event ctl_step_next(ctl_step* step);
 /* Moves on by *ticks, at most to the end of the cycle; returns the pulses emitted, *ticks becomes what was
  * used. */
-uint32_t ctl_step_advance(ctl_step* step, uint32_t* ticks);
+uint32_t ctl_step_advance(ctl_step* step, uint32_t* ticks, const ctl_pace* pace);
+/* Pulses emitted in the row. */
+uint32_t ctl_step_row_pulses(const ctl_step* step);
 
 #ifdef __cplusplus
 }

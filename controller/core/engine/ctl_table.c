@@ -82,16 +82,16 @@ void ctl_table_begin_cycle(ctl_table* table, int32_t direction)
     }
 }
 
-int64_t ctl_table_advance(ctl_table* table, int32_t direction, uint32_t* ticks)
+int64_t ctl_table_advance(ctl_table* table, int32_t direction, uint32_t* ticks, const ctl_pace* pace)
 {
     switch (table->layout) {
     case CTL_TABLE_LAYOUT_STEP_TABLE:
-        return ctl_step_advance(&table->step, ticks);
+        return ctl_step_advance(&table->step, ticks, pace);
     case CTL_TABLE_LAYOUT_CAM_POINTS:
         ctl_cam_advance(&table->cam, direction, ticks);
         return 0;
     case CTL_TABLE_LAYOUT_INTERVALS:
-        return ctl_interval_advance(&table->interval, ticks);
+        return ctl_interval_advance(&table->interval, ticks, pace);
     default:
         return 0;
     }
@@ -138,9 +138,9 @@ uint32_t ctl_table_longest_pass(const ctl_table* table)
     return table->layout == CTL_TABLE_LAYOUT_CAM_POINTS ? ctl_cam_until_update(&table->cam) : UINT32_MAX;
 }
 
-int64_t ctl_table_pass(ctl_table* table, uint32_t ticks)
+int64_t ctl_table_pass(ctl_table* table, uint32_t ticks, const ctl_pace* pace)
 {
-    return table->layout == CTL_TABLE_LAYOUT_CAM_POINTS ? ctl_cam_pass(&table->cam, ticks) : 0;
+    return table->layout == CTL_TABLE_LAYOUT_CAM_POINTS ? ctl_cam_pass(&table->cam, ticks, pace) : 0;
 }
 
 bool ctl_table_settled(const ctl_table* table)

@@ -36,7 +36,7 @@ bool ctl_table_between_cycles(const ctl_table* table);
 void ctl_table_begin_cycle(ctl_table* table, int32_t direction);
 /* Moves on by *ticks, at most to the end of the cycle, which is not the end where the last speed is held;
  * returns the pulses that leave as the master advances, *ticks becomes what was used. */
-int64_t ctl_table_advance(ctl_table* table, int32_t direction, uint32_t* ticks);
+int64_t ctl_table_advance(ctl_table* table, int32_t direction, uint32_t* ticks, const ctl_pace* pace);
 /* The cycle is over and its last speed is held. */
 bool ctl_table_holding(const ctl_table* table);
 /* Ticks from the start of the cycle, at most those of a cycle; 0 between two cycles. */
@@ -45,7 +45,7 @@ uint32_t ctl_table_position(const ctl_table* table);
 /* Most timer ticks that may pass at once. */
 uint32_t ctl_table_longest_pass(const ctl_table* table);
 /* So many timer ticks pass; returns the pulses that leave by the engine's own pace. */
-int64_t ctl_table_pass(ctl_table* table, uint32_t ticks);
+int64_t ctl_table_pass(ctl_table* table, uint32_t ticks, const ctl_pace* pace);
 /* All pulses up to where the master stands have left. */
 bool ctl_table_settled(const ctl_table* table);
 /* The master runs so fast that the output stage cannot follow. */

@@ -5,6 +5,7 @@
 #include "link/ctl_parts.h"
 
 #include <stddef.h>
+#include <string.h>
 
 enum { COUNTER = 0, CODE = 1, ARGUMENT0 = 2, ARGUMENT1 = 3, ARGUMENT2 = 4 };
 _Static_assert(CTL_GROUP_COMMAND == ARGUMENT2 + 2, "the wide argument ends the group");
@@ -56,14 +57,31 @@ static uint16_t cancel_apply(ctl_core* core)
     return CTL_REFUSAL_NONE;
 }
 
+/* The refusal that stands for "in pieces, and not done yet"; it is never sent. */
+#define IN_WORK UINT16_MAX
+
+static bool works_in_pieces(const ctl_core* core)
+{
+    return core->board.config.work_registers != 0 || core->board.port.flash_progress != NULL;
+}
+
 static uint16_t save_to_flash(ctl_core* core, const uint16_t* request)
 {
     if (!core->banks.has_active)
         return CTL_REFUSAL_NO_ACTIVE_PROGRAM;
     if (ctl_get32(&request[ARGUMENT2]) != core->banks.active_crc || !ctl_active_bank_intact(&core->banks))
         return CTL_REFUSAL_WRONG_CHECKSUM;
-    return ctl_flash_save(&core->flash, &core->board, &core->banks) ? CTL_REFUSAL_NONE
-                                                                    : CTL_REFUSAL_FLASH_FAILED;
+    ctl_flash_begin_save(&core->flash, &core->board, &core->banks);
+    if (works_in_pieces(core)) {
+        core->transfer.reader = core->flash.saving.bank;
+        core->work.saves = true;
+        core->work.save_counter = request[COUNTER];
+        return IN_WORK;
+    }
+    ctl_flash_progress progress = CTL_FLASH_BUSY;
+    while (progress == CTL_FLASH_BUSY)
+        progress = ctl_flash_save_piece(&core->flash, &core->board);
+    return progress == CTL_FLASH_DONE ? CTL_REFUSAL_NONE : CTL_REFUSAL_FLASH_FAILED;
 }
 
 static uint16_t set_clock(ctl_core* core, const uint16_t* request)
@@ -110,16 +128,86 @@ static uint16_t carry_out(ctl_core* core, const uint16_t* request)
     }
 }
 
+/* The command reads the whole active bank before it does anything. */
+static bool needs_check(const ctl_core* core, uint16_t code)
+{
+    if (core->board.config.work_registers == 0 || !core->banks.has_active)
+        return false;
+    const bool moves =
+        code == CTL_COMMAND_START || code == CTL_COMMAND_HOME || code == CTL_COMMAND_RESET_FAULT;
+    return code == CTL_COMMAND_SAVE_TO_FLASH || (moves && ctl_motion_standstill(&core->motion));
+}
+
+static void answer(ctl_core* core, uint16_t refusal)
+{
+    uint16_t* result = core->command_result;
+    const bool done = refusal == CTL_REFUSAL_NONE;
+    result[2] = done ? CTL_COMMAND_STATUS_DONE : CTL_COMMAND_STATUS_REFUSED;
+    result[3] = refusal;
+    if (refusal != IN_WORK)
+        return;
+    result[2] = CTL_COMMAND_STATUS_BUSY;
+    result[3] = CTL_REFUSAL_NONE;
+}
+
+/* The save under way saves what this command wants saved. */
+static bool joins_save(const ctl_core* core, const uint16_t* request)
+{
+    return ctl_get32(&request[ARGUMENT2]) == core->banks.active_crc &&
+           ctl_flash_saves(&core->flash, &core->board, &core->banks);
+}
+
+/* Begins with a command: at once, after the check of the active bank, or after the save under way. */
+static void begin(ctl_core* core, const uint16_t* request)
+{
+    ctl_work* work = &core->work;
+    const bool saving = request[CODE] == CTL_COMMAND_SAVE_TO_FLASH && core->flash.saving.busy;
+    if (saving && joins_save(core, request)) {
+        work->saves = true;
+        work->save_counter = request[COUNTER];
+        answer(core, IN_WORK);
+    } else if (saving && ctl_get32(&request[ARGUMENT2]) != core->banks.active_crc) {
+        answer(core, CTL_REFUSAL_WRONG_CHECKSUM);
+    } else if (saving || needs_check(core, request[CODE])) {
+        work->waits = saving;
+        work->checks = !saving;
+        work->position = 0;
+        memmove(work->request, request, sizeof work->request);
+        answer(core, IN_WORK);
+    } else {
+        answer(core, carry_out(core, request));
+    }
+}
+
 void ctl_command(ctl_core* core, bool has_code)
 {
     const uint16_t* request = core->written.command;
     uint16_t* result = core->command_result;
     if (request[COUNTER] == result[0])
         return;
-    /* Register by register, in either order, the code of another command may be there. */
-    const uint16_t refusal = has_code ? carry_out(core, request) : CTL_REFUSAL_COMMAND_INCOMPLETE;
     result[0] = request[COUNTER];
     result[1] = request[CODE];
-    result[2] = refusal == CTL_REFUSAL_NONE ? CTL_COMMAND_STATUS_DONE : CTL_COMMAND_STATUS_REFUSED;
-    result[3] = refusal;
+    core->work.checks = false; /* the command that waits is overtaken, and not carried out */
+    core->work.waits = false;
+    if (has_code)
+        begin(core, request);
+    else /* register by register, in either order, the code of another command may be there */
+        answer(core, CTL_REFUSAL_COMMAND_INCOMPLETE);
+}
+
+void ctl_command_checked(ctl_core* core, const uint16_t* request)
+{
+    answer(core, carry_out(core, request));
+}
+
+void ctl_command_saved(ctl_core* core, uint16_t counter, bool done)
+{
+    if (core->command_result[0] == counter)
+        answer(core, done ? CTL_REFUSAL_NONE : CTL_REFUSAL_FLASH_FAILED);
+}
+
+void ctl_command_waited(ctl_core* core)
+{
+    core->work.waits = false;
+    begin(core, core->work.request);
 }

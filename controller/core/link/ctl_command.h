@@ -4,6 +4,7 @@
 #define CTL_COMMAND_H
 
 #include <stdbool.h>
+#include <stdint.h>
 
 #ifdef __cplusplus
 extern "C" {
@@ -14,6 +15,12 @@ struct ctl_core;
 /* Carries out the command in the command registers unless its counter is that of the last one. Refuses it
  * when its code was not in the same frame. */
 void ctl_command(struct ctl_core* core, bool has_code);
+/* Carries out the last command, which waited for the check of the bank. */
+void ctl_command_checked(struct ctl_core* core, const uint16_t* request);
+/* Answers the save with this counter, unless another command came meanwhile. */
+void ctl_command_saved(struct ctl_core* core, uint16_t counter, bool done);
+/* Goes on with the save that waited for the end of another one. */
+void ctl_command_waited(struct ctl_core* core);
 
 #ifdef __cplusplus
 }

@@ -71,6 +71,13 @@ _Static_assert(CTL_GROUP_ACTIVE == CTL_BANK_REGISTERS && CTL_GROUP_STAGED == CTL
                "a bank is read whole");
 _Static_assert(CTL_GROUP_CLOCK == 2u, "the clock is one wide value");
 
+/* Registers of a bank, which may be smaller here than in the map. */
+static void read_bank(const ctl_bank* bank, uint32_t first, uint16_t* values, uint32_t count)
+{
+    for (uint32_t i = 0; i < count; ++i)
+        values[i] = first + i < CTL_BANK_STORAGE ? bank->registers[first + i] : (uint16_t)0;
+}
+
 /* Registers first..first+count of a group. */
 static void read_group(ctl_core* core, group_name group, uint32_t first, uint16_t* values, uint32_t count)
 {
@@ -107,15 +114,11 @@ static void read_group(ctl_core* core, group_name group, uint32_t first, uint16_
             zero(values, count);
             return;
         }
-        source = ctl_active_bank(&core->banks)->registers;
-        break;
+        read_bank(ctl_active_bank(&core->banks), first, values, count);
+        return;
     case GROUP_STAGED:
-        if (core->transfer.state == CTL_STAGED_STATE_EMPTY) {
-            zero(values, count);
-            return;
-        }
-        source = ctl_staged_bank(&core->banks)->registers;
-        break;
+        ctl_transfer_read(&core->transfer, ctl_staged_bank(&core->banks), first, values, count);
+        return;
     default:
         source = writable(core, group);
         break;
@@ -125,9 +128,11 @@ static void read_group(ctl_core* core, group_name group, uint32_t first, uint16_
 
 uint8_t ctl_map_read(ctl_core* core, uint32_t address, uint16_t* values, uint32_t count)
 {
-    for (uint32_t i = 0; i < count; ++i) {
-        if (group_of(address + i) == GROUPS)
+    for (uint32_t at = address; at < address + count;) {
+        const group_name group = group_of(at);
+        if (group == GROUPS)
             return CTL_ILLEGAL_ADDRESS;
+        at = (uint32_t)ranges[group].base + ranges[group].count;
     }
     while (count != 0) {
         const group_name group = group_of(address);
@@ -198,6 +203,8 @@ uint8_t ctl_map_write(ctl_core* core, uint32_t address, const uint16_t* values, 
     if (!ctl_within_limits(changed, ranges[group].base, ranges[group].count))
         return CTL_ILLEGAL_VALUE;
     memcpy(target, changed, ranges[group].count * sizeof changed[0]);
+    if (group == GROUP_PARAMETER)
+        core->board.parameter_writes += 1;
     act(core, address, count);
     return 0;
 }

@@ -29,6 +29,18 @@ typedef struct {
     uint64_t set_us;
 } ctl_clock;
 
+/* The command that waits for a check of the active bank or for the end of a save. */
+typedef struct {
+    bool waits;                          /* for the end of the save under way */
+    bool checks;                         /* for the check */
+    uint16_t request[CTL_GROUP_COMMAND]; /* as it came */
+    uint32_t generation;                 /* of the bank that is being checked */
+    uint32_t position;                   /* registers that are in the sum */
+    uint32_t crc;
+    bool saves;            /* a save is to be answered: */
+    uint16_t save_counter; /* counter of its command */
+} ctl_work;
+
 typedef struct ctl_core {
     ctl_board board;
     uint32_t tick_rest; /* of the timer ticks since power-up, in 1 / 1 000 000 */
@@ -37,6 +49,7 @@ typedef struct ctl_core {
     uint16_t command_result[CTL_GROUP_RESULT];
     ctl_banks banks;
     ctl_transfer transfer;
+    ctl_work work;
     ctl_flash flash;
     ctl_motion motion;
     ctl_heartbeat heartbeat;

@@ -20,12 +20,15 @@ void ctl_identity(const ctl_core* core, uint16_t* registers)
     ctl_put32(&registers[CTL_REG_IDENTITY_UNIQUE_ID_HIGH], (uint32_t)(config->unique_id >> 32));
     ctl_put32(&registers[CTL_REG_IDENTITY_UNIQUE_ID_LOW], (uint32_t)(config->unique_id & 0xFFFFFFFFu));
     registers[CTL_REG_IDENTITY_PROGRAM_KINDS] = CTL_PROGRAM_KINDS;
-    registers[CTL_REG_IDENTITY_ROW_CAPACITY] = CTL_ROW_CAPACITY;
-    registers[CTL_REG_IDENTITY_BANK_REGISTERS] = CTL_BANK_REGISTERS;
+    registers[CTL_REG_IDENTITY_ROW_CAPACITY] =
+        config->row_capacity == 0 ? (uint16_t)CTL_ROW_CAPACITY : config->row_capacity;
+    registers[CTL_REG_IDENTITY_BANK_REGISTERS] = (uint16_t)ctl_bank_capacity(config);
     registers[CTL_REG_IDENTITY_BLOCK_REGISTERS] = CTL_BLOCK_REGISTERS;
     ctl_put32(&registers[CTL_REG_IDENTITY_TIMER_CLOCK], config->timer_clock_hz);
     registers[CTL_REG_IDENTITY_TIMER_BITS] = config->timer_bits;
     ctl_put32(&registers[CTL_REG_IDENTITY_MAX_PULSE_FREQUENCY], config->max_pulse_hz);
+    registers[CTL_REG_IDENTITY_TABLE_LAYOUTS] =
+        config->table_layouts == 0 ? (uint16_t)CTL_TABLE_LAYOUTS : config->table_layouts;
 }
 
 uint16_t ctl_warnings(const ctl_core* core)

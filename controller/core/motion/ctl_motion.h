@@ -102,7 +102,6 @@ int64_t ctl_motion_commanded_hz(const ctl_motion* motion);
 int32_t ctl_motion_press_force(const ctl_motion* motion);
 
 /* Between the files of this module. */
-void ctl_motion_emit(ctl_motion* motion, int64_t pulses);
 /* The packing line, if there is one, lets a program be changed for `bank` now. */
 bool ctl_motion_may_change(const ctl_motion* motion, const ctl_bank* bank);
 bool ctl_motion_is_press(const ctl_motion* motion);
@@ -115,7 +114,7 @@ void ctl_motion_set_ramp(ctl_motion* motion);
 /* Master ticks to the next boundary of its cycle, not 0. */
 uint32_t ctl_motion_to_boundary(const ctl_motion* motion);
 void ctl_motion_begin_stroke(ctl_motion* motion);
-void ctl_motion_slice_stroke(ctl_motion* motion, uint32_t ticks);
+void ctl_motion_slice_stroke(ctl_motion* motion, const ctl_pace* pace);
 void ctl_motion_run(ctl_motion* motion);
 void ctl_motion_stand(ctl_motion* motion);
 int32_t ctl_motion_wanted_direction(const ctl_motion* motion);

@@ -46,11 +46,11 @@ void ctl_motion_begin_stroke(ctl_motion* motion)
                     &reading);
 }
 
-void ctl_motion_slice_stroke(ctl_motion* motion, uint32_t ticks)
+void ctl_motion_slice_stroke(ctl_motion* motion, const ctl_pace* pace)
 {
     ctl_press* press = &motion->press;
     const ctl_press_reading reading = read_press(motion);
-    ctl_motion_emit(motion, ctl_press_slice(press, &reading, ticks));
+    motion->commanded += ctl_press_slice(press, &reading, pace->ticks, pace);
     if (press->stage != CTL_PRESS_STAGE_STANDING)
         return;
     motion->cycle_count += 1;

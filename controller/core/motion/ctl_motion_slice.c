@@ -5,12 +5,19 @@
 #define US_PER_S 1000000
 #define SPEED_SAMPLE_US 1000u
 
-void ctl_motion_emit(ctl_motion* motion, int64_t pulses)
+/* The slice, in which the engine's ticks are those of the timer. */
+static ctl_pace pace_of(const ctl_motion* motion, uint32_t ticks)
 {
-    if (pulses == 0)
-        return;
+    return (ctl_pace){&motion->board->port, motion->board->tick, ticks, ticks};
+}
+
+/* Pulses at even distances, up to the end of the pace. */
+static void emit_evenly(ctl_motion* motion, int64_t pulses, const ctl_pace* pace)
+{
+    ctl_train train = ctl_train_even((uint32_t)(pulses < 0 ? -pulses : pulses), pace->travel);
+    train.direction = pulses < 0 ? -1 : 1;
     motion->commanded += pulses;
-    motion->board->port.pulses(motion->board->port.context, (int32_t)pulses);
+    ctl_pace_give(pace, &train);
 }
 
 /* Running, an armed program takes over at the end of a cycle. */
@@ -78,32 +85,33 @@ static bool count_cycle(ctl_motion* motion)
     return false;
 }
 
-/* The master moves on by so many ticks. */
-static void run_table(ctl_motion* motion, uint32_t ticks)
+/* The table moves on by the travel of the pace. */
+static void run_table(ctl_motion* motion, ctl_pace pace)
 {
     ctl_table* table = &motion->table;
-    while (ticks != 0) {
+    while (pace.travel != 0) {
         if (ctl_table_between_cycles(table))
             ctl_table_begin_cycle(table, motion->direction);
         const bool held = ctl_table_holding(table);
-        uint32_t used = ticks;
-        ctl_motion_emit(motion, ctl_table_advance(table, motion->direction, &used));
-        ticks -= used;
+        uint32_t used = pace.travel;
+        motion->commanded += ctl_table_advance(table, motion->direction, &used, &pace);
+        (void)ctl_pace_take(&pace, used, used);
         const bool over = ctl_table_between_cycles(table) || ctl_table_holding(table) != held;
         if (over && used != 0 && !count_cycle(motion))
             return;
     }
 }
 
-/* The master moves on by *ticks, of a packing machine at most to the end of its cycle: film and infeed with
- * it, then the table; *ticks becomes what was used. */
-static void move_on(ctl_motion* motion, uint32_t* ticks)
+/* The master moves on by the travel of the pace, of a packing machine at most to the end of its cycle: film
+ * and infeed with it, then the table. Takes off what was used and returns its ticks. */
+static uint32_t move_on(ctl_motion* motion, ctl_pace* pace)
 {
+    uint32_t used = pace->travel;
     if (!ctl_packer_active(motion->packer)) {
-        if (motion->change_planned && *ticks > motion->change_ticks)
-            *ticks = (uint32_t)motion->change_ticks;
-        run_table(motion, *ticks);
-        return;
+        if (motion->change_planned && used > motion->change_ticks)
+            used = (uint32_t)motion->change_ticks;
+        run_table(motion, ctl_pace_take(pace, used, used));
+        return used;
     }
     const bool changes_next =
         motion->change_planned && motion->change_ticks <= ctl_motion_to_boundary(motion);
@@ -114,81 +122,99 @@ static void move_on(ctl_motion* motion, uint32_t* ticks)
         .changes = changes_next,
         .opens = motion->change_planned && motion->change_opens,
     };
-    run_table(motion, ctl_packer_advance(motion->packer, &drive, ticks));
+    const uint32_t knife = ctl_packer_advance(motion->packer, &drive, &used);
+    run_table(motion, ctl_pace_take(pace, used, knife));
+    return used;
 }
 
-static void travel(ctl_motion* motion, uint32_t ticks)
+static void travel(ctl_motion* motion, ctl_pace pace)
 {
-    while (ticks != 0) {
+    while (pace.travel != 0) {
         if (motion->change_planned && motion->change_ticks == 0)
-            pass_boundary(motion, &ticks);
-        uint32_t used = ticks;
-        move_on(motion, &used);
-        ticks -= used;
+            pass_boundary(motion, &pace.travel);
+        const uint32_t used = move_on(motion, &pace);
         if (motion->change_planned)
             motion->change_ticks -= used;
     }
 }
 
-/* Pulses of jogging or homing in so many ticks at full speed, without their sign. */
-static int64_t manual_pulses(ctl_motion* motion, uint32_t ticks)
+/* Pulses of jogging or homing while the ramp travels so far, at most `max`; returns their number. Pulse j
+ * leaves at floor((j * clock - rest) / frequency). */
+static uint32_t move_by_hand(ctl_motion* motion, ctl_pace pace, uint32_t travelled, uint64_t max)
 {
-    const uint64_t sum = (uint64_t)ticks * motion->manual_hz + motion->manual_rest;
-    motion->manual_rest = sum % motion->board->config.timer_clock_hz;
-    return (int64_t)(sum / motion->board->config.timer_clock_hz);
+    const uint32_t clock_hz = motion->board->config.timer_clock_hz;
+    const uint32_t hz = motion->manual_hz;
+    const uint64_t first = clock_hz - motion->manual_rest;
+    const uint64_t sum = (uint64_t)travelled * hz + motion->manual_rest;
+    const uint64_t whole = sum / clock_hz;
+    const ctl_train train = {.count = (uint32_t)(whole < max ? whole : max),
+                             .direction = motion->manual_direction,
+                             .tick = (uint32_t)(first / hz),
+                             .fraction = (uint32_t)(first % hz),
+                             .period = clock_hz / hz,
+                             .rest = clock_hz % hz,
+                             .divisor = hz};
+    motion->manual_rest = sum % clock_hz;
+    motion->commanded += train.direction * (int64_t)train.count;
+    pace.travel = travelled;
+    ctl_pace_give(&pace, &train);
+    return train.count;
 }
 
-static void slice_running(ctl_motion* motion, uint32_t ticks)
+static void slice_running(ctl_motion* motion, ctl_pace pace)
 {
+    const uint32_t ticks = pace.ticks;
     const int32_t wanted = ctl_motion_wanted_direction(motion);
     motion->change_planned = motion->change_planned && changes(motion) && wanted == motion->direction;
     if (wanted == motion->direction && changes(motion)) {
         if (!motion->change_planned)
             plan_change(motion, ticks);
-        travel(motion, ctl_ramp_approach(&motion->ramp, ticks, motion->change_ticks, motion->change_speed));
+        pace.travel = ctl_ramp_approach(&motion->ramp, ticks, motion->change_ticks, motion->change_speed);
+        travel(motion, pace);
         return;
     }
     if (wanted == motion->direction) {
-        travel(motion, ctl_ramp_up(&motion->ramp, ticks));
+        pace.travel = ctl_ramp_up(&motion->ramp, ticks);
+        travel(motion, pace);
         return;
     }
-    travel(motion, ctl_ramp_down(&motion->ramp, ticks));
+    pace.travel = ctl_ramp_down(&motion->ramp, ticks);
+    travel(motion, pace);
     if (motion->ramp.speed == 0)
         motion->direction = wanted;
 }
 
-static void slice_stopping(ctl_motion* motion, uint32_t ticks)
+static void slice_stopping(ctl_motion* motion, ctl_pace pace)
 {
     motion->change_planned = false;
     switch (motion->stop) {
     case CTL_STOP_NOW:
-        travel(motion, ctl_ramp_down(&motion->ramp, ticks));
+        pace.travel = ctl_ramp_down(&motion->ramp, pace.ticks);
         break;
     case CTL_STOP_AT_REST:
-        travel(motion, ctl_ramp_up(&motion->ramp, ticks));
+        pace.travel = ctl_ramp_up(&motion->ramp, pace.ticks);
         break;
-    case CTL_STOP_AT_BOUNDARY: {
-        const uint32_t travelled =
-            ctl_ramp_land(&motion->ramp, ticks, motion->stop_remaining, motion->stop_limit);
-        travel(motion, travelled);
-        motion->stop_remaining -= travelled;
+    case CTL_STOP_AT_BOUNDARY:
+        pace.travel = ctl_ramp_land(&motion->ramp, pace.ticks, motion->stop_remaining, motion->stop_limit);
         break;
     }
-    }
+    travel(motion, pace);
+    if (motion->stop == CTL_STOP_AT_BOUNDARY)
+        motion->stop_remaining -= pace.travel;
 }
 
 /* Running, or stopping from it: the master moves, then what follows it at its own pace. */
-static void slice_table(ctl_motion* motion, uint32_t ticks)
+static void slice_table(ctl_motion* motion, ctl_pace pace)
 {
-    while (ticks != 0 && ctl_motion_in_cycle(motion)) {
+    while (pace.travel != 0 && ctl_motion_in_cycle(motion)) {
         const uint32_t longest = ctl_table_longest_pass(&motion->table);
-        const uint32_t part = ticks < longest ? ticks : longest;
-        ticks -= part;
+        const uint32_t ticks = pace.travel < longest ? pace.travel : longest;
+        const ctl_pace part = ctl_pace_take(&pace, ticks, ticks);
         if (motion->state == CTL_STATE_RUNNING)
             slice_running(motion, part);
         else
             slice_stopping(motion, part);
-        ctl_motion_emit(motion, ctl_table_pass(&motion->table, part));
+        motion->commanded += ctl_table_pass(&motion->table, ticks, &part);
         if (ctl_table_too_fast(&motion->table)) {
             ctl_motion_fault(motion, CTL_FAULT_BIT_MASTER_TOO_FAST);
             return;
@@ -201,36 +227,33 @@ static void slice_table(ctl_motion* motion, uint32_t ticks)
 }
 
 /* Jogging or homing was stopped. */
-static void slice_manual_stop(ctl_motion* motion, uint32_t ticks)
+static void slice_manual_stop(ctl_motion* motion, ctl_pace pace)
 {
-    ctl_motion_emit(motion,
-                    motion->manual_direction * manual_pulses(motion, ctl_ramp_down(&motion->ramp, ticks)));
+    (void)move_by_hand(motion, pace, ctl_ramp_down(&motion->ramp, pace.ticks), UINT64_MAX);
     if (motion->ramp.speed == 0)
         ctl_motion_stand(motion);
 }
 
-static void slice_jogging(ctl_motion* motion, uint32_t ticks)
+static void slice_jogging(ctl_motion* motion, ctl_pace pace)
 {
     const bool held = ctl_jog_request(motion->heartbeat) == motion->manual_direction &&
                       (motion->manual_direction < 0 || !ctl_motion_force_forbids(motion));
-    const uint32_t travelled = held ? ctl_ramp_up(&motion->ramp, ticks) : ctl_ramp_down(&motion->ramp, ticks);
-    ctl_motion_emit(motion, motion->manual_direction * manual_pulses(motion, travelled));
+    const uint32_t travelled =
+        held ? ctl_ramp_up(&motion->ramp, pace.ticks) : ctl_ramp_down(&motion->ramp, pace.ticks);
+    (void)move_by_hand(motion, pace, travelled, UINT64_MAX);
     if (!held && motion->ramp.speed == 0)
         ctl_motion_stand(motion);
 }
 
-static void search_index(ctl_motion* motion, uint32_t ticks)
+static void search_index(ctl_motion* motion, ctl_pace pace)
 {
     int64_t mark = 0;
     if (motion->board->port.index(motion->board->port.context, &mark)) {
         motion->origin = mark;
         motion->homing = CTL_HOMING_BRAKE;
     }
-    int64_t pulses = manual_pulses(motion, ctl_ramp_up(&motion->ramp, ticks));
-    if ((uint64_t)pulses > motion->homing_left)
-        pulses = (int64_t)motion->homing_left;
-    ctl_motion_emit(motion, pulses);
-    motion->homing_left -= (uint64_t)pulses;
+    motion->homing_left -=
+        move_by_hand(motion, pace, ctl_ramp_up(&motion->ramp, pace.ticks), motion->homing_left);
     if (motion->homing_left == 0)
         ctl_motion_fault(motion, CTL_FAULT_BIT_DRIVE_NOT_FOLLOWING);
 }
@@ -257,32 +280,32 @@ static void begin_return(ctl_motion* motion)
         (distance * motion->board->config.timer_clock_hz + motion->manual_hz - 1u) / motion->manual_hz;
 }
 
-static void return_to_mark(ctl_motion* motion, uint32_t ticks)
+static void return_to_mark(ctl_motion* motion, ctl_pace pace)
 {
-    const uint32_t travelled = ctl_ramp_land(&motion->ramp, ticks, motion->homing_left, motion->ramp.full);
-    const int64_t pulses = manual_pulses(motion, travelled);
+    const uint32_t travelled =
+        ctl_ramp_land(&motion->ramp, pace.ticks, motion->homing_left, motion->ramp.full);
     motion->homing_left -= travelled;
     if (motion->homing_left != 0) {
-        ctl_motion_emit(motion, motion->manual_direction * pulses);
+        (void)move_by_hand(motion, pace, travelled, UINT64_MAX);
         return;
     }
-    ctl_motion_emit(motion, motion->origin - motion->commanded);
+    emit_evenly(motion, motion->origin - motion->commanded, &pace);
     end_homing(motion);
 }
 
-static void slice_homing(ctl_motion* motion, uint32_t ticks)
+static void slice_homing(ctl_motion* motion, ctl_pace pace)
 {
     switch (motion->homing) {
     case CTL_HOMING_SEARCH:
-        search_index(motion, ticks);
+        search_index(motion, pace);
         break;
     case CTL_HOMING_BRAKE:
-        ctl_motion_emit(motion, manual_pulses(motion, ctl_ramp_down(&motion->ramp, ticks)));
+        (void)move_by_hand(motion, pace, ctl_ramp_down(&motion->ramp, pace.ticks), UINT64_MAX);
         if (motion->ramp.speed == 0)
             begin_return(motion);
         break;
     case CTL_HOMING_RETURN:
-        return_to_mark(motion, ticks);
+        return_to_mark(motion, pace);
         break;
     }
 }
@@ -317,6 +340,7 @@ static void measure(ctl_motion* motion)
 
 void ctl_motion_slice(ctl_motion* motion, uint32_t ticks)
 {
+    const ctl_pace pace = pace_of(motion, ticks);
     switch (motion->state) {
     case CTL_STATE_IDLE:
     case CTL_STATE_READY:
@@ -325,17 +349,17 @@ void ctl_motion_slice(ctl_motion* motion, uint32_t ticks)
     case CTL_STATE_RUNNING:
     case CTL_STATE_STOPPING:
         if (motion->manual)
-            slice_manual_stop(motion, ticks);
+            slice_manual_stop(motion, pace);
         else if (ctl_motion_is_press(motion))
-            ctl_motion_slice_stroke(motion, ticks);
+            ctl_motion_slice_stroke(motion, &pace);
         else
-            slice_table(motion, ticks);
+            slice_table(motion, pace);
         break;
     case CTL_STATE_JOGGING:
-        slice_jogging(motion, ticks);
+        slice_jogging(motion, pace);
         break;
     case CTL_STATE_HOMING:
-        slice_homing(motion, ticks);
+        slice_homing(motion, pace);
         break;
     default:
         break;

@@ -21,7 +21,9 @@ static uint16_t parameter(const ctl_board* board, uint32_t number, uint32_t whic
 /* The lead in timer ticks, which are those of the cycle at full speed. */
 static uint64_t lead_ticks(const ctl_board* board, uint32_t number)
 {
-    return (uint64_t)parameter(board, number, LEAD) * board->config.timer_clock_hz / LEADS_PER_S;
+    const uint64_t scaled = (uint64_t)parameter(board, number, LEAD) * board->config.timer_clock_hz;
+    /* The shorter division where it does: up to 53 ms at 8 MHz. */
+    return scaled <= UINT32_MAX ? (uint32_t)scaled / LEADS_PER_S : scaled / LEADS_PER_S;
 }
 
 bool ctl_switches_serve(const ctl_bank* bank)
@@ -48,25 +50,34 @@ void ctl_switches_bag(ctl_switches* switches, bool rejected)
         switches->each[i].rejects = rejected;
 }
 
-static uint32_t share_of_cycle(uint64_t part, uint64_t whole)
+/* A part of the cycle in 1 / 2^32 of it, the part being shorter than the cycle. A division would cost more
+ * than all else that a switch does in a slice; this is off by at most 2^-24 ticks per tick. */
+static uint32_t share_of_cycle(const ctl_switches* switches, uint32_t ticks)
 {
-    return (uint32_t)((part << 32) / whole & 0xFFFFFFFFu);
+    return (uint32_t)(switches->inverse * ticks >> (CTL_SWITCH_INVERSE_BITS - 32u));
+}
+
+/* An angle below the full circle in 1 / 2^32 of it, rounded down, by divisions of 32 bits. */
+static uint32_t share_of_circle(uint32_t angle)
+{
+    const uint32_t whole = UINT32_MAX / FULL_CIRCLE;
+    const uint32_t rest = UINT32_MAX % FULL_CIRCLE + 1u;
+    return angle * whole + angle * rest / FULL_CIRCLE;
 }
 
 /* The angle of the first or the second edge that the cycle meets in its direction. */
 static uint32_t edge(const ctl_switch* one, bool first, int32_t direction)
 {
-    const uint32_t angle =
-        share_of_cycle(first == (direction > 0) ? one->on_angle : one->off_angle, FULL_CIRCLE);
+    const uint32_t angle = first == (direction > 0) ? one->on_part : one->off_part;
     return direction > 0 ? angle : 0u - angle;
 }
 
 /* The part of the cycle that passes during the lead; below the whole cycle, whatever the parameters say now.
  */
-static uint32_t present_lead(const ctl_board* board, uint32_t number, const ctl_switch_cycle* cycle)
+static uint32_t present_lead(const ctl_switches* switches, const ctl_switch* one)
 {
-    const uint64_t ticks = lead_ticks(board, number) * cycle->speed >> CTL_SWITCH_SPEED_BITS;
-    return ticks >= cycle->cycle ? UINT32_MAX : share_of_cycle(ticks, cycle->cycle);
+    const uint64_t ticks = one->lead_ticks * switches->present.speed >> CTL_SWITCH_SPEED_BITS;
+    return ticks >= switches->present.cycle ? UINT32_MAX : share_of_cycle(switches, (uint32_t)ticks);
 }
 
 /* It is on in the cycle of this number; asked once, where it would switch on. */
@@ -96,13 +107,11 @@ static void begin(ctl_switches* switches, const ctl_board* board, const ctl_swit
                   uint32_t angle)
 {
     switches->follows = true;
+    switches->quiet = 0;
     switches->direction = cycle->direction;
     switches->angle = angle;
     for (uint32_t i = 0; i < CTL_SWITCH_COUNT; ++i) {
         ctl_switch* one = &switches->each[i];
-        one->mode = parameter(board, i, MODE);
-        one->on_angle = parameter(board, i, ON_ANGLE);
-        one->off_angle = parameter(board, i, OFF_ANGLE);
         one->lead = 0;
         one->hold = 0;
         const uint32_t first = edge(one, true, cycle->direction);
@@ -112,38 +121,61 @@ static void begin(ctl_switches* switches, const ctl_board* board, const ctl_swit
     }
 }
 
-/* Another setting counts from its next on angle. */
+/* Another setting counts from its next on angle; another lead at once. */
 static void take_settings(ctl_switch* one, const ctl_board* board, uint32_t number)
 {
     const uint16_t mode = parameter(board, number, MODE);
     const uint16_t on_angle = parameter(board, number, ON_ANGLE);
     const uint16_t off_angle = parameter(board, number, OFF_ANGLE);
+    one->lead_ticks = lead_ticks(board, number);
     if (mode == one->mode && on_angle == one->on_angle && off_angle == one->off_angle)
         return;
     one->mode = mode;
     one->on_angle = on_angle;
     one->off_angle = off_angle;
+    one->on_part = share_of_circle(on_angle);
+    one->off_part = share_of_circle(off_angle);
     one->on = false;
     one->hold = 0;
 }
 
+/* Reads the parameters when the panel has written any. */
+static void read_settings(ctl_switches* switches, const ctl_board* board)
+{
+    if (switches->settings == board->parameter_writes + 1u)
+        return;
+    switches->settings = board->parameter_writes + 1u;
+    switches->quiet = 0;
+    for (uint32_t i = 0; i < CTL_SWITCH_COUNT; ++i)
+        take_settings(&switches->each[i], board, i);
+}
+
+/* The leads are those of this cycle at this speed from now on. */
+static void take_cycle(ctl_switches* switches, const ctl_switch_cycle* cycle)
+{
+    if (cycle->cycle != switches->present.cycle)
+        switches->inverse = ((uint64_t)1 << CTL_SWITCH_INVERSE_BITS) / cycle->cycle;
+    if (cycle->cycle != switches->present.cycle || cycle->speed != switches->present.speed)
+        switches->quiet = 0;
+    switches->present = *cycle;
+}
+
 /* Moves one switch on while the cycle moves by `travelled`. It is ahead of the cycle by its lead, never goes
  * back when the lead shrinks, and keeps a window that it jumps over when the lead grows. */
-static void follow(ctl_switches* switches, uint32_t which, const ctl_board* board,
-                   const ctl_switch_cycle* cycle, uint32_t travelled)
+static void follow(ctl_switches* switches, uint32_t which, const ctl_board* board, uint32_t travelled)
 {
     ctl_switch* one = &switches->each[which];
-    take_settings(one, board, which);
+    const int32_t direction = switches->direction;
     if (one->mode == CTL_SWITCH_MODE_OFF)
         return;
-    const uint32_t lead = present_lead(board, which, cycle);
+    const uint32_t lead = present_lead(switches, one);
     const uint64_t reach = (uint64_t)lead + travelled;
     const uint64_t step = reach > one->lead ? reach - one->lead : 0;
     const uint64_t from = (uint64_t)switches->angle + one->lead;
     one->lead = step != 0 ? lead : one->lead - travelled;
 
-    const uint32_t first = edge(one, true, cycle->direction);
-    const uint32_t second = edge(one, false, cycle->direction);
+    const uint32_t first = edge(one, true, direction);
+    const uint32_t second = edge(one, false, direction);
     /* One more than the way to each edge is 0 .. 2^32 - 1: an edge behind lies a cycle ahead. */
     const uint64_t to_on = (uint64_t)(uint32_t)(first - (uint32_t)from - 1u) + 1u;
     const uint64_t to_off = (uint64_t)(uint32_t)(second - (uint32_t)from - 1u) + 1u;
@@ -153,6 +185,11 @@ static void follow(ctl_switches* switches, uint32_t which, const ctl_board* boar
     } else if (to_off <= step) {
         one->on = false;
     }
+    const uint64_t next = to_on < to_off ? to_on : to_off;
+    const bool stays = one->hold == 0 && one->lead == lead && next > step;
+    const uint32_t quiet = stays ? (uint32_t)(next - step - 1u) : 0;
+    if (quiet < switches->quiet)
+        switches->quiet = quiet;
     if (to_on > step || first == second)
         return;
     if (!may_switch_on(one, board, which, switches->number + (uint32_t)((from + to_on) >> 32)))
@@ -163,22 +200,30 @@ static void follow(ctl_switches* switches, uint32_t which, const ctl_board* boar
 
 uint16_t ctl_switches_slice(ctl_switches* switches, const ctl_board* board, const ctl_switch_cycle* cycle)
 {
+    read_settings(switches, board);
     if (cycle == NULL) {
         end(switches);
         return 0;
     }
-    const uint32_t position = share_of_cycle(cycle->position, cycle->cycle);
+    take_cycle(switches, cycle);
+    const uint32_t position = share_of_cycle(switches, cycle->position);
     const uint32_t angle = cycle->direction > 0 ? position : 0u - position;
     if (!switches->follows || switches->direction != cycle->direction)
         begin(switches, board, cycle, angle);
     const uint32_t travelled = angle - switches->angle;
-    uint32_t levels = 0;
-    for (uint32_t i = 0; i < CTL_SWITCH_COUNT; ++i) {
-        follow(switches, i, board, cycle, travelled);
-        levels |= (switches->each[i].on ? 1u : 0u) << i;
+    if (travelled < switches->quiet) {
+        switches->quiet -= travelled;
+    } else {
+        uint32_t levels = 0;
+        switches->quiet = UINT32_MAX;
+        for (uint32_t i = 0; i < CTL_SWITCH_COUNT; ++i) {
+            follow(switches, i, board, travelled);
+            levels |= (switches->each[i].on ? 1u : 0u) << i;
+        }
+        switches->levels = (uint16_t)levels;
     }
     if (angle < switches->angle)
         switches->number += 1u;
     switches->angle = angle;
-    return (uint16_t)levels;
+    return switches->levels;
 }

@@ -13,6 +13,7 @@ extern "C" {
 #endif
 
 #define CTL_SWITCH_SPEED_BITS 24u
+#define CTL_SWITCH_INVERSE_BITS 56u
 
 /* The cycle that the switches follow. */
 typedef struct {
@@ -30,14 +31,22 @@ typedef struct {
     uint16_t mode; /* the parameters that it follows */
     uint16_t on_angle;
     uint16_t off_angle;
+    uint32_t on_part; /* its angles in 1 / 2^32 of the cycle */
+    uint32_t off_part;
+    uint64_t lead_ticks; /* its lead at full speed */
 } ctl_switch;
 
 typedef struct {
     ctl_switch each[CTL_SWITCH_COUNT];
     bool follows; /* a cycle is under way */
     int32_t direction;
-    uint32_t angle;  /* of the cycle, counted in its direction */
-    uint32_t number; /* of the cycle */
+    uint32_t angle;           /* of the cycle, counted in its direction */
+    uint32_t number;          /* of the cycle */
+    uint32_t settings;        /* board->parameter_writes when the parameters were read, and one */
+    ctl_switch_cycle present; /* the cycle and the speed that the leads are for */
+    uint32_t quiet;           /* no edge comes while the cycle moves by less and the leads stay */
+    uint16_t levels;          /* as returned last */
+    uint64_t inverse;         /* of present.cycle, 2^CTL_SWITCH_INVERSE_BITS / ticks */
 } ctl_switches;
 
 /* Follows the cycle to where it is now; NULL: nothing moves, all are off. Returns the levels, bit n: switch

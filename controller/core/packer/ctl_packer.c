@@ -55,7 +55,7 @@ static uint32_t bag_um(const ctl_bank* bank)
 
 static bool has_film(const ctl_packer* packer, const ctl_bank* bank)
 {
-    return packer->board->port.film_pulses != NULL && bank != NULL &&
+    return packer->board->port.film != NULL && bank != NULL &&
            ctl_bank_kind(bank) == CTL_PROGRAM_KIND_ROTARY_CUTTER;
 }
 
@@ -213,12 +213,14 @@ void ctl_packer_init(ctl_packer* packer, const ctl_board* board)
     memset(packer, 0, sizeof *packer);
     packer->board = board;
     packer->broken_off = true;
-    if (packer->board->port.film_pulses == NULL)
+    if (packer->board->port.film == NULL)
         return;
     packer->film_actual = packer->board->port.film(packer->board->port.context);
     packer->infeed_actual = packer->board->port.infeed(packer->board->port.context);
     packer->film_sent = packer->film_actual / CTL_FINE;
     packer->infeed_sent = packer->infeed_actual / CTL_FINE;
+    packer->film_at = packer->film_sent * CTL_FINE;
+    packer->infeed_at = packer->infeed_sent * CTL_FINE;
 }
 
 void ctl_packer_break_off(ctl_packer* packer)

@@ -71,10 +71,14 @@ typedef struct {
     ctl_feed infeed;
     ctl_marks marks;
     ctl_products products;
+    uint32_t settings; /* board->parameter_writes when the clearance was computed, and one */
+    int64_t clearance; /* from a product to a cut, film */
     int64_t bag;       /* bag length, film */
     int64_t flight;    /* from product to product, infeed; products lie at its multiples */
     int64_t film_sent; /* whole pulses since power-up */
     int64_t infeed_sent;
+    int64_t film_at; /* the same with the fraction at the end of the slice, 1/256 pulse */
+    int64_t infeed_at;
     int64_t film_actual; /* last measured, 1/256 pulse */
     int64_t infeed_actual;
     bool planned; /* the cut of the film's next cycle */

@@ -27,6 +27,17 @@ static int64_t film_um(const ctl_packer* packer, uint32_t address)
     return ctl_packer_film(packer, ctl_parameter16(packer->board, address));
 }
 
+/* The film that a product must keep from a cut; computed when the panel has written a parameter. */
+static int64_t cut_clearance(ctl_packer* packer)
+{
+    const uint32_t settings = packer->board->parameter_writes + 1u;
+    if (packer->settings != settings) {
+        packer->settings = settings;
+        packer->clearance = film_um(packer, CTL_REG_PARAMETER_CUT_CLEARANCE);
+    }
+    return packer->clearance;
+}
+
 /* Command of the film motor at the next cut when nothing is corrected; asked behind a sealing window or, with
  * the knife standing, up to a cycle before the window. */
 static int64_t uncorrected(const ctl_packer* packer)
@@ -118,8 +129,7 @@ static void plan_cut(ctl_packer* packer, const ctl_drive* drive)
 
 static void count_skip(ctl_packer* packer)
 {
-    const bool too_long =
-        packer->products.longest + 2 * film_um(packer, CTL_REG_PARAMETER_CUT_CLEARANCE) > packer->bag;
+    const bool too_long = packer->products.longest + 2 * cut_clearance(packer) > packer->bag;
     packer->skipped += 1;
     packer->skips_in_row += 1;
     packer->skips_in_run += 1;
@@ -137,7 +147,7 @@ static bool knife_must_wait(ctl_packer* packer, const ctl_drive* drive)
     }
     if (ctl_parameter16(packer->board, CTL_REG_PARAMETER_ANTI_CUT) == 0)
         return false;
-    int64_t clearance = film_um(packer, CTL_REG_PARAMETER_CUT_CLEARANCE);
+    int64_t clearance = cut_clearance(packer);
     int64_t cut = packer->next.command;
     if (!packer->planned) { /* it may still be shifted */
         cut = uncorrected(packer);
@@ -155,7 +165,7 @@ void ctl_packer_ask_first_cut(ctl_packer* packer)
 {
     if (ctl_parameter16(packer->board, CTL_REG_PARAMETER_ANTI_CUT) == 0 ||
         !ctl_products_across(&packer->products, packer->next.command + packer->next.lag,
-                             film_um(packer, CTL_REG_PARAMETER_CUT_CLEARANCE)))
+                             cut_clearance(packer)))
         return;
     count_skip(packer);
     ctl_gate_stand(&packer->knife_gate);
@@ -220,23 +230,19 @@ uint32_t ctl_packer_advance(ctl_packer* packer, const ctl_drive* drive, uint32_t
     return knife;
 }
 
-/* Whole pulses up to a position in 1/256 pulse. */
-static int64_t whole_pulses(int64_t fine)
-{
-    return (fine - (fine < 0 ? CTL_FINE - 1 : 0)) / CTL_FINE;
-}
-
 static void emit(ctl_packer* packer)
 {
-    const int64_t film = whole_pulses(ctl_feed_position(&packer->film));
-    const int64_t infeed = whole_pulses(ctl_feed_position(&packer->infeed));
-    if (film != packer->film_sent)
-        packer->board->port.film_pulses(packer->board->port.context, (int32_t)(film - packer->film_sent));
-    if (infeed != packer->infeed_sent)
-        packer->board->port.infeed_pulses(packer->board->port.context,
-                                          (int32_t)(infeed - packer->infeed_sent));
-    packer->film_sent = film;
-    packer->infeed_sent = infeed;
+    const ctl_port* port = &packer->board->port;
+    const int64_t film = ctl_feed_position(&packer->film);
+    const int64_t infeed = ctl_feed_position(&packer->infeed);
+    if (film != packer->film_at)
+        port->feed(port->context, CTL_AXIS_FILM, packer->film_at, film);
+    if (infeed != packer->infeed_at)
+        port->feed(port->context, CTL_AXIS_INFEED, packer->infeed_at, infeed);
+    packer->film_at = film;
+    packer->infeed_at = infeed;
+    packer->film_sent = ctl_whole_pulses(film);
+    packer->infeed_sent = ctl_whole_pulses(infeed);
 }
 
 static void read_sensors(ctl_packer* packer)
@@ -264,7 +270,7 @@ static bool has_alarms(ctl_packer* packer)
     if (packer->marks.alarm != 0 && ctl_packer_tracks(packer))
         raise_alarm(packer, packer->marks.alarm);
     if (ctl_parameter16(packer->board, CTL_REG_PARAMETER_ANTI_CUT) != 0 &&
-        packer->products.longest + 2 * film_um(packer, CTL_REG_PARAMETER_CUT_CLEARANCE) > packer->bag)
+        packer->products.longest + 2 * cut_clearance(packer) > packer->bag)
         raise_alarm(packer, CTL_WARNING_BIT_PRODUCT_TOO_LONG);
     return packer->alarms != 0;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Import and export of knots at the exchange places: offers, refusals, unique names, disks that fail.
-#include "app/store/recipes/knots_file.h"
+#include "app/store/recipes/list_file.h"
 #include "tests/support/full_disk.h"
 #include "tests/support/test_program.h"
 
@@ -30,6 +30,8 @@ QByteArray csv(const QList<QByteArray>& lines)
 {
     return "master_deg,slave_mm\n" + lines.join('\n') + '\n';
 }
+
+const profile::Program defaultCam = profile::PointCamProgram{};
 
 } // namespace
 
@@ -103,20 +105,21 @@ private slots:
     {
         const QTemporaryDir folder;
         const Place place{folder.path(), u"STICK"_s, false};
-        auto knots = profile::defaultKnots();
-        const auto first = exportKnots(knots, u"Pusher"_s, place);
+        profile::PointCamProgram cam;
+        const auto first = exportList(cam, u"Pusher"_s, place);
         QVERIFY2(first, first ? "" : qPrintable(first.error()));
-        knots[1].slaveMm = 1.25;
-        const auto second = exportKnots(knots, u"Pusher"_s, place);
+        cam.knots[1].slaveMm = 1.25;
+        const auto second = exportList(cam, u"Pusher"_s, place);
         QVERIFY2(second, second ? "" : qPrintable(second.error()));
         QVERIFY(*first != *second);
-        const QList<KnotsOffer> offers = offeredKnots({place});
+        const QList<ListOffer> offers = offeredLists({place}, defaultCam);
         QCOMPARE(offers.size(), 2);
-        for (const KnotsOffer& offer : offers) {
+        for (const ListOffer& offer : offers) {
             QVERIFY2(offer.isUsable(), qPrintable(offer.problem));
             QCOMPARE(offer.placeName, u"STICK"_s);
             QVERIFY(offer.changed.isValid());
-            QCOMPARE(offer.knots == knots, offer.path == *second);
+            QCOMPARE(std::get<profile::PointCamProgram>(offer.program).knots == cam.knots,
+                     offer.path == *second);
         }
     }
 
@@ -130,9 +133,10 @@ private slots:
         put(stick.filePath(u"newer.csv"_s), "x", day.addSecs(180));
         put(stick.filePath(u"other.txt"_s), "x");
         QVERIFY(QDir(stick.path()).mkdir(u"folder.csv"_s));
-        const auto offers = offeredKnots({{stick.path(), u"STICK"_s, false}, {own.path(), u"own"_s, false}});
+        const auto offers =
+            offeredLists({{stick.path(), u"STICK"_s, false}, {own.path(), u"own"_s, false}}, defaultCam);
         QStringList names;
-        for (const KnotsOffer& offer : offers)
+        for (const ListOffer& offer : offers)
             names << QFileInfo(offer.path).fileName();
         QCOMPARE(names, (QStringList{"newer.csv", "new.CSV", "old.csv"}));
     }
@@ -153,7 +157,7 @@ private slots:
         QFETCH(int, line);
         const QTemporaryDir folder;
         put(folder.filePath(u"wrong.csv"_s), text);
-        const auto offers = offeredKnots({{folder.path(), u"STICK"_s, false}});
+        const auto offers = offeredLists({{folder.path(), u"STICK"_s, false}}, defaultCam);
         QCOMPARE(offers.size(), 1);
         QVERIFY(!offers[0].isUsable());
         QVERIFY(offers[0].problem.isEmpty() && offers[0].refusal);
@@ -164,7 +168,7 @@ private slots:
     {
         const QTemporaryDir folder;
         put(folder.filePath(u"photo.csv"_s), QByteArray("\xFF\xD8\xFF\0\x10", 5));
-        const auto offers = offeredKnots({{folder.path(), u"STICK"_s, false}});
+        const auto offers = offeredLists({{folder.path(), u"STICK"_s, false}}, defaultCam);
         QCOMPARE(offers.size(), 1);
         QVERIFY2(offers[0].problem.contains(u"photo.csv is not UTF-8 text"_s), qPrintable(offers[0].problem));
     }
@@ -173,15 +177,16 @@ private slots:
     {
         const QTemporaryDir folder;
         const QString path = folder.filePath(u"kept.csv"_s);
-        auto knots = profile::defaultKnots();
-        QVERIFY(writeKnots(knots, path));
-        knots[1].slaveMm = 7;
+        profile::PointCamProgram cam;
+        QVERIFY(writeListCsv(cam, path));
+        cam.knots[1].slaveMm = 7;
         {
             const FullDisk full;
-            QVERIFY(!writeKnots(knots, path));
+            QVERIFY(!writeListCsv(cam, path));
         }
-        const auto kept = readKnots(path);
-        QVERIFY(kept && *kept == profile::defaultKnots());
+        profile::Program kept = cam;
+        QVERIFY(readListCsv(path, kept));
+        QVERIFY(std::get<profile::PointCamProgram>(kept).knots == profile::defaultKnots());
     }
 
     void aDiskThatFailsIsASentence_data()
@@ -197,16 +202,16 @@ private slots:
         const Place place{isFull ? folder.path() : folder.filePath(u"gone"_s), u"STICK"_s, false};
         const auto written = [&]() -> tl::expected<QString, QString> {
             if (!isFull)
-                return exportKnots(profile::defaultKnots(), u"Pusher"_s, place);
+                return exportList(defaultCam, u"Pusher"_s, place);
             const FullDisk full;
-            return exportKnots(profile::defaultKnots(), u"Pusher"_s, place);
+            return exportList(defaultCam, u"Pusher"_s, place);
         }();
         QVERIFY(!written);
         QVERIFY2(written.error().contains(place.path) && written.error().contains(u"cannot be written"_s) &&
                      written.error().contains(u"choose another location"_s),
                  qPrintable(written.error()));
         QVERIFY(QDir(folder.path()).isEmpty()); // no partial file
-        QCOMPARE(offeredKnots({place}).size(), 0);
+        QCOMPARE(offeredLists({place}, defaultCam).size(), 0);
     }
 };
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Small files: anything but a small regular file is refused at once; a full disk destroys no old file.
 #include "app/store/files/files.h"
-#include "app/store/recipes/knots_file.h"
+#include "app/store/recipes/list_file.h"
 #include "app/store/recipes/recipe_file.h"
 #include "tests/support/full_disk.h"
 #include "tests/support/test_program.h"
@@ -58,7 +58,8 @@ private slots:
         QCOMPARE(static_cast<int>(bytes.error().kind), static_cast<int>(FileError::Kind::NotReadable));
         QVERIFY(!bytes.error().found.isEmpty());
         QVERIFY(!readRecipe(path));
-        QVERIFY(!readKnots(path));
+        campanel::profile::Program cam = campanel::profile::PointCamProgram{};
+        QVERIFY(!readListCsv(path, cam));
     }
 
     void theLargestFileIsReadWhole()

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Recipe files of every kind of program, and knots as CSV files.
-#include "app/store/recipes/knots_file.h"
+#include "app/store/recipes/list_file.h"
 #include "app/store/recipes/recipe_file.h"
 #include "tests/support/random_recipe.h"
 #include "tests/support/test_program.h"
@@ -37,7 +37,7 @@ private slots:
     void fieldsOfOtherKindsAreUnknown();
     void complaints_data();
     void complaints();
-    void knotsTripAsCsv();
+    void listsTripAsCsv();
     void wrongKnotFiles_data();
     void wrongKnotFiles();
     void knotFilesThatCannotBeOpened();
@@ -302,24 +302,26 @@ void StoreKindsTest::complaints()
     QVERIFY2(sentence.contains(word) && sentence.contains(path), qPrintable(sentence));
 }
 
-void StoreKindsTest::knotsTripAsCsv()
+void StoreKindsTest::listsTripAsCsv()
 {
     constexpr unsigned seed = 4;
     qInfo("seed %u", seed);
     test::RandomRecipes random(seed);
-    const QString path = m_directory.filePath(u"knots.csv"_s);
+    const QString path = m_directory.filePath(u"list.csv"_s);
     for (int i = 0; i < 20; ++i) {
-        const auto recipe = random.around(ProgramKind::PointCam);
-        const auto& knots = std::get<profile::PointCamProgram>(recipe.program).knots;
-        QVERIFY(writeKnots(knots, path));
-        const auto read = readKnots(path);
-        QVERIFY2(read, read ? "" : qPrintable(read.error()));
-        QVERIFY(*read == knots);
+        const ProgramKind kind = i % 2 == 0 ? ProgramKind::PointCam : ProgramKind::SegmentCam;
+        const auto cam = random.around(kind).program;
+        QVERIFY(writeListCsv(cam, path));
+        profile::Program read = program::defaultRecipe(kind).program;
+        const auto isRead = readListCsv(path, read);
+        QVERIFY2(isRead, isRead ? "" : qPrintable(isRead.error()));
+        QVERIFY(program::kindInfo(kind).list->isEqual(read, cam));
     }
-    const auto european = readKnots(put(u"de.csv"_s, "master_deg;slave_mm\r\n0;0\r\n90,5;12,25\r\n"));
-    QVERIFY2(european, european ? "" : qPrintable(european.error()));
-    QCOMPARE(european->size(), std::size_t{2});
-    QVERIFY((european->back() == profile::Knot{90.5, 12.25}));
+    profile::Program european = profile::PointCamProgram{};
+    QVERIFY(readListCsv(put(u"de.csv"_s, "master_deg;slave_mm\r\n0;0\r\n90,5;12,25\r\n"), european));
+    const auto& knots = std::get<profile::PointCamProgram>(european).knots;
+    QCOMPARE(knots.size(), std::size_t{2});
+    QVERIFY((knots.back() == profile::Knot{90.5, 12.25}));
 }
 
 void StoreKindsTest::wrongKnotFiles_data()
@@ -342,7 +344,8 @@ void StoreKindsTest::wrongKnotFiles()
     QFETCH(QByteArray, text);
     QFETCH(QString, words);
     const QString path = put(u"wrong.csv"_s, text);
-    const auto read = readKnots(path);
+    profile::Program cam = profile::PointCamProgram{};
+    const auto read = readListCsv(path, cam);
     QVERIFY(!read);
     QVERIFY2(read.error().startsWith(path) && read.error().contains(words), qPrintable(read.error()));
 }
@@ -350,13 +353,14 @@ void StoreKindsTest::wrongKnotFiles()
 void StoreKindsTest::knotFilesThatCannotBeOpened()
 {
     const QString path = m_directory.filePath(u"absent.csv"_s);
-    const auto absent = readKnots(path);
+    profile::Program cam = profile::PointCamProgram{};
+    const auto absent = readListCsv(path, cam);
     QVERIFY(!absent);
     QVERIFY2(absent.error().contains(path) && !absent.error().contains(u"recipe"_s),
              qPrintable(absent.error()));
     QVERIFY(QFile::exists(put(u"file"_s, "x")));
     const QString below = m_directory.filePath(u"file/knots.csv"_s);
-    const auto written = writeKnots(profile::defaultKnots(), below);
+    const auto written = writeListCsv(cam, below);
     QVERIFY(!written);
     QVERIFY2(written.error().contains(below) && !written.error().contains(u"recipe"_s),
              qPrintable(written.error()));

@@ -2,6 +2,7 @@
 // The editor with sealing jaws: the refusals in words, the one-key mends, and the dot on the regime map.
 #include "app/panel/explain/explanations.h"
 #include "app/panel/maintenance/line_figures.h"
+#include "app/panel/stops/stops.h"
 #include "app/panel/words/recipe_words.h"
 #include "profile/cutter/jaw.h"
 #include "profile/cutter/paper_lengths.h"
@@ -150,6 +151,30 @@ private slots:
         QVERIFY(!editor.canUndo());
     }
 
+    // The ratios follow the dot, the map stays; its lines are explained.
+    void dragWithRatiosThatFollow()
+    {
+        PanelRig rig;
+        Editor& editor = rig.editor;
+        editor.item(Field::ContactAngle)->set(20);
+        editor.ramps()->choose(panel::RampControl::Slow);
+        editor.map()->setWatched(true);
+        const auto map = mapOf(editor);
+        QCOMPARE(editor.map()->linesText().count(u'·'), 2);
+        QVERIFY(editor.map()->linesText().startsWith(QStringLiteral("L_min: the jaws")));
+        const double before = editor.k1()->value();
+        for (int i = 1; i <= 20; ++i)
+            editor.map()->drag(250 + 20 * i, 60);
+        editor.map()->endDrag();
+        QVERIFY(editor.k1()->value() != before);
+        QCOMPARE(mapOf(editor), map);
+        QVERIFY2(editor.feasible(), qPrintable(editor.verdict()));
+        // 650 mm are beyond the stroke of the ratios at 250 mm, and on the map all the same.
+        QVERIFY2(editor.map()->text().startsWith(QStringLiteral("Up to")), qPrintable(editor.map()->text()));
+        editor.item(Field::ContactAngle)->set(0);
+        QVERIFY(editor.map()->linesText().startsWith(QStringLiteral("h/c: ")));
+    }
+
     void dotOfDerivedValues()
     {
         PanelRig rig;
@@ -181,8 +206,9 @@ private slots:
     void numbersAreExplained()
     {
         PanelRig rig;
-        panel::Explanations explanations({rig.machine, rig.editor, *rig.maintenance.figures(), rig.trends},
-                                         nullptr);
+        panel::Stops stops(rig.machine, rig.settings, rig.records, *rig.maintenance.files(), nullptr);
+        panel::Explanations explanations(
+            {rig.machine, rig.editor, *rig.maintenance.figures(), rig.trends, stops}, nullptr);
         QVERIFY(!explanations.ofVerdict().contains(panel::Explanations::SealTime));
         rig.editor.item(Field::ContactAngle)->set(20);
         rig.editor.minSealTime()->set(50);

@@ -285,6 +285,8 @@ private slots:
     void lawsHaveTheColumnsOfTheMachine()
     {
         PanelRig rig;
+        QCOMPARE(rig.editor.laws()->count(), 0); // nothing is solved while the list is closed
+        rig.editor.watchLaws(true);
         // The gentlest law is first, so the law is found by its name.
         const auto& row = [&rig] {
             int index = 0;
@@ -316,6 +318,7 @@ private slots:
     void listsWhatEachLawWouldDemand()
     {
         PanelRig rig;
+        rig.editor.watchLaws(true);
         panel::LawModel* laws = rig.editor.laws();
         QCOMPARE(laws->count(), static_cast<int>(profile::laws().size()));
         const auto isCurrent = [](const panel::LawRow& row) { return row.current; };

@@ -60,6 +60,8 @@ private slots:
         QCOMPARE(rig.editor.fields().size() > 0, true);
         QCOMPARE(rig.editor.choices()->count(), choices);
         QCOMPARE(rig.editor.hasLaw(), kind == 2 || kind == 3);
+        QCOMPARE(rig.editor.laws()->count(), 0); // nobody looks at them
+        rig.editor.watchLaws(true);
         QCOMPARE(rig.editor.laws()->count() > 0, rig.editor.hasLaw());
         QCOMPARE(rig.editor.knots()->count(), kind == 4 ? 5 : 0);
         QVERIFY(rig.editor.plot().ratioTimes.isEmpty());
@@ -150,6 +152,7 @@ private slots:
         PanelRig rig;
         begin(rig, ProgramKind::PositionMove);
         QVERIFY(!rig.editor.overlayCurves().isValid());
+        rig.editor.watchLaws(true);
         rig.editor.compareLaw("harmonic");
         QCOMPARE(rig.editor.overlayName(), "Harmonic");
         const auto curves = rig.editor.overlayCurves().value<std::shared_ptr<const profile::Curves>>();

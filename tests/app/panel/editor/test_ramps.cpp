@@ -228,12 +228,17 @@ private slots:
     {
         PanelRig rig;
         rig.editor.ramps()->choose(RampControl::Gentle);
+        rig.editor.item(profile::Field::NaturalFrequency)->set(25);
+        rig.editor.watchLaws(true);
         panel::LawModel* laws = rig.editor.laws();
+        QCOMPARE(laws->count(), static_cast<int>(profile::laws().size()));
         double before = 0;
         for (int row = 0; row < laws->count(); ++row) {
             const double now = laws->row(row).peakAccelerationText.section(u' ', 0, 0).toDouble();
             QVERIFY(now >= before);
             QVERIFY(!laws->row(row).rmsText.isEmpty());
+            QVERIFY2(laws->row(row).vibrationText.section(u' ', 0, 0).toDouble() > 0,
+                     qPrintable(laws->row(row).vibrationText));
             before = now;
         }
         // The figures of a row are those of the recipe with its law.

@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/panel/plant/plant_values.h"
+
+#include "app/panel/alarms/alarms.h"
+#include "app/panel/controller/controller.h"
+
+#include <cmath>
+
+namespace campanel::panel {
+
+namespace {
+
+using plant::Metric;
+using plant::MetricValue;
+
+constexpr int productionMode = 1;
+constexpr int manualMode = 3;
+
+MetricValue whole(double value)
+{
+    return std::isfinite(value) ? MetricValue(static_cast<std::int64_t>(std::llround(value))) : MetricValue();
+}
+
+MetricValue real(double value)
+{
+    return std::isfinite(value) ? MetricValue(value) : MetricValue();
+}
+
+// Returns the code of PackML; see plant::packmlStates.
+int packmlState(Controller::State state, bool isWaiting)
+{
+    switch (state) {
+    case Controller::State::Idle:
+        return 2;
+    case Controller::State::Ready:
+        return 4;
+    case Controller::State::Running:
+        return isWaiting ? 5 : 6;
+    case Controller::State::Jogging:
+        return 6;
+    case Controller::State::Stopping:
+        return 7;
+    case Controller::State::Fault:
+        return 9;
+    case Controller::State::Homing:
+        return 15;
+    case Controller::State::Unknown:
+        break;
+    }
+    return 0;
+}
+
+std::int64_t millisecondsOf(link::SteadyTime::duration time)
+{
+    return std::chrono::duration_cast<std::chrono::milliseconds>(time).count();
+}
+
+MetricValue secondsOf(link::SteadyTime::duration time)
+{
+    return std::int64_t(std::chrono::duration_cast<std::chrono::seconds>(time).count());
+}
+
+} // namespace
+
+PlantValues::PlantValues(Controller& machine, Alarms& alarms, QObject* parent)
+    : QObject(parent)
+    , m_machine(machine)
+    , m_alarms(alarms)
+{
+    for (const auto signal :
+         {&Controller::connectionChanged, &Controller::qualityChanged, &Controller::freshChanged,
+          &Controller::stateChanged, &Controller::liveChanged, &Controller::bagChanged,
+          &Controller::programChanged, &Controller::savedChanged})
+        connect(&machine, signal, this, &PlantValues::changed);
+    connect(machine.packing(), &PackingLine::changed, this, &PlantValues::changed);
+    connect(machine.packing(), &PackingLine::bagRecorded, this, &PlantValues::noteBag);
+    connect(&alarms, &Alarms::changed, this, &PlantValues::changed);
+    connect(this, &PlantValues::changed, this, &PlantValues::countTime);
+}
+
+QList<plant::MetricReading> PlantValues::readings()
+{
+    countTime();
+    QList<plant::MetricReading> all;
+    for (const plant::MetricRow& row : plant::metricTable) {
+        if (row.owner == plant::MetricOwner::Panel)
+            all.append({row.metric, valueOf(row.metric), ageMs(row.metric)});
+    }
+    return all;
+}
+
+MetricValue PlantValues::valueOf(Metric metric) const
+{
+    switch (metric) {
+    case Metric::Alarm:
+        return m_alarms.urgentCode();
+    case Metric::LinkQuality:
+        return std::int64_t(m_machine.linkQuality());
+    default:
+        break;
+    }
+    if (!m_situation || !m_machine.fresh())
+        return {};
+    switch (metric) {
+    case Metric::UnitModeCurrent:
+        return std::int64_t(m_situation->first);
+    case Metric::StateCurrent:
+        return std::int64_t(m_situation->second);
+    case Metric::StateCurrentTime:
+        return secondsOf(m_countedAt - m_since);
+    case Metric::StateCumulativeTime:
+        return secondsOf(m_totals.at(*m_situation));
+    case Metric::CurMachSpeed:
+        return real(m_machine.live().rateBagsPerMin);
+    case Metric::ProdProcessedCount:
+        return whole(m_machine.bags().count);
+    case Metric::BagDeviationMean:
+        return real(m_machine.bags().meanDeviationMm);
+    case Metric::BagDeviationScatter:
+        return real(m_machine.bags().scatterMm);
+    case Metric::ProdDefectiveCount:
+    case Metric::FilmSaved:
+        return valueOfPacking(metric);
+    default:
+        return valueOfProgram(metric);
+    }
+}
+
+MetricValue PlantValues::valueOfProgram(Metric metric) const
+{
+    const auto& status = m_machine.status();
+    if (metric == Metric::RecipeGeneration)
+        return std::int64_t(status->generation);
+    if (metric == Metric::RecipeCrc)
+        return status->activeCrc ? MetricValue(std::int64_t(*status->activeCrc)) : MetricValue();
+    // After a download the name is read a moment later than the status; the old one is not sent as new.
+    const auto& program = m_machine.program();
+    if (!program || program->generation != status->generation || program->crc != status->activeCrc)
+        return {};
+    switch (metric) {
+    case Metric::MachSpeed:
+        return real(program->rateBagsPerMin);
+    case Metric::RecipeName:
+        return QString::fromStdString(program->name);
+    case Metric::RecipeVersion:
+        return whole(program->version);
+    default:
+        return {};
+    }
+}
+
+MetricValue PlantValues::valueOfPacking(Metric metric) const
+{
+    const PackingLine& packing = *m_machine.packing();
+    if (metric == Metric::ProdDefectiveCount)
+        return m_defective ? MetricValue(*m_defective) : MetricValue();
+    return packing.fresh() ? real(packing.filmSavedM()) : MetricValue();
+}
+
+std::int64_t PlantValues::ageMs(Metric metric) const
+{
+    if (metric == Metric::Alarm || metric == Metric::LinkQuality)
+        return 0;
+    if (metric == Metric::FilmSaved && m_machine.packing()->fresh())
+        return millisecondsOf(m_machine.now() - m_machine.packing()->receivedAt());
+    const double age = m_machine.fresh() ? m_machine.ageMs() : 0;
+    return std::isfinite(age) && age > 0 ? std::llround(age) : 0;
+}
+
+std::optional<PlantValues::Situation> PlantValues::situation() const
+{
+    if (!m_machine.fresh() || m_machine.state() == Controller::State::Unknown)
+        return {};
+    const PackingLine& packing = *m_machine.packing();
+    const bool isWaiting = packing.fresh() && packing.status()->filmGate != modbus::GateState::Running;
+    const int mode = m_machine.state() == Controller::State::Jogging ? manualMode : productionMode;
+    return Situation{mode, packmlState(m_machine.state(), isWaiting)};
+}
+
+void PlantValues::countTime()
+{
+    const link::SteadyTime now = m_machine.now();
+    if (m_situation)
+        m_totals[*m_situation] += now - m_countedAt;
+    const auto present = situation();
+    if (present != m_situation) {
+        m_since = now;
+        m_situation = present;
+    }
+    if (m_situation)
+        m_totals.try_emplace(*m_situation, 0);
+    m_countedAt = now;
+}
+
+void PlantValues::noteBag(const modbus::BagRecord& bag)
+{
+    const bool isOutside = std::abs(bag.deviationMm) > m_machine.bags().toleranceMm;
+    m_defective = m_defective.value_or(0) + (bag.isStartUp || bag.isChangeOver || isOutside ? 1 : 0);
+    emit changed();
+}
+
+} // namespace campanel::panel

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+// The messages between the panel and the gateway on their local socket. Each one is a length of four bytes,
+// big-endian, and a CBOR map with the version of the protocol. Both directions are bounded.
+#pragma once
+
+#include "app/plant/metric_value.h"
+
+#include <QByteArray>
+#include <QList>
+#include <QString>
+
+#include <optional>
+#include <variant>
+
+namespace campanel::plant {
+
+// The version of the protocol and of the metric table; a peer with another one is not understood.
+inline constexpr int localVersion = 1;
+// The largest message, without its length.
+inline constexpr qsizetype maxMessageBytes = 64 * 1024;
+// The longest text of a value or a name; a longer one is cut.
+inline constexpr qsizetype maxTextLength = 256;
+// The panel repeats an empty message at this period, which says that all its values still hold.
+inline constexpr int alivePeriodMs = 500;
+
+// From the panel: the values that have changed, all of them in the first message.
+struct ValueMessage {
+    QList<MetricReading> readings;
+
+    bool operator==(const ValueMessage&) const = default;
+};
+
+// From the gateway: somebody on the network has sent a command. It was not carried out.
+struct CommandMessage {
+    QString metric;
+    QString value;
+
+    bool operator==(const CommandMessage&) const = default;
+};
+
+using LocalMessage = std::variant<ValueMessage, CommandMessage>;
+
+// Returns the message with its length.
+[[nodiscard]] QByteArray encoded(const LocalMessage& message);
+
+enum class LocalError {
+    TooLong,      // longer than maxMessageBytes
+    NotAMessage,  // no CBOR, or not of the form of a message
+    OtherVersion, // written by another version of the program
+};
+
+// Cuts a stream of bytes into messages.
+class LocalReader {
+public:
+    // Adds received bytes. After an error the connection is of no further use.
+    void add(const QByteArray& bytes) { m_buffer += bytes; }
+    // Returns the next whole message; empty: more bytes are needed, or there is an error.
+    [[nodiscard]] std::optional<LocalMessage> next();
+    [[nodiscard]] std::optional<LocalError> error() const { return m_error; }
+
+private:
+    QByteArray m_buffer;
+    std::optional<LocalError> m_error;
+};
+
+} // namespace campanel::plant

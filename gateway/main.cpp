@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: Apache-2.0
+// campanel-gateway: publishes the values of one panel on the plant's network, by MQTT Sparkplug B. It carries
+// nothing the other way but refused commands, for the audit trail.
+#include "app/plant/socket_path.h"
+#include "app/shell/termination_signals.h"
+#include "app/store/files/files.h"
+#include "gateway/gateway_settings.h"
+#include "gateway/mqtt_line.h"
+#include "gateway/panel_line.h"
+#include "gateway/sparkplug_node.h"
+
+#include <QCommandLineParser>
+#include <QCoreApplication>
+#include <QDateTime>
+#include <QSysInfo>
+#include <QTimer>
+#include <QUuid>
+
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+
+namespace {
+
+using namespace campanel;
+using namespace Qt::StringLiterals;
+using namespace std::chrono_literals;
+
+constexpr int configurationError = 2;
+constexpr auto tickPeriod = 100ms;
+// The time for the last messages at the end.
+constexpr int stopLimitMs = 2000;
+
+void report(const QString& sentence)
+{
+    std::fprintf(stderr, "campanel-gateway: %s\n", qPrintable(sentence));
+}
+
+struct Arguments {
+    QString configuration;
+    QString panelSocket;
+    QString stateFolder;
+};
+
+Arguments argumentsOf(const QCoreApplication& application)
+{
+    const QString service = qEnvironmentVariable("STATE_DIRECTORY");
+    QCommandLineParser parser;
+    parser.setApplicationDescription(
+        u"Publishes the values of a CamPanel machine by MQTT Sparkplug B. It takes nothing from the network."_s);
+    parser.addHelpOption();
+    parser.addVersionOption();
+    parser.addOptions({
+        {u"config"_s, u"Configuration file, section [gateway] (%1)."_s.arg(shell::configurationFile()),
+         u"file"_s, shell::configurationFile()},
+        {u"panel"_s, u"Local socket of the panel (campanel-gateway.socket in its runtime folder)."_s,
+         u"path"_s, plant::panelSocketPath()},
+        {u"state"_s, u"Folder for the number of the last connection."_s, u"folder"_s,
+         service.isEmpty() ? QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) : service},
+    });
+    parser.process(application);
+    return {parser.value(u"config"_s), parser.value(u"panel"_s), parser.value(u"state"_s)};
+}
+
+// Puts panel, node and broker together, and runs until a signal.
+int run(const gateway::GatewaySettings& settings, const Arguments& arguments)
+{
+    const shell::TerminationSignals terminationSignals;
+    const QString instance = QUuid::createUuid().toString(QUuid::Id128);
+    constexpr qsizetype digits = 8;
+    gateway::MqttLine line(settings, u"campanel-%1-%2"_s.arg(settings.node, instance.left(digits)),
+                           arguments.stateFolder + u"/bdseq"_s);
+    gateway::PanelLine panel(arguments.panelSocket);
+    gateway::SparkplugNode node({settings.group, settings.node, settings.primaryHost, instance}, line,
+                                {.wallMs = &QDateTime::currentMSecsSinceEpoch},
+                                {[&panel](const plant::CommandMessage& command) {
+                                     report(u"Refused: %1 = %2."_s.arg(store::printable(command.metric),
+                                                                       store::printable(command.value)));
+                                     panel.send(command);
+                                 },
+                                 [&panel] { panel.renew(); }, &report});
+    QObject context;
+    QObject::connect(&panel, &gateway::PanelLine::received, &context,
+                     [&node](const plant::ValueMessage& message) { node.takeValues(message); });
+    QObject::connect(&panel, &gateway::PanelLine::lost, &context, [&node] { node.panelLost(); });
+    QObject::connect(&panel, &gateway::PanelLine::reported, &context, &report);
+    QObject::connect(&line, &gateway::MqttLine::opened, &context, [&](int bdSeq) {
+        report(u"Connected to %1:%2."_s.arg(settings.host).arg(settings.port));
+        node.brokerOpened(bdSeq);
+    });
+    QString lastReason;
+    QObject::connect(&line, &gateway::MqttLine::closed, &context, [&](const QString& reason) {
+        if (reason != lastReason || node.isBorn())
+            report(reason);
+        lastReason = reason;
+        node.brokerClosed();
+    });
+    QObject::connect(
+        &line, &gateway::MqttLine::received, &context,
+        [&node](const QString& topic, const QByteArray& bytes) { node.takeMessage(topic, bytes); });
+    QObject::connect(&line, &gateway::MqttLine::barrierPassed, &context, [&node] { node.barrierPassed(); });
+    QTimer ticks;
+    QObject::connect(&ticks, &QTimer::timeout, &context, [&node] { node.tick(); });
+    ticks.start(tickPeriod);
+    line.start([&node](int bdSeq) { return node.deathFor(bdSeq); });
+    panel.start();
+    const int code = QCoreApplication::exec();
+    node.end();
+    if (!line.stop(stopLimitMs))
+        std::_Exit(code); // an attempt to connect cannot be ended
+    return code;
+}
+
+} // namespace
+
+int main(int argc, char* argv[])
+{
+    QCoreApplication application(argc, argv);
+    QCoreApplication::setApplicationName(u"campanel-gateway"_s);
+    QCoreApplication::setOrganizationName(u"campanel"_s);
+    QCoreApplication::setApplicationVersion(QStringLiteral(CAMPANEL_VERSION));
+    const Arguments arguments = argumentsOf(application);
+    const gateway::ReadGatewaySettings read = gateway::gatewaySettings(
+        shell::readConfiguration(arguments.configuration), QSysInfo::machineHostName());
+    for (const QString& sentence : read.warnings + read.errors)
+        report(sentence);
+    if (!read.errors.isEmpty())
+        return configurationError;
+    if (read.settings.host.isEmpty()) {
+        report(u"[gateway] in %1 names no broker: nothing is published."_s.arg(arguments.configuration));
+        return EXIT_SUCCESS;
+    }
+    return run(read.settings, arguments);
+}

@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "gateway/mqtt_line.h"
+
+#include "gateway/bdseq_store.h"
+
+#include <QElapsedTimer>
+#include <QRandomGenerator>
+
+#include <algorithm>
+#include <cerrno>
+#include <utility>
+
+#include <mosquitto.h>
+#include <poll.h>
+#include <sys/socket.h>
+
+using namespace Qt::StringLiterals;
+
+namespace campanel::gateway {
+
+namespace {
+
+constexpr int loopMs = 100;
+constexpr int firstPauseMs = 1000;
+constexpr int maxDoublings = 3; // 8 s
+constexpr int restStepMs = 50;
+constexpr int maxGoodbyeRounds = 100;
+
+} // namespace
+
+MqttLine::MqttLine(GatewaySettings settings, QString clientId, QString bdSeqFile)
+    : m_settings(std::move(settings))
+    , m_bdSeqFile(std::move(bdSeqFile))
+{
+    mosquitto_lib_init();
+    m_client = mosquitto_new(clientId.toUtf8().constData(), true, this);
+    mosquitto_threaded_set(m_client, true);
+    mosquitto_connect_callback_set(m_client, &MqttLine::onConnect);
+    mosquitto_message_callback_set(m_client, &MqttLine::onMessage);
+    mosquitto_unsubscribe_callback_set(m_client, &MqttLine::onBarrier);
+    mosquitto_log_callback_set(m_client, &MqttLine::onLog);
+    connect(
+        this, &MqttLine::closed, this, [this] { m_known = 0; }, Qt::QueuedConnection);
+}
+
+MqttLine::~MqttLine()
+{
+    m_isEnding = true;
+    if (m_thread) {
+        m_thread->wait();
+        delete m_thread;
+    }
+    mosquitto_destroy(m_client);
+    mosquitto_lib_cleanup();
+}
+
+void MqttLine::start(Death death)
+{
+    m_death = std::move(death);
+    m_thread = QThread::create([this] { run(); });
+    m_thread->start();
+}
+
+bool MqttLine::stop(int limitMs)
+{
+    m_isEnding = true;
+    return !m_thread || m_thread->wait(static_cast<unsigned long>(limitMs));
+}
+
+// In the main thread ----------------------------------------------------------------------------------------
+
+void MqttLine::publish(const Publication& publication)
+{
+    if (isServing())
+        mosquitto_publish(m_client, nullptr, publication.topic.toUtf8().constData(),
+                          static_cast<int>(publication.payload.size()), publication.payload.constData(),
+                          publication.qos, false);
+}
+
+void MqttLine::subscribe(const QString& topic)
+{
+    if (isServing())
+        mosquitto_subscribe(m_client, nullptr, topic.toUtf8().constData(), 1);
+}
+
+// A broker must answer, even for a topic without a subscription, and it answers in the order of the packets.
+void MqttLine::requestBarrier()
+{
+    if (isServing())
+        mosquitto_unsubscribe(m_client, nullptr, "campanel/barrier");
+}
+
+void MqttLine::leave(int pauseMs)
+{
+    m_leavePauseMs = pauseMs;
+}
+
+void MqttLine::drop()
+{
+    m_isDropWanted = true;
+}
+
+// In the thread of the connection ---------------------------------------------------------------------------
+
+void MqttLine::run()
+{
+    BdSeqStore numbers(m_bdSeqFile);
+    while (!m_isEnding) {
+        m_bdSeq = numbers.take();
+        m_refusal.clear();
+        m_isAccepted = false;
+        m_isDropWanted = false;
+        m_leavePauseMs = -1;
+        const QString reason = serve();
+        m_connection = 0;
+        emit closed(reason);
+        if (!m_isEnding)
+            rest();
+    }
+}
+
+QString MqttLine::serve()
+{
+    if (m_settings.isEncrypted()) {
+        const auto pathOf = [](const QByteArray& path) {
+            return path.isEmpty() ? nullptr : path.constData();
+        };
+        const QByteArray ca = m_settings.ca.toUtf8();
+        const QByteArray certificate = m_settings.certificate.toUtf8();
+        const QByteArray key = m_settings.key.toUtf8();
+        if (mosquitto_tls_set(m_client, pathOf(ca), nullptr, pathOf(certificate), pathOf(key), nullptr) !=
+            MOSQ_ERR_SUCCESS)
+            return u"The certificates cannot be read."_s;
+    }
+    const Publication death = m_death(m_bdSeq);
+    mosquitto_will_set(m_client, death.topic.toUtf8().constData(), static_cast<int>(death.payload.size()),
+                       death.payload.constData(), death.qos, false);
+    bool isGoodbyeSaid = false;
+    QElapsedTimer since;
+    since.start();
+    int code = mosquitto_connect(m_client, m_settings.host.toUtf8().constData(), m_settings.port, keepAliveS);
+    while (code == MOSQ_ERR_SUCCESS) {
+        if (m_leavePauseMs >= 0 && m_isAccepted && !std::exchange(isGoodbyeSaid, true))
+            sayGoodbye();
+        const bool isLate = !m_isAccepted && since.elapsed() > connectLimitMs;
+        if (m_isDropWanted || isLate || (m_isEnding && !m_isAccepted))
+            ::shutdown(mosquitto_socket(m_client), SHUT_RDWR);
+        code = mosquitto_loop(m_client, loopMs, 1);
+    }
+    if (m_leavePauseMs >= 0)
+        return u"Left the broker."_s;
+    if (!m_refusal.isEmpty())
+        return m_refusal;
+    const QString why =
+        code == MOSQ_ERR_ERRNO ? qt_error_string(errno) : QString::fromUtf8(mosquitto_strerror(code));
+    return (m_isAccepted ? u"The connection to the broker is lost: %1"_s
+                         : u"No connection to the broker: %1"_s)
+        .arg(why);
+}
+
+// Handles what the broker has sent before it disconnects: a connection that is closed with unread bytes is
+// reset, and a broker that finds it reset may take the goodbye for a failure and send the death of the node.
+void MqttLine::sayGoodbye()
+{
+    for (int round = 0; round < maxGoodbyeRounds; ++round) {
+        pollfd socket{mosquitto_socket(m_client), POLLIN, 0};
+        if (!mosquitto_want_write(m_client) && ::poll(&socket, 1, loopMs) == 0)
+            break;
+        if (mosquitto_loop(m_client, 0, 1) != MOSQ_ERR_SUCCESS)
+            return;
+    }
+    mosquitto_disconnect(m_client);
+}
+
+// Waits before the next attempt: longer after each failure, and not at the same time as other gateways.
+void MqttLine::rest()
+{
+    m_failures = m_isAccepted ? 0 : std::min(m_failures + 1, maxDoublings);
+    const int longest = firstPauseMs << m_failures;
+    const int pause = m_leavePauseMs >= 0 ? m_leavePauseMs.load()
+                                          : longest / 2 + QRandomGenerator::global()->bounded(longest / 2);
+    for (int waited = 0; waited < pause && !m_isEnding; waited += restStepMs)
+        QThread::msleep(restStepMs);
+}
+
+void MqttLine::onConnect(mosquitto*, void* line, int code)
+{
+    auto* self = static_cast<MqttLine*>(line);
+    if (code != 0) {
+        self->m_refusal =
+            u"The broker refuses the connection: %1"_s.arg(QString::fromUtf8(mosquitto_connack_string(code)));
+        return;
+    }
+    self->m_isAccepted = true;
+    const int connection = ++self->m_connections;
+    self->m_connection = connection;
+    QMetaObject::invokeMethod(
+        self,
+        [self, connection, bdSeq = self->m_bdSeq] {
+            self->m_known = connection;
+            emit self->opened(bdSeq);
+        },
+        Qt::QueuedConnection);
+}
+
+void MqttLine::onMessage(mosquitto*, void* line, const mosquitto_message* message)
+{
+    emit static_cast<MqttLine*>(line)->received(
+        QString::fromUtf8(message->topic),
+        QByteArray(static_cast<const char*>(message->payload), message->payloadlen));
+}
+
+void MqttLine::onBarrier(mosquitto*, void* line, int)
+{
+    emit static_cast<MqttLine*>(line)->barrierPassed();
+}
+
+void MqttLine::onLog(mosquitto*, void* line, int level, const char* text)
+{
+    if (level == MOSQ_LOG_ERR)
+        static_cast<MqttLine*>(line)->m_refusal =
+            u"No connection to the broker: %1"_s.arg(QString::fromUtf8(text).simplified());
+}
+
+} // namespace campanel::gateway

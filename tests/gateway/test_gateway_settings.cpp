@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: Apache-2.0
+// The section [gateway]: what is valid, what only warns, and what keeps the gateway from starting.
+#include "gateway/gateway_settings.h"
+#include "tests/support/test_program.h"
+
+#include <QFile>
+#include <QTemporaryDir>
+#include <QTest>
+
+namespace test_gateway_settings {
+
+using namespace campanel;
+using namespace campanel::gateway;
+using namespace Qt::StringLiterals;
+
+namespace {
+
+ReadGatewaySettings settingsOf(const QByteArray& text)
+{
+    return gatewaySettings(shell::configurationFrom(text, u"c.toml"_s), u"packer-7"_s);
+}
+
+} // namespace
+
+class TestGatewaySettings : public QObject {
+    Q_OBJECT
+
+private slots:
+    void withoutASectionNothingIsPublished()
+    {
+        const auto read = settingsOf("");
+        QVERIFY(read.settings.host.isEmpty());
+        QCOMPARE(read.errors, QStringList());
+        QCOMPARE(read.warnings, QStringList());
+        QCOMPARE(read.settings.node, u"packer-7"_s);
+        QCOMPARE(read.settings.group, u"CamPanel"_s);
+        QCOMPARE(read.settings.port, 8883);
+    }
+
+    void everyKeyIsTaken()
+    {
+        QTemporaryDir folder;
+        for (const char* name : {"ca.pem", "own.pem", "own.key"}) {
+            QFile file(folder.filePath(QString::fromLatin1(name)));
+            QVERIFY(file.open(QIODevice::WriteOnly));
+        }
+        const auto read = settingsOf(QByteArray(R"(
+[gateway]
+host = "broker.example"
+port = 8884
+ca = "FOLDER/ca.pem"
+certificate = "FOLDER/own.pem"
+key = "FOLDER/own.key"
+group = "Hall 3"
+node = "包装机 7"
+primary_host = "scada"
+)")
+                                         .replace("FOLDER", folder.path().toUtf8()));
+        QCOMPARE(read.errors, QStringList());
+        QCOMPARE(read.warnings, QStringList());
+        QCOMPARE(read.settings.host, u"broker.example"_s);
+        QCOMPARE(read.settings.port, 8884);
+        QVERIFY(read.settings.isEncrypted());
+        QCOMPARE(read.settings.group, u"Hall 3"_s);
+        QCOMPARE(read.settings.node, u"包装机 7"_s);
+        QCOMPARE(read.settings.primaryHost, u"scada"_s);
+    }
+
+    void wrongValuesKeepItFromStarting_data()
+    {
+        QTest::addColumn<QByteArray>("text");
+        QTest::addColumn<QString>("sentence");
+        QTest::newRow("port")
+            << QByteArray("[gateway]\nport = 0\n")
+            << u"c.toml:2: gateway.port must be a whole number from 1 to 65535; it is ignored."_s;
+        QTest::newRow("topic")
+            << QByteArray("[gateway]\nnode = \"a/b\"\n")
+            << u"c.toml:2: gateway.node must be up to 64 letters, without / + #; it is ignored."_s;
+        QTest::newRow("ca") << QByteArray("[gateway]\nca = \"ca.pem\"\n")
+                            << u"c.toml:2: gateway.ca must be the path of a file, such as "
+                               "\"/etc/campanel/broker.pem\"; it is ignored."_s;
+        QTest::newRow("missing file") << QByteArray("[gateway]\nca = \"/nowhere/ca.pem\"\n")
+                                      << u"gateway.ca: /nowhere/ca.pem cannot be read."_s;
+        QTest::newRow("misspelt") << QByteArray("[gateway]\ncertificat = \"/a\"\n")
+                                  << u"c.toml:2: there is no key gateway.certificat; it is ignored."_s;
+        QTest::newRow("section") << QByteArray("[gatway]\nca = \"/a\"\n")
+                                 << u"c.toml:1: there is no section [gatway]; it is ignored."_s;
+        QTest::newRow("no TOML") << QByteArray("[gateway]\nca /a\n") << u"c.toml:2: "_s;
+        QTest::newRow("half")
+            << QByteArray("[gateway]\nkey = \"/dev/null\"\n")
+            << u"gateway.certificate and gateway.key belong together. Set both, or neither."_s;
+        QTest::newRow("no group") << QByteArray("[gateway]\ngroup = \"\"\n")
+                                  << u"gateway.group is empty. Name the group."_s;
+    }
+    void wrongValuesKeepItFromStarting()
+    {
+        QFETCH(QByteArray, text);
+        QFETCH(QString, sentence);
+        const auto read = settingsOf(text);
+        QVERIFY2(!read.errors.isEmpty() && read.errors.first().startsWith(sentence),
+                 qPrintable(read.errors.join(u'\n')));
+    }
+
+    void wrongValuesOfOtherSectionsDoNot()
+    {
+        const auto read = settingsOf("[display]\ntheme = \"pink\"\ncolour = 3\n[gateway]\nhost = \"b\"\n");
+        QCOMPARE(read.errors, QStringList());
+        QCOMPARE(read.warnings.size(), 3); // and that there is no TLS
+        QCOMPARE(read.settings.host, u"b"_s);
+    }
+};
+
+CAMPANEL_TEST(TestGatewaySettings)
+
+} // namespace test_gateway_settings
+
+#include "test_gateway_settings.moc"
