@@ -505,6 +505,18 @@
         <translation>Einzelheit lesen; Einstellungen prüfen, zuerst die Verbindung.</translation>
     </message>
     <message>
+        <source>Touchscreen missing</source>
+        <translation>Touchscreen fehlt</translation>
+    </message>
+    <message>
+        <source>A touchscreen of this panel was unplugged or has failed.</source>
+        <translation>Ein Touchscreen dieses Panels wurde abgezogen oder ist ausgefallen.</translation>
+    </message>
+    <message>
+        <source>Check the cable of the touchscreen. Stop the machine with its own switch.</source>
+        <translation>Kabel des Touchscreens prüfen. Die Maschine mit ihrem eigenen Schalter stoppen.</translation>
+    </message>
+    <message>
         <source>Settings not saved</source>
         <translation>Einstellungen nicht gespeichert</translation>
     </message>
@@ -1116,6 +1128,10 @@
         <translation>Die Tabelle braucht %1 Register, die Steuerung hat %2; ihr Programm ist unverändert. Weniger Teilschritte je Rampe wählen.</translation>
     </message>
     <message>
+        <source>This controller cannot execute intervals; its program is unchanged. Choose cam points.</source>
+        <translation>Diese Steuerung kann keine Intervalle ausführen; ihr Programm ist unverändert. Wählen Sie Kurvenpunkte.</translation>
+    </message>
+    <message>
         <source>This controller cannot execute this kind of program; its program is unchanged. Update its firmware.</source>
         <translation>Diese Steuerung kann diese Programmart nicht ausführen; ihr Programm ist unverändert. Firmware aktualisieren.</translation>
     </message>
@@ -1177,10 +1193,6 @@
     <message>
         <source>The controller has this program.</source>
         <translation>Die Steuerung hat dieses Programm.</translation>
-    </message>
-    <message>
-        <source>This controller cannot execute intervals; its program is unchanged. Choose cam points.</source>
-        <translation>Diese Steuerung kann keine Intervalle ausführen; ihr Programm ist unverändert. Wählen Sie Kurvenpunkte.</translation>
     </message>
 </context>
 <context>
@@ -1322,6 +1334,10 @@
         <translation>Eine frühere Änderung wartet auf das Ende des Zyklus. Zuerst abbrechen.</translation>
     </message>
     <message>
+        <source>The controller has not finished checking or saving a table. Download again.</source>
+        <translation>Die Steuerung hat das Prüfen oder Speichern einer Tabelle nicht beendet. Laden Sie erneut.</translation>
+    </message>
+    <message>
         <source>At standstill</source>
         <translation>Im Stillstand</translation>
     </message>
@@ -1440,10 +1456,6 @@
     <message>
         <source>The lead of cam switch %1 is longer than a cycle. Shorten it under Maintenance, or lower the rate.</source>
         <translation>Die Vorhaltezeit von Nocken %1 ist länger als ein Zyklus. Unter Wartung verkürzen oder Taktzahl senken.</translation>
-    </message>
-    <message>
-        <source>The controller has not finished checking or saving a table. Download again.</source>
-        <translation>Die Steuerung hat das Prüfen oder Speichern einer Tabelle nicht beendet. Laden Sie erneut.</translation>
     </message>
 </context>
 <context>
@@ -1748,6 +1760,10 @@ eff. %2</translation>
         <translation>%1 ist kein CamPanel-Rezept: Der Schlüssel &quot;format&quot; muss &quot;campanel-recipe&quot; sein.</translation>
     </message>
     <message>
+        <source>The recipe file %1 has format version %2, this program reads versions up to %3. Update the program.</source>
+        <translation>Die Rezeptdatei %1 hat die Formatversion %2, dieses Programm liest Versionen bis %3. Aktualisieren Sie das Programm.</translation>
+    </message>
+    <message>
         <source>The recipe file %1 has an unknown key %2. Correct or remove the key.</source>
         <translation>Die Rezeptdatei %1 hat einen unbekannten Schlüssel %2. Schlüssel korrigieren oder entfernen.</translation>
     </message>
@@ -1887,10 +1903,6 @@ eff. %2</translation>
     <message>
         <source>a list of objects</source>
         <translation>eine Liste von Objekten</translation>
-    </message>
-    <message>
-        <source>The recipe file %1 has format version %2, this program reads versions up to %3. Update the program.</source>
-        <translation>Die Rezeptdatei %1 hat die Formatversion %2, dieses Programm liest Versionen bis %3. Aktualisieren Sie das Programm.</translation>
     </message>
 </context>
 <context>
@@ -4257,30 +4269,6 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
         <translation>Effektivwert über einen Zyklus. Er erwärmt den Motor und bleibt deshalb unter dem Nennmoment.</translation>
     </message>
     <message>
-        <source>Error while sealing</source>
-        <translation>Fehler beim Siegeln</translation>
-    </message>
-    <message>
-        <source>Vibration of the knife shaft, peak to peak, between both ends of the sealing window.</source>
-        <translation>Schwingung der Messerwelle, Spitze zu Spitze, zwischen beiden Enden des Siegelbereichs.</translation>
-    </message>
-    <message>
-        <source>Torque, largest difference</source>
-        <translation>Moment, größte Differenz</translation>
-    </message>
-    <message>
-        <source>torque that the drive reports − (J α + friction), of the rated torque</source>
-        <translation>vom Antrieb gemeldetes Moment − (J α + Reibung), bezogen auf das Nennmoment</translation>
-    </message>
-    <message>
-        <source>Compared while the machine runs at full speed.</source>
-        <translation>Wird verglichen, während die Maschine mit voller Geschwindigkeit läuft.</translation>
-    </message>
-    <message>
-        <source>Largest of the last readings at full speed (%1), at %2° of the cycle. The drive lags behind the program, so the difference is largest where the acceleration changes fast.</source>
-        <translation>Größter der letzten Werte bei voller Geschwindigkeit (%1), bei %2° des Zyklus. Der Antrieb läuft nach; die Differenz ist dort am größten, wo sich die Beschleunigung schnell ändert.</translation>
-    </message>
-    <message>
         <source>Vibration over the cycle</source>
         <translation>Schwingung im Zyklus</translation>
     </message>
@@ -4303,6 +4291,30 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
     <message>
         <source>f0 = %1 Hz, T = %2 s</source>
         <translation>f0 = %1 Hz, T = %2 s</translation>
+    </message>
+    <message>
+        <source>Error while sealing</source>
+        <translation>Fehler beim Siegeln</translation>
+    </message>
+    <message>
+        <source>Vibration of the knife shaft, peak to peak, between both ends of the sealing window.</source>
+        <translation>Schwingung der Messerwelle, Spitze zu Spitze, zwischen beiden Enden des Siegelbereichs.</translation>
+    </message>
+    <message>
+        <source>Torque, largest difference</source>
+        <translation>Moment, größte Differenz</translation>
+    </message>
+    <message>
+        <source>torque that the drive reports − (J α + friction), of the rated torque</source>
+        <translation>vom Antrieb gemeldetes Moment − (J α + Reibung), bezogen auf das Nennmoment</translation>
+    </message>
+    <message>
+        <source>Compared while the machine runs at full speed.</source>
+        <translation>Wird verglichen, während die Maschine mit voller Geschwindigkeit läuft.</translation>
+    </message>
+    <message>
+        <source>Largest of the last readings at full speed (%1), at %2° of the cycle. The drive lags behind the program, so the difference is largest where the acceleration changes fast.</source>
+        <translation>Größter der letzten Werte bei voller Geschwindigkeit (%1), bei %2° des Zyklus. Der Antrieb läuft nach; die Differenz ist dort am größten, wo sich die Beschleunigung schnell ändert.</translation>
     </message>
     <message>
         <source>Availability</source>
@@ -4728,6 +4740,38 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
     <message>
         <source>Hold a key to move the axis.</source>
         <translation>Taste halten, um die Achse zu bewegen.</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::CamFiles</name>
+    <message>
+        <source>A new file %1 will be written.</source>
+        <translation>Eine neue Datei %1 wird geschrieben.</translation>
+    </message>
+    <message>
+        <source>%1 · %2 · %3</source>
+        <comment>number of knots or segments, date, place</comment>
+        <translation>%1 · %2 · %3</translation>
+    </message>
+    <message>
+        <source>cannot be used · %1 · %2</source>
+        <comment>date, place</comment>
+        <translation>nicht verwendbar · %1 · %2</translation>
+    </message>
+    <message>
+        <source>Line %1: %2 Correct the file; the panel reads it again automatically.</source>
+        <comment>%2: whole sentence</comment>
+        <translation>Zeile %1: %2 Korrigieren Sie die Datei; das Panel liest sie von selbst erneut.</translation>
+    </message>
+    <message>
+        <source>%1 Correct the file; the panel reads it again automatically.</source>
+        <comment>%1: whole sentence</comment>
+        <translation>%1 Korrigieren Sie die Datei; das Panel liest sie von selbst erneut.</translation>
+    </message>
+    <message>
+        <source>%1, slave %2 to %3 mm, will replace those of the recipe. Undo restores them.</source>
+        <comment>%1: number of knots or segments</comment>
+        <translation>%1, Folgeachse %2 bis %3 mm, ersetzen die des Rezepts. Rückgängig stellt sie wieder her.</translation>
     </message>
 </context>
 <context>
@@ -5873,6 +5917,18 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
 <context>
     <name>campanel::panel::CutterMap</name>
     <message>
+        <source>L_min: the jaws just fill the window</source>
+        <translation>L_min: die Backen füllen das Fenster gerade</translation>
+    </message>
+    <message>
+        <source>h/c: the knife turns evenly</source>
+        <translation>h/c: das Messer dreht gleichmäßig</translation>
+    </message>
+    <message>
+        <source>L_crit: the knife stops in each cycle</source>
+        <translation>L_krit: das Messer steht in jedem Zyklus</translation>
+    </message>
+    <message>
         <source>%1 · %2</source>
         <comment>%1: bag length, %2: rate</comment>
         <translation>%1 · %2</translation>
@@ -5886,18 +5942,6 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
         <source>No rate is possible; limited by: %1.</source>
         <comment>name of the limit</comment>
         <translation>Keine Taktzahl ist möglich; begrenzt durch: %1.</translation>
-    </message>
-    <message>
-        <source>L_min: the jaws just fill the window</source>
-        <translation>L_min: die Backen füllen das Fenster gerade</translation>
-    </message>
-    <message>
-        <source>h/c: the knife turns evenly</source>
-        <translation>h/c: das Messer dreht gleichmäßig</translation>
-    </message>
-    <message>
-        <source>L_crit: the knife stops in each cycle</source>
-        <translation>L_krit: das Messer steht in jedem Zyklus</translation>
     </message>
 </context>
 <context>
@@ -6049,38 +6093,6 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
     <message>
         <source>End acceleration</source>
         <translation>Endbeschl.</translation>
-    </message>
-</context>
-<context>
-    <name>campanel::panel::CamFiles</name>
-    <message>
-        <source>A new file %1 will be written.</source>
-        <translation>Eine neue Datei %1 wird geschrieben.</translation>
-    </message>
-    <message>
-        <source>%1 · %2 · %3</source>
-        <comment>number of knots or segments, date, place</comment>
-        <translation>%1 · %2 · %3</translation>
-    </message>
-    <message>
-        <source>cannot be used · %1 · %2</source>
-        <comment>date, place</comment>
-        <translation>nicht verwendbar · %1 · %2</translation>
-    </message>
-    <message>
-        <source>Line %1: %2 Correct the file; the panel reads it again automatically.</source>
-        <comment>%2: whole sentence</comment>
-        <translation>Zeile %1: %2 Korrigieren Sie die Datei; das Panel liest sie von selbst erneut.</translation>
-    </message>
-    <message>
-        <source>%1 Correct the file; the panel reads it again automatically.</source>
-        <comment>%1: whole sentence</comment>
-        <translation>%1 Korrigieren Sie die Datei; das Panel liest sie von selbst erneut.</translation>
-    </message>
-    <message>
-        <source>%1, slave %2 to %3 mm, will replace those of the recipe. Undo restores them.</source>
-        <comment>%1: number of knots or segments</comment>
-        <translation>%1, Folgeachse %2 bis %3 mm, ersetzen die des Rezepts. Rückgängig stellt sie wieder her.</translation>
     </message>
 </context>
 <context>

@@ -505,6 +505,18 @@
         <translation>请查看详情；检查设置，先检查连接。</translation>
     </message>
     <message>
+        <source>Touchscreen missing</source>
+        <translation>触摸屏丢失</translation>
+    </message>
+    <message>
+        <source>A touchscreen of this panel was unplugged or has failed.</source>
+        <translation>本面板的触摸屏被拔出或发生故障。</translation>
+    </message>
+    <message>
+        <source>Check the cable of the touchscreen. Stop the machine with its own switch.</source>
+        <translation>请检查触摸屏的电缆。请用机器自身的开关停机。</translation>
+    </message>
+    <message>
         <source>Settings not saved</source>
         <translation>设置未保存</translation>
     </message>

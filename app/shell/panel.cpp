@@ -7,12 +7,17 @@
 #include "app/report/commissioning_pdf.h"
 #include "app/store/files/private_files.h"
 
+#include <QBuffer>
 #include <QCoreApplication>
 #include <QEventLoop>
+#include <QImage>
+#include <QInputDevice>
 #include <QLibraryInfo>
 #include <QLocale>
 #include <QLoggingCategory>
 #include <QStandardPaths>
+
+#include <algorithm>
 
 namespace campanel::shell {
 namespace {
@@ -32,6 +37,12 @@ QString privateDataFolder(const Storage& storage)
     (void)store::makePrivateFolder(folder); // a failure is reported when the database is opened
     store::makePrivate(folder);
     return folder;
+}
+
+int countTouchscreens()
+{
+    return static_cast<int>(std::ranges::count(QInputDevice::devices(), QInputDevice::DeviceType::TouchScreen,
+                                               &QInputDevice::type));
 }
 
 } // namespace
@@ -55,7 +66,9 @@ Panel::Panel(link::Link& link, const Storage& storage)
                recipeFolder(storage), nullptr)
     , m_commissioning(m_machine, m_editor, m_access, *m_maintenance.files(), nullptr)
     , m_shiftReport(m_stops, *m_maintenance.files(), nullptr)
-    , m_bundle({m_machine, m_editor, m_records, *m_maintenance.figures(), *m_maintenance.files()}, nullptr)
+    , m_bundle({m_machine, m_editor, m_records, *m_maintenance.figures(), *m_maintenance.files(),
+                *m_maintenance.frames()},
+               nullptr)
     , m_display(m_machine, m_settings, nullptr)
     , m_explanations({m_machine, m_editor, *m_maintenance.figures(), m_trends, m_stops}, nullptr)
     , m_plant(m_machine, m_alarms, m_trail, nullptr)
@@ -66,6 +79,14 @@ Panel::Panel(link::Link& link, const Storage& storage)
     m_shiftReport.setPrinter(&report::commissioningPdf);
     m_records.noteRestore(m_restore);
     connect(&m_backup, &panel::Backup::restartWanted, this, &Panel::restartWanted);
+    m_bundle.setScreen([this] {
+        QByteArray png;
+        QBuffer buffer(&png);
+        if (m_window && buffer.open(QIODevice::WriteOnly))
+            m_window->grabWindow().save(&buffer, "PNG");
+        return png;
+    });
+    m_alarms.watch().setTouchscreenCount(&countTouchscreens);
     m_maintenance.dryRun()->follow(m_editor);
     m_recipes.files()->setKeyFolder(storage.keyFolder);
     m_recipes.setAuthor([this] { return m_access.userName(); });

@@ -850,8 +850,8 @@ Und %2 weitere.</translation>
         <translation>Name</translation>
     </message>
     <message>
-        <source>Next: press Download on the Motion page, then Start.</source>
-        <translation>Weiter: Laden auf der Seite Bewegung, dann Start.</translation>
+        <source>Next: Download, then Start.</source>
+        <translation>Weiter: Laden, dann Start.</translation>
     </message>
     <message>
         <source>Name of the recipe</source>
@@ -1157,6 +1157,45 @@ Und %2 weitere.</translation>
     </message>
 </context>
 <context>
+    <name>CamFilesSheet</name>
+    <message>
+        <source>There is no CSV file on a USB stick or in %1. Plug a stick in; the panel finds it automatically.</source>
+        <translation>Weder auf einem USB-Stick noch in %1 ist eine CSV-Datei. Stecken Sie einen Stick ein; das Panel findet ihn von selbst.</translation>
+    </message>
+    <message>
+        <source>Choose the location of the new file.</source>
+        <translation>Wählen Sie den Ort der neuen Datei.</translation>
+    </message>
+    <message>
+        <source>Choose a file to view its content.</source>
+        <translation>Wählen Sie eine Datei, um ihren Inhalt zu sehen.</translation>
+    </message>
+    <message>
+        <source>Segments as CSV</source>
+        <translation>Abschnitte als CSV</translation>
+    </message>
+    <message>
+        <source>Knots as CSV</source>
+        <translation>Stützpunkte als CSV</translation>
+    </message>
+    <message>
+        <source>Import CSV</source>
+        <translation>CSV importieren</translation>
+    </message>
+    <message>
+        <source>Export CSV</source>
+        <translation>CSV exportieren</translation>
+    </message>
+    <message>
+        <source>Write file</source>
+        <translation>Datei schreiben</translation>
+    </message>
+    <message>
+        <source>Import</source>
+        <translation>Importieren</translation>
+    </message>
+</context>
+<context>
     <name>KnotSheet</name>
     <message>
         <source>Knots</source>
@@ -1389,6 +1428,13 @@ Und %2 weitere.</translation>
     <message>
         <source>Master</source>
         <translation>Leitachse</translation>
+    </message>
+</context>
+<context>
+    <name>MachineDrawing</name>
+    <message>
+        <source>Drawing of the machine</source>
+        <translation>Zeichnung der Maschine</translation>
     </message>
 </context>
 <context>
@@ -2854,12 +2900,12 @@ Und %2 weitere.</translation>
         <translation>Stetig machen</translation>
     </message>
     <message>
-        <source>Segment %1</source>
-        <translation>Abschnitt %1</translation>
-    </message>
-    <message>
         <source>CSV files</source>
         <translation>CSV-Dateien</translation>
+    </message>
+    <message>
+        <source>Segment %1</source>
+        <translation>Abschnitt %1</translation>
     </message>
 </context>
 <context>
@@ -2889,45 +2935,6 @@ Und %2 weitere.</translation>
     <message>
         <source>Close this window</source>
         <translation>Dieses Fenster schließen</translation>
-    </message>
-</context>
-<context>
-    <name>CamFilesSheet</name>
-    <message>
-        <source>There is no CSV file on a USB stick or in %1. Plug a stick in; the panel finds it automatically.</source>
-        <translation>Weder auf einem USB-Stick noch in %1 ist eine CSV-Datei. Stecken Sie einen Stick ein; das Panel findet ihn von selbst.</translation>
-    </message>
-    <message>
-        <source>Choose the location of the new file.</source>
-        <translation>Wählen Sie den Ort der neuen Datei.</translation>
-    </message>
-    <message>
-        <source>Choose a file to view its content.</source>
-        <translation>Wählen Sie eine Datei, um ihren Inhalt zu sehen.</translation>
-    </message>
-    <message>
-        <source>Segments as CSV</source>
-        <translation>Abschnitte als CSV</translation>
-    </message>
-    <message>
-        <source>Knots as CSV</source>
-        <translation>Stützpunkte als CSV</translation>
-    </message>
-    <message>
-        <source>Import CSV</source>
-        <translation>CSV importieren</translation>
-    </message>
-    <message>
-        <source>Export CSV</source>
-        <translation>CSV exportieren</translation>
-    </message>
-    <message>
-        <source>Write file</source>
-        <translation>Datei schreiben</translation>
-    </message>
-    <message>
-        <source>Import</source>
-        <translation>Importieren</translation>
     </message>
 </context>
 <context>

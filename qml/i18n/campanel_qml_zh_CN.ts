@@ -850,7 +850,7 @@ And %2 more.</source>
         <translation>名称</translation>
     </message>
     <message>
-        <source>Next: press Download on the Motion page, then Start.</source>
+        <source>Next: Download, then Start.</source>
         <translation>下一步：在“运动”页按“下载”，再按“启动”。</translation>
     </message>
     <message>
@@ -1428,6 +1428,13 @@ And %2 more.</source>
     <message>
         <source>Master</source>
         <translation>主轴</translation>
+    </message>
+</context>
+<context>
+    <name>MachineDrawing</name>
+    <message>
+        <source>Drawing of the machine</source>
+        <translation>机器示意图</translation>
     </message>
 </context>
 <context>

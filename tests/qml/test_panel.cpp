@@ -8,6 +8,7 @@
 #include "tests/support/test_program.h"
 
 #include <QFile>
+#include <QJSValue>
 #include <QTemporaryDir>
 
 #include <cmath>
@@ -16,6 +17,7 @@ namespace test_panel {
 
 using Kind = campanel::looks::DemoLink::Kind;
 namespace panel = campanel::panel;
+namespace program = campanel::program;
 
 class TestPanel : public campanel::test::PanelTest {
     Q_OBJECT
@@ -403,6 +405,35 @@ private slots:
         const qsizetype before = m_window->link().stopRequests();
         tap("stopKey");
         QCOMPARE(m_window->link().stopRequests(), before + 1);
+    }
+
+    void theDrawingMarksTheChosenField()
+    {
+        const auto marked = [this] {
+            const QQuickItem* drawing = m_window->find(QStringLiteral("machineDrawing"));
+            return drawing ? drawing->property("marked").value<QJSValue>().toVariant().toStringList()
+                           : QStringList("no drawing");
+        };
+        tap("nav_settings");
+        tap("section2");
+        QCOMPARE(marked(), QStringList());
+        for (const auto& [field, part] :
+             {std::pair{"field_knifeRadius", "radius"}, {"field_knives", "knives"}}) {
+            tap(field);
+            tap("keypadCancel");
+            QCOMPARE(marked(), QStringList(QString::fromLatin1(part)));
+        }
+        // Every field of the machine's data has its part.
+        const QQuickItem* drawing = m_window->find(QStringLiteral("machineDrawing"));
+        QVERIFY(drawing);
+        const QVariantMap parts = drawing->property("parts").value<QJSValue>().toVariant().toMap();
+        for (const program::KindInfo& kind : program::kinds()) {
+            editor().newProgram(static_cast<int>(kind.kind));
+            for (const QVariant& field : editor().machineFields()) {
+                const QString id = field.value<panel::EditorField*>()->fieldId();
+                QVERIFY2(parts.contains(id), qPrintable(id));
+            }
+        }
     }
 
     void languageChangesAtOnce()

@@ -97,7 +97,7 @@ private slots:
             rig.editor.newProgram(kind);
         QCOMPARE(rig.editor.kind(), Editor::Kind::RotaryCutter);
         QVERIFY(!rig.editor.canUndo());
-        QCOMPARE(rig.editor.kindNames().size(), 6);
+        QCOMPARE(rig.editor.kinds().size(), 6);
         begin(rig, ProgramKind::PositionMove);
         for (const auto& [row, option] : {std::pair{-1, 0}, {0, -1}, {0, 2}, {9, 0}})
             rig.editor.setChoice(row, option);
