@@ -153,7 +153,7 @@ private slots:
     {
         PanelRig rig;
         const panel::Explanations explanations(
-            {rig.machine, rig.editor, *rig.maintenance.figures(), rig.trends}, nullptr);
+            {rig.machine, rig.editor, *rig.maintenance.figures(), rig.trends, rig.stops}, nullptr);
         constexpr int topic = panel::Explanations::ShaftVibration;
         for (const ProgramKind kind :
              {ProgramKind::PointCam, ProgramKind::SegmentCam, ProgramKind::PositionMove}) {
