@@ -152,8 +152,9 @@ private slots:
     void vibrationIsExplained()
     {
         PanelRig rig;
+        panel::Stops stops(rig.machine, rig.settings, rig.records, *rig.maintenance.files(), nullptr);
         const panel::Explanations explanations(
-            {rig.machine, rig.editor, *rig.maintenance.figures(), rig.trends, rig.stops}, nullptr);
+            {rig.machine, rig.editor, *rig.maintenance.figures(), rig.trends, stops}, nullptr);
         constexpr int topic = panel::Explanations::ShaftVibration;
         for (const ProgramKind kind :
              {ProgramKind::PointCam, ProgramKind::SegmentCam, ProgramKind::PositionMove}) {
