@@ -41,7 +41,7 @@ SettingsSection {
             }
             SettingRow {
                 objectName: "openStops"
-                width: section.half
+                width: column.width
                 height: section.rowHeight
                 label: qsTr("Reasons, shifts, ideal rate")
                 value: qsTr("Stops and shifts")
