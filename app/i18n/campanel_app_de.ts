@@ -2779,7 +2779,7 @@ eff. %2</translation>
     </message>
     <message>
         <source>Polynomial 5, with speeds and accelerations</source>
-        <translation>Polynom 5, mit Geschwindigkeiten und Beschleunigungen</translation>
+        <translation>Polynom 5, mit Geschw. und Beschl.</translation>
     </message>
 </context>
 <context>
