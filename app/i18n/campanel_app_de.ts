@@ -1492,13 +1492,6 @@
         <source>Knots</source>
         <translation>Stützpunkte</translation>
     </message>
-    <message numerus="yes">
-        <source>%n knot(s)</source>
-        <translation>
-            <numerusform>%n Stützpunkt</numerusform>
-            <numerusform>%n Stützpunkte</numerusform>
-        </translation>
-    </message>
 </context>
 <context>
     <name>DoctorSentences</name>
@@ -2116,13 +2109,6 @@ eff. %2</translation>
     <message>
         <source>Knots</source>
         <translation>Stützpunkte</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n knot(s)</source>
-        <translation>
-            <numerusform>%n Stützpunkt</numerusform>
-            <numerusform>%n Stützpunkte</numerusform>
-        </translation>
     </message>
 </context>
 <context>
@@ -2751,20 +2737,6 @@ eff. %2</translation>
         <source>Knots</source>
         <translation>Stützpunkte</translation>
     </message>
-    <message numerus="yes">
-        <source>%n segment(s)</source>
-        <translation>
-            <numerusform>%n Abschnitt</numerusform>
-            <numerusform>%n Abschnitte</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n knot(s)</source>
-        <translation>
-            <numerusform>%n Stützpunkt</numerusform>
-            <numerusform>%n Stützpunkte</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Dwell</source>
         <translation>Rast</translation>
@@ -2780,6 +2752,18 @@ eff. %2</translation>
     <message>
         <source>Polynomial 5, with speeds and accelerations</source>
         <translation>Polynom 5, mit Geschw. und Beschl.</translation>
+    </message>
+    <message>
+        <source>%1 segments</source>
+        <translation>%1 Abschnitte</translation>
+    </message>
+    <message>
+        <source>1 segment</source>
+        <translation>1 Abschnitt</translation>
+    </message>
+    <message>
+        <source>%1 knots</source>
+        <translation>%1 Stützpunkte</translation>
     </message>
 </context>
 <context>
@@ -5925,10 +5909,6 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
         <translation>h/c: das Messer dreht gleichmäßig</translation>
     </message>
     <message>
-        <source>L_crit: the knife stops in each cycle</source>
-        <translation>L_krit: das Messer steht in jedem Zyklus</translation>
-    </message>
-    <message>
         <source>%1 · %2</source>
         <comment>%1: bag length, %2: rate</comment>
         <translation>%1 · %2</translation>
@@ -5942,6 +5922,10 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
         <source>No rate is possible; limited by: %1.</source>
         <comment>name of the limit</comment>
         <translation>Keine Taktzahl ist möglich; begrenzt durch: %1.</translation>
+    </message>
+    <message>
+        <source>L_crit: the longest ramps stop the knife</source>
+        <translation>L_krit: die längsten Rampen halten das Messer an</translation>
     </message>
 </context>
 <context>
@@ -6395,10 +6379,6 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
         <translation>%1 Stück/min</translation>
     </message>
     <message>
-        <source>fastest of the recipe</source>
-        <translation>schnellste des Rezepts</translation>
-    </message>
-    <message>
         <source>every day</source>
         <translation>täglich</translation>
     </message>
@@ -6409,6 +6389,10 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
     <message>
         <source>own list (%1)</source>
         <translation>eigene Liste (%1)</translation>
+    </message>
+    <message>
+        <source>by recipe</source>
+        <translation>nach Rezept</translation>
     </message>
 </context>
 <context>

@@ -1492,12 +1492,6 @@
         <source>Knots</source>
         <translation>型值点</translation>
     </message>
-    <message numerus="yes">
-        <source>%n knot(s)</source>
-        <translation>
-            <numerusform>%n 个型值点</numerusform>
-        </translation>
-    </message>
 </context>
 <context>
     <name>DoctorSentences</name>
@@ -2114,12 +2108,6 @@ RMS %2</source>
     <message>
         <source>Knots</source>
         <translation>型值点</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n knot(s)</source>
-        <translation>
-            <numerusform>%n 个型值点</numerusform>
-        </translation>
     </message>
 </context>
 <context>
@@ -2748,17 +2736,17 @@ RMS %2</source>
         <source>Knots</source>
         <translation>型值点</translation>
     </message>
-    <message numerus="yes">
-        <source>%n segment(s)</source>
-        <translation>
-            <numerusform>%n 个运动段</numerusform>
-        </translation>
+    <message>
+        <source>%1 segments</source>
+        <translation>%1 个运动段</translation>
     </message>
-    <message numerus="yes">
-        <source>%n knot(s)</source>
-        <translation>
-            <numerusform>%n 个型值点</numerusform>
-        </translation>
+    <message>
+        <source>1 segment</source>
+        <translation>1 个运动段</translation>
+    </message>
+    <message>
+        <source>%1 knots</source>
+        <translation>%1 个型值点</translation>
     </message>
     <message>
         <source>Dwell</source>
@@ -5919,8 +5907,8 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
         <translation>h/c：切刀匀速转动</translation>
     </message>
     <message>
-        <source>L_crit: the knife stops in each cycle</source>
-        <translation>L_crit：切刀每周期停顿</translation>
+        <source>L_crit: the longest ramps stop the knife</source>
+        <translation>L_crit：最长斜坡使切刀停顿</translation>
     </message>
     <message>
         <source>%1 · %2</source>
@@ -6389,8 +6377,8 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
         <translation>%1 件/分</translation>
     </message>
     <message>
-        <source>fastest of the recipe</source>
-        <translation>配方的最高速率</translation>
+        <source>by recipe</source>
+        <translation>按配方</translation>
     </message>
     <message>
         <source>every day</source>

@@ -1332,12 +1332,12 @@ Und %2 weitere.</translation>
         <translation>±%1 mm</translation>
     </message>
     <message>
-        <source>Reasons, shifts, ideal rate</source>
-        <translation>Gründe, Schichten, ideale Taktrate</translation>
-    </message>
-    <message>
         <source>Stops and shifts</source>
         <translation>Stillstände und Schichten</translation>
+    </message>
+    <message>
+        <source>Reasons, ideal rate</source>
+        <translation>Gründe, ideale Taktrate</translation>
     </message>
 </context>
 <context>
@@ -3181,6 +3181,14 @@ Und %2 weitere.</translation>
     <message>
         <source>Shift report as PDF</source>
         <translation>Schichtbericht als PDF</translation>
+    </message>
+    <message>
+        <source>Previous shift</source>
+        <translation>Vorige Schicht</translation>
+    </message>
+    <message>
+        <source>Next shift</source>
+        <translation>Nächste Schicht</translation>
     </message>
 </context>
 <context>

@@ -1332,8 +1332,8 @@ And %2 more.</source>
         <translation>±%1 mm</translation>
     </message>
     <message>
-        <source>Reasons, shifts, ideal rate</source>
-        <translation>原因、班次、理想速率</translation>
+        <source>Reasons, ideal rate</source>
+        <translation>原因、理想速率</translation>
     </message>
     <message>
         <source>Stops and shifts</source>
@@ -3181,6 +3181,14 @@ And %2 more.</source>
     <message>
         <source>Shift report as PDF</source>
         <translation>班次报告 PDF</translation>
+    </message>
+    <message>
+        <source>Previous shift</source>
+        <translation>上一班次</translation>
+    </message>
+    <message>
+        <source>Next shift</source>
+        <translation>下一班次</translation>
     </message>
 </context>
 <context>

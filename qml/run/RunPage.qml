@@ -16,9 +16,10 @@ Page {
     Loader {
         id: loader
         anchors.fill: parent
+        visible: !Stops.asking
         source: page.view
     }
-    // Above the view: nothing of it changes while the machine stands.
+    // In the place of the view, which shows nothing new while the machine stands.
     Loader {
         id: question
         anchors { fill: parent; bottomMargin: page.bottomInset }

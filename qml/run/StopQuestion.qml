@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The question for the reason of the present stop, over the page; it goes when the machine runs.
+// The question for the reason of the present stop, in the place of the page; it goes when the machine runs.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme

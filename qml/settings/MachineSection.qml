@@ -43,7 +43,7 @@ SettingsSection {
                 objectName: "openStops"
                 width: column.width
                 height: section.rowHeight
-                label: qsTr("Reasons, shifts, ideal rate")
+                label: qsTr("Reasons, ideal rate")
                 value: qsTr("Stops and shifts")
                 onClicked: (section.page as SettingsPage).openStops()
             }

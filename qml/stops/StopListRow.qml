@@ -17,6 +17,8 @@ T.AbstractButton {
     required property bool isOpen
 
     implicitHeight: Theme.size.touch
+    Accessible.role: Accessible.Button
+    Accessible.name: row.time
 
     background: Rectangle {
         radius: Theme.size.radius

@@ -28,6 +28,7 @@ Page {
         Button {
             id: previous
             objectName: "shiftPrevious"
+            Accessible.name: qsTr("Previous shift")
             glyph: Theme.icon.previous
             onClicked: Stops.shift.showPrevious()
         }
@@ -61,6 +62,7 @@ Page {
         Button {
             id: next
             objectName: "shiftNext"
+            Accessible.name: qsTr("Next shift")
             glyph: Theme.icon.next
             enabled: !Stops.shift.isPresent
             onClicked: Stops.shift.showNext()

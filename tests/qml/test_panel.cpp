@@ -3,6 +3,7 @@
 // navigation, Stop, language.
 #include "panel_test.h"
 
+#include "profile/segments/segments_csv.h"
 #include "tests/looks/screen_checks.h"
 #include "tests/support/test_program.h"
 
@@ -233,6 +234,35 @@ private slots:
         tap("sheetClose");
         tap("undo");
         QCOMPARE(editor().knots()->count(), 5);
+    }
+
+    void segmentsComeFromAFile()
+    {
+        const QTemporaryDir stick;
+        QFile file(stick.filePath(QStringLiteral("cam.csv")));
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        editor().newProgram(6);
+        auto cam = std::get<campanel::profile::SegmentCamProgram>(editor().recipe().program);
+        cam.segments[0].endMm = cam.segments[1].endMm = 40;
+        file.write(QByteArray::fromStdString(campanel::profile::writeSegmentsCsv(cam.segments)));
+        file.close();
+        panel::CamFiles& files = *editor().camFiles();
+        files.setScanner([path = stick.path()](const QString&, const campanel::profile::Program& program) {
+            const QList<campanel::store::Place> places{{path, QStringLiteral("STICK"), false}};
+            return panel::CamFiles::Found{places, campanel::store::offeredLists(places, program)};
+        });
+        tap("nav_motion");
+        tap("segmentsButton");
+        tap("segmentFilesButton");
+        m_window->waitFor(files);
+        tap("offer0");
+        QVERIFY2(textOf("offerDetail").startsWith(QStringLiteral("4 segments, slave 0 to 40 mm")),
+                 qPrintable(textOf("offerDetail")));
+        tap("offerGo");
+        QVERIFY2(m_window->find(QStringLiteral("segmentList")), "back among the segments");
+        const auto& taken = std::get<campanel::profile::SegmentCamProgram>(editor().recipe().program);
+        QCOMPARE(taken.segments[0].endMm, 40.0);
+        QVERIFY(taken.segments == cam.segments);
     }
 
     void aCorrectedFileIsReadAgain()

@@ -53,7 +53,7 @@ private:
     std::optional<link::SteadyTime> m_waitsSince; // the film
     std::optional<std::uint32_t> m_pieces;        // the controller's count
     std::optional<std::uint32_t> m_cutsSkipped;
-    // What the fastest rate was computed for.
+    // The fastest rate, and the program and machine that it was computed for.
     std::shared_ptr<const ControllerProgram> m_program;
     std::optional<profile::Machine> m_machineData;
     double m_fastestPerMin = 0; // 0: unknown

@@ -7,7 +7,7 @@
 
 namespace campanel::panel {
 
-// What was counted in a span of time.
+// The times and counts of a shift.
 struct Production {
     std::int64_t plannedMs = 0; // known time without planned stops
     std::int64_t runMs = 0;

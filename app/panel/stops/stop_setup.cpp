@@ -74,7 +74,7 @@ QList<QTime> StopSetup::times() const
 QString StopSetup::idealRateText() const
 {
     const double rate = m_settings.values().number("stops.ideal_rate");
-    return rate > 0 ? tr("%1 pieces/min").arg(Format().number(rate, 1)) : tr("fastest of the recipe");
+    return rate > 0 ? tr("%1 pieces/min").arg(Format().number(rate, 1)) : tr("by recipe");
 }
 
 QString StopSetup::shiftsText() const

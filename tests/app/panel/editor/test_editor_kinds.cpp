@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The editor with the kinds other than the rotary cutter: its fields, choices, undo, law comparison.
+#include "app/panel/explain/explanations.h"
+#include "app/panel/maintenance/line_figures.h"
 #include "profile/laws/laws.h"
 #include "tests/app/panel/kind_steps.h"
 #include "tests/support/test_program.h"
@@ -145,6 +147,30 @@ private slots:
         QCOMPARE(rig.editor.lawTitle(), "Speed law");
         QVERIFY2(rig.editor.peakText().contains("5400 r/min · 14.14 m/s²"),
                  qPrintable(rig.editor.peakText()));
+    }
+
+    void vibrationIsExplained()
+    {
+        PanelRig rig;
+        panel::Stops stops(rig.machine, rig.settings, rig.records, *rig.maintenance.files(), nullptr);
+        const panel::Explanations explanations(
+            {rig.machine, rig.editor, *rig.maintenance.figures(), rig.trends, stops}, nullptr);
+        constexpr int topic = panel::Explanations::ShaftVibration;
+        for (const ProgramKind kind :
+             {ProgramKind::PointCam, ProgramKind::SegmentCam, ProgramKind::PositionMove}) {
+            begin(rig, kind);
+            QVERIFY(!explanations.ofVerdict().contains(topic));
+            rig.editor.item(Field::NaturalFrequency)->set(4);
+            QVERIFY(explanations.ofVerdict().contains(topic));
+            const panel::Explanation found = explanations.of(topic);
+            const bool isCam = kind != ProgramKind::PositionMove;
+            QCOMPARE(found.title, isCam ? "Vibration over the cycle" : "Vibration after the move");
+            QVERIFY2(found.text().contains("f0 = 4 Hz"), qPrintable(found.text()));
+            const double expected = program::vibrationMm(rig.editor.recipe(), *rig.editor.solution().solved);
+            QCOMPARE(found.value, panel::Format().compact(expected, 0, 3));
+            QVERIFY(expected > 0.1);
+            rig.editor.item(Field::NaturalFrequency)->set(0);
+        }
     }
 
     void lawsAreComparedBehindTheCurves()
