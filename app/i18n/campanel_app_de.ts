@@ -2751,7 +2751,7 @@ eff. %2</translation>
     </message>
     <message>
         <source>Polynomial 5, with speeds and accelerations</source>
-        <translation>Polynom 5, Geschwindigkeit und Beschl.</translation>
+        <translation>Polynom 5, mit Geschw. und Beschl.</translation>
     </message>
     <message>
         <source>%1 segments</source>

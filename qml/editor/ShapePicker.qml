@@ -9,6 +9,8 @@ import CamPanel.Plot
 ListPicker {
     id: picker
 
+    panelWidth: width * 0.7
+
     delegate: ChoiceRow {
         id: row
         required property var modelData
@@ -23,7 +25,7 @@ ListPicker {
             id: drawing
             x: Theme.size.padding
             anchors.verticalCenter: parent.verticalCenter
-            width: 1.4 * height
+            width: 1.2 * height
             height: row.height - 2 * Theme.size.spacing
             points: row.modelData.shape
             color: row.holds ? Theme.color.touch : Theme.color.secondaryInk

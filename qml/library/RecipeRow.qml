@@ -57,10 +57,10 @@ T.AbstractButton {
                 font.pixelSize: Theme.size.caption
             }
         }
-        Row {
+        Column {
             id: marks
             anchors { right: parent.right; rightMargin: Theme.size.padding; verticalCenter: parent.verticalCenter }
-            spacing: Theme.size.spacing
+            spacing: Theme.size.outline
             IconLabel {
                 visible: row.isOpen
                 code: Theme.icon.edit

@@ -39,7 +39,7 @@ bool isInside(const QQuickItem& ancestor, const QQuickItem* item)
 // Returns the topmost item at a place that a finger can press.
 QQuickItem* pressedAt(QQuickItem& below, const QPointF& scene)
 {
-    if (!below.isVisible())
+    if (!below.isVisible() || !below.isEnabled())
         return nullptr;
     const QPointF at = below.mapFromScene(scene);
     if (below.clip() && !below.contains(at))

@@ -27,6 +27,7 @@ QStringList placesIn(const QString& text)
     QStringList places;
     for (const QRegularExpressionMatch& match : place.globalMatch(text))
         places << match.captured();
+    places.removeDuplicates(); // a text has each place once in every plural form
     places.sort();
     return places;
 }
