@@ -212,13 +212,11 @@ QString ShiftView::timesText() const
     const QString run = StopWords::duration(m_summary.production.runMs);
     const QString stops = StopWords::duration(m_summary.stopMs);
     const QString planned = StopWords::duration(m_summary.plannedStopMs);
-    const qint64 unknownMs =
-        std::min(m_shift.endMs, m_owner.nowMs()) - m_shift.beginMs - m_summary.knownMs;
+    const qint64 unknownMs = std::min(m_shift.endMs, m_owner.nowMs()) - m_shift.beginMs - m_summary.knownMs;
     constexpr qint64 worthSaying = 60'000;
-    return unknownMs < worthSaying
-               ? tr("Run %1 · stops %2 · planned stops %3").arg(run, stops, planned)
-               : tr("Run %1 · stops %2 · planned stops %3 · not recorded %4")
-                     .arg(run, stops, planned, StopWords::duration(unknownMs));
+    return unknownMs < worthSaying ? tr("Run %1 · stops %2 · planned stops %3").arg(run, stops, planned)
+                                   : tr("Run %1 · stops %2 · planned stops %3 · not recorded %4")
+                                         .arg(run, stops, planned, StopWords::duration(unknownMs));
 }
 
 int ShiftView::openStops() const

@@ -101,7 +101,7 @@ private:
     Present m_present;
     qint64 m_postponed = 0; // stop
     link::SteadyTime m_writtenAt{};
-    int m_writes = 0; // under way
+    int m_writes = 0;         // under way
     bool m_hasFailed = false; // the last write
 };
 
