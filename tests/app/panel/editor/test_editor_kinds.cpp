@@ -2,6 +2,7 @@
 // The editor with the kinds other than the rotary cutter: its fields, choices, undo, law comparison.
 #include "app/panel/explain/explanations.h"
 #include "app/panel/maintenance/line_figures.h"
+#include "app/panel/recipe/choice_model.h"
 #include "profile/laws/laws.h"
 #include "tests/app/panel/kind_steps.h"
 #include "tests/support/test_program.h"
@@ -9,12 +10,14 @@
 #include <QSignalSpy>
 #include <QTest>
 
+#include <algorithm>
 #include <cmath>
 
 namespace test_editor_kinds {
 
 using namespace campanel;
 using namespace campanel::test;
+using panel::ChoiceRow;
 using panel::ProgramDownload;
 
 class TestEditorKinds : public QObject {
@@ -132,6 +135,24 @@ private slots:
         QCOMPARE(rig.editor.kind(), Editor::Kind::SpeedMove);
         rig.editor.redo();
         QVERIFY(fields().contains("distance_mm"));
+    }
+
+    // What the controller does not execute is no choice; a recipe that has it keeps it in sight.
+    void slowControllersOfferNoIntervals()
+    {
+        program::Recipe recipe = program::defaultRecipe(ProgramKind::SpeedMove);
+        modbus::Identity controller;
+        const auto options = [&] {
+            const auto rows = ChoiceRow::rows(recipe, controller);
+            const auto row = std::ranges::find(rows, program::Choice::Execution, &ChoiceRow::choice);
+            return row == rows.end() ? QStringList() : row->options;
+        };
+        QCOMPARE(options(), QStringList({"Cam points", "Intervals"}));
+        controller.tableLayouts = 1u << static_cast<unsigned>(modbus::TableLayout::CamPoints);
+        QCOMPARE(options(), QStringList({"Cam points"}));
+        program::setChoice(recipe.program, program::Choice::Execution,
+                           static_cast<std::uint16_t>(profile::Execution::Intervals));
+        QCOMPARE(options(), QStringList({"Cam points", "Intervals"}));
     }
 
     void numbersOfThePaper()
