@@ -148,7 +148,8 @@ private slots:
             return row == rows.end() ? QStringList() : row->options;
         };
         QCOMPARE(options(), QStringList({"Cam points", "Intervals"}));
-        controller.tableLayouts = 1u << static_cast<unsigned>(modbus::TableLayout::CamPoints);
+        controller.tableLayouts =
+            static_cast<std::uint16_t>(1u << static_cast<unsigned>(modbus::TableLayout::CamPoints));
         QCOMPARE(options(), QStringList({"Cam points"}));
         program::setChoice(recipe.program, program::Choice::Execution,
                            static_cast<std::uint16_t>(profile::Execution::Intervals));
