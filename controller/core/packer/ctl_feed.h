@@ -22,7 +22,7 @@ typedef struct {
     int64_t shift;   /* the correction under way */
     uint64_t passed; /* ticks of it */
     uint64_t span;   /* ticks that it takes; 0: none under way */
-    /* What spares the divisions of each slice; computed in a slice after the one that needs it first. */
+    /* Values that spare each slice its divisions; computed in a slice after the one that needs them first. */
     bool has_rate;
     int64_t per_tick;      /* length / cycle, */
     uint32_t rest;         /* its remainder, */
