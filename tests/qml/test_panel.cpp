@@ -70,8 +70,7 @@ private slots:
         QTest::addColumn<QStringList>("way");
         QTest::newRow("bag length") << QStringList{"nav_motion", "field_bagLength"};
         QTest::newRow("film speed") << QStringList{"nav_motion", "field_filmSpeed"};
-        QTest::newRow("machine parameter at the right")
-            << QStringList{"nav_settings", "section2", "field_maxAcceleration"};
+        QTest::newRow("machine parameter") << QStringList{"nav_settings", "section2", "field_knifeRadius"};
     }
     void keypadLeavesItsFieldAndStopFree()
     {
