@@ -29,8 +29,11 @@ bool ctl_banks_check(ctl_banks* banks)
     if (banks->check_position == 0) {
         banks->check_crc = CTL_CRC32_START;
         banks->check_length = ctl_bank_length(bank);
+        banks->check_rows = bank->registers[CTL_OFFSET_BANK_ROW_COUNT];
     }
-    if (banks->check_length > CTL_BANK_STORAGE) /* the number of rows itself is damaged */
+    /* The number of rows itself is damaged: found at once, because it leads out of the bank. */
+    if (banks->check_length > CTL_BANK_STORAGE ||
+        banks->check_rows != bank->registers[CTL_OFFSET_BANK_ROW_COUNT])
         return false;
     const uint32_t left = banks->check_length - banks->check_position;
     const uint32_t part = left < CHECKED_PER_SLICE ? left : CHECKED_PER_SLICE;
