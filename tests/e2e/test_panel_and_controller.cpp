@@ -166,7 +166,8 @@ void TestPanelAndController::changeWhileItRuns(PanelWindow& panel)
     QCOMPARE(panel.machine().state(), Controller::State::Running);
 
     panel.tap("stopKey");
-    QTRY_COMPARE_WITH_TIMEOUT(panel.machine().state(), Controller::State::Ready, timeoutMs);
+    QTRY_VERIFY2_WITH_TIMEOUT(panel.machine().state() == Controller::State::Ready,
+                              qPrintable(panel.texts() + panel.complaints().join(u'\n')), timeoutMs);
     QVERIFY2(panel.machine().commandMessage().isEmpty(), qPrintable(panel.machine().commandMessage()));
     QVERIFY2(panel.machine().alarmText().isEmpty(), qPrintable(panel.machine().alarmText()));
 
