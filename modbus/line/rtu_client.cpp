@@ -16,9 +16,8 @@ namespace {
 using std::chrono::milliseconds;
 using Clock = std::chrono::steady_clock;
 
-// The additional time for writing flash or checking all rows. A lost answer costs this time too: sealing must
-// leave enough time to find a restarted controller within two seconds.
-constexpr milliseconds flashAllowance{2000};
+// The additional time for checking all rows. A lost answer costs this time too: sealing must leave enough
+// time to find a restarted controller within two seconds.
 constexpr milliseconds sealAllowance{1000};
 constexpr int resolveAttempts = 3;
 // The pause between two questions whether a controller has finished its work.
@@ -221,7 +220,7 @@ tl::expected<std::vector<std::uint16_t>, LinkError> RtuClient::readProven(std::u
     return answer;
 }
 
-tl::expected<CommandResult, LinkError> RtuClient::command(Command code, CommandArguments arguments)
+tl::expected<CommandResult, LinkError> RtuClient::begin(Command code, CommandArguments arguments)
 {
     const std::string request = commandName(code);
     static const std::uint16_t commandAddress = registerNamed("command.counter").address;
@@ -252,7 +251,7 @@ tl::expected<CommandResult, LinkError> RtuClient::command(Command code, CommandA
     if (!answer) {
         if (answer.error().kind == LinkErrorKind::NotOpen)
             return tl::unexpected(answer.error());
-        auto found = resolve(request, counter);
+        auto found = resolve(code, counter, &RtuClient::readResult);
         // The exception belongs to this command when the controller has not executed it.
         if (!found && found.error().kind == LinkErrorKind::CommandLost &&
             answer.error().kind == LinkErrorKind::Exception)
@@ -260,15 +259,23 @@ tl::expected<CommandResult, LinkError> RtuClient::command(Command code, CommandA
         return found;
     }
     m_commandCounter = counter;
-    if (result.status == CommandStatus::Busy)
-        return resolve(request, counter);
     return result;
 }
 
-tl::expected<CommandResult, LinkError> RtuClient::resolve(const std::string& request, std::uint16_t counter)
+tl::expected<CommandResult, LinkError> RtuClient::command(Command code, CommandArguments arguments)
 {
+    const auto begun = begin(code, arguments);
+    if (!begun || begun->status != CommandStatus::Busy)
+        return begun;
+    return resolve(code, begun->counter, &RtuClient::findResult);
+}
+
+tl::expected<CommandResult, LinkError> RtuClient::resolve(Command code, std::uint16_t counter,
+                                                          FindResult find)
+{
+    const std::string request = commandName(code);
     for (int attempt = 0; attempt < resolveAttempts; ++attempt) {
-        const auto found = findResult(counter);
+        const auto found = (this->*find)(counter);
         if (found && *found)
             return **found;
         // Certainly not received only when the controller still has the previous counter: a restarted one has
