@@ -6367,8 +6367,8 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
         <translation>s</translation>
     </message>
     <message>
-        <source>Ideal rate (0: of the recipe)</source>
-        <translation>Ideale Taktrate (0: des Rezepts)</translation>
+        <source>Ideal rate (0: by recipe)</source>
+        <translation>Ideale Taktrate (0: laut Rezept)</translation>
     </message>
     <message>
         <source>pieces/min</source>

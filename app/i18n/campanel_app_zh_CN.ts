@@ -6365,7 +6365,7 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
         <translation>秒</translation>
     </message>
     <message>
-        <source>Ideal rate (0: of the recipe)</source>
+        <source>Ideal rate (0: by recipe)</source>
         <translation>理想速率（0：按配方）</translation>
     </message>
     <message>
