@@ -2088,6 +2088,18 @@ eff. %2</translation>
             <numerusform>%n Stützpunkte</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Code</source>
+        <translation>Code</translation>
+    </message>
+    <message>
+        <source>Film reel</source>
+        <translation>Folienrolle</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keiner</translation>
+    </message>
 </context>
 <context>
     <name>RecipeWords</name>
@@ -5731,6 +5743,18 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
         <source>hold to start</source>
         <translation>zum Starten halten</translation>
     </message>
+    <message>
+        <source>scanner prefix</source>
+        <translation>Präfix des Scanners</translation>
+    </message>
+    <message>
+        <source>scanner suffix</source>
+        <translation>Suffix des Scanners</translation>
+    </message>
+    <message>
+        <source>time between scanned keys, ms</source>
+        <translation>Zeit zwischen Tasten des Scanners, ms</translation>
+    </message>
 </context>
 <context>
     <name>campanel::panel::Trends</name>
@@ -5944,6 +5968,64 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
     <message>
         <source>End acceleration</source>
         <translation>Endbeschl.</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::RecipeCodes</name>
+    <message>
+        <source>Any reel</source>
+        <translation>Jede Rolle</translation>
+    </message>
+    <message>
+        <source>The code is too long. Enter at most %1 letters and digits.</source>
+        <translation>Der Code ist zu lang. Höchstens %1 Buchstaben und Ziffern eingeben.</translation>
+    </message>
+    <message>
+        <source>The code has characters that cannot be printed. Enter letters and digits.</source>
+        <translation>Der Code hat Zeichen, die nicht druckbar sind. Buchstaben und Ziffern eingeben.</translation>
+    </message>
+    <message>
+        <source>This is the code of the recipe %1. Enter another code.</source>
+        <translation>Dies ist der Code des Rezepts %1. Anderen Code eingeben.</translation>
+    </message>
+    <message>
+        <source>This is the code of the film reel of %1. Enter another code.</source>
+        <translation>Dies ist der Code der Folienrolle von %1. Anderen Code eingeben.</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::Scan</name>
+    <message>
+        <source>Time between keys</source>
+        <translation>Zeit zwischen Tasten</translation>
+    </message>
+    <message>
+        <source>The prefix is not possible. Enter up to 8 letters, digits or signs of ASCII without spaces.</source>
+        <translation>Dieses Präfix ist nicht möglich. Bis zu 8 Buchstaben, Ziffern oder Zeichen in ASCII ohne Leerzeichen eingeben.</translation>
+    </message>
+    <message>
+        <source>The code was not read completely. Scan again.</source>
+        <translation>Der Code wurde nicht vollständig gelesen. Erneut scannen.</translation>
+    </message>
+    <message>
+        <source>No recipe has the code %1. Enter the code with its recipe on the Recipes page.</source>
+        <translation>Kein Rezept hat den Code %1. Den Code auf der Seite Rezepte beim Rezept eingeben.</translation>
+    </message>
+    <message>
+        <source>%1 and %2 have the same code %3. Give one of them another code.</source>
+        <translation>%1 und %2 haben denselben Code %3. Einem davon einen anderen Code geben.</translation>
+    </message>
+    <message>
+        <source>Complete the first start, then scan again.</source>
+        <translation>Zuerst den ersten Start abschließen, dann erneut scannen.</translation>
+    </message>
+    <message>
+        <source>The recipes are still being read. Scan again.</source>
+        <translation>Die Rezepte werden noch gelesen. Erneut scannen.</translation>
+    </message>
+    <message>
+        <source>A download is running. Scan again when the download has ended.</source>
+        <translation>Eine Übertragung läuft. Nach ihrem Ende erneut scannen.</translation>
     </message>
 </context>
 </TS>

@@ -2101,6 +2101,18 @@ RMS %2</source>
             <numerusform>%n 个型值点</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Code</source>
+        <translation>条码</translation>
+    </message>
+    <message>
+        <source>Film reel</source>
+        <translation>膜卷</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>无</translation>
+    </message>
 </context>
 <context>
     <name>RecipeWords</name>
@@ -5766,6 +5778,18 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
         <source>hold to start</source>
         <translation>按住启动</translation>
     </message>
+    <message>
+        <source>scanner prefix</source>
+        <translation>扫码枪前缀</translation>
+    </message>
+    <message>
+        <source>scanner suffix</source>
+        <translation>扫码枪后缀</translation>
+    </message>
+    <message>
+        <source>time between scanned keys, ms</source>
+        <translation>扫码按键间隔，ms</translation>
+    </message>
 </context>
 <context>
     <name>campanel::panel::Trends</name>
@@ -5991,6 +6015,64 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
     <message>
         <source>End acceleration</source>
         <translation>终点加速度</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::RecipeCodes</name>
+    <message>
+        <source>Any reel</source>
+        <translation>任意膜卷</translation>
+    </message>
+    <message>
+        <source>The code is too long. Enter at most %1 letters and digits.</source>
+        <translation>条码太长。请输入不超过 %1 个字母和数字。</translation>
+    </message>
+    <message>
+        <source>The code has characters that cannot be printed. Enter letters and digits.</source>
+        <translation>条码含有不可打印的字符。请输入字母和数字。</translation>
+    </message>
+    <message>
+        <source>This is the code of the recipe %1. Enter another code.</source>
+        <translation>这是配方 %1 的条码。请输入其他条码。</translation>
+    </message>
+    <message>
+        <source>This is the code of the film reel of %1. Enter another code.</source>
+        <translation>这是 %1 的膜卷条码。请输入其他条码。</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::Scan</name>
+    <message>
+        <source>Time between keys</source>
+        <translation>按键间隔</translation>
+    </message>
+    <message>
+        <source>The prefix is not possible. Enter up to 8 letters, digits or signs of ASCII without spaces.</source>
+        <translation>前缀无效。请输入不超过 8 个 ASCII 字母、数字或符号，不含空格。</translation>
+    </message>
+    <message>
+        <source>The code was not read completely. Scan again.</source>
+        <translation>条码未读完整。请重新扫描。</translation>
+    </message>
+    <message>
+        <source>No recipe has the code %1. Enter the code with its recipe on the Recipes page.</source>
+        <translation>没有配方使用条码 %1。请在“配方”页面为配方输入该条码。</translation>
+    </message>
+    <message>
+        <source>%1 and %2 have the same code %3. Give one of them another code.</source>
+        <translation>%1 和 %2 的条码同为 %3。请为其中一个更换条码。</translation>
+    </message>
+    <message>
+        <source>Complete the first start, then scan again.</source>
+        <translation>请先完成首次启动，然后重新扫描。</translation>
+    </message>
+    <message>
+        <source>The recipes are still being read. Scan again.</source>
+        <translation>正在读取配方。请重新扫描。</translation>
+    </message>
+    <message>
+        <source>A download is running. Scan again when the download has ended.</source>
+        <translation>正在下载。请在下载结束后重新扫描。</translation>
     </message>
 </context>
 </TS>

@@ -63,6 +63,7 @@ std::optional<QString> valueIn(const toml::node& node, SettingForm form)
     case SettingForm::Port:
     case SettingForm::File:
     case SettingForm::Name:
+    case SettingForm::Prefix:
     case SettingForm::Size:
         break;
     }

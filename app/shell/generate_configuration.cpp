@@ -43,6 +43,7 @@ QString standardOf(Setting setting)
     case SettingForm::Port:
     case SettingForm::File:
     case SettingForm::Name:
+    case SettingForm::Prefix:
     case SettingForm::Size:
         return u"\"%1\""_s.arg(standard);
     case SettingForm::Rules:

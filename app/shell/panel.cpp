@@ -45,6 +45,7 @@ Panel::Panel(link::Link& link, const Storage& storage)
     , m_records(recipeFolder(storage), nullptr)
     , m_alarms(m_machine, m_editor, m_records, m_settings, nullptr)
     , m_recipes(m_machine, m_editor, m_records, recipeFolder(storage), nullptr)
+    , m_scan({m_machine, m_editor, m_recipes, m_settings}, nullptr)
     , m_maintenance(m_machine, m_settings, recipeFolder(storage), nullptr)
     , m_trends(m_machine, m_settings, m_records, *m_maintenance.files(), recipeFolder(storage), nullptr)
     , m_access(m_records, m_machine, m_settings, nullptr)
@@ -70,8 +71,8 @@ Panel::Panel(link::Link& link, const Storage& storage)
     connect(&m_access, &panel::Access::changed, this, [this] { m_alarms.setPerson(m_access.userName()); });
     m_engine.addImportPath(QStringLiteral("qrc:/qt/qml"));
     panel::attachToEngine(m_engine, m_access, m_alarms, m_audit, m_backup, m_commissioning, m_display,
-                          m_machine, m_editor, m_explanations, m_records, m_recipes, m_maintenance, m_bundle,
-                          m_settings, m_trends);
+                          m_machine, m_editor, m_explanations, m_records, m_recipes, m_maintenance, m_scan,
+                          m_bundle, m_settings, m_trends);
     connect(&m_settings, &panel::Settings::languageChanged, this, &Panel::translate);
     translate();
     m_component.loadUrl(QUrl(QStringLiteral("qrc:/qt/qml/CamPanel/Frame/Main.qml")),

@@ -26,6 +26,9 @@ Rectangle {
     // What is not on the screen at the start is named by its file: naming its type would load it at once.
     readonly property url explanation: "../Explain/ExplanationSheet.qml"
     readonly property url numbersExplained: "../Explain/NumbersSheet.qml"
+    readonly property url scannedEdits: "../Scan/ScannedEditsSheet.qml"
+    readonly property url download: "../Download/DownloadSheet.qml"
+    readonly property url proof: "../Download/ProofSheet.qml"
     readonly property url morePages: "PagesSheet.qml"
     readonly property bool wiped: Display.wipeSeconds > 0
     property alias clockRuns: topBar.clockRuns
@@ -43,6 +46,10 @@ Rectangle {
         frame.sheet = sheet.createObject(sheetHost, Object.assign({ width: Qt.binding(() => sheetHost.width), height: Qt.binding(() => sheetHost.height) }, values))
         const opened = frame.sheet
         opened.closed.connect(() => frame.closeSheet(opened))
+    }
+    function openDownload(): void {
+        frame.openSheet(Qt.createComponent(frame.download), {})
+        frame.sheet.proofRequested.connect(() => frame.openSheet(Qt.createComponent(frame.proof), {}))
     }
     function openMorePages(): void {
         frame.openSheet(Qt.createComponent(frame.morePages), { pages: navigation.pagesBehind, current: frame.page })
@@ -87,6 +94,12 @@ Rectangle {
         keypadLoader.setSource("KeypadOverlay.qml", { fields: fields, index: index, field: source })
         keypadLoader.active = true
         frame.shift = Math.min(0, (keypadLoader.item as Overlay).free - Theme.size.spacing - right)
+    }
+
+    Connections {
+        target: Scan
+        function onEditsFound() { frame.openSheet(Qt.createComponent(frame.scannedEdits), {}) }
+        function onRecipeOpened() { frame.openDownload() }
     }
 
     color: Theme.color.ground

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+// The codes of the chosen recipe: its own, and that of its film reel.
+pragma ComponentBehavior: Bound
+import QtQuick
+import CamPanel.Theme
+import CamPanel.Controls
+import CamPanel.Panel
+
+Sheet {
+    id: sheet
+
+    signal codeRequested()
+
+    title: qsTr("Codes of %1").arg(Recipes.chosenName)
+    panelWidth: width * 0.86
+    panelHeight: 5.4 * Theme.size.touch
+
+    function enter(code: int): void {
+        if (!Access.ask(Access.Technician))
+            return
+        Recipes.codes.enter(code)
+        sheet.codeRequested()
+    }
+
+    Column {
+        anchors.fill: parent
+        spacing: Theme.size.spacing
+        SettingRow {
+            objectName: "codeOfRecipe"
+            width: parent.width
+            label: qsTr("Code that selects the recipe")
+            value: Recipes.codes.scanText
+            onClicked: sheet.enter(RecipeCodes.Recipe)
+        }
+        SettingRow {
+            objectName: "codeOfFilm"
+            width: parent.width
+            label: qsTr("Code of the film reel")
+            value: Recipes.codes.filmText
+            onClicked: sheet.enter(RecipeCodes.Film)
+        }
+    }
+}
