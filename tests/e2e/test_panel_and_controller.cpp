@@ -88,6 +88,7 @@ class TestPanelAndController : public QObject {
 private slots:
     void initTestCase() { shell::applyFonts(); }
     void theMainJob();
+    void aScanChangesOver();
     void theMasterIsTurnedRound();
     void aBusyPortIsTakenWhenItIsFree();
     void badPorts_data();
@@ -134,6 +135,32 @@ void TestPanelAndController::theMainJob()
             return;
     }
     readFromOutsideAndAgain(controller.port());
+}
+
+// From the scanner's keys to the program in the controller, with two touches.
+void TestPanelAndController::aScanChangesOver()
+{
+    const ControllerProcess controller;
+    PanelWindow panel(controller.port());
+    panel.settings().overrideValue("scanner.prefix", QStringLiteral("~~"));
+    QTRY_COMPARE_WITH_TIMEOUT(panel.machine().state(), Controller::State::Idle, timeoutMs);
+    panel::Recipes& recipes = panel.panel().recipes();
+    QTRY_COMPARE_WITH_TIMEOUT(recipes.total(), 1, timeoutMs);
+    recipes.setWantedName(QStringLiteral("Soap"));
+    recipes.create(1);
+    QTRY_COMPARE_WITH_TIMEOUT(panel.editor().recipeName(), QStringLiteral("Soap"), timeoutMs);
+    for (const QChar key : QStringLiteral("~~Biscuit 250"))
+        QTest::sendKeyEvent(QTest::Click, &panel.panel().window(), QTest::asciiToKey(key.toLatin1()), QString(key),
+                            Qt::NoModifier);
+    QTest::keyClick(&panel.panel().window(), Qt::Key_Return);
+    panel.touchDriver().settle();
+    QCOMPARE(panel.editor().recipeName(), QStringLiteral("Biscuit 250"));
+    QVERIFY(!panel.machine().active().isPresent); // nothing without a touch
+    panel.tap("downloadStart");
+    QTRY_COMPARE_WITH_TIMEOUT(panel.editor().programDownload()->state(), ProgramDownload::State::Applied,
+                              timeoutMs);
+    QTRY_COMPARE_WITH_TIMEOUT(panel.machine().active().name, QStringLiteral("Biscuit 250"), timeoutMs);
+    QCOMPARE(panel.complaints(), QStringList());
 }
 
 void TestPanelAndController::runLength(PanelWindow& panel)

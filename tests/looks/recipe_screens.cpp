@@ -143,6 +143,27 @@ QList<Screen> recipeScreens()
                  for (const QChar letter : QStringLiteral("binggan"))
                      window.tap(QStringLiteral("key_") + letter);
              }},
+            {QStringLiteral("recipes-codes"),
+             [](TestWindow& window) {
+                 window.panel().settings().overrideValue("scanner.prefix", QStringLiteral("~~"));
+                 openLibrary(window, {QStringLiteral("recipeCodes")});
+             }},
+            {QStringLiteral("recipes-code"),
+             [](TestWindow& window) {
+                 window.panel().settings().overrideValue("scanner.prefix", QStringLiteral("~~"));
+                 openLibrary(window, {QStringLiteral("recipeCodes"), QStringLiteral("codeOfRecipe")});
+             }},
+            {QStringLiteral("recipes-scan-edits"),
+             [](TestWindow& window) {
+                 window.panel().editor().bagLength()->set(240);
+                 openLibrary(window);
+                 window.panel().scan().takeCode(QStringLiteral("Rusk 310"));
+             }},
+            {QStringLiteral("recipes-scan-unknown"),
+             [](TestWindow& window) {
+                 openLibrary(window);
+                 window.panel().scan().takeCode(QStringLiteral("4006381333931"));
+             }},
             page("recipes-search", {QStringLiteral("recipeSearch"), QStringLiteral("textCapital")}),
             versions("recipes-versions", QStringLiteral("candidate0")),
             page("recipes-compare", {QStringLiteral("recipeCompare"), QStringLiteral("candidate1")}),

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: Apache-2.0
+// A scanner at the window: bursts of real key events, with and without a text field that has the focus.
+#include "panel_test.h"
+
+#include "tests/support/test_program.h"
+
+#include <QSignalSpy>
+
+namespace test_panel_scan {
+
+using namespace campanel;
+using namespace Qt::StringLiterals;
+
+class TestPanelScan : public test::PanelTest {
+    Q_OBJECT
+
+    auto& scan() { return m_window->panel().scan(); }
+    auto& recipes() { return m_window->panel().recipes(); }
+    void setScanner() { m_window->panel().settings().overrideValue("scanner.prefix", u"~~"_s); }
+    void press(const QString& keys)
+    {
+        for (const QChar key : keys)
+            QTest::sendKeyEvent(QTest::Click, &m_window->window(), QTest::asciiToKey(key.toLatin1()), QString(key),
+                                Qt::NoModifier);
+    }
+    void scanCode(const QString& code)
+    {
+        press(u"~~"_s + code);
+        QTest::keyClick(&m_window->window(), Qt::Key_Return);
+        m_window->settle();
+    }
+    void openLibrary()
+    {
+        m_window->panel().records().open();
+        m_window->waitUntil(recipes(), &panel::Recipes::listChanged,
+                            [](const panel::Recipes& each) { return each.total() > 0; });
+        m_window->link().show(looks::DemoLink::Situation::Stopped);
+        m_window->checkClock();
+        m_window->settle();
+    }
+
+private slots:
+    void aCodeOpensTheDifferenceOnAnyPage()
+    {
+        setScanner();
+        openLibrary();
+        for (const char* page : {"nav_run", "nav_trends", "nav_settings"}) {
+            tap(page);
+            scanCode(recipes().chosenName());
+            QVERIFY2(m_window->find(u"downloadStart"_s), page);
+            QCOMPARE(scan().notice(), QString());
+            tap("downloadCancel");
+        }
+    }
+
+    void anUnknownCodeIsNamedInTheBanner()
+    {
+        setScanner();
+        openLibrary();
+        scanCode(u"4006381"_s);
+        QVERIFY(!m_window->find(u"downloadStart"_s));
+        QCOMPARE(textOf("bannerText"),
+                 u"No recipe has the code 4006381. Enter the code with its recipe on the Recipes page."_s);
+        tap("bannerButton");
+        QCOMPARE(scan().notice(), QString());
+    }
+
+    void noKeyOfACodeReachesAFieldWithTheFocus()
+    {
+        setScanner();
+        openLibrary();
+        tap("nav_recipes");
+        tap("recipeSearch");
+        press(u"bis"_s);
+        QCOMPARE(textOf("textInput"), u"bis"_s);
+        press(u"~~400638"_s); // half a code
+        QTRY_COMPARE(textOf("bannerText"), u"The code was not read completely. Scan again."_s);
+        QCOMPARE(textOf("textInput"), u"bis"_s);
+        scanCode(u"unknown"_s);
+        QVERIFY(m_window->find(u"textInput"_s));
+        QCOMPARE(textOf("textInput"), u"bis"_s);
+    }
+
+    void aSlowHandMayTypeThePrefixsKey()
+    {
+        setScanner();
+        openLibrary();
+        tap("nav_recipes");
+        tap("recipeSearch");
+        press(u"a~"_s);
+        QTRY_COMPARE(textOf("textInput"), u"a~"_s);
+        QCOMPARE(scan().notice(), QString());
+    }
+
+    void withoutAPrefixTheKeyboardIsAKeyboard()
+    {
+        openLibrary();
+        tap("nav_recipes");
+        QVERIFY(!m_window->find(u"recipeCodes"_s));
+        tap("recipeSearch");
+        press(u"~~a1"_s);
+        QCOMPARE(textOf("textInput"), u"~~a1"_s);
+    }
+
+    void aScanFillsTheEntryOfACode()
+    {
+        setScanner();
+        openLibrary();
+        tap("nav_recipes");
+        tap("recipeCodes");
+        tap("codeOfRecipe");
+        scanCode(u"4006381"_s);
+        QCOMPARE(textOf("textInput"), u"4006381"_s);
+        QVERIFY(!m_window->find(u"downloadStart"_s));
+        tap("textAccept");
+        m_window->waitUntil(recipes(), &panel::Recipes::listChanged, [](const panel::Recipes& each) {
+            return each.chosenRecipe() && each.chosenRecipe()->recipe.scanCode == "4006381";
+        });
+        scanCode(u"4006381"_s);
+        QVERIFY(m_window->find(u"downloadStart"_s));
+    }
+
+    void unsavedEditsAreAskedFor()
+    {
+        setScanner();
+        openLibrary();
+        const QString name = recipes().chosenName();
+        editor().bagLength()->set(240);
+        scanCode(name);
+        QVERIFY(!m_window->find(u"downloadStart"_s));
+        tap("confirm_discard");
+        m_window->settle();
+        QVERIFY(m_window->find(u"downloadStart"_s));
+        QVERIFY(!editor().edited());
+    }
+
+    void theScannerIsSetUpAndTestedInItsSection()
+    {
+        openLibrary();
+        tap("nav_maintenance");
+        tap("maintenancePanel");
+        tap("maintenanceScanner");
+        tap("scannerPrefix");
+        press(u"~~"_s);
+        tap("textAccept");
+        QCOMPARE(scan().prefix(), u"~~"_s);
+        scanCode(recipes().chosenName());
+        QVERIFY(!m_window->find(u"downloadStart"_s));
+        QCOMPARE(m_window->find(u"scannerLast"_s)->property("value").toString(), recipes().chosenName());
+    }
+};
+
+CAMPANEL_TEST(TestPanelScan)
+
+} // namespace test_panel_scan
+
+#include "test_panel_scan.moc"
