@@ -844,6 +844,10 @@
         <translation>Rezepte</translation>
     </message>
     <message>
+        <source>Film reels</source>
+        <translation>Folienrollen</translation>
+    </message>
+    <message>
         <source>New recipe</source>
         <translation>Neues Rezept</translation>
     </message>
@@ -862,6 +866,14 @@
     <message>
         <source>Recipe restored</source>
         <translation>Rezept wiederhergestellt</translation>
+    </message>
+    <message>
+        <source>Film reel scanned</source>
+        <translation>Folienrolle gescannt</translation>
+    </message>
+    <message>
+        <source>Wrong film reel allowed</source>
+        <translation>Falsche Folienrolle zugelassen</translation>
     </message>
     <message>
         <source>Newest row unknown</source>
@@ -6026,6 +6038,17 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
     <message>
         <source>A download is running. Scan again when the download has ended.</source>
         <translation>Eine Übertragung läuft. Nach ihrem Ende erneut scannen.</translation>
+    </message>
+    <message>
+        <source>Film reel %1 is the right one for this recipe.</source>
+        <translation>Folienrolle %1 ist die richtige für dieses Rezept.</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::FilmCheck</name>
+    <message>
+        <source>Wrong film reel: %1 was scanned, the recipe needs %2. Load and scan the right reel.</source>
+        <translation>Falsche Folienrolle: %1 wurde gescannt, das Rezept braucht %2. Richtige Rolle einlegen und scannen.</translation>
     </message>
 </context>
 </TS>

@@ -844,6 +844,10 @@
         <translation>配方</translation>
     </message>
     <message>
+        <source>Film reels</source>
+        <translation>膜卷</translation>
+    </message>
+    <message>
         <source>New recipe</source>
         <translation>新建配方</translation>
     </message>
@@ -862,6 +866,14 @@
     <message>
         <source>Recipe restored</source>
         <translation>配方已恢复</translation>
+    </message>
+    <message>
+        <source>Film reel scanned</source>
+        <translation>已扫描膜卷</translation>
+    </message>
+    <message>
+        <source>Wrong film reel allowed</source>
+        <translation>允许使用错误膜卷</translation>
     </message>
     <message>
         <source>Newest row unknown</source>
@@ -6073,6 +6085,17 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
     <message>
         <source>A download is running. Scan again when the download has ended.</source>
         <translation>正在下载。请在下载结束后重新扫描。</translation>
+    </message>
+    <message>
+        <source>Film reel %1 is the right one for this recipe.</source>
+        <translation>膜卷 %1 与此配方相符。</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::FilmCheck</name>
+    <message>
+        <source>Wrong film reel: %1 was scanned, the recipe needs %2. Load and scan the right reel.</source>
+        <translation>膜卷错误：扫描到 %1，配方需要 %2。请装上正确的膜卷并扫描。</translation>
     </message>
 </context>
 </TS>

@@ -45,7 +45,7 @@ Panel::Panel(link::Link& link, const Storage& storage)
     , m_records(recipeFolder(storage), nullptr)
     , m_alarms(m_machine, m_editor, m_records, m_settings, nullptr)
     , m_recipes(m_machine, m_editor, m_records, recipeFolder(storage), nullptr)
-    , m_scan({m_machine, m_editor, m_recipes, m_settings}, nullptr)
+    , m_scan({m_machine, m_editor, m_recipes, m_settings}, recipeFolder(storage), nullptr)
     , m_maintenance(m_machine, m_settings, recipeFolder(storage), nullptr)
     , m_trends(m_machine, m_settings, m_records, *m_maintenance.files(), recipeFolder(storage), nullptr)
     , m_access(m_records, m_machine, m_settings, nullptr)
@@ -67,6 +67,7 @@ Panel::Panel(link::Link& link, const Storage& storage)
     m_maintenance.dryRun()->follow(m_editor);
     m_recipes.files()->setKeyFolder(storage.keyFolder);
     m_recipes.setAuthor([this] { return m_access.userName(); });
+    connect(m_scan.film(), &panel::FilmCheck::noted, &m_trail, &panel::AuditTrail::note);
     connect(&m_recipes, &panel::Recipes::noted, &m_trail, &panel::AuditTrail::note);
     connect(&m_access, &panel::Access::changed, this, [this] { m_alarms.setPerson(m_access.userName()); });
     m_engine.addImportPath(QStringLiteral("qrc:/qt/qml"));

@@ -27,6 +27,8 @@ Rectangle {
     readonly property url explanation: "../Explain/ExplanationSheet.qml"
     readonly property url numbersExplained: "../Explain/NumbersSheet.qml"
     readonly property url scannedEdits: "../Scan/ScannedEditsSheet.qml"
+    readonly property url wrongFilm: "../Scan/FilmSheet.qml"
+    readonly property url filmReason: "../Scan/FilmReasonSheet.qml"
     readonly property url download: "../Download/DownloadSheet.qml"
     readonly property url proof: "../Download/ProofSheet.qml"
     readonly property url morePages: "PagesSheet.qml"
@@ -50,6 +52,10 @@ Rectangle {
     function openDownload(): void {
         frame.openSheet(Qt.createComponent(frame.download), {})
         frame.sheet.proofRequested.connect(() => frame.openSheet(Qt.createComponent(frame.proof), {}))
+    }
+    function openWrongFilm(): void {
+        frame.openSheet(Qt.createComponent(frame.wrongFilm), {})
+        frame.sheet.reasonRequested.connect(() => frame.openSheet(Qt.createComponent(frame.filmReason), {}))
     }
     function openMorePages(): void {
         frame.openSheet(Qt.createComponent(frame.morePages), { pages: navigation.pagesBehind, current: frame.page })
@@ -100,6 +106,7 @@ Rectangle {
         target: Scan
         function onEditsFound() { frame.openSheet(Qt.createComponent(frame.scannedEdits), {}) }
         function onRecipeOpened() { frame.openDownload() }
+        function onWrongFilmScanned() { frame.openWrongFilm() }
     }
 
     color: Theme.color.ground
@@ -257,7 +264,12 @@ Rectangle {
     CommandColumn {
         id: commands
         anchors { right: parent.right; rightMargin: Theme.size.gap; top: topBar.bottom; bottom: parent.bottom; topMargin: Theme.size.gap; bottomMargin: Theme.size.gap }
-        onStartRefused: banner.refuseStart()
+        onStartRefused: {
+            if (Scan.film.blockedReason.length > 0 && Controller.startBlockedReason === Scan.film.blockedReason)
+                frame.openWrongFilm()
+            else
+                banner.refuseStart()
+        }
     }
     Loader {
         anchors { left: parent.left; right: commands.left; top: parent.top; bottom: parent.bottom }

@@ -3010,4 +3010,26 @@ Und %2 weitere.</translation>
         <translation>Suffix des Scanners</translation>
     </message>
 </context>
+<context>
+    <name>FilmSheet</name>
+    <message>
+        <source>Start is blocked</source>
+        <translation>Start ist gesperrt</translation>
+    </message>
+    <message>
+        <source>Override …</source>
+        <translation>Übersteuern …</translation>
+    </message>
+</context>
+<context>
+    <name>FilmReasonSheet</name>
+    <message>
+        <source>Why is another film reel used?</source>
+        <translation>Warum wird eine andere Folienrolle verwendet?</translation>
+    </message>
+    <message>
+        <source>Enter the reason for the audit trail.</source>
+        <translation>Grund für das Änderungsprotokoll eingeben.</translation>
+    </message>
+</context>
 </TS>

@@ -3018,4 +3018,26 @@ And %2 more.</source>
         <translation>扫码枪后缀</translation>
     </message>
 </context>
+<context>
+    <name>FilmSheet</name>
+    <message>
+        <source>Start is blocked</source>
+        <translation>启动被禁止</translation>
+    </message>
+    <message>
+        <source>Override …</source>
+        <translation>放行…</translation>
+    </message>
+</context>
+<context>
+    <name>FilmReasonSheet</name>
+    <message>
+        <source>Why is another film reel used?</source>
+        <translation>为何使用其他膜卷？</translation>
+    </message>
+    <message>
+        <source>Enter the reason for the audit trail.</source>
+        <translation>请输入原因，用于审计追踪。</translation>
+    </message>
+</context>
 </TS>

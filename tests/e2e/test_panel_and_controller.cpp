@@ -150,8 +150,8 @@ void TestPanelAndController::aScanChangesOver()
     recipes.create(1);
     QTRY_COMPARE_WITH_TIMEOUT(panel.editor().recipeName(), QStringLiteral("Soap"), timeoutMs);
     for (const QChar key : QStringLiteral("~~Biscuit 250"))
-        QTest::sendKeyEvent(QTest::Click, &panel.panel().window(), QTest::asciiToKey(key.toLatin1()), QString(key),
-                            Qt::NoModifier);
+        QTest::sendKeyEvent(QTest::Click, &panel.panel().window(), QTest::asciiToKey(key.toLatin1()),
+                            QString(key), Qt::NoModifier);
     QTest::keyClick(&panel.panel().window(), Qt::Key_Return);
     panel.touchDriver().settle();
     QCOMPARE(panel.editor().recipeName(), QStringLiteral("Biscuit 250"));

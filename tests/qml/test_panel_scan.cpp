@@ -20,8 +20,8 @@ class TestPanelScan : public test::PanelTest {
     void press(const QString& keys)
     {
         for (const QChar key : keys)
-            QTest::sendKeyEvent(QTest::Click, &m_window->window(), QTest::asciiToKey(key.toLatin1()), QString(key),
-                                Qt::NoModifier);
+            QTest::sendKeyEvent(QTest::Click, &m_window->window(), QTest::asciiToKey(key.toLatin1()),
+                                QString(key), Qt::NoModifier);
     }
     void scanCode(const QString& code)
     {
@@ -74,8 +74,10 @@ private slots:
         press(u"bis"_s);
         QCOMPARE(textOf("textInput"), u"bis"_s);
         press(u"~~400638"_s); // half a code
+        m_window->link().advance(std::chrono::milliseconds(101));
         QTRY_COMPARE(textOf("bannerText"), u"The code was not read completely. Scan again."_s);
         QCOMPARE(textOf("textInput"), u"bis"_s);
+        QTest::keyClick(&m_window->window(), Qt::Key_Return); // the rest of it
         scanCode(u"unknown"_s);
         QVERIFY(m_window->find(u"textInput"_s));
         QCOMPARE(textOf("textInput"), u"bis"_s);
@@ -88,6 +90,7 @@ private slots:
         tap("nav_recipes");
         tap("recipeSearch");
         press(u"a~"_s);
+        m_window->link().advance(std::chrono::milliseconds(101));
         QTRY_COMPARE(textOf("textInput"), u"a~"_s);
         QCOMPARE(scan().notice(), QString());
     }

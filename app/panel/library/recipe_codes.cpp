@@ -78,8 +78,8 @@ void RecipeCodes::enter(Code code)
     const auto* chosen = m_recipes.chosenRecipe();
     if (!chosen)
         return setWanted({});
-    setWanted(QString::fromStdString(code == Code::Recipe ? chosen->recipe.scanCode
-                                                          : chosen->recipe.filmCode));
+    setWanted(
+        QString::fromStdString(code == Code::Recipe ? chosen->recipe.scanCode : chosen->recipe.filmCode));
 }
 
 void RecipeCodes::store()
@@ -122,10 +122,9 @@ void Recipes::setCodes(const program::Recipe& withCodes)
         if (stored.name == kept.recipe.name) {
             const bool isEdited = m_editor.edited();
             const program::Recipe edited = m_editor.recipe();
-            m_editor.open(coded(stored),
-                          isEdited && edited.name == stored.name ? std::optional(coded(edited))
-                          : isEdited                             ? std::optional(edited)
-                                                                 : std::nullopt);
+            m_editor.open(coded(stored), isEdited && edited.name == stored.name ? std::optional(coded(edited))
+                                         : isEdited                             ? std::optional(edited)
+                                                                                : std::nullopt);
         }
         say(tr("Saved: %1, version %2.").arg(QString::fromStdString(kept.recipe.name)).arg(kept.version));
     });

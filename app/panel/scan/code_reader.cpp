@@ -99,7 +99,8 @@ void CodeReader::readCode(const Key& key, Step& step)
     }
     m_code += key.text;
     // A second prefix means that the end of the code before is missing.
-    const bool isWrong = key.isRepeat || key.text.isEmpty() || (key.text != u" " && !store::isScannable(key.text)) ||
+    const bool isWrong = key.isRepeat || key.text.isEmpty() ||
+                         (key.text != u" " && !store::isScannable(key.text)) ||
                          m_code.endsWith(m_keys.prefix) ||
                          static_cast<std::size_t>(m_code.toUtf8().size()) > program::maxCodeBytes;
     if (isWrong)

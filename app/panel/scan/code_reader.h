@@ -14,7 +14,7 @@ namespace campanel::panel {
 
 // The keys that a scanner sends around a code.
 struct ScannerKeys {
-    QString prefix;       // printable characters; empty: no scanner
+    QString prefix;         // printable characters; empty: no scanner
     bool endsByTab = false; // else by Enter
     std::chrono::milliseconds maxKeyTime{100};
 

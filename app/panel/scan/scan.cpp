@@ -16,9 +16,10 @@ using namespace Qt::StringLiterals;
 
 namespace campanel::panel {
 
-Scan::Scan(const Parts& parts, QObject* parent)
+Scan::Scan(const Parts& parts, const QString& folder, QObject* parent)
     : QObject(parent)
     , m_parts(parts)
+    , m_film(parts.machine, parts.recipes, folder, this)
 {
     m_timer.setSingleShot(true);
     m_timer.callOnTimeout(this, [this] { carryOut(m_reader.expire(m_parts.machine.now())); });
@@ -64,7 +65,8 @@ QString Scan::prefixProblem(const QString& prefix) const
 {
     return isValid("scanner.prefix", prefix.trimmed())
                ? QString()
-               : tr("The prefix is not possible. Enter up to 8 letters, digits or signs of ASCII without spaces.");
+               : tr("The prefix is not possible. Enter up to 8 letters, digits or signs of ASCII without "
+                    "spaces.");
 }
 
 void Scan::setPrefix(const QString& prefix)
@@ -150,11 +152,23 @@ void Scan::takeCode(const QString& code)
     const auto found = m_parts.recipes.coded(code);
     if (found.size() == 1)
         return openRecipe(found.first().recipeId);
-    showNotice(found.isEmpty()
-                   ? tr("No recipe has the code %1. Enter the code with its recipe on the Recipes page.").arg(code)
-                   : tr("%1 and %2 have the same code %3. Give one of them another code.")
-                         .arg(QString::fromStdString(found[0].recipe.name),
-                              QString::fromStdString(found[1].recipe.name), code));
+    if (found.isEmpty() && !m_film.neededCode().isEmpty())
+        return checkFilm(code);
+    showNotice(
+        found.isEmpty()
+            ? tr("No recipe has the code %1. Enter the code with its recipe on the Recipes page.").arg(code)
+            : tr("%1 and %2 have the same code %3. Give one of them another code.")
+                  .arg(QString::fromStdString(found[0].recipe.name),
+                       QString::fromStdString(found[1].recipe.name), code));
+}
+
+// Takes a code that is no recipe's for that of a film reel.
+void Scan::checkFilm(const QString& code)
+{
+    if (m_film.check(code))
+        showNotice(tr("Film reel %1 is the right one for this recipe.").arg(code));
+    else
+        emit wrongFilmScanned();
 }
 
 // Returns why no recipe can be opened now; empty: one can.

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// `Scan` in QML: a code scanner at the panel. A code selects a recipe, whose difference to the active program is
-// then shown; it is downloaded by a person. The keys of a code reach no field.
+// `Scan` in QML: a code scanner at the panel. A code selects a recipe, whose difference to the active program
+// is then shown; it is downloaded by a person. The keys of a code reach no field.
 #pragma once
 
 #include "app/panel/kit/value.h"
 #include "app/panel/scan/code_reader.h"
+#include "app/panel/scan/film_check.h"
 
 #include <QKeyEvent>
 #include <QObject>
@@ -31,6 +32,7 @@ class Scan : public QObject {
     QML_ELEMENT
     QML_SINGLETON
 
+    Q_PROPERTY(campanel::panel::FilmCheck* film READ film CONSTANT FINAL)
     // True when a scanner is set up.
     Q_PROPERTY(bool enabled READ isEnabled NOTIFY settingsChanged FINAL)
     Q_PROPERTY(QString prefix READ prefix NOTIFY settingsChanged FINAL)
@@ -48,11 +50,13 @@ public:
         Settings& settings;
     };
 
-    // All parts must outlive the object. Filters the keys of the application.
-    Scan(const Parts& parts, QObject* parent);
+    // All parts must outlive the object. The scanned film reel is kept in `folder`. Filters the keys of the
+    // application.
+    Scan(const Parts& parts, const QString& folder, QObject* parent);
 
     static Scan* create(QQmlEngine* qmlEngine, QJSEngine* jsEngine);
 
+    [[nodiscard]] FilmCheck* film() { return &m_film; }
     [[nodiscard]] bool isEnabled() const { return !m_keys.prefix.isEmpty(); }
     [[nodiscard]] QString prefix() const { return m_keys.prefix; }
     [[nodiscard]] bool endsByTab() const { return m_keys.endsByTab; }
@@ -83,6 +87,8 @@ signals:
     void editsFound();
     // Requests the difference to the active program.
     void recipeOpened();
+    // Requests the sentence and the override: a wrong film reel was scanned.
+    void wrongFilmScanned();
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
@@ -97,11 +103,13 @@ private:
     [[nodiscard]] bool takeKey(QObject* window, const QKeyEvent& event);
     void carryOut(const CodeReader::Step& step);
     void release(int count);
+    void checkFilm(const QString& code);
     void openRecipe(qint64 recipeId);
     [[nodiscard]] QString refusal() const;
     void showNotice(const QString& text);
 
     Parts m_parts;
+    FilmCheck m_film;
     ScannerKeys m_keys;
     Value m_keyTime;
     CodeReader m_reader;

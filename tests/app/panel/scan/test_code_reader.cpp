@@ -82,21 +82,33 @@ private slots:
         QTest::addColumn<QStringList>("codes");
         QTest::addColumn<int>("halves");
         QTest::addColumn<QString>("field");
-        QTest::newRow("a code") << u"~~"_s << false << u"~~Biscuit 250|"_s << QStringList{u"Biscuit 250"_s} << 0 << QString();
-        QTest::newRow("one key of prefix") << u"~"_s << false << u"~A1|"_s << QStringList{u"A1"_s} << 0 << QString();
+        QTest::newRow("a code") << u"~~"_s << false << u"~~Biscuit 250|"_s << QStringList{u"Biscuit 250"_s}
+                                << 0 << QString();
+        QTest::newRow("one key of prefix")
+            << u"~"_s << false << u"~A1|"_s << QStringList{u"A1"_s} << 0 << QString();
         QTest::newRow("tab") << u"~~"_s << true << u"~~A1>"_s << QStringList{u"A1"_s} << 0 << QString();
-        QTest::newRow("two codes") << u"~~"_s << false << u"~~A1|~~B2|"_s << QStringList{u"A1"_s, u"B2"_s} << 0 << QString();
-        QTest::newRow("letters of other languages") << u"~~"_s << false << u"~~饼干Ä|"_s << QStringList{u"饼干Ä"_s} << 0 << QString();
-        QTest::newRow("a code that begins like the prefix") << u"~~"_s << false << u"~~~A|"_s << QStringList{u"~A"_s} << 0 << QString();
-        QTest::newRow("prefix after typed keys") << u"~~"_s << false << u"ab~~A1|c"_s << QStringList{u"A1"_s} << 0 << u"abc"_s;
-        QTest::newRow("a part of the prefix") << u"~~"_s << false << u"a~b"_s << QStringList() << 0 << u"a~b"_s;
-        QTest::newRow("the prefix begins within itself") << u"aab"_s << false << u"aaab7|"_s << QStringList{u"7"_s} << 0 << u"a"_s;
+        QTest::newRow("two codes") << u"~~"_s << false << u"~~A1|~~B2|"_s << QStringList{u"A1"_s, u"B2"_s}
+                                   << 0 << QString();
+        QTest::newRow("letters of other languages")
+            << u"~~"_s << false << u"~~饼干Ä|"_s << QStringList{u"饼干Ä"_s} << 0 << QString();
+        QTest::newRow("a code that begins like the prefix")
+            << u"~~"_s << false << u"~~~A|"_s << QStringList{u"~A"_s} << 0 << QString();
+        QTest::newRow("prefix after typed keys")
+            << u"~~"_s << false << u"ab~~A1|c"_s << QStringList{u"A1"_s} << 0 << u"abc"_s;
+        QTest::newRow("a part of the prefix")
+            << u"~~"_s << false << u"a~b"_s << QStringList() << 0 << u"a~b"_s;
+        QTest::newRow("the prefix begins within itself")
+            << u"aab"_s << false << u"aaab7|"_s << QStringList{u"7"_s} << 0 << u"a"_s;
         QTest::newRow("nothing between") << u"~~"_s << false << u"~~|"_s << QStringList() << 1 << QString();
         QTest::newRow("spaces between") << u"~~"_s << false << u"~~  |"_s << QStringList() << 1 << QString();
-        QTest::newRow("prefix in the middle") << u"~~"_s << false << u"~~A1~~B2|c"_s << QStringList() << 1 << u"c"_s;
-        QTest::newRow("a tab in a code that ends by Enter") << u"~~"_s << false << u"~~A>1|c"_s << QStringList() << 1 << u"c"_s;
-        QTest::newRow("a control character") << u"~~"_s << false << u"~~A\x01|c"_s << QStringList() << 1 << u"c"_s;
-        QTest::newRow("half a surrogate pair") << u"~~"_s << false << u"~~A"_s + QChar(0xD83D) + u"|c"_s << QStringList() << 1 << u"c"_s;
+        QTest::newRow("prefix in the middle")
+            << u"~~"_s << false << u"~~A1~~B2|c"_s << QStringList() << 1 << u"c"_s;
+        QTest::newRow("a tab in a code that ends by Enter")
+            << u"~~"_s << false << u"~~A>1|c"_s << QStringList() << 1 << u"c"_s;
+        QTest::newRow("a control character")
+            << u"~~"_s << false << u"~~A\x01|c"_s << QStringList() << 1 << u"c"_s;
+        QTest::newRow("half a surrogate pair")
+            << u"~~"_s << false << u"~~A"_s + QChar(0xD83D) + u"|c"_s << QStringList() << 1 << u"c"_s;
         QTest::newRow("no scanner") << QString() << false << u"~~A1"_s << QStringList() << 0 << u"~~A1"_s;
     }
     void readsACodeAndGivesTheFieldNothing()
@@ -207,7 +219,9 @@ private slots:
         const auto seed = std::random_device{}();
         qInfo("seed %u", seed);
         std::mt19937 random(seed);
-        const auto upTo = [&random](int count) { return static_cast<int>(random() % static_cast<unsigned>(count)); };
+        const auto upTo = [&random](int count) {
+            return static_cast<int>(random() % static_cast<unsigned>(count));
+        };
         Desk desk;
         QString typed;
         QStringList scanned;
@@ -229,7 +243,8 @@ private slots:
                 for (int i = upTo(20); i >= 0; --i)
                     code += QChar(u'0' + upTo(10));
                 const bool isWhole = what == 1;
-                desk.send(u"~~"_s + code + (isWhole ? u"|"_s : QString()), std::chrono::milliseconds(1 + upTo(100)));
+                desk.send(u"~~"_s + code + (isWhole ? u"|"_s : QString()),
+                          std::chrono::milliseconds(1 + upTo(100)));
                 if (isWhole) {
                     scanned << code;
                 } else {

@@ -18,7 +18,7 @@ namespace {
 
 struct ScanRig : test::PanelRig {
     Recipes recipes{machine, editor, records, folder.path(), nullptr};
-    Scan scan{{machine, editor, recipes, settings}, nullptr};
+    Scan scan{{machine, editor, recipes, settings}, folder.path(), nullptr};
     QSignalSpy opened{&scan, &Scan::recipeOpened};
     QSignalSpy edits{&scan, &Scan::editsFound};
 
@@ -78,8 +78,9 @@ private slots:
 
         rig.scan.takeCode(u"Biscuit 250"_s);
         QCOMPARE(rig.opened.count(), 0);
-        QCOMPARE(rig.scan.notice(),
-                 u"No recipe has the code Biscuit 250. Enter the code with its recipe on the Recipes page."_s);
+        QCOMPARE(
+            rig.scan.notice(),
+            u"No recipe has the code Biscuit 250. Enter the code with its recipe on the Recipes page."_s);
         rig.scan.takeCode(u"4006381"_s);
         QCOMPARE(rig.opened.count(), 1);
         QCOMPARE(rig.scan.notice(), QString());
@@ -131,7 +132,9 @@ private slots:
         recipe.scanCode = "Soap"; // from a file
         rig.records.store().run(
             &rig.recipes,
-            [recipe](store::Database& database) { return store::RecipeLibrary(database).save(recipe, {}, 1); },
+            [recipe](store::Database& database) {
+                return store::RecipeLibrary(database).save(recipe, {}, 1);
+            },
             [&rig](const auto& /*saved*/) { rig.recipes.reload(); });
         QTRY_COMPARE(rig.recipes.total(), 3);
         rig.scan.takeCode(u"Soap"_s);
@@ -207,6 +210,62 @@ private slots:
         rig.settings.guardBy(rig.machine.accessCheck());
         rig.scan.setPrefix({});
         QVERIFY(rig.scan.isEnabled()); // for the level Service
+    }
+
+    void aWrongFilmReelBlocksStart()
+    {
+        ScanRig rig;
+        QSignalSpy noted(rig.scan.film(), &FilmCheck::noted);
+        QSignalSpy wrong(&rig.scan, &Scan::wrongFilmScanned);
+        const auto last = [&] { return noted.last().first().value<store::AuditEntry>(); };
+        rig.choose(u"Soap"_s);
+        rig.setCode(RecipeCodes::Code::Film, u"PE 30"_s);
+        QTRY_COMPARE(rig.recipes.codes()->filmText(), u"PE 30"_s);
+        rig.connectRunning();
+        rig.link.status.state = modbus::State::Ready;
+        rig.link.sendStatus(rig.now);
+        QCOMPARE(rig.machine.startBlockedReason(), QString()); // not scanned
+
+        rig.scan.takeCode(u"PP 40"_s);
+        const QString sentence =
+            u"Wrong film reel: PP 40 was scanned, the recipe needs PE 30. Load and scan the right reel."_s;
+        QCOMPARE(rig.machine.startBlockedReason(), sentence);
+        QCOMPARE(wrong.count(), 1);
+        QCOMPARE(last().what, u"film.scan"_s);
+        QCOMPARE(last().outcome, u"refused"_s);
+        rig.machine.start();
+        QVERIFY(rig.link.commands.empty());
+        {
+            FilmCheck restarted(rig.machine, rig.recipes, rig.folder.path(), nullptr);
+            QCOMPARE(restarted.blockedReason(), sentence);
+        }
+        rig.machine.setStartInterlock([&rig] { return rig.scan.film()->blockedReason(); });
+
+        rig.scan.takeCode(u"PE 30"_s);
+        QCOMPARE(rig.machine.startBlockedReason(), QString());
+        QCOMPARE(rig.scan.notice(), u"Film reel PE 30 is the right one for this recipe."_s);
+        QCOMPARE(last().outcome, u"done"_s);
+
+        rig.scan.takeCode(u"PP 40"_s);
+        rig.machine.accessCheck().setLevel(Level::Operator);
+        rig.scan.film()->overrideCheck(u"no other reel"_s);
+        QCOMPARE(rig.machine.startBlockedReason(), sentence);
+        rig.machine.accessCheck().setLevel(Level::Technician);
+        rig.scan.film()->overrideCheck(u"  "_s);
+        QCOMPARE(rig.machine.startBlockedReason(), sentence);
+        rig.scan.film()->overrideCheck(u"no other reel"_s);
+        QCOMPARE(rig.machine.startBlockedReason(), QString());
+        QCOMPARE(last().what, u"film.override"_s);
+        QCOMPARE(last().object, u"Soap"_s);
+        QCOMPARE(last().before, u"PE 30"_s);
+        QCOMPARE(last().after, u"PP 40: no other reel"_s);
+
+        rig.scan.takeCode(u"PP 41"_s); // the override was for another reel
+        QVERIFY(!rig.machine.startBlockedReason().isEmpty());
+        rig.editor.bagLength()->set(240);
+        rig.link.activate(rig.image(), rig.now);
+        QTRY_COMPARE(rig.machine.startBlockedReason(), QString()); // another program
+        QCOMPARE(rig.scan.film()->scannedCode(), QString());
     }
 
     void codesAreInTheRecipeFile()
