@@ -229,14 +229,8 @@ Page {
             }
         }
     }
-    Component {
-        id: codesSheet
-        CodesSheet { onCodeRequested: page.sheetRequested(codeSheet) }
-    }
-    Component {
-        id: codeSheet
-        CodeSheet {}
-    }
+    Component { id: codesSheet; CodesSheet { onCodeRequested: page.sheetRequested(codeSheet) } }
+    Component { id: codeSheet; CodeSheet {} }
     Component {
         id: versionsSheet
         RecipeComparisonSheet {
