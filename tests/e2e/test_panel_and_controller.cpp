@@ -143,6 +143,7 @@ void TestPanelAndController::aScanChangesOver()
     const ControllerProcess controller;
     PanelWindow panel(controller.port());
     panel.settings().overrideValue("scanner.prefix", QStringLiteral("~~"));
+    panel.settings().overrideValue("scanner.key_time_ms", QStringLiteral("1000")); // for a busy computer
     QTRY_COMPARE_WITH_TIMEOUT(panel.machine().state(), Controller::State::Idle, timeoutMs);
     panel::Recipes& recipes = panel.panel().recipes();
     QTRY_COMPARE_WITH_TIMEOUT(recipes.total(), 1, timeoutMs);

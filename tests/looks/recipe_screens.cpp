@@ -51,6 +51,8 @@ void openLibrary(TestWindow& window, const QStringList& tapped = {})
     Recipes& recipes = window.panel().recipes();
     recipes.setSearch({});
     recipes.dismissMessage();
+    window.panel().scan().dismissNotice();
+    window.panel().settings().overrideValue("scanner.prefix", {});
     if (recipes.total() < keptNames) {
         window.panel().records().store().run(&recipes, &saveAll,
                                              [&recipes](const auto& /*saved*/) { recipes.reload(); });
@@ -61,6 +63,14 @@ void openLibrary(TestWindow& window, const QStringList& tapped = {})
     window.tap(QStringLiteral("recipe0"));
     for (const QString& name : tapped)
         window.tap(name);
+}
+
+void openCodes(TestWindow& window)
+{
+    openLibrary(window);
+    window.panel().settings().overrideValue("scanner.prefix", QStringLiteral("~~"));
+    window.settle();
+    window.tap(QStringLiteral("recipeCodes"));
 }
 
 Screen page(const char* name, const QStringList& tapped = {})
@@ -143,20 +153,16 @@ QList<Screen> recipeScreens()
                  for (const QChar letter : QStringLiteral("binggan"))
                      window.tap(QStringLiteral("key_") + letter);
              }},
-            {QStringLiteral("recipes-codes"),
-             [](TestWindow& window) {
-                 window.panel().settings().overrideValue("scanner.prefix", QStringLiteral("~~"));
-                 openLibrary(window, {QStringLiteral("recipeCodes")});
-             }},
+            {QStringLiteral("recipes-codes"), [](TestWindow& window) { openCodes(window); }},
             {QStringLiteral("recipes-code"),
              [](TestWindow& window) {
-                 window.panel().settings().overrideValue("scanner.prefix", QStringLiteral("~~"));
-                 openLibrary(window, {QStringLiteral("recipeCodes"), QStringLiteral("codeOfRecipe")});
+                 openCodes(window);
+                 window.tap(QStringLiteral("codeOfRecipe"));
              }},
             {QStringLiteral("recipes-scan-edits"),
              [](TestWindow& window) {
-                 window.panel().editor().bagLength()->set(240);
                  openLibrary(window);
+                 window.panel().editor().bagLength()->set(240);
                  window.panel().scan().takeCode(QStringLiteral("Rusk 310"));
              }},
             {QStringLiteral("recipes-scan-unknown"),
