@@ -51,8 +51,6 @@ void openLibrary(TestWindow& window, const QStringList& tapped = {})
     Recipes& recipes = window.panel().recipes();
     recipes.setSearch({});
     recipes.dismissMessage();
-    window.panel().scan().dismissNotice();
-    window.panel().settings().overrideValue("scanner.prefix", {});
     if (recipes.total() < keptNames) {
         window.panel().records().store().run(&recipes, &saveAll,
                                              [&recipes](const auto& /*saved*/) { recipes.reload(); });

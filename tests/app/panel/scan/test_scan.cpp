@@ -100,8 +100,8 @@ private slots:
         QCOMPARE(rig.editor.recipe().filmCode, std::string("PE 30"));
         rig.recipes.save();
         QTRY_VERIFY(!rig.editor.edited());
-        QCOMPARE(rig.recipes.chosenRecipe()->recipe.version, 3);
-        QTRY_COMPARE(rig.recipes.chosenRecipe()->recipe.filmCode, std::string("PE 30"));
+        QTRY_COMPARE(rig.recipes.chosenRecipe()->recipe.version, 3);
+        QCOMPARE(rig.recipes.chosenRecipe()->recipe.filmCode, std::string("PE 30"));
     }
 
     void aCodeThatIsTakenIsRefusedWithItsOwner()
