@@ -234,7 +234,7 @@ private slots:
         QCOMPARE(last().what, u"film.scan"_s);
         QCOMPARE(last().outcome, u"refused"_s);
         rig.machine.start();
-        QVERIFY(rig.link.commands.empty());
+        QVERIFY(rig.link.requests.empty());
         {
             FilmCheck restarted(rig.machine, rig.recipes, rig.folder.path(), nullptr);
             QCOMPARE(restarted.blockedReason(), sentence);
