@@ -9,6 +9,7 @@
 #include "app/panel/settings/settings.h"
 
 #include <QCoreApplication>
+#include <QKeyEvent>
 
 #include <cmath>
 
@@ -96,7 +97,7 @@ bool Scan::takeKey(QObject* window, const QKeyEvent& event)
     if (step.isBegun)
         m_held.clear();
     if (step.isHeld)
-        m_held.push_back({window, std::unique_ptr<QKeyEvent>(event.clone())});
+        m_held.push_back({window, std::unique_ptr<QEvent>(event.clone())});
     else if (step.isTaken)
         m_takenKeys.insert(event.key());
     CodeReader::Step rest = step;

@@ -7,7 +7,7 @@
 #include "app/panel/scan/code_reader.h"
 #include "app/panel/scan/film_check.h"
 
-#include <QKeyEvent>
+#include <QEvent>
 #include <QObject>
 #include <QPointer>
 #include <QSet>
@@ -18,6 +18,7 @@
 #include <vector>
 
 class QJSEngine;
+class QKeyEvent;
 class QQmlEngine;
 
 namespace campanel::panel {
@@ -96,7 +97,7 @@ protected:
 private:
     struct HeldKey {
         QPointer<QObject> window;
-        std::unique_ptr<QKeyEvent> event;
+        std::unique_ptr<QEvent> event; // a key press
     };
 
     void updateSettings();
