@@ -505,6 +505,18 @@
         <translation>Einzelheit lesen; Einstellungen prüfen, zuerst die Verbindung.</translation>
     </message>
     <message>
+        <source>Touchscreen missing</source>
+        <translation>Touchscreen fehlt</translation>
+    </message>
+    <message>
+        <source>A touchscreen of this panel was unplugged or has failed.</source>
+        <translation>Ein Touchscreen dieses Panels wurde abgezogen oder ist ausgefallen.</translation>
+    </message>
+    <message>
+        <source>Check the cable of the touchscreen. Stop the machine with its own switch.</source>
+        <translation>Kabel des Touchscreens prüfen. Die Maschine mit ihrem eigenen Schalter stoppen.</translation>
+    </message>
+    <message>
         <source>Settings not saved</source>
         <translation>Einstellungen nicht gespeichert</translation>
     </message>
@@ -844,10 +856,6 @@
         <translation>Rezepte</translation>
     </message>
     <message>
-        <source>Film reels</source>
-        <translation>Folienrollen</translation>
-    </message>
-    <message>
         <source>New recipe</source>
         <translation>Neues Rezept</translation>
     </message>
@@ -866,14 +874,6 @@
     <message>
         <source>Recipe restored</source>
         <translation>Rezept wiederhergestellt</translation>
-    </message>
-    <message>
-        <source>Film reel scanned</source>
-        <translation>Folienrolle gescannt</translation>
-    </message>
-    <message>
-        <source>Wrong film reel allowed</source>
-        <translation>Falsche Folienrolle zugelassen</translation>
     </message>
     <message>
         <source>Newest row unknown</source>
@@ -898,6 +898,34 @@
     <message>
         <source>Lost, new and empty</source>
         <translation>Verloren, neu und leer</translation>
+    </message>
+    <message>
+        <source>Network</source>
+        <translation>Netzwerk</translation>
+    </message>
+    <message>
+        <source>Command from the network</source>
+        <translation>Befehl aus dem Netzwerk</translation>
+    </message>
+    <message>
+        <source>Stops</source>
+        <translation>Stillstände</translation>
+    </message>
+    <message>
+        <source>Reason of a stop changed</source>
+        <translation>Grund eines Stillstands geändert</translation>
+    </message>
+    <message>
+        <source>Film reels</source>
+        <translation>Folienrollen</translation>
+    </message>
+    <message>
+        <source>Film reel scanned</source>
+        <translation>Folienrolle gescannt</translation>
+    </message>
+    <message>
+        <source>Wrong film reel allowed</source>
+        <translation>Falsche Folienrolle zugelassen</translation>
     </message>
 </context>
 <context>
@@ -1112,6 +1140,10 @@
         <translation>Die Tabelle braucht %1 Register, die Steuerung hat %2; ihr Programm ist unverändert. Weniger Teilschritte je Rampe wählen.</translation>
     </message>
     <message>
+        <source>This controller cannot execute intervals; its program is unchanged. Choose cam points.</source>
+        <translation>Diese Steuerung kann keine Intervalle ausführen; ihr Programm ist unverändert. Wählen Sie Kurvenpunkte.</translation>
+    </message>
+    <message>
         <source>This controller cannot execute this kind of program; its program is unchanged. Update its firmware.</source>
         <translation>Diese Steuerung kann diese Programmart nicht ausführen; ihr Programm ist unverändert. Firmware aktualisieren.</translation>
     </message>
@@ -1314,6 +1346,10 @@
         <translation>Eine frühere Änderung wartet auf das Ende des Zyklus. Zuerst abbrechen.</translation>
     </message>
     <message>
+        <source>The controller has not finished checking or saving a table. Download again.</source>
+        <translation>Die Steuerung hat das Prüfen oder Speichern einer Tabelle nicht beendet. Laden Sie erneut.</translation>
+    </message>
+    <message>
         <source>At standstill</source>
         <translation>Im Stillstand</translation>
     </message>
@@ -1467,13 +1503,6 @@
     <message>
         <source>Knots</source>
         <translation>Stützpunkte</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n knot(s)</source>
-        <translation>
-            <numerusform>%n Stützpunkt</numerusform>
-            <numerusform>%n Stützpunkte</numerusform>
-        </translation>
     </message>
 </context>
 <context>
@@ -1736,8 +1765,8 @@ eff. %2</translation>
         <translation>%1 ist kein CamPanel-Rezept: Der Schlüssel &quot;format&quot; muss &quot;campanel-recipe&quot; sein.</translation>
     </message>
     <message>
-        <source>The recipe file %1 has format version %2, this program reads version %3. Update the program.</source>
-        <translation>Die Rezeptdatei %1 hat Formatversion %2, dieses Programm liest Version %3. Programm aktualisieren.</translation>
+        <source>The recipe file %1 has format version %2, this program reads versions up to %3. Update the program.</source>
+        <translation>Die Rezeptdatei %1 hat die Formatversion %2, dieses Programm liest Versionen bis %3. Aktualisieren Sie das Programm.</translation>
     </message>
     <message>
         <source>The recipe file %1 has an unknown key %2. Correct or remove the key.</source>
@@ -2092,13 +2121,6 @@ eff. %2</translation>
     <message>
         <source>Knots</source>
         <translation>Stützpunkte</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n knot(s)</source>
-        <translation>
-            <numerusform>%n Stützpunkt</numerusform>
-            <numerusform>%n Stützpunkte</numerusform>
-        </translation>
     </message>
     <message>
         <source>Code</source>
@@ -2739,20 +2761,6 @@ eff. %2</translation>
         <source>Knots</source>
         <translation>Stützpunkte</translation>
     </message>
-    <message numerus="yes">
-        <source>%n segment(s)</source>
-        <translation>
-            <numerusform>%n Abschnitt</numerusform>
-            <numerusform>%n Abschnitte</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n knot(s)</source>
-        <translation>
-            <numerusform>%n Stützpunkt</numerusform>
-            <numerusform>%n Stützpunkte</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Dwell</source>
         <translation>Rast</translation>
@@ -2767,7 +2775,19 @@ eff. %2</translation>
     </message>
     <message>
         <source>Polynomial 5, with speeds and accelerations</source>
-        <translation>Polynom 5, mit Geschwindigkeiten und Beschleunigungen</translation>
+        <translation>Polynom 5, mit Geschw. und Beschl.</translation>
+    </message>
+    <message>
+        <source>%1 segments</source>
+        <translation>%1 Abschnitte</translation>
+    </message>
+    <message>
+        <source>1 segment</source>
+        <translation>1 Abschnitt</translation>
+    </message>
+    <message>
+        <source>%1 knots</source>
+        <translation>%1 Stützpunkte</translation>
     </message>
 </context>
 <context>
@@ -4257,6 +4277,30 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
         <translation>Effektivwert über einen Zyklus. Er erwärmt den Motor und bleibt deshalb unter dem Nennmoment.</translation>
     </message>
     <message>
+        <source>Vibration over the cycle</source>
+        <translation>Schwingung im Zyklus</translation>
+    </message>
+    <message>
+        <source>Vibration after the move</source>
+        <translation>Schwingung nach der Bewegung</translation>
+    </message>
+    <message>
+        <source>Error of the load behind the shaft, peak to peak over one cycle.</source>
+        <translation>Fehler der Last hinter der Welle, Spitze zu Spitze über einen Zyklus.</translation>
+    </message>
+    <message>
+        <source>Amplitude of the load behind the shaft after the end of the move.</source>
+        <translation>Amplitude der Last hinter der Welle nach dem Ende der Bewegung.</translation>
+    </message>
+    <message>
+        <source>f0 = %1 Hz, ζ = %2, T = %3 s</source>
+        <translation>f0 = %1 Hz, ζ = %2, T = %3 s</translation>
+    </message>
+    <message>
+        <source>f0 = %1 Hz, T = %2 s</source>
+        <translation>f0 = %1 Hz, T = %2 s</translation>
+    </message>
+    <message>
         <source>Error while sealing</source>
         <translation>Fehler beim Siegeln</translation>
     </message>
@@ -4279,6 +4323,62 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
     <message>
         <source>Largest of the last readings at full speed (%1), at %2° of the cycle. The drive lags behind the program, so the difference is largest where the acceleration changes fast.</source>
         <translation>Größter der letzten Werte bei voller Geschwindigkeit (%1), bei %2° des Zyklus. Der Antrieb läuft nach; die Differenz ist dort am größten, wo sich die Beschleunigung schnell ändert.</translation>
+    </message>
+    <message>
+        <source>Availability</source>
+        <translation>Verfügbarkeit</translation>
+    </message>
+    <message>
+        <source>Share of the planned time in which the machine ran. Planned time is the recorded time of the shift (%1 min) without planned stops (%2 min).</source>
+        <translation>Anteil der geplanten Zeit, in der die Maschine lief. Geplante Zeit ist die aufgezeichnete Zeit der Schicht (%1 min) ohne geplante Stillstände (%2 min).</translation>
+    </message>
+    <message>
+        <source>run time / planned time</source>
+        <translation>Laufzeit / geplante Zeit</translation>
+    </message>
+    <message>
+        <source>%1 min / %2 min</source>
+        <translation>%1 min / %2 min</translation>
+    </message>
+    <message>
+        <source>Performance</source>
+        <translation>Leistung</translation>
+    </message>
+    <message>
+        <source>Speed compared with the ideal rate: the fastest rate of each recipe, or the rate in Settings. A piece is a bag, a stroke or a cycle; a skipped cut takes the time of a piece. Waiting of up to %1 s is a loss of performance. At most 100 %.</source>
+        <translation>Geschwindigkeit im Vergleich zur idealen Taktrate: die schnellste Taktrate jedes Rezepts oder die in den Einstellungen. Ein Stück ist ein Beutel, ein Hub oder ein Zyklus; ein ausgelassener Schnitt braucht die Zeit eines Stücks. Warten bis %1 s ist ein Leistungsverlust. Höchstens 100 %.</translation>
+    </message>
+    <message>
+        <source>sum of pieces × ideal time per piece / run time</source>
+        <translation>Summe der Stücke × ideale Zeit je Stück / Laufzeit</translation>
+    </message>
+    <message>
+        <source>%1 min for %2 pieces / %3 min</source>
+        <translation>%1 min für %2 Stück / %3 min</translation>
+    </message>
+    <message>
+        <source>Quality</source>
+        <translation>Qualität</translation>
+    </message>
+    <message>
+        <source>Share of good pieces. Not good: %1 out of tolerance, %2 start-up scrap, %3 skipped cuts.</source>
+        <translation>Anteil der guten Stücke. Nicht gut: %1 außer Toleranz, %2 Anfahrausschuss, %3 ausgelassene Schnitte.</translation>
+    </message>
+    <message>
+        <source>good pieces / pieces</source>
+        <translation>gute Stücke / Stücke</translation>
+    </message>
+    <message>
+        <source>Overall equipment effectiveness (OEE)</source>
+        <translation>Gesamtanlageneffektivität (OEE)</translation>
+    </message>
+    <message>
+        <source>Good pieces at the ideal rate, as a share of the planned time.</source>
+        <translation>Gute Stücke bei idealer Taktrate, als Anteil der geplanten Zeit.</translation>
+    </message>
+    <message>
+        <source>availability × performance × quality</source>
+        <translation>Verfügbarkeit × Leistung × Qualität</translation>
     </message>
 </context>
 <context>
@@ -4651,15 +4751,15 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
     </message>
 </context>
 <context>
-    <name>campanel::panel::KnotFiles</name>
+    <name>campanel::panel::CamFiles</name>
     <message>
         <source>A new file %1 will be written.</source>
         <translation>Eine neue Datei %1 wird geschrieben.</translation>
     </message>
     <message>
-        <source>%1 knots · %2 · %3</source>
-        <comment>number, date, place</comment>
-        <translation>%1 Stützpunkte · %2 · %3</translation>
+        <source>%1 · %2 · %3</source>
+        <comment>number of knots or segments, date, place</comment>
+        <translation>%1 · %2 · %3</translation>
     </message>
     <message>
         <source>cannot be used · %1 · %2</source>
@@ -4669,16 +4769,17 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
     <message>
         <source>Line %1: %2 Correct the file; the panel reads it again automatically.</source>
         <comment>%2: whole sentence</comment>
-        <translation>Zeile %1: %2 Datei korrigieren; das Panel liest sie selbsttätig neu.</translation>
+        <translation>Zeile %1: %2 Korrigieren Sie die Datei; das Panel liest sie von selbst erneut.</translation>
     </message>
     <message>
         <source>%1 Correct the file; the panel reads it again automatically.</source>
         <comment>%1: whole sentence</comment>
-        <translation>%1 Datei korrigieren; das Panel liest sie selbsttätig neu.</translation>
+        <translation>%1 Korrigieren Sie die Datei; das Panel liest sie von selbst erneut.</translation>
     </message>
     <message>
-        <source>%1 knots, slave %2 to %3 mm, will replace the recipe&apos;s knots. Undo restores the old knots.</source>
-        <translation>%1 Stützpunkte, Folgeachse %2 bis %3 mm, ersetzen die des Rezepts. Rückgängig stellt die alten wieder her.</translation>
+        <source>%1, slave %2 to %3 mm, will replace those of the recipe. Undo restores them.</source>
+        <comment>%1: number of knots or segments</comment>
+        <translation>%1, Folgeachse %2 bis %3 mm, ersetzen die des Rezepts. Rückgängig stellt sie wieder her.</translation>
     </message>
 </context>
 <context>
@@ -5756,6 +5857,26 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
         <translation>zum Starten halten</translation>
     </message>
     <message>
+        <source>seconds of a stop until its question</source>
+        <translation>Sekunden eines Stillstands bis zur Frage</translation>
+    </message>
+    <message>
+        <source>ideal rate, pieces/min</source>
+        <translation>ideale Taktrate, Stück/min</translation>
+    </message>
+    <message>
+        <source>start of the shifts</source>
+        <translation>Beginn der Schichten</translation>
+    </message>
+    <message>
+        <source>working days</source>
+        <translation>Arbeitstage</translation>
+    </message>
+    <message>
+        <source>reasons of a stop</source>
+        <translation>Stillstandsgründe</translation>
+    </message>
+    <message>
         <source>scanner prefix</source>
         <translation>Präfix des Scanners</translation>
     </message>
@@ -5816,6 +5937,14 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
 <context>
     <name>campanel::panel::CutterMap</name>
     <message>
+        <source>L_min: the jaws just fill the window</source>
+        <translation>L_min: die Backen füllen das Fenster gerade</translation>
+    </message>
+    <message>
+        <source>h/c: the knife turns evenly</source>
+        <translation>h/c: das Messer dreht gleichmäßig</translation>
+    </message>
+    <message>
         <source>%1 · %2</source>
         <comment>%1: bag length, %2: rate</comment>
         <translation>%1 · %2</translation>
@@ -5829,6 +5958,10 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
         <source>No rate is possible; limited by: %1.</source>
         <comment>name of the limit</comment>
         <translation>Keine Taktzahl ist möglich; begrenzt durch: %1.</translation>
+    </message>
+    <message>
+        <source>L_crit: the longest ramps stop the knife</source>
+        <translation>L_krit: die längsten Rampen halten das Messer an</translation>
     </message>
 </context>
 <context>
@@ -5980,6 +6113,330 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
     <message>
         <source>End acceleration</source>
         <translation>Endbeschl.</translation>
+    </message>
+</context>
+<context>
+    <name>StopWords</name>
+    <message>
+        <source>Waiting for products</source>
+        <translation>Warten auf Produkte</translation>
+    </message>
+    <message>
+        <source>Material</source>
+        <translation>Material</translation>
+    </message>
+    <message>
+        <source>Film change</source>
+        <translation>Folienwechsel</translation>
+    </message>
+    <message>
+        <source>Film torn</source>
+        <translation>Folie gerissen</translation>
+    </message>
+    <message>
+        <source>No product</source>
+        <translation>Kein Produkt</translation>
+    </message>
+    <message>
+        <source>Product jam</source>
+        <translation>Produktstau</translation>
+    </message>
+    <message>
+        <source>Machine</source>
+        <translation>Maschine</translation>
+    </message>
+    <message>
+        <source>Film jam</source>
+        <translation>Folienstau</translation>
+    </message>
+    <message>
+        <source>Knife, jaws</source>
+        <translation>Messer, Backen</translation>
+    </message>
+    <message>
+        <source>Sensor</source>
+        <translation>Sensor</translation>
+    </message>
+    <message>
+        <source>Adjustment</source>
+        <translation>Einstellung</translation>
+    </message>
+    <message>
+        <source>Quality</source>
+        <translation>Qualität</translation>
+    </message>
+    <message>
+        <source>Seal</source>
+        <translation>Siegelnaht</translation>
+    </message>
+    <message>
+        <source>Bag length</source>
+        <translation>Beutellänge</translation>
+    </message>
+    <message>
+        <source>Print</source>
+        <translation>Druck</translation>
+    </message>
+    <message>
+        <source>Changeover</source>
+        <translation>Umrüsten</translation>
+    </message>
+    <message>
+        <source>Cleaning</source>
+        <translation>Reinigung</translation>
+    </message>
+    <message>
+        <source>Maintenance</source>
+        <translation>Wartung</translation>
+    </message>
+    <message>
+        <source>Break</source>
+        <translation>Pause</translation>
+    </message>
+    <message>
+        <source>No order</source>
+        <translation>Kein Auftrag</translation>
+    </message>
+    <message>
+        <source>Waiting</source>
+        <translation>Warten</translation>
+    </message>
+    <message>
+        <source>No reason</source>
+        <translation>Ohne Grund</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <comment>title and code of an alarm</comment>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
+        <comment>group and reason</comment>
+        <translation>%1 · %2</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>%1 min</source>
+        <translation>%1 min</translation>
+    </message>
+    <message>
+        <source>%1 h %2 min</source>
+        <translation>%1 h %2 min</translation>
+    </message>
+    <message>
+        <source>Short stops (up to %1)</source>
+        <translation>Kurze Stillstände (bis %1)</translation>
+    </message>
+    <message>
+        <source>%1 · %2×</source>
+        <comment>duration, number of stops</comment>
+        <translation>%1 · %2×</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::ReasonEditor</name>
+    <message>
+        <source>Enter a name.</source>
+        <translation>Geben Sie einen Namen ein.</translation>
+    </message>
+    <message>
+        <source>The name is longer than %1 letters.</source>
+        <translation>Der Name ist länger als %1 Zeichen.</translation>
+    </message>
+    <message>
+        <source>The name cannot contain a slash.</source>
+        <translation>Der Name darf keinen Schrägstrich enthalten.</translation>
+    </message>
+    <message>
+        <source>This name is already in the list.</source>
+        <translation>Dieser Name ist schon in der Liste.</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::ShiftReport</name>
+    <message>
+        <source>shift %1</source>
+        <comment>name of a file: date and time</comment>
+        <translation>Schicht %1</translation>
+    </message>
+    <message>
+        <source>Shift report</source>
+        <translation>Schichtbericht</translation>
+    </message>
+    <message>
+        <source>Page %1</source>
+        <translation>Seite %1</translation>
+    </message>
+    <message>
+        <source>Effectiveness</source>
+        <translation>Effektivität</translation>
+    </message>
+    <message>
+        <source>OEE</source>
+        <translation>OEE</translation>
+    </message>
+    <message>
+        <source>Availability</source>
+        <translation>Verfügbarkeit</translation>
+    </message>
+    <message>
+        <source>Performance</source>
+        <translation>Leistung</translation>
+    </message>
+    <message>
+        <source>Quality</source>
+        <translation>Qualität</translation>
+    </message>
+    <message>
+        <source>Run time</source>
+        <translation>Laufzeit</translation>
+    </message>
+    <message>
+        <source>Planned time</source>
+        <translation>Geplante Zeit</translation>
+    </message>
+    <message>
+        <source>Stops</source>
+        <translation>Stillstände</translation>
+    </message>
+    <message>
+        <source>Planned stops</source>
+        <translation>Geplante Stillstände</translation>
+    </message>
+    <message>
+        <source>Pieces</source>
+        <translation>Stücke</translation>
+    </message>
+    <message>
+        <source>Good pieces</source>
+        <translation>Gute Stücke</translation>
+    </message>
+    <message>
+        <source>Out of tolerance</source>
+        <translation>Außer Toleranz</translation>
+    </message>
+    <message>
+        <source>Start-up scrap</source>
+        <translation>Anfahrausschuss</translation>
+    </message>
+    <message>
+        <source>Skipped cuts</source>
+        <translation>Ausgelassene Schnitte</translation>
+    </message>
+    <message>
+        <source>Reasons by time</source>
+        <translation>Gründe nach Dauer</translation>
+    </message>
+    <message>
+        <source>%1 (planned)</source>
+        <translation>%1 (geplant)</translation>
+    </message>
+    <message>
+        <source>No stop in this shift.</source>
+        <translation>Kein Stillstand in dieser Schicht.</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <comment>time, duration</comment>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <comment>reason, person</comment>
+        <translation>%1 (%2)</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::ShiftView</name>
+    <message>
+        <source>ddd d MMM</source>
+        <comment>date: weekday, day, month</comment>
+        <translation>ddd d. MMM</translation>
+    </message>
+    <message>
+        <source>%1, %2 – %3</source>
+        <comment>date, begin and end of a shift</comment>
+        <translation>%1, %2 – %3</translation>
+    </message>
+    <message>
+        <source>Day off: no production planned</source>
+        <translation>Freier Tag: keine Produktion geplant</translation>
+    </message>
+    <message>
+        <source>Present shift</source>
+        <translation>Laufende Schicht</translation>
+    </message>
+    <message>
+        <source>Run %1 · stops %2 · planned stops %3</source>
+        <translation>Lauf %1 · Stillstände %2 · geplant %3</translation>
+    </message>
+    <message>
+        <source>Run %1 · stops %2 · planned stops %3 · not recorded %4</source>
+        <translation>Lauf %1 · Stillstände %2 · geplant %3 · nicht aufgezeichnet %4</translation>
+    </message>
+    <message>
+        <source>%1, %2: %3</source>
+        <comment>time, duration, reason of a stop</comment>
+        <translation>%1, %2: %3</translation>
+    </message>
+    <message>
+        <source>stops</source>
+        <translation>Stillstände</translation>
+    </message>
+    <message>
+        <source>states</source>
+        <translation>Zustände</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::StopSetup</name>
+    <message>
+        <source>Question after</source>
+        <translation>Frage nach</translation>
+    </message>
+    <message>
+        <source>s</source>
+        <translation>s</translation>
+    </message>
+    <message>
+        <source>Ideal rate (0: of the recipe)</source>
+        <translation>Ideale Taktrate (0: des Rezepts)</translation>
+    </message>
+    <message>
+        <source>pieces/min</source>
+        <translation>Stück/min</translation>
+    </message>
+    <message>
+        <source>%1 pieces/min</source>
+        <translation>%1 Stück/min</translation>
+    </message>
+    <message>
+        <source>every day</source>
+        <translation>täglich</translation>
+    </message>
+    <message>
+        <source>standard list</source>
+        <translation>Standardliste</translation>
+    </message>
+    <message>
+        <source>own list (%1)</source>
+        <translation>eigene Liste (%1)</translation>
+    </message>
+    <message>
+        <source>by recipe</source>
+        <translation>nach Rezept</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::Stops</name>
+    <message>
+        <source>Since %1, %2</source>
+        <comment>time, duration</comment>
+        <translation>Seit %1, %2</translation>
     </message>
 </context>
 <context>

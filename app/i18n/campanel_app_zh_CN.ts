@@ -505,6 +505,18 @@
         <translation>请查看详情；检查设置，先检查连接。</translation>
     </message>
     <message>
+        <source>Touchscreen missing</source>
+        <translation>触摸屏丢失</translation>
+    </message>
+    <message>
+        <source>A touchscreen of this panel was unplugged or has failed.</source>
+        <translation>本面板的触摸屏被拔出或发生故障。</translation>
+    </message>
+    <message>
+        <source>Check the cable of the touchscreen. Stop the machine with its own switch.</source>
+        <translation>请检查触摸屏的电缆。请用机器自身的开关停机。</translation>
+    </message>
+    <message>
         <source>Settings not saved</source>
         <translation>设置未保存</translation>
     </message>
@@ -844,10 +856,6 @@
         <translation>配方</translation>
     </message>
     <message>
-        <source>Film reels</source>
-        <translation>膜卷</translation>
-    </message>
-    <message>
         <source>New recipe</source>
         <translation>新建配方</translation>
     </message>
@@ -866,14 +874,6 @@
     <message>
         <source>Recipe restored</source>
         <translation>配方已恢复</translation>
-    </message>
-    <message>
-        <source>Film reel scanned</source>
-        <translation>已扫描膜卷</translation>
-    </message>
-    <message>
-        <source>Wrong film reel allowed</source>
-        <translation>允许使用错误膜卷</translation>
     </message>
     <message>
         <source>Newest row unknown</source>
@@ -906,6 +906,26 @@
     <message>
         <source>Command from the network</source>
         <translation>来自网络的命令</translation>
+    </message>
+    <message>
+        <source>Stops</source>
+        <translation>停机</translation>
+    </message>
+    <message>
+        <source>Reason of a stop changed</source>
+        <translation>停机原因已更改</translation>
+    </message>
+    <message>
+        <source>Film reels</source>
+        <translation>膜卷</translation>
+    </message>
+    <message>
+        <source>Film reel scanned</source>
+        <translation>已扫描膜卷</translation>
+    </message>
+    <message>
+        <source>Wrong film reel allowed</source>
+        <translation>允许使用错误膜卷</translation>
     </message>
 </context>
 <context>
@@ -1483,12 +1503,6 @@
     <message>
         <source>Knots</source>
         <translation>型值点</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n knot(s)</source>
-        <translation>
-            <numerusform>%n 个型值点</numerusform>
-        </translation>
     </message>
 </context>
 <context>
@@ -2106,12 +2120,6 @@ RMS %2</source>
     <message>
         <source>Knots</source>
         <translation>型值点</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n knot(s)</source>
-        <translation>
-            <numerusform>%n 个型值点</numerusform>
-        </translation>
     </message>
     <message>
         <source>Code</source>
@@ -2752,17 +2760,17 @@ RMS %2</source>
         <source>Knots</source>
         <translation>型值点</translation>
     </message>
-    <message numerus="yes">
-        <source>%n segment(s)</source>
-        <translation>
-            <numerusform>%n 个运动段</numerusform>
-        </translation>
+    <message>
+        <source>%1 segments</source>
+        <translation>%1 个运动段</translation>
     </message>
-    <message numerus="yes">
-        <source>%n knot(s)</source>
-        <translation>
-            <numerusform>%n 个型值点</numerusform>
-        </translation>
+    <message>
+        <source>1 segment</source>
+        <translation>1 个运动段</translation>
+    </message>
+    <message>
+        <source>%1 knots</source>
+        <translation>%1 个型值点</translation>
     </message>
     <message>
         <source>Dwell</source>
@@ -4315,6 +4323,62 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
         <source>Largest of the last readings at full speed (%1), at %2° of the cycle. The drive lags behind the program, so the difference is largest where the acceleration changes fast.</source>
         <translation>最近全速读数（%1 个）中的最大值，位于周期的 %2°。驱动器滞后于程序，因此加速度变化快处偏差最大。</translation>
     </message>
+    <message>
+        <source>Availability</source>
+        <translation>时间开动率</translation>
+    </message>
+    <message>
+        <source>Share of the planned time in which the machine ran. Planned time is the recorded time of the shift (%1 min) without planned stops (%2 min).</source>
+        <translation>机器运行时间占计划时间的比例。计划时间为班次的记录时间（%1 分）减去计划停机（%2 分）。</translation>
+    </message>
+    <message>
+        <source>run time / planned time</source>
+        <translation>运行时间 / 计划时间</translation>
+    </message>
+    <message>
+        <source>%1 min / %2 min</source>
+        <translation>%1 分 / %2 分</translation>
+    </message>
+    <message>
+        <source>Performance</source>
+        <translation>性能开动率</translation>
+    </message>
+    <message>
+        <source>Speed compared with the ideal rate: the fastest rate of each recipe, or the rate in Settings. A piece is a bag, a stroke or a cycle; a skipped cut takes the time of a piece. Waiting of up to %1 s is a loss of performance. At most 100 %.</source>
+        <translation>与理想速率相比的速度：各配方的最高速率，或设置中的速率。一件为一袋、一次压装或一个周期；跳过的切断占用一件的时间。不超过 %1 秒的等待计为性能损失。最高 100 %。</translation>
+    </message>
+    <message>
+        <source>sum of pieces × ideal time per piece / run time</source>
+        <translation>Σ（件数 × 每件理想时间）/ 运行时间</translation>
+    </message>
+    <message>
+        <source>%1 min for %2 pieces / %3 min</source>
+        <translation>%1 分（%2 件）/ %3 分</translation>
+    </message>
+    <message>
+        <source>Quality</source>
+        <translation>合格品率</translation>
+    </message>
+    <message>
+        <source>Share of good pieces. Not good: %1 out of tolerance, %2 start-up scrap, %3 skipped cuts.</source>
+        <translation>合格件的比例。不合格：超差 %1，开机废品 %2，跳过的切断 %3。</translation>
+    </message>
+    <message>
+        <source>good pieces / pieces</source>
+        <translation>合格件数 / 件数</translation>
+    </message>
+    <message>
+        <source>Overall equipment effectiveness (OEE)</source>
+        <translation>设备综合效率 (OEE)</translation>
+    </message>
+    <message>
+        <source>Good pieces at the ideal rate, as a share of the planned time.</source>
+        <translation>按理想速率生产合格件所需时间占计划时间的比例。</translation>
+    </message>
+    <message>
+        <source>availability × performance × quality</source>
+        <translation>时间开动率 × 性能开动率 × 合格品率</translation>
+    </message>
 </context>
 <context>
     <name>campanel::panel::FrameList</name>
@@ -5791,6 +5855,26 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
         <translation>按住启动</translation>
     </message>
     <message>
+        <source>seconds of a stop until its question</source>
+        <translation>停机多少秒后询问原因</translation>
+    </message>
+    <message>
+        <source>ideal rate, pieces/min</source>
+        <translation>理想速率，件/分</translation>
+    </message>
+    <message>
+        <source>start of the shifts</source>
+        <translation>班次开始时间</translation>
+    </message>
+    <message>
+        <source>working days</source>
+        <translation>工作日</translation>
+    </message>
+    <message>
+        <source>reasons of a stop</source>
+        <translation>停机原因</translation>
+    </message>
+    <message>
         <source>scanner prefix</source>
         <translation>扫码枪前缀</translation>
     </message>
@@ -5859,8 +5943,8 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
         <translation>h/c：切刀匀速转动</translation>
     </message>
     <message>
-        <source>L_crit: the knife stops in each cycle</source>
-        <translation>L_crit：切刀每周期停顿</translation>
+        <source>L_crit: the longest ramps stop the knife</source>
+        <translation>L_crit：最长斜坡使切刀停顿</translation>
     </message>
     <message>
         <source>%1 · %2</source>
@@ -6027,6 +6111,330 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
     <message>
         <source>End acceleration</source>
         <translation>终点加速度</translation>
+    </message>
+</context>
+<context>
+    <name>StopWords</name>
+    <message>
+        <source>Waiting for products</source>
+        <translation>等待产品</translation>
+    </message>
+    <message>
+        <source>Material</source>
+        <translation>材料</translation>
+    </message>
+    <message>
+        <source>Film change</source>
+        <translation>换膜卷</translation>
+    </message>
+    <message>
+        <source>Film torn</source>
+        <translation>膜断裂</translation>
+    </message>
+    <message>
+        <source>No product</source>
+        <translation>缺产品</translation>
+    </message>
+    <message>
+        <source>Product jam</source>
+        <translation>产品卡料</translation>
+    </message>
+    <message>
+        <source>Machine</source>
+        <translation>机器</translation>
+    </message>
+    <message>
+        <source>Film jam</source>
+        <translation>薄膜卡住</translation>
+    </message>
+    <message>
+        <source>Knife, jaws</source>
+        <translation>切刀、封刀</translation>
+    </message>
+    <message>
+        <source>Sensor</source>
+        <translation>传感器</translation>
+    </message>
+    <message>
+        <source>Adjustment</source>
+        <translation>调整</translation>
+    </message>
+    <message>
+        <source>Quality</source>
+        <translation>质量</translation>
+    </message>
+    <message>
+        <source>Seal</source>
+        <translation>封口</translation>
+    </message>
+    <message>
+        <source>Bag length</source>
+        <translation>袋长</translation>
+    </message>
+    <message>
+        <source>Print</source>
+        <translation>印刷</translation>
+    </message>
+    <message>
+        <source>Changeover</source>
+        <translation>换产</translation>
+    </message>
+    <message>
+        <source>Cleaning</source>
+        <translation>清洁</translation>
+    </message>
+    <message>
+        <source>Maintenance</source>
+        <translation>维护</translation>
+    </message>
+    <message>
+        <source>Break</source>
+        <translation>休息</translation>
+    </message>
+    <message>
+        <source>No order</source>
+        <translation>无订单</translation>
+    </message>
+    <message>
+        <source>Waiting</source>
+        <translation>等待</translation>
+    </message>
+    <message>
+        <source>No reason</source>
+        <translation>无原因</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <comment>title and code of an alarm</comment>
+        <translation>%1（%2）</translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
+        <comment>group and reason</comment>
+        <translation>%1 · %2</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 秒</translation>
+    </message>
+    <message>
+        <source>%1 min</source>
+        <translation>%1 分</translation>
+    </message>
+    <message>
+        <source>%1 h %2 min</source>
+        <translation>%1 小时 %2 分</translation>
+    </message>
+    <message>
+        <source>Short stops (up to %1)</source>
+        <translation>短停机（%1 以内）</translation>
+    </message>
+    <message>
+        <source>%1 · %2×</source>
+        <comment>duration, number of stops</comment>
+        <translation>%1 · %2 次</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::ReasonEditor</name>
+    <message>
+        <source>Enter a name.</source>
+        <translation>请输入名称。</translation>
+    </message>
+    <message>
+        <source>The name is longer than %1 letters.</source>
+        <translation>名称超过 %1 个字符。</translation>
+    </message>
+    <message>
+        <source>The name cannot contain a slash.</source>
+        <translation>名称不能包含斜杠。</translation>
+    </message>
+    <message>
+        <source>This name is already in the list.</source>
+        <translation>列表中已有此名称。</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::ShiftReport</name>
+    <message>
+        <source>shift %1</source>
+        <comment>name of a file: date and time</comment>
+        <translation>班次 %1</translation>
+    </message>
+    <message>
+        <source>Shift report</source>
+        <translation>班次报告</translation>
+    </message>
+    <message>
+        <source>Page %1</source>
+        <translation>第 %1 页</translation>
+    </message>
+    <message>
+        <source>Effectiveness</source>
+        <translation>效率</translation>
+    </message>
+    <message>
+        <source>OEE</source>
+        <translation>OEE</translation>
+    </message>
+    <message>
+        <source>Availability</source>
+        <translation>时间开动率</translation>
+    </message>
+    <message>
+        <source>Performance</source>
+        <translation>性能开动率</translation>
+    </message>
+    <message>
+        <source>Quality</source>
+        <translation>合格品率</translation>
+    </message>
+    <message>
+        <source>Run time</source>
+        <translation>运行时间</translation>
+    </message>
+    <message>
+        <source>Planned time</source>
+        <translation>计划时间</translation>
+    </message>
+    <message>
+        <source>Stops</source>
+        <translation>停机</translation>
+    </message>
+    <message>
+        <source>Planned stops</source>
+        <translation>计划停机</translation>
+    </message>
+    <message>
+        <source>Pieces</source>
+        <translation>件数</translation>
+    </message>
+    <message>
+        <source>Good pieces</source>
+        <translation>合格件数</translation>
+    </message>
+    <message>
+        <source>Out of tolerance</source>
+        <translation>超差</translation>
+    </message>
+    <message>
+        <source>Start-up scrap</source>
+        <translation>开机废品</translation>
+    </message>
+    <message>
+        <source>Skipped cuts</source>
+        <translation>跳过的切断</translation>
+    </message>
+    <message>
+        <source>Reasons by time</source>
+        <translation>按时间排列的原因</translation>
+    </message>
+    <message>
+        <source>%1 (planned)</source>
+        <translation>%1（计划）</translation>
+    </message>
+    <message>
+        <source>No stop in this shift.</source>
+        <translation>本班次无停机。</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <comment>time, duration</comment>
+        <translation>%1，%2</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <comment>reason, person</comment>
+        <translation>%1（%2）</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::ShiftView</name>
+    <message>
+        <source>ddd d MMM</source>
+        <comment>date: weekday, day, month</comment>
+        <translation>M月d日 ddd</translation>
+    </message>
+    <message>
+        <source>%1, %2 – %3</source>
+        <comment>date, begin and end of a shift</comment>
+        <translation>%1，%2 – %3</translation>
+    </message>
+    <message>
+        <source>Day off: no production planned</source>
+        <translation>休息日：无生产计划</translation>
+    </message>
+    <message>
+        <source>Present shift</source>
+        <translation>当前班次</translation>
+    </message>
+    <message>
+        <source>Run %1 · stops %2 · planned stops %3</source>
+        <translation>运行 %1 · 停机 %2 · 计划停机 %3</translation>
+    </message>
+    <message>
+        <source>Run %1 · stops %2 · planned stops %3 · not recorded %4</source>
+        <translation>运行 %1 · 停机 %2 · 计划停机 %3 · 未记录 %4</translation>
+    </message>
+    <message>
+        <source>%1, %2: %3</source>
+        <comment>time, duration, reason of a stop</comment>
+        <translation>%1，%2：%3</translation>
+    </message>
+    <message>
+        <source>stops</source>
+        <translation>停机</translation>
+    </message>
+    <message>
+        <source>states</source>
+        <translation>状态</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::StopSetup</name>
+    <message>
+        <source>Question after</source>
+        <translation>询问原因的时间</translation>
+    </message>
+    <message>
+        <source>s</source>
+        <translation>秒</translation>
+    </message>
+    <message>
+        <source>Ideal rate (0: of the recipe)</source>
+        <translation>理想速率（0：按配方）</translation>
+    </message>
+    <message>
+        <source>pieces/min</source>
+        <translation>件/分</translation>
+    </message>
+    <message>
+        <source>%1 pieces/min</source>
+        <translation>%1 件/分</translation>
+    </message>
+    <message>
+        <source>by recipe</source>
+        <translation>按配方</translation>
+    </message>
+    <message>
+        <source>every day</source>
+        <translation>每天</translation>
+    </message>
+    <message>
+        <source>standard list</source>
+        <translation>标准列表</translation>
+    </message>
+    <message>
+        <source>own list (%1)</source>
+        <translation>自定义列表（%1）</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::Stops</name>
+    <message>
+        <source>Since %1, %2</source>
+        <comment>time, duration</comment>
+        <translation>自 %1 起，%2</translation>
     </message>
 </context>
 <context>

@@ -178,7 +178,11 @@ void LinkWorker::checkIdentity()
 {
     m_identifiedAt = steady_clock::now();
     const auto registers = m_client->readProven(modbus::identityAddress, modbus::identityRegisters);
-    if (!registers || modbus::decodeIdentity(*registers) == *m_report.identity)
+    if (!registers)
+        return;
+    modbus::Identity found = modbus::decodeIdentity(*registers);
+    found.tableLayouts = m_report.identity->tableLayouts; // not among these registers
+    if (found == *m_report.identity)
         return;
     qCWarning(linkLog) << "another controller answers";
     disconnect(std::nullopt);

@@ -28,7 +28,7 @@ std::optional<QString> textIn(const toml::node& node)
     return text ? std::optional(QString::fromStdString(*text)) : std::nullopt;
 }
 
-// Returns the rules of a list, one per line.
+// Returns the texts of a list, one per line.
 std::optional<QString> rulesIn(const toml::node& node)
 {
     QStringList rules;
@@ -57,6 +57,7 @@ std::optional<QString> valueIn(const toml::node& node, SettingForm form)
             return settingText(*number);
         return {};
     case SettingForm::Rules:
+    case SettingForm::Reasons:
         return rulesIn(node);
     case SettingForm::Word:
     case SettingForm::Language:
@@ -65,6 +66,8 @@ std::optional<QString> valueIn(const toml::node& node, SettingForm form)
     case SettingForm::Name:
     case SettingForm::Prefix:
     case SettingForm::Size:
+    case SettingForm::Times:
+    case SettingForm::Days:
         break;
     }
     return textIn(node);

@@ -45,8 +45,11 @@ QString standardOf(Setting setting)
     case SettingForm::Name:
     case SettingForm::Prefix:
     case SettingForm::Size:
+    case SettingForm::Times:
+    case SettingForm::Days:
         return u"\"%1\""_s.arg(standard);
     case SettingForm::Rules:
+    case SettingForm::Reasons:
         return u"[]"_s;
     case SettingForm::Truth:
     case SettingForm::Choice:

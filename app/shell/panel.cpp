@@ -7,12 +7,17 @@
 #include "app/report/commissioning_pdf.h"
 #include "app/store/files/private_files.h"
 
+#include <QBuffer>
 #include <QCoreApplication>
 #include <QEventLoop>
+#include <QImage>
+#include <QInputDevice>
 #include <QLibraryInfo>
 #include <QLocale>
 #include <QLoggingCategory>
 #include <QStandardPaths>
+
+#include <algorithm>
 
 namespace campanel::shell {
 namespace {
@@ -34,6 +39,12 @@ QString privateDataFolder(const Storage& storage)
     return folder;
 }
 
+int countTouchscreens()
+{
+    return static_cast<int>(std::ranges::count(QInputDevice::devices(), QInputDevice::DeviceType::TouchScreen,
+                                               &QInputDevice::type));
+}
+
 } // namespace
 
 Panel::Panel(link::Link& link, const Storage& storage)
@@ -48,32 +59,49 @@ Panel::Panel(link::Link& link, const Storage& storage)
     , m_scan({m_machine, m_editor, m_recipes, m_settings}, recipeFolder(storage), nullptr)
     , m_maintenance(m_machine, m_settings, recipeFolder(storage), nullptr)
     , m_trends(m_machine, m_settings, m_records, *m_maintenance.files(), recipeFolder(storage), nullptr)
+    , m_stops(m_machine, m_settings, m_records, *m_maintenance.files(), nullptr)
     , m_access(m_records, m_machine, m_settings, nullptr)
     , m_trail(m_records, {m_machine, m_editor, m_settings, m_maintenance, m_access}, nullptr)
     , m_audit(m_records, m_trail, *m_maintenance.files(), nullptr)
     , m_backup({m_machine, m_editor, m_records, m_trends, m_settings, m_access, m_trail},
                recipeFolder(storage), nullptr)
     , m_commissioning(m_machine, m_editor, m_access, *m_maintenance.files(), nullptr)
-    , m_bundle({m_machine, m_editor, m_records, *m_maintenance.figures(), *m_maintenance.files()}, nullptr)
+    , m_shiftReport(m_stops, *m_maintenance.files(), nullptr)
+    , m_bundle({m_machine, m_editor, m_records, *m_maintenance.figures(), *m_maintenance.files(),
+                *m_maintenance.frames()},
+               nullptr)
     , m_display(m_machine, m_settings, nullptr)
-    , m_explanations({m_machine, m_editor, *m_maintenance.figures(), m_trends}, nullptr)
+    , m_explanations({m_machine, m_editor, *m_maintenance.figures(), m_trends, m_stops}, nullptr)
     , m_plant(m_machine, m_alarms, m_trail, nullptr)
     , m_hasBroker(!storage.standard.text("gateway.host").isEmpty())
     , m_pageMemory(recipeFolder(storage) + QStringLiteral("/open-page"))
 {
     m_commissioning.setPrinter(&report::commissioningPdf);
+    m_shiftReport.setPrinter(&report::commissioningPdf);
     m_records.noteRestore(m_restore);
     connect(&m_backup, &panel::Backup::restartWanted, this, &Panel::restartWanted);
+    m_bundle.setScreen([this] {
+        QByteArray png;
+        QBuffer buffer(&png);
+        if (m_window && buffer.open(QIODevice::WriteOnly))
+            m_window->grabWindow().save(&buffer, "PNG");
+        return png;
+    });
+    m_alarms.watch().setTouchscreenCount(&countTouchscreens);
     m_maintenance.dryRun()->follow(m_editor);
     m_recipes.files()->setKeyFolder(storage.keyFolder);
     m_recipes.setAuthor([this] { return m_access.userName(); });
     connect(m_scan.film(), &panel::FilmCheck::noted, &m_trail, &panel::AuditTrail::note);
     connect(&m_recipes, &panel::Recipes::noted, &m_trail, &panel::AuditTrail::note);
-    connect(&m_access, &panel::Access::changed, this, [this] { m_alarms.setPerson(m_access.userName()); });
+    connect(&m_stops, &panel::Stops::noted, &m_trail, &panel::AuditTrail::note);
+    connect(&m_access, &panel::Access::changed, this, [this] {
+        m_alarms.setPerson(m_access.userName());
+        m_stops.setPerson(m_access.userName());
+    });
     m_engine.addImportPath(QStringLiteral("qrc:/qt/qml"));
     panel::attachToEngine(m_engine, m_access, m_alarms, m_audit, m_backup, m_commissioning, m_display,
                           m_machine, m_editor, m_explanations, m_records, m_recipes, m_maintenance, m_scan,
-                          m_bundle, m_settings, m_trends);
+                          m_bundle, m_settings, m_shiftReport, m_stops, m_trends);
     connect(&m_settings, &panel::Settings::languageChanged, this, &Panel::translate);
     translate();
     m_component.loadUrl(QUrl(QStringLiteral("qrc:/qt/qml/CamPanel/Frame/Main.qml")),

@@ -19,8 +19,10 @@
 #include "app/panel/reports/backup.h"
 #include "app/panel/reports/commissioning.h"
 #include "app/panel/reports/service_bundle.h"
+#include "app/panel/reports/shift_report.h"
 #include "app/panel/scan/scan.h"
 #include "app/panel/settings/settings.h"
+#include "app/panel/stops/stops.h"
 #include "app/panel/trends/trends.h"
 #include "app/shell/page_memory.h"
 
@@ -59,11 +61,13 @@ public:
     [[nodiscard]] panel::Scan& scan() { return m_scan; }
     [[nodiscard]] panel::Maintenance& maintenance() { return m_maintenance; }
     [[nodiscard]] panel::Trends& trends() { return m_trends; }
+    [[nodiscard]] panel::Stops& stops() { return m_stops; }
     [[nodiscard]] panel::Access& access() { return m_access; }
     [[nodiscard]] panel::AuditTrail& trail() { return m_trail; }
     [[nodiscard]] panel::Audit& audit() { return m_audit; }
     [[nodiscard]] panel::Backup& backup() { return m_backup; }
     [[nodiscard]] panel::Commissioning& commissioning() { return m_commissioning; }
+    [[nodiscard]] panel::ShiftReport& shiftReport() { return m_shiftReport; }
     [[nodiscard]] panel::Display& display() { return m_display; }
     [[nodiscard]] panel::ServiceBundle& bundle() { return m_bundle; }
     [[nodiscard]] panel::Explanations& explanations() { return m_explanations; }
@@ -96,11 +100,13 @@ private:
     panel::Scan m_scan; // its filter sees a key after those of the members below
     panel::Maintenance m_maintenance;
     panel::Trends m_trends;
+    panel::Stops m_stops;
     panel::Access m_access;
     panel::AuditTrail m_trail;
     panel::Audit m_audit;
     panel::Backup m_backup;
     panel::Commissioning m_commissioning;
+    panel::ShiftReport m_shiftReport;
     panel::ServiceBundle m_bundle;
     panel::Display m_display;
     panel::Explanations m_explanations;

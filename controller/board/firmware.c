@@ -2,9 +2,11 @@
 /* The loop around the core: time is cut into slices, bytes go in, answers come out. */
 #include "board.h"
 
-/* The slices that one turn makes up for. A larger delay is permanent: the machine runs late, but the line is
- * still answered. */
+/* The slices that one turn makes up for; a board may set another number. A larger delay is permanent: the
+ * machine runs late, but the line is still answered. */
+#ifndef MAX_SLICES
 #define MAX_SLICES 400u
+#endif
 
 typedef struct {
     ctl_core core;

@@ -69,10 +69,10 @@ Machine::Machine(const MachineOptions& options)
     switchDrives();
 }
 
-void Machine::command(ctl_axis axis, std::int64_t pulses)
+void Machine::commandFeed(ctl_axis axis, std::int64_t from, std::int64_t to)
 {
-    Servo& servo = axis == CTL_AXIS_FILM ? m_filmMotor : axis == CTL_AXIS_INFEED ? m_infeedMotor : m_main;
-    servo.command(pulses);
+    Servo& servo = axis == CTL_AXIS_FILM ? m_filmMotor : m_infeedMotor;
+    servo.command(ctl_whole_pulses(to) - ctl_whole_pulses(from));
 }
 
 void Machine::setDriveOn(bool on)

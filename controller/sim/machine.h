@@ -58,8 +58,9 @@ public:
 
     // Sets the program to execute; the shaft keeps its angle.
     void setProgram(const ctl_bank& bank);
-    // Moves the command of an axis; within a time step it rises evenly, at whichever ticks the pulses come.
-    void command(ctl_axis axis, std::int64_t pulses);
+    // Move the commands of the axes; within a time step they rise evenly. Feeds in 1/256 pulse.
+    void command(std::int64_t pulses) { m_main.command(pulses); }
+    void commandFeed(ctl_axis axis, std::int64_t from, std::int64_t to);
     // Cuts the power of the main drive.
     void setDriveOn(bool on);
     // Sets the output pins; the drives follow only while they are enabled.

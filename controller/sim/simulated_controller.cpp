@@ -39,6 +39,9 @@ bool takeEdge(void* context, std::int64_t* infeedAtEdge, bool* covered)
 
 void connectFeeds(ctl_port& port)
 {
+    port.feed = [](void* context, ctl_axis axis, std::int64_t from, std::int64_t to) {
+        machineOf(context).commandFeed(axis, from, to);
+    };
     port.film = [](void* context) { return machineOf(context).filmEncoder(); };
     port.infeed = [](void* context) { return machineOf(context).infeedEncoder(); };
     port.mark = takeMark;
@@ -58,11 +61,11 @@ SimulatedController::SimulatedController(const ctl_config& config, const Machine
     stepped.slice_us = static_cast<std::uint32_t>(stepUs);
     ctl_port port{};
     port.context = this;
-    port.pulses = [](void* context, ctl_axis axis, const ctl_train* train) {
+    port.pulses = [](void* context, const ctl_train* train) {
         auto& self = *static_cast<SimulatedController*>(context);
         if (self.onPulses)
-            self.onPulses(axis, *train);
-        self.machine().command(axis, train->direction * static_cast<std::int64_t>(train->count));
+            self.onPulses(*train);
+        self.machine().command(train->direction * static_cast<std::int64_t>(train->count));
     };
     port.encoder = [](void* context) { return machineOf(context).encoder(); };
     port.index = takeIndex;

@@ -37,8 +37,8 @@ public:
     // Returns the cut of the last step.
     [[nodiscard]] const std::optional<BagCut>& cut() const { return m_cut; }
 
-    // Called with the pulses that the drives are given, if set.
-    std::function<void(ctl_axis, const ctl_train&)> onPulses;
+    // Called with the pulses that the main drive is given, if set.
+    std::function<void(const ctl_train&)> onPulses;
 
 private:
     void takeOverProgram();

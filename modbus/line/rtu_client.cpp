@@ -165,7 +165,18 @@ tl::expected<Identity, LinkError> RtuClient::identify()
     const auto proven = readProven(identityAddress, identityRegisters);
     if (!proven)
         return tl::unexpected(proven.error());
-    return identityIn(*proven);
+    auto identity = identityIn(*proven);
+    constexpr std::uint16_t firstMinorWithLayouts = 4;
+    if (!identity || identity->mapMinor < firstMinorWithLayouts)
+        return identity;
+    static const std::uint16_t layoutsAddress = registerNamed("identity.table_layouts").address;
+    auto layouts = readProven(layoutsAddress, 1);
+    if (!layouts) // a line that spoils each third answer would spoil one of these four each time
+        layouts = readProven(layoutsAddress, 1);
+    if (!layouts)
+        return tl::unexpected(layouts.error());
+    identity->tableLayouts = layouts->front();
+    return identity;
 }
 
 tl::expected<StatusBlock, LinkError> RtuClient::exchangeStatus(std::uint16_t heartbeat, std::uint16_t jogBits)

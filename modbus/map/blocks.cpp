@@ -103,7 +103,6 @@ Identity decodeIdentity(std::span<const std::uint16_t> registers)
     identity.timerClockHz = reader.u32("identity.timer_clock");
     identity.timerBits = reader.u16("identity.timer_bits");
     identity.maxPulseFrequencyHz = reader.u32("identity.max_pulse_frequency");
-    identity.tableLayouts = reader.u16("identity.table_layouts");
     return identity;
 }
 

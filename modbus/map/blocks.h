@@ -35,7 +35,8 @@ struct Identity {
     std::uint32_t timerClockHz = 0;
     std::uint16_t timerBits = 0;
     std::uint32_t maxPulseFrequencyHz = 0;
-    std::uint16_t tableLayouts = 0; // bit n: table layout n; 0 before map 1.4, which executes all
+    // Bit n: table layout n; read apart, because no controller before map 1.4 has it. 0: all.
+    std::uint16_t tableLayouts = 0;
 
     [[nodiscard]] std::string firmwareVersion() const;
     [[nodiscard]] bool supports(ProgramKind kind) const;
@@ -122,7 +123,7 @@ struct TransferAnswer {
     [[nodiscard]] bool accepted() const { return result == TransferResult::Accepted; }
 };
 
-// Decode exactly the registers of a block, from its first address.
+// Decode exactly the registers of a block, from its first address; of the identity all but the table layouts.
 [[nodiscard]] Identity decodeIdentity(std::span<const std::uint16_t> registers);
 [[nodiscard]] StatusBlock decodeStatus(std::span<const std::uint16_t> registers);
 [[nodiscard]] CommandResult decodeCommandResult(std::span<const std::uint16_t> registers);

@@ -15,6 +15,7 @@ T.AbstractButton {
     property int kind: Button.Normal
     property string glyph
     property string note               // second, smaller line
+    property int textSize: primary ? Theme.size.title : Theme.size.body
 
     readonly property bool primary: kind === Button.Primary
     readonly property color inkColor: !enabled ? Theme.color.disabledInk : primary ? Theme.color.touchInk : Theme.color.touch
@@ -56,7 +57,7 @@ T.AbstractButton {
                     minimumPixelSize: Theme.size.caption - 3
                     text: button.text
                     color: button.inkColor
-                    font { pixelSize: button.primary ? Theme.size.title : Theme.size.body; weight: Font.DemiBold }
+                    font { pixelSize: button.textSize; weight: Font.DemiBold }
                 }
                 Label {
                     id: remark

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One entry of a list of choices: text, a note below, a tick when it is selected.
+// One entry of a list of choices: text, a note below, a tick when it is selected. `leftPadding` is free for a picture.
 pragma ComponentBehavior: Bound
 import QtQuick
 import QtQuick.Templates as T
@@ -24,7 +24,7 @@ T.AbstractButton {
     Item {
         anchors.fill: parent
         Column {
-            anchors { left: parent.left; right: tick.left; margins: Theme.size.padding; verticalCenter: parent.verticalCenter }
+            anchors { left: parent.left; right: tick.left; margins: Theme.size.padding; leftMargin: Theme.size.padding + entry.leftPadding; verticalCenter: parent.verticalCenter }
             spacing: Theme.size.outline
             Label {
                 width: parent.width

@@ -10,6 +10,7 @@ Sheet {
     required property var choices
     required property var current
     property string emptyText
+    property alias delegate: list.delegate
     signal chosen(var key)
 
     panelHeight: Theme.size.touch + Theme.size.padding + Math.max(1, picker.choices.length) * (Theme.size.touch + Theme.size.spacing)

@@ -36,6 +36,7 @@ QtObject {
     readonly property string dark: "\uf594"
     readonly property string contrast: "\uf197"
     readonly property string next: "\uf142"
+    readonly property string previous: "\uf141"
     readonly property string refresh: "\uf450"
     readonly property string table: "\uf4eb"
     readonly property string view: "\uf208"

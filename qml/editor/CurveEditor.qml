@@ -17,9 +17,10 @@ Card {
     required property bool compare
     readonly property CamHandles handles: Editor.handles
     readonly property bool hasHandles: handles !== null
+    readonly property bool isPress: Editor.kind === Editor.Kind.Press
     readonly property list<real> handleTimes: handles !== null ? handles.times : Editor.plot.ratioTimes
     readonly property int handlePanel: quantities.indexOf(hasHandles ? "position" : "velocity")
-    readonly property var quantities: [...(showPosition || hasHandles ? ["position"] : []), "velocity", "acceleration",
+    readonly property var quantities: [...(showPosition || hasHandles || isPress ? ["position"] : []), "velocity", "acceleration",
         ...(showJerk ? ["jerk"] : []), ...(showTorque && Editor.plot.hasTorque ? ["torque"] : []), "frequency"]
     readonly property list<string> units: ["mm", "mm/s", "m/s²", "m/s³", "kHz", "Nm"]
     readonly property list<string> allQuantities: ["position", "velocity", "acceleration", "jerk", "frequency", "torque"]
@@ -31,6 +32,10 @@ Card {
     function handleX(index: int, at: int): real { return plot.xOfTime(editor.handleTimes[index]) }
     function handleY(index: int, at: int): real {
         return plot.yOfValue(editor.handlePanel, plot.valuesAt(editor.handleTimes[index])[editor.handlePanel])
+    }
+    // Returns the end of a stage of a press; -1 is the start of the stroke.
+    function stageX(index: int, at: int): real {
+        return plot.xOfTime(index < 0 ? 0 : Editor.plot.markTimes[index] ?? Editor.plot.cycleSeconds)
     }
     function handleAt(x: real, y: real): int {
         const reach = Theme.size.touch / 2
@@ -51,11 +56,38 @@ Card {
         color: isNaN(editor.cursor) ? Theme.color.secondaryInk : Theme.color.ink
         font { pixelSize: Theme.size.caption; weight: isNaN(editor.cursor) ? Font.Normal : Font.DemiBold }
     }
+    Item { // the stages of a stroke above its curve
+        id: stages
+        anchors { left: plot.left; right: plot.right; top: line.bottom }
+        height: editor.isPress && plot.visible ? Math.round(1.4 * Theme.size.caption) : 0
+        visible: height > 0
+        Repeater {
+            model: stages.visible ? Controller.stageNames : []
+            Label {
+                id: stage
+                required property int index
+                required property string modelData
+                readonly property real from: editor.stageX(index - 1, editor.revision)
+                x: from
+                width: editor.stageX(index, editor.revision) - from
+                height: stages.height
+                horizontalAlignment: Text.AlignHCenter
+                text: name.width < width ? modelData : index + 1
+                color: Theme.color.secondaryInk
+                font.pixelSize: Theme.size.caption
+                TextMetrics {
+                    id: name
+                    font: stage.font
+                    text: stage.modelData
+                }
+            }
+        }
+    }
     StyledCurves {
         id: plot
         objectName: "motionPlot"
         visible: Editor.solvable
-        anchors { left: parent.left; right: parent.right; top: line.bottom; bottom: parent.bottom; margins: Theme.size.spacing; topMargin: Theme.size.outline }
+        anchors { left: parent.left; right: parent.right; top: stages.bottom; bottom: parent.bottom; margins: Theme.size.spacing; topMargin: Theme.size.outline }
         curves: Editor.plot.curves
         overlayCurves: editor.compare ? Editor.overlayCurves : undefined
         quantities: editor.quantities

@@ -2,13 +2,12 @@
 // The choice of the kind of a new program.
 pragma ComponentBehavior: Bound
 import QtQuick
-import CamPanel.Controls
 import CamPanel.Panel
 
-ListPicker {
+ShapePicker {
     id: sheet
 
-    readonly property var names: Editor.kindNames
+    readonly property var kinds: Editor.kinds
     readonly property list<string> notes: [
         qsTr("A knife that follows the film while it seals"), qsTr("A distance, from rest to rest"),
         qsTr("From one speed to another constant speed"), qsTr("A curve through knots that follows a master"),
@@ -17,5 +16,5 @@ ListPicker {
     title: qsTr("New program")
     note: qsTr("Replaces the recipe on this page; Undo restores the old recipe")
     current: Editor.kind
-    choices: sheet.names.map((text, index) => ({ key: index + 1, text: text, note: sheet.notes[index] }))
+    choices: sheet.kinds.map((kind, index) => ({ key: index + 1, text: kind.name, note: sheet.notes[index], shape: kind.shape }))
 }

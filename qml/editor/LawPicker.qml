@@ -40,6 +40,7 @@ Sheet {
         delegate: LawRow {
             required property string lawId
             required property string name
+            required shape
             required property string strength
             required property string weakness
             required property string peakRpmText

@@ -5,12 +5,14 @@ import QtQuick
 import QtQuick.Templates as T
 import CamPanel.Theme
 import CamPanel.Controls
+import CamPanel.Plot
 
 T.AbstractButton {
     id: row
     Accessible.role: row.header ? Accessible.StaticText : Accessible.Button
     Accessible.name: row.header ? row.headings.join(", ") : row.text
 
+    property var shape: []                 // the picture of the law
     property list<string> notes            // strength, weakness
     property bool holds
     property bool header
@@ -19,7 +21,7 @@ T.AbstractButton {
     required property list<string> cells
     readonly property var headings: cells
 
-    readonly property real cellWidth: width * (cells.length > 5 ? 0.115 : cells.length > 4 ? 0.13 : 0.15)
+    readonly property real cellWidth: words.width * (cells.length > 5 ? 0.115 : cells.length > 4 ? 0.13 : 0.15)
     implicitHeight: Math.max(Theme.size.touch, words.height + Theme.size.padding)
     enabled: !header
 
@@ -29,9 +31,20 @@ T.AbstractButton {
         color: row.holds || row.down ? Theme.color.touchTint : Theme.color.inset
         border { width: row.holds || row.marked ? Theme.size.outline : Theme.size.hairline; color: row.holds ? Theme.color.touch : row.marked ? Theme.color.target : Theme.color.line }
     }
+    CurveThumbnail {
+        id: drawing
+        x: Theme.size.spacing
+        y: Math.round((parent.height - height) / 2)
+        visible: !row.header
+        width: Math.round(1.2 * Theme.size.touch)
+        height: Math.round(0.8 * Theme.size.touch)
+        points: row.shape
+        color: row.holds ? Theme.color.touch : Theme.color.secondaryInk
+        lineWidth: Theme.size.curve
+    }
     Column {
         id: words
-        anchors { left: parent.left; leftMargin: Theme.size.padding; right: parent.right; rightMargin: Theme.size.spacing; verticalCenter: parent.verticalCenter }
+        anchors { left: drawing.right; leftMargin: Theme.size.padding; right: parent.right; rightMargin: Theme.size.spacing; verticalCenter: parent.verticalCenter }
         spacing: Theme.size.outline
 
         Row {

@@ -97,7 +97,7 @@ Sheet {
                 objectName: "kindButton"
                 width: sheet.half
                 label: qsTr("Program")
-                value: Editor.kindNames[Editor.kind - 1]
+                value: Editor.kinds[Editor.kind - 1].name
                 onClicked: sheet.kindRequested()
             }
             SettingRow {

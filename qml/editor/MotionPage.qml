@@ -114,6 +114,7 @@ Page {
             }
         }
     }
+    firstSheet: downloadSheet
     readonly property Component downloadSheet: Component {
         DownloadSheet { onProofRequested: page.sheetRequested(page.proofSheet) }
     }

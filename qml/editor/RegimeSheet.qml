@@ -96,7 +96,7 @@ Sheet {
         wrapMode: Text.WordWrap
         fontSizeMode: Text.Fit
         minimumPixelSize: Theme.size.caption - 3
-        text: Theme.unbroken(sheet.good ? [qsTr("Drag the dot to another length and rate."), Editor.cutter.map.linesText].join("\n") : Editor.verdict)
+        text: Theme.unbroken(sheet.good ? qsTr("Drag the dot to another length and rate.") + "\n" + Editor.cutter.map.linesText : Editor.verdict)
         color: sheet.good ? Theme.color.secondaryInk : Theme.color.fault
     }
     Row {

@@ -2,17 +2,16 @@
 // The motions that the selected segment of a cam may have.
 pragma ComponentBehavior: Bound
 import QtQuick
-import CamPanel.Controls
 import CamPanel.Panel
 
-ListPicker {
+ShapePicker {
     id: sheet
 
     signal picked()
 
     title: qsTr("Motion of segment %1").arg(Editor.cam.segments.selected + 1)
     current: Editor.cam.segments.motion
-    choices: [...Editor.cam.segments.motions].map((text, index) => ({ key: index, text: text }))
+    choices: [...Editor.cam.segments.motions].map((motion, index) => ({ key: index, text: motion.name, shape: motion.shape }))
     onChosen: key => {
         Editor.cam.segments.setMotion(key)
         sheet.picked()

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The numbers of the machine, each with its explanation.
+// The numbers of the machine beside its drawing, which marks the chosen one and explains it.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme
@@ -10,41 +10,50 @@ import CamPanel.Panel
 FirstStep {
     id: step
 
+    property int chosen
+    readonly property EditorField field: Editor.machineFields[chosen] as EditorField
     readonly property real rowHeight: Math.round(1.15 * Theme.size.touch)
 
     ListView {
         id: list
         objectName: "firstMachine"
-        anchors.fill: parent
+        anchors { left: parent.left; top: parent.top; bottom: parent.bottom }
+        width: parent.width * 0.45
         clip: true
         spacing: Theme.size.spacing
         boundsBehavior: Flickable.StopAtBounds
         model: Editor.machineFields
-        delegate: Item {
-            id: row
+        delegate: FieldTile {
+            required property int index
             required property var modelData
+            objectName: "first_" + field.fieldId
+            field: modelData as EditorField
+            compact: false
             width: list.width - 2 * Theme.size.accent
             height: step.rowHeight
-            FieldTile {
-                id: tile
-                objectName: "first_" + field.fieldId
-                field: row.modelData as EditorField
-                compact: false
-                width: parent.width * 0.42
-                height: parent.height
-                onEditRequested: (field, source) => step.page.editRequested([field], 0, source)
-                onExplainRequested: field => step.page.explainRequested(field)
+            onEditRequested: (field, source) => {
+                step.chosen = index
+                step.page.editRequested([field], 0, source)
             }
-            Label {
-                anchors { left: tile.right; leftMargin: Theme.size.padding; right: parent.right; top: parent.top; bottom: parent.bottom }
-                verticalAlignment: Text.AlignVCenter
-                wrapMode: Text.WordWrap
-                fontSizeMode: Text.Fit
-                minimumPixelSize: Theme.size.caption - 3
-                text: tile.field.explanation
-                color: Theme.color.secondaryInk
-            }
+            onExplainRequested: field => step.page.explainRequested(field)
         }
     }
-    ScrollMark { view: list }
+    ScrollMark {
+        view: list
+        x: list.width - width
+    }
+    MachineDrawing {
+        id: drawing
+        anchors { left: list.right; leftMargin: Theme.size.padding; right: parent.right; top: parent.top }
+        height: parent.height * 0.58
+        fieldId: step.field?.fieldId ?? ""
+    }
+    Label {
+        anchors { left: drawing.left; right: drawing.right; top: drawing.bottom; topMargin: Theme.size.spacing; bottom: parent.bottom }
+        wrapMode: Text.WordWrap
+        fontSizeMode: Text.Fit
+        minimumPixelSize: Theme.size.caption - 3
+        text: step.field?.explanation ?? ""
+        color: Theme.color.secondaryInk
+    }
 }

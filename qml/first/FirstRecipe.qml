@@ -61,7 +61,7 @@ FirstStep {
         Label {
             width: parent.width
             wrapMode: Text.WordWrap
-            text: qsTr("Next: press Download on the Motion page, then Start.")
+            text: qsTr("Next: Download, then Start.")
             color: Theme.color.secondaryInk
         }
     }

@@ -17,6 +17,7 @@ Rectangle {
         motion: "../Editor/MotionPage.qml",
         recipes: "../Library/RecipesPage.qml",
         trends: "../Trends/TrendsPage.qml",
+        stops: "../Stops/StopsPage.qml",
         alarms: "../Alarms/AlarmsPage.qml",
         maintenance: "../Maintenance/MaintenancePage.qml",
         settings: "../Settings/SettingsPage.qml"
@@ -203,7 +204,11 @@ Rectangle {
                 function onEditRequested(fields: var, index: int, source: Item) { frame.edit(fields, index, source) }
                 function onExplainRequested(field: EditorField) { frame.openSheet(Qt.createComponent(frame.explanation), { field: field }) }
                 function onSheetRequested(sheet: Component) { frame.openSheet(sheet, {}) }
-                function onFinished() { frame.openPage("motion") }
+                function onFinished() {
+                    frame.openPage("motion")
+                    if (Editor.programDownload.canDownload)
+                        frame.openSheet((frame.openPageItem as Page).firstSheet, {})
+                }
             }
         }
         Item {

@@ -54,7 +54,8 @@ Rectangle {
                 height: bar.keyHeight
                 text: modelData.text
                 glyph: modelData.glyph
-                checked: isMore ? bar.pagesBehind.some(behind => behind.page === bar.current) : bar.current === modelData.page
+                // Stops is opened from Trends and has no key of its own.
+                checked: isMore ? bar.pagesBehind.some(behind => behind.page === bar.current) : bar.current === modelData.page || (modelData.page === "trends" && bar.current === "stops")
                 calls: modelData.page === "alarms" ? Alarms.unacknowledged : 0
                 callColor: Alarms.callingSeverity === Alarms.Severity.Fault ? Theme.color.fault : Theme.color.warning
                 onClicked: isMore ? bar.moreChosen() : bar.chosen(modelData.page)

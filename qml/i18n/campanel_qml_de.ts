@@ -850,8 +850,8 @@ Und %2 weitere.</translation>
         <translation>Name</translation>
     </message>
     <message>
-        <source>Next: press Download on the Motion page, then Start.</source>
-        <translation>Weiter: Laden auf der Seite Bewegung, dann Start.</translation>
+        <source>Next: Download, then Start.</source>
+        <translation>Weiter: Laden, dann Start.</translation>
     </message>
     <message>
         <source>Name of the recipe</source>
@@ -1157,18 +1157,22 @@ Und %2 weitere.</translation>
     </message>
 </context>
 <context>
-    <name>KnotFilesSheet</name>
+    <name>CamFilesSheet</name>
     <message>
         <source>There is no CSV file on a USB stick or in %1. Plug a stick in; the panel finds it automatically.</source>
-        <translation>Keine CSV-Datei auf einem USB-Stick oder in %1. Stick einstecken; das Panel findet sie selbsttätig.</translation>
+        <translation>Weder auf einem USB-Stick noch in %1 ist eine CSV-Datei. Stecken Sie einen Stick ein; das Panel findet ihn von selbst.</translation>
     </message>
     <message>
         <source>Choose the location of the new file.</source>
-        <translation>Ort der neuen Datei wählen.</translation>
+        <translation>Wählen Sie den Ort der neuen Datei.</translation>
     </message>
     <message>
         <source>Choose a file to view its content.</source>
-        <translation>Eine Datei wählen, um ihren Inhalt zu sehen.</translation>
+        <translation>Wählen Sie eine Datei, um ihren Inhalt zu sehen.</translation>
+    </message>
+    <message>
+        <source>Segments as CSV</source>
+        <translation>Abschnitte als CSV</translation>
     </message>
     <message>
         <source>Knots as CSV</source>
@@ -1188,7 +1192,7 @@ Und %2 weitere.</translation>
     </message>
     <message>
         <source>Import</source>
-        <translation>Import</translation>
+        <translation>Importieren</translation>
     </message>
 </context>
 <context>
@@ -1327,6 +1331,14 @@ Und %2 weitere.</translation>
         <source>±%1 mm</source>
         <translation>±%1 mm</translation>
     </message>
+    <message>
+        <source>Stops and shifts</source>
+        <translation>Stillstände und Schichten</translation>
+    </message>
+    <message>
+        <source>Reasons, ideal rate</source>
+        <translation>Gründe, ideale Taktrate</translation>
+    </message>
 </context>
 <context>
     <name>MarkWizardSheet</name>
@@ -1416,6 +1428,13 @@ Und %2 weitere.</translation>
     <message>
         <source>Master</source>
         <translation>Leitachse</translation>
+    </message>
+</context>
+<context>
+    <name>MachineDrawing</name>
+    <message>
+        <source>Drawing of the machine</source>
+        <translation>Zeichnung der Maschine</translation>
     </message>
 </context>
 <context>
@@ -1934,10 +1953,6 @@ Und %2 weitere.</translation>
         <translation>Löschen …</translation>
     </message>
     <message>
-        <source>Codes …</source>
-        <translation>Codes …</translation>
-    </message>
-    <message>
         <source>Export …</source>
         <translation>Exportieren …</translation>
     </message>
@@ -1948,6 +1963,10 @@ Und %2 weitere.</translation>
     <message>
         <source>Open</source>
         <translation>Öffnen</translation>
+    </message>
+    <message>
+        <source>Codes …</source>
+        <translation>Codes …</translation>
     </message>
 </context>
 <context>
@@ -2306,10 +2325,6 @@ Und %2 weitere.</translation>
         <translation>Sicherung</translation>
     </message>
     <message>
-        <source>Scanner</source>
-        <translation>Scanner</translation>
-    </message>
-    <message>
         <source>Jog</source>
         <translation>Tippen</translation>
     </message>
@@ -2348,6 +2363,10 @@ Und %2 weitere.</translation>
     <message>
         <source>Maintenance</source>
         <translation>Wartung</translation>
+    </message>
+    <message>
+        <source>Scanner</source>
+        <translation>Scanner</translation>
     </message>
 </context>
 <context>
@@ -2698,6 +2717,10 @@ Und %2 weitere.</translation>
         <source>Bags and trends as CSV</source>
         <translation>Beutel und Trends als CSV</translation>
     </message>
+    <message>
+        <source>Stops</source>
+        <translation>Stillstände</translation>
+    </message>
 </context>
 <context>
     <name>UserSheet</name>
@@ -2885,6 +2908,10 @@ Und %2 weitere.</translation>
         <translation>Stetig machen</translation>
     </message>
     <message>
+        <source>CSV files</source>
+        <translation>CSV-Dateien</translation>
+    </message>
+    <message>
         <source>Segment %1</source>
         <translation>Abschnitt %1</translation>
     </message>
@@ -2916,6 +2943,303 @@ Und %2 weitere.</translation>
     <message>
         <source>Close this window</source>
         <translation>Dieses Fenster schließen</translation>
+    </message>
+</context>
+<context>
+    <name>OeeCard</name>
+    <message>
+        <source>OEE</source>
+        <translation>OEE</translation>
+    </message>
+    <message>
+        <source>Availability</source>
+        <translation>Verfügbarkeit</translation>
+    </message>
+    <message>
+        <source>Performance</source>
+        <translation>Leistung</translation>
+    </message>
+    <message>
+        <source>Quality</source>
+        <translation>Qualität</translation>
+    </message>
+</context>
+<context>
+    <name>ReasonGrid</name>
+    <message>
+        <source>more …</source>
+        <translation>mehr …</translation>
+    </message>
+    <message>
+        <source>planned</source>
+        <translation>geplant</translation>
+    </message>
+</context>
+<context>
+    <name>ReasonList</name>
+    <message>
+        <source>Reasons by time</source>
+        <translation>Gründe nach Dauer</translation>
+    </message>
+    <message>
+        <source>%1 (planned)</source>
+        <translation>%1 (geplant)</translation>
+    </message>
+    <message>
+        <source>No stop in this shift.</source>
+        <translation>Kein Stillstand in dieser Schicht.</translation>
+    </message>
+</context>
+<context>
+    <name>ReasonsSheet</name>
+    <message>
+        <source>Reasons: %1</source>
+        <translation>Gründe: %1</translation>
+    </message>
+    <message>
+        <source>Reasons of a stop</source>
+        <translation>Stillstandsgründe</translation>
+    </message>
+    <message>
+        <source>Planned stops are not counted as losses. Earlier stops keep their reason.</source>
+        <translation>Geplante Stillstände zählen nicht als Verlust. Frühere Stillstände behalten ihren Grund.</translation>
+    </message>
+    <message>
+        <source>planned</source>
+        <translation>geplant</translation>
+    </message>
+    <message>
+        <source>more …</source>
+        <translation>mehr …</translation>
+    </message>
+    <message>
+        <source>This group has no reasons yet.</source>
+        <translation>Diese Gruppe hat noch keine Gründe.</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Öffnen</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Hinzufügen</translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation>Umbenennen</translation>
+    </message>
+    <message>
+        <source>Planned</source>
+        <translation>Geplant</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Standard list</source>
+        <translation>Standardliste</translation>
+    </message>
+</context>
+<context>
+    <name>ShiftsSheet</name>
+    <message>
+        <source>Shifts</source>
+        <translation>Schichten</translation>
+    </message>
+    <message>
+        <source>A shift lasts until the next one starts. It belongs to the day on which it starts.</source>
+        <translation>Eine Schicht dauert bis zum Beginn der nächsten. Sie gehört zu dem Tag, an dem sie beginnt.</translation>
+    </message>
+    <message>
+        <source>− 1 h</source>
+        <translation>− 1 h</translation>
+    </message>
+    <message>
+        <source>+ 1 h</source>
+        <translation>+ 1 h</translation>
+    </message>
+    <message>
+        <source>− 15 min</source>
+        <translation>− 15 min</translation>
+    </message>
+    <message>
+        <source>+ 15 min</source>
+        <translation>+ 15 min</translation>
+    </message>
+    <message>
+        <source>Add a shift</source>
+        <translation>Schicht hinzufügen</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Working days</source>
+        <translation>Arbeitstage</translation>
+    </message>
+</context>
+<context>
+    <name>StateBar</name>
+    <message>
+        <source>Running</source>
+        <translation>Läuft</translation>
+    </message>
+    <message>
+        <source>Stopped</source>
+        <translation>Steht</translation>
+    </message>
+    <message>
+        <source>Waiting</source>
+        <translation>Warten</translation>
+    </message>
+    <message>
+        <source>Manual</source>
+        <translation>Handbetrieb</translation>
+    </message>
+    <message>
+        <source>Fault</source>
+        <translation>Störung</translation>
+    </message>
+</context>
+<context>
+    <name>StopListRow</name>
+    <message>
+        <source>%1 · %2</source>
+        <translation>%1 · %2</translation>
+    </message>
+</context>
+<context>
+    <name>StopListSheet</name>
+    <message>
+        <source>Reason of the stop</source>
+        <translation>Grund des Stillstands</translation>
+    </message>
+    <message>
+        <source>Stops</source>
+        <translation>Stillstände</translation>
+    </message>
+    <message>
+        <source>No stop in this shift.</source>
+        <translation>Kein Stillstand in dieser Schicht.</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Zurück</translation>
+    </message>
+</context>
+<context>
+    <name>StopQuestion</name>
+    <message>
+        <source>Why is the machine stopped?</source>
+        <translation>Warum steht die Maschine?</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>Stops</source>
+        <translation>Stillstände</translation>
+    </message>
+    <message>
+        <source>Later</source>
+        <translation>Später</translation>
+    </message>
+</context>
+<context>
+    <name>StopsPage</name>
+    <message>
+        <source>Now</source>
+        <translation>Jetzt</translation>
+    </message>
+    <message>
+        <source>Trends</source>
+        <translation>Trends</translation>
+    </message>
+    <message>
+        <source>Stops: %1</source>
+        <translation>Stillstände: %1</translation>
+    </message>
+    <message>
+        <source>%1 without a reason</source>
+        <translation>%1 ohne Grund</translation>
+    </message>
+    <message>
+        <source>CSV</source>
+        <translation>CSV</translation>
+    </message>
+    <message>
+        <source>PDF</source>
+        <translation>PDF</translation>
+    </message>
+    <message>
+        <source>Nothing was recorded in this shift.</source>
+        <translation>In dieser Schicht wurde nichts aufgezeichnet.</translation>
+    </message>
+    <message>
+        <source>Stops as CSV</source>
+        <translation>Stillstände als CSV</translation>
+    </message>
+    <message>
+        <source>Shift report as PDF</source>
+        <translation>Schichtbericht als PDF</translation>
+    </message>
+    <message>
+        <source>Previous shift</source>
+        <translation>Vorige Schicht</translation>
+    </message>
+    <message>
+        <source>Next shift</source>
+        <translation>Nächste Schicht</translation>
+    </message>
+</context>
+<context>
+    <name>StopsSection</name>
+    <message>
+        <source>Stops and shifts</source>
+        <translation>Stillstände und Schichten</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>Ideal rate</source>
+        <translation>Ideale Taktrate</translation>
+    </message>
+    <message>
+        <source>Shifts start at</source>
+        <translation>Schichten beginnen um</translation>
+    </message>
+    <message>
+        <source>Working days</source>
+        <translation>Arbeitstage</translation>
+    </message>
+    <message>
+        <source>Reasons of a stop</source>
+        <translation>Stillstandsgründe</translation>
+    </message>
+    <message>
+        <source>Name of the reason</source>
+        <translation>Name des Grundes</translation>
+    </message>
+    <message>
+        <source>Standard list</source>
+        <translation>Standardliste</translation>
+    </message>
+    <message>
+        <source>Replace the own list by the standard list? Stops keep their reasons.</source>
+        <translation>Die eigene Liste durch die Standardliste ersetzen? Stillstände behalten ihre Gründe.</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>Ersetzen</translation>
     </message>
 </context>
 <context>

@@ -850,7 +850,7 @@ And %2 more.</source>
         <translation>名称</translation>
     </message>
     <message>
-        <source>Next: press Download on the Motion page, then Start.</source>
+        <source>Next: Download, then Start.</source>
         <translation>下一步：在“运动”页按“下载”，再按“启动”。</translation>
     </message>
     <message>
@@ -1331,6 +1331,14 @@ And %2 more.</source>
         <source>±%1 mm</source>
         <translation>±%1 mm</translation>
     </message>
+    <message>
+        <source>Reasons, ideal rate</source>
+        <translation>原因、理想速率</translation>
+    </message>
+    <message>
+        <source>Stops and shifts</source>
+        <translation>停机与班次</translation>
+    </message>
 </context>
 <context>
     <name>MarkWizardSheet</name>
@@ -1420,6 +1428,13 @@ And %2 more.</source>
     <message>
         <source>Master</source>
         <translation>主轴</translation>
+    </message>
+</context>
+<context>
+    <name>MachineDrawing</name>
+    <message>
+        <source>Drawing of the machine</source>
+        <translation>机器示意图</translation>
     </message>
 </context>
 <context>
@@ -1938,10 +1953,6 @@ And %2 more.</source>
         <translation>删除…</translation>
     </message>
     <message>
-        <source>Codes …</source>
-        <translation>条码…</translation>
-    </message>
-    <message>
         <source>Export …</source>
         <translation>导出…</translation>
     </message>
@@ -1952,6 +1963,10 @@ And %2 more.</source>
     <message>
         <source>Open</source>
         <translation>打开</translation>
+    </message>
+    <message>
+        <source>Codes …</source>
+        <translation>条码…</translation>
     </message>
 </context>
 <context>
@@ -2310,10 +2325,6 @@ And %2 more.</source>
         <translation>备份</translation>
     </message>
     <message>
-        <source>Scanner</source>
-        <translation>扫码枪</translation>
-    </message>
-    <message>
         <source>Jog</source>
         <translation>点动</translation>
     </message>
@@ -2352,6 +2363,10 @@ And %2 more.</source>
     <message>
         <source>Maintenance</source>
         <translation>维护</translation>
+    </message>
+    <message>
+        <source>Scanner</source>
+        <translation>扫码枪</translation>
     </message>
 </context>
 <context>
@@ -2702,6 +2717,10 @@ And %2 more.</source>
         <source>Bags and trends as CSV</source>
         <translation>袋记录和趋势 CSV</translation>
     </message>
+    <message>
+        <source>Stops</source>
+        <translation>停机</translation>
+    </message>
 </context>
 <context>
     <name>UserSheet</name>
@@ -2924,6 +2943,303 @@ And %2 more.</source>
     <message>
         <source>Close this window</source>
         <translation>关闭本窗口</translation>
+    </message>
+</context>
+<context>
+    <name>OeeCard</name>
+    <message>
+        <source>OEE</source>
+        <translation>OEE</translation>
+    </message>
+    <message>
+        <source>Availability</source>
+        <translation>时间开动率</translation>
+    </message>
+    <message>
+        <source>Performance</source>
+        <translation>性能开动率</translation>
+    </message>
+    <message>
+        <source>Quality</source>
+        <translation>合格品率</translation>
+    </message>
+</context>
+<context>
+    <name>ReasonGrid</name>
+    <message>
+        <source>more …</source>
+        <translation>更多 …</translation>
+    </message>
+    <message>
+        <source>planned</source>
+        <translation>计划</translation>
+    </message>
+</context>
+<context>
+    <name>ReasonList</name>
+    <message>
+        <source>Reasons by time</source>
+        <translation>按时间排列的原因</translation>
+    </message>
+    <message>
+        <source>%1 (planned)</source>
+        <translation>%1（计划）</translation>
+    </message>
+    <message>
+        <source>No stop in this shift.</source>
+        <translation>本班次无停机。</translation>
+    </message>
+</context>
+<context>
+    <name>ReasonsSheet</name>
+    <message>
+        <source>Reasons: %1</source>
+        <translation>原因：%1</translation>
+    </message>
+    <message>
+        <source>Reasons of a stop</source>
+        <translation>停机原因</translation>
+    </message>
+    <message>
+        <source>Planned stops are not counted as losses. Earlier stops keep their reason.</source>
+        <translation>计划停机不计为损失。以前的停机保留其原因。</translation>
+    </message>
+    <message>
+        <source>planned</source>
+        <translation>计划</translation>
+    </message>
+    <message>
+        <source>more …</source>
+        <translation>更多 …</translation>
+    </message>
+    <message>
+        <source>This group has no reasons yet.</source>
+        <translation>此组尚无原因。</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>返回</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>打开</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>添加</translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation>重命名</translation>
+    </message>
+    <message>
+        <source>Planned</source>
+        <translation>计划</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>删除</translation>
+    </message>
+    <message>
+        <source>Standard list</source>
+        <translation>标准列表</translation>
+    </message>
+</context>
+<context>
+    <name>ShiftsSheet</name>
+    <message>
+        <source>Shifts</source>
+        <translation>班次</translation>
+    </message>
+    <message>
+        <source>A shift lasts until the next one starts. It belongs to the day on which it starts.</source>
+        <translation>班次持续到下一班次开始，属于其开始的那一天。</translation>
+    </message>
+    <message>
+        <source>− 1 h</source>
+        <translation>− 1 小时</translation>
+    </message>
+    <message>
+        <source>+ 1 h</source>
+        <translation>+ 1 小时</translation>
+    </message>
+    <message>
+        <source>− 15 min</source>
+        <translation>− 15 分</translation>
+    </message>
+    <message>
+        <source>+ 15 min</source>
+        <translation>+ 15 分</translation>
+    </message>
+    <message>
+        <source>Add a shift</source>
+        <translation>添加班次</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>删除</translation>
+    </message>
+    <message>
+        <source>Working days</source>
+        <translation>工作日</translation>
+    </message>
+</context>
+<context>
+    <name>StateBar</name>
+    <message>
+        <source>Running</source>
+        <translation>运行</translation>
+    </message>
+    <message>
+        <source>Stopped</source>
+        <translation>停机</translation>
+    </message>
+    <message>
+        <source>Waiting</source>
+        <translation>等待</translation>
+    </message>
+    <message>
+        <source>Manual</source>
+        <translation>手动</translation>
+    </message>
+    <message>
+        <source>Fault</source>
+        <translation>故障</translation>
+    </message>
+</context>
+<context>
+    <name>StopListRow</name>
+    <message>
+        <source>%1 · %2</source>
+        <translation>%1 · %2</translation>
+    </message>
+</context>
+<context>
+    <name>StopListSheet</name>
+    <message>
+        <source>Reason of the stop</source>
+        <translation>停机原因</translation>
+    </message>
+    <message>
+        <source>Stops</source>
+        <translation>停机</translation>
+    </message>
+    <message>
+        <source>No stop in this shift.</source>
+        <translation>本班次无停机。</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>返回</translation>
+    </message>
+</context>
+<context>
+    <name>StopQuestion</name>
+    <message>
+        <source>Why is the machine stopped?</source>
+        <translation>机器为何停机？</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>返回</translation>
+    </message>
+    <message>
+        <source>Stops</source>
+        <translation>停机</translation>
+    </message>
+    <message>
+        <source>Later</source>
+        <translation>以后</translation>
+    </message>
+</context>
+<context>
+    <name>StopsPage</name>
+    <message>
+        <source>Now</source>
+        <translation>现在</translation>
+    </message>
+    <message>
+        <source>Trends</source>
+        <translation>趋势</translation>
+    </message>
+    <message>
+        <source>Stops: %1</source>
+        <translation>停机：%1</translation>
+    </message>
+    <message>
+        <source>%1 without a reason</source>
+        <translation>%1 次无原因</translation>
+    </message>
+    <message>
+        <source>CSV</source>
+        <translation>CSV</translation>
+    </message>
+    <message>
+        <source>PDF</source>
+        <translation>PDF</translation>
+    </message>
+    <message>
+        <source>Nothing was recorded in this shift.</source>
+        <translation>本班次无记录。</translation>
+    </message>
+    <message>
+        <source>Stops as CSV</source>
+        <translation>停机 CSV</translation>
+    </message>
+    <message>
+        <source>Shift report as PDF</source>
+        <translation>班次报告 PDF</translation>
+    </message>
+    <message>
+        <source>Previous shift</source>
+        <translation>上一班次</translation>
+    </message>
+    <message>
+        <source>Next shift</source>
+        <translation>下一班次</translation>
+    </message>
+</context>
+<context>
+    <name>StopsSection</name>
+    <message>
+        <source>Stops and shifts</source>
+        <translation>停机与班次</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 秒</translation>
+    </message>
+    <message>
+        <source>Ideal rate</source>
+        <translation>理想速率</translation>
+    </message>
+    <message>
+        <source>Shifts start at</source>
+        <translation>班次开始</translation>
+    </message>
+    <message>
+        <source>Working days</source>
+        <translation>工作日</translation>
+    </message>
+    <message>
+        <source>Reasons of a stop</source>
+        <translation>停机原因</translation>
+    </message>
+    <message>
+        <source>Name of the reason</source>
+        <translation>原因名称</translation>
+    </message>
+    <message>
+        <source>Standard list</source>
+        <translation>标准列表</translation>
+    </message>
+    <message>
+        <source>Replace the own list by the standard list? Stops keep their reasons.</source>
+        <translation>用标准列表替换自定义列表？停机保留其原因。</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>替换</translation>
     </message>
 </context>
 <context>

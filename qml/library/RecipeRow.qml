@@ -5,6 +5,7 @@ import QtQuick
 import QtQuick.Templates as T
 import CamPanel.Theme
 import CamPanel.Controls
+import CamPanel.Plot
 
 T.AbstractButton {
     id: row
@@ -16,6 +17,7 @@ T.AbstractButton {
     required property string summary
     required property bool isOpen
     required property bool isActive
+    required property var shape
     property bool holds
 
     implicitHeight: Theme.size.touch
@@ -27,8 +29,17 @@ T.AbstractButton {
     }
     Item {
         anchors.fill: parent
+        CurveThumbnail {
+            id: drawing
+            anchors { left: parent.left; leftMargin: Theme.size.accent; verticalCenter: parent.verticalCenter }
+            width: height
+            height: Math.round(parent.height * 0.6)
+            points: row.shape
+            color: row.holds ? Theme.color.touch : Theme.color.secondaryInk
+            lineWidth: Theme.size.curve
+        }
         Column {
-            anchors { left: parent.left; right: marks.left; margins: Theme.size.padding; verticalCenter: parent.verticalCenter }
+            anchors { left: drawing.right; right: marks.left; margins: Theme.size.padding; leftMargin: Theme.size.accent; rightMargin: Theme.size.accent; verticalCenter: parent.verticalCenter }
             spacing: Theme.size.outline
             Label {
                 width: parent.width
@@ -46,10 +57,10 @@ T.AbstractButton {
                 font.pixelSize: Theme.size.caption
             }
         }
-        Row {
+        Column {
             id: marks
             anchors { right: parent.right; rightMargin: Theme.size.padding; verticalCenter: parent.verticalCenter }
-            spacing: Theme.size.spacing
+            spacing: Theme.size.outline
             IconLabel {
                 visible: row.isOpen
                 code: Theme.icon.edit

@@ -68,7 +68,16 @@ Item {
             visible: sheet.waits
             progress: sheet.wizard.progress
         }
+        CutterDrawing {
+            anchors { left: parent.left; right: parent.right; top: reason.visible ? reason.bottom : words.bottom; bottom: distances.top; margins: Theme.size.padding; topMargin: 2 * Theme.size.padding }
+            visible: height > 2 * Theme.size.touch && sheet.step !== MarkWizard.Step.Failed
+            showsBags: true
+            offset: sheet.step === MarkWizard.Step.Watch || sheet.step === MarkWizard.Step.Done ? 0 : 0.25
+            marked: sheet.step === MarkWizard.Step.Confirm || sheet.step === MarkWizard.Step.Writing ? ["sensor"]
+                : sheet.waits || sheet.step === MarkWizard.Step.Done ? ["film"] : ["offset"]
+        }
         Row {
+            id: distances
             anchors { left: parent.left; bottom: parent.bottom; bottomMargin: Theme.size.padding }
             spacing: Theme.size.padding * 2
             visible: sheet.showsDistances

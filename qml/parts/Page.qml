@@ -10,6 +10,7 @@ Item {
     property real bannerLeft
     property real bannerBottom
     property bool covered                  // a sheet, a keypad or the login is above it
+    property Component firstSheet: null    // of the next step, opened with the page after the first start
 
     signal editRequested(var fields, int index, Item source)
     signal explainRequested(EditorField field)

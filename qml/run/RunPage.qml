@@ -16,7 +16,20 @@ Page {
     Loader {
         id: loader
         anchors.fill: parent
+        visible: !Stops.asking
         source: page.view
+    }
+    // In the place of the view, which shows nothing new while the machine stands.
+    Loader {
+        id: question
+        anchors { fill: parent; bottomMargin: page.bottomInset }
+        active: Stops.asking
+        source: "StopQuestion.qml"
+    }
+    Connections {
+        target: question.item
+        ignoreUnknownSignals: true
+        function onPageRequested(name: string) { page.pageRequested(name) }
     }
     Connections {
         target: loader.item

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The machine data needed by the kind of program, and the limits that every recipe is checked against.
+// The machine data needed by the kind of program, and the limits that every recipe is checked against, beside a drawing
+// that marks the chosen one.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme
@@ -10,25 +11,26 @@ import CamPanel.Panel
 SettingsSection {
     id: section
 
-    readonly property real half: (width - Theme.size.spacing - 2 * Theme.size.accent) / 2   // beside the scroll mark
+    property EditorField chosen: null      // the field that was touched last
     readonly property real rowHeight: Math.max(Theme.size.touch, (height - bodyTop - 4 * Theme.size.spacing) / 5)
 
     title: qsTr("Machine")
 
     Flickable {
         id: list
-        anchors { fill: parent; topMargin: section.bodyTop }
-        contentHeight: grid.height
+        anchors { left: parent.left; top: parent.top; bottom: parent.bottom; topMargin: section.bodyTop }
+        width: Math.round(parent.width * 0.5)
+        contentHeight: column.height
         clip: true
         boundsBehavior: Flickable.StopAtBounds
-        Grid {
-            id: grid
-            columns: 2
+        Column {
+            id: column
+            width: list.width - 2 * Theme.size.accent
             spacing: Theme.size.spacing
             SettingRow {
                 objectName: "bagTolerance"
                 visible: Editor.kind === Editor.Kind.RotaryCutter
-                width: section.half
+                width: column.width
                 height: section.rowHeight
                 label: qsTr("Bag tolerance")
                 value: qsTr("±%1 mm").arg(Theme.number(Settings.bagToleranceMm, 2))
@@ -37,6 +39,14 @@ SettingsSection {
                         section.page.sheetRequested(toleranceKeypad)
                 }
             }
+            SettingRow {
+                objectName: "openStops"
+                width: column.width
+                height: section.rowHeight
+                label: qsTr("Reasons, ideal rate")
+                value: qsTr("Stops and shifts")
+                onClicked: (section.page as SettingsPage).openStops()
+            }
             Repeater {
                 model: Editor.machineFields
                 FieldTile {
@@ -44,17 +54,28 @@ SettingsSection {
                     objectName: "field_" + field.fieldId
                     field: modelData as EditorField
                     compact: false
-                    width: section.half
+                    width: column.width
                     height: section.rowHeight
-                    onEditRequested: (field, source) => section.page.editRequested([field], 0, source)
+                    onEditRequested: (field, source) => {
+                        section.chosen = field
+                        section.page.editRequested([field], 0, source)
+                    }
                     onExplainRequested: field => section.page.explainRequested(field)
                 }
             }
         }
     }
+    MachineDrawing {
+        anchors { left: list.right; leftMargin: Theme.size.padding; right: parent.right; top: list.top }
+        height: Math.min(parent.height - section.bodyTop, width)
+        fieldId: section.chosen?.fieldId ?? ""
+    }
     Component {
         id: toleranceKeypad
         ValueKeypad { value: Settings.bagTolerance }
     }
-    ScrollMark { view: list }
+    ScrollMark {
+        view: list
+        x: list.width - width
+    }
 }

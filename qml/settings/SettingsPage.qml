@@ -12,6 +12,9 @@ Page {
     function openSystem(): void {
         page.section = page.inMenu
     }
+    function openStops(): void {
+        page.section = page.inMenu + 1
+    }
 
     property int section
     readonly property var sections: [
@@ -20,9 +23,10 @@ Page {
         { name: "section2", text: qsTr("Machine"), note: qsTr("drive, gear, motor limits"), source: "MachineSection.qml" },
         { name: "sectionUsers", text: qsTr("Users"), note: qsTr("PINs, levels, audit"), source: "UsersSection.qml" },
         { name: "section3", text: qsTr("About"), note: qsTr("version, safety"), source: "AboutSection.qml" },
-        { source: "SystemSection.qml" } // opened from Display
+        { source: "SystemSection.qml" }, // opened from Display
+        { source: "StopsSection.qml" } // opened from Machine
     ]
-    readonly property int inMenu: sections.length - 1
+    readonly property int inMenu: sections.length - 2
 
     Card {
         id: side
@@ -42,7 +46,7 @@ Page {
                     height: (menu.height - (page.inMenu - 1) * menu.spacing) / page.inMenu
                     text: modelData.text
                     note: modelData.note
-                    holds: page.section === index || (index === 0 && page.section === page.inMenu)
+                    holds: page.section === index || (index === 0 && page.section === page.inMenu) || (index === 2 && page.section === page.inMenu + 1)
                     onClicked: page.section = index
                 }
             }

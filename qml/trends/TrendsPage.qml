@@ -30,11 +30,19 @@ Page {
     }
     Segmented {
         id: spanRow
-        anchors { left: parent.left; right: parent.right; top: parent.top }
+        anchors { left: parent.left; right: stopsKey.left; top: parent.top; rightMargin: Theme.size.spacing }
         color: Theme.color.surface
         choices: page.spans
         current: Trends.spanMs
         onChosen: key => Trends.showSpan(key)
+    }
+    Button {
+        id: stopsKey
+        objectName: "trendStops"
+        anchors { right: parent.right; top: parent.top }
+        glyph: Theme.icon.pause
+        text: qsTr("Stops")
+        onClicked: page.pageRequested("stops")
     }
     TrendCard {
         id: card

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-/* What a bench has in QEMU besides bench.h. */
+/* Functions of a bench in QEMU besides bench.h. */
 #ifndef BENCH_TARGET_H
 #define BENCH_TARGET_H
 

@@ -26,6 +26,7 @@ static const uint8_t script[] = {BEGIN, BLOCKS, SEAL, APPLY, START, POLL,
 
 static struct {
     whole_machine machine;
+    ctl_port inner; /* of the machine */
     ctl_core* core;
     uint16_t image[CTL_BANK_REGISTERS];
     uint32_t length;
@@ -68,18 +69,26 @@ static void compare(ctl_train train)
     }
 }
 
-static void take_pulses(void* context, ctl_axis axis, const ctl_train* train)
+static void be_late(uint64_t due_us)
 {
-    const uint64_t due_us = self.started_us + train->tick / TICKS_PER_US;
     const uint64_t now_us = board_now_us();
     if (self.follows && now_us > due_us && now_us - due_us > self.late_us)
         self.late_us = (uint32_t)(now_us - due_us);
-    if (self.follows && axis == CTL_AXIS_MAIN)
+}
+
+static void take_pulses(void* context, const ctl_train* train)
+{
+    be_late(self.started_us + train->tick / TICKS_PER_US);
+    if (self.follows)
         compare(*train);
-    self.machine.line.film += axis == CTL_AXIS_FILM ? train->direction * (int64_t)train->count : 0;
-    self.machine.line.infeed += axis == CTL_AXIS_INFEED ? train->direction * (int64_t)train->count : 0;
-    self.machine.position += axis == CTL_AXIS_MAIN ? train->direction * (int64_t)train->count : 0;
-    (void)context;
+    self.inner.pulses(context, train);
+}
+
+/* It may begin with the slice. */
+static void take_feed(void* context, ctl_axis axis, int64_t from, int64_t to)
+{
+    be_late(self.core == NULL ? UINT64_MAX : self.core->board.now_us - CTL_SLICE_US);
+    self.inner.feed(context, axis, from, to);
 }
 
 void board_init(void)
@@ -100,7 +109,9 @@ ctl_config board_config(void)
 void board_connect(ctl_port* port)
 {
     whole_machine_connect(&self.machine, port);
+    self.inner = *port;
     port->pulses = take_pulses;
+    port->feed = take_feed;
     bench_connect_flash(port);
 }
 

@@ -20,14 +20,25 @@ static void add(uint32_t value)
 }
 
 /* Every pulse with its tick. */
-static void axis_pulses(void* context, ctl_axis axis, const ctl_train* train)
+static void main_pulses(void* context, const ctl_train* train)
 {
     ctl_train left = *train;
-    add((uint32_t)axis << 28 ^ (uint32_t)train->direction);
+    add((uint32_t)train->direction);
     while (left.count != 0)
         add(ctl_train_next(&left));
     pulses += train->count;
-    inner.pulses(context, axis, train);
+    inner.pulses(context, train);
+}
+
+/* As a board with pulse timers takes them. */
+static void feed(void* context, ctl_axis axis, int64_t from, int64_t to)
+{
+    ctl_train left = ctl_train_line(from, to, the_bench.core.board.slice_ticks);
+    add((uint32_t)axis << 28 ^ (uint32_t)left.direction);
+    pulses += left.count;
+    while (left.count != 0)
+        add(ctl_train_next(&left));
+    inner.feed(context, axis, from, to);
 }
 
 static void outputs(void* context, uint16_t levels)
@@ -61,7 +72,8 @@ static void run(const bench_case* program, uint32_t slices)
     bench_power_up(&the_bench);
     bench_switch_on(&the_bench.core);
     inner = core->board.port;
-    core->board.port.pulses = axis_pulses;
+    core->board.port.pulses = main_pulses;
+    core->board.port.feed = feed;
     core->board.port.outputs = outputs;
     bench_print(program->name);
     bench_print_number(": installed ", bench_install(&the_bench, program), "");

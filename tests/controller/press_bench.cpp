@@ -28,7 +28,7 @@ PressBench::PressBench(const PressImage& image, const controller::MachineOptions
 {
     ctl_port port{};
     port.context = this;
-    port.pulses = [](void* context, ctl_axis, const ctl_train* train) {
+    port.pulses = [](void* context, const ctl_train* train) {
         benchOf(context).onPulses(train->direction * static_cast<std::int32_t>(train->count));
     };
     port.encoder = [](void* context) { return benchOf(context).m_machine.encoder(); };
@@ -57,7 +57,7 @@ void PressBench::onPulses(std::int32_t count)
 {
     if (count < 0 && m_core->motion.press.stage != CTL_PRESS_STAGE_RETURN)
         ++backwards;
-    m_machine.command(CTL_AXIS_MAIN, count);
+    m_machine.command(count);
 }
 
 void PressBench::tick()

@@ -54,6 +54,7 @@ private slots:
     void sealComparesCyclesWithTheInputs_data();
     void sealComparesCyclesWithTheInputs();
     void maxTable();
+    void activeBankReadsZeroBehindItsRows();
     void applyRefusals();
     void armedBankIsLockedUntilCancelled();
     void commandIsCarriedOutOnce();
@@ -369,6 +370,19 @@ void TestTransfer::sealComparesCyclesWithTheInputs()
     QCOMPARE(int{rig.download(image, 1)}, result);
     if (result != CTL_TRANSFER_RESULT_ACCEPTED)
         QCOMPARE(unsigned{rig.read(CTL_REG_TRANSFER_RESULT_SESSION, 8)[4]}, detail);
+}
+
+// A shorter program in a bank that held a longer one: what is left of that one is not shown.
+void TestTransfer::activeBankReadsZeroBehindItsRows()
+{
+    Rig rig;
+    const Registers shorter = camBank(10'000, 1, 1'600'000, 20).registers();
+    rig.install(camBank(10'000, 1, 1'600'000, 60).registers(), 1);
+    rig.install(camBank(10'000, 1, 1'600'000, 40).registers(), 2);
+    rig.install(shorter, 3); // over the first one
+    const auto size = static_cast<std::uint16_t>(shorter.size());
+    QCOMPARE(rig.read(static_cast<std::uint16_t>(CTL_ACTIVE_BANK_BASE + size - 3u), 6),
+             (Registers{shorter.at(size - 3u), shorter.at(size - 2u), shorter.at(size - 1u), 0, 0, 0}));
 }
 
 void TestTransfer::maxTable()

@@ -10,17 +10,16 @@ import json
 import os
 import re
 import shutil
-import socket
 import subprocess
 import sys
-import tempfile
 import time
 import venv
+
+import plant
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 PYTHON_PACKAGES = ["mqtt-spb-wrapper==2.1.2"]
 NODE_PACKAGE = "sparkplug-payload@1.0.3"
-NODE = "packer"
 BY_PYTHON = """
 import json, sys
 from mqtt_spb_wrapper import SpbPayloadParser
@@ -68,46 +67,19 @@ def metrics_of_document():
 
 def record(binaries, python, seconds):
     """Runs everything, and returns the messages as (type, hex)."""
-    with socket.socket() as probe:
-        probe.bind(("127.0.0.1", 0))
-        port = str(probe.getsockname()[1])
-    with tempfile.TemporaryDirectory() as work:
-        def file(name, text):
-            path = os.path.join(work, name)
-            with open(path, "w", encoding="utf-8") as out:
-                out.write(text)
-            return path
-        broker = file("mosquitto.conf", f"user root\nallow_anonymous true\nlistener {port} 127.0.0.1\n")
-        config = file("campanel.toml", f'[gateway]\nhost = "127.0.0.1"\nport = {port}\ngroup = "Hall"\nnode = "{NODE}"\n')
-        environment = os.environ | {"QT_QPA_PLATFORM": "offscreen", "LC_ALL": "C.UTF-8", "HOME": work, "RUNTIME_DIRECTORY": work,
-                                    "XDG_CONFIG_HOME": work, "XDG_DATA_HOME": work, "XDG_STATE_HOME": work, "PATH": "/usr/sbin:" + os.environ["PATH"]}
-        processes = []
-        with open(os.path.join(work, "heard"), "w+", encoding="utf-8") as heard:
-            def start(*command, **more):
-                processes.append(subprocess.Popen(command, env=environment, **more))
-            try:
-                start("mosquitto", "-c", broker, stderr=subprocess.DEVNULL)
-                time.sleep(1)
-                start("mosquitto_sub", "-h", "127.0.0.1", "-p", port, "-t", "spBv1.0/#", "-F", "%t %x", stdout=heard)
-                line = os.path.join(work, "line")
-                start(os.path.join(binaries, "campanel-controller"), "--link", line, "--state", work, stdout=subprocess.DEVNULL)
-                time.sleep(1)
-                for command in (["download", "--bag-length-mm", "250", "--rate", "200"], ["start"]):
-                    subprocess.run([os.path.join(binaries, "campanelctl"), *command, "--port", line], stdout=subprocess.DEVNULL, check=True)
-                start(os.path.join(binaries, "campanel"), "--config", config, "--port", line, stderr=subprocess.DEVNULL)
-                start(os.path.join(binaries, "campanel-gateway"), "--config", config, "--state", work)
-                time.sleep(seconds)
-                rebirth = bytes.fromhex(subprocess.check_output([python, "-c", REBIRTH], text=True))
-                subprocess.run(["mosquitto_pub", "-h", "127.0.0.1", "-p", port, "-t", f"spBv1.0/Hall/NCMD/{NODE}", "-s"], input=rebirth, check=True)
-                time.sleep(2)
-                processes[-1].kill()
-                time.sleep(1)
-            finally:
-                for process in reversed(processes):
-                    process.terminate()
-                    process.wait()
-            heard.seek(0)
-            lines = [line.split() for line in heard]
+    rebirth = bytes.fromhex(subprocess.check_output([python, "-c", REBIRTH], text=True))
+    with plant.Plant(binaries) as hall, open(hall.path("heard"), "w+", encoding="utf-8") as heard:
+        hall.subscribe(heard)
+        hall.start_machine()
+        hall.start_panel("--config", hall.config)
+        gateway = hall.start_gateway()
+        time.sleep(seconds)
+        subprocess.run(["mosquitto_pub", "-h", "127.0.0.1", "-p", hall.port, "-t", f"spBv1.0/Hall/NCMD/{plant.NODE}", "-s"], input=rebirth, check=True)
+        time.sleep(2)
+        gateway.kill()
+        time.sleep(1)
+        heard.seek(0)
+        lines = [line.split() for line in heard]
     return [(topic.split("/")[2], data) for topic, data in lines if not topic.split("/")[2].endswith("CMD")]
 
 

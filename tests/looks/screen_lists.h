@@ -21,6 +21,7 @@ inline constexpr auto screenPin = "258036";
 [[nodiscard]] QList<Screen> packingScreens();
 [[nodiscard]] QList<Screen> recipeScreens();
 [[nodiscard]] QList<Screen> maintenanceScreens();
+[[nodiscard]] QList<Screen> stopScreens();
 [[nodiscard]] QList<Screen> trendScreens();
 
 } // namespace campanel::looks

@@ -441,8 +441,9 @@ const QList<Screen>& allScreens()
          }},
     };
     static const QList<Screen> all = screens + packingScreens() + recipeScreens() + trendScreens() +
-                                     alarmScreens() + accessScreens() + firstScreens() + backupScreens() +
-                                     maintenanceScreens() + cutterScreens() + motorScreens();
+                                     stopScreens() + alarmScreens() + accessScreens() + firstScreens() +
+                                     backupScreens() + maintenanceScreens() + cutterScreens() +
+                                     motorScreens();
     return all;
 }
 
@@ -536,6 +537,8 @@ void enterScreen(TestWindow& window, const Screen& screen)
     window.panel().maintenance().inspector()->setGroup({});
     window.panel().maintenance().inspector()->setNameFilter({});
     window.panel().maintenance().jog()->letGo();
+    window.panel().settings().overrideValue("stops.ask_after_seconds", QStringLiteral("600"));
+    window.panel().stops().setup()->reasons()->restoreStandard();
     window.link().setSimulated(false);
     if (window.link().setOld(false))
         window.link().show(Situation::Empty);

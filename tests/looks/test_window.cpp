@@ -47,6 +47,8 @@ TestWindow::TestWindow(const Variant& variant)
     m_panel.recipes().setWallClock(wallClock);
     m_panel.trends().setWallClock(
         [] { return QDateTime(QDate(2026, 1, 15), QTime(14, 7)).toMSecsSinceEpoch(); });
+    m_panel.stops().setWallClock(
+        [] { return QDateTime(QDate(2026, 1, 15), QTime(14, 7)).toMSecsSinceEpoch(); });
     m_panel.backup().setWallClock(wallClock);
     m_panel.commissioning().setWallClock(wallClock);
     m_panel.alarms().setWallClock(wallClock);

@@ -2,6 +2,7 @@
 // Mouse and key events for a panel's window; see finger.h.
 #include "tests/looks/touch_driver.h"
 
+#include <QAccessible>
 #include <QCoreApplication>
 #include <QElapsedTimer>
 #include <QGuiApplication>
@@ -23,6 +24,46 @@ QQuickItem* visibleItem(QQuickItem& below, const QString& name)
         return &below;
     for (QQuickItem* child : below.childItems()) {
         if (QQuickItem* found = visibleItem(*child, name))
+            return found;
+    }
+    return nullptr;
+}
+
+bool isInside(const QQuickItem& ancestor, const QQuickItem* item)
+{
+    while (item && item != &ancestor)
+        item = item->parentItem();
+    return item != nullptr;
+}
+
+// Returns the topmost item at a place that a finger can press.
+QQuickItem* pressedAt(QQuickItem& below, const QPointF& scene)
+{
+    if (!below.isVisible() || !below.isEnabled())
+        return nullptr;
+    const QPointF at = below.mapFromScene(scene);
+    if (below.clip() && !below.contains(at))
+        return nullptr;
+    const QList<QQuickItem*> children = below.childItems();
+    for (auto child = children.rbegin(); child != children.rend(); ++child) {
+        if (QQuickItem* found = pressedAt(**child, scene))
+            return found;
+    }
+    return below.acceptedMouseButtons() != Qt::NoButton && below.contains(at) ? &below : nullptr;
+}
+
+QQuickItem* namedItem(QQuickItem& root, QQuickItem& below, const QString& name)
+{
+    if (!below.isVisible())
+        return nullptr;
+    if (below.acceptedMouseButtons() != Qt::NoButton) {
+        const QAccessibleInterface* interface = QAccessible::queryAccessibleInterface(&below);
+        if (interface && interface->text(QAccessible::Name) == name &&
+            isInside(below, pressedAt(root, below.mapToScene(below.boundingRect().center()))))
+            return &below;
+    }
+    for (QQuickItem* child : below.childItems()) {
+        if (QQuickItem* found = namedItem(root, *child, name))
             return found;
     }
     return nullptr;
@@ -52,6 +93,19 @@ QObject* TouchDriver::frame()
 QQuickItem* TouchDriver::find(const QString& name)
 {
     return visibleItem(root(), name);
+}
+
+QQuickItem* TouchDriver::findNamed(const QString& accessibleName)
+{
+    return namedItem(root(), root(), accessibleName);
+}
+
+void TouchDriver::tapNamed(const QString& accessibleName)
+{
+    if (QQuickItem* item = findNamed(accessibleName))
+        press(*item, 0);
+    else
+        m_complaints += QStringLiteral("nothing named \"%1\" can be touched").arg(accessibleName);
 }
 
 void TouchDriver::press(const QString& name, int holdMs)

@@ -27,9 +27,12 @@ public:
 
     // Returns the first visible item with that objectName, or null.
     [[nodiscard]] QQuickItem* find(const QString& name);
+    // Returns the visible item with that accessible name that a finger reaches, or null.
+    [[nodiscard]] QQuickItem* findNamed(const QString& accessibleName);
     // Taps an item. An item that cannot be found or reached becomes a complaint.
     void tap(const QString& name);
     void tap(QQuickItem& item);
+    void tapNamed(const QString& accessibleName);
     void hold(const QString& name);
     // Presses the center of an item and holds it; the next call releases it.
     void touch(const QString& name);

@@ -331,6 +331,8 @@ void DownloadTest::tooLongAnImageIsNotSent()
     Download download = make();
     const auto phase = download.advance(*m_client);
     QCOMPARE(phase.error().kind, DownloadErrorKind::ImageTooLong);
+    QCOMPARE(phase.error().actual, static_cast<std::uint32_t>(m_image.size()));
+    QCOMPARE(phase.error().expected, std::uint32_t{m_identity.bankRegisters});
     QCOMPARE(m_slave->requests(), before);
     m_identity.programKinds = 0;
     Download other = make();

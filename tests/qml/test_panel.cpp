@@ -3,10 +3,12 @@
 // navigation, Stop, language.
 #include "panel_test.h"
 
+#include "profile/segments/segments_csv.h"
 #include "tests/looks/screen_checks.h"
 #include "tests/support/test_program.h"
 
 #include <QFile>
+#include <QJSValue>
 #include <QTemporaryDir>
 
 #include <cmath>
@@ -15,6 +17,7 @@ namespace test_panel {
 
 using Kind = campanel::looks::DemoLink::Kind;
 namespace panel = campanel::panel;
+namespace program = campanel::program;
 
 class TestPanel : public campanel::test::PanelTest {
     Q_OBJECT
@@ -67,8 +70,7 @@ private slots:
         QTest::addColumn<QStringList>("way");
         QTest::newRow("bag length") << QStringList{"nav_motion", "field_bagLength"};
         QTest::newRow("film speed") << QStringList{"nav_motion", "field_filmSpeed"};
-        QTest::newRow("machine parameter at the right")
-            << QStringList{"nav_settings", "section2", "field_maxAcceleration"};
+        QTest::newRow("machine parameter") << QStringList{"nav_settings", "section2", "field_knifeRadius"};
     }
     void keypadLeavesItsFieldAndStopFree()
     {
@@ -233,6 +235,35 @@ private slots:
         QCOMPARE(editor().knots()->count(), 5);
     }
 
+    void segmentsComeFromAFile()
+    {
+        const QTemporaryDir stick;
+        QFile file(stick.filePath(QStringLiteral("cam.csv")));
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        editor().newProgram(6);
+        auto cam = std::get<campanel::profile::SegmentCamProgram>(editor().recipe().program);
+        cam.segments[0].endMm = cam.segments[1].endMm = 40;
+        file.write(QByteArray::fromStdString(campanel::profile::writeSegmentsCsv(cam.segments)));
+        file.close();
+        panel::CamFiles& files = *editor().camFiles();
+        files.setScanner([path = stick.path()](const QString&, const campanel::profile::Program& program) {
+            const QList<campanel::store::Place> places{{path, QStringLiteral("STICK"), false}};
+            return panel::CamFiles::Found{places, campanel::store::offeredLists(places, program)};
+        });
+        tap("nav_motion");
+        tap("segmentsButton");
+        tap("segmentFilesButton");
+        m_window->waitFor(files);
+        tap("offer0");
+        QVERIFY2(textOf("offerDetail").startsWith(QStringLiteral("4 segments, slave 0 to 40 mm")),
+                 qPrintable(textOf("offerDetail")));
+        tap("offerGo");
+        QVERIFY2(m_window->find(QStringLiteral("segmentList")), "back among the segments");
+        const auto& taken = std::get<campanel::profile::SegmentCamProgram>(editor().recipe().program);
+        QCOMPARE(taken.segments[0].endMm, 40.0);
+        QVERIFY(taken.segments == cam.segments);
+    }
+
     void aCorrectedFileIsReadAgain()
     {
         const QTemporaryDir stick;
@@ -373,6 +404,35 @@ private slots:
         const qsizetype before = m_window->link().stopRequests();
         tap("stopKey");
         QCOMPARE(m_window->link().stopRequests(), before + 1);
+    }
+
+    void theDrawingMarksTheChosenField()
+    {
+        const auto marked = [this] {
+            const QQuickItem* drawing = m_window->find(QStringLiteral("machineDrawing"));
+            return drawing ? drawing->property("marked").value<QJSValue>().toVariant().toStringList()
+                           : QStringList("no drawing");
+        };
+        tap("nav_settings");
+        tap("section2");
+        QCOMPARE(marked(), QStringList());
+        for (const auto& [field, part] :
+             {std::pair{"field_knifeRadius", "radius"}, {"field_knives", "knives"}}) {
+            tap(field);
+            tap("keypadCancel");
+            QCOMPARE(marked(), QStringList(QString::fromLatin1(part)));
+        }
+        // Every field of the machine's data has its part.
+        const QQuickItem* drawing = m_window->find(QStringLiteral("machineDrawing"));
+        QVERIFY(drawing);
+        const QVariantMap parts = drawing->property("parts").value<QJSValue>().toVariant().toMap();
+        for (const program::KindInfo& kind : program::kinds()) {
+            editor().newProgram(static_cast<int>(kind.kind));
+            for (const QVariant& field : editor().machineFields()) {
+                const QString id = field.value<panel::EditorField*>()->fieldId();
+                QVERIFY2(parts.contains(id), qPrintable(id));
+            }
+        }
     }
 
     void languageChangesAtOnce()

@@ -64,6 +64,22 @@ private slots:
         QVERIFY2(!alarms().history()->watched(), "nothing is read while nobody looks");
     }
 
+    // The devices of Qt, as on a machine: a touchscreen is unplugged.
+    void aTouchscreenIsUnplugged()
+    {
+        std::unique_ptr<QPointingDevice> screen(QTest::createTouchDevice());
+        alarms().check();
+        QVERIFY(!isShown("urgentAlarm"));
+        screen.reset();
+        alarms().check();
+        m_window->settle();
+        QCOMPARE(textOf("urgentAlarm"), QStringLiteral("Touchscreen missing"));
+        screen.reset(QTest::createTouchDevice());
+        alarms().check();
+        m_window->settle();
+        QVERIFY(!isShown("urgentAlarm"));
+    }
+
     void bannerPutAsideStaysOnThePage()
     {
         show(Situation::Fault);

@@ -4,6 +4,7 @@
 #include <array>
 #include <cerrno>
 #include <csignal>
+#include <cstdlib>
 #include <fcntl.h>
 #include <poll.h>
 #include <spawn.h>
@@ -17,6 +18,13 @@ namespace campanel::soak {
 namespace {
 
 constexpr auto answerTime = std::chrono::seconds{10};
+
+// Returns the program behind the line; the environment may name another one.
+std::string programName()
+{
+    const char* other = std::getenv("CAMPANEL_CONTROLLER");
+    return other != nullptr ? other : CAMPANEL_CONTROLLER;
+}
 
 // Creates a pipe with close-on-exec ends, so that a controller does not keep those of another open.
 std::array<int, 2> makePipe()
@@ -32,9 +40,10 @@ std::array<int, 2> makePipe()
 FaultyController::FaultyController(const std::filesystem::path& folder, bool paced, std::uint32_t baud)
     : m_folder(folder)
 {
-    std::vector<std::string> words{
-        CAMPANEL_CONTROLLER, "--control", "--exit-with-parent", "--link", port(), "--state",
-        folder / "state",    "--baud",    std::to_string(baud)};
+    const std::string program = programName();
+    std::vector<std::string> words{program,          "--control", "--exit-with-parent",
+                                   "--link",         port(),      "--state",
+                                   folder / "state", "--baud",    std::to_string(baud)};
     if (!paced)
         words.emplace_back("--no-pacing");
     std::vector<char*> arguments;
@@ -48,8 +57,7 @@ FaultyController::FaultyController(const std::filesystem::path& folder, bool pac
     posix_spawn_file_actions_init(&actions);
     posix_spawn_file_actions_adddup2(&actions, input[0], STDIN_FILENO);
     posix_spawn_file_actions_adddup2(&actions, output[1], STDOUT_FILENO);
-    const int failed =
-        posix_spawn(&m_process, CAMPANEL_CONTROLLER, &actions, nullptr, arguments.data(), environ);
+    const int failed = posix_spawn(&m_process, program.c_str(), &actions, nullptr, arguments.data(), environ);
     posix_spawn_file_actions_destroy(&actions);
     close(input[0]);
     close(output[1]);
@@ -57,7 +65,7 @@ FaultyController::FaultyController(const std::filesystem::path& folder, bool pac
     m_output = output[0];
     fcntl(m_output, F_SETFL, O_NONBLOCK);
     if (failed != 0)
-        throw std::runtime_error("cannot start " CAMPANEL_CONTROLLER);
+        throw std::runtime_error("cannot start " + program);
     m_reader = std::thread([this] { readLines(); });
 }
 

@@ -6,6 +6,7 @@
 #include "app/panel/records/database_service.h"
 #include "app/panel/settings/settings.h"
 
+#include <algorithm>
 #include <utility>
 
 using namespace Qt::StringLiterals;
@@ -166,14 +167,22 @@ void AlarmWatch::noteStored()
 
 void AlarmWatch::check()
 {
-    const bool areKept = m_settings.areKept();
-    if (areKept == m_areSettingsKept)
+    setLasting(m_areSettingsLost, !m_settings.areKept(), AlarmCatalogue::settingsNotKept());
+    if (!m_countTouchscreens)
         return;
-    m_areSettingsKept = areKept;
-    if (areKept)
-        emit cleared(AlarmCatalogue::settingsNotKept(), AlarmRow::End::Returned);
+    const int touchscreens = m_countTouchscreens();
+    m_touchscreens = std::max(m_touchscreens, touchscreens);
+    setLasting(m_isTouchscreenMissing, touchscreens < m_touchscreens, AlarmCatalogue::touchscreenMissing());
+}
+
+void AlarmWatch::setLasting(bool& state, bool now, const AlarmKind& kind)
+{
+    if (std::exchange(state, now) == now)
+        return;
+    if (now)
+        emit raised(kind, {});
     else
-        emit raised(AlarmCatalogue::settingsNotKept(), {});
+        emit cleared(kind, AlarmRow::End::Returned);
 }
 
 void AlarmWatch::raiseEvent(const AlarmKind& kind, const QString& detail)

@@ -10,6 +10,9 @@
 #include <QSet>
 #include <QTimer>
 
+#include <functional>
+#include <utility>
+
 namespace campanel::panel {
 
 class Editor;
@@ -29,6 +32,9 @@ public:
     void begin();
     // Sets how long a link may take to connect; 3 s by default.
     void setPatienceMs(int patienceMs) { m_patience.setInterval(patienceMs); }
+    // Sets the function that counts the touchscreens. Fewer than at any earlier check are an alarm; without
+    // the function none is raised.
+    void setTouchscreenCount(std::function<int()> count) { m_countTouchscreens = std::move(count); }
     // Ends the database alarm after a successful write.
     void noteStored();
     // Checks the sources that have no signal of their own.
@@ -48,6 +54,8 @@ private:
     void noteRecipe();
     void noteOpening(const store::StoreThread::Report& report);
     void noteTrouble(const store::StoreError& error);
+    // Raises or clears the alarm when the state has changed.
+    void setLasting(bool& state, bool now, const AlarmKind& kind);
     // Reports an event, which does not last.
     void raiseEvent(const AlarmKind& kind, const QString& detail);
 
@@ -59,7 +67,10 @@ private:
     Kinds m_controller;
     const AlarmKind* m_link = nullptr;
     Kinds m_store; // until the next successful write
-    bool m_areSettingsKept = true;
+    bool m_areSettingsLost = false;
+    std::function<int()> m_countTouchscreens;
+    int m_touchscreens = 0; // the most that there were
+    bool m_isTouchscreenMissing = false;
 };
 
 } // namespace campanel::panel

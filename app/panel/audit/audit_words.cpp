@@ -33,6 +33,7 @@ constexpr std::array areaWords{
     Word{"parameter", QT_TRANSLATE_NOOP("AuditWords", "Parameters")},
     Word{"wizard", QT_TRANSLATE_NOOP("AuditWords", "Wizards")},
     Word{"setting", QT_TRANSLATE_NOOP("AuditWords", "Settings")},
+    Word{"stop", QT_TRANSLATE_NOOP("AuditWords", "Stops")},
     Word{"backup", QT_TRANSLATE_NOOP("AuditWords", "Backup and restore")},
     Word{"user", QT_TRANSLATE_NOOP("AuditWords", "Users and logins")},
     Word{"network", QT_TRANSLATE_NOOP("AuditWords", "Network")},
@@ -65,6 +66,7 @@ constexpr std::array whatWords{
     Word{"parameter.write", QT_TRANSLATE_NOOP("AuditWords", "Parameter written")},
     Word{"wizard.marks", QT_TRANSLATE_NOOP("AuditWords", "Mark sensor measured")},
     Word{"setting.change", QT_TRANSLATE_NOOP("AuditWords", "Setting")},
+    Word{"stop.reason", QT_TRANSLATE_NOOP("AuditWords", "Reason of a stop changed")},
     Word{"backup.make", QT_TRANSLATE_NOOP("AuditWords", "Backup created")},
     Word{"backup.restore", QT_TRANSLATE_NOOP("AuditWords", "Replaced by a backup")},
     Word{"backup.restored", QT_TRANSLATE_NOOP("AuditWords", "Restored from a backup")},
@@ -194,9 +196,8 @@ QString AuditWords::change(const store::AuditEntry& entry)
     constexpr qsizetype longest = 56;
     const QString before = entry.before.section(u" · CRC-32"_s, 0, 0);
     const QString after = entry.after.section(u" · CRC-32"_s, 0, 0);
-    const QString line = before.isEmpty()  ? after
-                         : after.isEmpty() ? before
-                                           : u"%1 → %2"_s.arg(before, after);
+    QString line = before.isEmpty() ? after : after.isEmpty() ? before : u"%1 → %2"_s.arg(before, after);
+    line.replace(u'\n', u", "_s); // a list
     return line.size() <= longest ? line + unitOf(entry) : line.left(longest) + u'…';
 }
 

@@ -67,6 +67,7 @@ public:
 
     // Sets the machine data for the kind of the active program; empty: nobody has entered any.
     void setMachineData(const std::optional<profile::Machine>& machine);
+    [[nodiscard]] const std::optional<profile::Machine>& machineData() const { return m_machineData; }
     // Handle events of the Machine.
     void noteConnection();
     void noteProgram();

@@ -152,7 +152,7 @@ QString CutterMap::linesText() const
     };
     add(lengths.jawMm, tr("L_min: the jaws just fill the window"));
     add(lengths.equalSpeedMm, tr("h/c: the knife turns evenly"));
-    add(lengths.dwellMm, tr("L_crit: the knife stops in each cycle"));
+    add(lengths.dwellMm, tr("L_crit: the longest ramps stop the knife"));
     return texts.join(QStringLiteral(" · "));
 }
 

@@ -47,7 +47,7 @@ class Editor : public QObject {
 
     // The kind of program, its relevant fields, and the machine data that it needs.
     Q_PROPERTY(Kind kind READ kind NOTIFY kindChanged FINAL)
-    Q_PROPERTY(QStringList kindNames READ kindNames NOTIFY kindChanged FINAL)
+    Q_PROPERTY(QVariantList kinds READ kinds NOTIFY kindChanged FINAL) // shapedName, in the order of Kind
     Q_PROPERTY(QVariantList fields READ fields NOTIFY fieldsChanged FINAL)
     Q_PROPERTY(QVariantList machineFields READ machineFields NOTIFY fieldsChanged FINAL)
     Q_PROPERTY(campanel::panel::RowModelBase* choices READ choices CONSTANT FINAL)
@@ -119,7 +119,7 @@ public:
         return m_fields[static_cast<std::size_t>(field)];
     }
     [[nodiscard]] Kind kind() const { return static_cast<Kind>(m_recipe.kind()); }
-    [[nodiscard]] QStringList kindNames() const;
+    [[nodiscard]] QVariantList kinds() const;
     [[nodiscard]] QVariantList fields() const; // list of EditorField*
     [[nodiscard]] QVariantList machineFields() const;
     [[nodiscard]] ChoiceModel* choices() { return &m_choices; }

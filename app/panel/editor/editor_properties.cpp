@@ -4,6 +4,7 @@
 
 #include "app/panel/controller/controller.h"
 #include "app/panel/editor/editor_views.h"
+#include "app/panel/recipe/curve_shape.h"
 #include "app/panel/words/recipe_words.h"
 #include "app/panel/words/refusal_sentences.h"
 
@@ -99,12 +100,13 @@ QVariantList Editor::machineFields() const
     return items;
 }
 
-QStringList Editor::kindNames() const
+QVariantList Editor::kinds() const
 {
-    QStringList names;
+    QVariantList kinds;
     for (const program::KindInfo& kind : program::kinds())
-        names << RecipeWords::kindName(kind.kind);
-    return names;
+        kinds << QVariant::fromValue(
+            ShapedName{RecipeWords::kindName(kind.kind), shapeOf(program::defaultRecipe(kind.kind))});
+    return kinds;
 }
 
 QString Editor::lawTitle() const

@@ -184,6 +184,7 @@ LawRow EditorViews::lawRow(const profile::Law& law, const LawDemand& demand) con
     LawRow row;
     row.lawId = QString::fromUtf8(law.key.data(), static_cast<qsizetype>(law.key.size()));
     row.name = RecipeWords::inWords(law.name);
+    row.shape = shapeOf(law);
     row.strength = RecipeWords::inWords(law.strength);
     row.weakness = RecipeWords::inWords(law.weakness);
     row.current = law.id == lawOf(m_recipe);

@@ -2,6 +2,7 @@
 #include "app/panel/editor/segment_model.h"
 
 #include "app/panel/kit/format.h"
+#include "app/panel/recipe/curve_shape.h"
 #include "app/panel/words/recipe_words.h"
 #include "app/panel/words/segment_sentences.h"
 #include "profile/segments/segment_values.h"
@@ -164,12 +165,12 @@ EditorField* SegmentModel::field(const QString& fieldId) const
     return nullptr;
 }
 
-QStringList SegmentModel::motions() const
+QVariantList SegmentModel::motions() const
 {
-    QStringList names;
+    QVariantList motions;
     for (const SegmentMotionInfo& each : profile::segmentMotions())
-        names << RecipeWords::inWords(each.name);
-    return names;
+        motions << QVariant::fromValue(ShapedName{RecipeWords::inWords(each.name), shapeOf(each)});
+    return motions;
 }
 
 int SegmentModel::motion() const
@@ -181,7 +182,7 @@ int SegmentModel::motion() const
 
 QString SegmentModel::motionName() const
 {
-    return motions().value(motion());
+    return RecipeWords::inWords(profile::segmentMotions()[static_cast<std::size_t>(motion())].name);
 }
 
 QString SegmentModel::jointText() const

@@ -45,7 +45,7 @@ class SegmentModel : public campanel::panel::CamHandles {
     // The numbers that the selected segment has; list of EditorField*.
     Q_PROPERTY(QVariantList fields READ fields NOTIFY fieldsChanged FINAL)
     // The names of the motions that a segment may have, and the selected segment's one.
-    Q_PROPERTY(QStringList motions READ motions NOTIFY changed FINAL)
+    Q_PROPERTY(QVariantList motions READ motions NOTIFY changed FINAL) // shapedName
     Q_PROPERTY(int motion READ motion NOTIFY changed FINAL)
     Q_PROPERTY(QString motionName READ motionName NOTIFY changed FINAL)
     Q_PROPERTY(QString jointText READ jointText NOTIFY changed FINAL)
@@ -60,7 +60,7 @@ public:
     [[nodiscard]] QVariantList fields() const;
     // Returns the field with this id, such as "segmentTo"; null when the selected segment does not have it.
     [[nodiscard]] EditorField* field(const QString& fieldId) const;
-    [[nodiscard]] QStringList motions() const;
+    [[nodiscard]] QVariantList motions() const;
     [[nodiscard]] int motion() const;
     [[nodiscard]] QString motionName() const;
     [[nodiscard]] QString jointText() const;

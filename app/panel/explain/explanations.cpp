@@ -41,6 +41,7 @@ Explanations::Explanations(const Sources& sources, QObject* parent)
     , m_editor(sources.editor)
     , m_figures(sources.figures)
     , m_trends(sources.trends)
+    , m_stops(sources.stops)
 {
 }
 
@@ -98,6 +99,11 @@ Explanation Explanations::of(int quantity) const
         return answers(wanted);
     case AnswerAllowance:
         return answerAllowance();
+    case Availability:
+    case Performance:
+    case Quality:
+    case Oee:
+        return effectiveness(wanted);
     }
     return {};
 }

@@ -18,6 +18,7 @@ namespace campanel::panel {
 class Editor;
 class LineFigures;
 class Controller;
+class Stops;
 class Trends;
 
 class Explanations : public QObject {
@@ -57,7 +58,11 @@ public:
         SpeedRatio,
         BaseCircleSpeed,
         Coefficients,
-        ShaftVibration
+        ShaftVibration,
+        Availability,
+        Performance,
+        Quality,
+        Oee
     };
     Q_ENUM(Topic)
 
@@ -66,6 +71,7 @@ public:
         Editor& editor;
         LineFigures& figures;
         Trends& trends;
+        Stops& stops;
     };
 
     // All arguments must outlive the object.
@@ -74,7 +80,7 @@ public:
     static Explanations* create(QQmlEngine* qmlEngine, QJSEngine* jsEngine);
 
     // Explains a value of Topic. Packing line and press use the controller's values; FastestRate, the peaks,
-    // SyncWindow and SealTime use the recipe in the editor.
+    // SyncWindow and SealTime use the recipe in the editor; Availability to Oee use the displayed shift.
     [[nodiscard]] Q_INVOKABLE campanel::panel::Explanation of(int quantity) const;
     // Returns the explainable quantities of the recipe's verdict: the known ones of FastestRate, the peaks
     // and the figures that the papers name; Coefficients for a move by one polynomial, ShaftVibration of
@@ -102,12 +108,14 @@ private:
     [[nodiscard]] Explanation wireShare() const;
     [[nodiscard]] Explanation answers(Topic quantity) const;
     [[nodiscard]] Explanation answerAllowance() const;
+    [[nodiscard]] Explanation effectiveness(Topic quantity) const;
     [[nodiscard]] static QString trendUnit(int quantity); // for a Trends.Quantity
 
     Controller& m_machine;
     Editor& m_editor;
     LineFigures& m_figures;
     Trends& m_trends;
+    Stops& m_stops;
 };
 
 } // namespace campanel::panel

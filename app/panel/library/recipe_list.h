@@ -3,6 +3,7 @@
 #pragma once
 
 #include "app/panel/kit/row_model.h"
+#include "app/panel/recipe/curve_shape.h"
 
 #include <QString>
 
@@ -16,6 +17,7 @@ struct RecipeRow {
     Q_PROPERTY(QString savedText MEMBER savedText)
     Q_PROPERTY(bool isOpen MEMBER isOpen)
     Q_PROPERTY(bool isActive MEMBER isActive)
+    Q_PROPERTY(QList<QPointF> shape MEMBER shape)
 
 public:
     qint64 id = 0;
@@ -25,6 +27,7 @@ public:
     QString savedText;     // time and author
     bool isOpen = false;   // being edited
     bool isActive = false; // active in the controller
+    CurveShape shape;
 
     bool operator==(const RecipeRow&) const = default;
 };

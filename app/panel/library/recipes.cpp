@@ -99,6 +99,9 @@ void Recipes::reload()
     work([](store::RecipeLibrary& library) { return library.newest(); },
          [this](const Versions& newest) {
              m_all = newest;
+             m_shapes.clear();
+             for (const RecipeVersion& each : m_all)
+                 m_shapes.insert(each.recipeId, shapeOf(each.recipe));
              m_isReady = true;
              if (!chosenRecipe()) {
                  const RecipeVersion* open = named(m_editor.recipeName());
@@ -195,7 +198,8 @@ void Recipes::show()
                           RecipeComparison::summary(each.recipe),
                           savedText(each),
                           name == m_editor.recipeName(),
-                          active && active->recipe.name == each.recipe.name};
+                          active && active->recipe.name == each.recipe.name,
+                          m_shapes.value(each.recipeId)};
     }
     m_list.setRows(rows);
     showFigures();

@@ -14,6 +14,7 @@
 #include "app/store/recipes/recipe_library.h"
 
 #include <QDateTime>
+#include <QHash>
 #include <QObject>
 #include <QtQml/qqmlregistration.h>
 
@@ -192,7 +193,8 @@ private:
     DatabaseService& m_records;
     WallClock m_wallClock;
     Author m_author;
-    Versions m_all; // the newest of each
+    Versions m_all;                     // the newest of each
+    QHash<qint64, CurveShape> m_shapes; // of each
     RecipeList m_list{this};
     FigureModel m_figures{this};
     OfferModel m_candidates{this};

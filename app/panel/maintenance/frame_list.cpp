@@ -44,8 +44,22 @@ void FrameList::setPaused(bool isPaused)
 void FrameList::watchNow()
 {
     // The first report contains all frames that the link still has, also the missed ones.
-    m_link.watchFrames(m_isWatched && !m_isPaused);
+    m_link.watchFrames((m_isWatched && !m_isPaused) || m_readers > 0);
     emit changed();
+}
+
+void FrameList::readOnce(QObject* context, const std::function<void(const QList<modbus::FrameRecord>&)>& take)
+{
+    ++m_readers;
+    connect(
+        &m_link, &link::Link::framesRecorded, context,
+        [this, take](const QList<modbus::FrameRecord>& frames) {
+            if (--m_readers == 0 && !(m_isWatched && !m_isPaused))
+                m_link.watchFrames(false);
+            take(frames);
+        },
+        Qt::SingleShotConnection);
+    m_link.watchFrames(true);
 }
 
 void FrameList::setFilter(Filter filter)

@@ -12,6 +12,7 @@
 #include <QtQml/qqmlregistration.h>
 
 #include <deque>
+#include <functional>
 #include <optional>
 
 namespace campanel::panel {
@@ -42,6 +43,10 @@ public:
 
     // Both arguments must outlive the object.
     FrameList(link::Link& link, ReportFiles& files, QObject* parent);
+
+    // Calls `take` with all frames that the link still has, at the latest with its next frame, also when the
+    // list is not watched. The call ends with `context`.
+    void readOnce(QObject* context, const std::function<void(const QList<modbus::FrameRecord>&)>& take);
 
     // Sets the time of day of a moment of the link's clock, for tests and captures; the default is now.
     void setTimeOfDay(link::SteadyTime moment, const QDateTime& timeOfDay);
@@ -109,6 +114,7 @@ private:
     QDateTime m_timeOfDay; // at that moment
     Filter m_filter = Filter::All;
     bool m_isWatched = false;
+    int m_readers = 0; // pending readOnce() calls
     bool m_isPaused = false;
 };
 

@@ -2,10 +2,10 @@
 // The inputs of the recipe that are not numbers, each with its options; law and ratios have their own views.
 #pragma once
 
+#include "app/link/link_values.h"
 #include "app/panel/kit/row_model.h"
 #include "app/panel/recipe/input_groups.h"
 #include "app/program/recipe.h"
-#include "modbus/map/blocks.h"
 
 #include <QStringList>
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "app/panel/kit/row_model.h"
+#include "app/panel/recipe/curve_shape.h"
 
 #include <QString>
 
@@ -12,6 +13,7 @@ struct LawRow {
     Q_GADGET
     Q_PROPERTY(QString lawId MEMBER lawId)
     Q_PROPERTY(QString name MEMBER name)
+    Q_PROPERTY(QList<QPointF> shape MEMBER shape)
     Q_PROPERTY(QString strength MEMBER strength)
     Q_PROPERTY(QString weakness MEMBER weakness)
     Q_PROPERTY(QString peakRpmText MEMBER peakRpmText)
@@ -27,11 +29,12 @@ struct LawRow {
 public:
     QString lawId;
     QString name;
+    CurveShape shape;
     QString strength; // one sentence each
     QString weakness;
     QString peakRpmText;
     QString peakAccelerationText;
-    QString rmsText; // RMS acceleration, only of a rotary cutter
+    QString rmsText;           // RMS acceleration, only of a rotary cutter
     QString peakFrequencyText; // or the torque, where it is known
     QString peakJerkText;
     QString vibrationText; // empty while the natural frequency is unknown

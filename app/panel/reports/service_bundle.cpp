@@ -5,6 +5,7 @@
 #include "app/panel/editor/editor.h"
 #include "app/panel/kit/engine_instances.h"
 #include "app/panel/kit/format.h"
+#include "app/panel/maintenance/frame_list.h"
 #include "app/panel/maintenance/line_figures.h"
 #include "app/panel/records/database_service.h"
 #include "app/program/program_image.h"
@@ -16,6 +17,11 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QSysInfo>
+#include <QTimer>
+
+#include <chrono>
+#include <span>
+#include <vector>
 
 using namespace Qt::StringLiterals;
 
@@ -24,6 +30,7 @@ namespace campanel::panel {
 namespace {
 
 constexpr qint64 daysOfLogs = 7;
+constexpr std::chrono::milliseconds screenDelay{500}; // until the alarm is on the screen
 
 QByteArray readMe()
 {
@@ -37,11 +44,39 @@ alarms.csv               alarms of the last 7 days, newest first
 audit.csv                changes of the last 7 days, newest first, with the hashes of the chain
 link_figures.csv         exchanges, errors and times of the line
 link_24_hours.csv        the same minute by minute
+parameters.csv           the parameters of the controller; not there without a connection
+frames.txt               the last frames of the line
 trace.csv                every status of the last 10 seconds
 trace_before_fault.csv   the 10 seconds before the last fault since the panel started; not there without one
+frames_before_fault.txt  the last frames before that fault
+screen_at_fault.png      the screen half a second after that fault
 
 All times are UTC. The texts in controller.json are in the language of the panel.
 )");
+}
+
+// Returns the ranges without gaps in which the register table has parameters.
+std::vector<modbus::RegisterSpan> parameterSpans()
+{
+    constexpr int maxRegisters = 100; // in one request
+    std::vector<modbus::RegisterSpan> spans;
+    for (const modbus::RegisterInfo& info : modbus::registers()) {
+        if (!info.name.starts_with("parameter."))
+            continue;
+        const bool follows = !spans.empty() && spans.back().address + spans.back().count == info.address &&
+                             spans.back().count + info.count <= maxRegisters;
+        if (follows)
+            spans.back().count = static_cast<std::uint16_t>(spans.back().count + info.count);
+        else
+            spans.push_back({info.address, info.count});
+    }
+    return spans;
+}
+
+QByteArray framesText(const QList<modbus::FrameRecord>& frames)
+{
+    return QByteArray::fromStdString(
+        modbus::framesText(std::span(frames.constData(), static_cast<std::size_t>(frames.size()))));
 }
 
 QJsonValue checksum(const std::optional<std::uint32_t>& crc)
@@ -57,8 +92,10 @@ ServiceBundle::ServiceBundle(const Parts& parts, QObject* parent)
     , m_wallClock([] { return QDateTime::currentDateTime(); })
 {
     connect(&parts.machine.link(), &link::Link::statusReceived, this, [this](const link::StatusBatch& batch) {
-        for (const link::StatusSample& sample : batch.samples)
-            m_trace.add(sample);
+        for (const link::StatusSample& sample : batch.samples) {
+            if (m_trace.add(sample))
+                recordFault();
+        }
     });
 }
 
@@ -78,7 +115,39 @@ void ServiceBundle::make()
     if (m_isBusy)
         return;
     setBusy(true);
-    m_parts.figures.readOnce(this, [this](const link::FiguresReport& report) { gather(report); });
+    m_parts.frames.readOnce(this, [this](const QList<modbus::FrameRecord>& frames) { m_frames = frames; });
+    m_parts.figures.readOnce(this, [this](const link::FiguresReport& report) { readParameters(report); });
+}
+
+void ServiceBundle::recordFault()
+{
+    m_faultFrames.clear();
+    m_faultScreen.clear();
+    m_parts.frames.readOnce(this,
+                            [this](const QList<modbus::FrameRecord>& frames) { m_faultFrames = frames; });
+    if (m_screen)
+        QTimer::singleShot(screenDelay, this, [this] { m_faultScreen = m_screen(); });
+}
+
+void ServiceBundle::readParameters(const link::FiguresReport& figures)
+{
+    m_parameters.clear();
+    const std::vector<modbus::RegisterSpan> spans =
+        m_parts.machine.isConnected() ? parameterSpans() : std::vector<modbus::RegisterSpan>();
+    m_pendingReads = static_cast<int>(spans.size());
+    if (spans.empty())
+        gather(figures);
+    for (const modbus::RegisterSpan& span : spans) {
+        m_parts.machine.link().readRegisters(
+            {0, span.address, span.count},
+            {this, [this, figures](const link::ReadOutcome& outcome) {
+                 for (const modbus::NamedValue& value :
+                      modbus::namedValues(outcome.request.address, outcome.registers))
+                     m_parameters += QByteArray::fromStdString(value.name() + ',' + value.text() + '\n');
+                 if (--m_pendingReads == 0)
+                     gather(figures);
+             }});
+    }
 }
 
 QByteArray ServiceBundle::about() const
@@ -136,6 +205,14 @@ void ServiceBundle::gather(const link::FiguresReport& figures)
     if (!m_trace.beforeFault().empty())
         entries << store::ArchiveEntry{
             u"trace_before_fault.csv"_s, StatusTrace::csv(m_trace.beforeFault(), moment, timeOfDay), {}};
+    if (!m_parameters.isEmpty())
+        entries << store::ArchiveEntry{u"parameters.csv"_s, "parameter,value\n" + m_parameters, {}};
+    if (!m_frames.isEmpty())
+        entries << store::ArchiveEntry{u"frames.txt"_s, framesText(m_frames), {}};
+    if (!m_faultFrames.isEmpty())
+        entries << store::ArchiveEntry{u"frames_before_fault.txt"_s, framesText(m_faultFrames), {}};
+    if (!m_faultScreen.isEmpty())
+        entries << store::ArchiveEntry{u"screen_at_fault.png"_s, m_faultScreen, {}};
     const qint64 sinceMs = timeOfDay.addDays(-daysOfLogs).toMSecsSinceEpoch();
     m_parts.records.store().run(
         this,

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // `ServiceBundle` in QML: one archive for the manufacturer's support. It contains the open recipe with its
 // table, the controller's program, alarms and changes of the last week, and the figures of the line. It also
-// contains the last ten seconds of the machine and those before its last fault. No PIN and no hash of one is
+// contains the last ten seconds of the machine, those before its last fault with the frames of the line, and
+// the screen at that fault. No PIN and no hash of one is
 // in it.
 #pragma once
 
@@ -14,6 +15,7 @@
 #include <QtQml/qqmlregistration.h>
 
 #include <functional>
+#include <utility>
 
 class QJSEngine;
 class QQmlEngine;
@@ -21,6 +23,7 @@ class QQmlEngine;
 namespace campanel::panel {
 
 class Editor;
+class FrameList;
 class LineFigures;
 class Controller;
 class DatabaseService;
@@ -34,6 +37,7 @@ class ServiceBundle : public QObject {
 
 public:
     using WallClock = std::function<QDateTime()>;
+    using Screen = std::function<QByteArray()>;
 
     struct Parts {
         Controller& machine;
@@ -41,6 +45,7 @@ public:
         DatabaseService& records;
         LineFigures& figures;
         ReportFiles& files;
+        FrameList& frames;
     };
 
     // All arguments must outlive the object.
@@ -49,6 +54,9 @@ public:
     static ServiceBundle* create(QQmlEngine* qmlEngine, QJSEngine* jsEngine);
 
     void setWallClock(WallClock clock) { m_wallClock = std::move(clock); }
+
+    // Sets the function that returns the present screen as PNG. It is called at each fault.
+    void setScreen(Screen screen) { m_screen = std::move(screen); }
 
     // Collects the present data and offers it to the files, then emits offered().
     Q_INVOKABLE void make();
@@ -65,13 +73,22 @@ private:
 
     [[nodiscard]] QByteArray about() const;
     [[nodiscard]] QByteArray controller() const;
+    void recordFault();
+    // Reads all parameters, then gathers.
+    void readParameters(const link::FiguresReport& figures);
     void gather(const link::FiguresReport& figures);
     void offer(Entries entries);
     void setBusy(bool isBusy);
 
     Parts m_parts;
     WallClock m_wallClock;
+    Screen m_screen;
     StatusTrace m_trace;
+    QList<modbus::FrameRecord> m_frames;
+    QList<modbus::FrameRecord> m_faultFrames;
+    QByteArray m_faultScreen;
+    QByteArray m_parameters; // CSV
+    int m_pendingReads = 0;
     bool m_isBusy = false;
 };
 

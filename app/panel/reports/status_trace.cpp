@@ -31,14 +31,16 @@ QString stateName(const std::optional<modbus::State>& state)
 
 } // namespace
 
-void StatusTrace::add(const link::StatusSample& sample)
+bool StatusTrace::add(const link::StatusSample& sample)
 {
     const bool wasFaulted = !m_latest.empty() && m_latest.back().status.faultBits != 0;
     m_latest.push_back(sample);
     while (sample.receivedAt - m_latest.front().receivedAt > length)
         m_latest.pop_front();
-    if (!wasFaulted && sample.status.faultBits != 0)
+    const bool isFirst = !wasFaulted && sample.status.faultBits != 0;
+    if (isFirst)
         m_beforeFault = m_latest;
+    return isFirst;
 }
 
 QByteArray StatusTrace::csv(const std::deque<link::StatusSample>& samples, link::SteadyTime moment,

@@ -17,7 +17,8 @@ class StatusTrace {
 public:
     static constexpr std::chrono::seconds length{10};
 
-    void add(const link::StatusSample& sample);
+    // Returns true for the first sample with a fault.
+    bool add(const link::StatusSample& sample);
 
     [[nodiscard]] const std::deque<link::StatusSample>& latest() const { return m_latest; }
     // Returns the samples up to the first one with the fault; empty: no fault.

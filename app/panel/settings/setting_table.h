@@ -25,6 +25,9 @@ enum class SettingForm {
     Prefix,   // up to 8 printable characters of ASCII but the space, or nothing
     Size,     // width and height of a window in pixels: "1024x600"
     Rules,    // rules for logging, one per line
+    Times,    // times of the day: "06:00 14:00"
+    Days,     // days of the week, 1: Monday: "12345"
+    Reasons,  // reasons of a stop, one per line; empty: the standard ones
 };
 
 struct SettingRow {
@@ -176,6 +179,51 @@ inline constexpr std::array settingTable{
                .level = Level::Service,
                .label = QT_TRANSLATE_NOOP("campanel::panel::Settings", "time between scanned keys, ms"),
                .help = "Longest time between two keys of a code, in ms."},
+    SettingRow{.name = "stops.ask_after_seconds",
+               .key = "stops/ask_after_seconds",
+               .form = SettingForm::Whole,
+               .minimum = 1,
+               .maximum = 3600,
+               .standard = "60",
+               .level = Level::Service,
+               .label =
+                   QT_TRANSLATE_NOOP("campanel::panel::Settings", "seconds of a stop until its question"),
+               .help = "Seconds that the machine stands until the Run page asks for the reason."},
+    SettingRow{.name = "stops.ideal_rate",
+               .key = "stops/ideal_rate",
+               .form = SettingForm::Decimal,
+               .minimum = 0,
+               .maximum = 2000,
+               .standard = "0",
+               .level = Level::Service,
+               .label = QT_TRANSLATE_NOOP("campanel::panel::Settings", "ideal rate, pieces/min"),
+               .help = "Ideal rate of the machine for its performance, in pieces per minute. 0: the fastest "
+                       "rate of the recipe."},
+    SettingRow{.name = "stops.shift_starts",
+               .key = "stops/shift_starts",
+               .form = SettingForm::Times,
+               .standard = "06:00 14:00 22:00",
+               .level = Level::Service,
+               .label = QT_TRANSLATE_NOOP("campanel::panel::Settings", "start of the shifts"),
+               .help = "Local times at which the shifts start."},
+    SettingRow{.name = "stops.working_days",
+               .key = "stops/working_days",
+               .form = SettingForm::Days,
+               .standard = "1234567",
+               .level = Level::Service,
+               .label = QT_TRANSLATE_NOOP("campanel::panel::Settings", "working days"),
+               .help =
+                   "Days of the week whose shifts are planned, 1 is Monday. A shift belongs to the day on "
+                   "which it starts."},
+    SettingRow{.name = "stops.reasons",
+               .key = "stops/reasons",
+               .form = SettingForm::Reasons,
+               .level = Level::Service,
+               .label = QT_TRANSLATE_NOOP("campanel::panel::Settings", "reasons of a stop"),
+               .help =
+                   "Reasons of a stop: at most eight groups with at most eight reasons each. An empty list "
+                   "stands for the standard reasons. The time of planned ones is not planned production "
+                   "time."},
     SettingRow{.name = "log.rules",
                .form = SettingForm::Rules,
                .help = "What is logged in addition: a category and true or false each, with * for any part. "

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/panel/settings/setting_values.h"
 
+#include "app/panel/settings/stop_forms.h"
+
 #include <QLocale>
 #include <QRegularExpression>
 
@@ -133,6 +135,12 @@ QString validValues(Setting setting)
         return u"up to 8 printable characters of ASCII without spaces"_s;
     case SettingForm::Size:
         return u"from \"800x480\" to \"9999x9999\""_s;
+    case SettingForm::Times:
+        return u"from one to six quarters of an hour in their order, such as \"06:00 14:00 22:00\""_s;
+    case SettingForm::Days:
+        return u"days in their order, such as \"12345\" for Monday to Friday"_s;
+    case SettingForm::Reasons:
+        return u"a list such as [\"material\", \"material/Film change\", \"planned:Break\"]"_s;
     case SettingForm::Rules:
         break;
     }
@@ -163,6 +171,12 @@ bool isValid(Setting setting, const QString& text)
         return isPrefix(text);
     case SettingForm::Size:
         return isWindowSize(sizeIn(text));
+    case SettingForm::Times:
+        return !shiftStartsIn(text).isEmpty();
+    case SettingForm::Days:
+        return !workingDaysIn(text).isEmpty();
+    case SettingForm::Reasons:
+        return !stopReasonsIn(text).isEmpty();
     case SettingForm::Rules:
         break;
     }

@@ -173,6 +173,10 @@ constexpr std::array kinds{
         "P-10", warning, runsOn, QT_TRANSLATE_NOOP("AlarmCatalogue", "Settings file damaged"),
         QT_TRANSLATE_NOOP("AlarmCatalogue", "The settings file was damaged or missing."),
         QT_TRANSLATE_NOOP("AlarmCatalogue", "Read the detail; check the settings, the connection first.")},
+    AlarmKind{"P-11", warning, runsOn, QT_TRANSLATE_NOOP("AlarmCatalogue", "Touchscreen missing"),
+              QT_TRANSLATE_NOOP("AlarmCatalogue", "A touchscreen of this panel was unplugged or has failed."),
+              QT_TRANSLATE_NOOP("AlarmCatalogue",
+                                "Check the cable of the touchscreen. Stop the machine with its own switch.")},
 };
 
 QString translated(const char* source)
@@ -316,6 +320,11 @@ const AlarmKind& AlarmCatalogue::settingsNotKept()
 const AlarmKind& AlarmCatalogue::settingsDamaged()
 {
     return known("P-10");
+}
+
+const AlarmKind& AlarmCatalogue::touchscreenMissing()
+{
+    return known("P-11");
 }
 
 } // namespace campanel::panel

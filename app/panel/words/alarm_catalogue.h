@@ -54,6 +54,7 @@ public:
     [[nodiscard]] static const AlarmKind& recipeNotKept();
     [[nodiscard]] static const AlarmKind& settingsNotKept();
     [[nodiscard]] static const AlarmKind& settingsDamaged();
+    [[nodiscard]] static const AlarmKind& touchscreenMissing();
 };
 
 } // namespace campanel::panel

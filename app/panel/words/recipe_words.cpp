@@ -89,9 +89,10 @@ QString RecipeWords::listName(profile::ProgramKind kind)
 QString RecipeWords::listSize(const profile::Program& program)
 {
     const program::ListInfo& list = *program::kindInfo(profile::kindOf(program)).list;
-    const int size = static_cast<int>(list.size(program));
-    return &list == &program::segmentList ? tr("%n segment(s)", nullptr, size)
-                                          : tr("%n knot(s)", nullptr, size);
+    const std::size_t size = list.size(program);
+    if (&list == &program::segmentList)
+        return size == 1 ? tr("1 segment") : tr("%1 segments").arg(size);
+    return tr("%1 knots").arg(size);
 }
 
 QString RecipeWords::choiceName(program::Choice choice)

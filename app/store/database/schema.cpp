@@ -83,6 +83,32 @@ const std::vector<QStringList>& migrations()
                     hash BLOB NOT NULL))"_s,
             u"CREATE TABLE audit_start (sequence INTEGER NOT NULL, hash BLOB NOT NULL)"_s,
         },
+        {
+            // The machine's states, and the reasons of its stops; see StateInterval. The id of a stop is that
+            // of its first interval.
+            uR"(CREATE TABLE state_interval (
+                    id INTEGER PRIMARY KEY,
+                    stop INTEGER NOT NULL,
+                    state INTEGER NOT NULL,
+                    begin_ms INTEGER NOT NULL,
+                    duration_ms INTEGER NOT NULL,
+                    program TEXT NOT NULL,
+                    version INTEGER NOT NULL,
+                    ideal_per_min REAL NOT NULL,
+                    cycles INTEGER NOT NULL,
+                    pieces INTEGER NOT NULL,
+                    out_of_tolerance INTEGER NOT NULL,
+                    start_up_scrap INTEGER NOT NULL,
+                    skipped INTEGER NOT NULL))"_s,
+            u"CREATE INDEX state_interval_begin ON state_interval (begin_ms)"_s,
+            u"CREATE INDEX state_interval_stop ON state_interval (stop)"_s,
+            uR"(CREATE TABLE stop (
+                    id INTEGER PRIMARY KEY,
+                    reason TEXT NOT NULL,
+                    planned INTEGER NOT NULL,
+                    answered_by TEXT NOT NULL,
+                    answered_ms INTEGER NOT NULL))"_s,
+        },
     };
     return steps;
 }

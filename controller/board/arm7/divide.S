@@ -25,13 +25,38 @@ __aeabi_uldivmod:
     mov r1, r0
     pop {r0, r2, r4, lr}
 divide_low:                         @ ip:r0 / r2 with ip < r2; the quotient grows into r0 from below
+    mov r3, ip, lsl #16
+    orr r3, r3, r0, lsr #16
+    cmp ip, #0x10000                @ a quotient of 16 bits: half of the way
+    cmplo r3, r2
+    bhs 1f
+    mov ip, r3
+    mov r0, r0, lsl #16
     adds r0, r0, r0
-    .rept 32
+    b divide_16
+1:  mov r3, ip, lsl #8
+    orr r3, r3, r0, lsr #24
+    cmp ip, #0x1000000              @ of 24 bits
+    cmplo r3, r2
+    movlo ip, r3
+    movlo r0, r0, lsl #8
+    bhs 2f
+    adds r0, r0, r0
+    b divide_24
+2:  adds r0, r0, r0
+    .macro divide_bits count
+    .rept \count
     adcs ip, ip, ip                 @ one bit down; a carry out means that the divisor fits
     cmpcc ip, r2
     subcs ip, ip, r2
     adcs r0, r0, r0
     .endr
+    .endm
+    divide_bits 8
+divide_24:
+    divide_bits 8
+divide_16:
+    divide_bits 16
     mov r2, ip
     mov r3, #0
     bx lr

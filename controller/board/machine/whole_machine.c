@@ -11,16 +11,21 @@
 #define UM_PER_MM 1000
 #define ENABLE (1u << CTL_OUTPUT_BIT_DRIVE_ENABLE)
 
-static void take_pulses(void* context, ctl_axis axis, const ctl_train* train)
+static void take_pulses(void* context, const ctl_train* train)
 {
     whole_machine* machine = context;
-    const int64_t way = train->direction * (int64_t)train->count;
+    if (machine->is_enabled)
+        machine->position += train->direction * (int64_t)train->count;
+}
+
+static void take_feed(void* context, ctl_axis axis, int64_t from, int64_t to)
+{
+    whole_line* line = &((whole_machine*)context)->line;
+    const int64_t way = ctl_whole_pulses(to) - ctl_whole_pulses(from);
     if (axis == CTL_AXIS_FILM)
-        machine->line.film += way;
-    else if (axis == CTL_AXIS_INFEED)
-        machine->line.infeed += way;
-    else if (machine->is_enabled)
-        machine->position += way;
+        line->film += way;
+    else
+        line->infeed += way;
 }
 
 static int64_t encoder(void* context)
@@ -83,6 +88,7 @@ void whole_machine_connect(whole_machine* machine, ctl_port* port)
 {
     port->context = machine;
     port->pulses = take_pulses;
+    port->feed = take_feed;
     port->encoder = encoder;
     port->index = take_index;
     port->force = force;

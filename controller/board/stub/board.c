@@ -40,11 +40,10 @@ ctl_config board_config(void)
 
 /* Into a queue that the pulse timer's interrupt empties: ctl_train_next() gives it the tick of each pulse, to
  * which it adds the delay of this board and which it loads into the timer. Here they leave at once. */
-static void pulses(void* context, ctl_axis axis, const ctl_train* train)
+static void pulses(void* context, const ctl_train* train)
 {
     stub* self = context;
-    if (axis == CTL_AXIS_MAIN)
-        self->position += train->direction * (int64_t)train->count;
+    self->position += train->direction * (int64_t)train->count;
 }
 
 /* Of the quadrature counter, extended to 64 bits here. */

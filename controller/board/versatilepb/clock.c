@@ -15,9 +15,9 @@
  * time. A real board wakes once per slice. */
 #define WAKE_US 1000u
 
-/* A test begins shortly before the counter wraps. */
+/* What the counter shows at power-up; a test begins shortly before it wraps. */
 #ifndef CLOCK_START
-#define CLOCK_START UINT32_MAX
+#define CLOCK_START 0u
 #endif
 
 #define INTERRUPTS 0x10140000u
@@ -33,8 +33,8 @@ static uint32_t clock_low;
 
 void clock_init(void)
 {
-    DEVICE(CLOCK_TIMER + LOAD) = CLOCK_START;
-    clock_low = ~CLOCK_START;
+    DEVICE(CLOCK_TIMER + LOAD) = UINT32_MAX;
+    clock_low = CLOCK_START;
     DEVICE(CLOCK_TIMER + CONTROL) = FREE_RUNNING;
     DEVICE(WAKE_TIMER + LOAD) = WAKE_US - 1u;
     DEVICE(WAKE_TIMER + CONTROL) = PERIODIC;
@@ -43,7 +43,7 @@ void clock_init(void)
 uint64_t clock_now_us(void)
 {
     const uint32_t state = interrupts_mask();
-    const uint32_t low = ~DEVICE(CLOCK_TIMER + VALUE); /* it counts down */
+    const uint32_t low = CLOCK_START + ~DEVICE(CLOCK_TIMER + VALUE); /* it counts down */
     if (low < clock_low)
         clock_high += 1u;
     clock_low = low;

@@ -84,12 +84,13 @@ size_t board_take_bytes(uint8_t* bytes, size_t size, uint64_t* last_us, bool* er
     const uint32_t waiting = ring_end - ring_start;
     *last_us = last_byte_us;
     const bool silent = clock_now_us() - last_byte_us >= LONG_SILENCE_US;
-    *error = line_error && silent;
+    const bool damaged = line_error;
+    *error = damaged && silent;
     if (silent)
         line_error = false;
     interrupts_restore(state);
 
-    uint32_t count = request_bytes(waiting);
+    uint32_t count = damaged ? UNKNOWN : request_bytes(waiting); /* what was damaged ends with a silence */
     if (count > waiting || count > size)
         count = silent ? (waiting < size ? waiting : (uint32_t)size) : 0u;
     for (uint32_t i = 0; i < count; ++i)

@@ -20,7 +20,9 @@ typedef struct {
     uint32_t generation;
     uint32_t check_crc; /* the active bank is read over and over in the background */
     uint32_t check_position;
-    ctl_proof proof; /* instead of a check, while a command is carried out */
+    uint32_t check_length; /* registers, as they were when the check began */
+    uint16_t check_rows;   /* the same of the number of rows */
+    ctl_proof proof;       /* instead of a check, while a command is carried out */
 } ctl_banks;
 
 static inline const ctl_bank* ctl_active_bank(const ctl_banks* banks)

@@ -42,5 +42,5 @@ void ctl_pace_give(const ctl_pace* pace, const ctl_train* train)
         return;
     ctl_train given = pace->ticks == pace->travel || pace->travel == 0 ? *train : stretched(pace, train);
     given.tick += pace->start;
-    pace->port->pulses(pace->port->context, pace->axis, &given);
+    pace->port->pulses(pace->port->context, &given);
 }

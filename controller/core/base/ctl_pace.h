@@ -12,7 +12,6 @@ extern "C" {
 
 typedef struct {
     const ctl_port* port;
-    ctl_axis axis;
     uint32_t start;  /* timer tick since power-up, modulo 2^32 */
     uint32_t ticks;  /* that it lasts */
     uint32_t travel; /* the engine's ticks in it */

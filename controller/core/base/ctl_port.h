@@ -12,17 +12,16 @@
 #define CTL_FLASH_SLOTS 2u
 #define CTL_SLICE_US 250u
 
-typedef enum { CTL_AXIS_MAIN, CTL_AXIS_FILM, CTL_AXIS_INFEED } ctl_axis;
+typedef enum { CTL_AXIS_FILM, CTL_AXIS_INFEED } ctl_axis;
 typedef enum { CTL_FLASH_DONE, CTL_FLASH_BUSY, CTL_FLASH_FAILED } ctl_flash_progress;
 
 typedef struct {
     void* context; /* given back to every callback */
 
-    /* Pulses of an axis, their ticks in timer ticks since power-up, modulo 2^32. They lie in the slice that
-     * is being computed, in the order of time, in several calls; the board lets all of them leave later by
-     * the same time, long enough for its slowest turn. A board with a rate generator goes by the count alone.
-     */
-    void (*pulses)(void* context, ctl_axis axis, const ctl_train* train);
+    /* Pulses of the main axis, their ticks in timer ticks since power-up, modulo 2^32. They lie in the slice
+     * that is being computed, in the order of time, in several calls; the board lets all axes move later by
+     * the same time, long enough for its slowest turn. */
+    void (*pulses)(void* context, const ctl_train* train);
     /* Encoder position since power-up, in pulses of the command. */
     int64_t (*encoder)(void* context);
     /* True once after the index mark was passed forward; gives the encoder position latched there. */
@@ -33,8 +32,10 @@ typedef struct {
     /* Force of a press now, N; NULL on a machine without. */
     int32_t (*force)(void* context);
 
-    /* Film and infeed of a packing machine; all NULL on a machine without. Positions since power-up in 1/256
-     * pulse of the command. */
+    /* Film and infeed of a packing machine; all NULL on a machine without. The axis runs evenly from one
+     * position to the other in the slice that is being computed: for a rate generator as they are, for a
+     * pulse timer by ctl_train_line(). Positions since power-up, 1/256 pulse of the command. */
+    void (*feed)(void* context, ctl_axis axis, int64_t from, int64_t to);
     int64_t (*film)(void* context);
     int64_t (*infeed)(void* context);
     /* True once for each printed mark that passed its sensor; gives the film position latched there. */

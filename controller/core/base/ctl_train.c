@@ -10,16 +10,11 @@ ctl_train ctl_train_even(uint32_t count, uint32_t ticks)
     return (ctl_train){count, 1, period, rest, period, rest, count};
 }
 
-static int64_t whole_pulses(int64_t fine)
-{
-    return (fine - (fine < 0 ? CTL_TRAIN_FINE - 1 : 0)) / CTL_TRAIN_FINE;
-}
-
 ctl_train ctl_train_line(int64_t from, int64_t to, uint32_t ticks)
 {
     const bool forward = to >= from;
-    const int64_t whole = whole_pulses(from);
-    const int64_t moved = whole_pulses(to) - whole;
+    const int64_t whole = ctl_whole_pulses(from);
+    const int64_t moved = ctl_whole_pulses(to) - whole;
     const uint64_t way = forward ? (uint64_t)(to - from) : (uint64_t)(from - to);
     ctl_train train = {.direction = forward ? 1 : -1, .divisor = 1};
     if (moved == 0)

@@ -25,6 +25,12 @@ typedef struct {
 /* Positions that a train is made from are in 1/256 pulse. */
 #define CTL_TRAIN_FINE 256
 
+/* Returns the whole pulses up to a position. */
+static inline int64_t ctl_whole_pulses(int64_t fine)
+{
+    return (fine - (fine < 0 ? CTL_TRAIN_FINE - 1 : 0)) / CTL_TRAIN_FINE;
+}
+
 /* Returns the tick of the next pulse and takes it off. The count must not be 0. */
 static inline uint32_t ctl_train_next(ctl_train* train)
 {

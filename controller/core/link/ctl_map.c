@@ -71,11 +71,13 @@ _Static_assert(CTL_GROUP_ACTIVE == CTL_BANK_REGISTERS && CTL_GROUP_STAGED == CTL
                "a bank is read whole");
 _Static_assert(CTL_GROUP_CLOCK == 2u, "the clock is one wide value");
 
-/* Registers of a bank, which may be smaller here than in the map. */
+/* Registers of a bank; behind its last row, where an older program may have left some, they read 0. */
 static void read_bank(const ctl_bank* bank, uint32_t first, uint16_t* values, uint32_t count)
 {
+    const uint32_t length = ctl_bank_length(bank);
+    const uint32_t end = length < CTL_BANK_STORAGE ? length : CTL_BANK_STORAGE;
     for (uint32_t i = 0; i < count; ++i)
-        values[i] = first + i < CTL_BANK_STORAGE ? bank->registers[first + i] : (uint16_t)0;
+        values[i] = first + i < end ? bank->registers[first + i] : (uint16_t)0;
 }
 
 /* Registers first..first+count of a group. */

@@ -8,7 +8,7 @@
 /* The slice, in which the engine's ticks are those of the timer. */
 static ctl_pace pace_of(const ctl_motion* motion, uint32_t ticks)
 {
-    return (ctl_pace){&motion->board->port, CTL_AXIS_MAIN, motion->board->tick, ticks, ticks};
+    return (ctl_pace){&motion->board->port, motion->board->tick, ticks, ticks};
 }
 
 /* Pulses at even distances, up to the end of the pace. */
@@ -139,12 +139,12 @@ static void travel(ctl_motion* motion, ctl_pace pace)
 }
 
 /* Pulses of jogging or homing while the ramp travels so far, at most `max`; returns their number. Pulse j
- * leaves at ceil((j * clock - rest) / frequency). */
+ * leaves at floor((j * clock - rest) / frequency). */
 static uint32_t move_by_hand(ctl_motion* motion, ctl_pace pace, uint32_t travelled, uint64_t max)
 {
     const uint32_t clock_hz = motion->board->config.timer_clock_hz;
     const uint32_t hz = motion->manual_hz;
-    const uint64_t first = clock_hz - motion->manual_rest + hz - 1u;
+    const uint64_t first = clock_hz - motion->manual_rest;
     const uint64_t sum = (uint64_t)travelled * hz + motion->manual_rest;
     const uint64_t whole = sum / clock_hz;
     const ctl_train train = {.count = (uint32_t)(whole < max ? whole : max),

@@ -5,6 +5,7 @@
 #ifndef CTL_FEED_H
 #define CTL_FEED_H
 
+#include <stdbool.h>
 #include <stdint.h>
 
 #ifdef __cplusplus
@@ -21,6 +22,12 @@ typedef struct {
     int64_t shift;   /* the correction under way */
     uint64_t passed; /* ticks of it */
     uint64_t span;   /* ticks that it takes; 0: none under way */
+    /* Values that spare each slice its divisions; computed in a slice after the one that needs them first. */
+    bool has_rate;
+    int64_t per_tick;      /* length / cycle, */
+    uint32_t rest;         /* its remainder, */
+    uint32_t rest_share;   /* and that in 1 / 2^32 of the cycle */
+    uint64_t span_inverse; /* 2^62 / span; 0: not yet, or span is too long for it */
 } ctl_feed;
 
 void ctl_feed_reset(ctl_feed* feed, uint32_t cycle, int64_t start, int64_t length);

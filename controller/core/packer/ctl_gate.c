@@ -3,7 +3,7 @@
 
 #include "ctl_registers.h"
 
-#define ONE_BITS 30u
+#define ONE_BITS CTL_SMOOTH_BITS
 #define ONE (UINT64_C(1) << ONE_BITS)
 
 void ctl_gate_reset(ctl_gate* gate, uint32_t cycle, uint32_t engage, uint32_t release)
@@ -137,13 +137,17 @@ uint32_t ctl_gate_advance(ctl_gate* gate, uint32_t ticks)
     return own;
 }
 
-int64_t ctl_smooth_share(int64_t amount, uint64_t part, uint64_t whole)
+int64_t ctl_smooth_at(int64_t amount, uint64_t x)
 {
-    const uint64_t x = (part << ONE_BITS) / whole;
     const uint64_t x2 = x * x >> ONE_BITS;
     const uint64_t share = 3u * x2 - 2u * (x2 * x >> ONE_BITS);
     const uint64_t size = (uint64_t)(amount < 0 ? -amount : amount);
     const int64_t result =
         (int64_t)((size >> 8u) * share >> (ONE_BITS - 8u)) + (int64_t)((size & 0xFFu) * share >> ONE_BITS);
-    return part == whole ? amount : (amount < 0 ? -result : result);
+    return amount < 0 ? -result : result;
+}
+
+int64_t ctl_smooth_share(int64_t amount, uint64_t part, uint64_t whole)
+{
+    return part == whole ? amount : ctl_smooth_at(amount, (part << ONE_BITS) / whole);
 }

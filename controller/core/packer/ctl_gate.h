@@ -40,6 +40,9 @@ uint32_t ctl_gate_advance(ctl_gate* gate, uint32_t ticks);
 
 /* Share 3 x^2 - 2 x^3 of `amount` at x = part / whole; part <= whole, whole not 0. */
 int64_t ctl_smooth_share(int64_t amount, uint64_t part, uint64_t whole);
+/* The same for a share x = part / whole, in 1 / 2^CTL_SMOOTH_BITS, below 1. */
+int64_t ctl_smooth_at(int64_t amount, uint64_t x);
+#define CTL_SMOOTH_BITS 30u
 
 #ifdef __cplusplus
 }

@@ -2,7 +2,6 @@
 /* A packing machine's line while it runs: gates, the plan of each cut, sensors, cuts. */
 #include "packer/ctl_packer.h"
 
-#include "base/ctl_pace.h"
 #include "base/ctl_words.h"
 
 #include <stddef.h>
@@ -231,23 +230,19 @@ uint32_t ctl_packer_advance(ctl_packer* packer, const ctl_drive* drive, uint32_t
     return knife;
 }
 
-/* The pulses of an axis that goes evenly from `from` to `to` in this slice; returns their number. */
-static int64_t emit(const ctl_board* board, ctl_axis axis, int64_t from, int64_t to)
+static void emit(ctl_packer* packer)
 {
-    const ctl_pace pace = {&board->port, axis, board->tick, board->slice_ticks, board->slice_ticks};
-    const ctl_train train = ctl_train_line(from, to, board->slice_ticks);
-    ctl_pace_give(&pace, &train);
-    return train.direction * (int64_t)train.count;
-}
-
-static void emit_feeds(ctl_packer* packer)
-{
+    const ctl_port* port = &packer->board->port;
     const int64_t film = ctl_feed_position(&packer->film);
     const int64_t infeed = ctl_feed_position(&packer->infeed);
-    packer->film_sent += emit(packer->board, CTL_AXIS_FILM, packer->film_at, film);
-    packer->infeed_sent += emit(packer->board, CTL_AXIS_INFEED, packer->infeed_at, infeed);
+    if (film != packer->film_at)
+        port->feed(port->context, CTL_AXIS_FILM, packer->film_at, film);
+    if (infeed != packer->infeed_at)
+        port->feed(port->context, CTL_AXIS_INFEED, packer->infeed_at, infeed);
     packer->film_at = film;
     packer->infeed_at = infeed;
+    packer->film_sent = ctl_whole_pulses(film);
+    packer->infeed_sent = ctl_whole_pulses(infeed);
 }
 
 static void read_sensors(ctl_packer* packer)
@@ -284,7 +279,7 @@ bool ctl_packer_slice(ctl_packer* packer, bool in_cycle)
 {
     if (packer->bank == NULL)
         return false;
-    emit_feeds(packer);
+    emit(packer);
     read_sensors(packer);
     return in_cycle && has_alarms(packer);
 }

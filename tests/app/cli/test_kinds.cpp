@@ -319,6 +319,18 @@ void CliKindsTest::motorAndShaftOfAKnife()
         if (law[u"law"_s].toString() == u"cycloidal")
             QVERIFY(strokes < 1e-5);
     }
+    for (const QString& cam : {u"point_cam"_s, u"segment_cam"_s}) {
+        const QString profile = u"profile --format json --kind "_s + cam;
+        QVERIFY(call(profile).json()[u"vibration"_s][u"cycle_error_mm"_s].isNull());
+        const double soft = call(profile + u" --natural-frequency-hz 4"_s)
+                                .json()[u"vibration"_s][u"cycle_error_mm"_s]
+                                .toDouble();
+        const double stiff = call(profile + u" --natural-frequency-hz 40"_s)
+                                 .json()[u"vibration"_s][u"cycle_error_mm"_s]
+                                 .toDouble();
+        // Far above the cycle the load lags by a / w^2 alone: a hundredth, but for the free vibration.
+        QVERIFY2(stiff > 0 && soft > 20 * stiff, qPrintable(QString::number(soft / stiff)));
+    }
 }
 
 void CliKindsTest::lawsCompared()

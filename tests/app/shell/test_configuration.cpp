@@ -142,6 +142,12 @@ tolerance_mm = 2
 auto_logout_minutes = 30
 operators_log_in = true
 hold_to_start = "on"
+[stops]
+ask_after_seconds = 90
+ideal_rate = 120.5
+shift_starts = "05:00 13:00"
+working_days = "12345"
+reasons = ["material", "material/Film change", "planned:Break"]
 [log]
 rules = ["campanel.link.debug=true", "campanel.*=false"]
 [kiosk]
@@ -161,6 +167,11 @@ screen = "linuxfb"
         QCOMPARE(settings.holdToStart(), u"on"_s);
         QCOMPARE(panel::sizeIn(read.values.text("display.size")), QSize(1280, 800));
         QVERIFY(read.values.isTrue("display.fullscreen"));
+        QCOMPARE(read.values.whole("stops.ask_after_seconds"), 90);
+        QCOMPARE(read.values.number("stops.ideal_rate"), 120.5);
+        QCOMPARE(read.values.text("stops.shift_starts"), u"05:00 13:00"_s);
+        QCOMPARE(read.values.text("stops.working_days"), u"12345"_s);
+        QCOMPARE(read.values.text("stops.reasons"), u"material\nmaterial/Film change\nplanned:Break"_s);
         QCOMPARE(read.values.text("log.rules"), u"campanel.link.debug=true\ncampanel.*=false"_s);
         QCOMPARE(shell::screenAccess(read.values.text("kiosk.screen")), shell::ScreenAccess::LinuxFb);
     }
@@ -209,6 +220,15 @@ screen = "linuxfb"
             "c.toml:6: display.size must be from \"800x480\" to \"9999x9999\"; it is ignored.");
         row("[log]\nrules = [\"campanel.link=on\"]", "c.toml:6: log.rules must be a list of rules such as "
                                                      "[\"campanel.link.debug=true\"]; it is ignored.");
+        row("[stops]\nshift_starts = \"06:10\"", "c.toml:6: stops.shift_starts must be from one to six "
+                                                 "quarters of an hour in their order, such as "
+                                                 "\"06:00 14:00 22:00\"; it is ignored.");
+        row("[stops]\nworking_days = 12345",
+            "c.toml:6: stops.working_days must be days in their order, such as "
+            "\"12345\" for Monday to Friday; it is ignored.");
+        row("[stops]\nreasons = [\"a\", \"a\"]",
+            "c.toml:6: stops.reasons must be a list such as [\"material\", \"material/Film change\", "
+            "\"planned:Break\"]; it is ignored.");
         row("[kiosk]\nscreen = \"x11\"",
             "c.toml:6: kiosk.screen must be one of \"auto\", \"eglfs\", \"linuxfb\"; it is ignored.");
         row("[screens]\nscreen = \"auto\"", "c.toml:5: there is no section [screens]; it is ignored.");

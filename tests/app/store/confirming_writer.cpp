@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Writes recipes, audit rows, alarms, copies and the working copy endlessly, and prints each confirmed one;
-// it is killed at any moment.
+// Writes recipes, audit rows, alarms, stops, copies and the working copy endlessly, and prints each confirmed
+// one; it is killed at any moment.
 #include "app/store/logs/alarm_log.h"
 #include "app/store/logs/audit_log.h"
+#include "app/store/logs/stop_log.h"
 #include "app/store/recipes/recipe_file.h"
 #include "app/store/recipes/recipe_library.h"
 #include "tests/support/test_program.h"
@@ -38,6 +39,10 @@ static int confirmingWriter(int argc, char** argv)
     if (!start)
         return EXIT_FAILURE;
     qint64 alarm = start->lastId;
+    const auto stops = store::StopLog::begin(database);
+    if (!stops)
+        return EXIT_FAILURE;
+    qint64 lastInterval = stops->last ? stops->last->id : 0;
     for (int round = 0;; ++round) {
         program::Recipe recipe;
         recipe.name = "Killed";
@@ -65,6 +70,17 @@ static int confirmingWriter(int argc, char** argv)
         if (!store::AlarmLog::write(database, {{raised}, {}, {}}))
             return EXIT_FAILURE;
         confirm("alarm", alarm);
+        store::StateInterval interval;
+        interval.id = ++lastInterval;
+        interval.stop = interval.id;
+        interval.beginMs = round;
+        interval.durationMs = 1;
+        store::StopRow stop;
+        stop.id = interval.id;
+        stop.reason = QStringLiteral("cleaning");
+        if (!store::StopLog::write(database, {{interval}, {stop}}))
+            return EXIT_FAILURE;
+        confirm("interval", interval.id);
         recipe.version = saved->version;
         if (!store::writeRecipe(recipe, QDir(folder).filePath(QStringLiteral("working_copy.json"))))
             return EXIT_FAILURE;

@@ -3,6 +3,7 @@
 // valid, and the audit chain verifies.
 #include "app/store/logs/alarm_log.h"
 #include "app/store/logs/audit_log.h"
+#include "app/store/logs/stop_log.h"
 #include "app/store/recipes/recipe_file.h"
 #include "app/store/recipes/recipe_library.h"
 #include "tests/support/test_program.h"
@@ -76,6 +77,10 @@ class TestKilled : public QObject {
         const auto alarms = store::AlarmLog::page(database, 0, 1);
         QVERIFY(alarms && alarms->size() == 1);
         QVERIFY(alarms->first().id >= m_confirmed["alarm"]);
+
+        const auto stops = store::StopLog::begin(database);
+        QVERIFY(stops && stops->last && stops->stop); // the interval and its reason
+        QVERIFY(stops->last->id >= m_confirmed["interval"]);
 
         if (m_confirmed.contains("file")) {
             const auto file =

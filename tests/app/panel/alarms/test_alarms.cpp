@@ -425,6 +425,26 @@ private slots:
         QCOMPARE(rig.logged()[0].detail, settings.notice());
     }
 
+    void aTouchscreenThatDisappearsIsAnAlarm()
+    {
+        AlarmRig rig;
+        rig.panel.connectIdle();
+        int touchscreens = 0;
+        rig.alarms->watch().setTouchscreenCount([&touchscreens] { return touchscreens; });
+        rig.alarms->check();
+        QCOMPARE(rig.live(), QStringList()); // a desktop
+        touchscreens = 1;
+        rig.alarms->check();
+        QCOMPARE(rig.live(), QStringList());
+        touchscreens = 0;
+        rig.alarms->check();
+        rig.alarms->check();
+        QCOMPARE(rig.live(), QStringList{"P-11 active calls"});
+        touchscreens = 1;
+        rig.alarms->check();
+        QCOMPARE(rig.live(), QStringList{"P-11 gone calls"});
+    }
+
     void memoryThatCannotBeOpenedStaysAnAlarm()
     {
         AlarmRig rig;

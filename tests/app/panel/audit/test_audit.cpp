@@ -154,6 +154,9 @@ private slots:
         AccessRig rig;
         rig.settings.setTheme(u"dark"_s);
         rig.settings.setBagToleranceMm(1.25);
+        rig.settings.set("stops.shift_starts", u"05:00 17:00"_s);
+        rig.settings.set("stops.working_days", u"12345"_s);
+        rig.settings.set("stops.reasons", u"Foil\nplanned:Break"_s);
         rig.settings.setSimulated(false);
         rig.settings.setPortName(u"/dev/ttyUSB0"_s);
         rig.settings.applyConnection();
@@ -168,6 +171,13 @@ private slots:
         QVERIFY(theme && theme->before == u"light" && theme->after == u"dark" && theme->who.isEmpty());
         const AuditEntry* tolerance = find(entries, u"setting.change"_s, u"bag_tolerance_mm"_s);
         QVERIFY(tolerance && tolerance->before == u"0.5" && tolerance->after == u"1.25");
+        const AuditEntry* shifts = find(entries, u"setting.change"_s, u"shift_starts"_s);
+        QVERIFY(shifts && shifts->before == u"06:00 14:00 22:00" && shifts->after == u"05:00 17:00");
+        QCOMPARE(panel::AuditWords::object(*shifts), u"start of the shifts"_s);
+        QVERIFY(find(entries, u"setting.change"_s, u"working_days"_s));
+        const AuditEntry* reasons = find(entries, u"setting.change"_s, u"reasons"_s);
+        QVERIFY(reasons);
+        QCOMPARE(panel::AuditWords::change(*reasons), u"Foil, planned:Break"_s);
         const AuditEntry* connection = find(entries, u"setting.change"_s, u"connection"_s);
         QVERIFY(connection);
         QCOMPARE(connection->after, u"/dev/ttyUSB0 115200 8N1 unit 1"_s);

@@ -406,6 +406,11 @@ private slots:
         rig.settings.setAutoLogoutMinutes(30);
         rig.settings.setOperatorsLogIn(true);
         rig.settings.setHoldToStart("on");
+        rig.settings.set("stops.ask_after_seconds", "90");
+        rig.settings.set("stops.ideal_rate", "120");
+        rig.settings.set("stops.shift_starts", "06:00 18:00");
+        rig.settings.set("stops.working_days", "12345");
+        rig.settings.set("stops.reasons", "material");
         rig.settings.beginFirstStart();
         rig.settings.applyConnection();
         panel::Display display(rig.machine, rig.settings, nullptr);
@@ -445,6 +450,8 @@ private slots:
         QCOMPARE(object->property("length").toDouble(), 250.0);
         QVERIFY(object->property("running").toBool());
         QVERIFY(object->property("connected").toBool());
+        QCOMPARE(object->property("laws").toInt(), 0); // solved only while somebody looks at them
+        rig.editor.watchLaws(true);
         QVERIFY(object->property("laws").toInt() > 5);
         rig.editor.bagLength()->set(260);
         QCOMPARE(object->property("length").toDouble(), 260.0);

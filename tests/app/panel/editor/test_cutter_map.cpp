@@ -2,6 +2,7 @@
 // The editor with sealing jaws: the refusals in words, the one-key mends, and the dot on the regime map.
 #include "app/panel/explain/explanations.h"
 #include "app/panel/maintenance/line_figures.h"
+#include "app/panel/stops/stops.h"
 #include "app/panel/words/recipe_words.h"
 #include "profile/cutter/jaw.h"
 #include "profile/cutter/paper_lengths.h"
@@ -205,8 +206,9 @@ private slots:
     void numbersAreExplained()
     {
         PanelRig rig;
-        panel::Explanations explanations({rig.machine, rig.editor, *rig.maintenance.figures(), rig.trends},
-                                         nullptr);
+        panel::Stops stops(rig.machine, rig.settings, rig.records, *rig.maintenance.files(), nullptr);
+        panel::Explanations explanations(
+            {rig.machine, rig.editor, *rig.maintenance.figures(), rig.trends, stops}, nullptr);
         QVERIFY(!explanations.ofVerdict().contains(panel::Explanations::SealTime));
         rig.editor.item(Field::ContactAngle)->set(20);
         rig.editor.minSealTime()->set(50);

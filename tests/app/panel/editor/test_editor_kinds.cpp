@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The editor with the kinds other than the rotary cutter: its fields, choices, undo, law comparison.
+#include "app/panel/explain/explanations.h"
+#include "app/panel/maintenance/line_figures.h"
+#include "app/panel/recipe/choice_model.h"
 #include "profile/laws/laws.h"
 #include "tests/app/panel/kind_steps.h"
 #include "tests/support/test_program.h"
@@ -7,12 +10,14 @@
 #include <QSignalSpy>
 #include <QTest>
 
+#include <algorithm>
 #include <cmath>
 
 namespace test_editor_kinds {
 
 using namespace campanel;
 using namespace campanel::test;
+using panel::ChoiceRow;
 using panel::ProgramDownload;
 
 class TestEditorKinds : public QObject {
@@ -95,7 +100,7 @@ private slots:
             rig.editor.newProgram(kind);
         QCOMPARE(rig.editor.kind(), Editor::Kind::RotaryCutter);
         QVERIFY(!rig.editor.canUndo());
-        QCOMPARE(rig.editor.kindNames().size(), 6);
+        QCOMPARE(rig.editor.kinds().size(), 6);
         begin(rig, ProgramKind::PositionMove);
         for (const auto& [row, option] : {std::pair{-1, 0}, {0, -1}, {0, 2}, {9, 0}})
             rig.editor.setChoice(row, option);
@@ -132,6 +137,25 @@ private slots:
         QVERIFY(fields().contains("distance_mm"));
     }
 
+    // What the controller does not execute is no choice; a recipe that has it keeps it in sight.
+    void slowControllersOfferNoIntervals()
+    {
+        program::Recipe recipe = program::defaultRecipe(ProgramKind::SpeedMove);
+        modbus::Identity controller;
+        const auto options = [&] {
+            const auto rows = ChoiceRow::rows(recipe, controller);
+            const auto row = std::ranges::find(rows, program::Choice::Execution, &ChoiceRow::choice);
+            return row == rows.end() ? QStringList() : row->options;
+        };
+        QCOMPARE(options(), QStringList({"Cam points", "Intervals"}));
+        controller.tableLayouts =
+            static_cast<std::uint16_t>(1u << static_cast<unsigned>(modbus::TableLayout::CamPoints));
+        QCOMPARE(options(), QStringList({"Cam points"}));
+        program::setChoice(recipe.program, program::Choice::Execution,
+                           static_cast<std::uint16_t>(profile::Execution::Intervals));
+        QCOMPARE(options(), QStringList({"Cam points", "Intervals"}));
+    }
+
     void numbersOfThePaper()
     {
         PanelRig rig;
@@ -145,6 +169,30 @@ private slots:
         QCOMPARE(rig.editor.lawTitle(), "Speed law");
         QVERIFY2(rig.editor.peakText().contains("5400 r/min · 14.14 m/s²"),
                  qPrintable(rig.editor.peakText()));
+    }
+
+    void vibrationIsExplained()
+    {
+        PanelRig rig;
+        panel::Stops stops(rig.machine, rig.settings, rig.records, *rig.maintenance.files(), nullptr);
+        const panel::Explanations explanations(
+            {rig.machine, rig.editor, *rig.maintenance.figures(), rig.trends, stops}, nullptr);
+        constexpr int topic = panel::Explanations::ShaftVibration;
+        for (const ProgramKind kind :
+             {ProgramKind::PointCam, ProgramKind::SegmentCam, ProgramKind::PositionMove}) {
+            begin(rig, kind);
+            QVERIFY(!explanations.ofVerdict().contains(topic));
+            rig.editor.item(Field::NaturalFrequency)->set(4);
+            QVERIFY(explanations.ofVerdict().contains(topic));
+            const panel::Explanation found = explanations.of(topic);
+            const bool isCam = kind != ProgramKind::PositionMove;
+            QCOMPARE(found.title, isCam ? "Vibration over the cycle" : "Vibration after the move");
+            QVERIFY2(found.text().contains("f0 = 4 Hz"), qPrintable(found.text()));
+            const double expected = program::vibrationMm(rig.editor.recipe(), *rig.editor.solution().solved);
+            QCOMPARE(found.value, panel::Format().compact(expected, 0, 3));
+            QVERIFY(expected > 0.1);
+            rig.editor.item(Field::NaturalFrequency)->set(0);
+        }
     }
 
     void lawsAreComparedBehindTheCurves()

@@ -228,7 +228,7 @@ private slots:
     {
         PanelRig rig;
         rig.editor.ramps()->choose(RampControl::Gentle);
-        rig.editor.item(profile::Field::NaturalFrequency)->set(25);
+        rig.editor.item(profile::Field::NaturalFrequency)->set(4);
         rig.editor.watchLaws(true);
         panel::LawModel* laws = rig.editor.laws();
         QCOMPARE(laws->count(), static_cast<int>(profile::laws().size()));

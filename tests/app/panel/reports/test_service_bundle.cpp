@@ -14,6 +14,9 @@
 #include <QSignalSpy>
 #include <QTimeZone>
 
+#include <algorithm>
+#include <utility>
+
 namespace test_service_bundle {
 
 using namespace campanel;
@@ -28,7 +31,9 @@ namespace {
 constexpr qint64 maxBytes = 50'000'000;
 
 struct BundleRig : AccessRig {
-    ServiceBundle bundle{{machine, editor, records, *maintenance.figures(), *maintenance.files()}, nullptr};
+    ServiceBundle bundle{
+        {machine, editor, records, *maintenance.figures(), *maintenance.files(), *maintenance.frames()},
+        nullptr};
 
     BundleRig()
     {
@@ -46,6 +51,9 @@ struct BundleRig : AccessRig {
         QSignalSpy offered(&bundle, &ServiceBundle::offered);
         bundle.make();
         emit link.figuresReported({});
+        for (const link::ReadRequest& request : std::exchange(link.reads, {}))
+            emit link.registersRead(
+                {request, link::ReadEnd::Done, std::vector<std::uint16_t>(request.count, 7), now, {}});
         panel::ReportFiles& files = *maintenance.files();
         if (!QTest::qWaitFor(
                 [&] { return offered.count() == 1 && !files.busy() && files.places()->count() == 1; }))
@@ -127,6 +135,45 @@ private slots:
             const QByteArray csv = entry(archive, name);
             QVERIFY2(csv.endsWith('\n') && !csv.contains('\r'), name);
         }
+    }
+
+    void theMomentOfAFaultIsInIt()
+    {
+        BundleRig rig;
+        rig.connectRunning();
+        QByteArray screen("before");
+        rig.bundle.setScreen([&screen] { return screen; });
+        QVERIFY(entry(rig.make(), "screen_at_fault.png").isEmpty());
+
+        rig.link.status.faultBits = 1;
+        rig.link.sendStatus(rig.now);
+        QVERIFY(rig.link.areFramesWatched);
+        modbus::FrameRecord frame;
+        frame.number = 3;
+        for (const std::uint8_t byte : std::initializer_list<std::uint8_t>{1, 3, 2, 0, 7})
+            frame.data[frame.length++] = byte;
+        emit rig.link.framesRecorded({frame});
+        QVERIFY(!rig.link.areFramesWatched);
+        screen = "with the alarm";
+        QTest::qWait(600);
+        screen = "later";
+        rig.link.sendStatus(rig.now); // the same fault
+        const QString archive = rig.make();
+        QCOMPARE(entry(archive, "screen_at_fault.png"), QByteArray("with the alarm"));
+        QVERIFY(entry(archive, "frames_before_fault.txt").contains("01 03 02 00 07"));
+    }
+
+    void parametersAreReadForIt()
+    {
+        BundleRig rig;
+        rig.connectRunning();
+        const auto rows = lines(entry(rig.make(), "parameters.csv"));
+        const auto isParameter = [](const modbus::RegisterInfo& info) {
+            return info.name.starts_with("parameter.");
+        };
+        QCOMPARE(rows.size() - 1, std::ranges::count_if(modbus::registers(), isParameter));
+        QCOMPARE(rows[0], QByteArray("parameter,value"));
+        QVERIFY(rows[1].startsWith("parameter."));
     }
 
     void whatALimitForbidsHasNoTable()

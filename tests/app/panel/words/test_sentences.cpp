@@ -160,6 +160,13 @@ private slots:
             const QString text = ConnectionSentences::error(error);
             QVERIFY2(isWhole(text) && text.contains("unchanged"), qPrintable(text));
         }
+        error.kind = modbus::DownloadErrorKind::ImageTooLong;
+        error.actual = 6232;
+        error.expected = 4096;
+        QVERIFY(ConnectionSentences::error(error).startsWith(
+            "The table needs 6232 registers, the controller has 4096;"));
+        error.kind = modbus::DownloadErrorKind::IntervalsNotSupported;
+        QVERIFY(ConnectionSentences::error(error).endsWith("Choose cam points."));
         error.kind = modbus::DownloadErrorKind::TransferRefused;
         QVERIFY(ConnectionSentences::error(error).contains("Row 17 of the table"));
         error.kind = modbus::DownloadErrorKind::CommandRefused;

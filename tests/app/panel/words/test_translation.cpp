@@ -27,11 +27,12 @@ QStringList placesIn(const QString& text)
     QStringList places;
     for (const QRegularExpressionMatch& match : place.globalMatch(text))
         places << match.captured();
+    places.removeDuplicates(); // a text has each place once in every plural form
     places.sort();
     return places;
 }
 
-// Returns the contexts and texts of a file, in their order.
+// Returns "context: text" of a file, sorted.
 QStringList sourcesIn(const QString& path)
 {
     QFile file(path);
@@ -39,11 +40,16 @@ QStringList sourcesIn(const QString& path)
     if (!file.open(QIODevice::ReadOnly))
         return sources;
     QXmlStreamReader xml(&file);
+    QString context;
     while (!xml.atEnd()) {
-        if (xml.readNext() == QXmlStreamReader::StartElement &&
-            (xml.name() == QLatin1String("name") || xml.name() == QLatin1String("source")))
-            sources += xml.readElementText();
+        if (xml.readNext() != QXmlStreamReader::StartElement)
+            continue;
+        if (xml.name() == QLatin1String("name"))
+            context = xml.readElementText();
+        else if (xml.name() == QLatin1String("source"))
+            sources += context + ": " + xml.readElementText();
     }
+    sources.sort();
     return sources;
 }
 

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/panel/reports/shift_report.h"
+
+#include "app/panel/kit/engine_instances.h"
+#include "app/panel/kit/format.h"
+#include "app/panel/stops/stops.h"
+
+#include <QCoreApplication>
+
+using namespace Qt::StringLiterals;
+
+namespace campanel::panel {
+
+namespace {
+
+QString shareText(double share)
+{
+    const QString number = Format().number(100 * share, 1);
+    return number == Format::unknownText() ? number : number + u" %"_s;
+}
+
+QString pieceText(std::int64_t count)
+{
+    return Format().grouped(static_cast<double>(count), 0);
+}
+
+} // namespace
+
+ShiftReport::ShiftReport(Stops& stops, ReportFiles& files, QObject* parent)
+    : QObject(parent)
+    , m_stops(stops)
+    , m_files(files)
+    , m_printer([](const ReportData&) { return QByteArray(); })
+{
+}
+
+ShiftReport* ShiftReport::create(QQmlEngine* qmlEngine, QJSEngine*)
+{
+    return attachedInstance<ShiftReport>(qmlEngine);
+}
+
+void ShiftReport::offer()
+{
+    const QByteArray pdf = m_printer(data());
+    const QDateTime begin = QDateTime::fromMSecsSinceEpoch(m_stops.shift()->summary().shift.beginMs);
+    m_files.offer(
+        {{tr("shift %1", "name of a file: date and time").arg(begin.toString(u"yyyy-MM-dd HH-mm"_s)),
+          u"pdf"_s, [pdf] { return pdf; }}});
+}
+
+ReportData ShiftReport::data() const
+{
+    ReportData data;
+    data.title = tr("Shift report");
+    data.recipe = m_stops.shift()->title();
+    data.footer = u"CamPanel %1"_s.arg(QCoreApplication::applicationVersion());
+    data.pageText = tr("Page %1");
+    data.isFeasible = true;
+    data.sections = {figures(), reasons(), stops()};
+    return data;
+}
+
+ReportSection ShiftReport::figures() const
+{
+    const ShiftView& shift = *m_stops.shift();
+    const ShiftSummary& summary = shift.summary();
+    const Production& made = summary.production;
+    ReportSection section{tr("Effectiveness"), {}, {}};
+    section.rows = {{tr("OEE"), shareText(shift.oee())},
+                    {tr("Availability"), shareText(shift.availability())},
+                    {tr("Performance"), shareText(shift.performance())},
+                    {tr("Quality"), shareText(shift.quality())},
+                    {tr("Run time"), StopWords::duration(made.runMs)},
+                    {tr("Planned time"), StopWords::duration(made.plannedMs)},
+                    {tr("Stops"), StopWords::duration(summary.stopMs)},
+                    {tr("Planned stops"), StopWords::duration(summary.plannedStopMs)},
+                    {tr("Pieces"), pieceText(made.pieces)},
+                    {tr("Good pieces"), pieceText(made.pieces - made.rejects())},
+                    {tr("Out of tolerance"), pieceText(made.outOfTolerance)},
+                    {tr("Start-up scrap"), pieceText(made.startUpScrap)},
+                    {tr("Skipped cuts"), pieceText(made.skipped)}};
+    section.lines = {shift.timesText()};
+    if (!shift.note().isEmpty())
+        section.lines << shift.note();
+    return section;
+}
+
+ReportSection ShiftReport::reasons() const
+{
+    ReportSection section{tr("Reasons by time"), {}, {}};
+    for (const ReasonRow& row : m_stops.shift()->reasons()->rows())
+        section.rows.append(
+            {row.isPlanned() ? tr("%1 (planned)").arg(row.text()) : row.text(), row.durationText()});
+    if (section.rows.isEmpty())
+        section.lines = {tr("No stop in this shift.")};
+    return section;
+}
+
+ReportSection ShiftReport::stops() const
+{
+    ReportSection section{tr("Stops"), {}, {}};
+    const QList<StopListRow>& rows = m_stops.shift()->stops()->rows();
+    for (auto row = rows.crbegin(); row != rows.crend(); ++row)
+        section.rows.append({tr("%1, %2", "time, duration").arg(row->time(), row->durationText()),
+                             row->by().isEmpty()
+                                 ? row->reasonText()
+                                 : tr("%1 (%2)", "reason, person").arg(row->reasonText(), row->by())});
+    return section;
+}
+
+} // namespace campanel::panel

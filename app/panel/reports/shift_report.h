@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+// `ShiftReport` in QML: the displayed shift as a PDF: effectiveness, reasons, stops.
+#pragma once
+
+#include "app/panel/reports/commissioning.h"
+
+namespace campanel::panel {
+
+class ShiftView;
+class Stops;
+
+class ShiftReport : public QObject {
+    Q_OBJECT
+    QML_ELEMENT
+    QML_SINGLETON
+
+public:
+    // All arguments must outlive the object.
+    ShiftReport(Stops& stops, ReportFiles& files, QObject* parent);
+
+    static ShiftReport* create(QQmlEngine* qmlEngine, QJSEngine* jsEngine);
+
+    void setPrinter(Commissioning::Printer printer) { m_printer = std::move(printer); }
+
+    // Prints the displayed shift and offers it to the files.
+    Q_INVOKABLE void offer();
+
+    [[nodiscard]] ReportData data() const;
+
+private:
+    [[nodiscard]] ReportSection figures() const;
+    [[nodiscard]] ReportSection reasons() const;
+    [[nodiscard]] ReportSection stops() const;
+
+    Stops& m_stops;
+    ReportFiles& m_files;
+    Commissioning::Printer m_printer;
+};
+
+} // namespace campanel::panel

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/panel/stops/machine_watch.h"
+
+#include "app/panel/controller/controller.h"
+#include "app/panel/settings/settings.h"
+#include "app/panel/words/alarm_catalogue.h"
+#include "app/program/solved_program.h"
+#include "profile/cutter/limits.h"
+
+#include <QDateTime>
+
+#include <array>
+#include <cmath>
+
+namespace campanel::panel {
+
+using store::StateInterval;
+
+namespace {
+
+// The warnings that end a run.
+constexpr std::array endsOfRun{modbus::WarningBit::EmergencyStop,  modbus::WarningBit::MarksLost,
+                               modbus::WarningBit::MarkPitchWrong, modbus::WarningBit::CorrectionAtLimit,
+                               modbus::WarningBit::ProductTooLong, modbus::WarningBit::TooManySkips};
+
+static_assert(static_cast<int>(StateInterval::State::Fault) == static_cast<int>(modbus::State::Fault));
+
+// Returns the code of the alarm that stopped the machine; empty: none.
+QString alarmOf(const modbus::StatusBlock& status)
+{
+    if (status.state == modbus::State::Fault) {
+        for (const auto& entry : modbus::faultBits) {
+            const auto bit = static_cast<modbus::FaultBit>(entry.value);
+            if (status.has(bit))
+                return AlarmCatalogue::of(bit).code();
+        }
+        return AlarmCatalogue::unknownFault().code();
+    }
+    for (const modbus::WarningBit bit : endsOfRun) {
+        if (status.has(bit))
+            return AlarmCatalogue::of(bit).code();
+    }
+    return {};
+}
+
+// Returns the fastest rate of a cutter on this machine; of other programs their own rate; 0: unknown.
+double fastestPerMin(const ControllerProgram& program, const std::optional<profile::Machine>& machine)
+{
+    program::Recipe recipe = program.recipe;
+    if (machine)
+        recipe.machine = *machine;
+    if (recipe.isCutter()) {
+        const auto solved = program::solveProgram(recipe);
+        const auto fastest = solved && solved->cutter ? profile::fastestRate(*solved->cutter) : std::nullopt;
+        if (fastest)
+            return fastest->rateBagsPerMin;
+    }
+    constexpr double secondsPerMinute = 60;
+    return program.cycleSeconds > 0 ? secondsPerMinute / program.cycleSeconds : 0;
+}
+
+// Returns how far a count of the controller has come; 0 for the first one and after a restart.
+qint64 advanceOf(std::optional<std::uint32_t>& last, std::uint32_t count)
+{
+    const std::optional before = std::exchange(last, count);
+    return before && count > *before ? count - *before : 0;
+}
+
+} // namespace
+
+MachineWatch::MachineWatch(Controller& machine, Settings& settings, StateBook& book)
+    : m_machine(machine)
+    , m_settings(settings)
+    , m_book(book)
+    , m_clock(&QDateTime::currentMSecsSinceEpoch)
+{
+    // Connected after the machine, which handles the signal first.
+    connect(&machine.link(), &link::Link::statusReceived, this, &MachineWatch::takeStatus);
+    connect(machine.packing(), &PackingLine::bagRecorded, this, &MachineWatch::takeBag);
+    connect(machine.packing(), &PackingLine::changed, this, &MachineWatch::takeSkippedCuts);
+    // What was made meanwhile is not known.
+    connect(&machine, &Controller::connectionChanged, this, [this] {
+        if (m_machine.isConnected())
+            return;
+        m_pieces.reset();
+        m_cutsSkipped.reset();
+    });
+}
+
+StateBook::Now MachineWatch::now() const
+{
+    return {m_machine.now(), m_clock()};
+}
+
+void MachineWatch::takeStatus()
+{
+    const auto& status = m_machine.status();
+    if (!status || !status->state)
+        return;
+    const auto& program = m_machine.program();
+    const bool isKnown = program && program->generation == status->generation;
+    if (status->activeCrc && !isKnown)
+        return; // its program is being read
+    StateBook::Observation seen;
+    seen.state = stateOf(*status);
+    seen.cycles = status->cycleCount;
+    seen.ownReason =
+        seen.state == StateInterval::State::Suspended ? QString::fromLatin1(waitingReason) : alarmOf(*status);
+    if (isKnown) {
+        seen.program = QString::fromStdString(program->name);
+        seen.version = std::isfinite(program->version) ? static_cast<int>(program->version) : 0;
+        seen.idealPerMin = idealPerMin();
+    }
+    m_book.note(seen, now());
+    countPieces(*status);
+    emit observed();
+}
+
+StateInterval::State MachineWatch::stateOf(const modbus::StatusBlock& status)
+{
+    const auto& line = m_machine.packing()->status();
+    const bool waits = status.state == modbus::State::Running && m_machine.packing()->fresh() &&
+                       line->filmGate == modbus::GateState::Standing;
+    if (!waits)
+        m_waitsSince.reset();
+    else if (!m_waitsSince)
+        m_waitsSince = m_machine.now();
+    const bool isSuspended = m_waitsSince && m_machine.now() - *m_waitsSince >= suspendedAfter;
+    return isSuspended ? StateInterval::State::Suspended : static_cast<StateInterval::State>(*status.state);
+}
+
+double MachineWatch::idealPerMin()
+{
+    const double set = m_settings.values().number("stops.ideal_rate");
+    if (set > 0)
+        return set;
+    const auto& program = m_machine.program();
+    const auto& machine = m_machine.torque()->machineData();
+    if (program != m_program || machine != m_machineData) {
+        m_program = program;
+        m_machineData = machine;
+        m_fastestPerMin = fastestPerMin(*program, machine);
+    }
+    return m_fastestPerMin;
+}
+
+// Counts what a controller does not record: bags of an older one, strokes, cycles.
+void MachineWatch::countPieces(const modbus::StatusBlock& status)
+{
+    const bool isCutter = status.programKind == modbus::ProgramKind::RotaryCutter;
+    const qint64 made = advanceOf(m_pieces, isCutter ? status.bagCount : status.cycleCount);
+    if (made == 0 || m_machine.packing()->recordsBags())
+        return;
+    const bool isBadBag =
+        isCutter && status.bagDeviationMm && std::abs(*status.bagDeviationMm) > m_settings.bagToleranceMm();
+    const bool isBadStroke = status.press && status.press->result != modbus::StrokeResult::Ok &&
+                             status.press->result != modbus::StrokeResult::None;
+    m_book.add({made, isBadBag || isBadStroke ? 1 : 0, 0, 0});
+}
+
+void MachineWatch::takeBag(const modbus::BagRecord& bag)
+{
+    const bool isScrap = bag.isStartUp || bag.isChangeOver;
+    const bool isBad = !isScrap && std::abs(bag.deviationMm) > m_settings.bagToleranceMm();
+    m_book.add({1, isBad ? 1 : 0, isScrap ? 1 : 0, 0});
+}
+
+void MachineWatch::takeSkippedCuts()
+{
+    const auto& line = m_machine.packing()->status();
+    if (!line)
+        return;
+    if (const qint64 skipped = advanceOf(m_cutsSkipped, line->cutsSkipped); skipped > 0)
+        m_book.add({0, 0, 0, skipped});
+}
+
+} // namespace campanel::panel

@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/panel/stops/stops.h"
+
+#include "app/panel/controller/controller.h"
+#include "app/panel/kit/engine_instances.h"
+#include "app/panel/kit/language_notifier.h"
+#include "app/panel/records/database_service.h"
+#include "app/panel/settings/settings.h"
+
+#include <QDateTime>
+
+#include <utility>
+
+using namespace Qt::StringLiterals;
+using namespace std::chrono_literals;
+
+namespace campanel::panel {
+
+using store::StopChanges;
+using store::StopLog;
+using store::StopRow;
+using store::StoreError;
+
+namespace {
+
+constexpr auto stopCheckPeriod = 1s;
+constexpr auto retryDelay = 5s; // after a failed write
+constexpr qint64 msPerAskedSecond = 1000;
+
+} // namespace
+
+Stops::Stops(Controller& machine, Settings& settings, DatabaseService& records, ReportFiles& files,
+             QObject* parent)
+    : QObject(parent)
+    , m_machine(machine)
+    , m_settings(settings)
+    , m_records(records)
+    , m_watch(machine, settings, m_book)
+    , m_setup(settings)
+    , m_keys(settings, this)
+    , m_shift(*this, settings, records, files)
+{
+    connect(&m_watch, &MachineWatch::observed, this, &Stops::updatePresent);
+    connect(&m_timer, &QTimer::timeout, this, &Stops::check);
+    m_timer.start(stopCheckPeriod);
+    connect(&m_keys, &ReasonKeys::chosen, this,
+            [this](const StopReason& reason) { answer(m_book.presentStop().id, reason); });
+    connect(&settings, &Settings::changed, this, &Stops::updatePresent);
+    connect(LanguageNotifier::ofApplication(), &LanguageNotifier::languageChanged, this, [this] {
+        updatePresent();
+        emit presentChanged();
+        m_shift.retranslate();
+    });
+    records.store().run(
+        this, [](store::Database& database) { return StopLog::begin(database); },
+        [this](const tl::expected<StopLog::Start, StoreError>& start) {
+            if (start)
+                m_book.begin(*start);
+            else
+                m_records.reportError(start.error());
+        });
+}
+
+Stops::~Stops()
+{
+    const StopChanges changes = m_book.takeChanges();
+    if (m_book.isBegun() && !changes.isEmpty())
+        m_records.store().run(
+            nullptr, [changes](store::Database& database) { return StopLog::write(database, changes); },
+            [](const tl::expected<void, StoreError>&) {});
+}
+
+Stops* Stops::create(QQmlEngine* qmlEngine, QJSEngine*)
+{
+    return attachedInstance<Stops>(qmlEngine);
+}
+
+void Stops::setWallClock(const MachineWatch::WallClock& clock)
+{
+    m_watch.setWallClock(clock);
+    m_shift.showPresent();
+}
+
+void Stops::check()
+{
+    m_book.check(m_watch.now());
+    updatePresent();
+    const auto sinceWrite = m_machine.now() - m_writtenAt;
+    const bool isDue = m_book.hasNews() ? !m_hasFailed || sinceWrite >= retryDelay
+                                        : m_book.present() && sinceWrite >= writePeriod;
+    if (isDue && m_writes == 0)
+        write();
+}
+
+void Stops::write()
+{
+    if (!m_book.isBegun())
+        return;
+    const StopChanges changes = m_book.takeChanges();
+    if (changes.isEmpty())
+        return;
+    ++m_writes;
+    m_writtenAt = m_machine.now();
+    m_records.store().run(
+        this, [changes](store::Database& database) { return StopLog::write(database, changes); },
+        [this, changes](const tl::expected<void, StoreError>& written) { takeWritten(changes, written); });
+}
+
+void Stops::takeWritten(const StopChanges& changes, const tl::expected<void, StoreError>& written)
+{
+    --m_writes;
+    const bool hadFailed = std::exchange(m_hasFailed, !written);
+    if (written)
+        return;
+    m_book.putBack(changes);
+    if (!hadFailed)
+        m_records.reportError(written.error()); // only one report
+}
+
+void Stops::postpone()
+{
+    m_postponed = m_book.presentStop().id;
+    m_keys.close();
+    updatePresent();
+}
+
+bool Stops::answer(qint64 stop, const StopReason& reason)
+{
+    if (stop == 0 || !m_machine.accessCheck().require(Level::Operator))
+        return false;
+    const StopRow answer{stop, reason.key(), reason.isPlanned, m_person, nowMs()};
+    const StopRow before = m_book.presentStop();
+    if (!m_book.answer(answer)) {
+        answerEarlier(answer);
+        return true;
+    }
+    noteReplaced(before, answer);
+    updatePresent();
+    write();
+    return true;
+}
+
+void Stops::answerEarlier(const StopRow& answer)
+{
+    write(); // an earlier answer of this stop
+    struct Outcome {
+        std::optional<StopRow> before;
+        tl::expected<void, StoreError> written;
+    };
+    m_records.store().run(
+        this,
+        [answer](store::Database& database) {
+            const auto before = StopLog::stop(database, answer.id);
+            if (!before)
+                return Outcome{{}, tl::unexpected(before.error())};
+            return Outcome{*before, StopLog::write(database, {{}, {answer}})};
+        },
+        [this, answer](const Outcome& outcome) {
+            if (!outcome.written)
+                return m_records.reportError(outcome.written.error());
+            if (outcome.before)
+                noteReplaced(*outcome.before, answer);
+        });
+}
+
+void Stops::noteReplaced(const StopRow& before, const StopRow& answer)
+{
+    if (before.id == 0 || before.reason.isEmpty() || before.reason == answer.reason)
+        return;
+    store::AuditEntry entry;
+    entry.what = u"stop.reason"_s;
+    entry.object = QDateTime::fromMSecsSinceEpoch(before.answeredMs, Qt::UTC).toString(Qt::ISODate);
+    entry.before = before.reason;
+    entry.after = answer.reason;
+    entry.outcome = u"done"_s;
+    emit noted(entry);
+}
+
+QString Stops::reasonText() const
+{
+    return m_present.reason.isEmpty() ? QString() : StopWords::reason(m_present.reason);
+}
+
+void Stops::updatePresent()
+{
+    Present present;
+    const StopRow stop = m_book.presentStop();
+    if (stop.id != 0) {
+        const qint64 afterMs = m_settings.values().whole("stops.ask_after_seconds") * msPerAskedSecond;
+        const bool hasProgram = !m_book.present()->program.isEmpty();
+        present.reason = stop.reason;
+        present.isAsking =
+            stop.reason.isEmpty() && stop.id != m_postponed && hasProgram && m_book.stopMs() >= afterMs;
+        present.sinceText =
+            tr("Since %1, %2", "time, duration")
+                .arg(QDateTime::fromMSecsSinceEpoch(m_book.stopBeginMs()).toString(u"HH:mm"_s),
+                     StopWords::duration(m_book.stopMs()));
+    }
+    if (present == m_present)
+        return;
+    const bool hasEnded = m_present.isAsking && !present.isAsking;
+    m_present = present;
+    if (hasEnded)
+        m_keys.close();
+    emit presentChanged();
+}
+
+} // namespace campanel::panel

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: Apache-2.0
+// `Stops` in QML: records the machine's states, asks for the reason of a stop, and shows shifts. The log is
+// in the main database; nothing here waits for the disk.
+#pragma once
+
+#include "app/panel/stops/machine_watch.h"
+#include "app/panel/stops/shift_view.h"
+#include "app/panel/stops/stop_setup.h"
+#include "app/store/logs/audit_log.h"
+
+#include <QObject>
+#include <QTimer>
+#include <QtQml/qqmlregistration.h>
+
+class QJSEngine;
+class QQmlEngine;
+
+namespace campanel::panel {
+
+class Stops : public QObject {
+    Q_OBJECT
+    QML_ELEMENT
+    QML_SINGLETON
+    // True while the present stop has taken the set time and has no reason.
+    Q_PROPERTY(bool asking READ asking NOTIFY presentChanged FINAL)
+    // "Since 14:05, 3 min".
+    Q_PROPERTY(QString sinceText READ sinceText NOTIFY presentChanged FINAL)
+    // The reason of the present stop as it is stored, and in words; empty while the machine produces or
+    // nobody has given one.
+    Q_PROPERTY(QString reason READ reason NOTIFY presentChanged FINAL)
+    Q_PROPERTY(QString reasonText READ reasonText NOTIFY presentChanged FINAL)
+    // The keys that answer the question.
+    Q_PROPERTY(campanel::panel::ReasonKeys* keys READ keys CONSTANT FINAL)
+    Q_PROPERTY(campanel::panel::ShiftView* shift READ shift CONSTANT FINAL)
+    Q_PROPERTY(campanel::panel::StopSetup* setup READ setup CONSTANT FINAL)
+
+public:
+    // The open interval is written again after this time: a power cut loses no more of it.
+    static constexpr std::chrono::seconds writePeriod{60};
+
+    // All arguments must outlive the object. The log begins when the records are opened.
+    Stops(Controller& machine, Settings& settings, DatabaseService& records, ReportFiles& files,
+          QObject* parent);
+    // Writes the pending changes.
+    ~Stops() override;
+
+    static Stops* create(QQmlEngine* qmlEngine, QJSEngine* jsEngine);
+
+    void setWallClock(const MachineWatch::WallClock& clock);
+    // Sets the person who answers; empty: unknown.
+    void setPerson(const QString& person) { m_person = person; }
+    [[nodiscard]] qint64 nowMs() const { return m_watch.now().utcMs; }
+
+    [[nodiscard]] bool asking() const { return m_present.isAsking; }
+    [[nodiscard]] QString sinceText() const { return m_present.sinceText; }
+    [[nodiscard]] QString reason() const { return m_present.reason; }
+    [[nodiscard]] QString reasonText() const;
+    [[nodiscard]] ReasonKeys* keys() { return &m_keys; }
+    [[nodiscard]] ShiftView* shift() { return &m_shift; }
+    [[nodiscard]] StopSetup* setup() { return &m_setup; }
+    [[nodiscard]] const StateBook& book() const { return m_book; }
+
+    // Closes the question of the present stop; it stays without a reason, and can be answered later.
+    Q_INVOKABLE void postpone();
+    // Sets the reason of a stop, for operators. Returns false when the access check refuses.
+    bool answer(qint64 stop, const StopReason& reason);
+    // Writes the changes and the present interval.
+    void write();
+    // Writes what is due, and asks; runs every second.
+    void check();
+
+signals:
+    void presentChanged();
+    // Emitted for the audit trail: a reason was replaced.
+    void noted(const campanel::store::AuditEntry& entry);
+
+private:
+    struct Present {
+        bool isAsking = false;
+        QString sinceText;
+        QString reason;
+
+        bool operator==(const Present&) const = default;
+    };
+
+    void takeWritten(const store::StopChanges& changes, const tl::expected<void, store::StoreError>& written);
+    void answerEarlier(const store::StopRow& answer);
+    void noteReplaced(const store::StopRow& before, const store::StopRow& answer);
+    void updatePresent();
+
+    Controller& m_machine;
+    Settings& m_settings;
+    DatabaseService& m_records;
+    QString m_person;
+    StateBook m_book;
+    MachineWatch m_watch;
+    StopSetup m_setup;
+    ReasonKeys m_keys;
+    ShiftView m_shift;
+    QTimer m_timer;
+    Present m_present;
+    qint64 m_postponed = 0; // stop
+    link::SteadyTime m_writtenAt{};
+    int m_writes = 0;         // under way
+    bool m_hasFailed = false; // the last write
+};
+
+} // namespace campanel::panel

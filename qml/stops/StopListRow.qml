@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+// One stop: begin and duration, reason, who gave it.
+pragma ComponentBehavior: Bound
+import QtQuick
+import QtQuick.Templates as T
+import CamPanel.Theme
+import CamPanel.Controls
+
+T.AbstractButton {
+    id: row
+
+    required property string time
+    required property string durationText
+    required property string reasonText
+    required property string stateText
+    required property string by
+    required property bool isOpen
+
+    implicitHeight: Theme.size.touch
+    Accessible.role: Accessible.Button
+    Accessible.name: row.time
+
+    background: Rectangle {
+        radius: Theme.size.radius
+        color: row.down ? Theme.color.touchTint : Theme.color.inset
+        border { width: Theme.size.hairline; color: Theme.color.line }
+    }
+    Item {
+        anchors.fill: parent
+        Column {
+            id: first
+            anchors { left: parent.left; leftMargin: Theme.size.padding; verticalCenter: parent.verticalCenter }
+            width: Math.round(parent.width * 0.26)
+            Label {
+                width: parent.width
+                text: row.time
+                fontSizeMode: Text.HorizontalFit
+                minimumPixelSize: Theme.size.caption - 3
+                color: Theme.color.secondaryInk
+                font.pixelSize: Theme.size.caption
+            }
+            Label {
+                width: parent.width
+                text: row.durationText
+                fontSizeMode: Text.HorizontalFit
+                minimumPixelSize: Theme.size.caption - 2
+                font.weight: Font.DemiBold
+            }
+        }
+        Column {
+            anchors { left: first.right; leftMargin: Theme.size.padding; right: arrow.left; rightMargin: Theme.size.spacing; verticalCenter: parent.verticalCenter }
+            Label {
+                width: parent.width
+                fontSizeMode: Text.HorizontalFit
+                minimumPixelSize: Theme.size.caption - 3
+                text: row.reasonText
+                color: row.isOpen ? Theme.color.warning : Theme.color.ink
+                font.weight: Font.DemiBold
+            }
+            Label {
+                width: parent.width
+                fontSizeMode: Text.HorizontalFit
+                minimumPixelSize: Theme.size.caption - 3
+                text: row.by.length > 0 ? qsTr("%1 · %2").arg(row.stateText).arg(row.by) : row.stateText
+                color: Theme.color.secondaryInk
+                font.pixelSize: Theme.size.caption
+            }
+        }
+        IconLabel {
+            id: arrow
+            anchors { right: parent.right; rightMargin: Theme.size.spacing; verticalCenter: parent.verticalCenter }
+            code: Theme.icon.next
+            color: Theme.color.touch
+        }
+    }
+}
