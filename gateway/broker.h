@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the node needs of a broker. MqttLine is the real one; tests have their own.
+// The broker as the node uses it. MqttLine is the real one; tests have their own.
 #pragma once
 
 #include <QByteArray>

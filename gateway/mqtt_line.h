@@ -72,7 +72,7 @@ private:
     std::atomic<int> m_leavePauseMs{-1}; // -1: nobody has left
     std::atomic<int> m_connection{0};    // counts the connections; 0: there is none
     int m_known = 0;                     // of the main thread
-    // Of the thread.
+    // Members that only the thread of the connection uses.
     int m_connections = 0;
     int m_failures = 0; // since the last connection
     bool m_isAccepted = false;

@@ -259,7 +259,7 @@ void SparkplugNode::brokerOpened(int bdSeq)
     birthWhenAllowed();
 }
 
-// What was under way may not have arrived; it is sent again.
+// Sends again all values that may not have arrived.
 void SparkplugNode::brokerClosed()
 {
     m_isConnected = false;
@@ -349,7 +349,7 @@ void SparkplugNode::takeCommand(const QByteArray& bytes)
     birthWhenAllowed();
 }
 
-// Of two gateways with one name the one with the lower instance stays.
+// Decides between two gateways with one name: the one with the lower instance stays.
 void SparkplugNode::takeTwin(const QByteArray& bytes)
 {
     const auto birth = decodedPayload(bytes);

@@ -112,7 +112,7 @@ Outcome runDownload(const Invocation& call)
     const QJsonObject result{{u"name"_s, QString::fromStdString(image->recipe.name)},
                              {u"recipe_version"_s, image->recipe.version},
                              {u"generation"_s, static_cast<qint64>(active->generation)},
-                             {u"crc32"_s, QString::number(image->crc, 16).toUpper().rightJustified(8, u'0')},
+                             {u"crc32"_s, crcText(image->crc)},
                              {u"registers"_s, static_cast<qint64>(image->registers.size())},
                              {u"rows"_s, rows},
                              {u"transfer_s"_s, transferS},

@@ -100,6 +100,11 @@ QByteArray formatted(const QJsonObject& object, const QString& format)
     return text.toUtf8();
 }
 
+QString crcText(std::uint32_t crc)
+{
+    return QString::number(crc, 16).toUpper().rightJustified(8, u'0');
+}
+
 QString fromView(std::string_view text)
 {
     return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));

@@ -6,6 +6,7 @@
 #include <QByteArray>
 #include <QJsonObject>
 
+#include <cstdint>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -27,6 +28,8 @@ struct Column {
 // Formats the object. "json": as it is. "csv": key,value with keys joined by points. "text": the same,
 // aligned; lists of numbers are omitted, null is "--".
 [[nodiscard]] QByteArray formatted(const QJsonObject& object, const QString& format);
+
+[[nodiscard]] QString crcText(std::uint32_t crc); // eight hexadecimal digits
 
 [[nodiscard]] QString fromView(std::string_view text);
 

@@ -2,6 +2,7 @@
 // campanelctl recipe new-key, sign and verify: recipes that a panel accepts from outside.
 #include "app/cli/commands.h"
 #include "app/cli/invocation.h"
+#include "app/cli/report.h"
 #include "app/program/program_image.h"
 #include "app/store/files/files.h"
 #include "app/store/files/private_files.h"
@@ -18,11 +19,6 @@ using namespace Qt::StringLiterals;
 
 namespace campanel::cli {
 namespace {
-
-QString crcText(std::uint32_t crc)
-{
-    return QString::number(crc, 16).toUpper().rightJustified(8, u'0');
-}
 
 // Returns the error of a call without its file or option.
 std::optional<Failure> missing(const Invocation& call, const QString& usage, const QString& option,

@@ -43,7 +43,7 @@ QJsonValue crcOrNull(const std::optional<std::uint32_t>& crc)
 {
     if (!crc)
         return QJsonValue::Null;
-    return QString::number(*crc, 16).toUpper().rightJustified(8, u'0');
+    return crcText(*crc);
 }
 
 QJsonObject statusObject(const modbus::StatusBlock& status)

@@ -104,7 +104,7 @@ QJsonObject figures(const program::ProgramImage& image, std::size_t rows)
         std::visit([](const auto& table) { return static_cast<qint64>(table.cycleTicks); }, image.table);
     QJsonObject object{{u"name"_s, QString::fromStdString(image.recipe.name)},
                        {u"kind"_s, fromView(program::kindInfo(image.recipe.kind()).key)},
-                       {u"crc32"_s, QString::number(image.crc, 16).toUpper().rightJustified(8, u'0')},
+                       {u"crc32"_s, crcText(image.crc)},
                        {u"rows_used"_s, static_cast<qint64>(rows)},
                        {u"timer_clock_hz"_s, static_cast<qint64>(image.recipe.machine.timerClockHz)},
                        {u"cycle_ticks"_s, ticks},

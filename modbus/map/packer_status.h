@@ -30,6 +30,8 @@ struct BagRecord {
     bool isChangeOver = false; // begun under one program, cut under another
     bool isStartUp = false;    // start-up scrap: made before the film was in register
 
+    [[nodiscard]] bool isScrap() const { return isStartUp || isChangeOver; } // rejected by the machine
+
     bool operator==(const BagRecord&) const = default;
 };
 

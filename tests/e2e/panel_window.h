@@ -53,6 +53,18 @@ public:
         QTest::qWait(600);
         m_touch.lift();
     }
+    // Downloads the recipe from the Motion page, waits until the controller has it and the sheet has closed.
+    void download()
+    {
+        constexpr int timeoutMs = 20'000;
+        const panel::ProgramDownload& download = *editor().programDownload();
+        QTRY_VERIFY_WITH_TIMEOUT(download.canDownload(), timeoutMs);
+        tap("nextStep");
+        tap("downloadStart");
+        QTRY_COMPARE_WITH_TIMEOUT(download.state(), panel::ProgramDownload::State::Applied, timeoutMs);
+        m_touch.settle();
+        QVERIFY(!m_touch.find(QStringLiteral("sheetPanel")));
+    }
     // Taps digits on the open keypad.
     void tapDigits(const QString& digits)
     {

@@ -49,13 +49,11 @@ void waitForRecipes(PanelWindow& panel, int total)
     panel.touchDriver().settle();
 }
 
-void download(PanelWindow& panel)
+void beginFirstStart(PanelWindow& panel)
 {
-    QTRY_VERIFY_WITH_TIMEOUT(panel.editor().programDownload()->canDownload(), timeoutMs);
-    panel.tap("nextStep");
-    panel.tap("downloadStart");
-    QTRY_COMPARE_WITH_TIMEOUT(panel.editor().programDownload()->state(), ProgramDownload::State::Applied,
-                              timeoutMs);
+    QTRY_COMPARE_WITH_TIMEOUT(panel.machine().state(), Controller::State::Idle, timeoutMs);
+    waitForRecipes(panel, 1);
+    panel.settings().beginFirstStart();
     panel.touchDriver().settle();
 }
 
@@ -71,10 +69,7 @@ private slots:
     {
         const ControllerProcess controller;
         PanelWindow panel(controller.port());
-        QTRY_COMPARE_WITH_TIMEOUT(panel.machine().state(), Controller::State::Idle, timeoutMs);
-        waitForRecipes(panel, 1);
-        panel.settings().beginFirstStart();
-        panel.touchDriver().settle();
+        beginFirstStart(panel);
         panel.tap("firstLanguage_zh_CN");
         QVERIFY2(panel.texts().contains(QStringLiteral("首次启动")), qPrintable(panel.texts()));
         panel.tap("firstLanguage_en");
@@ -117,10 +112,7 @@ private slots:
     {
         const ControllerProcess controller;
         PanelWindow panel(controller.port());
-        QTRY_COMPARE_WITH_TIMEOUT(panel.machine().state(), Controller::State::Idle, timeoutMs);
-        waitForRecipes(panel, 1);
-        panel.settings().beginFirstStart();
-        panel.touchDriver().settle();
+        beginFirstStart(panel);
         int touches = 0;
         const auto touch = [&](const char* name) {
             panel.tap(name);
@@ -164,10 +156,7 @@ private slots:
     {
         const ControllerProcess controller;
         PanelWindow panel(controller.port());
-        QTRY_COMPARE_WITH_TIMEOUT(panel.machine().state(), Controller::State::Idle, timeoutMs);
-        waitForRecipes(panel, 1);
-        panel.settings().beginFirstStart();
-        panel.touchDriver().settle();
+        beginFirstStart(panel);
         int touches = 0;
         const auto touch = [&](const char* name) {
             panel.touchDriver().tapNamed(QString::fromUtf8(name));
@@ -232,14 +221,14 @@ private slots:
         QCOMPARE(panel.editor().recipeName(), QStringLiteral("wafer"));
         panel.tap("nav_motion");
         enter(panel, "field_bagLength", QStringLiteral("240"));
-        download(panel);
+        panel.download();
         panel.tap("nav_run");
         QTRY_VERIFY_WITH_TIMEOUT(panel.machine().canStart(), timeoutMs);
         panel.start();
         QTRY_COMPARE_WITH_TIMEOUT(panel.machine().state(), Controller::State::Running, timeoutMs);
         panel.tap("nav_motion");
         enter(panel, "field_bagLength", QStringLiteral("250"));
-        download(panel);
+        panel.download();
         QTRY_COMPARE_WITH_TIMEOUT(panel.machine().active().bagLengthMm, 250.0, timeoutMs);
         QCOMPARE(panel.machine().state(), Controller::State::Running);
         QVERIFY2(panel.texts().contains(QStringLiteral("Downloaded. The machine is running this recipe.")),

@@ -25,7 +25,6 @@ using modbus::StatusBlock;
 using panel::Controller;
 using panel::Editor;
 using panel::PackingLine;
-using panel::ProgramDownload;
 using test::ControllerProcess;
 using test::PanelWindow;
 
@@ -104,17 +103,6 @@ private:
         panel.tapDigits(digits);
         panel.tap("keypadAccept");
     }
-    // Waits until the controller runs it.
-    static void download(PanelWindow& panel)
-    {
-        QTRY_VERIFY_WITH_TIMEOUT(panel.editor().programDownload()->canDownload(), timeoutMs);
-        panel.tap("nextStep");
-        panel.tap("downloadStart");
-        QTRY_COMPARE_WITH_TIMEOUT(panel.editor().programDownload()->state(), ProgramDownload::State::Applied,
-                                  timeoutMs);
-        panel.touchDriver().settle();
-        QVERIFY(!panel.touchDriver().find("sheetPanel"));
-    }
     static void runLength(PanelWindow& panel);
     static void changeWhileItRuns(PanelWindow& panel);
     static void readFromOutsideAndAgain(const QString& port);
@@ -168,7 +156,7 @@ void TestPanelAndController::runLength(PanelWindow& panel)
 {
     enterLength(panel, "260");
     QCOMPARE(panel.editor().bagLength()->value(), 260.0);
-    download(panel);
+    panel.download();
     QTRY_COMPARE_WITH_TIMEOUT(panel.machine().active().bagLengthMm, 260.0, timeoutMs);
     QCOMPARE(panel.machine().generation(), 1.0);
 
@@ -194,7 +182,7 @@ void TestPanelAndController::changeWhileItRuns(PanelWindow& panel)
     const double fastest = highestFrequencyHz(panel.editor().recipe());
     enterLength(panel, "300");
     QCOMPARE(panel.editor().programDownload()->differenceCount(), 1);
-    download(panel);
+    panel.download();
     QTRY_COMPARE_WITH_TIMEOUT(panel.machine().active().bagLengthMm, 300.0, timeoutMs);
     QCOMPARE(panel.machine().generation(), 2.0);
     // The bag under the knife began with the old length, the next ones are shifted onto the marks.
@@ -260,7 +248,7 @@ void TestPanelAndController::theMasterIsTurnedRound()
         QTRY_COMPARE_WITH_TIMEOUT(panel.machine().state(), Controller::State::Idle, timeoutMs);
         panel.editor().newProgram(static_cast<int>(profile::ProgramKind::PointCam));
         panel.tap("nav_motion");
-        download(panel);
+        panel.download();
         if (QTest::currentTestFailed())
             return;
         const panel::MasterDirection& direction = *panel.machine().direction();

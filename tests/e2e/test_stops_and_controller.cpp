@@ -13,7 +13,6 @@ namespace test_stops_and_controller {
 
 using namespace campanel;
 using panel::Controller;
-using panel::ProgramDownload;
 using test::ControllerProcess;
 using test::PanelWindow;
 
@@ -41,12 +40,7 @@ private slots:
         QVERIFY(!stops.asking()); // there is no program to run
         panel.touchDriver().settle();
         panel.tap("nav_motion");
-        QTRY_VERIFY_WITH_TIMEOUT(panel.editor().programDownload()->canDownload(), timeoutMs);
-        panel.tap("nextStep");
-        panel.tap("downloadStart");
-        QTRY_COMPARE_WITH_TIMEOUT(panel.editor().programDownload()->state(), ProgramDownload::State::Applied,
-                                  timeoutMs);
-        panel.touchDriver().settle();
+        panel.download();
         panel.tap("nav_run");
         QTRY_VERIFY_WITH_TIMEOUT(panel.machine().canStart(), timeoutMs);
         panel.start(); // also while the question is on the page

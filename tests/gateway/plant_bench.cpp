@@ -9,6 +9,9 @@
 #include <QTcpSocket>
 #include <QTest>
 
+#include <csignal>
+#include <sys/prctl.h>
+
 using namespace Qt::StringLiterals;
 
 namespace campanel::test {
@@ -32,8 +35,10 @@ void write(const QString& path, const QByteArray& bytes)
         qFatal("%s cannot be written", qPrintable(path));
 }
 
+// Starts a program that ends with the test, even when that is killed.
 void start(QProcess& process, const QString& program, const QStringList& arguments)
 {
+    process.setChildProcessModifier([] { ::prctl(PR_SET_PDEATHSIG, SIGKILL); });
     process.start(program, arguments);
     if (!process.waitForStarted(startLimitMs))
         qFatal("%s: %s", qPrintable(program), qPrintable(process.errorString()));

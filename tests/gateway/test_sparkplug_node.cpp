@@ -225,7 +225,7 @@ private slots:
         QVERIFY(!rig.samplesOf(Metric::ProdProcessedCount).last().isHistorical);
     }
 
-    // What was written to a connection that broke may not have arrived.
+    // Values written to a connection that broke are sent again: they may not have arrived.
     void whatWasUnderWayIsSentAgain()
     {
         Rig rig;

@@ -76,7 +76,7 @@ Screen page(const char* name, const QStringList& tapped = {})
     return {QString::fromLatin1(name), [tapped](TestWindow& window) { openLibrary(window, tapped); }};
 }
 
-// Returns one usable file and one unusable file.
+// Returns a usable file, an unusable one, and a signed recipe with many differences.
 QList<store::RecipeOffer> recipesOnStick(const QString& /*ownFolder*/)
 {
     const QString path = QStringLiteral("/media/panel/KINGSTON/");
@@ -87,9 +87,17 @@ QList<store::RecipeOffer> recipesOnStick(const QString& /*ownFolder*/)
     store::FileError error{
         store::FileError::Kind::NotJson, path + QStringLiteral("notes.json"), {}, {}, {}, 17};
     error.found = QStringLiteral("illegal value");
+    program::Recipe next;
+    next.name = "Biscuit 250";
+    next.version = 8;
+    next.cutter().bagLengthMm = 260;
+    next.cutter().rateBagsPerMin = 70;
+    next.cutter().k = {4.2, 2.6, 1.7, 1.35};
     return {
         {path + QStringLiteral("Rusk 310.json"), place, QDateTime(QDate(2026, 1, 14), QTime(8, 12)), recipe},
-        {error.path, place, QDateTime(QDate(2026, 1, 2), QTime(16, 40)), tl::unexpected(error)}};
+        {error.path, place, QDateTime(QDate(2026, 1, 2), QTime(16, 40)), tl::unexpected(error)},
+        {path + QStringLiteral("Biscuit 250 signed.json"), place, QDateTime(QDate(2026, 1, 1), QTime(9, 30)),
+         next, store::RecipeSignature{QStringLiteral("Anna Plant"), 0, 0}}};
 }
 
 Screen importing(const char* name, const QString& tapped)
@@ -173,7 +181,8 @@ QList<Screen> recipeScreens()
             page("recipes-compare", {QStringLiteral("recipeCompare"), QStringLiteral("candidate1")}),
             page("recipes-remove", {QStringLiteral("recipe1"), QStringLiteral("recipeRemove")}),
             importing("recipes-import", QStringLiteral("offer0")),
-            importing("recipes-import-bad", QStringLiteral("offer1"))};
+            importing("recipes-import-bad", QStringLiteral("offer1")),
+            importing("recipes-import-signed", QStringLiteral("offer2"))};
 }
 
 } // namespace campanel::looks

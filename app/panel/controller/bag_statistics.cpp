@@ -28,7 +28,7 @@ void BagStatistics::note(const modbus::BagRecord& bag, double setLengthMm)
     m_lengths = std::max(1, bag.lengths);
     m_lengthMm = m_lengths * setLengthMm + bag.deviationMm;
     m_isRecorded = true;
-    if (bag.isStartUp || bag.isChangeOver) {
+    if (bag.isScrap()) {
         m_isNextOfTwoLengths = false;
         ++m_scrap;
         return;

@@ -195,7 +195,7 @@ void PlantValues::countTime()
 void PlantValues::noteBag(const modbus::BagRecord& bag)
 {
     const bool isOutside = std::abs(bag.deviationMm) > m_machine.bags().toleranceMm;
-    m_defective = m_defective.value_or(0) + (bag.isStartUp || bag.isChangeOver || isOutside ? 1 : 0);
+    m_defective = m_defective.value_or(0) + (bag.isScrap() || isOutside ? 1 : 0);
     emit changed();
 }
 

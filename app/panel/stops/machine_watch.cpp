@@ -78,7 +78,7 @@ MachineWatch::MachineWatch(Controller& machine, Settings& settings, StateBook& b
     connect(&machine.link(), &link::Link::statusReceived, this, &MachineWatch::takeStatus);
     connect(machine.packing(), &PackingLine::bagRecorded, this, &MachineWatch::takeBag);
     connect(machine.packing(), &PackingLine::changed, this, &MachineWatch::takeSkippedCuts);
-    // What was made meanwhile is not known.
+    // Pieces made during a gap are unknown.
     connect(&machine, &Controller::connectionChanged, this, [this] {
         if (m_machine.isConnected())
             return;
@@ -160,9 +160,8 @@ void MachineWatch::countPieces(const modbus::StatusBlock& status)
 
 void MachineWatch::takeBag(const modbus::BagRecord& bag)
 {
-    const bool isScrap = bag.isStartUp || bag.isChangeOver;
-    const bool isBad = !isScrap && std::abs(bag.deviationMm) > m_settings.bagToleranceMm();
-    m_book.add({1, isBad ? 1 : 0, isScrap ? 1 : 0, 0});
+    const bool isBad = !bag.isScrap() && std::abs(bag.deviationMm) > m_settings.bagToleranceMm();
+    m_book.add({1, isBad ? 1 : 0, bag.isScrap() ? 1 : 0, 0});
 }
 
 void MachineWatch::takeSkippedCuts()

@@ -91,7 +91,7 @@ void TrendRecorder::noteBag(const modbus::StatusBlock& status)
 
 void TrendRecorder::takeBag(const modbus::BagRecord& record)
 {
-    if (record.isStartUp || record.isChangeOver) { // rejected by the machine
+    if (record.isScrap()) {
         m_isNextOfTwoPrograms = false;
         return;
     }

@@ -3,7 +3,6 @@
 
 #include "app/store/files/csv.h"
 
-#include <QDateTime>
 #include <QMap>
 
 using namespace Qt::StringLiterals;
@@ -13,14 +12,6 @@ namespace campanel::store {
 namespace {
 
 constexpr double msPerSecond = 1000;
-
-// Returns "2026-01-15T14:07:00.000Z,2026-01-15T15:07:00.000+01:00".
-QString utcAndLocal(qint64 timeMs)
-{
-    const QDateTime local = QDateTime::fromMSecsSinceEpoch(timeMs);
-    const QDateTime withOffset = local.toOffsetFromUtc(local.offsetFromUtc());
-    return local.toUTC().toString(Qt::ISODateWithMs) + u',' + withOffset.toString(Qt::ISODateWithMs);
-}
 
 QString secondsText(qint64 durationMs)
 {
@@ -62,7 +53,7 @@ QByteArray statesCsv(const StopLog::Span& span)
     QByteArray csv = "begin_utc,begin_local,duration_s,state,stop,program,version,ideal_per_min,pieces,"
                      "out_of_tolerance,start_up_scrap,skipped_cuts\n";
     for (const StateInterval& each : span.intervals) {
-        const QStringList fields{utcAndLocal(each.beginMs),
+        const QStringList fields{csvUtcAndLocal(each.beginMs),
                                  secondsText(each.durationMs),
                                  nameOf(each.state),
                                  each.stop == 0 ? QString() : QString::number(each.stop),
@@ -99,15 +90,11 @@ QByteArray stopsCsv(const StopLog::Span& span)
     QByteArray csv = "stop,begin_utc,begin_local,duration_s,state,reason,planned,answered_by,answered_utc\n";
     for (auto it = parts.cbegin(); it != parts.cend(); ++it) {
         const StopRow reason = reasons.value(it.key());
-        const QStringList fields{QString::number(it.key()),
-                                 utcAndLocal(it->first->beginMs),
-                                 secondsText(it->durationMs),
-                                 nameOf(it->first->state),
-                                 csvField(reason.reason),
-                                 yesOrNo(reason.isPlanned),
-                                 csvField(reason.by),
-                                 reason.answeredMs == 0 ? QString()
-                                                        : utcAndLocal(reason.answeredMs).section(u',', 0, 0)};
+        const QStringList fields{
+            QString::number(it.key()),   csvUtcAndLocal(it->first->beginMs),
+            secondsText(it->durationMs), nameOf(it->first->state),
+            csvField(reason.reason),     yesOrNo(reason.isPlanned),
+            csvField(reason.by),         reason.answeredMs == 0 ? QString() : csvUtc(reason.answeredMs)};
         csv += fields.join(u',').toUtf8() + '\n';
     }
     return csv;

@@ -3,21 +3,11 @@
 
 #include "app/store/files/csv.h"
 
-#include <QDateTime>
-
 using namespace Qt::StringLiterals;
 
 namespace campanel::store {
 
 namespace {
-
-// Returns "2026-01-15T14:07:00.000Z,2026-01-15T15:07:00.000+01:00".
-QString times(qint64 timeMs)
-{
-    const QDateTime local = QDateTime::fromMSecsSinceEpoch(timeMs);
-    const QDateTime withOffset = local.toOffsetFromUtc(local.offsetFromUtc());
-    return local.toUTC().toString(Qt::ISODateWithMs) + u',' + withOffset.toString(Qt::ISODateWithMs);
-}
 
 QString number(const std::optional<double>& value)
 {
@@ -71,7 +61,7 @@ tl::expected<QByteArray, StoreError> bagsCsv(Database& database, qint64 fromMs, 
         "each_bag_utc,each_bag_local,program,version,lengths,length_mm,deviation_mm,mark_error_mm,"
         "following_error_mm,rate_bags_per_min,flags\n";
     const auto read = log.forEach(fromMs, toMs, [&](const Bag& bag) {
-        const QStringList fields{times(bag.timeMs),
+        const QStringList fields{csvUtcAndLocal(bag.timeMs),
                                  csvField(bag.programName),
                                  QString::number(bag.programVersion),
                                  QString::number(bag.lengths),
@@ -96,9 +86,9 @@ QByteArray trendsCsv(const TrendWindow& window, qint64 fromMs, qint64 toMs)
             if (column.startMs + window.columnMs <= fromMs || column.startMs >= toMs)
                 continue;
             const TrendBucket& bucket = column.bucket;
-            const QStringList fields{times(column.startMs),   QString::number(window.columnMs / 1000),
-                                     nameOf(curve.quantity),  QString::number(bucket.count),
-                                     number(bucket.mean()),   number(bucket.lowest()),
+            const QStringList fields{csvUtcAndLocal(column.startMs), QString::number(window.columnMs / 1000),
+                                     nameOf(curve.quantity),         QString::number(bucket.count),
+                                     number(bucket.mean()),          number(bucket.lowest()),
                                      number(bucket.highest())};
             csv += fields.join(u',').toUtf8() + '\n';
         }

@@ -6,7 +6,7 @@
 
 #include <string.h>
 
-/* What the hardware would hold. */
+/* The state that the hardware would hold. */
 typedef struct {
     uint64_t now_us;
     int64_t position; /* pulses that have left */
@@ -46,14 +46,14 @@ static void pulses(void* context, const ctl_train* train)
     self->position += train->direction * (int64_t)train->count;
 }
 
-/* Of the quadrature counter, extended to 64 bits here. */
+/* Returns the quadrature counter; a board extends it to 64 bits here. */
 static int64_t encoder(void* context)
 {
     const stub* self = context;
     return self->position;
 }
 
-/* Of the capture register: true once per mark. */
+/* Returns true once per mark, with the capture register. */
 static bool index_mark(void* context, int64_t* encoder_at_mark)
 {
     const stub* self = context;
@@ -104,7 +104,7 @@ void board_connect(ctl_port* port)
     };
 }
 
-/* Of a counter that runs by itself. */
+/* Returns a counter that runs by itself. */
 uint64_t board_now_us(void)
 {
     return the_stub.now_us;

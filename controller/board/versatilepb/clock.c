@@ -15,7 +15,7 @@
  * time. A real board wakes once per slice. */
 #define WAKE_US 1000u
 
-/* What the counter shows at power-up; a test begins shortly before it wraps. */
+/* The counter at power-up; a test begins shortly before it wraps. */
 #ifndef CLOCK_START
 #define CLOCK_START 0u
 #endif

@@ -16,7 +16,7 @@
 #define FAILED 0x7Fu
 #define MAX_BYTES 64u /* of one write */
 
-/* What is being done: an erase has no bytes. */
+/* The job under way; an erase has no bytes. */
 static struct {
     bool busy;
     uint32_t address; /* of the word under way */

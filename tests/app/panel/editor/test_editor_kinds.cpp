@@ -137,7 +137,7 @@ private slots:
         QVERIFY(fields().contains("distance_mm"));
     }
 
-    // What the controller does not execute is no choice; a recipe that has it keeps it in sight.
+    // An execution that the controller lacks is no choice; a recipe that has it still shows it.
     void slowControllersOfferNoIntervals()
     {
         program::Recipe recipe = program::defaultRecipe(ProgramKind::SpeedMove);

@@ -347,7 +347,7 @@ private slots:
         QCOMPARE(rig.editor.recipe().machine.knifeRadiusMm, 60.0); // from this machine
     }
 
-    // What somebody has signed needs no technician, but must be newer, of the same kind, and feasible here.
+    // A signed recipe needs no technician, but must be newer, of the same kind, and feasible here.
     void importsWhatIsSigned()
     {
         RecipesRig rig;
