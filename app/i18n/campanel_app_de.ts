@@ -3569,6 +3569,14 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
 <context>
     <name>campanel::panel::Commissioning</name>
     <message>
+        <source>Code of the recipe</source>
+        <translation>Code des Rezepts</translation>
+    </message>
+    <message>
+        <source>Code of the film reel</source>
+        <translation>Code der Folienrolle</translation>
+    </message>
+    <message>
         <source>%1 commissioning %2</source>
         <comment>name of a file: recipe, date</comment>
         <translation>%1 Inbetriebnahme %2</translation>
@@ -6506,6 +6514,10 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
     <message>
         <source>Wrong film reel: %1 was scanned, the recipe needs %2. Load and scan the right reel.</source>
         <translation>Falsche Folienrolle: %1 wurde gescannt, das Rezept braucht %2. Richtige Rolle einlegen und scannen.</translation>
+    </message>
+    <message>
+        <source>Unknown code %1: no recipe and no film reel has it. Load and scan the film reel %2.</source>
+        <translation>Unbekannter Code %1: kein Rezept und keine Folienrolle hat ihn. Folienrolle %2 einlegen und scannen.</translation>
     </message>
 </context>
 </TS>

@@ -3568,6 +3568,14 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
 <context>
     <name>campanel::panel::Commissioning</name>
     <message>
+        <source>Code of the recipe</source>
+        <translation>配方条码</translation>
+    </message>
+    <message>
+        <source>Code of the film reel</source>
+        <translation>膜卷条码</translation>
+    </message>
+    <message>
         <source>%1 commissioning %2</source>
         <comment>name of a file: recipe, date</comment>
         <translation>%1 调试报告 %2</translation>
@@ -6504,6 +6512,10 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
     <message>
         <source>Wrong film reel: %1 was scanned, the recipe needs %2. Load and scan the right reel.</source>
         <translation>膜卷错误：扫描到 %1，配方需要 %2。请装上正确的膜卷并扫描。</translation>
+    </message>
+    <message>
+        <source>Unknown code %1: no recipe and no film reel has it. Load and scan the film reel %2.</source>
+        <translation>未知条码 %1：没有配方或膜卷使用它。请装上膜卷 %2 并扫描。</translation>
     </message>
 </context>
 </TS>

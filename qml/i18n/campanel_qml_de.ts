@@ -3264,8 +3264,8 @@ Und %2 weitere.</translation>
         <translation>Folienrolle von %1: Code scannen oder eingeben</translation>
     </message>
     <message>
-        <source>Code of %1: scan it or enter it; none: the name</source>
-        <translation>Code von %1: scannen oder eingeben; keiner: der Name</translation>
+        <source>Code of %1: scan or enter it (empty: the name)</source>
+        <translation>Code von %1: scannen oder eingeben (leer: der Name)</translation>
     </message>
 </context>
 <context>

@@ -3264,7 +3264,7 @@ And %2 more.</source>
         <translation>%1 的膜卷：扫描或输入条码</translation>
     </message>
     <message>
-        <source>Code of %1: scan it or enter it; none: the name</source>
+        <source>Code of %1: scan or enter it (empty: the name)</source>
         <translation>%1 的条码：扫描或输入；留空则用名称</translation>
     </message>
 </context>

@@ -9,7 +9,7 @@ TextSheet {
     id: sheet
 
     title: Recipes.codes.code === RecipeCodes.Film ? qsTr("Film reel of %1: scan the code or enter it").arg(Recipes.chosenName)
-        : qsTr("Code of %1: scan it or enter it; none: the name").arg(Recipes.chosenName)
+        : qsTr("Code of %1: scan or enter it (empty: the name)").arg(Recipes.chosenName)
     text: Recipes.codes.wanted
     problem: Recipes.codes.problem
     onEdited: text => Recipes.codes.wanted = text

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// The codes of the chosen recipe: its own, and that of its film reel.
+// The codes of the chosen recipe: its own, also as a QR code, and that of its film reel.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme
 import CamPanel.Controls
 import CamPanel.Panel
+import CamPanel.Plot
 
 Sheet {
     id: sheet
@@ -13,7 +14,7 @@ Sheet {
 
     title: qsTr("Codes of %1").arg(Recipes.chosenName)
     panelWidth: width * 0.86
-    panelHeight: 5.4 * Theme.size.touch
+    panelHeight: 4.2 * Theme.size.touch
 
     function enter(code: int): void {
         if (!Access.ask(Access.Technician))
@@ -23,7 +24,7 @@ Sheet {
     }
 
     Column {
-        anchors.fill: parent
+        anchors { left: parent.left; right: picture.left; rightMargin: Theme.size.spacing; top: parent.top }
         spacing: Theme.size.spacing
         SettingRow {
             objectName: "codeOfRecipe"
@@ -39,5 +40,13 @@ Sheet {
             value: Recipes.codes.filmText
             onClicked: sheet.enter(RecipeCodes.Film)
         }
+    }
+    QrCode {
+        id: picture
+        objectName: "recipeQr"
+        anchors { right: parent.right; top: parent.top }
+        width: height
+        height: 2 * Theme.size.touch + Theme.size.spacing
+        text: Recipes.codes.scanText
     }
 }

@@ -61,7 +61,7 @@ MaintenanceSection {
             enabled: false
             glyph: ""
             label: qsTr("Last code")
-            value: Scan.lastCode.length > 0 ? Scan.lastCode : Theme.unknownText
+            value: Scan.enabled && Scan.lastCode.length > 0 ? Scan.lastCode : Theme.unknownText
         }
     }
     Label {

@@ -443,7 +443,7 @@ const QList<Screen>& allScreens()
     static const QList<Screen> all = screens + packingScreens() + recipeScreens() + trendScreens() +
                                      stopScreens() + alarmScreens() + accessScreens() + firstScreens() +
                                      backupScreens() + maintenanceScreens() + cutterScreens() +
-                                     motorScreens();
+                                     motorScreens() + scanScreens();
     return all;
 }
 

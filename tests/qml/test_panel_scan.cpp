@@ -2,6 +2,7 @@
 // A scanner at the window: bursts of real key events, with and without a text field that has the focus.
 #include "panel_test.h"
 
+#include "tests/support/qr_reader.h"
 #include "tests/support/test_program.h"
 
 #include <QSignalSpy>
@@ -121,6 +122,56 @@ private slots:
         });
         scanCode(u"4006381"_s);
         QVERIFY(m_window->find(u"downloadStart"_s));
+        const panel::ReportData report = m_window->panel().commissioning().data();
+        QCOMPARE(report.codes.size(), 1);
+        QCOMPARE(report.codes.first().code, u"4006381"_s);
+    }
+
+    void theCodeOnTheScreenCanBeScanned()
+    {
+        setScanner();
+        openLibrary();
+        tap("nav_recipes");
+        tap("recipeCodes");
+        const QTemporaryDir folder;
+        const QString picture = folder.filePath(u"screen.png"_s);
+        QVERIFY(m_window->window().grabWindow().save(picture));
+        QCOMPARE(test::readQrCodes({picture}), QStringList{recipes().chosenName()});
+    }
+
+    void aWrongFilmReelIsOverriddenWithAReason()
+    {
+        setScanner();
+        openLibrary();
+        tap("nav_recipes");
+        tap("recipeCodes");
+        tap("codeOfFilm");
+        scanCode(u"PE 30"_s);
+        tap("textAccept");
+        m_window->waitUntil(recipes(), &panel::Recipes::listChanged, [](const panel::Recipes& each) {
+            return each.chosenRecipe() && each.chosenRecipe()->recipe.filmCode == "PE 30";
+        });
+        const auto codes = m_window->panel().commissioning().data().codes;
+        QCOMPARE(codes.size(), 2);
+        QCOMPARE(codes.last().code, u"PE 30"_s);
+        const auto& machine = m_window->panel().machine();
+        QVERIFY2(machine.canStart(), qPrintable(machine.startBlockedReason()));
+        scanCode(u"PP 40"_s);
+        QVERIFY(!machine.canStart());
+        QCOMPARE(textOf("question"), scan().film()->blockedReason());
+        tap("confirmCancel");
+        tap("startKey"); // says again why
+        QCOMPARE(textOf("question"), scan().film()->blockedReason());
+        const QSignalSpy noted(scan().film(), &panel::FilmCheck::noted);
+        tap("confirm_override");
+        tap("textAccept"); // no reason yet
+        QVERIFY(!machine.canStart());
+        press(u"no other reel"_s);
+        tap("textAccept");
+        m_window->settle();
+        QVERIFY2(machine.canStart(), qPrintable(machine.startBlockedReason()));
+        QCOMPARE(noted.count(), 1);
+        QCOMPARE(noted.first().first().value<store::AuditEntry>().after, u"PP 40: no other reel"_s);
     }
 
     void unsavedEditsAreAskedFor()

@@ -9,6 +9,8 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 
+#include <algorithm>
+
 using namespace Qt::StringLiterals;
 
 namespace campanel::panel {
@@ -80,7 +82,13 @@ QString FilmCheck::blockedReason() const
     const bool isWrong = !needed.isEmpty() && !m_reel.code.isEmpty() && m_reel.code != needed;
     if (!isWrong || !m_reel.reason.isEmpty())
         return {};
-    return tr("Wrong film reel: %1 was scanned, the recipe needs %2. Load and scan the right reel.")
+    const auto isFilmOf = [this](const store::RecipeVersion& each) {
+        return QString::fromStdString(each.recipe.filmCode) == m_reel.code;
+    };
+    const bool isKnown = std::ranges::any_of(m_recipes.newest(), isFilmOf);
+    return (isKnown
+                ? tr("Wrong film reel: %1 was scanned, the recipe needs %2. Load and scan the right reel.")
+                : tr("Unknown code %1: no recipe and no film reel has it. Load and scan the film reel %2."))
         .arg(m_reel.code, needed);
 }
 

@@ -218,6 +218,9 @@ private slots:
         QSignalSpy noted(rig.scan.film(), &FilmCheck::noted);
         QSignalSpy wrong(&rig.scan, &Scan::wrongFilmScanned);
         const auto last = [&] { return noted.last().first().value<store::AuditEntry>(); };
+        rig.choose(u"Biscuit 250"_s);
+        rig.setCode(RecipeCodes::Code::Film, u"PP 40"_s);
+        QTRY_COMPARE(rig.recipes.codes()->filmText(), u"PP 40"_s);
         rig.choose(u"Soap"_s);
         rig.setCode(RecipeCodes::Code::Film, u"PE 30"_s);
         QTRY_COMPARE(rig.recipes.codes()->filmText(), u"PE 30"_s);
@@ -261,7 +264,9 @@ private slots:
         QCOMPARE(last().after, u"PP 40: no other reel"_s);
 
         rig.scan.takeCode(u"PP 41"_s); // the override was for another reel
-        QVERIFY(!rig.machine.startBlockedReason().isEmpty());
+        QCOMPARE(
+            rig.machine.startBlockedReason(),
+            u"Unknown code PP 41: no recipe and no film reel has it. Load and scan the film reel PE 30."_s);
         rig.editor.bagLength()->set(240);
         rig.link.activate(rig.image(), rig.now);
         QTRY_COMPARE(rig.machine.startBlockedReason(), QString()); // another program
