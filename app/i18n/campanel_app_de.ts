@@ -6508,6 +6508,10 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
         <source>Film reel %1 is the right one for this recipe.</source>
         <translation>Folienrolle %1 ist die richtige für dieses Rezept.</translation>
     </message>
+    <message>
+        <source>Film reel %1 is loaded. The next recipe is compared with it.</source>
+        <translation>Folienrolle %1 ist eingelegt. Das nächste Rezept wird damit verglichen.</translation>
+    </message>
 </context>
 <context>
     <name>campanel::panel::FilmCheck</name>

@@ -6506,6 +6506,10 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
         <source>Film reel %1 is the right one for this recipe.</source>
         <translation>膜卷 %1 与此配方相符。</translation>
     </message>
+    <message>
+        <source>Film reel %1 is loaded. The next recipe is compared with it.</source>
+        <translation>膜卷 %1 已装入，将与下一个配方比对。</translation>
+    </message>
 </context>
 <context>
     <name>campanel::panel::FilmCheck</name>

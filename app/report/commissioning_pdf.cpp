@@ -72,6 +72,7 @@ public:
             return;
         need(qrSidePx);
         const double top = m_y;
+        double bottom = top + qrSidePx;
         const double column = (m_width - gapPx) / 2;
         double x = 0;
         for (const panel::ReportCode& each : m_data.codes) {
@@ -82,8 +83,9 @@ public:
             text(each.title, fontOf(textPx), secondary, left, width);
             text(each.code, fontOf(headingPx, true), ink, left, width, Qt::TextWrapAnywhere);
             x += column + gapPx;
+            bottom = std::max(bottom, m_y);
         }
-        m_y = top + qrSidePx + gapPx;
+        m_y = bottom + gapPx;
     }
 
     void section(const panel::ReportSection& section)

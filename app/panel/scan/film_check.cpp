@@ -22,7 +22,7 @@ FilmCheck::FilmCheck(Controller& machine, Recipes& recipes, const QString& folde
     , m_path(QDir(folder).filePath(u"film_reel.json"_s))
     , m_reel(kept())
 {
-    connect(&machine, &Controller::programChanged, this, &FilmCheck::followProgram);
+    connect(&machine, &Controller::programChanged, this, &FilmCheck::changed);
     connect(&recipes, &Recipes::listChanged, this, &FilmCheck::changed);
     connect(this, &FilmCheck::changed, &machine, &Controller::commandsChanged);
     machine.setStartInterlock([this] { return blockedReason(); });
@@ -37,17 +37,8 @@ FilmCheck::Reel FilmCheck::kept() const
 {
     const auto bytes = store::readBytes(m_path);
     const QJsonObject root = bytes ? QJsonDocument::fromJson(*bytes).object() : QJsonObject();
-    return {static_cast<std::uint32_t>(root.value(u"program_crc"_s).toDouble()),
-            root.value(u"code"_s).toString(), root.value(u"reason"_s).toString()};
-}
-
-// An unknown program, as after a lost line, clears nothing.
-void FilmCheck::followProgram()
-{
-    const auto& program = m_machine.program();
-    if (program && program->crc != m_reel.programCrc)
-        setReel({program->crc, {}, {}});
-    emit changed();
+    return {root.value(u"code"_s).toString(), root.value(u"overridden_for"_s).toString(),
+            root.value(u"reason"_s).toString()};
 }
 
 void FilmCheck::setReel(const Reel& reel)
@@ -56,11 +47,10 @@ void FilmCheck::setReel(const Reel& reel)
         return;
     m_reel = reel;
     // Without the file a restart of the panel forgets the reel; the block of this run holds.
-    (void)store::replaceBytes(
-        m_path, QJsonDocument(QJsonObject{{u"program_crc"_s, static_cast<double>(reel.programCrc)},
-                                          {u"code"_s, reel.code},
-                                          {u"reason"_s, reel.reason}})
-                    .toJson());
+    (void)store::replaceBytes(m_path, QJsonDocument(QJsonObject{{u"code"_s, reel.code},
+                                                                {u"overridden_for"_s, reel.overriddenFor},
+                                                                {u"reason"_s, reel.reason}})
+                                          .toJson());
     emit changed();
 }
 
@@ -76,17 +66,20 @@ QString FilmCheck::neededCode() const
     return {};
 }
 
+bool FilmCheck::isReel(const QString& code) const
+{
+    return std::ranges::any_of(m_recipes.newest(), [wanted = code.toStdString()](const auto& each) {
+        return !wanted.empty() && each.recipe.filmCode == wanted;
+    });
+}
+
 QString FilmCheck::blockedReason() const
 {
     const QString needed = neededCode();
-    const bool isWrong = !needed.isEmpty() && !m_reel.code.isEmpty() && m_reel.code != needed;
-    if (!isWrong || !m_reel.reason.isEmpty())
+    const bool isOverridden = !m_reel.reason.isEmpty() && m_reel.overriddenFor == needed;
+    if (needed.isEmpty() || m_reel.code.isEmpty() || m_reel.code == needed || isOverridden)
         return {};
-    const auto isFilmOf = [this](const store::RecipeVersion& each) {
-        return QString::fromStdString(each.recipe.filmCode) == m_reel.code;
-    };
-    const bool isKnown = std::ranges::any_of(m_recipes.newest(), isFilmOf);
-    return (isKnown
+    return (isReel(m_reel.code)
                 ? tr("Wrong film reel: %1 was scanned, the recipe needs %2. Load and scan the right reel.")
                 : tr("Unknown code %1: no recipe and no film reel has it. Load and scan the film reel %2."))
         .arg(m_reel.code, needed);
@@ -94,11 +87,10 @@ QString FilmCheck::blockedReason() const
 
 bool FilmCheck::check(const QString& code)
 {
-    const auto& program = m_machine.program();
-    const bool isRight = code == neededCode();
-    setReel({program ? program->crc : 0, code, {}});
-    note(u"film.scan"_s, code, isRight ? u"done"_s : u"refused"_s);
-    return isRight;
+    setReel({code, {}, {}});
+    const bool isWrong = !blockedReason().isEmpty();
+    note(u"film.scan"_s, code, isWrong ? u"refused"_s : u"done"_s);
+    return !isWrong;
 }
 
 void FilmCheck::overrideCheck(const QString& reason)
@@ -106,7 +98,7 @@ void FilmCheck::overrideCheck(const QString& reason)
     const QString text = reason.simplified();
     if (text.isEmpty() || blockedReason().isEmpty() || !m_machine.accessCheck().require(Level::Technician))
         return;
-    setReel({m_reel.programCrc, m_reel.code, text});
+    setReel({m_reel.code, neededCode(), text});
     note(u"film.override"_s, u"%1: %2"_s.arg(m_reel.code, text), u"done"_s);
 }
 

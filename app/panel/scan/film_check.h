@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The scanned film reel against the one that the active program's recipe needs. A wrong reel blocks Start
-// until the right one is scanned or a technician overrides the check with a reason. A changed program clears
-// it.
+// until the right one is scanned or a technician overrides the check with a reason. The reel stays on the
+// machine when the program changes: it is compared with the new one's.
 #pragma once
 
 #include "app/store/logs/audit_log.h"
@@ -35,7 +35,9 @@ public:
     [[nodiscard]] QString scannedCode() const { return m_reel.code; }
     [[nodiscard]] QString blockedReason() const;
 
-    // Compares a reel with the needed one, which must be known. Returns true when it is the right one.
+    // Returns true for the code of a reel that some recipe needs.
+    [[nodiscard]] bool isReel(const QString& code) const;
+    // Remembers a reel and compares it with the needed one. Returns false when it is a wrong one.
     bool check(const QString& code);
     // Lifts the block; for technicians. The reason must not be empty.
     Q_INVOKABLE void overrideCheck(const QString& reason);
@@ -46,16 +48,15 @@ signals:
     void noted(const campanel::store::AuditEntry& entry);
 
 private:
-    // The reel that was scanned for a program.
+    // The reel that was scanned last, and the override for it.
     struct Reel {
-        std::uint32_t programCrc = 0;
-        QString code;   // empty: none was scanned
-        QString reason; // of the override; empty: none
+        QString code;          // empty: none was scanned
+        QString overriddenFor; // the reel that was needed then
+        QString reason;        // empty: not overridden
 
         bool operator==(const Reel&) const = default;
     };
 
-    void followProgram();
     void setReel(const Reel& reel);
     void note(const QString& what, const QString& after, const QString& outcome);
     [[nodiscard]] Reel kept() const;

@@ -153,7 +153,7 @@ void Scan::takeCode(const QString& code)
     const auto found = m_parts.recipes.coded(code);
     if (found.size() == 1)
         return openRecipe(found.first().recipeId);
-    if (found.isEmpty() && !m_film.neededCode().isEmpty())
+    if (found.isEmpty() && (m_film.isReel(code) || !m_film.neededCode().isEmpty()))
         return checkFilm(code);
     showNotice(
         found.isEmpty()
@@ -166,10 +166,12 @@ void Scan::takeCode(const QString& code)
 // Takes a code that is no recipe's for that of a film reel.
 void Scan::checkFilm(const QString& code)
 {
-    if (m_film.check(code))
+    if (!m_film.check(code))
+        emit wrongFilmScanned();
+    else if (code == m_film.neededCode())
         showNotice(tr("Film reel %1 is the right one for this recipe.").arg(code));
     else
-        emit wrongFilmScanned();
+        showNotice(tr("Film reel %1 is loaded. The next recipe is compared with it.").arg(code));
 }
 
 // Returns why no recipe can be opened now; empty: one can.

@@ -267,10 +267,51 @@ private slots:
         QCOMPARE(
             rig.machine.startBlockedReason(),
             u"Unknown code PP 41: no recipe and no film reel has it. Load and scan the film reel PE 30."_s);
+    }
+
+    // The reel stays on the machine when its program changes.
+    void theReelIsComparedWithEachProgram()
+    {
+        ScanRig rig;
+        const auto activate = [&rig] {
+            rig.link.activate(rig.image(), rig.now);
+            const std::string name = rig.editor.recipeName().toStdString();
+            return QTest::qWaitFor([&rig, name] {
+                return rig.machine.program() && rig.machine.program()->name == name &&
+                       rig.machine.program()->crc == rig.image().crc32;
+            });
+        };
+        rig.choose(u"Biscuit 250"_s);
+        rig.setCode(RecipeCodes::Code::Film, u"PP 40"_s);
+        QTRY_COMPARE(rig.recipes.codes()->filmText(), u"PP 40"_s);
+        rig.choose(u"Soap"_s);
+        rig.connectRunning();
+        rig.link.status.state = modbus::State::Ready;
+        rig.link.sendStatus(rig.now);
+        QVERIFY(activate());
+
+        rig.scan.takeCode(u"PP 40"_s); // Soap needs no certain reel
+        QCOMPARE(rig.scan.notice(), u"Film reel PP 40 is loaded. The next recipe is compared with it."_s);
+        QCOMPARE(rig.machine.startBlockedReason(), QString());
+        rig.setCode(RecipeCodes::Code::Film, u"PE 30"_s);
+        QTRY_COMPARE(
+            rig.machine.startBlockedReason(),
+            u"Wrong film reel: PP 40 was scanned, the recipe needs PE 30. Load and scan the right reel."_s);
         rig.editor.bagLength()->set(240);
-        rig.link.activate(rig.image(), rig.now);
-        QTRY_COMPARE(rig.machine.startBlockedReason(), QString()); // another program
-        QCOMPARE(rig.scan.film()->scannedCode(), QString());
+        QVERIFY(activate());
+        QVERIFY(!rig.machine.startBlockedReason().isEmpty()); // a changed length is no other film
+        rig.scan.film()->overrideCheck(u"same width"_s);
+        QCOMPARE(rig.machine.startBlockedReason(), QString());
+        rig.editor.bagLength()->set(241);
+        QVERIFY(activate());
+        QCOMPARE(rig.machine.startBlockedReason(), QString());
+
+        rig.choose(u"Biscuit 250"_s);
+        rig.recipes.open();
+        QVERIFY(activate());
+        QCOMPARE(rig.machine.startBlockedReason(), QString()); // the right one
+        rig.scan.takeCode(u"PE 30"_s);
+        QVERIFY(!rig.machine.startBlockedReason().isEmpty());
     }
 
     void codesAreInTheRecipeFile()
