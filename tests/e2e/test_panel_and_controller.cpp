@@ -25,6 +25,7 @@ using modbus::StatusBlock;
 using panel::Controller;
 using panel::Editor;
 using panel::PackingLine;
+using panel::ProgramDownload;
 using test::ControllerProcess;
 using test::PanelWindow;
 

@@ -278,7 +278,7 @@ private slots:
             const std::string name = rig.editor.recipeName().toStdString();
             return QTest::qWaitFor([&rig, name] {
                 return rig.machine.program() && rig.machine.program()->name == name &&
-                       rig.machine.program()->crc == rig.image().crc32;
+                       rig.machine.program()->crc == rig.image().crc;
             });
         };
         rig.choose(u"Biscuit 250"_s);
