@@ -155,6 +155,7 @@ Page {
         onVersionsRequested: page.sheetRequested(versionsSheet)
         onCompareRequested: page.sheetRequested(compareSheet)
         onRemoveRequested: page.sheetRequested(removeSheet)
+        onCodesRequested: page.sheetRequested(codesSheet)
         onExportRequested: {
             Recipes.offerExport(false)
             page.sheetRequested(exportSheet)
@@ -228,6 +229,8 @@ Page {
             }
         }
     }
+    Component { id: codesSheet; CodesSheet { onCodeRequested: page.sheetRequested(codeSheet) } }
+    Component { id: codeSheet; CodeSheet {} }
     Component {
         id: versionsSheet
         RecipeComparisonSheet {
