@@ -209,6 +209,15 @@ PanelStandIn::PanelStandIn(const QString& path)
     });
     connect(&m_server, &panel::PlantServer::commandReceived, this,
             [this](const plant::CommandMessage& command) { commands << command; });
+    connect(&m_server, &panel::PlantServer::offerReceived, this, [this](const plant::OfferMessage& offer) {
+        ++offerMessages;
+        if (offer.name.isEmpty())
+            offers.clear();
+        else if (offer.file.isEmpty())
+            offers.remove(offer.name);
+        else
+            offers.insert(offer.name, offer.file);
+    });
     connect(&m_aliveTimer, &QTimer::timeout, this, [this] { m_server.send({}); });
     m_aliveTimer.start(plant::alivePeriodMs);
 }
