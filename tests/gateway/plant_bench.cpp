@@ -99,8 +99,15 @@ void Mosquitto::kill()
 void Mosquitto::publish(const QString& topic, const QByteArray& bytes, bool isRetained) const
 {
     QProcess publisher;
-    QStringList arguments{u"-h"_s, loopback, u"-p"_s, QString::number(m_port), u"-q"_s, u"1"_s,
-                          u"-t"_s, topic,    u"-s"_s};
+    QStringList arguments{u"-h"_s,
+                          loopback,
+                          u"-p"_s,
+                          QString::number(m_port),
+                          u"-q"_s,
+                          u"1"_s,
+                          u"-t"_s,
+                          topic,
+                          bytes.isEmpty() ? u"-n"_s : u"-s"_s};
     if (isRetained)
         arguments << u"-r"_s;
     test::start(publisher, u"mosquitto_pub"_s, arguments);
