@@ -3,9 +3,9 @@
 #include "app/cli/commands.h"
 #include "app/cli/invocation.h"
 #include "app/cli/report.h"
+#include "app/cli/signed_file.h"
 #include "app/shell/configuration.h"
-#include "app/store/files/files.h"
-#include "app/store/recipes/signed_recipe.h"
+#include "app/store/files/csv.h"
 #include "gateway/fleet.h"
 #include "gateway/mqtt_line.h"
 
@@ -68,20 +68,6 @@ tl::expected<gateway::GatewaySettings, Failure> brokerOf(const Invocation& call)
     return settings;
 }
 
-tl::expected<store::RecipeSignature, Failure> signatureIn(const QString& path,
-                                                          const QList<store::SignerKey>& keys)
-{
-    const auto bytes = store::readBytes(path);
-    if (!bytes)
-        return fail(bytes.error());
-    if (!store::isSignedRecipe(*bytes))
-        return fail(ExitCode::Refused, u"%1 is not signed."_s.arg(path));
-    const auto valid = store::verifyRecipe(*bytes, path, keys);
-    if (!valid)
-        return fail(ExitCode::Refused, store::FileErrorText::describe(valid.error()));
-    return valid->signature;
-}
-
 // Returns the CRC-32 of the signed tables; empty without --signed.
 tl::expected<QList<std::uint32_t>, Failure> signedTables(const Invocation& call)
 {
@@ -101,10 +87,10 @@ tl::expected<QList<std::uint32_t>, Failure> signedTables(const Invocation& call)
     }
     const QList<store::SignerKey> keys = store::signerKeys(call.value(u"keys"_s));
     for (const QString& file : files) {
-        const auto signature = signatureIn(file, keys);
-        if (!signature)
-            return tl::unexpected(signature.error());
-        tables << signature->tableCrc;
+        const auto recipe = readSignedRecipe(file, keys);
+        if (!recipe)
+            return tl::unexpected(recipe.error());
+        tables << recipe->signature.tableCrc;
     }
     return tables;
 }
@@ -186,51 +172,47 @@ QString cellText(const QJsonValue& value)
     return value.isString() ? value.toString() : QString::number(value.toInteger());
 }
 
-// Returns the rows below their titles, each column as wide as its longest text.
-QByteArray fleetText(const QJsonArray& rows)
+// Returns the keys of a row, in the order of the columns.
+QStringList columnsOf(const QJsonArray& rows)
 {
     QStringList keys{u"machine"_s,    u"recipe"_s,    u"version"_s, u"table_crc32"_s,
                      u"generation"_s, u"since_utc"_s, u"online"_s};
     if (rows.first().toObject().contains(u"table_is_a_signed_one"_s))
         keys << u"table_is_a_signed_one"_s;
-    QList<QStringList> lines;
+    return keys;
+}
+
+// Returns the rows below their titles, each column as wide as its longest text.
+QByteArray fleetText(const QJsonArray& rows)
+{
     const QMap<QString, QString> titles{{u"table_crc32"_s, u"CRC-32"_s},
                                         {u"since_utc"_s, u"since (UTC)"_s},
                                         {u"table_is_a_signed_one"_s, u"signed table"_s}};
-    QStringList head;
-    for (const QString& key : keys)
-        head << titles.value(key, key);
-    lines << head;
-    for (const QJsonValue& row : rows) {
-        QStringList line;
-        for (const QString& key : keys)
-            line << cellText(row.toObject().value(key));
-        lines << line;
+    QStringList lines(rows.size() + 1);
+    for (const QString& key : columnsOf(rows)) {
+        QStringList cells{titles.value(key, key)};
+        for (const QJsonValue& row : rows)
+            cells << cellText(row.toObject().value(key));
+        qsizetype width = 0;
+        for (const QString& cell : cells)
+            width = std::max(width, cell.size());
+        for (qsizetype i = 0; i < lines.size(); ++i)
+            lines[i] += cells[i].leftJustified(width + 2);
     }
-    QString text;
-    for (const QStringList& line : lines) {
-        QString padded;
-        for (qsizetype column = 0; column < keys.size(); ++column) {
-            qsizetype width = 0;
-            for (const QStringList& each : lines)
-                width = std::max(width, each[column].size());
-            padded += line[column].leftJustified(width + 2);
-        }
-        text += padded.trimmed() + u'\n';
-    }
-    return text.toUtf8();
+    for (QString& line : lines)
+        line = line.trimmed() + u'\n';
+    return lines.join(QString()).toUtf8();
 }
 
 QByteArray fleetCsv(const QJsonArray& rows)
 {
-    QString text = rows.first().toObject().keys().join(u',') + u'\n';
+    const QStringList keys = columnsOf(rows);
+    QString text = keys.join(u',') + u'\n';
     for (const QJsonValue& row : rows) {
         QStringList cells;
-        for (const QJsonValue& cell : row.toObject()) {
-            QString quoted = cell.isNull() ? QString() : cellText(cell);
-            if (quoted.contains(u',') || quoted.contains(u'"') || quoted.contains(u'\n'))
-                quoted = u'"' + quoted.replace(u'"', u"\"\""_s) + u'"';
-            cells << quoted;
+        for (const QString& key : keys) {
+            const QJsonValue value = row.toObject().value(key);
+            cells << (value.isNull() ? QString() : store::csvField(cellText(value)));
         }
         text += cells.join(u',') + u'\n';
     }
