@@ -27,7 +27,8 @@ public:
     {
         const int number = m_next;
         m_next = (m_next + 1) % count;
-        (void)store::replaceBytes(m_file, QByteArray::number(number) + '\n');
+        if (!m_file.isEmpty())
+            (void)store::replaceBytes(m_file, QByteArray::number(number) + '\n');
         return number;
     }
 

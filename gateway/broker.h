@@ -7,6 +7,13 @@
 
 namespace campanel::gateway {
 
+// Returns the topic on which any message asks all machines of a group for a birth. Sparkplug has no such
+// question; without it a machine that has nothing to say is not found.
+[[nodiscard]] inline QString groupRebirthTopic(const QString& group)
+{
+    return QStringLiteral("campanel/%1/rebirth").arg(group);
+}
+
 struct Publication {
     QString topic;
     QByteArray payload;

@@ -18,6 +18,8 @@ struct GatewaySettings {
     QString group;
     QString node;
     QString primaryHost;
+    QString user; // empty: the broker asks for none
+    QString password;
 
     [[nodiscard]] bool isEncrypted() const { return !ca.isEmpty(); }
 };

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // campanel-gateway: publishes the values of one panel on the plant's network, by MQTT Sparkplug B. It carries
-// nothing the other way but refused commands, for the audit trail.
+// nothing the other way but refused commands, for the audit trail, and offered recipes, for a person.
 #include "app/plant/socket_path.h"
 #include "app/shell/termination_signals.h"
 #include "app/store/files/files.h"
 #include "gateway/gateway_settings.h"
 #include "gateway/mqtt_line.h"
+#include "gateway/offer_inbox.h"
 #include "gateway/panel_line.h"
 #include "gateway/sparkplug_node.h"
 
@@ -47,7 +48,7 @@ Arguments argumentsOf(const QCoreApplication& application)
     const QString service = qEnvironmentVariable("STATE_DIRECTORY");
     QCommandLineParser parser;
     parser.setApplicationDescription(
-        u"Publishes the values of a CamPanel machine by MQTT Sparkplug B. It takes nothing from the network."_s);
+        u"Publishes the values of a CamPanel machine by MQTT Sparkplug B. It takes no command from the network."_s);
     parser.addHelpOption();
     parser.addVersionOption();
     parser.addOptions({
@@ -79,14 +80,19 @@ int run(const gateway::GatewaySettings& settings, const Arguments& arguments)
                                      panel.send(command);
                                  },
                                  [&panel] { panel.renew(); }, &report});
+    gateway::OfferInbox inbox(settings.group, line,
+                              {[&panel](const plant::OfferMessage& offer) { panel.send(offer); },
+                               [](const QString& sentence) { report(store::printable(sentence)); }});
     QObject context;
     QObject::connect(&panel, &gateway::PanelLine::received, &context,
                      [&node](const plant::ValueMessage& message) { node.takeValues(message); });
+    QObject::connect(&panel, &gateway::PanelLine::connected, &context, [&inbox] { inbox.panelConnected(); });
     QObject::connect(&panel, &gateway::PanelLine::lost, &context, [&node] { node.panelLost(); });
     QObject::connect(&panel, &gateway::PanelLine::reported, &context, &report);
     QObject::connect(&line, &gateway::MqttLine::opened, &context, [&](int bdSeq) {
         report(u"Connected to %1:%2."_s.arg(settings.host).arg(settings.port));
         node.brokerOpened(bdSeq);
+        inbox.brokerOpened();
     });
     QString lastReason;
     QObject::connect(&line, &gateway::MqttLine::closed, &context, [&](const QString& reason) {
@@ -95,9 +101,11 @@ int run(const gateway::GatewaySettings& settings, const Arguments& arguments)
         lastReason = reason;
         node.brokerClosed();
     });
-    QObject::connect(
-        &line, &gateway::MqttLine::received, &context,
-        [&node](const QString& topic, const QByteArray& bytes) { node.takeMessage(topic, bytes); });
+    QObject::connect(&line, &gateway::MqttLine::received, &context,
+                     [&](const QString& topic, const QByteArray& bytes) {
+                         if (!inbox.take(topic, bytes))
+                             node.takeMessage(topic, bytes);
+                     });
     QObject::connect(&line, &gateway::MqttLine::barrierPassed, &context, [&node] { node.barrierPassed(); });
     QTimer ticks;
     QObject::connect(&ticks, &QTimer::timeout, &context, [&node] { node.tick(); });

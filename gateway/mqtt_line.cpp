@@ -35,6 +35,9 @@ MqttLine::MqttLine(GatewaySettings settings, QString clientId, QString bdSeqFile
     mosquitto_lib_init();
     m_client = mosquitto_new(clientId.toUtf8().constData(), true, this);
     mosquitto_threaded_set(m_client, true);
+    if (!m_settings.user.isEmpty())
+        mosquitto_username_pw_set(m_client, m_settings.user.toUtf8().constData(),
+                                  m_settings.password.toUtf8().constData());
     mosquitto_connect_callback_set(m_client, &MqttLine::onConnect);
     mosquitto_message_callback_set(m_client, &MqttLine::onMessage);
     mosquitto_unsubscribe_callback_set(m_client, &MqttLine::onBarrier);
@@ -132,9 +135,11 @@ QString MqttLine::serve()
             MOSQ_ERR_SUCCESS)
             return u"The certificates cannot be read."_s;
     }
-    const Publication death = m_death(m_bdSeq);
-    mosquitto_will_set(m_client, death.topic.toUtf8().constData(), static_cast<int>(death.payload.size()),
-                       death.payload.constData(), death.qos, false);
+    if (m_death) {
+        const Publication death = m_death(m_bdSeq);
+        mosquitto_will_set(m_client, death.topic.toUtf8().constData(), static_cast<int>(death.payload.size()),
+                           death.payload.constData(), death.qos, false);
+    }
     bool isGoodbyeSaid = false;
     QElapsedTimer since;
     since.start();

@@ -28,11 +28,13 @@ public:
     static constexpr int keepAliveS = 10;
     static constexpr int connectLimitMs = 10'000;
 
-    MqttLine(GatewaySettings settings, QString clientId, QString bdSeqFile);
+    // Without a file the number of the connection is not kept.
+    MqttLine(GatewaySettings settings, QString clientId, QString bdSeqFile = {});
     // Ends the thread. A connection that is being made can delay that.
     ~MqttLine() override;
 
-    void start(Death death);
+    // An observer has no death.
+    void start(Death death = {});
     // Returns true when the thread has ended in this time.
     [[nodiscard]] bool stop(int limitMs);
 

@@ -13,6 +13,8 @@ namespace {
 constexpr auto retryPause = 300ms;
 // The bytes of commands that may wait for the panel.
 constexpr qint64 maxWaitingBytes = 64 * 1024;
+// All offers twice.
+constexpr qint64 maxWaitingOfferBytes = 2 * plant::maxOffers * plant::maxOfferBytes;
 
 } // namespace
 
@@ -22,7 +24,10 @@ PanelLine::PanelLine(QString path)
     m_retryTimer.setSingleShot(true);
     m_retryTimer.setInterval(retryPause);
     connect(&m_retryTimer, &QTimer::timeout, this, &PanelLine::start);
-    connect(&m_socket, &QLocalSocket::connected, this, [this] { m_isConnected = true; });
+    connect(&m_socket, &QLocalSocket::connected, this, [this] {
+        m_isConnected = true;
+        emit connected();
+    });
     connect(&m_socket, &QLocalSocket::readyRead, this, &PanelLine::read);
     connect(&m_socket, &QLocalSocket::disconnected, this, &PanelLine::end);
     connect(&m_socket, &QLocalSocket::errorOccurred, this, &PanelLine::end);
@@ -42,10 +47,15 @@ void PanelLine::renew()
     m_retryTimer.start();
 }
 
-void PanelLine::send(const plant::CommandMessage& command)
+void PanelLine::send(const plant::LocalMessage& message)
 {
-    if (m_isConnected && m_socket.bytesToWrite() < maxWaitingBytes)
-        m_socket.write(plant::encoded(command));
+    if (!m_isConnected)
+        return;
+    const bool isCommand = std::holds_alternative<plant::CommandMessage>(message);
+    if (m_socket.bytesToWrite() < (isCommand ? maxWaitingBytes : maxWaitingOfferBytes))
+        m_socket.write(plant::encoded(message));
+    else if (!isCommand)
+        m_socket.abort(); // the offers come again with the next connection
 }
 
 void PanelLine::read()

@@ -19,10 +19,13 @@ public:
     void start();
     // Connects anew: the panel sends all values then.
     void renew();
-    // Sends a refused command to the panel; without a connection it is lost, as the log says.
-    void send(const plant::CommandMessage& command);
+    // Sends a refused command or an offer; without a connection it is lost. A command is in the log, an offer
+    // is sent again.
+    void send(const plant::LocalMessage& message);
 
 signals:
+    // Emitted when the panel can be sent to.
+    void connected();
     void received(const campanel::plant::ValueMessage& message);
     // Emitted when an existing connection has ended.
     void lost();

@@ -254,6 +254,7 @@ void SparkplugNode::brokerOpened(int bdSeq)
     m_host.forget();
     m_broker.subscribe(topic("NCMD"));
     m_broker.subscribe(topic("NBIRTH")); // of another gateway with this name
+    m_broker.subscribe(groupRebirthTopic(m_names.group));
     for (const QString& state : m_host.topics())
         m_broker.subscribe(state);
     birthWhenAllowed();
@@ -323,6 +324,8 @@ void SparkplugNode::takeMessage(const QString& topic, const QByteArray& bytes)
         takeCommand(bytes);
     else if (topic == this->topic("NBIRTH"))
         takeTwin(bytes);
+    else if (topic == groupRebirthTopic(m_names.group))
+        m_isBirthDue = true; // in the next tick
     else
         takeHostState(m_host.take(topic, bytes));
 }

@@ -33,6 +33,7 @@ class Invocation;
 [[nodiscard]] Outcome runLink(const Invocation& call);
 [[nodiscard]] Outcome runFrames(const Invocation& call);
 [[nodiscard]] Outcome runRegisters(const Invocation& call);
+[[nodiscard]] Outcome runFleet(const Invocation& call);
 [[nodiscard]] Outcome runAudit(const Invocation& call);
 
 } // namespace campanel::cli

@@ -3,11 +3,11 @@
 #include "app/cli/commands.h"
 #include "app/cli/invocation.h"
 #include "app/cli/report.h"
+#include "app/cli/signed_file.h"
 #include "app/program/program_image.h"
 #include "app/store/files/files.h"
 #include "app/store/files/private_files.h"
 #include "app/store/recipes/recipe_file.h"
-#include "app/store/recipes/signed_recipe.h"
 
 #include <QDateTime>
 #include <QFile>
@@ -85,14 +85,9 @@ Outcome verifyFile(const Invocation& call)
     const QString folder = call.value(u"keys"_s);
     if (!QFileInfo(folder).isDir())
         return fail(ExitCode::File, u"%1 is no folder. Name the folder of the public keys."_s.arg(folder));
-    const auto bytes = store::readBytes(path);
-    if (!bytes)
-        return fail(bytes.error());
-    if (!store::isSignedRecipe(*bytes))
-        return fail(ExitCode::Refused, u"%1 is not signed."_s.arg(path));
-    const auto valid = store::verifyRecipe(*bytes, path, store::signerKeys(folder));
+    const auto valid = readSignedRecipe(path, store::signerKeys(folder));
     if (!valid)
-        return fail(ExitCode::Refused, store::FileErrorText::describe(valid.error()));
+        return tl::unexpected(valid.error());
     const auto image = program::buildProgram(valid->recipe);
     const QDateTime time = QDateTime::fromMSecsSinceEpoch(valid->signature.signedMs, QTimeZone::utc());
     return call.deliver(QJsonDocument(QJsonObject{{u"name"_s, QString::fromStdString(valid->recipe.name)},

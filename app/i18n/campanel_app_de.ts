@@ -1890,6 +1890,14 @@ eff. %2</translation>
         <translation>Die Rezeptdatei %1 passt nicht zur Signatur von %2: sie wurde geändert oder mit einem anderen Schlüssel signiert. Eine neue Kopie anfordern.</translation>
     </message>
     <message>
+        <source>The recipe file %1 is not signed; the plant&apos;s network offers signed recipes only. Have it signed.</source>
+        <translation>Die Rezeptdatei %1 ist nicht signiert; das Werksnetz bietet nur signierte Rezepte an. Datei signieren lassen.</translation>
+    </message>
+    <message>
+        <source>Plant network</source>
+        <translation>Werksnetz</translation>
+    </message>
+    <message>
         <source>not a regular file</source>
         <translation>keine gewöhnliche Datei</translation>
     </message>
@@ -5591,6 +5599,11 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
         <source>cannot be used · %1 · %2</source>
         <comment>date, place</comment>
         <translation>nicht verwendbar · %1 · %2</translation>
+    </message>
+    <message>
+        <source>Offered: %1, version %2</source>
+        <comment>recipe, number</comment>
+        <translation>Angeboten: %1, Version %2</translation>
     </message>
     <message>
         <source>%1 Correct the file; the panel reads it again automatically.</source>

@@ -1889,6 +1889,14 @@ RMS %2</source>
         <translation>配方文件 %1 与 %2 的签名不符：文件被更改过，或由其他密钥签名。请索取新的副本。</translation>
     </message>
     <message>
+        <source>The recipe file %1 is not signed; the plant&apos;s network offers signed recipes only. Have it signed.</source>
+        <translation>配方文件 %1 没有签名；工厂网络只提供已签名的配方。请先签名。</translation>
+    </message>
+    <message>
+        <source>Plant network</source>
+        <translation>工厂网络</translation>
+    </message>
+    <message>
         <source>not a regular file</source>
         <translation>不是普通文件</translation>
     </message>
@@ -5590,6 +5598,11 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
         <source>cannot be used · %1 · %2</source>
         <comment>date, place</comment>
         <translation>无法使用 · %1 · %2</translation>
+    </message>
+    <message>
+        <source>Offered: %1, version %2</source>
+        <comment>recipe, number</comment>
+        <translation>可接收：%1，第 %2 版</translation>
     </message>
     <message>
         <source>%1 Correct the file; the panel reads it again automatically.</source>

@@ -17,7 +17,7 @@ namespace {
 constexpr qsizetype lengthBytes = 4;
 
 // The keys of the map.
-enum Key : int { VersionKey = 0, ValuesKey = 1, CommandKey = 2 };
+enum Key : int { VersionKey = 0, ValuesKey = 1, CommandKey = 2, OfferKey = 3 };
 
 QCborValue cborOf(const MetricValue& value)
 {
@@ -75,6 +75,9 @@ std::optional<LocalMessage> messageOf(const QCborMap& map)
         }
         return message;
     }
+    const QCborArray offer = map[int(OfferKey)].toArray();
+    if (offer.size() == 2 && offer.at(0).isString() && offer.at(1).isByteArray())
+        return OfferMessage{offer.at(0).toString().left(maxTextLength), offer.at(1).toByteArray()};
     const QCborArray command = map[int(CommandKey)].toArray();
     if (command.size() != 2 || !command.at(0).isString() || !command.at(1).isString())
         return {};
@@ -92,10 +95,13 @@ QByteArray encoded(const LocalMessage& message)
         for (const MetricReading& reading : values->readings)
             rows << QCborArray{int(reading.metric), cborOf(reading.value), qint64(reading.ageMs)};
         map.insert(int(ValuesKey), rows);
-    } else {
-        const auto& command = std::get<CommandMessage>(message);
+    } else if (const auto* command = std::get_if<CommandMessage>(&message)) {
         map.insert(int(CommandKey),
-                   QCborArray{command.metric.left(maxTextLength), command.value.left(maxTextLength)});
+                   QCborArray{command->metric.left(maxTextLength), command->value.left(maxTextLength)});
+    } else {
+        const auto& offer = std::get<OfferMessage>(message);
+        map.insert(int(OfferKey),
+                   QCborArray{offer.name.left(maxTextLength), offer.file.left(maxOfferBytes + 1)});
     }
     const QByteArray body = map.toCborValue().toCbor();
     QByteArray bytes(lengthBytes, Qt::Uninitialized);

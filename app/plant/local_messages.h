@@ -15,9 +15,14 @@
 namespace campanel::plant {
 
 // The version of the protocol and of the metric table; a peer with another one is not understood.
-inline constexpr int localVersion = 1;
+inline constexpr int localVersion = 2;
+// The largest file of an offer, that of all recipe files. A larger one is cut after one byte more, so that
+// the panel can name the fault.
+inline constexpr qsizetype maxOfferBytes = 1'000'000;
+// The offers that the gateway passes on.
+inline constexpr qsizetype maxOffers = 16;
 // The largest message, without its length.
-inline constexpr qsizetype maxMessageBytes = 64 * 1024;
+inline constexpr qsizetype maxMessageBytes = maxOfferBytes + 4096;
 // The longest text of a value or a name; a longer one is cut.
 inline constexpr qsizetype maxTextLength = 256;
 // The panel repeats an empty message at this period, which says that all its values still hold.
@@ -38,7 +43,15 @@ struct CommandMessage {
     bool operator==(const CommandMessage&) const = default;
 };
 
-using LocalMessage = std::variant<ValueMessage, CommandMessage>;
+// From the gateway: a recipe file that the plant offers. Nothing is imported until a person accepts it.
+struct OfferMessage {
+    QString name;    // of the offer; empty: all offers so far are withdrawn
+    QByteArray file; // empty: the offer is withdrawn
+
+    bool operator==(const OfferMessage&) const = default;
+};
+
+using LocalMessage = std::variant<ValueMessage, CommandMessage, OfferMessage>;
 
 // Returns the message with its length.
 [[nodiscard]] QByteArray encoded(const LocalMessage& message);

@@ -37,6 +37,8 @@ What `campanel-gateway` publishes, by MQTT Sparkplug B 3.0. This page is generat
 | `spBv1.0/GROUP/NDATA/NODE` | changes, by alias alone |
 | `spBv1.0/GROUP/NDEATH/NODE` | the gateway has ended or is cut off; its `bdSeq` is that of the NBIRTH |
 | `spBv1.0/GROUP/NCMD/NODE` | received: only `Node Control/Rebirth` is answered |
+| `campanel/GROUP/rebirth` | received: any message asks all machines of the group for an NBIRTH, as `campanelctl fleet` does |
+| `campanel/GROUP/recipes/NAME` | received: a signed recipe that the plant offers, retained; an empty message withdraws it |
 
 A value that is not known or not fresh is null. Values that were measured while the broker was away come later, as historical.
 NBIRTH has two metrics more: `bdSeq` (Int64) and `Node Control/Rebirth` (Boolean), the only one that takes a value.

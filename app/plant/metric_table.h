@@ -41,6 +41,7 @@ enum class Metric : std::uint16_t {
     PanelPresent = 18,
     ValuesDropped = 19,
     Instance = 20,
+    StopReason = 21,
 };
 
 struct MetricRow {
@@ -175,6 +176,14 @@ inline constexpr std::array metricTable{
               .text = "Changes with each start of the gateway. Two gateways with the same node name find one "
                       "another by it.",
               .owner = MetricOwner::Gateway},
+    MetricRow{.metric = Metric::StopReason,
+              .name = "Admin/StopReason",
+              .type = MetricType::String,
+              .source = "`Stops.reason`",
+              .text =
+                  "Reason of the present stop: a key of the list of reasons, such as `material/film_change`, "
+                  "the name of an own one, or the code of an alarm. An empty text while the machine "
+                  "produces, and until a reason is known."},
 };
 
 inline constexpr std::size_t metricCount = metricTable.size();

@@ -72,7 +72,7 @@ Panel::Panel(link::Link& link, const Storage& storage)
                nullptr)
     , m_display(m_machine, m_settings, nullptr)
     , m_explanations({m_machine, m_editor, *m_maintenance.figures(), m_trends, m_stops}, nullptr)
-    , m_plant(m_machine, m_alarms, m_trail, nullptr)
+    , m_plant({m_machine, m_alarms, m_stops}, m_trail, nullptr)
     , m_hasBroker(!storage.standard.text("gateway.host").isEmpty())
     , m_pageMemory(recipeFolder(storage) + QStringLiteral("/open-page"))
 {
@@ -92,6 +92,7 @@ Panel::Panel(link::Link& link, const Storage& storage)
     m_recipes.files()->setKeyFolder(storage.keyFolder);
     m_recipes.setAuthor([this] { return m_access.userName(); });
     connect(m_scan.film(), &panel::FilmCheck::noted, &m_trail, &panel::AuditTrail::note);
+    connect(&m_plant, &panel::PlantFeed::offerReceived, m_recipes.files(), &panel::RecipeFiles::takeOffer);
     connect(&m_recipes, &panel::Recipes::noted, &m_trail, &panel::AuditTrail::note);
     connect(&m_stops, &panel::Stops::noted, &m_trail, &panel::AuditTrail::note);
     connect(&m_access, &panel::Access::changed, this, [this] {

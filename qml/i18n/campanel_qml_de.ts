@@ -2062,6 +2062,10 @@ Und %2 weitere.</translation>
         <translation>Als Version %1 speichern</translation>
     </message>
     <message>
+        <source>View …</source>
+        <translation>Ansehen …</translation>
+    </message>
+    <message>
         <source>Reading the recipes …</source>
         <translation>Rezepte werden gelesen …</translation>
     </message>

@@ -2062,6 +2062,10 @@ And %2 more.</source>
         <translation>保存为第 %1 版</translation>
     </message>
     <message>
+        <source>View …</source>
+        <translation>查看…</translation>
+    </message>
+    <message>
         <source>Reading the recipes …</source>
         <translation>正在读取配方…</translation>
     </message>

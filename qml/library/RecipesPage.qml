@@ -73,7 +73,8 @@ Page {
         id: state
         anchors { left: parent.left; right: parent.right; top: tools.bottom; topMargin: Theme.size.spacing }
         height: visible ? Theme.size.actionBar : 0
-        visible: Editor.edited || Recipes.message.length > 0
+        readonly property bool isOffer: !Editor.edited && Recipes.message.length === 0 && Recipes.files.notice.length > 0
+        visible: Editor.edited || Recipes.message.length > 0 || state.isOffer
         Label {
             objectName: "recipeMessage"
             anchors { left: parent.left; leftMargin: Theme.size.padding; right: stateKeys.left; rightMargin: Theme.size.padding; verticalCenter: parent.verticalCenter }
@@ -81,7 +82,7 @@ Page {
             wrapMode: Text.WordWrap
             fontSizeMode: Text.Fit
             minimumPixelSize: Theme.size.caption - 2
-            text: Recipes.message.length > 0 ? Recipes.message : qsTr("%1 was edited and is not saved.").arg(Editor.recipeName)
+            text: Recipes.message.length > 0 ? Recipes.message : state.isOffer ? Recipes.files.notice : qsTr("%1 was edited and is not saved.").arg(Editor.recipeName)
         }
         Row {
             id: stateKeys
@@ -100,14 +101,21 @@ Page {
                 onClicked: Recipes.dismissMessage()
             }
             Button {
+                objectName: "recipeOffer"
+                visible: state.isOffer
+                kind: Button.Primary
+                text: qsTr("View …")
+                onClicked: page.sheetRequested(importSheet)
+            }
+            Button {
                 objectName: "recipeSaveAs"
-                visible: Recipes.message.length === 0
+                visible: Recipes.message.length === 0 && Editor.edited
                 text: qsTr("Save as …")
                 onClicked: page.name(saveAsSheet, Editor.recipeName)
             }
             Button {
                 objectName: "recipeSave"
-                visible: Recipes.message.length === 0
+                visible: Recipes.message.length === 0 && Editor.edited
                 kind: Button.Primary
                 text: qsTr("Save as version %1").arg(Recipes.nextVersion)
                 onClicked: Recipes.save()

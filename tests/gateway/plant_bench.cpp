@@ -99,8 +99,15 @@ void Mosquitto::kill()
 void Mosquitto::publish(const QString& topic, const QByteArray& bytes, bool isRetained) const
 {
     QProcess publisher;
-    QStringList arguments{u"-h"_s, loopback, u"-p"_s, QString::number(m_port), u"-q"_s, u"1"_s,
-                          u"-t"_s, topic,    u"-s"_s};
+    QStringList arguments{u"-h"_s,
+                          loopback,
+                          u"-p"_s,
+                          QString::number(m_port),
+                          u"-q"_s,
+                          u"1"_s,
+                          u"-t"_s,
+                          topic,
+                          bytes.isEmpty() ? u"-n"_s : u"-s"_s};
     if (isRetained)
         arguments << u"-r"_s;
     test::start(publisher, u"mosquitto_pub"_s, arguments);
@@ -209,6 +216,15 @@ PanelStandIn::PanelStandIn(const QString& path)
     });
     connect(&m_server, &panel::PlantServer::commandReceived, this,
             [this](const plant::CommandMessage& command) { commands << command; });
+    connect(&m_server, &panel::PlantServer::offerReceived, this, [this](const plant::OfferMessage& offer) {
+        ++offerMessages;
+        if (offer.name.isEmpty())
+            offers.clear();
+        else if (offer.file.isEmpty())
+            offers.remove(offer.name);
+        else
+            offers.insert(offer.name, offer.file);
+    });
     connect(&m_aliveTimer, &QTimer::timeout, this, [this] { m_server.send({}); });
     m_aliveTimer.start(plant::alivePeriodMs);
 }

@@ -7,6 +7,7 @@
 #include "gateway/payload.h"
 
 #include <QList>
+#include <QMap>
 #include <QProcess>
 #include <QStringList>
 #include <QTemporaryDir>
@@ -86,6 +87,8 @@ public:
     [[nodiscard]] bool hasGateway() const { return m_server.hasClients(); }
 
     QList<plant::CommandMessage> commands;
+    QMap<QString, QByteArray> offers; // as the panel has them now
+    int offerMessages = 0;
 
 private:
     panel::PlantServer m_server{this};

@@ -66,6 +66,32 @@ primary_host = "scada"
         QCOMPARE(read.settings.primaryHost, u"scada"_s);
     }
 
+    void aPasswordComesFromAFileOfItsOwn()
+    {
+        QTemporaryDir folder;
+        const QString path = folder.filePath(u"password"_s);
+        const auto read = [&path](const QByteArray& text, QFile::Permissions others = {}) {
+            QFile file(path);
+            if (!file.open(QIODevice::WriteOnly) || file.write(text) != text.size())
+                qFatal("no file");
+            file.close();
+            QFile::setPermissions(path, QFile::ReadOwner | QFile::WriteOwner | others);
+            return settingsOf("[gateway]\nhost = \"b\"\nuser = \"packers\"\npassword_file = \"" +
+                              path.toUtf8() + "\"\n");
+        };
+        const auto good = read("se cret\nnote\n", QFile::ReadGroup);
+        QCOMPARE(good.errors, QStringList());
+        QCOMPARE(good.settings.user, u"packers"_s);
+        QCOMPARE(good.settings.password, u"se cret"_s);
+        QVERIFY(good.warnings.contains(u"The password is sent unencrypted: gateway.ca is not set."_s));
+        QVERIFY(read("secret", QFile::ReadOther).errors.value(0).contains(u"everybody can open"_s));
+        QVERIFY(read("\n").errors.value(0).contains(u"is empty"_s));
+        QVERIFY(settingsOf("[gateway]\nuser = \"packers\"\n").errors.value(0).contains(u"belong together"_s));
+        QVERIFY(settingsOf("[gateway]\nuser = \"p\"\npassword_file = \"/nowhere\"\n")
+                    .errors.value(0)
+                    .contains(u"cannot be read"_s));
+    }
+
     void wrongValuesKeepItFromStarting_data()
     {
         QTest::addColumn<QByteArray>("text");

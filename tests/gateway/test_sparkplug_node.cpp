@@ -316,6 +316,22 @@ private slots:
         QVERIFY(rig.broker.ofType("NBIRTH").size() <= 4);
     }
 
+    void aRebirthOfTheGroupIsAnsweredWithinOneSecond()
+    {
+        Rig rig;
+        rig.node.brokerOpened(3);
+        QVERIFY(rig.broker.topics.contains(u"campanel/Hall/rebirth"_s));
+        rig.pass(1s);
+        for (int i = 0; i < 1000; ++i)
+            rig.node.takeMessage(u"campanel/Hall/rebirth"_s, "anything");
+        rig.pass(500ms);
+        QCOMPARE(rig.broker.ofType("NBIRTH").size(), 2);
+        rig.node.takeMessage(u"campanel/Other/rebirth"_s, {});
+        rig.pass(1s);
+        QCOMPARE(rig.broker.ofType("NBIRTH").size(), 2);
+        QVERIFY(rig.commands.isEmpty());
+    }
+
     void commandsAreRefusedAndReported()
     {
         Rig rig;

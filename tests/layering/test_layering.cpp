@@ -132,7 +132,7 @@ const QList<Rule>& includeRules()
             {u"app/cli"_s,
              {standardCpp, posix, expected, qtAny, u"(profile|modbus)/.*"_s,
               u"app/(program|store|cli|panel/words)/.*"_s, u"app/plot/picture/regime_picture\\.h"_s,
-              u"packing_run\\.h"_s}},
+              u"packing_run\\.h"_s, u"app/shell/configuration\\.h"_s, u"gateway/(fleet|mqtt_line)\\.h"_s}},
             {u"gateway"_s,
              {standardCpp, posix, qtAny, u"app/plant/.*"_s,
               u"app/shell/(configuration|termination_signals)\\.h"_s, u"app/store/files/files\\.h"_s,

@@ -100,12 +100,48 @@ QList<store::RecipeOffer> recipesOnStick(const QString& /*ownFolder*/)
          next, store::RecipeSignature{QStringLiteral("Anna Plant"), 0, 0}}};
 }
 
+// Returns a recipe from the plant's network, an older one and one of an unknown signer.
+QList<store::RecipeOffer> recipesFromPlant(const QString& ownFolder)
+{
+    const QString place = store::FileErrorText::tr("Plant network");
+    const QDateTime received(QDate(2026, 1, 15), QTime(14, 2));
+    store::RecipeOffer next = recipesOnStick(ownFolder).last();
+    next.path = QStringLiteral("Biscuit");
+    next.placeName = place;
+    next.changed = received;
+    next.isFromPlant = true;
+    store::RecipeOffer older = next;
+    older.path = QStringLiteral("Chocolate");
+    older.recipe->name = "Chocolate bar 120";
+    older.recipe->version = 1;
+    store::FileError error{
+        store::FileError::Kind::UnknownSigner, QStringLiteral("Wafer"), {}, QStringLiteral("Bert"), {}, 0};
+    return {next, older, {error.path, place, received, tl::unexpected(error), {}, true}};
+}
+
 Screen importing(const char* name, const QString& tapped)
 {
     return {QString::fromLatin1(name), [tapped](TestWindow& window) {
                 panel::RecipeFiles& files = *window.panel().recipes().files();
                 files.setScanner(&recipesOnStick);
                 openLibrary(window, {QStringLiteral("recipeImport")});
+                window.waitFor(files);
+                window.tap(tapped);
+            }};
+}
+
+// Opens the page with the notice of an offer, and by its key the list; without a tap the page stays.
+Screen offering(const char* name, const QString& tapped = {})
+{
+    return {QString::fromLatin1(name), [tapped](TestWindow& window) {
+                panel::RecipeFiles& files = *window.panel().recipes().files();
+                files.setScanner(&recipesFromPlant);
+                openLibrary(window);
+                files.scan();
+                window.waitFor(files);
+                if (tapped.isEmpty())
+                    return;
+                window.tap(QStringLiteral("recipeOffer"));
                 window.waitFor(files);
                 window.tap(tapped);
             }};
@@ -182,7 +218,10 @@ QList<Screen> recipeScreens()
             page("recipes-remove", {QStringLiteral("recipe1"), QStringLiteral("recipeRemove")}),
             importing("recipes-import", QStringLiteral("offer0")),
             importing("recipes-import-bad", QStringLiteral("offer1")),
-            importing("recipes-import-signed", QStringLiteral("offer2"))};
+            importing("recipes-import-signed", QStringLiteral("offer2")),
+            offering("recipes-offered"),
+            offering("recipes-inbox", QStringLiteral("offer0")),
+            offering("recipes-inbox-older", QStringLiteral("offer1"))};
 }
 
 } // namespace campanel::looks

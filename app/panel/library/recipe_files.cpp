@@ -6,9 +6,14 @@
 
 #include <QFileInfo>
 
+#include <chrono>
+
 namespace campanel::panel {
 
 namespace {
+
+// An offer that is replaced is withdrawn for a moment.
+constexpr std::chrono::milliseconds offerPause{300};
 
 bool isOfSignature(const store::FileError& error)
 {
@@ -24,52 +29,95 @@ RecipeFiles::RecipeFiles(const QString& ownFolder, Consequence consequence, QObj
     , m_consequence(std::move(consequence))
 {
     setKeyFolder({});
+    m_offerTimer.setSingleShot(true);
+    m_offerTimer.setInterval(offerPause);
+    connect(&m_offerTimer, &QTimer::timeout, this, &RecipeFiles::search);
 }
 
 void RecipeFiles::setKeyFolder(const QString& folder)
 {
+    m_keyFolder = folder;
     m_scanner = [folder](const QString& ownFolder) {
         return store::offeredRecipes(store::exchangePlaces(ownFolder), folder);
     };
 }
 
-std::function<FileExchange::Apply()> RecipeFiles::searcher()
+void RecipeFiles::takeOffer(const plant::OfferMessage& offer)
 {
-    return [this, scan = m_scanner, folder = ownFolder()]() -> Apply {
-        return [this, found = scan(folder)] {
-            m_found = found;
-            QList<OfferRow> rows;
-            for (const store::RecipeOffer& offer : m_found)
-                rows << row(offer);
-            m_files.setRows(rows);
-        };
-    };
+    if (offer.name.isEmpty())
+        m_received.clear();
+    else if (offer.file.isEmpty())
+        m_received.remove(offer.name);
+    else if (m_received.contains(offer.name) || m_received.size() < plant::maxOffers)
+        m_received.insert(offer.name, {offer.file, QDateTime::currentDateTime()});
+    m_offerTimer.start();
 }
 
-OfferRow RecipeFiles::row(const store::RecipeOffer& offer) const
+std::function<FileExchange::Apply()> RecipeFiles::searcher()
+{
+    return
+        [this, scan = m_scanner, folder = ownFolder(), received = m_received, keys = m_keyFolder]() -> Apply {
+            return [this, found = store::receivedRecipes(received, keys) + scan(folder)] {
+                m_found = found;
+                updateRows();
+            };
+        };
+}
+
+void RecipeFiles::updateRows()
+{
+    QList<OfferRow> rows;
+    QStringList offered;
+    for (const store::RecipeOffer& offer : m_found) {
+        if (!offer.recipe) {
+            rows << refusedRow(offer);
+            continue;
+        }
+        const Effect effect = m_consequence(offer);
+        rows << row(offer, effect);
+        if (offer.isFromPlant && !effect.isRefused && !effect.isKnown)
+            offered << offeredText(offer);
+    }
+    m_files.setRows(rows);
+    const QString notice = offered.join(QStringLiteral(" · "));
+    if (std::exchange(m_notice, notice) != notice)
+        emit noticeChanged();
+}
+
+QString RecipeFiles::offeredText(const store::RecipeOffer& offer)
+{
+    return tr("Offered: %1, version %2", "recipe, number")
+        .arg(QString::fromStdString(offer.recipe->name))
+        .arg(offer.recipe->version);
+}
+
+OfferRow RecipeFiles::row(const store::RecipeOffer& offer, const Effect& effect) const
 {
     const QString date = Format::minute(offer.changed);
+    const QString summary = RecipeComparison::summary(*offer.recipe);
     OfferRow row;
-    row.title = QFileInfo(offer.path).fileName();
-    if (offer.recipe) {
-        const Effect effect = m_consequence(offer);
-        const QString summary = RecipeComparison::summary(*offer.recipe);
-        row.usable = !effect.isRefused;
-        row.detail = effect.text;
-        row.note = offer.signature
-                       ? tr("%1 · signed by %2 · %3 · %4", "what it is, person, date, place")
-                             .arg(summary, offer.signature->signer, date, offer.placeName)
-                       : tr("%1 · %2 · %3", "what it is, date, place").arg(summary, date, offer.placeName);
-    } else {
-        row.usable = false;
-        row.note = tr("cannot be used · %1 · %2", "date, place").arg(date, offer.placeName);
-        const store::FileError& error = offer.recipe.error();
-        row.detail = store::FileErrorText::describe(error);
-        if (!isOfSignature(error))
-            row.detail =
-                tr("%1 Correct the file; the panel reads it again automatically.", "%1: whole sentence")
-                    .arg(row.detail);
-    }
+    row.title = offer.isFromPlant ? offeredText(offer) : QFileInfo(offer.path).fileName();
+    row.usable = !effect.isRefused;
+    row.detail = effect.text;
+    row.note = offer.signature
+                   ? tr("%1 · signed by %2 · %3 · %4", "what it is, person, date, place")
+                         .arg(summary, offer.signature->signer, date, offer.placeName)
+                   : tr("%1 · %2 · %3", "what it is, date, place").arg(summary, date, offer.placeName);
+    return row;
+}
+
+OfferRow RecipeFiles::refusedRow(const store::RecipeOffer& offer)
+{
+    const store::FileError& error = offer.recipe.error();
+    OfferRow row;
+    row.title = offer.isFromPlant ? offer.path : QFileInfo(offer.path).fileName();
+    row.usable = false;
+    row.note =
+        tr("cannot be used · %1 · %2", "date, place").arg(Format::minute(offer.changed), offer.placeName);
+    row.detail = store::FileErrorText::describe(error);
+    if (!isOfSignature(error) && !offer.isFromPlant)
+        row.detail = tr("%1 Correct the file; the panel reads it again automatically.", "%1: whole sentence")
+                         .arg(row.detail);
     return row;
 }
 

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Recipe files on a stick or in the panel's own folder, each with the consequence of importing it.
+// Recipe files on a stick, in the panel's own folder or offered by the plant's network, each with the
+// consequence of importing it. An offer stays in memory until a person imports it.
 #pragma once
 
 #include "app/panel/kit/file_exchange.h"
+#include "app/plant/local_messages.h"
 #include "app/store/recipes/recipe_file.h"
+
+#include <QTimer>
 
 namespace campanel::panel {
 
@@ -12,6 +16,9 @@ class RecipeFiles : public campanel::panel::FileExchange {
     QML_ELEMENT
     QML_UNCREATABLE("Recipe files belong to the Recipes")
     Q_PROPERTY(campanel::panel::RowModelBase* files READ files CONSTANT FINAL)
+    // "Offered: Biscuit 250, version 8": the recipes from the plant's network that can be imported and are
+    // not in the library yet; empty: none.
+    Q_PROPERTY(QString notice READ notice NOTIFY noticeChanged FINAL)
 
 public:
     // Searches for files; called in another thread.
@@ -20,6 +27,7 @@ public:
     struct Effect {
         QString text;
         bool isRefused = false;
+        bool isKnown = false; // importing it changes nothing
     };
     using Consequence = std::function<Effect(const store::RecipeOffer& offer)>;
 
@@ -29,21 +37,33 @@ public:
     void setScanner(Scanner scanner) { m_scanner = std::move(scanner); }
     // Checks signatures with the keys in this folder.
     void setKeyFolder(const QString& folder);
+    // Adds, replaces or withdraws an offer of the plant's network.
+    void takeOffer(const plant::OfferMessage& offer);
+    // Shows the consequences again after the library has changed.
+    void updateRows();
 
     [[nodiscard]] OfferModel* files() { return &m_files; }
+    [[nodiscard]] QString notice() const { return m_notice; }
 
     // Imports the recipe of a usable file.
     Q_INVOKABLE void take(int file);
 
 signals:
     void taken(const campanel::store::RecipeOffer& offer);
+    void noticeChanged();
 
 private:
     [[nodiscard]] std::function<Apply()> searcher() override;
-    [[nodiscard]] OfferRow row(const store::RecipeOffer& offer) const;
+    [[nodiscard]] OfferRow row(const store::RecipeOffer& offer, const Effect& effect) const;
+    [[nodiscard]] static OfferRow refusedRow(const store::RecipeOffer& offer);
+    [[nodiscard]] static QString offeredText(const store::RecipeOffer& offer);
 
     Consequence m_consequence;
     Scanner m_scanner;
+    QString m_keyFolder;
+    QMap<QString, store::ReceivedFile> m_received;
+    QTimer m_offerTimer; // runs out when the offers that come together have come
+    QString m_notice;
     OfferModel m_files{this};
     QList<store::RecipeOffer> m_found;
 };

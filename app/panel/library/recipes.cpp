@@ -108,6 +108,7 @@ void Recipes::reload()
                  m_chosenId = open ? open->recipeId : 0;
              }
              show();
+             m_files.updateRows();
          });
 }
 
@@ -473,6 +474,7 @@ void Recipes::retranslate()
 {
     dismissMessage(); // the message is in the previous language
     show();
+    m_files.updateRows();
 }
 
 } // namespace campanel::panel

@@ -152,7 +152,8 @@ void Recipes::import(const store::RecipeOffer& offer)
         return say(refusal);
     keep(
         onThisMachine(*offer.recipe),
-        [this, fileName = QFileInfo(offer.path).fileName()](const RecipeVersion& kept) {
+        [this, fileName = offer.isFromPlant ? offer.path
+                                            : QFileInfo(offer.path).fileName()](const RecipeVersion& kept) {
             m_chosenId = kept.recipeId;
             say(tr("%1 was imported as %2, version %3.", "file, recipe")
                     .arg(fileName, QString::fromStdString(kept.recipe.name))
@@ -172,8 +173,8 @@ RecipeFiles::Effect Recipes::consequence(const store::RecipeOffer& offer) const
         return {tr("The file becomes the new recipe %1. The data of this machine stay unchanged.").arg(name)};
     const QList<DifferenceRow> rows = RecipeComparison::rows(known->recipe, recipe);
     if (rows.isEmpty())
-        return {
-            tr("The file is identical to %1, version %2; nothing changes.").arg(name).arg(known->version)};
+        return {tr("The file is identical to %1, version %2; nothing changes.").arg(name).arg(known->version),
+                false, true};
     QString text = tr("The file becomes version %2 of %1; earlier versions are kept.")
                        .arg(name)
                        .arg(std::max(known->version + 1, recipe.version));

@@ -16,10 +16,10 @@ Q_LOGGING_CATEGORY(plantLog, "campanel.plant")
 
 } // namespace
 
-PlantFeed::PlantFeed(Controller& machine, Alarms& alarms, AuditTrail& trail, QObject* parent)
+PlantFeed::PlantFeed(const PlantSources& sources, AuditTrail& trail, QObject* parent)
     : QObject(parent)
     , m_trail(trail)
-    , m_values(machine, alarms, nullptr)
+    , m_values(sources, nullptr)
 {
     m_sendTimer.setSingleShot(true);
     m_sendTimer.setInterval(0);
@@ -32,6 +32,7 @@ PlantFeed::PlantFeed(Controller& machine, Alarms& alarms, AuditTrail& trail, QOb
     connect(&m_minuteTimer, &QTimer::timeout, this, &PlantFeed::endMinute);
     connect(&m_server, &PlantServer::clientConnected, this, &PlantFeed::startAnew);
     connect(&m_server, &PlantServer::commandReceived, this, &PlantFeed::noteCommand);
+    connect(&m_server, &PlantServer::offerReceived, this, &PlantFeed::offerReceived);
 }
 
 PlantFeed::~PlantFeed()

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Sends the values of the machine to the gateway, and writes the commands that came from the network into the
-// audit trail. No command is carried out.
+// audit trail. No command is carried out; offered recipes are passed on.
 #pragma once
 
 #include "app/panel/plant/plant_server.h"
@@ -21,12 +21,16 @@ public:
     static constexpr int maxRowsPerMinute = 10;
 
     // All arguments must outlive the object.
-    PlantFeed(Controller& machine, Alarms& alarms, AuditTrail& trail, QObject* parent);
+    PlantFeed(const PlantSources& sources, AuditTrail& trail, QObject* parent);
     // Writes the count of commands that have no row yet.
     ~PlantFeed() override;
 
     // Starts to listen. Without this call nothing is sent and no value is gathered.
     void open(const QString& socketPath);
+
+signals:
+    // Emitted for a recipe that the plant offers or withdraws.
+    void offerReceived(const campanel::plant::OfferMessage& offer);
 
 private:
     // Sends all values in the next message.

@@ -63,15 +63,17 @@ void PlantServer::read(QLocalSocket* socket)
     if (client == m_clients.end())
         return;
     client->reader.add(socket->readAll());
-    QList<plant::CommandMessage> commands;
-    while (const auto message = client->reader.next()) {
-        if (const auto* command = std::get_if<plant::CommandMessage>(&*message))
-            commands << *command;
-    }
+    QList<plant::LocalMessage> messages;
+    while (const auto message = client->reader.next())
+        messages << *message;
     if (client->reader.error())
         socket->abort();
-    for (const plant::CommandMessage& command : commands)
-        emit commandReceived(command);
+    for (const plant::LocalMessage& message : messages) {
+        if (const auto* command = std::get_if<plant::CommandMessage>(&message))
+            emit commandReceived(*command);
+        else if (const auto* offer = std::get_if<plant::OfferMessage>(&message))
+            emit offerReceived(*offer);
+    }
 }
 
 void PlantServer::remove(QLocalSocket* socket)

@@ -37,6 +37,7 @@ signals:
     // Emitted for a new client; it gets the next message that is sent.
     void clientConnected();
     void commandReceived(const campanel::plant::CommandMessage& command);
+    void offerReceived(const campanel::plant::OfferMessage& offer);
 
 private:
     struct Client {

@@ -3,6 +3,7 @@
 
 #include "app/panel/alarms/alarms.h"
 #include "app/panel/controller/controller.h"
+#include "app/panel/stops/stops.h"
 
 #include <cmath>
 
@@ -62,19 +63,21 @@ MetricValue secondsOf(link::SteadyTime::duration time)
 
 } // namespace
 
-PlantValues::PlantValues(Controller& machine, Alarms& alarms, QObject* parent)
+PlantValues::PlantValues(const PlantSources& sources, QObject* parent)
     : QObject(parent)
-    , m_machine(machine)
-    , m_alarms(alarms)
+    , m_machine(sources.machine)
+    , m_alarms(sources.alarms)
+    , m_stops(sources.stops)
 {
     for (const auto signal :
          {&Controller::connectionChanged, &Controller::qualityChanged, &Controller::freshChanged,
           &Controller::stateChanged, &Controller::liveChanged, &Controller::bagChanged,
           &Controller::programChanged, &Controller::savedChanged})
-        connect(&machine, signal, this, &PlantValues::changed);
-    connect(machine.packing(), &PackingLine::changed, this, &PlantValues::changed);
-    connect(machine.packing(), &PackingLine::bagRecorded, this, &PlantValues::noteBag);
-    connect(&alarms, &Alarms::changed, this, &PlantValues::changed);
+        connect(&m_machine, signal, this, &PlantValues::changed);
+    connect(m_machine.packing(), &PackingLine::changed, this, &PlantValues::changed);
+    connect(m_machine.packing(), &PackingLine::bagRecorded, this, &PlantValues::noteBag);
+    connect(&m_alarms, &Alarms::changed, this, &PlantValues::changed);
+    connect(&m_stops, &Stops::presentChanged, this, &PlantValues::changed);
     connect(this, &PlantValues::changed, this, &PlantValues::countTime);
 }
 
@@ -110,6 +113,8 @@ MetricValue PlantValues::valueOf(Metric metric) const
         return secondsOf(m_countedAt - m_since);
     case Metric::StateCumulativeTime:
         return secondsOf(m_totals.at(*m_situation));
+    case Metric::StopReason:
+        return m_stops.reason();
     case Metric::CurMachSpeed:
         return real(m_machine.live().rateBagsPerMin);
     case Metric::ProdProcessedCount:

@@ -19,13 +19,20 @@ namespace campanel::panel {
 
 class Alarms;
 class Controller;
+class Stops;
+
+// The objects that have the values; they must outlive what uses them.
+struct PlantSources {
+    Controller& machine;
+    Alarms& alarms;
+    Stops& stops;
+};
 
 class PlantValues : public QObject {
     Q_OBJECT
 
 public:
-    // All arguments must outlive the object.
-    PlantValues(Controller& machine, Alarms& alarms, QObject* parent);
+    PlantValues(const PlantSources& sources, QObject* parent);
 
     // Returns the present reading of each metric that the panel owns, in the order of the table. Counts the
     // time in the present state as well.
@@ -51,6 +58,7 @@ private:
 
     Controller& m_machine;
     Alarms& m_alarms;
+    Stops& m_stops;
     std::optional<Situation> m_situation; // the one that is counted
     link::SteadyTime m_since{};
     link::SteadyTime m_countedAt{};

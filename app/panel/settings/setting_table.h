@@ -268,6 +268,13 @@ inline constexpr std::array settingTable{
                .form = SettingForm::Name,
                .help = "Sparkplug primary host. While it is offline, values are kept instead of sent. Empty: "
                        "the broker is enough."},
+    SettingRow{.name = "gateway.user",
+               .form = SettingForm::Name,
+               .help = "User name for a broker that asks for one."},
+    SettingRow{.name = "gateway.password_file",
+               .form = SettingForm::File,
+               .help = "File whose first line is the password of this user. Others must not be able to read "
+                       "it: owner root, group campanel-gateway, mode 640."},
 };
 
 // A row of the table by its name. An unknown name does not compile.

@@ -52,13 +52,18 @@ QString FileErrorText::describe(const FileError& error)
                   "install the key, or have the recipe signed by somebody else.")
             .arg(path, error.found);
     case FileError::Kind::WithdrawnSigner:
-        return tr("The recipe file %1 is signed by %2, whose key was withdrawn. Have the recipe signed with a "
+        return tr("The recipe file %1 is signed by %2, whose key was withdrawn. Have the recipe signed with "
+                  "a "
                   "valid key.")
             .arg(path, error.found);
     case FileError::Kind::WrongSignature:
         return tr("The recipe file %1 does not match the signature of %2: it was changed, or another key "
                   "signed it. Ask for a new copy.")
             .arg(path, error.found);
+    case FileError::Kind::NotSigned:
+        return tr("The recipe file %1 is not signed; the plant's network offers signed recipes only. Have it "
+                  "signed.")
+            .arg(path);
     }
     return {};
 }

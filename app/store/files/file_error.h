@@ -25,6 +25,7 @@ struct FileError {
         UnknownSigner,   // `found` is the signer
         WithdrawnSigner, // the same
         WrongSignature,  // the same
+        NotSigned,
     };
 
     Kind kind = Kind::NotFound;

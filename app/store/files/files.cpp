@@ -14,8 +14,6 @@
 namespace campanel::store {
 namespace {
 
-constexpr qint64 maxFileBytes = 1'000'000;
-
 tl::unexpected<FileError> refused(FileError::Kind kind, const QString& path, const QString& reason)
 {
     return tl::unexpected(FileError{kind, path, {}, reason, {}, 0});

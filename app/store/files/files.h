@@ -10,6 +10,9 @@
 
 namespace campanel::store {
 
+// The largest file that is read.
+inline constexpr qsizetype maxFileBytes = 1'000'000;
+
 // Reads a regular file of at most 1 MB; stored files have a few KB. A pipe, a device or a longer file is an
 // error at once, without waiting.
 [[nodiscard]] tl::expected<QByteArray, FileError> readBytes(const QString& path);

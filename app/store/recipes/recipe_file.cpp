@@ -13,21 +13,46 @@ namespace campanel::store {
 
 namespace {
 
-RecipeOffer offeredRecipe(const QFileInfo& file, const Place& place, const QList<SignerKey>& keys)
+// Reads a signed recipe into the offer.
+void takeSigned(RecipeOffer& offer, const QByteArray& bytes, const QList<SignerKey>& keys)
 {
-    const QString path = file.filePath();
-    RecipeOffer offer{path, place.name, file.lastModified(), tl::unexpected(FileError{})};
-    const auto bytes = readBytes(path);
-    if (!bytes) {
-        offer.recipe = tl::unexpected(bytes.error());
-    } else if (!isSignedRecipe(*bytes)) {
-        offer.recipe = fromJson(*bytes, path);
-    } else if (const auto valid = verifyRecipe(*bytes, path, keys)) {
+    if (const auto valid = verifyRecipe(bytes, offer.path, keys)) {
         offer.recipe = valid->recipe;
         offer.signature = valid->signature;
     } else {
         offer.recipe = tl::unexpected(valid.error());
     }
+}
+
+RecipeOffer offeredRecipe(const QFileInfo& file, const Place& place, const QList<SignerKey>& keys)
+{
+    const QString path = file.filePath();
+    RecipeOffer offer{path, place.name, file.lastModified(), tl::unexpected(FileError{})};
+    const auto bytes = readBytes(path);
+    if (!bytes)
+        offer.recipe = tl::unexpected(bytes.error());
+    else if (isSignedRecipe(*bytes))
+        takeSigned(offer, *bytes, keys);
+    else
+        offer.recipe = fromJson(*bytes, path);
+    return offer;
+}
+
+RecipeOffer receivedRecipe(const QString& name, const ReceivedFile& file, const QList<SignerKey>& keys)
+{
+    RecipeOffer offer{name, FileErrorText::tr("Plant network"), file.received, tl::unexpected(FileError{})};
+    offer.isFromPlant = true;
+    const auto refuse = [&](FileError::Kind kind, const QString& found) {
+        offer.recipe = tl::unexpected(FileError{kind, name, {}, found, {}, 0});
+    };
+    if (file.bytes.size() > maxFileBytes)
+        refuse(FileError::Kind::NotReadable, FileErrorText::tooLarge());
+    else if (isSignedRecipe(file.bytes))
+        takeSigned(offer, file.bytes, keys);
+    else if (const auto plain = fromJson(file.bytes, name))
+        refuse(FileError::Kind::NotSigned, {});
+    else
+        offer.recipe = tl::unexpected(plain.error());
     return offer;
 }
 
@@ -47,6 +72,15 @@ tl::expected<void, FileError> writeRecipe(const program::Recipe& recipe, const Q
             return kept;
     }
     return replaceBytes(path, toJson(recipe));
+}
+
+QList<RecipeOffer> receivedRecipes(const QMap<QString, ReceivedFile>& files, const QString& keyFolder)
+{
+    const QList<SignerKey> keys = signerKeys(keyFolder);
+    QList<RecipeOffer> offers;
+    for (auto file = files.begin(); file != files.end(); ++file)
+        offers << receivedRecipe(file.key(), file.value(), keys);
+    return offers;
 }
 
 QList<RecipeOffer> offeredRecipes(const QList<Place>& places, const QString& keyFolder)

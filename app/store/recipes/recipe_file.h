@@ -8,6 +8,7 @@
 #include "app/store/recipes/signed_recipe.h"
 
 #include <QDateTime>
+#include <QMap>
 
 namespace campanel::store {
 
@@ -22,7 +23,18 @@ struct RecipeOffer {
     QDateTime changed;
     tl::expected<program::Recipe, FileError> recipe;
     std::optional<RecipeSignature> signature{}; // of a signed recipe that is valid
+    bool isFromPlant = false;                   // `path` is the name of the offer
 };
+
+// A file that the plant's network offers.
+struct ReceivedFile {
+    QByteArray bytes;
+    QDateTime received;
+};
+
+// Reads the offers of the plant's network, by their names. Those that are not signed are refused.
+[[nodiscard]] QList<RecipeOffer> receivedRecipes(const QMap<QString, ReceivedFile>& files,
+                                                 const QString& keyFolder);
 
 // Returns the JSON files of the places, newest first. Signatures are checked with the keys in a folder. Waits
 // for the disk.

@@ -43,9 +43,13 @@ private slots:
     {
         LocalReader reader;
         reader.add(encoded(someValues()) + encoded(CommandMessage{u"Status/StateCurrent"_s, u"6"_s}) +
+                   encoded(OfferMessage{u"Biscuit"_s, QByteArray("{\0}", 3)}) + encoded(OfferMessage{}) +
                    encoded(ValueMessage{}));
         QCOMPARE(std::get<ValueMessage>(reader.next().value()), someValues());
         QCOMPARE(std::get<CommandMessage>(reader.next().value()).metric, u"Status/StateCurrent"_s);
+        QCOMPARE(std::get<OfferMessage>(reader.next().value()),
+                 (OfferMessage{u"Biscuit"_s, QByteArray("{\0}", 3)}));
+        QCOMPARE(std::get<OfferMessage>(reader.next().value()), OfferMessage());
         QVERIFY(std::get<ValueMessage>(reader.next().value()).readings.isEmpty());
         QVERIFY(!reader.next() && !reader.error());
     }
@@ -68,7 +72,7 @@ private slots:
         const auto row = [](const char* name, const QByteArray& bytes, LocalError error) {
             QTest::newRow(name) << bytes << static_cast<int>(error);
         };
-        row("too long", QByteArray("\0\1\0\1", 4), LocalError::TooLong);
+        row("too long", QByteArray("\0\x10\0\0", 4), LocalError::TooLong);
         row("2 GB", QByteArray("\x7f\xff\xff\xff", 4), LocalError::TooLong);
         row("no CBOR", framed("\xff\xff"), LocalError::NotAMessage);
         row("empty", framed({}), LocalError::NotAMessage);
@@ -103,6 +107,8 @@ private slots:
         reader.add(encoded(ValueMessage{{{Metric::RecipeName, QString(100'000, u'x'), 0}}}));
         const auto message = std::get<ValueMessage>(reader.next().value());
         QCOMPARE(std::get<QString>(message.readings.first().value).size(), maxTextLength);
+        reader.add(encoded(OfferMessage{u"Biscuit"_s, QByteArray(3'000'000, 'x')}));
+        QCOMPARE(std::get<OfferMessage>(reader.next().value()).file.size(), maxOfferBytes + 1);
     }
 
     // Never a crash, and never a value of another type.

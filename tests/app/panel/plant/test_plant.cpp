@@ -2,7 +2,7 @@
 // The panel's values for the plant's network, its local socket, and the commands that are refused.
 #include "app/panel/audit/audit_words.h"
 #include "app/panel/plant/plant_feed.h"
-#include "tests/app/panel/access_rig.h"
+#include "tests/app/panel/plant/plant_rig.h"
 #include "tests/support/packer_image.h"
 #include "tests/support/test_program.h"
 
@@ -19,7 +19,7 @@ using panel::PlantValues;
 using plant::Metric;
 using plant::MetricReading;
 using plant::MetricValue;
-using test::AccessRig;
+using test::PlantRig;
 
 namespace {
 
@@ -93,8 +93,8 @@ private slots:
         QFETCH(int, state);
         QFETCH(int, mode);
         QFETCH(int, packml);
-        AccessRig rig;
-        PlantValues values(rig.machine, rig.alarms, nullptr);
+        PlantRig rig;
+        PlantValues values(rig.sources, nullptr);
         rig.connectIdle();
         rig.link.status.state = static_cast<modbus::State>(state);
         rig.link.sendStatus(rig.now);
@@ -106,8 +106,8 @@ private slots:
 
     void filmThatWaitsForAProductIsSuspended()
     {
-        AccessRig rig;
-        PlantValues values(rig.machine, rig.alarms, nullptr);
+        PlantRig rig;
+        PlantValues values(rig.sources, nullptr);
         rig.connectRunning();
         link::LinkReport report = rig.machine.report();
         report.identity->mapMinor = modbus::mapMinor;
@@ -129,8 +129,8 @@ private slots:
 
     void valuesAreThoseOfThePanel()
     {
-        AccessRig rig;
-        PlantValues values(rig.machine, rig.alarms, nullptr);
+        PlantRig rig;
+        PlantValues values(rig.sources, nullptr);
         rig.connectRunning();
         rig.link.status.bagCount = 1234;
         rig.link.sendStatus(rig.now);
@@ -151,8 +151,8 @@ private slots:
 
     void valuesThatAreNotFreshAreEmpty()
     {
-        AccessRig rig;
-        PlantValues values(rig.machine, rig.alarms, nullptr);
+        PlantRig rig;
+        PlantValues values(rig.sources, nullptr);
         for (const MetricReading& reading : values.readings())
             QVERIFY(!plant::isKnown(reading.value) || reading.metric == Metric::Alarm ||
                     reading.metric == Metric::LinkQuality);
@@ -173,8 +173,8 @@ private slots:
     // After a download the header is read a moment after the status.
     void theNameOfTheLastProgramIsNotSentForTheNewOne()
     {
-        AccessRig rig;
-        PlantValues values(rig.machine, rig.alarms, nullptr);
+        PlantRig rig;
+        PlantValues values(rig.sources, nullptr);
         rig.connectRunning();
         ++rig.link.status.generation;
         rig.link.status.activeCrc = 77;
@@ -186,8 +186,8 @@ private slots:
 
     void timeInAStateIsCounted()
     {
-        AccessRig rig;
-        PlantValues values(rig.machine, rig.alarms, nullptr);
+        PlantRig rig;
+        PlantValues values(rig.sources, nullptr);
         rig.connectRunning();
         const auto run = [&rig](modbus::State state, std::chrono::seconds time) {
             rig.link.status.state = state;
@@ -207,10 +207,59 @@ private slots:
         QCOMPARE(readingOf(values, Metric::StateCumulativeTime).value, whole(17));
     }
 
+    void theReasonOfTheStopIsThatOfTheStops()
+    {
+        PlantRig rig;
+        rig.stops.setWallClock([&rig] { return rig.wallMs; });
+        PlantValues values(rig.sources, nullptr);
+        QSignalSpy changed(&values, &PlantValues::changed);
+        rig.connectRunning();
+        const auto pass = [&rig](modbus::State state, int seconds) {
+            rig.link.status.state = state;
+            for (int i = 0; i < seconds; ++i) {
+                rig.now += 1s;
+                rig.wallMs += 1000;
+                rig.link.sendStatus(rig.now);
+                rig.stops.check();
+            }
+        };
+        pass(modbus::State::Running, 10);
+        QCOMPARE(readingOf(values, Metric::StopReason).value, MetricValue(QString()));
+        pass(modbus::State::Ready, 10);
+        QCOMPARE(readingOf(values, Metric::StopReason).value, MetricValue(QString()));
+        const auto before = changed.size();
+        emit rig.stops.keys()->chosen({u"material"_s, u"film_change"_s, false});
+        QVERIFY(changed.size() > before);
+        QCOMPARE(readingOf(values, Metric::StopReason).value, MetricValue(u"material/film_change"_s));
+        pass(modbus::State::Running, 2);
+        QCOMPARE(readingOf(values, Metric::StopReason).value, MetricValue(QString()));
+        rig.link.becomeLost();
+        QCOMPARE(readingOf(values, Metric::StopReason).value, MetricValue());
+    }
+
+    void offersArePassedOn()
+    {
+        PlantRig rig;
+        PlantFeed feed(rig.sources, rig.trail, nullptr);
+        const QString path = rig.folder.filePath(u"gateway.socket"_s);
+        feed.open(path);
+        QList<plant::OfferMessage> offers;
+        connect(&feed, &PlantFeed::offerReceived, this,
+                [&offers](const plant::OfferMessage& offer) { offers << offer; });
+        Client client(path);
+        const plant::OfferMessage offer{u"Biscuit"_s, QByteArray(plant::maxOfferBytes, 'x')};
+        client.socket.write(plant::encoded(offer));
+        client.socket.write(plant::encoded(plant::OfferMessage{}));
+        QTRY_COMPARE(offers.size(), 2);
+        QCOMPARE(offers.first(), offer);
+        QCOMPARE(offers.last(), plant::OfferMessage());
+        QVERIFY(rig.link.requests.isEmpty());
+    }
+
     void defectiveBagsAreCounted()
     {
-        AccessRig rig;
-        PlantValues values(rig.machine, rig.alarms, nullptr);
+        PlantRig rig;
+        PlantValues values(rig.sources, nullptr);
         rig.connectRunning();
         const auto record = [&rig](double deviationMm, bool isStartUp, bool isChangeOver) {
             modbus::BagRecord bag;
@@ -229,8 +278,8 @@ private slots:
 
     void aGatewayGetsAllValuesAndThenChanges()
     {
-        AccessRig rig;
-        PlantFeed feed(rig.machine, rig.alarms, rig.trail, nullptr);
+        PlantRig rig;
+        PlantFeed feed(rig.sources, rig.trail, nullptr);
         const QString path = rig.folder.filePath(u"gateway.socket"_s);
         feed.open(path);
         rig.connectRunning();
@@ -256,7 +305,7 @@ private slots:
     // The panel waits for nobody.
     void aGatewayThatDoesNotReadIsDisconnected()
     {
-        AccessRig rig;
+        PlantRig rig;
         panel::PlantServer server(nullptr);
         const QString path = rig.folder.filePath(u"gateway.socket"_s);
         QCOMPARE(server.listen(path), QString());
@@ -273,7 +322,7 @@ private slots:
 
     void onlyAFewClientsAreServed()
     {
-        AccessRig rig;
+        PlantRig rig;
         panel::PlantServer server(nullptr);
         const QString path = rig.folder.filePath(u"gateway.socket"_s);
         QCOMPARE(server.listen(path), QString());
@@ -289,8 +338,8 @@ private slots:
 
     void garbageEndsTheConnectionOnly()
     {
-        AccessRig rig;
-        PlantFeed feed(rig.machine, rig.alarms, rig.trail, nullptr);
+        PlantRig rig;
+        PlantFeed feed(rig.sources, rig.trail, nullptr);
         const QString path = rig.folder.filePath(u"gateway.socket"_s);
         feed.open(path);
         Client client(path);
@@ -304,11 +353,11 @@ private slots:
 
     void commandsAreWrittenIntoTheAuditTrailAndNothingElse()
     {
-        AccessRig rig;
+        PlantRig rig;
         rig.connectRunning();
         rig.addAnnaAndBo();
         rig.logIn(u"Bo"_s, u"1470"_s);
-        auto feed = std::make_unique<PlantFeed>(rig.machine, rig.alarms, rig.trail, nullptr);
+        auto feed = std::make_unique<PlantFeed>(rig.sources, rig.trail, nullptr);
         const QString path = rig.folder.filePath(u"gateway.socket"_s);
         feed->open(path);
         Client client(path);
