@@ -2,6 +2,7 @@
 // The questions of the contract, and the proof that an answer belongs to its question.
 #include "modbus/line/rtu_client.h"
 
+#include "modbus/line/answer_reader.h"
 #include "modbus/map/codec.h"
 #include "modbus/map/function_codes.h"
 
@@ -51,17 +52,6 @@ void appendWords(std::vector<std::uint8_t>& bytes, std::initializer_list<int> wo
     }
 }
 
-// Returns the registers after the byte count of a reading answer; empty when the count does not match.
-std::vector<std::uint16_t> registersIn(std::span<const std::uint8_t> data)
-{
-    if (data.empty() || data[0] + 1u != data.size())
-        return {};
-    std::vector<std::uint16_t> registers(data[0] / 2u);
-    for (std::size_t i = 0; i < registers.size(); ++i)
-        registers[i] = static_cast<std::uint16_t>((data[1 + 2 * i] << 8) | data[2 + 2 * i]);
-    return registers;
-}
-
 } // namespace
 
 RtuClient::RtuClient(LinkSettings settings, std::shared_ptr<LinkRecord> record)
@@ -109,7 +99,7 @@ RtuClient::writeAndRead(const std::string& request, const WindowRead& window, co
     return m_line
         .ask(question,
              [&](std::span<const std::uint8_t> data) {
-                 answer = registersIn(data);
+                 answer = answeredRegisters(data);
                  return answer.size() == window.readCount && isMine(answer);
              })
         .map([&](const RtuLine::Bytes&) { return std::move(answer); });
@@ -124,7 +114,7 @@ tl::expected<RtuClient::Registers, LinkError> RtuClient::readPlain(const std::st
     return m_line
         .ask(question,
              [&](std::span<const std::uint8_t> data) {
-                 answer = registersIn(data);
+                 answer = answeredRegisters(data);
                  return answer.size() == count;
              })
         .map([&](const RtuLine::Bytes&) { return std::move(answer); });

@@ -67,6 +67,7 @@ _Static_assert(sizeof(assembled_group) == CTL_GROUP_PACKER * sizeof(uint16_t),
                "the packer's group is the largest");
 _Static_assert(CTL_GROUP_READBACK_RESULT == 3u + CTL_READBACK_REGISTERS,
                "the values read back end the group");
+_Static_assert(CTL_MAX_READBACK_COUNT == CTL_READBACK_REGISTERS, "all that may be asked for fits the answer");
 _Static_assert(CTL_GROUP_ACTIVE == CTL_BANK_REGISTERS && CTL_GROUP_STAGED == CTL_BANK_REGISTERS,
                "a bank is read whole");
 _Static_assert(CTL_GROUP_CLOCK == 2u, "the clock is one wide value");
