@@ -78,6 +78,7 @@ PanelMaster::PanelMaster(FaultyController& controller, const FaultClass& faults,
     , m_settings(settings)
     , m_tally(tally)
     , m_watch(watch)
+    , m_truth(settings.time, controller.started())
     , m_random(settings.seed)
     , m_session(static_cast<std::uint16_t>(settings.seed))
 {
@@ -136,27 +137,36 @@ void PanelMaster::connect()
 {
     const auto begun = Clock::now();
     while (!m_client && !tryToConnect()) {
-        if (Clock::now() > begun + longestSearch)
+        if (Clock::now() > begun + m_settings.patience(longestSearch))
             throw std::runtime_error("the controller was not found again");
         std::this_thread::sleep_for(retryDelay);
     }
 }
 
+// Time that the controller's own computer did not give it does not count: `byItsClock` is then the shorter
+// one.
+void PanelMaster::noteReturn(const char* what, Clock::duration took, Clock::duration byItsClock,
+                             std::vector<double>& times)
+{
+    times.push_back(std::chrono::duration<double, std::milli>(took).count());
+    const auto counted = m_settings.time == ControllerTime::Steady ? took : std::min(took, byItsClock);
+    if (counted > reconnectLimit)
+        m_tally.find(m_tally.hangs, std::string(what) + ": found again after " +
+                                        std::to_string(std::chrono::ceil<milliseconds>(counted).count()) +
+                                        " ms");
+}
+
 void PanelMaster::noteGoodStatus()
 {
-    const auto take = [this](bool& open, Clock::time_point since, std::vector<double>& times,
-                             const char* what) {
-        if (!std::exchange(open, false))
-            return;
-        const auto took = Clock::now() - since;
-        times.push_back(std::chrono::duration<double, std::milli>(took).count());
-        if (took > reconnectLimit)
-            m_tally.find(m_tally.hangs, std::string(what) + ": found again after " +
-                                            std::to_string(std::chrono::ceil<milliseconds>(took).count()) +
-                                            " ms");
-    };
-    take(m_replugOpen, m_seen.lastPlug, m_tally.replugMs, "port");
-    take(m_restartOpen, m_seen.lastRestart, m_tally.restartMs, "controller");
+    const auto now = Clock::now();
+    const auto age = m_truth.age();
+    if (std::exchange(m_replugOpen, false))
+        noteReturn("port", now - m_seen.lastPlug, age - m_goodAge - (m_seen.lastPlug - m_goodTime),
+                   m_tally.replugMs);
+    if (std::exchange(m_restartOpen, false))
+        noteReturn("controller", now - m_seen.lastRestart, age, m_tally.restartMs);
+    m_goodAge = age;
+    m_goodTime = now;
 }
 
 void PanelMaster::pollStatus()
@@ -302,7 +312,7 @@ void PanelMaster::finish()
     const std::uint64_t believed = m_tally.believed;
     // Includes late answers and returning ports, until three in a row are good.
     while (m_download || m_tally.believed < believed + 3) {
-        if (Clock::now() > begun + longestFinish)
+        if (Clock::now() > begun + m_settings.patience(longestFinish))
             throw std::runtime_error("a clean line does not work again");
         connect();
         if (m_download)
