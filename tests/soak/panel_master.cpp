@@ -98,6 +98,7 @@ void PanelMaster::noteEvents()
     if (now.restarts != m_seen.restarts) {
         m_truth.restarted();
         m_restartOpen = true;
+        m_answersBefore = 0;
     }
     m_seen = now;
 }
@@ -143,30 +144,26 @@ void PanelMaster::connect()
     }
 }
 
-// Time that the controller's own computer did not give it does not count: `byItsClock` is then the shorter
-// one.
-void PanelMaster::noteReturn(const char* what, Clock::duration took, Clock::duration byItsClock,
-                             std::vector<double>& times)
+// Time in which a stopped controller could not answer does not count: it is told by its own count of answers.
+void PanelMaster::noteReturn(const char* what, Clock::duration took, std::vector<double>& times)
 {
+    constexpr int fewAnswers = 24; // some attempts of identity and status
     times.push_back(std::chrono::duration<double, std::milli>(took).count());
-    const auto counted = m_settings.time == ControllerTime::Steady ? took : std::min(took, byItsClock);
-    if (counted > reconnectLimit)
+    const bool couldAnswer = m_settings.time == ControllerTime::Steady ||
+                             static_cast<std::uint16_t>(m_answers - m_answersBefore) > fewAnswers;
+    if (took > reconnectLimit && couldAnswer)
         m_tally.find(m_tally.hangs, std::string(what) + ": found again after " +
-                                        std::to_string(std::chrono::ceil<milliseconds>(counted).count()) +
+                                        std::to_string(std::chrono::ceil<milliseconds>(took).count()) +
                                         " ms");
 }
 
 void PanelMaster::noteGoodStatus()
 {
-    const auto now = Clock::now();
-    const auto age = m_truth.age();
     if (std::exchange(m_replugOpen, false))
-        noteReturn("port", now - m_seen.lastPlug, age - m_goodAge - (m_seen.lastPlug - m_goodTime),
-                   m_tally.replugMs);
+        noteReturn("port", Clock::now() - m_seen.lastPlug, m_tally.replugMs);
     if (std::exchange(m_restartOpen, false))
-        noteReturn("controller", now - m_seen.lastRestart, age, m_tally.restartMs);
-    m_goodAge = age;
-    m_goodTime = now;
+        noteReturn("controller", Clock::now() - m_seen.lastRestart, m_tally.restartMs);
+    m_answersBefore = m_answers;
 }
 
 void PanelMaster::pollStatus()
@@ -187,6 +184,7 @@ void PanelMaster::pollStatus()
     else if (const auto repeated = m_truth.checkCommands(*status); !repeated.empty())
         m_tally.find(m_tally.repeated, "status: " + repeated);
     m_program = {status->generation, status->activeCrc.value_or(0)};
+    m_answers = status->linkRequests;
     noteGoodStatus();
     if (m_download) {
         const auto step = m_download->noteStatus(*status);

@@ -59,8 +59,7 @@ private:
     void noteEvents();
     void noteError(const modbus::LinkError& error);
     void noteGoodStatus();
-    void noteReturn(const char* what, Clock::duration took, Clock::duration byItsClock,
-                    std::vector<double>& times);
+    void noteReturn(const char* what, Clock::duration took, std::vector<double>& times);
 
     void oneStep();
     void pollStatus();
@@ -91,10 +90,9 @@ private:
     FaultyController::Events m_seen; // events already included in the truth
     bool m_replugOpen = false;       // the port is back, without a good status since
     bool m_restartOpen = false;
-    // The last good status: its time by the controller's clock, and by this program's.
-    std::chrono::milliseconds m_goodAge{0};
-    Clock::time_point m_goodTime;
-    bool m_isClean = true; // without faults at present
+    std::uint16_t m_answersBefore = 0; // of the controller, in the last good status since its power-up
+    std::uint16_t m_answers = 0;       // in this one
+    bool m_isClean = true;             // without faults at present
     std::uint16_t m_heartbeat = 0;
     std::uint16_t m_session = 0;
 };

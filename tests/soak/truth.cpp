@@ -173,8 +173,8 @@ std::string Truth::checkState(const modbus::StatusBlock& status)
     if (status.faultBits != 0)
         return differs("fault bits", status.faultBits, 0);
     if (!m_startAge)
-        m_startAge = age();
-    const bool mayRun = m_starts > 0 && age() < *m_startAge + longestMove;
+        m_startAge = m_clock.age();
+    const bool mayRun = m_starts > 0 && m_clock.age() < *m_startAge + longestMove;
     const bool runs = status.state == modbus::State::Running || status.state == modbus::State::Stopping;
     if (!stands(status) && !(runs && mayRun))
         return differs("state", static_cast<int>(*status.state), static_cast<int>(modbus::State::Ready));

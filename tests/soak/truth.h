@@ -74,8 +74,6 @@ public:
     void notApplied() { m_pendingCrc.reset(); } // the master was told that the active program is unchanged
     void resetClock() { m_clock = ControllerClock(m_time, m_powerUp); }
 
-    // Returns the time since power-up by the controller's clock, in the last status.
-    [[nodiscard]] std::chrono::milliseconds age() const { return m_clock.age(); }
     [[nodiscard]] std::uint32_t activeCrc() const { return m_now.crc; }
     [[nodiscard]] const Image& activeImage() const { return m_images.at(m_now.crc); }
     [[nodiscard]] const std::vector<std::uint32_t>& imageCrcs() const { return m_crcs; }
