@@ -278,8 +278,11 @@ void PanelMaster::prepare()
     m_controller.setFaults("clear"); // accepted once it serves
     connect();
     const modbus::RegisterInfo& patience = modbus::registerNamed("parameter.heartbeat_timeout");
-    if (!m_client->writeParameter(patience, patience.maximum))
-        throw std::runtime_error("a clean line does not take a parameter");
+    const auto begun = Clock::now();
+    while (!m_client->writeParameter(patience, patience.maximum)) {
+        if (m_settings.time == ControllerTime::Steady || Clock::now() > begun + longestSearch)
+            throw std::runtime_error("a clean line does not take a parameter");
+    }
     pollStatus();
     while (!m_download)
         startDownload();
