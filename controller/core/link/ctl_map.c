@@ -129,7 +129,7 @@ static void read_group(ctl_core* core, group_name group, uint32_t first, uint16_
     memcpy(values, &source[first], count * sizeof values[0]);
 }
 
-uint8_t ctl_map_read(ctl_core* core, uint32_t address, uint16_t* values, uint32_t count)
+uint8_t ctl_map_readable(uint32_t address, uint32_t count)
 {
     for (uint32_t at = address; at < address + count;) {
         const group_name group = group_of(at);
@@ -137,6 +137,14 @@ uint8_t ctl_map_read(ctl_core* core, uint32_t address, uint16_t* values, uint32_
             return CTL_ILLEGAL_ADDRESS;
         at = (uint32_t)ranges[group].base + ranges[group].count;
     }
+    return 0;
+}
+
+uint8_t ctl_map_read(ctl_core* core, uint32_t address, uint16_t* values, uint32_t count)
+{
+    const uint8_t refused = ctl_map_readable(address, count);
+    if (refused != 0)
+        return refused;
     while (count != 0) {
         const group_name group = group_of(address);
         const uint32_t first = address - ranges[group].base;
