@@ -2,7 +2,7 @@
 #include "app/report/commissioning_pdf.h"
 
 #include "app/plot/curve_plot.h"
-#include "app/plot/qr_code.h"
+#include "app/plot/qr/qr_code.h"
 
 #include <QBuffer>
 #include <QGuiApplication>

@@ -2,7 +2,7 @@
 // QR codes as another program reads them.
 #include "samples.h"
 
-#include "app/plot/qr_code.h"
+#include "app/plot/qr/qr_code.h"
 #include "tests/support/qr_reader.h"
 #include "tests/support/test_program.h"
 
@@ -69,13 +69,14 @@ private slots:
 
     void theQuietZoneIsWhite()
     {
-        const QImage image = painted(u"Biscuit 250"_s, {100, 66});
-        constexpr int pixels = 2; // per module: 25 and two quiet zones of 4
+        constexpr int pixels = 2; // per module: 21 and two quiet zones of 4
+        constexpr int side = 29 * pixels;
         constexpr int quiet = pixels * qrQuietModules;
-        const int left = (100 - 66) / 2; // centered
-        QCOMPARE(test::inkIn(image, {0, 0, left + quiet, 66}, Qt::black), 0);
+        constexpr int left = (100 - side) / 2; // centered
+        const QImage image = painted(u"Biscuit 250"_s, {100, side});
+        QCOMPARE(test::inkIn(image, {0, 0, left + quiet, side}, Qt::black), 0);
         QCOMPARE(test::inkIn(image, {0, 0, 100, quiet}, Qt::black), 0);
-        QCOMPARE(test::inkIn(image, {0, 66 - quiet, 100, quiet}, Qt::black), 0);
+        QCOMPARE(test::inkIn(image, {0, side - quiet, 100, quiet}, Qt::black), 0);
         // The finder pattern begins with a bar of seven modules.
         QCOMPARE(test::inkIn(image, {left + quiet, quiet, 7 * pixels, pixels}, Qt::black),
                  7 * pixels * pixels);

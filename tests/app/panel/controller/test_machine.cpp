@@ -406,6 +406,9 @@ private slots:
         rig.settings.setAutoLogoutMinutes(30);
         rig.settings.setOperatorsLogIn(true);
         rig.settings.setHoldToStart("on");
+        rig.settings.set("scanner.prefix", "~~");
+        rig.settings.set("scanner.suffix", "tab");
+        rig.settings.set("scanner.key_time_ms", "50");
         rig.settings.set("stops.ask_after_seconds", "90");
         rig.settings.set("stops.ideal_rate", "120");
         rig.settings.set("stops.shift_starts", "06:00 18:00");

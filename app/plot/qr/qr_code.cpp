@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/plot/qr_code.h"
+#include "app/plot/qr/qr_code.h"
 
 #include <QPainter>
 #include <QPainterPath>
