@@ -915,6 +915,18 @@
         <source>Reason of a stop changed</source>
         <translation>Grund eines Stillstands geändert</translation>
     </message>
+    <message>
+        <source>Film reels</source>
+        <translation>Folienrollen</translation>
+    </message>
+    <message>
+        <source>Film reel scanned</source>
+        <translation>Folienrolle gescannt</translation>
+    </message>
+    <message>
+        <source>Wrong film reel allowed</source>
+        <translation>Falsche Folienrolle zugelassen</translation>
+    </message>
 </context>
 <context>
     <name>BackupErrorText</name>
@@ -2117,6 +2129,18 @@ eff. %2</translation>
     <message>
         <source>Knots</source>
         <translation>Stützpunkte</translation>
+    </message>
+    <message>
+        <source>Code</source>
+        <translation>Code</translation>
+    </message>
+    <message>
+        <source>Film reel</source>
+        <translation>Folienrolle</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keiner</translation>
     </message>
 </context>
 <context>
@@ -3552,6 +3576,14 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
 </context>
 <context>
     <name>campanel::panel::Commissioning</name>
+    <message>
+        <source>Code of the recipe</source>
+        <translation>Code des Rezepts</translation>
+    </message>
+    <message>
+        <source>Code of the film reel</source>
+        <translation>Code der Folienrolle</translation>
+    </message>
     <message>
         <source>%1 commissioning %2</source>
         <comment>name of a file: recipe, date</comment>
@@ -5865,6 +5897,18 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
         <source>reasons of a stop</source>
         <translation>Stillstandsgründe</translation>
     </message>
+    <message>
+        <source>scanner prefix</source>
+        <translation>Präfix des Scanners</translation>
+    </message>
+    <message>
+        <source>scanner suffix</source>
+        <translation>Suffix des Scanners</translation>
+    </message>
+    <message>
+        <source>time between scanned keys, ms</source>
+        <translation>Zeit zwischen Tasten des Scanners, ms</translation>
+    </message>
 </context>
 <context>
     <name>campanel::panel::Trends</name>
@@ -6380,8 +6424,8 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
         <translation>s</translation>
     </message>
     <message>
-        <source>Ideal rate (0: of the recipe)</source>
-        <translation>Ideale Taktrate (0: des Rezepts)</translation>
+        <source>Ideal rate (0: by recipe)</source>
+        <translation>Ideale Taktrate (0: laut Rezept)</translation>
     </message>
     <message>
         <source>pieces/min</source>
@@ -6414,6 +6458,83 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
         <source>Since %1, %2</source>
         <comment>time, duration</comment>
         <translation>Seit %1, %2</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::RecipeCodes</name>
+    <message>
+        <source>Any reel</source>
+        <translation>Jede Rolle</translation>
+    </message>
+    <message>
+        <source>The code is too long. Enter at most %1 letters and digits.</source>
+        <translation>Der Code ist zu lang. Höchstens %1 Buchstaben und Ziffern eingeben.</translation>
+    </message>
+    <message>
+        <source>The code has characters that cannot be printed. Enter letters and digits.</source>
+        <translation>Der Code hat Zeichen, die nicht druckbar sind. Buchstaben und Ziffern eingeben.</translation>
+    </message>
+    <message>
+        <source>This is the code of the recipe %1. Enter another code.</source>
+        <translation>Dies ist der Code des Rezepts %1. Anderen Code eingeben.</translation>
+    </message>
+    <message>
+        <source>This is the code of the film reel of %1. Enter another code.</source>
+        <translation>Dies ist der Code der Folienrolle von %1. Anderen Code eingeben.</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::Scan</name>
+    <message>
+        <source>Time between keys</source>
+        <translation>Zeit zwischen Tasten</translation>
+    </message>
+    <message>
+        <source>The prefix is not possible. Enter up to 8 letters, digits or signs of ASCII without spaces.</source>
+        <translation>Dieses Präfix ist nicht möglich. Bis zu 8 Buchstaben, Ziffern oder Zeichen in ASCII ohne Leerzeichen eingeben.</translation>
+    </message>
+    <message>
+        <source>The code was not read completely. Scan again.</source>
+        <translation>Der Code wurde nicht vollständig gelesen. Erneut scannen.</translation>
+    </message>
+    <message>
+        <source>No recipe has the code %1. Enter the code with its recipe on the Recipes page.</source>
+        <translation>Kein Rezept hat den Code %1. Den Code auf der Seite Rezepte beim Rezept eingeben.</translation>
+    </message>
+    <message>
+        <source>%1 and %2 have the same code %3. Give one of them another code.</source>
+        <translation>%1 und %2 haben denselben Code %3. Einem davon einen anderen Code geben.</translation>
+    </message>
+    <message>
+        <source>Complete the first start, then scan again.</source>
+        <translation>Zuerst den ersten Start abschließen, dann erneut scannen.</translation>
+    </message>
+    <message>
+        <source>The recipes are still being read. Scan again.</source>
+        <translation>Die Rezepte werden noch gelesen. Erneut scannen.</translation>
+    </message>
+    <message>
+        <source>A download is running. Scan again when the download has ended.</source>
+        <translation>Eine Übertragung läuft. Nach ihrem Ende erneut scannen.</translation>
+    </message>
+    <message>
+        <source>Film reel %1 is the right one for this recipe.</source>
+        <translation>Folienrolle %1 ist die richtige für dieses Rezept.</translation>
+    </message>
+    <message>
+        <source>Film reel %1 is loaded. The next recipe is compared with it.</source>
+        <translation>Folienrolle %1 ist eingelegt. Das nächste Rezept wird damit verglichen.</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::FilmCheck</name>
+    <message>
+        <source>Wrong film reel: %1 was scanned, the recipe needs %2. Load and scan the right reel.</source>
+        <translation>Falsche Folienrolle: %1 wurde gescannt, das Rezept braucht %2. Richtige Rolle einlegen und scannen.</translation>
+    </message>
+    <message>
+        <source>Unknown code %1: no recipe and no film reel has it. Load and scan the film reel %2.</source>
+        <translation>Unbekannter Code %1: kein Rezept und keine Folienrolle hat ihn. Folienrolle %2 einlegen und scannen.</translation>
     </message>
 </context>
 </TS>

@@ -915,6 +915,18 @@
         <source>Reason of a stop changed</source>
         <translation>停机原因已更改</translation>
     </message>
+    <message>
+        <source>Film reels</source>
+        <translation>膜卷</translation>
+    </message>
+    <message>
+        <source>Film reel scanned</source>
+        <translation>已扫描膜卷</translation>
+    </message>
+    <message>
+        <source>Wrong film reel allowed</source>
+        <translation>允许使用错误膜卷</translation>
+    </message>
 </context>
 <context>
     <name>BackupErrorText</name>
@@ -2116,6 +2128,18 @@ RMS %2</source>
     <message>
         <source>Knots</source>
         <translation>型值点</translation>
+    </message>
+    <message>
+        <source>Code</source>
+        <translation>条码</translation>
+    </message>
+    <message>
+        <source>Film reel</source>
+        <translation>膜卷</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>无</translation>
     </message>
 </context>
 <context>
@@ -3551,6 +3575,14 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
 </context>
 <context>
     <name>campanel::panel::Commissioning</name>
+    <message>
+        <source>Code of the recipe</source>
+        <translation>配方条码</translation>
+    </message>
+    <message>
+        <source>Code of the film reel</source>
+        <translation>膜卷条码</translation>
+    </message>
     <message>
         <source>%1 commissioning %2</source>
         <comment>name of a file: recipe, date</comment>
@@ -5863,6 +5895,18 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
         <source>reasons of a stop</source>
         <translation>停机原因</translation>
     </message>
+    <message>
+        <source>scanner prefix</source>
+        <translation>扫码枪前缀</translation>
+    </message>
+    <message>
+        <source>scanner suffix</source>
+        <translation>扫码枪后缀</translation>
+    </message>
+    <message>
+        <source>time between scanned keys, ms</source>
+        <translation>扫码按键间隔，ms</translation>
+    </message>
 </context>
 <context>
     <name>campanel::panel::Trends</name>
@@ -6378,7 +6422,7 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
         <translation>秒</translation>
     </message>
     <message>
-        <source>Ideal rate (0: of the recipe)</source>
+        <source>Ideal rate (0: by recipe)</source>
         <translation>理想速率（0：按配方）</translation>
     </message>
     <message>
@@ -6412,6 +6456,83 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
         <source>Since %1, %2</source>
         <comment>time, duration</comment>
         <translation>自 %1 起，%2</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::RecipeCodes</name>
+    <message>
+        <source>Any reel</source>
+        <translation>任意膜卷</translation>
+    </message>
+    <message>
+        <source>The code is too long. Enter at most %1 letters and digits.</source>
+        <translation>条码太长。请输入不超过 %1 个字母和数字。</translation>
+    </message>
+    <message>
+        <source>The code has characters that cannot be printed. Enter letters and digits.</source>
+        <translation>条码含有不可打印的字符。请输入字母和数字。</translation>
+    </message>
+    <message>
+        <source>This is the code of the recipe %1. Enter another code.</source>
+        <translation>这是配方 %1 的条码。请输入其他条码。</translation>
+    </message>
+    <message>
+        <source>This is the code of the film reel of %1. Enter another code.</source>
+        <translation>这是 %1 的膜卷条码。请输入其他条码。</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::Scan</name>
+    <message>
+        <source>Time between keys</source>
+        <translation>按键间隔</translation>
+    </message>
+    <message>
+        <source>The prefix is not possible. Enter up to 8 letters, digits or signs of ASCII without spaces.</source>
+        <translation>前缀无效。请输入不超过 8 个 ASCII 字母、数字或符号，不含空格。</translation>
+    </message>
+    <message>
+        <source>The code was not read completely. Scan again.</source>
+        <translation>条码未读完整。请重新扫描。</translation>
+    </message>
+    <message>
+        <source>No recipe has the code %1. Enter the code with its recipe on the Recipes page.</source>
+        <translation>没有配方使用条码 %1。请在“配方”页面为配方输入该条码。</translation>
+    </message>
+    <message>
+        <source>%1 and %2 have the same code %3. Give one of them another code.</source>
+        <translation>%1 和 %2 的条码同为 %3。请为其中一个更换条码。</translation>
+    </message>
+    <message>
+        <source>Complete the first start, then scan again.</source>
+        <translation>请先完成首次启动，然后重新扫描。</translation>
+    </message>
+    <message>
+        <source>The recipes are still being read. Scan again.</source>
+        <translation>正在读取配方。请重新扫描。</translation>
+    </message>
+    <message>
+        <source>A download is running. Scan again when the download has ended.</source>
+        <translation>正在下载。请在下载结束后重新扫描。</translation>
+    </message>
+    <message>
+        <source>Film reel %1 is the right one for this recipe.</source>
+        <translation>膜卷 %1 与此配方相符。</translation>
+    </message>
+    <message>
+        <source>Film reel %1 is loaded. The next recipe is compared with it.</source>
+        <translation>膜卷 %1 已装入，将与下一个配方比对。</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::FilmCheck</name>
+    <message>
+        <source>Wrong film reel: %1 was scanned, the recipe needs %2. Load and scan the right reel.</source>
+        <translation>膜卷错误：扫描到 %1，配方需要 %2。请装上正确的膜卷并扫描。</translation>
+    </message>
+    <message>
+        <source>Unknown code %1: no recipe and no film reel has it. Load and scan the film reel %2.</source>
+        <translation>未知条码 %1：没有配方或膜卷使用它。请装上膜卷 %2 并扫描。</translation>
     </message>
 </context>
 </TS>

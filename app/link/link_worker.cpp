@@ -149,13 +149,15 @@ void LinkWorker::exchange()
         sendHeldStop();
     else if (isJogNext)
         pollStatus();
-    else if (const auto request = m_requests.take())
+    else if (isResultDue() && !m_requests.isStopNext())
+        askForResult();
+    else if (const auto request = takeRequest())
         carryOut(*request);
     else if (m_isHeaderWanted)
         readHeader();
     else if (isReadNext)
         advanceRead();
-    else if (m_download && m_download->hasWork() && mayPollWait)
+    else if (m_download && m_download->hasWork() && mayPollWait && !m_begun)
         advanceDownload();
     else if (m_comparison && m_comparison->hasWork() && mayPollWait)
         advanceComparison();
@@ -166,9 +168,10 @@ void LinkWorker::exchange()
         pollStatus();
     if (m_report.state != LinkState::Connected)
         return;
-    const bool hasWork = m_heldStop || m_jog.isPollDue(steady_clock::now(), m_lastPollAt) ||
-                         !m_requests.isEmpty() || !m_reads.isEmpty() ||
-                         (m_download && m_download->hasWork()) || (m_comparison && m_comparison->hasWork());
+    const bool hasWork = m_heldStop || m_jog.isPollDue(steady_clock::now(), m_lastPollAt) || isResultDue() ||
+                         (!m_requests.isEmpty() && (!m_begun || m_requests.isStopNext())) ||
+                         !m_reads.isEmpty() || (m_download && m_download->hasWork() && !m_begun) ||
+                         (m_comparison && m_comparison->hasWork());
     const auto pollDue = m_lastPollAt + pollPeriod() - steady_clock::now();
     stepAfter(hasWork ? 0ms : std::max(0ms, std::chrono::ceil<std::chrono::milliseconds>(pollDue)));
 }
@@ -204,9 +207,17 @@ void LinkWorker::carryOut(const Request& request)
         sendParameter(std::get<ParameterRequest>(request));
 }
 
+// Returns the next request. Only a Stop overtakes a command that the controller works on: the controller
+// keeps the result of its last command alone.
+std::optional<Request> LinkWorker::takeRequest()
+{
+    return m_begun && !m_requests.isStopNext() ? std::nullopt : m_requests.take();
+}
+
 void LinkWorker::sendCommand(const CommandRequest& request)
 {
-    const auto result = m_client->command(request.command, request.arguments);
+    endBegun(std::nullopt);
+    const auto result = m_client->begin(request.command, request.arguments);
     if (!result && result.error().kind == modbus::LinkErrorKind::OutcomeUnknown &&
         priorityOf(request.command) == Priority::Stop) {
         // The Stop is kept: its result is requested, and it is sent again if the controller has not received
@@ -215,18 +226,53 @@ void LinkWorker::sendCommand(const CommandRequest& request)
         report(m_report.state, m_report.error);
         return;
     }
-    CommandOutcome outcome{request.id, request.command, CommandEnd::Done, modbus::Refusal::None,
-                           std::nullopt};
-    if (!result) {
-        outcome.end = endAfter(result.error());
-        outcome.error = result.error();
-    } else if (!result->done()) {
-        outcome.end = CommandEnd::Refused;
-        outcome.reason = result->reason;
+    if (result && result->status == modbus::CommandStatus::Busy) {
+        const SteadyTime now = steady_clock::now();
+        m_begun = BegunCommand{request, result->counter, now, now};
+        return;
     }
-    emit commandEnded(outcome);
-    if (!result && modbus::portIsLost(result.error()))
+    if (result) {
+        endCommand(request, *result);
+        return;
+    }
+    emit commandEnded(
+        {request.id, request.command, endAfter(result.error()), modbus::Refusal::None, result.error()});
+    if (modbus::portIsLost(result.error()))
         lose(result.error());
+}
+
+void LinkWorker::endCommand(const CommandRequest& request, const modbus::CommandResult& result)
+{
+    emit commandEnded({request.id, request.command, result.done() ? CommandEnd::Done : CommandEnd::Refused,
+                       result.reason, std::nullopt});
+}
+
+// Asks once after each status whether the controller has finished its work.
+void LinkWorker::askForResult()
+{
+    m_begun->askedAt = steady_clock::now();
+    const bool isLate = m_begun->askedAt - m_begun->begunAt > modbus::RtuClient::flashAllowance;
+    const auto found = m_client->readResult(m_begun->counter);
+    if (!found && modbus::portIsLost(found.error())) {
+        lose(found.error());
+    } else if (found && *found && (*found)->status != modbus::CommandStatus::Busy) {
+        const CommandRequest request = m_begun->request;
+        m_begun.reset();
+        endCommand(request, **found);
+    } else if (isLate || (found && !*found)) {
+        endBegun(found ? std::nullopt : std::optional(found.error()));
+    }
+}
+
+// The result of the command is not known: another command took its place, or the line was lost.
+void LinkWorker::endBegun(std::optional<modbus::LinkError> error)
+{
+    if (!m_begun)
+        return;
+    const CommandRequest request = m_begun->request;
+    m_begun.reset();
+    emit commandEnded(
+        {request.id, request.command, CommandEnd::OutcomeUnknown, modbus::Refusal::None, std::move(error)});
 }
 
 void LinkWorker::sendParameter(const ParameterRequest& request)

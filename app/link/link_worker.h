@@ -55,16 +55,29 @@ private:
         bool isPollNext = false;              // the last search for its result failed
     };
 
+    // A command that the controller carries out in pieces; statuses go on meanwhile.
+    struct BegunCommand {
+        CommandRequest request;
+        std::uint16_t counter = 0;
+        SteadyTime begunAt;
+        SteadyTime askedAt;
+    };
+
     void startSimulator();
     void step();
     void tryToConnect();
     void exchange();
     void enqueue(Request request);
+    [[nodiscard]] std::optional<Request> takeRequest();
     void carryOut(const Request& request);
     void sendCommand(const CommandRequest& request);
     void holdStop(const CommandRequest& request, std::optional<std::uint16_t> counter);
     void endHeldStop(CommandEnd end);
     void sendHeldStop();
+    [[nodiscard]] bool isResultDue() const { return m_begun && m_lastPollAt > m_begun->askedAt; }
+    void askForResult();
+    void endBegun(std::optional<modbus::LinkError> error);
+    void endCommand(const CommandRequest& request, const modbus::CommandResult& result);
     void advanceRead();
     void sendParameter(const ParameterRequest& request);
     void advanceDownload();
@@ -99,6 +112,7 @@ private:
     std::optional<AdapterIdentity> m_adapter;    // adapter of the port opened last
     RequestQueue m_requests;
     std::optional<HeldStop> m_heldStop;
+    std::optional<BegunCommand> m_begun;
     HeldJog m_jog;
     std::uint64_t m_controllerId = 0; // controller of the held Stop
     RegisterReads m_reads;

@@ -162,6 +162,7 @@ void LinkWorker::disconnect(std::optional<modbus::LinkError> error)
 {
     m_jog.end();
     flushBatch();
+    endBegun(error);
     m_client.reset();
     if (m_download)
         m_download->connectionLost();

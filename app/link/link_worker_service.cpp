@@ -61,12 +61,12 @@ void LinkWorker::sendHeldStop()
     HeldStop& held = *m_heldStop;
     std::optional<modbus::CommandResult> found;
     if (held.counter) {
-        const auto result = m_client->findResult(*held.counter);
+        const auto result = m_client->readResult(*held.counter);
         if (!result && modbus::portIsLost(result.error())) {
             lose(result.error());
             return;
         }
-        if (!result) {
+        if (!result || (*result && (*result)->status == modbus::CommandStatus::Busy)) {
             held.isPollNext = true;
             return;
         }
@@ -76,9 +76,7 @@ void LinkWorker::sendHeldStop()
     const CommandRequest request = held.request;
     m_heldStop.reset();
     if (found)
-        emit commandEnded({request.id, request.command,
-                           found->done() ? CommandEnd::Done : CommandEnd::Refused, found->reason,
-                           std::nullopt});
+        endCommand(request, *found);
     else
         m_requests.push(request);
     report(m_report.state, m_report.error);

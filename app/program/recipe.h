@@ -18,6 +18,8 @@ namespace campanel::program {
 // The maximum length of a name in bytes of UTF-8: it is stored with the program in the controller.
 inline constexpr std::size_t longestNameBytes = 32;
 inline constexpr int maxVersion = 65535;
+// The maximum length of a code that a scanner reads, in bytes of UTF-8.
+inline constexpr std::size_t maxCodeBytes = 64;
 
 // The defaults are a bag of 250 mm at 60 bags/min with a knife of 60 mm.
 struct Recipe {
@@ -25,6 +27,9 @@ struct Recipe {
     int version = 1;
     profile::Program program;
     profile::Machine machine;
+    // The codes on paper, in UTF-8; the controller does not know them.
+    std::string scanCode; // selects the recipe; empty: its name does
+    std::string filmCode; // on the film reel that it needs; empty: any reel
 
     [[nodiscard]] profile::ProgramKind kind() const { return profile::kindOf(program); }
     [[nodiscard]] bool isCutter() const { return kind() == profile::ProgramKind::RotaryCutter; }
@@ -38,6 +43,17 @@ struct Recipe {
         return std::get<profile::RotaryCutterProgram>(program);
     }
 };
+
+// Returns the text that selects the recipe when it is scanned.
+[[nodiscard]] inline const std::string& codeOf(const Recipe& recipe)
+{
+    return recipe.scanCode.empty() ? recipe.name : recipe.scanCode;
+}
+
+[[nodiscard]] inline bool sameCodes(const Recipe& left, const Recipe& right)
+{
+    return left.scanCode == right.scanCode && left.filmCode == right.filmCode;
+}
 
 // Returns a new recipe of this kind with the machine of the paper that the kind comes from.
 [[nodiscard]] Recipe defaultRecipe(profile::ProgramKind kind);

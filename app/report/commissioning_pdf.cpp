@@ -2,6 +2,7 @@
 #include "app/report/commissioning_pdf.h"
 
 #include "app/plot/curve_plot.h"
+#include "app/plot/qr_code.h"
 
 #include <QBuffer>
 #include <QGuiApplication>
@@ -25,6 +26,7 @@ constexpr double gapPx = 14;
 constexpr double rowGapPx = 3;
 constexpr double labelShare = 0.45; // share of a column
 constexpr double curvesHeightPx = 560;
+constexpr double qrSidePx = 120; // 32 mm: modules of 0.7 mm for the longest code
 const QColor ink(0x17, 0x21, 0x2B);
 const QColor secondary(0x5A, 0x68, 0x75);
 const QColor line(0xCF, 0xD6, 0xDC);
@@ -61,6 +63,29 @@ public:
         text(m_data.title, fontOf(titlePx, true), ink, 0, m_width);
         text(m_data.recipe, fontOf(headingPx), secondary, 0, m_width);
         m_y += gapPx;
+    }
+
+    // Paints QR codes side by side, each with its text.
+    void codes()
+    {
+        if (m_data.codes.isEmpty())
+            return;
+        need(qrSidePx);
+        const double top = m_y;
+        double bottom = top + qrSidePx;
+        const double column = (m_width - gapPx) / 2;
+        double x = 0;
+        for (const panel::ReportCode& each : m_data.codes) {
+            plot::paintQrCode(m_painter, {x, top, qrSidePx, qrSidePx}, plot::qrModules(each.code));
+            const double left = x + qrSidePx;
+            const double width = column - qrSidePx;
+            m_y = top + headingPx;
+            text(each.title, fontOf(textPx), secondary, left, width);
+            text(each.code, fontOf(headingPx, true), ink, left, width, Qt::TextWrapAnywhere);
+            x += column + gapPx;
+            bottom = std::max(bottom, m_y);
+        }
+        m_y = bottom + gapPx;
     }
 
     void section(const panel::ReportSection& section)
@@ -150,18 +175,20 @@ private:
         }
     }
 
-    [[nodiscard]] double heightOf(const QString& words, const QFont& font, double width)
+    [[nodiscard]] double heightOf(const QString& words, const QFont& font, double width,
+                                  Qt::TextFlag wrap = Qt::TextWordWrap)
     {
         m_painter.setFont(font);
-        return m_painter.boundingRect(QRectF(0, 0, width, m_height), Qt::TextWordWrap, words).height();
+        return m_painter.boundingRect(QRectF(0, 0, width, m_height), wrap, words).height();
     }
 
-    void text(const QString& words, const QFont& font, const QColor& color, double x, double width)
+    void text(const QString& words, const QFont& font, const QColor& color, double x, double width,
+              Qt::TextFlag wrap = Qt::TextWordWrap)
     {
-        const double height = heightOf(words, font, width);
+        const double height = heightOf(words, font, width, wrap);
         m_painter.setFont(font);
         m_painter.setPen(color);
-        m_painter.drawText(QRectF(x, m_y, width, height + 1), Qt::TextWordWrap, words);
+        m_painter.drawText(QRectF(x, m_y, width, height + 1), wrap, words);
         m_y += height + rowGapPx;
     }
 
@@ -203,6 +230,7 @@ QByteArray commissioningPdf(const panel::ReportData& data)
     {
         Paper paper(buffer, data);
         paper.title();
+        paper.codes();
         for (const panel::ReportSection& section : data.sections)
             paper.section(section);
         paper.curves();

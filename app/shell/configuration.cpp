@@ -64,6 +64,7 @@ std::optional<QString> valueIn(const toml::node& node, SettingForm form)
     case SettingForm::Port:
     case SettingForm::File:
     case SettingForm::Name:
+    case SettingForm::Prefix:
     case SettingForm::Size:
     case SettingForm::Times:
     case SettingForm::Days:

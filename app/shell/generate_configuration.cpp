@@ -43,6 +43,7 @@ QString standardOf(Setting setting)
     case SettingForm::Port:
     case SettingForm::File:
     case SettingForm::Name:
+    case SettingForm::Prefix:
     case SettingForm::Size:
     case SettingForm::Times:
     case SettingForm::Days:

@@ -56,6 +56,7 @@ Panel::Panel(link::Link& link, const Storage& storage)
     , m_records(recipeFolder(storage), nullptr)
     , m_alarms(m_machine, m_editor, m_records, m_settings, nullptr)
     , m_recipes(m_machine, m_editor, m_records, recipeFolder(storage), nullptr)
+    , m_scan({m_machine, m_editor, m_recipes, m_settings}, recipeFolder(storage), nullptr)
     , m_maintenance(m_machine, m_settings, recipeFolder(storage), nullptr)
     , m_trends(m_machine, m_settings, m_records, *m_maintenance.files(), recipeFolder(storage), nullptr)
     , m_stops(m_machine, m_settings, m_records, *m_maintenance.files(), nullptr)
@@ -90,6 +91,7 @@ Panel::Panel(link::Link& link, const Storage& storage)
     m_maintenance.dryRun()->follow(m_editor);
     m_recipes.files()->setKeyFolder(storage.keyFolder);
     m_recipes.setAuthor([this] { return m_access.userName(); });
+    connect(m_scan.film(), &panel::FilmCheck::noted, &m_trail, &panel::AuditTrail::note);
     connect(&m_plant, &panel::PlantFeed::offerReceived, m_recipes.files(), &panel::RecipeFiles::takeOffer);
     connect(&m_recipes, &panel::Recipes::noted, &m_trail, &panel::AuditTrail::note);
     connect(&m_stops, &panel::Stops::noted, &m_trail, &panel::AuditTrail::note);
@@ -99,8 +101,8 @@ Panel::Panel(link::Link& link, const Storage& storage)
     });
     m_engine.addImportPath(QStringLiteral("qrc:/qt/qml"));
     panel::attachToEngine(m_engine, m_access, m_alarms, m_audit, m_backup, m_commissioning, m_display,
-                          m_machine, m_editor, m_explanations, m_records, m_recipes, m_maintenance, m_bundle,
-                          m_settings, m_shiftReport, m_stops, m_trends);
+                          m_machine, m_editor, m_explanations, m_records, m_recipes, m_maintenance, m_scan,
+                          m_bundle, m_settings, m_shiftReport, m_stops, m_trends);
     connect(&m_settings, &panel::Settings::languageChanged, this, &Panel::translate);
     translate();
     m_component.loadUrl(QUrl(QStringLiteral("qrc:/qt/qml/CamPanel/Frame/Main.qml")),

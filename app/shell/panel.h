@@ -20,6 +20,7 @@
 #include "app/panel/reports/commissioning.h"
 #include "app/panel/reports/service_bundle.h"
 #include "app/panel/reports/shift_report.h"
+#include "app/panel/scan/scan.h"
 #include "app/panel/settings/settings.h"
 #include "app/panel/stops/stops.h"
 #include "app/panel/trends/trends.h"
@@ -57,6 +58,7 @@ public:
     [[nodiscard]] panel::DatabaseService& records() { return m_records; }
     [[nodiscard]] panel::Alarms& alarms() { return m_alarms; }
     [[nodiscard]] panel::Recipes& recipes() { return m_recipes; }
+    [[nodiscard]] panel::Scan& scan() { return m_scan; }
     [[nodiscard]] panel::Maintenance& maintenance() { return m_maintenance; }
     [[nodiscard]] panel::Trends& trends() { return m_trends; }
     [[nodiscard]] panel::Stops& stops() { return m_stops; }
@@ -95,6 +97,7 @@ private:
     panel::DatabaseService m_records;
     panel::Alarms m_alarms;
     panel::Recipes m_recipes;
+    panel::Scan m_scan; // its filter sees a key after those of the members below
     panel::Maintenance m_maintenance;
     panel::Trends m_trends;
     panel::Stops m_stops;

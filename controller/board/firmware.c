@@ -33,9 +33,13 @@ static bool run_slices(firmware* self)
     return true;
 }
 
+/* An answer goes out in the turn behind its request, so that the slices are not late for both at once. */
 static void serve_line(firmware* self)
 {
     uint8_t bytes[CTL_FRAME_BYTES];
+    const size_t answered = ctl_take_answer(&self->core, bytes);
+    if (answered != 0)
+        board_send(bytes, answered);
     uint64_t last_us = 0;
     bool error = false;
     const size_t size = board_take_bytes(bytes, sizeof bytes, &last_us, &error);
@@ -44,9 +48,6 @@ static void serve_line(firmware* self)
     if (size != 0)
         ctl_receive(&self->core, bytes, size, last_us - self->given_up_us);
     ctl_receive_silence(&self->core, board_now_us() - self->given_up_us);
-    const size_t answered = ctl_take_answer(&self->core, bytes);
-    if (answered != 0)
-        board_send(bytes, answered);
 }
 
 int main(void)

@@ -8,6 +8,8 @@
 #include <string.h>
 
 #define US_PER_S 1000000u
+/* Of an answer's CRC-16 in one call; a byte of it takes a quarter of the work on a register. */
+#define ANSWER_BYTES_PER_REGISTER 4u
 
 /* Tells each part which others it works with. */
 static void compose(ctl_core* core)
@@ -103,7 +105,9 @@ void ctl_receive_error(ctl_core* core, uint64_t now_us)
 
 size_t ctl_take_answer(ctl_core* core, uint8_t* bytes)
 {
-    return ctl_rtu_take_answer(&core->rtu, bytes);
+    const uint32_t registers = core->board.config.work_registers;
+    return ctl_rtu_take_answer(&core->rtu, bytes,
+                               registers == 0 ? CTL_FRAME_BYTES : ANSWER_BYTES_PER_REGISTER * registers);
 }
 
 void ctl_on_cut(ctl_core* core, int64_t film)

@@ -20,7 +20,7 @@ void ctl_receive(ctl_core* core, const uint8_t* bytes, size_t size, uint64_t now
 /* The receiver saw a parity, framing or overrun error: the frame under way will be dropped. */
 void ctl_receive_error(ctl_core* core, uint64_t now_us);
 /* The answer that is ready, to be sent now; at most CTL_FRAME_BYTES. Returns its size, 0 when there is none.
- */
+ * With config.work_registers a long one needs several calls; a slice in between keeps the pulses in time. */
 size_t ctl_take_answer(ctl_core* core, uint8_t* bytes);
 /* Ends the frame under way when the line has been silent for long enough; ctl_tick() does it too. */
 void ctl_receive_silence(ctl_core* core, uint64_t now_us);

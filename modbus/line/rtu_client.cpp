@@ -2,6 +2,7 @@
 // The questions of the contract, and the proof that an answer belongs to its question.
 #include "modbus/line/rtu_client.h"
 
+#include "modbus/line/answer_reader.h"
 #include "modbus/map/codec.h"
 #include "modbus/map/function_codes.h"
 
@@ -16,9 +17,8 @@ namespace {
 using std::chrono::milliseconds;
 using Clock = std::chrono::steady_clock;
 
-// The additional time for writing flash or checking all rows. A lost answer costs this time too: sealing must
-// leave enough time to find a restarted controller within two seconds.
-constexpr milliseconds flashAllowance{2000};
+// The additional time for checking all rows. A lost answer costs this time too: sealing must leave enough
+// time to find a restarted controller within two seconds.
 constexpr milliseconds sealAllowance{1000};
 constexpr int resolveAttempts = 3;
 // The pause between two questions whether a controller has finished its work.
@@ -50,17 +50,6 @@ void appendWords(std::vector<std::uint8_t>& bytes, std::initializer_list<int> wo
         bytes.push_back(static_cast<std::uint8_t>(static_cast<unsigned>(word) >> 8));
         bytes.push_back(static_cast<std::uint8_t>(word));
     }
-}
-
-// Returns the registers after the byte count of a reading answer; empty when the count does not match.
-std::vector<std::uint16_t> registersIn(std::span<const std::uint8_t> data)
-{
-    if (data.empty() || data[0] + 1u != data.size())
-        return {};
-    std::vector<std::uint16_t> registers(data[0] / 2u);
-    for (std::size_t i = 0; i < registers.size(); ++i)
-        registers[i] = static_cast<std::uint16_t>((data[1 + 2 * i] << 8) | data[2 + 2 * i]);
-    return registers;
 }
 
 } // namespace
@@ -110,7 +99,7 @@ RtuClient::writeAndRead(const std::string& request, const WindowRead& window, co
     return m_line
         .ask(question,
              [&](std::span<const std::uint8_t> data) {
-                 answer = registersIn(data);
+                 answer = answeredRegisters(data);
                  return answer.size() == window.readCount && isMine(answer);
              })
         .map([&](const RtuLine::Bytes&) { return std::move(answer); });
@@ -125,7 +114,7 @@ tl::expected<RtuClient::Registers, LinkError> RtuClient::readPlain(const std::st
     return m_line
         .ask(question,
              [&](std::span<const std::uint8_t> data) {
-                 answer = registersIn(data);
+                 answer = answeredRegisters(data);
                  return answer.size() == count;
              })
         .map([&](const RtuLine::Bytes&) { return std::move(answer); });
@@ -221,7 +210,7 @@ tl::expected<std::vector<std::uint16_t>, LinkError> RtuClient::readProven(std::u
     return answer;
 }
 
-tl::expected<CommandResult, LinkError> RtuClient::command(Command code, CommandArguments arguments)
+tl::expected<CommandResult, LinkError> RtuClient::begin(Command code, CommandArguments arguments)
 {
     const std::string request = commandName(code);
     static const std::uint16_t commandAddress = registerNamed("command.counter").address;
@@ -252,7 +241,7 @@ tl::expected<CommandResult, LinkError> RtuClient::command(Command code, CommandA
     if (!answer) {
         if (answer.error().kind == LinkErrorKind::NotOpen)
             return tl::unexpected(answer.error());
-        auto found = resolve(request, counter);
+        auto found = resolve(code, counter, &RtuClient::readResult);
         // The exception belongs to this command when the controller has not executed it.
         if (!found && found.error().kind == LinkErrorKind::CommandLost &&
             answer.error().kind == LinkErrorKind::Exception)
@@ -260,15 +249,23 @@ tl::expected<CommandResult, LinkError> RtuClient::command(Command code, CommandA
         return found;
     }
     m_commandCounter = counter;
-    if (result.status == CommandStatus::Busy)
-        return resolve(request, counter);
     return result;
 }
 
-tl::expected<CommandResult, LinkError> RtuClient::resolve(const std::string& request, std::uint16_t counter)
+tl::expected<CommandResult, LinkError> RtuClient::command(Command code, CommandArguments arguments)
 {
+    const auto begun = begin(code, arguments);
+    if (!begun || begun->status != CommandStatus::Busy)
+        return begun;
+    return resolve(code, begun->counter, &RtuClient::findResult);
+}
+
+tl::expected<CommandResult, LinkError> RtuClient::resolve(Command code, std::uint16_t counter,
+                                                          FindResult find)
+{
+    const std::string request = commandName(code);
     for (int attempt = 0; attempt < resolveAttempts; ++attempt) {
-        const auto found = findResult(counter);
+        const auto found = (this->*find)(counter);
         if (found && *found)
             return **found;
         // Certainly not received only when the controller still has the previous counter: a restarted one has

@@ -36,6 +36,9 @@ struct TransferFrame {
 
 class RtuClient {
 public:
+    // The time of a command in pieces at most: flash is erased and written.
+    static constexpr std::chrono::milliseconds flashAllowance{2000};
+
     // Counts and records in `record`, which may belong to an earlier connection.
     explicit RtuClient(LinkSettings settings,
                        std::shared_ptr<LinkRecord> record = std::make_shared<LinkRecord>());
@@ -68,15 +71,21 @@ public:
                                                                                  std::uint16_t count);
 
     // Sends the command once. When the answer is doubtful, reads the last result instead of repeating the
-    // command. Waits for the end of a command that is carried out in pieces. The error is then CommandLost
-    // (not received) or OutcomeUnknown (resolve later with findResult()). A refusal by the controller is a
-    // result, not an error.
+    // command; the error is then CommandLost (not received) or OutcomeUnknown (resolve later with
+    // findResult()). A refusal by the controller is a result, not an error; so is CommandStatus::Busy of a
+    // command that the controller carries out in pieces.
+    [[nodiscard]] tl::expected<CommandResult, LinkError> begin(Command code, CommandArguments arguments = {});
+
+    // The same, and waits for the end of a command in pieces. Use begin() where other exchanges must go on.
     [[nodiscard]] tl::expected<CommandResult, LinkError> command(Command code,
                                                                  CommandArguments arguments = {});
 
-    // Returns the result of the command with `counter`; empty when the controller's last command was another
-    // one. Waits for the end of a command that the controller carries out in pieces (CommandStatus::Busy),
-    // for as long as flash takes; then the error is OutcomeUnknown.
+    // Returns the present result of the command with `counter`; empty when the controller's last command was
+    // another one.
+    [[nodiscard]] tl::expected<std::optional<CommandResult>, LinkError> readResult(std::uint16_t counter);
+
+    // The same, and waits for the end of a command in pieces for as long as flash takes; then the error is
+    // OutcomeUnknown.
     [[nodiscard]] tl::expected<std::optional<CommandResult>, LinkError> findResult(std::uint16_t counter);
 
     // Sends one frame of a download; the answer belongs to this frame (session, operation and block are
@@ -107,9 +116,9 @@ private:
     [[nodiscard]] tl::expected<Registers, LinkError> readPlain(const std::string& request,
                                                                std::uint16_t address, std::uint16_t count);
     [[nodiscard]] tl::expected<Identity, LinkError> identityIn(const Registers& registers) const;
-    [[nodiscard]] tl::expected<std::optional<CommandResult>, LinkError> readResult(std::uint16_t counter);
-    [[nodiscard]] tl::expected<CommandResult, LinkError> resolve(const std::string& request,
-                                                                 std::uint16_t counter);
+    using FindResult = tl::expected<std::optional<CommandResult>, LinkError> (RtuClient::*)(std::uint16_t);
+    [[nodiscard]] tl::expected<CommandResult, LinkError> resolve(Command code, std::uint16_t counter,
+                                                                 FindResult find);
 
     std::shared_ptr<LinkRecord> m_record;
     RtuLine m_line;

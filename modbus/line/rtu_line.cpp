@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "modbus/line/rtu_line.h"
 
+#include "modbus/line/answer_reader.h"
 #include "modbus/line/crc16.h"
-#include "modbus/map/function_codes.h"
 
 #include <algorithm>
-#include <array>
 #include <cerrno>
 #include <thread>
 
@@ -22,7 +21,6 @@ using std::chrono::nanoseconds;
 // The silence after a doubt: longer than the 16 ms that USB adapters collect.
 constexpr milliseconds quietTime{25};
 constexpr milliseconds longestDrain{600};
-constexpr std::size_t exceptionBytes = 5;
 
 enum class Readiness { Input, Nothing, Gone };
 
@@ -40,38 +38,6 @@ Readiness waitForInput(int descriptor, std::chrono::steady_clock::time_point dea
     if (ready > 0 && (watched.revents & POLLIN) == 0)
         return Readiness::Gone;
     return Readiness::Input; // or interrupted: the read tells
-}
-
-// Returns the length of the answer that begins with these bytes; 0 when no answer begins so.
-std::size_t answerLength(std::span<const std::uint8_t> begin)
-{
-    if (begin.size() < 2 || (begin[1] & exceptionFlag) != 0 || begin.size() < 3)
-        return exceptionBytes;
-    switch (begin[1]) {
-    case 1:
-    case 2:
-    case 3:
-    case 4:
-    case 23: {
-        const std::size_t length = 5u + begin[2];
-        return length <= FrameRecord::maxBytes ? length : 0;
-    }
-    case 5:
-    case 6:
-    case 15:
-    case 16:
-        return 8;
-    default:
-        return 0;
-    }
-}
-
-// Returns true when the bytes are the question itself or its beginning. An answer that begins like its
-// question has its checksum at another place.
-bool mayBeEcho(std::span<const std::uint8_t> bytes, std::span<const std::uint8_t> sent)
-{
-    return bytes.size() <= sent.size() && std::ranges::equal(bytes, sent.first(bytes.size())) &&
-           (bytes.size() == sent.size() || !endsWithCrc16(bytes));
 }
 
 LinkErrorKind kindOf(FrameVerdict verdict)
@@ -110,13 +76,12 @@ bool isGone(int errorNumber)
 } // namespace
 
 struct RtuLine::Received {
-    enum class End { Complete, Malformed, TimedOut, Gone };
+    enum class End { Complete, TimedOut, Gone };
 
-    std::array<std::uint8_t, FrameRecord::maxBytes> data{};
-    std::size_t count = 0;
+    AnswerReader reader;
     End end = End::TimedOut;
 
-    [[nodiscard]] std::span<const std::uint8_t> bytes() const { return std::span(data).first(count); }
+    [[nodiscard]] std::span<const std::uint8_t> bytes() const { return reader.bytes(); }
 };
 
 void RtuLine::ContextDeleter::operator()(modbus_t* context) const
@@ -213,34 +178,27 @@ tl::expected<RtuLine::Bytes, LinkError> RtuLine::send(const Question& question)
 
 RtuLine::Received RtuLine::receive(std::span<const std::uint8_t> sent, Clock::time_point deadline)
 {
-    Received received;
+    Received received{AnswerReader(sent)};
     const int descriptor = modbus_get_socket(m_context.get());
-    m_isEchoing = false;
-    // The minimum length of an answer; its first bytes give the full length. Later bytes do not belong to it.
-    std::size_t wanted = exceptionBytes;
-    while (received.count < wanted) {
+    while (!received.reader.space().empty()) {
         const Readiness readiness = waitForInput(descriptor, deadline);
         if (readiness == Readiness::Nothing)
-            return received;
+            break;
+        const auto space = received.reader.space();
         ssize_t count = 0;
         if (readiness == Readiness::Input)
-            count = read(descriptor, received.data.data() + received.count, wanted - received.count);
+            count = read(descriptor, space.data(), space.size());
         if (count < 0 && (errno == EAGAIN || errno == EINTR))
             continue;
         if (count <= 0) {
             received.end = Received::End::Gone;
-            return received;
+            break;
         }
-        received.count += static_cast<std::size_t>(count);
-        wanted = answerLength(received.bytes());
-        if (m_isEchoing || received.count < wanted || !mayBeEcho(received.bytes(), sent))
-            continue;
-        m_isEchoing = received.count == sent.size();
-        wanted = m_isEchoing ? exceptionBytes : sent.size();
-        if (m_isEchoing)
-            received.count = 0;
+        received.reader.take(static_cast<std::size_t>(count));
     }
-    received.end = wanted == 0 ? Received::End::Malformed : Received::End::Complete;
+    if (received.reader.space().empty())
+        received.end = Received::End::Complete;
+    m_isEchoing = received.reader.isEchoing();
     return received;
 }
 
@@ -250,23 +208,17 @@ FrameVerdict RtuLine::judge(const Question& question, const Received& received, 
     case Received::End::Gone:
         return FrameVerdict::PortGone;
     case Received::End::TimedOut:
-        return received.count == 0 ? FrameVerdict::Silence : FrameVerdict::Incomplete;
-    case Received::End::Malformed:
-        return FrameVerdict::Malformed;
+        return received.bytes().empty() ? FrameVerdict::Silence : FrameVerdict::Incomplete;
     case Received::End::Complete:
         break;
     }
+    const AnswerForm form{m_settings.unit, question.pdu.front(),
+                          static_cast<std::size_t>(question.frames.answerBytes)};
+    const FrameVerdict verdict = received.reader.verdict(form);
     const auto frame = received.bytes();
-    if (!endsWithCrc16(frame))
-        return FrameVerdict::BadChecksum;
-    const std::uint8_t function = question.pdu.front();
-    if (frame[0] != m_settings.unit || (frame[1] & ~exceptionFlag) != function)
-        return FrameVerdict::Foreign;
-    if ((frame[1] & exceptionFlag) != 0)
-        return FrameVerdict::Exception;
-    const bool isWhole = frame.size() == static_cast<std::size_t>(question.frames.answerBytes);
-    return isWhole && isMine(frame.subspan(2, frame.size() - 4)) ? FrameVerdict::Answer
-                                                                 : FrameVerdict::Foreign;
+    return verdict == FrameVerdict::Answer && !isMine(frame.subspan(2, frame.size() - 4))
+               ? FrameVerdict::Foreign
+               : verdict;
 }
 
 tl::expected<RtuLine::Bytes, LinkError> RtuLine::ask(const Question& question, const Proof& isMine)
@@ -283,7 +235,7 @@ tl::expected<RtuLine::Bytes, LinkError> RtuLine::ask(const Question& question, c
         return tl::unexpected(sent.error());
     const auto wire = pairTime(m_settings.line, question.frames);
     const auto deadline = startedAt + wire + m_allowance.value() + question.extraAllowance;
-    Received received;
+    Received received{AnswerReader(*sent)};
     FrameVerdict verdict = FrameVerdict::Silence;
     // A complete answer of this unit to an earlier question is late. The answer to this question is still to
     // come: giving up here would keep the panel one answer behind permanently.
@@ -291,15 +243,15 @@ tl::expected<RtuLine::Bytes, LinkError> RtuLine::ask(const Question& question, c
     do {
         Received next = receive(*sent, deadline);
         const FrameVerdict nextVerdict = judge(question, next, isMine);
-        m_record.figures.noteReceived(static_cast<int>(next.count));
+        m_record.figures.noteReceived(static_cast<int>(next.bytes().size()));
         if (isLate && nextVerdict == FrameVerdict::Silence)
             break;
         m_record.frames.add(nextVerdict, next.bytes(), question.readAddress, question.readCount);
         verdict = nextVerdict;
         received = next;
-        isLate = isLate || (verdict == FrameVerdict::Foreign && received.data[0] == m_settings.unit);
+        isLate = isLate || (verdict == FrameVerdict::Foreign && received.bytes()[0] == m_settings.unit);
         if (isLate && verdict == FrameVerdict::Foreign)
-            m_record.figures.noteDrain(static_cast<int>(received.count));
+            m_record.figures.noteDrain(static_cast<int>(received.bytes().size()));
     } while (isLate && verdict == FrameVerdict::Foreign);
     const auto completeAt = Clock::now();
     if (isLate && m_settings.isAllowanceMeasured)
@@ -334,7 +286,7 @@ LinkError RtuLine::fail(const Question& question, FrameVerdict verdict, const Re
     m_record.figures.noteError(kind, Clock::now() - startedAt, LinkFigures::WallTime::clock::now());
     m_failedRequest = question.name;
     const bool isException = kind == LinkErrorKind::Exception;
-    return error(kind, question.name, {}, isException ? received.data[2] : 0);
+    return error(kind, question.name, {}, isException ? received.bytes()[2] : 0);
 }
 
 void RtuLine::drainLine(Drain reason)

@@ -26,7 +26,7 @@ Item {
     readonly property string alarm: alarms.length > 0 ? alarms.join("\n") : linkTrouble
     // Every screen has space for one alarm at a time.
     readonly property string mostUrgent: alarms.length > 1 ? qsTr("%1\nAnd %2 more.").arg(alarms[0]).arg(alarms.length - 1) : alarm
-    readonly property string answer: Controller.commandMessage.length > 0 ? Controller.commandMessage
+    readonly property string answer: Controller.commandMessage.length > 0 ? Controller.commandMessage : Scan.notice.length > 0 ? Scan.notice
         : Settings.notice.length > 0 ? Settings.notice : Editor.notice.length > 0 ? Editor.notice
         : DatabaseService.notice.length > 0 ? DatabaseService.notice : startRefused ? Controller.startBlockedReason : ""
     readonly property bool stopShown: Controller.stopWaits
@@ -50,6 +50,7 @@ Item {
             host.putAside = host.alarm
         host.startRefused = false
         Controller.dismissMessage()
+        Scan.dismissNotice()
         Settings.dismissNotice()
         Editor.dismissNotice()
         DatabaseService.dismissNotice()

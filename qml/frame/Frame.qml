@@ -27,6 +27,11 @@ Rectangle {
     // What is not on the screen at the start is named by its file: naming its type would load it at once.
     readonly property url explanation: "../Explain/ExplanationSheet.qml"
     readonly property url numbersExplained: "../Explain/NumbersSheet.qml"
+    readonly property url scannedEdits: "../Scan/ScannedEditsSheet.qml"
+    readonly property url wrongFilm: "../Scan/FilmSheet.qml"
+    readonly property url filmReason: "../Scan/FilmReasonSheet.qml"
+    readonly property url download: "../Download/DownloadSheet.qml"
+    readonly property url proof: "../Download/ProofSheet.qml"
     readonly property url morePages: "PagesSheet.qml"
     readonly property bool wiped: Display.wipeSeconds > 0
     property alias clockRuns: topBar.clockRuns
@@ -44,6 +49,14 @@ Rectangle {
         frame.sheet = sheet.createObject(sheetHost, Object.assign({ width: Qt.binding(() => sheetHost.width), height: Qt.binding(() => sheetHost.height) }, values))
         const opened = frame.sheet
         opened.closed.connect(() => frame.closeSheet(opened))
+    }
+    function openDownload(): void {
+        frame.openSheet(Qt.createComponent(frame.download), {})
+        frame.sheet.proofRequested.connect(() => frame.openSheet(Qt.createComponent(frame.proof), {}))
+    }
+    function openWrongFilm(): void {
+        frame.openSheet(Qt.createComponent(frame.wrongFilm), {})
+        frame.sheet.reasonRequested.connect(() => frame.openSheet(Qt.createComponent(frame.filmReason), {}))
     }
     function openMorePages(): void {
         frame.openSheet(Qt.createComponent(frame.morePages), { pages: navigation.pagesBehind, current: frame.page })
@@ -88,6 +101,13 @@ Rectangle {
         keypadLoader.setSource("KeypadOverlay.qml", { fields: fields, index: index, field: source })
         keypadLoader.active = true
         frame.shift = Math.min(0, (keypadLoader.item as Overlay).free - Theme.size.spacing - right)
+    }
+
+    Connections {
+        target: Scan
+        function onEditsFound() { frame.openSheet(Qt.createComponent(frame.scannedEdits), {}) }
+        function onRecipeOpened() { frame.openDownload() }
+        function onWrongFilmScanned() { frame.openWrongFilm() }
     }
 
     color: Theme.color.ground
@@ -249,7 +269,12 @@ Rectangle {
     CommandColumn {
         id: commands
         anchors { right: parent.right; rightMargin: Theme.size.gap; top: topBar.bottom; bottom: parent.bottom; topMargin: Theme.size.gap; bottomMargin: Theme.size.gap }
-        onStartRefused: banner.refuseStart()
+        onStartRefused: {
+            if (Scan.film.blockedReason.length > 0 && Controller.startBlockedReason === Scan.film.blockedReason)
+                frame.openWrongFilm()
+            else
+                banner.refuseStart()
+        }
     }
     Loader {
         anchors { left: parent.left; right: commands.left; top: parent.top; bottom: parent.bottom }

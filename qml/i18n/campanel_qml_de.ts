@@ -1964,6 +1964,10 @@ Und %2 weitere.</translation>
         <source>Open</source>
         <translation>Öffnen</translation>
     </message>
+    <message>
+        <source>Codes …</source>
+        <translation>Codes …</translation>
+    </message>
 </context>
 <context>
     <name>RecipeComparisonSheet</name>
@@ -2363,6 +2367,10 @@ Und %2 weitere.</translation>
     <message>
         <source>Maintenance</source>
         <translation>Wartung</translation>
+    </message>
+    <message>
+        <source>Scanner</source>
+        <translation>Scanner</translation>
     </message>
 </context>
 <context>
@@ -3236,6 +3244,120 @@ Und %2 weitere.</translation>
     <message>
         <source>Replace</source>
         <translation>Ersetzen</translation>
+    </message>
+</context>
+<context>
+    <name>CodesSheet</name>
+    <message>
+        <source>Codes of %1</source>
+        <translation>Codes von %1</translation>
+    </message>
+    <message>
+        <source>Code that selects the recipe</source>
+        <translation>Code, der das Rezept wählt</translation>
+    </message>
+    <message>
+        <source>Code of the film reel</source>
+        <translation>Code der Folienrolle</translation>
+    </message>
+</context>
+<context>
+    <name>CodeSheet</name>
+    <message>
+        <source>Film reel of %1: scan the code or enter it</source>
+        <translation>Folienrolle von %1: Code scannen oder eingeben</translation>
+    </message>
+    <message>
+        <source>Code of %1: scan or enter it (empty: the name)</source>
+        <translation>Code von %1: scannen oder eingeben (leer: der Name)</translation>
+    </message>
+</context>
+<context>
+    <name>ScannedEditsSheet</name>
+    <message>
+        <source>%1 is not saved</source>
+        <translation>%1 ist nicht gespeichert</translation>
+    </message>
+    <message>
+        <source>The recipe was edited. Opening the scanned recipe %1 without saving discards the edits.</source>
+        <translation>Das Rezept wurde bearbeitet. Das gescannte Rezept %1 ohne Speichern zu öffnen verwirft die Änderungen.</translation>
+    </message>
+    <message>
+        <source>Discard edits</source>
+        <translation>Änderungen verwerfen</translation>
+    </message>
+    <message>
+        <source>Save as version %1</source>
+        <translation>Als Version %1 speichern</translation>
+    </message>
+</context>
+<context>
+    <name>ScannerSection</name>
+    <message>
+        <source>Prefix</source>
+        <translation>Präfix</translation>
+    </message>
+    <message>
+        <source>no scanner</source>
+        <translation>kein Scanner</translation>
+    </message>
+    <message>
+        <source>Suffix</source>
+        <translation>Suffix</translation>
+    </message>
+    <message>
+        <source>Tab key</source>
+        <translation>Tabulatortaste</translation>
+    </message>
+    <message>
+        <source>Enter key</source>
+        <translation>Eingabetaste</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
+    <message>
+        <source>Last code</source>
+        <translation>Letzter Code</translation>
+    </message>
+    <message>
+        <source>Scan a code to test the scanner. While this section is open, a code opens no recipe.</source>
+        <translation>Einen Code scannen, um den Scanner zu prüfen. Solange dieser Abschnitt offen ist, öffnet ein Code kein Rezept.</translation>
+    </message>
+    <message>
+        <source>Set the scanner to send a prefix that nobody types before each code, such as ~~, and enter the same prefix here.</source>
+        <translation>Den Scanner so einstellen, dass er vor jedem Code ein Präfix sendet, das niemand tippt, etwa ~~, und hier dasselbe eingeben.</translation>
+    </message>
+    <message>
+        <source>Prefix of the scanner</source>
+        <translation>Präfix des Scanners</translation>
+    </message>
+    <message>
+        <source>Suffix of the scanner</source>
+        <translation>Suffix des Scanners</translation>
+    </message>
+</context>
+<context>
+    <name>FilmSheet</name>
+    <message>
+        <source>Start is blocked</source>
+        <translation>Start ist gesperrt</translation>
+    </message>
+    <message>
+        <source>Override …</source>
+        <translation>Übersteuern …</translation>
+    </message>
+</context>
+<context>
+    <name>FilmReasonSheet</name>
+    <message>
+        <source>Why is another film reel used?</source>
+        <translation>Warum wird eine andere Folienrolle verwendet?</translation>
+    </message>
+    <message>
+        <source>Enter the reason for the audit trail.</source>
+        <translation>Grund für das Änderungsprotokoll eingeben.</translation>
     </message>
 </context>
 </TS>

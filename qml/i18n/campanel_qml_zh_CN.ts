@@ -1964,6 +1964,10 @@ And %2 more.</source>
         <source>Open</source>
         <translation>打开</translation>
     </message>
+    <message>
+        <source>Codes …</source>
+        <translation>条码…</translation>
+    </message>
 </context>
 <context>
     <name>RecipeComparisonSheet</name>
@@ -2363,6 +2367,10 @@ And %2 more.</source>
     <message>
         <source>Maintenance</source>
         <translation>维护</translation>
+    </message>
+    <message>
+        <source>Scanner</source>
+        <translation>扫码枪</translation>
     </message>
 </context>
 <context>
@@ -3236,6 +3244,120 @@ And %2 more.</source>
     <message>
         <source>Replace</source>
         <translation>替换</translation>
+    </message>
+</context>
+<context>
+    <name>CodesSheet</name>
+    <message>
+        <source>Codes of %1</source>
+        <translation>%1 的条码</translation>
+    </message>
+    <message>
+        <source>Code that selects the recipe</source>
+        <translation>选择配方的条码</translation>
+    </message>
+    <message>
+        <source>Code of the film reel</source>
+        <translation>膜卷条码</translation>
+    </message>
+</context>
+<context>
+    <name>CodeSheet</name>
+    <message>
+        <source>Film reel of %1: scan the code or enter it</source>
+        <translation>%1 的膜卷：扫描或输入条码</translation>
+    </message>
+    <message>
+        <source>Code of %1: scan or enter it (empty: the name)</source>
+        <translation>%1 的条码：扫描或输入；留空则用名称</translation>
+    </message>
+</context>
+<context>
+    <name>ScannedEditsSheet</name>
+    <message>
+        <source>%1 is not saved</source>
+        <translation>%1 尚未保存</translation>
+    </message>
+    <message>
+        <source>The recipe was edited. Opening the scanned recipe %1 without saving discards the edits.</source>
+        <translation>配方已修改。不保存而打开扫描到的配方 %1 将丢失修改。</translation>
+    </message>
+    <message>
+        <source>Discard edits</source>
+        <translation>放弃修改</translation>
+    </message>
+    <message>
+        <source>Save as version %1</source>
+        <translation>保存为第 %1 版</translation>
+    </message>
+</context>
+<context>
+    <name>ScannerSection</name>
+    <message>
+        <source>Prefix</source>
+        <translation>前缀</translation>
+    </message>
+    <message>
+        <source>no scanner</source>
+        <translation>无扫码枪</translation>
+    </message>
+    <message>
+        <source>Suffix</source>
+        <translation>后缀</translation>
+    </message>
+    <message>
+        <source>Tab key</source>
+        <translation>Tab 键</translation>
+    </message>
+    <message>
+        <source>Enter key</source>
+        <translation>回车键</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
+    <message>
+        <source>Last code</source>
+        <translation>上次条码</translation>
+    </message>
+    <message>
+        <source>Scan a code to test the scanner. While this section is open, a code opens no recipe.</source>
+        <translation>扫描条码以测试扫码枪。此页打开时，条码不会打开配方。</translation>
+    </message>
+    <message>
+        <source>Set the scanner to send a prefix that nobody types before each code, such as ~~, and enter the same prefix here.</source>
+        <translation>请将扫码枪设为在每个条码前发送无人会输入的前缀（如 ~~），并在此输入相同前缀。</translation>
+    </message>
+    <message>
+        <source>Prefix of the scanner</source>
+        <translation>扫码枪前缀</translation>
+    </message>
+    <message>
+        <source>Suffix of the scanner</source>
+        <translation>扫码枪后缀</translation>
+    </message>
+</context>
+<context>
+    <name>FilmSheet</name>
+    <message>
+        <source>Start is blocked</source>
+        <translation>启动被禁止</translation>
+    </message>
+    <message>
+        <source>Override …</source>
+        <translation>放行…</translation>
+    </message>
+</context>
+<context>
+    <name>FilmReasonSheet</name>
+    <message>
+        <source>Why is another film reel used?</source>
+        <translation>为何使用其他膜卷？</translation>
+    </message>
+    <message>
+        <source>Enter the reason for the audit trail.</source>
+        <translation>请输入原因，用于审计追踪。</translation>
     </message>
 </context>
 </TS>

@@ -16,6 +16,7 @@ Card {
     signal compareRequested()
     signal exportRequested()
     signal removeRequested()
+    signal codesRequested()
 
     readonly property real third: Math.floor((keys.width - 2 * keys.spacing) / 3)
     readonly property int figureHeight: Math.round(1.5 * Theme.size.body)
@@ -129,6 +130,12 @@ Card {
                 text: qsTr("Delete …")
                 enabled: !Recipes.chosenIsOpen
                 onClicked: card.removeRequested()
+            }
+            Key {
+                objectName: "recipeCodes"
+                visible: Scan.enabled
+                text: qsTr("Codes …")
+                onClicked: card.codesRequested()
             }
             Key {
                 objectName: "recipeExport"

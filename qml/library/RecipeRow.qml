@@ -51,7 +51,7 @@ T.AbstractButton {
             Label {
                 width: parent.width
                 fontSizeMode: Text.HorizontalFit
-                minimumPixelSize: Theme.size.caption - 3
+                minimumPixelSize: Theme.size.caption - 4
                 text: qsTr("v%1 · %2").arg(row.version).arg(row.summary)
                 color: Theme.color.secondaryInk
                 font.pixelSize: Theme.size.caption

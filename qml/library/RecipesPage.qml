@@ -163,6 +163,7 @@ Page {
         onVersionsRequested: page.sheetRequested(versionsSheet)
         onCompareRequested: page.sheetRequested(compareSheet)
         onRemoveRequested: page.sheetRequested(removeSheet)
+        onCodesRequested: page.sheetRequested(codesSheet)
         onExportRequested: {
             Recipes.offerExport(false)
             page.sheetRequested(exportSheet)
@@ -236,6 +237,8 @@ Page {
             }
         }
     }
+    Component { id: codesSheet; CodesSheet { onCodeRequested: page.sheetRequested(codeSheet) } }
+    Component { id: codeSheet; CodeSheet {} }
     Component {
         id: versionsSheet
         RecipeComparisonSheet {

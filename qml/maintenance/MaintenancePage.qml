@@ -27,7 +27,8 @@ Page {
         { key: 3, name: "maintenancePacking", text: qsTr("Packing"), source: "../Packing/PackingSection.qml" },
         { key: 4, name: "maintenanceDryRun", text: qsTr("Dry run"), source: "DryRunSection.qml" }
     ]
-    readonly property var memory: [{ key: 0, name: "maintenanceBackup", text: qsTr("Backup"), source: "../Reports/BackupSection.qml" }]
+    readonly property var memory: [{ key: 0, name: "maintenanceBackup", text: qsTr("Backup"), source: "../Reports/BackupSection.qml" },
+        { key: 1, name: "maintenanceScanner", text: qsTr("Scanner"), source: "../Scan/ScannerSection.qml" }]
     readonly property var groups: [
         { key: 0, name: "maintenanceLine", text: qsTr("Link"), glyph: Theme.icon.serialPort },
         { key: 1, name: "maintenanceMachine", text: qsTr("Machine"), glyph: Theme.icon.machine },

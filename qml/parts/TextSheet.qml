@@ -19,6 +19,10 @@ Sheet {
             sheet.accepted()
     }
 
+    function fill(text: string): void {
+        input.text = text
+    }
+
     Component.onCompleted: {
         input.text = sheet.text
         input.selectAll()

@@ -84,7 +84,7 @@ SettingsSection {
                 id: system
                 objectName: "sectionSystem"
                 text: qsTr("Screen, clock, network")
-                onClicked: (section.page as SettingsPage).openSystem()
+                onClicked: (section.page as SettingsPage).open("SystemSection.qml")
             }
             SettingRow {
                 objectName: "holdToStart"

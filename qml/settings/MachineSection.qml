@@ -45,7 +45,7 @@ SettingsSection {
                 height: section.rowHeight
                 label: qsTr("Reasons, ideal rate")
                 value: qsTr("Stops and shifts")
-                onClicked: (section.page as SettingsPage).openStops()
+                onClicked: (section.page as SettingsPage).open("StopsSection.qml")
             }
             Repeater {
                 model: Editor.machineFields

@@ -9,11 +9,8 @@ import CamPanel.Parts
 Page {
     id: page
 
-    function openSystem(): void {
-        page.section = page.inMenu
-    }
-    function openStops(): void {
-        page.section = page.inMenu + 1
+    function open(source: string): void {
+        page.section = page.sections.findIndex(row => row.source === source)
     }
 
     property int section
@@ -23,30 +20,31 @@ Page {
         { name: "section2", text: qsTr("Machine"), note: qsTr("drive, gear, motor limits"), source: "MachineSection.qml" },
         { name: "sectionUsers", text: qsTr("Users"), note: qsTr("PINs, levels, audit"), source: "UsersSection.qml" },
         { name: "section3", text: qsTr("About"), note: qsTr("version, safety"), source: "AboutSection.qml" },
-        { source: "SystemSection.qml" }, // opened from Display
-        { source: "StopsSection.qml" } // opened from Machine
+        { source: "SystemSection.qml", within: 0 },
+        { source: "StopsSection.qml", within: 2 }
     ]
-    readonly property int inMenu: sections.length - 2
+    readonly property var menu: sections.filter(row => row.within === undefined)
+    readonly property int shown: sections[section].within ?? section // in the menu
 
     Card {
         id: side
         width: Theme.size.sideColumn
         anchors { top: parent.top; bottom: parent.bottom; bottomMargin: page.bottomInset }
         Column {
-            id: menu
+            id: column
             anchors { fill: parent; margins: Theme.size.spacing }
             spacing: Theme.size.spacing
             Repeater {
-                model: page.sections.slice(0, page.inMenu)
+                model: page.menu
                 ChoiceRow {
                     required property int index
                     required property var modelData
                     objectName: modelData.name
-                    width: menu.width
-                    height: (menu.height - (page.inMenu - 1) * menu.spacing) / page.inMenu
+                    width: column.width
+                    height: (column.height - (page.menu.length - 1) * column.spacing) / page.menu.length
                     text: modelData.text
                     note: modelData.note
-                    holds: page.section === index || (index === 0 && page.section === page.inMenu) || (index === 2 && page.section === page.inMenu + 1)
+                    holds: page.shown === index
                     onClicked: page.section = index
                 }
             }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The base of a section of the Settings page: a title, and access to the page for keypad and sheets.
+// The base of a section of the Settings page: a title, access to the page for keypad and sheets, and for a section within another
+// one the way back.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme
@@ -11,11 +12,24 @@ Item {
 
     required property string title
     property Page page
+    readonly property SettingsPage settings: page as SettingsPage
+    readonly property bool within: settings !== null && settings.shown !== settings.section
     readonly property real bodyTop: heading.height + Theme.size.spacing
 
+    Button {
+        id: back
+        objectName: "sectionBack"
+        anchors { right: parent.right; top: parent.top }
+        visible: section.within
+        glyph: Theme.icon.previous
+        text: section.within ? section.settings.menu[section.settings.shown].text : ""
+        onClicked: section.settings.section = section.settings.shown
+    }
     Label {
         id: heading
-        width: parent.width
+        width: section.within ? back.x - Theme.size.spacing : parent.width
+        height: section.within ? back.height : implicitHeight
+        verticalAlignment: Text.AlignVCenter
         text: section.title
         font { pixelSize: Theme.size.title; bold: true }
     }

@@ -26,6 +26,16 @@ typedef struct {
 extern const bench_case bench_cases[];
 extern const uint32_t bench_case_count;
 
+/* Instructions of the longest call of each function of the core, since they were set to 0. */
+typedef struct {
+    uint32_t receive; /* ctl_receive() of what the receiver holds */
+    uint32_t silence; /* ctl_receive_silence(), which carries a request out */
+    uint32_t take;    /* ctl_take_answer() */
+    uint32_t work;    /* the piece of a seal, a check or a save in a slice */
+} bench_calls;
+
+extern bench_calls bench_longest;
+
 typedef struct {
     ctl_core core;
     whole_machine machine;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /* Instructions of every call of the core, for every kind of program, with everything on: one line per figure,
  * its name and its number. */
-#include "bench.h"
+#include "calls.h"
 #include "link/ctl_map.h"
 
 #include <string.h>
@@ -122,13 +122,18 @@ static void measure_line(uint32_t slices)
 
 static void measure(const bench_case* program, uint32_t slices)
 {
-    bench_power_up(&the_bench);
-    bench_switch_on(&the_bench.core);
-    const uint16_t refused = bench_install(&the_bench, program);
+    bench* self = &the_bench;
+    bench_power_up(self);
+    bench_switch_on(&self->core);
+    const uint16_t refused = bench_install(self, program);
     if (refused != 0) {
         bench_print_number("refused ", refused, "\n");
         return;
     }
+    calls_of_program(self, program);
+    bench_power_up(self);
+    bench_switch_on(&self->core);
+    (void)bench_install(self, program);
     start_and_change(program);
     run(program->name, slices);
     work_beside(program);

@@ -18,6 +18,7 @@ private slots:
     void fewerRowsAreAnnouncedAndKept();
     void layoutsCanBeLeftOut();
     void shortRowsInARowAreRefused();
+    void longAnswersAreSummedUpInPieces();
 };
 
 void TestBoardBounds::smallerBankIsAnnouncedAndKept()
@@ -79,6 +80,31 @@ void TestBoardBounds::shortRowsInARowAreRefused()
         rig.core().board.config.max_rows_per_slice = 0;
         QCOMPARE(rig.download(crowded.registers(), 3), CTL_TRANSFER_RESULT_ACCEPTED);
     }
+}
+
+// 255 bytes at 96 a call; meanwhile a newer request takes its place.
+void TestBoardBounds::longAnswersAreSummedUpInPieces()
+{
+    Rig rig;
+    rig.core().board.config.work_registers = 24;
+    const Bytes longest = frame({1, 3, CTL_REG_ACTIVE >> 8, CTL_REG_ACTIVE & 0xFF, 0, 125});
+    const Bytes shortest = frame({1, 3, 0, 0, 0, 1});
+    const auto ask = [&](const Bytes& request) {
+        ctl_receive(&rig.core(), request.data(), request.size(), rig.controller().nowUs());
+        rig.run(2000);
+    };
+    Bytes answer(CTL_FRAME_BYTES);
+    ask(longest);
+    QCOMPARE(ctl_take_answer(&rig.core(), answer.data()), std::size_t{0});
+    QCOMPARE(ctl_take_answer(&rig.core(), answer.data()), std::size_t{0});
+    QCOMPARE(ctl_take_answer(&rig.core(), answer.data()), std::size_t{255});
+    QCOMPARE(ctl_crc16(answer.data(), 255), std::uint16_t{0});
+    QCOMPARE(ctl_take_answer(&rig.core(), answer.data()), std::size_t{0});
+    ask(longest);
+    QCOMPARE(ctl_take_answer(&rig.core(), answer.data()), std::size_t{0});
+    ask(shortest);
+    QCOMPARE(ctl_take_answer(&rig.core(), answer.data()), std::size_t{7});
+    QCOMPARE(ctl_crc16(answer.data(), 7), std::uint16_t{0});
 }
 
 CAMPANEL_TEST(TestBoardBounds)

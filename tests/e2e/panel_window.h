@@ -15,9 +15,9 @@ namespace campanel::test {
 class PanelWindow {
 public:
     // Loads the window and connects. Its folder is new: all machine data comes from the line.
-    explicit PanelWindow(const QString& port)
+    explicit PanelWindow(const QString& port, const QString& language = QStringLiteral("en"))
     {
-        m_panel.settings().overrideValue("display.language", QStringLiteral("en"));
+        m_panel.settings().overrideValue("display.language", language);
         panel::ConnectionChoice choice;
         choice.simulated = false;
         choice.portName = port;

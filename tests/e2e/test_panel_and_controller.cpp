@@ -25,6 +25,7 @@ using modbus::StatusBlock;
 using panel::Controller;
 using panel::Editor;
 using panel::PackingLine;
+using panel::ProgramDownload;
 using test::ControllerProcess;
 using test::PanelWindow;
 
@@ -87,6 +88,7 @@ class TestPanelAndController : public QObject {
 private slots:
     void initTestCase() { shell::applyFonts(); }
     void theMainJob();
+    void aScanChangesOver();
     void theMasterIsTurnedRound();
     void aBusyPortIsTakenWhenItIsFree();
     void badPorts_data();
@@ -122,6 +124,71 @@ void TestPanelAndController::theMainJob()
             return;
     }
     readFromOutsideAndAgain(controller.port());
+}
+
+void scanCode(PanelWindow& panel, const QString& code)
+{
+    for (const QChar key : QStringLiteral("~~") + code)
+        QTest::sendKeyEvent(QTest::Click, &panel.panel().window(), QTest::asciiToKey(key.toLatin1()),
+                            QString(key), Qt::NoModifier);
+    QTest::keyClick(&panel.panel().window(), Qt::Key_Return);
+    panel.touchDriver().settle();
+}
+
+// From the scanner's keys to the program in the controller, with two touches. A wrong film reel keeps the
+// machine from starting.
+void TestPanelAndController::aScanChangesOver()
+{
+    const ControllerProcess controller;
+    PanelWindow panel(controller.port());
+    panel.settings().overrideValue("scanner.prefix", QStringLiteral("~~"));
+    panel.settings().overrideValue("scanner.key_time_ms", QStringLiteral("1000")); // for a busy computer
+    QTRY_COMPARE_WITH_TIMEOUT(panel.machine().state(), Controller::State::Idle, timeoutMs);
+    panel::Recipes& recipes = panel.panel().recipes();
+    QTRY_COMPARE_WITH_TIMEOUT(recipes.total(), 1, timeoutMs);
+    recipes.setWantedName(QStringLiteral("Soap"));
+    recipes.create(1);
+    QTRY_COMPARE_WITH_TIMEOUT(panel.editor().recipeName(), QStringLiteral("Soap"), timeoutMs);
+    scanCode(panel, QStringLiteral("Biscuit 250"));
+    QCOMPARE(panel.editor().recipeName(), QStringLiteral("Biscuit 250"));
+    QVERIFY(!panel.machine().active().isPresent); // nothing without a touch
+    panel.tap("downloadStart");
+    QTRY_COMPARE_WITH_TIMEOUT(panel.editor().programDownload()->state(), ProgramDownload::State::Applied,
+                              timeoutMs);
+    QTRY_COMPARE_WITH_TIMEOUT(panel.machine().active().name, QStringLiteral("Biscuit 250"), timeoutMs);
+
+    recipes.codes()->enter(panel::RecipeCodes::Code::Film);
+    recipes.codes()->setWanted(QStringLiteral("PE 30"));
+    recipes.codes()->store();
+    QTRY_COMPARE_WITH_TIMEOUT(panel.editor().recipe().filmCode, std::string("PE 30"), timeoutMs);
+    QTRY_VERIFY_WITH_TIMEOUT(panel.machine().canStart(), timeoutMs);
+    scanCode(panel, QStringLiteral("PP 40"));
+    panel.tap("confirmCancel");
+    panel.start();
+    QTest::qWait(300); // some polls
+    QCOMPARE(panel.machine().state(), Controller::State::Ready);
+    panel.tap("confirm_override");
+    for (const QChar key : QStringLiteral("same width"))
+        QTest::sendKeyEvent(QTest::Click, &panel.panel().window(), QTest::asciiToKey(key.toLatin1()),
+                            QString(key), Qt::NoModifier);
+    panel.tap("textAccept");
+    panel.start();
+    QTRY_COMPARE_WITH_TIMEOUT(panel.machine().state(), Controller::State::Running, timeoutMs);
+    QStringList films;
+    panel.panel().records().store().run(
+        &panel.panel(),
+        [](store::Database& database) {
+            return store::readAudit(database, {{}, QStringLiteral("film")}, {}, 10);
+        },
+        [&films](const auto& rows) {
+            for (const store::AuditRow& row : rows.value())
+                films << row.entry.what + u' ' + row.entry.after + u' ' + row.entry.outcome;
+        });
+    QTRY_COMPARE_WITH_TIMEOUT(films,
+                              QStringList({QStringLiteral("film.override PP 40: same width done"),
+                                           QStringLiteral("film.scan PP 40 refused")}),
+                              timeoutMs);
+    QCOMPARE(panel.complaints(), QStringList());
 }
 
 void TestPanelAndController::runLength(PanelWindow& panel)
@@ -166,7 +233,8 @@ void TestPanelAndController::changeWhileItRuns(PanelWindow& panel)
     QCOMPARE(panel.machine().state(), Controller::State::Running);
 
     panel.tap("stopKey");
-    QTRY_COMPARE_WITH_TIMEOUT(panel.machine().state(), Controller::State::Ready, timeoutMs);
+    QTRY_VERIFY2_WITH_TIMEOUT(panel.machine().state() == Controller::State::Ready,
+                              qPrintable(panel.texts() + panel.complaints().join(u'\n')), timeoutMs);
     QVERIFY2(panel.machine().commandMessage().isEmpty(), qPrintable(panel.machine().commandMessage()));
     QVERIFY2(panel.machine().alarmText().isEmpty(), qPrintable(panel.machine().alarmText()));
 

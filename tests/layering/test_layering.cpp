@@ -78,7 +78,7 @@ const QList<House>& houses()
           {u"access"_s, u"download"_s, u"packing"_s, u"trends"_s, u"stops"_s, u"display"_s},
           {u"editor"_s},
           {u"library"_s, u"alarms"_s, u"maintenance"_s},
-          {u"explain"_s, u"audit"_s},
+          {u"explain"_s, u"audit"_s, u"scan"_s},
           {u"reports"_s, u"plant"_s}}},
     };
     return all;
@@ -126,7 +126,8 @@ const QList<Rule>& includeRules()
             {u"app/link"_s, {standardCpp, posix, expected, qtAny, u"modbus/.*"_s, u"app/link/.*"_s}},
             {u"app/program"_s, {standardCpp, expected, u"profile/.*"_s, u"modbus/.*"_s, u"app/program/.*"_s}},
             {u"app/plant"_s, {standardCpp, qtAny, u"app/plant/.*"_s}},
-            {u"app/plot"_s, {standardCpp, qtAny, u"qwt[a-z_]*\\.h"_s, u"profile/.*"_s, u"app/plot/.*"_s}},
+            {u"app/plot"_s,
+             {standardCpp, qtAny, u"qwt[a-z_]*\\.h"_s, u"qrencode\\.h"_s, u"profile/.*"_s, u"app/plot/.*"_s}},
             {u"app/report"_s, {standardCpp, qtAny, u"app/(panel|plot|report)/.*"_s}},
             {u"app/cli"_s,
              {standardCpp, posix, expected, qtAny, u"(profile|modbus)/.*"_s,
@@ -147,7 +148,7 @@ const QList<QStringList>& qmlLevels()
     static const QList<QStringList> levels{{u"parts"_s},
                                            {u"explain"_s, u"access"_s, u"audit"_s, u"download"_s, u"alarms"_s,
                                             u"trends"_s, u"stops"_s, u"run"_s, u"packing"_s, u"maintenance"_s,
-                                            u"reports"_s},
+                                            u"reports"_s, u"scan"_s},
                                            {u"editor"_s},
                                            {u"library"_s, u"settings"_s, u"first"_s},
                                            {u"frame"_s}};

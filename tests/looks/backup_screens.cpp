@@ -67,7 +67,12 @@ Screen restoring(const char* name, const QStringList& taps)
 QList<Screen> backupScreens()
 {
     // The backup is the newer of the two files.
-    return {{u"backup"_s, &openBackup},
+    return {{u"scanner"_s,
+             [](TestWindow& window) {
+                 for (const char* tapped : {"nav_maintenance", "maintenancePanel", "maintenanceScanner"})
+                     window.tap(QString::fromLatin1(tapped));
+             }},
+            {u"backup"_s, &openBackup},
             {u"backup-places"_s,
              [](TestWindow& window) {
                  window.panel().backup().setScanner([](const QString&) {

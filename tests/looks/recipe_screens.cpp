@@ -63,6 +63,14 @@ void openLibrary(TestWindow& window, const QStringList& tapped = {})
         window.tap(name);
 }
 
+void openCodes(TestWindow& window)
+{
+    openLibrary(window);
+    window.panel().settings().overrideValue("scanner.prefix", QStringLiteral("~~"));
+    window.settle();
+    window.tap(QStringLiteral("recipeCodes"));
+}
+
 Screen page(const char* name, const QStringList& tapped = {})
 {
     return {QString::fromLatin1(name), [tapped](TestWindow& window) { openLibrary(window, tapped); }};
@@ -186,6 +194,23 @@ QList<Screen> recipeScreens()
                      window.tap(QStringLiteral("textChinese"));
                  for (const QChar letter : QStringLiteral("binggan"))
                      window.tap(QStringLiteral("key_") + letter);
+             }},
+            {QStringLiteral("recipes-codes"), [](TestWindow& window) { openCodes(window); }},
+            {QStringLiteral("recipes-code"),
+             [](TestWindow& window) {
+                 openCodes(window);
+                 window.tap(QStringLiteral("codeOfRecipe"));
+             }},
+            {QStringLiteral("recipes-scan-edits"),
+             [](TestWindow& window) {
+                 openLibrary(window);
+                 window.panel().editor().bagLength()->set(240);
+                 window.panel().scan().takeCode(QStringLiteral("Rusk 310"));
+             }},
+            {QStringLiteral("recipes-scan-unknown"),
+             [](TestWindow& window) {
+                 openLibrary(window);
+                 window.panel().scan().takeCode(QStringLiteral("4006381333931"));
              }},
             page("recipes-search", {QStringLiteral("recipeSearch"), QStringLiteral("textCapital")}),
             versions("recipes-versions", QStringLiteral("candidate0")),

@@ -20,6 +20,7 @@ inline constexpr auto screenPin = "258036";
 [[nodiscard]] QList<Screen> motorScreens();
 [[nodiscard]] QList<Screen> packingScreens();
 [[nodiscard]] QList<Screen> recipeScreens();
+[[nodiscard]] QList<Screen> scanScreens();
 [[nodiscard]] QList<Screen> maintenanceScreens();
 [[nodiscard]] QList<Screen> stopScreens();
 [[nodiscard]] QList<Screen> trendScreens();

@@ -443,7 +443,7 @@ const QList<Screen>& allScreens()
     static const QList<Screen> all = screens + packingScreens() + recipeScreens() + trendScreens() +
                                      stopScreens() + alarmScreens() + accessScreens() + firstScreens() +
                                      backupScreens() + maintenanceScreens() + cutterScreens() +
-                                     motorScreens();
+                                     motorScreens() + scanScreens();
     return all;
 }
 
@@ -544,6 +544,8 @@ void enterScreen(TestWindow& window, const Screen& screen)
         window.link().show(Situation::Empty);
     window.link().show(Situation::Running);
     window.panel().machine().dismissMessage();
+    window.panel().scan().dismissNotice();
+    window.panel().settings().overrideValue("scanner.prefix", {});
     window.settle();
     while (window.panel().alarms().shelved()->count() > 0)
         window.panel().alarms().unshelve(0);

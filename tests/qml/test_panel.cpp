@@ -406,6 +406,20 @@ private slots:
         QCOMPARE(m_window->link().stopRequests(), before + 1);
     }
 
+    void aSectionWithinAnotherHasAWayBack()
+    {
+        for (const auto& [section, opened] :
+             {std::pair{"section0", "sectionSystem"}, {"section2", "openStops"}}) {
+            tap("nav_settings");
+            tap(section);
+            QVERIFY(!m_window->find(QStringLiteral("sectionBack")));
+            tap(opened);
+            QVERIFY(!m_window->find(QString::fromLatin1(opened)));
+            tap("sectionBack");
+            QVERIFY(m_window->find(QString::fromLatin1(opened)));
+        }
+    }
+
     void theDrawingMarksTheChosenField()
     {
         const auto marked = [this] {

@@ -164,8 +164,17 @@ private:
         case LineEvent::Kind::Restart:
             m_answer.clear();
             m_board.restart();
+            dropFromPanel(); // nobody heard it
             say("restarted");
             return;
+        }
+    }
+
+    // Reads and drops what the panel has sent up to now.
+    void dropFromPanel()
+    {
+        std::array<std::uint8_t, 512> bytes{};
+        while (m_port.read(bytes) > 0) {
         }
     }
 

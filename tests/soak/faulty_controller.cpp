@@ -17,7 +17,7 @@ extern char** environ;
 namespace campanel::soak {
 namespace {
 
-constexpr auto answerTime = std::chrono::seconds{10};
+constexpr auto answerTime = std::chrono::seconds{60};
 
 // Returns the program behind the line; the environment may name another one.
 std::string programName()

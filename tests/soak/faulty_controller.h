@@ -25,6 +25,8 @@ public:
     FaultyController(const FaultyController&) = delete;
     FaultyController& operator=(const FaultyController&) = delete;
 
+    // Returns a time before its first power-up.
+    [[nodiscard]] Clock::time_point started() const { return m_started; }
     // Return the possible paths of the port; a fault may bring it back under the second name.
     [[nodiscard]] std::string port() const { return (m_folder / "port").string(); }
     [[nodiscard]] std::string otherPort() const { return (m_folder / "other-port").string(); }
@@ -48,6 +50,7 @@ private:
     void readLines();
     void takeLine(const std::string& line);
 
+    Clock::time_point m_started = Clock::now();
     std::filesystem::path m_folder;
     pid_t m_process = -1;
     int m_input = -1;

@@ -30,6 +30,7 @@ constexpr const char* help =
   --paced              bytes take as long as on the wire
   --allowance MS       time for an answer beyond that on the wire (20)
   --threads N          controllers at the same time (12)
+  --clock-may-stand    the controller's computer may stop it for a while: a firmware in QEMU
   --class TEXT         only the classes whose name contains it
 )";
 
@@ -41,6 +42,7 @@ struct Options {
     bool paced = false;
     std::uint32_t allowanceMs = 20;
     std::uint32_t threads = 12;
+    ControllerTime time = ControllerTime::Steady;
     std::string className;
 };
 
@@ -59,7 +61,8 @@ std::optional<Options> parseOptions(int argc, char** argv)
                             {"seed", 1, nullptr, 's'},      {"baud", 1, nullptr, 'b'},
                             {"paced", 0, nullptr, 'p'},     {"allowance", 1, nullptr, 'a'},
                             {"threads", 1, nullptr, 't'},   {"class", 1, nullptr, 'c'},
-                            {"help", 0, nullptr, 'h'},      {nullptr, 0, nullptr, 0}};
+                            {"help", 0, nullptr, 'h'},      {"clock-may-stand", 0, nullptr, 'm'},
+                            {nullptr, 0, nullptr, 0}};
     bool good = true;
     for (int code = 0; good && (code = getopt_long(argc, argv, "", table, nullptr)) != -1;) {
         if (code == 'e')
@@ -78,6 +81,8 @@ std::optional<Options> parseOptions(int argc, char** argv)
             options.className = optarg;
         else if (code == 'p')
             options.paced = true;
+        else if (code == 'm')
+            options.time = ControllerTime::MayStand;
         else
             good = false;
     }
@@ -125,6 +130,7 @@ void doWork(const Work& work, const Options& options, const std::filesystem::pat
     settings.line.baud = options.baud;
     settings.answerAllowance = std::chrono::milliseconds{options.allowanceMs};
     settings.seed = work.seed;
+    settings.time = options.time;
     const FaultClass& faults = faultClasses.at(work.faultClass);
     try {
         std::filesystem::create_directories(folder);

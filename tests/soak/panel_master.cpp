@@ -78,6 +78,7 @@ PanelMaster::PanelMaster(FaultyController& controller, const FaultClass& faults,
     , m_settings(settings)
     , m_tally(tally)
     , m_watch(watch)
+    , m_truth(settings.time, controller.started())
     , m_random(settings.seed)
     , m_session(static_cast<std::uint16_t>(settings.seed))
 {
@@ -97,6 +98,7 @@ void PanelMaster::noteEvents()
     if (now.restarts != m_seen.restarts) {
         m_truth.restarted();
         m_restartOpen = true;
+        m_answersBefore = 0;
     }
     m_seen = now;
 }
@@ -136,27 +138,32 @@ void PanelMaster::connect()
 {
     const auto begun = Clock::now();
     while (!m_client && !tryToConnect()) {
-        if (Clock::now() > begun + longestSearch)
+        if (Clock::now() > begun + m_settings.patience(longestSearch))
             throw std::runtime_error("the controller was not found again");
         std::this_thread::sleep_for(retryDelay);
     }
 }
 
+// Time in which a stopped controller could not answer does not count: it is told by its own count of answers.
+void PanelMaster::noteReturn(const char* what, Clock::duration took, std::vector<double>& times)
+{
+    constexpr int fewAnswers = 24; // some attempts of identity and status
+    times.push_back(std::chrono::duration<double, std::milli>(took).count());
+    const bool couldAnswer = m_settings.time == ControllerTime::Steady ||
+                             static_cast<std::uint16_t>(m_answers - m_answersBefore) > fewAnswers;
+    if (took > reconnectLimit && couldAnswer)
+        m_tally.find(m_tally.hangs, std::string(what) + ": found again after " +
+                                        std::to_string(std::chrono::ceil<milliseconds>(took).count()) +
+                                        " ms");
+}
+
 void PanelMaster::noteGoodStatus()
 {
-    const auto take = [this](bool& open, Clock::time_point since, std::vector<double>& times,
-                             const char* what) {
-        if (!std::exchange(open, false))
-            return;
-        const auto took = Clock::now() - since;
-        times.push_back(std::chrono::duration<double, std::milli>(took).count());
-        if (took > reconnectLimit)
-            m_tally.find(m_tally.hangs, std::string(what) + ": found again after " +
-                                            std::to_string(std::chrono::ceil<milliseconds>(took).count()) +
-                                            " ms");
-    };
-    take(m_replugOpen, m_seen.lastPlug, m_tally.replugMs, "port");
-    take(m_restartOpen, m_seen.lastRestart, m_tally.restartMs, "controller");
+    if (std::exchange(m_replugOpen, false))
+        noteReturn("port", Clock::now() - m_seen.lastPlug, m_tally.replugMs);
+    if (std::exchange(m_restartOpen, false))
+        noteReturn("controller", Clock::now() - m_seen.lastRestart, m_tally.restartMs);
+    m_answersBefore = m_answers;
 }
 
 void PanelMaster::pollStatus()
@@ -177,6 +184,7 @@ void PanelMaster::pollStatus()
     else if (const auto repeated = m_truth.checkCommands(*status); !repeated.empty())
         m_tally.find(m_tally.repeated, "status: " + repeated);
     m_program = {status->generation, status->activeCrc.value_or(0)};
+    m_answers = status->linkRequests;
     noteGoodStatus();
     if (m_download) {
         const auto step = m_download->noteStatus(*status);
@@ -270,8 +278,11 @@ void PanelMaster::prepare()
     m_controller.setFaults("clear"); // accepted once it serves
     connect();
     const modbus::RegisterInfo& patience = modbus::registerNamed("parameter.heartbeat_timeout");
-    if (!m_client->writeParameter(patience, patience.maximum))
-        throw std::runtime_error("a clean line does not take a parameter");
+    const auto begun = Clock::now();
+    while (!m_client->writeParameter(patience, patience.maximum)) {
+        if (m_settings.time == ControllerTime::Steady || Clock::now() > begun + longestSearch)
+            throw std::runtime_error("a clean line does not take a parameter");
+    }
     pollStatus();
     while (!m_download)
         startDownload();
@@ -302,7 +313,7 @@ void PanelMaster::finish()
     const std::uint64_t believed = m_tally.believed;
     // Includes late answers and returning ports, until three in a row are good.
     while (m_download || m_tally.believed < believed + 3) {
-        if (Clock::now() > begun + longestFinish)
+        if (Clock::now() > begun + m_settings.patience(longestFinish))
             throw std::runtime_error("a clean line does not work again");
         connect();
         if (m_download)

@@ -19,9 +19,16 @@ struct MasterSettings {
     modbus::LineSettings line;
     std::chrono::milliseconds answerAllowance{20};
     std::uint64_t seed = 1;
+    ControllerTime time = ControllerTime::Steady;
 
     // Returns the time-out of a status exchange, the unit of late answers.
     [[nodiscard]] std::chrono::milliseconds statusTimeout() const;
+    // Returns the time after which something hangs: much longer where other programs may stop the controller.
+    [[nodiscard]] std::chrono::milliseconds patience(std::chrono::milliseconds usual) const
+    {
+        constexpr int busy = 10;
+        return time == ControllerTime::Steady ? usual : busy * usual;
+    }
 };
 
 // Returns the rules of the class with seed, time-out and the names of this controller's ports.
@@ -52,6 +59,7 @@ private:
     void noteEvents();
     void noteError(const modbus::LinkError& error);
     void noteGoodStatus();
+    void noteReturn(const char* what, Clock::duration took, std::vector<double>& times);
 
     void oneStep();
     void pollStatus();
@@ -82,7 +90,9 @@ private:
     FaultyController::Events m_seen; // events already included in the truth
     bool m_replugOpen = false;       // the port is back, without a good status since
     bool m_restartOpen = false;
-    bool m_isClean = true; // without faults at present
+    std::uint16_t m_answersBefore = 0; // of the controller, in the last good status since its power-up
+    std::uint16_t m_answers = 0;       // in this one
+    bool m_isClean = true;             // without faults at present
     std::uint16_t m_heartbeat = 0;
     std::uint16_t m_session = 0;
 };
@@ -99,7 +109,7 @@ template <typename Ask> auto PanelMaster::timed(const char* what, int exchanges,
     const auto single =
         std::chrono::ceil<milliseconds>(modbus::charactersTime(m_settings.line, longestFrames)) +
         m_settings.answerAllowance + drainBound + (slow == Slow::Yes ? slowWork : milliseconds{0});
-    const auto bound = exchanges * single + schedulingBound;
+    const auto bound = m_settings.patience(exchanges * single + schedulingBound);
     const auto begun = Clock::now();
     m_watch.begin(what);
     auto result = ask();

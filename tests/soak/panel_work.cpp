@@ -54,7 +54,7 @@ void PanelMaster::command(modbus::Command code, modbus::CommandArguments argumen
     ++m_tally.believed;
     ++m_tally.work[result->done() ? "commands done" : "commands refused"];
     const bool done = result->done();
-    m_truth.commandCarriedOut(done && code == modbus::Command::Start, Clock::now());
+    m_truth.commandCarriedOut(done && code == modbus::Command::Start);
     if (done && code == modbus::Command::SaveToFlash)
         m_truth.saved();
 }
@@ -78,7 +78,7 @@ void PanelMaster::settle(const modbus::LinkError& error, modbus::Command code)
             continue;
         }
         if (*found) {
-            m_truth.commandCarriedOut((*found)->done() && code == modbus::Command::Start, Clock::now());
+            m_truth.commandCarriedOut((*found)->done() && code == modbus::Command::Start);
             if ((*found)->done() && code == modbus::Command::SaveToFlash)
                 m_truth.saved();
         }
@@ -123,7 +123,7 @@ void PanelMaster::stepDownload()
     }
     const bool refused = !step && step.error().kind == modbus::DownloadErrorKind::CommandRefused;
     if (before == Phase::Apply && (step || refused))
-        m_truth.commandCarriedOut(false, Clock::now());
+        m_truth.commandCarriedOut(false);
     if (step)
         return;
     if (step.error().kind != modbus::DownloadErrorKind::Link)

@@ -50,8 +50,8 @@ bool report(const Results& results)
     ClassResult all;
     for (std::size_t i = 0; i < results.size(); ++i) {
         const ClassResult& result = results[i];
-        if (result.panel.exchanges == 0)
-            continue;
+        if (result.panel.exchanges == 0 && result.panel.findings.empty())
+            continue; // not chosen
         printRow(std::string(faultClasses[i].name).c_str(), result.panel, result.plain);
         all.panel.add(result.panel);
         for (std::size_t mode = 0; mode < all.plain.size(); ++mode)

@@ -46,6 +46,16 @@ std::string ControllerClock::check(std::uint32_t uptimeS, std::uint16_t sampleTi
         return "sample time " + std::to_string(sampleTimeMs) + " ms does not belong to uptime " +
                std::to_string(uptimeS) + " s";
     const milliseconds age{static_cast<std::int64_t>(uptimeS) * 1000 + withinSecond};
+    const auto wrong =
+        m_time == ControllerTime::Steady ? checkSteady(age, asked, answered) : checkStanding(age, answered);
+    if (wrong.empty())
+        m_age = age;
+    return wrong;
+}
+
+std::string ControllerClock::checkSteady(milliseconds age, Clock::time_point asked,
+                                         Clock::time_point answered)
+{
     const auto earliest =
         std::max(asked - age - milliseconds{1}, m_earliest.value_or(asked - age - milliseconds{1}));
     const auto latest = std::min(answered - age, m_latest.value_or(answered - age));
@@ -58,7 +68,20 @@ std::string ControllerClock::check(std::uint32_t uptimeS, std::uint16_t sampleTi
     return {};
 }
 
-Truth::Truth()
+std::string ControllerClock::checkStanding(milliseconds age, Clock::time_point answered) const
+{
+    if (age < m_age)
+        return "goes back by " + std::to_string((m_age - age).count()) + " ms";
+    if (m_powerUp + age > answered + clockTolerance)
+        return "counts " + std::to_string(age.count()) + " ms, more than since power-up";
+    return {};
+}
+
+Truth::Truth(ControllerTime time, Clock::time_point powerUp)
+    : m_time(time)
+    , m_powerUp(powerUp)
+    , m_lastAnswer(powerUp)
+    , m_clock(time, powerUp)
 {
     for (Image& image : knownImages()) {
         m_crcs.push_back(modbus::crc32OfRegisters(image));
@@ -75,7 +98,8 @@ void Truth::restarted()
     m_counterBase.reset();
     m_starts = 0;
     m_linkRequests.reset();
-    m_clock = {};
+    m_powerUp = m_lastAnswer;
+    resetClock();
 }
 
 void Truth::saved()
@@ -83,12 +107,12 @@ void Truth::saved()
     m_flash = m_now;
 }
 
-void Truth::commandCarriedOut(bool isStart, Clock::time_point when)
+void Truth::commandCarriedOut(bool isStart)
 {
     ++m_commands;
     if (isStart) {
         ++m_starts;
-        m_lastStart = when;
+        m_startAge.reset();
     }
 }
 
@@ -142,13 +166,15 @@ bool Truth::stands(const modbus::StatusBlock& status) const
     return status.state == (m_now.crc == 0 ? modbus::State::Idle : modbus::State::Ready);
 }
 
-std::string Truth::checkState(const modbus::StatusBlock& status, Clock::time_point answered) const
+std::string Truth::checkState(const modbus::StatusBlock& status)
 {
     if (!status.state)
         return "an unknown state";
     if (status.faultBits != 0)
         return differs("fault bits", status.faultBits, 0);
-    const bool mayRun = answered < m_lastStart + longestMove;
+    if (!m_startAge)
+        m_startAge = m_clock.age();
+    const bool mayRun = m_starts > 0 && m_clock.age() < *m_startAge + longestMove;
     const bool runs = status.state == modbus::State::Running || status.state == modbus::State::Stopping;
     if (!stands(status) && !(runs && mayRun))
         return differs("state", static_cast<int>(*status.state), static_cast<int>(modbus::State::Ready));
@@ -183,9 +209,10 @@ std::string Truth::checkStatus(const modbus::StatusBlock& status, Clock::time_po
     if (more == 0 || more > 0x8000)
         return differs("answers counted", status.linkRequests, *m_linkRequests);
     m_linkRequests = status.linkRequests;
+    m_lastAnswer = answered;
     if (auto wrong = checkProgram(status); !wrong.empty())
         return wrong;
-    return checkState(status, answered);
+    return checkState(status);
 }
 
 std::string Truth::checkBankSlice(std::size_t offset, std::span<const std::uint16_t> registers) const

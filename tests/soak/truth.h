@@ -23,32 +23,56 @@ using Image = std::vector<std::uint16_t>;
 [[nodiscard]] std::vector<Image> knownImages();
 inline constexpr std::int32_t pulsesOfMove = 100;
 
-// The time of power-up on this program's clock, in an interval that becomes narrower with every answer. An
-// answer from before its request, or from after its arrival, is wrong.
+enum class ControllerTime : std::uint8_t {
+    Steady,   // the controller's clock runs like this computer's
+    MayStand, // its computer may stop it for a while, and with it its clock: a firmware in QEMU
+};
+
+// The controller's clock, compared with this program's. A steady clock gives the time of power-up in an
+// interval that becomes narrower with every answer: an answer from before its request, or from after its
+// arrival, is wrong. A clock that may stand never goes back, and never counts more than has passed since
+// power-up.
 class ControllerClock {
 public:
+    // The controller was switched on at `powerUp` or later.
+    ControllerClock(ControllerTime time, Clock::time_point powerUp)
+        : m_time(time)
+        , m_powerUp(powerUp)
+    {
+    }
+
     [[nodiscard]] std::string check(std::uint32_t uptimeS, std::uint16_t sampleTimeMs,
                                     Clock::time_point asked, Clock::time_point answered);
+    // Returns the time since power-up by the last status.
+    [[nodiscard]] std::chrono::milliseconds age() const { return m_age; }
 
 private:
+    [[nodiscard]] std::string checkSteady(std::chrono::milliseconds age, Clock::time_point asked,
+                                          Clock::time_point answered);
+    [[nodiscard]] std::string checkStanding(std::chrono::milliseconds age, Clock::time_point answered) const;
+
+    ControllerTime m_time;
+    Clock::time_point m_powerUp;
+    std::chrono::milliseconds m_age{0};
     std::optional<Clock::time_point> m_earliest;
     std::optional<Clock::time_point> m_latest;
 };
 
 class Truth {
 public:
-    Truth();
+    // The controller was switched on at `powerUp` or later.
+    Truth(ControllerTime time, Clock::time_point powerUp);
 
     // --- Events.
     void restarted(); // RAM contents are lost, the flash is loaded
     void saved();     // the present state is in the flash
-    void commandCarriedOut(bool isStart, Clock::time_point when);
+    void commandCarriedOut(bool isStart);
     void writing(std::uint16_t address, std::span<const std::uint16_t> registers); // it may be so from now on
     void written(std::uint16_t address, std::span<const std::uint16_t> registers); // it is so from now on
     void refused(std::uint16_t address, std::span<const std::uint16_t> registers); // reported to the master
     void applying(std::uint32_t crc);           // it may become active from now on
     void notApplied() { m_pendingCrc.reset(); } // the master was told that the active program is unchanged
-    void resetClock() { m_clock = {}; }
+    void resetClock() { m_clock = ControllerClock(m_time, m_powerUp); }
 
     [[nodiscard]] std::uint32_t activeCrc() const { return m_now.crc; }
     [[nodiscard]] const Image& activeImage() const { return m_images.at(m_now.crc); }
@@ -73,7 +97,7 @@ private:
         std::map<std::uint16_t, std::uint16_t> parameters;
     };
     [[nodiscard]] std::string checkProgram(const modbus::StatusBlock& status);
-    [[nodiscard]] std::string checkState(const modbus::StatusBlock& status, Clock::time_point answered) const;
+    [[nodiscard]] std::string checkState(const modbus::StatusBlock& status);
     [[nodiscard]] bool stands(const modbus::StatusBlock& status) const;
     [[nodiscard]] std::string checkBankSlice(std::size_t offset,
                                              std::span<const std::uint16_t> registers) const;
@@ -90,8 +114,12 @@ private:
     // from its own: then empty until a status reports it.
     std::optional<std::uint16_t> m_counterBase = 0;
     std::uint32_t m_starts = 0;
-    Clock::time_point m_lastStart;
+    // The controller's time in the first status behind the last start; empty before that status.
+    std::optional<std::chrono::milliseconds> m_startAge;
     std::optional<std::uint16_t> m_linkRequests;
+    ControllerTime m_time;
+    Clock::time_point m_powerUp;    // not before
+    Clock::time_point m_lastAnswer; // the last one believed
     ControllerClock m_clock;
 };
 

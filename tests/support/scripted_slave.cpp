@@ -303,7 +303,7 @@ void ScriptedSlave::runCommand()
                                                 ? static_cast<std::uint16_t>(CommandStatus::Done)
                                                 : static_cast<std::uint16_t>(CommandStatus::Refused);
     m_registers[address("result.reason")] = static_cast<std::uint16_t>(refusal);
-    if (m_busy > 0)
+    if (m_busy > 0 && code == Command::SaveToFlash)
         m_registers[address("result.status")] = static_cast<std::uint16_t>(CommandStatus::Busy);
 }
 

@@ -53,7 +53,7 @@ public:
     void reachCycleBoundary();
     void refuseRow(std::uint16_t row);
     // Works in pieces: answers the next Begin or Seal Busy this many times, and the result of the next
-    // command for this many requests.
+    // SaveToFlash for this many requests.
     void setBusy(int requests) { m_busy = requests; }
     // Delays every answer by this time.
     void delayAnswers(std::chrono::milliseconds delay) { m_delayMs = static_cast<int>(delay.count()); }

@@ -135,6 +135,9 @@ public:
     // Returns why the controller would refuse the command according to its last status; empty: it would
     // accept it.
     [[nodiscard]] QString blockedReason(modbus::Command command) const;
+    // Sets what blocks Start beyond the controller's own rules: a sentence, empty while nothing does. Emit
+    // commandsChanged() when it changes.
+    void setStartInterlock(std::function<QString()> reason) { m_startInterlock = std::move(reason); }
     [[nodiscard]] QString commandMessage() const { return m_commandMessage; }
 
     Q_INVOKABLE void start();
@@ -214,6 +217,7 @@ private:
     std::optional<link::SteadyTime> m_statusAt;
     std::shared_ptr<const ControllerProgram> m_program;
     double m_contactAngleDeg = 0;
+    std::function<QString()> m_startInterlock;
     ActualTrace m_trace;
     BagStatistics m_bags;
     StrokeModel m_strokes{this};

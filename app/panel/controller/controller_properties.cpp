@@ -233,7 +233,9 @@ QString Controller::blockedReason(modbus::Command command) const
         return tr("There is no connection to the controller.");
     if (state() == State::Unknown)
         return tr("The controller's state is unknown.");
-    return ControllerSentences::refusal(expectedRefusal(*m_status, command));
+    const QString refusal = ControllerSentences::refusal(expectedRefusal(*m_status, command));
+    const bool isFree = refusal.isEmpty() && command == modbus::Command::Start && m_startInterlock;
+    return isFree ? m_startInterlock() : refusal;
 }
 
 } // namespace campanel::panel

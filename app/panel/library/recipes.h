@@ -7,6 +7,7 @@
 #include "app/panel/kit/figure_model.h"
 #include "app/panel/kit/offer_model.h"
 #include "app/panel/kit/report_files.h"
+#include "app/panel/library/recipe_codes.h"
 #include "app/panel/library/recipe_files.h"
 #include "app/panel/library/recipe_list.h"
 #include "app/store/logs/audit_log.h"
@@ -62,6 +63,7 @@ class Recipes : public QObject {
     Q_PROPERTY(int nextVersion READ nextVersion NOTIFY listChanged FINAL) // next version of the edited recipe
     Q_PROPERTY(QString message READ message NOTIFY messageChanged FINAL)  // result of the last action
     Q_PROPERTY(bool canRestore READ canRestore NOTIFY messageChanged FINAL) // the last deletion
+    Q_PROPERTY(campanel::panel::RecipeCodes* codes READ codes CONSTANT FINAL)
     Q_PROPERTY(campanel::panel::RecipeFiles* files READ files CONSTANT FINAL)
     Q_PROPERTY(campanel::panel::ReportFiles* exports READ exports CONSTANT FINAL)
 
@@ -105,8 +107,20 @@ public:
     [[nodiscard]] int nextVersion() const;
     [[nodiscard]] QString message() const { return m_message; }
     [[nodiscard]] bool canRestore() const { return m_deletedId != 0; }
+    [[nodiscard]] RecipeCodes* codes() { return &m_codes; }
     [[nodiscard]] RecipeFiles* files() { return &m_files; }
     [[nodiscard]] ReportFiles* exports() { return &m_exports; }
+
+    // Returns the newest version of each recipe.
+    [[nodiscard]] const QList<store::RecipeVersion>& newest() const { return m_all; }
+    // Returns the newest version of the chosen recipe; null: none.
+    [[nodiscard]] const store::RecipeVersion* chosenRecipe() const;
+    // Returns the recipes that this code selects: one, unless files brought the same code twice.
+    [[nodiscard]] QList<store::RecipeVersion> coded(const QString& code) const;
+    // Chooses the recipe with this id of the database, and ends the search.
+    void chooseId(qint64 recipeId);
+    // Saves the codes of the chosen recipe as its next version.
+    void setCodes(const program::Recipe& withCodes);
 
     Q_INVOKABLE void choose(int row);
     // Opens the chosen recipe in the Editor; unsaved edits are lost.
@@ -164,7 +178,6 @@ private:
     void compare(const program::Recipe& before, const program::Recipe& after);
     void say(const QString& text);
     void note(const QString& what, const QString& name, const QString& before, const QString& after);
-    [[nodiscard]] const store::RecipeVersion* chosenRecipe() const;
     [[nodiscard]] const store::RecipeVersion* named(const QString& name) const;
     [[nodiscard]] program::Recipe onThisMachine(program::Recipe recipe) const;
     // Returns the recipe as first version of the wanted name.
@@ -186,6 +199,7 @@ private:
     FigureModel m_figures{this};
     OfferModel m_candidates{this};
     DifferenceModel m_differences{this};
+    RecipeCodes m_codes{*this};
     RecipeFiles m_files;
     ReportFiles m_exports;
     Versions m_compared; // the rows of the candidates

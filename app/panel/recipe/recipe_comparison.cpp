@@ -41,6 +41,11 @@ QString RecipeComparison::choiceText(const Recipe& recipe, program::Choice choic
     return option == options.end() ? Format::unknownText() : RecipeWords::optionName(option->key);
 }
 
+QString RecipeComparison::codeText(const std::string& code)
+{
+    return code.empty() ? tr("none") : QString::fromStdString(code);
+}
+
 QList<DifferenceRow> RecipeComparison::rows(const Recipe& before, const Recipe& after)
 {
     const Recipe a = solved(before);
@@ -51,6 +56,8 @@ QList<DifferenceRow> RecipeComparison::rows(const Recipe& before, const Recipe& 
             rows << DifferenceRow{name, left, right};
     };
     compare(tr("Recipe"), QString::fromStdString(a.name), QString::fromStdString(b.name));
+    compare(tr("Code"), codeText(a.scanCode), codeText(b.scanCode));
+    compare(tr("Film reel"), codeText(a.filmCode), codeText(b.filmCode));
     if (a.kind() != b.kind()) {
         compare(tr("Program type"), RecipeWords::kindName(a.kind()), RecipeWords::kindName(b.kind()));
         return rows; // inputs of different kinds cannot be compared

@@ -25,6 +25,7 @@ public:
 
 private:
     [[nodiscard]] static QString pinnedText(const program::Recipe& recipe);
+    [[nodiscard]] static QString codeText(const std::string& code);
     [[nodiscard]] static QString choiceText(const program::Recipe& recipe, program::Choice choice);
 };
 

@@ -58,6 +58,15 @@ void Commissioning::offer()
                     u"pdf"_s, [pdf] { return pdf; }}});
 }
 
+QList<ReportCode> Commissioning::codes() const
+{
+    const program::Recipe& recipe = m_editor.recipe();
+    QList<ReportCode> codes{{tr("Code of the recipe"), QString::fromStdString(program::codeOf(recipe))}};
+    if (!recipe.filmCode.empty())
+        codes.append({tr("Code of the film reel"), QString::fromStdString(recipe.filmCode)});
+    return codes;
+}
+
 ReportSection Commissioning::recipeSection() const
 {
     ReportSection section{tr("Recipe"), {}, {}};
@@ -147,6 +156,7 @@ ReportData Commissioning::data() const
     made.footer = tr("%1 · %2 · CamPanel %3", "date, person, version")
                       .arg(when, maker, QCoreApplication::applicationVersion());
     made.pageText = tr("Page %1");
+    made.codes = codes();
     made.sections = {verdictSection(), recipeSection(),     machineSection(),
                      tableSection(),   controllerSection(), bagSection()};
     made.isFeasible = m_editor.feasible();

@@ -31,11 +31,20 @@ struct ReportSection {
     QStringList lines;                       // whole sentences below the rows
 };
 
+// A code that a scanner reads.
+struct ReportCode {
+    QString title;
+    QString code;
+
+    bool operator==(const ReportCode&) const = default;
+};
+
 struct ReportData {
     QString title;
-    QString recipe;   // name and version
-    QString footer;   // author, time and version of CamPanel
-    QString pageText; // "Page %1"
+    QString recipe;          // name and version
+    QString footer;          // author, time and version of CamPanel
+    QString pageText;        // "Page %1"
+    QList<ReportCode> codes; // below the title
     QList<ReportSection> sections;
     bool isFeasible = false;
     // The texts of the plots; see plot::CurvePlot.
@@ -74,6 +83,7 @@ public:
     [[nodiscard]] ReportData data() const;
 
 private:
+    [[nodiscard]] QList<ReportCode> codes() const;
     [[nodiscard]] ReportSection recipeSection() const;
     [[nodiscard]] ReportSection machineSection() const;
     [[nodiscard]] ReportSection verdictSection() const;

@@ -22,6 +22,7 @@ enum class SettingForm {
     Port,     // an absolute path, or nothing
     File,     // an absolute path, or nothing
     Name,     // up to 64 letters without those that have a meaning in MQTT topics, or nothing
+    Prefix,   // up to 8 printable characters of ASCII but the space, or nothing
     Size,     // width and height of a window in pixels: "1024x600"
     Rules,    // rules for logging, one per line
     Times,    // times of the day: "06:00 14:00"
@@ -154,6 +155,30 @@ inline constexpr std::array settingTable{
                .label = QT_TRANSLATE_NOOP("campanel::panel::Settings", "hold to start"),
                .help = "Start acts only after its key was held for half a second. auto: with a real "
                        "controller."},
+    SettingRow{.name = "scanner.prefix",
+               .key = "scanner/prefix",
+               .form = SettingForm::Prefix,
+               .level = Level::Service,
+               .label = QT_TRANSLATE_NOOP("campanel::panel::Settings", "scanner prefix"),
+               .help = "Characters that the code scanner sends before each code, which nobody types. Empty: "
+                       "no scanner."},
+    SettingRow{.name = "scanner.suffix",
+               .key = "scanner/suffix",
+               .form = SettingForm::Word,
+               .choices = "enter tab",
+               .standard = "enter",
+               .level = Level::Service,
+               .label = QT_TRANSLATE_NOOP("campanel::panel::Settings", "scanner suffix"),
+               .help = "Key that the scanner sends after each code."},
+    SettingRow{.name = "scanner.key_time_ms",
+               .key = "scanner/key_time_ms",
+               .form = SettingForm::Whole,
+               .minimum = 10,
+               .maximum = 1000,
+               .standard = "100",
+               .level = Level::Service,
+               .label = QT_TRANSLATE_NOOP("campanel::panel::Settings", "time between scanned keys, ms"),
+               .help = "Longest time between two keys of a code, in ms."},
     SettingRow{.name = "stops.ask_after_seconds",
                .key = "stops/ask_after_seconds",
                .form = SettingForm::Whole,

@@ -47,6 +47,13 @@ bool isTopicName(const QString& text)
            });
 }
 
+bool isPrefix(const QString& text)
+{
+    constexpr qsizetype maxLength = 8;
+    return text.size() <= maxLength &&
+           std::ranges::all_of(text, [](QChar letter) { return letter > u' ' && letter <= u'~'; });
+}
+
 // Returns the number of the text; NaN when it is none of the setting's form.
 double numberIn(Setting setting, const QString& text)
 {
@@ -124,6 +131,8 @@ QString validValues(Setting setting)
         return u"the path of a file, such as \"/etc/campanel/broker.pem\""_s;
     case SettingForm::Name:
         return u"up to 64 letters, without / + #"_s;
+    case SettingForm::Prefix:
+        return u"up to 8 printable characters of ASCII without spaces"_s;
     case SettingForm::Size:
         return u"from \"800x480\" to \"9999x9999\""_s;
     case SettingForm::Times:
@@ -158,6 +167,8 @@ bool isValid(Setting setting, const QString& text)
         return text.isEmpty() || text.startsWith(u'/');
     case SettingForm::Name:
         return isTopicName(text);
+    case SettingForm::Prefix:
+        return isPrefix(text);
     case SettingForm::Size:
         return isWindowSize(sizeIn(text));
     case SettingForm::Times:

@@ -53,7 +53,7 @@ void StopSetup::update()
     const SettingValues& values = m_settings.values();
     m_askAfter.show({tr("Question after"), tr("s"), values.text(ask), ask->minimum, ask->maximum,
                      SettingValues().number(ask), 0});
-    m_idealRate.show({tr("Ideal rate (0: of the recipe)"), tr("pieces/min"),
+    m_idealRate.show({tr("Ideal rate (0: by recipe)"), tr("pieces/min"),
                       format.number(values.number(ideal), 1), ideal->minimum, ideal->maximum,
                       SettingValues().number(ideal), 1});
     const QList<QTime> starts = times();

@@ -8,6 +8,8 @@
 
 #include <QJsonDocument>
 
+#include <algorithm>
+
 using namespace Qt::StringLiterals;
 
 namespace campanel::store {
@@ -32,17 +34,43 @@ std::optional<FileError> wrongFormat(const QJsonObject& root)
     return std::nullopt;
 }
 
+// Reads a code that a scanner reads; absent: none.
+std::string codeIn(ObjectReader& reader, const QString& key)
+{
+    if (!reader.has(key))
+        return {};
+    const QString code = reader.text(key);
+    const std::string bytes = code.toStdString();
+    if (bytes.size() > program::maxCodeBytes)
+        reader.fail(key, FileError::Kind::TooLong, code, QString::number(program::maxCodeBytes));
+    if (!isScannable(code))
+        reader.fail(key, FileError::Kind::WrongType, {}, FileErrorText::aText());
+    return bytes;
+}
+
 } // namespace
+
+bool isScannable(const QString& code)
+{
+    const auto letters = code.toUcs4();
+    return code == code.trimmed() && std::ranges::all_of(letters, [](char32_t letter) {
+               return QChar::isPrint(letter) && letter != QChar::ReplacementCharacter;
+           });
+}
 
 QByteArray toJson(const Recipe& recipe)
 {
-    return QJsonDocument(QJsonObject{{u"format"_s, recipeFormat},
-                                     {u"format_version"_s, recipeFormatVersion},
-                                     {u"name"_s, QString::fromStdString(recipe.name)},
-                                     {u"version"_s, recipe.version},
-                                     {u"program"_s, programJson(recipe)},
-                                     {u"machine"_s, machineJson(recipe)}})
-        .toJson();
+    QJsonObject root{{u"format"_s, recipeFormat},
+                     {u"format_version"_s, recipeFormatVersion},
+                     {u"name"_s, QString::fromStdString(recipe.name)},
+                     {u"version"_s, recipe.version},
+                     {u"program"_s, programJson(recipe)},
+                     {u"machine"_s, machineJson(recipe)}};
+    if (!recipe.scanCode.empty())
+        root[u"scan_code"_s] = QString::fromStdString(recipe.scanCode);
+    if (!recipe.filmCode.empty())
+        root[u"film_code"_s] = QString::fromStdString(recipe.filmCode);
+    return QJsonDocument(root).toJson();
 }
 
 tl::expected<Recipe, FileError> fromJson(const QByteArray& json, const QString& path)
@@ -75,6 +103,8 @@ tl::expected<Recipe, FileError> fromJson(const QByteArray& json, const QString& 
     versions.max = program::maxVersion;
     if (reader.has(u"version"_s))
         recipe.version = static_cast<int>(reader.number(u"version"_s, true, versions));
+    recipe.scanCode = codeIn(reader, u"scan_code"_s);
+    recipe.filmCode = codeIn(reader, u"film_code"_s);
     const QJsonObject program = reader.object(u"program"_s);
     readProgram(program, recipe, failure);
     if (reader.has(u"machine"_s))

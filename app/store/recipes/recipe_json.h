@@ -13,6 +13,9 @@ namespace campanel::store {
 
 inline constexpr int recipeFormatVersion = 2;
 
+// Returns true for a code that a scanner can read: printable characters, none of them a space at an end.
+[[nodiscard]] bool isScannable(const QString& code);
+
 [[nodiscard]] QByteArray toJson(const program::Recipe& recipe);
 
 // Reads a recipe. `path` is only for the error. The two pinned values and the speed law must exist; other

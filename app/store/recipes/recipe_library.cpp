@@ -72,7 +72,8 @@ RecipeLibrary::Result<RecipeVersion> RecipeLibrary::save(const program::Recipe& 
             return tl::unexpected(before.error());
         if (!before->isEmpty()) {
             const RecipeVersion& top = before->first();
-            if (recipe.version <= top.version && programJson(top.recipe) == programJson(recipe)) {
+            if (recipe.version <= top.version && programJson(top.recipe) == programJson(recipe) &&
+                program::sameCodes(top.recipe, recipe)) {
                 saved = top;
                 return {};
             }

@@ -7,6 +7,7 @@
 
 #include <QDateTime>
 #include <QJsonDocument>
+#include <QTimeZone>
 
 using namespace Qt::StringLiterals;
 
@@ -82,7 +83,7 @@ QByteArray signRecipe(const program::Recipe& recipe, qint64 signedMs, std::uint3
                       const SigningKey& key)
 {
     const Envelope envelope{QString::fromUtf8(toJson(recipe)), key.name,
-                            QDateTime::fromMSecsSinceEpoch(signedMs, Qt::UTC).toString(Qt::ISODate),
+                            QDateTime::fromMSecsSinceEpoch(signedMs, QTimeZone::utc()).toString(Qt::ISODate),
                             u"%1"_s.arg(tableCrc, 8, 16, QLatin1Char('0')).toUpper()};
     const QByteArray signature = signatureOf(envelope.text(), key).toBase64();
     return QJsonDocument(QJsonObject{{u"format"_s, signedFormat},

@@ -32,7 +32,7 @@ ctl_config board_config(void)
         .timer_bits = 16,
         .max_pulse_hz = 200000,
         .max_rows_per_slice = 16,
-        .work_registers = 48,
+        .work_registers = 24,
         .table_layouts = 1u << CTL_TABLE_LAYOUT_STEP_TABLE | 1u << CTL_TABLE_LAYOUT_CAM_POINTS |
                          1u << CTL_TABLE_LAYOUT_PRESS_STAGES, /* intervals do not fit 60 MHz */
     };

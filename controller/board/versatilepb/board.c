@@ -5,6 +5,11 @@
 #include "machine/whole_machine.h"
 #include "versatilepb/devices.h"
 
+/* The memory of a test's board is smaller. */
+#ifndef BANK_REGISTERS
+#define BANK_REGISTERS 0u
+#endif
+
 static whole_machine machine;
 
 void board_init(void)
@@ -27,8 +32,9 @@ ctl_config board_config(void)
         .max_pulse_hz = 200000,
         .table_layouts = 1u << CTL_TABLE_LAYOUT_STEP_TABLE | 1u << CTL_TABLE_LAYOUT_CAM_POINTS |
                          1u << CTL_TABLE_LAYOUT_PRESS_STAGES, /* intervals do not fit 60 MHz */
+        .bank_registers = BANK_REGISTERS,
         .max_rows_per_slice = 16,
-        .work_registers = 48,
+        .work_registers = 24,
     };
 }
 

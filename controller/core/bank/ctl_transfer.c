@@ -9,6 +9,7 @@
 /* The transfer registers as written by the panel. */
 enum { SESSION = 0, OPERATION = 1, BLOCK = 2, LENGTH = 3, DATA = 4 };
 _Static_assert(CTL_GROUP_TRANSFER == DATA + CTL_BLOCK_REGISTERS, "the payload ends the group");
+_Static_assert(CTL_MAX_TRANSFER_LENGTH == CTL_BLOCK_REGISTERS, "no block is longer than its payload");
 _Static_assert(32u * CTL_TRANSFER_BLOCK_WORDS * CTL_BLOCK_REGISTERS >= CTL_BANK_REGISTERS,
                "there is a bit for each block of a bank");
 _Static_assert(CTL_GROUP_TRANSFER_RESULT == 8u, "ctl_transfer_result() fills the group");

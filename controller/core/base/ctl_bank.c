@@ -43,6 +43,9 @@ _Static_assert(FITS(CTL_INTERVAL_REGISTERS* CTL_INTERVAL_CAPACITY), "the most in
 _Static_assert(FITS(CTL_STAGE_REGISTERS* CTL_STAGE_COUNT), "the stages of a press fit a bank");
 
 #define LAYOUTS (sizeof layouts / sizeof layouts[0])
+_Static_assert(LAYOUTS == CTL_TABLE_LAYOUT_LAST + 1u, "every layout has its row");
+_Static_assert(CTL_BANK_STORAGE > CTL_BANK_HEADER_REGISTERS && CTL_BANK_STORAGE <= CTL_BANK_REGISTERS,
+               "a smaller bank holds the header at least");
 
 /* NULL when the layout cannot be executed. */
 static const layout_info* layout_of(const ctl_bank* bank)
@@ -83,6 +86,8 @@ static const kind_info kinds[] = {
     [CTL_PROGRAM_KIND_SEGMENT_CAM] = {CTL_OFFSET_CAM_PULSES_PER_MOTOR_REV, CTL_OFFSET_CAM_FEED, true, true,
                                       CAM_LIST(SEGMENT)},
 };
+
+_Static_assert(sizeof kinds / sizeof kinds[0] == CTL_PROGRAM_KIND_LAST + 1u, "every kind has its row");
 
 /* A bank that was damaged after its check may name any kind. */
 static const kind_info* kind_of(const ctl_bank* bank)

@@ -4,14 +4,20 @@
 
 uint16_t ctl_crc16(const uint8_t* bytes, size_t size)
 {
+    return ctl_crc16_bytes(CTL_CRC16_START, bytes, size);
+}
+
+uint16_t ctl_crc16_bytes(uint16_t crc, const uint8_t* bytes, size_t size)
+{
     static const uint16_t table[16] = {0x0000, 0xCC01, 0xD801, 0x1400, 0xF001, 0x3C00, 0x2800, 0xE401,
                                        0xA001, 0x6C00, 0x7800, 0xB401, 0x5000, 0x9C01, 0x8801, 0x4400};
-    uint16_t crc = 0xFFFFu;
+    uint32_t sum = crc;
     for (size_t i = 0; i < size; ++i) {
-        crc = (uint16_t)((crc >> 4) ^ table[(crc ^ bytes[i]) & 0xFu]);
-        crc = (uint16_t)((crc >> 4) ^ table[(crc ^ (bytes[i] >> 4)) & 0xFu]);
+        sum ^= bytes[i];
+        sum = sum >> 4 ^ table[sum & 0xFu];
+        sum = sum >> 4 ^ table[sum & 0xFu];
     }
-    return crc;
+    return (uint16_t)sum;
 }
 
 static uint32_t half_byte(uint32_t crc)

@@ -13,7 +13,11 @@ extern "C" {
 
 #define CTL_CRC32_START 0xFFFFFFFFu
 
+#define CTL_CRC16_START 0xFFFFu
+
 uint16_t ctl_crc16(const uint8_t* bytes, size_t size);
+/* Continues from CTL_CRC16_START. */
+uint16_t ctl_crc16_bytes(uint16_t crc, const uint8_t* bytes, size_t size);
 
 /* Continue from CTL_CRC32_START; the finished checksum is the result inverted. */
 uint32_t ctl_crc32_bytes(uint32_t crc, const uint8_t* bytes, size_t size);

@@ -25,11 +25,24 @@ static int64_t value_at(const uint16_t* at, uint32_t words)
     return words == 2 ? ctl_get32(at) : *at;
 }
 
+/* The first limit of this address or behind it: they stand in the order of their addresses. */
+static uint32_t first_from(uint32_t address)
+{
+    uint32_t first = 0;
+    uint32_t end = LIMIT_COUNT;
+    while (first < end) {
+        const uint32_t middle = (first + end) / 2u;
+        if (limits[middle].address < address)
+            first = middle + 1u;
+        else
+            end = middle;
+    }
+    return first;
+}
+
 bool ctl_within_limits(const uint16_t* values, uint32_t base, uint32_t count)
 {
-    for (uint32_t i = 0; i < LIMIT_COUNT; ++i) {
-        if (limits[i].address < base || limits[i].address - base >= count)
-            continue;
+    for (uint32_t i = first_from(base); i < LIMIT_COUNT && limits[i].address - base < count; ++i) {
         const uint16_t* at = &values[limits[i].address - base];
         const int64_t value = value_at(at, limits[i].words);
         if (value < limits[i].minimum || value > limits[i].maximum)

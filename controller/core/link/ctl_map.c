@@ -67,6 +67,7 @@ _Static_assert(sizeof(assembled_group) == CTL_GROUP_PACKER * sizeof(uint16_t),
                "the packer's group is the largest");
 _Static_assert(CTL_GROUP_READBACK_RESULT == 3u + CTL_READBACK_REGISTERS,
                "the values read back end the group");
+_Static_assert(CTL_MAX_READBACK_COUNT == CTL_READBACK_REGISTERS, "all that may be asked for fits the answer");
 _Static_assert(CTL_GROUP_ACTIVE == CTL_BANK_REGISTERS && CTL_GROUP_STAGED == CTL_BANK_REGISTERS,
                "a bank is read whole");
 _Static_assert(CTL_GROUP_CLOCK == 2u, "the clock is one wide value");
@@ -128,7 +129,7 @@ static void read_group(ctl_core* core, group_name group, uint32_t first, uint16_
     memcpy(values, &source[first], count * sizeof values[0]);
 }
 
-uint8_t ctl_map_read(ctl_core* core, uint32_t address, uint16_t* values, uint32_t count)
+uint8_t ctl_map_readable(uint32_t address, uint32_t count)
 {
     for (uint32_t at = address; at < address + count;) {
         const group_name group = group_of(at);
@@ -136,6 +137,14 @@ uint8_t ctl_map_read(ctl_core* core, uint32_t address, uint16_t* values, uint32_
             return CTL_ILLEGAL_ADDRESS;
         at = (uint32_t)ranges[group].base + ranges[group].count;
     }
+    return 0;
+}
+
+uint8_t ctl_map_read(ctl_core* core, uint32_t address, uint16_t* values, uint32_t count)
+{
+    const uint8_t refused = ctl_map_readable(address, count);
+    if (refused != 0)
+        return refused;
     while (count != 0) {
         const group_name group = group_of(address);
         const uint32_t first = address - ranges[group].base;

@@ -18,7 +18,7 @@ static size_t end_frame(ctl_rtu* rtu, uint8_t own_unit)
         rtu->frame_errors += 1;
         return 0;
     }
-    if (ctl_crc16(rtu->request, size) != 0) { /* over the frame with its CRC-16 it comes to 0 */
+    if (rtu->received_crc != 0) { /* over the frame with its CRC-16 it comes to 0 */
         rtu->crc_errors += 1;
         return 0;
     }
@@ -40,9 +40,8 @@ void ctl_rtu_answer(ctl_rtu* rtu, size_t size)
     rtu->answer[0] = rtu->request[0];
     if ((rtu->answer[1] & CTL_EXCEPTION_FLAG) != 0)
         rtu->exceptions += 1;
-    const uint16_t crc = ctl_crc16(rtu->answer, size + 1);
-    rtu->answer[size + 1] = (uint8_t)(crc & 0xFFu);
-    rtu->answer[size + 2] = (uint8_t)(crc >> 8);
+    rtu->answer_crc = CTL_CRC16_START;
+    rtu->answer_summed = 0;
     rtu->answer_size = (uint32_t)size + 3;
     rtu->requests += 1;
 }
@@ -51,7 +50,10 @@ void ctl_rtu_receive(ctl_rtu* rtu, const uint8_t* bytes, size_t size, uint64_t n
 {
     if (rtu->received < CTL_FRAME_BYTES) {
         const size_t space = CTL_FRAME_BYTES - rtu->received;
-        memcpy(&rtu->request[rtu->received], bytes, size < space ? size : space);
+        const size_t part = size < space ? size : space;
+        memcpy(&rtu->request[rtu->received], bytes, part);
+        rtu->received_crc =
+            ctl_crc16_bytes(rtu->received == 0 ? CTL_CRC16_START : rtu->received_crc, bytes, part);
     }
     /* One beyond the buffer is enough to know that the frame is too long. */
     rtu->received =
@@ -65,9 +67,19 @@ void ctl_rtu_receive_error(ctl_rtu* rtu, uint64_t now_us)
     rtu->last_byte_us = now_us;
 }
 
-size_t ctl_rtu_take_answer(ctl_rtu* rtu, uint8_t* bytes)
+size_t ctl_rtu_take_answer(ctl_rtu* rtu, uint8_t* bytes, uint32_t most)
 {
-    const size_t size = rtu->answer_size;
+    const uint32_t size = rtu->answer_size;
+    if (size == 0)
+        return 0;
+    const uint32_t left = size - 2u - rtu->answer_summed;
+    const uint32_t part = left < most ? left : most;
+    rtu->answer_crc = ctl_crc16_bytes(rtu->answer_crc, &rtu->answer[rtu->answer_summed], part);
+    rtu->answer_summed += part;
+    if (part != left)
+        return 0;
+    rtu->answer[size - 2u] = (uint8_t)(rtu->answer_crc & 0xFFu);
+    rtu->answer[size - 1u] = (uint8_t)(rtu->answer_crc >> 8);
     memcpy(bytes, rtu->answer, size);
     rtu->answer_size = 0;
     return size;

@@ -17,11 +17,14 @@ extern "C" {
 
 typedef struct {
     uint8_t request[CTL_FRAME_BYTES];
-    uint32_t received; /* bytes of the frame so far, those beyond the buffer counted too */
+    uint32_t received;     /* bytes of the frame so far, those beyond the buffer counted too */
+    uint16_t received_crc; /* of these bytes */
     bool line_error;
     uint64_t last_byte_us;
     uint8_t answer[CTL_FRAME_BYTES];
-    uint32_t answer_size; /* waiting to be taken */
+    uint32_t answer_size;   /* waiting to be taken, with its CRC-16 */
+    uint32_t answer_summed; /* bytes that its CRC-16 covers so far */
+    uint16_t answer_crc;
     uint16_t crc_errors;
     uint16_t frame_errors;
     uint16_t exceptions;
@@ -35,10 +38,11 @@ void ctl_rtu_receive_error(ctl_rtu* rtu, uint64_t now_us);
 /* Ends the frame under way when the line has been silent for long enough. Returns the size of a good request
  * to this unit, from its function code at request[1] on; 0 when there is none. */
 size_t ctl_rtu_request(ctl_rtu* rtu, const ctl_config* config, uint64_t now_us);
-/* Completes the answer to it, whose function code and data, `size` bytes, are at answer[1]. */
+/* Puts the answer to it on the way, whose function code and data, `size` bytes, are at answer[1]. */
 void ctl_rtu_answer(ctl_rtu* rtu, size_t size);
-/* Moves the waiting answer to `bytes`; returns its size, 0 when there is none. */
-size_t ctl_rtu_take_answer(ctl_rtu* rtu, uint8_t* bytes);
+/* Sums up at most `most` bytes of the waiting answer; moves it to `bytes` when its CRC-16 is done. Returns
+ * its size, 0 when there is none or it is not done. */
+size_t ctl_rtu_take_answer(ctl_rtu* rtu, uint8_t* bytes, uint32_t most);
 
 #ifdef __cplusplus
 }

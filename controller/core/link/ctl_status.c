@@ -8,6 +8,12 @@
 
 #define US_PER_S 1000000u
 
+_Static_assert(CTL_REG_IDENTITY_DEVICE_TYPE == 0u &&
+                   CTL_REG_IDENTITY_TABLE_LAYOUTS + 1u == CTL_GROUP_IDENTITY,
+               "ctl_identity() fills the group, which begins at address 0");
+_Static_assert(CTL_REG_STATUS_SAMPLE_TIME - CTL_REG_STATUS_TAG + 1u == CTL_GROUP_STATUS,
+               "ctl_status() fills the group");
+
 void ctl_identity(const ctl_core* core, uint16_t* registers)
 {
     const ctl_config* config = &core->board.config;

@@ -22,8 +22,8 @@ static void check_piece(ctl_core* core)
     const uint32_t part = left < most ? left : most;
     work->crc = ctl_crc32_registers(work->crc, &bank->registers[work->position], part);
     work->position += part;
-    if (part != left)
-        return;
+    if (part != 0)
+        return; /* the command itself is a piece of its own */
     work->checks = false;
     banks->proof =
         work->position == length && ~work->crc == banks->active_crc ? CTL_PROOF_INTACT : CTL_PROOF_DAMAGED;

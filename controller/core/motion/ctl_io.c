@@ -11,6 +11,11 @@
 #define STOP_HOLD_US (2000u * US_PER_MS)
 #define INPUT(name) (1u << CTL_INPUT_BIT_##name)
 
+_Static_assert(CTL_REG_IO_TORQUE_ANGLE - CTL_REG_IO_AVAILABLE + 1u == CTL_GROUP_IO,
+               "ctl_io_registers() fills the group");
+_Static_assert(CTL_OUTPUT_BIT_DRIVE_ENABLE >= CTL_SWITCH_COUNT && CTL_OUTPUT_BIT_DRIVE_ENABLE < 16u,
+               "the drive's enable output is none of the switches");
+
 static void put_outputs(ctl_io* io, const ctl_board* board, uint16_t levels)
 {
     if (levels != io->outputs && board->port.outputs != NULL)

@@ -8,10 +8,14 @@
 
 enum { MODE = 0, ON_ANGLE = 1, OFF_ANGLE = 2, LEAD = 3, EVERY = 4, STRIDE = 5 };
 _Static_assert(CTL_REG_PARAMETER_SWITCH1_EVERY == CTL_REG_PARAMETER_SWITCH1_MODE + EVERY &&
-                   CTL_REG_PARAMETER_SWITCH8_MODE == CTL_REG_PARAMETER_SWITCH1_MODE + 7u * STRIDE,
+                   CTL_REG_PARAMETER_SWITCH8_MODE ==
+                       CTL_REG_PARAMETER_SWITCH1_MODE + (CTL_SWITCH_COUNT - 1u) * STRIDE,
                "the parameters of a switch follow each other");
-_Static_assert(CTL_REFUSAL_SWITCH8_LEAD_TOO_LONG == CTL_REFUSAL_SWITCH1_LEAD_TOO_LONG + 7u,
+_Static_assert(CTL_REFUSAL_SWITCH8_LEAD_TOO_LONG == CTL_REFUSAL_SWITCH1_LEAD_TOO_LONG + CTL_SWITCH_COUNT - 1u,
                "so do their refusals");
+
+_Static_assert(CTL_REG_PARAMETER_SWITCH8_EVERY - CTL_REG_PARAMETER_HEARTBEAT_TIMEOUT < CTL_GROUP_PARAMETER,
+               "all of them are in the group");
 
 static uint16_t parameter(const ctl_board* board, uint32_t number, uint32_t which)
 {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A Stop that is pressed without a connection, or whose answer is lost with it.
+// A Stop that is pressed without a connection, whose answer is lost with it, or while the controller works
+// on another command.
 #include "app/link/link_worker.h"
 #include "link_panel.h"
 #include "tests/support/controller_process.h"
@@ -22,6 +23,31 @@ using test::Panel;
 using test::portSettings;
 using test::timeoutMs;
 using Depth = modbus::ScanPlan::Depth;
+
+// A link worker in this thread, so that the scripted faults meet the command that is requested next.
+struct Scripted {
+    Scripted()
+    {
+        QObject::connect(&worker, &link::LinkWorker::reported, &worker, [this](const link::LinkReport& said) {
+            report = said;
+            wasPending = wasPending || said.pendingStop == Command::StopNow;
+        });
+        QObject::connect(
+            &worker, &link::LinkWorker::statusReceived, &worker,
+            [this](const link::StatusBatch& batch) { statuses += static_cast<int>(batch.samples.size()); });
+        QObject::connect(&worker, &link::LinkWorker::commandEnded, &worker,
+                         [this](const link::CommandOutcome& outcome) { outcomes << outcome; });
+        worker.connectTo(portSettings(QString::fromStdString(slave.port())));
+    }
+    [[nodiscard]] bool isConnected() const { return report.state == LinkState::Connected && statuses > 2; }
+
+    test::ScriptedSlave slave;
+    link::LinkReport report;
+    int statuses = 0;
+    bool wasPending = false;
+    QList<link::CommandOutcome> outcomes;
+    link::LinkWorker worker;
+};
 
 class TestHeldStop : public QObject {
     Q_OBJECT
@@ -118,31 +144,65 @@ private slots:
     void doubtfulStopIsLookedUpAndCarriedOutOnce()
     {
         QFETCH(int, first);
-        test::ScriptedSlave slave;
-        link::LinkReport report;
-        int statuses = 0;
-        bool wasPending = false;
-        QList<link::CommandOutcome> outcomes;
-        link::LinkWorker worker; // in this thread, so that the scripted faults meet the Stop
-        connect(&worker, &link::LinkWorker::reported, this, [&](const link::LinkReport& said) {
-            report = said;
-            wasPending = wasPending || said.pendingStop == Command::StopNow;
-        });
-        connect(&worker, &link::LinkWorker::statusReceived, this,
-                [&](const link::StatusBatch& batch) { statuses += static_cast<int>(batch.samples.size()); });
-        connect(&worker, &link::LinkWorker::commandEnded, this,
-                [&](const link::CommandOutcome& outcome) { outcomes << outcome; });
-        worker.connectTo(portSettings(QString::fromStdString(slave.port())));
-        QTRY_VERIFY_WITH_TIMEOUT(report.state == LinkState::Connected && statuses > 2, timeoutMs);
+        Scripted scripted;
+        test::ScriptedSlave& slave = scripted.slave;
+        QTRY_VERIFY_WITH_TIMEOUT(scripted.isConnected(), timeoutMs);
         // The Stop itself and the client's three questions after it.
         slave.script({static_cast<Fault>(first), Fault::LostRequest, Fault::LostRequest, Fault::LostRequest});
-        worker.request({9, Command::StopNow, {}});
-        QTRY_COMPARE_WITH_TIMEOUT(outcomes.size(), 1, timeoutMs);
-        QCOMPARE(outcomes[0].id, 9u);
-        QCOMPARE(outcomes[0].end, CommandEnd::Done);
-        QVERIFY(wasPending);
+        scripted.worker.request({9, Command::StopNow, {}});
+        QTRY_COMPARE_WITH_TIMEOUT(scripted.outcomes.size(), 1, timeoutMs);
+        QCOMPARE(scripted.outcomes[0].id, 9u);
+        QCOMPARE(scripted.outcomes[0].end, CommandEnd::Done);
+        QVERIFY(scripted.wasPending);
         QCOMPARE(slave.commandsExecuted(), 1);
-        QVERIFY(!report.pendingStop);
+        QVERIFY(!scripted.report.pendingStop);
+    }
+
+    // A board writes its flash for as long as two seconds.
+    void stopDoesNotWaitForASave()
+    {
+        Scripted scripted;
+        QTRY_VERIFY_WITH_TIMEOUT(scripted.isConnected(), timeoutMs);
+        scripted.slave.setBusy(1'000'000);
+        scripted.worker.request({5, Command::SaveToFlash, {}});
+        QTRY_COMPARE_WITH_TIMEOUT(scripted.slave.commandsExecuted(), 1, timeoutMs);
+        const int statuses = scripted.statuses;
+        QTRY_VERIFY_WITH_TIMEOUT(scripted.statuses > statuses, timeoutMs); // with the heartbeat
+        QCOMPARE(scripted.outcomes.size(), 0);
+        scripted.worker.request({6, Command::StopNow, {}});
+        QTRY_COMPARE_WITH_TIMEOUT(scripted.outcomes.size(), 2, timeoutMs);
+        QCOMPARE(scripted.outcomes[0].id, 5u);
+        QCOMPARE(scripted.outcomes[0].end, CommandEnd::OutcomeUnknown); // its result is gone
+        QCOMPARE(scripted.outcomes[1].id, 6u);
+        QCOMPARE(scripted.outcomes[1].end, CommandEnd::Done);
+        QCOMPARE(scripted.slave.commandsExecuted(), 2);
+    }
+
+    void commandInPiecesEndsBetweenStatuses()
+    {
+        Scripted scripted;
+        QTRY_VERIFY_WITH_TIMEOUT(scripted.isConnected(), timeoutMs);
+        scripted.slave.setBusy(8);
+        scripted.worker.request({5, Command::SaveToFlash, {}});
+        QTRY_COMPARE_WITH_TIMEOUT(scripted.slave.commandsExecuted(), 1, timeoutMs);
+        scripted.worker.request({6, Command::Home, {}}); // would take the place of the save's result
+        QTRY_COMPARE_WITH_TIMEOUT(scripted.outcomes.size(), 2, timeoutMs);
+        QCOMPARE(scripted.outcomes[0].id, 5u);
+        QCOMPARE(scripted.outcomes[0].end, CommandEnd::Done);
+        QCOMPARE(scripted.outcomes[1].id, 6u);
+        QCOMPARE(scripted.slave.commandsExecuted(), 2);
+    }
+
+    void commandInPiecesOfALostController()
+    {
+        Scripted scripted;
+        QTRY_VERIFY_WITH_TIMEOUT(scripted.isConnected(), timeoutMs);
+        scripted.slave.setBusy(1'000'000);
+        scripted.worker.request({5, Command::SaveToFlash, {}});
+        QTRY_COMPARE_WITH_TIMEOUT(scripted.slave.commandsExecuted(), 1, timeoutMs);
+        scripted.slave.unplug();
+        QTRY_COMPARE_WITH_TIMEOUT(scripted.outcomes.size(), 1, timeoutMs);
+        QCOMPARE(scripted.outcomes[0].end, CommandEnd::OutcomeUnknown);
     }
 };
 

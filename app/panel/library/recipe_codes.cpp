@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/panel/library/recipe_codes.h"
+
+#include "app/panel/controller/controller.h"
+#include "app/panel/editor/editor.h"
+#include "app/panel/library/recipes.h"
+#include "app/store/recipes/recipe_json.h"
+
+namespace campanel::panel {
+
+RecipeCodes::RecipeCodes(Recipes& recipes)
+    : QObject(&recipes)
+    , m_recipes(recipes)
+{
+    connect(&recipes, &Recipes::listChanged, this, &RecipeCodes::changed);
+    connect(&recipes, &Recipes::listChanged, this, &RecipeCodes::wantedChanged);
+}
+
+QString RecipeCodes::scanText() const
+{
+    const auto* chosen = m_recipes.chosenRecipe();
+    return chosen ? QString::fromStdString(program::codeOf(chosen->recipe)) : QString();
+}
+
+QString RecipeCodes::filmText() const
+{
+    const auto* chosen = m_recipes.chosenRecipe();
+    if (!chosen)
+        return {};
+    return chosen->recipe.filmCode.empty() ? tr("Any reel") : QString::fromStdString(chosen->recipe.filmCode);
+}
+
+void RecipeCodes::setWanted(const QString& code)
+{
+    m_wanted = code;
+    emit wantedChanged();
+}
+
+program::Recipe RecipeCodes::withWanted(program::Recipe recipe) const
+{
+    (m_code == Code::Recipe ? recipe.scanCode : recipe.filmCode) = m_wanted.trimmed().toStdString();
+    return recipe;
+}
+
+QString RecipeCodes::formProblem() const
+{
+    const QString code = m_wanted.trimmed();
+    if (code.toStdString().size() > program::maxCodeBytes)
+        return tr("The code is too long. Enter at most %1 letters and digits.").arg(program::maxCodeBytes);
+    if (!store::isScannable(code))
+        return tr("The code has characters that cannot be printed. Enter letters and digits.");
+    return {};
+}
+
+QString RecipeCodes::problem() const
+{
+    const auto* chosen = m_recipes.chosenRecipe();
+    if (!chosen || !formProblem().isEmpty())
+        return formProblem();
+    const program::Recipe wanted = withWanted(chosen->recipe);
+    const std::string& code = m_code == Code::Recipe ? program::codeOf(wanted) : wanted.filmCode;
+    if (code.empty())
+        return {};
+    for (const auto& each : m_recipes.newest()) {
+        const bool isSame = each.recipeId == chosen->recipeId;
+        const QString name = QString::fromStdString(each.recipe.name);
+        if (program::codeOf(each.recipe) == code && (!isSame || m_code == Code::Film))
+            return tr("This is the code of the recipe %1. Enter another code.").arg(name);
+        if (each.recipe.filmCode == code && m_code == Code::Recipe)
+            return tr("This is the code of the film reel of %1. Enter another code.").arg(name);
+    }
+    return {};
+}
+
+void RecipeCodes::enter(Code code)
+{
+    m_code = code;
+    const auto* chosen = m_recipes.chosenRecipe();
+    if (!chosen)
+        return setWanted({});
+    setWanted(
+        QString::fromStdString(code == Code::Recipe ? chosen->recipe.scanCode : chosen->recipe.filmCode));
+}
+
+void RecipeCodes::store()
+{
+    const auto* chosen = m_recipes.chosenRecipe();
+    if (chosen && problem().isEmpty())
+        m_recipes.setCodes(withWanted(chosen->recipe));
+}
+
+QList<store::RecipeVersion> Recipes::coded(const QString& code) const
+{
+    QList<store::RecipeVersion> found;
+    const std::string wanted = code.toStdString();
+    for (const store::RecipeVersion& each : m_all) {
+        if (program::codeOf(each.recipe) == wanted)
+            found << each;
+    }
+    return found;
+}
+
+void Recipes::chooseId(qint64 recipeId)
+{
+    m_chosenId = recipeId;
+    setSearch({});
+}
+
+void Recipes::setCodes(const program::Recipe& withCodes)
+{
+    if (!m_machine.accessCheck().require(Level::Technician))
+        return;
+    keep(withCodes, [this, version = withCodes.version](const store::RecipeVersion& kept) {
+        const auto coded = [&kept, version](program::Recipe recipe) {
+            recipe.scanCode = kept.recipe.scanCode;
+            recipe.filmCode = kept.recipe.filmCode;
+            if (recipe.version == version)
+                recipe.version = kept.version;
+            return recipe;
+        };
+        const program::Recipe& stored = m_editor.storedRecipe();
+        if (stored.name == kept.recipe.name) {
+            const bool isEdited = m_editor.edited();
+            const program::Recipe edited = m_editor.recipe();
+            m_editor.open(coded(stored), isEdited && edited.name == stored.name ? std::optional(coded(edited))
+                                         : isEdited                             ? std::optional(edited)
+                                                                                : std::nullopt);
+        }
+        say(tr("Saved: %1, version %2.").arg(QString::fromStdString(kept.recipe.name)).arg(kept.version));
+    });
+}
+
+} // namespace campanel::panel

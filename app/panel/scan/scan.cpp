@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/panel/scan/scan.h"
+
+#include "app/panel/controller/controller.h"
+#include "app/panel/editor/editor.h"
+#include "app/panel/kit/engine_instances.h"
+#include "app/panel/kit/language_notifier.h"
+#include "app/panel/library/recipes.h"
+#include "app/panel/settings/settings.h"
+
+#include <QCoreApplication>
+#include <QKeyEvent>
+
+#include <cmath>
+
+using namespace Qt::StringLiterals;
+
+namespace campanel::panel {
+
+Scan::Scan(const Parts& parts, const QString& folder, QObject* parent)
+    : QObject(parent)
+    , m_parts(parts)
+    , m_film(parts.machine, parts.recipes, folder, this)
+{
+    m_timer.setSingleShot(true);
+    m_timer.callOnTimeout(this, [this] { carryOut(m_reader.expire(m_parts.machine.now())); });
+    connect(&parts.settings, &Settings::changed, this, &Scan::updateSettings);
+    connect(&m_keyTime, &Value::setRequested, this, [this](double timeMs) {
+        m_parts.settings.set("scanner.key_time_ms", settingText(static_cast<int>(std::lround(timeMs))));
+    });
+    connect(LanguageNotifier::ofApplication(), &LanguageNotifier::languageChanged, this, [this] {
+        dismissNotice(); // it is in the previous language
+        updateSettings();
+    });
+    updateSettings();
+    QCoreApplication::instance()->installEventFilter(this);
+}
+
+Scan* Scan::create(QQmlEngine* qmlEngine, QJSEngine*)
+{
+    return attachedInstance<Scan>(qmlEngine);
+}
+
+void Scan::updateSettings()
+{
+    constexpr Setting time("scanner.key_time_ms");
+    const SettingValues& values = m_parts.settings.values();
+    const ScannerKeys keys{values.text("scanner.prefix"), values.text("scanner.suffix") == u"tab",
+                           std::chrono::milliseconds(values.whole(time))};
+    m_keyTime.show({tr("Time between keys"), u"ms"_s, QString::number(values.whole(time)), time->minimum,
+                    time->maximum, SettingValues().number(time), 0});
+    if (keys == m_keys)
+        return;
+    m_keys = keys;
+    m_reader.setKeys(keys);
+    release(static_cast<int>(m_held.size()));
+    emit settingsChanged();
+}
+
+void Scan::setEndsByTab(bool endsByTab)
+{
+    m_parts.settings.set("scanner.suffix", endsByTab ? u"tab"_s : u"enter"_s);
+}
+
+QString Scan::prefixProblem(const QString& prefix) const
+{
+    return isValid("scanner.prefix", prefix.trimmed())
+               ? QString()
+               : tr("The prefix is not possible. Enter up to 8 letters, digits or signs of ASCII without "
+                    "spaces.");
+}
+
+void Scan::setPrefix(const QString& prefix)
+{
+    if (prefixProblem(prefix).isEmpty())
+        m_parts.settings.set("scanner.prefix", prefix.trimmed());
+}
+
+bool Scan::eventFilter(QObject* watched, QEvent* event)
+{
+    // A window passes its keys on to items, as events of their own.
+    if (!isEnabled() || m_isReleasing || !watched->isWindowType())
+        return QObject::eventFilter(watched, event);
+    if (event->type() == QEvent::KeyPress)
+        return takeKey(watched, *static_cast<QKeyEvent*>(event));
+    if (event->type() == QEvent::KeyRelease)
+        return m_takenKeys.remove(static_cast<QKeyEvent*>(event)->key());
+    return QObject::eventFilter(watched, event);
+}
+
+// Returns true when the window must not get the key.
+bool Scan::takeKey(QObject* window, const QKeyEvent& event)
+{
+    const CodeReader::Step step =
+        m_reader.press({event.key(), event.text(), event.isAutoRepeat()}, m_parts.machine.now());
+    release(step.released);
+    if (step.isBegun)
+        m_held.clear();
+    if (step.isHeld)
+        m_held.push_back({window, std::unique_ptr<QEvent>(event.clone())});
+    else if (step.isTaken)
+        m_takenKeys.insert(event.key());
+    CodeReader::Step rest = step;
+    rest.released = 0;
+    carryOut(rest);
+    return step.isTaken;
+}
+
+void Scan::carryOut(const CodeReader::Step& step)
+{
+    release(step.released);
+    if (m_reader.isWaiting())
+        m_timer.start(m_keys.maxKeyTime + std::chrono::milliseconds(1));
+    if (step.isHalf)
+        showNotice(tr("The code was not read completely. Scan again."));
+    if (step.code)
+        takeCode(*step.code);
+}
+
+// Delivers held keys: they were ordinary typing.
+void Scan::release(int count)
+{
+    m_isReleasing = true;
+    for (int i = 0; i < count && !m_held.empty(); ++i) {
+        const HeldKey key = std::move(m_held.front());
+        m_held.erase(m_held.begin());
+        if (key.window)
+            QCoreApplication::sendEvent(key.window, key.event.get());
+    }
+    m_isReleasing = false;
+}
+
+void Scan::beginEntry()
+{
+    ++m_entries;
+}
+
+void Scan::endEntry()
+{
+    --m_entries;
+}
+
+void Scan::takeCode(const QString& code)
+{
+    dismissNotice();
+    m_lastCode = code;
+    emit codeRead(code);
+    if (m_entries > 0)
+        return;
+    const QString reason = refusal();
+    if (!reason.isEmpty())
+        return showNotice(reason);
+    const auto found = m_parts.recipes.coded(code);
+    if (found.size() == 1)
+        return openRecipe(found.first().recipeId);
+    if (found.isEmpty() && (m_film.isReel(code) || !m_film.neededCode().isEmpty()))
+        return checkFilm(code);
+    showNotice(
+        found.isEmpty()
+            ? tr("No recipe has the code %1. Enter the code with its recipe on the Recipes page.").arg(code)
+            : tr("%1 and %2 have the same code %3. Give one of them another code.")
+                  .arg(QString::fromStdString(found[0].recipe.name),
+                       QString::fromStdString(found[1].recipe.name), code));
+}
+
+// Takes a code that is no recipe's for that of a film reel.
+void Scan::checkFilm(const QString& code)
+{
+    if (!m_film.check(code))
+        emit wrongFilmScanned();
+    else if (code == m_film.neededCode())
+        showNotice(tr("Film reel %1 is the right one for this recipe.").arg(code));
+    else
+        showNotice(tr("Film reel %1 is loaded. The next recipe is compared with it.").arg(code));
+}
+
+// Returns why no recipe can be opened now; empty: one can.
+QString Scan::refusal() const
+{
+    if (m_parts.settings.firstStart())
+        return tr("Complete the first start, then scan again.");
+    if (!m_parts.recipes.ready())
+        return tr("The recipes are still being read. Scan again.");
+    switch (m_parts.editor.programDownload()->state()) {
+    case ProgramDownload::State::Transferring:
+    case ProgramDownload::State::Sealing:
+    case ProgramDownload::State::Armed:
+        return tr("A download is running. Scan again when the download has ended.");
+    default:
+        return {};
+    }
+}
+
+void Scan::openRecipe(qint64 recipeId)
+{
+    if (!m_parts.machine.accessCheck().require(Level::Operator))
+        return;
+    m_parts.recipes.chooseId(recipeId);
+    if (m_parts.editor.edited())
+        emit editsFound();
+    else
+        openScanned(false);
+}
+
+void Scan::openScanned(bool savesEdits)
+{
+    if (savesEdits)
+        m_parts.recipes.save();
+    m_parts.recipes.open();
+    emit recipeOpened();
+}
+
+void Scan::showNotice(const QString& text)
+{
+    if (m_notice == text)
+        return;
+    m_notice = text;
+    emit noticeChanged();
+}
+
+void Scan::dismissNotice()
+{
+    showNotice({});
+}
+
+} // namespace campanel::panel

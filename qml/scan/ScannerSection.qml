@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: Apache-2.0
+// The code scanner: the keys around a code, and the last code that was read. While it is shown, a code opens nothing.
+pragma ComponentBehavior: Bound
+import QtQuick
+import CamPanel.Theme
+import CamPanel.Controls
+import CamPanel.Parts
+import CamPanel.Panel
+
+MaintenanceSection {
+    id: section
+
+    readonly property real half: (width - Theme.size.spacing) / 2
+    property string wantedPrefix
+    property bool shows
+
+    onShownChanged: shown => {
+        if (shown === section.shows)
+            return
+        section.shows = shown
+        if (shown)
+            Scan.beginEntry()
+        else
+            Scan.endEntry()
+    }
+
+    Grid {
+        id: rows
+        anchors { left: parent.left; right: parent.right; top: parent.top }
+        columns: 2
+        spacing: Theme.size.spacing
+        SettingRow {
+            objectName: "scannerPrefix"
+            width: section.half
+            label: qsTr("Prefix")
+            value: Scan.enabled ? Scan.prefix : qsTr("no scanner")
+            onClicked: {
+                if (!Access.ask(Access.Service))
+                    return
+                section.wantedPrefix = Scan.prefix
+                section.page.sheetRequested(prefixSheet)
+            }
+        }
+        SettingRow {
+            objectName: "scannerSuffix"
+            width: section.half
+            label: qsTr("Suffix")
+            value: Scan.endsByTab ? qsTr("Tab key") : qsTr("Enter key")
+            onClicked: if (Access.ask(Access.Service)) section.page.sheetRequested(suffixSheet)
+        }
+        SettingRow {
+            objectName: "scannerKeyTime"
+            width: section.half
+            label: Scan.keyTime.label
+            value: qsTr("%1 ms").arg(Scan.keyTime.text)
+            onClicked: if (Access.ask(Access.Service)) section.page.sheetRequested(timeSheet)
+        }
+        SettingRow {
+            objectName: "scannerLast"
+            width: section.half
+            enabled: false
+            glyph: ""
+            label: qsTr("Last code")
+            value: Scan.enabled && Scan.lastCode.length > 0 ? Scan.lastCode : Theme.unknownText
+        }
+    }
+    Label {
+        objectName: "scannerText"
+        anchors { left: parent.left; right: parent.right; top: rows.bottom; topMargin: Theme.size.spacing; bottom: parent.bottom }
+        verticalAlignment: Text.AlignTop
+        wrapMode: Text.WordWrap
+        fontSizeMode: Text.Fit
+        minimumPixelSize: Theme.size.caption - 2
+        text: Scan.enabled ? qsTr("Scan a code to test the scanner. While this section is open, a code opens no recipe.")
+            : qsTr("Set the scanner to send a prefix that nobody types before each code, such as ~~, and enter the same prefix here.")
+        color: Theme.color.secondaryInk
+    }
+
+    Component {
+        id: prefixSheet
+        TextSheet {
+            title: qsTr("Prefix of the scanner")
+            text: section.wantedPrefix
+            problem: Scan.prefixProblem(section.wantedPrefix)
+            onEdited: text => section.wantedPrefix = text
+            onAccepted: {
+                Scan.setPrefix(section.wantedPrefix)
+                closed()
+            }
+        }
+    }
+    Component {
+        id: suffixSheet
+        ListPicker {
+            title: qsTr("Suffix of the scanner")
+            choices: [{ key: false, text: qsTr("Enter key") }, { key: true, text: qsTr("Tab key") }]
+            current: Scan.endsByTab
+            onChosen: key => {
+                Scan.endsByTab = key
+                closed()
+            }
+        }
+    }
+    Component {
+        id: timeSheet
+        ValueKeypad { value: Scan.keyTime }
+    }
+}
