@@ -16,6 +16,7 @@
 #include <QJsonArray>
 #include <QJsonObject>
 #include <QSysInfo>
+#include <QTimeZone>
 #include <QTimer>
 #include <QUrl>
 #include <QUuid>
@@ -150,7 +151,7 @@ QJsonObject rowOf(const FleetMachine& machine, const QList<std::uint32_t>& table
     const auto known = [&machine](Metric metric) {
         return machine.isOnline ? jsonOf(machine.value(metric)) : QJsonValue();
     };
-    const QDateTime since = QDateTime::fromMSecsSinceEpoch(machine.crcSinceMs, Qt::UTC);
+    const QDateTime since = QDateTime::fromMSecsSinceEpoch(machine.crcSinceMs, QTimeZone::utc());
     QJsonObject row{{u"machine"_s, machine.node},
                     {u"online"_s, machine.isOnline},
                     {u"recipe"_s, known(Metric::RecipeName)},

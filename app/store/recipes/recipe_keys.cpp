@@ -101,6 +101,8 @@ std::optional<SignerKey> publicKeyIn(const QByteArray& file)
 
 QList<SignerKey> signerKeys(const QString& folder)
 {
+    if (folder.isEmpty())
+        return {}; // for QDir it would be the working folder
     QList<SignerKey> keys;
     const QFileInfoList files = QDir(folder).entryInfoList({u"*.json"_s}, QDir::Files, QDir::Name);
     for (const QFileInfo& file : files) {

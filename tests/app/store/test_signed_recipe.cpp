@@ -168,6 +168,20 @@ private slots:
         QVERIFY(!isSignerName(QString(65, u'a')));
     }
 
+    void withoutAFolderNobodyIsTrusted()
+    {
+        const QTemporaryDir folder;
+        QFile file(folder.filePath(u"anna.json"_s));
+        QVERIFY(file.open(QIODevice::WriteOnly) && file.write(publicKeyFile(keyOf(u"Anna"_s))) > 0);
+        file.close();
+        QCOMPARE(signerKeys(folder.path()).size(), 1);
+        const QString before = QDir::currentPath();
+        QVERIFY(QDir::setCurrent(folder.path()));
+        const qsizetype trusted = signerKeys({}).size();
+        QVERIFY(QDir::setCurrent(before));
+        QCOMPARE(trusted, 0);
+    }
+
     void offersSayWhoSigned()
     {
         const QTemporaryDir folder;
