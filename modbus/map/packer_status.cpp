@@ -61,8 +61,8 @@ bool isSpecial(std::uint16_t value)
 std::vector<BagRecord> bagsOf(std::span<const std::uint16_t> ring, std::uint32_t newest)
 {
     std::vector<BagRecord> bags;
-    const std::uint32_t known = std::min<std::uint32_t>(newest, bagRecords);
-    for (std::uint32_t number = newest - known + 1; number <= newest && known > 0; ++number) {
+    for (std::uint32_t back = std::min<std::uint32_t>(newest, bagRecords); back != 0; --back) {
+        const std::uint32_t number = newest - (back - 1);
         const auto record = ring.subspan(registersPerBag * (number % bagRecords), registersPerBag);
         const std::uint16_t flags = record[3];
         bags.push_back({number, signedUm(record[0]), signedUm(record[1]), signedUm(record[2]), flags >> 8,

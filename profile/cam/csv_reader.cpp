@@ -9,6 +9,8 @@
 namespace campanel::profile::detail {
 namespace {
 
+// The longest double in fixed notation and its sign.
+constexpr std::size_t longestNumber = 352;
 constexpr std::string_view byteOrderMark = "\xEF\xBB\xBF";
 
 std::string_view trimmed(std::string_view text)
@@ -79,7 +81,7 @@ tl::expected<std::optional<std::vector<std::string_view>>, CsvError> CsvReader::
 
 tl::expected<double, CsvError> CsvReader::number(std::string_view field)
 {
-    std::array<char, 64> digits{};
+    std::array<char, longestNumber> digits{};
     if (field.empty() || field.size() > digits.size())
         return fail(CsvExpectation::Number, field);
     std::copy(field.begin(), field.end(), digits.begin());
@@ -125,7 +127,7 @@ void appendCsvHeader(std::string& text, std::span<const std::string_view> column
 
 void appendCsvNumber(std::string& text, double value)
 {
-    std::array<char, 352> buffer{}; // the longest double in fixed notation and its sign
+    std::array<char, longestNumber> buffer{};
     const auto end =
         std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::fixed);
     text.append(buffer.data(), end.ptr);

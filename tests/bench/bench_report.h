@@ -47,7 +47,13 @@ inline constexpr std::chrono::seconds statusTime{5};
 // Returns the value below which `fraction` of the samples lie.
 [[nodiscard]] double quantile(std::vector<double> samples, double fraction);
 
-// Returns a Markdown table with the processor's name above it.
+// Returns a Markdown table with the processor's name and the commit of the sources above it.
 [[nodiscard]] std::string format(const Figures& figures);
+// Replaces the table in a Markdown file, between the comments "campanel-bench: begin" and "end". Throws
+// std::runtime_error when the file has none or cannot be written.
+void replaceTable(const std::string& path, const std::string& table);
+// Returns the figures that miss their limit, but for those whose name begins with one of `named`: known
+// misses, with their reason in docs/figures.md.
+[[nodiscard]] Figures missed(const Figures& figures, const std::vector<std::string>& named);
 
 } // namespace campanel::bench

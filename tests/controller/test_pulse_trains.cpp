@@ -105,6 +105,7 @@ class TestPulseTrains : public QObject {
 private slots:
     void trainsFollowTheirDefinition();
     void slowMasterStretchesThem();
+    void slowMasterKeepsThemInTheirSlice();
     void portionsDoNotMatter_data();
     void portionsDoNotMatter();
     void countedRunTellsEachTick();
@@ -170,6 +171,36 @@ void TestPulseTrains::slowMasterStretchesThem()
                 static_cast<std::int64_t>(pulses[j - 1].tick) - 1000 - static_cast<std::int64_t>(exact);
             QVERIFY2(off >= -1 && off <= 1, qPrintable(QString::number(off)));
         }
+    }
+}
+
+// A pulse belongs to the slice by its whole tick; what is left of its tick, stretched, may not carry it out.
+void TestPulseTrains::slowMasterKeepsThemInTheirSlice()
+{
+    constexpr std::uint64_t seed = 63;
+    constexpr std::uint32_t slice = 2000;
+    qInfo("seed %llu", static_cast<unsigned long long>(seed));
+    std::mt19937_64 random(seed);
+    for (int i = 0; i < 300; ++i) {
+        const auto number = static_cast<std::uint32_t>(1 + random() % 200);
+        const auto row = static_cast<std::uint32_t>(41 * number + random() % 100'000);
+        const auto travel = static_cast<std::uint32_t>(1 + random() % slice);
+        Pulses pulses;
+        const ctl_port port = portInto(pulses);
+        ctl_train left = ctl_train_even(number, row);
+        std::uint32_t start = 0;
+        for (std::uint32_t passed = 0; passed < row; passed += travel, start += slice) {
+            const std::size_t before = pulses.size();
+            ctl_train train = ctl_train_until(&left, passed + travel);
+            train.tick -= passed;
+            const ctl_pace pace{&port, start, slice, travel};
+            ctl_pace_give(&pace, &train);
+            for (std::size_t j = before; j < pulses.size(); ++j)
+                QVERIFY2(pulses[j].tick - start <= slice,
+                         qPrintable(QString::number(pulses[j].tick - start)));
+        }
+        QCOMPARE(pulses.size(), std::size_t{number});
+        QVERIFY(std::ranges::is_sorted(pulses, {}, &Pulse::tick));
     }
 }
 

@@ -6,6 +6,7 @@
 #include "modbus/map/codec.h"
 #include "modbus/map/crc32.h"
 #include "modbus/map/io_status.h"
+#include "modbus/map/packer_status.h"
 #include "tests/support/test_program.h"
 
 #include <QtTest>
@@ -34,6 +35,7 @@ private slots:
     void statusUnknownsAreEmpty();
     void statusKnowns();
     void ioHasWhatIsAvailable();
+    void lastBagNumbersEnd();
     void wireTimes_data();
     void wireTimes();
 };
@@ -208,6 +210,19 @@ void CodecTest::ioHasWhatIsAvailable()
     registers[0] = 0;
     QCOMPARE(decodeIo(registers), IoStatus());
     QVERIFY(!decodeIo(registers).level(InputBit::DriveAlarm));
+}
+
+// The number of a bag wraps after its 32 bits; a controller may say any.
+void CodecTest::lastBagNumbersEnd()
+{
+    std::vector<std::uint16_t> registers(packerRegisters);
+    const std::size_t at = registerNamed("packer.bag_number").address - packerAddress;
+    registers[at] = 0xFFFF;
+    registers[at + 1] = 0xFFFF;
+    const PackerStatus packer = decodePacker(registers);
+    QCOMPARE(packer.bags.size(), std::size_t{bagRecords});
+    QCOMPARE(packer.bags.front().number, 0xFFFFFFFFu - bagRecords + 1);
+    QCOMPARE(packer.bags.back().number, 0xFFFFFFFFu);
 }
 
 void CodecTest::wireTimes_data()

@@ -23,7 +23,18 @@ private slots:
     void namesTheLineOfAKnot();
     void writes();
     void readsWhatItWrote();
+    void readsTheLongestNumbers();
 };
+
+// In fixed notation a number has hundreds of characters.
+void TestKnotsCsv::readsTheLongestNumbers()
+{
+    const std::vector<Knot> knots{
+        {0.0, -1.7976931348623157e308}, {90.0, 1.2345678901234567e-50}, {180.0, -5e-324}};
+    const auto read = readKnotsCsv(writeKnotsCsv(knots));
+    QVERIFY(read);
+    QCOMPARE(*read, knots);
+}
 
 void TestKnotsCsv::namesTheLineOfAKnot()
 {

@@ -28,6 +28,12 @@ static ctl_train stretched(const ctl_pace* pace, const ctl_train* train)
         first >>= 1;
         distance >>= 1;
     }
+    /* A pulse is in the pace by its whole tick, and the rest of the last one's may end behind it: then all
+     * leave earlier by that, less than a tick of the engine. */
+    const uint64_t end = pace->ticks * divisor;
+    const uint64_t last = first + (train->count - 1u) * distance;
+    if (last > end && last - end < end / pace->travel && last - end <= first)
+        first -= last - end;
     result.divisor = (uint32_t)divisor;
     result.tick = (uint32_t)(first / divisor);
     result.fraction = (uint32_t)(first % divisor);
