@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A board with less than the panel may expect: what it announces, and what it refuses.
+#include "base/ctl_crc.h"
 #include "rig.h"
 #include "tests/support/interval_image.h"
 #include "tests/support/test_program.h"
