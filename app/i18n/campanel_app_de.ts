@@ -607,6 +607,10 @@
         <source>until %1</source>
         <translation>bis %1</translation>
     </message>
+    <message>
+        <source>clock not set</source>
+        <translation>Uhr nicht gestellt</translation>
+    </message>
 </context>
 <context>
     <name>AuditWords</name>
@@ -914,6 +918,18 @@
     <message>
         <source>Reason of a stop changed</source>
         <translation>Grund eines Stillstands geändert</translation>
+    </message>
+    <message>
+        <source>clock</source>
+        <translation>Uhr</translation>
+    </message>
+    <message>
+        <source>time zone</source>
+        <translation>Zeitzone</translation>
+    </message>
+    <message>
+        <source>time server</source>
+        <translation>Zeitserver</translation>
     </message>
 </context>
 <context>
@@ -6401,6 +6417,63 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
         <source>Since %1, %2</source>
         <comment>time, duration</comment>
         <translation>Seit %1, %2</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::LogFilterEditor</name>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 bis %2</translation>
+    </message>
+    <message>
+        <source>from %1</source>
+        <translation>ab %1</translation>
+    </message>
+    <message>
+        <source>until %1</source>
+        <translation>bis %1</translation>
+    </message>
+    <message>
+        <source>“%1”</source>
+        <translation>„%1“</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::AlarmHistory</name>
+    <message>
+        <source>alarms</source>
+        <translation>Alarme</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::SystemClock</name>
+    <message>
+        <source>Asking the operating system …</source>
+        <translation>Das Betriebssystem wird gefragt …</translation>
+    </message>
+    <message>
+        <source>systemd-timedated does not respond. Set the clock in the operating system.</source>
+        <translation>systemd-timedated antwortet nicht. Stellen Sie die Uhr im Betriebssystem.</translation>
+    </message>
+    <message>
+        <source>The clock is set by hand.</source>
+        <translation>Die Uhr wird von Hand gestellt.</translation>
+    </message>
+    <message>
+        <source>The clock follows a time server.</source>
+        <translation>Die Uhr folgt einem Zeitserver.</translation>
+    </message>
+    <message>
+        <source>No time server has responded yet. Check the network.</source>
+        <translation>Noch kein Zeitserver hat geantwortet. Prüfen Sie das Netzwerk.</translation>
+    </message>
+    <message>
+        <source>The operating system does not allow the panel to do this. Install polkit and the rule of the CamPanel package.</source>
+        <translation>Das Betriebssystem erlaubt dies dem Panel nicht. Installieren Sie polkit und die Regel des CamPanel-Pakets.</translation>
+    </message>
+    <message>
+        <source>Not set: %1</source>
+        <translation>Nicht gestellt: %1</translation>
     </message>
 </context>
 </TS>

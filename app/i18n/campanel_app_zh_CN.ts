@@ -607,6 +607,10 @@
         <source>until %1</source>
         <translation>到 %1</translation>
     </message>
+    <message>
+        <source>clock not set</source>
+        <translation>时钟未设置</translation>
+    </message>
 </context>
 <context>
     <name>AuditWords</name>
@@ -914,6 +918,18 @@
     <message>
         <source>Reason of a stop changed</source>
         <translation>停机原因已更改</translation>
+    </message>
+    <message>
+        <source>clock</source>
+        <translation>时钟</translation>
+    </message>
+    <message>
+        <source>time zone</source>
+        <translation>时区</translation>
+    </message>
+    <message>
+        <source>time server</source>
+        <translation>时间服务器</translation>
     </message>
 </context>
 <context>
@@ -6399,6 +6415,63 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
         <source>Since %1, %2</source>
         <comment>time, duration</comment>
         <translation>自 %1 起，%2</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::LogFilterEditor</name>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 至 %2</translation>
+    </message>
+    <message>
+        <source>from %1</source>
+        <translation>自 %1 起</translation>
+    </message>
+    <message>
+        <source>until %1</source>
+        <translation>至 %1</translation>
+    </message>
+    <message>
+        <source>“%1”</source>
+        <translation>“%1”</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::AlarmHistory</name>
+    <message>
+        <source>alarms</source>
+        <translation>报警</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::SystemClock</name>
+    <message>
+        <source>Asking the operating system …</source>
+        <translation>正在询问操作系统 …</translation>
+    </message>
+    <message>
+        <source>systemd-timedated does not respond. Set the clock in the operating system.</source>
+        <translation>systemd-timedated 没有响应。请在操作系统中设置时钟。</translation>
+    </message>
+    <message>
+        <source>The clock is set by hand.</source>
+        <translation>时钟由人工设置。</translation>
+    </message>
+    <message>
+        <source>The clock follows a time server.</source>
+        <translation>时钟与时间服务器同步。</translation>
+    </message>
+    <message>
+        <source>No time server has responded yet. Check the network.</source>
+        <translation>时间服务器尚未响应。请检查网络。</translation>
+    </message>
+    <message>
+        <source>The operating system does not allow the panel to do this. Install polkit and the rule of the CamPanel package.</source>
+        <translation>操作系统不允许面板执行此操作。请安装 polkit 和 CamPanel 软件包的规则。</translation>
+    </message>
+    <message>
+        <source>Not set: %1</source>
+        <translation>未设置：%1</translation>
     </message>
 </context>
 </TS>

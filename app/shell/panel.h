@@ -21,6 +21,7 @@
 #include "app/panel/reports/service_bundle.h"
 #include "app/panel/reports/shift_report.h"
 #include "app/panel/settings/settings.h"
+#include "app/panel/settings/system_clock.h"
 #include "app/panel/stops/stops.h"
 #include "app/panel/trends/trends.h"
 #include "app/shell/page_memory.h"
@@ -56,6 +57,9 @@ public:
     [[nodiscard]] panel::Editor& editor() { return m_editor; }
     [[nodiscard]] panel::DatabaseService& records() { return m_records; }
     [[nodiscard]] panel::Alarms& alarms() { return m_alarms; }
+    [[nodiscard]] panel::SystemClock& systemClock() { return m_systemClock; }
+    // Sets how records learn that the clock of this computer was not set; never by default.
+    void setClockUnset(const std::function<bool()>& isUnset);
     [[nodiscard]] panel::Recipes& recipes() { return m_recipes; }
     [[nodiscard]] panel::Maintenance& maintenance() { return m_maintenance; }
     [[nodiscard]] panel::Trends& trends() { return m_trends; }
@@ -99,6 +103,8 @@ private:
     panel::Trends m_trends;
     panel::Stops m_stops;
     panel::Access m_access;
+    panel::SystemClock m_systemClock;
+    bool m_isClockSet = false; // by a person
     panel::AuditTrail m_trail;
     panel::Audit m_audit;
     panel::Backup m_backup;

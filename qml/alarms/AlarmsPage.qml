@@ -32,8 +32,33 @@ Page {
         text: qsTr("Acknowledge all")
         onClicked: Alarms.acknowledgeAll()
     }
+    Row {
+        id: historyKeys
+        anchors { left: acknowledgeAll.left; right: parent.right; top: parent.top }
+        visible: page.section === 1
+        spacing: Theme.size.spacing
+        Button {
+            objectName: "alarmsFilter"
+            width: (parent.width - parent.spacing) / 2
+            text: qsTr("Filter")
+            onClicked: filterDialogs.open()
+        }
+        Button {
+            objectName: "alarmsCsv"
+            width: (parent.width - parent.spacing) / 2
+            text: qsTr("CSV")
+            enabled: Alarms.history.rows.count > 0 && !Alarms.history.exporting
+            onClicked: Alarms.history.exportCsv(Maintenance.files)
+        }
+    }
+    LogFilterStrip {
+        id: strip
+        anchors { left: parent.left; right: parent.right; top: tabs.bottom; topMargin: Theme.size.spacing }
+        filter: Alarms.history.filter
+        shown: page.section === 1
+    }
     Card {
-        anchors { left: parent.left; right: parent.right; top: tabs.bottom; topMargin: Theme.size.spacing; bottom: parent.bottom; bottomMargin: page.bottomInset }
+        anchors { left: parent.left; right: parent.right; top: strip.visible ? strip.bottom : tabs.bottom; topMargin: Theme.size.spacing; bottom: parent.bottom; bottomMargin: page.bottomInset }
         AlarmList {
             anchors { fill: parent; margins: Theme.size.spacing }
             visible: page.section === 0
@@ -51,7 +76,8 @@ Page {
             visible: page.section === 1
             rows: Alarms.history.rows
             listName: "pastAlarm"
-            emptyText: Alarms.history.loading ? qsTr("Reading the log …") : qsTr("No alarm since the start of this log.")
+            emptyText: Alarms.history.loading ? qsTr("Reading the log …")
+                : Alarms.history.filter.active ? qsTr("No alarm matches the filter.") : qsTr("No alarm since the start of this log.")
             onOpened: row => {
                 Alarms.showHistory(row)
                 page.sheetRequested(detailSheet)
@@ -66,6 +92,23 @@ Page {
         target: Alarms.history
         property: "watched"
         value: page.visible && page.section === 1
+    }
+    Connections {
+        target: Alarms.history
+        function onExportReady() { page.sheetRequested(csvSheet) }
+    }
+    LogFilterDialogs {
+        id: filterDialogs
+        page: page
+        filter: Alarms.history.filter
+        idLabel: qsTr("Alarm number")
+    }
+    Component {
+        id: csvSheet
+        ReportFilesSheet {
+            title: qsTr("Alarms as CSV")
+            note: Alarms.history.filter.summary
+        }
     }
     Component {
         id: detailSheet
