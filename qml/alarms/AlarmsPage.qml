@@ -11,11 +11,12 @@ Page {
     id: page
 
     property int section
+    readonly property real keysWidth: Math.max(acknowledgeAll.implicitWidth, 2 * Theme.size.touch + Theme.size.spacing)
 
     Segmented {
         id: tabs
         // The space of the hidden key stays free, so that a new alarm moves nothing under a finger.
-        anchors { left: parent.left; right: acknowledgeAll.left; top: parent.top; rightMargin: Theme.size.spacing }
+        anchors { left: parent.left; right: parent.right; top: parent.top; rightMargin: page.keysWidth + Theme.size.spacing }
         color: Theme.color.surface
         choices: [{ key: 0, name: "alarmsLive", text: Alarms.active > 0 ? qsTr("Active: %1").arg(Alarms.active) : qsTr("Active") },
             { key: 1, name: "alarmsHistory", text: qsTr("History") },
@@ -27,6 +28,7 @@ Page {
         id: acknowledgeAll
         objectName: "alarmsAcknowledgeAll"
         anchors { right: parent.right; top: parent.top }
+        width: page.keysWidth
         visible: page.section === 0 && Alarms.unacknowledged > 0
         kind: Button.Primary
         text: qsTr("Acknowledge all")
@@ -34,7 +36,8 @@ Page {
     }
     Row {
         id: historyKeys
-        anchors { left: acknowledgeAll.left; right: parent.right; top: parent.top }
+        anchors { right: parent.right; top: parent.top }
+        width: page.keysWidth
         visible: page.section === 1
         spacing: Theme.size.spacing
         Button {

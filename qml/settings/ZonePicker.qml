@@ -14,8 +14,6 @@ ListPicker {
     title: picker.region.length > 0 ? picker.region : qsTr("Time zone")
     choices: picker.region.length > 0 ? SystemClock.zonesOf(picker.region) : picker.regions.map(key => ({ key: key, text: key }))
     current: picker.region.length > 0 ? SystemClock.zone : SystemClock.zone.split("/")[0]
-    Component.onCompleted: SystemClock.watched = true
-    Component.onDestruction: SystemClock.watched = false
     onChosen: key => {
         if (picker.region.length > 0) {
             SystemClock.setZone(key)

@@ -305,13 +305,13 @@ const QList<Screen>& allScreens()
          }},
         clock("settings-clock", {}, [](TestWindow&) {}),
         clock("settings-clock-server", {}, [](TestWindow& window) { window.timeService().m_ntp = true; }),
+        clock("settings-zone", {QStringLiteral("clockZone"), QStringLiteral("choice_Asia")},
+              [](TestWindow&) {}),
         clock("settings-clock-none", {},
               [](TestWindow& window) {
                   window.panel().systemClock().setBus(
                       {[] { return QDBusConnection(QStringLiteral("nowhere")); }, {}});
               }),
-        clock("settings-zone", {QStringLiteral("clockZone"), QStringLiteral("choice_Asia")},
-              [](TestWindow&) {}),
         taps("wipe", {settings, QStringLiteral("section0"), QStringLiteral("sectionSystem"),
                       QStringLiteral("wipeScreen")}),
         taps("settings-about", {settings, QStringLiteral("section3")}),

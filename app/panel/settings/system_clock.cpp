@@ -70,6 +70,7 @@ void SystemClock::setWatched(bool isWatched)
     m_isWatched = isWatched;
     m_problem.clear();
     if (isWatched) {
+        m_isAsked = m_isAvailable = false; // the service may have come or gone
         m_timer.start();
         ask();
     } else {
