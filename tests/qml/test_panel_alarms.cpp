@@ -135,14 +135,19 @@ private slots:
         tap("filterShow");
         QCOMPARE(textOf("filterSummary"), QStringLiteral("Only: 2026-01-14 00:00 to 2026-01-15 00:00"));
 
+        const QTemporaryDir stick;
+        auto& files = *m_window->panel().maintenance().files();
+        files.setScanner([path = stick.path()](const QString&) {
+            return QList<campanel::store::Place>{{path, QStringLiteral("stick"), false}};
+        });
         tap("alarmsCsv");
-        QTRY_VERIFY(isShown("offers"));
         QTRY_VERIFY(isShown("offer0"));
+        m_window->waitFor(files);
         tap("offer0");
         tap("offerGo");
-        const QDir folder(m_window->panel().maintenance().files()->ownFolder());
-        QTRY_COMPARE(folder.entryList({QStringLiteral("*.csv")}).size(), 1);
-        QFile file(folder.filePath(folder.entryList({QStringLiteral("*.csv")}).first()));
+        m_window->waitFor(files);
+        QVERIFY2(!files.failed(), qPrintable(files.message()));
+        QFile file(stick.filePath(QStringLiteral("alarms.csv")));
         QVERIFY(file.open(QIODevice::ReadOnly));
         const QByteArray csv = file.readAll();
         QCOMPARE(csv.count('\n'), 1 + 3);

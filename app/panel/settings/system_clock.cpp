@@ -84,13 +84,21 @@ QDBusMessage SystemClock::callOf(const QString& interface, const QString& method
     return QDBusMessage::createMethodCall(m_bus.service, timedatePath, interface, method);
 }
 
+// A call without a bus would never end.
+QDBusPendingCall SystemClock::send(const QDBusMessage& call) const
+{
+    const QDBusConnection bus = m_bus.connect();
+    return bus.isConnected() ? bus.asyncCall(call, patienceMs)
+                             : QDBusPendingCall::fromError({QDBusError::Disconnected, u"no D-Bus"_s});
+}
+
 void SystemClock::ask()
 {
     if (std::exchange(m_isAsking, true))
         return;
     QDBusMessage call = callOf(u"org.freedesktop.DBus.Properties"_s, u"GetAll"_s);
     call << timedateInterface;
-    auto* watcher = new QDBusPendingCallWatcher(m_bus.connect().asyncCall(call, patienceMs), this);
+    auto* watcher = new QDBusPendingCallWatcher(send(call), this);
     connect(watcher, &QDBusPendingCallWatcher::finished, this, [this](QDBusPendingCallWatcher* finished) {
         finished->deleteLater();
         take(*finished);
@@ -174,7 +182,7 @@ void SystemClock::apply(const Change& change)
     emit changed();
     QDBusMessage call = callOf(timedateInterface, change.method);
     call.setArguments(change.arguments);
-    auto* watcher = new QDBusPendingCallWatcher(m_bus.connect().asyncCall(call, patienceMs), this);
+    auto* watcher = new QDBusPendingCallWatcher(send(call), this);
     connect(watcher, &QDBusPendingCallWatcher::finished, this,
             [this, change](QDBusPendingCallWatcher* finished) {
                 finished->deleteLater();

@@ -98,6 +98,7 @@ private:
     void take(const QDBusPendingCall& answer);
     void apply(const Change& change);
     void finish(const Change& change, const QDBusPendingCall& answer);
+    [[nodiscard]] QDBusPendingCall send(const QDBusMessage& call) const;
     [[nodiscard]] QDBusMessage callOf(const QString& interface, const QString& method) const;
 
     AccessCheck& m_check;
