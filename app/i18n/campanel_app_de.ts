@@ -607,6 +607,10 @@
         <source>until %1</source>
         <translation>bis %1</translation>
     </message>
+    <message>
+        <source>clock not set</source>
+        <translation>Uhr nicht gestellt</translation>
+    </message>
 </context>
 <context>
     <name>AuditWords</name>
@@ -914,6 +918,18 @@
     <message>
         <source>Reason of a stop changed</source>
         <translation>Grund eines Stillstands geändert</translation>
+    </message>
+    <message>
+        <source>clock</source>
+        <translation>Uhr</translation>
+    </message>
+    <message>
+        <source>time zone</source>
+        <translation>Zeitzone</translation>
+    </message>
+    <message>
+        <source>time server</source>
+        <translation>Zeitserver</translation>
     </message>
     <message>
         <source>Film reels</source>
@@ -1890,14 +1906,6 @@ eff. %2</translation>
         <translation>Die Rezeptdatei %1 passt nicht zur Signatur von %2: sie wurde geändert oder mit einem anderen Schlüssel signiert. Eine neue Kopie anfordern.</translation>
     </message>
     <message>
-        <source>The recipe file %1 is not signed; the plant&apos;s network offers signed recipes only. Have it signed.</source>
-        <translation>Die Rezeptdatei %1 ist nicht signiert; das Werksnetz bietet nur signierte Rezepte an. Datei signieren lassen.</translation>
-    </message>
-    <message>
-        <source>Plant network</source>
-        <translation>Werksnetz</translation>
-    </message>
-    <message>
         <source>not a regular file</source>
         <translation>keine gewöhnliche Datei</translation>
     </message>
@@ -1916,6 +1924,14 @@ eff. %2</translation>
     <message>
         <source>a list of objects</source>
         <translation>eine Liste von Objekten</translation>
+    </message>
+    <message>
+        <source>The recipe file %1 is not signed; the plant&apos;s network offers signed recipes only. Have it signed.</source>
+        <translation>Die Rezeptdatei %1 ist nicht signiert; das Werksnetz bietet nur signierte Rezepte an. Datei signieren lassen.</translation>
+    </message>
+    <message>
+        <source>Plant network</source>
+        <translation>Werksnetz</translation>
     </message>
 </context>
 <context>
@@ -3577,14 +3593,6 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
 <context>
     <name>campanel::panel::Commissioning</name>
     <message>
-        <source>Code of the recipe</source>
-        <translation>Code des Rezepts</translation>
-    </message>
-    <message>
-        <source>Code of the film reel</source>
-        <translation>Code der Folienrolle</translation>
-    </message>
-    <message>
         <source>%1 commissioning %2</source>
         <comment>name of a file: recipe, date</comment>
         <translation>%1 Inbetriebnahme %2</translation>
@@ -3734,6 +3742,14 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
     <message>
         <source>limit</source>
         <translation>Grenze</translation>
+    </message>
+    <message>
+        <source>Code of the recipe</source>
+        <translation>Code des Rezepts</translation>
+    </message>
+    <message>
+        <source>Code of the film reel</source>
+        <translation>Code der Folienrolle</translation>
     </message>
 </context>
 <context>
@@ -5601,14 +5617,14 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
         <translation>nicht verwendbar · %1 · %2</translation>
     </message>
     <message>
-        <source>Offered: %1, version %2</source>
-        <comment>recipe, number</comment>
-        <translation>Angeboten: %1, Version %2</translation>
-    </message>
-    <message>
         <source>%1 Correct the file; the panel reads it again automatically.</source>
         <comment>%1: whole sentence</comment>
         <translation>%1 Datei korrigieren; das Panel liest sie selbsttätig neu.</translation>
+    </message>
+    <message>
+        <source>Offered: %1, version %2</source>
+        <comment>recipe, number</comment>
+        <translation>Angeboten: %1, Version %2</translation>
     </message>
 </context>
 <context>
@@ -6424,10 +6440,6 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
         <translation>s</translation>
     </message>
     <message>
-        <source>Ideal rate (0: by recipe)</source>
-        <translation>Ideale Taktrate (0: laut Rezept)</translation>
-    </message>
-    <message>
         <source>pieces/min</source>
         <translation>Stück/min</translation>
     </message>
@@ -6451,6 +6463,10 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
         <source>by recipe</source>
         <translation>nach Rezept</translation>
     </message>
+    <message>
+        <source>Ideal rate (0: by recipe)</source>
+        <translation>Ideale Taktrate (0: laut Rezept)</translation>
+    </message>
 </context>
 <context>
     <name>campanel::panel::Stops</name>
@@ -6458,6 +6474,63 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
         <source>Since %1, %2</source>
         <comment>time, duration</comment>
         <translation>Seit %1, %2</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::LogFilterEditor</name>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 bis %2</translation>
+    </message>
+    <message>
+        <source>from %1</source>
+        <translation>ab %1</translation>
+    </message>
+    <message>
+        <source>until %1</source>
+        <translation>bis %1</translation>
+    </message>
+    <message>
+        <source>“%1”</source>
+        <translation>„%1“</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::AlarmHistory</name>
+    <message>
+        <source>alarms</source>
+        <translation>Alarme</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::SystemClock</name>
+    <message>
+        <source>Asking the operating system …</source>
+        <translation>Das Betriebssystem wird gefragt …</translation>
+    </message>
+    <message>
+        <source>systemd-timedated does not respond. Set the clock in the operating system.</source>
+        <translation>systemd-timedated antwortet nicht. Stellen Sie die Uhr im Betriebssystem.</translation>
+    </message>
+    <message>
+        <source>The clock is set by hand.</source>
+        <translation>Die Uhr wird von Hand gestellt.</translation>
+    </message>
+    <message>
+        <source>The clock follows a time server.</source>
+        <translation>Die Uhr folgt einem Zeitserver.</translation>
+    </message>
+    <message>
+        <source>No time server has responded yet. Check the network.</source>
+        <translation>Noch kein Zeitserver hat geantwortet. Prüfen Sie das Netzwerk.</translation>
+    </message>
+    <message>
+        <source>The operating system does not allow the panel to do this. Install polkit and the rule of the CamPanel package.</source>
+        <translation>Das Betriebssystem erlaubt dies dem Panel nicht. Installieren Sie polkit und die Regel des CamPanel-Pakets.</translation>
+    </message>
+    <message>
+        <source>Not set: %1</source>
+        <translation>Nicht gestellt: %1</translation>
     </message>
 </context>
 <context>

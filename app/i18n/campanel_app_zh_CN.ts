@@ -607,6 +607,10 @@
         <source>until %1</source>
         <translation>到 %1</translation>
     </message>
+    <message>
+        <source>clock not set</source>
+        <translation>时钟未设置</translation>
+    </message>
 </context>
 <context>
     <name>AuditWords</name>
@@ -914,6 +918,18 @@
     <message>
         <source>Reason of a stop changed</source>
         <translation>停机原因已更改</translation>
+    </message>
+    <message>
+        <source>clock</source>
+        <translation>时钟</translation>
+    </message>
+    <message>
+        <source>time zone</source>
+        <translation>时区</translation>
+    </message>
+    <message>
+        <source>time server</source>
+        <translation>时间服务器</translation>
     </message>
     <message>
         <source>Film reels</source>
@@ -1889,14 +1905,6 @@ RMS %2</source>
         <translation>配方文件 %1 与 %2 的签名不符：文件被更改过，或由其他密钥签名。请索取新的副本。</translation>
     </message>
     <message>
-        <source>The recipe file %1 is not signed; the plant&apos;s network offers signed recipes only. Have it signed.</source>
-        <translation>配方文件 %1 没有签名；工厂网络只提供已签名的配方。请先签名。</translation>
-    </message>
-    <message>
-        <source>Plant network</source>
-        <translation>工厂网络</translation>
-    </message>
-    <message>
         <source>not a regular file</source>
         <translation>不是普通文件</translation>
     </message>
@@ -1915,6 +1923,14 @@ RMS %2</source>
     <message>
         <source>a list of objects</source>
         <translation>对象列表</translation>
+    </message>
+    <message>
+        <source>The recipe file %1 is not signed; the plant&apos;s network offers signed recipes only. Have it signed.</source>
+        <translation>配方文件 %1 没有签名；工厂网络只提供已签名的配方。请先签名。</translation>
+    </message>
+    <message>
+        <source>Plant network</source>
+        <translation>工厂网络</translation>
     </message>
 </context>
 <context>
@@ -3576,14 +3592,6 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
 <context>
     <name>campanel::panel::Commissioning</name>
     <message>
-        <source>Code of the recipe</source>
-        <translation>配方条码</translation>
-    </message>
-    <message>
-        <source>Code of the film reel</source>
-        <translation>膜卷条码</translation>
-    </message>
-    <message>
         <source>%1 commissioning %2</source>
         <comment>name of a file: recipe, date</comment>
         <translation>%1 调试报告 %2</translation>
@@ -3733,6 +3741,14 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
     <message>
         <source>limit</source>
         <translation>限值</translation>
+    </message>
+    <message>
+        <source>Code of the recipe</source>
+        <translation>配方条码</translation>
+    </message>
+    <message>
+        <source>Code of the film reel</source>
+        <translation>膜卷条码</translation>
     </message>
 </context>
 <context>
@@ -5600,14 +5616,14 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
         <translation>无法使用 · %1 · %2</translation>
     </message>
     <message>
-        <source>Offered: %1, version %2</source>
-        <comment>recipe, number</comment>
-        <translation>可接收：%1，第 %2 版</translation>
-    </message>
-    <message>
         <source>%1 Correct the file; the panel reads it again automatically.</source>
         <comment>%1: whole sentence</comment>
         <translation>%1请更正文件，面板会自动重新读取。</translation>
+    </message>
+    <message>
+        <source>Offered: %1, version %2</source>
+        <comment>recipe, number</comment>
+        <translation>可接收：%1，第 %2 版</translation>
     </message>
 </context>
 <context>
@@ -6422,10 +6438,6 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
         <translation>秒</translation>
     </message>
     <message>
-        <source>Ideal rate (0: by recipe)</source>
-        <translation>理想速率（0：按配方）</translation>
-    </message>
-    <message>
         <source>pieces/min</source>
         <translation>件/分</translation>
     </message>
@@ -6449,6 +6461,10 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
         <source>own list (%1)</source>
         <translation>自定义列表（%1）</translation>
     </message>
+    <message>
+        <source>Ideal rate (0: by recipe)</source>
+        <translation>理想速率（0：按配方）</translation>
+    </message>
 </context>
 <context>
     <name>campanel::panel::Stops</name>
@@ -6456,6 +6472,63 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
         <source>Since %1, %2</source>
         <comment>time, duration</comment>
         <translation>自 %1 起，%2</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::LogFilterEditor</name>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 至 %2</translation>
+    </message>
+    <message>
+        <source>from %1</source>
+        <translation>自 %1 起</translation>
+    </message>
+    <message>
+        <source>until %1</source>
+        <translation>至 %1</translation>
+    </message>
+    <message>
+        <source>“%1”</source>
+        <translation>“%1”</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::AlarmHistory</name>
+    <message>
+        <source>alarms</source>
+        <translation>报警</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::SystemClock</name>
+    <message>
+        <source>Asking the operating system …</source>
+        <translation>正在询问操作系统 …</translation>
+    </message>
+    <message>
+        <source>systemd-timedated does not respond. Set the clock in the operating system.</source>
+        <translation>systemd-timedated 没有响应。请在操作系统中设置时钟。</translation>
+    </message>
+    <message>
+        <source>The clock is set by hand.</source>
+        <translation>时钟由人工设置。</translation>
+    </message>
+    <message>
+        <source>The clock follows a time server.</source>
+        <translation>时钟与时间服务器同步。</translation>
+    </message>
+    <message>
+        <source>No time server has responded yet. Check the network.</source>
+        <translation>时间服务器尚未响应。请检查网络。</translation>
+    </message>
+    <message>
+        <source>The operating system does not allow the panel to do this. Install polkit and the rule of the CamPanel package.</source>
+        <translation>操作系统不允许面板执行此操作。请安装 polkit 和 CamPanel 软件包的规则。</translation>
+    </message>
+    <message>
+        <source>Not set: %1</source>
+        <translation>未设置：%1</translation>
     </message>
 </context>
 <context>

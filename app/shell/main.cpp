@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The panel's executable: reads the options and creates the parts.
 #include "app/link/threaded_link.h"
+#include "app/shell/clock_state.h"
 #include "app/shell/configuration.h"
 #include "app/shell/folder_wait.h"
 #include "app/shell/fonts.h"
@@ -118,6 +119,7 @@ int runPanel(const shell::Options& options, const panel::SettingValues& configur
 {
     link::ThreadedLink link(nullptr);
     shell::Panel panel(link, {{}, {}, configuration, keyFolder});
+    panel.setClockUnset([] { return shell::isClockUnset(); });
     hasFonts(); // reads all fonts while the QML is loading; the panel works without them
     if (options.connection)
         panel.settings().overrideConnection(*options.connection);

@@ -22,6 +22,7 @@
 #include "app/panel/reports/shift_report.h"
 #include "app/panel/scan/scan.h"
 #include "app/panel/settings/settings.h"
+#include "app/panel/settings/system_clock.h"
 #include "app/panel/stops/stops.h"
 #include "app/panel/trends/trends.h"
 #include "app/shell/page_memory.h"
@@ -57,6 +58,9 @@ public:
     [[nodiscard]] panel::Editor& editor() { return m_editor; }
     [[nodiscard]] panel::DatabaseService& records() { return m_records; }
     [[nodiscard]] panel::Alarms& alarms() { return m_alarms; }
+    [[nodiscard]] panel::SystemClock& systemClock() { return m_systemClock; }
+    // Sets how records learn that the clock of this computer was not set; never by default.
+    void setClockUnset(const std::function<bool()>& isUnset);
     [[nodiscard]] panel::Recipes& recipes() { return m_recipes; }
     [[nodiscard]] panel::Scan& scan() { return m_scan; }
     [[nodiscard]] panel::Maintenance& maintenance() { return m_maintenance; }
@@ -102,6 +106,8 @@ private:
     panel::Trends m_trends;
     panel::Stops m_stops;
     panel::Access m_access;
+    panel::SystemClock m_systemClock;
+    bool m_isClockSet = false; // by a person
     panel::AuditTrail m_trail;
     panel::Audit m_audit;
     panel::Backup m_backup;

@@ -22,6 +22,7 @@ QtObject {
     readonly property string undo: "\uf54c"
     readonly property string redo: "\uf44e"
     readonly property string download: "\uf1da"
+    readonly property string filter: "\uf232"
     readonly property string save: "\uf193"
     readonly property string backspace: "\uf06e"
     readonly property string pin: "\uf403"

@@ -16,6 +16,7 @@ T.AbstractButton {
     required property string title
     required property int severity
     required property string time
+    required property string clockNote
     required property string stateText
     required property bool calls
     required property bool live
@@ -78,8 +79,16 @@ T.AbstractButton {
                 font.pixelSize: Theme.size.caption
             }
             Label {
+                objectName: "alarmClock"
                 anchors.right: parent.right
-                visible: row.times > 1
+                visible: text.length > 0
+                text: row.clockNote
+                color: Theme.color.warning
+                font.pixelSize: Theme.size.caption
+            }
+            Label {
+                anchors.right: parent.right
+                visible: row.times > 1 && row.clockNote.length === 0
                 text: qsTr("%1 times").arg(Theme.count(row.times, 0))
                 color: Theme.color.secondaryInk
                 font.pixelSize: Theme.size.caption

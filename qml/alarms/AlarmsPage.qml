@@ -11,11 +11,12 @@ Page {
     id: page
 
     property int section
+    readonly property real keysWidth: Math.max(acknowledgeAll.implicitWidth, 2 * Theme.size.touch + Theme.size.spacing)
 
     Segmented {
         id: tabs
         // The space of the hidden key stays free, so that a new alarm moves nothing under a finger.
-        anchors { left: parent.left; right: acknowledgeAll.left; top: parent.top; rightMargin: Theme.size.spacing }
+        anchors { left: parent.left; right: parent.right; top: parent.top; rightMargin: page.keysWidth + Theme.size.spacing }
         color: Theme.color.surface
         choices: [{ key: 0, name: "alarmsLive", text: Alarms.active > 0 ? qsTr("Active: %1").arg(Alarms.active) : qsTr("Active") },
             { key: 1, name: "alarmsHistory", text: qsTr("History") },
@@ -27,13 +28,40 @@ Page {
         id: acknowledgeAll
         objectName: "alarmsAcknowledgeAll"
         anchors { right: parent.right; top: parent.top }
+        width: page.keysWidth
         visible: page.section === 0 && Alarms.unacknowledged > 0
         kind: Button.Primary
         text: qsTr("Acknowledge all")
         onClicked: Alarms.acknowledgeAll()
     }
+    Row {
+        id: historyKeys
+        anchors { right: parent.right; top: parent.top }
+        width: page.keysWidth
+        visible: page.section === 1
+        spacing: Theme.size.spacing
+        Button {
+            objectName: "alarmsFilter"
+            width: (parent.width - parent.spacing) / 2
+            text: qsTr("Filter")
+            onClicked: filterDialogs.open()
+        }
+        Button {
+            objectName: "alarmsCsv"
+            width: (parent.width - parent.spacing) / 2
+            text: qsTr("CSV")
+            enabled: Alarms.history.rows.count > 0 && !Alarms.history.exporting
+            onClicked: Alarms.history.exportCsv(Maintenance.files)
+        }
+    }
+    LogFilterStrip {
+        id: strip
+        anchors { left: parent.left; right: parent.right; top: tabs.bottom; topMargin: Theme.size.spacing }
+        filter: Alarms.history.filter
+        shown: page.section === 1
+    }
     Card {
-        anchors { left: parent.left; right: parent.right; top: tabs.bottom; topMargin: Theme.size.spacing; bottom: parent.bottom; bottomMargin: page.bottomInset }
+        anchors { left: parent.left; right: parent.right; top: strip.visible ? strip.bottom : tabs.bottom; topMargin: Theme.size.spacing; bottom: parent.bottom; bottomMargin: page.bottomInset }
         AlarmList {
             anchors { fill: parent; margins: Theme.size.spacing }
             visible: page.section === 0
@@ -51,7 +79,8 @@ Page {
             visible: page.section === 1
             rows: Alarms.history.rows
             listName: "pastAlarm"
-            emptyText: Alarms.history.loading ? qsTr("Reading the log …") : qsTr("No alarm since the start of this log.")
+            emptyText: Alarms.history.loading ? qsTr("Reading the log …")
+                : Alarms.history.filter.active ? qsTr("No alarm matches the filter.") : qsTr("No alarm since the start of this log.")
             onOpened: row => {
                 Alarms.showHistory(row)
                 page.sheetRequested(detailSheet)
@@ -66,6 +95,23 @@ Page {
         target: Alarms.history
         property: "watched"
         value: page.visible && page.section === 1
+    }
+    Connections {
+        target: Alarms.history
+        function onExportReady() { page.sheetRequested(csvSheet) }
+    }
+    LogFilterDialogs {
+        id: filterDialogs
+        page: page
+        filter: Alarms.history.filter
+        idLabel: qsTr("Alarm number")
+    }
+    Component {
+        id: csvSheet
+        ReportFilesSheet {
+            title: qsTr("Alarms as CSV")
+            note: Alarms.history.filter.summary
+        }
     }
     Component {
         id: detailSheet

@@ -12,6 +12,7 @@ T.AbstractButton {
     Accessible.name: row.what
 
     required property string time
+    required property string clockNote
     required property string who
     required property string what
     required property string object
@@ -33,10 +34,10 @@ T.AbstractButton {
             width: Math.round(parent.width * 0.3)
             Label {
                 width: parent.width
-                text: row.time
+                text: row.clockNote.length > 0 ? qsTr("%1 · %2").arg(row.time).arg(row.clockNote) : row.time
                 fontSizeMode: Text.HorizontalFit
                 minimumPixelSize: Theme.size.caption - 3
-                color: Theme.color.secondaryInk
+                color: row.clockNote.length > 0 ? Theme.color.warning : Theme.color.secondaryInk
                 font.pixelSize: Theme.size.caption
             }
             Label {

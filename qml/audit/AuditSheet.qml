@@ -4,6 +4,7 @@ pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme
 import CamPanel.Controls
+import CamPanel.Parts
 import CamPanel.Panel
 
 Sheet {
@@ -11,6 +12,7 @@ Sheet {
 
     property string mode: "list"           // or "who", "area", "detail"
     signal exportRequested()
+    signal filterRequested()
 
     readonly property var choices: sheet.mode === "who" ? Audit.names : Audit.areas
     readonly property bool chooses: sheet.mode === "who" || sheet.mode === "area"
@@ -34,26 +36,33 @@ Sheet {
             id: filters
             anchors { left: parent.left; right: parent.right; top: parent.top }
             spacing: Theme.size.spacing
-            readonly property real third: (width - 2 * spacing) / 3
+            readonly property real quarter: (width - 3 * spacing) / 4
             SettingRow {
                 objectName: "auditWho"
-                width: filters.third
+                width: filters.quarter
                 label: qsTr("User")
                 value: Audit.who.length > 0 ? Audit.who : qsTr("All users")
                 onClicked: sheet.mode = "who"
             }
             SettingRow {
                 objectName: "auditArea"
-                width: filters.third
+                width: filters.quarter
                 label: qsTr("Action")
                 value: Audit.areaText
                 onClicked: sheet.mode = "area"
             }
             Button {
+                objectName: "auditFilter"
+                width: filters.quarter
+                glyph: Theme.icon.filter
+                text: qsTr("Filter")
+                onClicked: sheet.filterRequested()
+            }
+            Button {
                 objectName: "auditExport"
-                width: filters.third
+                width: filters.quarter
                 glyph: Theme.icon.save
-                text: qsTr("Export CSV")
+                text: qsTr("CSV")
                 enabled: Audit.rows.count > 0 && !Audit.busy
                 onClicked: {
                     Audit.exportCsv()
@@ -61,18 +70,24 @@ Sheet {
                 }
             }
         }
+        LogFilterStrip {
+            id: strip
+            anchors { left: parent.left; right: parent.right; top: filters.bottom; topMargin: Theme.size.spacing }
+            filter: Audit.filter
+        }
         Label {
             objectName: "auditEmpty"
-            anchors { left: parent.left; right: parent.right; top: filters.bottom; topMargin: Theme.size.padding }
+            anchors { left: parent.left; right: parent.right; top: strip.visible ? strip.bottom : filters.bottom; topMargin: Theme.size.padding }
             visible: Audit.rows.count === 0 && !Audit.busy
             wrapMode: Text.WordWrap
-            text: qsTr("There are no entries of this kind. Commands, downloads, parameters, settings and logins are recorded here.")
+            text: Audit.filter.active ? qsTr("No entry matches the filter.")
+                : qsTr("There are no entries of this kind. Commands, downloads, parameters, settings and logins are recorded here.")
             color: Theme.color.secondaryInk
         }
         ListView {
             id: list
             objectName: "auditList"
-            anchors { left: parent.left; right: parent.right; top: filters.bottom; bottom: chain.top; topMargin: Theme.size.spacing; bottomMargin: Theme.size.spacing }
+            anchors { left: parent.left; right: parent.right; top: strip.visible ? strip.bottom : filters.bottom; bottom: chain.top; topMargin: Theme.size.spacing; bottomMargin: Theme.size.spacing }
             clip: true
             spacing: Theme.size.outline
             boundsBehavior: Flickable.StopAtBounds

@@ -120,6 +120,26 @@
         <source>No alarm since the start of this log.</source>
         <translation>Kein Alarm seit Beginn dieses Protokolls.</translation>
     </message>
+    <message>
+        <source>Filter</source>
+        <translation>Filter</translation>
+    </message>
+    <message>
+        <source>CSV</source>
+        <translation>CSV</translation>
+    </message>
+    <message>
+        <source>No alarm matches the filter.</source>
+        <translation>Kein Alarm entspricht dem Filter.</translation>
+    </message>
+    <message>
+        <source>Alarm number</source>
+        <translation>Alarmnummer</translation>
+    </message>
+    <message>
+        <source>Alarms as CSV</source>
+        <translation>Alarme als CSV</translation>
+    </message>
 </context>
 <context>
     <name>AuditRow</name>
@@ -147,16 +167,24 @@
         <translation>Aktion</translation>
     </message>
     <message>
-        <source>Export CSV</source>
-        <translation>CSV exportieren</translation>
-    </message>
-    <message>
         <source>There are no entries of this kind. Commands, downloads, parameters, settings and logins are recorded here.</source>
         <translation>Keine Einträge dieser Art. Befehle, Laden, Parameter, Einstellungen und Anmeldungen werden hier aufgezeichnet.</translation>
     </message>
     <message>
         <source>Back to the list</source>
         <translation>Zurück zur Liste</translation>
+    </message>
+    <message>
+        <source>Filter</source>
+        <translation>Filter</translation>
+    </message>
+    <message>
+        <source>CSV</source>
+        <translation>CSV</translation>
+    </message>
+    <message>
+        <source>No entry matches the filter.</source>
+        <translation>Kein Eintrag entspricht dem Filter.</translation>
     </message>
 </context>
 <context>
@@ -2062,10 +2090,6 @@ Und %2 weitere.</translation>
         <translation>Als Version %1 speichern</translation>
     </message>
     <message>
-        <source>View …</source>
-        <translation>Ansehen …</translation>
-    </message>
-    <message>
         <source>Reading the recipes …</source>
         <translation>Rezepte werden gelesen …</translation>
     </message>
@@ -2152,6 +2176,10 @@ Und %2 weitere.</translation>
     <message>
         <source>Import</source>
         <translation>Import</translation>
+    </message>
+    <message>
+        <source>View …</source>
+        <translation>Ansehen …</translation>
     </message>
 </context>
 <context>
@@ -2516,12 +2544,12 @@ Und %2 weitere.</translation>
         <translation>nicht verbunden</translation>
     </message>
     <message>
-        <source>Set clock and network in the operating system.</source>
-        <translation>Uhr und Netzwerk im Betriebssystem einstellen.</translation>
+        <source>Set the network in the operating system.</source>
+        <translation>Netzwerk im Betriebssystem einstellen.</translation>
     </message>
     <message>
-        <source>Set clock and network in the operating system. The brightness of this screen cannot be set here.</source>
-        <translation>Uhr und Netzwerk im Betriebssystem einstellen. Die Helligkeit dieses Bildschirms ist hier nicht einstellbar.</translation>
+        <source>Set the network in the operating system. The brightness of this screen cannot be set here.</source>
+        <translation>Netzwerk im Betriebssystem einstellen. Die Helligkeit dieses Bildschirms ist hier nicht einstellbar.</translation>
     </message>
 </context>
 <context>
@@ -2834,6 +2862,10 @@ Und %2 weitere.</translation>
     <message>
         <source>Logout without touch after</source>
         <translation>Abmeldung ohne Berührung nach</translation>
+    </message>
+    <message>
+        <source>Row or register</source>
+        <translation>Zeile oder Register</translation>
     </message>
 </context>
 <context>
@@ -3244,6 +3276,161 @@ Und %2 weitere.</translation>
     <message>
         <source>Replace</source>
         <translation>Ersetzen</translation>
+    </message>
+</context>
+<context>
+    <name>LogFilterSheet</name>
+    <message>
+        <source>Filter</source>
+        <translation>Filter</translation>
+    </message>
+    <message>
+        <source>no limit</source>
+        <translation>unbegrenzt</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>Von</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>Bis</translation>
+    </message>
+    <message>
+        <source>Word</source>
+        <translation>Wort</translation>
+    </message>
+    <message>
+        <source>any</source>
+        <translation>beliebig</translation>
+    </message>
+    <message>
+        <source>− 7 d</source>
+        <translation>− 7 d</translation>
+    </message>
+    <message>
+        <source>− 1 d</source>
+        <translation>− 1 d</translation>
+    </message>
+    <message>
+        <source>+ 1 d</source>
+        <translation>+ 1 d</translation>
+    </message>
+    <message>
+        <source>+ 7 d</source>
+        <translation>+ 7 d</translation>
+    </message>
+    <message>
+        <source>− 1 h</source>
+        <translation>− 1 h</translation>
+    </message>
+    <message>
+        <source>− 10 min</source>
+        <translation>− 10 min</translation>
+    </message>
+    <message>
+        <source>+ 10 min</source>
+        <translation>+ 10 min</translation>
+    </message>
+    <message>
+        <source>+ 1 h</source>
+        <translation>+ 1 h</translation>
+    </message>
+    <message>
+        <source>This day only</source>
+        <translation>Nur dieser Tag</translation>
+    </message>
+    <message>
+        <source>No limit</source>
+        <translation>Unbegrenzt</translation>
+    </message>
+    <message>
+        <source>Clear filter</source>
+        <translation>Filter löschen</translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <translation>Anzeigen</translation>
+    </message>
+</context>
+<context>
+    <name>LogFilterStrip</name>
+    <message>
+        <source>Only: %1</source>
+        <translation>Nur: %1</translation>
+    </message>
+    <message>
+        <source>Show all</source>
+        <translation>Alle anzeigen</translation>
+    </message>
+</context>
+<context>
+    <name>LogFilterDialogs</name>
+    <message>
+        <source>Word</source>
+        <translation>Wort</translation>
+    </message>
+</context>
+<context>
+    <name>ClockSheet</name>
+    <message>
+        <source>Clock</source>
+        <translation>Uhr</translation>
+    </message>
+    <message>
+        <source>Time server</source>
+        <translation>Zeitserver</translation>
+    </message>
+    <message>
+        <source>Off</source>
+        <translation>Aus</translation>
+    </message>
+    <message>
+        <source>On</source>
+        <translation>Ein</translation>
+    </message>
+    <message>
+        <source>Time zone</source>
+        <translation>Zeitzone</translation>
+    </message>
+    <message>
+        <source>− 1 d</source>
+        <translation>− 1 d</translation>
+    </message>
+    <message>
+        <source>+ 1 d</source>
+        <translation>+ 1 d</translation>
+    </message>
+    <message>
+        <source>− 1 h</source>
+        <translation>− 1 h</translation>
+    </message>
+    <message>
+        <source>+ 1 h</source>
+        <translation>+ 1 h</translation>
+    </message>
+    <message>
+        <source>− 10 min</source>
+        <translation>− 10 min</translation>
+    </message>
+    <message>
+        <source>+ 10 min</source>
+        <translation>+ 10 min</translation>
+    </message>
+    <message>
+        <source>− 1 min</source>
+        <translation>− 1 min</translation>
+    </message>
+    <message>
+        <source>+ 1 min</source>
+        <translation>+ 1 min</translation>
+    </message>
+</context>
+<context>
+    <name>ZonePicker</name>
+    <message>
+        <source>Time zone</source>
+        <translation>Zeitzone</translation>
     </message>
 </context>
 <context>

@@ -120,6 +120,26 @@
         <source>No alarm since the start of this log.</source>
         <translation>自记录开始以来尚无报警。</translation>
     </message>
+    <message>
+        <source>Filter</source>
+        <translation>筛选</translation>
+    </message>
+    <message>
+        <source>CSV</source>
+        <translation>CSV</translation>
+    </message>
+    <message>
+        <source>No alarm matches the filter.</source>
+        <translation>没有符合筛选条件的报警。</translation>
+    </message>
+    <message>
+        <source>Alarm number</source>
+        <translation>报警编号</translation>
+    </message>
+    <message>
+        <source>Alarms as CSV</source>
+        <translation>报警导出为 CSV</translation>
+    </message>
 </context>
 <context>
     <name>AuditRow</name>
@@ -147,16 +167,24 @@
         <translation>操作</translation>
     </message>
     <message>
-        <source>Export CSV</source>
-        <translation>导出 CSV</translation>
-    </message>
-    <message>
         <source>There are no entries of this kind. Commands, downloads, parameters, settings and logins are recorded here.</source>
         <translation>没有此类记录。命令、下载、参数、设置和登录均记录在此。</translation>
     </message>
     <message>
         <source>Back to the list</source>
         <translation>返回列表</translation>
+    </message>
+    <message>
+        <source>Filter</source>
+        <translation>筛选</translation>
+    </message>
+    <message>
+        <source>CSV</source>
+        <translation>CSV</translation>
+    </message>
+    <message>
+        <source>No entry matches the filter.</source>
+        <translation>没有符合筛选条件的记录。</translation>
     </message>
 </context>
 <context>
@@ -2062,10 +2090,6 @@ And %2 more.</source>
         <translation>保存为第 %1 版</translation>
     </message>
     <message>
-        <source>View …</source>
-        <translation>查看…</translation>
-    </message>
-    <message>
         <source>Reading the recipes …</source>
         <translation>正在读取配方…</translation>
     </message>
@@ -2152,6 +2176,10 @@ And %2 more.</source>
     <message>
         <source>Import</source>
         <translation>导入</translation>
+    </message>
+    <message>
+        <source>View …</source>
+        <translation>查看…</translation>
     </message>
 </context>
 <context>
@@ -2516,12 +2544,12 @@ And %2 more.</source>
         <translation>未连接</translation>
     </message>
     <message>
-        <source>Set clock and network in the operating system.</source>
-        <translation>请在操作系统中设置时钟和网络。</translation>
+        <source>Set the network in the operating system.</source>
+        <translation>请在操作系统中设置网络。</translation>
     </message>
     <message>
-        <source>Set clock and network in the operating system. The brightness of this screen cannot be set here.</source>
-        <translation>请在操作系统中设置时钟和网络。此屏幕的亮度不能在这里调节。</translation>
+        <source>Set the network in the operating system. The brightness of this screen cannot be set here.</source>
+        <translation>请在操作系统中设置网络。此屏幕的亮度不能在这里调节。</translation>
     </message>
 </context>
 <context>
@@ -2834,6 +2862,10 @@ And %2 more.</source>
     <message>
         <source>Logout without touch after</source>
         <translation>无触摸自动退出时间</translation>
+    </message>
+    <message>
+        <source>Row or register</source>
+        <translation>行号或寄存器</translation>
     </message>
 </context>
 <context>
@@ -3244,6 +3276,161 @@ And %2 more.</source>
     <message>
         <source>Replace</source>
         <translation>替换</translation>
+    </message>
+</context>
+<context>
+    <name>LogFilterSheet</name>
+    <message>
+        <source>Filter</source>
+        <translation>筛选</translation>
+    </message>
+    <message>
+        <source>no limit</source>
+        <translation>不限</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>从</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>到</translation>
+    </message>
+    <message>
+        <source>Word</source>
+        <translation>文字</translation>
+    </message>
+    <message>
+        <source>any</source>
+        <translation>任意</translation>
+    </message>
+    <message>
+        <source>− 7 d</source>
+        <translation>− 7 天</translation>
+    </message>
+    <message>
+        <source>− 1 d</source>
+        <translation>− 1 天</translation>
+    </message>
+    <message>
+        <source>+ 1 d</source>
+        <translation>+ 1 天</translation>
+    </message>
+    <message>
+        <source>+ 7 d</source>
+        <translation>+ 7 天</translation>
+    </message>
+    <message>
+        <source>− 1 h</source>
+        <translation>− 1 小时</translation>
+    </message>
+    <message>
+        <source>− 10 min</source>
+        <translation>− 10 分</translation>
+    </message>
+    <message>
+        <source>+ 10 min</source>
+        <translation>+ 10 分</translation>
+    </message>
+    <message>
+        <source>+ 1 h</source>
+        <translation>+ 1 小时</translation>
+    </message>
+    <message>
+        <source>This day only</source>
+        <translation>仅这一天</translation>
+    </message>
+    <message>
+        <source>No limit</source>
+        <translation>不限</translation>
+    </message>
+    <message>
+        <source>Clear filter</source>
+        <translation>清除筛选</translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <translation>显示</translation>
+    </message>
+</context>
+<context>
+    <name>LogFilterStrip</name>
+    <message>
+        <source>Only: %1</source>
+        <translation>仅：%1</translation>
+    </message>
+    <message>
+        <source>Show all</source>
+        <translation>显示全部</translation>
+    </message>
+</context>
+<context>
+    <name>LogFilterDialogs</name>
+    <message>
+        <source>Word</source>
+        <translation>文字</translation>
+    </message>
+</context>
+<context>
+    <name>ClockSheet</name>
+    <message>
+        <source>Clock</source>
+        <translation>时钟</translation>
+    </message>
+    <message>
+        <source>Time server</source>
+        <translation>时间服务器</translation>
+    </message>
+    <message>
+        <source>Off</source>
+        <translation>关</translation>
+    </message>
+    <message>
+        <source>On</source>
+        <translation>开</translation>
+    </message>
+    <message>
+        <source>Time zone</source>
+        <translation>时区</translation>
+    </message>
+    <message>
+        <source>− 1 d</source>
+        <translation>− 1 天</translation>
+    </message>
+    <message>
+        <source>+ 1 d</source>
+        <translation>+ 1 天</translation>
+    </message>
+    <message>
+        <source>− 1 h</source>
+        <translation>− 1 小时</translation>
+    </message>
+    <message>
+        <source>+ 1 h</source>
+        <translation>+ 1 小时</translation>
+    </message>
+    <message>
+        <source>− 10 min</source>
+        <translation>− 10 分</translation>
+    </message>
+    <message>
+        <source>+ 10 min</source>
+        <translation>+ 10 分</translation>
+    </message>
+    <message>
+        <source>− 1 min</source>
+        <translation>− 1 分</translation>
+    </message>
+    <message>
+        <source>+ 1 min</source>
+        <translation>+ 1 分</translation>
+    </message>
+</context>
+<context>
+    <name>ZonePicker</name>
+    <message>
+        <source>Time zone</source>
+        <translation>时区</translation>
     </message>
 </context>
 <context>

@@ -86,9 +86,15 @@ SettingsSection {
             }
         }
         Item { width: 1; height: Theme.size.spacing }
-        Fact {
+        SettingRow {
+            objectName: "setClock"
+            width: parent.width
             label: qsTr("Clock")
-            text: qsTr("%1, %2").arg(facts.clockText).arg(facts.zoneText)
+            value: qsTr("%1, %2").arg(facts.clockText).arg(facts.zoneText)
+            onClicked: {
+                if (Access.ask(Access.Service))
+                    section.page.sheetRequested(clockSheet)
+            }
         }
         Fact {
             label: qsTr("Network")
@@ -97,8 +103,17 @@ SettingsSection {
         Caption {
             wrapMode: Text.Wrap
             fontSizeMode: Text.FixedSize
-            text: Display.adjustable ? qsTr("Set clock and network in the operating system.")
-                : qsTr("Set clock and network in the operating system. The brightness of this screen cannot be set here.")
+            text: Display.adjustable ? qsTr("Set the network in the operating system.")
+                : qsTr("Set the network in the operating system. The brightness of this screen cannot be set here.")
         }
+    }
+
+    Component {
+        id: clockSheet
+        ClockSheet { onZoneRequested: section.page.sheetRequested(zonePicker) }
+    }
+    Component {
+        id: zonePicker
+        ZonePicker { onClosed: section.page.sheetRequested(clockSheet) }
     }
 }

@@ -232,10 +232,23 @@ SettingsSection {
     }
     Component {
         id: auditSheet
-        AuditSheet { onExportRequested: section.page.sheetRequested(exportSheet) }
+        AuditSheet {
+            onExportRequested: section.page.sheetRequested(exportSheet)
+            onFilterRequested: filterDialogs.open()
+        }
+    }
+    LogFilterDialogs {
+        id: filterDialogs
+        page: section.page
+        filter: Audit.filter
+        idLabel: qsTr("Row or register")
+        back: auditSheet
     }
     Component {
         id: exportSheet
-        ReportFilesSheet { title: qsTr("Audit trail as CSV") }
+        ReportFilesSheet {
+            title: qsTr("Audit trail as CSV")
+            note: Audit.filter.summary
+        }
     }
 }

@@ -38,6 +38,7 @@ inline constexpr std::chrono::seconds statusTime{5};
 [[nodiscard]] Figures measureLink();
 [[nodiscard]] Figures measurePeers();
 [[nodiscard]] Figures measureStart();
+[[nodiscard]] Figures measureIdle(); // takes two minutes
 [[nodiscard]] Figures measureMemory(); // takes some minutes
 [[nodiscard]] Figures measureRecords();
 

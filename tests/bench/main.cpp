@@ -28,7 +28,7 @@ int main(int argc, char** argv)
     parser.addHelpOption();
     parser.addPositionalArgument(
         u"part"_s,
-        u"motion, programs, packing, plots, link, peers, start, memory, records; all when none is named"_s,
+        u"motion, programs, packing, plots, link, peers, start, idle, memory, records; all when none is named"_s,
         u"[part...]"_s);
     const QCommandLineOption markdown(
         u"markdown"_s, u"Writes the table into this file, usually docs/figures.md."_s, u"file"_s);
@@ -47,10 +47,11 @@ int main(int argc, char** argv)
     const struct {
         QString name;
         Figures (*measure)();
-    } parts[] = {
-        {u"motion"_s, measureMotion}, {u"programs"_s, measurePrograms}, {u"packing"_s, measurePacking},
-        {u"plots"_s, measurePlots},   {u"link"_s, measureLink},         {u"peers"_s, measurePeers},
-        {u"start"_s, measureStart},   {u"memory"_s, measureMemory},     {u"records"_s, measureRecords}};
+    } parts[] = {{u"motion"_s, measureMotion},   {u"programs"_s, measurePrograms},
+                 {u"packing"_s, measurePacking}, {u"plots"_s, measurePlots},
+                 {u"link"_s, measureLink},       {u"peers"_s, measurePeers},
+                 {u"start"_s, measureStart},     {u"idle"_s, measureIdle},
+                 {u"memory"_s, measureMemory},   {u"records"_s, measureRecords}};
 
     Figures figures;
     try {

@@ -146,14 +146,20 @@ void addRows(store::Database& database)
         (void)store::appendAudit(database, row);
 }
 
-void openTrail(TestWindow& window)
+void waitForTrail(TestWindow& window)
 {
-    window.tap(u"nav_settings"_s);
-    window.tap(u"sectionUsers"_s);
-    window.tap(u"auditButton"_s);
     panel::Audit& audit = window.panel().audit();
     waitUntil([&audit] { return !audit.busy() && !audit.checking(); });
     window.settle();
+}
+
+void openTrail(TestWindow& window)
+{
+    window.panel().audit().filter()->clear();
+    window.tap(u"nav_settings"_s);
+    window.tap(u"sectionUsers"_s);
+    window.tap(u"auditButton"_s);
+    waitForTrail(window);
 }
 
 void openUsers(TestWindow& window, const QStringList& taps)
@@ -260,6 +266,17 @@ QList<Screen> accessScreens()
             trail("audit-who", {u"auditWho"_s}),
             trail("audit-what", {u"auditArea"_s}),
             trail("audit-detail", {u"audit2"_s}),
+            {u"audit-filtered"_s,
+             [](TestWindow& window) {
+                 emptyStore(window);
+                 inStore(window, addRows);
+                 openTrail(window);
+                 window.tap(u"auditFilter"_s);
+                 window.tap(u"filterDay"_s);
+                 window.panel().audit().filter()->setWord(u"mark"_s);
+                 window.tap(u"filterShow"_s);
+                 waitForTrail(window);
+             }},
             trail("audit-broken", {}, u"UPDATE audit SET after = '930' WHERE sequence = 4"_s),
             {u"audit-empty"_s, [](TestWindow& window) {
                  emptyStore(window);

@@ -31,6 +31,7 @@ QList<AlarmRow> demoLog()
         row.wantsAcknowledgement = i % 9 != 0;
         row.acknowledgedMs = row.wantsAcknowledgement && i % 11 != 4 ? row.raisedMs + 61'000 : 0;
         row.count = i % 5 == 4 ? i : 1;
+        row.isClockDoubtful = i == 57;
         rows.append(row);
     }
     return rows;
@@ -52,6 +53,7 @@ void waitForHistory(TestWindow& window)
 
 void openHistory(TestWindow& window, const QList<AlarmRow>& rows)
 {
+    window.panel().alarms().history()->filter()->clear();
     store::AlarmChanges changes;
     changes.rows = rows;
     window.panel().records().open();
@@ -66,6 +68,17 @@ void openHistory(TestWindow& window, const QList<AlarmRow>& rows)
     window.tap(alarmsPage);
     window.tap(QStringLiteral("alarmsLive")); // read when it becomes visible
     window.tap(QStringLiteral("alarmsHistory"));
+    waitForHistory(window);
+}
+
+// Filters the log to 14 January and one alarm.
+void openFilter(TestWindow& window)
+{
+    openHistory(window, demoLog());
+    window.tap(QStringLiteral("alarmsFilter"));
+    window.tap(QStringLiteral("filterEarlierDay"));
+    window.tap(QStringLiteral("filterDay"));
+    window.panel().alarms().history()->filter()->setId(QStringLiteral("M-01"));
     waitForHistory(window);
 }
 
@@ -125,6 +138,18 @@ QList<Screen> alarmScreens()
              [](TestWindow& window) {
                  openHistory(window, demoLog());
                  window.tap(QStringLiteral("pastAlarm3"));
+             }},
+            {QStringLiteral("alarms-history-filtered"),
+             [](TestWindow& window) {
+                 openFilter(window);
+                 window.tap(QStringLiteral("filterShow"));
+                 waitForHistory(window);
+             }},
+            {QStringLiteral("alarms-filter"), [](TestWindow& window) { openFilter(window); }},
+            {QStringLiteral("alarms-filter-word"),
+             [](TestWindow& window) {
+                 openFilter(window);
+                 window.tap(QStringLiteral("filterWord"));
              }},
             {QStringLiteral("alarms-history-empty"), [](TestWindow& window) { openHistory(window, {}); }},
             {QStringLiteral("alarms-shelved-none"),

@@ -177,6 +177,20 @@ Screen reportPlaces(const char* name)
         }};
 }
 
+// Opens the sheet of the clock on a time service prepared by `prepare`, then taps.
+Screen clock(const char* name, const QStringList& taps, const std::function<void(TestWindow&)>& prepare)
+{
+    return {QString::fromLatin1(name), [taps, prepare](TestWindow& window) {
+                prepare(window);
+                for (const char* tapped : {"nav_settings", "section0", "sectionSystem", "setClock"})
+                    window.tap(QString::fromLatin1(tapped));
+                window.waitUntil(window.panel().systemClock(), &panel::SystemClock::changed,
+                                 [](const panel::SystemClock& clock) { return clock.isAsked(); });
+                for (const QString& tapped : taps)
+                    window.tap(tapped);
+            }};
+}
+
 } // namespace
 
 const QList<Screen>& allScreens()
@@ -289,6 +303,15 @@ const QList<Screen>& allScreens()
              window.tap(QStringLiteral("section0"));
              window.tap(QStringLiteral("sectionSystem"));
          }},
+        clock("settings-clock", {}, [](TestWindow&) {}),
+        clock("settings-clock-server", {}, [](TestWindow& window) { window.timeService().m_ntp = true; }),
+        clock("settings-zone", {QStringLiteral("clockZone"), QStringLiteral("choice_Asia")},
+              [](TestWindow&) {}),
+        clock("settings-clock-none", {},
+              [](TestWindow& window) {
+                  window.panel().systemClock().setBus(
+                      {[] { return QDBusConnection(QStringLiteral("nowhere")); }, {}});
+              }),
         taps("wipe", {settings, QStringLiteral("section0"), QStringLiteral("sectionSystem"),
                       QStringLiteral("wipeScreen")}),
         taps("settings-about", {settings, QStringLiteral("section3")}),

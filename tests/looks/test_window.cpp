@@ -52,7 +52,9 @@ TestWindow::TestWindow(const Variant& variant)
     m_panel.backup().setWallClock(wallClock);
     m_panel.commissioning().setWallClock(wallClock);
     m_panel.alarms().setWallClock(wallClock);
+    m_panel.audit().filter()->setWallClock(wallClock);
     m_panel.alarms().setPaceMs(0);
+    m_panel.systemClock().setBus(m_timeBus.bus());
     checkClock();
     m_isReady = m_panel.load(variant.size);
     if (!m_isReady)

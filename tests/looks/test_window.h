@@ -5,6 +5,7 @@
 #include "tests/looks/demo_link.h"
 #include "tests/looks/long_texts.h"
 #include "tests/looks/touch_driver.h"
+#include "tests/support/time_service.h"
 
 #include <QEventLoop>
 #include <QTemporaryDir>
@@ -29,6 +30,7 @@ public:
     // Returns false when the window could not be loaded.
     [[nodiscard]] bool isReady() const { return m_isReady; }
     [[nodiscard]] DemoLink& link() { return m_link; }
+    [[nodiscard]] test::TimeService& timeService() { return m_timeBus.service; }
     [[nodiscard]] shell::Panel& panel() { return m_panel; }
 
     using TouchDriver::tap;
@@ -69,6 +71,7 @@ private:
     QTemporaryDir m_folder;
     std::unique_ptr<LongTexts> m_longTexts; // installed before the panel has any text
     DemoLink m_link{nullptr};
+    test::TimeBus m_timeBus;
     shell::Panel m_panel;
     bool m_isReady = false;
 };

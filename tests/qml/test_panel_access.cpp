@@ -186,6 +186,12 @@ private slots:
         QCOMPARE(textOf("auditDetail5"), u"903.02"_s);
         tap("auditBack");
         QVERIFY(isOn("auditList"));
+        enter("audit-filtered");
+        QCOMPARE(textOf("filterSummary"), u"Only: 2026-01-15 00:00 to 2026-01-16 00:00 · “mark”"_s);
+        QCOMPARE(m_window->panel().audit().rows()->count(), 1);
+        tap("filterClear");
+        QTRY_COMPARE(m_window->panel().audit().rows()->count(), 2); // the parameters
+        QVERIFY(!isOn("filterSummary"));
         enter("audit-broken");
         QVERIFY2(textOf("auditChain").startsWith(u"Row 4 was altered"), qPrintable(textOf("auditChain")));
     }

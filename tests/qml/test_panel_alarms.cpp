@@ -17,6 +17,47 @@ class TestPanelAlarms : public campanel::test::PanelTest {
         m_window->link().show(situation);
         m_window->settle();
     }
+    void typeInto(const char* text)
+    {
+        m_window->find(QStringLiteral("textInput"))->setProperty("text", QString());
+        for (const char* letter = text; *letter; ++letter) {
+            const bool isDigit = *letter >= '0' && *letter <= '9';
+            if (isDigit)
+                tap("textSigns");
+            m_window->tap(QStringLiteral("key_") + QLatin1Char(*letter));
+            if (isDigit)
+                tap("textSigns");
+        }
+    }
+    // Writes two alarms a day from 13 to 15 January; the newest one with a clock that was not set.
+    void fillHistory()
+    {
+        namespace store = campanel::store;
+        store::AlarmChanges changes;
+        const QStringList codes{QStringLiteral("C-01"), QStringLiteral("M-01"), QStringLiteral("L-03"),
+                                QStringLiteral("M-04"), QStringLiteral("M-01"), QStringLiteral("C-01")};
+        const QList<QDateTime> times{
+            QDateTime(QDate(2026, 1, 13), QTime(8, 0)),  QDateTime(QDate(2026, 1, 14), QTime(0, 0)),
+            QDateTime(QDate(2026, 1, 14), QTime(12, 0)), QDateTime(QDate(2026, 1, 14), QTime(23, 59)),
+            QDateTime(QDate(2026, 1, 15), QTime(0, 0)),  QDateTime(QDate(2026, 1, 15), QTime(8, 0))};
+        for (int i = 0; i < 6; ++i) {
+            store::AlarmRow row;
+            row.id = i + 1;
+            row.code = codes[i];
+            row.raisedMs = times[i].toMSecsSinceEpoch();
+            row.end = store::AlarmRow::End::Returned;
+            row.returnedMs = row.raisedMs + 5000;
+            row.isClockDoubtful = i == 5;
+            changes.rows << row;
+        }
+        m_window->panel().records().store().run(
+            nullptr,
+            [changes](store::Database& database) {
+                const auto emptied = database.execute(QStringLiteral("DELETE FROM alarm"));
+                return emptied && store::AlarmLog::write(database, changes);
+            },
+            [](bool) {});
+    }
     bool isShown(const char* name) { return m_window->find(QString::fromLatin1(name)) != nullptr; }
 
 private slots:
@@ -62,6 +103,80 @@ private slots:
         tap("sheetClose");
         tap("nav_run");
         QVERIFY2(!alarms().history()->watched(), "nothing is read while nobody looks");
+    }
+
+    void historyIsFilteredJumpedAndExported()
+    {
+        m_window->panel().records().open();
+        fillHistory();
+        tap("nav_alarms");
+        tap("alarmsHistory");
+        panel::AlarmHistory& history = *alarms().history();
+        QTRY_COMPARE(history.rows()->count(), 6);
+        QVERIFY(!isShown("filterSummary"));
+
+        tap("alarmsFilter");
+        tap("filterId");
+        typeInto("m01");
+        tap("textAccept");
+        QTRY_COMPARE(history.rows()->count(), 2);
+        tap("filterShow");
+        QVERIFY(!isShown("sheetPanel"));
+        QCOMPARE(textOf("filterSummary"), QStringLiteral("Only: m01"));
+        tap("filterClear");
+        QTRY_COMPARE(history.rows()->count(), 6);
+        QVERIFY(!isShown("filterSummary"));
+
+        // A day back from today, which is 15 January.
+        tap("alarmsFilter");
+        tap("filterEarlierDay");
+        tap("filterDay");
+        QTRY_COMPARE(history.rows()->count(), 3);
+        tap("filterShow");
+        QCOMPARE(textOf("filterSummary"), QStringLiteral("Only: 2026-01-14 00:00 to 2026-01-15 00:00"));
+
+        const QTemporaryDir stick;
+        auto& files = *m_window->panel().maintenance().files();
+        files.setScanner([path = stick.path()](const QString&) {
+            return QList<campanel::store::Place>{{path, QStringLiteral("stick"), false}};
+        });
+        tap("alarmsCsv");
+        QTRY_VERIFY(isShown("offer0"));
+        m_window->waitFor(files);
+        tap("offer0");
+        tap("offerGo");
+        m_window->waitFor(files);
+        QVERIFY2(!files.failed(), qPrintable(files.message()));
+        QFile file(stick.filePath(QStringLiteral("alarms.csv")));
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        const QByteArray csv = file.readAll();
+        QCOMPARE(csv.count('\n'), 1 + 3);
+        QVERIFY2(csv.contains("L-03") && csv.contains("M-04") && !csv.contains("C-01"), csv.constData());
+        tap("sheetClose");
+
+        // The words are those on the screen.
+        tap("filterClear");
+        tap("alarmsFilter");
+        tap("filterWord");
+        typeInto("following");
+        tap("textAccept");
+        tap("filterShow");
+        QTRY_COMPARE(history.rows()->count(), 2);
+        QCOMPARE(textOf("filterSummary"), QStringLiteral("Only: “following”"));
+        QCOMPARE(history.rows()->row(0).code(), QStringLiteral("C-01"));
+    }
+
+    void recordsOfAClockThatWasNotSetAreMarked()
+    {
+        m_window->panel().records().open();
+        fillHistory();
+        tap("nav_alarms");
+        tap("alarmsHistory");
+        QTRY_VERIFY(isShown("alarmClock"));
+        QCOMPARE(textOf("alarmClock"), QStringLiteral("clock not set"));
+        tap("pastAlarm0");
+        QVERIFY2(textOf("alarmRaised").endsWith(QStringLiteral(" · clock not set")),
+                 qPrintable(textOf("alarmRaised")));
     }
 
     // The devices of Qt, as on a machine: a touchscreen is unplugged.

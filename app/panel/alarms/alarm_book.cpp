@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/panel/alarms/alarm_book.h"
 
+#include "app/store/logs/clock_mark.h"
+
 #include <algorithm>
 #include <tuple>
 #include <utility>
@@ -60,6 +62,7 @@ void AlarmBook::raise(const AlarmKind& kind, const QString& detail, const Now& n
         entry->row.id = ++m_lastId;
         entry->row.code = code;
         entry->row.raisedMs = now.utcMs;
+        entry->row.isClockDoubtful = now.isClockDoubtful;
         entry->row.isShelved = entry->isShelved;
         entry->row.wantsAcknowledgement = wantsAcknowledgement(*entry);
     }
@@ -139,16 +142,23 @@ void AlarmBook::updateShelved()
     }
 }
 
-void AlarmBook::begin(const store::AlarmLog::Start& start)
+void AlarmBook::begin(const store::AlarmLog::Start& start, bool isClockUnset)
 {
+    const auto mark = [&start, isClockUnset](AlarmRow& row) {
+        row.isClockDoubtful =
+            row.isClockDoubtful || isClockUnset || store::isTimeDoubtful(row.raisedMs, start.newestMs);
+    };
     std::map<qint64, AlarmRow> waiting;
     for (auto& [id, row] : m_waiting) {
         row.id += start.lastId;
+        mark(row);
         waiting.emplace(row.id, row);
     }
     m_waiting = std::move(waiting);
-    for (AlarmEntry& entry : m_entries)
+    for (AlarmEntry& entry : m_entries) {
         entry.row.id += start.lastId;
+        mark(entry.row);
+    }
     for (auto& given : m_acknowledgements)
         given.upToId += start.lastId;
     m_lastId += start.lastId;

@@ -37,6 +37,7 @@ public:
     struct Now {
         link::SteadyTime steady;
         qint64 utcMs = 0;
+        bool isClockDoubtful = false;
     };
 
     void raise(const AlarmKind& kind, const QString& detail, const Now& now);
@@ -53,7 +54,7 @@ public:
     bool endShelves(qint64 utcMs);
 
     // Starts after the log's last id and shelves; earlier occurrences get the following ids. Called once.
-    void begin(const store::AlarmLog::Start& start);
+    void begin(const store::AlarmLog::Start& start, bool isClockUnset = false);
 
     // Returns the alarms that are active or need to be acknowledged, the most urgent first.
     [[nodiscard]] std::vector<AlarmEntry> live() const;

@@ -3,6 +3,8 @@
 
 #include "app/panel/words/alarm_words.h"
 
+using namespace Qt::StringLiterals;
+
 namespace campanel::panel {
 
 using store::AlarmRow;
@@ -71,7 +73,8 @@ QString AlarmDetail::action() const
 
 QString AlarmDetail::raisedText() const
 {
-    return AlarmWords::time(m_row.raisedMs, m_today);
+    const QString time = AlarmWords::time(m_row.raisedMs, m_today);
+    return m_row.isClockDoubtful ? u"%1 · %2"_s.arg(time, AlarmWords::clockNote(true)) : time;
 }
 
 QString AlarmDetail::returnedText() const

@@ -2,9 +2,14 @@
 #include "app/panel/alarms/alarm_history.h"
 
 #include "app/panel/records/database_service.h"
+#include "app/store/logs/log_export.h"
+
+#include <QPointer>
 
 #include <algorithm>
 #include <utility>
+
+using namespace Qt::StringLiterals;
 
 namespace campanel::panel {
 
@@ -16,6 +21,10 @@ AlarmHistory::AlarmHistory(DatabaseService& records, QObject* parent)
     , m_records(records)
 {
     connect(&m_rows, &AlarmList::moreRequested, this, &AlarmHistory::read);
+    connect(&m_filter, &LogFilterEditor::changed, this, [this] {
+        if (m_readFilter != logFilter())
+            restart();
+    });
 }
 
 void AlarmHistory::setToday(const QDate& today)
@@ -34,7 +43,20 @@ void AlarmHistory::setWatched(bool isWatched)
     if (m_isWatched == isWatched)
         return;
     m_isWatched = isWatched;
+    restart();
+}
+
+store::LogFilter AlarmHistory::logFilter() const
+{
+    store::LogFilter filter = m_filter.filter();
+    filter.keysOfWord = AlarmWords::codesWith(filter.word);
+    return filter;
+}
+
+void AlarmHistory::restart()
+{
     ++m_round;
+    m_readFilter = logFilter();
     m_isLoaded = m_isReading = m_isAtEnd = false;
     m_meanwhile.clear();
     m_rows.setHasMore(false);
@@ -50,7 +72,10 @@ void AlarmHistory::read()
     m_rows.setHasMore(false);
     const qint64 before = m_rows.count() == 0 ? 0 : m_rows.rows().last().id();
     m_records.store().run(
-        this, [before](store::Database& database) { return AlarmLog::page(database, before); },
+        this,
+        [before, filter = m_readFilter](store::Database& database) {
+            return AlarmLog::page(database, before, AlarmLog::pageRows, filter);
+        },
         [this, round = m_round](const tl::expected<QList<AlarmRow>, store::StoreError>& page) {
             if (round != m_round)
                 return;
@@ -108,10 +133,30 @@ void AlarmHistory::applyRow(const AlarmRow& row)
         m_rows.setRow(at, {row, m_today});
         return;
     }
-    if (at > 0 || (m_rows.count() == 0 && !m_isAtEnd))
-        return; // already deleted, or on a page that was not read yet
+    if (at > 0 || (m_rows.count() == 0 && !m_isAtEnd) || !AlarmLog::includes(m_readFilter, row))
+        return; // already deleted, on a page that was not read yet, or filtered
     m_rows.insert(0, {{row, m_today}});
     m_rows.remove(AlarmLog::capacity, m_rows.count() - AlarmLog::capacity);
+}
+
+void AlarmHistory::exportCsv(ReportFiles* files)
+{
+    if (!files || std::exchange(m_isExporting, true))
+        return;
+    emit changed();
+    m_records.store().run(
+        this,
+        [filter = logFilter()](store::Database& database) { return store::alarmsCsv(database, filter); },
+        [this, files = QPointer(files)](const tl::expected<QByteArray, store::StoreError>& csv) {
+            m_isExporting = false;
+            emit changed();
+            if (!csv) {
+                m_records.reportError(csv.error());
+            } else if (files) {
+                files->offer({{tr("alarms"), u"csv"_s, [text = *csv] { return text; }}});
+                emit exportReady();
+            }
+        });
 }
 
 int AlarmHistory::rowFrom(qint64 id) const

@@ -4,6 +4,8 @@
 #pragma once
 
 #include "app/panel/alarms/alarm_lists.h"
+#include "app/panel/kit/log_filter_editor.h"
+#include "app/panel/kit/report_files.h"
 
 namespace campanel::panel {
 
@@ -18,6 +20,8 @@ class AlarmHistory : public QObject {
     // True until the first page has arrived.
     Q_PROPERTY(bool loading READ loading NOTIFY changed FINAL)
     Q_PROPERTY(campanel::panel::RowModelBase* rows READ rows CONSTANT FINAL)
+    Q_PROPERTY(campanel::panel::LogFilterEditor* filter READ filter CONSTANT FINAL)
+    Q_PROPERTY(bool exporting READ exporting NOTIFY changed FINAL)
 
 public:
     // The records must outlive the object.
@@ -27,6 +31,10 @@ public:
     void setWatched(bool isWatched);
     [[nodiscard]] bool loading() const { return m_isWatched && !m_isLoaded; }
     [[nodiscard]] AlarmList* rows() { return &m_rows; }
+    [[nodiscard]] LogFilterEditor* filter() { return &m_filter; }
+    [[nodiscard]] bool exporting() const { return m_isExporting; }
+    // Reads the filtered rows and offers them as CSV to `files`; exportReady() follows.
+    Q_INVOKABLE void exportCsv(campanel::panel::ReportFiles* files);
 
     void setToday(const QDate& today);
     // Adds changes that are about to be written after all earlier ones.
@@ -34,8 +42,11 @@ public:
 
 signals:
     void changed();
+    void exportReady();
 
 private:
+    void restart();
+    [[nodiscard]] store::LogFilter logFilter() const;
     void read();
     void takePage(const QList<store::AlarmRow>& page);
     void apply(const store::AlarmChanges& changes);
@@ -44,6 +55,8 @@ private:
     [[nodiscard]] int rowFrom(qint64 id) const;
 
     DatabaseService& m_records;
+    LogFilterEditor m_filter{this};
+    store::LogFilter m_readFilter; // of the rows
     QDate m_today = QDate::currentDate();
     AlarmList m_rows{this};                 // descending ids
     QList<store::AlarmChanges> m_meanwhile; // received while a page is being read, which may not contain them
@@ -51,6 +64,7 @@ private:
     bool m_isWatched = false;
     bool m_isLoaded = false;
     bool m_isReading = false;
+    bool m_isExporting = false;
     bool m_isAtEnd = false;
 };
 

@@ -15,6 +15,7 @@ struct AlarmListRow {
     Q_PROPERTY(QString title READ title)
     Q_PROPERTY(int severity READ severity)
     Q_PROPERTY(QString time READ time)
+    Q_PROPERTY(QString clockNote READ clockNote)
     Q_PROPERTY(QString stateText READ stateText)
     Q_PROPERTY(bool calls READ calls)
     Q_PROPERTY(bool live READ live)
@@ -30,6 +31,7 @@ public:
     // Returns an Alarms.Severity.
     [[nodiscard]] int severity() const { return static_cast<int>(AlarmWords::severity(alarm.code)); }
     [[nodiscard]] QString time() const { return AlarmWords::time(alarm.raisedMs, today); }
+    [[nodiscard]] QString clockNote() const { return AlarmWords::clockNote(alarm.isClockDoubtful); }
     // Returns "active, acknowledged", ...
     [[nodiscard]] QString stateText() const { return AlarmWords::state(alarm); }
     // Returns true if it needs to be acknowledged.

@@ -5,6 +5,7 @@
 #include "app/panel/kit/engine_instances.h"
 #include "app/panel/kit/language_notifier.h"
 #include "app/panel/records/database_service.h"
+#include "app/store/logs/clock_mark.h"
 
 #include <algorithm>
 #include <chrono>
@@ -82,12 +83,17 @@ Alarms* Alarms::create(QQmlEngine* qmlEngine, QJSEngine*)
 
 AlarmBook::Now Alarms::now() const
 {
-    return {m_machine.now(), m_wallClock().toMSecsSinceEpoch()};
+    const qint64 utcMs = m_wallClock().toMSecsSinceEpoch();
+    return {m_machine.now(), utcMs,
+            store::isTimeDoubtful(utcMs, m_newestMs) || (m_isClockUnset && m_isClockUnset())};
 }
 
 void Alarms::raise(const AlarmKind& kind, const QString& detail)
 {
-    m_book.raise(kind, detail, now());
+    const AlarmBook::Now raised = now();
+    if (!raised.isClockDoubtful)
+        m_newestMs = std::max(m_newestMs, raised.utcMs);
+    m_book.raise(kind, detail, raised);
     noteChange();
 }
 
@@ -104,7 +110,8 @@ void Alarms::begin(const tl::expected<AlarmLog::Start, StoreError>& start)
         return;
     }
     m_isBegun = true;
-    m_book.begin(*start);
+    m_newestMs = std::max(m_newestMs, start->newestMs);
+    m_book.begin(*start, m_isClockUnset && m_isClockUnset());
     m_book.endShelves(now().utcMs);
     noteChange();
 }

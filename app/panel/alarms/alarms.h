@@ -56,11 +56,17 @@ public:
 
     static Alarms* create(QQmlEngine* qmlEngine, QJSEngine* jsEngine);
 
-    void setWallClock(WallClock clock) { m_wallClock = std::move(clock); }
+    void setWallClock(const WallClock& clock)
+    {
+        m_wallClock = clock;
+        m_history.filter()->setWallClock(clock);
+    }
     // Sets how long changes are collected before they are published; 100 ms by default.
     void setPaceMs(int paceMs) { m_publishTimer.setInterval(paceMs); }
     // Sets the person who acknowledges and shelves; empty: unknown.
     void setPerson(const QString& person) { m_person = person; }
+    // Sets how it is found out that the clock of this computer was not set since the start; never by default.
+    void setClockUnset(std::function<bool()> isUnset) { m_isClockUnset = std::move(isUnset); }
     [[nodiscard]] AlarmWatch& watch() { return m_watch; }
 
     [[nodiscard]] AlarmList* live() { return &m_live; }
@@ -110,6 +116,8 @@ private:
     Controller& m_machine;
     DatabaseService& m_records;
     WallClock m_wallClock;
+    std::function<bool()> m_isClockUnset;
+    qint64 m_newestMs = 0; // the latest record with a clock that was set
     QString m_person;
     AlarmBook m_book;
     AlarmWatch m_watch;

@@ -36,6 +36,10 @@ Audit::Audit(DatabaseService& records, AuditTrail& trail, ReportFiles& files, QO
 {
     connect(&m_rows, &AuditRows::moreRequested, this, &Audit::read);
     connect(&trail, &AuditTrail::appended, this, &Audit::takeAppended);
+    connect(&m_editor, &LogFilterEditor::changed, this, [this] {
+        if (m_filter.log != logFilter())
+            setFilter({m_filter.who, m_filter.area, logFilter()});
+    });
     connect(LanguageNotifier::ofApplication(), &LanguageNotifier::languageChanged, this, &Audit::retranslate);
 }
 
@@ -56,6 +60,13 @@ void Audit::open()
     check();
 }
 
+store::LogFilter Audit::logFilter() const
+{
+    store::LogFilter filter = m_editor.filter();
+    filter.keysOfWord = AuditWords::keysWith(filter.word);
+    return filter;
+}
+
 void Audit::setFilter(const store::AuditFilter& filter)
 {
     m_filter = filter;
@@ -69,12 +80,12 @@ void Audit::setFilter(const store::AuditFilter& filter)
 
 void Audit::setWho(const QString& who)
 {
-    setFilter({who.isEmpty() ? std::nullopt : std::optional(who), m_filter.area});
+    setFilter({who.isEmpty() ? std::nullopt : std::optional(who), m_filter.area, m_filter.log});
 }
 
 void Audit::setArea(const QString& area)
 {
-    setFilter({m_filter.who, area});
+    setFilter({m_filter.who, area, m_filter.log});
 }
 
 void Audit::read()
@@ -115,10 +126,8 @@ void Audit::takeRows(const Rows& rows)
 
 void Audit::takeAppended(const store::AuditRow& row)
 {
-    const bool isShown = (!m_filter.who || *m_filter.who == row.entry.who) &&
-                         (m_filter.area.isEmpty() || row.entry.what.startsWith(m_filter.area + u'.'));
     const bool isNewer = m_rows.count() == 0 || m_rows.row(0).sequence() < row.sequence;
-    if (!m_isOpened || m_isReading || !isShown || !isNewer)
+    if (!m_isOpened || m_isReading || !isNewer || !store::includes(m_filter, row))
         return;
     m_rows.insert(0, {{row}});
     emit changed();
@@ -178,15 +187,14 @@ void Audit::exportCsv()
     m_records.store().run(
         this,
         [filter = m_filter](store::Database& database) {
-            return store::readAudit(database, filter, std::nullopt, maxExported);
+            return store::auditCsv(database, filter, maxExported);
         },
-        [this](const Rows& rows) {
+        [this](const tl::expected<QByteArray, store::StoreError>& csv) {
             m_isExporting = false;
-            if (rows)
-                m_files.offer(
-                    {{tr("audit trail"), u"csv"_s, [all = *rows] { return store::auditCsv(all); }}});
+            if (csv)
+                m_files.offer({{tr("audit trail"), u"csv"_s, [text = *csv] { return text; }}});
             else
-                m_records.reportError(rows.error());
+                m_records.reportError(csv.error());
             emit changed();
         });
 }
@@ -232,7 +240,10 @@ QVariantList Audit::detail() const
     const auto add = [&](const QString& label, const QString& text) {
         lines << QVariantMap{{u"label"_s, label}, {u"text"_s, text.isEmpty() ? u"--"_s : text}};
     };
-    add(tr("Row and time"), u"%1 · %2"_s.arg(m_selected->sequence).arg(AuditWords::time(entry.timeMs)));
+    QStringList rowAndTime{QString::number(m_selected->sequence), AuditWords::time(entry.timeMs)};
+    if (entry.isClockDoubtful)
+        rowAndTime << AlarmWords::clockNote(true);
+    add(tr("Row and time"), rowAndTime.join(u" · "_s));
     add(tr("User"),
         u"%1 · %2"_s.arg(AuditWords::who(entry),
                          AccessSentences::level(static_cast<Level>(std::clamp(entry.level, 0, 3)))));
@@ -249,6 +260,7 @@ QVariantList Audit::detail() const
 
 void Audit::retranslate()
 {
+    m_filter.log = logFilter(); // the same word in other texts
     m_rows.refresh();
     emit changed();
     emit detailChanged();

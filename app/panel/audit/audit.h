@@ -4,7 +4,9 @@
 #pragma once
 
 #include "app/panel/audit/audit_words.h"
+#include "app/panel/kit/log_filter_editor.h"
 #include "app/panel/kit/row_model.h"
+#include "app/panel/words/alarm_words.h"
 #include "app/store/logs/audit_log.h"
 
 #include <QDateTime>
@@ -26,6 +28,7 @@ class ReportFiles;
 struct AuditListRow {
     Q_GADGET
     Q_PROPERTY(QString time READ time)
+    Q_PROPERTY(QString clockNote READ clockNote)
     Q_PROPERTY(QString who READ who)
     Q_PROPERTY(QString what READ what)
     Q_PROPERTY(QString object READ object)
@@ -37,6 +40,7 @@ public:
 
     [[nodiscard]] qint64 sequence() const { return row.sequence; }
     [[nodiscard]] QString time() const { return AuditWords::time(row.entry.timeMs); }
+    [[nodiscard]] QString clockNote() const { return AlarmWords::clockNote(row.entry.isClockDoubtful); }
     [[nodiscard]] QString who() const { return AuditWords::who(row.entry); }
     [[nodiscard]] QString what() const { return AuditWords::what(row.entry.what); }
     [[nodiscard]] QString object() const { return AuditWords::object(row.entry); }
@@ -59,6 +63,8 @@ class Audit : public QObject {
     // The filter: a name of `names` and a key of `areas`, empty for all.
     Q_PROPERTY(QString who READ who WRITE setWho NOTIFY changed FINAL)
     Q_PROPERTY(QString area READ area WRITE setArea NOTIFY changed FINAL)
+    // The filter by time, id and word, in addition.
+    Q_PROPERTY(campanel::panel::LogFilterEditor* filter READ filter CONSTANT FINAL)
     Q_PROPERTY(QString areaText READ areaText NOTIFY changed FINAL)
     Q_PROPERTY(QVariantList names READ names NOTIFY changed FINAL) // list of {key, text}
     Q_PROPERTY(QVariantList areas READ areas NOTIFY changed FINAL)
@@ -92,6 +98,7 @@ public:
     void setWho(const QString& who);
     [[nodiscard]] QString area() const { return m_filter.area; }
     void setArea(const QString& area);
+    [[nodiscard]] LogFilterEditor* filter() { return &m_editor; }
     [[nodiscard]] QString areaText() const;
     [[nodiscard]] QVariantList names() const;
     [[nodiscard]] QVariantList areas() const;
@@ -111,6 +118,7 @@ private:
 
     void retranslate();
     void setFilter(const store::AuditFilter& filter);
+    [[nodiscard]] store::LogFilter logFilter() const;
     void read();
     void takeRows(const Rows& rows);
     void takeAppended(const store::AuditRow& row);
@@ -119,6 +127,7 @@ private:
     DatabaseService& m_records;
     ReportFiles& m_files;
     AuditRows m_rows{this};
+    LogFilterEditor m_editor{this};
     store::AuditFilter m_filter;
     QStringList m_names;
     bool m_isOpened = false;

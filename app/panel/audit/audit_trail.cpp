@@ -8,6 +8,7 @@
 #include "app/panel/records/database_service.h"
 #include "app/panel/settings/settings.h"
 #include "app/program/differences.h"
+#include "app/store/logs/clock_mark.h"
 
 #include <QLocale>
 
@@ -223,7 +224,14 @@ void AuditTrail::noteOutside(store::AuditEntry noted)
 void AuditTrail::append(const store::AuditEntry& entry)
 {
     m_records.store().run(
-        this, [entry](store::Database& database) { return store::appendAudit(database, entry); },
+        this,
+        [entry, isUnset = m_isClockUnset && m_isClockUnset()](store::Database& database) {
+            return store::newestRecordMs(database).and_then([&](qint64 newestMs) {
+                store::AuditEntry marked = entry;
+                marked.isClockDoubtful = isUnset || store::isTimeDoubtful(entry.timeMs, newestMs);
+                return store::appendAudit(database, marked);
+            });
+        },
         [this](const tl::expected<store::AuditRow, store::StoreError>& row) {
             if (row)
                 emit appended(*row);

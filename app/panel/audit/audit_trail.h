@@ -51,6 +51,8 @@ public:
     // Adds an entry that no person at the panel has caused; sets its time.
     void noteOutside(store::AuditEntry entry);
     void setWallClock(Access::WallClock clock) { m_wallClock = std::move(clock); }
+    // Sets how it is found out that the clock of this computer was not set since the start; never by default.
+    void setClockUnset(std::function<bool()> isUnset) { m_isClockUnset = std::move(isUnset); }
 
 signals:
     // Emitted when the row is on the disk.
@@ -84,6 +86,7 @@ private:
     DatabaseService& m_records;
     Watched m_watched;
     Access::WallClock m_wallClock;
+    std::function<bool()> m_isClockUnset;
     QHash<quint32, store::AuditEntry> m_commands; // pending, by id
     QList<store::AuditEntry> m_writes;            // under way, oldest first
     std::optional<Download> m_download;

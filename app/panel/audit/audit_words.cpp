@@ -87,6 +87,9 @@ constexpr std::array whatWords{
 
 constexpr std::array objectWords{
     Word{"connection", QT_TRANSLATE_NOOP("AuditWords", "connection")},
+    Word{"clock", QT_TRANSLATE_NOOP("AuditWords", "clock")},
+    Word{"time_zone", QT_TRANSLATE_NOOP("AuditWords", "time zone")},
+    Word{"time_server", QT_TRANSLATE_NOOP("AuditWords", "time server")},
     Word{"simulated_faults", QT_TRANSLATE_NOOP("AuditWords", "simulated faults")},
 };
 
@@ -172,6 +175,34 @@ QString AuditWords::object(const store::AuditEntry& entry)
     }
     const char* words = wordsFor(objectWords, entry.object);
     return words ? tr(words) : entry.object;
+}
+
+QStringList AuditWords::keysWith(const QString& word)
+{
+    QStringList keys;
+    const auto add = [&](const QString& key, const QString& words) {
+        if (!word.isEmpty() && words.contains(word, Qt::CaseInsensitive))
+            keys << key;
+    };
+    for (const Word& each : whatWords)
+        add(QString::fromLatin1(each.key), tr(each.words));
+    for (const Word& each : outcomeWords)
+        add(QString::fromLatin1(each.key), tr(each.words));
+    for (const Word& each : objectWords)
+        add(QString::fromLatin1(each.key), tr(each.words));
+    for (const SettingRow& row : settingTable) {
+        if (row.label)
+            add(shortKeyOf(row), Settings::tr(row.label));
+    }
+    for (const program::RegisterField& each : program::registerFields)
+        add(u"program."_s + QString::fromStdString(std::string(each.suffix)),
+            RecipeWords::fieldName(each.field));
+    for (const modbus::RegisterInfo& each : modbus::registers()) {
+        const QString name = QString::fromUtf8(each.name.data(), static_cast<qsizetype>(each.name.size()));
+        add(name, PackingFields::words(name));
+        add(name, CamSwitches::words(name));
+    }
+    return keys;
 }
 
 QString AuditWords::outcome(const QString& outcome)

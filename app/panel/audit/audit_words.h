@@ -22,6 +22,8 @@ public:
     [[nodiscard]] static QString object(const store::AuditEntry& entry);
     [[nodiscard]] static QString outcome(const QString& outcome);
     [[nodiscard]] static QString who(const store::AuditEntry& entry);
+    // Returns the stored keys whose text contains the word: actions, objects and results.
+    [[nodiscard]] static QStringList keysWith(const QString& word);
     // Returns "900 → 903" in one line; empty when nothing has changed.
     [[nodiscard]] static QString change(const store::AuditEntry& entry);
     [[nodiscard]] static QString time(qint64 timeMs);

@@ -48,6 +48,21 @@ QString AlarmWords::time(qint64 utcMs, const QDate& today)
     return local.date() == today ? local.toString(u"HH:mm:ss"_s) : Format::second(local);
 }
 
+QString AlarmWords::clockNote(bool isClockDoubtful)
+{
+    return isClockDoubtful ? tr("clock not set") : QString();
+}
+
+QStringList AlarmWords::codesWith(const QString& word)
+{
+    QStringList codes;
+    for (const AlarmKind& kind : AlarmCatalogue::all()) {
+        if (!word.isEmpty() && kind.title().contains(word, Qt::CaseInsensitive))
+            codes << kind.code();
+    }
+    return codes;
+}
+
 QString AlarmWords::until(qint64 utcMs, const QDate& today)
 {
     return tr("until %1").arg(time(utcMs, today));

@@ -19,6 +19,10 @@ public:
     [[nodiscard]] static QString state(const store::AlarmRow& row);
     // Returns the time, with its date on a day other than `today`.
     [[nodiscard]] static QString time(qint64 utcMs, const QDate& today);
+    // Returns the note on a record of a clock that was not set; empty for others.
+    [[nodiscard]] static QString clockNote(bool isClockDoubtful);
+    // Returns the ids of all alarms whose title contains the word.
+    [[nodiscard]] static QStringList codesWith(const QString& word);
     [[nodiscard]] static QString until(qint64 utcMs, const QDate& today);
 };
 

@@ -109,6 +109,14 @@ const std::vector<QStringList>& migrations()
                     answered_by TEXT NOT NULL,
                     answered_ms INTEGER NOT NULL))"_s,
         },
+        {
+            // The mark of rows that were written while the clock was not set, and the indices by which a span
+            // of time is found.
+            u"ALTER TABLE alarm ADD COLUMN clock_doubtful INTEGER NOT NULL DEFAULT 0"_s,
+            u"ALTER TABLE audit ADD COLUMN clock_doubtful INTEGER NOT NULL DEFAULT 0"_s,
+            u"CREATE INDEX alarm_raised ON alarm (raised_ms)"_s,
+            u"CREATE INDEX audit_time ON audit (time_ms)"_s,
+        },
     };
     return steps;
 }

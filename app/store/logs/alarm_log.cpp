@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/store/logs/alarm_log.h"
 
+#include "app/store/logs/clock_mark.h"
+
 #include <limits>
 
 using namespace Qt::StringLiterals;
@@ -27,14 +29,15 @@ Done writeRow(Database& database, const AlarmRow& row)
     const auto done = database.execute(
         u"INSERT INTO alarm (id, code, raised_ms, ending, returned_ms, wants_acknowledgement, "
         u"acknowledged_ms, "
-        "acknowledged_by, count, shelved, detail) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?) "
+        "acknowledged_by, count, shelved, detail, clock_doubtful) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, "
+        "?) "
         "ON CONFLICT (id) DO UPDATE SET ending = excluded.ending, returned_ms = excluded.returned_ms, "
         "wants_acknowledgement = excluded.wants_acknowledgement, acknowledged_ms = excluded.acknowledged_ms, "
         "acknowledged_by = excluded.acknowledged_by, count = excluded.count, shelved = excluded.shelved, "
         "detail = excluded.detail"_s,
         {row.id, row.code, row.raisedMs, static_cast<int>(row.end), timeOrNull(row.returnedMs),
          row.wantsAcknowledgement, timeOrNull(row.acknowledgedMs), text(row.acknowledgedBy), row.count,
-         row.isShelved, text(row.detail.left(AlarmLog::detailLength))});
+         row.isShelved, text(row.detail.left(AlarmLog::detailLength)), row.isClockDoubtful});
     return done ? Done() : tl::unexpected(done.error());
 }
 
@@ -81,6 +84,7 @@ AlarmRow alarmRowOf(const QSqlQuery& query)
     row.count = query.value(8).toInt();
     row.isShelved = query.value(9).toBool();
     row.detail = query.value(10).toString();
+    row.isClockDoubtful = query.value(11).toBool();
     return row;
 }
 
@@ -100,6 +104,10 @@ tl::expected<AlarmLog::Start, StoreError> AlarmLog::begin(Database& database)
     if (last->next())
         start.lastId = last->value(0).toLongLong();
     last->finish();
+    const auto newest = newestRecordMs(database);
+    if (!newest)
+        return tl::unexpected(newest.error());
+    start.newestMs = *newest;
     auto shelved = database.execute(u"SELECT code, since_ms, until_ms, shelved_by FROM alarm_shelf"_s);
     if (!shelved)
         return tl::unexpected(shelved.error());
@@ -128,18 +136,36 @@ tl::expected<void, StoreError> AlarmLog::write(Database& database, const AlarmCh
     });
 }
 
-tl::expected<QList<AlarmRow>, StoreError> AlarmLog::page(Database& database, qint64 beforeId, int rows)
+tl::expected<QList<AlarmRow>, StoreError> AlarmLog::page(Database& database, qint64 beforeId, int rows,
+                                                         const LogFilter& filter)
 {
+    const auto range = rangeOf(database, filter, u"alarm"_s, u"id"_s, u"raised_ms"_s);
+    if (!range)
+        return tl::unexpected(range.error());
+    const QString id = text(bareId(filter.id));
+    const QString word = likePattern(filter.word);
+    // The sign + keeps the order of the ids: the range was found by the index of times already.
     auto found = database.execute(
         u"SELECT id, code, raised_ms, ending, returned_ms, wants_acknowledgement, acknowledged_ms, "
-        "acknowledged_by, count, shelved, detail FROM alarm WHERE id < ? ORDER BY id DESC LIMIT ?"_s,
-        {beforeId > 0 ? beforeId : std::numeric_limits<qint64>::max(), rows});
+        "acknowledged_by, count, shelved, detail, clock_doubtful FROM alarm "
+        "WHERE id < ? AND id BETWEEN ? AND ? AND +raised_ms >= ? AND +raised_ms < ? "
+        "AND (? = '' OR instr(replace(code, '-', ''), ?) > 0) "
+        "AND (? = '' OR code IN (SELECT value FROM json_each(?)) OR detail LIKE ? ESCAPE '\\' "
+        "OR acknowledged_by LIKE ? ESCAPE '\\') ORDER BY id DESC LIMIT ?"_s,
+        {beforeId > 0 ? beforeId : std::numeric_limits<qint64>::max(), range->firstId, range->lastId,
+         filter.fromMs, spanEndMs(filter), id, id, word, keysJson(filter), word, word, rows});
     if (!found)
         return tl::unexpected(found.error());
     QList<AlarmRow> page;
     while (found->next())
         page.append(alarmRowOf(*found));
     return page;
+}
+
+bool AlarmLog::includes(const LogFilter& filter, const AlarmRow& row)
+{
+    return filter.includesTime(row.raisedMs) && bareId(row.code).contains(bareId(filter.id)) &&
+           filter.includesWord({row.code}, {row.detail, row.acknowledgedBy});
 }
 
 } // namespace campanel::store

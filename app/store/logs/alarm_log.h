@@ -3,7 +3,7 @@
 // alarms. Times are milliseconds since 1970 UTC. Call it in the thread that owns the database.
 #pragma once
 
-#include "app/store/database/database.h"
+#include "app/store/logs/log_filter.h"
 
 #include <QList>
 #include <QString>
@@ -23,9 +23,10 @@ struct AlarmRow {
     bool wantsAcknowledgement = true;
     qint64 acknowledgedMs = 0; // 0: not acknowledged
     QString acknowledgedBy;
-    int count = 1;          // how many times it came
-    bool isShelved = false; // at present or earlier
-    QString detail;         // limited to detailLength
+    int count = 1;                // how many times it came
+    bool isShelved = false;       // at present or earlier
+    QString detail;               // limited to detailLength
+    bool isClockDoubtful = false; // raised while the clock was not set
 
     bool operator==(const AlarmRow&) const = default;
 };
@@ -62,7 +63,8 @@ public:
     static constexpr int detailLength = 300;
 
     struct Start {
-        qint64 lastId = 0; // 0: none
+        qint64 lastId = 0;   // 0: none
+        qint64 newestMs = 0; // see newestRecordMs()
         QList<AlarmShelf> shelves;
     };
 
@@ -71,9 +73,11 @@ public:
     // Writes all changes or none, then deletes the oldest rows beyond the capacity.
     [[nodiscard]] static tl::expected<void, StoreError> write(Database& database,
                                                               const AlarmChanges& changes);
-    // Returns the rows before `beforeId`, newest first; 0: the newest ones.
-    [[nodiscard]] static tl::expected<QList<AlarmRow>, StoreError> page(Database& database, qint64 beforeId,
-                                                                        int rows = pageRows);
+    // Returns the rows of the filter before `beforeId`, newest first; 0: the newest ones.
+    [[nodiscard]] static tl::expected<QList<AlarmRow>, StoreError>
+    page(Database& database, qint64 beforeId, int rows = pageRows, const LogFilter& filter = {});
+    // Returns true for the rows that page() returns.
+    [[nodiscard]] static bool includes(const LogFilter& filter, const AlarmRow& row);
 };
 
 } // namespace campanel::store

@@ -16,9 +16,8 @@ namespace campanel::store {
 
 namespace {
 
-constexpr auto columns =
-    "SELECT sequence, time_ms, who, level, what, object, before, after, read_back, outcome, previous, hash "
-    "FROM audit "_L1;
+// The first version of the schema that marks rows of a clock that was not set.
+constexpr int markedSince = 6;
 constexpr qint64 newestOfAll = std::numeric_limits<qint64>::max();
 
 // A link of the chain: a row, and its hash.
@@ -47,12 +46,25 @@ QString stored(const QString& text)
     return text.isNull() ? u""_s : text;
 }
 
+// Returns the columns; a file that was opened read-only may have an older schema.
+tl::expected<QString, StoreError> columns(Database& database)
+{
+    auto version = database.execute(u"PRAGMA user_version"_s);
+    if (!version)
+        return tl::unexpected(version.error());
+    const bool isMarked = version->next() && version->value(0).toInt() >= markedSince;
+    return u"SELECT sequence, time_ms, who, level, what, object, before, after, read_back, outcome, "
+           u"previous, "
+           "hash, %1 FROM audit "_s.arg(isMarked ? u"clock_doubtful"_s : u"0"_s);
+}
+
 AuditRow auditRowOf(const QSqlQuery& row)
 {
     return {row.value(0).toLongLong(),
             {row.value(1).toLongLong(), row.value(2).toString(), row.value(3).toInt(),
              row.value(4).toString(), row.value(5).toString(), row.value(6).toString(),
-             row.value(7).toString(), row.value(8).toString(), row.value(9).toString()},
+             row.value(7).toString(), row.value(8).toString(), row.value(9).toString(),
+             row.value(12).toBool()},
             row.value(10).toByteArray(),
             row.value(11).toByteArray()};
 }
@@ -113,12 +125,13 @@ tl::expected<AuditRow, StoreError> add(Database& database, const Link& last, con
 {
     AuditRow row{last.sequence + 1, entry, last.hash, {}};
     row.hash = auditHash(row.sequence, row.entry, row.previous);
-    const auto added =
-        database.execute(u"INSERT INTO audit (sequence, time_ms, who, level, what, object, before, after, "
-                         "read_back, outcome, previous, hash) VALUES (?,?,?,?,?,?,?,?,?,?,?,?)"_s,
-                         {row.sequence, entry.timeMs, stored(entry.who), entry.level, stored(entry.what),
-                          stored(entry.object), stored(entry.before), stored(entry.after),
-                          stored(entry.readBack), stored(entry.outcome), row.previous, row.hash});
+    const auto added = database.execute(
+        u"INSERT INTO audit (sequence, time_ms, who, level, what, object, before, after, "
+        "read_back, outcome, previous, hash, clock_doubtful) "
+        "VALUES (?,?,?,?,?,?,?,?,?,?,?,?,?)"_s,
+        {row.sequence, entry.timeMs, stored(entry.who), entry.level, stored(entry.what), stored(entry.object),
+         stored(entry.before), stored(entry.after), stored(entry.readBack), stored(entry.outcome),
+         row.previous, row.hash, entry.isClockDoubtful});
     if (!added)
         return tl::unexpected(added.error());
     return row;
@@ -128,6 +141,7 @@ AuditEntry ownEntry(const AuditEntry& like, const QString& what)
 {
     AuditEntry entry;
     entry.timeMs = like.timeMs;
+    entry.isClockDoubtful = like.isClockDoubtful;
     entry.what = what;
     entry.outcome = u"done"_s;
     return entry;
@@ -154,6 +168,14 @@ tl::expected<Link, StoreError> noteLoss(Database& database, const Link& last, co
         loss.before = QString::fromLatin1(known->hash.toHex());
     }
     return add(database, last, loss).map([](const AuditRow& row) { return Link{row.sequence, row.hash}; });
+}
+
+// Returns the row whose number the id is; 0: the id is no number of a row.
+qint64 sequenceOf(const LogFilter& filter)
+{
+    const QString id = filter.id.trimmed();
+    const qint64 sequence = id.toLongLong();
+    return QString::number(sequence) == id ? sequence : 0;
 }
 
 // Makes space for new rows.
@@ -192,6 +214,8 @@ QByteArray auditHash(qint64 sequence, const AuditEntry& entry, const QByteArray&
     for (const QString& text :
          {entry.who, entry.what, entry.object, entry.before, entry.after, entry.readBack, entry.outcome})
         addText(bytes, text);
+    if (entry.isClockDoubtful)
+        addNumber(bytes, 1);
     bytes.append(previous);
     return QCryptographicHash::hash(bytes, QCryptographicHash::Sha256);
 }
@@ -224,11 +248,49 @@ tl::expected<AuditRow, StoreError> appendAudit(Database& database, const AuditEn
 tl::expected<QList<AuditRow>, StoreError> readAudit(Database& database, const AuditFilter& filter,
                                                     std::optional<qint64> before, int maxRows)
 {
-    const QString name = stored(filter.who.value_or(QString()));
+    const LogFilter& log = filter.log;
+    const auto range = rangeOf(database, log, u"audit"_s, u"sequence"_s, u"time_ms"_s);
+    const auto select = columns(database);
+    if (!range || !select)
+        return tl::unexpected(range ? select.error() : range.error());
+    const QString id = likePattern(log.id.trimmed());
+    const QString word = likePattern(log.word);
+    const QString keys = keysJson(log);
+    // The sign + keeps the order of the rows: the range was found by the index of times already.
     auto found = database.execute(
-        columns +
-            u"WHERE sequence < ? AND (? OR who = ?) AND (? OR what GLOB ?) ORDER BY sequence DESC LIMIT ?"_s,
-        {before.value_or(newestOfAll), !filter.who, name, filter.area.isEmpty(), filter.area + u".*"_s,
+        *select +
+            u"WHERE sequence < ? AND sequence BETWEEN ? AND ? AND +time_ms >= ? AND +time_ms < ? "
+            "AND (? OR who = ?) AND (? = '' OR what GLOB ? || '.*') "
+            "AND (? = '' OR sequence = ? OR object LIKE ? ESCAPE '\\' OR what LIKE ? ESCAPE '\\') "
+            "AND (? = '' OR who LIKE ? ESCAPE '\\' OR object LIKE ? ESCAPE '\\' "
+            "OR before LIKE ? ESCAPE '\\' OR after LIKE ? ESCAPE '\\' OR read_back LIKE ? ESCAPE '\\' "
+            "OR outcome LIKE ? ESCAPE '\\' OR what IN (SELECT value FROM json_each(?)) "
+            "OR object IN (SELECT value FROM json_each(?)) "
+            "OR substr(outcome, 1, instr(outcome || ' ', ' ') - 1) IN (SELECT value FROM json_each(?))) "
+            "ORDER BY sequence DESC LIMIT ?"_s,
+        {before.value_or(newestOfAll),
+         range->firstId,
+         range->lastId,
+         log.fromMs,
+         spanEndMs(log),
+         !filter.who,
+         stored(filter.who.value_or(QString())),
+         stored(filter.area),
+         stored(filter.area),
+         id,
+         sequenceOf(log),
+         id,
+         id,
+         word,
+         word,
+         word,
+         word,
+         word,
+         word,
+         word,
+         keys,
+         keys,
+         keys,
          maxRows});
     if (!found)
         return tl::unexpected(found.error());
@@ -236,6 +298,20 @@ tl::expected<QList<AuditRow>, StoreError> readAudit(Database& database, const Au
     while (found->next())
         rows << auditRowOf(*found);
     return rows;
+}
+
+bool includes(const AuditFilter& filter, const AuditRow& row)
+{
+    const AuditEntry& entry = row.entry;
+    const QString id = filter.log.id.trimmed();
+    return (!filter.who || *filter.who == entry.who) &&
+           (filter.area.isEmpty() || entry.what.startsWith(filter.area + u'.')) &&
+           filter.log.includesTime(entry.timeMs) &&
+           (id.isEmpty() || sequenceOf(filter.log) == row.sequence || containsPart(entry.object, id) ||
+            containsPart(entry.what, id)) &&
+           filter.log.includesWord(
+               {entry.what, entry.object, entry.outcome.section(u' ', 0, 0)},
+               {entry.who, entry.object, entry.before, entry.after, entry.readBack, entry.outcome});
 }
 
 tl::expected<QStringList, StoreError> auditNames(Database& database)
@@ -289,8 +365,11 @@ tl::expected<void, StoreError> ChainCheck::advance(Database& database, int rows)
         if (const auto begun = begin(database); !begun)
             return begun;
     }
+    const auto select = columns(database);
+    if (!select)
+        return tl::unexpected(select.error());
     // The first part starts with the oldest row, even before the expected start of the chain.
-    auto found = database.execute(columns + u"WHERE sequence >= ? ORDER BY sequence LIMIT ?"_s,
+    auto found = database.execute(*select + u"WHERE sequence >= ? ORDER BY sequence LIMIT ?"_s,
                                   {m_rows == 0 ? std::numeric_limits<qint64>::min() : m_next, rows});
     if (!found)
         return tl::unexpected(found.error());

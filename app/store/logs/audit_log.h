@@ -6,7 +6,7 @@
 // elsewhere, protects against that.
 #pragma once
 
-#include "app/store/database/database.h"
+#include "app/store/logs/log_filter.h"
 
 #include <QByteArray>
 #include <QList>
@@ -23,8 +23,9 @@ struct AuditEntry {
     QString object;    // the changed register, setting or user
     QString before;    // empty: unknown, or none
     QString after;
-    QString readBack; // value in the controller afterwards; empty: not read
-    QString outcome;  // "done", or a stable key of the failure
+    QString readBack;             // value in the controller afterwards; empty: not read
+    QString outcome;              // "done", or a stable key of the failure
+    bool isClockDoubtful = false; // written while the clock was not set
 
     bool operator==(const AuditEntry&) const = default;
 };
@@ -39,7 +40,8 @@ struct AuditRow {
 };
 
 // Returns the SHA-256 of the entry and the previous hash. Sequence, time and level are eight bytes each,
-// big-endian. The texts follow in their order, as four bytes of length and UTF-8, then the previous hash.
+// big-endian. The texts follow in their order, as four bytes of length and UTF-8, then the number 1 when the
+// clock was not set, then the previous hash.
 [[nodiscard]] QByteArray auditHash(qint64 sequence, const AuditEntry& entry, const QByteArray& previous);
 
 // The limits of the trail. At `maxRows` rows the oldest `dropped` are deleted. The new start of the chain is
@@ -58,12 +60,15 @@ struct AuditBounds {
 struct AuditFilter {
     std::optional<QString> who;
     QString area; // first part of `what`, "parameter"; empty: all
+    LogFilter log{};
 
     bool operator==(const AuditFilter&) const = default;
 };
 // Returns rows, newest first, starting before `before`.
 [[nodiscard]] tl::expected<QList<AuditRow>, StoreError>
 readAudit(Database& database, const AuditFilter& filter, std::optional<qint64> before, int maxRows);
+// Returns true for the rows that readAudit() returns.
+[[nodiscard]] bool includes(const AuditFilter& filter, const AuditRow& row);
 // Returns all names in the trail, sorted.
 [[nodiscard]] tl::expected<QStringList, StoreError> auditNames(Database& database);
 

@@ -11,6 +11,11 @@ namespace campanel::store {
 [[nodiscard]] QByteArray auditCsv(const QList<AuditRow>& rows);
 [[nodiscard]] QByteArray alarmsCsv(const QList<AlarmRow>& rows);
 
+// Returns the newest `maxRows` rows of the filter as text, read by pages.
+[[nodiscard]] tl::expected<QByteArray, StoreError> auditCsv(Database& database, const AuditFilter& filter,
+                                                            qint64 maxRows);
+[[nodiscard]] tl::expected<QByteArray, StoreError> alarmsCsv(Database& database, const LogFilter& filter);
+
 // Returns the rows from `sinceMs` (since 1970 UTC) on, newest first.
 [[nodiscard]] tl::expected<QList<AuditRow>, StoreError> auditSince(Database& database, qint64 sinceMs);
 [[nodiscard]] tl::expected<QList<AlarmRow>, StoreError> alarmsSince(Database& database, qint64 sinceMs);

@@ -35,6 +35,53 @@ class TestAlarms : public QObject {
     Q_OBJECT
 
 private slots:
+    void filteredHistoryTakesOnlyWhatMatches()
+    {
+        AlarmRig rig;
+        rig.open();
+        rig.panel.connectIdle();
+        panel::AlarmHistory& history = *rig.alarms->history();
+        history.filter()->setId(QStringLiteral("C-07"));
+        history.setWatched(true);
+        QTRY_VERIFY(!history.loading());
+        rig.setFaults(jam);
+        QTRY_COMPARE(rig.logged().size(), 1);
+        QCOMPARE(history.rows()->count(), 0);
+        rig.setFaults(jam | tooFast);
+        QTRY_COMPARE(history.rows()->count(), 1);
+        QCOMPARE(history.rows()->row(0).code(), QStringLiteral("C-07"));
+        history.filter()->clear();
+        QTRY_COMPARE(history.rows()->count(), 2);
+        history.filter()->setWord(panel::AlarmWords::title(QStringLiteral("C-01")).left(9).toUpper());
+        QTRY_COMPARE(history.rows()->count(), 1);
+        QTRY_COMPARE(history.rows()->row(0).code(), QStringLiteral("C-01"));
+    }
+
+    void clockThatWasSetBackOrNotSetIsMarked()
+    {
+        AlarmRig rig;
+        rig.open();
+        rig.panel.connectIdle();
+        rig.setFaults(jam);
+        QTRY_COMPARE(rig.logged().size(), 1);
+        QVERIFY(!rig.logged()[0].isClockDoubtful);
+        rig.day = rig.day.addSecs(-3600);
+        rig.setFaults(jam | tooFast);
+        QTRY_COMPARE(rig.logged().size(), 2);
+        QVERIFY(rig.logged()[0].isClockDoubtful);
+        QCOMPARE(rig.live().size(), 2);
+        for (const panel::AlarmListRow& row : rig.alarms->live()->rows())
+            QCOMPARE(row.clockNote().isEmpty(), row.code() == QLatin1String("C-01"));
+        rig.day = rig.day.addSecs(7200);
+        rig.setWarnings(flash);
+        QTRY_COMPARE(rig.logged().size(), 3);
+        QVERIFY(!rig.logged()[0].isClockDoubtful);
+        rig.alarms->setClockUnset([] { return true; });
+        rig.setWarnings(flash | marksLost);
+        QTRY_COMPARE(rig.logged().size(), 4);
+        QVERIFY(rig.logged()[0].isClockDoubtful);
+    }
+
     void comesIsAcknowledgedAndGoes()
     {
         AlarmRig rig;

@@ -31,6 +31,26 @@ class TestAudit : public QObject {
     Q_OBJECT
 
 private slots:
+    void clockThatWasSetBackOrNotSetIsMarked()
+    {
+        AccessRig rig;
+        AuditEntry noted;
+        noted.what = u"command.other"_s;
+        noted.outcome = u"done"_s;
+        rig.trail.open();
+        rig.trail.note(noted);
+        QVERIFY(!rig.entries().last().isClockDoubtful);
+        rig.wallMs -= 3'600'000;
+        rig.trail.note(noted);
+        QVERIFY(rig.entries().last().isClockDoubtful);
+        rig.wallMs += 7'200'000;
+        rig.trail.note(noted);
+        QVERIFY(!rig.entries().last().isClockDoubtful);
+        rig.trail.setClockUnset([] { return true; });
+        rig.trail.note(noted);
+        QVERIFY(rig.entries().last().isClockDoubtful);
+    }
+
     void commandsAreWrittenWithTheirOutcome()
     {
         AccessRig rig;
