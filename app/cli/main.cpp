@@ -2,7 +2,7 @@
 // campanelctl: finds the command, runs it, and converts its outcome to an exit code and one line on stderr.
 #include "app/cli/commands.h"
 #include "app/cli/invocation.h"
-#include "app/cli/simulate_options.h"
+#include "app/cli/simulate/simulate_options.h"
 #include "app/store/files/files.h"
 
 #include <QGuiApplication>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Explains why a simulated run ended before its last bag, and what to do.
 #include "app/cli/report.h"
-#include "app/cli/simulate_figures.h"
+#include "app/cli/simulate/simulate_figures.h"
 #include "modbus/map/protocol.h"
 
 #include <QStringList>

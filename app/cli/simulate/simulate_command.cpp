@@ -5,9 +5,9 @@
 #include "app/cli/invocation.h"
 #include "app/cli/recipe_options.h"
 #include "app/cli/report.h"
-#include "app/cli/simulate_figures.h"
-#include "app/cli/simulate_options.h"
-#include "app/cli/simulate_table.h"
+#include "app/cli/simulate/simulate_figures.h"
+#include "app/cli/simulate/simulate_options.h"
+#include "app/cli/simulate/simulate_table.h"
 #include "app/store/files/files.h"
 
 #include <cstdio>

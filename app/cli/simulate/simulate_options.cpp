@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The table of disturbances.
-#include "app/cli/simulate_options.h"
+#include "app/cli/simulate/simulate_options.h"
 
 #include "app/cli/invocation.h"
 #include "app/cli/report.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The figures and rows of a simulated run.
-#include "app/cli/simulate_figures.h"
+#include "app/cli/simulate/simulate_figures.h"
 
 #include "app/cli/report.h"
 #include "modbus/map/protocol.h"

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/cli/simulate_table.h"
+#include "app/cli/simulate/simulate_table.h"
 
 #include "app/cli/invocation.h"
 #include "app/cli/report.h"
-#include "app/cli/simulate_figures.h"
-#include "app/cli/simulate_options.h"
+#include "app/cli/simulate/simulate_figures.h"
+#include "app/cli/simulate/simulate_options.h"
 #include "profile/cutter/limits.h"
 #include "profile/cutter/paper_lengths.h"
 
