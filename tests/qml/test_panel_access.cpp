@@ -189,6 +189,7 @@ private slots:
         enter("audit-filtered");
         QCOMPARE(textOf("filterSummary"), u"Only: 2026-01-15 00:00 to 2026-01-16 00:00 · “mark”"_s);
         QCOMPARE(m_window->panel().audit().rows()->count(), 1);
+        QTRY_VERIFY(m_window->find(QStringLiteral("auditExport"))->isEnabled());
         tap("filterClear");
         QTRY_COMPARE(m_window->panel().audit().rows()->count(), 2); // the parameters
         QVERIFY(!isOn("filterSummary"));
