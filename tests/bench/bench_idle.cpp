@@ -24,9 +24,9 @@ namespace {
 
 using namespace Qt::StringLiterals;
 
-constexpr int settleMs = 2000;
+constexpr int idleSettleMs = 2000;
 constexpr int measureMs = 5000;
-constexpr int patienceMs = 20'000;
+constexpr int idlePatienceMs = 20'000;
 
 void passTime(int ms)
 {
@@ -40,7 +40,7 @@ void awaitTrue(const std::function<bool()>& condition, const char* problem)
     QElapsedTimer timer;
     timer.start();
     while (!condition()) {
-        if (timer.elapsed() > patienceMs)
+        if (timer.elapsed() > idlePatienceMs)
             throw std::runtime_error(problem);
         passTime(20);
     }
@@ -92,7 +92,7 @@ public:
         m_touch.tap(u"downloadStart"_s);
         awaitTrue([&] { return download.state() == panel::ProgramDownload::State::Applied; },
                   "the program was not downloaded");
-        passTime(settleMs);
+        passTime(idleSettleMs);
         m_touch.touch(u"startKey"_s);
         passTime(600);
         m_touch.lift();
@@ -105,7 +105,7 @@ public:
         for (const char* page :
              {"run", "motion", "recipes", "trends", "stops", "alarms", "maintenance", "settings"}) {
             m_touch.frame()->setProperty("page", QString::fromLatin1(page));
-            passTime(settleMs);
+            passTime(idleSettleMs);
             const double before = processorMs();
             QElapsedTimer timer;
             timer.start();
