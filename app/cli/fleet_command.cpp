@@ -16,7 +16,6 @@
 #include <QJsonArray>
 #include <QJsonObject>
 #include <QSysInfo>
-#include <QTimeZone>
 #include <QTimer>
 #include <QUrl>
 #include <QUuid>
@@ -151,7 +150,7 @@ QJsonObject rowOf(const FleetMachine& machine, const QList<std::uint32_t>& table
     const auto known = [&machine](Metric metric) {
         return machine.isOnline ? jsonOf(machine.value(metric)) : QJsonValue();
     };
-    const QDateTime since = QDateTime::fromMSecsSinceEpoch(machine.crcSinceMs, QTimeZone::utc());
+    const QDateTime since = QDateTime::fromMSecsSinceEpoch(machine.crcSinceMs).toUTC();
     QJsonObject row{{u"machine"_s, machine.node},
                     {u"online"_s, machine.isOnline},
                     {u"recipe"_s, known(Metric::RecipeName)},

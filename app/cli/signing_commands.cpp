@@ -14,7 +14,6 @@
 #include <QFileInfo>
 #include <QJsonDocument>
 #include <QJsonObject>
-#include <QTimeZone>
 
 using namespace Qt::StringLiterals;
 
@@ -89,7 +88,7 @@ Outcome verifyFile(const Invocation& call)
     if (!valid)
         return tl::unexpected(valid.error());
     const auto image = program::buildProgram(valid->recipe);
-    const QDateTime time = QDateTime::fromMSecsSinceEpoch(valid->signature.signedMs, QTimeZone::utc());
+    const QDateTime time = QDateTime::fromMSecsSinceEpoch(valid->signature.signedMs).toUTC();
     return call.deliver(QJsonDocument(QJsonObject{{u"name"_s, QString::fromStdString(valid->recipe.name)},
                                                   {u"version"_s, valid->recipe.version},
                                                   {u"signed_by"_s, valid->signature.signer},

@@ -8,7 +8,6 @@
 #include "app/panel/settings/settings.h"
 
 #include <QDateTime>
-#include <QTimeZone>
 
 #include <utility>
 
@@ -170,7 +169,7 @@ void Stops::noteReplaced(const StopRow& before, const StopRow& answer)
         return;
     store::AuditEntry entry;
     entry.what = u"stop.reason"_s;
-    entry.object = QDateTime::fromMSecsSinceEpoch(before.answeredMs, QTimeZone::utc()).toString(Qt::ISODate);
+    entry.object = QDateTime::fromMSecsSinceEpoch(before.answeredMs).toUTC().toString(Qt::ISODate);
     entry.before = before.reason;
     entry.after = answer.reason;
     entry.outcome = u"done"_s;

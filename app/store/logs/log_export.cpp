@@ -4,7 +4,6 @@
 #include "app/store/files/csv.h"
 
 #include <QDateTime>
-#include <QTimeZone>
 
 #include <algorithm>
 #include <optional>
@@ -17,8 +16,7 @@ namespace {
 
 QString time(qint64 utcMs)
 {
-    return utcMs == 0 ? QString()
-                      : QDateTime::fromMSecsSinceEpoch(utcMs, QTimeZone::utc()).toString(Qt::ISODateWithMs);
+    return utcMs == 0 ? QString() : csvUtc(utcMs);
 }
 
 QByteArray line(QStringList fields)

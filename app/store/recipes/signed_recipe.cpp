@@ -7,7 +7,6 @@
 
 #include <QDateTime>
 #include <QJsonDocument>
-#include <QTimeZone>
 
 using namespace Qt::StringLiterals;
 
@@ -83,7 +82,7 @@ QByteArray signRecipe(const program::Recipe& recipe, qint64 signedMs, std::uint3
                       const SigningKey& key)
 {
     const Envelope envelope{QString::fromUtf8(toJson(recipe)), key.name,
-                            QDateTime::fromMSecsSinceEpoch(signedMs, QTimeZone::utc()).toString(Qt::ISODate),
+                            QDateTime::fromMSecsSinceEpoch(signedMs).toUTC().toString(Qt::ISODate),
                             u"%1"_s.arg(tableCrc, 8, 16, QLatin1Char('0')).toUpper()};
     const QByteArray signature = signatureOf(envelope.text(), key).toBase64();
     return QJsonDocument(QJsonObject{{u"format"_s, signedFormat},
@@ -106,8 +105,7 @@ tl::expected<SignedRecipe, FileError> verifyRecipe(const QByteArray& json, const
     QJsonParseError parseError;
     const QJsonObject root = QJsonDocument::fromJson(json, &parseError).object();
     if (parseError.error != QJsonParseError::NoError)
-        return refuse(
-            {FileError::Kind::NotJson, {}, {}, parseError.errorString(), {}, parseError.offset});
+        return refuse({FileError::Kind::NotJson, {}, {}, parseError.errorString(), {}, parseError.offset});
     if (const auto key = repeatedKey(json))
         return refuse({FileError::Kind::RepeatedKey, {}, *key, {}, {}, 0});
     std::optional<FileError> failure;

@@ -201,6 +201,7 @@ private slots:
         }
         QCOMPARE(included, rows);
         QCOMPARE(auditCsv(*database, wanted, 100)->count('\n'), 1 + rows.size());
+        QCOMPARE(auditCsv(*database, wanted, 100)->count("Z,"), rows.size()); // UTC as in the other files
         QCOMPARE(auditCsv(*database, wanted, 2)->count('\n'), 1 + std::min<qsizetype>(2, rows.size()));
     }
 

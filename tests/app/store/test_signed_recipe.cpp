@@ -80,6 +80,7 @@ private slots:
         const SigningKey key = keyOf(u"Anna Plant"_s);
         const QByteArray json = signRecipe(testRecipe(), signedMs, crc, key);
         QVERIFY(isSignedRecipe(json));
+        QVERIFY(QJsonDocument::fromJson(json).object().value(u"signed_utc"_s).toString().endsWith(u'Z'));
         const auto read = verifyRecipe(json, u"offer.json"_s, {publicOf(key)});
         QVERIFY(read.has_value());
         QCOMPARE(toJson(read->recipe), toJson(testRecipe()));
