@@ -46,67 +46,76 @@ SettingsSection {
         id: facts
         readonly property var lines: networks
     }
-    Column {
-        y: section.bodyTop
-        width: parent.width
-        spacing: Theme.size.spacing
-        Caption {
-            visible: Display.adjustable
-            text: qsTr("Brightness")
-        }
-        Segmented {
-            visible: Display.adjustable
-            objectName: "brightnessChoice"
-            width: parent.width
-            choices: section.brightnesses.map(percent => ({ key: percent, text: qsTr("%1 %").arg(percent), name: "brightness" + percent }))
-            current: Display.brightness
-            onChosen: key => Display.brightness = key
-        }
-        Caption {
-            wrapMode: Text.Wrap
-            fontSizeMode: Text.FixedSize
-            text: qsTr("Screen off after minutes without touch, at standstill")
-        }
-        Row {
-            id: darkRow
-            width: parent.width
-            spacing: Theme.size.gap
+    Flickable {
+        id: scroll
+        anchors { fill: parent; topMargin: section.bodyTop }
+        contentHeight: column.height
+        clip: true
+        boundsBehavior: Flickable.StopAtBounds
+
+        Column {
+            id: column
+            width: scroll.width - 2 * Theme.size.accent
+            spacing: Theme.size.spacing
+            Caption {
+                visible: Display.adjustable
+                text: qsTr("Brightness")
+            }
             Segmented {
-                objectName: "darkChoice"
-                width: darkRow.width - wipeKey.width - darkRow.spacing
-                choices: section.waits.map(minutes => ({ key: minutes, text: minutes === 0 ? qsTr("Never") : String(minutes), name: "dark" + minutes }))
-                current: Display.darkAfterMinutes
-                onChosen: key => Display.darkAfterMinutes = key
+                visible: Display.adjustable
+                objectName: "brightnessChoice"
+                width: parent.width
+                choices: section.brightnesses.map(percent => ({ key: percent, text: qsTr("%1 %").arg(percent), name: "brightness" + percent }))
+                current: Display.brightness
+                onChosen: key => Display.brightness = key
             }
-            Button {
-                id: wipeKey
-                objectName: "wipeScreen"
-                text: qsTr("Clean")
-                onClicked: Display.wipe()
+            Caption {
+                wrapMode: Text.Wrap
+                fontSizeMode: Text.FixedSize
+                text: qsTr("Screen off after minutes without touch, at standstill")
             }
-        }
-        Item { width: 1; height: Theme.size.spacing }
-        SettingRow {
-            objectName: "setClock"
-            width: parent.width
-            label: qsTr("Clock")
-            value: qsTr("%1, %2").arg(facts.clockText).arg(facts.zoneText)
-            onClicked: {
-                if (Access.ask(Access.Service))
-                    section.page.sheetRequested(clockSheet)
+            Row {
+                id: darkRow
+                width: parent.width
+                spacing: Theme.size.gap
+                Segmented {
+                    objectName: "darkChoice"
+                    width: darkRow.width - wipeKey.width - darkRow.spacing
+                    choices: section.waits.map(minutes => ({ key: minutes, text: minutes === 0 ? qsTr("Never") : String(minutes), name: "dark" + minutes }))
+                    current: Display.darkAfterMinutes
+                    onChosen: key => Display.darkAfterMinutes = key
+                }
+                Button {
+                    id: wipeKey
+                    objectName: "wipeScreen"
+                    text: qsTr("Clean")
+                    onClicked: Display.wipe()
+                }
             }
-        }
-        Fact {
-            label: qsTr("Network")
-            text: facts.lines.length > 0 ? facts.lines.join("\n") : qsTr("not connected")
-        }
-        Caption {
-            wrapMode: Text.Wrap
-            fontSizeMode: Text.FixedSize
-            text: Display.adjustable ? qsTr("Set the network in the operating system.")
-                : qsTr("Set the network in the operating system. The brightness of this screen cannot be set here.")
+            Item { width: 1; height: Theme.size.spacing }
+            SettingRow {
+                objectName: "setClock"
+                width: parent.width
+                label: qsTr("Clock")
+                value: qsTr("%1, %2").arg(facts.clockText).arg(facts.zoneText)
+                onClicked: {
+                    if (Access.ask(Access.Service))
+                        section.page.sheetRequested(clockSheet)
+                }
+            }
+            Fact {
+                label: qsTr("Network")
+                text: facts.lines.length > 0 ? facts.lines.join("\n") : qsTr("not connected")
+            }
+            Caption {
+                wrapMode: Text.Wrap
+                fontSizeMode: Text.FixedSize
+                text: Display.adjustable ? qsTr("Set the network in the operating system.")
+                    : qsTr("Set the network in the operating system. The brightness of this screen cannot be set here.")
+            }
         }
     }
+    ScrollMark { view: scroll }
 
     Component {
         id: clockSheet
