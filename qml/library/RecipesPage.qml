@@ -171,9 +171,15 @@ Page {
     }
 
     component NameSheet: TextSheet {
+        id: naming
+        signal named()
         text: Recipes.wantedName
         problem: Recipes.nameProblem
         onEdited: text => Recipes.wantedName = text
+        onAccepted: {
+            naming.named()
+            naming.closed()
+        }
     }
 
     Component {
@@ -201,40 +207,28 @@ Page {
         id: newSheet
         NameSheet {
             title: qsTr("Name of the new recipe")
-            onAccepted: {
-                Recipes.create(page.newKind)
-                closed()
-            }
+            onNamed: Recipes.create(page.newKind)
         }
     }
     Component {
         id: copySheet
         NameSheet {
             title: qsTr("Name of the copy")
-            onAccepted: {
-                Recipes.copy()
-                closed()
-            }
+            onNamed: Recipes.copy()
         }
     }
     Component {
         id: saveAsSheet
         NameSheet {
             title: qsTr("Save under another name")
-            onAccepted: {
-                Recipes.saveAs()
-                closed()
-            }
+            onNamed: Recipes.saveAs()
         }
     }
     Component {
         id: renameSheet
         NameSheet {
             title: qsTr("New name of %1").arg(Recipes.chosenName)
-            onAccepted: {
-                Recipes.rename()
-                closed()
-            }
+            onNamed: Recipes.rename()
         }
     }
     Component { id: codesSheet; CodesSheet { onCodeRequested: page.sheetRequested(codeSheet) } }
@@ -296,10 +290,7 @@ Page {
             }
         }
     }
-    Component {
-        id: proofSheet
-        ProofSheet {}
-    }
+    Component { id: proofSheet; ProofSheet {} }
     Component {
         id: downloadSheet
         DownloadSheet { onProofRequested: page.sheetRequested(proofSheet) }
