@@ -8,7 +8,7 @@
 #include <string.h>
 
 #define US_PER_S 1000000u
-/* Of an answer's CRC-16 in one call; a byte of it takes a quarter of the work on a register. */
+/* Adding one byte to the CRC-16 takes a quarter of the work on a register. */
 #define ANSWER_BYTES_PER_REGISTER 4u
 
 /* Tells each part which others it works with. */

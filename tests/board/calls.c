@@ -43,7 +43,7 @@ static void print(const char* call, const char* what, const char* program, uint3
     bench_print_number(" ", cost, "\n");
 }
 
-/* What a request took since begin(): in the line, and in pieces behind it. */
+/* Instructions of a request since begin(): in the line, and in pieces behind it. */
 static void end(const char* what, const char* program)
 {
     is_watched = false;

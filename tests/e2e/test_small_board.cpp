@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the panel shows when a board cannot hold or execute a program: the ARM7 firmware in QEMU, once with
-// less memory, once without intervals. Run by tests/board.
+// The panel on a board that cannot hold or execute a program: the ARM7 firmware in QEMU, once with less
+// memory, once without intervals. tests/board runs it.
 #include "app/shell/fonts.h"
 #include "panel_window.h"
 #include "tests/support/controller_process.h"

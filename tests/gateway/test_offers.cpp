@@ -191,7 +191,7 @@ private slots:
         QVERIFY(machine.panel.commands.isEmpty());
     }
 
-    // What was withdrawn while the gateway did not hear of it is gone too.
+    // Offers that were withdrawn while the gateway was off are gone too.
     void aNewConnectionBringsWhatIsOfferedNow()
     {
         Mosquitto broker;
