@@ -71,6 +71,11 @@ struct Good {
 
 const Good& good()
 {
+    // Before the first database: Qt 6.8 opens none without it.
+    static int argc = 1;
+    static char name[] = "fuzz";
+    static char* argv[] = {name, nullptr};
+    static const QCoreApplication application(argc, argv);
     static const Good made;
     return made;
 }
@@ -116,10 +121,6 @@ void writeManifest(const QString& path, InputReader& input)
 
 void runTarget(std::span<const std::uint8_t> bytes)
 {
-    static int argc = 1;
-    static char name[] = "fuzz";
-    static char* argv[] = {name, nullptr};
-    static const QCoreApplication application(argc, argv);
     const Good& original = good();
     const QTemporaryDir folder;
     const QString path = folder.filePath(u"backup.zip"_s);
