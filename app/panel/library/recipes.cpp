@@ -48,8 +48,13 @@ Recipes::Recipes(Controller& machine, Editor& editor, DatabaseService& records, 
 {
     connect(&records.store(), &store::StoreThread::opened, this, [this] {
         reload();
-        // Edits outlive the database, because they have their own file.
-        keep(m_editor.storedRecipe(), {});
+        // The open recipe outlives the database, because it has its own file.
+        const Recipe open = m_editor.storedRecipe();
+        work([open](store::RecipeLibrary& library) { return library.has(open); },
+             [this, open](bool isKept) {
+                 if (!isKept)
+                     keep(open, {});
+             });
     });
     connect(&editor, &Editor::applied, this, [this](const Recipe& recipe) { keep(recipe, {}); });
     connect(&editor, &Editor::recipeChanged, this, &Recipes::followEditor);

@@ -32,6 +32,11 @@ QList<RecipeVersion> readVersions(QSqlQuery& query)
     return versions;
 }
 
+bool isSameProgram(const program::Recipe& left, const program::Recipe& right)
+{
+    return programJson(left) == programJson(right) && program::sameCodes(left, right);
+}
+
 } // namespace
 
 RecipeLibrary::Result<QList<RecipeVersion>> RecipeLibrary::newest()
@@ -50,6 +55,18 @@ RecipeLibrary::Result<QList<RecipeVersion>> RecipeLibrary::versions(qint64 recip
             WHERE v.recipe = ? ORDER BY v.version DESC)"_s,
                                     {recipeId});
     return query ? Result<QList<RecipeVersion>>(readVersions(*query)) : tl::unexpected(query.error());
+}
+
+RecipeLibrary::Result<bool> RecipeLibrary::has(const program::Recipe& recipe)
+{
+    auto query = m_database.execute(uR"(SELECT v.recipe, v.version, v.saved_ms, v.saved_by, v.json, r.name
+            FROM recipe_version v JOIN recipe r ON r.id = v.recipe
+            WHERE r.deleted = 0 AND r.name = ? AND v.version = ?)"_s,
+                                    {QString::fromStdString(recipe.name), recipe.version});
+    if (!query)
+        return tl::unexpected(query.error());
+    const QList<RecipeVersion> found = readVersions(*query);
+    return !found.isEmpty() && isSameProgram(found.first().recipe, recipe);
 }
 
 RecipeLibrary::Result<RecipeVersion> RecipeLibrary::save(const program::Recipe& recipe, const QString& by,
@@ -72,8 +89,7 @@ RecipeLibrary::Result<RecipeVersion> RecipeLibrary::save(const program::Recipe& 
             return tl::unexpected(before.error());
         if (!before->isEmpty()) {
             const RecipeVersion& top = before->first();
-            if (recipe.version <= top.version && programJson(top.recipe) == programJson(recipe) &&
-                program::sameCodes(top.recipe, recipe)) {
+            if (recipe.version <= top.version && isSameProgram(top.recipe, recipe)) {
                 saved = top;
                 return {};
             }

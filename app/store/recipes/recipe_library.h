@@ -36,6 +36,9 @@ public:
     // Returns all versions of one recipe, newest first.
     [[nodiscard]] Result<QList<RecipeVersion>> versions(qint64 recipeId);
 
+    // Returns true when the recipe's own version has this program and these codes, and is not deleted.
+    [[nodiscard]] Result<bool> has(const program::Recipe& recipe);
+
     // Saves the recipe under its name (case-insensitive) and returns its version: that of the recipe, or the
     // next one when another program has that number. An unchanged program gets no new version. A deleted
     // recipe of that name is restored.

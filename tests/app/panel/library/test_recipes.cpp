@@ -444,6 +444,31 @@ private slots:
             recipes.copy();
         }
     }
+
+    // The panel starts with version 1 open while the library has a version 2, as after an import.
+    void aRestartDoesNotMakeAnOldVersionTheNewest()
+    {
+        PanelRig rig;
+        for (int start = 0; start < 2; ++start) {
+            DatabaseService records(rig.folder.path(), nullptr);
+            Recipes recipes(rig.machine, rig.editor, records, rig.folder.path(), nullptr);
+            records.open();
+            QTRY_COMPARE(recipes.total(), 1);
+            program::Recipe next = rig.editor.storedRecipe();
+            next.cutter().bagLengthMm = 260;
+            next.version = 2;
+            int version = 0;
+            records.store().run(
+                &recipes,
+                [next, start](store::Database& database) {
+                    store::RecipeLibrary library(database);
+                    return start == 0 ? library.save(next, {}, 1)
+                                      : library.newest().map([](const auto& all) { return all.first(); });
+                },
+                [&version](const auto& saved) { version = saved ? saved->version : -1; });
+            QTRY_COMPARE(version, 2);
+        }
+    }
 };
 
 CAMPANEL_TEST(TestRecipes)
