@@ -24,6 +24,8 @@ namespace {
 
 Q_LOGGING_CATEGORY(uiLog, "campanel.ui")
 
+constexpr qint64 clockAskedMs = 1000; // between two questions whether the clock is set
+
 QString recipeFolder(const Storage& storage)
 {
     return storage.recipeFolder.isEmpty() ? QStandardPaths::writableLocation(QStandardPaths::AppDataLocation)
@@ -120,9 +122,19 @@ Panel::~Panel()
 
 void Panel::setClockUnset(const std::function<bool()>& isUnset)
 {
-    const auto isUnsetNow = [this, isUnset] { return !m_isClockSet && isUnset(); };
+    const auto isUnsetNow = [this, isUnset] {
+        // Bags and states come more often than once a second.
+        if (!m_clockAsked.isValid() || m_clockAsked.hasExpired(clockAskedMs)) {
+            m_isClockUnset = isUnset();
+            m_clockAsked.start();
+        }
+        return !m_isClockSet && m_isClockUnset;
+    };
     m_alarms.setClockUnset(isUnsetNow);
     m_trail.setClockUnset(isUnsetNow);
+    m_stops.setClockUnset(isUnsetNow);
+    m_trends.setClockUnset(isUnsetNow);
+    m_recipes.setClockUnset(isUnsetNow);
 }
 
 void Panel::open()

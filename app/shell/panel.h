@@ -27,6 +27,7 @@
 #include "app/panel/trends/trends.h"
 #include "app/shell/page_memory.h"
 
+#include <QElapsedTimer>
 #include <QObject>
 #include <QQmlComponent>
 #include <QQmlEngine>
@@ -108,6 +109,8 @@ private:
     panel::Access m_access;
     panel::SystemClock m_systemClock;
     bool m_isClockSet = false; // by a person
+    bool m_isClockUnset = false;
+    QElapsedTimer m_clockAsked; // since m_isClockUnset was read
     panel::AuditTrail m_trail;
     panel::Audit m_audit;
     panel::Backup m_backup;

@@ -30,6 +30,7 @@ T.AbstractButton {
                 width: parent.width
                 fontSizeMode: Text.HorizontalFit
                 minimumPixelSize: Theme.size.caption - 2
+                wrapMode: Text.WordWrap    // below the smallest size
                 text: entry.text
                 color: entry.enabled ? Theme.color.ink : Theme.color.disabledInk
                 font.weight: Font.DemiBold

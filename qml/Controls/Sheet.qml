@@ -9,10 +9,14 @@ Item {
 
     required property string title
     property string note
-    property bool beside                   // at the left of the page, the rest of which stays visible
+    // At the left of the page, the rest of which stays visible and within reach; as far to the right as the keypad.
+    property bool beside
+    readonly property real besideRight: beside ? panel.x + panel.width : 0
     default property alias content: body.data
+    property alias header: headerRow.data  // keys beside the title
     property alias footer: footerRow.data
-    property real panelWidth: width - 2 * Theme.size.gap
+    readonly property real besideWidth: Math.max(Theme.size.sideColumn, Math.min(Theme.size.keypad, width / 2) - Theme.size.navigation - Theme.size.gap)
+    property real panelWidth: beside ? besideWidth : width - 2 * Theme.size.gap
     property real panelHeight: height - 2 * Theme.size.gap
     signal closed()
 
@@ -22,7 +26,8 @@ Item {
         color: Theme.color.scrim
     }
     MouseArea {
-        anchors.fill: parent
+        width: sheet.beside ? sheet.besideRight : sheet.width
+        height: sheet.height
         onClicked: sheet.closed()
     }
     Card {
@@ -36,7 +41,7 @@ Item {
         clip: true
         MouseArea { anchors.fill: parent }
         Column {
-            anchors { left: parent.left; leftMargin: Theme.size.padding; right: closeButton.left; verticalCenter: closeButton.verticalCenter }
+            anchors { left: parent.left; leftMargin: Theme.size.padding; right: headerRow.left; verticalCenter: closeButton.verticalCenter }
             Label {
                 width: parent.width
                 text: sheet.title
@@ -52,6 +57,10 @@ Item {
                 color: Theme.color.secondaryInk
                 font.pixelSize: Theme.size.caption
             }
+        }
+        Row {
+            id: headerRow
+            anchors { right: closeButton.left; top: closeButton.top }
         }
         Button {
             id: closeButton

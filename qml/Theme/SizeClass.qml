@@ -33,6 +33,7 @@ QtObject {
     readonly property int accent: 4
     readonly property int touch: Math.round(12 * reach * pixelsPerMm)
     readonly property int commandKey: Math.floor(18 * reach * pixelsPerMm)
+    readonly property int keypad: 4 * commandKey + 2 * accent   // width of the keypad for numbers
     // Larger keys take their space from the gaps.
     readonly property int gap: reach > 1 ? Math.round(wideGap / 3) : wideGap
     readonly property int spacing: Math.round(padding / (reach > 1 ? 4 : 2))

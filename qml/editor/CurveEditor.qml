@@ -15,6 +15,8 @@ Card {
     required property bool showJerk
     required property bool showTorque
     required property bool compare
+    required property bool verdictVisible  // a verdict other than good takes the place of the peaks
+    readonly property bool warns: verdictVisible && Editor.solvable && isNaN(cursor) && Editor.severity !== Editor.Severity.Good
     readonly property CamHandles handles: Editor.handles
     readonly property bool hasHandles: handles !== null
     readonly property bool isPress: Editor.kind === Editor.Kind.Press
@@ -30,6 +32,7 @@ Card {
 
     // Handles and readout follow the curves; `at` is the revision of the mapping that a binding depends on.
     function handleX(index: int, at: int): real { return plot.xOfTime(editor.handleTimes[index]) }
+    function selectionX(index: int, at: int): real { return plot.xOfTime(editor.handles?.selection[index] ?? 0) }
     function handleY(index: int, at: int): real {
         return plot.yOfValue(editor.handlePanel, plot.valuesAt(editor.handleTimes[index])[editor.handlePanel])
     }
@@ -49,12 +52,13 @@ Card {
 
     Label {
         id: line
+        objectName: "curveLine"
         anchors { left: parent.left; right: parent.right; top: parent.top; margins: Theme.size.padding; topMargin: Theme.size.spacing }
         horizontalAlignment: Text.AlignRight
         wrapMode: Text.WordWrap
-        text: isNaN(editor.cursor) ? (editor.overlayText || Theme.unbroken(Editor.plot.peakText)) : editor.readout(editor.cursor, editor.revision)
-        color: isNaN(editor.cursor) ? Theme.color.secondaryInk : Theme.color.ink
-        font { pixelSize: Theme.size.caption; weight: isNaN(editor.cursor) ? Font.Normal : Font.DemiBold }
+        text: editor.warns ? Theme.unbroken(Editor.verdict) : isNaN(editor.cursor) ? (editor.overlayText || Theme.unbroken(Editor.plot.peakText)) : editor.readout(editor.cursor, editor.revision)
+        color: isNaN(editor.cursor) && !editor.warns ? Theme.color.secondaryInk : Theme.color.ink
+        font { pixelSize: Theme.size.caption; weight: isNaN(editor.cursor) && !editor.warns ? Font.Normal : Font.DemiBold }
     }
     Item { // the stages of a stroke above its curve
         id: stages
@@ -109,6 +113,22 @@ Card {
     function titleOf(quantity: string): string {
         return ({ position: qsTr("Position mm"), velocity: qsTr("Velocity mm/s"), acceleration: qsTr("Acceleration m/s²"),
             jerk: qsTr("Jerk m/s³"), frequency: qsTr("Pulse frequency kHz"), torque: qsTr("Motor torque Nm, RMS %1").arg(Theme.number(Editor.plot.rmsTorque, 3)) })[quantity]
+    }
+    // The selected knot as a line through all curves, the selected segment as a band.
+    Repeater {
+        model: editor.hasHandles && Editor.solvable ? editor.handles.selection.length / 2 : 0
+        Rectangle {
+            required property int index
+            readonly property real from: editor.selectionX(2 * index, editor.revision)
+            readonly property real to: editor.selectionX(2 * index + 1, editor.revision)
+            objectName: "selection" + index
+            x: plot.x + from
+            width: Math.max(Theme.size.outline, to - from)
+            y: plot.y
+            height: plot.height
+            color: Theme.color.touch
+            opacity: to > from ? 0.12 : 0.6
+        }
     }
     Repeater {
         model: Editor.solvable ? editor.handleTimes.length : 0

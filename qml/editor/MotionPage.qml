@@ -15,8 +15,7 @@ Page {
     property bool showJerk
     property bool showTorque
     property bool compare: true
-    property bool ratiosOpen               // the sheet covers the texts of the verdict
-    onCoveredChanged: ratiosOpen = ratiosOpen && covered
+    readonly property bool editorBeside: leftInset > 0   // over the numbers and the texts of the verdict
     readonly property bool isCutter: Editor.kind === Editor.Kind.RotaryCutter
 
     bannerLeft: side.width + Theme.size.gap
@@ -33,10 +32,7 @@ Page {
             onEditRequested: (fields, index, source) => page.editRequested(fields, index, source)
             onExplainRequested: field => page.explainRequested(field)
             onLawRequested: page.sheetRequested(page.lawSheet)
-            onRatiosRequested: {
-                page.sheetRequested(page.ratioSheet)
-                page.ratiosOpen = true
-            }
+            onRatiosRequested: page.sheetRequested(page.ratioSheet)
             onMoreRequested: page.sheetRequested(page.moreSheet)
         }
         KindInputs {
@@ -55,7 +51,11 @@ Page {
         }
     }
     CurveEditor {
-        anchors { left: side.right; leftMargin: Theme.size.gap; right: parent.right; top: side.top; bottom: side.bottom; bottomMargin: page.bottomInset }
+        anchors {
+            left: parent.left; leftMargin: Math.max(side.width, page.leftInset) + Theme.size.gap; right: parent.right
+            top: side.top; bottom: side.bottom; bottomMargin: page.bottomInset
+        }
+        verdictVisible: page.editorBeside
         showPosition: page.showPosition
         showJerk: page.showJerk
         showTorque: page.showTorque
@@ -63,7 +63,7 @@ Page {
     }
     VerdictBar {
         id: verdict
-        textsVisible: !page.ratiosOpen
+        textsVisible: !page.editorBeside
         anchors { left: parent.left; right: parent.right; bottom: parent.bottom }
         onDownloadRequested: page.sheetRequested(page.downloadSheet)
         onExplainRequested: quantities => page.numbersExplainRequested(quantities)

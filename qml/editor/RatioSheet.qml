@@ -20,7 +20,7 @@ Sheet {
     title: qsTr("Ratios")
     note: Editor.cutter.ramps.stateText
     // Three keys beside each other, also with gloves.
-    panelWidth: Math.max(Theme.size.sideColumn, 3 * Theme.size.touch + 2 * Theme.size.padding + 3 * Theme.size.accent)
+    panelWidth: Math.max(besideWidth, 3 * Theme.size.touch + 2 * Theme.size.padding + 3 * Theme.size.accent)
     panelHeight: height
 
     Flickable {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The motions that the selected segment of a cam may have.
+// The motions that the selected segment of a cam may have, beside its curve.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Panel
@@ -9,6 +9,9 @@ ShapePicker {
 
     signal picked()
 
+    beside: true
+    panelWidth: besideWidth
+    panelHeight: height
     title: qsTr("Motion of segment %1").arg(Editor.cam.segments.selected + 1)
     current: Editor.cam.segments.motion
     choices: [...Editor.cam.segments.motions].map((motion, index) => ({ key: index, text: motion.name, shape: motion.shape }))

@@ -14,10 +14,9 @@ Item {
     required property int index
     readonly property EditorField field: fields[index]
     readonly property bool several: fields.length > 1
-    readonly property int padWidth: 4 * Theme.size.commandKey + 2 * Theme.size.accent
     signal closed()
 
-    implicitWidth: padWidth + (several ? strip.width + Theme.size.spacing : 0)
+    implicitWidth: Theme.size.keypad + (several ? strip.width + Theme.size.spacing : 0)
 
     Column {
         id: strip
@@ -62,7 +61,7 @@ Item {
         id: pad
         objectName: "keypad"
         anchors { right: parent.right; verticalCenter: parent.verticalCenter }
-        width: editor.padWidth
+        width: Theme.size.keypad
         height: Math.min(parent.height, preferredHeight)
         label: editor.field.label
         unit: editor.field.unit

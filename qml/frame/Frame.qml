@@ -38,6 +38,8 @@ Rectangle {
     property alias now: topBar.now
     property var sheet: null               // the open dialog
     property int userOfShortPin            // user who must choose a longer PIN
+    readonly property Overlay keypad: keypadLoader.item as Overlay
+    readonly property real besideRight: Math.max(frame.sheet?.besideRight ?? 0, frame.keypad?.besideRight ?? 0)
     property real shift                    // offset of the page, so that the keypad does not cover the field
 
     function openPage(name: string): void {
@@ -98,9 +100,9 @@ Rectangle {
         if (!Access.ask((fields[index] as EditorField).neededLevel))
             return
         const right = source.mapToItem(overlay, source.width, 0).x - frame.shift
-        keypadLoader.setSource("KeypadOverlay.qml", { fields: fields, index: index, field: source })
+        keypadLoader.setSource("KeypadOverlay.qml", { fields: fields, index: index, field: source, beside: frame.sheet?.beside ?? false })
         keypadLoader.active = true
-        frame.shift = Math.min(0, (keypadLoader.item as Overlay).free - Theme.size.spacing - right)
+        frame.shift = frame.keypad.besideRight > 0 ? 0 : Math.min(0, frame.keypad.free - Theme.size.spacing - right)
     }
 
     Connections {
@@ -150,6 +152,11 @@ Rectangle {
                         target: loader.item
                         property: "bottomInset"
                         value: banner.shown && !banner.above ? banner.height + Theme.size.gap : 0
+                    }
+                    Binding {
+                        target: loader.item
+                        property: "leftInset"
+                        value: Math.max(0, frame.besideRight - pageArea.x - Theme.size.gap)
                     }
                     Binding {
                         target: loader.item
@@ -255,8 +262,8 @@ Rectangle {
     // keys.
     BannerHost {
         id: banner
-        readonly property real leftEdge: above ? overlay.x : pageArea.x + (frame.openPageItem?.bannerLeft ?? 0)
-        readonly property real free: keypadLoader.active ? (keypadLoader.item as Overlay).free : overlay.width
+        readonly property real leftEdge: above ? frame.keypad?.besideRight ?? 0 : pageArea.x + (frame.openPageItem?.bannerLeft ?? 0)
+        readonly property real free: (frame.keypad?.free ?? overlay.width) - leftEdge
         above: frame.sheet !== null || keypadLoader.active || loginLoader.active || firstStart.active
         x: leftEdge + Theme.size.gap
         y: above ? overlay.y + Theme.size.gap : parent.height - height - Theme.size.gap - (frame.openPageItem?.bannerBottom ?? 0)

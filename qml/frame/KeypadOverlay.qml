@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The keypad over the page: a frame around the field, the keypad beside Stop; a touch elsewhere cancels.
+// The keypad over the page: beside Stop, or over the sheet that stands beside the page; a touch elsewhere cancels.
 pragma ComponentBehavior: Bound
 import QtQuick
 
@@ -9,8 +9,10 @@ Overlay {
     required property var fields           // list of EditorField
     required property int index
     required property Item field
+    required property bool beside          // the sheet of the field leaves the page visible, and so does the keypad
 
-    free: width - keypad.width
+    besideRight: beside ? keypad.width : 0
+    free: beside ? width : keypad.x
 
     MouseArea {
         anchors.fill: parent
@@ -18,7 +20,8 @@ Overlay {
     }
     FieldKeypad {
         id: keypad
-        anchors { right: parent.right; top: parent.top; bottom: parent.bottom }
+        x: overlay.beside ? 0 : overlay.width - width
+        height: overlay.height
         fields: overlay.fields
         index: overlay.index
         onClosed: overlay.closed()

@@ -5,5 +5,6 @@ import QtQuick
 
 Item {
     property real free                     // right end of the visible part
+    property real besideRight              // left end of it; 0: the window's
     signal closed()
 }

@@ -1224,11 +1224,22 @@ Und %2 weitere.</translation>
     </message>
 </context>
 <context>
-    <name>KnotSheet</name>
+    <name>CamSheet</name>
     <message>
-        <source>Knots</source>
-        <translation>Stützpunkte</translation>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
     </message>
+    <message>
+        <source>Previous</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Weiter</translation>
+    </message>
+</context>
+<context>
+    <name>KnotSheet</name>
     <message>
         <source>Add after</source>
         <translation>Einfügen</translation>
@@ -2707,6 +2718,13 @@ Und %2 weitere.</translation>
 <context>
     <name>TrendsPage</name>
     <message>
+        <source>%1
+clock not set</source>
+        <comment>from, to</comment>
+        <translation>%1
+Uhr nicht gestellt</translation>
+    </message>
+    <message>
         <source>10 min</source>
         <translation>10 min</translation>
     </message>
@@ -2915,10 +2933,6 @@ Und %2 weitere.</translation>
 </context>
 <context>
     <name>SegmentSheet</name>
-    <message>
-        <source>Segments</source>
-        <translation>Abschnitte</translation>
-    </message>
     <message>
         <source>%1 · jump at the start</source>
         <translation>%1 · Sprung am Anfang</translation>

@@ -1224,11 +1224,22 @@ And %2 more.</source>
     </message>
 </context>
 <context>
-    <name>KnotSheet</name>
+    <name>CamSheet</name>
     <message>
-        <source>Knots</source>
-        <translation>型值点</translation>
+        <source>%1 of %2</source>
+        <translation>%1 / %2</translation>
     </message>
+    <message>
+        <source>Previous</source>
+        <translation>上一个</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>下一个</translation>
+    </message>
+</context>
+<context>
+    <name>KnotSheet</name>
     <message>
         <source>Add after</source>
         <translation>在后面插入</translation>
@@ -2707,6 +2718,13 @@ And %2 more.</source>
 <context>
     <name>TrendsPage</name>
     <message>
+        <source>%1
+clock not set</source>
+        <comment>from, to</comment>
+        <translation>%1
+时钟未设置</translation>
+    </message>
+    <message>
         <source>10 min</source>
         <translation>10 分钟</translation>
     </message>
@@ -2915,10 +2933,6 @@ And %2 more.</source>
 </context>
 <context>
     <name>SegmentSheet</name>
-    <message>
-        <source>Segments</source>
-        <translation>运动段</translation>
-    </message>
     <message>
         <source>%1 · jump at the start</source>
         <translation>%1 · 起点突变</translation>

@@ -9,6 +9,7 @@ Item {
     // The space that the banner leaves free on the left and below, for the object that it mentions.
     property real bannerLeft
     property real bannerBottom
+    property real leftInset                // width of what stands beside the page at the left: a sheet or its keypad
     property bool covered                  // a sheet, a keypad or the login is above it
     property Component firstSheet: null    // of the next step, opened with the page after the first start
 

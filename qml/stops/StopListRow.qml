@@ -10,6 +10,7 @@ T.AbstractButton {
     id: row
 
     required property string time
+    required property string clockNote     // empty: the clock was set
     required property string durationText
     required property string reasonText
     required property string stateText
@@ -61,7 +62,8 @@ T.AbstractButton {
                 width: parent.width
                 fontSizeMode: Text.HorizontalFit
                 minimumPixelSize: Theme.size.caption - 3
-                text: row.by.length > 0 ? qsTr("%1 · %2").arg(row.stateText).arg(row.by) : row.stateText
+                readonly property string given: row.by.length > 0 ? qsTr("%1 · %2").arg(row.stateText).arg(row.by) : row.stateText
+                text: row.clockNote.length > 0 ? qsTr("%1 · %2").arg(given).arg(row.clockNote) : given
                 color: Theme.color.secondaryInk
                 font.pixelSize: Theme.size.caption
             }

@@ -73,7 +73,10 @@ Page {
         anchors { left: actions.right; right: zoomRow.left; top: actions.top; bottom: actions.bottom; leftMargin: Theme.size.spacing; rightMargin: Theme.size.spacing }
         horizontalAlignment: Text.AlignHCenter
         wrapMode: Text.WordWrap
-        text: qsTr("%1 –\n%2", "from, to").arg(card.momentOf(Trends.fromMs)).arg(card.momentOf(Trends.toMs))
+        readonly property string range: qsTr("%1 –\n%2", "from, to").arg(card.momentOf(Trends.fromMs)).arg(card.momentOf(Trends.toMs))
+        fontSizeMode: Text.Fit
+        minimumPixelSize: Theme.size.caption - 3
+        text: Trends.clockDoubtful ? qsTr("%1\nclock not set", "from, to").arg(range) : range
         color: Theme.color.secondaryInk
         font.pixelSize: Theme.size.caption
     }

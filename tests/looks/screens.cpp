@@ -401,6 +401,8 @@ const QList<Screen>& allScreens()
         editing("motion-cam", Kind::PointCam),
         editing("motion-press", Kind::Press),
         editing("knots", Kind::PointCam, {QStringLiteral("knotsButton")}),
+        editing("knots-keypad", Kind::PointCam,
+                {QStringLiteral("knotsButton"), QStringLiteral("field_knotSlave")}),
         editing("motion-segments", Kind::SegmentCam),
         editing("segments", Kind::SegmentCam, {QStringLiteral("segmentsButton")}),
         editing("segment-motions", Kind::SegmentCam,

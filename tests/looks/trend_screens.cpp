@@ -91,7 +91,8 @@ QList<store::Bag> demoBags()
 // Deletes the recorded trends, which depend on earlier screens.
 tl::expected<void, store::StoreError> deleteTrends(store::Database& database)
 {
-    for (const char* table : {"bag", "program", "trend_second", "trend_minute", "trend_hour"}) {
+    for (const char* table :
+         {"bag", "program", "trend_second", "trend_minute", "trend_hour", "clock_unset"}) {
         if (const auto done = database.execute(QStringLiteral("DELETE FROM %1").arg(QLatin1String(table)));
             !done)
             return tl::unexpected(done.error());
@@ -206,6 +207,15 @@ QList<Screen> trendScreens()
                  openFilled(window, {panel::Trends::Deviation});
                  tapAll(window, {"span7d"});
              }},
+            {QStringLiteral("trends-clock-unset"),
+             [](TestWindow& window) {
+                 openFilled(window);
+                 change(window, [](store::Database& database) {
+                     store::Bag bag = demoBags().first();
+                     bag.flags = store::Bag::ClockNotSet;
+                     return store::BagLog(database).add({bag});
+                 });
+             }},
             {QStringLiteral("trends-nothing-here"),
              [](TestWindow& window) {
                  openFilled(window);
@@ -240,7 +250,7 @@ using namespace std::chrono_literals;
 
 // Returns the shift before the present one: a day of stops with and without reasons, always the same. The
 // ids lie before those that the panel gives.
-StopChanges demoShift()
+StopChanges demoShift(bool isClockUnset)
 {
     struct Part {
         State state;
@@ -259,7 +269,8 @@ StopChanges demoShift()
         {State::Running, 46, "", false}};
     constexpr qint64 minuteMs = 60'000;
     StopChanges changes;
-    qint64 at = QDateTime(QDate(2026, 1, 15), QTime(6, 0)).toMSecsSinceEpoch();
+    const qint64 shiftBegin = QDateTime(QDate(2026, 1, 15), QTime(6, 0)).toMSecsSinceEpoch();
+    qint64 at = shiftBegin;
     qint64 id = -1000;
     qint64 stop = 0;
     for (const Part& part : parts) {
@@ -283,6 +294,7 @@ StopChanges demoShift()
             each.program = QStringLiteral("Biscuit 250");
             each.version = 3;
             each.idealPerMin = 70;
+            each.isClockDoubtful = isClockUnset && at == shiftBegin;
             if (store::produces(part.state)) {
                 each.pieces = each.durationMs / 1000;
                 each.outOfTolerance = each.pieces / 150;
@@ -308,14 +320,14 @@ void waitForStops(TestWindow& window)
     window.settle();
 }
 
-void openShift(TestWindow& window, const QStringList& names = {})
+void openShift(TestWindow& window, const QStringList& names = {}, bool isClockUnset = false)
 {
     window.panel().records().store().run(
         nullptr,
-        [](store::Database& database) {
+        [isClockUnset](store::Database& database) {
             const bool isEmptied = database.execute(QStringLiteral("DELETE FROM state_interval")) &&
                                    database.execute(QStringLiteral("DELETE FROM stop"));
-            return isEmptied && store::StopLog::write(database, demoShift());
+            return isEmptied && store::StopLog::write(database, demoShift(isClockUnset));
         },
         [](bool isDone) {
             if (!isDone)
@@ -407,6 +419,12 @@ QList<Screen> stopScreens()
         explained("stops-oee-explained", "figureOee"),
         explained("stops-performance-explained", "figurePerformance"),
         ofShift("stops-list", {QStringLiteral("shiftStops")}),
+        {QStringLiteral("stops-list-clock-unset"),
+         [](TestWindow& window) {
+             openShift(window, {QStringLiteral("shiftStops")}, true);
+             QMetaObject::invokeMethod(window.find(QStringLiteral("stopList")), "positionViewAtEnd");
+             window.settle();
+         }},
         ofShift("stops-answer", {QStringLiteral("shiftStops"), QStringLiteral("stop0")}),
         ofFiles("stops-csv", "shiftCsv"),
         ofFiles("stops-pdf", "shiftPdf"),

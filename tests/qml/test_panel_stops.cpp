@@ -113,6 +113,16 @@ private slots:
         QVERIFY(shift().isPresent());
     }
 
+    void aStopOfAClockThatIsNotSetSaysSo()
+    {
+        enter("stops-list-clock-unset");
+        QCOMPARE(shift().note(), QStringLiteral("clock not set"));
+        const QQuickItem* oldest = m_window->find(QStringLiteral("stop6"));
+        QVERIFY(oldest);
+        QCOMPARE(oldest->property("clockNote").toString(), QStringLiteral("clock not set"));
+        QVERIFY(m_window->find(QStringLiteral("stop5"))->property("clockNote").toString().isEmpty());
+    }
+
     void eachFigureIsExplained()
     {
         const std::pair<const char*, const char*> figures[]{
@@ -162,6 +172,7 @@ private slots:
         QVERIFY(csv.open(QIODevice::ReadOnly));
         const QByteArray text = csv.readAll();
         QCOMPARE(text.count('\n'), 8);
+        QCOMPARE(text.count(",set\n"), 7);
         QVERIFY(text.contains(",1800.000,ready,break,yes,Ann,"));
         QVERIFY(QFile::exists(stick.filePath(QStringLiteral("states.csv"))));
         QFile pdf(stick.filePath(QStringLiteral("shift 2026-01-15 06-00.pdf")));

@@ -44,6 +44,15 @@ private slots:
         QVERIFY(!m_window->find(QStringLiteral("trendExport"))->isEnabled());
     }
 
+    void bagsOfAClockThatIsNotSetAreNamedBesideTheRange()
+    {
+        enter("trends");
+        QVERIFY(!textOf("trendRange").contains(QStringLiteral("clock")));
+        enter("trends-clock-unset");
+        QVERIFY2(textOf("trendRange").endsWith(QStringLiteral("clock not set")),
+                 qPrintable(textOf("trendRange")));
+    }
+
     void spanIsChosenByOneTap()
     {
         enter("trends");

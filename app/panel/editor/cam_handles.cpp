@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace campanel::panel {
 
@@ -55,6 +56,20 @@ QList<double> CamHandles::times() const
     for (int i = 0; i < count(); ++i)
         times << m_cycleS * shareOf(*profile::camMaster(*m_program), masterDegOf(*m_program, i));
     return times;
+}
+
+QList<double> CamHandles::selection() const
+{
+    if (count() == 0)
+        return {};
+    const profile::CamMaster& master = *profile::camMaster(*m_program);
+    double from = m_cycleS * shareOf(master, startDegOf(*m_program, m_selected));
+    double to = m_cycleS * shareOf(master, masterDegOf(*m_program, m_selected));
+    if (master.masterRateRevPerMin < 0)
+        std::swap(from, to);
+    if (from <= to)
+        return {from, to};
+    return {from, m_cycleS, 0, to};
 }
 
 void CamHandles::beginDrag(int index)

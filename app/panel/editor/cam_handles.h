@@ -21,6 +21,9 @@ class CamHandles : public QObject {
     Q_PROPERTY(int selected READ selected WRITE select NOTIFY changed FINAL)
     // The times of the handles on the time axis of the curves, s.
     Q_PROPERTY(QList<double> times READ times NOTIFY changed FINAL)
+    // The selected entry on the time axis as pairs of start and end, s: twice the same time for a knot, two
+    // pairs for a segment that goes over the end of the axis.
+    Q_PROPERTY(QList<double> selection READ selection NOTIFY changed FINAL)
 
 public:
     explicit CamHandles(QObject* parent);
@@ -32,6 +35,7 @@ public:
     [[nodiscard]] int selected() const { return m_selected; }
     void select(int index);
     [[nodiscard]] QList<double> times() const;
+    [[nodiscard]] QList<double> selection() const;
 
     // Start and end a drag. The offset is in seconds of the time axis and mm of the curve, from the start of
     // the drag; endDrag() makes it one undo step.
@@ -51,6 +55,11 @@ protected:
     [[nodiscard]] virtual bool isValid(const profile::Program& program) const = 0;
     // Returns the master angle of a handle.
     [[nodiscard]] virtual double masterDegOf(const profile::Program& program, int index) const = 0;
+    // Returns the master angle at which an entry begins; that of its handle for an entry without a length.
+    [[nodiscard]] virtual double startDegOf(const profile::Program& program, int index) const
+    {
+        return masterDegOf(program, index);
+    }
     // Moves a handle of the program by degrees of the cam, and by mm before scaling.
     virtual void moveBy(profile::Program& program, int index, double deg, double mm) const = 0;
     // Updates rows and fields after a change of program or selection.

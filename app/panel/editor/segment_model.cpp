@@ -68,6 +68,11 @@ double SegmentModel::masterDegOf(const profile::Program& program, int index) con
     return std::get<profile::SegmentCamProgram>(program).segments[static_cast<std::size_t>(index)].toDeg;
 }
 
+double SegmentModel::startDegOf(const profile::Program& program, int index) const
+{
+    return std::get<profile::SegmentCamProgram>(program).segments[static_cast<std::size_t>(index)].fromDeg;
+}
+
 void SegmentModel::moveBy(profile::Program& program, int index, double deg, double mm) const
 {
     auto& moved = std::get<profile::SegmentCamProgram>(program);

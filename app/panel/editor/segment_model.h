@@ -84,6 +84,7 @@ protected:
     [[nodiscard]] int listSize(const profile::Program& program) const override;
     [[nodiscard]] bool isValid(const profile::Program& program) const override;
     [[nodiscard]] double masterDegOf(const profile::Program& program, int index) const override;
+    [[nodiscard]] double startDegOf(const profile::Program& program, int index) const override;
     void moveBy(profile::Program& program, int index, double deg, double mm) const override;
     void showSelection() override;
 

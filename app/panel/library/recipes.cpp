@@ -10,6 +10,7 @@
 #include "app/panel/recipe/recipe_comparison.h"
 #include "app/panel/recipe/recipe_edit.h"
 #include "app/panel/records/database_service.h"
+#include "app/panel/words/alarm_words.h"
 #include "app/panel/words/recipe_words.h"
 #include "app/panel/words/refusal_sentences.h"
 
@@ -122,9 +123,10 @@ void Recipes::keep(const Recipe& recipe, std::function<void(const RecipeVersion&
 {
     const QString by = m_author();
     const qint64 nowMs = m_wallClock().toMSecsSinceEpoch();
+    const bool isClockUnset = m_isClockUnset && m_isClockUnset();
     work(
-        [recipe, by, nowMs](store::RecipeLibrary& library) {
-            auto saved = library.save(recipe, by, nowMs);
+        [recipe, by, nowMs, isClockUnset](store::RecipeLibrary& library) {
+            auto saved = library.save(recipe, by, nowMs, isClockUnset);
             if (const auto kept = library.saveMachine(recipe, by, nowMs); !kept)
                 saved = tl::unexpected(kept.error());
             return saved;
@@ -178,7 +180,11 @@ Recipe Recipes::onThisMachine(Recipe recipe) const
 QString Recipes::savedText(const RecipeVersion& version) const
 {
     const QString when = Format::minute(QDateTime::fromMSecsSinceEpoch(version.savedMs));
-    return version.savedBy.isEmpty() ? when : tr("%1 by %2", "date, person").arg(when, version.savedBy);
+    QStringList parts{version.savedBy.isEmpty() ? when
+                                                : tr("%1 by %2", "date, person").arg(when, version.savedBy)};
+    if (version.isClockDoubtful)
+        parts << AlarmWords::clockNote(true);
+    return parts.join(QStringLiteral(" · "));
 }
 
 // Follows the editor, which signals every step of a drag, also without a change of the list.

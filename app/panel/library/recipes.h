@@ -79,6 +79,8 @@ public:
     static Recipes* create(QQmlEngine* qmlEngine, QJSEngine* jsEngine);
 
     void setWallClock(WallClock clock) { m_wallClock = std::move(clock); }
+    // Sets the function that returns true while the clock of the computer is not set.
+    void setClockUnset(std::function<bool()> isUnset) { m_isClockUnset = std::move(isUnset); }
     // Sets the function that returns the person at the panel; empty while unknown.
     void setAuthor(Author author) { m_author = std::move(author); }
 
@@ -192,6 +194,7 @@ private:
     Editor& m_editor;
     DatabaseService& m_records;
     WallClock m_wallClock;
+    std::function<bool()> m_isClockUnset;
     Author m_author;
     Versions m_all;                     // the newest of each
     QHash<qint64, CurveShape> m_shapes; // of each

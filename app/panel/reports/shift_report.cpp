@@ -100,11 +100,14 @@ ReportSection ShiftReport::stops() const
 {
     ReportSection section{tr("Stops"), {}, {}};
     const QList<StopListRow>& rows = m_stops.shift()->stops()->rows();
-    for (auto row = rows.crbegin(); row != rows.crend(); ++row)
-        section.rows.append({tr("%1, %2", "time, duration").arg(row->time(), row->durationText()),
+    for (auto row = rows.crbegin(); row != rows.crend(); ++row) {
+        const QString note = row->clockNote();
+        const QString time = note.isEmpty() ? row->time() : u"%1 · %2"_s.arg(row->time(), note);
+        section.rows.append({tr("%1, %2", "time, duration").arg(time, row->durationText()),
                              row->by().isEmpty()
                                  ? row->reasonText()
                                  : tr("%1 (%2)", "reason, person").arg(row->reasonText(), row->by())});
+    }
     return section;
 }
 

@@ -5,10 +5,12 @@
 #include "app/panel/settings/settings.h"
 #include "app/panel/words/alarm_catalogue.h"
 #include "app/program/solved_program.h"
+#include "app/store/logs/clock_mark.h"
 #include "profile/cutter/limits.h"
 
 #include <QDateTime>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -89,7 +91,9 @@ MachineWatch::MachineWatch(Controller& machine, Settings& settings, StateBook& b
 
 StateBook::Now MachineWatch::now() const
 {
-    return {m_machine.now(), m_clock()};
+    const qint64 utcMs = m_clock();
+    return {m_machine.now(), utcMs,
+            store::isTimeDoubtful(utcMs, m_newestMs) || (m_isClockUnset && m_isClockUnset())};
 }
 
 void MachineWatch::takeStatus()
@@ -111,7 +115,10 @@ void MachineWatch::takeStatus()
         seen.version = std::isfinite(program->version) ? static_cast<int>(program->version) : 0;
         seen.idealPerMin = idealPerMin();
     }
-    m_book.note(seen, now());
+    const StateBook::Now seenAt = now();
+    if (!seenAt.isClockDoubtful)
+        m_newestMs = std::max(m_newestMs, seenAt.utcMs);
+    m_book.note(seen, seenAt);
     countPieces(*status);
     emit observed();
 }

@@ -33,6 +33,10 @@ public:
     MachineWatch(Controller& machine, Settings& settings, StateBook& book);
 
     void setWallClock(WallClock clock) { m_clock = std::move(clock); }
+    // Sets the function that returns true while the clock of the computer is not set.
+    void setClockUnset(std::function<bool()> isUnset) { m_isClockUnset = std::move(isUnset); }
+    // Sets the time of the newest record: an earlier time cannot be right.
+    void setNewestRecord(qint64 utcMs) { m_newestMs = utcMs; }
     [[nodiscard]] StateBook::Now now() const;
 
 signals:
@@ -50,6 +54,8 @@ private:
     Settings& m_settings;
     StateBook& m_book;
     WallClock m_clock;
+    std::function<bool()> m_isClockUnset;
+    qint64 m_newestMs = 0;
     std::optional<link::SteadyTime> m_waitsSince; // the film
     std::optional<std::uint32_t> m_pieces;        // the controller's count
     std::optional<std::uint32_t> m_cutsSkipped;

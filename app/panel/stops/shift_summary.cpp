@@ -97,6 +97,7 @@ ShiftSummary summarize(const store::StopLog::Span& span, const Shift& shift, qin
     QMap<qint64, qsizetype> places; // of stops in the list
     for (const StateInterval& each : span.intervals) {
         summary.knownMs += each.durationMs;
+        summary.isClockDoubtful = summary.isClockDoubtful || each.isClockDoubtful;
         addProduction(summary.production, each);
         if (each.stop == 0)
             continue;
@@ -105,7 +106,8 @@ ShiftSummary summarize(const store::StopLog::Span& span, const Shift& shift, qin
         const auto place = places.find(each.stop);
         if (place == places.end()) {
             places.insert(each.stop, summary.stops.size());
-            summary.stops << ShiftStop{each.stop, each.beginMs, each.durationMs, each.state, answer};
+            summary.stops << ShiftStop{each.stop,  each.beginMs, each.durationMs,
+                                       each.state, answer,       each.isClockDoubtful};
         } else {
             summary.stops[*place].durationMs += each.durationMs;
         }

@@ -27,6 +27,7 @@ struct ShiftStop {
     qint64 durationMs = 0;
     store::StateInterval::State state = store::StateInterval::State::Idle; // at its begin
     store::StopRow answer;
+    bool isClockDoubtful = false; // of the begin
 
     bool operator==(const ShiftStop&) const = default;
 };
@@ -48,8 +49,9 @@ struct ShiftSummary {
     qint64 plannedStopMs = 0; // of a shift of a day off: all of it
     qint64 stopMs = 0;        // the other stops
     QList<BarStretch> bar;
-    QList<ShiftStop> stops;     // in their order
-    QList<ReasonShare> reasons; // longest first
+    QList<ShiftStop> stops;       // in their order
+    QList<ReasonShare> reasons;   // longest first
+    bool isClockDoubtful = false; // of an interval
 };
 
 // Returns the summary of the intervals that begin in the shift. Stops without a reason up to `shortMs` are

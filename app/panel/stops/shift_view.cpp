@@ -5,6 +5,7 @@
 #include "app/panel/records/database_service.h"
 #include "app/panel/settings/settings.h"
 #include "app/panel/stops/stops.h"
+#include "app/panel/words/alarm_words.h"
 #include "app/store/logs/stop_export.h"
 
 #include <QLocale>
@@ -200,9 +201,14 @@ QString ShiftView::title() const
 
 QString ShiftView::note() const
 {
+    QStringList notes;
     if (!m_shift.isWorking)
-        return tr("Day off: no production planned");
-    return m_isPresent ? tr("Present shift") : QString();
+        notes << tr("Day off: no production planned");
+    else if (m_isPresent)
+        notes << tr("Present shift");
+    if (m_summary.isClockDoubtful)
+        notes << AlarmWords::clockNote(true);
+    return notes.join(u" · "_s);
 }
 
 QString ShiftView::timesText() const

@@ -57,12 +57,15 @@ void StateBook::note(const Observation& seen, const Now& now)
         return;
     check(now);
     m_isLastContinued = m_open.has_value();
-    if (m_open) {
+    if (m_open)
         splitAtQuarters(now.steady);
+    m_isClockDoubtful = now.isClockDoubtful;
+    if (m_open) {
         const qint64 elapsedMs = msSinceBegin(now.steady);
         const bool hasJumped = std::abs(now.utcMs - m_open->beginMs - elapsedMs) > maxDriftMs;
         const bool isOther = seen.state != m_open->state || seen.program != m_open->program ||
-                             seen.version != m_open->version || seen.idealPerMin != m_open->idealPerMin;
+                             seen.version != m_open->version || seen.idealPerMin != m_open->idealPerMin ||
+                             now.isClockDoubtful != m_open->isClockDoubtful;
         if (hasJumped || isOther) {
             const qint64 beginMs = hasJumped ? now.utcMs : m_open->beginMs + elapsedMs;
             close(elapsedMs);
@@ -109,6 +112,7 @@ void StateBook::open(const Observation& seen, qint64 beginMs, link::SteadyTime s
     interval.version = seen.version;
     interval.idealPerMin = seen.idealPerMin;
     interval.cycles = seen.cycles;
+    interval.isClockDoubtful = m_isClockDoubtful;
     if (store::produces(seen.state)) {
         m_stop = {};
         m_stopMs = 0;

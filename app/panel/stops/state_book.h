@@ -30,6 +30,7 @@ public:
     struct Now {
         link::SteadyTime steady;
         qint64 utcMs = 0;
+        bool isClockDoubtful = false;
     };
     struct Observation {
         store::StateInterval::State state = store::StateInterval::State::Idle;
@@ -89,6 +90,7 @@ private:
     link::SteadyTime m_openSince; // steady clock at the begin of m_open
     link::SteadyTime m_lastStatus;
     Observation m_seen;
+    bool m_isClockDoubtful = false;
     std::optional<store::StateInterval> m_last; // ended
     bool m_isLastContinued = false;             // m_open follows m_last without a gap
     store::StopRow m_stop;                      // of m_open, or of m_last

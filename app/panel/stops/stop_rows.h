@@ -4,6 +4,7 @@
 
 #include "app/panel/kit/row_model.h"
 #include "app/panel/stops/shift_summary.h"
+#include "app/panel/words/alarm_words.h"
 #include "app/panel/words/stop_words.h"
 
 #include <QDateTime>
@@ -61,6 +62,7 @@ public:
 struct StopListRow {
     Q_GADGET
     Q_PROPERTY(QString time READ time)
+    Q_PROPERTY(QString clockNote READ clockNote)
     Q_PROPERTY(QString durationText READ durationText)
     Q_PROPERTY(QString reasonText READ reasonText)
     Q_PROPERTY(QString stateText READ stateText)
@@ -75,6 +77,7 @@ public:
     {
         return QDateTime::fromMSecsSinceEpoch(stop.beginMs).toString(QStringLiteral("HH:mm:ss"));
     }
+    [[nodiscard]] QString clockNote() const { return AlarmWords::clockNote(stop.isClockDoubtful); }
     [[nodiscard]] QString durationText() const { return StopWords::duration(stop.durationMs); }
     [[nodiscard]] QString reasonText() const { return StopWords::reason(stop.answer.reason); }
     [[nodiscard]] QString stateText() const { return StopWords::state(stop.state); }

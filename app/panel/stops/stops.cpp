@@ -54,10 +54,10 @@ Stops::Stops(Controller& machine, Settings& settings, DatabaseService& records, 
     records.store().run(
         this, [](store::Database& database) { return StopLog::begin(database); },
         [this](const tl::expected<StopLog::Start, StoreError>& start) {
-            if (start)
-                m_book.begin(*start);
-            else
-                m_records.reportError(start.error());
+            if (!start)
+                return m_records.reportError(start.error());
+            m_watch.setNewestRecord(start->newestMs);
+            m_book.begin(*start);
         });
 }
 

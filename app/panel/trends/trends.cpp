@@ -258,6 +258,7 @@ void Trends::show(const store::TrendWindow& window)
     }
     m_curves = QVariant::fromValue(std::shared_ptr<const QList<QList<QPointF>>>(std::move(lines)));
     m_columnMs = window.columnMs;
+    m_isClockDoubtful = window.isClockDoubtful;
     m_content = !window.hasAny ? NothingYet : isEmpty ? NothingHere : Shown;
     emit shownChanged();
 }

@@ -42,6 +42,8 @@ class Trends : public QObject {
     // share, 0..1.
     Q_PROPERTY(QVariantList statistics READ statistics NOTIFY shownChanged FINAL)
     Q_PROPERTY(Content content READ content NOTIFY shownChanged FINAL)
+    // True when a bag of the window was recorded while the clock was not set.
+    Q_PROPERTY(bool clockDoubtful READ clockDoubtful NOTIFY shownChanged FINAL)
     // True while a CSV is created; then exportReady() follows.
     Q_PROPERTY(bool exporting READ exporting NOTIFY exportingChanged FINAL)
 
@@ -74,6 +76,7 @@ public:
 
     // Replaces the computer's time of day, for tests and captures.
     void setWallClock(const TrendRecorder::WallClock& clock);
+    void setClockUnset(std::function<bool()> isUnset) { m_recorder.setClockUnset(std::move(isUnset)); }
     [[nodiscard]] store::StoreThread& store() { return m_store; }
 
     [[nodiscard]] QList<int> chosen() const { return m_chosen; }
@@ -86,6 +89,7 @@ public:
     [[nodiscard]] QVariant curves() const { return m_curves; }
     [[nodiscard]] QVariantList statistics() const { return m_statistics; }
     [[nodiscard]] Content content() const { return m_content; }
+    [[nodiscard]] bool clockDoubtful() const { return m_isClockDoubtful; }
     [[nodiscard]] qint64 columnMs() const { return m_columnMs; } // per column; 0 before the first answer
     [[nodiscard]] bool exporting() const { return m_isExporting; }
 
@@ -149,6 +153,7 @@ private:
     QVariant m_curves;
     QVariantList m_statistics;
     Content m_content = Unread;
+    bool m_isClockDoubtful = false;
 };
 
 } // namespace campanel::panel

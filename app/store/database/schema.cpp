@@ -117,6 +117,11 @@ const std::vector<QStringList>& migrations()
             u"CREATE INDEX alarm_raised ON alarm (raised_ms)"_s,
             u"CREATE INDEX audit_time ON audit (time_ms)"_s,
         },
+        {
+            // The same mark of states and versions of recipes.
+            u"ALTER TABLE state_interval ADD COLUMN clock_doubtful INTEGER NOT NULL DEFAULT 0"_s,
+            u"ALTER TABLE recipe_version ADD COLUMN clock_doubtful INTEGER NOT NULL DEFAULT 0"_s,
+        },
     };
     return steps;
 }

@@ -31,4 +31,10 @@ namespace campanel::store {
     return csvUtc(timeMs) + u',' + withOffset.toString(Qt::ISODateWithMs);
 }
 
+// Returns the field "clock" of a record.
+[[nodiscard]] inline QString csvClock(bool isDoubtful)
+{
+    return isDoubtful ? QStringLiteral("not set") : QStringLiteral("set");
+}
+
 } // namespace campanel::store

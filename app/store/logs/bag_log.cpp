@@ -2,8 +2,10 @@
 #include "app/store/logs/bag_log.h"
 
 #include "app/store/database/ring.h"
+#include "app/store/logs/clock_mark.h"
 #include "app/store/logs/trend_bucket.h"
 
+#include <algorithm>
 #include <cmath>
 
 using namespace Qt::StringLiterals;
@@ -13,6 +15,7 @@ namespace campanel::store {
 namespace {
 
 const QString bagTable = u"bag"_s;
+constexpr qint64 spanGapMs = 60'000; // between the bags of one span
 
 qint64 scaled(double value)
 {
@@ -33,15 +36,26 @@ std::optional<double> unscaled(const QVariant& value)
 
 tl::expected<void, StoreError> BagLog::add(const QList<Bag>& bags)
 {
+    auto newest = newestMs();
+    if (!newest)
+        return tl::unexpected(newest.error());
     qint64 askedMs = 0;
     qint64 givenMs = 0; // all times up to this one are taken
-    for (const Bag& bag : bags) {
+    for (Bag bag : bags) {
+        if (isTimeDoubtful(bag.timeMs, *newest))
+            bag.flags |= Bag::ClockNotSet;
+        if (!(bag.flags & Bag::ClockNotSet))
+            newest = std::max(*newest, bag.timeMs);
         const auto program = programOf(bag);
         if (!program)
             return tl::unexpected(program.error());
         const auto inserted = insert(bag, *program, bag.timeMs == askedMs ? givenMs : bag.timeMs);
         if (!inserted)
             return tl::unexpected(inserted.error());
+        if (bag.flags & Bag::ClockNotSet) {
+            if (const auto noted = noteUnset(*inserted); !noted)
+                return noted;
+        }
         askedMs = bag.timeMs;
         givenMs = *inserted;
     }
@@ -49,7 +63,30 @@ tl::expected<void, StoreError> BagLog::add(const QList<Bag>& bags)
         return {};
     if (const auto kept = noteRows(m_database, bagTable, u"time_ms"_s, bags.size(), m_kept); !kept)
         return kept;
-    return forgetPrograms();
+    return forgetProgramsAndSpans();
+}
+
+tl::expected<qint64, StoreError> BagLog::newestMs()
+{
+    auto found =
+        m_database.execute(u"SELECT time_ms FROM bag WHERE flags & 16 = 0 ORDER BY time_ms DESC LIMIT 1"_s);
+    if (!found)
+        return tl::unexpected(found.error());
+    return found->next() ? found->value(0).toLongLong() : 0;
+}
+
+tl::expected<void, StoreError> BagLog::noteUnset(qint64 timeMs)
+{
+    const auto extended = m_database.execute(
+        u"UPDATE clock_unset SET end_ms = max(end_ms, ?) WHERE begin_ms <= ? AND end_ms >= ?"_s,
+        {timeMs, timeMs, timeMs - spanGapMs});
+    if (!extended)
+        return tl::unexpected(extended.error());
+    if (extended->numRowsAffected() > 0)
+        return {};
+    const auto begun =
+        m_database.execute(u"INSERT INTO clock_unset (begin_ms, end_ms) VALUES (?, ?)"_s, {timeMs, timeMs});
+    return begun ? tl::expected<void, StoreError>() : tl::unexpected(begun.error());
 }
 
 tl::expected<qint64, StoreError> BagLog::programOf(const Bag& bag)
@@ -88,12 +125,16 @@ tl::expected<qint64, StoreError> BagLog::insert(const Bag& bag, qint64 program, 
     return timeMs;
 }
 
-// Deletes programs without bags.
-tl::expected<void, StoreError> BagLog::forgetPrograms()
+// Deletes programs and spans without bags.
+tl::expected<void, StoreError> BagLog::forgetProgramsAndSpans()
 {
     const auto done =
         m_database.execute(u"DELETE FROM program WHERE last_ms < (SELECT min(time_ms) FROM bag)"_s);
-    return done ? tl::expected<void, StoreError>() : tl::unexpected(done.error());
+    if (!done)
+        return tl::unexpected(done.error());
+    const auto spans =
+        m_database.execute(u"DELETE FROM clock_unset WHERE end_ms < (SELECT min(time_ms) FROM bag)"_s);
+    return spans ? tl::expected<void, StoreError>() : tl::unexpected(spans.error());
 }
 
 tl::expected<qint64, StoreError> BagLog::count()
@@ -109,6 +150,15 @@ tl::expected<qint64, StoreError> BagLog::countBetween(qint64 fromMs, qint64 toMs
     if (!counted)
         return tl::unexpected(counted.error());
     return counted->next() ? counted->value(0).toLongLong() : 0;
+}
+
+tl::expected<bool, StoreError> BagLog::hasClockNotSet(qint64 fromMs, qint64 toMs)
+{
+    auto found = m_database.execute(u"SELECT 1 FROM clock_unset WHERE end_ms >= ? AND begin_ms < ? LIMIT 1"_s,
+                                    {fromMs, toMs});
+    if (!found)
+        return tl::unexpected(found.error());
+    return found->next();
 }
 
 tl::expected<void, StoreError> BagLog::forEach(qint64 fromMs, qint64 toMs,

@@ -14,7 +14,8 @@
 namespace campanel::store {
 
 struct Bag {
-    enum Flag : quint8 { Tracked = 1, MarkMissed = 2, ProductAcross = 4, Empty = 8 };
+    // ClockNotSet: recorded while the clock was not set; see clock_mark.h.
+    enum Flag : quint8 { Tracked = 1, MarkMissed = 2, ProductAcross = 4, Empty = 8, ClockNotSet = 16 };
 
     qint64 timeMs = 0;   // since 1970 UTC
     QString programName; // as stored in the controller
@@ -43,19 +44,27 @@ public:
     }
 
     // Adds bags; call it in a transaction. A bag whose time is taken is stored at the next free millisecond.
+    // A bag whose time cannot be right is marked.
     [[nodiscard]] tl::expected<void, StoreError> add(const QList<Bag>& bags);
     [[nodiscard]] tl::expected<qint64, StoreError> count();
     // Counts the bags from `fromMs` to before `toMs`, but not further than `maxRows`.
     [[nodiscard]] tl::expected<qint64, StoreError> countBetween(qint64 fromMs, qint64 toMs, qint64 maxRows);
+    // Returns true when a bag from `fromMs` to before `toMs`, or of the minute around, was recorded while the
+    // clock was not set.
+    [[nodiscard]] tl::expected<bool, StoreError> hasClockNotSet(qint64 fromMs, qint64 toMs);
     // Calls `take` for each bag, oldest first.
     [[nodiscard]] tl::expected<void, StoreError> forEach(qint64 fromMs, qint64 toMs,
                                                          const std::function<void(const Bag&)>& take);
 
 private:
+    // Returns the time of the newest bag that is not marked; 0: none.
+    [[nodiscard]] tl::expected<qint64, StoreError> newestMs();
+    // Notes the time of a marked bag in its span.
+    [[nodiscard]] tl::expected<void, StoreError> noteUnset(qint64 timeMs);
     [[nodiscard]] tl::expected<qint64, StoreError> programOf(const Bag& bag);
     // Inserts a bag at `timeMs` or the next free millisecond, which it returns.
     [[nodiscard]] tl::expected<qint64, StoreError> insert(const Bag& bag, qint64 program, qint64 timeMs);
-    [[nodiscard]] tl::expected<void, StoreError> forgetPrograms();
+    [[nodiscard]] tl::expected<void, StoreError> forgetProgramsAndSpans();
 
     Database& m_database;
     qint64 m_kept;

@@ -45,11 +45,6 @@ constexpr auto alarmsHead =
     "id,code,raised_utc,end,returned_utc,acknowledged_utc,acknowledged_by,count,shelved,detail,clock\n";
 constexpr int pageRows = 1000;
 
-QString clock(bool isDoubtful)
-{
-    return isDoubtful ? u"not set"_s : u"set"_s;
-}
-
 QByteArray auditLines(const QList<AuditRow>& rows)
 {
     QByteArray text;
@@ -58,7 +53,7 @@ QByteArray auditLines(const QList<AuditRow>& rows)
         text += line({QString::number(row.sequence), time(entry.timeMs), entry.who,
                       QString::number(entry.level), entry.what, entry.object, entry.before, entry.after,
                       entry.readBack, entry.outcome, QString::fromLatin1(row.previous.toHex()),
-                      QString::fromLatin1(row.hash.toHex()), clock(entry.isClockDoubtful)});
+                      QString::fromLatin1(row.hash.toHex()), csvClock(entry.isClockDoubtful)});
     }
     return text;
 }
@@ -70,7 +65,7 @@ QByteArray alarmLines(const QList<AlarmRow>& rows)
         text +=
             line({QString::number(row.id), row.code, time(row.raisedMs), end(row.end), time(row.returnedMs),
                   time(row.acknowledgedMs), row.acknowledgedBy, QString::number(row.count),
-                  row.isShelved ? u"yes"_s : u"no"_s, row.detail, clock(row.isClockDoubtful)});
+                  row.isShelved ? u"yes"_s : u"no"_s, row.detail, csvClock(row.isClockDoubtful)});
     }
     return text;
 }

@@ -51,7 +51,7 @@ QString nameOf(StateInterval::State state)
 QByteArray statesCsv(const StopLog::Span& span)
 {
     QByteArray csv = "begin_utc,begin_local,duration_s,state,stop,program,version,ideal_per_min,pieces,"
-                     "out_of_tolerance,start_up_scrap,skipped_cuts\n";
+                     "out_of_tolerance,start_up_scrap,skipped_cuts,clock\n";
     for (const StateInterval& each : span.intervals) {
         const QStringList fields{csvUtcAndLocal(each.beginMs),
                                  secondsText(each.durationMs),
@@ -63,7 +63,8 @@ QByteArray statesCsv(const StopLog::Span& span)
                                  QString::number(each.pieces),
                                  QString::number(each.outOfTolerance),
                                  QString::number(each.startUpScrap),
-                                 QString::number(each.skipped)};
+                                 QString::number(each.skipped),
+                                 csvClock(each.isClockDoubtful)};
         csv += fields.join(u',').toUtf8() + '\n';
     }
     return csv;
@@ -87,14 +88,19 @@ QByteArray stopsCsv(const StopLog::Span& span)
     QMap<qint64, StopRow> reasons;
     for (const StopRow& each : span.stops)
         reasons.insert(each.id, each);
-    QByteArray csv = "stop,begin_utc,begin_local,duration_s,state,reason,planned,answered_by,answered_utc\n";
+    QByteArray csv =
+        "stop,begin_utc,begin_local,duration_s,state,reason,planned,answered_by,answered_utc,clock\n";
     for (auto it = parts.cbegin(); it != parts.cend(); ++it) {
         const StopRow reason = reasons.value(it.key());
-        const QStringList fields{
-            QString::number(it.key()),   csvUtcAndLocal(it->first->beginMs),
-            secondsText(it->durationMs), nameOf(it->first->state),
-            csvField(reason.reason),     yesOrNo(reason.isPlanned),
-            csvField(reason.by),         reason.answeredMs == 0 ? QString() : csvUtc(reason.answeredMs)};
+        const QStringList fields{QString::number(it.key()),
+                                 csvUtcAndLocal(it->first->beginMs),
+                                 secondsText(it->durationMs),
+                                 nameOf(it->first->state),
+                                 csvField(reason.reason),
+                                 yesOrNo(reason.isPlanned),
+                                 csvField(reason.by),
+                                 reason.answeredMs == 0 ? QString() : csvUtc(reason.answeredMs),
+                                 csvClock(it->first->isClockDoubtful)};
         csv += fields.join(u',').toUtf8() + '\n';
     }
     return csv;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/store/logs/stop_log.h"
 
+#include "app/store/logs/clock_mark.h"
+
 using namespace Qt::StringLiterals;
 
 namespace campanel::store {
@@ -11,7 +13,7 @@ using Written = tl::expected<void, StoreError>;
 
 const QString intervalColumns =
     u"id, stop, state, begin_ms, duration_ms, program, version, ideal_per_min, cycles, pieces, "
-    "out_of_tolerance, start_up_scrap, skipped"_s;
+    "out_of_tolerance, start_up_scrap, skipped, clock_doubtful"_s;
 
 // Returns an empty text instead of a null string, which would be stored as NULL.
 QString notNull(const QString& text)
@@ -22,14 +24,14 @@ QString notNull(const QString& text)
 Written writeInterval(Database& database, const StateInterval& interval)
 {
     const auto done = database.execute(
-        u"INSERT INTO state_interval (%1) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?) "
+        u"INSERT INTO state_interval (%1) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?) "
         "ON CONFLICT (id) DO UPDATE SET duration_ms = excluded.duration_ms, cycles = excluded.cycles, "
         "pieces = excluded.pieces, out_of_tolerance = excluded.out_of_tolerance, "
         "start_up_scrap = excluded.start_up_scrap, skipped = excluded.skipped "
         "WHERE excluded.duration_ms >= state_interval.duration_ms"_s.arg(intervalColumns),
         {interval.id, interval.stop, static_cast<int>(interval.state), interval.beginMs, interval.durationMs,
          notNull(interval.program), interval.version, interval.idealPerMin, interval.cycles, interval.pieces,
-         interval.outOfTolerance, interval.startUpScrap, interval.skipped});
+         interval.outOfTolerance, interval.startUpScrap, interval.skipped, interval.isClockDoubtful});
     return done ? Written() : tl::unexpected(done.error());
 }
 
@@ -71,6 +73,7 @@ StateInterval intervalOf(const QSqlQuery& query)
     interval.outOfTolerance = query.value(10).toLongLong();
     interval.startUpScrap = query.value(11).toLongLong();
     interval.skipped = query.value(12).toLongLong();
+    interval.isClockDoubtful = query.value(13).toBool();
     return interval;
 }
 
@@ -85,6 +88,10 @@ StopRow stopOf(const QSqlQuery& query)
 tl::expected<StopLog::Start, StoreError> StopLog::begin(Database& database)
 {
     Start start;
+    const auto newestMs = newestRecordMs(database);
+    if (!newestMs)
+        return tl::unexpected(newestMs.error());
+    start.newestMs = *newestMs;
     auto newest =
         database.execute(u"SELECT %1 FROM state_interval ORDER BY id DESC LIMIT 1"_s.arg(intervalColumns));
     if (!newest)

@@ -30,8 +30,9 @@ struct StateInterval {
     qint64 cycles = 0;      // the controller's count at the end
     qint64 pieces = 0;      // bags, strokes or cycles that were completed
     qint64 outOfTolerance = 0;
-    qint64 startUpScrap = 0; // also those of a change of program
-    qint64 skipped = 0;      // cuts
+    qint64 startUpScrap = 0;      // also those of a change of program
+    qint64 skipped = 0;           // cuts
+    bool isClockDoubtful = false; // begun while the clock was not set; see clock_mark.h
 
     [[nodiscard]] qint64 endMs() const { return beginMs + durationMs; }
     bool operator==(const StateInterval&) const = default;
@@ -70,7 +71,8 @@ public:
         std::optional<StateInterval> last;
         std::optional<StopRow> stop; // empty: without a reason, or the machine produced
         qint64 stopBeginMs = 0;
-        qint64 stopMs = 0; // in all its intervals
+        qint64 stopMs = 0;   // in all its intervals
+        qint64 newestMs = 0; // see newestRecordMs()
     };
     // The intervals that begin in a span of time, in their order, and the reasons of their stops.
     struct Span {

@@ -59,7 +59,7 @@ tl::expected<QByteArray, StoreError> bagsCsv(Database& database, qint64 fromMs, 
         return QByteArray();
     QByteArray csv =
         "each_bag_utc,each_bag_local,program,version,lengths,length_mm,deviation_mm,mark_error_mm,"
-        "following_error_mm,rate_bags_per_min,flags\n";
+        "following_error_mm,rate_bags_per_min,flags,clock\n";
     const auto read = log.forEach(fromMs, toMs, [&](const Bag& bag) {
         const QStringList fields{csvUtcAndLocal(bag.timeMs),
                                  csvField(bag.programName),
@@ -70,7 +70,8 @@ tl::expected<QByteArray, StoreError> bagsCsv(Database& database, qint64 fromMs, 
                                  number(bag.markErrorMm),
                                  number(bag.followingErrorMm),
                                  number(bag.rateBagsPerMin),
-                                 flags(bag.flags)};
+                                 flags(bag.flags),
+                                 csvClock(bag.flags & Bag::ClockNotSet)};
         csv += fields.join(u',').toUtf8() + '\n';
     });
     if (!read)

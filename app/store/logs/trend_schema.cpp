@@ -51,6 +51,10 @@ const std::vector<QStringList>& steps()
             u"CREATE TABLE ring (name TEXT PRIMARY KEY, held INTEGER NOT NULL) WITHOUT ROWID"_s,
             u"INSERT INTO ring VALUES ('bag', 0), ('trend_second', 0), ('trend_minute', 0), ('trend_hour', 0)"_s,
         },
+        {
+            // The spans with bags that were recorded while the clock was not set.
+            u"CREATE TABLE clock_unset (begin_ms INTEGER PRIMARY KEY, end_ms INTEGER NOT NULL)"_s,
+        },
     };
     return all;
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/store/logs/trend_window.h"
 
+#include "app/store/logs/bag_log.h"
+
 #include <QHash>
 
 #include <algorithm>
@@ -59,6 +61,10 @@ tl::expected<TrendWindow, StoreError> readTrends(Database& database, const Trend
     if (!hasAny)
         return tl::unexpected(hasAny.error());
     window.hasAny = *hasAny;
+    const auto isDoubtful = BagLog(database).hasClockNotSet(question.fromMs, question.toMs);
+    if (!isDoubtful)
+        return tl::unexpected(isDoubtful.error());
+    window.isClockDoubtful = *isDoubtful;
     window.level = levelFor(question.fromMs, question.toMs, firstMs);
     window.columnMs = columnLength(question, window.level);
     QHash<TrendQuantity, qsizetype> places;

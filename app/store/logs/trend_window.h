@@ -29,9 +29,10 @@ struct TrendCurve {
 
 struct TrendWindow {
     TrendLog::Level level = TrendLog::Level::Second;
-    qint64 columnMs = 0;        // width of a column; a multiple of the level's bucket
-    bool hasAny = false;        // these quantities have a bucket at any time
-    QList<TrendCurve> curves{}; // in the requested order
+    qint64 columnMs = 0;          // width of a column; a multiple of the level's bucket
+    bool isClockDoubtful = false; // for a bag in the window
+    bool hasAny = false;          // these quantities have a bucket at any time
+    QList<TrendCurve> curves{};   // in the requested order
 };
 
 [[nodiscard]] tl::expected<TrendWindow, StoreError> readTrends(Database& database,

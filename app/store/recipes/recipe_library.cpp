@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/store/recipes/recipe_library.h"
 
+#include "app/store/logs/clock_mark.h"
 #include "app/store/recipes/program_json.h"
 #include "app/store/recipes/recipe_json.h"
 
@@ -16,7 +17,7 @@ QString kindKey(const program::Recipe& recipe)
     return QString::fromLatin1(key.data(), static_cast<qsizetype>(key.size()));
 }
 
-// Reads the columns recipe, version, saved_ms, saved_by, json, name.
+// Reads the columns recipe, version, saved_ms, saved_by, json, name, clock_doubtful.
 QList<RecipeVersion> readVersions(QSqlQuery& query)
 {
     QList<RecipeVersion> versions;
@@ -27,7 +28,7 @@ QList<RecipeVersion> readVersions(QSqlQuery& query)
         recipe->name = query.value(5).toString().toStdString();
         recipe->version = query.value(1).toInt();
         versions << RecipeVersion{query.value(0).toLongLong(), recipe->version, query.value(2).toLongLong(),
-                                  query.value(3).toString(), *recipe};
+                                  query.value(3).toString(),   *recipe,         query.value(6).toBool()};
     }
     return versions;
 }
@@ -41,7 +42,8 @@ bool isSameProgram(const program::Recipe& left, const program::Recipe& right)
 
 RecipeLibrary::Result<QList<RecipeVersion>> RecipeLibrary::newest()
 {
-    auto query = m_database.execute(uR"(SELECT v.recipe, v.version, v.saved_ms, v.saved_by, v.json, r.name
+    auto query = m_database.execute(
+        uR"(SELECT v.recipe, v.version, v.saved_ms, v.saved_by, v.json, r.name, v.clock_doubtful
             FROM recipe r JOIN recipe_version v ON v.recipe = r.id
             WHERE r.deleted = 0 AND v.version = (SELECT MAX(version) FROM recipe_version WHERE recipe = r.id)
             ORDER BY v.saved_ms DESC, r.id DESC)"_s);
@@ -50,19 +52,21 @@ RecipeLibrary::Result<QList<RecipeVersion>> RecipeLibrary::newest()
 
 RecipeLibrary::Result<QList<RecipeVersion>> RecipeLibrary::versions(qint64 recipeId)
 {
-    auto query = m_database.execute(uR"(SELECT v.recipe, v.version, v.saved_ms, v.saved_by, v.json, r.name
+    auto query = m_database.execute(
+        uR"(SELECT v.recipe, v.version, v.saved_ms, v.saved_by, v.json, r.name, v.clock_doubtful
             FROM recipe_version v JOIN recipe r ON r.id = v.recipe
             WHERE v.recipe = ? ORDER BY v.version DESC)"_s,
-                                    {recipeId});
+        {recipeId});
     return query ? Result<QList<RecipeVersion>>(readVersions(*query)) : tl::unexpected(query.error());
 }
 
 RecipeLibrary::Result<bool> RecipeLibrary::has(const program::Recipe& recipe)
 {
-    auto query = m_database.execute(uR"(SELECT v.recipe, v.version, v.saved_ms, v.saved_by, v.json, r.name
+    auto query = m_database.execute(
+        uR"(SELECT v.recipe, v.version, v.saved_ms, v.saved_by, v.json, r.name, v.clock_doubtful
             FROM recipe_version v JOIN recipe r ON r.id = v.recipe
             WHERE r.deleted = 0 AND r.name = ? AND v.version = ?)"_s,
-                                    {QString::fromStdString(recipe.name), recipe.version});
+        {QString::fromStdString(recipe.name), recipe.version});
     if (!query)
         return tl::unexpected(query.error());
     const QList<RecipeVersion> found = readVersions(*query);
@@ -70,10 +74,14 @@ RecipeLibrary::Result<bool> RecipeLibrary::has(const program::Recipe& recipe)
 }
 
 RecipeLibrary::Result<RecipeVersion> RecipeLibrary::save(const program::Recipe& recipe, const QString& by,
-                                                         qint64 nowMs)
+                                                         qint64 nowMs, bool isClockUnset)
 {
     RecipeVersion saved{0, recipe.version, nowMs, by, recipe};
     const auto done = m_database.transaction([&]() -> Result<void> {
+        const auto newest = newestRecordMs(m_database);
+        if (!newest)
+            return tl::unexpected(newest.error());
+        saved.isClockDoubtful = isClockUnset || isTimeDoubtful(nowMs, *newest);
         const QString name = QString::fromStdString(recipe.name);
         // Updates the spelling of the name; a deleted recipe is restored.
         auto known = m_database.execute(
@@ -97,8 +105,10 @@ RecipeLibrary::Result<RecipeVersion> RecipeLibrary::save(const program::Recipe& 
             saved.recipe.version = saved.version;
         }
         const auto inserted = m_database.execute(
-            u"INSERT INTO recipe_version (recipe, version, saved_ms, saved_by, kind, json) VALUES (?, ?, ?, ?, ?, ?)"_s,
-            {saved.recipeId, saved.version, nowMs, by, kindKey(recipe), toJson(saved.recipe)});
+            u"INSERT INTO recipe_version (recipe, version, saved_ms, saved_by, kind, json, clock_doubtful) "
+            "VALUES (?, ?, ?, ?, ?, ?, ?)"_s,
+            {saved.recipeId, saved.version, nowMs, by, kindKey(recipe), toJson(saved.recipe),
+             saved.isClockDoubtful});
         return inserted ? Result<void>() : tl::unexpected(inserted.error());
     });
     return done ? Result<RecipeVersion>(saved) : tl::unexpected(done.error());

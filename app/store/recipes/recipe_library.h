@@ -18,7 +18,8 @@ struct RecipeVersion {
     int version = 0;
     qint64 savedMs = 0; // since 1970, UTC
     QString savedBy;
-    program::Recipe recipe; // with the recipe's present name
+    program::Recipe recipe;       // with the recipe's present name
+    bool isClockDoubtful = false; // saved while the clock was not set; see clock_mark.h
 };
 
 class RecipeLibrary {
@@ -41,8 +42,9 @@ public:
 
     // Saves the recipe under its name (case-insensitive) and returns its version: that of the recipe, or the
     // next one when another program has that number. An unchanged program gets no new version. A deleted
-    // recipe of that name is restored.
-    [[nodiscard]] Result<RecipeVersion> save(const program::Recipe& recipe, const QString& by, qint64 nowMs);
+    // recipe of that name is restored. The version is marked when the clock is not set, or cannot be right.
+    [[nodiscard]] Result<RecipeVersion> save(const program::Recipe& recipe, const QString& by, qint64 nowMs,
+                                             bool isClockUnset = false);
 
     // Renames a recipe. Errors: Refused when there is or was another recipe of that name.
     [[nodiscard]] Result<void> rename(qint64 recipeId, const QString& name);

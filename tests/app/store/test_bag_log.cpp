@@ -186,6 +186,65 @@ private slots:
         QCOMPARE(aside.size(), 1);
     }
 
+    void bagsOfAClockThatIsNotSetAreMarked()
+    {
+        const auto database = Database::inMemory(trendDatabase());
+        Bag unset = bagAt(start + 1000);
+        unset.flags = Bag::Tracked | Bag::ClockNotSet; // as the panel knows
+        QVERIFY(add(*database, {bagAt(start), unset, bagAt(start + 2000)}));
+        QVERIFY(!*BagLog(*database).hasClockNotSet(start, start + 1000));
+        QVERIFY(*BagLog(*database).hasClockNotSet(start, start + 1001));
+        // Before this program existed, and far behind the newest bag; a clock that is set back by seconds is
+        // right.
+        constexpr qint64 hour = 3'600'000;
+        QVERIFY(add(*database, {bagAt(1000), bagAt(start - hour), bagAt(start - 1000)}));
+        QList<bool> marks;
+        for (const Bag& bag : all(*database))
+            marks << (bag.flags & Bag::ClockNotSet);
+        QCOMPARE(marks, QList<bool>({true, true, false, false, true, false}));
+        QCOMPARE(all(*database)[4].flags & Bag::Tracked, Bag::Tracked);
+        const auto csv = bagsCsv(*database, 0, start + 5000, 10);
+        QCOMPARE(csv->count(",not set\n"), 3);
+        QCOMPARE(csv->count(",set\n"), 3);
+    }
+
+    void aFileOfTheEarlierSchemaIsReadAndMarked()
+    {
+        const QTemporaryDir folder;
+        {
+            const auto database = *Database::open(folder.path(), trendDatabase());
+            QVERIFY(add(*database, {bagAt(start)}));
+            QVERIFY(database->execute(u"DROP TABLE clock_unset"_s));
+            QVERIFY(database->execute(u"PRAGMA user_version = 1"_s));
+        }
+        const auto database = *Database::open(folder.path(), trendDatabase());
+        QCOMPARE(database->opening().migratedFrom, 1);
+        QVERIFY(add(*database, {bagAt(2000)}));
+        QCOMPARE(all(*database).size(), 2);
+        QVERIFY(*BagLog(*database).hasClockNotSet(0, start));
+        QVERIFY(!*BagLog(*database).hasClockNotSet(start, 2 * start));
+    }
+
+    void marksDoNotGrowTheFileBeyondItsLimit()
+    {
+        const QTemporaryDir folder;
+        constexpr int count = 20'000;
+        constexpr qint64 maxBytes = 40;
+        {
+            const auto database = *Database::open(folder.path(), trendDatabase());
+            QList<Bag> bags;
+            for (int i = 0; i < count; ++i) {
+                bags << bagAt(start + i * 200, 0.001 * (i % 500));
+                bags.last().markErrorMm = 0.001 * (i % 300);
+                bags.last().followingErrorMm = 0.001 * (i % 400);
+                bags.last().flags = Bag::Tracked | Bag::ClockNotSet;
+            }
+            QVERIFY(add(*database, bags));
+        }
+        const qint64 bytes = QFileInfo(folder.filePath(u"trends.sqlite"_s)).size();
+        QVERIFY2(bytes <= maxBytes * count, qPrintable(QString::number(double(bytes) / count)));
+    }
+
     void csvHasALineForEachBag()
     {
         const auto database = Database::inMemory(trendDatabase());
@@ -199,8 +258,9 @@ private slots:
         QCOMPARE(lines.size(), 2);
         QVERIFY(lines[0].startsWith("each_bag_utc,each_bag_local,"));
         QVERIFY2(lines[1].startsWith("2027-01-15T08:00:00.000Z,"), lines[1].constData());
-        QVERIFY2(lines[1].endsWith(",\"a \"\"quoted\"\", name\",3,1,249.500,-0.500,,,300.000,tracked empty"),
-                 lines[1].constData());
+        QVERIFY2(
+            lines[1].endsWith(",\"a \"\"quoted\"\", name\",3,1,249.500,-0.500,,,300.000,tracked empty,set"),
+            lines[1].constData());
         QVERIFY(bagsCsv(*database, start, start + 2000, 1)->isEmpty()); // too many
     }
 };

@@ -107,7 +107,7 @@ void TestDatabase::rulesOfTheTablesAreKept()
     QVERIFY(!twice);
     QCOMPARE(twice.error().kind, StoreError::Kind::Refused);
     const auto orphan =
-        database->execute(u"INSERT INTO recipe_version VALUES (99, 1, 0, '', 'rotary_cutter', x'00')"_s);
+        database->execute(u"INSERT INTO recipe_version VALUES (99, 1, 0, '', 'rotary_cutter', x'00', 0)"_s);
     QVERIFY(!orphan);
     QCOMPARE(orphan.error().kind, StoreError::Kind::Refused);
 }
@@ -169,7 +169,7 @@ void TestDatabase::fullDiskLosesNothing()
     QVERIFY(database->execute(u"PRAGMA max_page_count = %1"_s.arg(size)));
     const auto full = database->transaction([&]() -> tl::expected<void, StoreError> {
         const auto big =
-            database->execute(u"INSERT INTO recipe_version VALUES (1, 1, 0, '', 'x', zeroblob(200000))"_s);
+            database->execute(u"INSERT INTO recipe_version VALUES (1, 1, 0, '', 'x', zeroblob(200000), 0)"_s);
         return big ? tl::expected<void, StoreError>() : tl::unexpected(big.error());
     });
     QVERIFY(!full);

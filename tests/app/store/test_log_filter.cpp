@@ -293,7 +293,9 @@ private slots:
             for (const QString& statement :
                  {u"DROP INDEX audit_time"_s, u"DROP INDEX alarm_raised"_s,
                   u"ALTER TABLE audit DROP COLUMN clock_doubtful"_s,
-                  u"ALTER TABLE alarm DROP COLUMN clock_doubtful"_s, u"PRAGMA user_version = 5"_s})
+                  u"ALTER TABLE alarm DROP COLUMN clock_doubtful"_s,
+                  u"ALTER TABLE state_interval DROP COLUMN clock_doubtful"_s,
+                  u"ALTER TABLE recipe_version DROP COLUMN clock_doubtful"_s, u"PRAGMA user_version = 5"_s})
                 QVERIFY2(database->execute(statement), qPrintable(statement));
         }
         const QString path = folder.filePath(u"campanel.sqlite"_s);

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Recipes in the database: versions are kept, numbered without gaps or repeats, and never changed.
+#include "app/store/logs/alarm_log.h"
+#include "app/store/logs/clock_mark.h"
 #include "app/store/recipes/recipe_library.h"
 #include "tests/support/test_program.h"
 
@@ -57,6 +59,28 @@ private slots:
         QCOMPARE(newest->first().savedMs, 5000);
         QCOMPARE(newest->first().savedBy, QStringLiteral("Anna"));
         QCOMPARE(newest->first().recipe.cutter().bagLengthMm, 310.0);
+    }
+
+    void marksVersionsOfAClockThatIsNotSet()
+    {
+        QVERIFY(save(recipe("Rusk", 310), earliestRecordMs - 1).isClockDoubtful);
+        QVERIFY(!save(recipe("Rusk", 315, 2), earliestRecordMs).isClockDoubtful);
+        QVERIFY(library().save(recipe("Rusk", 320, 3), {}, earliestRecordMs, true)->isClockDoubtful);
+        AlarmRow newer;
+        newer.id = 1;
+        newer.code = QStringLiteral("C-01");
+        newer.raisedMs = earliestRecordMs + 2 * maxSetBackMs;
+        AlarmChanges changes;
+        changes.rows << newer;
+        QVERIFY(AlarmLog::write(*m_database, changes));
+        const RecipeVersion behind = save(recipe("Rusk", 325, 4), earliestRecordMs);
+        QList<bool> marks;
+        const auto versions = library().versions(behind.recipeId);
+        QVERIFY(versions);
+        for (const RecipeVersion& each : *versions)
+            marks << each.isClockDoubtful;
+        QCOMPARE(marks, QList<bool>({true, true, false, true}));
+        QVERIFY(library().newest()->first().isClockDoubtful);
     }
 
     void numbersVersionsOnward()

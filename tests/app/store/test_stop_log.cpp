@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The log of states and stops: rewriting, spans, the ring, an update of the database, and the CSV files.
+#include "app/store/logs/clock_mark.h"
 #include "app/store/logs/stop_export.h"
+#include "app/store/recipes/recipe_library.h"
 #include "tests/support/test_program.h"
 
 #include <QTemporaryDir>
@@ -112,13 +114,42 @@ private slots:
             for (const QString& statement :
                  {u"DROP TABLE state_interval"_s, u"DROP TABLE stop"_s, u"DROP INDEX audit_time"_s,
                   u"DROP INDEX alarm_raised"_s, u"ALTER TABLE audit DROP COLUMN clock_doubtful"_s,
-                  u"ALTER TABLE alarm DROP COLUMN clock_doubtful"_s, u"PRAGMA user_version = 4"_s})
+                  u"ALTER TABLE alarm DROP COLUMN clock_doubtful"_s,
+                  u"ALTER TABLE recipe_version DROP COLUMN clock_doubtful"_s, u"PRAGMA user_version = 4"_s})
                 QVERIFY2((*database)->execute(statement), qPrintable(statement));
         }
         const auto database = Database::open(folder.path());
         QVERIFY(database);
         QCOMPARE((*database)->opening().migratedFrom, before);
         QVERIFY(StopLog::write(**database, {{interval(1, 0, State::Running, 0, 1)}, {}}));
+    }
+
+    void aDatabaseOfTheEarlierSchemaGetsTheMark()
+    {
+        const QTemporaryDir folder;
+        constexpr int before = 6;
+        {
+            const auto database = *Database::open(folder.path());
+            QVERIFY(StopLog::write(*database, {{interval(1, 1, State::Ready, 1000, 500)}, {}}));
+            QVERIFY(RecipeLibrary(*database).save({}, u"Anna"_s, earliestRecordMs));
+            for (const QString& statement :
+                 {u"ALTER TABLE state_interval DROP COLUMN clock_doubtful"_s,
+                  u"ALTER TABLE recipe_version DROP COLUMN clock_doubtful"_s, u"PRAGMA user_version = 6"_s})
+                QVERIFY2(database->execute(statement), qPrintable(statement));
+        }
+        const auto database = *Database::open(folder.path());
+        QCOMPARE(database->opening().migratedFrom, before);
+        StateInterval marked = interval(2, 1, State::Ready, 1500, 500);
+        marked.isClockDoubtful = true;
+        QVERIFY(StopLog::write(*database, {{marked}, {}}));
+        const auto span = *StopLog::between(*database, 0, 5000);
+        QCOMPARE(span.intervals.size(), 2);
+        QVERIFY2(!span.intervals[0].isClockDoubtful, "nothing is known of earlier rows");
+        QVERIFY(span.intervals[1].isClockDoubtful);
+        const QByteArray states = statesCsv(span);
+        QVERIFY(states.contains(",set\n") && states.contains(",not set\n"));
+        QVERIFY2(stopsCsv(span).endsWith(",set\n"), "the begin of the stop counts");
+        QVERIFY(!RecipeLibrary(*database).newest()->first().isClockDoubtful);
     }
 
     void statesAndStopsAsCsv()
@@ -133,12 +164,13 @@ private slots:
         const QList<QByteArray> states = statesCsv(span).split('\n');
         QCOMPARE(states.size(), 5); // the heading, three lines and the end
         QVERIFY2(states[1].startsWith("2026-01-15T12:00:00.000Z,"), states[1]);
-        QVERIFY2(states[1].endsWith(",60.000,running,,Biscuit 250,3,120.500,55,2,0,0"), states[1]);
+        QVERIFY2(states[1].endsWith(",60.000,running,,Biscuit 250,3,120.500,55,2,0,0,set"), states[1]);
         QVERIFY2(states[3].contains(",1.000,suspended,2,"), states[3]);
         const QList<QByteArray> stops = stopsCsv(span).split('\n');
         QCOMPARE(stops.size(), 3);
         QVERIFY2(stops[1].startsWith("2,2026-01-15T12:01:00.000Z,"), stops[1]);
-        QVERIFY2(stops[1].endsWith(",31.500,ready,\"Foil, torn\",no,Ann,2026-01-15T12:01:10.000Z"), stops[1]);
+        QVERIFY2(stops[1].endsWith(",31.500,ready,\"Foil, torn\",no,Ann,2026-01-15T12:01:10.000Z,set"),
+                 stops[1]);
     }
 };
 

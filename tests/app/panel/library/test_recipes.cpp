@@ -71,6 +71,21 @@ private slots:
         QVERIFY(rig.recipes.chosenNote().contains(QStringLiteral("by Anna")));
     }
 
+    void versionsOfAClockThatIsNotSetSaySo()
+    {
+        RecipesRig rig;
+        QVERIFY(!rig.recipes.chosenNote().contains(QStringLiteral("clock")));
+        rig.recipes.setClockUnset([] { return true; });
+        rig.editor.bagLength()->set(240);
+        rig.recipes.save();
+        QTRY_VERIFY(rig.recipes.chosenNote().contains(QStringLiteral("clock not set")));
+        rig.recipes.listVersions();
+        QTRY_COMPARE(rig.recipes.candidates()->count(), 2);
+        const auto& rows = rig.recipes.candidates()->rows();
+        QVERIFY(rows[0].note.endsWith(QStringLiteral("by Anna · clock not set")));
+        QVERIFY(rows[1].note.endsWith(QStringLiteral("by Anna")));
+    }
+
     void savesAnEditAsTheNextVersion()
     {
         RecipesRig rig;

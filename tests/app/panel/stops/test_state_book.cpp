@@ -25,6 +25,7 @@ struct Rig {
     StateBook book;
     link::SteadyTime steady{1h};
     qint64 utcMs = startMs;
+    bool isClockDoubtful = false;
     StateBook::Observation seen;
     QMap<qint64, StateInterval> rows;
     QMap<qint64, store::StopRow> stops;
@@ -36,7 +37,7 @@ struct Rig {
         seen.state = State::Running;
         book.begin({});
     }
-    void note() { book.note(seen, {steady, utcMs}); }
+    void note() { book.note(seen, {steady, utcMs, isClockDoubtful}); }
     // Lets time pass with a status every second.
     void pass(std::chrono::milliseconds time)
     {
@@ -100,6 +101,24 @@ class TestStateBook : public QObject {
     Q_OBJECT
 
 private slots:
+    void intervalsOfAClockThatIsNotSetAreMarked()
+    {
+        Rig rig;
+        rig.isClockDoubtful = true;
+        rig.setState(State::Ready);
+        rig.pass(20min); // over a quarter
+        rig.isClockDoubtful = false;
+        rig.pass(1min);
+        rig.save();
+        QList<bool> marks;
+        for (const StateInterval& each : rig.rows) {
+            QCOMPARE(each.stop, 1);
+            marks << each.isClockDoubtful;
+        }
+        QCOMPARE(marks, QList<bool>({true, true, false}));
+        QCOMPARE(rig.recordedMs(), rig.passedMs);
+    }
+
     void intervalsEndWithTheStateAndAtQuarters()
     {
         Rig rig;

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+// The list of a cam beside its curve: keys for the previous and the next entry, all entries at the left, the numbers of the
+// selected one at the right, tools below.
+pragma ComponentBehavior: Bound
+import QtQuick
+import CamPanel.Theme
+import CamPanel.Controls
+import CamPanel.Panel
+
+Sheet {
+    id: sheet
+
+    required property CamHandles handles
+    required property string remark        // on the whole cam
+    property alias list: list
+    default property alias numbers: column.data
+    property alias tools: tools.data
+
+    signal editRequested(var fields, int index, Item source)
+    signal filesRequested()
+
+    // Returns the width of a tool of which a row has so many.
+    function toolWidth(count: int): real { return Math.floor((tools.width - (count - 1) * tools.spacing) / count) }
+
+    title: qsTr("%1 of %2").arg(handles.selected + 1).arg(handles.count)
+    beside: true
+    panelHeight: height
+
+    header: [
+        Button {
+            objectName: "previousEntry"
+            Accessible.name: qsTr("Previous")
+            kind: Button.Quiet
+            glyph: Theme.icon.previous
+            enabled: sheet.handles.selected > 0
+            onClicked: --sheet.handles.selected
+        },
+        Button {
+            objectName: "nextEntry"
+            Accessible.name: qsTr("Next")
+            kind: Button.Quiet
+            glyph: Theme.icon.next
+            enabled: sheet.handles.selected < sheet.handles.count - 1
+            onClicked: ++sheet.handles.selected
+        }
+    ]
+    content: [
+        ListView {
+            id: list
+            anchors { left: parent.left; top: parent.top; bottom: tools.top; bottomMargin: Theme.size.spacing }
+            width: Math.round(parent.width * 0.42)
+            clip: true
+            boundsBehavior: Flickable.StopAtBounds
+            currentIndex: sheet.handles.selected
+            onCurrentIndexChanged: positionViewAtIndex(currentIndex, ListView.Contain)
+            highlightFollowsCurrentItem: false
+        },
+        ScrollMark { view: list; x: list.width - width },
+        Flickable {
+            id: flick
+            anchors { left: list.right; leftMargin: Theme.size.spacing; right: parent.right; top: parent.top; bottom: list.bottom }
+            contentHeight: remark.y + remark.height
+            clip: true
+            boundsBehavior: Flickable.StopAtBounds
+            Column {
+                id: column
+                width: flick.width - 2 * Theme.size.accent
+                spacing: Theme.size.spacing
+            }
+            Label {
+                id: remark
+                anchors { top: column.bottom; topMargin: Theme.size.spacing; left: column.left; right: column.right }
+                wrapMode: Text.WordWrap
+                text: sheet.remark
+                color: Theme.color.secondaryInk
+                font.pixelSize: Theme.size.caption
+            }
+        },
+        ScrollMark { view: flick },
+        Flow {
+            id: tools
+            anchors { left: parent.left; right: parent.right; bottom: parent.bottom }
+            spacing: Theme.size.spacing
+        }
+    ]
+}
