@@ -1840,7 +1840,7 @@ Und %2 weitere.</translation>
     </message>
 </context>
 <context>
-    <name>PinPad</name>
+    <name>DigitPad</name>
     <message>
         <source>Cancel</source>
         <translation>Abbrechen</translation>
@@ -1852,13 +1852,6 @@ Und %2 weitere.</translation>
     <message>
         <source>Delete</source>
         <translation>Löschen</translation>
-    </message>
-</context>
-<context>
-    <name>PinPanel</name>
-    <message>
-        <source>PIN</source>
-        <translation>PIN</translation>
     </message>
 </context>
 <context>

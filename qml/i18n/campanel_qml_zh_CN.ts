@@ -1840,7 +1840,7 @@ And %2 more.</source>
     </message>
 </context>
 <context>
-    <name>PinPad</name>
+    <name>DigitPad</name>
     <message>
         <source>Cancel</source>
         <translation>取消</translation>
@@ -1852,13 +1852,6 @@ And %2 more.</source>
     <message>
         <source>Delete</source>
         <translation>删除</translation>
-    </message>
-</context>
-<context>
-    <name>PinPanel</name>
-    <message>
-        <source>PIN</source>
-        <translation>PIN</translation>
     </message>
 </context>
 <context>
