@@ -6524,6 +6524,9 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
         <source>No time server has responded yet. Check the network.</source>
         <translation>Noch kein Zeitserver hat geantwortet. Prüfen Sie das Netzwerk.</translation>
     </message>
+</context>
+<context>
+    <name>campanel::panel::SystemService</name>
     <message>
         <source>The operating system does not allow the panel to do this. Install polkit and the rule of the CamPanel package.</source>
         <translation>Das Betriebssystem erlaubt dies dem Panel nicht. Installieren Sie polkit und die Regel des CamPanel-Pakets.</translation>

@@ -6522,6 +6522,9 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
         <source>No time server has responded yet. Check the network.</source>
         <translation>时间服务器尚未响应。请检查网络。</translation>
     </message>
+</context>
+<context>
+    <name>campanel::panel::SystemService</name>
     <message>
         <source>The operating system does not allow the panel to do this. Install polkit and the rule of the CamPanel package.</source>
         <translation>操作系统不允许面板执行此操作。请安装 polkit 和 CamPanel 软件包的规则。</translation>
