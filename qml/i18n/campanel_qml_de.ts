@@ -1277,6 +1277,33 @@ Und %2 weitere.</translation>
     </message>
 </context>
 <context>
+    <name>NetworkSheet</name>
+    <message>
+        <source>Network</source>
+        <translation>Netzwerk</translation>
+    </message>
+    <message>
+        <source>Network port</source>
+        <translation>Netzwerkanschluss</translation>
+    </message>
+    <message>
+        <source>By DHCP</source>
+        <translation>Per DHCP</translation>
+    </message>
+    <message>
+        <source>Fixed</source>
+        <translation>Fest</translation>
+    </message>
+    <message>
+        <source>Apply</source>
+        <translation>Anwenden</translation>
+    </message>
+    <message>
+        <source>In use</source>
+        <translation>In Gebrauch</translation>
+    </message>
+</context>
+<context>
     <name>SkippedCutsCard</name>
     <message>
         <source>Skipped cuts</source>
@@ -2537,12 +2564,12 @@ Und %2 weitere.</translation>
         <translation>nicht verbunden</translation>
     </message>
     <message>
-        <source>Set the network in the operating system.</source>
-        <translation>Netzwerk im Betriebssystem einstellen.</translation>
+        <source>Network port</source>
+        <translation>Netzwerkanschluss</translation>
     </message>
     <message>
-        <source>Set the network in the operating system. The brightness of this screen cannot be set here.</source>
-        <translation>Netzwerk im Betriebssystem einstellen. Die Helligkeit dieses Bildschirms ist hier nicht einstellbar.</translation>
+        <source>The brightness of this screen cannot be set here.</source>
+        <translation>Die Helligkeit dieses Bildschirms ist hier nicht einstellbar.</translation>
     </message>
 </context>
 <context>

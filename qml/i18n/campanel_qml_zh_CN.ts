@@ -1277,6 +1277,33 @@ And %2 more.</source>
     </message>
 </context>
 <context>
+    <name>NetworkSheet</name>
+    <message>
+        <source>Network</source>
+        <translation>网络</translation>
+    </message>
+    <message>
+        <source>Network port</source>
+        <translation>网口</translation>
+    </message>
+    <message>
+        <source>By DHCP</source>
+        <translation>DHCP 自动</translation>
+    </message>
+    <message>
+        <source>Fixed</source>
+        <translation>固定</translation>
+    </message>
+    <message>
+        <source>Apply</source>
+        <translation>应用</translation>
+    </message>
+    <message>
+        <source>In use</source>
+        <translation>使用中</translation>
+    </message>
+</context>
+<context>
     <name>SkippedCutsCard</name>
     <message>
         <source>Skipped cuts</source>
@@ -2537,12 +2564,12 @@ And %2 more.</source>
         <translation>未连接</translation>
     </message>
     <message>
-        <source>Set the network in the operating system.</source>
-        <translation>请在操作系统中设置网络。</translation>
+        <source>Network port</source>
+        <translation>网口</translation>
     </message>
     <message>
-        <source>Set the network in the operating system. The brightness of this screen cannot be set here.</source>
-        <translation>请在操作系统中设置网络。此屏幕的亮度不能在这里调节。</translation>
+        <source>The brightness of this screen cannot be set here.</source>
+        <translation>此屏幕的亮度不能在这里调节。</translation>
     </message>
 </context>
 <context>
