@@ -764,6 +764,10 @@
         <translation>Verbindung</translation>
     </message>
     <message>
+        <source>network address</source>
+        <translation>Netzwerkadresse</translation>
+    </message>
+    <message>
         <source>simulated faults</source>
         <translation>simulierte Fehler</translation>
     </message>
@@ -2118,6 +2122,69 @@ eff. %2</translation>
         <source>Ratios: %1</source>
         <comment>set by hand, gentle, cool or slow</comment>
         <translation>Verhältnisse: %1</translation>
+    </message>
+</context>
+<context>
+    <name>NetworkAddress</name>
+    <message>
+        <source>Address</source>
+        <translation>Adresse</translation>
+    </message>
+    <message>
+        <source>Subnet mask</source>
+        <translation>Subnetzmaske</translation>
+    </message>
+    <message>
+        <source>Gateway</source>
+        <translation>Gateway</translation>
+    </message>
+    <message>
+        <source>DNS server</source>
+        <translation>DNS-Server</translation>
+    </message>
+    <message>
+        <source>Four numbers from 0 to 255, such as 192.168.1.20. Each device has its own.</source>
+        <translation>Vier Zahlen von 0 bis 255, zum Beispiel 192.168.1.20. Jedes Gerät hat eine eigene.</translation>
+    </message>
+    <message>
+        <source>A mask, such as 255.255.255.0, or its length, such as 24.</source>
+        <translation>Eine Maske, zum Beispiel 255.255.255.0, oder ihre Länge, zum Beispiel 24.</translation>
+    </message>
+    <message>
+        <source>The device that leads to other networks. Empty: none.</source>
+        <translation>Das Gerät, das in andere Netze führt. Leer: keines.</translation>
+    </message>
+    <message>
+        <source>The device that knows the names of computers. Empty: none.</source>
+        <translation>Das Gerät, das die Namen der Rechner kennt. Leer: keines.</translation>
+    </message>
+    <message>
+        <source>Not a subnet mask. Enter a mask from 128.0.0.0 to 255.255.255.252, or its length from 1 to 30.</source>
+        <translation>Keine Subnetzmaske. Geben Sie eine Maske von 128.0.0.0 bis 255.255.255.252 ein, oder ihre Länge von 1 bis 30.</translation>
+    </message>
+    <message>
+        <source>Not an IPv4 address. Enter four numbers from 0 to 255 with points between them.</source>
+        <translation>Keine IPv4-Adresse. Geben Sie vier Zahlen von 0 bis 255 mit Punkten dazwischen ein.</translation>
+    </message>
+    <message>
+        <source>No device has this address. The first number is from 1 to 223, and not 127.</source>
+        <translation>Diese Adresse hat kein Gerät. Die erste Zahl ist von 1 bis 223, und nicht 127.</translation>
+    </message>
+    <message>
+        <source>%1 is the subnet itself. Enter an address from %2 to %3, or another mask.</source>
+        <translation>%1 ist das Subnetz selbst. Geben Sie eine Adresse von %2 bis %3 ein, oder eine andere Maske.</translation>
+    </message>
+    <message>
+        <source>%1 is the broadcast address. Enter an address from %2 to %3, or another mask.</source>
+        <translation>%1 ist die Broadcast-Adresse. Geben Sie eine Adresse von %2 bis %3 ein, oder eine andere Maske.</translation>
+    </message>
+    <message>
+        <source>The gateway has the address of this panel. Enter the gateway&apos;s address, or none.</source>
+        <translation>Das Gateway hat die Adresse dieses Panels. Geben Sie die Adresse des Gateways ein, oder keine.</translation>
+    </message>
+    <message>
+        <source>The gateway is not in the subnet. Enter a gateway from %1 to %2, or another mask.</source>
+        <translation>Das Gateway ist nicht im Subnetz. Geben Sie ein Gateway von %1 bis %2 ein, oder eine andere Maske.</translation>
     </message>
 </context>
 <context>
@@ -6524,6 +6591,52 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
         <source>No time server has responded yet. Check the network.</source>
         <translation>Noch kein Zeitserver hat geantwortet. Prüfen Sie das Netzwerk.</translation>
     </message>
+</context>
+<context>
+    <name>campanel::panel::SystemNetwork</name>
+    <message>
+        <source>Setting the address of %1. This takes up to a minute.</source>
+        <translation>Die Adresse von %1 wird eingestellt. Das dauert bis zu einer Minute.</translation>
+    </message>
+    <message>
+        <source>Asking the operating system …</source>
+        <translation>Das Betriebssystem wird gefragt …</translation>
+    </message>
+    <message>
+        <source>NetworkManager does not respond. Set the network in the operating system.</source>
+        <translation>NetworkManager antwortet nicht. Stellen Sie das Netzwerk im Betriebssystem ein.</translation>
+    </message>
+    <message>
+        <source>NetworkManager manages no network port. Set the network in the operating system.</source>
+        <translation>NetworkManager verwaltet keinen Netzwerkanschluss. Stellen Sie das Netzwerk im Betriebssystem ein.</translation>
+    </message>
+    <message>
+        <source>%1 is not connected. Plug in the network cable.</source>
+        <translation>%1 ist nicht verbunden. Stecken Sie das Netzkabel ein.</translation>
+    </message>
+    <message>
+        <source>%1 has no address yet.</source>
+        <translation>%1 hat noch keine Adresse.</translation>
+    </message>
+    <message>
+        <source>%1 has the address %2.</source>
+        <translation>%1 hat die Adresse %2.</translation>
+    </message>
+    <message>
+        <source>%1 did not get this address; the previous one is restored. Check the cable, and that no other device has the address.</source>
+        <translation>%1 hat diese Adresse nicht bekommen; die vorige gilt wieder. Prüfen Sie das Kabel, und ob ein anderes Gerät die Adresse hat.</translation>
+    </message>
+    <message>
+        <source>No DHCP server responded; the previous address is restored. Check the cable, or enter a fixed address.</source>
+        <translation>Kein DHCP-Server hat geantwortet; die vorige Adresse gilt wieder. Prüfen Sie das Kabel, oder geben Sie eine feste Adresse ein.</translation>
+    </message>
+    <message>
+        <source>The previous address was not restored: %1. Set the network in the operating system.</source>
+        <translation>Die vorige Adresse wurde nicht wiederhergestellt: %1. Stellen Sie das Netzwerk im Betriebssystem ein.</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::SystemService</name>
     <message>
         <source>The operating system does not allow the panel to do this. Install polkit and the rule of the CamPanel package.</source>
         <translation>Das Betriebssystem erlaubt dies dem Panel nicht. Installieren Sie polkit und die Regel des CamPanel-Pakets.</translation>

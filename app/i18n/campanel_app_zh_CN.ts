@@ -764,6 +764,10 @@
         <translation>通信</translation>
     </message>
     <message>
+        <source>network address</source>
+        <translation>网络地址</translation>
+    </message>
+    <message>
         <source>simulated faults</source>
         <translation>故障模拟</translation>
     </message>
@@ -2117,6 +2121,69 @@ RMS %2</source>
         <source>Ratios: %1</source>
         <comment>set by hand, gentle, cool or slow</comment>
         <translation>比例：%1</translation>
+    </message>
+</context>
+<context>
+    <name>NetworkAddress</name>
+    <message>
+        <source>Address</source>
+        <translation>地址</translation>
+    </message>
+    <message>
+        <source>Subnet mask</source>
+        <translation>子网掩码</translation>
+    </message>
+    <message>
+        <source>Gateway</source>
+        <translation>网关</translation>
+    </message>
+    <message>
+        <source>DNS server</source>
+        <translation>DNS 服务器</translation>
+    </message>
+    <message>
+        <source>Four numbers from 0 to 255, such as 192.168.1.20. Each device has its own.</source>
+        <translation>四个 0 到 255 的数，例如 192.168.1.20。每台设备的地址各不相同。</translation>
+    </message>
+    <message>
+        <source>A mask, such as 255.255.255.0, or its length, such as 24.</source>
+        <translation>掩码，例如 255.255.255.0；或其长度，例如 24。</translation>
+    </message>
+    <message>
+        <source>The device that leads to other networks. Empty: none.</source>
+        <translation>通往其他网络的设备。留空：无。</translation>
+    </message>
+    <message>
+        <source>The device that knows the names of computers. Empty: none.</source>
+        <translation>解析计算机名称的设备。留空：无。</translation>
+    </message>
+    <message>
+        <source>Not a subnet mask. Enter a mask from 128.0.0.0 to 255.255.255.252, or its length from 1 to 30.</source>
+        <translation>不是子网掩码。请输入 128.0.0.0 到 255.255.255.252 的掩码，或 1 到 30 的长度。</translation>
+    </message>
+    <message>
+        <source>Not an IPv4 address. Enter four numbers from 0 to 255 with points between them.</source>
+        <translation>不是 IPv4 地址。请输入四个 0 到 255 的数，中间用点隔开。</translation>
+    </message>
+    <message>
+        <source>No device has this address. The first number is from 1 to 223, and not 127.</source>
+        <translation>设备不能使用此地址。第一个数应为 1 到 223，且不是 127。</translation>
+    </message>
+    <message>
+        <source>%1 is the subnet itself. Enter an address from %2 to %3, or another mask.</source>
+        <translation>%1 是子网本身。请输入 %2 到 %3 的地址，或更改掩码。</translation>
+    </message>
+    <message>
+        <source>%1 is the broadcast address. Enter an address from %2 to %3, or another mask.</source>
+        <translation>%1 是广播地址。请输入 %2 到 %3 的地址，或更改掩码。</translation>
+    </message>
+    <message>
+        <source>The gateway has the address of this panel. Enter the gateway&apos;s address, or none.</source>
+        <translation>网关与本面板地址相同。请输入网关的地址，或留空。</translation>
+    </message>
+    <message>
+        <source>The gateway is not in the subnet. Enter a gateway from %1 to %2, or another mask.</source>
+        <translation>网关不在子网内。请输入 %1 到 %2 的网关，或更改掩码。</translation>
     </message>
 </context>
 <context>
@@ -6522,6 +6589,52 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
         <source>No time server has responded yet. Check the network.</source>
         <translation>时间服务器尚未响应。请检查网络。</translation>
     </message>
+</context>
+<context>
+    <name>campanel::panel::SystemNetwork</name>
+    <message>
+        <source>Setting the address of %1. This takes up to a minute.</source>
+        <translation>正在设置 %1 的地址，最多需要一分钟。</translation>
+    </message>
+    <message>
+        <source>Asking the operating system …</source>
+        <translation>正在询问操作系统 …</translation>
+    </message>
+    <message>
+        <source>NetworkManager does not respond. Set the network in the operating system.</source>
+        <translation>NetworkManager 没有响应。请在操作系统中设置网络。</translation>
+    </message>
+    <message>
+        <source>NetworkManager manages no network port. Set the network in the operating system.</source>
+        <translation>NetworkManager 没有管理任何网口。请在操作系统中设置网络。</translation>
+    </message>
+    <message>
+        <source>%1 is not connected. Plug in the network cable.</source>
+        <translation>%1 未连接。请插上网线。</translation>
+    </message>
+    <message>
+        <source>%1 has no address yet.</source>
+        <translation>%1 还没有地址。</translation>
+    </message>
+    <message>
+        <source>%1 has the address %2.</source>
+        <translation>%1 的地址为 %2。</translation>
+    </message>
+    <message>
+        <source>%1 did not get this address; the previous one is restored. Check the cable, and that no other device has the address.</source>
+        <translation>%1 未能取得该地址，已恢复原地址。请检查网线，并确认没有其他设备使用该地址。</translation>
+    </message>
+    <message>
+        <source>No DHCP server responded; the previous address is restored. Check the cable, or enter a fixed address.</source>
+        <translation>没有 DHCP 服务器响应，已恢复原地址。请检查网线，或输入固定地址。</translation>
+    </message>
+    <message>
+        <source>The previous address was not restored: %1. Set the network in the operating system.</source>
+        <translation>未能恢复原地址：%1。请在操作系统中设置网络。</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::SystemService</name>
     <message>
         <source>The operating system does not allow the panel to do this. Install polkit and the rule of the CamPanel package.</source>
         <translation>操作系统不允许面板执行此操作。请安装 polkit 和 CamPanel 软件包的规则。</translation>

@@ -64,6 +64,7 @@ Panel::Panel(link::Link& link, const Storage& storage)
     , m_stops(m_machine, m_settings, m_records, *m_maintenance.files(), nullptr)
     , m_access(m_records, m_machine, m_settings, nullptr)
     , m_systemClock(m_machine.accessCheck(), nullptr)
+    , m_systemNetwork(m_machine.accessCheck(), nullptr)
     , m_trail(m_records, {m_machine, m_editor, m_settings, m_maintenance, m_access}, nullptr)
     , m_audit(m_records, m_trail, *m_maintenance.files(), nullptr)
     , m_backup({m_machine, m_editor, m_records, m_trends, m_settings, m_access, m_trail},
@@ -99,6 +100,7 @@ Panel::Panel(link::Link& link, const Storage& storage)
     connect(&m_recipes, &panel::Recipes::noted, &m_trail, &panel::AuditTrail::note);
     connect(&m_stops, &panel::Stops::noted, &m_trail, &panel::AuditTrail::note);
     connect(&m_systemClock, &panel::SystemClock::noted, &m_trail, &panel::AuditTrail::note);
+    connect(&m_systemNetwork, &panel::SystemNetwork::noted, &m_trail, &panel::AuditTrail::note);
     connect(&m_systemClock, &panel::SystemClock::moved, this, [this] { m_isClockSet = true; });
     connect(&m_access, &panel::Access::changed, this, [this] {
         m_alarms.setPerson(m_access.userName());
@@ -107,7 +109,8 @@ Panel::Panel(link::Link& link, const Storage& storage)
     m_engine.addImportPath(QStringLiteral("qrc:/qt/qml"));
     panel::attachToEngine(m_engine, m_access, m_alarms, m_audit, m_backup, m_commissioning, m_display,
                           m_machine, m_editor, m_explanations, m_records, m_recipes, m_maintenance, m_scan,
-                          m_bundle, m_settings, m_shiftReport, m_stops, m_systemClock, m_trends);
+                          m_bundle, m_settings, m_shiftReport, m_stops, m_systemClock, m_systemNetwork,
+                          m_trends);
     connect(&m_settings, &panel::Settings::languageChanged, this, &Panel::translate);
     translate();
     m_component.loadUrl(QUrl(QStringLiteral("qrc:/qt/qml/CamPanel/Frame/Main.qml")),

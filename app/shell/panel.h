@@ -23,6 +23,7 @@
 #include "app/panel/scan/scan.h"
 #include "app/panel/settings/settings.h"
 #include "app/panel/settings/system_clock.h"
+#include "app/panel/settings/system_network.h"
 #include "app/panel/stops/stops.h"
 #include "app/panel/trends/trends.h"
 #include "app/shell/page_memory.h"
@@ -60,6 +61,7 @@ public:
     [[nodiscard]] panel::DatabaseService& records() { return m_records; }
     [[nodiscard]] panel::Alarms& alarms() { return m_alarms; }
     [[nodiscard]] panel::SystemClock& systemClock() { return m_systemClock; }
+    [[nodiscard]] panel::SystemNetwork& systemNetwork() { return m_systemNetwork; }
     // Sets how records learn that the clock of this computer was not set; never by default.
     void setClockUnset(const std::function<bool()>& isUnset);
     [[nodiscard]] panel::Recipes& recipes() { return m_recipes; }
@@ -108,6 +110,7 @@ private:
     panel::Stops m_stops;
     panel::Access m_access;
     panel::SystemClock m_systemClock;
+    panel::SystemNetwork m_systemNetwork;
     bool m_isClockSet = false; // by a person
     bool m_isClockUnset = false;
     QElapsedTimer m_clockAsked; // since m_isClockUnset was read

@@ -4,9 +4,10 @@ pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme
 import CamPanel.Controls
+import CamPanel.Parts
 import CamPanel.Panel
 
-PinPanel {
+DigitPanel {
     id: sheet
 
     required property int level            // required level, Access.Viewer: any

@@ -2,9 +2,10 @@
 // A new PIN: entered twice, refused when it is easy to guess.
 pragma ComponentBehavior: Bound
 import QtQuick
+import CamPanel.Parts
 import CamPanel.Panel
 
-PinPanel {
+DigitPanel {
     id: sheet
 
     required property int level            // level of the user; Service needs more digits

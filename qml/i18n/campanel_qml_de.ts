@@ -1851,28 +1851,6 @@ Und %2 weitere.</translation>
     </message>
 </context>
 <context>
-    <name>PinPad</name>
-    <message>
-        <source>Cancel</source>
-        <translation>Abbrechen</translation>
-    </message>
-    <message>
-        <source>OK</source>
-        <translation>OK</translation>
-    </message>
-    <message>
-        <source>Delete</source>
-        <translation>Löschen</translation>
-    </message>
-</context>
-<context>
-    <name>PinPanel</name>
-    <message>
-        <source>PIN</source>
-        <translation>PIN</translation>
-    </message>
-</context>
-<context>
     <name>PortPicker</name>
     <message>
         <source>Serial port</source>
@@ -2555,12 +2533,12 @@ Und %2 weitere.</translation>
         <translation>nicht verbunden</translation>
     </message>
     <message>
-        <source>Set the network in the operating system.</source>
-        <translation>Netzwerk im Betriebssystem einstellen.</translation>
+        <source>Network port</source>
+        <translation>Netzwerkanschluss</translation>
     </message>
     <message>
-        <source>Set the network in the operating system. The brightness of this screen cannot be set here.</source>
-        <translation>Netzwerk im Betriebssystem einstellen. Die Helligkeit dieses Bildschirms ist hier nicht einstellbar.</translation>
+        <source>The brightness of this screen cannot be set here.</source>
+        <translation>Die Helligkeit dieses Bildschirms ist hier nicht einstellbar.</translation>
     </message>
 </context>
 <context>
@@ -3559,6 +3537,48 @@ Uhr nicht gestellt</translation>
     <message>
         <source>Enter the reason for the audit trail.</source>
         <translation>Grund für das Änderungsprotokoll eingeben.</translation>
+    </message>
+</context>
+<context>
+    <name>NetworkSheet</name>
+    <message>
+        <source>Network</source>
+        <translation>Netzwerk</translation>
+    </message>
+    <message>
+        <source>Network port</source>
+        <translation>Netzwerkanschluss</translation>
+    </message>
+    <message>
+        <source>By DHCP</source>
+        <translation>Per DHCP</translation>
+    </message>
+    <message>
+        <source>Fixed</source>
+        <translation>Fest</translation>
+    </message>
+    <message>
+        <source>Apply</source>
+        <translation>Anwenden</translation>
+    </message>
+    <message>
+        <source>In use</source>
+        <translation>In Gebrauch</translation>
+    </message>
+</context>
+<context>
+    <name>DigitPad</name>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>OK</source>
+        <translation>OK</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Löschen</translation>
     </message>
 </context>
 </TS>

@@ -1851,28 +1851,6 @@ And %2 more.</source>
     </message>
 </context>
 <context>
-    <name>PinPad</name>
-    <message>
-        <source>Cancel</source>
-        <translation>取消</translation>
-    </message>
-    <message>
-        <source>OK</source>
-        <translation>确定</translation>
-    </message>
-    <message>
-        <source>Delete</source>
-        <translation>删除</translation>
-    </message>
-</context>
-<context>
-    <name>PinPanel</name>
-    <message>
-        <source>PIN</source>
-        <translation>PIN</translation>
-    </message>
-</context>
-<context>
     <name>PortPicker</name>
     <message>
         <source>Serial port</source>
@@ -2555,12 +2533,12 @@ And %2 more.</source>
         <translation>未连接</translation>
     </message>
     <message>
-        <source>Set the network in the operating system.</source>
-        <translation>请在操作系统中设置网络。</translation>
+        <source>Network port</source>
+        <translation>网口</translation>
     </message>
     <message>
-        <source>Set the network in the operating system. The brightness of this screen cannot be set here.</source>
-        <translation>请在操作系统中设置网络。此屏幕的亮度不能在这里调节。</translation>
+        <source>The brightness of this screen cannot be set here.</source>
+        <translation>此屏幕的亮度不能在这里调节。</translation>
     </message>
 </context>
 <context>
@@ -3559,6 +3537,48 @@ clock not set</source>
     <message>
         <source>Enter the reason for the audit trail.</source>
         <translation>请输入原因，用于审计追踪。</translation>
+    </message>
+</context>
+<context>
+    <name>NetworkSheet</name>
+    <message>
+        <source>Network</source>
+        <translation>网络</translation>
+    </message>
+    <message>
+        <source>Network port</source>
+        <translation>网口</translation>
+    </message>
+    <message>
+        <source>By DHCP</source>
+        <translation>DHCP 自动</translation>
+    </message>
+    <message>
+        <source>Fixed</source>
+        <translation>固定</translation>
+    </message>
+    <message>
+        <source>Apply</source>
+        <translation>应用</translation>
+    </message>
+    <message>
+        <source>In use</source>
+        <translation>使用中</translation>
+    </message>
+</context>
+<context>
+    <name>DigitPad</name>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>OK</source>
+        <translation>确定</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>删除</translation>
     </message>
 </context>
 </TS>

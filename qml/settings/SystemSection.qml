@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The screen and the computer: brightness, automatic switch-off, cleaning; clock and network read-only.
+// The screen and the computer: brightness, automatic switch-off, cleaning; clock and network.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme
@@ -11,6 +11,7 @@ SettingsSection {
 
     readonly property var brightnesses: Display.brightnessChoices
     readonly property var waits: Display.darkChoices
+    property int field                     // of the network that is entered
 
     title: qsTr("Screen and system")
 
@@ -20,28 +21,6 @@ SettingsSection {
         minimumPixelSize: Theme.size.caption - 2
         color: Theme.color.secondaryInk
     }
-    component Fact: Row {
-        id: fact
-        property string label
-        property string text
-        width: parent.width
-        spacing: Theme.size.spacing
-        Label {
-            id: name
-            width: Math.round(fact.width / 4)
-            elide: Text.ElideRight
-            text: fact.label
-            color: Theme.color.secondaryInk
-        }
-        Label {
-            width: fact.width - name.width - fact.spacing
-            wrapMode: Text.Wrap
-            maximumLineCount: 3
-            elide: Text.ElideRight
-            text: fact.text
-        }
-    }
-
     NetworkInfo {
         id: facts
         readonly property var lines: networks
@@ -92,7 +71,6 @@ SettingsSection {
                     onClicked: Display.wipe()
                 }
             }
-            Item { width: 1; height: Theme.size.spacing }
             SettingRow {
                 objectName: "setClock"
                 width: parent.width
@@ -103,15 +81,23 @@ SettingsSection {
                         section.page.sheetRequested(clockSheet)
                 }
             }
-            Fact {
+            SettingRow {
+                objectName: "setNetwork"
+                width: parent.width
                 label: qsTr("Network")
-                text: facts.lines.length > 0 ? facts.lines.join("\n") : qsTr("not connected")
+                value: facts.lines.length > 0 ? facts.lines.join(" · ") : qsTr("not connected")
+                onClicked: {
+                    if (Access.ask(Access.Service)) {
+                        SystemNetwork.discard()
+                        section.page.sheetRequested(networkSheet)
+                    }
+                }
             }
             Caption {
+                visible: !Display.adjustable
                 wrapMode: Text.Wrap
                 fontSizeMode: Text.FixedSize
-                text: Display.adjustable ? qsTr("Set the network in the operating system.")
-                    : qsTr("Set the network in the operating system. The brightness of this screen cannot be set here.")
+                text: qsTr("The brightness of this screen cannot be set here.")
             }
         }
     }
@@ -124,5 +110,35 @@ SettingsSection {
     Component {
         id: zonePicker
         ZonePicker { onClosed: section.page.sheetRequested(clockSheet) }
+    }
+    Component {
+        id: networkSheet
+        NetworkSheet {
+            onPortRequested: section.page.sheetRequested(portPicker)
+            onFieldRequested: field => {
+                section.field = field
+                section.page.sheetRequested(addressPad)
+            }
+        }
+    }
+    Component {
+        id: portPicker
+        ListPicker {
+            title: qsTr("Network port")
+            choices: SystemNetwork.ports
+            current: SystemNetwork.port
+            onChosen: key => {
+                SystemNetwork.port = key
+                closed()
+            }
+            onClosed: section.page.sheetRequested(networkSheet)
+        }
+    }
+    Component {
+        id: addressPad
+        AddressPad {
+            field: section.field
+            onClosed: section.page.sheetRequested(networkSheet)
+        }
     }
 }

@@ -191,6 +191,26 @@ Screen clock(const char* name, const QStringList& taps, const std::function<void
             }};
 }
 
+// Opens the sheet of the network on a service prepared by `prepare`, then taps.
+Screen network(const char* name, const QStringList& taps, const std::function<void(TestWindow&)>& prepare)
+{
+    return {QString::fromLatin1(name), [taps, prepare](TestWindow& window) {
+                prepare(window);
+                for (const char* tapped : {"nav_settings", "section0", "sectionSystem", "setNetwork"})
+                    window.tap(QString::fromLatin1(tapped));
+                const auto wait = [&window] {
+                    window.waitUntil(
+                        window.panel().systemNetwork(), &panel::SystemNetwork::changed,
+                        [](const panel::SystemNetwork& each) { return each.isAsked() && !each.busy(); });
+                };
+                wait();
+                for (const QString& tapped : taps) {
+                    window.tap(tapped);
+                    wait();
+                }
+            }};
+}
+
 } // namespace
 
 const QList<Screen>& allScreens()
@@ -312,6 +332,30 @@ const QList<Screen>& allScreens()
                   window.panel().systemClock().setBus(
                       {[] { return QDBusConnection(QStringLiteral("nowhere")); }, {}});
               }),
+        network("settings-network", {}, [](TestWindow&) {}),
+        network("settings-network-refused",
+                {QStringLiteral("networkFixed"), QStringLiteral("networkField2"),
+                 QStringLiteral("pinBackspace"), QStringLiteral("pinBackspace"),
+                 QStringLiteral("pinBackspace"), QStringLiteral("pin2"), QStringLiteral("pin."),
+                 QStringLiteral("pin1"), QStringLiteral("pinAccept")},
+                [](TestWindow&) {}),
+        network("settings-network-address",
+                {QStringLiteral("networkFixed"), QStringLiteral("networkField0"),
+                 QStringLiteral("pinBackspace"), QStringLiteral("pinBackspace"),
+                 QStringLiteral("pinBackspace")},
+                [](TestWindow&) {}),
+        network("settings-network-failed",
+                {QStringLiteral("networkFixed"), QStringLiteral("networkField0"),
+                 QStringLiteral("pinBackspace"), QStringLiteral("pinAccept"), QStringLiteral("networkApply")},
+                [](TestWindow& window) {
+                    window.networkService().m_usedAddress = QStringLiteral("192.168.1.2");
+                    window.panel().systemNetwork().setPatienceMs(0, 0);
+                }),
+        network("settings-network-none", {},
+                [](TestWindow& window) {
+                    window.panel().systemNetwork().setBus(
+                        {[] { return QDBusConnection(QStringLiteral("nowhere")); }, {}});
+                }),
         taps("wipe", {settings, QStringLiteral("section0"), QStringLiteral("sectionSystem"),
                       QStringLiteral("wipeScreen")}),
         taps("settings-about", {settings, QStringLiteral("section3")}),

@@ -55,6 +55,7 @@ TestWindow::TestWindow(const Variant& variant)
     m_panel.audit().filter()->setWallClock(wallClock);
     m_panel.alarms().setPaceMs(0);
     m_panel.systemClock().setBus(m_timeBus.bus());
+    m_panel.systemNetwork().setBus(m_networkBus.bus());
     checkClock();
     m_isReady = m_panel.load(variant.size);
     if (!m_isReady)

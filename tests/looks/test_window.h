@@ -5,6 +5,7 @@
 #include "tests/looks/demo_link.h"
 #include "tests/looks/long_texts.h"
 #include "tests/looks/touch_driver.h"
+#include "tests/support/network_service.h"
 #include "tests/support/time_service.h"
 
 #include <QEventLoop>
@@ -31,6 +32,7 @@ public:
     [[nodiscard]] bool isReady() const { return m_isReady; }
     [[nodiscard]] DemoLink& link() { return m_link; }
     [[nodiscard]] test::TimeService& timeService() { return m_timeBus.service; }
+    [[nodiscard]] test::NetworkService& networkService() { return m_networkBus.service; }
     [[nodiscard]] shell::Panel& panel() { return m_panel; }
 
     using TouchDriver::tap;
@@ -72,6 +74,7 @@ private:
     std::unique_ptr<LongTexts> m_longTexts; // installed before the panel has any text
     DemoLink m_link{nullptr};
     test::TimeBus m_timeBus;
+    test::NetworkBus m_networkBus;
     shell::Panel m_panel;
     bool m_isReady = false;
 };

@@ -1,15 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// A stand-in of systemd-timedated, and a connection to it between two ends of this program.
+// A stand-in of systemd-timedated.
 #pragma once
 
-#include "app/panel/settings/system_clock.h"
+#include "tests/support/peer_bus.h"
 
-#include <QDBusConnection>
 #include <QDBusContext>
-#include <QDBusServer>
-#include <QObject>
-
-#include <optional>
 
 namespace campanel::test {
 
@@ -62,35 +57,13 @@ private:
     }
 };
 
-// A bus with the service alone.
-class TimeBus : public QObject {
+class TimeBus : public PeerBus {
     Q_OBJECT
 
 public:
-    TimeBus()
-        : m_name(QStringLiteral("time%1").arg(reinterpret_cast<quintptr>(this)))
-    {
-        connect(&m_server, &QDBusServer::newConnection, this, [this](const QDBusConnection& connection) {
-            m_serviceSide = connection;
-            m_serviceSide->registerObject(QStringLiteral("/org/freedesktop/timedate1"), &service,
-                                          QDBusConnection::ExportAllSlots |
-                                              QDBusConnection::ExportAllProperties);
-        });
-        QDBusConnection::connectToPeer(m_server.address(), m_name);
-    }
-    ~TimeBus() override { QDBusConnection::disconnectFromPeer(m_name); }
-
-    [[nodiscard]] panel::SystemClock::Bus bus() const
-    {
-        return {[name = m_name] { return QDBusConnection(name); }, {}};
-    }
+    TimeBus() { add(QStringLiteral("/org/freedesktop/timedate1"), service); }
 
     TimeService service;
-
-private:
-    QString m_name;
-    QDBusServer m_server{QStringLiteral("unix:tmpdir=/tmp")};
-    std::optional<QDBusConnection> m_serviceSide;
 };
 
 } // namespace campanel::test

@@ -90,6 +90,7 @@ constexpr std::array objectWords{
     Word{"clock", QT_TRANSLATE_NOOP("AuditWords", "clock")},
     Word{"time_zone", QT_TRANSLATE_NOOP("AuditWords", "time zone")},
     Word{"time_server", QT_TRANSLATE_NOOP("AuditWords", "time server")},
+    Word{"network_address", QT_TRANSLATE_NOOP("AuditWords", "network address")},
     Word{"simulated_faults", QT_TRANSLATE_NOOP("AuditWords", "simulated faults")},
 };
 

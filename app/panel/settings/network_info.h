@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// `NetworkInfo` in QML: the clock and the network of this computer, read-only. They are set in the operating
-// system.
+// `NetworkInfo` in QML: the clock and the addresses of this computer, read-only. They are set by
+// `SystemClock` and `SystemNetwork`.
 #pragma once
 
 #include <QDateTime>

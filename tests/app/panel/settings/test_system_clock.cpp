@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The clock of the computer, set by a stand-in of systemd-timedated on a bus of its own.
 #include "app/panel/kit/access_check.h"
+#include "app/panel/settings/system_clock.h"
 #include "tests/support/test_program.h"
 #include "tests/support/time_service.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The digits of a PIN, displayed as dots; the keys are those of the numeric keypad.
+// Digits that are no number: a PIN, displayed as dots, or an address with points. The keys are those of the numeric keypad.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme
@@ -11,9 +11,11 @@ Card {
     property string hint
     property bool hintIsFault
     property bool ready: true              // digits may be entered
+    property bool secret: true
+    property bool pointed                  // with a key for the point
     property int most: 8
     property int fewest: 4
-    signal accepted(string pin)
+    signal accepted(string digits)
     signal edited()
     signal canceled()
 
@@ -27,7 +29,7 @@ Card {
 
     function clear(): void { pad.digits = "" }
     function type(key: string): void {
-        if (pad.digits.length < pad.most && key.length === 1 && "0123456789".includes(key)) {
+        if (pad.digits.length < pad.most && key.length === 1 && (pad.pointed ? "0123456789." : "0123456789").includes(key)) {
             pad.digits += key
             pad.edited()
         }
@@ -36,9 +38,9 @@ Card {
     function finish(): void {
         if (!pad.acceptable)
             return
-        const pin = pad.digits
+        const digits = pad.digits
         pad.clear()
-        pad.accepted(pin)
+        pad.accepted(digits)
     }
 
     border { width: Theme.size.outline; color: Theme.color.touch }
@@ -73,8 +75,16 @@ Card {
             anchors { right: parent.right; top: parent.top; topMargin: Theme.size.accent }
             height: Theme.size.value
             spacing: Theme.size.accent
+            Label {
+                objectName: "padText"
+                visible: !pad.secret
+                anchors.verticalCenter: parent.verticalCenter
+                text: pad.digits
+                color: pad.hintIsFault ? Theme.color.fault : Theme.color.ink
+                font { pixelSize: Theme.size.title; bold: true }
+            }
             Repeater {
-                model: Math.max(pad.fewest, pad.digits.length)
+                model: pad.secret ? Math.max(pad.fewest, pad.digits.length) : 0
                 Rectangle {
                     required property int index
                     anchors.verticalCenter: parent.verticalCenter
@@ -135,7 +145,13 @@ Card {
             text: qsTr("Cancel")
             onClicked: pad.canceled()
         }
-        Item { width: pad.keyWidth; height: pad.keyHeight }
+        Item {
+            width: pad.keyWidth; height: pad.keyHeight
+            Digit {
+                visible: pad.pointed
+                text: "."
+            }
+        }
         Digit { text: "0" }
         Item { width: pad.keyWidth; height: pad.keyHeight }
         KeypadKey {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The purpose of a PIN on the left, and its pad beside Stop.
+// The purpose of a PIN or an address on the left, and its pad beside Stop.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme
@@ -51,10 +51,10 @@ Item {
             anchors { left: parent.left; right: parent.right; top: heading.bottom; bottom: parent.bottom; margins: Theme.size.padding }
         }
     }
-    PinPad {
+    DigitPad {
         id: pad
         objectName: "keypad"
-        label: qsTr("PIN")
+        label: panel.title
         anchors { right: parent.right; verticalCenter: parent.verticalCenter }
         width: preferredWidth
         height: Math.min(parent.height, preferredHeight)

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/panel/settings/system_service.h"
+
+#include "app/panel/kit/access_check.h"
+#include "app/panel/kit/language_notifier.h"
+
+#include <QDBusError>
+#include <QDBusMessage>
+#include <QDBusPendingCallWatcher>
+
+#include <utility>
+
+using namespace Qt::StringLiterals;
+using namespace std::chrono_literals;
+
+namespace campanel::panel {
+
+namespace {
+
+constexpr int patienceMs = 5000;
+
+} // namespace
+
+SystemService::SystemService(AccessCheck& check, const QString& service, QObject* parent)
+    : QObject(parent)
+    , m_check(check)
+    , m_bus{[] { return QDBusConnection::systemBus(); }, service}
+{
+    m_timer.setInterval(2s);
+    m_timer.callOnTimeout(this, &SystemService::refresh);
+    connect(LanguageNotifier::ofApplication(), &LanguageNotifier::languageChanged, this,
+            &SystemService::changed);
+}
+
+void SystemService::setWatched(bool isWatched)
+{
+    if (m_isWatched == isWatched)
+        return;
+    m_isWatched = isWatched;
+    m_problem.clear();
+    if (isWatched) {
+        m_isAsked = m_isAvailable = false; // the service may have come or gone
+        m_timer.start();
+        refresh();
+    } else {
+        m_timer.stop();
+    }
+    emit changed();
+}
+
+void SystemService::refresh()
+{
+    if (!std::exchange(m_isAsking, true))
+        ask();
+}
+
+void SystemService::setAnswer(bool isAvailable)
+{
+    m_isAsking = false;
+    m_isAsked = true;
+    m_isAvailable = isAvailable;
+    emit changed();
+}
+
+// A call without a bus would never end.
+void SystemService::send(const Call& call, const Handler& handler)
+{
+    QDBusMessage message =
+        QDBusMessage::createMethodCall(m_bus.service, call.path, call.interface, call.method);
+    message.setArguments(call.arguments);
+    const QDBusConnection bus = m_bus.connect();
+    const QDBusPendingCall pending =
+        bus.isConnected() ? bus.asyncCall(message, patienceMs)
+                          : QDBusPendingCall::fromError({QDBusError::Disconnected, u"no D-Bus"_s});
+    auto* watcher = new QDBusPendingCallWatcher(pending, this);
+    connect(watcher, &QDBusPendingCallWatcher::finished, this, [handler](QDBusPendingCallWatcher* finished) {
+        finished->deleteLater();
+        handler(*finished);
+    });
+}
+
+bool SystemService::begin()
+{
+    if (m_isBusy || !m_check.require(Level::Service))
+        return false;
+    m_isBusy = true;
+    m_problem.clear();
+    emit changed();
+    return true;
+}
+
+void SystemService::finish(const Change& change, const QString& problem)
+{
+    m_isBusy = false;
+    m_problem = problem;
+    store::AuditEntry entry;
+    entry.what = u"setting.change"_s;
+    entry.object = change.object;
+    entry.before = change.before;
+    entry.after = change.after;
+    entry.outcome = problem.isEmpty() ? u"done"_s : u"failed"_s;
+    emit noted(entry);
+    emit changed();
+    refresh();
+}
+
+QString SystemService::problemOf(const QDBusError& error)
+{
+    if (!error.isValid())
+        return {};
+    const bool isForbidden = error.type() == QDBusError::AccessDenied ||
+                             error.name() == u"org.freedesktop.DBus.Error.InteractiveAuthorizationRequired" ||
+                             error.name().endsWith(u".PermissionDenied"); // NetworkManager's
+    return isForbidden ? tr("The operating system does not allow the panel to do this. Install polkit and "
+                            "the rule of the CamPanel package.")
+                       : tr("Not set: %1").arg(error.message());
+}
+
+} // namespace campanel::panel

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+// The base of what is set on this computer by a service of the operating system on the D-Bus. The service is
+// asked while the object is on the screen. A change is for the level Service and noted for the audit trail.
+// Nothing waits for the bus.
+#pragma once
+
+#include "app/store/logs/audit_log.h"
+
+#include <QDBusConnection>
+#include <QObject>
+#include <QTimer>
+#include <QVariantList>
+#include <QtQml/qqmlregistration.h>
+
+#include <functional>
+
+class QDBusError;
+class QDBusPendingCall;
+
+namespace campanel::panel {
+
+class AccessCheck;
+
+class SystemService : public QObject {
+    Q_OBJECT
+    QML_ELEMENT
+    QML_UNCREATABLE("The base of SystemClock and SystemNetwork")
+    // True while it is on the screen; only then the service is asked.
+    Q_PROPERTY(bool watched READ watched WRITE setWatched NOTIFY changed FINAL)
+    Q_PROPERTY(bool available READ available NOTIFY changed FINAL)
+    Q_PROPERTY(bool busy READ busy NOTIFY changed FINAL)
+    // Why the last change failed; empty: it was made.
+    Q_PROPERTY(QString problem READ problem NOTIFY changed FINAL)
+
+public:
+    // The bus and the name of the service on it; empty on a connection between two programs.
+    struct Bus {
+        std::function<QDBusConnection()> connect;
+        QString service;
+    };
+
+    // Replaces the system bus, for tests.
+    void setBus(const Bus& bus) { m_bus = bus; }
+
+    [[nodiscard]] bool watched() const { return m_isWatched; }
+    void setWatched(bool isWatched);
+    [[nodiscard]] bool available() const { return m_isAvailable; }
+    // Returns true when the service has answered, or has failed to.
+    [[nodiscard]] bool isAsked() const { return m_isAsked; }
+    [[nodiscard]] bool busy() const { return m_isBusy; }
+    [[nodiscard]] QString problem() const { return m_problem; }
+
+signals:
+    void changed();
+    // Emitted with a change, for the audit trail.
+    void noted(const campanel::store::AuditEntry& entry);
+
+protected:
+    using Handler = std::function<void(const QDBusPendingCall& answer)>;
+    struct Call {
+        QString path;
+        QString interface;
+        QString method;
+        QVariantList arguments;
+    };
+    struct Change {
+        QString object;
+        QString before;
+        QString after;
+    };
+
+    // The check must outlive the object.
+    SystemService(AccessCheck& check, const QString& service, QObject* parent);
+
+    // Sends the questions; the last answer calls setAnswer().
+    virtual void ask() = 0;
+    void refresh();
+    void setAnswer(bool isAvailable);
+    // Calls the handler with the answer, also without a bus.
+    void send(const Call& call, const Handler& handler);
+    // Returns false when a change may not begin.
+    [[nodiscard]] bool begin();
+    void finish(const Change& change, const QString& problem);
+    // Returns the sentence for an error; empty: none.
+    [[nodiscard]] static QString problemOf(const QDBusError& error);
+
+private:
+    AccessCheck& m_check;
+    Bus m_bus;
+    QTimer m_timer;
+    bool m_isWatched = false;
+    bool m_isAsking = false;
+    bool m_isAsked = false; // an answer or a failure is there
+    bool m_isAvailable = false;
+    bool m_isBusy = false;
+    QString m_problem;
+};
+
+} // namespace campanel::panel
