@@ -6610,4 +6610,143 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
         <translation>Unbekannter Code %1: kein Rezept und keine Folienrolle hat ihn. Folienrolle %2 einlegen und scannen.</translation>
     </message>
 </context>
+<context>
+    <name>PackageSentences</name>
+    <message>
+        <source>%1 cannot be read: %2.</source>
+        <translation>%1 kann nicht gelesen werden: %2.</translation>
+    </message>
+    <message>
+        <source>%1 is not a Debian package.</source>
+        <translation>%1 ist kein Debian-Paket.</translation>
+    </message>
+    <message>
+        <source>%1 has no signature. Copy the file %1.sig beside it.</source>
+        <translation>%1 hat keine Signatur. Kopieren Sie die Datei %1.sig daneben.</translation>
+    </message>
+    <message>
+        <source>%1 is signed by %2, whose key this machine does not have. Install the key first.</source>
+        <translation>%1 ist von %2 signiert, dessen Schlüssel diese Maschine nicht hat. Installieren Sie zuerst den Schlüssel.</translation>
+    </message>
+    <message>
+        <source>%1 is signed by %2, whose key was withdrawn. Ask for a package signed with a valid key.</source>
+        <translation>%1 ist von %2 signiert, dessen Schlüssel zurückgezogen wurde. Fordern Sie ein Paket mit einem gültigen Schlüssel an.</translation>
+    </message>
+    <message>
+        <source>The signature of %1 is not valid. Ask for a new copy of both files.</source>
+        <translation>Die Signatur von %1 ist ungültig. Fordern Sie beide Dateien neu an.</translation>
+    </message>
+    <message>
+        <source>The signature of %1 has a newer form than this CamPanel knows. Install a version in between first.</source>
+        <translation>Die Signatur von %1 hat eine neuere Form, als dieses CamPanel kennt. Installieren Sie zuerst eine Version dazwischen.</translation>
+    </message>
+    <message>
+        <source>%1 is damaged or was changed after it was signed. Copy the file again.</source>
+        <translation>%1 ist beschädigt oder wurde nach dem Signieren geändert. Kopieren Sie die Datei neu.</translation>
+    </message>
+    <message>
+        <source>This is the package %1, not CamPanel.</source>
+        <translation>Dies ist das Paket %1, nicht CamPanel.</translation>
+    </message>
+    <message>
+        <source>This package is for computers of type %1; this panel has %2.</source>
+        <translation>Dieses Paket ist für Rechner vom Typ %1; dieses Panel hat %2.</translation>
+    </message>
+    <message>
+        <source>Version %1 is older than the installed version %2.</source>
+        <translation>Version %1 ist älter als die installierte Version %2.</translation>
+    </message>
+    <message>
+        <source>Version %1 is installed.</source>
+        <translation>Version %1 ist installiert.</translation>
+    </message>
+    <message>
+        <source>not readable</source>
+        <translation>nicht lesbar</translation>
+    </message>
+    <message>
+        <source>no package</source>
+        <translation>kein Paket</translation>
+    </message>
+    <message>
+        <source>no signature</source>
+        <translation>keine Signatur</translation>
+    </message>
+    <message>
+        <source>unknown key</source>
+        <translation>unbekannter Schlüssel</translation>
+    </message>
+    <message>
+        <source>withdrawn key</source>
+        <translation>zurückgezogener Schlüssel</translation>
+    </message>
+    <message>
+        <source>wrong signature</source>
+        <translation>falsche Signatur</translation>
+    </message>
+    <message>
+        <source>unknown form of signature</source>
+        <translation>unbekannte Form der Signatur</translation>
+    </message>
+    <message>
+        <source>damaged</source>
+        <translation>beschädigt</translation>
+    </message>
+    <message>
+        <source>another program</source>
+        <translation>anderes Programm</translation>
+    </message>
+    <message>
+        <source>for another type of computer</source>
+        <translation>für anderen Rechnertyp</translation>
+    </message>
+    <message>
+        <source>older version</source>
+        <translation>ältere Version</translation>
+    </message>
+    <message>
+        <source>installed</source>
+        <translation>installiert</translation>
+    </message>
+    <message>
+        <source>The package is not signed by a key of this machine.</source>
+        <translation>Das Paket ist mit keinem Schlüssel dieser Maschine signiert.</translation>
+    </message>
+    <message>
+        <source>The package is not a newer CamPanel for this machine.</source>
+        <translation>Das Paket ist kein neueres CamPanel für diese Maschine.</translation>
+    </message>
+    <message>
+        <source>The package needs other packages, which the stick cannot bring: %1. Install them by the package manager first.</source>
+        <translation>Das Paket braucht weitere Pakete, die der Stick nicht bringen kann: %1. Installieren Sie diese zuerst mit der Paketverwaltung.</translation>
+    </message>
+    <message>
+        <source>The package of the installed version %1 is missing, so there would be no way back. Copy it and its signature to the stick as well.</source>
+        <translation>Das Paket der installierten Version %1 fehlt, es gäbe also keinen Weg zurück. Kopieren Sie es mit seiner Signatur ebenfalls auf den Stick.</translation>
+    </message>
+    <message>
+        <source>%1 MB of free space are needed on this panel.</source>
+        <translation>Auf diesem Panel werden %1 MB freier Platz gebraucht.</translation>
+    </message>
+    <message>
+        <source>Another installation is under way on this panel. Wait until it has ended.</source>
+        <translation>Auf diesem Panel läuft eine andere Installation. Warten Sie, bis sie beendet ist.</translation>
+    </message>
+    <message>
+        <source>The earlier version is not kept on this panel any more.</source>
+        <translation>Die frühere Version ist auf diesem Panel nicht mehr vorhanden.</translation>
+    </message>
+    <message>
+        <source>The new version did not open its window.</source>
+        <translation>Die neue Version hat ihr Fenster nicht geöffnet.</translation>
+    </message>
+    <message>
+        <source>The new version could not be installed.</source>
+        <translation>Die neue Version ließ sich nicht installieren.</translation>
+    </message>
+    <message>
+        <source>The files could not be read.</source>
+        <translation>Die Dateien ließen sich nicht lesen.</translation>
+    </message>
+</context>
 </TS>
