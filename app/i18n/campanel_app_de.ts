@@ -943,6 +943,26 @@
         <source>Wrong film reel allowed</source>
         <translation>Falsche Folienrolle zugelassen</translation>
     </message>
+    <message>
+        <source>Updates</source>
+        <translation>Aktualisierungen</translation>
+    </message>
+    <message>
+        <source>Update requested</source>
+        <translation>Aktualisierung angefordert</translation>
+    </message>
+    <message>
+        <source>Earlier version requested</source>
+        <translation>Frühere Version angefordert</translation>
+    </message>
+    <message>
+        <source>Installation ended</source>
+        <translation>Installation beendet</translation>
+    </message>
+    <message>
+        <source>requested</source>
+        <translation>angefordert</translation>
+    </message>
 </context>
 <context>
     <name>BackupErrorText</name>
@@ -6747,6 +6767,109 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
     <message>
         <source>The files could not be read.</source>
         <translation>Die Dateien ließen sich nicht lesen.</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::SoftwareUpdate</name>
+    <message>
+        <source>Updates are installed by the package manager of this computer.</source>
+        <translation>Aktualisierungen installiert die Paketverwaltung dieses Rechners.</translation>
+    </message>
+    <message>
+        <source>The panel closes, installs this version and comes back.</source>
+        <translation>Das Panel schließt, installiert diese Version und kommt wieder.</translation>
+    </message>
+    <message>
+        <source>CamPanel %1</source>
+        <comment>version</comment>
+        <translation>CamPanel %1</translation>
+    </message>
+    <message>
+        <source>cannot be used: %1 · %2</source>
+        <comment>reason, place</comment>
+        <translation>nicht verwendbar: %1 · %2</translation>
+    </message>
+    <message>
+        <source>signed by %1, %2 · %3</source>
+        <comment>person, date, place</comment>
+        <translation>signiert von %1, %2 · %3</translation>
+    </message>
+    <message>
+        <source>CamPanel was not installed as a package. Install it once by the package manager.</source>
+        <translation>CamPanel wurde nicht als Paket installiert. Installieren Sie es einmal mit der Paketverwaltung.</translation>
+    </message>
+    <message>
+        <source>The machine is moving. Stop it before the update; the panel will restart.</source>
+        <translation>Die Maschine bewegt sich. Halten Sie sie vor der Aktualisierung an; das Panel startet neu.</translation>
+    </message>
+    <message>
+        <source>Update</source>
+        <translation>Aktualisieren</translation>
+    </message>
+    <message>
+        <source>Update to %1</source>
+        <comment>version</comment>
+        <translation>Auf %1 aktualisieren</translation>
+    </message>
+    <message>
+        <source>Back to %1</source>
+        <comment>version</comment>
+        <translation>Zurück zu %1</translation>
+    </message>
+    <message>
+        <source>CamPanel %1 is replaced by %2. The panel closes for about a minute; the controller keeps its program. If the new version does not start, the panel puts %1 and its data back.</source>
+        <translation>CamPanel %1 wird durch %2 ersetzt. Das Panel schließt für etwa eine Minute; die Steuerung behält ihr Programm. Startet die neue Version nicht, stellt das Panel %1 mit seinen Daten wieder her.</translation>
+    </message>
+    <message>
+        <source>CamPanel %1 is replaced by %2. The panel closes for about a minute. Recipes and records stay.</source>
+        <translation>CamPanel %1 wird durch %2 ersetzt. Das Panel schließt für etwa eine Minute. Rezepte und Aufzeichnungen bleiben.</translation>
+    </message>
+    <message>
+        <source>CamPanel %1 is replaced by %2, which cannot read the present data. Recipes, users, settings and records become those of %3; what was saved since then is put aside on this panel.</source>
+        <translation>CamPanel %1 wird durch %2 ersetzt, das die jetzigen Daten nicht lesen kann. Rezepte, Benutzer, Einstellungen und Aufzeichnungen werden die vom %3; was seither gespeichert wurde, wird auf diesem Panel beiseitegelegt.</translation>
+    </message>
+    <message>
+        <source>Preparing … The panel closes soon and comes back.</source>
+        <translation>Wird vorbereitet … Das Panel schließt bald und kommt wieder.</translation>
+    </message>
+    <message>
+        <source>Not updated: %1</source>
+        <translation>Nicht aktualisiert: %1</translation>
+    </message>
+    <message>
+        <source>The update did not begin. Read journalctl -u campanel-update.</source>
+        <translation>Die Aktualisierung hat nicht begonnen. Lesen Sie journalctl -u campanel-update.</translation>
+    </message>
+    <message>
+        <source>Nothing was installed. %1</source>
+        <comment>%1: whole sentences</comment>
+        <translation>Es wurde nichts installiert. %1</translation>
+    </message>
+    <message>
+        <source>CamPanel %1 could not be used. %2 The panel has put %3 and its data back.</source>
+        <comment>version, whole sentences, version</comment>
+        <translation>CamPanel %1 war nicht verwendbar. %2 Das Panel hat %3 mit seinen Daten wiederhergestellt.</translation>
+    </message>
+    <message>
+        <source>CamPanel %1 could not be installed, and %2 could not be put back completely. Install CamPanel by the package manager. %3</source>
+        <comment>version, version, whole sentences</comment>
+        <translation>CamPanel %1 ließ sich nicht installieren, und %2 ließ sich nicht vollständig wiederherstellen. Installieren Sie CamPanel mit der Paketverwaltung. %3</translation>
+    </message>
+    <message>
+        <source>Updated from %1 to %2.</source>
+        <translation>Von %1 auf %2 aktualisiert.</translation>
+    </message>
+    <message>
+        <source>Back from %1 to %2, with the data from before the update.</source>
+        <translation>Von %1 zurück zu %2, mit den Daten von vor der Aktualisierung.</translation>
+    </message>
+    <message>
+        <source>Back from %1 to %2.</source>
+        <translation>Von %1 zurück zu %2.</translation>
+    </message>
+    <message>
+        <source>The operating system does not allow the panel to do this. Install polkit and the rule of the CamPanel package.</source>
+        <translation>Das Betriebssystem erlaubt dies dem Panel nicht. Installieren Sie polkit und die Regel des CamPanel-Pakets.</translation>
     </message>
 </context>
 </TS>

@@ -943,6 +943,26 @@
         <source>Wrong film reel allowed</source>
         <translation>允许使用错误膜卷</translation>
     </message>
+    <message>
+        <source>Updates</source>
+        <translation>更新</translation>
+    </message>
+    <message>
+        <source>Update requested</source>
+        <translation>请求更新</translation>
+    </message>
+    <message>
+        <source>Earlier version requested</source>
+        <translation>请求恢复旧版本</translation>
+    </message>
+    <message>
+        <source>Installation ended</source>
+        <translation>安装结束</translation>
+    </message>
+    <message>
+        <source>requested</source>
+        <translation>已请求</translation>
+    </message>
 </context>
 <context>
     <name>BackupErrorText</name>
@@ -6745,6 +6765,109 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
     <message>
         <source>The files could not be read.</source>
         <translation>无法读取文件。</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::SoftwareUpdate</name>
+    <message>
+        <source>Updates are installed by the package manager of this computer.</source>
+        <translation>更新由本计算机的软件包管理器安装。</translation>
+    </message>
+    <message>
+        <source>The panel closes, installs this version and comes back.</source>
+        <translation>面板将关闭，安装此版本，然后重新打开。</translation>
+    </message>
+    <message>
+        <source>CamPanel %1</source>
+        <comment>version</comment>
+        <translation>CamPanel %1</translation>
+    </message>
+    <message>
+        <source>cannot be used: %1 · %2</source>
+        <comment>reason, place</comment>
+        <translation>不能使用：%1 · %2</translation>
+    </message>
+    <message>
+        <source>signed by %1, %2 · %3</source>
+        <comment>person, date, place</comment>
+        <translation>签名人：%1，%2 · %3</translation>
+    </message>
+    <message>
+        <source>CamPanel was not installed as a package. Install it once by the package manager.</source>
+        <translation>CamPanel 不是以软件包形式安装的。请先用软件包管理器安装一次。</translation>
+    </message>
+    <message>
+        <source>The machine is moving. Stop it before the update; the panel will restart.</source>
+        <translation>机器正在运动。更新前请先停机；面板将重启。</translation>
+    </message>
+    <message>
+        <source>Update</source>
+        <translation>更新</translation>
+    </message>
+    <message>
+        <source>Update to %1</source>
+        <comment>version</comment>
+        <translation>更新到 %1</translation>
+    </message>
+    <message>
+        <source>Back to %1</source>
+        <comment>version</comment>
+        <translation>恢复到 %1</translation>
+    </message>
+    <message>
+        <source>CamPanel %1 is replaced by %2. The panel closes for about a minute; the controller keeps its program. If the new version does not start, the panel puts %1 and its data back.</source>
+        <translation>CamPanel %1 将替换为 %2。面板将关闭约一分钟；控制器保留其程序。如果新版本无法启动，面板将恢复 %1 及其数据。</translation>
+    </message>
+    <message>
+        <source>CamPanel %1 is replaced by %2. The panel closes for about a minute. Recipes and records stay.</source>
+        <translation>CamPanel %1 将替换为 %2。面板将关闭约一分钟。配方和记录保留不变。</translation>
+    </message>
+    <message>
+        <source>CamPanel %1 is replaced by %2, which cannot read the present data. Recipes, users, settings and records become those of %3; what was saved since then is put aside on this panel.</source>
+        <translation>CamPanel %1 将替换为 %2，后者无法读取当前数据。配方、用户、设置和记录将恢复为 %3 的状态；此后保存的内容将另存在本面板上。</translation>
+    </message>
+    <message>
+        <source>Preparing … The panel closes soon and comes back.</source>
+        <translation>正在准备…… 面板即将关闭，然后重新打开。</translation>
+    </message>
+    <message>
+        <source>Not updated: %1</source>
+        <translation>未更新：%1</translation>
+    </message>
+    <message>
+        <source>The update did not begin. Read journalctl -u campanel-update.</source>
+        <translation>更新未开始。请查看 journalctl -u campanel-update。</translation>
+    </message>
+    <message>
+        <source>Nothing was installed. %1</source>
+        <comment>%1: whole sentences</comment>
+        <translation>未安装任何内容。%1</translation>
+    </message>
+    <message>
+        <source>CamPanel %1 could not be used. %2 The panel has put %3 and its data back.</source>
+        <comment>version, whole sentences, version</comment>
+        <translation>CamPanel %1 无法使用。%2面板已恢复 %3 及其数据。</translation>
+    </message>
+    <message>
+        <source>CamPanel %1 could not be installed, and %2 could not be put back completely. Install CamPanel by the package manager. %3</source>
+        <comment>version, version, whole sentences</comment>
+        <translation>无法安装 CamPanel %1，也无法完全恢复 %2。请用软件包管理器安装 CamPanel。%3</translation>
+    </message>
+    <message>
+        <source>Updated from %1 to %2.</source>
+        <translation>已从 %1 更新到 %2。</translation>
+    </message>
+    <message>
+        <source>Back from %1 to %2, with the data from before the update.</source>
+        <translation>已从 %1 恢复到 %2，并恢复更新前的数据。</translation>
+    </message>
+    <message>
+        <source>Back from %1 to %2.</source>
+        <translation>已从 %1 恢复到 %2。</translation>
+    </message>
+    <message>
+        <source>The operating system does not allow the panel to do this. Install polkit and the rule of the CamPanel package.</source>
+        <translation>操作系统不允许面板执行此操作。请安装 polkit 和 CamPanel 软件包的规则。</translation>
     </message>
 </context>
 </TS>

@@ -2551,6 +2551,14 @@ And %2 more.</source>
         <source>Set the network in the operating system. The brightness of this screen cannot be set here.</source>
         <translation>请在操作系统中设置网络。此屏幕的亮度不能在这里调节。</translation>
     </message>
+    <message>
+        <source>Update</source>
+        <translation>更新</translation>
+    </message>
+    <message>
+        <source>CamPanel %1</source>
+        <translation>CamPanel %1</translation>
+    </message>
 </context>
 <context>
     <name>TextKeyboard</name>
@@ -3545,6 +3553,33 @@ And %2 more.</source>
     <message>
         <source>Enter the reason for the audit trail.</source>
         <translation>请输入原因，用于审计追踪。</translation>
+    </message>
+</context>
+<context>
+    <name>UpdateSheet</name>
+    <message>
+        <source>Installed: CamPanel %1</source>
+        <translation>已安装：CamPanel %1</translation>
+    </message>
+    <message>
+        <source>Choose a version.</source>
+        <translation>请选择一个版本。</translation>
+    </message>
+    <message>
+        <source>There is no package of CamPanel on a USB stick. Plug a stick in; the panel finds it automatically.</source>
+        <translation>U 盘上没有 CamPanel 软件包。插入 U 盘后，面板会自动找到。</translation>
+    </message>
+    <message>
+        <source>The version before the last update is kept on this panel.</source>
+        <translation>本面板保留了上次更新前的版本。</translation>
+    </message>
+    <message>
+        <source>Back to %1</source>
+        <translation>恢复到 %1</translation>
+    </message>
+    <message>
+        <source>Update</source>
+        <translation>更新</translation>
     </message>
 </context>
 </TS>

@@ -83,7 +83,7 @@ const QList<House>& houses()
           {u"editor"_s},
           {u"library"_s, u"alarms"_s, u"maintenance"_s},
           {u"explain"_s, u"audit"_s, u"scan"_s},
-          {u"reports"_s, u"plant"_s}}},
+          {u"reports"_s, u"plant"_s, u"update"_s}}},
     };
     return all;
 }
