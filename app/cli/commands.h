@@ -35,5 +35,6 @@ class Invocation;
 [[nodiscard]] Outcome runRegisters(const Invocation& call);
 [[nodiscard]] Outcome runFleet(const Invocation& call);
 [[nodiscard]] Outcome runAudit(const Invocation& call);
+[[nodiscard]] Outcome runPackage(const Invocation& call);
 
 } // namespace campanel::cli

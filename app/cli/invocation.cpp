@@ -61,6 +61,13 @@ Invocation::Invocation(const CommandInfo& command)
         m_parser.addPositionalArgument(u"sign"_s, u"Sign a recipe file."_s, u"| sign RECIPE.json"_s);
         m_parser.addPositionalArgument(u"verify"_s, u"Check a signed recipe."_s, u"| verify SIGNED.json"_s);
     }
+    if (command.takes & CommandInfo::PackageFile) {
+        m_parser.addPositionalArgument(u"sign"_s, u"Sign a package."_s, u"sign FILE.deb"_s);
+        m_parser.addPositionalArgument(u"verify"_s, u"Check a package with FILE.deb.sig beside it."_s,
+                                       u"| verify FILE.deb"_s);
+        m_parser.addPositionalArgument(u"schema"_s, u"Print the schemas of the panel's data."_s,
+                                       u"| schema"_s);
+    }
     m_parser.addOption({{u"h"_s, u"help"_s}, u"Show this help."_s});
     m_parser.addOptions(command.options);
     if (!command.formats.isEmpty()) {
@@ -82,9 +89,8 @@ Outcome Invocation::parse(const QStringList& arguments)
                     m_parser.errorText() + u" See campanelctl "_s + m_command.name + u" --help."_s);
     m_arguments = m_parser.positionalArguments().mid(1);
     const bool many = (m_command.takes & (CommandInfo::Names | CommandInfo::TrailFile)) != 0;
-    const qsizetype maxArguments = (m_command.takes & CommandInfo::Signing) != 0  ? 2
-                                   : (m_command.takes & CommandInfo::Recipe) != 0 ? 1
-                                                                                  : 0;
+    const bool isSigning = (m_command.takes & (CommandInfo::Signing | CommandInfo::PackageFile)) != 0;
+    const qsizetype maxArguments = isSigning ? 2 : (m_command.takes & CommandInfo::Recipe) != 0 ? 1 : 0;
     if (!many && m_arguments.size() > maxArguments)
         return fail(ExitCode::Usage, u"Unexpected argument \"%1\". See campanelctl %2 --help."_s.arg(
                                          m_arguments[maxArguments], m_command.name));

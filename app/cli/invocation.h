@@ -15,7 +15,15 @@ namespace campanel::cli {
 class Invocation;
 
 struct CommandInfo {
-    enum Takes : unsigned { Nothing = 0, Recipe = 1, Link = 2, Names = 4, TrailFile = 8, Signing = 16 };
+    enum Takes : unsigned {
+        Nothing = 0,
+        Recipe = 1,
+        Link = 2,
+        Names = 4,
+        TrailFile = 8,
+        Signing = 16,
+        PackageFile = 32
+    };
 
     QString name;
     QString summary; // one line for the list of commands

@@ -187,6 +187,14 @@ std::vector<CommandInfo> commandTable()
          all,
          {},
          runAudit},
+        {u"package"_s,
+         u"Sign a package of CamPanel for the update from a stick, and check one."_s,
+         u"The keys are those of recipe new-key. sign FILE.deb --key SECRET prints the signature; write it to\nFILE.deb.sig beside the package. verify FILE.deb --keys FOLDER reads the whole package. schema prints the schemas\nof the databases: versions with the same ones read each other's data."_s,
+         CommandInfo::PackageFile,
+         {u"json"_s},
+         {{u"key"_s, u"File of the secret key."_s, u"FILE"_s},
+          {u"keys"_s, u"Folder of the public keys."_s, u"FOLDER"_s}},
+         runPackage},
     };
 }
 

@@ -59,14 +59,9 @@ Outcome signFile(const Invocation& call)
 {
     if (const auto failure = missing(call, u"sign RECIPE.json --key SECRET"_s, u"key"_s, 2))
         return tl::unexpected(*failure);
-    const QString path = call.value(u"key"_s);
-    const auto bytes = store::readBytes(path);
-    if (!bytes)
-        return fail(ExitCode::File,
-                    u"The key %1 cannot be read. Check its name and permissions."_s.arg(path));
-    const auto key = store::secretKeyIn(*bytes);
+    const auto key = secretKeyOf(call);
     if (!key)
-        return fail(ExitCode::File, u"%1 is no secret key of CamPanel. Create one with new-key."_s.arg(path));
+        return tl::unexpected(key.error());
     const auto recipe = store::readRecipe(call.arguments().last());
     if (!recipe)
         return fail(recipe.error());
@@ -80,11 +75,10 @@ Outcome verifyFile(const Invocation& call)
 {
     if (const auto failure = missing(call, u"verify SIGNED.json --keys FOLDER"_s, u"keys"_s, 2))
         return tl::unexpected(*failure);
-    const QString path = call.arguments().last();
-    const QString folder = call.value(u"keys"_s);
-    if (!QFileInfo(folder).isDir())
-        return fail(ExitCode::File, u"%1 is no folder. Name the folder of the public keys."_s.arg(folder));
-    const auto valid = readSignedRecipe(path, store::signerKeys(folder));
+    const auto keys = publicKeysOf(call);
+    if (!keys)
+        return tl::unexpected(keys.error());
+    const auto valid = readSignedRecipe(call.arguments().last(), *keys);
     if (!valid)
         return tl::unexpected(valid.error());
     const auto image = program::buildProgram(valid->recipe);

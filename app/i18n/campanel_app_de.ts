@@ -947,6 +947,26 @@
         <source>Wrong film reel allowed</source>
         <translation>Falsche Folienrolle zugelassen</translation>
     </message>
+    <message>
+        <source>Updates</source>
+        <translation>Aktualisierungen</translation>
+    </message>
+    <message>
+        <source>Update requested</source>
+        <translation>Aktualisierung angefordert</translation>
+    </message>
+    <message>
+        <source>Earlier version requested</source>
+        <translation>Frühere Version angefordert</translation>
+    </message>
+    <message>
+        <source>Installation ended</source>
+        <translation>Installation beendet</translation>
+    </message>
+    <message>
+        <source>requested</source>
+        <translation>angefordert</translation>
+    </message>
 </context>
 <context>
     <name>BackupErrorText</name>
@@ -6721,6 +6741,248 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
     <message>
         <source>Unknown code %1: no recipe and no film reel has it. Load and scan the film reel %2.</source>
         <translation>Unbekannter Code %1: kein Rezept und keine Folienrolle hat ihn. Folienrolle %2 einlegen und scannen.</translation>
+    </message>
+</context>
+<context>
+    <name>PackageSentences</name>
+    <message>
+        <source>%1 cannot be read: %2.</source>
+        <translation>%1 kann nicht gelesen werden: %2.</translation>
+    </message>
+    <message>
+        <source>%1 is not a Debian package.</source>
+        <translation>%1 ist kein Debian-Paket.</translation>
+    </message>
+    <message>
+        <source>%1 has no signature. Copy the file %1.sig beside it.</source>
+        <translation>%1 hat keine Signatur. Kopieren Sie die Datei %1.sig daneben.</translation>
+    </message>
+    <message>
+        <source>%1 is signed by %2, whose key this machine does not have. Install the key first.</source>
+        <translation>%1 ist von %2 signiert, dessen Schlüssel diese Maschine nicht hat. Installieren Sie zuerst den Schlüssel.</translation>
+    </message>
+    <message>
+        <source>%1 is signed by %2, whose key was withdrawn. Ask for a package signed with a valid key.</source>
+        <translation>%1 ist von %2 signiert, dessen Schlüssel zurückgezogen wurde. Fordern Sie ein Paket mit einem gültigen Schlüssel an.</translation>
+    </message>
+    <message>
+        <source>The signature of %1 is not valid. Ask for a new copy of both files.</source>
+        <translation>Die Signatur von %1 ist ungültig. Fordern Sie beide Dateien neu an.</translation>
+    </message>
+    <message>
+        <source>The signature of %1 has a newer form than this CamPanel knows. Install a version in between first.</source>
+        <translation>Die Signatur von %1 hat eine neuere Form, als dieses CamPanel kennt. Installieren Sie zuerst eine Version dazwischen.</translation>
+    </message>
+    <message>
+        <source>%1 is damaged or was changed after it was signed. Copy the file again.</source>
+        <translation>%1 ist beschädigt oder wurde nach dem Signieren geändert. Kopieren Sie die Datei neu.</translation>
+    </message>
+    <message>
+        <source>This is the package %1, not CamPanel.</source>
+        <translation>Dies ist das Paket %1, nicht CamPanel.</translation>
+    </message>
+    <message>
+        <source>This package is for computers of type %1; this panel has %2.</source>
+        <translation>Dieses Paket ist für Rechner vom Typ %1; dieses Panel hat %2.</translation>
+    </message>
+    <message>
+        <source>Version %1 is older than the installed version %2.</source>
+        <translation>Version %1 ist älter als die installierte Version %2.</translation>
+    </message>
+    <message>
+        <source>Version %1 is installed.</source>
+        <translation>Version %1 ist installiert.</translation>
+    </message>
+    <message>
+        <source>not readable</source>
+        <translation>nicht lesbar</translation>
+    </message>
+    <message>
+        <source>no package</source>
+        <translation>kein Paket</translation>
+    </message>
+    <message>
+        <source>no signature</source>
+        <translation>keine Signatur</translation>
+    </message>
+    <message>
+        <source>unknown key</source>
+        <translation>unbekannter Schlüssel</translation>
+    </message>
+    <message>
+        <source>withdrawn key</source>
+        <translation>zurückgezogener Schlüssel</translation>
+    </message>
+    <message>
+        <source>wrong signature</source>
+        <translation>falsche Signatur</translation>
+    </message>
+    <message>
+        <source>unknown form of signature</source>
+        <translation>unbekannte Form der Signatur</translation>
+    </message>
+    <message>
+        <source>damaged</source>
+        <translation>beschädigt</translation>
+    </message>
+    <message>
+        <source>another program</source>
+        <translation>anderes Programm</translation>
+    </message>
+    <message>
+        <source>for another type of computer</source>
+        <translation>für anderen Rechnertyp</translation>
+    </message>
+    <message>
+        <source>older version</source>
+        <translation>ältere Version</translation>
+    </message>
+    <message>
+        <source>installed</source>
+        <translation>installiert</translation>
+    </message>
+    <message>
+        <source>The package is not signed by a key of this machine.</source>
+        <translation>Das Paket ist mit keinem Schlüssel dieser Maschine signiert.</translation>
+    </message>
+    <message>
+        <source>The package is not a newer CamPanel for this machine.</source>
+        <translation>Das Paket ist kein neueres CamPanel für diese Maschine.</translation>
+    </message>
+    <message>
+        <source>The package needs other packages, which the stick cannot bring: %1. Install them by the package manager first.</source>
+        <translation>Das Paket braucht weitere Pakete, die der Stick nicht bringen kann: %1. Installieren Sie diese zuerst mit der Paketverwaltung.</translation>
+    </message>
+    <message>
+        <source>The package of the installed version %1 is missing, so there would be no way back. Copy it and its signature to the stick as well.</source>
+        <translation>Das Paket der installierten Version %1 fehlt, es gäbe also keinen Weg zurück. Kopieren Sie es mit seiner Signatur ebenfalls auf den Stick.</translation>
+    </message>
+    <message>
+        <source>%1 MB of free space are needed on this panel.</source>
+        <translation>Auf diesem Panel werden %1 MB freier Platz gebraucht.</translation>
+    </message>
+    <message>
+        <source>Another installation is under way on this panel. Wait until it has ended.</source>
+        <translation>Auf diesem Panel läuft eine andere Installation. Warten Sie, bis sie beendet ist.</translation>
+    </message>
+    <message>
+        <source>The earlier version is not kept on this panel any more.</source>
+        <translation>Die frühere Version ist auf diesem Panel nicht mehr vorhanden.</translation>
+    </message>
+    <message>
+        <source>The new version did not open its window.</source>
+        <translation>Die neue Version hat ihr Fenster nicht geöffnet.</translation>
+    </message>
+    <message>
+        <source>The new version could not be installed.</source>
+        <translation>Die neue Version ließ sich nicht installieren.</translation>
+    </message>
+    <message>
+        <source>The files could not be read.</source>
+        <translation>Die Dateien ließen sich nicht lesen.</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::SoftwareUpdate</name>
+    <message>
+        <source>Updates are installed by the package manager of this computer.</source>
+        <translation>Aktualisierungen installiert die Paketverwaltung dieses Rechners.</translation>
+    </message>
+    <message>
+        <source>The panel closes, installs this version and comes back.</source>
+        <translation>Das Panel schließt, installiert diese Version und kommt wieder.</translation>
+    </message>
+    <message>
+        <source>CamPanel %1</source>
+        <comment>version</comment>
+        <translation>CamPanel %1</translation>
+    </message>
+    <message>
+        <source>cannot be used: %1 · %2</source>
+        <comment>reason, place</comment>
+        <translation>nicht verwendbar: %1 · %2</translation>
+    </message>
+    <message>
+        <source>signed by %1, %2 · %3</source>
+        <comment>person, date, place</comment>
+        <translation>signiert von %1, %2 · %3</translation>
+    </message>
+    <message>
+        <source>CamPanel was not installed as a package. Install it once by the package manager.</source>
+        <translation>CamPanel wurde nicht als Paket installiert. Installieren Sie es einmal mit der Paketverwaltung.</translation>
+    </message>
+    <message>
+        <source>The machine is moving. Stop it before the update; the panel will restart.</source>
+        <translation>Die Maschine bewegt sich. Halten Sie sie vor der Aktualisierung an; das Panel startet neu.</translation>
+    </message>
+    <message>
+        <source>Update</source>
+        <translation>Aktualisieren</translation>
+    </message>
+    <message>
+        <source>Update to %1</source>
+        <comment>version</comment>
+        <translation>Auf %1 aktualisieren</translation>
+    </message>
+    <message>
+        <source>Back to %1</source>
+        <comment>version</comment>
+        <translation>Zurück zu %1</translation>
+    </message>
+    <message>
+        <source>CamPanel %1 is replaced by %2. The panel closes for about a minute; the controller keeps its program. If the new version does not start, the panel puts %1 and its data back.</source>
+        <translation>CamPanel %1 wird durch %2 ersetzt. Das Panel schließt für etwa eine Minute; die Steuerung behält ihr Programm. Startet die neue Version nicht, stellt das Panel %1 mit seinen Daten wieder her.</translation>
+    </message>
+    <message>
+        <source>CamPanel %1 is replaced by %2. The panel closes for about a minute. Recipes and records stay.</source>
+        <translation>CamPanel %1 wird durch %2 ersetzt. Das Panel schließt für etwa eine Minute. Rezepte und Aufzeichnungen bleiben.</translation>
+    </message>
+    <message>
+        <source>CamPanel %1 is replaced by %2, which cannot read the present data. Recipes, users, settings and records become those of %3; what was saved since then is put aside on this panel.</source>
+        <translation>CamPanel %1 wird durch %2 ersetzt, das die jetzigen Daten nicht lesen kann. Rezepte, Benutzer, Einstellungen und Aufzeichnungen werden die vom %3; was seither gespeichert wurde, wird auf diesem Panel beiseitegelegt.</translation>
+    </message>
+    <message>
+        <source>Preparing … The panel closes soon and comes back.</source>
+        <translation>Wird vorbereitet … Das Panel schließt bald und kommt wieder.</translation>
+    </message>
+    <message>
+        <source>Not updated: %1</source>
+        <translation>Nicht aktualisiert: %1</translation>
+    </message>
+    <message>
+        <source>The update did not begin. Read journalctl -u campanel-update.</source>
+        <translation>Die Aktualisierung hat nicht begonnen. Lesen Sie journalctl -u campanel-update.</translation>
+    </message>
+    <message>
+        <source>Nothing was installed. %1</source>
+        <comment>%1: whole sentences</comment>
+        <translation>Es wurde nichts installiert. %1</translation>
+    </message>
+    <message>
+        <source>CamPanel %1 could not be used. %2 The panel has put %3 and its data back.</source>
+        <comment>version, whole sentences, version</comment>
+        <translation>CamPanel %1 war nicht verwendbar. %2 Das Panel hat %3 mit seinen Daten wiederhergestellt.</translation>
+    </message>
+    <message>
+        <source>CamPanel %1 could not be installed, and %2 could not be put back completely. Install CamPanel by the package manager. %3</source>
+        <comment>version, version, whole sentences</comment>
+        <translation>CamPanel %1 ließ sich nicht installieren, und %2 ließ sich nicht vollständig wiederherstellen. Installieren Sie CamPanel mit der Paketverwaltung. %3</translation>
+    </message>
+    <message>
+        <source>Updated from %1 to %2.</source>
+        <translation>Von %1 auf %2 aktualisiert.</translation>
+    </message>
+    <message>
+        <source>Back from %1 to %2, with the data from before the update.</source>
+        <translation>Von %1 zurück zu %2, mit den Daten von vor der Aktualisierung.</translation>
+    </message>
+    <message>
+        <source>Back from %1 to %2.</source>
+        <translation>Von %1 zurück zu %2.</translation>
+    </message>
+    <message>
+        <source>The operating system does not allow the panel to do this. Install polkit and the rule of the CamPanel package.</source>
+        <translation>Das Betriebssystem erlaubt dies dem Panel nicht. Installieren Sie polkit und die Regel des CamPanel-Pakets.</translation>
     </message>
 </context>
 </TS>

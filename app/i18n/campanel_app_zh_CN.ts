@@ -947,6 +947,26 @@
         <source>Wrong film reel allowed</source>
         <translation>允许使用错误膜卷</translation>
     </message>
+    <message>
+        <source>Updates</source>
+        <translation>更新</translation>
+    </message>
+    <message>
+        <source>Update requested</source>
+        <translation>请求更新</translation>
+    </message>
+    <message>
+        <source>Earlier version requested</source>
+        <translation>请求恢复旧版本</translation>
+    </message>
+    <message>
+        <source>Installation ended</source>
+        <translation>安装结束</translation>
+    </message>
+    <message>
+        <source>requested</source>
+        <translation>已请求</translation>
+    </message>
 </context>
 <context>
     <name>BackupErrorText</name>
@@ -6719,6 +6739,248 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
     <message>
         <source>Unknown code %1: no recipe and no film reel has it. Load and scan the film reel %2.</source>
         <translation>未知条码 %1：没有配方或膜卷使用它。请装上膜卷 %2 并扫描。</translation>
+    </message>
+</context>
+<context>
+    <name>PackageSentences</name>
+    <message>
+        <source>%1 cannot be read: %2.</source>
+        <translation>无法读取 %1：%2。</translation>
+    </message>
+    <message>
+        <source>%1 is not a Debian package.</source>
+        <translation>%1 不是 Debian 软件包。</translation>
+    </message>
+    <message>
+        <source>%1 has no signature. Copy the file %1.sig beside it.</source>
+        <translation>%1 没有签名。请把文件 %1.sig 复制到同一位置。</translation>
+    </message>
+    <message>
+        <source>%1 is signed by %2, whose key this machine does not have. Install the key first.</source>
+        <translation>%1 由 %2 签名，但本机没有其密钥。请先安装密钥。</translation>
+    </message>
+    <message>
+        <source>%1 is signed by %2, whose key was withdrawn. Ask for a package signed with a valid key.</source>
+        <translation>%1 由 %2 签名，但其密钥已作废。请索取用有效密钥签名的软件包。</translation>
+    </message>
+    <message>
+        <source>The signature of %1 is not valid. Ask for a new copy of both files.</source>
+        <translation>%1 的签名无效。请重新索取这两个文件。</translation>
+    </message>
+    <message>
+        <source>The signature of %1 has a newer form than this CamPanel knows. Install a version in between first.</source>
+        <translation>%1 的签名格式比本版 CamPanel 支持的更新。请先安装中间版本。</translation>
+    </message>
+    <message>
+        <source>%1 is damaged or was changed after it was signed. Copy the file again.</source>
+        <translation>%1 已损坏，或签名后被修改。请重新复制该文件。</translation>
+    </message>
+    <message>
+        <source>This is the package %1, not CamPanel.</source>
+        <translation>这是软件包 %1，不是 CamPanel。</translation>
+    </message>
+    <message>
+        <source>This package is for computers of type %1; this panel has %2.</source>
+        <translation>此软件包适用于 %1 型计算机；本面板为 %2。</translation>
+    </message>
+    <message>
+        <source>Version %1 is older than the installed version %2.</source>
+        <translation>版本 %1 比已安装的版本 %2 旧。</translation>
+    </message>
+    <message>
+        <source>Version %1 is installed.</source>
+        <translation>版本 %1 已安装。</translation>
+    </message>
+    <message>
+        <source>not readable</source>
+        <translation>无法读取</translation>
+    </message>
+    <message>
+        <source>no package</source>
+        <translation>不是软件包</translation>
+    </message>
+    <message>
+        <source>no signature</source>
+        <translation>没有签名</translation>
+    </message>
+    <message>
+        <source>unknown key</source>
+        <translation>未知密钥</translation>
+    </message>
+    <message>
+        <source>withdrawn key</source>
+        <translation>密钥已作废</translation>
+    </message>
+    <message>
+        <source>wrong signature</source>
+        <translation>签名错误</translation>
+    </message>
+    <message>
+        <source>unknown form of signature</source>
+        <translation>未知签名格式</translation>
+    </message>
+    <message>
+        <source>damaged</source>
+        <translation>已损坏</translation>
+    </message>
+    <message>
+        <source>another program</source>
+        <translation>其他程序</translation>
+    </message>
+    <message>
+        <source>for another type of computer</source>
+        <translation>适用于其他类型的计算机</translation>
+    </message>
+    <message>
+        <source>older version</source>
+        <translation>旧版本</translation>
+    </message>
+    <message>
+        <source>installed</source>
+        <translation>已安装</translation>
+    </message>
+    <message>
+        <source>The package is not signed by a key of this machine.</source>
+        <translation>此软件包未用本机信任的密钥签名。</translation>
+    </message>
+    <message>
+        <source>The package is not a newer CamPanel for this machine.</source>
+        <translation>此软件包不是适用于本机的更新版 CamPanel。</translation>
+    </message>
+    <message>
+        <source>The package needs other packages, which the stick cannot bring: %1. Install them by the package manager first.</source>
+        <translation>此软件包需要其他软件包，无法由 U 盘提供：%1。请先用软件包管理器安装。</translation>
+    </message>
+    <message>
+        <source>The package of the installed version %1 is missing, so there would be no way back. Copy it and its signature to the stick as well.</source>
+        <translation>缺少已安装版本 %1 的软件包，更新后将无法恢复。请把它及其签名也复制到 U 盘。</translation>
+    </message>
+    <message>
+        <source>%1 MB of free space are needed on this panel.</source>
+        <translation>本面板需要 %1 MB 可用空间。</translation>
+    </message>
+    <message>
+        <source>Another installation is under way on this panel. Wait until it has ended.</source>
+        <translation>本面板上正在进行另一项安装。请等待其结束。</translation>
+    </message>
+    <message>
+        <source>The earlier version is not kept on this panel any more.</source>
+        <translation>本面板上已不再保留旧版本。</translation>
+    </message>
+    <message>
+        <source>The new version did not open its window.</source>
+        <translation>新版本未能打开窗口。</translation>
+    </message>
+    <message>
+        <source>The new version could not be installed.</source>
+        <translation>无法安装新版本。</translation>
+    </message>
+    <message>
+        <source>The files could not be read.</source>
+        <translation>无法读取文件。</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::SoftwareUpdate</name>
+    <message>
+        <source>Updates are installed by the package manager of this computer.</source>
+        <translation>更新由本计算机的软件包管理器安装。</translation>
+    </message>
+    <message>
+        <source>The panel closes, installs this version and comes back.</source>
+        <translation>面板将关闭，安装此版本，然后重新打开。</translation>
+    </message>
+    <message>
+        <source>CamPanel %1</source>
+        <comment>version</comment>
+        <translation>CamPanel %1</translation>
+    </message>
+    <message>
+        <source>cannot be used: %1 · %2</source>
+        <comment>reason, place</comment>
+        <translation>不能使用：%1 · %2</translation>
+    </message>
+    <message>
+        <source>signed by %1, %2 · %3</source>
+        <comment>person, date, place</comment>
+        <translation>签名人：%1，%2 · %3</translation>
+    </message>
+    <message>
+        <source>CamPanel was not installed as a package. Install it once by the package manager.</source>
+        <translation>CamPanel 不是以软件包形式安装的。请先用软件包管理器安装一次。</translation>
+    </message>
+    <message>
+        <source>The machine is moving. Stop it before the update; the panel will restart.</source>
+        <translation>机器正在运动。更新前请先停机；面板将重启。</translation>
+    </message>
+    <message>
+        <source>Update</source>
+        <translation>更新</translation>
+    </message>
+    <message>
+        <source>Update to %1</source>
+        <comment>version</comment>
+        <translation>更新到 %1</translation>
+    </message>
+    <message>
+        <source>Back to %1</source>
+        <comment>version</comment>
+        <translation>恢复到 %1</translation>
+    </message>
+    <message>
+        <source>CamPanel %1 is replaced by %2. The panel closes for about a minute; the controller keeps its program. If the new version does not start, the panel puts %1 and its data back.</source>
+        <translation>CamPanel %1 将替换为 %2。面板将关闭约一分钟；控制器保留其程序。如果新版本无法启动，面板将恢复 %1 及其数据。</translation>
+    </message>
+    <message>
+        <source>CamPanel %1 is replaced by %2. The panel closes for about a minute. Recipes and records stay.</source>
+        <translation>CamPanel %1 将替换为 %2。面板将关闭约一分钟。配方和记录保留不变。</translation>
+    </message>
+    <message>
+        <source>CamPanel %1 is replaced by %2, which cannot read the present data. Recipes, users, settings and records become those of %3; what was saved since then is put aside on this panel.</source>
+        <translation>CamPanel %1 将替换为 %2，后者无法读取当前数据。配方、用户、设置和记录将恢复为 %3 的状态；此后保存的内容将另存在本面板上。</translation>
+    </message>
+    <message>
+        <source>Preparing … The panel closes soon and comes back.</source>
+        <translation>正在准备…… 面板即将关闭，然后重新打开。</translation>
+    </message>
+    <message>
+        <source>Not updated: %1</source>
+        <translation>未更新：%1</translation>
+    </message>
+    <message>
+        <source>The update did not begin. Read journalctl -u campanel-update.</source>
+        <translation>更新未开始。请查看 journalctl -u campanel-update。</translation>
+    </message>
+    <message>
+        <source>Nothing was installed. %1</source>
+        <comment>%1: whole sentences</comment>
+        <translation>未安装任何内容。%1</translation>
+    </message>
+    <message>
+        <source>CamPanel %1 could not be used. %2 The panel has put %3 and its data back.</source>
+        <comment>version, whole sentences, version</comment>
+        <translation>CamPanel %1 无法使用。%2面板已恢复 %3 及其数据。</translation>
+    </message>
+    <message>
+        <source>CamPanel %1 could not be installed, and %2 could not be put back completely. Install CamPanel by the package manager. %3</source>
+        <comment>version, version, whole sentences</comment>
+        <translation>无法安装 CamPanel %1，也无法完全恢复 %2。请用软件包管理器安装 CamPanel。%3</translation>
+    </message>
+    <message>
+        <source>Updated from %1 to %2.</source>
+        <translation>已从 %1 更新到 %2。</translation>
+    </message>
+    <message>
+        <source>Back from %1 to %2, with the data from before the update.</source>
+        <translation>已从 %1 恢复到 %2，并恢复更新前的数据。</translation>
+    </message>
+    <message>
+        <source>Back from %1 to %2.</source>
+        <translation>已从 %1 恢复到 %2。</translation>
+    </message>
+    <message>
+        <source>The operating system does not allow the panel to do this. Install polkit and the rule of the CamPanel package.</source>
+        <translation>操作系统不允许面板执行此操作。请安装 polkit 和 CamPanel 软件包的规则。</translation>
     </message>
 </context>
 </TS>

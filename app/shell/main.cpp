@@ -120,6 +120,7 @@ int runPanel(const shell::Options& options, const panel::SettingValues& configur
     link::ThreadedLink link(nullptr);
     shell::Panel panel(link, {{}, {}, configuration, keyFolder});
     panel.setClockUnset([] { return shell::isClockUnset(); });
+    panel.update().setPlaces(panel::UpdatePlaces::ofService());
     hasFonts(); // reads all fonts while the QML is loading; the panel works without them
     if (options.connection)
         panel.settings().overrideConnection(*options.connection);

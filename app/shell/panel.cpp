@@ -69,6 +69,7 @@ Panel::Panel(link::Link& link, const Storage& storage)
     , m_audit(m_records, m_trail, *m_maintenance.files(), nullptr)
     , m_backup({m_machine, m_editor, m_records, m_trends, m_settings, m_access, m_trail},
                recipeFolder(storage), nullptr)
+    , m_update(m_machine, recipeFolder(storage), nullptr)
     , m_commissioning(m_machine, m_editor, m_access, *m_maintenance.files(), nullptr)
     , m_shiftReport(m_stops, *m_maintenance.files(), nullptr)
     , m_bundle({m_machine, m_editor, m_records, *m_maintenance.figures(), *m_maintenance.files(),
@@ -102,6 +103,8 @@ Panel::Panel(link::Link& link, const Storage& storage)
     connect(&m_systemClock, &panel::SystemClock::noted, &m_trail, &panel::AuditTrail::note);
     connect(&m_systemNetwork, &panel::SystemNetwork::noted, &m_trail, &panel::AuditTrail::note);
     connect(&m_systemClock, &panel::SystemClock::moved, this, [this] { m_isClockSet = true; });
+    connect(&m_update, &panel::SoftwareUpdate::noted, &m_trail, &panel::AuditTrail::note);
+    connect(&m_update, &panel::SoftwareUpdate::ended, &m_trail, &panel::AuditTrail::noteOutside);
     connect(&m_access, &panel::Access::changed, this, [this] {
         m_alarms.setPerson(m_access.userName());
         m_stops.setPerson(m_access.userName());
@@ -110,7 +113,7 @@ Panel::Panel(link::Link& link, const Storage& storage)
     panel::attachToEngine(m_engine, m_access, m_alarms, m_audit, m_backup, m_commissioning, m_display,
                           m_machine, m_editor, m_explanations, m_records, m_recipes, m_maintenance, m_scan,
                           m_bundle, m_settings, m_shiftReport, m_stops, m_systemClock, m_systemNetwork,
-                          m_trends);
+                          m_trends, m_update);
     connect(&m_settings, &panel::Settings::languageChanged, this, &Panel::translate);
     translate();
     m_component.loadUrl(QUrl(QStringLiteral("qrc:/qt/qml/CamPanel/Frame/Main.qml")),
@@ -147,6 +150,7 @@ void Panel::open()
     m_trends.open();
     m_access.open();
     m_trail.open();
+    m_update.open();
     if (m_hasBroker)
         m_plant.open(plant::panelSocketPath());
 }

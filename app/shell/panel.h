@@ -26,6 +26,7 @@
 #include "app/panel/settings/system_network.h"
 #include "app/panel/stops/stops.h"
 #include "app/panel/trends/trends.h"
+#include "app/panel/update/software_update.h"
 #include "app/shell/page_memory.h"
 
 #include <QElapsedTimer>
@@ -72,6 +73,7 @@ public:
     [[nodiscard]] panel::Access& access() { return m_access; }
     [[nodiscard]] panel::AuditTrail& trail() { return m_trail; }
     [[nodiscard]] panel::Audit& audit() { return m_audit; }
+    [[nodiscard]] panel::SoftwareUpdate& update() { return m_update; }
     [[nodiscard]] panel::Backup& backup() { return m_backup; }
     [[nodiscard]] panel::Commissioning& commissioning() { return m_commissioning; }
     [[nodiscard]] panel::ShiftReport& shiftReport() { return m_shiftReport; }
@@ -117,6 +119,7 @@ private:
     panel::AuditTrail m_trail;
     panel::Audit m_audit;
     panel::Backup m_backup;
+    panel::SoftwareUpdate m_update;
     panel::Commissioning m_commissioning;
     panel::ShiftReport m_shiftReport;
     panel::ServiceBundle m_bundle;

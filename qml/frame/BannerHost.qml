@@ -28,7 +28,8 @@ Item {
     readonly property string mostUrgent: alarms.length > 1 ? qsTr("%1\nAnd %2 more.").arg(alarms[0]).arg(alarms.length - 1) : alarm
     readonly property string answer: Controller.commandMessage.length > 0 ? Controller.commandMessage : Scan.notice.length > 0 ? Scan.notice
         : Settings.notice.length > 0 ? Settings.notice : Editor.notice.length > 0 ? Editor.notice
-        : DatabaseService.notice.length > 0 ? DatabaseService.notice : startRefused ? Controller.startBlockedReason : ""
+        : DatabaseService.notice.length > 0 ? DatabaseService.notice
+        : SoftwareUpdate.notice.length > 0 ? SoftwareUpdate.notice : startRefused ? Controller.startBlockedReason : ""
     readonly property bool stopShown: Controller.stopWaits
     readonly property bool alarmShown: !above && !stopShown && answer.length === 0 && alarm.length > 0 && alarm !== putAside && !Alarms.seen
     readonly property bool shown: stopShown || (answer.length > 0 && !(above && answer === answerBelow)) || alarmShown
@@ -54,6 +55,7 @@ Item {
         Settings.dismissNotice()
         Editor.dismissNotice()
         DatabaseService.dismissNotice()
+        SoftwareUpdate.dismissNotice()
     }
 
     Timer {

@@ -2540,6 +2540,14 @@ Und %2 weitere.</translation>
         <source>The brightness of this screen cannot be set here.</source>
         <translation>Die Helligkeit dieses Bildschirms ist hier nicht einstellbar.</translation>
     </message>
+    <message>
+        <source>Update</source>
+        <translation>Aktualisierung</translation>
+    </message>
+    <message>
+        <source>CamPanel %1</source>
+        <translation>CamPanel %1</translation>
+    </message>
 </context>
 <context>
     <name>TextKeyboard</name>
@@ -3579,6 +3587,33 @@ Uhr nicht gestellt</translation>
     <message>
         <source>Delete</source>
         <translation>Löschen</translation>
+    </message>
+</context>
+<context>
+    <name>UpdateSheet</name>
+    <message>
+        <source>Installed: CamPanel %1</source>
+        <translation>Installiert: CamPanel %1</translation>
+    </message>
+    <message>
+        <source>Choose a version.</source>
+        <translation>Wählen Sie eine Version.</translation>
+    </message>
+    <message>
+        <source>There is no package of CamPanel on a USB stick. Plug a stick in; the panel finds it automatically.</source>
+        <translation>Auf keinem USB-Stick ist ein Paket von CamPanel. Stecken Sie einen Stick ein; das Panel findet ihn selbst.</translation>
+    </message>
+    <message>
+        <source>The version before the last update is kept on this panel.</source>
+        <translation>Die Version vor der letzten Aktualisierung ist auf diesem Panel vorhanden.</translation>
+    </message>
+    <message>
+        <source>Back to %1</source>
+        <translation>Zurück zu %1</translation>
+    </message>
+    <message>
+        <source>Update</source>
+        <translation>Aktualisierung</translation>
     </message>
 </context>
 </TS>

@@ -2540,6 +2540,14 @@ And %2 more.</source>
         <source>The brightness of this screen cannot be set here.</source>
         <translation>此屏幕的亮度不能在这里调节。</translation>
     </message>
+    <message>
+        <source>Update</source>
+        <translation>更新</translation>
+    </message>
+    <message>
+        <source>CamPanel %1</source>
+        <translation>CamPanel %1</translation>
+    </message>
 </context>
 <context>
     <name>TextKeyboard</name>
@@ -3579,6 +3587,33 @@ clock not set</source>
     <message>
         <source>Delete</source>
         <translation>删除</translation>
+    </message>
+</context>
+<context>
+    <name>UpdateSheet</name>
+    <message>
+        <source>Installed: CamPanel %1</source>
+        <translation>已安装：CamPanel %1</translation>
+    </message>
+    <message>
+        <source>Choose a version.</source>
+        <translation>请选择一个版本。</translation>
+    </message>
+    <message>
+        <source>There is no package of CamPanel on a USB stick. Plug a stick in; the panel finds it automatically.</source>
+        <translation>U 盘上没有 CamPanel 软件包。插入 U 盘后，面板会自动找到。</translation>
+    </message>
+    <message>
+        <source>The version before the last update is kept on this panel.</source>
+        <translation>本面板保留了上次更新前的版本。</translation>
+    </message>
+    <message>
+        <source>Back to %1</source>
+        <translation>恢复到 %1</translation>
+    </message>
+    <message>
+        <source>Update</source>
+        <translation>更新</translation>
     </message>
 </context>
 </TS>

@@ -66,7 +66,11 @@ const QList<House>& houses()
         {u"app/store"_s,
          {},
          {standardCpp, posix, expected, qtAny, u"(sodium|zip)\\.h"_s, u"profile/.*"_s, u"app/program/.*"_s},
-         {{u"files"_s}, {u"database"_s}, {u"users"_s, u"recipes"_s, u"logs"_s}, {u"backup"_s}, {u"."_s}}},
+         {{u"files"_s},
+          {u"database"_s},
+          {u"users"_s, u"recipes"_s, u"logs"_s},
+          {u"backup"_s, u"update"_s},
+          {u"."_s}}},
         {u"app/panel"_s,
          {},
          {standardCpp, expected, qtAny, u"profile/.*"_s, u"app/(link|plant|program|store)/.*"_s},
@@ -79,7 +83,7 @@ const QList<House>& houses()
           {u"editor"_s},
           {u"library"_s, u"alarms"_s, u"maintenance"_s},
           {u"explain"_s, u"audit"_s, u"scan"_s},
-          {u"reports"_s, u"plant"_s}}},
+          {u"reports"_s, u"plant"_s, u"update"_s}}},
     };
     return all;
 }

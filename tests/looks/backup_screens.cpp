@@ -2,6 +2,7 @@
 #include "tests/looks/screen_lists.h"
 
 #include "tests/looks/test_window.h"
+#include "tests/support/fake_package.h"
 
 #include <QDir>
 #include <QFile>
@@ -62,6 +63,59 @@ Screen restoring(const char* name, const QStringList& taps)
             }};
 }
 
+void waitForPackages(TestWindow& window)
+{
+    window.waitUntil(window.panel().update(), &panel::SoftwareUpdate::changed,
+                     [](const panel::SoftwareUpdate& update) { return !update.busy(); });
+}
+
+// A version for this panel, an older one, one for another computer and one without signature.
+void fillPackages(TestWindow& window)
+{
+    if (QDir(window.stick()).exists())
+        return;
+    bool isDone = test::signPackage(test::makePackage(window.stick(), u"0.2.0+deb12"_s), window.signer());
+    isDone &= test::signPackage(test::makePackage(window.stick(), u"0.0.9+deb12"_s), window.signer());
+    isDone &=
+        test::signPackage(test::makePackage(window.stick(), u"0.3.0+deb12"_s, u"arm64"_s), window.signer());
+    isDone &= !test::makePackage(window.stick(), u"0.4.0+deb12"_s).isEmpty();
+    if (!isDone)
+        qWarning("the demonstration's packages cannot be written");
+}
+
+void openUpdate(TestWindow& window, DemoLink::Situation situation)
+{
+    window.link().show(situation);
+    window.checkClock();
+    for (const char* tapped : {"nav_settings", "section0", "sectionSystem"})
+        window.tap(QString::fromLatin1(tapped));
+    window.waitUntil(window.panel().update(), &panel::SoftwareUpdate::changed,
+                     [](const panel::SoftwareUpdate& update) { return update.available(); });
+    window.tap(u"softwareUpdate"_s);
+    waitForPackages(window);
+}
+
+Screen update(const char* name, const QStringList& taps,
+              DemoLink::Situation situation = DemoLink::Situation::Stopped,
+              const std::function<void(TestWindow&)>& prepare = &fillPackages)
+{
+    return {QString::fromLatin1(name), [taps, situation, prepare](TestWindow& window) {
+                prepare(window);
+                openUpdate(window, situation);
+                for (const QString& tapped : taps)
+                    window.tap(tapped);
+            }};
+}
+
+void keepEarlierVersion(TestWindow& window)
+{
+    fillPackages(window);
+    if (!test::writeFile(window.updateState() + u"/way-back"_s,
+                         "{\"version\":\"0.0.9+deb12\",\"over\":\"0.1.0+deb12\",\"schema\":\"1.1\","
+                         "\"utc\":\"2026-01-13T10:00:00Z\"}"))
+        qWarning("the demonstration's way back cannot be written");
+}
+
 } // namespace
 
 QList<Screen> backupScreens()
@@ -104,6 +158,42 @@ QList<Screen> backupScreens()
             restoring("restore", {u"offer0"_s}),
             restoring("restore-foreign", {u"offer1"_s}),
             restoring("restore-question", {u"offer0"_s, u"offerGo"_s})};
+}
+
+QList<Screen> updateScreens()
+{
+    // The newest version first: for another computer, for this one, the older one; without signature last.
+    return {
+        update("update-none", {}, DemoLink::Situation::Stopped,
+               [](TestWindow& window) { QDir(window.stick()).removeRecursively(); }),
+        update("update", {u"offer1"_s}),
+        update("update-other-computer", {u"offer0"_s}),
+        update("update-moving", {u"offer1"_s}, DemoLink::Situation::Running),
+        update("update-question", {u"offer1"_s, u"offerGo"_s}),
+        update("update-back", {}, DemoLink::Situation::Stopped, &keepEarlierVersion),
+        update("update-back-question", {u"updateBack"_s}, DemoLink::Situation::Stopped, &keepEarlierVersion),
+        {u"update-none-here"_s,
+         [](TestWindow& window) {
+             window.unitService().m_fileState.clear();
+             for (const char* tapped : {"nav_settings", "section0", "sectionSystem"})
+                 window.tap(QString::fromLatin1(tapped));
+             window.waitUntil(window.panel().update(), &panel::SoftwareUpdate::changed,
+                              [](const panel::SoftwareUpdate& each) { return !each.stateText().isEmpty(); });
+             window.unitService().m_fileState = u"enabled"_s;
+         }},
+        // Its banner stays.
+        {u"update-done"_s, [](TestWindow& window) {
+             window.link().show(DemoLink::Situation::Stopped);
+             window.checkClock();
+             if (!test::writeFile(window.updateState() + u"/outcome"_s,
+                                  "{\"kind\":\"update\",\"result\":\"done\",\"from\":\"0.0.9+deb12\","
+                                  "\"to\":\"0.1.0+deb12\",\"utc\":\"2026-01-15T14:06:00Z\"}"))
+                 qWarning("the demonstration's outcome cannot be written");
+             window.tap(u"nav_run"_s);
+             window.panel().update().open();
+             window.waitUntil(window.panel().update(), &panel::SoftwareUpdate::noticeChanged,
+                              [](const panel::SoftwareUpdate& each) { return !each.notice().isEmpty(); });
+         }}};
 }
 
 } // namespace campanel::looks

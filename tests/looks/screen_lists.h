@@ -24,5 +24,6 @@ inline constexpr auto screenPin = "258036";
 [[nodiscard]] QList<Screen> maintenanceScreens();
 [[nodiscard]] QList<Screen> stopScreens();
 [[nodiscard]] QList<Screen> trendScreens();
+[[nodiscard]] QList<Screen> updateScreens();
 
 } // namespace campanel::looks

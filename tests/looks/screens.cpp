@@ -512,7 +512,7 @@ const QList<Screen>& allScreens()
     static const QList<Screen> all = screens + packingScreens() + recipeScreens() + trendScreens() +
                                      stopScreens() + alarmScreens() + accessScreens() + firstScreens() +
                                      backupScreens() + maintenanceScreens() + cutterScreens() +
-                                     motorScreens() + scanScreens();
+                                     motorScreens() + scanScreens() + updateScreens();
     return all;
 }
 

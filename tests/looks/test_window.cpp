@@ -3,6 +3,7 @@
 #include "tests/looks/test_window.h"
 
 #include "app/panel/settings/network_info.h"
+#include "tests/support/fake_package.h"
 
 #include <QTimeZone>
 
@@ -56,6 +57,7 @@ TestWindow::TestWindow(const Variant& variant)
     m_panel.alarms().setPaceMs(0);
     m_panel.systemClock().setBus(m_timeBus.bus());
     m_panel.systemNetwork().setBus(m_networkBus.bus());
+    setUpUpdate();
     checkClock();
     m_isReady = m_panel.load(variant.size);
     if (!m_isReady)
@@ -69,6 +71,25 @@ TestWindow::TestWindow(const Variant& variant)
     m_panel.records().open();
     waitUntil(m_panel.recipes(), &panel::Recipes::listChanged,
               [](const panel::Recipes& recipes) { return recipes.ready(); });
+}
+
+// Installed is 0.1.0, on a computer whose folders are those of the test.
+void TestWindow::setUpUpdate()
+{
+    const auto path = [this](const char* name) { return m_folder.filePath(QLatin1String(name)); };
+    QDir(m_folder.path()).mkpath(QStringLiteral("run"));
+    if (!test::writeFile(path("package-keys/anna.json"), store::publicKeyFile(m_signer)))
+        qWarning("the demonstration's key cannot be written");
+    panel::SoftwareUpdate& update = m_panel.update();
+    update.setPlaces({path("run"), path("update"), updateState(), path("package-keys")});
+    update.setBus(m_unitBus.bus());
+    update.setInstalled([] {
+        return store::PackageId{QStringLiteral("campanel"), QStringLiteral("0.1.0+deb12"),
+                                QStringLiteral("amd64")};
+    });
+    update.setScanner([folder = stick()](const QString&) {
+        return QList<store::Place>{{folder, QStringLiteral("KINGSTON"), false, true}};
+    });
 }
 
 constexpr int maxInputGroups = 7;

@@ -7,6 +7,7 @@
 #include "tests/looks/touch_driver.h"
 #include "tests/support/network_service.h"
 #include "tests/support/time_service.h"
+#include "tests/support/unit_service.h"
 
 #include <QEventLoop>
 #include <QTemporaryDir>
@@ -33,6 +34,11 @@ public:
     [[nodiscard]] DemoLink& link() { return m_link; }
     [[nodiscard]] test::TimeService& timeService() { return m_timeBus.service; }
     [[nodiscard]] test::NetworkService& networkService() { return m_networkBus.service; }
+    [[nodiscard]] test::UnitService& unitService() { return m_unitBus.service; }
+    // The folder of the stick, and the signer whose packages the panel accepts.
+    [[nodiscard]] QString stick() const { return m_folder.filePath(QStringLiteral("KINGSTON")); }
+    [[nodiscard]] const store::SigningKey& signer() const { return m_signer; }
+    [[nodiscard]] QString updateState() const { return m_folder.filePath(QStringLiteral("update-state")); }
     [[nodiscard]] shell::Panel& panel() { return m_panel; }
 
     using TouchDriver::tap;
@@ -68,6 +74,7 @@ public:
     }
 
 private:
+    void setUpUpdate();
     template <typename Files> void waitUntilIdle(Files& files);
 
     QTemporaryDir m_folder;
@@ -75,6 +82,8 @@ private:
     DemoLink m_link{nullptr};
     test::TimeBus m_timeBus;
     test::NetworkBus m_networkBus;
+    test::UnitBus m_unitBus;
+    store::SigningKey m_signer = store::newSigningKey(QStringLiteral("Anna Plant")).value();
     shell::Panel m_panel;
     bool m_isReady = false;
 };

@@ -35,6 +35,7 @@ constexpr std::array areaWords{
     Word{"stop", QT_TRANSLATE_NOOP("AuditWords", "Stops")},
     Word{"film", QT_TRANSLATE_NOOP("AuditWords", "Film reels")},
     Word{"backup", QT_TRANSLATE_NOOP("AuditWords", "Backup and restore")},
+    Word{"update", QT_TRANSLATE_NOOP("AuditWords", "Updates")},
     Word{"user", QT_TRANSLATE_NOOP("AuditWords", "Users and logins")},
     Word{"network", QT_TRANSLATE_NOOP("AuditWords", "Network")},
     Word{"memory", QT_TRANSLATE_NOOP("AuditWords", "Panel database")},
@@ -70,6 +71,9 @@ constexpr std::array whatWords{
     Word{"backup.make", QT_TRANSLATE_NOOP("AuditWords", "Backup created")},
     Word{"backup.restore", QT_TRANSLATE_NOOP("AuditWords", "Replaced by a backup")},
     Word{"backup.restored", QT_TRANSLATE_NOOP("AuditWords", "Restored from a backup")},
+    Word{"update.start", QT_TRANSLATE_NOOP("AuditWords", "Update requested")},
+    Word{"update.back", QT_TRANSLATE_NOOP("AuditWords", "Earlier version requested")},
+    Word{"update.end", QT_TRANSLATE_NOOP("AuditWords", "Installation ended")},
     Word{"user.login", QT_TRANSLATE_NOOP("AuditWords", "Login")},
     Word{"user.logout", QT_TRANSLATE_NOOP("AuditWords", "Logout")},
     Word{"user.auto_logout", QT_TRANSLATE_NOOP("AuditWords", "Automatic logout")},
@@ -96,6 +100,7 @@ constexpr std::array objectWords{
 
 constexpr std::array outcomeWords{
     Word{"done", QT_TRANSLATE_NOOP("AuditWords", "done")},
+    Word{"requested", QT_TRANSLATE_NOOP("AuditWords", "requested")},
     Word{"not_sent", QT_TRANSLATE_NOOP("AuditWords", "not sent: no connection")},
     Word{"not_received", QT_TRANSLATE_NOOP("AuditWords", "not received by the controller")},
     Word{"unknown", QT_TRANSLATE_NOOP("AuditWords", "not known: no confirmation")},

@@ -116,6 +116,8 @@ public:
     [[nodiscard]] bool fresh() const { return m_fresh; }
     [[nodiscard]] double ageMs() const;
     [[nodiscard]] State state() const;
+    // Returns true while the connected machine moves.
+    [[nodiscard]] bool isMoving() const;
     [[nodiscard]] QString stateText() const;
     [[nodiscard]] QStringList alarmTexts() const;
     [[nodiscard]] QString alarmText() const { return alarmTexts().join(QLatin1Char('\n')); }

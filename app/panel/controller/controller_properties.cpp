@@ -85,6 +85,12 @@ double Controller::ageMs() const
     return m_statusAt ? std::chrono::duration<double, std::milli>(m_clock() - *m_statusAt).count() : unknown;
 }
 
+bool Controller::isMoving() const
+{
+    const State now = state();
+    return now == State::Running || now == State::Stopping || now == State::Jogging || now == State::Homing;
+}
+
 Controller::State Controller::state() const
 {
     if (!isConnected() || !m_status || !m_status->state)

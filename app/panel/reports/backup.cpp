@@ -33,12 +33,6 @@ QString snapshotName()
     return u"snapshot-"_s;
 }
 
-bool moves(Controller::State state)
-{
-    return state == Controller::State::Running || state == Controller::State::Stopping ||
-           state == Controller::State::Jogging || state == Controller::State::Homing;
-}
-
 // Returns number and hash of the newest row, which the restored trail will contain.
 QString newestRowOf(store::Database& database)
 {
@@ -216,7 +210,7 @@ void Backup::check(int row)
         return;
     m_checked.reset();
     showMessage({}, false);
-    if (moves(m_parts.machine.state()))
+    if (m_parts.machine.isMoving())
         return showMessage(tr("The machine is moving. Stop it before restoring; the panel will restart."),
                            true);
     const QString path = m_files[row].path;
@@ -247,7 +241,7 @@ void Backup::restore()
 {
     if (!m_checked || !require())
         return;
-    if (moves(m_parts.machine.state()))
+    if (m_parts.machine.isMoving())
         return showMessage(tr("The machine is moving. Stop it before restoring; the panel will restart."),
                            true);
     // The old trail gets an entry too, so that it documents its end.

@@ -132,4 +132,21 @@ bool isSignedBy(const SignerKey& key, const QByteArray& text, const QByteArray& 
                                        bytesOf(key.publicKey)) == 0;
 }
 
+SignerTrust trustIn(const QByteArray& text, const QString& signer, const QByteArray& signature,
+                    const QList<SignerKey>& keys)
+{
+    auto trust = SignerTrust::Unknown;
+    for (const SignerKey& key : keys) {
+        if (key.name != signer)
+            continue;
+        if (!isSignedBy(key, text, signature))
+            trust = trust == SignerTrust::Unknown ? SignerTrust::Wrong : trust;
+        else if (key.isWithdrawn)
+            trust = SignerTrust::Withdrawn;
+        else
+            return SignerTrust::Trusted;
+    }
+    return trust;
+}
+
 } // namespace campanel::store

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Keys of people who sign recipes: Ed25519 by libsodium, each key in a JSON file of its own.
+// Keys of people who sign recipes and packages: Ed25519 by libsodium, each key in a JSON file of its own.
 #pragma once
 
 #include <QByteArray>
@@ -41,5 +41,11 @@ struct SignerKey {
 // Returns the signature of a text, 64 bytes.
 [[nodiscard]] QByteArray signatureOf(const QByteArray& text, const SigningKey& key);
 [[nodiscard]] bool isSignedBy(const SignerKey& key, const QByteArray& text, const QByteArray& signature);
+
+enum class SignerTrust { Trusted, Unknown, Withdrawn, Wrong };
+
+// Returns what the signature of a text by this signer is worth with these keys.
+[[nodiscard]] SignerTrust trustIn(const QByteArray& text, const QString& signer, const QByteArray& signature,
+                                  const QList<SignerKey>& keys);
 
 } // namespace campanel::store

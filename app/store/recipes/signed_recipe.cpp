@@ -35,21 +35,19 @@ struct Envelope {
 };
 
 // Returns the fault of a signature; empty when a key that is trusted has made it.
-std::optional<FileError::Kind> faultOf(const Envelope& envelope, const QByteArray& signature,
-                                       const QList<SignerKey>& keys)
+std::optional<FileError::Kind> faultOf(SignerTrust trust)
 {
-    auto fault = FileError::Kind::UnknownSigner;
-    for (const SignerKey& key : keys) {
-        if (key.name != envelope.signer)
-            continue;
-        if (!isSignedBy(key, envelope.text(), signature))
-            fault = fault == FileError::Kind::UnknownSigner ? FileError::Kind::WrongSignature : fault;
-        else if (key.isWithdrawn)
-            fault = FileError::Kind::WithdrawnSigner;
-        else
-            return std::nullopt;
+    switch (trust) {
+    case SignerTrust::Trusted:
+        break;
+    case SignerTrust::Unknown:
+        return FileError::Kind::UnknownSigner;
+    case SignerTrust::Withdrawn:
+        return FileError::Kind::WithdrawnSigner;
+    case SignerTrust::Wrong:
+        return FileError::Kind::WrongSignature;
     }
-    return fault;
+    return std::nullopt;
 }
 
 // Reads the object; `failure` is set when its form is wrong.
@@ -112,7 +110,7 @@ tl::expected<SignedRecipe, FileError> verifyRecipe(const QByteArray& json, const
     const auto [envelope, signature] = envelopeIn(root, failure);
     if (failure)
         return refuse(*failure);
-    if (const auto fault = faultOf(envelope, signature, keys))
+    if (const auto fault = faultOf(trustIn(envelope.text(), envelope.signer, signature, keys)))
         return refuse({*fault, {}, {}, envelope.signer, {}, 0});
     const auto recipe = fromJson(envelope.recipe.toUtf8(), path);
     if (!recipe)
