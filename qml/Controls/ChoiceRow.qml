@@ -29,7 +29,7 @@ T.AbstractButton {
             Label {
                 width: parent.width
                 fontSizeMode: Text.HorizontalFit
-                minimumPixelSize: Theme.size.caption - 2
+                minimumPixelSize: Theme.size.caption - 3
                 wrapMode: Text.WordWrap    // below the smallest size
                 text: entry.text
                 color: entry.enabled ? Theme.color.ink : Theme.color.disabledInk

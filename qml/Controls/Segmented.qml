@@ -57,7 +57,7 @@ Rectangle {
                         }
                         Label {
                             visible: text.length > 0
-                            width: Math.min(implicitWidth, choice.width - 2 * Theme.size.accent - (sign.visible && !segmented.stacked ? sign.width + Theme.size.spacing : 0))
+                            width: Math.min(implicitWidth, choice.width - Theme.size.accent - (sign.visible && !segmented.stacked ? sign.width + Theme.size.spacing : 0))
                             fontSizeMode: Text.HorizontalFit
                             minimumPixelSize: Theme.size.caption - 5
                             text: choice.text

@@ -24,8 +24,13 @@ Item {
         height: Math.round(view.room * 0.3)
         value: Controller.live.rateBagsPerMin
         decimals: 1
-        caption: isNaN(Controller.live.sealTimeMs) ? qsTr("bags/min · %1 bags").arg(Theme.count(Controller.bags.count, 0))
-            : qsTr("bags/min · %1 bags · seal %2 ms").arg(Theme.count(Controller.bags.count, 0)).arg(Theme.number(Controller.live.sealTimeMs, 0))
+        // The seal time only where it fits; a long press explains it everywhere.
+        caption: isNaN(Controller.live.sealTimeMs) || words.advanceWidth > width - 2 * Theme.size.padding ? qsTr("bags/min · %1 bags").arg(Theme.count(Controller.bags.count, 0)) : words.text
+        TextMetrics {
+            id: words
+            font.pixelSize: Theme.size.caption - 3
+            text: qsTr("bags/min · %1 bags · seal %2 ms").arg(Theme.count(Controller.bags.count, 0)).arg(Theme.number(Controller.live.sealTimeMs, 0))
+        }
         captionColor: Controller.fresh ? Theme.color.secondaryInk : Theme.color.disabledInk
         quantities: isNaN(Controller.live.sealTimeMs) ? [Explanations.Rate] : [Explanations.Rate, Explanations.LiveSealTime]
         onExplainRequested: quantities => view.explainRequested(quantities)
