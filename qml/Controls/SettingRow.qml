@@ -40,6 +40,7 @@ T.AbstractButton {
                 text: row.value
                 fontSizeMode: Text.HorizontalFit
                 minimumPixelSize: Theme.size.caption - 2
+                wrapMode: Text.WordWrap    // below the smallest size
                 font { pixelSize: Theme.size.title; weight: Font.DemiBold }
             }
         }

@@ -47,6 +47,7 @@ Item {
                 text: sheet.title
                 fontSizeMode: Text.HorizontalFit
                 minimumPixelSize: Theme.size.body
+                wrapMode: Text.WordWrap    // below the smallest size
                 font { pixelSize: Theme.size.title; bold: true }
             }
             Label {

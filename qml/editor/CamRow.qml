@@ -52,6 +52,7 @@ T.AbstractButton {
                 text: entry.detail
                 fontSizeMode: Text.HorizontalFit
                 minimumPixelSize: Theme.size.caption - 4
+                wrapMode: Text.WordWrap    // below the smallest size
                 color: entry.warns ? Theme.color.warning : Theme.color.secondaryInk
                 font.pixelSize: Theme.size.caption
             }

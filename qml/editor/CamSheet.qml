@@ -24,6 +24,8 @@ Sheet {
 
     title: qsTr("%1 of %2").arg(handles.selected + 1).arg(handles.count)
     beside: true
+    // Three keys beside the title, also with gloves.
+    panelWidth: Math.max(besideWidth, 3 * Theme.size.touch + 2 * Theme.size.padding + 5 * Theme.size.body)
     panelHeight: height
 
     header: [
@@ -58,6 +60,7 @@ Sheet {
         ScrollMark { view: list; x: list.width - width },
         Flickable {
             id: flick
+            objectName: "entryNumbers"
             anchors { left: list.right; leftMargin: Theme.size.spacing; right: parent.right; top: parent.top; bottom: list.bottom }
             contentHeight: remark.y + remark.height
             clip: true

@@ -2,6 +2,7 @@
 // The knots of a point cam beside its curve.
 pragma ComponentBehavior: Bound
 import QtQuick
+import CamPanel.Theme
 import CamPanel.Controls
 import CamPanel.Parts
 import CamPanel.Panel
@@ -33,6 +34,7 @@ CamSheet {
             compact: false
             enabled: field.maximum > field.minimum
             width: parent?.width ?? 0
+            height: Theme.size.touch + 2 * Theme.size.spacing  // its label may need two lines
             onEditRequested: (field, source) => sheet.editRequested([field], 0, source)
         }
     }

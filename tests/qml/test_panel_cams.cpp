@@ -83,13 +83,18 @@ private slots:
             expectTheSelectionMarked();
         }
         QVERIFY(!m_window->find(u"nextEntry"_s)->isEnabled());
-        while (handles().selected() > 1)
+        const int edited = kind == 4 ? 1 : 0; // a rise
+        while (handles().selected() > edited)
             tap("previousEntry");
         expectTheSelectionMarked();
 
         // A typed number changes the curve beside the keypad, and the sheet is still there.
-        const double time = handles().times().at(1);
+        const double time = handles().times().at(edited);
         const double before = positionAt(time);
+        // With gloves the numbers of a segment scroll on the smaller screens.
+        QQuickItem* numbers = m_window->find(u"entryNumbers"_s);
+        const double below = numbers->property("contentHeight").toDouble() - numbers->height();
+        numbers->setProperty("contentY", std::max(0.0, below));
         tap(kind == 4 ? "field_knotSlave" : "field_segmentEnd");
         expectTheCurveBeside(u"keypad"_s);
         m_window->type(u"13"_s);
@@ -122,8 +127,7 @@ private slots:
         }
         m_window->settle();
         QVERIFY(!editor().feasible());
-        QCOMPARE(textOf("curveLine").remove(QChar(0x2060)).remove(QChar(0xa0)),
-                 editor().verdict().remove(QChar(0xa0)));
+        QCOMPARE(textOf("curveLine").remove(QChar(0x2060)).replace(QChar(0xa0), u' '), editor().verdict());
     }
 
     void theMotionOfASegmentIsChosenBesideTheCurve()

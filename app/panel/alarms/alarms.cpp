@@ -5,7 +5,7 @@
 #include "app/panel/kit/engine_instances.h"
 #include "app/panel/kit/language_notifier.h"
 #include "app/panel/records/database_service.h"
-#include "app/store/logs/clock_mark.h"
+#include "app/store/database/clock_mark.h"
 
 #include <algorithm>
 #include <chrono>

@@ -8,7 +8,7 @@
 #include "app/panel/records/database_service.h"
 #include "app/panel/settings/settings.h"
 #include "app/program/differences.h"
-#include "app/store/logs/clock_mark.h"
+#include "app/store/database/clock_mark.h"
 
 #include <QLocale>
 

@@ -5,7 +5,7 @@
 #include "app/panel/settings/settings.h"
 #include "app/panel/words/alarm_catalogue.h"
 #include "app/program/solved_program.h"
-#include "app/store/logs/clock_mark.h"
+#include "app/store/database/clock_mark.h"
 #include "profile/cutter/limits.h"
 
 #include <QDateTime>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/store/logs/bag_log.h"
 
+#include "app/store/database/clock_mark.h"
 #include "app/store/database/ring.h"
-#include "app/store/logs/clock_mark.h"
 #include "app/store/logs/trend_bucket.h"
 
 #include <algorithm>

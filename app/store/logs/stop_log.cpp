@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/store/logs/stop_log.h"
 
-#include "app/store/logs/clock_mark.h"
+#include "app/store/database/clock_mark.h"
 
 using namespace Qt::StringLiterals;
 

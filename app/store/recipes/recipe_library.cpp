@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/store/recipes/recipe_library.h"
 
-#include "app/store/logs/clock_mark.h"
+#include "app/store/database/clock_mark.h"
 #include "app/store/recipes/program_json.h"
 #include "app/store/recipes/recipe_json.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The filter of the logs: spans of time, ids and words, in SQL and for rows that are added later; the mark of
 // a clock that was not set.
-#include "app/store/logs/clock_mark.h"
+#include "app/store/database/clock_mark.h"
 #include "app/store/logs/log_export.h"
 #include "tests/support/test_program.h"
 

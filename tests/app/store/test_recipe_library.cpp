@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Recipes in the database: versions are kept, numbered without gaps or repeats, and never changed.
+#include "app/store/database/clock_mark.h"
 #include "app/store/logs/alarm_log.h"
-#include "app/store/logs/clock_mark.h"
 #include "app/store/recipes/recipe_library.h"
 #include "tests/support/test_program.h"
 

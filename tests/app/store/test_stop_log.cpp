@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The log of states and stops: rewriting, spans, the ring, an update of the database, and the CSV files.
-#include "app/store/logs/clock_mark.h"
+#include "app/store/database/clock_mark.h"
 #include "app/store/logs/stop_export.h"
 #include "app/store/recipes/recipe_library.h"
 #include "tests/support/test_program.h"

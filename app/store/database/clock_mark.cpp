@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/store/logs/clock_mark.h"
+#include "app/store/database/clock_mark.h"
 
 using namespace Qt::StringLiterals;
 
