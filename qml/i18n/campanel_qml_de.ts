@@ -19,6 +19,10 @@
         <source>Licence: Apache 2.0. Made with Qt (LGPL 3), Qwt (Qwt licence 1.0), libmodbus (LGPL 2.1).</source>
         <translation>Lizenz: Apache 2.0. Erstellt mit Qt (LGPL 3), Qwt (Qwt-Lizenz 1.0), libmodbus (LGPL 2.1).</translation>
     </message>
+    <message>
+        <source>Update</source>
+        <translation>Aktualisierung</translation>
+    </message>
 </context>
 <context>
     <name>AlarmRow</name>
@@ -2539,14 +2543,6 @@ Und %2 weitere.</translation>
     <message>
         <source>The brightness of this screen cannot be set here.</source>
         <translation>Die Helligkeit dieses Bildschirms ist hier nicht einstellbar.</translation>
-    </message>
-    <message>
-        <source>Update</source>
-        <translation>Aktualisierung</translation>
-    </message>
-    <message>
-        <source>CamPanel %1</source>
-        <translation>CamPanel %1</translation>
     </message>
 </context>
 <context>

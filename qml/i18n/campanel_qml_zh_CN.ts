@@ -19,6 +19,10 @@
         <source>Licence: Apache 2.0. Made with Qt (LGPL 3), Qwt (Qwt licence 1.0), libmodbus (LGPL 2.1).</source>
         <translation>许可证：Apache 2.0。使用 Qt（LGPL 3）、Qwt（Qwt 许可证 1.0）和 libmodbus（LGPL 2.1）。</translation>
     </message>
+    <message>
+        <source>Update</source>
+        <translation>更新</translation>
+    </message>
 </context>
 <context>
     <name>AlarmRow</name>
@@ -2539,14 +2543,6 @@ And %2 more.</source>
     <message>
         <source>The brightness of this screen cannot be set here.</source>
         <translation>此屏幕的亮度不能在这里调节。</translation>
-    </message>
-    <message>
-        <source>Update</source>
-        <translation>更新</translation>
-    </message>
-    <message>
-        <source>CamPanel %1</source>
-        <translation>CamPanel %1</translation>
     </message>
 </context>
 <context>

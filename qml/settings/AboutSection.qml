@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Version and license, and the note that this panel is not a safety function.
+// Version, update and license, and the note that this panel is not a safety function.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme
 import CamPanel.Controls
+import CamPanel.Parts
+import CamPanel.Panel
 
 SettingsSection {
     id: section
@@ -34,7 +36,7 @@ SettingsSection {
         }
     }
     Label {
-        anchors { left: parent.left; right: parent.right; top: warning.bottom; topMargin: Theme.size.padding; bottom: parent.bottom }
+        anchors { left: parent.left; right: parent.right; top: warning.bottom; bottom: updateRow.visible ? updateRow.top : updateState.top; topMargin: Theme.size.padding; bottomMargin: Theme.size.spacing }
         verticalAlignment: Text.AlignTop
         wrapMode: Text.WordWrap
         fontSizeMode: Text.Fit
@@ -42,5 +44,52 @@ SettingsSection {
         text: qsTr("Touchscreen of an electronic-cam machine. CamPanel computes the cam, downloads the program to the motion controller and shows the controller's actual values.")
             + "\n\n" + qsTr("Licence: Apache 2.0. Made with Qt (LGPL 3), Qwt (Qwt licence 1.0), libmodbus (LGPL 2.1).")
         color: Theme.color.secondaryInk
+    }
+    SettingRow {
+        id: updateRow
+        objectName: "softwareUpdate"
+        visible: SoftwareUpdate.available
+        anchors { left: parent.left; right: parent.right; bottom: parent.bottom }
+        label: qsTr("Update")
+        value: qsTr("CamPanel %1").arg(Qt.application.version)
+        Component.onCompleted: SoftwareUpdate.watched = true
+        Component.onDestruction: SoftwareUpdate.watched = false
+        onClicked: {
+            if (Access.ask(Access.Service))
+                section.page.sheetRequested(updateSheet)
+        }
+    }
+    Label {
+        id: updateState
+        objectName: "updateState"
+        visible: !SoftwareUpdate.available
+        anchors { left: parent.left; right: parent.right; bottom: parent.bottom }
+        wrapMode: Text.Wrap
+        text: SoftwareUpdate.stateText
+        color: Theme.color.secondaryInk
+        font.pixelSize: Theme.size.caption
+    }
+
+    Connections {
+        target: SoftwareUpdate
+        function onChosen() {
+            section.page.sheetRequested(updateQuestion)
+        }
+    }
+    Component {
+        id: updateSheet
+        UpdateSheet {}
+    }
+    Component {
+        id: updateQuestion
+        ConfirmSheet {
+            title: SoftwareUpdate.actionText
+            question: SoftwareUpdate.question
+            ways: [{ key: "update", text: SoftwareUpdate.actionText, primary: true }]
+            onChosen: {
+                SoftwareUpdate.confirm()
+                section.page.sheetRequested(updateSheet)
+            }
+        }
     }
 }

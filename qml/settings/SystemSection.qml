@@ -73,26 +73,6 @@ SettingsSection {
                 }
             }
             SettingRow {
-                objectName: "softwareUpdate"
-                visible: SoftwareUpdate.available
-                width: parent.width
-                label: qsTr("Update")
-                value: qsTr("CamPanel %1").arg(Qt.application.version)
-                Component.onCompleted: SoftwareUpdate.watched = true
-                Component.onDestruction: SoftwareUpdate.watched = false
-                onClicked: {
-                    if (Access.ask(Access.Service))
-                        section.page.sheetRequested(updateSheet)
-                }
-            }
-            Caption {
-                objectName: "updateState"
-                visible: !SoftwareUpdate.available
-                wrapMode: Text.Wrap
-                fontSizeMode: Text.FixedSize
-                text: SoftwareUpdate.stateText
-            }
-            SettingRow {
                 objectName: "setClock"
                 width: parent.width
                 label: qsTr("Clock")
@@ -123,29 +103,6 @@ SettingsSection {
         }
     }
     ScrollMark { view: scroll }
-
-    Connections {
-        target: SoftwareUpdate
-        function onChosen() {
-            section.page.sheetRequested(updateQuestion)
-        }
-    }
-    Component {
-        id: updateSheet
-        UpdateSheet {}
-    }
-    Component {
-        id: updateQuestion
-        ConfirmSheet {
-            title: SoftwareUpdate.actionText
-            question: SoftwareUpdate.question
-            ways: [{ key: "update", text: SoftwareUpdate.actionText, primary: true }]
-            onChosen: {
-                SoftwareUpdate.confirm()
-                section.page.sheetRequested(updateSheet)
-            }
-        }
-    }
 
     Component {
         id: clockSheet

@@ -87,7 +87,7 @@ void openUpdate(TestWindow& window, DemoLink::Situation situation)
 {
     window.link().show(situation);
     window.checkClock();
-    for (const char* tapped : {"nav_settings", "section0", "sectionSystem"})
+    for (const char* tapped : {"nav_settings", "section3"})
         window.tap(QString::fromLatin1(tapped));
     window.waitUntil(window.panel().update(), &panel::SoftwareUpdate::changed,
                      [](const panel::SoftwareUpdate& update) { return update.available(); });
@@ -175,7 +175,7 @@ QList<Screen> updateScreens()
         {u"update-none-here"_s,
          [](TestWindow& window) {
              window.unitService().m_fileState.clear();
-             for (const char* tapped : {"nav_settings", "section0", "sectionSystem"})
+             for (const char* tapped : {"nav_settings", "section3"})
                  window.tap(QString::fromLatin1(tapped));
              window.waitUntil(window.panel().update(), &panel::SoftwareUpdate::changed,
                               [](const panel::SoftwareUpdate& each) { return !each.stateText().isEmpty(); });

@@ -24,7 +24,7 @@ class TestPanelUpdate : public campanel::test::PanelTest {
     void openUpdate()
     {
         m_window->link().show(Situation::Stopped);
-        for (const char* name : {"nav_settings", "section0", "sectionSystem"})
+        for (const char* name : {"nav_settings", "section3"})
             tap(name);
         QTRY_VERIFY(update().available());
         m_window->settle();
@@ -106,7 +106,7 @@ private slots:
     void withoutTheUnitASentenceSaysSo()
     {
         service().m_fileState.clear();
-        for (const char* name : {"nav_settings", "section0", "sectionSystem"})
+        for (const char* name : {"nav_settings", "section3"})
             tap(name);
         QTRY_COMPARE(textOf("updateState"),
                      u"Updates are installed by the package manager of this computer."_s);
