@@ -39,8 +39,7 @@ T.AbstractButton {
                 width: parent.width
                 text: row.value
                 fontSizeMode: Text.HorizontalFit
-                minimumPixelSize: Theme.size.caption - 2
-                wrapMode: Text.WordWrap    // below the smallest size
+                minimumPixelSize: Theme.size.caption - 4
                 font { pixelSize: Theme.size.title; weight: Font.DemiBold }
             }
         }
