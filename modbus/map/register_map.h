@@ -36,11 +36,16 @@ struct RegisterInfo {
 
     [[nodiscard]] constexpr bool appliesTo(ProgramKind kind, TableLayout layout) const
     {
-        return (kinds == 0 || (kinds & bitOf(kind)) != 0) && (layouts == 0 || (layouts & bitOf(layout)) != 0);
+        return (kinds == 0 || contains(kinds, kind)) && (layouts == 0 || contains(layouts, layout));
     }
     template <typename E> [[nodiscard]] static constexpr std::uint16_t bitOf(E value)
     {
         return static_cast<std::uint16_t>(1u << static_cast<unsigned>(value));
+    }
+    // The value may be any word from the line.
+    template <typename E> [[nodiscard]] static constexpr bool contains(std::uint16_t set, E value)
+    {
+        return static_cast<unsigned>(value) < 16 && (set & bitOf(value)) != 0;
     }
 };
 

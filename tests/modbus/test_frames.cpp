@@ -218,6 +218,10 @@ private slots:
         status[registerNamed("status.program_kind").address - statusAddress] =
             static_cast<std::uint16_t>(ProgramKind::RotaryCutter);
         QVERIFY(names().contains("status.bag_length") && !names().contains("status.press_force"));
+        // A damaged word whose lowest bits are those of a kind.
+        status[registerNamed("status.program_kind").address - statusAddress] =
+            32 + static_cast<std::uint16_t>(ProgramKind::Press);
+        QVERIFY(!names().contains("status.bag_length") && !names().contains("status.press_force"));
     }
 
 private:

@@ -48,6 +48,8 @@ void ctl_rtu_answer(ctl_rtu* rtu, size_t size)
 
 void ctl_rtu_receive(ctl_rtu* rtu, const uint8_t* bytes, size_t size, uint64_t now_us)
 {
+    if (size == 0)
+        return; /* `bytes` may be null then, which memcpy() does not allow */
     if (rtu->received < CTL_FRAME_BYTES) {
         const size_t space = CTL_FRAME_BYTES - rtu->received;
         const size_t part = size < space ? size : space;
