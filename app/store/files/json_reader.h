@@ -9,6 +9,7 @@
 #include <QJsonValue>
 #include <QSet>
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <string_view>
@@ -61,6 +62,7 @@ public:
         return found.toString();
     }
 
+    // Returns a number within the limits in any case.
     double number(const QString& key, bool whole, const profile::FieldInfo& limits)
     {
         const QJsonValue found = take(key);
@@ -75,7 +77,7 @@ public:
                  FileErrorText::range(limits.min, limits.max, toQString(limits.unit)));
         else if (whole && value != std::floor(value))
             fail(key, FileError::Kind::WrongType, {}, FileErrorText::aWholeNumber());
-        return value;
+        return std::clamp(value, limits.min, limits.max);
     }
 
     void refuseUnknownKeys()
