@@ -53,7 +53,7 @@ MetricValue valueOf(const QCborValue& value)
 std::optional<MetricReading> readingOf(const QCborValue& value)
 {
     const QCborArray row = value.toArray();
-    const qint64 alias = row.at(0).toInteger();
+    const qint64 alias = row.at(0).isInteger() ? row.at(0).toInteger() : 0;
     if (row.size() != 3 || alias < 1 || alias > qint64(metricCount) || !row.at(2).isInteger())
         return {};
     MetricReading reading{static_cast<Metric>(alias), valueOf(row.at(1)), row.at(2).toInteger()};

@@ -84,6 +84,7 @@ private slots:
         };
         row("unknown metric", values({9999, 1, 0}), LocalError::NotAMessage);
         row("no metric", values({0, 1, 0}), LocalError::NotAMessage);
+        row("half a metric", values({int(Metric::CurMachSpeed) + 0.5, 1.0, 0}), LocalError::NotAMessage);
         row("another type", values({int(Metric::CurMachSpeed), u"fast"_s, 0}), LocalError::NotAMessage);
         row("negative age", values({int(Metric::CurMachSpeed), 1.0, -1}), LocalError::NotAMessage);
         row("without an age", values({int(Metric::CurMachSpeed), 1.0}), LocalError::NotAMessage);
