@@ -28,6 +28,11 @@ using test::portSettings;
 using test::timeoutMs;
 using Depth = modbus::ScanPlan::Depth;
 
+static QString noPort()
+{
+    return QStringLiteral("/dev/no-such-port");
+}
+
 class TestLinkService : public QObject {
     Q_OBJECT
 
@@ -73,14 +78,14 @@ private slots:
 
     void readsRegistersBetweenThePolls()
     {
+        const auto span = *modbus::findSpan("parameter.ramp_time");
+        Panel unconnected(portSettings(noPort()));
+        unconnected.link.readRegisters({1, span.address, span.count});
+        QTRY_COMPARE_WITH_TIMEOUT(unconnected.reads.size(), 1, timeoutMs);
+        QCOMPARE(unconnected.reads[0].end, ReadEnd::NotSent);
         ControllerProcess controller;
         Panel panel(portSettings(controller.port()));
-        const auto span = *modbus::findSpan("parameter.ramp_time");
-        panel.link.readRegisters({1, span.address, span.count});
-        QTRY_COMPARE_WITH_TIMEOUT(panel.reads.size(), 1, timeoutMs);
-        QCOMPARE(panel.reads[0].end, ReadEnd::NotSent); // not connected yet
         QTRY_VERIFY_WITH_TIMEOUT(panel.isConnected(), timeoutMs);
-        panel.reads.clear();
         panel.statuses = 0;
         constexpr int count = 20;
         for (quint32 id = 1; id <= count; ++id)
@@ -180,11 +185,12 @@ private slots:
 
     void comparisonCanBeCanceledAndIsOneAtATime()
     {
+        Panel unconnected(portSettings(noPort()));
+        unconnected.link.compareProgram({});
+        QTRY_VERIFY_WITH_TIMEOUT(unconnected.comparisonEnded(), timeoutMs);
+        QVERIFY(unconnected.comparisons.last().isConnectionMissing);
         ControllerProcess controller;
         Panel panel(portSettings(controller.port()));
-        panel.link.compareProgram({});
-        QTRY_VERIFY_WITH_TIMEOUT(panel.comparisonEnded(), timeoutMs);
-        QVERIFY(panel.comparisons.last().isConnectionMissing);
         QTRY_VERIFY_WITH_TIMEOUT(panel.isConnected(), timeoutMs);
         const auto image = imageOf(250);
         panel.run(image);
