@@ -79,20 +79,21 @@ std::string bitNames(std::string_view enumOfBits, std::int64_t bits)
     return names.empty() ? "none" : names;
 }
 
-NamedValue named(const Run& run, std::uint16_t address, const RegisterInfo* row)
+// Returns the value of the register at `index` of the run.
+NamedValue named(const Run& run, std::size_t index, const RegisterInfo* row)
 {
+    const auto address = static_cast<std::uint16_t>(run.address + index);
     NamedValue value;
     value.info = row;
     value.address = address;
     if (row == nullptr) {
-        value.raw = run.registers[static_cast<std::size_t>(address - run.address)];
+        value.raw = run.registers[index];
         return value;
     }
     value.count = row->count;
     const std::uint16_t base = isBankField(*row) ? bankAt(address).value_or(0) : std::uint16_t{0};
     // The reader uses the table's addresses: within a bank, relative to the bank's base.
-    const RegisterReader reader(run.registers.subspan(static_cast<std::size_t>(address - run.address)),
-                                static_cast<std::uint16_t>(address - base));
+    const RegisterReader reader(run.registers.subspan(index), static_cast<std::uint16_t>(address - base));
     if (row->type == RegisterType::Text) {
         value.words = reader.text(*row);
         return value;
@@ -149,8 +150,8 @@ std::vector<NamedValue> namedValues(std::uint16_t address, std::span<const std::
         layout = static_cast<TableLayout>(*own);
     std::vector<NamedValue> values;
     for (std::size_t i = 0; i < registers.size(); i += values.back().count) {
-        const auto at = static_cast<std::uint16_t>(address + i);
-        values.push_back(named(run, at, rowAt(run, at, kind, layout)));
+        const auto at = static_cast<std::uint16_t>(address + i); // a damaged frame may go beyond the last address
+        values.push_back(named(run, i, rowAt(run, at, kind, layout)));
     }
     return values;
 }

@@ -203,6 +203,15 @@ private slots:
         QVERIFY(!findSpan("no.such"));
     }
 
+    void namedValuesGoBeyondTheLastAddress()
+    {
+        const std::vector<std::uint16_t> registers{1, 2, 3, 4};
+        std::vector<std::int64_t> raw;
+        for (const NamedValue& value : namedValues(0xFFFE, registers))
+            raw.push_back(value.raw);
+        QCOMPARE(raw, (std::vector<std::int64_t>{1, 2, 3, 4}));
+    }
+
     void namedValuesDependOnTheProgram()
     {
         std::vector<std::uint16_t> status(statusRegisters, 0);
