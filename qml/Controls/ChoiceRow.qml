@@ -30,7 +30,7 @@ T.AbstractButton {
                 width: parent.width
                 fontSizeMode: Text.HorizontalFit
                 minimumPixelSize: Theme.size.caption - 3
-                wrapMode: Text.WordWrap    // below the smallest size
+                wrapMode: Text.Wrap    // below the smallest size; a word only where it is wider than the row
                 text: entry.text
                 color: entry.enabled ? Theme.color.ink : Theme.color.disabledInk
                 font.weight: Font.DemiBold
