@@ -6,6 +6,7 @@
 #include "app/store/logs/trend_bucket.h"
 
 #include <algorithm>
+#include <limits>
 #include <cmath>
 
 using namespace Qt::StringLiterals;
@@ -68,11 +69,24 @@ tl::expected<void, StoreError> BagLog::add(const QList<Bag>& bags)
 
 tl::expected<qint64, StoreError> BagLog::newestMs()
 {
-    auto found =
-        m_database.execute(u"SELECT time_ms FROM bag WHERE flags & 16 = 0 ORDER BY time_ms DESC LIMIT 1"_s);
-    if (!found)
-        return tl::unexpected(found.error());
-    return found->next() ? found->value(0).toLongLong() : 0;
+    // From span to span: a clock may stay unset for millions of bags.
+    qint64 beforeMs = std::numeric_limits<qint64>::max();
+    while (true) {
+        auto newest = m_database.execute(u"SELECT max(time_ms) FROM bag WHERE time_ms < ?"_s, {beforeMs});
+        if (!newest)
+            return tl::unexpected(newest.error());
+        if (!newest->next() || newest->isNull(0))
+            return 0;
+        const qint64 timeMs = newest->value(0).toLongLong();
+        auto span = m_database.execute(
+            u"SELECT begin_ms FROM clock_unset WHERE begin_ms <= ? AND end_ms >= ? ORDER BY begin_ms LIMIT 1"_s,
+            {timeMs, timeMs});
+        if (!span)
+            return tl::unexpected(span.error());
+        if (!span->next())
+            return timeMs;
+        beforeMs = span->value(0).toLongLong();
+    }
 }
 
 tl::expected<void, StoreError> BagLog::noteUnset(qint64 timeMs)

@@ -57,7 +57,7 @@ public:
                                                          const std::function<void(const Bag&)>& take);
 
 private:
-    // Returns the time of the newest bag that is not marked; 0: none.
+    // Returns the time of the newest bag outside the spans of marked ones; 0: none.
     [[nodiscard]] tl::expected<qint64, StoreError> newestMs();
     // Notes the time of a marked bag in its span.
     [[nodiscard]] tl::expected<void, StoreError> noteUnset(qint64 timeMs);
