@@ -6980,9 +6980,5 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
         <source>Back from %1 to %2.</source>
         <translation>Von %1 zurück zu %2.</translation>
     </message>
-    <message>
-        <source>The operating system does not allow the panel to do this. Install polkit and the rule of the CamPanel package.</source>
-        <translation>Das Betriebssystem erlaubt dies dem Panel nicht. Installieren Sie polkit und die Regel des CamPanel-Pakets.</translation>
-    </message>
 </context>
 </TS>

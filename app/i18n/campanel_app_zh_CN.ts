@@ -6978,9 +6978,5 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
         <source>Back from %1 to %2.</source>
         <translation>已从 %1 恢复到 %2。</translation>
     </message>
-    <message>
-        <source>The operating system does not allow the panel to do this. Install polkit and the rule of the CamPanel package.</source>
-        <translation>操作系统不允许面板执行此操作。请安装 polkit 和 CamPanel 软件包的规则。</translation>
-    </message>
 </context>
 </TS>

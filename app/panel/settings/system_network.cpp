@@ -23,7 +23,7 @@ const QString deviceInterface = networkService + QStringLiteral(".Device");
 const QString connectionInterface = networkService + QStringLiteral(".Settings.Connection");
 const QString noObject = QStringLiteral("/");
 
-// Of NetworkManager: wired, wireless, and the end of a virtual cable, as in a container.
+// NetworkManager names wired ports 1, wireless ones 2, and the end of a virtual cable, as in a container, 20.
 constexpr std::array<uint, 3> typesOfPorts{1, 2, 20};
 constexpr uint savedOnDisk = 0x1;
 constexpr uint isActivated = 2;

@@ -63,20 +63,20 @@ void SystemService::setAnswer(bool isAvailable)
 }
 
 // A call without a bus would never end.
-void SystemService::send(const Call& call, const Handler& handler)
+void SystemService::Bus::send(const Call& call, QObject* context, const Handler& handler) const
 {
-    QDBusMessage message =
-        QDBusMessage::createMethodCall(m_bus.service, call.path, call.interface, call.method);
+    QDBusMessage message = QDBusMessage::createMethodCall(service, call.path, call.interface, call.method);
     message.setArguments(call.arguments);
-    const QDBusConnection bus = m_bus.connect();
+    const QDBusConnection bus = connect();
     const QDBusPendingCall pending =
         bus.isConnected() ? bus.asyncCall(message, patienceMs)
                           : QDBusPendingCall::fromError({QDBusError::Disconnected, u"no D-Bus"_s});
-    auto* watcher = new QDBusPendingCallWatcher(pending, this);
-    connect(watcher, &QDBusPendingCallWatcher::finished, this, [handler](QDBusPendingCallWatcher* finished) {
-        finished->deleteLater();
-        handler(*finished);
-    });
+    auto* watcher = new QDBusPendingCallWatcher(pending, context);
+    QObject::connect(watcher, &QDBusPendingCallWatcher::finished, context,
+                     [handler](QDBusPendingCallWatcher* finished) {
+                         finished->deleteLater();
+                         handler(*finished);
+                     });
 }
 
 bool SystemService::begin()
@@ -104,16 +104,22 @@ void SystemService::finish(const Change& change, const QString& problem)
     refresh();
 }
 
-QString SystemService::problemOf(const QDBusError& error)
+QString SystemService::forbiddenText(const QDBusError& error)
 {
-    if (!error.isValid())
-        return {};
     const bool isForbidden = error.type() == QDBusError::AccessDenied ||
                              error.name() == u"org.freedesktop.DBus.Error.InteractiveAuthorizationRequired" ||
                              error.name().endsWith(u".PermissionDenied"); // NetworkManager's
     return isForbidden ? tr("The operating system does not allow the panel to do this. Install polkit and "
                             "the rule of the CamPanel package.")
-                       : tr("Not set: %1").arg(error.message());
+                       : QString();
+}
+
+QString SystemService::problemOf(const QDBusError& error)
+{
+    if (!error.isValid())
+        return {};
+    const QString forbidden = forbiddenText(error);
+    return forbidden.isEmpty() ? tr("Not set: %1").arg(error.message()) : forbidden;
 }
 
 } // namespace campanel::panel

@@ -33,11 +33,24 @@ class SystemService : public QObject {
     Q_PROPERTY(QString problem READ problem NOTIFY changed FINAL)
 
 public:
+    using Handler = std::function<void(const QDBusPendingCall& answer)>;
+    struct Call {
+        QString path;
+        QString interface;
+        QString method;
+        QVariantList arguments;
+    };
     // The bus and the name of the service on it; empty on a connection between two programs.
     struct Bus {
         std::function<QDBusConnection()> connect;
         QString service;
+
+        // Calls the handler with the answer, also without a bus, but not after the end of `context`.
+        void send(const Call& call, QObject* context, const Handler& handler) const;
     };
+
+    // Returns the sentence for a change that the operating system forbids; empty for another error.
+    [[nodiscard]] static QString forbiddenText(const QDBusError& error);
 
     // Replaces the system bus, for tests.
     void setBus(const Bus& bus) { m_bus = bus; }
@@ -56,13 +69,6 @@ signals:
     void noted(const campanel::store::AuditEntry& entry);
 
 protected:
-    using Handler = std::function<void(const QDBusPendingCall& answer)>;
-    struct Call {
-        QString path;
-        QString interface;
-        QString method;
-        QVariantList arguments;
-    };
     struct Change {
         QString object;
         QString before;
@@ -76,8 +82,7 @@ protected:
     virtual void ask() = 0;
     void refresh();
     void setAnswer(bool isAvailable);
-    // Calls the handler with the answer, also without a bus.
-    void send(const Call& call, const Handler& handler);
+    void send(const Call& call, const Handler& handler) { m_bus.send(call, this, handler); }
     // Returns false when a change may not begin.
     [[nodiscard]] bool begin();
     void finish(const Change& change, const QString& problem);

@@ -8,8 +8,6 @@
 #include "app/panel/words/package_sentences.h"
 
 #include <QDBusError>
-#include <QDBusMessage>
-#include <QDBusPendingCallWatcher>
 #include <QDBusPendingReply>
 #include <QDateTime>
 #include <QDir>
@@ -23,7 +21,6 @@ namespace campanel::panel {
 namespace {
 
 const QString unitName = QStringLiteral("campanel-update.service");
-constexpr int busPatienceMs = 5000;
 constexpr auto pace = 1s;
 constexpr auto patience = 5min; // a large package on a slow disk
 
@@ -67,14 +64,12 @@ void SoftwareUpdate::setWatched(bool isWatched)
     emit changed();
 }
 
-QDBusPendingCall SoftwareUpdate::call(const QString& method, const QVariantList& arguments) const
+void SoftwareUpdate::send(const QString& method, const QVariantList& arguments,
+                          const SystemService::Handler& handler)
 {
-    QDBusMessage message = QDBusMessage::createMethodCall(m_bus.service, u"/org/freedesktop/systemd1"_s,
-                                                          u"org.freedesktop.systemd1.Manager"_s, method);
-    message.setArguments(arguments);
-    const QDBusConnection bus = m_bus.connect();
-    return bus.isConnected() ? bus.asyncCall(message, busPatienceMs)
-                             : QDBusPendingCall::fromError({QDBusError::Disconnected, u"no D-Bus"_s});
+    m_bus.send(
+        {u"/org/freedesktop/systemd1"_s, u"org.freedesktop.systemd1.Manager"_s, method, arguments}, this,
+        handler);
 }
 
 void SoftwareUpdate::askForUnit()
@@ -86,10 +81,8 @@ void SoftwareUpdate::askForUnit()
     };
     if (m_places.stagingFolder.isEmpty())
         return take(false);
-    auto* watcher = new QDBusPendingCallWatcher(call(u"GetUnitFileState"_s, {unitName}), this);
-    connect(watcher, &QDBusPendingCallWatcher::finished, this, [take](QDBusPendingCallWatcher* finished) {
-        finished->deleteLater();
-        const QDBusPendingReply<QString> reply(*finished);
+    send(u"GetUnitFileState"_s, {unitName}, [take](const QDBusPendingCall& answer) {
+        const QDBusPendingReply<QString> reply(answer);
         take(!reply.isError() && reply.value() != u"masked");
     });
 }
@@ -227,16 +220,14 @@ QString SoftwareUpdate::question() const
         return {};
     if (!m_chosen->request.package.isEmpty())
         return tr("CamPanel %1 is replaced by %2. The panel closes for about a minute; the controller keeps "
-                  "its "
-                  "program. If the new version does not start, the panel puts %1 and its data back.")
+                  "its program. If the new version does not start, the panel puts %1 and its data back.")
             .arg(installedVersion(), store::shortVersion(m_chosen->version));
     if (m_seen.back && m_seen.back->schema == store::dataSchema())
         return tr("CamPanel %1 is replaced by %2. The panel closes for about a minute. Recipes and records "
                   "stay.")
             .arg(installedVersion(), store::shortVersion(m_chosen->version));
     return tr("CamPanel %1 is replaced by %2, which cannot read the present data. Recipes, users, settings "
-              "and "
-              "records become those of %3; what was saved since then is put aside on this panel.")
+              "and records become those of %3; what was saved since then is put aside on this panel.")
         .arg(installedVersion(), store::shortVersion(m_chosen->version),
              m_seen.back ? minuteOf(m_seen.back->utc) : QString());
 }
@@ -267,21 +258,14 @@ void SoftwareUpdate::confirm()
 
 void SoftwareUpdate::startUnit()
 {
-    auto* watcher = new QDBusPendingCallWatcher(call(u"StartUnit"_s, {unitName, u"replace"_s}), this);
-    connect(watcher, &QDBusPendingCallWatcher::finished, this, [this](QDBusPendingCallWatcher* finished) {
-        finished->deleteLater();
-        const QDBusError error = finished->error();
-        if (!error.isValid()) {
+    send(u"StartUnit"_s, {unitName, u"replace"_s}, [this](const QDBusPendingCall& answer) {
+        if (!answer.isError()) {
             m_startedAt = std::chrono::steady_clock::now();
             m_timer.start();
             return;
         }
-        const bool isForbidden =
-            error.type() == QDBusError::AccessDenied ||
-            error.name() == u"org.freedesktop.DBus.Error.InteractiveAuthorizationRequired";
-        endWork(isForbidden ? tr("The operating system does not allow the panel to do this. Install polkit "
-                                 "and the rule of the CamPanel package.")
-                            : tr("Not updated: %1").arg(error.message()));
+        const QString forbidden = SystemService::forbiddenText(answer.error());
+        endWork(forbidden.isEmpty() ? tr("Not updated: %1").arg(answer.error().message()) : forbidden);
     });
 }
 
@@ -343,8 +327,7 @@ QString SoftwareUpdate::outcomeText(const UpdateOutcome& outcome)
             .arg(to, reason, from);
     if (outcome.result != u"done")
         return tr("CamPanel %1 could not be installed, and %2 could not be put back completely. Install "
-                  "CamPanel by "
-                  "the package manager. %3",
+                  "CamPanel by the package manager. %3",
                   "version, version, whole sentences")
             .arg(to, from, reason);
     if (outcome.kind == u"update")

@@ -104,7 +104,7 @@ private:
     [[nodiscard]] OfferRow row(const store::PackageOffer& offer) const;
     [[nodiscard]] bool require();
     [[nodiscard]] QString installedVersion() const;
-    [[nodiscard]] QDBusPendingCall call(const QString& method, const QVariantList& arguments) const;
+    void send(const QString& method, const QVariantList& arguments, const SystemService::Handler& handler);
     void askForUnit();
     void startUnit();
     void lookAgain();

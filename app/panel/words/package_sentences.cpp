@@ -28,8 +28,7 @@ QString PackageSentences::fault(const store::PackageFault& fault)
         return tr("The signature of %1 is not valid. Ask for a new copy of both files.").arg(file);
     case Kind::NewerSignature:
         return tr("The signature of %1 has a newer form than this CamPanel knows. Install a version in "
-                  "between "
-                  "first.")
+                  "between first.")
             .arg(file);
     case Kind::Damaged:
         return tr("%1 is damaged or was changed after it was signed. Copy the file again.").arg(file);
@@ -99,8 +98,7 @@ QString PackageSentences::failure(const QString& reason, const QString& detail)
             .arg(detail);
     if (reason == u"old-package")
         return tr("The package of the installed version %1 is missing, so there would be no way back. Copy "
-                  "it "
-                  "and its signature to the stick as well.")
+                  "it and its signature to the stick as well.")
             .arg(detail);
     if (reason == u"space")
         return tr("%1 MB of free space are needed on this panel.").arg(detail);
