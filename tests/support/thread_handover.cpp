@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What ThreadSanitizer cannot see, because Debian's Qt is built without it: an event is delivered after it was
-// posted. Stands before Qt's own functions in programs of the preset `tsan`: a signal or an invokeMethod()
+// Tells ThreadSanitizer that an event is delivered after it was posted, which it cannot see in Debian's Qt.
+// These functions stand before Qt's own in programs of the preset `tsan`: a signal or an invokeMethod()
 // releases, the delivery of an event acquires. All events share one place, so a race between two threads that
 // also exchange calls in between is not found.
 #include <QCoreApplication>
@@ -23,7 +23,7 @@ bool deliver(void**)
 [[maybe_unused]] const bool isRegistered =
     QInternal::registerCallback(QInternal::EventNotifyCallback, &deliver);
 
-template <typename Function> Function* next(Function*, const char* symbol)
+template <typename Function> Function* next(const char* symbol)
 {
     return reinterpret_cast<Function*>(dlsym(RTLD_NEXT, symbol));
 }
@@ -34,7 +34,7 @@ void QMetaObject::activate(QObject* sender, const QMetaObject* of, int signal, v
 {
     using Activate = void(QObject*, const QMetaObject*, int, void**);
     static Activate* const original =
-        next<Activate>(nullptr, "_ZN11QMetaObject8activateEP7QObjectPKS_iPPv");
+        next<Activate>("_ZN11QMetaObject8activateEP7QObjectPKS_iPPv");
     __tsan_release(&posted);
     original(sender, of, signal, arguments);
 }
@@ -44,7 +44,6 @@ bool QMetaObject::invokeMethodImpl(QObject* object, QtPrivate::QSlotObjectBase* 
 {
     using Invoke = bool(QObject*, QtPrivate::QSlotObjectBase*, Qt::ConnectionType, void*);
     static Invoke* const original = next<Invoke>(
-        nullptr,
         "_ZN11QMetaObject16invokeMethodImplEP7QObjectPN9QtPrivate15QSlotObjectBaseEN2Qt14ConnectionTypeEPv");
     // Never deleted: Qt counts its references where the sanitizer does not see it.
     slot->ref();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A stand-in of systemd's manager, and a connection to it between two ends of this program.
+// A stand-in of systemd's manager.
 #pragma once
 
 #include "tests/support/peer_bus.h"

@@ -17,7 +17,11 @@ QString kindKey(const program::Recipe& recipe)
     return QString::fromLatin1(key.data(), static_cast<qsizetype>(key.size()));
 }
 
-// Reads the columns recipe, version, saved_ms, saved_by, json, name, clock_doubtful.
+// The beginning of each question for versions; readVersions() reads its columns.
+const QString selectVersions =
+    uR"(SELECT v.recipe, v.version, v.saved_ms, v.saved_by, v.json, r.name, v.clock_doubtful
+        FROM recipe_version v JOIN recipe r ON r.id = v.recipe )"_s;
+
 QList<RecipeVersion> readVersions(QSqlQuery& query)
 {
     QList<RecipeVersion> versions;
@@ -43,30 +47,24 @@ bool isSameProgram(const program::Recipe& left, const program::Recipe& right)
 RecipeLibrary::Result<QList<RecipeVersion>> RecipeLibrary::newest()
 {
     auto query = m_database.execute(
-        uR"(SELECT v.recipe, v.version, v.saved_ms, v.saved_by, v.json, r.name, v.clock_doubtful
-            FROM recipe r JOIN recipe_version v ON v.recipe = r.id
-            WHERE r.deleted = 0 AND v.version = (SELECT MAX(version) FROM recipe_version WHERE recipe = r.id)
+        selectVersions +
+        uR"(WHERE r.deleted = 0 AND v.version = (SELECT MAX(version) FROM recipe_version WHERE recipe = r.id)
             ORDER BY v.saved_ms DESC, r.id DESC)"_s);
     return query ? Result<QList<RecipeVersion>>(readVersions(*query)) : tl::unexpected(query.error());
 }
 
 RecipeLibrary::Result<QList<RecipeVersion>> RecipeLibrary::versions(qint64 recipeId)
 {
-    auto query = m_database.execute(
-        uR"(SELECT v.recipe, v.version, v.saved_ms, v.saved_by, v.json, r.name, v.clock_doubtful
-            FROM recipe_version v JOIN recipe r ON r.id = v.recipe
-            WHERE v.recipe = ? ORDER BY v.version DESC)"_s,
-        {recipeId});
+    auto query =
+        m_database.execute(selectVersions + u"WHERE v.recipe = ? ORDER BY v.version DESC"_s, {recipeId});
     return query ? Result<QList<RecipeVersion>>(readVersions(*query)) : tl::unexpected(query.error());
 }
 
 RecipeLibrary::Result<bool> RecipeLibrary::has(const program::Recipe& recipe)
 {
-    auto query = m_database.execute(
-        uR"(SELECT v.recipe, v.version, v.saved_ms, v.saved_by, v.json, r.name, v.clock_doubtful
-            FROM recipe_version v JOIN recipe r ON r.id = v.recipe
-            WHERE r.deleted = 0 AND r.name = ? AND v.version = ?)"_s,
-        {QString::fromStdString(recipe.name), recipe.version});
+    auto query =
+        m_database.execute(selectVersions + u"WHERE r.deleted = 0 AND r.name = ? AND v.version = ?"_s,
+                           {QString::fromStdString(recipe.name), recipe.version});
     if (!query)
         return tl::unexpected(query.error());
     const QList<RecipeVersion> found = readVersions(*query);
