@@ -52,16 +52,24 @@ QQuickItem* pressedAt(QQuickItem& below, const QPointF& scene)
     return below.acceptedMouseButtons() != Qt::NoButton && below.contains(at) ? &below : nullptr;
 }
 
+QString accessibleName(QQuickItem& item)
+{
+    const QAccessibleInterface* interface = QAccessible::queryAccessibleInterface(&item);
+    return interface ? interface->text(QAccessible::Name) : QString();
+}
+
+// Returns whether a finger on the item's center presses it and nothing above it.
+bool isReached(QQuickItem& root, const QQuickItem& item)
+{
+    return isInside(item, pressedAt(root, item.mapToScene(item.boundingRect().center())));
+}
+
 QQuickItem* namedItem(QQuickItem& root, QQuickItem& below, const QString& name)
 {
     if (!below.isVisible())
         return nullptr;
-    if (below.acceptedMouseButtons() != Qt::NoButton) {
-        const QAccessibleInterface* interface = QAccessible::queryAccessibleInterface(&below);
-        if (interface && interface->text(QAccessible::Name) == name &&
-            isInside(below, pressedAt(root, below.mapToScene(below.boundingRect().center()))))
-            return &below;
-    }
+    if (below.acceptedMouseButtons() != Qt::NoButton && accessibleName(below) == name && isReached(root, below))
+        return &below;
     for (QQuickItem* child : below.childItems()) {
         if (QQuickItem* found = namedItem(root, *child, name))
             return found;
@@ -130,6 +138,17 @@ void TouchDriver::press(QQuickItem& item, int holdMs)
         QCoreApplication::processEvents(); // a timer that has expired
     sendMouse(window(), QEvent::MouseButtonRelease, at);
     settle();
+}
+
+void TouchDriver::tapReached(const QString& name)
+{
+    QQuickItem* item = find(name);
+    if (item && !isReached(root(), *item))
+        m_complaints += QStringLiteral("%1 is covered or disabled").arg(name);
+    else if (item && accessibleName(*item).isEmpty())
+        m_complaints += QStringLiteral("%1 has no accessible name").arg(name);
+    else
+        tap(name);
 }
 
 void TouchDriver::tap(const QString& name)

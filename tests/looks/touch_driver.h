@@ -33,6 +33,8 @@ public:
     void tap(const QString& name);
     void tap(QQuickItem& item);
     void tapNamed(const QString& accessibleName);
+    // Taps as a finger: an item that is covered or disabled, or has no accessible name, becomes a complaint.
+    void tapReached(const QString& name);
     void hold(const QString& name);
     // Presses the center of an item and holds it; the next call releases it.
     void touch(const QString& name);
