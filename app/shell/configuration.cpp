@@ -87,14 +87,15 @@ bool isSection(std::string_view name)
 }
 
 // Returns why a line is not given to toml++ 3.3; empty when it is safe. The parser assumes that a section's
-// bracket is followed by a name, that no brace ends a list, and that some letters are not where a space could
-// be. Otherwise a debug build aborts, and the behavior of a release build is undefined.
+// bracket is followed by a name, that no brace ends a list, that a date's T is followed by a time, and that some
+// letters are not where a space could be. Otherwise a debug build aborts, and the behavior of a release build is undefined.
 QString whyUnreadable(const QByteArray& line)
 {
     // A text is reduced to its first quote, a comment to nothing.
     static const QRegularExpression textOrComment(uR"((")(?:\\.?|[^"\\])*+"?|(')[^']*+'?|#.*)"_s);
     static const QRegularExpression namelessSection(uR"(^[ \t]*\[[ \t]*+\[?+[ \t]*+(?![A-Za-z0-9_"'-]))"_s);
     static const QRegularExpression misplacedBrace(uR"((?:^|[\[,])[ \t]*\})"_s);
+    static const QRegularExpression dateWithoutTime(uR"(\d-\d\d[Tt ](?!\d))"_s);
     QString rest = QString::fromUtf8(line);
     if (rest.toUtf8() != line)
         return u"not UTF-8"_s;
@@ -105,6 +106,8 @@ QString whyUnreadable(const QByteArray& line)
         return u"letters other than a to z are for texts in quotes and for comments"_s;
     if (misplacedBrace.match(rest).hasMatch())
         return u"a brace that ends nothing"_s;
+    if (dateWithoutTime.match(rest).hasMatch())
+        return u"a date without its time"_s;
     return {};
 }
 

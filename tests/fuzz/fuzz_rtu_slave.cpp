@@ -62,7 +62,7 @@ Bytes request(InputReader& input)
     case 0:
         bytes.push_back(3);
         append(someAddress(input));
-        append(input.word() % (mostRegisters + 2));
+        append(static_cast<std::uint16_t>(input.word() % (mostRegisters + 2)));
         break;
     case 1:
         bytes.push_back(6);
@@ -77,7 +77,7 @@ Bytes request(InputReader& input)
     default:
         bytes.push_back(23);
         append(someAddress(input));
-        append(input.byte() % mostRegisters);
+        append(static_cast<std::uint16_t>(input.byte() % mostRegisters));
         append(someAddress(input));
         appendValues(someRegisters(input));
         break;

@@ -273,6 +273,7 @@ screen = "linuxfb"
                                  "it's \xc3\xa9",
                                  "unit = [}",
                                  "unit = [1, }",
+                                 "unit = 1979-05-27T\x01:32:00Z",
                                  "}"})
             QTest::addRow("%s", line) << QByteArray(line);
     }
