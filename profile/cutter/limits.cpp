@@ -145,12 +145,6 @@ std::optional<Limit> detail::firstBroken(const CycleNumbers& cycle, const Cutter
     return std::nullopt;
 }
 
-std::optional<Limit> firstBroken(const CycleNumbers& cycle, const RotaryCutterProgram& program,
-                                 const Machine& machine)
-{
-    return detail::firstBroken(cycle, {program, machine});
-}
-
 double sealErrorMm(const RotaryCutter& cutter)
 {
     return windowErrorMm(cutter.motion, cutter.cycle.tbS, cutter.cycle.tcS, shaftMode(cutter.machine));

@@ -28,10 +28,6 @@ namespace campanel::profile {
 // inputs. Empty when the machine can execute the program.
 [[nodiscard]] std::vector<Refusal> checkLimits(const RotaryCutter& cutter);
 
-// Returns the first exceeded limit; nothing when the machine can execute the cycle. Cheap: for searches.
-[[nodiscard]] std::optional<Limit> firstBroken(const CycleNumbers& cycle, const RotaryCutterProgram& program,
-                                               const Machine& machine);
-
 // Returns true when the program can be solved and exceeds no limit. Cheap: a few hundred nanoseconds.
 [[nodiscard]] bool isFeasible(const RotaryCutterProgram& program, const Machine& machine);
 

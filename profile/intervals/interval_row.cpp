@@ -55,14 +55,6 @@ std::uint64_t rampIterations(const IntervalRow& row)
     return ((change(row) << accumulatorBits) + row.acceleration - 1) / row.acceleration;
 }
 
-std::uint64_t speedAfter(const IntervalRow& row, std::uint64_t iterations)
-{
-    if (iterations >= rampIterations(row))
-        return row.lastSpeed;
-    const std::uint64_t carries = (row.acceleration * iterations) >> accumulatorBits;
-    return row.lastSpeed > row.firstSpeed ? row.firstSpeed + carries : row.firstSpeed - carries;
-}
-
 std::uint64_t positionAfter(const IntervalRow& row, std::uint64_t rest, std::uint64_t iterations)
 {
     const std::uint64_t ramp = rampIterations(row);

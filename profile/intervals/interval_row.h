@@ -25,8 +25,6 @@ inline constexpr double realIterationS = 6 / 50e6; // 6 clocks of 50 MHz
 
 // Returns the number of iterations until the row reaches its last speed.
 [[nodiscard]] std::uint64_t rampIterations(const IntervalRow& row);
-// Returns the speed register after this number of iterations of the row.
-[[nodiscard]] std::uint64_t speedAfter(const IntervalRow& row, std::uint64_t iterations);
 // Returns the position accumulator after this number of iterations, in 2^-(23 + fractionBits) pulses; `rest`
 // is its initial value.
 [[nodiscard]] std::uint64_t positionAfter(const IntervalRow& row, std::uint64_t rest,

@@ -162,6 +162,7 @@ class TestProgramChange : public QObject {
 
 private slots:
     void rampApproachesASpeed();
+    void speedOfAShareIsItsInverse();
     void sameLengthOnlyRamps();
     void stopInTheMiddleTakesOverAtStandstill_data();
     void stopInTheMiddleTakesOverAtStandstill();
@@ -215,6 +216,35 @@ void TestProgramChange::rampApproachesASpeed()
             qPrintable(
                 QStringLiteral("%1: %2 instead of %3 of %4").arg(i).arg(ramp.speed).arg(end).arg(ramp.full)));
         QVERIFY(fastest <= ramp.full);
+    }
+}
+
+// Against the share of the S-curve in floating point: 2 x^2 below the middle, 1 - 2 (1 - x)^2 above it.
+void TestProgramChange::speedOfAShareIsItsInverse()
+{
+    std::mt19937_64 random(1);
+    for (int i = 0; i < 10'000; ++i) {
+        ctl_ramp ramp;
+        const auto full = std::uniform_int_distribution<std::uint32_t>(400'000, 8'000'000)(random);
+        if (i % 2 == 0)
+            ctl_ramp_reset(&ramp, full);
+        else
+            ctl_ramp_reset_s(&ramp, full);
+        const double x = std::uniform_real_distribution(0.01, 1.0)(random);
+        const double curved = x <= 0.5 ? 2 * x * x : 1 - 2 * (1 - x) * (1 - x);
+        const double share = std::ldexp(ramp.s_curve ? curved : x, CTL_RAMP_SHARE_BITS);
+        ramp.speed = ctl_ramp_speed_of(&ramp, static_cast<std::uint64_t>(share));
+        // One speed more or less is a share of 2 / full at most, in the middle of the S-curve.
+        const double allowed = std::ldexp(ramp.s_curve ? 4.0 : 2.0, CTL_RAMP_SHARE_BITS) / full;
+        const auto found = static_cast<double>(ctl_ramp_whole_share(&ramp));
+        QVERIFY2(std::abs(found - share) <= allowed,
+                 qPrintable(QStringLiteral("%1: %2 instead of %3, %4 of %5")
+                                .arg(i)
+                                .arg(found)
+                                .arg(share)
+                                .arg(ramp.speed)
+                                .arg(full)));
+        QVERIFY(std::abs(ramp.speed - x * full) <= 1e-3 * full);
     }
 }
 

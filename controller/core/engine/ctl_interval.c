@@ -154,11 +154,6 @@ int32_t ctl_interval_advance(ctl_interval* interval, uint32_t* ticks, const ctl_
     return interval->direction * (int32_t)emitted;
 }
 
-uint32_t ctl_interval_status(const ctl_interval* interval)
-{
-    return ctl_dda_status(&interval->dda);
-}
-
 int64_t ctl_interval_hz(const ctl_interval* interval)
 {
     if (!interval->in_cycle)

@@ -45,8 +45,6 @@ int32_t ctl_interval_advance(ctl_interval* interval, uint32_t* ticks, const ctl_
 /* The table is over and its last speed is held, as bank.end_behavior says; such a cycle ends with a reset or
  * a change of bank only. */
 bool ctl_interval_holding(const ctl_interval* interval);
-/* CTL_DDA_... */
-uint32_t ctl_interval_status(const ctl_interval* interval);
 /* Pulse frequency now, negative in reverse, 0 between two cycles. */
 int64_t ctl_interval_hz(const ctl_interval* interval);
 
