@@ -40,7 +40,7 @@ std::uint16_t someAddress(InputReader& input)
 
 Registers someRegisters(InputReader& input)
 {
-    Registers values(1u + input.byte() % mostRegisters);
+    Registers values(static_cast<std::size_t>(1 + input.byte() % mostRegisters));
     for (std::uint16_t& value : values)
         value = input.word();
     return values;
