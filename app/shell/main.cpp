@@ -24,6 +24,7 @@
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
+#include <future>
 #include <span>
 #include <string>
 #include <string_view>
@@ -121,7 +122,6 @@ int runPanel(const shell::Options& options, const panel::SettingValues& configur
     shell::Panel panel(link, {{}, {}, configuration, keyFolder});
     panel.setClockUnset([] { return shell::isClockUnset(); });
     panel.update().setPlaces(panel::UpdatePlaces::ofService());
-    hasFonts(); // reads all fonts while the QML is loading; the panel works without them
     if (options.connection)
         panel.settings().overrideConnection(*options.connection);
     if (!options.language.isEmpty())
@@ -181,6 +181,8 @@ int main(int argc, char* argv[])
     if (options.isSelfTest)
         return hasFonts() ? shell::selfTest() : EXIT_FAILURE;
     const QString folder = QStandardPaths::writableLocation(QStandardPaths::AppDataLocation);
+    // Reads the fonts while the QML is loading; the panel works without them.
+    const std::future<bool> fonts = std::async(std::launch::async, &hasFonts);
     shell::chooseRenderer();
     const auto lock = shell::waitForFolder(
         folder, options.language.isEmpty() ? configuration.text("display.language") : options.language);

@@ -49,6 +49,13 @@ int countTouchscreens()
 
 } // namespace
 
+Panel::Qml::Qml()
+{
+    engine.addImportPath(QStringLiteral("qrc:/qt/qml"));
+    component.loadUrl(QUrl(QStringLiteral("qrc:/qt/qml/CamPanel/Frame/Main.qml")),
+                      QQmlComponent::Asynchronous);
+}
+
 Panel::Panel(link::Link& link, const Storage& storage)
     : m_restore(
           store::finishRestore(privateDataFolder(storage), panel::Settings::fileName(storage.settingsFile)))
@@ -109,19 +116,18 @@ Panel::Panel(link::Link& link, const Storage& storage)
         m_alarms.setPerson(m_access.userName());
         m_stops.setPerson(m_access.userName());
     });
-    m_engine.addImportPath(QStringLiteral("qrc:/qt/qml"));
-    panel::attachToEngine(m_engine, m_access, m_alarms, m_audit, m_backup, m_commissioning, m_display,
+    panel::attachToEngine(m_qml->engine, m_access, m_alarms, m_audit, m_backup, m_commissioning, m_display,
                           m_machine, m_editor, m_explanations, m_records, m_recipes, m_maintenance, m_scan,
                           m_bundle, m_settings, m_shiftReport, m_stops, m_systemClock, m_systemNetwork,
                           m_trends, m_update);
     connect(&m_settings, &panel::Settings::languageChanged, this, &Panel::translate);
     translate();
-    m_component.loadUrl(QUrl(QStringLiteral("qrc:/qt/qml/CamPanel/Frame/Main.qml")),
-                        QQmlComponent::Asynchronous);
 }
 
 Panel::~Panel()
 {
+    m_window.reset(); // before the objects that it shows
+    m_qml.reset();
     for (QTranslator* translator : {&m_texts, &m_textsOfQt})
         QCoreApplication::removeTranslator(translator);
 }
@@ -158,16 +164,16 @@ void Panel::open()
 bool Panel::load(QSize size)
 {
     QEventLoop untilLoaded;
-    connect(&m_component, &QQmlComponent::statusChanged, &untilLoaded, &QEventLoop::quit);
-    while (m_component.isLoading())
+    connect(&m_qml->component, &QQmlComponent::statusChanged, &untilLoaded, &QEventLoop::quit);
+    while (m_qml->component.isLoading())
         untilLoaded.exec();
     QVariantMap properties{{QStringLiteral("width"), size.width()},
                            {QStringLiteral("height"), size.height()}};
     if (!m_pageMemory.left().isEmpty())
         properties.insert(QStringLiteral("page"), m_pageMemory.left());
-    m_window.reset(qobject_cast<QQuickWindow*>(m_component.createWithInitialProperties(properties)));
+    m_window.reset(qobject_cast<QQuickWindow*>(m_qml->component.createWithInitialProperties(properties)));
     if (!m_window) {
-        qCritical("%s", qPrintable(m_component.errorString()));
+        qCritical("%s", qPrintable(m_qml->component.errorString()));
         return false;
     }
     if (!m_pageMemory.left().isEmpty())
@@ -188,7 +194,7 @@ void Panel::translate()
                          QLibraryInfo::path(QLibraryInfo::TranslationsPath)))
         QCoreApplication::installTranslator(&m_textsOfQt);
     QLocale::setDefault(locale);
-    m_engine.retranslate();
+    m_qml->engine.retranslate();
 }
 
 } // namespace campanel::shell

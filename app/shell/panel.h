@@ -80,7 +80,7 @@ public:
     [[nodiscard]] panel::Display& display() { return m_display; }
     [[nodiscard]] panel::ServiceBundle& bundle() { return m_bundle; }
     [[nodiscard]] panel::Explanations& explanations() { return m_explanations; }
-    [[nodiscard]] QQmlEngine& engine() { return m_engine; }
+    [[nodiscard]] QQmlEngine& engine() { return m_qml->engine; }
 
     // Connects to the controller and opens the databases. Call it after the first frame: line and disk can
     // wait, a person cannot.
@@ -99,6 +99,13 @@ signals:
 private:
     void translate();
 
+    // The engine with the component of the window, which loads while the other parts are created.
+    struct Qml {
+        Qml();
+        QQmlEngine engine;
+        QQmlComponent component{&engine};
+    };
+    std::unique_ptr<Qml> m_qml = std::make_unique<Qml>(); // deleted first, in the destructor
     store::FinishedRestore m_restore; // before anything is read
     panel::Settings m_settings;
     panel::Controller m_machine;
@@ -129,8 +136,6 @@ private:
     bool m_hasBroker = false; // the configuration names one
     QTranslator m_texts;
     QTranslator m_textsOfQt;
-    QQmlEngine m_engine;
-    QQmlComponent m_component{&m_engine};
     std::unique_ptr<QQuickWindow> m_window;
     PageMemory m_pageMemory; // after the window that it follows
 };

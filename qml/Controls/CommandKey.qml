@@ -78,13 +78,15 @@ T.AbstractButton {
                 color: key.inkColor
                 font.pixelSize: key.small ? Theme.size.icon : Theme.size.largeIcon
 
-                HoldRing {
-                    anchors.centerIn: parent
-                    width: Theme.size.largeIcon + 2 * Theme.size.spacing
-                    height: width
-                    visible: key.holding
-                    time: key.holdMs
-                    color: key.inkColor
+                Repeater {
+                    model: key.holding ? 1 : 0
+                    HoldRing {
+                        anchors.centerIn: parent
+                        width: Theme.size.largeIcon + 2 * Theme.size.spacing
+                        height: width
+                        time: key.holdMs
+                        color: key.inkColor
+                    }
                 }
             }
             Label {

@@ -27,22 +27,23 @@ T.AbstractButton {
     }
     Item {
         anchors.fill: parent
-        Rectangle {
-            id: badge
-            visible: button.calls > 0
-            x: keys.x + mark.x + mark.width
-            y: keys.y
-            width: Math.max(height, number.implicitWidth + 2 * Theme.size.accent)
-            height: number.implicitHeight
-            radius: height / 2
-            color: button.callColor
-            Label {
-                id: number
-                objectName: "navCalls"
-                anchors.centerIn: parent
-                text: button.calls > 99 ? "99+" : button.calls
-                color: Theme.color.touchInk
-                font { pixelSize: 0.85 * Theme.size.caption; bold: true }
+        Repeater {
+            model: button.calls > 0 ? 1 : 0
+            Rectangle {
+                x: keys.x + mark.x + mark.width
+                y: keys.y
+                width: Math.max(height, number.implicitWidth + 2 * Theme.size.accent)
+                height: number.implicitHeight
+                radius: height / 2
+                color: button.callColor
+                Label {
+                    id: number
+                    objectName: "navCalls"
+                    anchors.centerIn: parent
+                    text: button.calls > 99 ? "99+" : button.calls
+                    color: Theme.color.touchInk
+                    font { pixelSize: 0.85 * Theme.size.caption; bold: true }
+                }
             }
         }
         Column {

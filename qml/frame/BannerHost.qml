@@ -80,14 +80,17 @@ Item {
         }
     }
 
-    Banner {
-        objectName: "banner"
-        anchors.fill: parent
-        text: host.stopShown ? Controller.stopWaitsText : host.alarmShown ? host.mostUrgent : host.answer
-        severity: host.stopShown ? Banner.Warning : host.alarmShown ? (Controller.faulted ? Banner.Fault : Banner.Warning) : Banner.Information
-        buttonText: host.stopShown ? qsTr("Withdraw") : qsTr("OK")
-        wayText: host.alarmShown && host.alarms.length > 1 ? qsTr("Show") : ""
-        onAccepted: host.accept()
-        onWayChosen: host.alarmsRequested()
+    Repeater {
+        model: host.shown ? 1 : 0
+        Banner {
+            objectName: "banner"
+            anchors.fill: parent
+            text: host.stopShown ? Controller.stopWaitsText : host.alarmShown ? host.mostUrgent : host.answer
+            severity: host.stopShown ? Banner.Warning : host.alarmShown ? (Controller.faulted ? Banner.Fault : Banner.Warning) : Banner.Information
+            buttonText: host.stopShown ? qsTr("Withdraw") : qsTr("OK")
+            wayText: host.alarmShown && host.alarms.length > 1 ? qsTr("Show") : ""
+            onAccepted: host.accept()
+            onWayChosen: host.alarmsRequested()
+        }
     }
 }

@@ -19,7 +19,7 @@ Item {
 
     CommandKey {
         objectName: "startKey"
-        anchors { left: parent.left; right: parent.right; top: parent.top; bottom: middle.visible ? middle.top : stopKey.top; bottomMargin: Theme.size.gap }
+        anchors { left: parent.left; right: parent.right; top: parent.top; bottom: stopKey.top; bottomMargin: column.between ? 2 * Theme.size.gap + Theme.size.commandKey : Theme.size.gap }
         glyph: Theme.icon.start
         text: qsTr("Start")
         ready: Controller.canStart && !column.wiping
@@ -34,17 +34,18 @@ Item {
                 column.startRefused()
         }
     }
-    CommandKey {
-        id: middle
-        objectName: "middleKey"
-        anchors { left: parent.left; right: parent.right; bottom: stopKey.top; bottomMargin: Theme.size.gap }
-        visible: column.between
-        enabled: !column.wiping
-        small: true
-        glyph: column.homes ? Theme.icon.home : Theme.icon.resetFault
-        text: column.homes ? Maintenance.homing.keyText : qsTr("Reset")
-        baseColor: column.homes ? Theme.color.touch : Theme.color.fault
-        onClicked: column.homes ? Maintenance.homing.home() : Controller.resetFault()
+    Repeater {
+        model: column.between ? 1 : 0
+        CommandKey {
+            objectName: "middleKey"
+            anchors { left: column.left; right: column.right; bottom: stopKey.top; bottomMargin: Theme.size.gap }
+            enabled: !column.wiping
+            small: true
+            glyph: column.homes ? Theme.icon.home : Theme.icon.resetFault
+            text: column.homes ? Maintenance.homing.keyText : qsTr("Reset")
+            baseColor: column.homes ? Theme.color.touch : Theme.color.fault
+            onClicked: column.homes ? Maintenance.homing.home() : Controller.resetFault()
+        }
     }
     CommandKey {
         id: stopKey
