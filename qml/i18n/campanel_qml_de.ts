@@ -3414,11 +3414,11 @@ Uhr nicht gestellt</translation>
     </message>
     <message>
         <source>− 1 d</source>
-        <translation>− 1 d</translation>
+        <translation>− 1 Tag</translation>
     </message>
     <message>
         <source>+ 1 d</source>
-        <translation>+ 1 d</translation>
+        <translation>+ 1 Tag</translation>
     </message>
     <message>
         <source>− 1 h</source>
