@@ -148,6 +148,8 @@ Card {
     MouseArea {
         id: finger
         objectName: "curveFinger"
+        Accessible.role: Accessible.Graphic
+        Accessible.name: qsTr("Curve")
         anchors.fill: plot
         preventStealing: true
         enabled: Editor.solvable

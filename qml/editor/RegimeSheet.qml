@@ -65,6 +65,8 @@ Sheet {
     MouseArea {
         id: finger
         objectName: "regimeFinger"
+        Accessible.role: Accessible.Graphic
+        Accessible.name: qsTr("Regime map")
         anchors.fill: plot
         preventStealing: true
         property bool holds

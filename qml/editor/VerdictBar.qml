@@ -52,6 +52,7 @@ Card {
     }
     Explained {
         objectName: "verdictNumbers"
+        Accessible.name: Editor.verdict
         anchors.right: tools.left
         quantities: []
         onPressAndHold: {

@@ -465,6 +465,10 @@ Und %2 weitere.</translation>
 <context>
     <name>CurveEditor</name>
     <message>
+        <source>Curve</source>
+        <translation>Kurve</translation>
+    </message>
+    <message>
         <source>grey: %1</source>
         <translation>grau: %1</translation>
     </message>
@@ -719,6 +723,13 @@ Und %2 weitere.</translation>
     </message>
 </context>
 <context>
+    <name>Explained</name>
+    <message>
+        <source>How this is calculated</source>
+        <translation>So wird gerechnet</translation>
+    </message>
+</context>
+<context>
     <name>ExplanationSheet</name>
     <message>
         <source>This value is entered, not calculated. The range is %1 to %2.</source>
@@ -774,6 +785,10 @@ Und %2 weitere.</translation>
 </context>
 <context>
     <name>FilmCard</name>
+    <message>
+        <source>Film</source>
+        <translation>Folie</translation>
+    </message>
     <message>
         <source>mark error %1 mm</source>
         <translation>Markenfehler %1 mm</translation>
@@ -964,6 +979,10 @@ Und %2 weitere.</translation>
 </context>
 <context>
     <name>FramesSection</name>
+    <message>
+        <source>Frames</source>
+        <translation>Rahmen</translation>
+    </message>
     <message>
         <source>All</source>
         <translation>Alle</translation>
@@ -2607,6 +2626,10 @@ Und %2 weitere.</translation>
 <context>
     <name>TrendCard</name>
     <message>
+        <source>Trend curves</source>
+        <translation>Trendkurven</translation>
+    </message>
+    <message>
         <source>no data in this time</source>
         <translation>keine Daten in dieser Zeit</translation>
     </message>
@@ -3391,11 +3414,11 @@ Uhr nicht gestellt</translation>
     </message>
     <message>
         <source>− 1 d</source>
-        <translation>− 1 d</translation>
+        <translation>− 1 Tag</translation>
     </message>
     <message>
         <source>+ 1 d</source>
-        <translation>+ 1 d</translation>
+        <translation>+ 1 Tag</translation>
     </message>
     <message>
         <source>− 1 h</source>

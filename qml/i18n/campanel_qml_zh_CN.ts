@@ -465,6 +465,10 @@ And %2 more.</source>
 <context>
     <name>CurveEditor</name>
     <message>
+        <source>Curve</source>
+        <translation>曲线</translation>
+    </message>
+    <message>
         <source>grey: %1</source>
         <translation>灰色：%1</translation>
     </message>
@@ -719,6 +723,13 @@ And %2 more.</source>
     </message>
 </context>
 <context>
+    <name>Explained</name>
+    <message>
+        <source>How this is calculated</source>
+        <translation>计算方法</translation>
+    </message>
+</context>
+<context>
     <name>ExplanationSheet</name>
     <message>
         <source>This value is entered, not calculated. The range is %1 to %2.</source>
@@ -774,6 +785,10 @@ And %2 more.</source>
 </context>
 <context>
     <name>FilmCard</name>
+    <message>
+        <source>Film</source>
+        <translation>薄膜</translation>
+    </message>
     <message>
         <source>mark error %1 mm</source>
         <translation>色标误差 %1 mm</translation>
@@ -964,6 +979,10 @@ And %2 more.</source>
 </context>
 <context>
     <name>FramesSection</name>
+    <message>
+        <source>Frames</source>
+        <translation>报文</translation>
+    </message>
     <message>
         <source>All</source>
         <translation>全部</translation>
@@ -2606,6 +2625,10 @@ And %2 more.</source>
 </context>
 <context>
     <name>TrendCard</name>
+    <message>
+        <source>Trend curves</source>
+        <translation>趋势曲线</translation>
+    </message>
     <message>
         <source>no data in this time</source>
         <translation>此时段无数据</translation>

@@ -58,6 +58,7 @@ Item {
         }
     }
     Explained {
+        Accessible.name: column.title
         enabled: column.quantities.length > 0
         quantities: column.quantities
         onExplainRequested: quantities => column.explainRequested(quantities)

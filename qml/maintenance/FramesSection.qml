@@ -55,6 +55,8 @@ MaintenanceSection {
     ListView {
         id: list
         objectName: "frameList"
+        Accessible.role: Accessible.List
+        Accessible.name: qsTr("Frames")
         property bool follows: true        // keeps the newest visible until the user scrolls up
         anchors { left: parent.left; right: parent.right; top: filters.bottom; bottom: parent.bottom; topMargin: Theme.size.spacing }
         clip: true

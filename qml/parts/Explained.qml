@@ -10,6 +10,9 @@ MouseArea {
     required property var quantities       // list of Explanations.Quantity
     signal explainRequested(var quantities)
 
+    Accessible.role: Accessible.Button
+    Accessible.name: qsTr("How this is calculated")
+
     anchors.fill: parent
     pressAndHoldInterval: Theme.longPressTime
     onPressAndHold: area.explainRequested(area.quantities)

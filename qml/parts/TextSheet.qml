@@ -41,6 +41,8 @@ Sheet {
         TextInput {
             id: input
             objectName: "textInput"
+            Accessible.role: Accessible.EditableText
+            Accessible.name: sheet.title
             anchors { fill: parent; leftMargin: Theme.size.padding; rightMargin: Theme.size.padding }
             verticalAlignment: TextInput.AlignVCenter
             clip: true

@@ -94,6 +94,7 @@ Card {
     }
     Explained {
         objectName: "bagNumbers"
+        Accessible.name: qsTr("Bag length")
         quantities: [Explanations.BagMean, Explanations.BagScatter, Explanations.BagDeviation]
         onExplainRequested: quantities => card.explainRequested(quantities)
     }

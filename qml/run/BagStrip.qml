@@ -103,6 +103,7 @@ Card {
     }
     Explained {
         objectName: "bagNumbers"
+        Accessible.name: qsTr("Bag length")
         quantities: [Explanations.BagMean, Explanations.BagScatter, Explanations.BagsWithin, Explanations.BagDeviation]
         onExplainRequested: quantities => card.explainRequested(quantities)
     }

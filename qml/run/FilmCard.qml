@@ -102,6 +102,7 @@ Card {
     }
     Explained {
         objectName: "filmCard"
+        Accessible.name: qsTr("Film")
         quantities: [Explanations.MarkError]
         onExplainRequested: quantities => card.explainRequested(quantities)
         onClicked: card.tapped()

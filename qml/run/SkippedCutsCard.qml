@@ -72,6 +72,7 @@ Card {
     }
     Explained {
         objectName: "skippedCutsCard"
+        Accessible.name: qsTr("Skipped cuts")
         quantities: [Explanations.FilmSaved]
         onExplainRequested: quantities => card.explainRequested(quantities)
         onClicked: card.tapped()

@@ -100,6 +100,7 @@ Card {
     }
     Explained {
         objectName: "speedNumbers"
+        Accessible.name: card.title
         quantities: [Explanations.FollowingError, Explanations.Torque]
         onExplainRequested: quantities => card.explainRequested(quantities)
     }

@@ -46,6 +46,8 @@ Card {
     TrendPlot {
         id: plot
         objectName: "trendPlot"
+        Accessible.role: Accessible.Graphic
+        Accessible.name: qsTr("Trend curves")
         visible: !card.empty
         anchors { fill: parent; margins: Theme.size.spacing }
         curves: Trends.curves

@@ -34,6 +34,14 @@ bool isControl(const QQuickItem& item)
     return isButton(item) || item.inherits("QQuickSlider");
 }
 
+// Returns whether a finger uses the item itself; a bare flickable only scrolls, by the left button.
+bool isTouched(const QQuickItem& item)
+{
+    const Qt::MouseButtons buttons = item.acceptedMouseButtons();
+    const bool scrolls = item.inherits("QQuickFlickable") && buttons == Qt::LeftButton;
+    return isControl(item) || (item.isEnabled() && !item.objectName().isEmpty() && buttons && !scrolls);
+}
+
 QString nameOf(const QQuickItem& item)
 {
     const QString text = item.property("text").toString();
@@ -107,7 +115,7 @@ public:
             checkText(item);
         if (isButton(item) && item.isEnabled())
             checkTarget(item);
-        if (isControl(item))
+        if (isTouched(item))
             checkAccessible(item);
         for (QQuickItem* child : item.childItems())
             visit(*child);
