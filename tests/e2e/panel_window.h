@@ -44,7 +44,7 @@ public:
     [[nodiscard]] looks::TouchDriver& touchDriver() { return m_touch; }
     [[nodiscard]] const std::vector<modbus::StatusBlock>& statuses() const { return m_statuses; }
 
-    void tap(const char* name) { m_touch.tapReached(QString::fromLatin1(name)); }
+    void tap(const char* name) { m_touch.tap(QString::fromLatin1(name)); }
     // Holds the Start key until it acts: with a real controller a tap does not.
     void start()
     {

@@ -10,6 +10,8 @@
 #include <QMouseEvent>
 #include <QStyleHints>
 
+#include <algorithm>
+
 namespace campanel::looks {
 namespace {
 
@@ -58,17 +60,35 @@ QString accessibleName(QQuickItem& item)
     return interface ? interface->text(QAccessible::Name) : QString();
 }
 
-// Returns whether a finger on the item's center presses it and nothing above it.
-bool isReached(QQuickItem& root, const QQuickItem& item)
+// Returns what a finger on the item's center presses: the item or a part of it or, for a text that takes no
+// press itself, what it stands on. Returns null if the item is covered, scrolled out or disabled.
+QQuickItem* reachedAt(QQuickItem& root, const QQuickItem& item)
 {
-    return isInside(item, pressedAt(root, item.mapToScene(item.boundingRect().center())));
+    QQuickItem* pressed = pressedAt(root, item.mapToScene(item.boundingRect().center()));
+    const bool isOnPressed = pressed && item.isEnabled() && item.acceptedMouseButtons() == Qt::NoButton &&
+                             isInside(*pressed, &item);
+    return isInside(item, pressed) || isOnPressed ? pressed : nullptr;
+}
+
+// Scrolls the lists around an item until its center is in sight, as a finger does first.
+void scrollIntoSight(const QQuickItem& item)
+{
+    for (QQuickItem* parent = item.parentItem(); parent; parent = parent->parentItem()) {
+        const QPointF at = parent->mapFromItem(&item, item.boundingRect().center());
+        if (!parent->inherits("QQuickFlickable") || parent->contains(at))
+            continue;
+        const double top = parent->property("contentY").toDouble() + at.y() - parent->height() / 2;
+        const double end = parent->property("contentHeight").toDouble() - parent->height();
+        parent->setProperty("contentY", std::clamp(top, 0.0, std::max(0.0, end)));
+    }
 }
 
 QQuickItem* namedItem(QQuickItem& root, QQuickItem& below, const QString& name)
 {
     if (!below.isVisible())
         return nullptr;
-    if (below.acceptedMouseButtons() != Qt::NoButton && accessibleName(below) == name && isReached(root, below))
+    if (below.acceptedMouseButtons() != Qt::NoButton && accessibleName(below) == name &&
+        reachedAt(root, below))
         return &below;
     for (QQuickItem* child : below.childItems()) {
         if (QQuickItem* found = namedItem(root, *child, name))
@@ -128,6 +148,16 @@ void TouchDriver::press(const QString& name, int holdMs)
 
 void TouchDriver::press(QQuickItem& item, int holdMs)
 {
+    scrollIntoSight(item);
+    QQuickItem* pressed = reachedAt(root(), item);
+    if (!pressed) {
+        m_complaints += QStringLiteral("%1 is covered or disabled").arg(item.objectName());
+        return;
+    }
+    if (accessibleName(item).isEmpty() && accessibleName(*pressed).isEmpty()) {
+        m_complaints += QStringLiteral("%1 has no accessible name").arg(item.objectName());
+        return;
+    }
     const QPointF at = item.mapToScene(item.boundingRect().center());
     sendMouse(window(), QEvent::MouseButtonPress, at);
     QElapsedTimer held;
@@ -138,17 +168,6 @@ void TouchDriver::press(QQuickItem& item, int holdMs)
         QCoreApplication::processEvents(); // a timer that has expired
     sendMouse(window(), QEvent::MouseButtonRelease, at);
     settle();
-}
-
-void TouchDriver::tapReached(const QString& name)
-{
-    QQuickItem* item = find(name);
-    if (item && !isReached(root(), *item))
-        m_complaints += QStringLiteral("%1 is covered or disabled").arg(name);
-    else if (item && accessibleName(*item).isEmpty())
-        m_complaints += QStringLiteral("%1 has no accessible name").arg(name);
-    else
-        tap(name);
 }
 
 void TouchDriver::tap(const QString& name)

@@ -29,12 +29,11 @@ public:
     [[nodiscard]] QQuickItem* find(const QString& name);
     // Returns the visible item with that accessible name that a finger reaches, or null.
     [[nodiscard]] QQuickItem* findNamed(const QString& accessibleName);
-    // Taps an item. An item that cannot be found or reached becomes a complaint.
+    // Taps an item, scrolled into sight. An item that is not there, covered or disabled, or has no accessible name, becomes a
+    // complaint and is not pressed.
     void tap(const QString& name);
     void tap(QQuickItem& item);
     void tapNamed(const QString& accessibleName);
-    // Taps as a finger: an item that is covered or disabled, or has no accessible name, becomes a complaint.
-    void tapReached(const QString& name);
     void hold(const QString& name);
     // Presses the center of an item and holds it; the next call releases it.
     void touch(const QString& name);
