@@ -45,7 +45,8 @@ private slots:
     }
     void cleanup()
     {
-        QCOMPARE(m_window->complaints(), QStringList());
+        const QStringList complaints = m_window->complaints();
+        QVERIFY2(complaints.isEmpty(), qPrintable(complaints.join(u'\n')));
         m_window.reset();
     }
 };

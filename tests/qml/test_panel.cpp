@@ -399,6 +399,8 @@ private slots:
     void stopIsReachedOverDialogsAndKeypad()
     {
         QFETCH(QStringList, way);
+        if (way.contains(QStringLiteral("doctorSearch"))) // not while the machine runs
+            m_window->link().show(campanel::looks::DemoLink::Situation::Stopped);
         for (const QString& name : way)
             m_window->tap(name);
         const qsizetype before = m_window->link().stopRequests();
