@@ -6012,6 +6012,10 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
         <source>time between scanned keys, ms</source>
         <translation>Zeit zwischen Tasten des Scanners, ms</translation>
     </message>
+    <message>
+        <source>screen rotation, degrees</source>
+        <translation>Bildschirmdrehung, Grad</translation>
+    </message>
 </context>
 <context>
     <name>campanel::panel::Trends</name>
@@ -6979,6 +6983,13 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
     <message>
         <source>Back from %1 to %2.</source>
         <translation>Von %1 zurück zu %2.</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::ScreenRotation</name>
+    <message>
+        <source>The machine is moving. Stop it before turning the screen.</source>
+        <translation>Die Maschine bewegt sich. Vor dem Drehen des Bildschirms anhalten.</translation>
     </message>
 </context>
 </TS>

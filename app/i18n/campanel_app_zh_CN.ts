@@ -6010,6 +6010,10 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
         <source>time between scanned keys, ms</source>
         <translation>扫码按键间隔，ms</translation>
     </message>
+    <message>
+        <source>screen rotation, degrees</source>
+        <translation>屏幕旋转，度</translation>
+    </message>
 </context>
 <context>
     <name>campanel::panel::Trends</name>
@@ -6977,6 +6981,13 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
     <message>
         <source>Back from %1 to %2.</source>
         <translation>已从 %1 恢复到 %2。</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::ScreenRotation</name>
+    <message>
+        <source>The machine is moving. Stop it before turning the screen.</source>
+        <translation>机器正在运动。旋转屏幕前请先停机。</translation>
     </message>
 </context>
 </TS>

@@ -10,12 +10,12 @@
 #include <QBuffer>
 #include <QCoreApplication>
 #include <QEventLoop>
-#include <QImage>
 #include <QInputDevice>
 #include <QLibraryInfo>
 #include <QLocale>
 #include <QLoggingCategory>
 #include <QStandardPaths>
+#include <QTransform>
 
 #include <algorithm>
 
@@ -76,6 +76,7 @@ Panel::Panel(link::Link& link, const Storage& storage)
                 *m_maintenance.frames()},
                nullptr)
     , m_display(m_machine, m_settings, nullptr)
+    , m_rotation(m_machine, m_settings, nullptr)
     , m_explanations({m_machine, m_editor, *m_maintenance.figures(), m_trends, m_stops}, nullptr)
     , m_plant({m_machine, m_alarms, m_stops}, m_trail, nullptr)
     , m_hasBroker(!storage.standard.text("gateway.host").isEmpty())
@@ -89,7 +90,7 @@ Panel::Panel(link::Link& link, const Storage& storage)
         QByteArray png;
         QBuffer buffer(&png);
         if (m_window && buffer.open(QIODevice::WriteOnly))
-            m_window->grabWindow().save(&buffer, "PNG");
+            picture().save(&buffer, "PNG");
         return png;
     });
     m_alarms.watch().setTouchscreenCount(&countTouchscreens);
@@ -112,7 +113,7 @@ Panel::Panel(link::Link& link, const Storage& storage)
     m_engine.addImportPath(QStringLiteral("qrc:/qt/qml"));
     panel::attachToEngine(m_engine, m_access, m_alarms, m_audit, m_backup, m_commissioning, m_display,
                           m_machine, m_editor, m_explanations, m_records, m_recipes, m_maintenance, m_scan,
-                          m_bundle, m_settings, m_shiftReport, m_stops, m_systemClock, m_systemNetwork,
+                          m_bundle, m_rotation, m_settings, m_shiftReport, m_stops, m_systemClock, m_systemNetwork,
                           m_trends, m_update);
     connect(&m_settings, &panel::Settings::languageChanged, this, &Panel::translate);
     translate();
@@ -175,6 +176,11 @@ bool Panel::load(QSize size)
                qPrintable(m_pageMemory.left()));
     m_pageMemory.follow(*m_window);
     return true;
+}
+
+QImage Panel::picture()
+{
+    return m_window->grabWindow().transformed(QTransform().rotate(-m_rotation.degrees()));
 }
 
 void Panel::translate()

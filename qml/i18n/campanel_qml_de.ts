@@ -2544,6 +2544,14 @@ Und %2 weitere.</translation>
         <source>The brightness of this screen cannot be set here.</source>
         <translation>Die Helligkeit dieses Bildschirms ist hier nicht einstellbar.</translation>
     </message>
+    <message>
+        <source>Screen rotation</source>
+        <translation>Bildschirmdrehung</translation>
+    </message>
+    <message>
+        <source>%1°</source>
+        <translation>%1°</translation>
+    </message>
 </context>
 <context>
     <name>TextKeyboard</name>
@@ -3610,6 +3618,25 @@ Uhr nicht gestellt</translation>
     <message>
         <source>Update</source>
         <translation>Aktualisierung</translation>
+    </message>
+</context>
+<context>
+    <name>TrialCover</name>
+    <message>
+        <source>Keep this rotation?</source>
+        <translation>Diese Drehung behalten?</translation>
+    </message>
+    <message>
+        <source>Without an answer the earlier one returns in %1 s.</source>
+        <translation>Ohne Antwort gilt in %1 s wieder die frühere.</translation>
+    </message>
+    <message>
+        <source>Go back</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>Keep</source>
+        <translation>Behalten</translation>
     </message>
 </context>
 </TS>

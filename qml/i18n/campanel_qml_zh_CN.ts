@@ -2544,6 +2544,14 @@ And %2 more.</source>
         <source>The brightness of this screen cannot be set here.</source>
         <translation>此屏幕的亮度不能在这里调节。</translation>
     </message>
+    <message>
+        <source>Screen rotation</source>
+        <translation>屏幕旋转</translation>
+    </message>
+    <message>
+        <source>%1°</source>
+        <translation>%1°</translation>
+    </message>
 </context>
 <context>
     <name>TextKeyboard</name>
@@ -3610,6 +3618,25 @@ clock not set</source>
     <message>
         <source>Update</source>
         <translation>更新</translation>
+    </message>
+</context>
+<context>
+    <name>TrialCover</name>
+    <message>
+        <source>Keep this rotation?</source>
+        <translation>保留此旋转方向？</translation>
+    </message>
+    <message>
+        <source>Without an answer the earlier one returns in %1 s.</source>
+        <translation>若不选择，%1 秒后恢复原方向。</translation>
+    </message>
+    <message>
+        <source>Go back</source>
+        <translation>恢复</translation>
+    </message>
+    <message>
+        <source>Keep</source>
+        <translation>保留</translation>
     </message>
 </context>
 </TS>

@@ -12,6 +12,7 @@ SettingsSection {
 
     readonly property var brightnesses: Display.brightnessChoices
     readonly property var waits: Display.darkChoices
+    readonly property var rotations: ScreenRotation.choices
     property int field                     // of the network that is entered
 
     title: qsTr("Screen and system")
@@ -94,6 +95,24 @@ SettingsSection {
                     }
                 }
             }
+            SettingRow {
+                objectName: "setRotation"
+                width: parent.width
+                enabled: ScreenRotation.blockedReason.length === 0
+                label: qsTr("Screen rotation")
+                value: qsTr("%1°").arg(ScreenRotation.degrees)
+                onClicked: {
+                    if (Access.ask(Access.Service))
+                        section.page.sheetRequested(rotationPicker)
+                }
+            }
+            Caption {
+                objectName: "rotationBlocked"
+                visible: text.length > 0
+                wrapMode: Text.Wrap
+                fontSizeMode: Text.FixedSize
+                text: ScreenRotation.blockedReason
+            }
             Caption {
                 visible: !Display.adjustable
                 wrapMode: Text.Wrap
@@ -133,6 +152,18 @@ SettingsSection {
                 closed()
             }
             onClosed: section.page.sheetRequested(networkSheet)
+        }
+    }
+    Component {
+        id: rotationPicker
+        ListPicker {
+            title: qsTr("Screen rotation")
+            choices: section.rotations.map(degrees => ({ key: degrees, text: qsTr("%1°").arg(degrees) }))
+            current: ScreenRotation.degrees
+            onChosen: key => {
+                closed()
+                ScreenRotation.tryOut(key)
+            }
         }
     }
     Component {

@@ -177,6 +177,19 @@ Screen reportPlaces(const char* name)
         }};
 }
 
+// Opens the settings of the screen at standstill, then taps.
+Screen screenSetting(const char* name, const QStringList& taps)
+{
+    return {QString::fromLatin1(name), [taps](TestWindow& window) {
+                window.link().show(Situation::Stopped);
+                window.checkClock();
+                for (const char* tapped : {"nav_settings", "section0", "sectionSystem"})
+                    window.tap(QString::fromLatin1(tapped));
+                for (const QString& tapped : taps)
+                    window.tap(tapped);
+            }};
+}
+
 // Opens the sheet of the clock on a time service prepared by `prepare`, then taps.
 Screen clock(const char* name, const QStringList& taps, const std::function<void(TestWindow&)>& prepare)
 {
@@ -323,6 +336,9 @@ const QList<Screen>& allScreens()
              window.tap(QStringLiteral("section0"));
              window.tap(QStringLiteral("sectionSystem"));
          }},
+        screenSetting("settings-rotation", {QStringLiteral("setRotation")}),
+        screenSetting("settings-rotation-trial",
+                      {QStringLiteral("setRotation"), QStringLiteral("choice_180")}),
         clock("settings-clock", {}, [](TestWindow&) {}),
         clock("settings-clock-server", {}, [](TestWindow& window) { window.timeService().m_ntp = true; }),
         clock("settings-zone", {QStringLiteral("clockZone"), QStringLiteral("choice_Asia")},
@@ -593,6 +609,7 @@ void enterScreen(TestWindow& window, const Screen& screen)
     panel::Display& display = window.panel().display();
     while (display.wipeSeconds() > 0) // no taps during cleaning
         display.tick();
+    window.panel().rotation().goBack();
     window.closeDialogs();
     window.panel().settings().endFirstStart();
     forgetUsers(window);
