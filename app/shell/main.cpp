@@ -121,6 +121,7 @@ int runPanel(const shell::Options& options, const panel::SettingValues& configur
     shell::Panel panel(link, {{}, {}, configuration, keyFolder});
     panel.setClockUnset([] { return shell::isClockUnset(); });
     panel.update().setPlaces(panel::UpdatePlaces::ofService());
+    panel.touchCalibration().setPlaces(panel::TouchPlaces::ofService());
     hasFonts(); // reads all fonts while the QML is loading; the panel works without them
     if (options.connection)
         panel.settings().overrideConnection(*options.connection);

@@ -77,6 +77,7 @@ Panel::Panel(link::Link& link, const Storage& storage)
                nullptr)
     , m_display(m_machine, m_settings, nullptr)
     , m_rotation(m_machine, m_settings, nullptr)
+    , m_touchCalibration(m_machine, nullptr)
     , m_explanations({m_machine, m_editor, *m_maintenance.figures(), m_trends, m_stops}, nullptr)
     , m_plant({m_machine, m_alarms, m_stops}, m_trail, nullptr)
     , m_hasBroker(!storage.standard.text("gateway.host").isEmpty())
@@ -103,6 +104,7 @@ Panel::Panel(link::Link& link, const Storage& storage)
     connect(&m_stops, &panel::Stops::noted, &m_trail, &panel::AuditTrail::note);
     connect(&m_systemClock, &panel::SystemClock::noted, &m_trail, &panel::AuditTrail::note);
     connect(&m_systemNetwork, &panel::SystemNetwork::noted, &m_trail, &panel::AuditTrail::note);
+    connect(&m_touchCalibration, &panel::TouchCalibration::noted, &m_trail, &panel::AuditTrail::note);
     connect(&m_systemClock, &panel::SystemClock::moved, this, [this] { m_isClockSet = true; });
     connect(&m_update, &panel::SoftwareUpdate::noted, &m_trail, &panel::AuditTrail::note);
     connect(&m_update, &panel::SoftwareUpdate::ended, &m_trail, &panel::AuditTrail::noteOutside);
@@ -113,8 +115,8 @@ Panel::Panel(link::Link& link, const Storage& storage)
     m_engine.addImportPath(QStringLiteral("qrc:/qt/qml"));
     panel::attachToEngine(m_engine, m_access, m_alarms, m_audit, m_backup, m_commissioning, m_display,
                           m_machine, m_editor, m_explanations, m_records, m_recipes, m_maintenance, m_scan,
-                          m_bundle, m_rotation, m_settings, m_shiftReport, m_stops, m_systemClock, m_systemNetwork,
-                          m_trends, m_update);
+                          m_bundle, m_rotation, m_settings, m_shiftReport, m_stops, m_systemClock,
+                          m_systemNetwork, m_touchCalibration, m_trends, m_update);
     connect(&m_settings, &panel::Settings::languageChanged, this, &Panel::translate);
     translate();
     m_component.loadUrl(QUrl(QStringLiteral("qrc:/qt/qml/CamPanel/Frame/Main.qml")),
@@ -152,6 +154,7 @@ void Panel::open()
     m_access.open();
     m_trail.open();
     m_update.open();
+    m_touchCalibration.resume();
     if (m_hasBroker)
         m_plant.open(plant::panelSocketPath());
 }

@@ -11,6 +11,7 @@
 #include "app/panel/controller/controller.h"
 #include "app/panel/display/display.h"
 #include "app/panel/display/screen_rotation.h"
+#include "app/panel/display/touch_calibration.h"
 #include "app/panel/editor/editor.h"
 #include "app/panel/explain/explanations.h"
 #include "app/panel/library/recipes.h"
@@ -81,6 +82,7 @@ public:
     [[nodiscard]] panel::ShiftReport& shiftReport() { return m_shiftReport; }
     [[nodiscard]] panel::Display& display() { return m_display; }
     [[nodiscard]] panel::ScreenRotation& rotation() { return m_rotation; }
+    [[nodiscard]] panel::TouchCalibration& touchCalibration() { return m_touchCalibration; }
     [[nodiscard]] panel::ServiceBundle& bundle() { return m_bundle; }
     [[nodiscard]] panel::Explanations& explanations() { return m_explanations; }
     [[nodiscard]] QQmlEngine& engine() { return m_engine; }
@@ -130,6 +132,7 @@ private:
     panel::ServiceBundle m_bundle;
     panel::Display m_display;
     panel::ScreenRotation m_rotation;
+    panel::TouchCalibration m_touchCalibration;
     panel::Explanations m_explanations;
     panel::PlantFeed m_plant;
     bool m_hasBroker = false; // the configuration names one

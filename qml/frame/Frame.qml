@@ -34,7 +34,8 @@ Rectangle {
     readonly property url proof: "../Download/ProofSheet.qml"
     readonly property url morePages: "PagesSheet.qml"
     // The cover of everything but the command column, by its file; empty: none.
-    readonly property string cover: Display.wipeSeconds > 0 ? "CleaningMode.qml" : ScreenRotation.secondsLeft > 0 ? "TrialCover.qml" : ""
+    readonly property string cover: Display.wipeSeconds > 0 ? "CleaningMode.qml" : TouchCalibration.open ? "TouchCrosses.qml"
+        : ScreenRotation.secondsLeft > 0 || TouchCalibration.secondsLeft > 0 ? "TrialCover.qml" : ""
     readonly property bool covered: cover.length > 0
     property alias clockRuns: topBar.clockRuns
     property alias now: topBar.now
@@ -289,6 +290,12 @@ Rectangle {
     Loader {
         anchors { left: parent.left; right: commands.left; top: parent.top; bottom: parent.bottom }
         source: frame.cover
+    }
+    // Sees all touches, also those on the command column: those of a wrong calibration may be anywhere.
+    PointHandler {
+        enabled: TouchCalibration.crossIndex >= 0
+        acceptedDevices: PointerDevice.TouchScreen
+        onActiveChanged: if (active) TouchCalibration.touch(Qt.point(point.scenePosition.x / frame.Window.width, point.scenePosition.y / frame.Window.height))
     }
     Behavior on shift { NumberAnimation { duration: Theme.shortTime; easing.type: Easing.OutCubic } }
 }

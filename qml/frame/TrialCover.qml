@@ -9,6 +9,8 @@ import CamPanel.Panel
 Rectangle {
     id: cover
 
+    readonly property bool ofTouch: TouchCalibration.secondsLeft > 0
+
     color: Theme.color.surface
 
     MouseArea { anchors.fill: parent }
@@ -20,7 +22,7 @@ Rectangle {
             width: parent.width
             horizontalAlignment: Text.AlignHCenter
             wrapMode: Text.Wrap
-            text: qsTr("Keep this rotation?")
+            text: cover.ofTouch ? qsTr("Keep this calibration of the touchscreen?") : qsTr("Keep this rotation?")
             font { pixelSize: Theme.size.title; bold: true }
         }
         Label {
@@ -28,7 +30,7 @@ Rectangle {
             width: parent.width
             horizontalAlignment: Text.AlignHCenter
             wrapMode: Text.Wrap
-            text: qsTr("Without an answer the earlier one returns in %1 s.").arg(ScreenRotation.secondsLeft)
+            text: qsTr("Without an answer the earlier one returns in %1 s.").arg(cover.ofTouch ? TouchCalibration.secondsLeft : ScreenRotation.secondsLeft)
         }
         Row {
             anchors.horizontalCenter: parent.horizontalCenter
@@ -37,7 +39,7 @@ Rectangle {
                 objectName: "trialBack"
                 height: Theme.size.commandKey
                 text: qsTr("Go back")
-                onClicked: ScreenRotation.goBack()
+                onClicked: cover.ofTouch ? TouchCalibration.goBack() : ScreenRotation.goBack()
             }
             Button {
                 objectName: "trialKeep"
@@ -45,7 +47,7 @@ Rectangle {
                 kind: Button.Primary
                 glyph: Theme.icon.check
                 text: qsTr("Keep")
-                onClicked: ScreenRotation.keep()
+                onClicked: cover.ofTouch ? TouchCalibration.keep() : ScreenRotation.keep()
             }
         }
     }

@@ -2552,6 +2552,34 @@ Und %2 weitere.</translation>
         <source>%1°</source>
         <translation>%1°</translation>
     </message>
+    <message>
+        <source>Touchscreen</source>
+        <translation>Touchscreen</translation>
+    </message>
+    <message>
+        <source>calibrated</source>
+        <translation>kalibriert</translation>
+    </message>
+    <message>
+        <source>not calibrated</source>
+        <translation>nicht kalibriert</translation>
+    </message>
+    <message>
+        <source>Calibrate</source>
+        <translation>Kalibrieren</translation>
+    </message>
+    <message>
+        <source>touch four crosses; the panel restarts</source>
+        <translation>vier Kreuze berühren; das Panel startet neu</translation>
+    </message>
+    <message>
+        <source>Remove calibration</source>
+        <translation>Kalibrierung entfernen</translation>
+    </message>
+    <message>
+        <source>as before the first one; the panel restarts</source>
+        <translation>wie vor der ersten; das Panel startet neu</translation>
+    </message>
 </context>
 <context>
     <name>TextKeyboard</name>
@@ -3637,6 +3665,33 @@ Uhr nicht gestellt</translation>
     <message>
         <source>Keep</source>
         <translation>Behalten</translation>
+    </message>
+    <message>
+        <source>Keep this calibration of the touchscreen?</source>
+        <translation>Diese Kalibrierung des Touchscreens behalten?</translation>
+    </message>
+</context>
+<context>
+    <name>TouchCrosses</name>
+    <message>
+        <source>Touch the center of the cross.</source>
+        <translation>Die Mitte des Kreuzes berühren.</translation>
+    </message>
+    <message>
+        <source>Cross %1 of %2</source>
+        <translation>Kreuz %1 von %2</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Try again</source>
+        <translation>Erneut versuchen</translation>
     </message>
 </context>
 </TS>

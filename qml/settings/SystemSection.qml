@@ -29,6 +29,7 @@ SettingsSection {
     }
     Flickable {
         id: scroll
+        objectName: "systemScroll"
         anchors { fill: parent; topMargin: section.bodyTop }
         contentHeight: column.height
         clip: true
@@ -95,23 +96,41 @@ SettingsSection {
                     }
                 }
             }
-            SettingRow {
-                objectName: "setRotation"
+            Row {
+                id: screenRow
                 width: parent.width
-                enabled: ScreenRotation.blockedReason.length === 0
-                label: qsTr("Screen rotation")
-                value: qsTr("%1°").arg(ScreenRotation.degrees)
-                onClicked: {
-                    if (Access.ask(Access.Service))
-                        section.page.sheetRequested(rotationPicker)
+                spacing: Theme.size.gap
+                SettingRow {
+                    objectName: "setRotation"
+                    width: (screenRow.width - screenRow.spacing) / 2
+                    enabled: ScreenRotation.blockedReason.length === 0
+                    label: qsTr("Screen rotation")
+                    value: qsTr("%1°").arg(ScreenRotation.degrees)
+                    onClicked: {
+                        if (Access.ask(Access.Service))
+                            section.page.sheetRequested(rotationPicker)
+                    }
+                }
+                SettingRow {
+                    objectName: "setTouch"
+                    width: (screenRow.width - screenRow.spacing) / 2
+                    enabled: TouchCalibration.blockedReason.length === 0
+                    label: qsTr("Touchscreen")
+                    value: TouchCalibration.calibrated ? qsTr("calibrated") : qsTr("not calibrated")
+                    Component.onCompleted: TouchCalibration.watched = true
+                    Component.onDestruction: TouchCalibration.watched = false
+                    onClicked: {
+                        if (Access.ask(Access.Service))
+                            section.page.sheetRequested(touchPicker)
+                    }
                 }
             }
             Caption {
-                objectName: "rotationBlocked"
+                objectName: "screenBlocked"
                 visible: text.length > 0
                 wrapMode: Text.Wrap
                 fontSizeMode: Text.FixedSize
-                text: ScreenRotation.blockedReason
+                text: ScreenRotation.blockedReason.length > 0 ? ScreenRotation.blockedReason : TouchCalibration.blockedReason
             }
             Caption {
                 visible: !Display.adjustable
@@ -163,6 +182,23 @@ SettingsSection {
             onChosen: key => {
                 closed()
                 ScreenRotation.tryOut(key)
+            }
+        }
+    }
+    Component {
+        id: touchPicker
+        ListPicker {
+            readonly property var calibrate: ({ key: "calibrate", text: qsTr("Calibrate"), note: qsTr("touch four crosses; the panel restarts") })
+            readonly property var remove: ({ key: "remove", text: qsTr("Remove calibration"), note: qsTr("as before the first one; the panel restarts") })
+            title: qsTr("Touchscreen")
+            choices: TouchCalibration.calibrated ? [calibrate, remove] : [calibrate]
+            current: null
+            onChosen: key => {
+                closed()
+                if (key === "remove")
+                    TouchCalibration.remove()
+                else
+                    TouchCalibration.begin()
             }
         }
     }

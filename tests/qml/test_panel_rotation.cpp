@@ -31,10 +31,7 @@ class TestPanelRotation : public campanel::test::PanelTest {
             tap(name);
         QCOMPARE(rotation().secondsLeft(), campanel::panel::ScreenRotation::trialTimeS);
     }
-    [[nodiscard]] QSizeF sizeOfPanel()
-    {
-        return m_window->theme()->property("window").toSizeF();
-    }
+    [[nodiscard]] QSizeF sizeOfPanel() { return m_window->theme()->property("window").toSizeF(); }
 
 private slots:
     void touchesFollowThePanel()
@@ -92,7 +89,8 @@ private slots:
         QTRY_COMPARE(sizeOfPanel(), QSizeF(1024, 600));
         m_window->settle();
         QCOMPARE(rotation().degrees(), 90);
-        // A quarter turn clockwise: Stop, at the lower right of the panel, is at the lower left of the screen.
+        // A quarter turn clockwise: Stop, at the lower right of the panel, is at the lower left of the
+        // screen.
         const QPoint stop = centerOf(u"stopKey"_s);
         QVERIFY2(stop.x() < 300 && stop.y() > 900, qPrintable(u"%1, %2"_s.arg(stop.x()).arg(stop.y())));
         touch(centerOf(u"nav_motion"_s));

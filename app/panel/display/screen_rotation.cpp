@@ -63,7 +63,8 @@ int ScreenRotation::degrees() const
 
 QString ScreenRotation::blockedReason() const
 {
-    return m_machine.isMoving() ? tr("The machine is moving. Stop it before turning the screen.") : QString();
+    return m_machine.isMoving() ? tr("The machine is moving. Stop it before changing the screen.")
+                                : QString();
 }
 
 void ScreenRotation::tryOut(int degrees)
