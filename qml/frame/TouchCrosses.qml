@@ -26,11 +26,11 @@ Rectangle {
     Item {
         id: mark
         objectName: "touchCross"
-        readonly property bool right: TouchCalibration.crossIndex === 1 || TouchCalibration.crossIndex === 2
-        readonly property bool lower: TouchCalibration.crossIndex >= 2
+        readonly property bool atRight: TouchCalibration.crossIndex === 1 || TouchCalibration.crossIndex === 2
+        readonly property bool atBottom: TouchCalibration.crossIndex >= 2
         visible: cover.waits
-        x: right ? parent.width - width - Theme.size.gap : Theme.size.gap
-        y: lower ? parent.height - height - Theme.size.gap : Theme.size.gap
+        x: atRight ? parent.width - width - Theme.size.gap : Theme.size.gap
+        y: atBottom ? parent.height - height - Theme.size.gap : Theme.size.gap
         width: Theme.size.touch
         height: Theme.size.touch
         Rectangle {

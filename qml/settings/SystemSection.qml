@@ -116,7 +116,7 @@ SettingsSection {
                     width: (screenRow.width - screenRow.spacing) / 2
                     enabled: TouchCalibration.blockedReason.length === 0
                     label: qsTr("Touchscreen")
-                    value: TouchCalibration.calibrated ? qsTr("calibrated") : qsTr("not calibrated")
+                    value: !TouchCalibration.available ? "--" : TouchCalibration.calibrated ? qsTr("calibrated") : qsTr("not calibrated")
                     Component.onCompleted: TouchCalibration.watched = true
                     Component.onDestruction: TouchCalibration.watched = false
                     onClicked: {
