@@ -967,6 +967,10 @@
         <source>requested</source>
         <translation>angefordert</translation>
     </message>
+    <message>
+        <source>calibration of the touchscreen</source>
+        <translation>Kalibrierung des Touchscreens</translation>
+    </message>
 </context>
 <context>
     <name>BackupErrorText</name>
@@ -6012,6 +6016,10 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
         <source>time between scanned keys, ms</source>
         <translation>Zeit zwischen Tasten des Scanners, ms</translation>
     </message>
+    <message>
+        <source>screen rotation, degrees</source>
+        <translation>Bildschirmdrehung, Grad</translation>
+    </message>
 </context>
 <context>
     <name>campanel::panel::Trends</name>
@@ -6979,6 +6987,52 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
     <message>
         <source>Back from %1 to %2.</source>
         <translation>Von %1 zurück zu %2.</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::ScreenRotation</name>
+    <message>
+        <source>The machine is moving. Stop it before changing the screen.</source>
+        <translation>Die Maschine bewegt sich. Vor Änderungen am Bildschirm anhalten.</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::TouchCalibration</name>
+    <message>
+        <source>The calibration was not set. Read journalctl -u campanel-touch.</source>
+        <translation>Die Kalibrierung wurde nicht gesetzt. Siehe journalctl -u campanel-touch.</translation>
+    </message>
+    <message>
+        <source>The touchscreen is calibrated in the operating system of this computer.</source>
+        <translation>Der Touchscreen wird im Betriebssystem dieses Rechners kalibriert.</translation>
+    </message>
+    <message>
+        <source>This computer has no touchscreen.</source>
+        <translation>Dieser Rechner hat keinen Touchscreen.</translation>
+    </message>
+    <message>
+        <source>The machine is moving. Stop it before calibrating the touchscreen.</source>
+        <translation>Die Maschine bewegt sich. Vor dem Kalibrieren des Touchscreens anhalten.</translation>
+    </message>
+    <message>
+        <source>The panel closes, sets the calibration and comes back.</source>
+        <translation>Das Panel schließt, setzt die Kalibrierung und öffnet sich wieder.</translation>
+    </message>
+    <message>
+        <source>A cross was missed. Touch the center of each cross.</source>
+        <translation>Ein Kreuz wurde verfehlt. Die Mitte jedes Kreuzes berühren.</translation>
+    </message>
+    <message>
+        <source>The touches do not fit the screen. Touch each cross where it is shown.</source>
+        <translation>Die Berührungen passen nicht zum Bildschirm. Jedes Kreuz dort berühren, wo es steht.</translation>
+    </message>
+    <message>
+        <source>Not set: %1</source>
+        <translation>Nicht gesetzt: %1</translation>
+    </message>
+    <message>
+        <source>The earlier calibration of the touchscreen did not return. %1</source>
+        <translation>Die frühere Kalibrierung des Touchscreens kam nicht zurück. %1</translation>
     </message>
 </context>
 </TS>

@@ -967,6 +967,10 @@
         <source>requested</source>
         <translation>已请求</translation>
     </message>
+    <message>
+        <source>calibration of the touchscreen</source>
+        <translation>触摸屏校准</translation>
+    </message>
 </context>
 <context>
     <name>BackupErrorText</name>
@@ -6010,6 +6014,10 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
         <source>time between scanned keys, ms</source>
         <translation>扫码按键间隔，ms</translation>
     </message>
+    <message>
+        <source>screen rotation, degrees</source>
+        <translation>屏幕旋转，度</translation>
+    </message>
 </context>
 <context>
     <name>campanel::panel::Trends</name>
@@ -6977,6 +6985,52 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
     <message>
         <source>Back from %1 to %2.</source>
         <translation>已从 %1 恢复到 %2。</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::ScreenRotation</name>
+    <message>
+        <source>The machine is moving. Stop it before changing the screen.</source>
+        <translation>机器正在运动。更改屏幕设置前请先停机。</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::TouchCalibration</name>
+    <message>
+        <source>The calibration was not set. Read journalctl -u campanel-touch.</source>
+        <translation>未能设置校准。请查看 journalctl -u campanel-touch。</translation>
+    </message>
+    <message>
+        <source>The touchscreen is calibrated in the operating system of this computer.</source>
+        <translation>触摸屏在此计算机的操作系统中校准。</translation>
+    </message>
+    <message>
+        <source>This computer has no touchscreen.</source>
+        <translation>此计算机没有触摸屏。</translation>
+    </message>
+    <message>
+        <source>The machine is moving. Stop it before calibrating the touchscreen.</source>
+        <translation>机器正在运动。校准触摸屏前请先停机。</translation>
+    </message>
+    <message>
+        <source>The panel closes, sets the calibration and comes back.</source>
+        <translation>面板将关闭，设置校准后重新打开。</translation>
+    </message>
+    <message>
+        <source>A cross was missed. Touch the center of each cross.</source>
+        <translation>有一个十字未点中。请点击每个十字的中心。</translation>
+    </message>
+    <message>
+        <source>The touches do not fit the screen. Touch each cross where it is shown.</source>
+        <translation>触点与屏幕不符。请在十字显示处点击。</translation>
+    </message>
+    <message>
+        <source>Not set: %1</source>
+        <translation>未设置：%1</translation>
+    </message>
+    <message>
+        <source>The earlier calibration of the touchscreen did not return. %1</source>
+        <translation>未能恢复触摸屏的原校准。%1</translation>
     </message>
 </context>
 </TS>

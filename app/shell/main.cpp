@@ -122,6 +122,7 @@ int runPanel(const shell::Options& options, const panel::SettingValues& configur
     shell::Panel panel(link, {{}, {}, configuration, keyFolder});
     panel.setClockUnset([] { return shell::isClockUnset(); });
     panel.update().setPlaces(panel::UpdatePlaces::ofService());
+    panel.touchCalibration().setPlaces(panel::TouchPlaces::ofService());
     if (options.connection)
         panel.settings().overrideConnection(*options.connection);
     if (!options.language.isEmpty())

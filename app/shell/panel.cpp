@@ -10,12 +10,12 @@
 #include <QBuffer>
 #include <QCoreApplication>
 #include <QEventLoop>
-#include <QImage>
 #include <QInputDevice>
 #include <QLibraryInfo>
 #include <QLocale>
 #include <QLoggingCategory>
 #include <QStandardPaths>
+#include <QTransform>
 
 #include <algorithm>
 
@@ -83,6 +83,8 @@ Panel::Panel(link::Link& link, const Storage& storage)
                 *m_maintenance.frames()},
                nullptr)
     , m_display(m_machine, m_settings, nullptr)
+    , m_rotation(m_machine, m_settings, nullptr)
+    , m_touchCalibration(m_machine, nullptr)
     , m_explanations({m_machine, m_editor, *m_maintenance.figures(), m_trends, m_stops}, nullptr)
     , m_plant({m_machine, m_alarms, m_stops}, m_trail, nullptr)
     , m_hasBroker(!storage.standard.text("gateway.host").isEmpty())
@@ -96,7 +98,7 @@ Panel::Panel(link::Link& link, const Storage& storage)
         QByteArray png;
         QBuffer buffer(&png);
         if (m_window && buffer.open(QIODevice::WriteOnly))
-            m_window->grabWindow().save(&buffer, "PNG");
+            picture().save(&buffer, "PNG");
         return png;
     });
     m_alarms.watch().setTouchscreenCount(&countTouchscreens);
@@ -109,6 +111,7 @@ Panel::Panel(link::Link& link, const Storage& storage)
     connect(&m_stops, &panel::Stops::noted, &m_trail, &panel::AuditTrail::note);
     connect(&m_systemClock, &panel::SystemClock::noted, &m_trail, &panel::AuditTrail::note);
     connect(&m_systemNetwork, &panel::SystemNetwork::noted, &m_trail, &panel::AuditTrail::note);
+    connect(&m_touchCalibration, &panel::TouchCalibration::noted, &m_trail, &panel::AuditTrail::note);
     connect(&m_systemClock, &panel::SystemClock::moved, this, [this] { m_isClockSet = true; });
     connect(&m_update, &panel::SoftwareUpdate::noted, &m_trail, &panel::AuditTrail::note);
     connect(&m_update, &panel::SoftwareUpdate::ended, &m_trail, &panel::AuditTrail::noteOutside);
@@ -118,8 +121,8 @@ Panel::Panel(link::Link& link, const Storage& storage)
     });
     panel::attachToEngine(m_qml->engine, m_access, m_alarms, m_audit, m_backup, m_commissioning, m_display,
                           m_machine, m_editor, m_explanations, m_records, m_recipes, m_maintenance, m_scan,
-                          m_bundle, m_settings, m_shiftReport, m_stops, m_systemClock, m_systemNetwork,
-                          m_trends, m_update);
+                          m_bundle, m_rotation, m_settings, m_shiftReport, m_stops, m_systemClock,
+                          m_systemNetwork, m_touchCalibration, m_trends, m_update);
     connect(&m_settings, &panel::Settings::languageChanged, this, &Panel::translate);
     translate();
 }
@@ -157,6 +160,7 @@ void Panel::open()
     m_access.open();
     m_trail.open();
     m_update.open();
+    m_touchCalibration.resume();
     if (m_hasBroker)
         m_plant.open(plant::panelSocketPath());
 }
@@ -181,6 +185,11 @@ bool Panel::load(QSize size)
                qPrintable(m_pageMemory.left()));
     m_pageMemory.follow(*m_window);
     return true;
+}
+
+QImage Panel::picture()
+{
+    return m_window->grabWindow().transformed(QTransform().rotate(-m_rotation.degrees()));
 }
 
 void Panel::translate()

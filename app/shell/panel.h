@@ -10,6 +10,8 @@
 #include "app/panel/audit/audit_trail.h"
 #include "app/panel/controller/controller.h"
 #include "app/panel/display/display.h"
+#include "app/panel/display/screen_rotation.h"
+#include "app/panel/display/touch_calibration.h"
 #include "app/panel/editor/editor.h"
 #include "app/panel/explain/explanations.h"
 #include "app/panel/library/recipes.h"
@@ -30,6 +32,7 @@
 #include "app/shell/page_memory.h"
 
 #include <QElapsedTimer>
+#include <QImage>
 #include <QObject>
 #include <QQmlComponent>
 #include <QQmlEngine>
@@ -78,6 +81,8 @@ public:
     [[nodiscard]] panel::Commissioning& commissioning() { return m_commissioning; }
     [[nodiscard]] panel::ShiftReport& shiftReport() { return m_shiftReport; }
     [[nodiscard]] panel::Display& display() { return m_display; }
+    [[nodiscard]] panel::ScreenRotation& rotation() { return m_rotation; }
+    [[nodiscard]] panel::TouchCalibration& touchCalibration() { return m_touchCalibration; }
     [[nodiscard]] panel::ServiceBundle& bundle() { return m_bundle; }
     [[nodiscard]] panel::Explanations& explanations() { return m_explanations; }
     [[nodiscard]] QQmlEngine& engine() { return m_qml->engine; }
@@ -91,6 +96,8 @@ public:
     // were logged.
     [[nodiscard]] bool load(QSize size);
     [[nodiscard]] QQuickWindow& window() { return *m_window; }
+    // Returns the present picture, upright also on a rotated screen.
+    [[nodiscard]] QImage picture();
 
 signals:
     // Emitted when its data was replaced on the disk: the panel must be rebuilt.
@@ -131,6 +138,8 @@ private:
     panel::ShiftReport m_shiftReport;
     panel::ServiceBundle m_bundle;
     panel::Display m_display;
+    panel::ScreenRotation m_rotation;
+    panel::TouchCalibration m_touchCalibration;
     panel::Explanations m_explanations;
     panel::PlantFeed m_plant;
     bool m_hasBroker = false; // the configuration names one

@@ -29,7 +29,8 @@ Item {
     readonly property string answer: Controller.commandMessage.length > 0 ? Controller.commandMessage : Scan.notice.length > 0 ? Scan.notice
         : Settings.notice.length > 0 ? Settings.notice : Editor.notice.length > 0 ? Editor.notice
         : DatabaseService.notice.length > 0 ? DatabaseService.notice
-        : SoftwareUpdate.notice.length > 0 ? SoftwareUpdate.notice : startRefused ? Controller.startBlockedReason : ""
+        : SoftwareUpdate.notice.length > 0 ? SoftwareUpdate.notice
+        : TouchCalibration.notice.length > 0 ? TouchCalibration.notice : startRefused ? Controller.startBlockedReason : ""
     readonly property bool stopShown: Controller.stopWaits
     readonly property bool alarmShown: !above && !stopShown && answer.length === 0 && alarm.length > 0 && alarm !== putAside && !Alarms.seen
     readonly property bool shown: stopShown || (answer.length > 0 && !(above && answer === answerBelow)) || alarmShown
@@ -56,6 +57,7 @@ Item {
         Editor.dismissNotice()
         DatabaseService.dismissNotice()
         SoftwareUpdate.dismissNotice()
+        TouchCalibration.dismissNotice()
     }
 
     Timer {

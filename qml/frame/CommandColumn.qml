@@ -9,10 +9,10 @@ import CamPanel.Panel
 Item {
     id: column
 
+    property bool covered                  // during cleaning and a question about the screen; nothing may start
     signal startRefused()
 
     readonly property bool homes: Maintenance.homing.offered
-    readonly property bool wiping: Display.wipeSeconds > 0   // cleaning must not start anything
     readonly property bool between: Controller.faulted || homes
 
     implicitWidth: Theme.size.commandKey
@@ -22,7 +22,7 @@ Item {
         anchors { left: parent.left; right: parent.right; top: parent.top; bottom: stopKey.top; bottomMargin: column.between ? 2 * Theme.size.gap + Theme.size.commandKey : Theme.size.gap }
         glyph: Theme.icon.start
         text: qsTr("Start")
-        ready: Controller.canStart && !column.wiping
+        ready: Controller.canStart && !column.covered
         note: Controller.connection !== Controller.Connection.Connected ? qsTr("no connection")
             : holdMs === 0 ? "" : tooShort ? qsTr("hold longer") : qsTr("hold")
         holdMs: ready && Settings.startIsHeld ? 500 : 0
@@ -30,7 +30,7 @@ Item {
         onClicked: {
             if (ready && holdMs === 0)
                 Controller.start()
-            else if (!ready && !acted && !column.wiping)
+            else if (!ready && !acted && !column.covered)
                 column.startRefused()
         }
     }
@@ -39,7 +39,7 @@ Item {
         CommandKey {
             objectName: "middleKey"
             anchors { left: column.left; right: column.right; bottom: stopKey.top; bottomMargin: Theme.size.gap }
-            enabled: !column.wiping
+            enabled: !column.covered
             small: true
             glyph: column.homes ? Theme.icon.home : Theme.icon.resetFault
             text: column.homes ? Maintenance.homing.keyText : qsTr("Reset")

@@ -33,7 +33,10 @@ Rectangle {
     readonly property url download: "../Download/DownloadSheet.qml"
     readonly property url proof: "../Download/ProofSheet.qml"
     readonly property url morePages: "PagesSheet.qml"
-    readonly property bool wiped: Display.wipeSeconds > 0
+    // The cover of everything but the command column, by its file; empty: none.
+    readonly property string cover: Display.wipeSeconds > 0 ? "CleaningMode.qml" : TouchCalibration.open ? "TouchCrosses.qml"
+        : ScreenRotation.secondsLeft > 0 || TouchCalibration.secondsLeft > 0 ? "TrialCover.qml" : ""
+    readonly property bool covered: cover.length > 0
     property alias clockRuns: topBar.clockRuns
     property alias now: topBar.now
     property var sheet: null               // the open dialog
@@ -117,7 +120,7 @@ Rectangle {
 
     Item {
         id: pageArea
-        visible: !frame.wiped
+        visible: !frame.covered
         clip: true
         anchors { left: navigation.right; right: commands.left; top: topBar.bottom; bottom: parent.bottom }
 
@@ -169,7 +172,7 @@ Rectangle {
     }
     NavigationBar {
         id: navigation
-        visible: !frame.wiped
+        visible: !frame.covered
         anchors { left: parent.left; top: parent.top; bottom: parent.bottom }
         current: frame.page
         onChosen: page => frame.openPage(page)
@@ -177,7 +180,7 @@ Rectangle {
     }
     TopBar {
         id: topBar
-        visible: !frame.wiped
+        visible: !frame.covered
         // No navigation during the first start.
         anchors { left: firstStart.active ? parent.left : navigation.right; right: parent.right; top: parent.top }
     }
@@ -195,7 +198,7 @@ Rectangle {
     Item {
         id: overlay
         objectName: "overlay"
-        visible: !frame.wiped
+        visible: !frame.covered
         anchors { left: parent.left; right: commands.left; rightMargin: Theme.size.spacing; top: topBar.bottom; bottom: parent.bottom }
 
         Loader {
@@ -270,11 +273,12 @@ Rectangle {
         width: (above ? free : pageArea.x + pageArea.width - leftEdge) - 2 * Theme.size.gap
         // A narrow banner is higher.
         height: width < 0.75 * pageArea.width ? Math.round(1.5 * Theme.size.actionBar) : Theme.size.actionBar
-        visible: shown && !frame.wiped
+        visible: shown && !frame.covered
         onAlarmsRequested: frame.openPage("alarms")
     }
     CommandColumn {
         id: commands
+        covered: frame.covered
         anchors { right: parent.right; rightMargin: Theme.size.gap; top: topBar.bottom; bottom: parent.bottom; topMargin: Theme.size.gap; bottomMargin: Theme.size.gap }
         onStartRefused: {
             if (Scan.film.blockedReason.length > 0 && Controller.startBlockedReason === Scan.film.blockedReason)
@@ -285,8 +289,13 @@ Rectangle {
     }
     Loader {
         anchors { left: parent.left; right: commands.left; top: parent.top; bottom: parent.bottom }
-        active: frame.wiped
-        source: "CleaningMode.qml"
+        source: frame.cover
+    }
+    // Sees all touches, also those on the command column: those of a wrong calibration may be anywhere.
+    PointHandler {
+        enabled: TouchCalibration.crossIndex >= 0
+        acceptedDevices: PointerDevice.TouchScreen
+        onActiveChanged: if (active) TouchCalibration.touch(Qt.point(point.scenePosition.x / frame.Window.width, point.scenePosition.y / frame.Window.height))
     }
     Behavior on shift { NumberAnimation { duration: Theme.shortTime; easing.type: Easing.OutCubic } }
 }

@@ -16,14 +16,25 @@ Window {
     color: Theme.color.ground
     visible: false
 
-    Frame {
-        id: frame
-        anchors.fill: parent
-    }
-    Rectangle {
-        anchors.fill: parent
-        visible: Display.dark
-        color: "black"
+    // The platform plugins without a window system do not rotate a window. Touches follow the item.
+    Item {
+        id: turned
+        readonly property bool isAcross: ScreenRotation.degrees % 180 !== 0
+        x: (window.width - width) / 2
+        y: (window.height - height) / 2
+        width: isAcross ? window.height : window.width
+        height: isAcross ? window.width : window.height
+        rotation: ScreenRotation.degrees
+
+        Frame {
+            id: frame
+            anchors.fill: parent
+        }
+        Rectangle {
+            anchors.fill: parent
+            visible: Display.dark
+            color: "black"
+        }
     }
     Timer {
         id: nextTurn
@@ -38,7 +49,8 @@ Window {
     Binding { target: Theme; property: "name"; value: Settings.theme }
     Binding { target: Theme; property: "gloves"; value: Settings.gloves }
     Binding { target: Theme; property: "language"; value: Settings.language }
-    Binding { target: Theme; property: "window"; value: Qt.size(window.width, window.height) }
+    Binding { target: Theme; property: "window"; value: Qt.size(turned.width, turned.height) }
+    Binding { target: ScreenRotation; property: "screen"; value: Qt.size(window.width, window.height) }
     Binding {
         target: Theme
         property: "screenPixelsPerMm"

@@ -2563,6 +2563,42 @@ Und %2 weitere.</translation>
         <source>The brightness of this screen cannot be set here.</source>
         <translation>Die Helligkeit dieses Bildschirms ist hier nicht einstellbar.</translation>
     </message>
+    <message>
+        <source>Screen rotation</source>
+        <translation>Bildschirmdrehung</translation>
+    </message>
+    <message>
+        <source>%1°</source>
+        <translation>%1°</translation>
+    </message>
+    <message>
+        <source>Touchscreen</source>
+        <translation>Touchscreen</translation>
+    </message>
+    <message>
+        <source>calibrated</source>
+        <translation>kalibriert</translation>
+    </message>
+    <message>
+        <source>not calibrated</source>
+        <translation>nicht kalibriert</translation>
+    </message>
+    <message>
+        <source>Calibrate</source>
+        <translation>Kalibrieren</translation>
+    </message>
+    <message>
+        <source>touch four crosses; the panel restarts</source>
+        <translation>vier Kreuze berühren; das Panel startet neu</translation>
+    </message>
+    <message>
+        <source>Remove calibration</source>
+        <translation>Kalibrierung entfernen</translation>
+    </message>
+    <message>
+        <source>as before the first one; the panel restarts</source>
+        <translation>wie vor der ersten; das Panel startet neu</translation>
+    </message>
 </context>
 <context>
     <name>TextKeyboard</name>
@@ -3633,6 +3669,52 @@ Uhr nicht gestellt</translation>
     <message>
         <source>Update</source>
         <translation>Aktualisierung</translation>
+    </message>
+</context>
+<context>
+    <name>TrialCover</name>
+    <message>
+        <source>Keep this rotation?</source>
+        <translation>Diese Drehung behalten?</translation>
+    </message>
+    <message>
+        <source>Without an answer the earlier one returns in %1 s.</source>
+        <translation>Ohne Antwort gilt in %1 s wieder die frühere.</translation>
+    </message>
+    <message>
+        <source>Go back</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>Keep</source>
+        <translation>Behalten</translation>
+    </message>
+    <message>
+        <source>Keep this calibration of the touchscreen?</source>
+        <translation>Diese Kalibrierung des Touchscreens behalten?</translation>
+    </message>
+</context>
+<context>
+    <name>TouchCrosses</name>
+    <message>
+        <source>Touch the center of the cross.</source>
+        <translation>Die Mitte des Kreuzes berühren.</translation>
+    </message>
+    <message>
+        <source>Cross %1 of %2</source>
+        <translation>Kreuz %1 von %2</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Try again</source>
+        <translation>Erneut versuchen</translation>
     </message>
 </context>
 </TS>

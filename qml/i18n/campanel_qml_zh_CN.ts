@@ -2563,6 +2563,42 @@ And %2 more.</source>
         <source>The brightness of this screen cannot be set here.</source>
         <translation>此屏幕的亮度不能在这里调节。</translation>
     </message>
+    <message>
+        <source>Screen rotation</source>
+        <translation>屏幕旋转</translation>
+    </message>
+    <message>
+        <source>%1°</source>
+        <translation>%1°</translation>
+    </message>
+    <message>
+        <source>Touchscreen</source>
+        <translation>触摸屏</translation>
+    </message>
+    <message>
+        <source>calibrated</source>
+        <translation>已校准</translation>
+    </message>
+    <message>
+        <source>not calibrated</source>
+        <translation>未校准</translation>
+    </message>
+    <message>
+        <source>Calibrate</source>
+        <translation>校准</translation>
+    </message>
+    <message>
+        <source>touch four crosses; the panel restarts</source>
+        <translation>点击四个十字；面板将重启</translation>
+    </message>
+    <message>
+        <source>Remove calibration</source>
+        <translation>删除校准</translation>
+    </message>
+    <message>
+        <source>as before the first one; the panel restarts</source>
+        <translation>恢复首次校准前的状态；面板将重启</translation>
+    </message>
 </context>
 <context>
     <name>TextKeyboard</name>
@@ -3633,6 +3669,52 @@ clock not set</source>
     <message>
         <source>Update</source>
         <translation>更新</translation>
+    </message>
+</context>
+<context>
+    <name>TrialCover</name>
+    <message>
+        <source>Keep this rotation?</source>
+        <translation>保留此旋转方向？</translation>
+    </message>
+    <message>
+        <source>Without an answer the earlier one returns in %1 s.</source>
+        <translation>若不选择，%1 秒后恢复原设置。</translation>
+    </message>
+    <message>
+        <source>Go back</source>
+        <translation>恢复</translation>
+    </message>
+    <message>
+        <source>Keep</source>
+        <translation>保留</translation>
+    </message>
+    <message>
+        <source>Keep this calibration of the touchscreen?</source>
+        <translation>保留此触摸屏校准？</translation>
+    </message>
+</context>
+<context>
+    <name>TouchCrosses</name>
+    <message>
+        <source>Touch the center of the cross.</source>
+        <translation>请点击十字中心。</translation>
+    </message>
+    <message>
+        <source>Cross %1 of %2</source>
+        <translation>第 %1 个十字，共 %2 个</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>关闭</translation>
+    </message>
+    <message>
+        <source>Try again</source>
+        <translation>重试</translation>
     </message>
 </context>
 </TS>

@@ -12,6 +12,7 @@ SettingsSection {
 
     readonly property var brightnesses: Display.brightnessChoices
     readonly property var waits: Display.darkChoices
+    readonly property var rotations: ScreenRotation.choices
     property int field                     // of the network that is entered
 
     title: qsTr("Screen and system")
@@ -28,6 +29,7 @@ SettingsSection {
     }
     Flickable {
         id: scroll
+        objectName: "systemScroll"
         anchors { fill: parent; topMargin: section.bodyTop }
         contentHeight: column.height
         clip: true
@@ -94,6 +96,42 @@ SettingsSection {
                     }
                 }
             }
+            Row {
+                id: screenRow
+                width: parent.width
+                spacing: Theme.size.gap
+                SettingRow {
+                    objectName: "setRotation"
+                    width: (screenRow.width - screenRow.spacing) / 2
+                    enabled: ScreenRotation.blockedReason.length === 0
+                    label: qsTr("Screen rotation")
+                    value: qsTr("%1°").arg(ScreenRotation.degrees)
+                    onClicked: {
+                        if (Access.ask(Access.Service))
+                            section.page.sheetRequested(rotationPicker)
+                    }
+                }
+                SettingRow {
+                    objectName: "setTouch"
+                    width: (screenRow.width - screenRow.spacing) / 2
+                    enabled: TouchCalibration.blockedReason.length === 0
+                    label: qsTr("Touchscreen")
+                    value: !TouchCalibration.available ? "--" : TouchCalibration.calibrated ? qsTr("calibrated") : qsTr("not calibrated")
+                    Component.onCompleted: TouchCalibration.watched = true
+                    Component.onDestruction: TouchCalibration.watched = false
+                    onClicked: {
+                        if (Access.ask(Access.Service))
+                            section.page.sheetRequested(touchPicker)
+                    }
+                }
+            }
+            Caption {
+                objectName: "screenBlocked"
+                visible: text.length > 0
+                wrapMode: Text.Wrap
+                fontSizeMode: Text.FixedSize
+                text: ScreenRotation.blockedReason.length > 0 ? ScreenRotation.blockedReason : TouchCalibration.blockedReason
+            }
             Caption {
                 visible: !Display.adjustable
                 wrapMode: Text.Wrap
@@ -133,6 +171,35 @@ SettingsSection {
                 closed()
             }
             onClosed: section.page.sheetRequested(networkSheet)
+        }
+    }
+    Component {
+        id: rotationPicker
+        ListPicker {
+            title: qsTr("Screen rotation")
+            choices: section.rotations.map(degrees => ({ key: degrees, text: qsTr("%1°").arg(degrees) }))
+            current: ScreenRotation.degrees
+            onChosen: key => {
+                closed()
+                ScreenRotation.tryOut(key)
+            }
+        }
+    }
+    Component {
+        id: touchPicker
+        ListPicker {
+            readonly property var calibrate: ({ key: "calibrate", text: qsTr("Calibrate"), note: qsTr("touch four crosses; the panel restarts") })
+            readonly property var remove: ({ key: "remove", text: qsTr("Remove calibration"), note: qsTr("as before the first one; the panel restarts") })
+            title: qsTr("Touchscreen")
+            choices: TouchCalibration.calibrated ? [calibrate, remove] : [calibrate]
+            current: null
+            onChosen: key => {
+                closed()
+                if (key === "remove")
+                    TouchCalibration.remove()
+                else
+                    TouchCalibration.begin()
+            }
         }
     }
     Component {

@@ -4,6 +4,7 @@
 
 #include "app/panel/settings/languages.h"
 #include "tests/looks/screen_lists.h"
+#include "tests/support/fake_package.h"
 
 #include <QDir>
 #include <QFile>
@@ -177,6 +178,56 @@ Screen reportPlaces(const char* name)
         }};
 }
 
+// A small screen has no room for all settings of the screen.
+void scrollDown(TestWindow& window)
+{
+    QQuickItem* view = window.find(QStringLiteral("systemScroll"));
+    if (view)
+        view->setProperty("contentY",
+                          std::max(0.0, view->property("contentHeight").toDouble() - view->height()));
+    window.settle();
+}
+
+// Opens the settings of the screen at standstill, then taps.
+Screen screenSetting(const char* name, const QStringList& taps)
+{
+    return {QString::fromLatin1(name), [taps](TestWindow& window) {
+                window.link().show(Situation::Stopped);
+                window.checkClock();
+                for (const char* tapped : {"nav_settings", "section0", "sectionSystem"})
+                    window.tap(QString::fromLatin1(tapped));
+                scrollDown(window);
+                for (const QString& tapped : taps)
+                    window.tap(tapped);
+            }};
+}
+
+// Leaves a calibration that nobody has kept yet.
+void calibrate(TestWindow& window)
+{
+    const QByteArray matrix = "1.020000 0.000000 -0.010000 0.000000 1.010000 -0.005000";
+    if (!test::writeFile(window.touchFolder() + u"/rule"_s,
+                         "ENV{LIBINPUT_CALIBRATION_MATRIX}=\"" + matrix + "\"\n") ||
+        !test::writeFile(window.touchFolder() + u"/trial"_s, "none\n" + matrix + '\n'))
+        qWarning("the demonstration's calibration cannot be written");
+}
+
+// Opens the settings of the screen when the touchscreen's state is known, then taps.
+Screen touchscreen(
+    const char* name, const QStringList& taps,
+    const std::function<void(TestWindow&)>& prepare = [](TestWindow&) {})
+{
+    return {QString::fromLatin1(name), [taps, prepare](TestWindow& window) {
+                prepare(window);
+                screenSetting("", {}).enter(window);
+                window.waitUntil(window.panel().touchCalibration(), &panel::TouchCalibration::changed,
+                                 [](const panel::TouchCalibration& touch) { return touch.isAsked(); });
+                scrollDown(window);
+                for (const QString& tapped : taps)
+                    window.tap(tapped);
+            }};
+}
+
 // Opens the sheet of the clock on a time service prepared by `prepare`, then taps.
 Screen clock(const char* name, const QStringList& taps, const std::function<void(TestWindow&)>& prepare)
 {
@@ -323,6 +374,29 @@ const QList<Screen>& allScreens()
              window.tap(QStringLiteral("section0"));
              window.tap(QStringLiteral("sectionSystem"));
          }},
+        screenSetting("settings-rotation", {QStringLiteral("setRotation")}),
+        screenSetting("settings-rotation-trial",
+                      {QStringLiteral("setRotation"), QStringLiteral("choice_180")}),
+        touchscreen("settings-touch", {QStringLiteral("setTouch")}, &calibrate),
+        touchscreen("settings-touch-cross", {QStringLiteral("setTouch"), QStringLiteral("choice_calibrate")}),
+        {QStringLiteral("settings-touch-missed"),
+         [](TestWindow& window) {
+             touchscreen("", {QStringLiteral("setTouch"), QStringLiteral("choice_calibrate")}).enter(window);
+             for (const double x : {0.1, 0.8, 0.5, 0.1})
+                 window.panel().touchCalibration().touch({x, x});
+             window.settle();
+         }},
+        {QStringLiteral("settings-touch-trial"),
+         [](TestWindow& window) {
+             calibrate(window);
+             window.panel().touchCalibration().resume();
+             window.settle();
+         }},
+        touchscreen("settings-touch-none", {},
+                    [](TestWindow& window) {
+                        window.panel().touchCalibration().setBus(
+                            {[] { return QDBusConnection(QStringLiteral("nowhere")); }, {}});
+                    }),
         clock("settings-clock", {}, [](TestWindow&) {}),
         clock("settings-clock-server", {}, [](TestWindow& window) { window.timeService().m_ntp = true; }),
         clock("settings-zone", {QStringLiteral("clockZone"), QStringLiteral("choice_Asia")},
@@ -593,6 +667,10 @@ void enterScreen(TestWindow& window, const Screen& screen)
     panel::Display& display = window.panel().display();
     while (display.wipeSeconds() > 0) // no taps during cleaning
         display.tick();
+    window.panel().rotation().goBack();
+    window.panel().touchCalibration().keep();
+    window.panel().touchCalibration().cancel();
+    QFile::remove(window.touchFolder() + u"/rule"_s);
     window.closeDialogs();
     window.panel().settings().endFirstStart();
     forgetUsers(window);

@@ -58,6 +58,7 @@ TestWindow::TestWindow(const Variant& variant)
     m_panel.systemClock().setBus(m_timeBus.bus());
     m_panel.systemNetwork().setBus(m_networkBus.bus());
     setUpUpdate();
+    setUpTouch();
     checkClock();
     m_isReady = m_panel.load(variant.size);
     if (!m_isReady)
@@ -90,6 +91,18 @@ void TestWindow::setUpUpdate()
     update.setScanner([folder = stick()](const QString&) {
         return QList<store::Place>{{folder, QStringLiteral("KINGSTON"), false, true}};
     });
+}
+
+// The computer has one touchscreen, which is not calibrated.
+void TestWindow::setUpTouch()
+{
+    const QString device = touchFolder() + QStringLiteral("/devices/c13:64");
+    if (!test::writeFile(device, "E:ID_INPUT=1\nE:ID_INPUT_TOUCHSCREEN=1\n"))
+        qWarning("the demonstration's touchscreen cannot be written");
+    panel::TouchCalibration& touch = m_panel.touchCalibration();
+    touch.setPlaces({m_folder.filePath(QStringLiteral("run")), touchFolder(),
+                     touchFolder() + QStringLiteral("/rule"), touchFolder() + QStringLiteral("/devices")});
+    touch.setBus(m_unitBus.bus());
 }
 
 constexpr int maxInputGroups = 7;

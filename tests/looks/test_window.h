@@ -39,6 +39,8 @@ public:
     [[nodiscard]] QString stick() const { return m_folder.filePath(QStringLiteral("KINGSTON")); }
     [[nodiscard]] const store::SigningKey& signer() const { return m_signer; }
     [[nodiscard]] QString updateState() const { return m_folder.filePath(QStringLiteral("update-state")); }
+    // The folder of the touchscreen's files: the rule of its calibration is "rule", see TouchPlaces.
+    [[nodiscard]] QString touchFolder() const { return m_folder.filePath(QStringLiteral("touch")); }
     [[nodiscard]] shell::Panel& panel() { return m_panel; }
 
     using TouchDriver::tap;
@@ -75,6 +77,7 @@ public:
 
 private:
     void setUpUpdate();
+    void setUpTouch();
     template <typename Files> void waitUntilIdle(Files& files);
 
     QTemporaryDir m_folder;

@@ -12,13 +12,13 @@
 
 namespace campanel::test {
 
-// org.freedesktop.systemd1.Manager with one unit.
+// org.freedesktop.systemd1.Manager with the units that the panel may start.
 class UnitService : public QObject, protected QDBusContext {
     Q_OBJECT
     Q_CLASSINFO("D-Bus Interface", "org.freedesktop.systemd1.Manager")
 
 public:
-    QString m_fileState = QStringLiteral("enabled"); // empty: there is no such unit
+    QString m_fileState = QStringLiteral("enabled"); // empty: there are no such units
     bool m_isForbidden = false;
     QStringList m_started;
     std::function<void()> m_work; // of the unit
@@ -26,7 +26,9 @@ public:
 public slots:
     QString GetUnitFileState(const QString& unit)
     {
-        if (m_fileState.isEmpty() || unit != QStringLiteral("campanel-update.service"))
+        const QStringList units{QStringLiteral("campanel-update.service"),
+                                QStringLiteral("campanel-touch.service")};
+        if (m_fileState.isEmpty() || !units.contains(unit))
             sendErrorReply(QStringLiteral("org.freedesktop.DBus.Error.FileNotFound"),
                            QStringLiteral("No such file or directory"));
         return m_fileState;

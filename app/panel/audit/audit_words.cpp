@@ -95,6 +95,7 @@ constexpr std::array objectWords{
     Word{"time_zone", QT_TRANSLATE_NOOP("AuditWords", "time zone")},
     Word{"time_server", QT_TRANSLATE_NOOP("AuditWords", "time server")},
     Word{"network_address", QT_TRANSLATE_NOOP("AuditWords", "network address")},
+    Word{"touchscreen", QT_TRANSLATE_NOOP("AuditWords", "calibration of the touchscreen")},
     Word{"simulated_faults", QT_TRANSLATE_NOOP("AuditWords", "simulated faults")},
 };
 

@@ -113,6 +113,15 @@ inline constexpr std::array settingTable{
                .help = "Width and height of the window in pixels. The kiosk always fills the screen."},
     SettingRow{
         .name = "display.fullscreen", .standard = "false", .help = "Fill the screen of a desktop as well."},
+    SettingRow{.name = "display.rotation",
+               .key = "display/rotation",
+               .form = SettingForm::Choice,
+               .choices = "0 90 180 270",
+               .standard = "0",
+               .level = Level::Service,
+               .label = QT_TRANSLATE_NOOP("campanel::panel::Settings", "screen rotation, degrees"),
+               .help = "Rotation of the panel on its screen in degrees, clockwise. On a screen that is wider "
+                       "than high 0 or 180, on another 90 or 270; a value that does not fit is replaced."},
     SettingRow{.name = "display.brightness",
                .key = "display/brightness",
                .form = SettingForm::Choice,

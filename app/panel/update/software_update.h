@@ -15,6 +15,9 @@
 
 #include <chrono>
 
+class QJSEngine;
+class QQmlEngine;
+
 namespace campanel::panel {
 
 class Controller;

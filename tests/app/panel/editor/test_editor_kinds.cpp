@@ -3,6 +3,7 @@
 #include "app/panel/explain/explanations.h"
 #include "app/panel/maintenance/line_figures.h"
 #include "app/panel/recipe/choice_model.h"
+#include "app/panel/stops/stops.h"
 #include "profile/laws/laws.h"
 #include "tests/app/panel/kind_steps.h"
 #include "tests/support/test_program.h"
