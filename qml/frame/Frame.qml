@@ -291,11 +291,15 @@ Rectangle {
         anchors { left: parent.left; right: commands.left; top: parent.top; bottom: parent.bottom }
         source: frame.cover
     }
-    // Sees all touches, also those on the command column: those of a wrong calibration may be anywhere.
-    PointHandler {
-        enabled: TouchCalibration.crossIndex >= 0
-        acceptedDevices: PointerDevice.TouchScreen
-        onActiveChanged: if (active) TouchCalibration.touch(Qt.point(point.scenePosition.x / frame.Window.width, point.scenePosition.y / frame.Window.height))
+    // Sees all touches first and leaves them to what is below, also those on the command column: those of a wrong calibration
+    // may be anywhere.
+    Item {
+        anchors.fill: parent
+        PointHandler {
+            enabled: TouchCalibration.crossIndex >= 0
+            acceptedDevices: PointerDevice.TouchScreen
+            onActiveChanged: if (active) TouchCalibration.touch(Qt.point(point.scenePosition.x / frame.Window.width, point.scenePosition.y / frame.Window.height))
+        }
     }
     Behavior on shift { NumberAnimation { duration: Theme.shortTime; easing.type: Easing.OutCubic } }
 }
