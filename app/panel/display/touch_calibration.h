@@ -32,7 +32,7 @@ class TouchCalibration : public campanel::panel::SystemService {
     Q_PROPERTY(int crossCount READ crossCount CONSTANT FINAL)
     // The place of that cross, in shares of the screen from its upper left corner as it is wired.
     Q_PROPERTY(QPointF cross MEMBER m_cross NOTIFY crossChanged FINAL)
-    // What came of the crosses.
+    // The result of the crosses.
     Q_PROPERTY(QString message READ message NOTIFY changed FINAL)
     Q_PROPERTY(bool failed READ failed NOTIFY changed FINAL)
     // The remaining seconds of the question whether the new calibration stays; 0: there is no question.
