@@ -6,6 +6,7 @@ import QtQuick
 import CamPanel.Theme
 import CamPanel.Controls
 import CamPanel.Panel
+import CamPanel.Parts
 
 Sheet {
     id: sheet
@@ -104,9 +105,8 @@ Sheet {
                         }
                     }
                 }
-                MouseArea {
-                    anchors.fill: parent
-                    pressAndHoldInterval: Theme.longPressTime
+                Explained {
+                    quantities: []
                     onPressAndHold: sheet.explainRequested(Explanations.ofVerdict())
                 }
             }

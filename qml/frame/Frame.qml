@@ -295,8 +295,8 @@ Rectangle {
     // may be anywhere.
     Item {
         anchors.fill: parent
+        enabled: TouchCalibration.crossIndex >= 0
         PointHandler {
-            enabled: TouchCalibration.crossIndex >= 0
             acceptedDevices: PointerDevice.TouchScreen
             onActiveChanged: if (active) TouchCalibration.touch(Qt.point(point.scenePosition.x / frame.Window.width, point.scenePosition.y / frame.Window.height))
         }

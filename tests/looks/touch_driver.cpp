@@ -51,7 +51,10 @@ QQuickItem* pressedAt(QQuickItem& below, const QPointF& scene)
         if (QQuickItem* found = pressedAt(**child, scene))
             return found;
     }
-    return below.acceptedMouseButtons() != Qt::NoButton && below.contains(at) ? &below : nullptr;
+    // A PointHandler sees a press and leaves it to what is below.
+    const bool onlySees = std::ranges::any_of(
+        below.children(), [](const QObject* child) { return child->inherits("QQuickPointHandler"); });
+    return below.acceptedMouseButtons() != Qt::NoButton && !onlySees && below.contains(at) ? &below : nullptr;
 }
 
 QString accessibleName(QQuickItem& item)

@@ -78,7 +78,6 @@ private slots:
         m_window->type(u"1.5"_s);
         tap("keypadAccept");
         QCOMPARE(mode(), RatioMode::ByHand);
-        openRatios();
         tap("ratioGentle");
         QCOMPARE(mode(), RatioMode::Gentle);
     }
