@@ -99,6 +99,9 @@ QString whyUnreadable(const QByteArray& line)
     QString rest = QString::fromUtf8(line);
     if (rest.toUtf8() != line)
         return u"not UTF-8"_s;
+    // What such a text contains could not be told from what follows it, line by line.
+    if (rest.contains(u"\"\"\""_s) || rest.contains(u"'''"_s))
+        return u"a text of several lines"_s;
     rest.replace(textOrComment, u"\\1\\2"_s);
     if (namelessSection.match(rest).hasMatch())
         return u"a section without a name"_s;

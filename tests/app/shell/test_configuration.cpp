@@ -274,6 +274,8 @@ screen = "linuxfb"
                                  "unit = [}",
                                  "unit = [1, }",
                                  "unit = 1979-05-27T\x01:32:00Z",
+                                 "port = \"\"\"",
+                                 "port = '''/dev/ttyS1'''",
                                  "}"})
             QTest::addRow("%s", line) << QByteArray(line);
     }
