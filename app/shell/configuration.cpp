@@ -86,16 +86,19 @@ bool isSection(std::string_view name)
     });
 }
 
-// Returns why a line is not given to toml++ 3.3; empty when it is safe. The parser assumes that a section's
-// bracket is followed by a name, that no brace ends a list, that a date's T is followed by a time, and that some
-// letters are not where a space could be. Otherwise a debug build aborts, and the behavior of a release build is undefined.
+// Returns why a line is not given to toml++ 3.3; empty when it is safe. The parser assumes much of what follows
+// a value or a bracket: otherwise a debug build aborts, and the behavior of a release build is undefined. So
+// a line has keys, texts, numbers, lists and sections, each where it can be, and nothing else of TOML.
 QString whyUnreadable(const QByteArray& line)
 {
     // A text is reduced to its first quote, a comment to nothing.
     static const QRegularExpression textOrComment(uR"((")(?:\\.?|[^"\\])*+"?|(')[^']*+'?|#.*)"_s);
     static const QRegularExpression namelessSection(uR"(^[ \t]*\[[ \t]*+\[?+[ \t]*+(?![A-Za-z0-9_"'-]))"_s);
     static const QRegularExpression misplacedBrace(uR"((?:^|[\[,])[ \t]*\})"_s);
-    static const QRegularExpression dateWithoutTime(uR"(\d-\d\d[Tt ](?!\d))"_s);
+    static const QRegularExpression noMark(uR"([^\w.+\-=\[\]{},"' \t\r])"_s);
+    static const QRegularExpression date(uR"(\d-\d)"_s);
+    static const QRegularExpression twoValues(
+        uR"([\w.+-][ \t]+[\w.+-]|["'\]}][ \t]*[\w.+-]|[\w.+\-"'\]}][ \t]*[\[{"'])"_s);
     QString rest = QString::fromUtf8(line);
     if (rest.toUtf8() != line)
         return u"not UTF-8"_s;
@@ -103,14 +106,18 @@ QString whyUnreadable(const QByteArray& line)
     if (rest.contains(u"\"\"\""_s) || rest.contains(u"'''"_s))
         return u"a text of several lines"_s;
     rest.replace(textOrComment, u"\\1\\2"_s);
-    if (namelessSection.match(rest).hasMatch())
-        return u"a section without a name"_s;
     if (std::any_of(rest.begin(), rest.end(), [](QChar letter) { return letter.unicode() >= 0x80; }))
         return u"letters other than a to z are for texts in quotes and for comments"_s;
+    if (namelessSection.match(rest).hasMatch())
+        return u"a section without a name"_s;
     if (misplacedBrace.match(rest).hasMatch())
         return u"a brace that ends nothing"_s;
-    if (dateWithoutTime.match(rest).hasMatch())
-        return u"a date without its time"_s;
+    if (const auto mark = noMark.match(rest); mark.hasMatch())
+        return u"%1 is for texts in quotes"_s.arg(store::printable(mark.captured()));
+    if (date.match(rest).hasMatch())
+        return u"no setting is a date"_s;
+    if (twoValues.match(rest).hasMatch())
+        return u"a comma or = is missing"_s;
     return {};
 }
 
@@ -125,14 +132,17 @@ public:
 
     ReadConfiguration read()
     {
+        int broken = 0;
         for (qsizetype i = 0; i < m_lines.size(); ++i) {
-            if (const QString why = whyUnreadable(m_lines[i]); !why.isEmpty())
+            if (const QString why = whyUnreadable(m_lines[i]); !why.isEmpty()) {
                 dropLine(static_cast<toml::source_index>(i + 1), why);
+                ++broken;
+            }
         }
         // The maximum number of invalid lines. Each invalid line is removed and the rest is read again; a
         // file with many of them is not a configuration.
         constexpr int maxBrokenLines = 50;
-        for (int broken = 0; broken < maxBrokenLines; ++broken) {
+        for (; broken < maxBrokenLines; ++broken) {
             const QByteArray text = m_lines.join('\n');
             const toml::parse_result parsed =
                 toml::parse(std::string_view(text.constData(), size_t(text.size())));

@@ -274,6 +274,10 @@ screen = "linuxfb"
                                  "unit = [}",
                                  "unit = [1, }",
                                  "unit = 1979-05-27T\x01:32:00Z",
+                                 "unit = [1 2]",
+                                 "unit = [n}n[a]",
+                                 "port = \"/dev/ttyS1\" {",
+                                 "port = /dev/ttyS1",
                                  "port = \"\"\"",
                                  "port = '''/dev/ttyS1'''",
                                  "}"})
