@@ -54,8 +54,19 @@ private slots:
     {
         m_folder = std::make_unique<QTemporaryDir>();
         addProgram(u"udevadm"_s);
+        QVERIFY(campanel::test::writeFile(path(u"run/udev/control"_s), {}));
         addProgram(u"systemctl"_s);
         addProgram(u"setpriv"_s, "while [ \"${1#--}\" != \"$1\" ]; do shift; done\nexec \"$@\"\n");
+    }
+
+    void withoutUdevTheKioskIsRestarted()
+    {
+        QVERIFY(QFile::remove(path(u"run/udev/control"_s)));
+        QCOMPARE(run("0.000000 1.000000 0.000000 -1.000000 0.000000 1.000000\n"), 0);
+        QVERIFY(!rule().isEmpty());
+        const QByteArray calls = read(u"calls"_s);
+        QVERIFY(!calls.contains("udevadm"));
+        QVERIFY(calls.contains("systemctl --no-block try-restart campanel-kiosk.service"));
     }
 
     void sixNumbersBecomeARule()
