@@ -10,13 +10,12 @@
 #include "app/panel/maintenance/maintenance.h"
 #include "app/panel/records/database_service.h"
 #include "app/panel/settings/settings.h"
+#include "tests/e2e/confirmed_facts.h"
 #include "tests/support/test_program.h"
 
 #include <QCoreApplication>
 #include <QDir>
 #include <QTimer>
-
-#include <cstdio>
 
 namespace downloading_panel {
 
@@ -29,12 +28,6 @@ constexpr std::chrono::milliseconds rest{20};
 constexpr double shortestMm = 200;
 constexpr double longestMm = 230;
 constexpr double rateBagsPerMin = 180;
-
-void say(const char* what, const QString& value)
-{
-    std::printf("%s %s\n", what, qPrintable(value));
-    std::fflush(stdout);
-}
 
 } // namespace
 
@@ -53,21 +46,10 @@ static int downloadingPanel(int argc, char** argv)
     panel::AuditTrail trail(records, {machine, editor, settings, maintenance, access}, nullptr);
 
     QObject::connect(&recipes, &panel::Recipes::noted, &trail, &panel::AuditTrail::note);
-    QObject::connect(&recipes, &panel::Recipes::noted,
-                     [](const store::AuditEntry& entry) { say("recipe", entry.readBack.section(u' ', 1)); });
-    QObject::connect(&trail, &panel::AuditTrail::appended, [](const store::AuditRow& row) {
-        say("audit", QString::number(row.sequence));
-        // "generation 7 · CRC-32 1A2B3C4D"
-        if (row.entry.what == u"program.download" && row.entry.outcome == u"done")
-            say("program",
-                row.entry.readBack.section(u' ', 1, 1) + u' ' + row.entry.readBack.section(u' ', -1));
-    });
+    test::sayConfirmed(recipes, trail, editor);
     bool isUnderWay = false;
     QObject::connect(&editor, &Editor::downloadEnded, [&] { isUnderWay = false; });
-    QObject::connect(&editor, &Editor::downloadBegun, [&](const program::ProgramImage& image) {
-        isUnderWay = true;
-        say("begun", QString::number(image.crc, 16).toUpper().rightJustified(8, u'0'));
-    });
+    QObject::connect(&editor, &Editor::downloadBegun, [&] { isUnderWay = true; });
     QTimer next;
     next.callOnTimeout(&application, [&] {
         if (!machine.isConnected() || isUnderWay)

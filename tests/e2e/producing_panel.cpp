@@ -6,6 +6,7 @@
 #include "app/shell/fonts.h"
 #include "app/shell/panel.h"
 #include "app/store/logs/bag_log.h"
+#include "tests/e2e/confirmed_facts.h"
 #include "tests/support/full_disk.h"
 #include "tests/support/test_program.h"
 
@@ -16,7 +17,6 @@
 #include <QTimer>
 
 #include <atomic>
-#include <cstdio>
 #include <ctime>
 #include <optional>
 #include <sys/syscall.h>
@@ -58,17 +58,6 @@ constexpr std::chrono::milliseconds reportInterval{500};
 constexpr double shortestMm = 200;
 constexpr int lengths = 60;
 constexpr double rateBagsPerMin = 30;
-
-void say(const QString& line)
-{
-    std::printf("%s\n", qPrintable(line));
-    std::fflush(stdout);
-}
-
-QString hex(std::uint32_t crc)
-{
-    return QString::number(crc, 16).toUpper().rightJustified(8, u'0');
-}
 
 // Returns the memory of this process in KiB.
 QString residentKb()
@@ -131,22 +120,12 @@ private:
 // Prints each confirmed fact.
 void report(shell::Panel& panel)
 {
-    QObject::connect(&panel.recipes(), &panel::Recipes::noted, [](const store::AuditEntry& entry) {
-        say(QStringLiteral("recipe ") + entry.readBack.section(u' ', 1));
-    });
-    QObject::connect(&panel.trail(), &panel::AuditTrail::appended, [](const store::AuditRow& row) {
-        say(QStringLiteral("audit %1").arg(row.sequence));
-        if (row.entry.what == u"program.download" && row.entry.outcome == u"done")
-            say(QStringLiteral("program %1 %2").arg(row.entry.readBack.section(u' ', 1, 1),
-                                                    row.entry.readBack.section(u' ', -1)));
-    });
-    QObject::connect(&panel.editor(), &panel::Editor::downloadBegun,
-                     [](const program::ProgramImage& image) {
-                         say(QStringLiteral("begun ") + hex(image.crc));
-                     });
+    test::sayConfirmed(panel.recipes(), panel.trail(), panel.editor());
     QObject::connect(&panel.machine(), &Controller::programChanged, [&panel] {
         if (const auto& status = panel.machine().status(); status && status->activeCrc)
-            say(QStringLiteral("active %1 %2").arg(status->generation).arg(hex(*status->activeCrc)));
+            test::say(QStringLiteral("active %1 %2")
+                          .arg(status->generation)
+                          .arg(test::crcText(*status->activeCrc)));
     });
 }
 
@@ -156,7 +135,7 @@ void reportBags(shell::Panel& panel)
         &panel, [](store::Database& database) { return store::BagLog(database).count(); },
         [](const tl::expected<qint64, store::StoreError>& count) {
             if (count)
-                say(QStringLiteral("bags %1 %2").arg(*count).arg(residentKb()));
+                test::say(QStringLiteral("bags %1 %2").arg(*count).arg(residentKb()));
         });
 }
 
@@ -195,7 +174,7 @@ static int producingPanel(int argc, char** argv)
             clockOffsetS += line.mid(6).toLongLong();
         else
             QCoreApplication::exit(line.isEmpty() ? 0 : 1);
-        say(QStringLiteral("time %1").arg(QDateTime::currentSecsSinceEpoch()));
+        test::say(QStringLiteral("time %1").arg(QDateTime::currentSecsSinceEpoch()));
     });
     QTimer bags;
     bags.callOnTimeout(&panel, [&] { reportBags(panel); });
