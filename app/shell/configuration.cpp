@@ -102,7 +102,7 @@ QString whyUnreadable(const QByteArray& line)
     QString rest = QString::fromUtf8(line);
     if (rest.toUtf8() != line)
         return u"not UTF-8"_s;
-    // What such a text contains could not be told from what follows it, line by line.
+    // In a single line the inside of such a text looks like keys and values.
     if (rest.contains(u"\"\"\""_s) || rest.contains(u"'''"_s))
         return u"a text of several lines"_s;
     rest.replace(textOrComment, u"\\1\\2"_s);

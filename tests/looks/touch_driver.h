@@ -29,8 +29,8 @@ public:
     [[nodiscard]] QQuickItem* find(const QString& name);
     // Returns the visible item with that accessible name that a finger reaches, or null.
     [[nodiscard]] QQuickItem* findNamed(const QString& accessibleName);
-    // Taps an item, scrolled into sight. An item that is not there, covered or disabled, or has no accessible name, becomes a
-    // complaint and is not pressed.
+    // Taps an item, scrolled into sight. An item that is not there, covered or disabled, or has no accessible
+    // name, becomes a complaint and is not pressed.
     void tap(const QString& name);
     void tap(QQuickItem& item);
     void tapNamed(const QString& accessibleName);
