@@ -17,6 +17,7 @@ void board_init(void)
     clock_init();
     uart_init();
     interrupts_init();
+    uart_announce();
     whole_machine_init(&machine, (whole_disturbance){0});
 }
 

@@ -17,6 +17,8 @@ void clock_init(void);
 void clock_interrupt(void);
 
 void uart_init(void);
+/* Sends a line feed to the second UART: from here on no byte of the line is lost. */
+void uart_announce(void);
 void uart_interrupt(void);
 
 void interrupts_init(void);

@@ -7,6 +7,7 @@
 #include "versatilepb/devices.h"
 
 #define UART 0x101F1000u
+#define CONSOLE 0x101F2000u
 #define DATA 0x00u
 #define FLAGS 0x18u
 #define LINE 0x2Cu
@@ -38,6 +39,12 @@ void uart_init(void)
     DEVICE(UART + LINE) = EIGHT_BITS_FIFO;
     DEVICE(UART + CONTROL) = ENABLED;
     DEVICE(UART + MASK) = RECEIVE_INTERRUPTS;
+}
+
+void uart_announce(void)
+{
+    DEVICE(CONSOLE + CONTROL) = ENABLED;
+    DEVICE(CONSOLE + DATA) = '\n';
 }
 
 void uart_interrupt(void)
