@@ -1986,11 +1986,11 @@ eff. %2</translation>
     </message>
     <message>
         <source>Dropped: invalid frame</source>
-        <translation>Verworfen: ungültiger Rahmen</translation>
+        <translation>Verworfen: ungültiges Telegramm</translation>
     </message>
     <message>
         <source>Dropped: incomplete frame</source>
-        <translation>Verworfen: unvollständiger Rahmen</translation>
+        <translation>Verworfen: unvollständiges Telegramm</translation>
     </message>
     <message>
         <source>Response timeout</source>
@@ -4176,11 +4176,11 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
     </message>
     <message>
         <source>Time of the frames on the wire at this baud rate, with the silent intervals of the standard, divided by the communication time. At 100 % no master could poll faster; the rest is time spent waiting for controller and adapter.</source>
-        <translation>Zeit der Rahmen auf der Leitung bei dieser Baudrate, mit den Pausen der Norm, geteilt durch die Kommunikationszeit. Bei 100 % könnte kein Master schneller fragen; der Rest ist Warten auf Steuerung und Adapter.</translation>
+        <translation>Zeit der Telegramme auf der Leitung bei dieser Baudrate, mit den Pausen der Norm, geteilt durch die Kommunikationszeit. Bei 100 % könnte kein Master schneller fragen; der Rest ist Warten auf Steuerung und Adapter.</translation>
     </message>
     <message>
         <source>time of the frames on the wire / communication time</source>
-        <translation>Zeit der Rahmen auf der Leitung / Kommunikationszeit</translation>
+        <translation>Zeit der Telegramme auf der Leitung / Kommunikationszeit</translation>
     </message>
     <message>
         <source>%1 s / %2 s</source>
@@ -4212,7 +4212,7 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
     </message>
     <message>
         <source>Time from sending the request to the last byte of the response, both frames on the wire included. Counted since the start of the panel or the last reset of the counters.</source>
-        <translation>Zeit vom Senden der Anfrage bis zum letzten Byte der Antwort, mit beiden Rahmen auf der Leitung. Gezählt seit dem Start des Panels oder dem letzten Zurücksetzen.</translation>
+        <translation>Zeit vom Senden der Anfrage bis zum letzten Byte der Antwort, mit beiden Telegrammen auf der Leitung. Gezählt seit dem Start des Panels oder dem letzten Zurücksetzen.</translation>
     </message>
     <message>
         <source>all responses sorted by time: value at %1 % of their number, up to 6.25 % too high, never too low</source>
@@ -4228,7 +4228,7 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
     </message>
     <message>
         <source>Waiting time for a response, in addition to both frames on the wire. The panel adapts this time to controller and adapter, and doubles it without a response.</source>
-        <translation>Wartezeit auf eine Antwort, zusätzlich zu beiden Rahmen auf der Leitung. Das Panel passt sie an Steuerung und Adapter an und verdoppelt sie ohne Antwort.</translation>
+        <translation>Wartezeit auf eine Antwort, zusätzlich zu beiden Telegrammen auf der Leitung. Das Panel passt sie an Steuerung und Adapter an und verdoppelt sie ohne Antwort.</translation>
     </message>
     <message>
         <source>%1 × the time in which 99 % of the last responses started, from %2 to %3 ms</source>
@@ -4516,7 +4516,7 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
     </message>
     <message>
         <source>link frames</source>
-        <translation>Rahmen</translation>
+        <translation>Telegramme</translation>
     </message>
 </context>
 <context>
@@ -4940,7 +4940,7 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
     </message>
     <message>
         <source>Lost frames</source>
-        <translation>Verlorene Rahmen</translation>
+        <translation>Verlorene Telegramme</translation>
     </message>
     <message>
         <source>Requests and responses that never arrive.</source>
@@ -5080,7 +5080,7 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
     </message>
     <message>
         <source>Damaged frame</source>
-        <translation>Rahmen beschädigt</translation>
+        <translation>Telegramm beschädigt</translation>
     </message>
     <message>
         <source>Refused by the controller</source>

@@ -981,7 +981,7 @@ Und %2 weitere.</translation>
     <name>FramesSection</name>
     <message>
         <source>Frames</source>
-        <translation>Rahmen</translation>
+        <translation>Telegramme</translation>
     </message>
     <message>
         <source>All</source>
@@ -1001,11 +1001,11 @@ Und %2 weitere.</translation>
     </message>
     <message>
         <source>No frames of this kind.</source>
-        <translation>Keine Rahmen dieser Art.</translation>
+        <translation>Keine Telegramme dieser Art.</translation>
     </message>
     <message>
         <source>Frames as text</source>
-        <translation>Rahmen als Text</translation>
+        <translation>Telegramme als Text</translation>
     </message>
     <message>
         <source>Resume</source>
@@ -2354,7 +2354,7 @@ Und %2 weitere.</translation>
     </message>
     <message>
         <source>Frames</source>
-        <translation>Rahmen</translation>
+        <translation>Telegramme</translation>
     </message>
     <message>
         <source>Faults</source>
