@@ -1709,8 +1709,8 @@
         <translation>%1 kHz</translation>
     </message>
     <message>
-        <source>acceleration jumps</source>
-        <translation>Beschleunigung springt</translation>
+        <source>unbounded</source>
+        <translation>unbegrenzt</translation>
     </message>
     <message>
         <source>%1 m/s³</source>
@@ -1742,11 +1742,12 @@
     </message>
     <message>
         <source>Peak speed</source>
-        <translation>Max. Drehzahl</translation>
+        <translation>Max.
+Drehzahl</translation>
     </message>
     <message>
         <source>Acceleration</source>
-        <translation>Beschleunigung</translation>
+        <translation>Beschl.</translation>
     </message>
     <message>
         <source>Jerk</source>
@@ -2374,7 +2375,7 @@ eff. %2</translation>
     </message>
     <message>
         <source>Modified sine</source>
-        <translation>Modifizierte Sinuslinie</translation>
+        <translation>Mod. Sinuslinie</translation>
     </message>
     <message>
         <source>Modified trapezoid</source>

@@ -1709,8 +1709,8 @@
         <translation>%1 kHz</translation>
     </message>
     <message>
-        <source>acceleration jumps</source>
-        <translation>加速度突变</translation>
+        <source>unbounded</source>
+        <translation>无界</translation>
     </message>
     <message>
         <source>%1 m/s³</source>

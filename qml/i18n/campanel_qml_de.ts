@@ -2390,7 +2390,7 @@ Und %2 weitere.</translation>
     </message>
     <message>
         <source>Link</source>
-        <translation>Verbindung</translation>
+        <translation>Leitung</translation>
     </message>
     <message>
         <source>Panel</source>
@@ -2860,7 +2860,7 @@ Uhr nicht gestellt</translation>
     </message>
     <message>
         <source>Automatic logout after</source>
-        <translation>Selbsttätige Abmeldung nach</translation>
+        <translation>Abmelden nach</translation>
     </message>
     <message>
         <source>%1 min</source>

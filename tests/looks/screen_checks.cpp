@@ -4,6 +4,7 @@
 
 #include <QAccessible>
 #include <QImage>
+#include <QJSValue>
 #include <QQuickItem>
 
 #include <cmath>
@@ -140,6 +141,10 @@ private:
         const QString text = item.property("text").toString();
         if (text.isEmpty())
             return;
+        const double size =
+            item.property("fontInfo").value<QJSValue>().property(QStringLiteral("pixelSize")).toNumber();
+        if (size < m_limits.textPx)
+            m_faults += QStringLiteral("%1 has shrunk to %2 px").arg(nameOf(item)).arg(size);
         if (item.property("truncated").toBool())
             m_faults += QStringLiteral("%1 is elided").arg(nameOf(item));
         const QRectF painted = paintedRect(item);

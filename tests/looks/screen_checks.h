@@ -18,6 +18,7 @@ struct ScreenLimits {
         0; // 12 mm, for the letter keys of the keyboards: ten of 15 mm are wider than a 7 inch screen
     double commandPx = 0; // 18 mm, for Start and Stop; in glove mode 22.5 mm
     TextContrast contrast;
+    double textPx = 0; // what a text without room may shrink to
 };
 
 // Returns one sentence for each fault below `root`, only for the uppermost layer (keypad, else dialog, else

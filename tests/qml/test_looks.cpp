@@ -196,6 +196,17 @@ private slots:
                  qPrintable(faults.constFirst()));
     }
 
+    void textsThatShrinkBelowALimitAreFaults()
+    {
+        looks::ScreenLimits limits;
+        limits.textPx = 10;
+        QCOMPARE(looks::checkScreen(m_window->root(), limits, m_window->grab()), QStringList());
+        QQuickItem* title = m_window->find(QStringLiteral("recipeTitle"));
+        QQmlProperty(title, QStringLiteral("minimumPixelSize")).write(6);
+        QQmlProperty(title, QStringLiteral("width")).write(title->width() * 0.45);
+        QCOMPARE(looks::checkScreen(m_window->root(), limits, m_window->grab()).size(), 1);
+    }
+
     void unknownNumbersAreExplainedWithoutNumbers()
     {
         m_window->link().show(looks::DemoLink::Situation::Empty);

@@ -200,7 +200,7 @@ LawRow EditorViews::lawRow(const profile::Law& law, const LawDemand& demand) con
     if (hasVibration())
         row.vibrationText = tr("%1 mm").arg(format.number(demand.vibrationMm, 3));
     row.peakJerkText = std::isinf(peaks.jerkMmPerS3)
-                           ? tr("acceleration jumps")
+                           ? tr("unbounded")
                            : tr("%1 m/s³").arg(format.number(peaks.jerkMmPerS3 / mmPerM, 1));
     return row;
 }
