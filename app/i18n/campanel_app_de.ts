@@ -2938,15 +2938,15 @@ eff. %2</translation>
     </message>
     <message>
         <source>Motor speed would reach %1 at %3 s (%4°); the limit is %2.</source>
-        <translation>Die Motordrehzahl würde %1 bei %3 s (%4°) erreichen; die Grenze ist %2.</translation>
+        <translation>Die Motordrehzahl erreicht %1 bei %3 s (%4°); die Grenze ist %2.</translation>
     </message>
     <message>
         <source>Knife acceleration would reach %1 at %3 s (%4°); the limit is %2.</source>
-        <translation>Die Messerbeschleunigung würde %1 bei %3 s (%4°) erreichen; die Grenze ist %2.</translation>
+        <translation>Die Messerbeschleunigung erreicht %1 bei %3 s (%4°); die Grenze ist %2.</translation>
     </message>
     <message>
         <source>Pulse frequency would reach %1 at %3 s (%4°); the limit is %2.</source>
-        <translation>Die Pulsfrequenz würde %1 bei %3 s (%4°) erreichen; die Grenze ist %2.</translation>
+        <translation>Die Pulsfrequenz erreicht %1 bei %3 s (%4°); die Grenze ist %2.</translation>
     </message>
     <message>
         <source>%1 is required; the machine&apos;s limit is %2.</source>
@@ -2990,15 +2990,15 @@ eff. %2</translation>
     </message>
     <message>
         <source>Motor speed would reach %1 at %3 s; the limit is %2.</source>
-        <translation>Die Motordrehzahl würde %1 bei %3 s erreichen; die Grenze ist %2.</translation>
+        <translation>Die Motordrehzahl erreicht %1 bei %3 s; die Grenze ist %2.</translation>
     </message>
     <message>
         <source>Acceleration would reach %1 at %3 s; the limit is %2.</source>
-        <translation>Die Beschleunigung würde %1 bei %3 s erreichen; die Grenze ist %2.</translation>
+        <translation>Die Beschleunigung erreicht %1 bei %3 s; die Grenze ist %2.</translation>
     </message>
     <message>
         <source>Motor torque would reach %1 at %3 s; the limit is %2.</source>
-        <translation>Das Motormoment würde %1 bei %3 s erreichen; die Grenze ist %2.</translation>
+        <translation>Das Motormoment erreicht %1 bei %3 s; die Grenze ist %2.</translation>
     </message>
     <message>
         <source>Following the master would require %1 at %3 s; the limit is %2.</source>
@@ -3006,7 +3006,7 @@ eff. %2</translation>
     </message>
     <message>
         <source>Pulse frequency would reach %1 at %3 s; the limit is %2.</source>
-        <translation>Die Pulsfrequenz würde %1 bei %3 s erreichen; die Grenze ist %2.</translation>
+        <translation>Die Pulsfrequenz erreicht %1 bei %3 s; die Grenze ist %2.</translation>
     </message>
     <message>
         <source>The cam has %1 knots; the nearest possible number is %2.</source>
@@ -3082,11 +3082,11 @@ eff. %2</translation>
     </message>
     <message>
         <source>Acceleration would reach %1 at %3 s (%4°); the limit is %2.</source>
-        <translation>Die Beschleunigung würde %1 bei %3 s (%4°) erreichen; die Grenze ist %2.</translation>
+        <translation>Die Beschleunigung erreicht %1 bei %3 s (%4°); die Grenze ist %2.</translation>
     </message>
     <message>
         <source>Motor torque would reach %1 at %3 s (%4°); the limit is %2.</source>
-        <translation>Das Motormoment würde %1 bei %3 s (%4°) erreichen; die Grenze ist %2.</translation>
+        <translation>Das Motormoment erreicht %1 bei %3 s (%4°); die Grenze ist %2.</translation>
     </message>
     <message>
         <source>Following the master would require %1 at %3 s (%4°); the limit is %2.</source>

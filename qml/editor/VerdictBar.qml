@@ -53,7 +53,7 @@ Card {
     Explained {
         objectName: "verdictNumbers"
         Accessible.name: Editor.verdict
-        anchors.right: tools.left
+        anchors.rightMargin: bar.width - tools.x   // it fills the bar beside the tools
         quantities: []
         onPressAndHold: {
             const told = Explanations.ofVerdict()

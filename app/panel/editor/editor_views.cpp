@@ -199,9 +199,10 @@ LawRow EditorViews::lawRow(const profile::Law& law, const LawDemand& demand) con
                     : tr("%1 kHz").arg(format.number(peaks.pulseFrequencyHz / 1000, 1));
     if (hasVibration())
         row.vibrationText = tr("%1 mm").arg(format.number(demand.vibrationMm, 3));
-    row.peakJerkText = std::isinf(peaks.jerkMmPerS3)
+    const double jerk = peaks.jerkMmPerS3 / mmPerM;
+    row.peakJerkText = std::isinf(jerk)
                            ? tr("unbounded")
-                           : tr("%1 m/s³").arg(format.number(peaks.jerkMmPerS3 / mmPerM, 1));
+                           : tr("%1 m/s³").arg(format.number(jerk, jerk < 1000 ? 1 : 0));
     return row;
 }
 
