@@ -20,7 +20,7 @@ void noteMessage(QtMsgType type, const QMessageLogContext&, const QString& messa
 
 constexpr double readablePx = 10; // 1.9 mm on a 7-inch screen
 
-// Texts of a language that is longer than any may shrink further: they say only what still has room.
+// The long texts are no real language, so they may shrink below the readable size.
 ScreenLimits limitsOf(TestWindow& window, const Variant& variant)
 {
     const auto* size = window.theme()->property("size").value<QObject*>();
