@@ -8,6 +8,7 @@
 #include "profile/segments/segment_cam.h"
 
 #include <QList>
+#include <QObject>
 #include <QPointF>
 #include <QString>
 #include <QtQml/qqmlregistration.h>
