@@ -7,6 +7,7 @@
 #include "tests/looks/touch_driver.h"
 
 #include <QTemporaryDir>
+#include <QTest>
 
 #include <vector>
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Brokers that refuse, hang, break off or send garbage, and TLS: the gateway says why and goes on trying.
 #include "tests/gateway/plant_bench.h"
+#include "tests/support/places.h"
 #include "tests/support/test_program.h"
 
 #include <QElapsedTimer>

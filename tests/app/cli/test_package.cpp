@@ -2,6 +2,7 @@
 // campanelctl package: signs and checks as a person calls it.
 #include "campanelctl_call.h"
 #include "tests/support/fake_package.h"
+#include "tests/support/test_program.h"
 
 #include <QTemporaryDir>
 #include <QTest>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // campanelctl recipe new-key, sign and verify, as a person calls them.
 #include "campanelctl_call.h"
+#include "tests/support/test_program.h"
 
 #include <QDir>
 #include <QFile>
