@@ -7,6 +7,7 @@
 #include "app/program/program_kinds.h"
 #include "app/program/solved_program.h"
 #include "profile/cam/cam_table.h"
+#include "profile/cam/point_cam.h"
 #include "profile/intervals/intervals.h"
 #include "profile/laws/laws.h"
 
