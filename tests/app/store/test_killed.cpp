@@ -74,14 +74,17 @@ class TestKilled : public QObject {
         QCOMPARE(chain->losses(), 0);
         QVERIFY(chain->rows() >= m_confirmed["audit"]);
 
-        const auto alarms = store::AlarmLog::page(database, 0, 1);
-        QVERIFY(alarms && alarms->size() == 1);
-        QVERIFY(alarms->first().id >= m_confirmed["alarm"]);
-
-        const auto stops = store::StopLog::begin(database);
-        QVERIFY(stops && stops->last && stops->stop); // the interval and its reason
-        QVERIFY(stops->last->id >= m_confirmed["interval"]);
-
+        // The writer can be killed between its first confirmation, a recipe, and these.
+        if (m_confirmed.contains("alarm")) {
+            const auto alarms = store::AlarmLog::page(database, 0, 1);
+            QVERIFY(alarms && alarms->size() == 1);
+            QVERIFY(alarms->first().id >= m_confirmed["alarm"]);
+        }
+        if (m_confirmed.contains("interval")) {
+            const auto stops = store::StopLog::begin(database);
+            QVERIFY(stops && stops->last && stops->stop); // the interval and its reason
+            QVERIFY(stops->last->id >= m_confirmed["interval"]);
+        }
         if (m_confirmed.contains("file")) {
             const auto file =
                 store::readRecipe(QDir(m_folder.path()).filePath(QStringLiteral("working_copy.json")));
