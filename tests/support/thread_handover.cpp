@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Tells ThreadSanitizer that an event is delivered after it was posted and that a thread is waited for after
-// it quit, which it cannot see in Debian's Qt. These functions stand before Qt's own in programs of the preset
-// `tsan`: a signal, an invokeMethod() or a quit() releases, the delivery of an event or a wait() acquires. All
-// share one place, so a race between two threads that also exchange calls in between is not found.
+// it quit, which it cannot see in Debian's Qt. These functions stand before Qt's own in programs of the
+// preset `tsan`: a signal, an invokeMethod() or a quit() releases; the delivery of an event or the end of a
+// wait() acquires. All share one place, so a race between two threads that also exchange calls in between is
+// not found.
 #include <QCoreApplication>
 #include <QMetaObject>
 #include <QObject>
@@ -63,6 +64,7 @@ bool QThread::wait(QDeadlineTimer deadline)
 {
     static auto* const original = next<bool(QThread*, QDeadlineTimer)>("_ZN7QThread4waitE14QDeadlineTimer");
     const bool hasEnded = original(this, deadline);
-    __tsan_acquire(&posted);
+    if (hasEnded)
+        __tsan_acquire(&posted);
     return hasEnded;
 }
