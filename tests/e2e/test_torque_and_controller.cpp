@@ -7,6 +7,8 @@
 #include "app/panel/editor/editor.h"
 #include "app/panel/explain/explanations.h"
 #include "app/program/solved_program.h"
+#include "base/ctl_port.h"
+#include "engine/ctl_cam.h"
 #include "panel_window.h"
 #include "profile/cam/point_cam.h"
 #include "tests/support/controller_process.h"
@@ -16,6 +18,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace test_torque_and_controller {
@@ -81,11 +84,12 @@ class ServoModel {
 public:
     ServoModel(const profile::MotionProfile& motion, const profile::TorqueLoad& load, double pulsesPerMm,
                bool isRepeated)
+        : m_isRepeated(isRepeated)
+        , m_cycleS(motion.durationS())
     {
         const double pulseMmPerS = servoRadPerS / std::numbers::e / pulsesPerMm;
         constexpr int cycles = 2; // the first one settles
-        const double cycleS = motion.durationS();
-        const double h = cycleS / steps;
+        const double h = m_cycleS / steps;
         const profile::MotionPoint start = isRepeated ? motion.at(0) : profile::MotionPoint{};
         double a1 = start.accelerationMmPerS2;
         double a2 = a1;
@@ -111,20 +115,28 @@ public:
     }
 
     [[nodiscard]] double largestDifference() const { return m_largest; }
-    // Returns the range of the reported torque around an angle: it is some 0.2 ms old.
-    [[nodiscard]] std::pair<double, double> around(double angleDeg, double marginDeg) const
+    // Returns the range of the reported torque at an angle of the master, which the command follows by
+    // `fromS` to `toS`.
+    [[nodiscard]] std::pair<double, double> at(double angleDeg, double fromS, double toS) const
     {
-        const auto place = [](double deg) {
-            return std::clamp(static_cast<int>(deg / 360 * steps), 0, steps - 1);
+        const auto place = [&](double lateS) {
+            return static_cast<int>(std::floor((angleDeg / 360 - lateS / m_cycleS) * steps));
         };
-        const int first = place(angleDeg - marginDeg);
-        const int end = place(angleDeg + marginDeg) + 1;
-        return {*std::min_element(m_low.begin() + first, m_low.begin() + end),
-                *std::max_element(m_high.begin() + first, m_high.begin() + end)};
+        double low = std::numeric_limits<double>::infinity();
+        double high = -low;
+        for (int i = place(toS); i <= place(fromS); ++i) {
+            const auto step =
+                static_cast<std::size_t>(m_isRepeated ? (i + steps) % steps : std::clamp(i, 0, steps - 1));
+            low = std::min(low, m_low[step]);
+            high = std::max(high, m_high[step]);
+        }
+        return {low, high};
     }
 
 private:
     static constexpr int steps = 40'000;
+    bool m_isRepeated;
+    double m_cycleS;
     std::vector<double> m_low;
     std::vector<double> m_high;
     double m_largest = 0;
@@ -184,10 +196,13 @@ void TestTorqueAndController::measuredIsWhatTheServoDoes()
     const double radPerPulse = 2 * std::numbers::pi / recipe.machine.pulsesPerMotorRev;
     const double pulsePercent =
         100 * servoRadPerS * servoRadPerS * radPerPulse * inertiaKgCm2 * 1e-4 / ratedNm;
-    const double marginDeg = 360 * 0.0005 / solved->cycleS(); // two slices of the simulation
+    // Torque and angle are up to two slices apart. Cam points are left on a straight line to where the master
+    // was one update ago: its speed is that of the middle of an update which ended one to two updates ago.
+    const double apartS = 2e-6 * CTL_SLICE_US;
+    const double updateS = recipe.isCutter() ? 0 : 1e-6 * CTL_CAM_UPDATE_US;
     double worst = 0;
     for (const TorqueWatch::Reading& each : torque.readings()) {
-        auto [low, high] = servo.around(each.angleDeg, marginDeg);
+        auto [low, high] = servo.at(each.angleDeg, 0.5 * updateS - apartS, 1.5 * updateS + apartS);
         if (each.angleDeg >= 359.99) // a speed that is held
             low = std::min(low, 100 * frictionNm / ratedNm);
         const double off = std::max({low - each.measuredPercent, each.measuredPercent - high, 0.0});
