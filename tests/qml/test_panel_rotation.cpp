@@ -6,6 +6,8 @@
 #include <QPointingDevice>
 #include <QSignalSpy>
 
+#include <memory>
+
 namespace test_panel_rotation {
 
 using namespace Qt::StringLiterals;
@@ -14,14 +16,14 @@ using Situation = campanel::looks::DemoLink::Situation;
 class TestPanelRotation : public campanel::test::PanelTest {
     Q_OBJECT
 
-    QPointingDevice* m_touchscreen = QTest::createTouchDevice();
+    std::unique_ptr<QPointingDevice> m_touchscreen{QTest::createTouchDevice()};
 
     campanel::panel::ScreenRotation& rotation() { return m_window->panel().rotation(); }
     // Touches a place of the window, px, as the screen has it.
     void touch(const QPoint& at)
     {
-        QTest::touchEvent(&m_window->window(), m_touchscreen).press(0, at);
-        QTest::touchEvent(&m_window->window(), m_touchscreen).release(0, at);
+        QTest::touchEvent(&m_window->window(), m_touchscreen.get()).press(0, at);
+        QTest::touchEvent(&m_window->window(), m_touchscreen.get()).release(0, at);
         m_window->settle();
     }
     void tryUpsideDown()

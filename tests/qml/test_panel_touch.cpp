@@ -8,6 +8,8 @@
 #include <QPointingDevice>
 #include <QSignalSpy>
 
+#include <memory>
+
 namespace test_panel_touch {
 
 using namespace Qt::StringLiterals;
@@ -17,13 +19,13 @@ using campanel::panel::TouchCalibration;
 class TestPanelTouch : public campanel::test::PanelTest {
     Q_OBJECT
 
-    QPointingDevice* m_touchscreen = QTest::createTouchDevice();
+    std::unique_ptr<QPointingDevice> m_touchscreen{QTest::createTouchDevice()};
 
     TouchCalibration& calibration() { return m_window->panel().touchCalibration(); }
     void touch(const QPoint& at)
     {
-        QTest::touchEvent(&m_window->window(), m_touchscreen).press(0, at);
-        QTest::touchEvent(&m_window->window(), m_touchscreen).release(0, at);
+        QTest::touchEvent(&m_window->window(), m_touchscreen.get()).press(0, at);
+        QTest::touchEvent(&m_window->window(), m_touchscreen.get()).release(0, at);
         m_window->settle();
     }
     void openSettings()
