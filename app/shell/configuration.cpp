@@ -22,10 +22,29 @@ using panel::SettingForm;
 using panel::SettingRow;
 using panel::settingText;
 
+// Returns the text in ASCII, other letters and % as %XX: for most letters beyond ASCII at a place where a value
+// could end, the behavior of toml++ 3.3 is undefined.
+QByteArray inAscii(const QByteArray& text)
+{
+    static const QByteArray kept = [] {
+        QByteArray ascii;
+        for (int each = 0; each < 0x80; ++each)
+            ascii += static_cast<char>(each);
+        return ascii.replace('%', "");
+    }();
+    return text.toPercentEncoding(kept);
+}
+
+QString fromAscii(std::string_view text)
+{
+    return QString::fromUtf8(
+        QByteArray::fromPercentEncoding(QByteArray(text.data(), static_cast<qsizetype>(text.size()))));
+}
+
 std::optional<QString> textIn(const toml::node& node)
 {
     const auto text = node.value_exact<std::string>();
-    return text ? std::optional(QString::fromStdString(*text)) : std::nullopt;
+    return text ? std::optional(fromAscii(*text)) : std::nullopt;
 }
 
 // Returns the texts of a list, one per line.
@@ -105,6 +124,8 @@ QString whyUnreadable(const QByteArray& line)
     // In a single line the inside of such a text looks like keys and values.
     if (rest.contains(u"\"\"\""_s) || rest.contains(u"'''"_s))
         return u"a text of several lines"_s;
+    if (rest.contains(u"\\u0025"_s) || rest.contains(u"\\U00000025"_s))
+        return u"% is written as it is"_s; // inAscii() would read it with what follows
     rest.replace(textOrComment, u"\\1\\2"_s);
     if (std::any_of(rest.begin(), rest.end(), [](QChar letter) { return letter.unicode() >= 0x80; }))
         return u"letters other than a to z are for texts in quotes and for comments"_s;
@@ -143,7 +164,7 @@ public:
         // file with many of them is not a configuration.
         constexpr int maxBrokenLines = 50;
         for (; broken < maxBrokenLines; ++broken) {
-            const QByteArray text = m_lines.join('\n');
+            const QByteArray text = inAscii(m_lines.join('\n'));
             const toml::parse_result parsed =
                 toml::parse(std::string_view(text.constData(), size_t(text.size())));
             if (parsed) {
@@ -151,8 +172,7 @@ public:
                 return result();
             }
             const toml::parse_error& error = parsed.error();
-            const std::string_view why = error.description();
-            dropLine(error.source().begin.line, QString::fromUtf8(why.data(), qsizetype(why.size())));
+            dropLine(error.source().begin.line, fromAscii(error.description()));
         }
         m_result.complaints +=
             u"%1: more than %2 lines are not understood; the whole file is ignored."_s.arg(m_file).arg(
@@ -198,7 +218,7 @@ private:
     {
         for (const auto& [name, node] : root) {
             const std::string section(name.str());
-            const QString shown = QString::fromStdString(section);
+            const QString shown = fromAscii(section);
             if (const toml::table* table = node.as_table(); table && isSection(section))
                 takeKeys(section, *table);
             else if (table)
@@ -221,7 +241,7 @@ private:
         for (const auto& [name, node] : table) {
             const std::string whole = section + '.' + std::string(name.str());
             const SettingRow* row = rowNamed(whole);
-            const QString shown = QString::fromStdString(whole);
+            const QString shown = fromAscii(whole);
             const auto value = row ? valueIn(node, row->form) : std::nullopt;
             const bool isTaken = value && isValid(*row, *value);
             if (isTaken)

@@ -276,6 +276,8 @@ screen = "linuxfb"
                                  "unit = 1979-05-27T\x01:32:00Z",
                                  "unit = [1 2]",
                                  "unit = [n}n[a]",
+                                 "unit = 7='\xef\xbb\xbb'",
+                                 "port = \"/dev/\\u002541\"",
                                  "port = \"/dev/ttyS1\" {",
                                  "port = /dev/ttyS1",
                                  "port = \"\"\"",
@@ -297,10 +299,10 @@ screen = "linuxfb"
     void textsAndCommentsTakeEveryLetter()
     {
         const ReadConfiguration read = configurationFrom(
-            "[connection] # caf\xc3\xa9's\nport = \"/dev/\xc3\xa9\\\"#[}\" # [} \xe4\xb8\xb2\xe5\x8f\xa3\n",
+            "[connection] # caf\xc3\xa9's\nport = \"/dev/\xc3\xa9%41\\\"#[}\" # [} \xe4\xb8\xb2\xe5\x8f\xa3\n",
             name);
         QCOMPARE(read.complaints, QStringList());
-        QCOMPARE(read.values.text("connection.port"), u"/dev/\u00e9\"#[}"_s);
+        QCOMPARE(read.values.text("connection.port"), u"/dev/\u00e9%41\"#[}"_s);
     }
 
     // Windows' editor writes it before the text.
