@@ -22,8 +22,8 @@ using panel::SettingForm;
 using panel::SettingRow;
 using panel::settingText;
 
-// Returns the text in ASCII, other letters and % as %XX: for most letters beyond ASCII at a place where a value
-// could end, the behavior of toml++ 3.3 is undefined.
+// Returns the text in ASCII, other letters and % as %XX: for most letters beyond ASCII where a value could
+// end, the behavior of toml++ 3.3 is undefined.
 QByteArray inAscii(const QByteArray& text)
 {
     static const QByteArray kept = [] {
