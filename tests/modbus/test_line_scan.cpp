@@ -272,11 +272,13 @@ private slots:
         QCOMPARE(before.done, 0);
         QCOMPARE(before.total, 3 * 30 * 248);
         QCOMPARE(before.port, silent.port());
-        auto remaining = before.remaining;
+        ScanProgress last = before;
         while (!scan.ended()) {
             scan.advance();
-            QVERIFY(scan.progress().remaining < remaining);
-            remaining = scan.progress().remaining;
+            const ScanProgress now = scan.progress();
+            // A damaged answer is asked for again, a late one adds questions.
+            QVERIFY(now.remaining < last.remaining || now.done == last.done || now.total > last.total);
+            last = now;
         }
         QVERIFY(scan.controller() != nullptr);
         QCOMPARE(scan.controller()->port, slave.port());
