@@ -115,8 +115,8 @@ public:
     }
 
     [[nodiscard]] double largestDifference() const { return m_largest; }
-    // Returns the range of the reported torque at an angle of the master, which the command follows by
-    // `fromS` to `toS`.
+    // Returns the range of the reported torque at an angle of the master, while the command is `fromS` to
+    // `toS` behind the master.
     [[nodiscard]] std::pair<double, double> at(double angleDeg, double fromS, double toS) const
     {
         const auto place = [&](double lateS) {
@@ -196,8 +196,8 @@ void TestTorqueAndController::measuredIsWhatTheServoDoes()
     const double radPerPulse = 2 * std::numbers::pi / recipe.machine.pulsesPerMotorRev;
     const double pulsePercent =
         100 * servoRadPerS * servoRadPerS * radPerPulse * inertiaKgCm2 * 1e-4 / ratedNm;
-    // Torque and angle are up to two slices apart. Cam points are left on a straight line to where the master
-    // was one update ago: its speed is that of the middle of an update which ended one to two updates ago.
+    // Torque and angle are up to two slices apart. With cam points the axis moves on straight lines, each one
+    // update long and one update late: its speed is that of the cam half an update to one and a half ago.
     const double apartS = 2e-6 * CTL_SLICE_US;
     const double updateS = recipe.isCutter() ? 0 : 1e-6 * CTL_CAM_UPDATE_US;
     double worst = 0;

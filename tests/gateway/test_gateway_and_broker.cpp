@@ -98,8 +98,8 @@ private slots:
         QTRY_VERIFY(machine.panel.hasGateway());
         QTRY_VERIFY(!host.ofType(u"NBIRTH"_s).isEmpty());
         constexpr int changes = 10'000;
-        // More than the gateway may have under way would wait in it, and the last one would come once more as
-        // the present value.
+        // The host gets each thousand before the next one. When too many values are under way, the gateway
+        // keeps the others and sends the present value once more after them.
         constexpr int together = 1000;
         for (int bags = together; bags <= changes; bags += together) {
             machine.panel.countBags(bags - together + 1, bags);

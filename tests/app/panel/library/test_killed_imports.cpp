@@ -22,7 +22,7 @@ class TestKilledImports : public QObject {
     static constexpr int kills = 24;
     static constexpr int timeoutMs = 20'000;
     static constexpr int longestMs = 30; // an import takes some milliseconds
-    static constexpr int exampleVersion = 1; // in each new library
+    static constexpr int exampleVersion = 1; // of the recipe in each new library
 
     QTemporaryDir m_folder;
     int m_imported = exampleVersion; // confirmed
