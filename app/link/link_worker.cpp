@@ -21,7 +21,8 @@ using std::chrono::steady_clock;
 
 // The minimum poll period on a faster line: the screen cannot display more samples.
 constexpr auto shortestPollPeriod = 8ms;
-constexpr auto shortestBatchPeriod = 10ms;
+// The clock of the display: what moves on a page is painted once per batch, with the samples in between.
+constexpr auto shortestBatchPeriod = 30ms;
 // The time at standstill after which the polls slow down.
 constexpr auto timeUntilRest = 1000ms;
 constexpr auto pollPeriodAtRest = 100ms;

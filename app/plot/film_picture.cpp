@@ -5,14 +5,11 @@
 #include <chrono>
 #include <cmath>
 
-using namespace std::chrono_literals;
-
 namespace campanel::plot {
 
 namespace {
 
-constexpr auto frameTime = 33ms; // 30 pictures a second
-constexpr double maxBags = 12;   // visible; more cannot be distinguished
+constexpr double maxBags = 12; // visible; more cannot be distinguished
 constexpr double bagsWithoutSensor = 4;
 constexpr double bagsBehindSensor = 1.1; // visible, for the expected mark
 constexpr double shareAfterKnife = 0.1;  // of the width
@@ -28,13 +25,10 @@ double steadySeconds()
 FilmPicture::FilmPicture(QQuickItem* parent)
     : QQuickPaintedItem(parent)
     , m_clock(&steadySeconds)
-    , m_frames(this)
 {
-    m_frames.setInterval(frameTime);
-    connect(&m_frames, &QTimer::timeout, this, &FilmPicture::advance);
     connect(this, &FilmPicture::filmChanged, this, &FilmPicture::noteFilm);
     connect(this, &FilmPicture::scaleChanged, this, &FilmPicture::updateAll);
-    connect(this, &FilmPicture::styleChanged, this, &FilmPicture::updateFrames);
+    connect(this, &FilmPicture::styleChanged, this, &FilmPicture::updateAll);
 }
 
 // Schedules one update: the properties of a report arrive one by one and are applied together before the next
@@ -44,12 +38,6 @@ void FilmPicture::noteFilm()
     m_isReportNew = true;
     polish();
     updateAll();
-}
-
-void FilmPicture::updatePolish()
-{
-    takeReport();
-    updateFrames();
 }
 
 void FilmPicture::takeReport()
@@ -62,26 +50,10 @@ void FilmPicture::takeReport()
         m_motion.report(m_positionMm, m_speedMmPerS, m_clock());
 }
 
-void FilmPicture::updateFrames()
-{
-    const bool isMoving = isVisible() && m_isLive && !m_isStale && m_motion.isMoving(m_clock());
-    if (isMoving && !m_frames.isActive())
-        m_frames.start();
-    else if (!isMoving)
-        m_frames.stop();
-    updateAll();
-}
-
 void FilmPicture::advance()
 {
-    updateFrames();
-}
-
-void FilmPicture::itemChange(ItemChange change, const ItemChangeData& data)
-{
-    QQuickPaintedItem::itemChange(change, data);
-    if (change == ItemVisibleHasChanged)
-        updateFrames();
+    if (isVisible() && m_isLive && !m_isStale && m_motion.isMoving(m_clock()))
+        updateAll();
 }
 
 void FilmPicture::geometryChange(const QRectF& newGeometry, const QRectF& oldGeometry)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The film of a packing machine from the mark sensor on the left to the knife on the right: printed marks,
-// the expected mark, products, the next cuts. Between two reports it moves at the film's speed.
+// the expected mark, products, the next cuts. Between two reports advance() moves it at the film's speed.
 #pragma once
 
 #include "app/plot/film_motion.h"
@@ -11,7 +11,6 @@
 #include <QLocale>
 #include <QPointF>
 #include <QQuickPaintedItem>
-#include <QTimer>
 #include <QtQml/qqmlregistration.h>
 
 #include <functional>
@@ -39,7 +38,7 @@ class FilmPicture : public QQuickPaintedItem {
     Q_PROPERTY(bool knifeOpen MEMBER m_isKnifeOpen NOTIFY styleChanged FINAL)
     // True when the data is old: gray and without movement.
     Q_PROPERTY(bool stale MEMBER m_isStale NOTIFY styleChanged FINAL)
-    // True to move between two reports; when false, the last report is displayed.
+    // True to follow the film's speed between two reports; when false, the last report is displayed.
     Q_PROPERTY(bool live MEMBER m_isLive NOTIFY styleChanged FINAL)
 
     Q_PROPERTY(QString sensorText MEMBER m_sensorText NOTIFY styleChanged FINAL)
@@ -66,8 +65,8 @@ public:
     void setClock(std::function<double()> clock) { m_clock = std::move(clock); }
     // Returns the present place of an object reported at this distance, px from the left.
     [[nodiscard]] double xOf(double distanceMm) const;
-    // Returns true while it is animated.
-    [[nodiscard]] bool isMoving() const { return m_frames.isActive(); }
+    // Paints the film at its present place.
+    Q_INVOKABLE void advance();
 
 signals:
     void filmChanged();
@@ -75,8 +74,7 @@ signals:
     void styleChanged();
 
 protected:
-    void updatePolish() override;
-    void itemChange(ItemChange change, const ItemChangeData& data) override;
+    void updatePolish() override { takeReport(); }
     void geometryChange(const QRectF& newGeometry, const QRectF& oldGeometry) override;
 
 private:
@@ -92,8 +90,6 @@ private:
     void updateAll() { update(boundingRect().toAlignedRect()); }
     void noteFilm();
     void takeReport();
-    void updateFrames();
-    void advance();
     [[nodiscard]] QColor live(const QColor& color) const { return m_isStale ? m_staleColor : color; }
     [[nodiscard]] Rows rows() const;
     [[nodiscard]] double reachMm() const; // visible film before the knife
@@ -141,7 +137,6 @@ private:
     std::function<double()> m_clock;
     FilmMotion m_motion;
     bool m_isReportNew = false;
-    QTimer m_frames;
 };
 
 } // namespace campanel::plot

@@ -99,6 +99,12 @@ Card {
             property: "locale"
             value: Theme.locale
         }
+        Connections {
+            target: Controller
+            function onLiveChanged(): void {
+                picture.advance();
+            }
+        }
     }
     Explained {
         objectName: "filmCard"

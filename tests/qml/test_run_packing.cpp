@@ -6,6 +6,8 @@
 #include "app/plot/film_picture.h"
 #include "tests/support/test_program.h"
 
+#include <chrono>
+
 namespace test_run_packing {
 
 using campanel::plot::FilmPicture;
@@ -27,6 +29,16 @@ class TestPacking : public campanel::test::PanelTest {
         if (!item)
             qFatal("there is no picture of the film");
         return *item;
+    }
+    // Returns the picture as it is in the window.
+    QImage pictureImage()
+    {
+        m_window->settle();
+        return m_window->grab().copy(picture().mapRectToScene(picture().boundingRect()).toRect());
+    }
+    campanel::link::StatusBatch status()
+    {
+        return {{{m_window->link().now(), *m_window->panel().machine().status()}}, 0};
     }
     qsizetype countOf(const char* list) { return picture().property(list).value<QList<QPointF>>().size(); }
 
@@ -99,16 +111,28 @@ private slots:
         QCOMPARE(m_window->panel().machine().bags().series.size(), 60);
     }
 
-    void thePictureMovesWhileItIsSeen()
+    // Each status paints the film at its present place, without a report of the film itself.
+    void thePictureMovesWithEachStatusWhileItIsSeen()
     {
         m_window->theme()->setProperty("animated", true);
         enter(Situation::Running);
-        QTRY_VERIFY(picture().isMoving());
-        tap("nav_motion");
-        QVERIFY(!m_window->find(QStringLiteral("filmPicture")));
+        const auto realTime = std::chrono::steady_clock::now().time_since_epoch();
+        double nowS = std::chrono::duration<double>(realTime).count();
+        picture().setClock([&] { return nowS; });
+        emit m_window->link().statusReceived(status());
+        const QImage before = pictureImage();
+        nowS += 0.05;
+        m_window->settle();
+        QCOMPARE(pictureImage(), before);
+        emit m_window->link().statusReceived(status());
+        const QImage after = pictureImage();
+        QVERIFY(after != before);
         enter(Situation::Lost);
         QVERIFY(picture().property("stale").toBool());
-        QVERIFY(!picture().isMoving());
+        const QImage stale = pictureImage();
+        nowS += 0.05;
+        picture().advance();
+        QCOMPARE(pictureImage(), stale);
     }
 
     void theToleranceIsChosen()

@@ -173,7 +173,7 @@ void Controller::takeStatus(const link::StatusBatch& batch)
         m_statusAt = sample.receivedAt;
     }
     updateAge();
-    m_direction.noteStatus(*m_status);
+    m_direction.noteStatus(batch);
     m_torque.noteStatus();
     emit liveChanged();
     if (bagsChanged)

@@ -103,10 +103,12 @@ void MasterDirection::noteProgram()
     emit changed();
 }
 
-void MasterDirection::noteStatus(const modbus::StatusBlock& status)
+void MasterDirection::noteStatus(const link::StatusBatch& batch)
 {
-    if (status.masterAngleDeg)
-        observe({*status.masterAngleDeg, status.masterSpeedPercent, status.sampleTimeMs});
+    for (const auto& [receivedAt, status, latency] : batch.samples) {
+        if (status.masterAngleDeg)
+            observe({*status.masterAngleDeg, status.masterSpeedPercent, status.sampleTimeMs});
+    }
     readWhenUnknown();
     emit changed();
 }

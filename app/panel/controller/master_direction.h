@@ -45,7 +45,7 @@ public:
     // Handle events of the Machine.
     void noteConnection();
     void noteProgram();
-    void noteStatus(const modbus::StatusBlock& status);
+    void noteStatus(const link::StatusBatch& batch);
     void retranslate() { emit changed(); }
 
 signals:

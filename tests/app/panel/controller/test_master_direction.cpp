@@ -43,11 +43,15 @@ struct Rig : PanelRig {
     // Advances the master by this angle in 20 ms.
     void advance(double deg, double speedPercent = 100)
     {
+        pass(deg, speedPercent);
+        link.sendStatus(now);
+    }
+    void pass(double deg, double speedPercent = 100)
+    {
         now += std::chrono::milliseconds(20);
         link.status.masterAngleDeg = std::fmod(link.status.masterAngleDeg.value_or(0) + deg + 360, 360);
         link.status.sampleTimeMs = static_cast<std::uint16_t>(link.status.sampleTimeMs + 20);
         link.status.masterSpeedPercent = speedPercent;
-        link.sendStatus(now);
     }
 };
 
@@ -207,6 +211,19 @@ private slots:
         rig.advance(-10);
         QVERIFY(!rig.direction().turning());
         QCOMPARE(rig.direction().text(), "set to forward");
+    }
+
+    void aBatchIsFollowedSampleBySample()
+    {
+        Rig rig(600, 0.02);
+        rig.answer(0);
+        link::StatusBatch batch;
+        for (int i = 0; i < 4; ++i) {
+            rig.pass(72);
+            batch.samples << link::StatusSample{rig.now, rig.link.status};
+        }
+        emit rig.link.statusReceived(batch);
+        QCOMPARE(rig.direction().text(), "runs forward");
     }
 
     void aWriteThatFailsIsSaidAndReadAgain_data()
