@@ -73,7 +73,8 @@ struct StatusSample {
     std::chrono::nanoseconds latency{0}; // from request to answer, including repetitions; 0: unknown
 };
 
-// The samples since the last batch, oldest first; at most 33 batches a second.
+// The samples since the last batch, oldest first. Those before the last differ in nothing but the motion; while
+// only the machine moves, at most 33 batches a second.
 struct StatusBatch {
     QList<StatusSample> samples;
     int failedExchanges = 0; // since the last batch

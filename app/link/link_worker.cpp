@@ -50,12 +50,13 @@ bool isStanding(std::optional<modbus::State> state)
     return state == modbus::State::Idle || state == modbus::State::Ready || state == modbus::State::Fault;
 }
 
-// Returns true when two statuses describe the same state of the machine.
+// Returns true when two statuses differ in nothing but the motion.
 bool isSame(const modbus::StatusBlock& one, const modbus::StatusBlock& other)
 {
     return one.state == other.state && one.faultBits == other.faultBits &&
            one.warningBits == other.warningBits && one.generation == other.generation &&
-           one.stagedState == other.stagedState && one.axisPositionPulses == other.axisPositionPulses;
+           one.stagedState == other.stagedState && one.activeCrc == other.activeCrc &&
+           one.savedCrc == other.savedCrc;
 }
 
 } // namespace
@@ -319,11 +320,13 @@ void LinkWorker::noteStatus(const modbus::StatusBlock& status)
 {
     const bool isFirst = !m_status;
     m_lastGoodAt = steady_clock::now();
-    if (isFirst || !isStanding(status.state) || !isSame(status, *m_status))
+    const bool isNews = isFirst || !isSame(status, *m_status);
+    if (isNews || !isStanding(status.state) || status.axisPositionPulses != m_status->axisPositionPulses)
         m_restlessAt = m_lastGoodAt;
     m_status = status;
     m_batch.samples << StatusSample{m_lastGoodAt, status, m_lastGoodAt - m_lastPollAt};
-    if (m_lastGoodAt - m_lastFlushAt >= shortestBatchPeriod)
+    // A change is told at once, before what follows from it.
+    if (isNews || m_lastGoodAt - m_lastFlushAt >= shortestBatchPeriod)
         flushBatch();
     if (m_download) {
         const DownloadStage before = m_download->report().stage;

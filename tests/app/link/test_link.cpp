@@ -56,8 +56,13 @@ public:
             last = report;
             states << report.state;
         });
-        connect(&link, &link::Link::statusReceived, this,
-                [this](const link::StatusBatch& batch) { samples += batch.samples; });
+        connect(&link, &link::Link::statusReceived, this, [this](const link::StatusBatch& batch) {
+            for (const link::StatusSample& sample : batch.samples) {
+                const bool isChange = !samples.isEmpty() && isOther(sample.status, samples.last().status);
+                lateChanges += isChange && &sample != &batch.samples.last() ? 1 : 0;
+                samples << sample;
+            }
+        });
         connect(&link, &link::Link::programRead, this,
                 [this](const link::ActiveProgram& read) { programs << read; });
         connect(&link, &link::Link::commandEnded, this, [this](const link::CommandOutcome& outcome) {
@@ -70,6 +75,11 @@ public:
                 [this](const link::DownloadReport& report) { downloads << report; });
     }
 
+    [[nodiscard]] static bool isOther(const modbus::StatusBlock& one, const modbus::StatusBlock& other)
+    {
+        return one.state != other.state || one.stagedState != other.stagedState ||
+               one.generation != other.generation || one.activeCrc != other.activeCrc;
+    }
     [[nodiscard]] bool isConnected() const { return last.state == LinkState::Connected; }
     [[nodiscard]] bool isIn(modbus::State state) const
     {
@@ -86,6 +96,7 @@ public:
     link::LinkReport last;
     QList<LinkState> states;
     QList<link::StatusSample> samples;
+    int lateChanges = 0; // of state or program, that waited for a later status
     QList<link::ActiveProgram> programs;
     QList<link::CommandOutcome> outcomes;
     QList<link::ParameterOutcome> parameters;
@@ -273,6 +284,25 @@ private slots:
                 QVERIFY(next.cycleCount > last.cycleCount || last.masterAngleDeg == 0.0);
         }
         QVERIFY(listener.isIn(modbus::State::Running));
+    }
+
+    // Also while statuses come faster than batches.
+    void aChangeEndsItsBatch()
+    {
+        const ControllerProcess controller({QStringLiteral("--no-pacing")});
+        link::ThreadedLink link(nullptr);
+        Listener listener(link);
+        link.connectTo(portSettings(controller.port()));
+        QTRY_VERIFY_WITH_TIMEOUT(listener.isConnected() && !listener.samples.isEmpty(), timeoutMs);
+        link.download(imageOf(250).registers);
+        QTRY_VERIFY_WITH_TIMEOUT(listener.downloadEnded(), timeoutMs);
+        for (int i = 0; i < 8; ++i) {
+            link.request({1, Command::Start, {}});
+            QTRY_VERIFY_WITH_TIMEOUT(listener.isIn(modbus::State::Running), timeoutMs);
+            link.request({1, Command::StopNow, {}});
+            QTRY_VERIFY_WITH_TIMEOUT(listener.isIn(modbus::State::Ready), timeoutMs);
+        }
+        QCOMPARE(listener.lateChanges, 0);
     }
 
     void showsTheRunningProgramToAPanelThatComesLater()
