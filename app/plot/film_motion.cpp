@@ -23,10 +23,4 @@ double FilmMotion::travelledMm(double timeS) const
     return m_speedMmPerS * sinceS + m_offsetMm * std::max(0.0, 1 - sinceS / blendS);
 }
 
-bool FilmMotion::isMoving(double timeS) const
-{
-    const double sinceS = timeS - m_timeS;
-    return (m_speedMmPerS != 0 && sinceS < longestS) || (m_offsetMm != 0 && sinceS < blendS);
-}
-
 } // namespace campanel::plot

@@ -13,8 +13,6 @@ public:
 
     // Returns mm since the last report; limited to one second after it at any speed.
     [[nodiscard]] double travelledMm(double timeS) const;
-    // Returns true while the position changes.
-    [[nodiscard]] bool isMoving(double timeS) const;
 
     static constexpr double wrapMm = 4294967.296; // the controller sends 32 bits of micrometers
     static constexpr double jumpMm = 40;          // larger differences are not blended

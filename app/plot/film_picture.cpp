@@ -52,7 +52,7 @@ void FilmPicture::takeReport()
 
 void FilmPicture::advance()
 {
-    if (isVisible() && m_isLive && !m_isStale && m_motion.isMoving(m_clock()))
+    if (isVisible() && !m_isStale && travelledMm() != m_paintedMm)
         updateAll();
 }
 

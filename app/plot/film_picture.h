@@ -65,7 +65,7 @@ public:
     void setClock(std::function<double()> clock) { m_clock = std::move(clock); }
     // Returns the present place of an object reported at this distance, px from the left.
     [[nodiscard]] double xOf(double distanceMm) const;
-    // Paints the film at its present place.
+    // Paints the film again when it has moved since it was painted.
     Q_INVOKABLE void advance();
 
 signals:
@@ -136,6 +136,7 @@ private:
 
     std::function<double()> m_clock;
     FilmMotion m_motion;
+    double m_paintedMm = 0; // travelledMm() in the present picture
     bool m_isReportNew = false;
 };
 

@@ -59,6 +59,7 @@ void FilmPicture::paint(QPainter* painter)
     if (width() < 1 || places.filmBottom - places.filmTop < 1)
         return;
     takeReport();
+    m_paintedMm = travelledMm();
     painter->setRenderHint(QPainter::Antialiasing);
     painter->setFont(m_textFont);
     paintFilm(*painter, places);

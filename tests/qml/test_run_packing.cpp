@@ -127,6 +127,15 @@ private slots:
         emit m_window->link().statusReceived(status());
         const QImage after = pictureImage();
         QVERIFY(after != before);
+        // A film that stops is painted at its last place too.
+        nowS += 0.05;
+        picture().setProperty("speed", 0.0);
+        m_window->settle();
+        nowS += 0.2;
+        emit m_window->link().statusReceived(status());
+        const QImage stopped = pictureImage();
+        picture().update(picture().boundingRect().toAlignedRect());
+        QCOMPARE(pictureImage(), stopped);
         enter(Situation::Lost);
         QVERIFY(picture().property("stale").toBool());
         const QImage stale = pictureImage();
