@@ -21,7 +21,7 @@ using std::chrono::steady_clock;
 
 // The minimum poll period on a faster line: the screen cannot display more samples.
 constexpr auto shortestPollPeriod = 8ms;
-// The clock of the display: what moves on a page is painted once per batch, with the samples in between.
+// What moves on a page is painted once per batch.
 constexpr auto shortestBatchPeriod = 30ms;
 // The time at standstill after which the polls slow down.
 constexpr auto timeUntilRest = 1000ms;
@@ -51,7 +51,7 @@ bool isStanding(std::optional<modbus::State> state)
 }
 
 // Returns true when two statuses differ in nothing but the motion.
-bool isSame(const modbus::StatusBlock& one, const modbus::StatusBlock& other)
+bool differOnlyInMotion(const modbus::StatusBlock& one, const modbus::StatusBlock& other)
 {
     return one.state == other.state && one.faultBits == other.faultBits &&
            one.warningBits == other.warningBits && one.generation == other.generation &&
@@ -320,13 +320,13 @@ void LinkWorker::noteStatus(const modbus::StatusBlock& status)
 {
     const bool isFirst = !m_status;
     m_lastGoodAt = steady_clock::now();
-    const bool isNews = isFirst || !isSame(status, *m_status);
-    if (isNews || !isStanding(status.state) || status.axisPositionPulses != m_status->axisPositionPulses)
+    const bool isChange = isFirst || !differOnlyInMotion(status, *m_status);
+    if (isChange || !isStanding(status.state) || status.axisPositionPulses != m_status->axisPositionPulses)
         m_restlessAt = m_lastGoodAt;
     m_status = status;
     m_batch.samples << StatusSample{m_lastGoodAt, status, m_lastGoodAt - m_lastPollAt};
     // A change is told at once, before what follows from it.
-    if (isNews || m_lastGoodAt - m_lastFlushAt >= shortestBatchPeriod)
+    if (isChange || m_lastGoodAt - m_lastFlushAt >= shortestBatchPeriod)
         flushBatch();
     if (m_download) {
         const DownloadStage before = m_download->report().stage;
