@@ -6,6 +6,8 @@
 #include "app/plot/film_picture.h"
 #include "tests/support/test_program.h"
 
+#include <QSignalSpy>
+
 #include <chrono>
 
 namespace test_run_packing {
@@ -136,6 +138,16 @@ private slots:
         const QImage stopped = pictureImage();
         picture().update(picture().boundingRect().toAlignedRect());
         QCOMPARE(pictureImage(), stopped);
+        // On another page it is not painted, although it moves.
+        FilmPicture& hidden = picture();
+        hidden.setProperty("speed", 250.0);
+        m_window->settle();
+        tap("nav_motion");
+        nowS += 0.1;
+        QSignalSpy frames(&m_window->panel().window(), &QQuickWindow::frameSwapped);
+        hidden.advance();
+        QTest::qWait(100);
+        QCOMPARE(frames.size(), 0);
         enter(Situation::Lost);
         QVERIFY(picture().property("stale").toBool());
         const QImage stale = pictureImage();
