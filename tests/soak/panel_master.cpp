@@ -98,7 +98,6 @@ void PanelMaster::noteEvents()
     if (now.restarts != m_seen.restarts) {
         m_truth.restarted();
         m_restartOpen = true;
-        m_answersBefore = 0;
     }
     m_seen = now;
 }
@@ -114,7 +113,8 @@ void PanelMaster::noteError(const modbus::LinkError& error)
 bool PanelMaster::tryToConnect()
 {
     m_client = std::make_unique<modbus::RtuClient>(
-        modbus::LinkSettings{m_controller.portNow(), m_settings.line, 1, m_settings.answerAllowance});
+        modbus::LinkSettings{m_controller.portNow(), m_settings.line, 1, m_settings.answerAllowance},
+        m_record);
     if (const auto opened = timed("open", 1, Slow::No, [this] { return m_client->open(); }); !opened) {
         noteError(opened.error());
         m_client.reset();
@@ -144,13 +144,20 @@ void PanelMaster::connect()
     }
 }
 
-// Time in which a stopped controller could not answer does not count: it is told by its own count of answers.
+std::int64_t PanelMaster::unbelievedAnswers() const
+{
+    const auto& figures = m_record->figures;
+    const auto counts = figures.controller();
+    return counts ? counts->requests - static_cast<std::int64_t>(figures.answers()) : 0;
+}
+
+// Time in which a stopped controller could not answer does not count.
 void PanelMaster::noteReturn(const char* what, Clock::duration took, std::vector<double>& times)
 {
-    constexpr int fewAnswers = 24; // some attempts of identity and status
+    constexpr int fewAnswers = 24; // to some attempts of identity and status
     times.push_back(std::chrono::duration<double, std::milli>(took).count());
     const bool couldAnswer = m_settings.time == ControllerTime::Steady ||
-                             static_cast<std::uint16_t>(m_answers - m_answersBefore) > fewAnswers;
+                             unbelievedAnswers() - m_unbelievedBefore > fewAnswers;
     if (took > reconnectLimit && couldAnswer)
         m_tally.find(m_tally.hangs, std::string(what) + ": found again after " +
                                         std::to_string(std::chrono::ceil<milliseconds>(took).count()) +
@@ -163,7 +170,7 @@ void PanelMaster::noteGoodStatus()
         noteReturn("port", Clock::now() - m_seen.lastPlug, m_tally.replugMs);
     if (std::exchange(m_restartOpen, false))
         noteReturn("controller", Clock::now() - m_seen.lastRestart, m_tally.restartMs);
-    m_answersBefore = m_answers;
+    m_unbelievedBefore = unbelievedAnswers();
 }
 
 void PanelMaster::pollStatus()
@@ -184,7 +191,6 @@ void PanelMaster::pollStatus()
     else if (const auto repeated = m_truth.checkCommands(*status); !repeated.empty())
         m_tally.find(m_tally.repeated, "status: " + repeated);
     m_program = {status->generation, status->activeCrc.value_or(0)};
-    m_answers = status->linkRequests;
     noteGoodStatus();
     if (m_download) {
         const auto step = m_download->noteStatus(*status);

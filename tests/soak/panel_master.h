@@ -60,6 +60,8 @@ private:
     void noteError(const modbus::LinkError& error);
     void noteGoodStatus();
     void noteReturn(const char* what, Clock::duration took, std::vector<double>& times);
+    // Returns how many more times the controller has answered, by its own count, than the client believed.
+    [[nodiscard]] std::int64_t unbelievedAnswers() const;
 
     void oneStep();
     void pollStatus();
@@ -82,6 +84,8 @@ private:
     Watch& m_watch;
     Truth m_truth;
     std::mt19937_64 m_random;
+    const std::shared_ptr<modbus::LinkRecord> m_record =
+        std::make_shared<modbus::LinkRecord>(); // of all connections
     std::unique_ptr<modbus::RtuClient> m_client;
     std::optional<modbus::Identity> m_identity;
     std::unique_ptr<modbus::Download> m_download;
@@ -90,9 +94,8 @@ private:
     FaultyController::Events m_seen; // events already included in the truth
     bool m_replugOpen = false;       // the port is back, without a good status since
     bool m_restartOpen = false;
-    std::uint16_t m_answersBefore = 0; // of the controller, in the last good status since its power-up
-    std::uint16_t m_answers = 0;       // in this one
-    bool m_isClean = true;             // without faults at present
+    std::int64_t m_unbelievedBefore = 0; // in the last good status
+    bool m_isClean = true;               // without faults at present
     std::uint16_t m_heartbeat = 0;
     std::uint16_t m_session = 0;
 };
