@@ -144,6 +144,7 @@ private slots:
         m_window->settle();
         tap("nav_motion");
         // The other page may still need frames.
+        // Back and forth: a film moves only for a while after its status.
         QSignalSpy frames(&m_window->panel().window(), &QQuickWindow::frameSwapped);
         bool isPainted = true;
         for (int attempt = 0; attempt < 20 && isPainted; ++attempt) {
