@@ -91,6 +91,9 @@ class TestKilledImports : public QObject {
     }
 
 private slots:
+    // A killed panel does not remove its temporary folder.
+    void initTestCase() { qputenv("TMPDIR", m_folder.path().toLocal8Bit()); }
+
     void theLibraryIsOldOrNew()
     {
         const quint32 seed = QRandomGenerator::global()->generate();

@@ -49,6 +49,9 @@ class TestStopsKilled : public QObject {
     }
 
 private slots:
+    // A killed panel does not remove its temporary folder.
+    void initTestCase() { qputenv("TMPDIR", m_folder.path().toLocal8Bit()); }
+
     void nothingIsLostAndNothingCountsTwice()
     {
         const quint32 seed = QRandomGenerator::global()->generate();
