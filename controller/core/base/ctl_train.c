@@ -49,7 +49,7 @@ ctl_train ctl_train_line(int64_t from, int64_t to, uint32_t ticks)
 ctl_train ctl_train_until(ctl_train* train, uint32_t tick)
 {
     ctl_train passed = *train;
-    ctl_train left = *train; /* not in memory, where a compiler may gather and scatter it at each pulse */
+    ctl_train left = *train; /* in registers: in memory, gcc loads and stores it again at each pulse */
     while (left.count != 0 && left.tick <= tick)
         (void)ctl_train_next(&left);
     *train = left;
