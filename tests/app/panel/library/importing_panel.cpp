@@ -51,7 +51,7 @@ static int importingPanel(int argc, char** argv)
     for (int next = recipes.list()->rows().first().version + 1;; ++next) {
         program::Recipe recipe = editor.storedRecipe();
         recipe.version = next;
-        recipe.cutter().bagLengthMm = 240 + next % 16;
+        recipe.cutter().bagLengthMm = 249 + next % 16; // version 1, the example, has 250
         const QByteArray offer = store::signRecipe(recipe, 1'790'000'000'000, 1, *key);
         recipes.files()->takeOffer({QStringLiteral("Biscuit"), offer});
         const auto* files = recipes.files()->files();
