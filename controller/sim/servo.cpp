@@ -14,6 +14,7 @@ constexpr double restPulsesPerS = 1e-3;
 
 Servo::Servo(double bandwidthHz)
     : m_angularBandwidth(2.0 * std::numbers::pi * bandwidthHz)
+    , m_lagS(2.0 / m_angularBandwidth)
 {
 }
 
@@ -43,12 +44,13 @@ void Servo::advance(double stepS)
     }
     if (stepS != m_stepS) {
         m_stepS = stepS;
+        m_stepsPerS = 1.0 / stepS;
         m_decay = std::exp(-m_angularBandwidth * stepS);
     }
     // x'' = w^2 (u - x) - 2 w x' with u' = r: z = x - u + 2 r / w decays as (z0 + (z0' + w z0) t) exp(-w t).
     const double w = m_angularBandwidth;
-    const double rise = (target - from) / stepS;
-    const double lag = 2.0 * rise / w;
+    const double rise = (target - from) * m_stepsPerS;
+    const double lag = rise * m_lagS;
     const double z = m_position - from + lag;
     const double zSpeed = m_speed - rise;
     const double slope = zSpeed + w * z;

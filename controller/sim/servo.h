@@ -26,13 +26,15 @@ public:
 
 private:
     double m_angularBandwidth = 0.0; // 1/s
+    double m_lagS = 0.0;             // at constant speed
     bool m_driveOn = true;
     std::int64_t m_commanded = 0;
     double m_target = 0.0; // the command at the end of the last step
     double m_position = 0.0;
     double m_speed = 0.0; // 1/s
     double m_before = 0.0;
-    double m_stepS = 0.0; // step that m_decay was computed for
+    double m_stepS = 0.0; // step that the next two were computed for
+    double m_stepsPerS = 0.0;
     double m_decay = 1.0;
 };
 
