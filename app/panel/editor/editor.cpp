@@ -104,6 +104,7 @@ Editor::Editor(Controller& machine, const QString& folder, QObject* parent)
     connectKnots();
     connectMap();
     connectRamps();
+    m_writer.setMaxThreadCount(1);
     m_keepTimer.setSingleShot(true);
     m_keepTimer.setInterval(keepDelay);
     m_tableTimer.setSingleShot(true);
@@ -130,6 +131,7 @@ Editor::~Editor()
 {
     if (m_keepTimer.isActive())
         keepWorkingCopy();
+    m_writer.waitForDone();
 }
 
 Editor* Editor::create(QQmlEngine* qmlEngine, QJSEngine*)

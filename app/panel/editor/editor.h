@@ -20,6 +20,7 @@
 #include <QObject>
 #include <QPointF>
 #include <QStringList>
+#include <QThreadPool>
 #include <QTimer>
 #include <QVariant>
 #include <QtQml/qqmlregistration.h>
@@ -230,6 +231,7 @@ private:
     void show();
     void watchController();
     void keepWorkingCopy();
+    void write(const store::LastRecipe& file, const program::Recipe& recipe);
     void showNotice(const QString& text);
     [[nodiscard]] const profile::Suggestion* suggestion() const;
     [[nodiscard]] int nextVersion() const;
@@ -250,6 +252,7 @@ private:
     ProgramDownload m_download;
     store::LastRecipe m_storedFile;
     store::LastRecipe m_workingFile;
+    QThreadPool m_writer; // one thread; the destructor waits for it
     QTimer m_keepTimer;
     QTimer m_tableTimer; // builds a slow table once the finger rests
     program::Recipe m_stored;

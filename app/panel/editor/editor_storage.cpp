@@ -50,8 +50,7 @@ void Editor::open(const program::Recipe& stored, const std::optional<program::Re
 void Editor::takeStored(const program::Recipe& recipe)
 {
     m_stored = recipe;
-    if (const auto kept = m_storedFile.save(m_stored); !kept)
-        showNotice(store::FileErrorText::describe(kept.error()));
+    write(m_storedFile, m_stored);
     m_keepTimer.start();
     recompute();
 }
@@ -59,8 +58,18 @@ void Editor::takeStored(const program::Recipe& recipe)
 void Editor::keepWorkingCopy()
 {
     m_keepTimer.stop();
-    if (const auto kept = m_workingFile.save(m_recipe); !kept)
-        showNotice(store::FileErrorText::describe(kept.error()));
+    write(m_workingFile, m_recipe);
+}
+
+// Writes in another thread: the medium may take seconds.
+void Editor::write(const store::LastRecipe& file, const program::Recipe& recipe)
+{
+    m_writer.start([this, file, recipe] {
+        if (const auto kept = file.save(recipe); !kept)
+            QMetaObject::invokeMethod(this, [this, error = kept.error()] {
+                showNotice(store::FileErrorText::describe(error));
+            });
+    });
 }
 
 // Sends the controller's figures the machine data of the kind that is active.
