@@ -16,6 +16,7 @@
 #include <QSocketNotifier>
 #include <QTimer>
 
+#include <array>
 #include <atomic>
 #include <ctime>
 #include <optional>
@@ -160,12 +161,7 @@ static int producingPanel(int argc, char** argv)
     panel.open();
 
     std::optional<test::FullDisk> full;
-    QFile input;
-    if (!input.open(stdin, QIODevice::ReadOnly | QIODevice::Unbuffered))
-        return 1;
-    QSocketNotifier told(STDIN_FILENO, QSocketNotifier::Read);
-    QObject::connect(&told, &QSocketNotifier::activated, &panel, [&] {
-        const QByteArray line = input.readLine().trimmed();
+    const auto obey = [&full](const QByteArray& line) {
         if (line == "full")
             full.emplace();
         else if (line == "room")
@@ -173,8 +169,22 @@ static int producingPanel(int argc, char** argv)
         else if (line.startsWith("clock "))
             clockOffsetS += line.mid(6).toLongLong();
         else
-            QCoreApplication::exit(line.isEmpty() ? 0 : 1);
+            QCoreApplication::exit(1);
         test::say(QStringLiteral("time %1").arg(QDateTime::currentSecsSinceEpoch()));
+    };
+    QByteArray input;
+    QSocketNotifier told(STDIN_FILENO, QSocketNotifier::Read);
+    QObject::connect(&told, &QSocketNotifier::activated, &panel, [&input, &obey] {
+        std::array<char, 256> bytes;
+        const ssize_t count = ::read(STDIN_FILENO, bytes.data(), bytes.size());
+        if (count <= 0)
+            QCoreApplication::quit();
+        else
+            input.append(bytes.data(), count);
+        for (qsizetype end = input.indexOf('\n'); end >= 0; end = input.indexOf('\n')) {
+            obey(input.left(end));
+            input.remove(0, end + 1);
+        }
     });
     QTimer bags;
     bags.callOnTimeout(&panel, [&] { reportBags(panel); });

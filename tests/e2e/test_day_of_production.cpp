@@ -79,12 +79,19 @@ class TestDayOfProduction : public QObject {
     int m_clockSteps = 0;
     bool m_isFull = false;
     qint64 m_clockOffsetS = 0; // of the present panel
+    struct Told {
+        qint64 clockOffsetS;
+        QElapsedTimer since;
+    };
+    QList<Told> m_unanswered; // lines told to the present panel
+    qint64 m_slowestAnswerMs = 0;
 
     void startPanel()
     {
         m_memoryKb.clear();
         m_isFull = false;
         m_clockOffsetS = 0;
+        m_unanswered.clear();
         m_panel.setProcessChannelMode(QProcess::SeparateChannels);
         m_panel.setStandardErrorFile(QProcess::nullDevice()); // each fault of the line is told
         m_panel.start(QCoreApplication::applicationFilePath(),
@@ -111,9 +118,12 @@ class TestDayOfProduction : public QObject {
             QVERIFY2(words.value(1).toLongLong() >= m_bags, line);
             m_bags = words.value(1).toLongLong();
             m_memoryKb << words.value(2).toDouble();
-        } else if (words[0] == "time") { // the panel's, which it was told to change
+        } else if (words[0] == "time") { // the panel's, which answers each line with it
             constexpr qint64 toleranceS = 60;
-            const qint64 expected = QDateTime::currentSecsSinceEpoch() + m_clockOffsetS;
+            QVERIFY2(!m_unanswered.isEmpty(), line);
+            const Told told = m_unanswered.takeFirst();
+            m_slowestAnswerMs = std::max(m_slowestAnswerMs, told.since.elapsed());
+            const qint64 expected = QDateTime::currentSecsSinceEpoch() + told.clockOffsetS;
             QVERIFY2(std::abs(words.value(1).toLongLong() - expected) < toleranceS, line);
         }
     }
@@ -131,11 +141,15 @@ class TestDayOfProduction : public QObject {
                     return;
             }
             QVERIFY2(m_panel.state() == QProcess::Running, "the panel has ended");
+            QVERIFY2(m_unanswered.isEmpty() || !m_unanswered.first().since.hasExpired(timeoutMs),
+                     "the panel does not answer");
         }
     }
 
     void tell(const QByteArray& line)
     {
+        m_unanswered << Told{m_clockOffsetS, {}};
+        m_unanswered.last().since.start();
         m_panel.write(line + '\n');
         m_panel.waitForBytesWritten();
     }
@@ -292,10 +306,10 @@ private slots:
         const auto report = qScopeGuard([this, seed] {
             qInfo("seed %u: %.1f simulated hours, %lld bags, %d downloads confirmed, version %lld, "
                   "%lld audit rows; %d kills of the panel, %d of the controller, %d full disks, "
-                  "%d steps of the clock",
+                  "%d steps of the clock; slowest answer of the panel %lld ms",
                   seed, simulatedHours(), static_cast<long long>(m_bags), m_confirmed,
                   static_cast<long long>(m_version), static_cast<long long>(m_sequence), m_kills,
-                  m_controllerKills, m_fullDisks, m_clockSteps);
+                  m_controllerKills, m_fullDisks, m_clockSteps, static_cast<long long>(m_slowestAnswerMs));
         });
         m_clock.start();
         while (simulatedHours() < hours / 2) {
