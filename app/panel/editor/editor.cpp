@@ -116,8 +116,8 @@ Editor::Editor(Controller& machine, const QString& folder, QObject* parent)
     connect(&m_download, &ProgramDownload::begun, this, &Editor::downloadBegun);
     connect(&m_download, &ProgramDownload::ended, this, &Editor::downloadEnded);
     connect(&m_download, &ProgramDownload::applied, this, [this](const program::Recipe& recipe) {
-        takeStored(recipe);
-        emit applied(recipe);
+        // The library must not know a newer version than the file does.
+        takeStored(recipe, [this, recipe] { emit applied(recipe); });
     });
     connect(&machine, &Controller::connectionChanged, this, &Editor::watchController);
     connect(&machine, &Controller::programChanged, this, &Editor::show);

@@ -183,8 +183,9 @@ public:
     // Opens another recipe, unchanged or with the edits in `edited`. Clears the previous recipe and the undo
     // history.
     void open(const program::Recipe& stored, const std::optional<program::Recipe>& edited = {});
-    // Sets the saved recipe as the new reference of edited(); the edits stay.
-    void takeStored(const program::Recipe& recipe);
+    // Sets the saved recipe as the new reference of edited(); the edits stay. Calls `done` once its file is
+    // written, or cannot be.
+    void takeStored(const program::Recipe& recipe, std::function<void()> done = [] {});
     // Returns the newest stored version of a name, 0: none. An edited recipe has the next version.
     using NewestVersion = std::function<int(const std::string& name)>;
     void setNewestVersion(NewestVersion newest);
@@ -195,7 +196,7 @@ public:
     [[nodiscard]] program::Recipe newRecipe(profile::ProgramKind kind) const;
 
 signals:
-    // Emitted when the controller executes the recipe.
+    // Emitted when the controller executes the recipe, and its file is written.
     void applied(const campanel::program::Recipe& recipe);
     void kindChanged();
     void fieldsChanged();
@@ -231,7 +232,7 @@ private:
     void show();
     void watchController();
     void keepWorkingCopy();
-    void write(const store::LastRecipe& file, const program::Recipe& recipe);
+    void write(const store::LastRecipe& file, const program::Recipe& recipe, std::function<void()> done);
     void showNotice(const QString& text);
     [[nodiscard]] const profile::Suggestion* suggestion() const;
     [[nodiscard]] int nextVersion() const;

@@ -6,6 +6,7 @@
 #include "app/panel/recipe/recipe_edit.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace campanel::panel {
 
@@ -47,10 +48,10 @@ void Editor::open(const program::Recipe& stored, const std::optional<program::Re
     takeStored(stored);
 }
 
-void Editor::takeStored(const program::Recipe& recipe)
+void Editor::takeStored(const program::Recipe& recipe, std::function<void()> done)
 {
     m_stored = recipe;
-    write(m_storedFile, m_stored);
+    write(m_storedFile, m_stored, std::move(done));
     m_keepTimer.start();
     recompute();
 }
@@ -58,17 +59,18 @@ void Editor::takeStored(const program::Recipe& recipe)
 void Editor::keepWorkingCopy()
 {
     m_keepTimer.stop();
-    write(m_workingFile, m_recipe);
+    write(m_workingFile, m_recipe, [] {});
 }
 
 // Writes in another thread: the medium may take seconds.
-void Editor::write(const store::LastRecipe& file, const program::Recipe& recipe)
+void Editor::write(const store::LastRecipe& file, const program::Recipe& recipe, std::function<void()> done)
 {
-    m_writer.start([this, file, recipe] {
-        if (const auto kept = file.save(recipe); !kept)
-            QMetaObject::invokeMethod(this, [this, error = kept.error()] {
-                showNotice(store::FileErrorText::describe(error));
-            });
+    m_writer.start([this, file, recipe, done = std::move(done)] {
+        QMetaObject::invokeMethod(this, [this, done, kept = file.save(recipe)] {
+            if (!kept)
+                showNotice(store::FileErrorText::describe(kept.error()));
+            done();
+        });
     });
 }
 

@@ -52,6 +52,20 @@ private slots:
         QCOMPARE(syncsOfPanel, beforeOfPanel);
     }
 
+    void whoWaitsForTheFileFindsIt()
+    {
+        PanelRig rig;
+        program::Recipe recipe = rig.editor.storedRecipe();
+        recipe.name = "Another";
+        std::string found;
+        rig.editor.takeStored(recipe, [&rig, &found] {
+            found = store::readRecipe(rig.folder.filePath(QStringLiteral("recipe.json")))
+                        .value_or(program::Recipe{})
+                        .name;
+        });
+        QTRY_COMPARE(found, "Another");
+    }
+
     void whatWasEditedIsInTheFilesAtTheEnd()
     {
         PanelRig rig;
