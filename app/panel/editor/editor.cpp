@@ -127,13 +127,6 @@ Editor::Editor(Controller& machine, const QString& folder, QObject* parent)
     recompute();
 }
 
-Editor::~Editor()
-{
-    if (m_keepTimer.isActive())
-        keepWorkingCopy();
-    m_writer.waitForDone();
-}
-
 Editor* Editor::create(QQmlEngine* qmlEngine, QJSEngine*)
 {
     return attachedInstance<Editor>(qmlEngine);

@@ -10,6 +10,13 @@
 
 namespace campanel::panel {
 
+Editor::~Editor()
+{
+    if (m_keepTimer.isActive())
+        keepWorkingCopy();
+    m_writer.waitForDone();
+}
+
 bool Editor::edited() const
 {
     return !sameRecipe(m_recipe, m_stored);
