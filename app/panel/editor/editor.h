@@ -196,7 +196,7 @@ public:
     [[nodiscard]] program::Recipe newRecipe(profile::ProgramKind kind) const;
 
 signals:
-    // Emitted when the controller executes the recipe, and its file is written.
+    // Emitted when the controller executes the recipe, and its file is written or cannot be.
     void applied(const campanel::program::Recipe& recipe);
     void kindChanged();
     void fieldsChanged();
