@@ -12,6 +12,7 @@ constexpr double usualLength = 0.6; // share of the bag length
 constexpr double misplacedBy = 0.45;
 constexpr double minGapMm = 5.0; // between two products
 constexpr double shortestMm = 1.0;
+constexpr double layShare = 0.5; // of a product, where the laying place is
 
 } // namespace
 
@@ -21,10 +22,9 @@ Infeed::Infeed(const ProductOptions& options, std::uint64_t seed)
 {
 }
 
-void Infeed::load(double bagMm, double layShare, double position)
+void Infeed::load(double bagMm, double position)
 {
     m_bagMm = bagMm;
-    m_layShare = layShare;
     m_position = position;
     // Products on the infeed stay; the first new one starts before the eye.
     const double eye = m_options.eyeMm / m_options.pitchMm;
@@ -54,7 +54,7 @@ void Infeed::generate()
     }
     m_last = product;
     m_coming.push_back(product);
-    const double middle = static_cast<double>(product.number) + m_layShare +
+    const double middle = static_cast<double>(product.number) + layShare +
                           (product.behindMm - m_options.eyeMm) / m_options.pitchMm;
     const double half = 0.5 * product.lengthMm / m_options.pitchMm;
     const double noise = m_options.eyeNoiseMm / m_options.pitchMm;
@@ -65,7 +65,7 @@ void Infeed::generate()
 void Infeed::passEye(double position)
 {
     const double eye = m_options.eyeMm / m_options.pitchMm;
-    while (static_cast<double>(m_next) + m_layShare - eye < position + 2.0)
+    while (static_cast<double>(m_next) + layShare - eye < position + 2.0)
         generate();
     while (!m_due.empty() && m_due.front().position <= position) {
         m_edges.push_back(m_due.front());
@@ -87,8 +87,8 @@ void Infeed::moveTo(double position, double drawnBeforeMm, double drawnMm)
     if (!(m_bagMm > 0.0))
         return;
     passEye(position);
-    while (!m_coming.empty() && static_cast<double>(m_coming.front().number) + m_layShare <= position) {
-        const double due = static_cast<double>(m_coming.front().number) + m_layShare;
+    while (!m_coming.empty() && static_cast<double>(m_coming.front().number) + layShare <= position) {
+        const double due = static_cast<double>(m_coming.front().number) + layShare;
         const double way = position - m_position;
         const double part = way > 0.0 ? std::clamp((due - m_position) / way, 0.0, 1.0) : 1.0;
         layOne(drawnBeforeMm + part * (drawnMm - drawnBeforeMm));

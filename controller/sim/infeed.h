@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The products of a packing machine: on the infeed under the eye, then on the film until the cut. Each has a
 // nominal place on the infeed, with a small or large offset, or is missing. Positions on the infeed are in
-// products: product n is at its place when it is laid at n plus a share of the cycle.
+// products: product n in its place is laid on the film where the infeed stands at n + 1/2, whatever the
+// program.
 #pragma once
 
 #include <cstdint>
@@ -29,8 +30,8 @@ class Infeed {
 public:
     Infeed(const ProductOptions& options, std::uint64_t seed);
 
-    // Loads bags of this length; products are laid at this share of the cycle.
-    void load(double bagMm, double layShare, double position);
+    // Loads bags of this length.
+    void load(double bagMm, double position);
     // Moves to the next position; drawnBeforeMm and drawnMm are the film drawn before and after, including
     // slip.
     void moveTo(double position, double drawnBeforeMm, double drawnMm);
@@ -67,7 +68,6 @@ private:
     std::mt19937_64 m_random;
     std::normal_distribution<double> m_normal;
     double m_bagMm = 0.0;
-    double m_layShare = 0.0;
     double m_position = 0.0;
     std::int64_t m_next = 0; // next product to generate
     std::optional<Product> m_last;

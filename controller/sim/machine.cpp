@@ -169,7 +169,7 @@ void Machine::setKnife(const ctl_bank& bank)
     const double bagMm = wide(bank, CTL_OFFSET_PROGRAM_BAG_LENGTH) / umPerMm;
     const double cutShare = bank.registers[CTL_OFFSET_BANK_CUT_ANGLE] / fullCircle;
     m_film.load(bagMm, bagMm * cutShare, rollMm(m_filmMotor.position()));
-    m_infeed.load(bagMm, cutShare, m_infeedMotor.position() / m_options.flightPulses);
+    m_infeed.load(bagMm, m_infeedMotor.position() / m_options.flightPulses);
 }
 
 void Machine::passIndex()

@@ -22,6 +22,8 @@ struct BankImage {
     std::uint32_t divisor = 1;
     std::uint16_t carryRow = 0;
     std::uint16_t cutAngle = 18000; // 0.01 degrees
+    std::uint16_t syncStart = 14400;
+    std::uint16_t syncEnd = 21600;
     std::uint16_t knives = 1;
     std::uint32_t pulsesPerMotorRev = 10000;
     std::uint32_t knifeRadiusUm = 60000;
@@ -54,8 +56,8 @@ struct BankImage {
         wide(CTL_OFFSET_BANK_DIVISOR, divisor);
         result[CTL_OFFSET_BANK_CARRY_ROW] = carryRow;
         result[CTL_OFFSET_BANK_CUT_ANGLE] = cutAngle;
-        result[CTL_OFFSET_BANK_SYNC_START] = 14400;
-        result[CTL_OFFSET_BANK_SYNC_END] = 21600;
+        result[CTL_OFFSET_BANK_SYNC_START] = syncStart;
+        result[CTL_OFFSET_BANK_SYNC_END] = syncEnd;
         wide(CTL_OFFSET_PROGRAM_KNIFE_RADIUS, knifeRadiusUm);
         result[CTL_OFFSET_PROGRAM_KNIVES] = knives;
         wide(CTL_OFFSET_PROGRAM_PULSES_PER_MOTOR_REV, pulsesPerMotorRev);
