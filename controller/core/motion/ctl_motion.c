@@ -59,7 +59,7 @@ void ctl_motion_change_program(ctl_motion* motion)
     if (same && stands_right && ctl_table_between_cycles(&motion->table) &&
         ctl_motion_may_change(motion, ctl_active_bank(motion->banks))) {
         ctl_table_change_bank(&motion->table, ctl_active_bank(motion->banks));
-        ctl_packer_change_bank(motion->packer, ctl_active_bank(motion->banks));
+        ctl_packer_change_bank(motion->packer, ctl_active_bank(motion->banks), &motion->ramp);
     } else {
         ctl_packer_break_off(motion->packer);
         motion->in_phase = false;

@@ -53,9 +53,9 @@ static void take_over_armed(ctl_motion* motion, uint32_t* ticks)
     const uint64_t share = ctl_ramp_whole_share(&motion->ramp);
     ctl_transfer_apply(motion->transfer, motion->banks);
     ctl_table_change_bank(&motion->table, ctl_active_bank(motion->banks));
-    ctl_packer_change_bank(motion->packer, ctl_active_bank(motion->banks));
     ctl_motion_set_ramp(motion);
     motion->ramp.speed = ctl_ramp_speed_of(&motion->ramp, ctl_change_share_behind(&motion->change, share));
+    ctl_packer_change_bank(motion->packer, ctl_active_bank(motion->banks), &motion->ramp);
     motion->change_planned = false;
     *ticks = (uint32_t)ctl_change_share_behind(&motion->change, *ticks);
 }

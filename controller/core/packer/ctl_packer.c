@@ -135,6 +135,12 @@ int64_t ctl_packer_length_limit(const ctl_packer* packer)
     return packer->bag * parameter(packer, CTL_REG_PARAMETER_LENGTH_LIMIT) / 10000;
 }
 
+int64_t ctl_packer_max_shift(const ctl_packer* packer)
+{
+    return ctl_packer_length_limit(packer) +
+           ctl_packer_film(packer, parameter(packer, CTL_REG_PARAMETER_PHASE_LIMIT));
+}
+
 static ctl_mark_settings mark_settings(const ctl_packer* packer)
 {
     const ctl_mark_settings settings = {
@@ -167,7 +173,7 @@ static ctl_product_settings product_settings(const ctl_packer* packer)
     const int64_t flight = packer->flight;
     const ctl_product_settings settings = {
         .flight = flight,
-        .lay = (int64_t)((uint64_t)flight * packer->cut / packer->cycle),
+        .lay = flight / 2,
         .eye = (int64_t)(ctl_parameter32(packer->board, CTL_REG_PARAMETER_EYE_DISTANCE) * (uint64_t)flight /
                          pitch_um),
         .ratio = (pitch_film << RATIO_BITS) / (uint64_t)flight,
@@ -228,14 +234,23 @@ void ctl_packer_break_off(ctl_packer* packer)
     packer->broken_off = true;
 }
 
-/* The infeed was left anywhere: within the first cycles it comes to where the next product belongs. */
-static void begin_infeed(ctl_packer* packer)
+/* The laying place is half a flight from the start of the infeed's count; a product comes there at the cut.
+ */
+static int64_t infeed_ahead(const ctl_packer* packer)
 {
-    const int64_t start = packer->infeed_sent * CTL_FINE;
-    packer->number = (start + packer->flight - 1) / packer->flight;
+    return (int64_t)((uint64_t)packer->flight * packer->cut / packer->cycle) - packer->flight / 2;
+}
+
+/* The infeed stands anywhere: within the first cycles it comes to where the product belongs that needs the
+ * smallest correction; at a start none goes back. */
+static void align_infeed(ctl_packer* packer, int64_t start, bool forward)
+{
+    const int64_t ahead = infeed_ahead(packer);
+    packer->number = (start + ahead + (forward ? packer->flight - 1 : packer->flight / 2)) / packer->flight;
     ctl_feed_reset(&packer->infeed, packer->cycle, start, packer->flight);
-    ctl_feed_correct(&packer->infeed, packer->number * packer->flight - start,
-                     INFEED_CYCLES * (uint64_t)packer->cycle);
+    const int64_t way = packer->number * packer->flight - ahead - start;
+    if (way != 0)
+        ctl_feed_correct(&packer->infeed, way, INFEED_CYCLES * (uint64_t)packer->cycle);
 }
 
 /* It comes before the end of any sealing window, so that it cannot be shifted. */
@@ -243,6 +258,16 @@ static void plan_first_cut(ctl_packer* packer)
 {
     const ctl_cut cut = {first_cut(packer->film.start, packer->bank, packer->film.length), 0, false, false};
     packer->next = cut;
+}
+
+/* The next cut is not at its mark, and after another bag length its mark is not known. */
+static void leave_register(ctl_packer* packer, int64_t bag_before)
+{
+    packer->in_register = false;
+    if (packer->marks.state == CTL_MARK_STATE_TRACKING)
+        packer->marks.state = CTL_MARK_STATE_ALIGNING;
+    if (bag_before != packer->bag)
+        packer->marks.state = CTL_MARK_STATE_OFF;
 }
 
 /* Knife, film and infeed at the start of a cycle. The film lies where it lay, with its marks and products. */
@@ -254,19 +279,15 @@ static void begin_cycle(ctl_packer* packer, const ctl_bank* bank)
     packer->planned = false;
     packer->cut_before = false;
     packer->changed = false;
-    packer->in_register = false;
     packer->skips_in_row = 0;
     packer->broken_off = false;
     ctl_gate_reset(&packer->film_gate, packer->cycle, packer->engage, packer->release);
     ctl_gate_reset(&packer->knife_gate, packer->cycle, packer->engage, packer->release);
     ctl_feed_reset(&packer->film, packer->cycle, packer->film_sent * CTL_FINE,
                    ctl_packer_cycle_length(packer));
-    begin_infeed(packer);
+    align_infeed(packer, packer->infeed_sent * CTL_FINE, true);
     plan_first_cut(packer);
-    if (packer->marks.state == CTL_MARK_STATE_TRACKING)
-        packer->marks.state = CTL_MARK_STATE_ALIGNING;
-    if (bag_before != packer->bag)
-        packer->marks.state = CTL_MARK_STATE_OFF;
+    leave_register(packer, bag_before);
     const ctl_product_settings settings = product_settings(packer);
     ctl_products_set(&packer->products, &settings, packer->infeed_actual);
 }
@@ -306,8 +327,29 @@ void ctl_packer_run(ctl_packer* packer, const ctl_bank* bank, const ctl_ramp* ra
         ctl_packer_ask_first_cut(packer);
 }
 
-/* The film goes on as it is; the marks are looked for anew when the bags have another length. */
-void ctl_packer_change_bank(ctl_packer* packer, const ctl_bank* bank)
+/* Plans the first cut of a changed program onto its mark, where that is near enough for the time up to its
+ * sealing window. Returns false when it is not. */
+static bool plan_onto_mark(ctl_packer* packer, const ctl_ramp* ramp)
+{
+    if (packer->marks.state != CTL_MARK_STATE_TRACKING)
+        return false;
+    const int64_t lag = ctl_packer_lag(packer, ctl_ramp_speed_after(ramp, packer->cut), ramp);
+    const ctl_mark* mark = ctl_marks_near(&packer->marks, packer->next.command + lag, packer->bag / 2);
+    if (mark == NULL)
+        return false;
+    const int64_t shift = mark->at - lag - packer->next.command;
+    const int64_t size = shift < 0 ? -shift : shift;
+    const int64_t outside = (int64_t)packer->cycle - packer->release + packer->engage;
+    if (size > ctl_packer_max_shift(packer) || size > packer->bag / 10 * packer->engage / outside)
+        return false;
+    ctl_feed_correct(&packer->film, shift, packer->engage);
+    packer->next = (ctl_cut){packer->next.command + shift, lag, true, mark->seen};
+    return true;
+}
+
+/* The film goes on as it is. Bags of another length have other marks; those of the same length may be cut at
+ * another angle, so that the cuts have to be brought onto their marks again. */
+void ctl_packer_change_bank(ctl_packer* packer, const ctl_bank* bank, const ctl_ramp* ramp)
 {
     if (packer->bank == NULL)
         return;
@@ -323,12 +365,10 @@ void ctl_packer_change_bank(ctl_packer* packer, const ctl_bank* bank)
     if (is_open)
         ctl_gate_stand(&packer->knife_gate);
     ctl_feed_reset(&packer->film, packer->cycle, film, ctl_packer_cycle_length(packer));
-    ctl_feed_reset(&packer->infeed, packer->cycle, ctl_feed_position(&packer->infeed), packer->flight);
+    align_infeed(packer, ctl_feed_position(&packer->infeed), false);
     plan_first_cut(packer);
-    if (bag_before != packer->bag) {
-        packer->marks.state = CTL_MARK_STATE_OFF;
-        packer->in_register = false;
-    }
+    if (bag_before != packer->bag || !plan_onto_mark(packer, ramp))
+        leave_register(packer, bag_before);
     const ctl_product_settings settings = product_settings(packer);
     ctl_products_set(&packer->products, &settings, packer->infeed_actual);
     ctl_packer_follow_marks(packer);
@@ -386,7 +426,9 @@ bool ctl_packer_must_open(const ctl_packer* packer, const ctl_bank* bank)
 {
     if (packer->bank == NULL || parameter(packer, CTL_REG_PARAMETER_ANTI_CUT) == 0)
         return false;
-    const int64_t clearance = ctl_packer_film(packer, parameter(packer, CTL_REG_PARAMETER_CUT_CLEARANCE));
+    /* The cut may still be shifted onto its mark. */
+    const int64_t clearance = ctl_packer_film(packer, parameter(packer, CTL_REG_PARAMETER_CUT_CLEARANCE)) +
+                              ctl_packer_max_shift(packer);
     const int64_t cut =
         first_cut(ctl_feed_position(&packer->film), bank, ctl_packer_film(packer, bag_um(bank)));
     return ctl_products_across(&packer->products, cut, clearance);

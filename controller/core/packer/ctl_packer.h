@@ -108,8 +108,8 @@ uint16_t ctl_packer_refusal(const ctl_packer* packer, const ctl_bank* bank);
  * taken back, the next cut is made where it belongs at the speed of the ramp. */
 void ctl_packer_run(ctl_packer* packer, const ctl_bank* bank, const ctl_ramp* ramp);
 void ctl_packer_break_off(ctl_packer* packer);
-/* At the boundary of a cycle another program of the same machine became active. */
-void ctl_packer_change_bank(ctl_packer* packer, const ctl_bank* bank);
+/* At the boundary of a cycle another program of the same machine became active, which runs with this ramp. */
+void ctl_packer_change_bank(ctl_packer* packer, const ctl_bank* bank, const ctl_ramp* ramp);
 bool ctl_packer_active(const ctl_packer* packer);
 /* Infeed, film and knife are in the same phase, so that a program may be changed at the boundary: the knife
  * may stand open there, and must when a product lies under the first cut of `bank`. */
@@ -162,6 +162,8 @@ void ctl_packer_follow_marks(ctl_packer* packer);
 /* Film of a cycle without its correction, and what a correction of the length may change of it. */
 int64_t ctl_packer_cycle_length(const ctl_packer* packer);
 int64_t ctl_packer_length_limit(const ctl_packer* packer);
+/* The largest shift of a cut that follows the marks. */
+int64_t ctl_packer_max_shift(const ctl_packer* packer);
 
 #ifdef __cplusplus
 }
