@@ -1258,20 +1258,32 @@
         <translation>Die Maschine läuft weiter; das neue Rezept beginnt mit dem nächsten Zyklus.</translation>
     </message>
     <message>
-        <source>The film keeps its speed; %1 bags/min after %2 s.</source>
-        <translation>Die Folie behält ihre Geschwindigkeit; %1 Beutel/min nach %2 s.</translation>
+        <source>The film keeps its speed; %1 bags/min after %2.</source>
+        <translation>Die Folie behält ihre Geschwindigkeit; %1 Beutel/min nach %2.</translation>
     </message>
     <message>
-        <source>The master keeps its speed; full speed after %1 s.</source>
-        <translation>Die Leitachse behält ihre Geschwindigkeit; volle Geschwindigkeit nach %1 s.</translation>
+        <source>The master keeps its speed; full speed after %1.</source>
+        <translation>Die Leitachse behält ihre Geschwindigkeit; volle Geschwindigkeit nach %1.</translation>
     </message>
     <message>
-        <source>Slows down to %1 % (bags: %2, %3 s), then %4 bags/min.</source>
-        <translation>Wird auf %1 % langsamer (Beutel: %2, %3 s), dann %4 Beutel/min.</translation>
+        <source>Slows down to %1 % (bags: %2, %3), then %4 bags/min.</source>
+        <translation>Wird auf %1 % langsamer (Beutel: %2, %3), dann %4 Beutel/min.</translation>
     </message>
     <message>
-        <source>Slows down to %1 % (cycles: %2, %3 s), then full speed.</source>
-        <translation>Wird auf %1 % langsamer (Zyklen: %2, %3 s), dann volle Geschwindigkeit.</translation>
+        <source>Slows down to %1 % (cycles: %2, %3), then full speed.</source>
+        <translation>Wird auf %1 % langsamer (Zyklen: %2, %3), dann volle Geschwindigkeit.</translation>
+    </message>
+    <message>
+        <source>%1 A product under the first cut adds %2 s.</source>
+        <translation>%1 Ein Produkt unter dem ersten Schnitt verlängert das um %2 s.</translation>
+    </message>
+    <message>
+        <source>at least %1 s</source>
+        <translation>mindestens %1 s</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
     </message>
     <message>
         <source>No program</source>
@@ -4096,12 +4108,8 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
         <translation>Folie, die nicht verbraucht wurde, weil sie auf fehlende Produkte wartete. Seit dem Einschalten der Steuerung gezählt.</translation>
     </message>
     <message>
-        <source>skipped bags × their mean length</source>
-        <translation>ausgelassene Beutel × ihre mittlere Länge</translation>
-    </message>
-    <message>
-        <source>%1 × %2 m</source>
-        <translation>%1 × %2 m</translation>
+        <source>missing products × bag length at that time</source>
+        <translation>fehlende Produkte × Beutellänge zu dieser Zeit</translation>
     </message>
     <message>
         <source>Following error</source>

@@ -1258,20 +1258,32 @@
         <translation>机器继续运行，新配方从下一周期开始。</translation>
     </message>
     <message>
-        <source>The film keeps its speed; %1 bags/min after %2 s.</source>
-        <translation>薄膜速度不变；%2 秒后达到 %1 袋/分。</translation>
+        <source>The film keeps its speed; %1 bags/min after %2.</source>
+        <translation>薄膜速度不变；%2后达到 %1 袋/分。</translation>
     </message>
     <message>
-        <source>The master keeps its speed; full speed after %1 s.</source>
-        <translation>主轴速度不变；%1 秒后达到全速。</translation>
+        <source>The master keeps its speed; full speed after %1.</source>
+        <translation>主轴速度不变；%1后达到全速。</translation>
     </message>
     <message>
-        <source>Slows down to %1 % (bags: %2, %3 s), then %4 bags/min.</source>
-        <translation>先降速至 %1 %（%2 袋，%3 秒），然后 %4 袋/分。</translation>
+        <source>Slows down to %1 % (bags: %2, %3), then %4 bags/min.</source>
+        <translation>先降速至 %1 %（%2 袋，%3），然后 %4 袋/分。</translation>
     </message>
     <message>
-        <source>Slows down to %1 % (cycles: %2, %3 s), then full speed.</source>
-        <translation>先降速至 %1 %（%2 个周期，%3 秒），然后全速。</translation>
+        <source>Slows down to %1 % (cycles: %2, %3), then full speed.</source>
+        <translation>先降速至 %1 %（%2 个周期，%3），然后全速。</translation>
+    </message>
+    <message>
+        <source>%1 A product under the first cut adds %2 s.</source>
+        <translation>%1首次切刀处若有产品，再加 %2 秒。</translation>
+    </message>
+    <message>
+        <source>at least %1 s</source>
+        <translation>至少 %1 秒</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 秒</translation>
     </message>
     <message>
         <source>No program</source>
@@ -4094,12 +4106,8 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
         <translation>缺产品时薄膜等待所节省的薄膜。自控制器上电起累计。</translation>
     </message>
     <message>
-        <source>skipped bags × their mean length</source>
-        <translation>省去的袋数 × 平均袋长</translation>
-    </message>
-    <message>
-        <source>%1 × %2 m</source>
-        <translation>%1 × %2 m</translation>
+        <source>missing products × bag length at that time</source>
+        <translation>缺失的产品数 × 当时的袋长</translation>
     </message>
     <message>
         <source>Following error</source>

@@ -58,6 +58,13 @@ RampPart rampFrom(double share, bool isSCurve)
     return {left, left - 2 * left * left * left / 3};
 }
 
+// Returns the time of one cycle that begins and ends at this share of full speed, faster in between.
+double slowedCycleS(double share, double rampS, double cycleS)
+{
+    const double peak = std::sqrt(share * share + cycleS / rampS);
+    return peak < 1 ? 2 * rampS * (peak - share) : cycleS + rampS * (1 - share) * (1 - share);
+}
+
 } // namespace
 
 bool changesWhileRunning(const Recipe& from, const Recipe& to)
@@ -94,8 +101,10 @@ std::optional<ProgramChange> programChange(const Recipe& from, const SolvedProgr
     const RampPart up = rampFrom(shareBehind, behind.hasSCurve());
     const double downS = before.rampS(parameters);
     const double upS = behind.rampS(parameters);
+    const bool hasProducts = from.isCutter() && parameters.filmPulsesPerMm > 0 && parameters.hasAntiCut;
     return ProgramChange{share, shareBehind, down.time * downS + up.time * upS,
-                         down.travel * downS / solvedFrom.cycleS() + up.travel * upS / solvedTo.cycleS()};
+                         down.travel * downS / solvedFrom.cycleS() + up.travel * upS / solvedTo.cycleS(),
+                         hasProducts ? 2 * slowedCycleS(share, downS, solvedFrom.cycleS()) : 0.0};
 }
 
 } // namespace campanel::program

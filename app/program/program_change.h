@@ -21,6 +21,7 @@ struct ChangeParameters {
     double lengthTrimMm = 0;    // 0 while the marks are followed
     double rampS = 0;           // of a program without its own ramp
     bool isReversed = false;    // the master of a point cam
+    bool hasAntiCut = false;    // the knife stays open over a product
 };
 
 struct ProgramChange {
@@ -28,6 +29,9 @@ struct ProgramChange {
     double shareBehind = 1; // of the new program's full speed
     double timeS = 0;       // from full speed to full speed, without waiting for the boundary
     double cycles = 0;      // completed in that time
+    // More when a product lies under the first cut: two cycles until the knife stands open, each from and to
+    // the slowest speed. 0: none can.
+    double productWaitS = 0;
 };
 
 // Returns true when a running machine can change from one program to the other: both repeat.

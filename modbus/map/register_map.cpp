@@ -194,7 +194,8 @@ constexpr std::array registerTable{
     cutter(ro32("packer.products", 0x014E, "products laid on the film since power-up")),
     cutter(ro32("packer.cuts_skipped", 0x0150, "cuts not made because a product lay across")),
     cutter(ro32("packer.empty_bags", 0x0152,
-                "bags without a product: saved, or cut empty when film is not saved")),
+                "bags that were cut without a product, as their bit Empty says; those that the film waited "
+                "for are in film_saved")),
     cutter(ro32("packer.film_saved", 0x0154, "film not used up by empty bags", 0.001, "m")),
     cutter(ro16("packer.last_skip", 0x0156, "why a cut or a bag was last left out", "SkipCause")),
     cutter(ro16("packer.skips_in_a_row", 0x0157, "cuts skipped since the last one made")),

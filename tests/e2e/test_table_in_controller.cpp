@@ -136,6 +136,7 @@ class TestTableInController : public QObject {
 private slots:
     void changeIsPredicted_data();
     void changeIsPredicted();
+    void changeWaitsForAProduct();
     void changesOfTheDocuments_data();
     void changesOfTheDocuments();
     void aMillionCyclesWithoutDrift_data();
@@ -350,6 +351,59 @@ void TestTableInController::changeIsPredicted()
         }
     }
     QVERIFY2(pairs > 1000 && slowing > 500, qPrintable(QStringLiteral("%1 of %2").arg(slowing).arg(pairs)));
+}
+
+// A product under the first cut keeps the change waiting for two cycles, as announced.
+void TestTableInController::changeWaitsForAProduct()
+{
+    const auto programOf = [](double lengthMm, double rate) {
+        program::Recipe recipe = recipeOf({.bagLengthMm = lengthMm});
+        recipe.cutter().rateBagsPerMin = rate;
+        return *program::buildProgram(recipe);
+    };
+    const program::ProgramImage from = programOf(250, 60);
+    int waits = 0;
+    for (const double lengthMm : {200.0, 270.0, 340.0, 400.0, 450.0}) {
+        const program::ProgramImage to = programOf(lengthMm, 90);
+        const auto timeS = [&](double missing) {
+            controller::MachineOptions options;
+            options.products.missing = missing;
+            Rig rig(options);
+            install(rig, from);
+            rig.start();
+            rig.run(10'000'000);
+            const std::uint32_t generation = rig.core().banks.generation;
+            const std::uint64_t beganUs = rig.controller().nowUs();
+            rig.download(to.registers, 2);
+            rig.apply(to.registers, CTL_APPLY_MODE_NEXT_CYCLE, 2);
+            while (rig.core().banks.generation == generation)
+                rig.controller().step();
+            while (rig.core().motion.ramp.speed < rig.core().motion.ramp.full)
+                rig.controller().step();
+            return static_cast<double>(rig.controller().nowUs() - beganUs) / 1e6;
+        };
+        Rig rig;
+        const ctl_board& board = rig.core().board;
+        const program::ChangeParameters parameters{
+            .knifeStepHz = ctl_parameter32(&board, CTL_REG_PARAMETER_KNIFE_STEP) * 1.0,
+            .filmStepHz = ctl_parameter32(&board, CTL_REG_PARAMETER_FILM_STEP) * 1.0,
+            .infeedStepHz = ctl_parameter32(&board, CTL_REG_PARAMETER_INFEED_STEP) * 1.0,
+            .filmPulsesPerMm = 10'000.0 / 150.0,
+            .flightPulses = 20'000.0,
+            .rampS = 0.8,
+            .hasAntiCut = true};
+        const auto predicted =
+            program::programChange(from.recipe, from.solved, to.recipe, to.solved, parameters);
+        const double waitS = timeS(0.0) - timeS(1.0);
+        const bool isWaiting = waitS > predicted->productWaitS / 2;
+        waits += isWaiting ? 1 : 0;
+        QVERIFY2(std::abs(waitS - (isWaiting ? predicted->productWaitS : 0.0)) < 0.05,
+                 qPrintable(QStringLiteral("%1 mm: %2 s more, announced %3 s")
+                                .arg(lengthMm)
+                                .arg(waitS)
+                                .arg(predicted->productWaitS)));
+    }
+    QVERIFY(waits > 0);
 }
 
 void TestTableInController::changesOfTheDocuments_data()

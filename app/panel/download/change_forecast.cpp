@@ -13,10 +13,10 @@ namespace campanel::panel {
 namespace {
 
 // In the order of the enum.
-constexpr std::array names{"parameter.knife_step",      "parameter.film_step",     "parameter.infeed_step",
-                           "parameter.film_pulses",     "parameter.film_feed",     "parameter.flight_pulses",
-                           "parameter.length_trim",     "parameter.mark_tracking", "parameter.ramp_time",
-                           "parameter.master_direction"};
+constexpr std::array names{"parameter.knife_step",       "parameter.film_step",     "parameter.infeed_step",
+                           "parameter.film_pulses",      "parameter.film_feed",     "parameter.flight_pulses",
+                           "parameter.length_trim",      "parameter.mark_tracking", "parameter.ramp_time",
+                           "parameter.master_direction", "parameter.anti_cut"};
 enum class Index {
     KnifeStep,
     FilmStep,
@@ -28,6 +28,7 @@ enum class Index {
     MarkTracking,
     RampTime,
     Direction,
+    AntiCut,
 };
 
 } // namespace
@@ -60,6 +61,7 @@ std::optional<program::ChangeParameters> ChangeForecast::parameters() const
         .lengthTrimMm = value(MarkTracking) != 0 ? 0.0 : value(LengthTrim),
         .rampS = value(RampTime) / 1000,
         .isReversed = value(Direction) != 0,
+        .hasAntiCut = value(AntiCut) != 0,
     };
 }
 

@@ -208,18 +208,13 @@ Explanation Explanations::packing(Topic quantity) const
         return explanation;
     }
     const double saved = line.filmSavedM();
-    const double bags = line.emptyBags();
     explanation.title = tr("Film saved");
     explanation.value = format.number(saved, 1);
     explanation.unit = tr("m");
     explanation.meaning =
         tr("Film that was not used because the film waited for missing products. Counted since "
            "power-on of the controller.");
-    explanation.formula = tr("skipped bags × their mean length");
-    explanation.numbers =
-        bags > 0 ? ifKnown({saved, bags},
-                           tr("%1 × %2 m").arg(format.number(bags, 0), format.number(saved / bags, 3)))
-                 : QString();
+    explanation.formula = tr("missing products × bag length at that time");
     return explanation;
 }
 

@@ -128,21 +128,31 @@ QString ControllerSentences::refusal(Refusal reason)
 
 QString ControllerSentences::programChange(const program::ProgramChange& change, double rateBagsPerMin)
 {
+    const QString text = undisturbedChange(change, rateBagsPerMin);
+    if (change.productWaitS <= 0)
+        return text;
+    return tr("%1 A product under the first cut adds %2 s.")
+        .arg(text, Format().number(change.productWaitS, 1));
+}
+
+QString ControllerSentences::undisturbedChange(const program::ProgramChange& change, double rateBagsPerMin)
+{
     constexpr double noSlower = 0.995;
     const Format format;
     const QString rate = format.number(rateBagsPerMin, 1);
-    const QString time = format.number(change.timeS, 1);
+    const QString seconds = format.number(change.timeS, 1);
+    const QString time = change.productWaitS > 0 ? tr("at least %1 s").arg(seconds) : tr("%1 s").arg(seconds);
     const bool hasBags = rateBagsPerMin > 0;
     if (change.shareBefore >= noSlower && change.shareBehind >= noSlower)
         return tr("The machine keeps running; the new recipe starts with the next cycle.");
     if (change.shareBefore >= noSlower)
-        return hasBags ? tr("The film keeps its speed; %1 bags/min after %2 s.").arg(rate, time)
-                       : tr("The master keeps its speed; full speed after %1 s.").arg(time);
+        return hasBags ? tr("The film keeps its speed; %1 bags/min after %2.").arg(rate, time)
+                       : tr("The master keeps its speed; full speed after %1.").arg(time);
     const QString percent = format.number(100 * change.shareBefore, change.shareBefore < 0.1 ? 1 : 0);
     const QString count = QString::number(std::max(1L, std::lround(change.cycles)));
     return hasBags
-               ? tr("Slows down to %1 % (bags: %2, %3 s), then %4 bags/min.").arg(percent, count, time, rate)
-               : tr("Slows down to %1 % (cycles: %2, %3 s), then full speed.").arg(percent, count, time);
+               ? tr("Slows down to %1 % (bags: %2, %3), then %4 bags/min.").arg(percent, count, time, rate)
+               : tr("Slows down to %1 % (cycles: %2, %3), then full speed.").arg(percent, count, time);
 }
 
 QString ControllerSentences::pressStage(modbus::PressStage stage)

@@ -25,6 +25,11 @@ public:
     [[nodiscard]] static QString markState(modbus::MarkState state);
     [[nodiscard]] static QString skipCause(modbus::SkipCause cause);
     [[nodiscard]] static QString transferResult(const modbus::TransferAnswer& answer);
+
+private:
+    // Returns the same where no product waits under a cut.
+    [[nodiscard]] static QString undisturbedChange(const program::ProgramChange& change,
+                                                   double rateBagsPerMin);
 };
 
 } // namespace campanel::panel

@@ -176,7 +176,6 @@ static bool film_must_wait(ctl_packer* packer)
     if (ctl_parameter16(packer->board, CTL_REG_PARAMETER_EMPTY_BAG) == 0 ||
         !ctl_products_missing(&packer->products, packer->number + 1, packer->infeed_actual))
         return false;
-    packer->empty += 1;
     packer->saved_um += bag_um(packer);
     packer->last_skip = CTL_SKIP_CAUSE_NO_PRODUCT;
     return true;
@@ -258,10 +257,8 @@ static void read_sensors(ctl_packer* packer)
     while (port->eye(port->context, &at, &covered))
         ctl_products_edge(&packer->products, at, covered);
     ctl_marks_pass(&packer->marks, packer->film_actual);
-    const uint32_t empty = ctl_products_lay(&packer->products, infeed_before, packer->infeed_actual,
-                                            film_before, packer->film_actual);
-    if (ctl_parameter16(packer->board, CTL_REG_PARAMETER_EMPTY_BAG) == 0)
-        packer->empty += empty;
+    ctl_products_lay(&packer->products, infeed_before, packer->infeed_actual, film_before,
+                     packer->film_actual);
 }
 
 static bool has_alarms(ctl_packer* packer)
@@ -349,6 +346,7 @@ void ctl_packer_on_bag(ctl_packer* packer, uint32_t length_um)
     const ctl_last_cut* last = &packer->last_cut;
     const uint32_t flags = (last->bags < 255u ? last->bags : 255u) << 8 | bag_bits(packer);
     packer->bags += 1;
+    packer->empty += last->had_products ? 0u : 1u;
     uint16_t* record = &packer->records[CTL_BAG_REGISTERS * (packer->bags % CTL_BAG_RECORDS)];
     record[0] = ctl_saturated16((int64_t)length_um - last->set_um);
     record[1] = ctl_saturated16(ctl_packer_um(packer, last->error));

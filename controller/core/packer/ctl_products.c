@@ -92,40 +92,34 @@ static void lay_one(ctl_products* products, const ctl_coming* coming, int64_t fi
     products->total += 1;
 }
 
-/* All that belong to `number` are laid at this film position; false when there is none. */
-static bool lay_number(ctl_products* products, int64_t number, int64_t film)
+/* All that belong to `number` are laid at this film position. */
+static void lay_number(ctl_products* products, int64_t number, int64_t film)
 {
     uint32_t kept = 0;
-    bool any = false;
     for (uint32_t i = 0; i < products->coming_count; ++i) {
         const ctl_coming coming = products->coming[i];
         if (coming.number == number) {
             lay_one(products, &coming, film);
-            any = true;
         } else if (coming.number > number) {
             products->coming[kept++] = coming;
         }
     }
     products->coming_count = kept;
-    return any;
 }
 
-uint32_t ctl_products_lay(ctl_products* products, int64_t infeed_before, int64_t infeed, int64_t film_before,
-                          int64_t film)
+void ctl_products_lay(ctl_products* products, int64_t infeed_before, int64_t infeed, int64_t film_before,
+                      int64_t film)
 {
-    uint32_t empty = 0;
     if (products->settings.flight == 0)
-        return 0;
+        return;
     for (;;) {
         const int64_t due = products->next * products->settings.flight + products->settings.lay;
         if (due > infeed)
-            return empty;
+            return;
         const int64_t way = infeed - infeed_before;
         const int64_t part = way > 0 && due > infeed_before ? due - infeed_before : 0;
         const int64_t at = way > 0 ? film_before + (film - film_before) * part / way : film;
-        const bool missing = ctl_products_missing(products, products->next, infeed);
-        if (!lay_number(products, products->next, at) && missing)
-            empty += 1;
+        lay_number(products, products->next, at);
         products->next += 1;
     }
 }

@@ -55,10 +55,9 @@ void ctl_products_set(ctl_products* products, const ctl_product_settings* settin
 void ctl_products_edge(ctl_products* products, int64_t infeed, bool covered);
 /* Product `number` is known not to come: its place went by under the eye, and nothing was there. */
 bool ctl_products_missing(const ctl_products* products, int64_t number, int64_t infeed);
-/* The infeed has come to `infeed`, the film from `film_before` to `film`: lays what is due. Returns the
- * places that were empty. */
-uint32_t ctl_products_lay(ctl_products* products, int64_t infeed_before, int64_t infeed, int64_t film_before,
-                          int64_t film);
+/* The infeed has come to `infeed`, the film from `film_before` to `film`: lays what is due. */
+void ctl_products_lay(ctl_products* products, int64_t infeed_before, int64_t infeed, int64_t film_before,
+                      int64_t film);
 /* A product lies across a cut made at this film position, or nearer to it than the clearance. */
 bool ctl_products_across(const ctl_products* products, int64_t cut, int64_t clearance);
 /* Forgets what is past the knife; returns the products of the bag that ends at `cut`. */

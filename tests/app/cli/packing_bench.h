@@ -46,6 +46,11 @@ struct Packed {
     {
         return std::ranges::any_of(bags, &controller::PackedBag::throughProduct);
     }
+    [[nodiscard]] std::uint32_t emptyBags() const
+    {
+        return static_cast<std::uint32_t>(std::ranges::count_if(
+            bags, [](const auto& bag) { return (bag.flags & 1u << CTL_BAG_BIT_EMPTY) != 0; }));
+    }
 };
 
 using Change = std::function<void(controller::PackingJob& job)>;

@@ -194,6 +194,7 @@ private slots:
             QVERIFY(!bag.isSettled || !isTracked(bag) || std::abs(bag.markErrorMm) <= lostPhaseMm);
         }
         QCOMPARE(skipped, packed.result.cutsSkipped);
+        QCOMPARE(packed.result.emptyBags, packed.emptyBags());
     }
 
     // No product, no bag: the same film makes no empty bags.
@@ -211,6 +212,8 @@ private slots:
             return std::ranges::count_if(
                 packed.bags, [](const PackedBag& bag) { return bag.isSettled && bag.products == 0; });
         };
+        for (const Packed* packed : {&wasted, &saved})
+            QCOMPARE(packed->result.emptyBags, packed->emptyBags());
         QVERIFY(empties(wasted) > 50);
         QVERIFY2(empties(saved) <= 1, qPrintable(QString::number(empties(saved))));
         QCOMPARE(wasted.result.filmSavedM, 0.0);

@@ -164,6 +164,11 @@ private slots:
         panel::ProgramDownload& download = *rig.editor.programDownload();
         QCOMPARE(download.text(), "The machine keeps running; the new recipe starts with the next cycle.");
         rig.answerParameters();
+        QCOMPARE(download.text(),
+                 "Slows down to 24 % (bags: 1, at least 1.2 s), then 60.0 bags/min. A product under the "
+                 "first cut adds 2.9 s.");
+        rig.machine.parameter("parameter.anti_cut").write(0, {});
+        rig.answerParameters();
         QCOMPARE(download.text(), "Slows down to 24 % (bags: 1, 1.2 s), then 60.0 bags/min.");
         rig.editor.bagLength()->set(250);
         rig.editor.rate()->set(120);
