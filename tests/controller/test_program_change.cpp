@@ -2,6 +2,7 @@
 // The change of program while the machine runs: no axis steps further than it may, and nothing is lost.
 #include "rig.h"
 
+#include "base/ctl_words.h"
 #include "motion/ctl_change.h"
 #include "support/cam_image.h"
 #include "tests/support/test_program.h"
@@ -46,22 +47,24 @@ struct Shape {
     double end = 0.6;
     double syncRatio = 1.0;
     double dip = 0.0; // share of the base speed that is lost in the middle between two windows
+    std::uint16_t knives = 1;
 };
 
 // Returns a cutter's table: sealing speed in the window, base speed in the rest of the cycle.
 BankImage cutter(std::uint32_t bagUm, double bagsPerMin, const Shape& shape = {})
 {
-    constexpr std::uint32_t pulses = 10000;
+    const std::uint32_t pulses = 10000u / shape.knives;
     constexpr std::uint32_t rowCount = 100;
     const auto cycle = static_cast<std::uint32_t>(std::lround(clockHz * 60.0 / bagsPerMin));
-    BankImage bank = camBank(pulses, 1, cycle, rowCount);
+    BankImage bank = camBank(10000, shape.knives, cycle, rowCount);
     bank.bagLengthUm = bagUm;
     bank.syncStart = static_cast<std::uint16_t>(std::lround(shape.start * 36000));
     bank.syncEnd = static_cast<std::uint16_t>(std::lround(shape.end * 36000));
     bank.cutAngle = static_cast<std::uint16_t>((bank.syncStart + bank.syncEnd) / 2);
     // Film and knife tip go together in the window; the rest of the turn is spread over the other rows.
     const double width = shape.end - shape.start;
-    const double sealing = std::min(0.8, shape.syncRatio * width * bagUm / 1000.0 / (2.0 * M_PI * 60.0));
+    const double sealing =
+        std::min(0.8, shape.syncRatio * width * bagUm * shape.knives / 1000.0 / (2.0 * M_PI * 60.0));
     std::vector<double> weights;
     double outside = 0.0;
     for (std::uint32_t i = 0; i < rowCount; ++i) {
@@ -71,12 +74,12 @@ BankImage cutter(std::uint32_t bagUm, double bagsPerMin, const Shape& shape = {}
         weights.push_back(isWindow ? 0.0 : 1.0 - shape.dip * std::pow(std::sin(M_PI * between), 2));
         outside += weights.back();
     }
+    const auto windowRows = static_cast<double>(std::ranges::count(weights, 0.0));
     double sum = 0.0;
     std::int64_t given = 0;
     for (std::uint32_t i = 0; i < rowCount; ++i) {
-        sum += weights[i] > 0.0 ? (1.0 - sealing) * weights[i] / outside : sealing / (width * rowCount);
-        const std::int64_t upTo =
-            i + 1 == rowCount ? pulses : std::min<std::int64_t>(pulses, std::lround(sum * pulses));
+        sum += weights[i] > 0.0 ? (1.0 - sealing) * weights[i] / outside : sealing / windowRows;
+        const std::int64_t upTo = std::lround(sum * pulses);
         bank.rows[i].pulses = static_cast<std::uint16_t>(upTo - given);
         given = upTo;
     }
@@ -120,8 +123,9 @@ struct Change {
     bool isThroughProduct = false;
 };
 
-// Of these speeds: positions are in 1/256 pulse, and the master moves by whole ticks.
-constexpr double resolutionHz = 60.0;
+// Of these speeds: positions are in 1/256 pulse, the master moves by whole ticks, and a correction of the
+// film or the infeed may begin at the boundary.
+constexpr double resolutionHz = 80.0;
 
 // Runs the rig until the armed program has taken over and runs at full speed. The boundary lies inside
 // of a slice; the speeds on both sides are those next to it.
@@ -338,7 +342,9 @@ QString wrongAfter(Rig& rig, std::uint32_t bagUm, double productMm = 1.0)
         return QStringLiteral("no stop");
     if (packer.master != 0 || packer.film.phase != 0 || packer.knife_gate.phase != 0)
         return QStringLiteral("a phase is lost");
-    if (rig.commanded() != std::int64_t{10'000} * rig.core().motion.cycle_count)
+    const ctl_bank& bank = *ctl_active_bank(&rig.core().banks);
+    const std::int64_t pulses = ctl_get32(&bank.registers[CTL_OFFSET_BANK_CYCLE_PULSES]);
+    if (rig.commanded() != pulses * rig.core().motion.cycle_count)
         return QStringLiteral("a pulse is lost");
     return {};
 }
@@ -555,13 +561,14 @@ void TestProgramChange::randomPairsKeepTheirSteps()
         const auto pick = [&](double low, double high) {
             return std::uniform_real_distribution<double>(low, high)(random);
         };
+        const auto knives = static_cast<std::uint16_t>(1 << random() % 3); // 1, 2 or 4
         const auto any = [&] {
             const double lengthMm = pick(0, 1) < 0.3 ? 250 : pick(100, 460);
             const double middle = pick(0.3, 0.7);
             const double half = pick(0.05, 0.2);
             return cutter(static_cast<std::uint32_t>(lengthMm * 1000),
                           pick(30, std::min(350.0, 60.0 * 700.0 / lengthMm)),
-                          {middle - half, middle + half, pick(0.9, 1.1), pick(0, 0.6)});
+                          {middle - half, middle + half, pick(0.9, 1.1), pick(0, 0.6), knives});
         };
         MachineOptions options = calm();
         options.film.stretch = i % 2 == 0 ? 0.0 : 0.005;
