@@ -13,6 +13,10 @@
 /* In tenths of a cycle: the sealing window at most, and each ramp beside it at least. */
 #define WIDEST_WINDOW 9u
 #define SHORTEST_RAMP 40u
+/* The first cut of a changed program is shifted by so much of a bag, in so much of a cycle: as fast as
+ * others. */
+#define FIRST_SHARE 50
+#define FIRST_TIME 5u
 #define MAX_FLIGHTS_TO_EYE 8u
 #define MAX_TAUGHT 100u
 /* In so many the infeed makes up for where it was left. */
@@ -133,12 +137,6 @@ uint16_t ctl_packer_refusal(const ctl_packer* packer, const ctl_bank* bank)
 int64_t ctl_packer_length_limit(const ctl_packer* packer)
 {
     return packer->bag * parameter(packer, CTL_REG_PARAMETER_LENGTH_LIMIT) / 10000;
-}
-
-int64_t ctl_packer_max_shift(const ctl_packer* packer)
-{
-    return ctl_packer_length_limit(packer) +
-           ctl_packer_film(packer, parameter(packer, CTL_REG_PARAMETER_PHASE_LIMIT));
 }
 
 static ctl_mark_settings mark_settings(const ctl_packer* packer)
@@ -331,16 +329,15 @@ void ctl_packer_run(ctl_packer* packer, const ctl_bank* bank, const ctl_ramp* ra
  * sealing window. Returns false when it is not. */
 static bool plan_onto_mark(ctl_packer* packer, const ctl_ramp* ramp)
 {
-    if (packer->marks.state != CTL_MARK_STATE_TRACKING)
+    if (packer->marks.state != CTL_MARK_STATE_TRACKING || packer->engage < packer->cycle / FIRST_TIME)
         return false;
     const int64_t lag = ctl_packer_lag(packer, ctl_ramp_speed_after(ramp, packer->cut), ramp);
     const ctl_mark* mark = ctl_marks_near(&packer->marks, packer->next.command + lag, packer->bag / 2);
     if (mark == NULL)
         return false;
     const int64_t shift = mark->at - lag - packer->next.command;
-    const int64_t size = shift < 0 ? -shift : shift;
-    const int64_t outside = (int64_t)packer->cycle - packer->release + packer->engage;
-    if (size > ctl_packer_max_shift(packer) || size > packer->bag / 10 * packer->engage / outside)
+    const int64_t limit = packer->bag / FIRST_SHARE;
+    if (shift > limit || shift < -limit)
         return false;
     ctl_feed_correct(&packer->film, shift, packer->engage);
     packer->next = (ctl_cut){packer->next.command + shift, lag, true, mark->seen};
@@ -428,7 +425,7 @@ bool ctl_packer_must_open(const ctl_packer* packer, const ctl_bank* bank)
         return false;
     /* The cut may still be shifted onto its mark. */
     const int64_t clearance = ctl_packer_film(packer, parameter(packer, CTL_REG_PARAMETER_CUT_CLEARANCE)) +
-                              ctl_packer_max_shift(packer);
+                              packer->bag / FIRST_SHARE;
     const int64_t cut =
         first_cut(ctl_feed_position(&packer->film), bank, ctl_packer_film(packer, bag_um(bank)));
     return ctl_products_across(&packer->products, cut, clearance);

@@ -162,8 +162,6 @@ void ctl_packer_follow_marks(ctl_packer* packer);
 /* Film of a cycle without its correction, and what a correction of the length may change of it. */
 int64_t ctl_packer_cycle_length(const ctl_packer* packer);
 int64_t ctl_packer_length_limit(const ctl_packer* packer);
-/* The largest shift of a cut that follows the marks. */
-int64_t ctl_packer_max_shift(const ctl_packer* packer);
 
 #ifdef __cplusplus
 }

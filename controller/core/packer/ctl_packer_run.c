@@ -151,8 +151,9 @@ static bool knife_must_wait(ctl_packer* packer, const ctl_drive* drive)
     int64_t cut = packer->next.command;
     if (!packer->planned) { /* it may still be shifted */
         cut = uncorrected(packer);
-        clearance += packer->marks.state == CTL_MARK_STATE_ALIGNING ? packer->bag / ALIGNING_SHARE
-                                                                    : ctl_packer_max_shift(packer);
+        clearance += packer->marks.state == CTL_MARK_STATE_ALIGNING
+                         ? packer->bag / ALIGNING_SHARE
+                         : ctl_packer_length_limit(packer) + film_um(packer, CTL_REG_PARAMETER_PHASE_LIMIT);
     }
     if (!ctl_products_across(&packer->products, cut + packer->next.lag, clearance))
         return false;
