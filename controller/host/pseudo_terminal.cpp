@@ -17,7 +17,8 @@ namespace {
 
 tl::unexpected<std::string> failure(const char* what)
 {
-    return tl::unexpected(std::string(what) + ": " + std::strerror(errno));
+    const char* reason = std::strerror(errno); // before another call sets errno
+    return tl::unexpected(std::string(what) + ": " + reason);
 }
 
 bool makeRaw(int descriptor)

@@ -70,8 +70,9 @@ tl::expected<PortClaim, LinkError> PortClaim::take(const std::string& port)
         return refuse(LinkErrorKind::PortNotSerial);
 
     PortClaim claim(open(port.c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC));
+    const LinkErrorKind failure = kindOfOpenFailure(errno); // before another call sets errno
     if (claim.m_descriptor < 0)
-        return refuse(kindOfOpenFailure(errno), owningGroup(node));
+        return refuse(failure, owningGroup(node));
     if (isatty(claim.m_descriptor) == 0)
         return refuse(LinkErrorKind::PortNotSerial);
     // The superuser may open a port in exclusive mode, so the mode is read.
