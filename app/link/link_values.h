@@ -56,7 +56,8 @@ enum class SimulatorState { NotUsed, Starting, Serving, NotFound, Ended };
 
 struct LinkReport {
     LinkState state = LinkState::Searching;
-    QString portName; // the path in use, empty while there is none
+    QString portName;             // the path in use, empty while there is none
+    bool hasSerialNumber = false; // the adapter has one: it is found in any socket
     bool simulated = true;
     SimulatorState simulator = SimulatorState::NotUsed;
     QString simulatorDetail;                // its output before it ended, or the searched paths
@@ -73,8 +74,8 @@ struct StatusSample {
     std::chrono::nanoseconds latency{0}; // from request to answer, including repetitions; 0: unknown
 };
 
-// The samples since the last batch, oldest first. Those before the last differ in nothing but the motion; while
-// only the machine moves, at most 33 batches a second.
+// The samples since the last batch, oldest first. Those before the last differ in nothing but the motion;
+// while only the machine moves, at most 33 batches a second.
 struct StatusBatch {
     QList<StatusSample> samples;
     int failedExchanges = 0; // since the last batch

@@ -127,6 +127,7 @@ void LinkWorker::tryToConnect()
     qCInfo(linkLog) << "connected to" << m_report.portName;
     m_wasConnected = true;
     m_adapter = m_settings.simulated ? std::nullopt : identityOf(m_report.portName);
+    m_report.hasSerialNumber = m_adapter && !m_adapter->serialNumber.isEmpty();
     m_report.identity = *identity;
     m_lastGoodAt = std::chrono::steady_clock::now();
     m_identifiedAt = m_lastGoodAt;

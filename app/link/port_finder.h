@@ -18,19 +18,32 @@ struct PortDescription {
 
 [[nodiscard]] QList<PortDescription> availablePorts();
 
+// What a USB adapter is known by. Many have no serial number, or all the same one.
 struct AdapterIdentity {
     quint16 vendorId = 0;
     quint16 productId = 0;
     QString serialNumber;
+    QString usbPlace; // "1-1.2:1.0": the USB socket, and the interface behind the colon
 
+    // Returns true when it may be the same adapter, perhaps in another socket.
+    [[nodiscard]] bool isLike(const AdapterIdentity& other) const;
     bool operator==(const AdapterIdentity&) const = default;
 };
 
-// Returns nothing when the port is not a USB adapter with a serial number.
+struct Adapter {
+    QString path;
+    AdapterIdentity identity;
+};
+
+// Returns the place in the path of a device in /sys; empty when it is not behind USB.
+[[nodiscard]] QString usbPlaceOf(const QString& devicePath);
+
+// Returns nothing when the port is not a USB adapter.
 [[nodiscard]] std::optional<AdapterIdentity> identityOf(const QString& path);
 
-// Returns the port to open: `wanted`, or the one with this identity when `wanted` is missing or another
-// adapter.
+// Returns the port to open: the adapter in the same socket, or the only one of its kind, or else `wanted`.
 [[nodiscard]] QString findPort(const QString& wanted, const std::optional<AdapterIdentity>& identity);
+[[nodiscard]] QString findPort(const QString& wanted, const AdapterIdentity& identity,
+                               const QList<Adapter>& adapters);
 
 } // namespace campanel::link
