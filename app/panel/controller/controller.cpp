@@ -138,6 +138,7 @@ void Controller::forgetStatus()
 {
     m_beforeLoss.reset();
     m_status.reset();
+    m_axisPosition.reset();
     m_statusAt.reset();
     m_program.reset();
     m_trace.clear();
@@ -167,6 +168,7 @@ void Controller::takeStatus(const link::StatusBatch& batch)
         if (m_status && status.uptimeS < m_status->uptimeS)
             doubtParameters(); // the controller was restarted
         m_status = status;
+        m_axisPosition.note(status);
         bagsChanged |= m_packing.recordsBags()
                            ? m_bags.noteLength(status.bagLengthMm)
                            : m_bags.note(status.bagCount, status.bagLengthMm, status.bagDeviationMm);

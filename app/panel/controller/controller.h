@@ -5,6 +5,7 @@
 
 #include "app/link/link.h"
 #include "app/panel/controller/actual_trace.h"
+#include "app/panel/controller/axis_position.h"
 #include "app/panel/controller/bag_statistics.h"
 #include "app/panel/controller/controller_values.h"
 #include "app/panel/controller/master_direction.h"
@@ -131,6 +132,8 @@ public:
     [[nodiscard]] TorqueWatch* torque() { return &m_torque; }
     [[nodiscard]] QStringList stageNames() const;
     [[nodiscard]] StrokeModel* strokes() { return &m_strokes; }
+    // Returns the position of the axis, which does not wrap.
+    [[nodiscard]] const AxisPosition& axisPosition() const { return m_axisPosition; }
     [[nodiscard]] double generation() const;
     [[nodiscard]] bool canStart() const { return startBlockedReason().isEmpty(); }
     [[nodiscard]] QString startBlockedReason() const { return blockedReason(modbus::Command::Start); }
@@ -216,6 +219,7 @@ private:
     WallClock m_wallClock;
     link::LinkReport m_report;
     std::optional<modbus::StatusBlock> m_status; // last status, also after the connection is lost
+    AxisPosition m_axisPosition;
     std::optional<link::SteadyTime> m_statusAt;
     std::shared_ptr<const ControllerProgram> m_program;
     double m_contactAngleDeg = 0;

@@ -185,7 +185,7 @@ LiveValues Controller::live() const
     if (program->pulsesPerMm > 0) {
         values.knifeSpeedMmPerS = m_status->actualFrequencyHz / program->pulsesPerMm;
         values.followingErrorMm = m_status->followingErrorPulses / program->pulsesPerMm;
-        values.positionMm = m_status->axisPositionPulses / program->pulsesPerMm;
+        values.positionMm = static_cast<double>(*m_axisPosition.actualPulses()) / program->pulsesPerMm;
     }
     return values;
 }

@@ -3,15 +3,25 @@
 
 #include "app/panel/controller/controller.h"
 
+#include <cmath>
+
 namespace campanel::panel {
+
+namespace {
+
+constexpr double umPerMm = 1000;
+
+} // namespace
 
 IoPins::IoPins(Controller& machine, QObject* parent)
     : QObject(parent)
     , m_machine(machine)
 {
     connect(&machine, &Controller::connectionChanged, this, [this] {
-        if (!present())
+        if (!present()) {
             m_status.reset();
+            m_infeed.reset();
+        }
         emit changed();
     });
 }
@@ -35,11 +45,20 @@ void IoPins::takeRead(const link::ReadOutcome& outcome)
     m_isAsked = false;
     const bool isDone =
         outcome.end == link::ReadEnd::Done && outcome.registers.size() == modbus::ioRegisters && present();
-    if (isDone)
+    if (isDone) {
         m_status = modbus::decodeIo(outcome.registers);
-    else if (outcome.end == link::ReadEnd::Failed)
+        if (m_status->infeedPositionMm)
+            m_infeed.note(static_cast<std::int32_t>(std::llround(*m_status->infeedPositionMm * umPerMm)));
+    } else if (outcome.end == link::ReadEnd::Failed)
         m_status.reset();
     emit changed();
+}
+
+std::optional<double> IoPins::infeedTravelMm() const
+{
+    if (!m_status || !m_status->infeedPositionMm || !m_infeed.value())
+        return std::nullopt;
+    return static_cast<double>(*m_infeed.value()) / umPerMm;
 }
 
 } // namespace campanel::panel

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "app/link/link.h"
+#include "app/panel/kit/wide_counter.h"
 
 #include <QObject>
 
@@ -25,6 +26,8 @@ public:
     void read();
     // Returns the last reading; empty before it, or when it failed.
     [[nodiscard]] const std::optional<modbus::IoStatus>& status() const { return m_status; }
+    // Returns the position of the infeed, which does not wrap; empty without an infeed.
+    [[nodiscard]] std::optional<double> infeedTravelMm() const;
 
 signals:
     void changed();
@@ -34,6 +37,7 @@ private:
 
     Controller& m_machine;
     std::optional<modbus::IoStatus> m_status;
+    WideCounter m_infeed; // 0.001 mm
     bool m_isAsked = false;
 };
 

@@ -82,6 +82,7 @@ void PackingLine::readSetup()
 void PackingLine::forget()
 {
     m_status.reset();
+    m_film.reset();
     m_lastReportedBag.reset();
     emit changed();
 }
@@ -111,6 +112,9 @@ void PackingLine::takeRead(const link::ReadOutcome& outcome)
     if (outcome.end != link::ReadEnd::Done || outcome.registers.size() != modbus::packerRegisters)
         return;
     m_status = modbus::decodePacker(outcome.registers);
+    if (m_lastReportedBag.value_or(0) > m_status->bagNumber)
+        m_film.reset(); // the controller was restarted
+    m_film.note(static_cast<std::int32_t>(m_status->filmPositionUm));
     m_receivedAt = outcome.receivedAt;
     m_wasFresh = true;
     reportBags();
@@ -181,6 +185,11 @@ double PackingLine::teachPitchMm() const
 double PackingLine::teachScatterMm() const
 {
     return m_status ? m_status->teachScatterMm.value_or(unknown) : unknown;
+}
+
+double PackingLine::filmTravelMm() const
+{
+    return m_status ? static_cast<double>(*m_film.value()) * mmPerUm : unknown;
 }
 
 double PackingLine::filmPositionMm() const

@@ -6,6 +6,7 @@
 #include "app/link/link.h"
 #include "app/panel/controller/parameter.h"
 #include "app/panel/kit/numbers.h"
+#include "app/panel/kit/wide_counter.h"
 
 #include <QList>
 #include <QObject>
@@ -106,6 +107,8 @@ public:
     [[nodiscard]] double teachPitchMm() const;
     [[nodiscard]] double teachScatterMm() const;
     [[nodiscard]] double filmPositionMm() const;
+    // Returns the film since power-up, or since the panel knows the line; does not wrap.
+    [[nodiscard]] double filmTravelMm() const;
     [[nodiscard]] double filmSpeedMmPerS() const;
     [[nodiscard]] bool knifeOpen() const;
     [[nodiscard]] double sensorMm() const { return m_sensor.lastValue(); }
@@ -151,6 +154,7 @@ private:
     Parameter& m_window;
     QTimer m_timer;
     std::optional<modbus::PackerStatus> m_status;
+    WideCounter m_film; // 0.001 mm
     link::SteadyTime m_receivedAt;
     link::SteadyTime m_askedAt;
     bool m_isAsked = false;

@@ -98,9 +98,13 @@ void IoList::showRows()
 void IoList::addAxis(QList<Row>& rows, const modbus::StatusBlock& status) const
 {
     const Format format;
-    const auto pulses = [&format](double count) { return tr("%1 pulses").arg(format.grouped(count, 0)); };
+    const auto pulses = [&format](std::int64_t count) {
+        return tr("%1 pulses").arg(format.grouped(static_cast<double>(count), 0));
+    };
+    const AxisPosition& position = m_machine.axisPosition();
     const auto hertz = [&format](double frequency) { return tr("%1 Hz").arg(format.grouped(frequency, 0)); };
-    rows << Row{Side::Input, tr("Encoder of the axis"), pulses(status.axisPositionPulses), Lamp::None}
+    rows << Row{Side::Input, tr("Encoder of the axis"), pulses(position.actualPulses().value_or(0)),
+                Lamp::None}
          << Row{Side::Input, tr("Encoder, speed"), hertz(status.actualFrequencyHz),
                 lampOf(status.actualFrequencyHz != 0)};
     const bool isPress = status.press.has_value();
@@ -116,7 +120,7 @@ void IoList::addAxis(QList<Row>& rows, const modbus::StatusBlock& status) const
                 lampOf(!status.has(WarningBit::HeartbeatLost))}
          << Row{Side::Output, tr("Pulses to the axis"), hertz(status.commandedFrequencyHz),
                 lampOf(status.commandedFrequencyHz != 0)}
-         << Row{Side::Output, tr("Pulses sent"), pulses(status.commandedPositionPulses), Lamp::None}
+         << Row{Side::Output, tr("Pulses sent"), pulses(position.commandedPulses().value_or(0)), Lamp::None}
          << Row{Side::Output, tr("Sent minus encoder"), pulses(status.followingErrorPulses), Lamp::None};
 }
 
@@ -134,7 +138,7 @@ void IoList::addLine(QList<Row>& rows)
                 tr("%1 products placed").arg(format.grouped(line.products(), 0)),
                 lampOf(std::exchange(m_products, line.products()) < line.products())}
          << Row{Side::Input, tr("Encoder of the film"),
-                tr("%1 mm").arg(format.grouped(line.filmPositionMm(), 1)), Lamp::None};
+                tr("%1 mm").arg(format.grouped(line.filmTravelMm(), 1)), Lamp::None};
     const auto gate = [](modbus::GateState state) {
         switch (state) {
         case modbus::GateState::Running:
@@ -177,9 +181,9 @@ void IoList::addPins(QList<Row>& rows, const modbus::IoStatus& pins) const
     if (pins.torquePercent)
         addNumber(Side::Input, tr("Torque of the axis, of rated"),
                   tr("%1 %", "percent").arg(format.number(*pins.torquePercent, 1)));
-    if (pins.infeedPositionMm && pins.infeedFollowingErrorMm) {
+    if (m_pins.infeedTravelMm() && pins.infeedFollowingErrorMm) {
         addNumber(Side::Input, tr("Encoder of the infeed"),
-                  tr("%1 mm").arg(format.grouped(*pins.infeedPositionMm, 1)));
+                  tr("%1 mm").arg(format.grouped(*m_pins.infeedTravelMm(), 1)));
         addNumber(Side::Output, tr("Infeed, sent minus encoder"),
                   tr("%1 mm").arg(format.number(*pins.infeedFollowingErrorMm, 2)));
     }

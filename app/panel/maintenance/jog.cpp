@@ -83,8 +83,8 @@ bool Jog::blocked() const
 
 double Jog::positionPulses() const
 {
-    const auto& status = m_machine.status();
-    return status ? status->axisPositionPulses : std::numeric_limits<double>::quiet_NaN();
+    const auto pulses = m_machine.axisPosition().actualPulses();
+    return pulses ? static_cast<double>(*pulses) : std::numeric_limits<double>::quiet_NaN();
 }
 
 QString Jog::forwardNote() const

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/panel/reports/status_trace.h"
 
+#include "app/panel/controller/axis_position.h"
+
 #include <QStringList>
 
 using namespace Qt::StringLiterals;
@@ -50,8 +52,10 @@ QByteArray StatusTrace::csv(const std::deque<link::StatusSample>& samples, link:
         "time_utc,state,fault_bits,warning_bits,generation,cycle,master_deg,master_percent,commanded_hz,"
         "actual_hz,commanded_pulses,position_pulses,following_error_pulses,knife_deg,bag,bag_length_mm,"
         "bag_deviation_mm,force_n,uptime_s,sample_ms,latency_ms\n");
+    AxisPosition position;
     for (const link::StatusSample& sample : samples) {
         const modbus::StatusBlock& status = sample.status;
+        position.note(status);
         const auto since = std::chrono::duration_cast<std::chrono::milliseconds>(sample.receivedAt - moment);
         const QStringList fields{
             timeOfDay.toUTC().addMSecs(since.count()).toString(Qt::ISODateWithMs),
@@ -64,8 +68,8 @@ QByteArray StatusTrace::csv(const std::deque<link::StatusSample>& samples, link:
             number(status.masterSpeedPercent, 2),
             QString::number(status.commandedFrequencyHz),
             QString::number(status.actualFrequencyHz),
-            QString::number(status.commandedPositionPulses),
-            QString::number(status.axisPositionPulses),
+            QString::number(position.commandedPulses().value_or(0)),
+            QString::number(position.actualPulses().value_or(0)),
             QString::number(status.followingErrorPulses),
             number(status.knifeAngleDeg, 3),
             QString::number(status.bagCount),

@@ -32,6 +32,7 @@ private slots:
     void stopPressedAgainIsMoreUrgent();
     void othersAreNeverSentLater();
     void changesMeanwhileAreTold();
+    void positionGoesOnWhereItsRegisterWraps();
     void valuesOfAnotherProgramAreNotScaled();
     void lostLineClaimsNothingOfTheController();
     void proofComparesWithWhatWasDownloaded();
@@ -157,6 +158,40 @@ void TestLineHonesty::changesMeanwhileAreTold()
     QCOMPARE(rig.machine.state(), Controller::State::Ready);
     rig.link.becomeLost(); // the return is over
     QVERIFY2(rig.machine.commandMessage().isEmpty(), qPrintable(rig.machine.commandMessage()));
+}
+
+// The registers have 32 bits: an axis that turns one way for ever counts through their end.
+void TestLineHonesty::positionGoesOnWhereItsRegisterWraps()
+{
+    PanelRig rig;
+    rig.connectRunning();
+    const auto stepTo = [&rig](std::int64_t pulses) {
+        rig.link.status.axisPositionPulses = static_cast<std::int32_t>(pulses);
+        rig.link.status.commandedPositionPulses = static_cast<std::int32_t>(pulses + 1);
+        rig.link.sendStatus(rig.now);
+    };
+    stepTo(1'000'000'000);
+    const double mmPerPulse = rig.machine.live().positionMm / 1e9;
+    for (std::int64_t pulses = 1'000'000'000; pulses < 9'000'000'000; pulses += 500'000'000) {
+        stepTo(pulses);
+        QVERIFY(std::abs(rig.machine.live().positionMm - static_cast<double>(pulses) * mmPerPulse) < 0.01);
+        QCOMPARE(rig.machine.axisPosition().commandedPulses(), std::optional(pulses + 1));
+    }
+    for (std::int64_t pulses = 9'000'000'000; pulses > -9'000'000'000; pulses -= 1'000'000'000)
+        stepTo(pulses);
+    QCOMPARE(rig.machine.axisPosition().actualPulses(), std::optional<std::int64_t>(-8'000'000'000));
+    QCOMPARE(rig.maintenance.jog()->positionPulses(), -8e9);
+    rig.link.status.state = modbus::State::Homing;
+    stepTo(0);
+    rig.link.status.state = modbus::State::Ready;
+    stepTo(7);
+    QCOMPARE(rig.machine.axisPosition().actualPulses(), std::optional<std::int64_t>(7));
+    stepTo(9'000'000);
+    rig.link.status.uptimeS = 100;
+    stepTo(9'000'001);
+    rig.link.status.uptimeS = 1; // restarted
+    stepTo(3);
+    QCOMPARE(rig.machine.axisPosition().actualPulses(), std::optional<std::int64_t>(3));
 }
 
 void TestLineHonesty::valuesOfAnotherProgramAreNotScaled()
