@@ -25,11 +25,11 @@ using panel::DoctorSentences;
 
 QString conditionKey(modbus::LineCondition condition)
 {
-    static const QStringList keys{u"controller"_s,   u"wrong_unit"_s,      u"other_map_version"_s,
-                                  u"other_device"_s, u"garbage"_s,         u"no_bytes"_s,
-                                  u"echo_only"_s,    u"port_absent"_s,     u"port_not_permitted"_s,
-                                  u"port_busy"_s,    u"port_not_serial"_s, u"port_settings"_s,
-                                  u"port_gone"_s};
+    static const QStringList keys{u"controller"_s,         u"wrong_unit"_s, u"other_map_version"_s,
+                                  u"other_device"_s,       u"garbage"_s,    u"no_bytes"_s,
+                                  u"echo_only"_s,          u"refused"_s,    u"port_absent"_s,
+                                  u"port_not_permitted"_s, u"port_busy"_s,  u"port_not_serial"_s,
+                                  u"port_settings"_s,      u"port_gone"_s};
     return keys.value(static_cast<qsizetype>(condition));
 }
 
@@ -59,6 +59,9 @@ QJsonObject findingObject(const LineFinding& finding)
                             ? QJsonValue(QString::fromStdString(finding.identity->firmwareVersion()))
                             : QJsonValue()},
         {u"bytes_seen"_s, static_cast<qint64>(finding.bytesSeen)},
+        {u"stray_bytes"_s, static_cast<qint64>(finding.strayBytes)},
+        {u"exception"_s,
+         finding.condition == modbus::LineCondition::Refused ? QJsonValue(finding.code) : QJsonValue()},
         {u"holders"_s, holders},
         {u"group"_s, QString::fromStdString(finding.group)},
         {u"latency_timer_ms"_s, finding.latencyTimerMs ? QJsonValue(*finding.latencyTimerMs) : QJsonValue()},

@@ -6,6 +6,8 @@
 
 #include <QDateTime>
 
+#include <algorithm>
+
 using namespace Qt::StringLiterals;
 
 namespace campanel::cli {
@@ -20,14 +22,19 @@ tl::expected<modbus::LinkSettings, Failure> lineSettings(const Invocation& call)
 {
     modbus::LinkSettings settings;
     settings.port = call.value(u"port"_s).toStdString();
-    bool baudOk = false;
-    bool stopBitsOk = false;
-    bool unitOk = false;
-    settings.line.baud = call.value(u"baud"_s).toUInt(&baudOk);
-    settings.line.stopBits = static_cast<std::uint8_t>(call.value(u"stop-bits"_s).toUShort(&stopBitsOk));
-    settings.unit = call.value(u"unit"_s).toInt(&unitOk);
-    if (!baudOk || !stopBitsOk || !unitOk)
-        return fail(ExitCode::Usage, u"--baud, --stop-bits and --unit take whole numbers."_s);
+    settings.line.baud = call.value(u"baud"_s).toUInt(); // 0 without a number
+    if (std::ranges::find(modbus::supportedBauds, settings.line.baud) == modbus::supportedBauds.end())
+        return fail(ExitCode::Usage, u"--baud takes 9600, 19200, 38400, 57600 or 115200, not \"%1\"."_s.arg(
+                                         call.value(u"baud"_s)));
+    const unsigned stopBits = call.value(u"stop-bits"_s).toUInt();
+    if (stopBits < 1 || stopBits > 2)
+        return fail(ExitCode::Usage,
+                    u"--stop-bits takes 1 or 2, not \"%1\"."_s.arg(call.value(u"stop-bits"_s)));
+    settings.line.stopBits = static_cast<std::uint8_t>(stopBits);
+    settings.unit = call.value(u"unit"_s).toInt();
+    if (settings.unit < 1 || settings.unit > modbus::lastUnit)
+        return fail(ExitCode::Usage, u"--unit takes a whole number from 1 to %1, not \"%2\"."_s.arg(
+                                         QString::number(modbus::lastUnit), call.value(u"unit"_s)));
     const QString parity = call.value(u"parity"_s).toUpper();
     if (parity != u"N" && parity != u"E" && parity != u"O")
         return fail(ExitCode::Usage, u"--parity takes N, E or O, not \"%1\"."_s.arg(parity));

@@ -1046,6 +1046,10 @@
         <translation>Dieser Benutzer darf %1 nicht verwenden. Ihn der Gruppe „%2“ hinzufügen und neu anmelden.</translation>
     </message>
     <message>
+        <source>This user has no right to use port %1. Ask the administrator for this right.</source>
+        <translation>Dieser Benutzer darf Schnittstelle %1 nicht benutzen. Den Administrator um das Recht bitten.</translation>
+    </message>
+    <message>
         <source>%1 is not a serial port. Choose another port in the settings.</source>
         <translation>%1 ist keine serielle Schnittstelle. In den Einstellungen eine andere wählen.</translation>
     </message>
@@ -1068,6 +1072,18 @@
     <message>
         <source>Responses on %1 belong to other requests. Check for another master on the line.</source>
         <translation>Antworten an %1 gehören zu anderen Anfragen. Auf einen zweiten Master am Bus prüfen.</translation>
+    </message>
+    <message>
+        <source>The device on %1 reports a failure (Modbus exception %2). Restart the device.</source>
+        <translation>Das Gerät an %1 meldet einen Fehler (Modbus-Ausnahme %2). Das Gerät neu starten.</translation>
+    </message>
+    <message>
+        <source>The device on %1 is busy (Modbus exception %2). Wait, or restart the device.</source>
+        <translation>Das Gerät an %1 ist beschäftigt (Modbus-Ausnahme %2). Warten oder das Gerät neu starten.</translation>
+    </message>
+    <message>
+        <source>The gateway on %1 gets no response from the controller (Modbus exception %2). Check the unit number, and the line behind the gateway.</source>
+        <translation>Das Gateway an %1 erhält keine Antwort von der Steuerung (Modbus-Ausnahme %2). Gerätenummer und Leitung hinter dem Gateway prüfen.</translation>
     </message>
     <message>
         <source>The device on %1 refuses the request (Modbus exception %2). Check that it is a CamPanel controller.</source>
@@ -1233,6 +1249,10 @@
     <message>
         <source>No connection since %1: port %2 was removed. Plug the adapter in again; the panel finds it under any name and reconnects automatically.</source>
         <translation>Seit %1 keine Verbindung: %2 wurde entfernt. Adapter wieder einstecken; das Panel findet ihn unter jedem Namen und verbindet sich selbsttätig.</translation>
+    </message>
+    <message>
+        <source>No connection since %1: port %2 was removed. Plug the adapter into the same socket; the panel reconnects automatically.</source>
+        <translation>Keine Verbindung seit %1: Schnittstelle %2 wurde entfernt. Adapter in dieselbe Buchse stecken; das Panel verbindet automatisch neu.</translation>
     </message>
     <message>
         <source>No connection since %1: no response on %2. Check the cable and the controller&apos;s power; the panel reconnects automatically.</source>
@@ -1597,6 +1617,10 @@
         <translation>Nur Echo</translation>
     </message>
     <message>
+        <source>Error response</source>
+        <translation>Fehlerantwort</translation>
+    </message>
+    <message>
         <source>Port does not exist</source>
         <translation>Schnittstelle fehlt</translation>
     </message>
@@ -1647,6 +1671,11 @@
     <message>
         <source>The adapter echoes the requests, and no controller responds. Check the controller&apos;s power, both ends of the cable, and A and B.</source>
         <translation>Der Adapter gibt die Anfragen als Echo zurück, keine Steuerung antwortet. Versorgung der Steuerung, beide Kabelenden sowie A und B prüfen.</translation>
+    </message>
+    <message>
+        <source>%1 The line adds stray bytes to the responses (%2). Check the bias resistors, and the switching between sending and receiving.</source>
+        <comment>%1: whole sentence</comment>
+        <translation>%1 Die Leitung fügt den Antworten fremde Bytes hinzu (%2). Vorspannungswiderstände und Umschaltung zwischen Senden und Empfangen prüfen.</translation>
     </message>
     <message>
         <source>%1 The USB adapter delays data by %2 ms: set its latency timer to 1 ms.</source>
@@ -2010,6 +2039,10 @@ eff. %2</translation>
         <translation>Antwort blieb aus</translation>
     </message>
     <message>
+        <source>Skipped: stray bytes</source>
+        <translation>Übersprungen: fremde Bytes</translation>
+    </message>
+    <message>
         <source>Dropped: no request pending</source>
         <translation>Verworfen: keine Anfrage offen</translation>
     </message>
@@ -2040,6 +2073,18 @@ eff. %2</translation>
     <message>
         <source>device busy</source>
         <translation>Gerät beschäftigt</translation>
+    </message>
+    <message>
+        <source>memory parity error</source>
+        <translation>Paritätsfehler im Speicher</translation>
+    </message>
+    <message>
+        <source>gateway path unavailable</source>
+        <translation>Gateway-Pfad nicht verfügbar</translation>
+    </message>
+    <message>
+        <source>no response from the device behind the gateway</source>
+        <translation>keine Antwort vom Gerät hinter dem Gateway</translation>
     </message>
     <message>
         <source>unknown</source>
@@ -5070,6 +5115,10 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
     <message>
         <source>Bytes dropped</source>
         <translation>Verworfene Bytes</translation>
+    </message>
+    <message>
+        <source>Stray bytes</source>
+        <translation>Fremde Bytes</translation>
     </message>
     <message>
         <source>Line utilization</source>

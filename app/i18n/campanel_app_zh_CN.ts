@@ -1046,6 +1046,10 @@
         <translation>当前用户无权使用端口 %1。请将用户加入“%2”组并重新登录。</translation>
     </message>
     <message>
+        <source>This user has no right to use port %1. Ask the administrator for this right.</source>
+        <translation>当前用户无权使用端口 %1。请向管理员申请权限。</translation>
+    </message>
+    <message>
         <source>%1 is not a serial port. Choose another port in the settings.</source>
         <translation>%1 不是串口。请在设置中选择其他端口。</translation>
     </message>
@@ -1068,6 +1072,18 @@
     <message>
         <source>Responses on %1 belong to other requests. Check for another master on the line.</source>
         <translation>%1 上的应答不属于本面板的请求。请检查线路上是否有其他主站。</translation>
+    </message>
+    <message>
+        <source>The device on %1 reports a failure (Modbus exception %2). Restart the device.</source>
+        <translation>%1 上的设备报告故障（Modbus 异常 %2）。请重新启动设备。</translation>
+    </message>
+    <message>
+        <source>The device on %1 is busy (Modbus exception %2). Wait, or restart the device.</source>
+        <translation>%1 上的设备忙（Modbus 异常 %2）。请等待，或重新启动设备。</translation>
+    </message>
+    <message>
+        <source>The gateway on %1 gets no response from the controller (Modbus exception %2). Check the unit number, and the line behind the gateway.</source>
+        <translation>%1 上的网关收不到控制器的应答（Modbus 异常 %2）。请检查站号和网关之后的线路。</translation>
     </message>
     <message>
         <source>The device on %1 refuses the request (Modbus exception %2). Check that it is a CamPanel controller.</source>
@@ -1233,6 +1249,10 @@
     <message>
         <source>No connection since %1: port %2 was removed. Plug the adapter in again; the panel finds it under any name and reconnects automatically.</source>
         <translation>自 %1 起没有连接：端口 %2 已移除。请重新插上适配器；端口改名也会自动重新连接。</translation>
+    </message>
+    <message>
+        <source>No connection since %1: port %2 was removed. Plug the adapter into the same socket; the panel reconnects automatically.</source>
+        <translation>自 %1 起无连接：端口 %2 已移除。请把适配器插回原来的插口，面板会自动重新连接。</translation>
     </message>
     <message>
         <source>No connection since %1: no response on %2. Check the cable and the controller&apos;s power; the panel reconnects automatically.</source>
@@ -1597,6 +1617,10 @@
         <translation>仅有回波</translation>
     </message>
     <message>
+        <source>Error response</source>
+        <translation>异常应答</translation>
+    </message>
+    <message>
         <source>Port does not exist</source>
         <translation>端口不存在</translation>
     </message>
@@ -1647,6 +1671,11 @@
     <message>
         <source>The adapter echoes the requests, and no controller responds. Check the controller&apos;s power, both ends of the cable, and A and B.</source>
         <translation>适配器原样返回请求，没有控制器应答。请检查控制器电源、电缆两端，以及 A、B 是否接反。</translation>
+    </message>
+    <message>
+        <source>%1 The line adds stray bytes to the responses (%2). Check the bias resistors, and the switching between sending and receiving.</source>
+        <comment>%1: whole sentence</comment>
+        <translation>%1 线路在应答中混入多余字节（%2 个）。请检查偏置电阻以及收发切换。</translation>
     </message>
     <message>
         <source>%1 The USB adapter delays data by %2 ms: set its latency timer to 1 ms.</source>
@@ -2008,6 +2037,10 @@ RMS %2</source>
         <translation>应答超时</translation>
     </message>
     <message>
+        <source>Skipped: stray bytes</source>
+        <translation>已跳过：多余字节</translation>
+    </message>
+    <message>
         <source>Dropped: no request pending</source>
         <translation>已丢弃：没有对应的请求</translation>
     </message>
@@ -2038,6 +2071,18 @@ RMS %2</source>
     <message>
         <source>device busy</source>
         <translation>设备忙</translation>
+    </message>
+    <message>
+        <source>memory parity error</source>
+        <translation>存储器奇偶校验错误</translation>
+    </message>
+    <message>
+        <source>gateway path unavailable</source>
+        <translation>网关路径不可用</translation>
+    </message>
+    <message>
+        <source>no response from the device behind the gateway</source>
+        <translation>网关之后的设备无应答</translation>
     </message>
     <message>
         <source>unknown</source>
@@ -5068,6 +5113,10 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
     <message>
         <source>Bytes dropped</source>
         <translation>丢弃的字节</translation>
+    </message>
+    <message>
+        <source>Stray bytes</source>
+        <translation>多余字节</translation>
     </message>
     <message>
         <source>Line utilization</source>

@@ -34,46 +34,115 @@ std::size_t answerLength(std::span<const std::uint8_t> begin)
     }
 }
 
-// Returns true when the bytes are the question itself or its beginning. An answer that begins like its
-// question has its checksum at another place.
-bool mayBeEcho(std::span<const std::uint8_t> bytes, std::span<const std::uint8_t> sent)
-{
-    return bytes.size() <= sent.size() && std::ranges::equal(bytes, sent.first(bytes.size())) &&
-           (bytes.size() == sent.size() || !endsWithCrc16(bytes));
-}
-
 } // namespace
 
-std::span<std::uint8_t> AnswerReader::space()
+std::optional<AnswerReader::Piece> AnswerReader::next()
 {
-    return m_count < m_wanted ? std::span(m_data).subspan(m_count, m_wanted - m_count)
-                              : std::span<std::uint8_t>();
+    Prospect prospect;
+    if (auto piece = find(false, prospect))
+        return piece;
+    if (!prospect.isDamaged || prospect.isExpected)
+        return std::nullopt;
+    return pieceAt(m_begin, m_count - m_begin, FrameVerdict::BadChecksum);
 }
 
-void AnswerReader::take(std::size_t count)
+AnswerReader::Piece AnswerReader::rest()
 {
-    m_count += count;
-    m_wanted = answerLength(bytes());
-    if (m_isEchoing || m_count < m_wanted || !mayBeEcho(bytes(), m_sent))
-        return;
-    m_isEchoing = m_count == m_sent.size();
-    m_wanted = m_isEchoing ? shortest : m_sent.size();
-    if (m_isEchoing)
-        m_count = 0;
+    Prospect prospect;
+    if (const auto piece = find(true, prospect))
+        return *piece;
+    FrameVerdict verdict = FrameVerdict::Malformed;
+    const std::size_t length = answerLength(unread());
+    if (unread().empty())
+        verdict = FrameVerdict::Silence;
+    else if (prospect.isDamaged)
+        verdict = FrameVerdict::BadChecksum;
+    else if (length == unread().size() && endsWithCrc16(unread()))
+        verdict = FrameVerdict::Foreign; // of another unit
+    else if (prospect.isExpected)
+        verdict = FrameVerdict::Incomplete;
+    return pieceAt(m_begin, m_count - m_begin, verdict);
 }
 
-FrameVerdict AnswerReader::verdict(const AnswerForm& form) const
+std::optional<AnswerReader::Piece> AnswerReader::find(bool isEnd, Prospect& prospect)
 {
-    if (m_wanted == 0)
-        return FrameVerdict::Malformed;
-    const auto frame = bytes();
-    if (!endsWithCrc16(frame))
-        return FrameVerdict::BadChecksum;
-    if (frame[0] != form.unit || (frame[1] & ~exceptionFlag) != form.function)
-        return FrameVerdict::Foreign;
-    if ((frame[1] & exceptionFlag) != 0)
+    dropEcho();
+    for (std::size_t at = m_begin; at < m_count; ++at) {
+        if (auto piece = frameAt(at, isEnd, prospect))
+            return piece;
+    }
+    return std::nullopt;
+}
+
+// The answer counts wherever it stands. An exception or another's frame is short, or of any length: bytes of
+// an answer that is still incomplete could look like one, so it counts only when nothing before it may grow.
+std::optional<AnswerReader::Piece> AnswerReader::frameAt(std::size_t at, bool isEnd, Prospect& prospect)
+{
+    const Bytes bytes = Bytes(m_data).first(m_count).subspan(at);
+    if (bytes[0] != m_form.unit)
+        return std::nullopt;
+    const std::size_t length = answerLength(bytes);
+    const bool isWhole = length != 0 && bytes.size() >= length;
+    if (isWhole && endsWithCrc16(bytes.first(length))) {
+        const FrameVerdict verdict = judge(bytes.first(length));
+        if (verdict == FrameVerdict::Answer || isEnd || !prospect.isGrowing)
+            return pieceAt(at, length, verdict);
+        return std::nullopt;
+    }
+    const bool isEcho = mayBeEcho(bytes);
+    const bool isAnswer = beginsAsked(bytes);
+    prospect.isDamaged = prospect.isDamaged || (isWhole && isAnswer && !isEcho);
+    prospect.isExpected = prospect.isExpected || isEcho || (isAnswer && !isWhole);
+    prospect.isGrowing = prospect.isGrowing || isEcho || (length != 0 && !isWhole);
+    return std::nullopt;
+}
+
+AnswerReader::Piece AnswerReader::pieceAt(std::size_t at, std::size_t length, FrameVerdict verdict)
+{
+    const Bytes bytes(m_data);
+    const Piece piece{verdict, bytes.subspan(m_begin, at - m_begin), bytes.subspan(at, length)};
+    m_begin = at + length;
+    return piece;
+}
+
+// Judges a whole frame of this unit.
+FrameVerdict AnswerReader::judge(Bytes frame) const
+{
+    if (frame[1] == (m_form.function | exceptionFlag))
         return FrameVerdict::Exception;
-    return frame.size() == form.bytes ? FrameVerdict::Answer : FrameVerdict::Foreign;
+    const bool isAnswer = frame[1] == m_form.function && frame.size() == m_form.bytes &&
+                          m_isMine(frame.subspan(2, frame.size() - 4));
+    return isAnswer ? FrameVerdict::Answer : FrameVerdict::Foreign;
+}
+
+// Returns true when the answer, or an exception in its place, begins so.
+bool AnswerReader::beginsAsked(Bytes bytes) const
+{
+    if (bytes.size() < 2)
+        return true;
+    const bool isException = bytes[1] == (m_form.function | exceptionFlag);
+    return isException ||
+           (bytes[1] == m_form.function && (bytes.size() < 3 || answerLength(bytes) == m_form.bytes));
+}
+
+// Returns true when the bytes are the beginning of the question.
+bool AnswerReader::mayBeEcho(Bytes bytes) const
+{
+    return !m_isEchoing && bytes.size() < m_sent.size() &&
+           std::ranges::equal(bytes, m_sent.first(bytes.size()));
+}
+
+void AnswerReader::dropEcho()
+{
+    if (m_isEchoing)
+        return;
+    const auto received = std::span(m_data).first(m_count).subspan(m_begin);
+    const auto echo = std::ranges::search(received, m_sent);
+    if (echo.empty())
+        return;
+    std::copy(echo.end(), received.end(), echo.begin());
+    m_count -= m_sent.size();
+    m_isEchoing = true;
 }
 
 std::vector<std::uint16_t> answeredRegisters(std::span<const std::uint8_t> data)

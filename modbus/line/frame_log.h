@@ -20,6 +20,7 @@ enum class FrameVerdict : std::uint8_t {
     Malformed,   // not the start of a valid answer
     Incomplete,  // incomplete within the time allowed
     Silence,     // no bytes within the time allowed
+    Stray,       // bytes before, between or behind answers that belong to no frame: skipped
     Drained,     // received without a question, or after a doubt: dropped unread
     PortGone,    // the port hung up: bytes before that, if any
 };

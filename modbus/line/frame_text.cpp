@@ -92,7 +92,8 @@ DecodedFrame decodeFrame(const FrameRecord& record)
 {
     DecodedFrame frame;
     const Bytes bytes = record.bytes();
-    if (record.verdict == FrameVerdict::Drained || !endsWithCrc16(bytes))
+    if (record.verdict == FrameVerdict::Drained || record.verdict == FrameVerdict::Stray ||
+        !endsWithCrc16(bytes))
         return frame;
     frame.unit = bytes[0];
     frame.function = static_cast<std::uint8_t>(bytes[1] & ~exceptionFlag);
@@ -141,6 +142,8 @@ std::string_view verdictText(FrameVerdict verdict)
         return "dropped: incomplete frame";
     case FrameVerdict::Silence:
         return "response timeout";
+    case FrameVerdict::Stray:
+        return "skipped: stray bytes";
     case FrameVerdict::Drained:
         return "dropped: no request pending";
     case FrameVerdict::PortGone:

@@ -54,6 +54,8 @@ LineCondition conditionOf(const LinkError& error)
     case LinkErrorKind::BadChecksum:
     case LinkErrorKind::BadFrame:
         return LineCondition::Garbage;
+    case LinkErrorKind::Exception:
+        return LineCondition::Refused;
     default:
         return LineCondition::NoBytes;
     }
@@ -211,17 +213,22 @@ void LineScan::ask(const Candidate& candidate)
 {
     Port& port = m_ports[candidate.port];
     port.isTried = true;
-    const std::uint64_t before = m_client->record().figures.receivedBytes();
+    const LinkFigures& figures = m_client->record().figures;
+    const std::uint64_t before = figures.receivedBytes();
+    const std::uint64_t straysBefore = figures.strayBytes();
     const auto identity = m_client->probe(candidate.unit);
-    const std::uint64_t bytes = m_client->record().figures.receivedBytes() - before;
+    const std::uint64_t bytes = figures.receivedBytes() - before;
     port.bytesSeen += bytes;
+    port.strayBytes += figures.strayBytes() - straysBefore;
+    if (!identity && identity.error().kind == LinkErrorKind::Exception)
+        port.exception = identity.error().code;
     port.isEchoing = port.isEchoing || m_client->isEchoing();
     const LineCondition condition = identity ? LineCondition::Controller : conditionOf(identity.error());
     const bool isOfAnotherQuestion = !identity && identity.error().kind == LinkErrorKind::ForeignAnswer;
     if (mayBeLate(candidate) && (isOfAnotherQuestion || (bytes > 0 && !isAnswer(condition)))) {
         askAgainPatiently();
     } else if (!isAnswer(condition) && condition != LineCondition::PortGone) {
-        if (bytes > 0 && ++m_attempt < attemptsWhenDamaged)
+        if (bytes > 0 && condition != LineCondition::Refused && ++m_attempt < attemptsWhenDamaged)
             return; // repeats the same one
     } else {
         LineFinding finding = findingAt(candidate, condition);
@@ -256,6 +263,7 @@ LineFinding LineScan::findingAt(const Candidate& candidate, LineCondition condit
     finding.line = candidate.line;
     finding.unit = candidate.unit;
     finding.bytesSeen = port.bytesSeen;
+    finding.strayBytes = port.strayBytes;
     finding.latencyTimerMs = ftdiLatencyMs(port.path);
     return finding;
 }
@@ -269,7 +277,23 @@ void LineScan::skipDone()
     }
 }
 
-// Adds the finding of a port without an answer.
+// Returns the finding of a port where no device was found.
+LineFinding LineScan::findingWithout(std::uint16_t port) const
+{
+    const Port& tried = m_ports[port];
+    const Candidate configured{port, static_cast<std::uint8_t>(m_plan.unit), m_plan.line};
+    LineFinding finding = findingAt(configured, LineCondition::NoBytes);
+    finding.code = tried.exception;
+    if (tried.exception != 0)
+        finding.condition = LineCondition::Refused;
+    else if (tried.bytesSeen > 0)
+        finding.condition = LineCondition::Garbage;
+    else if (tried.isEchoing)
+        finding.condition = LineCondition::EchoOnly;
+    return finding;
+}
+
+// Adds the findings of the ports without an answer.
 void LineScan::finish()
 {
     m_ended = true;
@@ -279,12 +303,8 @@ void LineScan::finish()
     for (std::uint16_t i = 0; i < m_ports.size(); ++i) {
         const Port& port = m_ports[i];
         const bool isFound = std::ranges::find(m_findings, port.path, &LineFinding::port) != m_findings.end();
-        if (isFound || !port.isTried)
-            continue;
-        const Candidate configured{i, static_cast<std::uint8_t>(m_plan.unit), m_plan.line};
-        m_findings.push_back(findingAt(configured, port.bytesSeen > 0 ? LineCondition::Garbage
-                                                   : port.isEchoing   ? LineCondition::EchoOnly
-                                                                      : LineCondition::NoBytes));
+        if (!isFound && port.isTried)
+            m_findings.push_back(findingWithout(i));
     }
 }
 

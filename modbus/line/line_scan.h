@@ -24,6 +24,7 @@ enum class LineCondition : std::uint8_t {
     Garbage,         // bytes without a frame: wrong baud rate or parity, or noise
     NoBytes,         // nothing received
     EchoOnly,
+    Refused,          // only Modbus exceptions that say nothing of the device, see `code`
     PortAbsent,       // no such device node
     PortNotPermitted, // see `group`
     PortBusy,         // see `holders`
@@ -39,8 +40,9 @@ struct LineFinding {
     int unit = 1;
     std::optional<Identity> identity;
     int code = 0;
-    std::uint64_t bytesSeen = 0; // on this port
-    std::string group;           // group that owns the node
+    std::uint64_t bytesSeen = 0;  // on this port
+    std::uint64_t strayBytes = 0; // of them beside answers
+    std::string group;            // group that owns the node
     std::vector<PortHolder> holders;
     std::string detail;
     std::optional<int> latencyTimerMs; // only for an FTDI adapter
@@ -99,6 +101,8 @@ private:
     struct Port {
         std::string path;
         std::uint64_t bytesSeen = 0;
+        std::uint64_t strayBytes = 0;
+        int exception = 0;   // Modbus exception of the last answer that was one
         bool isDone = false; // has its own finding
         bool isTried = false;
         bool isEchoing = false;
@@ -112,6 +116,7 @@ private:
     [[nodiscard]] bool mayBeLate(const Candidate& candidate) const;
     void askAgainPatiently();
     [[nodiscard]] LineFinding findingAt(const Candidate& candidate, LineCondition condition) const;
+    [[nodiscard]] LineFinding findingWithout(std::uint16_t port) const;
     void skipDone();
     void finish();
 

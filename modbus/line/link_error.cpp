@@ -39,6 +39,12 @@ std::string_view exceptionName(int code)
         return "acknowledged, in progress";
     case 6:
         return "device busy";
+    case 8:
+        return "memory parity error";
+    case 10:
+        return "gateway path unavailable";
+    case 11:
+        return "no response from the device behind the gateway";
     default:
         return "unknown";
     }

@@ -22,7 +22,8 @@ enum class LinkErrorKind : std::uint8_t {
     NotOpen,          // used before open() or after close()
     NoAnswer,         // no answer, or an incomplete one, within the time allowed
     BadChecksum,      // CRC-16
-    BadFrame,         // wrong length or function, or a line that does not accept bytes
+    BadFrame,         // wrong length or function, a line that does not accept bytes, or an answer that was
+                      // dropped for the bytes behind it; `code` is their number then
     ForeignAnswer,    // the answer to another question: dropped
     Exception,        // `code` is the Modbus exception code
     NotCamPanel,      // another device; `code` is its identity.device_type, 0 when it has none

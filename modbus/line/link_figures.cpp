@@ -98,6 +98,18 @@ void LinkFigures::noteDrain(int droppedBytes)
     m_receivedBytes += static_cast<std::uint64_t>(droppedBytes);
 }
 
+void LinkFigures::noteStrays(std::size_t bytes)
+{
+    m_strayBytes += bytes;
+    m_receivedBytes += bytes;
+}
+
+void LinkFigures::noteFollowedAnswer(std::size_t strayBytes)
+{
+    ++m_followedAnswers;
+    noteStrays(strayBytes);
+}
+
 void LinkFigures::noteController(const StatusBlock& status)
 {
     const Raw raw{status.linkCrcErrors, status.linkFrameErrors, status.linkExceptions, status.linkRequests,
@@ -163,6 +175,7 @@ std::string figuresCsv(const LinkFigures& figures)
     line("sent_bytes", std::to_string(figures.sentBytes()));
     line("received_bytes", std::to_string(figures.receivedBytes()));
     line("dropped_bytes", std::to_string(figures.droppedBytes()));
+    line("stray_bytes", std::to_string(figures.strayBytes()));
     const LatencyHistogram& latency = figures.latency();
     const bool isMeasured = latency.count() > 0;
     const auto percentile = [&](double share) {

@@ -60,6 +60,10 @@ public:
     // Adds a failed exchange; its time counts as well.
     void noteError(LinkErrorKind kind, std::chrono::nanoseconds spent, WallTime at);
     void noteDrain(int droppedBytes);
+    // Adds bytes beside an answer that belong to no frame.
+    void noteStrays(std::size_t bytes);
+    // Adds an answer with such bytes behind it.
+    void noteFollowedAnswer(std::size_t strayBytes);
     void noteController(const StatusBlock& status);
 
     [[nodiscard]] std::uint64_t requests() const { return m_requests; }
@@ -69,6 +73,8 @@ public:
     [[nodiscard]] std::uint64_t sentBytes() const { return m_sentBytes; }
     [[nodiscard]] std::uint64_t receivedBytes() const { return m_receivedBytes; } // including dropped ones
     [[nodiscard]] std::uint64_t droppedBytes() const { return m_droppedBytes; }
+    [[nodiscard]] std::uint64_t strayBytes() const { return m_strayBytes; }
+    [[nodiscard]] std::uint64_t followedAnswers() const { return m_followedAnswers; }
     [[nodiscard]] const ErrorCounts& errors() const { return m_errors; }
     [[nodiscard]] std::uint32_t errors(LinkErrorKind kind) const;
     [[nodiscard]] const LatencyHistogram& latency() const { return m_latency; }
@@ -93,6 +99,8 @@ private:
     std::uint64_t m_sentBytes = 0;
     std::uint64_t m_receivedBytes = 0;
     std::uint64_t m_droppedBytes = 0;
+    std::uint64_t m_strayBytes = 0;
+    std::uint64_t m_followedAnswers = 0;
     ErrorCounts m_errors{};
     LatencyHistogram m_latency;
     LatencyHistogram m_latencyOfMinute;

@@ -23,6 +23,9 @@ constexpr milliseconds sealAllowance{1000};
 constexpr int resolveAttempts = 3;
 // The pause between two questions whether a controller has finished its work.
 constexpr milliseconds busyPause{5};
+// The same while connecting, for a device that is busy.
+constexpr milliseconds busyDevicePause{100};
+constexpr int attemptsWhileConnecting = 6;
 
 std::string commandName(Command code)
 {
@@ -42,6 +45,28 @@ std::string commandName(Command code)
 std::uint16_t counterAfter(std::uint16_t counter)
 {
     return counter == 0xFFFF ? std::uint16_t{1} : static_cast<std::uint16_t>(counter + 1u);
+}
+
+// Returns true for errors that say nothing against the device: it is busy (Modbus exceptions 5 and 6), or the
+// line puts bytes behind the answers and is not known for it yet.
+bool isPassing(const LinkError& error)
+{
+    return (error.kind == LinkErrorKind::Exception &&
+            (error.code == MODBUS_EXCEPTION_ACKNOWLEDGE ||
+             error.code == MODBUS_EXCEPTION_SLAVE_OR_SERVER_BUSY)) ||
+           (error.kind == LinkErrorKind::BadFrame && error.code > 0);
+}
+
+// Repeats a question of a connection that begins while its errors pass.
+template <typename Ask> auto askWhilePassing(const Ask& ask)
+{
+    auto answer = ask();
+    for (int i = 1; i < attemptsWhileConnecting && !answer && isPassing(answer.error()); ++i) {
+        if (answer.error().kind == LinkErrorKind::Exception)
+            std::this_thread::sleep_for(busyDevicePause);
+        answer = ask();
+    }
+    return answer;
 }
 
 void appendWords(std::vector<std::uint8_t>& bytes, std::initializer_list<int> words)
@@ -136,7 +161,8 @@ tl::expected<Identity, LinkError> RtuClient::identityIn(const Registers& registe
 tl::expected<Identity, LinkError> RtuClient::probe(int unit)
 {
     m_line.setUnit(unit);
-    const auto plain = readPlain("identity", identityAddress, identityRegisters);
+    const auto plain =
+        askWhilePassing([this] { return readPlain("identity", identityAddress, identityRegisters); });
     if (!plain) {
         // Missing functions or registers mean a foreign device; a busy or failed device may be any.
         const bool isForeign = plain.error().kind == LinkErrorKind::Exception &&
@@ -151,7 +177,7 @@ tl::expected<Identity, LinkError> RtuClient::identify()
     // Reads before it writes.
     if (const auto plain = probe(settings().unit); !plain)
         return plain;
-    const auto proven = readProven(identityAddress, identityRegisters);
+    const auto proven = askWhilePassing([this] { return readProven(identityAddress, identityRegisters); });
     if (!proven)
         return tl::unexpected(proven.error());
     auto identity = identityIn(*proven);
@@ -159,9 +185,10 @@ tl::expected<Identity, LinkError> RtuClient::identify()
     if (!identity || identity->mapMinor < firstMinorWithLayouts)
         return identity;
     static const std::uint16_t layoutsAddress = registerNamed("identity.table_layouts").address;
-    auto layouts = readProven(layoutsAddress, 1);
+    const auto readLayouts = [this] { return readProven(layoutsAddress, 1); };
+    auto layouts = askWhilePassing(readLayouts);
     if (!layouts) // a line that spoils each third answer would spoil one of these four each time
-        layouts = readProven(layoutsAddress, 1);
+        layouts = askWhilePassing(readLayouts);
     if (!layouts)
         return tl::unexpected(layouts.error());
     identity->tableLayouts = layouts->front();

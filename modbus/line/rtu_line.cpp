@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "modbus/line/rtu_line.h"
 
-#include "modbus/line/answer_reader.h"
 #include "modbus/line/crc16.h"
 
 #include <algorithm>
@@ -21,24 +20,6 @@ using std::chrono::nanoseconds;
 // The silence after a doubt: longer than the 16 ms that USB adapters collect.
 constexpr milliseconds quietTime{25};
 constexpr milliseconds longestDrain{600};
-
-enum class Readiness { Input, Nothing, Gone };
-
-Readiness waitForInput(int descriptor, std::chrono::steady_clock::time_point deadline)
-{
-    const auto left = std::max(nanoseconds{0}, nanoseconds(deadline - std::chrono::steady_clock::now()));
-    constexpr long long perSecond = 1'000'000'000;
-    const timespec limit{left.count() / perSecond, left.count() % perSecond};
-    struct pollfd watched {
-        descriptor, POLLIN, 0
-    };
-    const int ready = ppoll(&watched, 1, &limit, nullptr);
-    if (ready == 0)
-        return Readiness::Nothing;
-    if (ready > 0 && (watched.revents & POLLIN) == 0)
-        return Readiness::Gone;
-    return Readiness::Input; // or interrupted: the read tells
-}
 
 LinkErrorKind kindOf(FrameVerdict verdict)
 {
@@ -75,14 +56,21 @@ bool isGone(int errorNumber)
 
 } // namespace
 
-struct RtuLine::Received {
-    enum class End { Complete, TimedOut, Gone };
-
-    AnswerReader reader;
-    End end = End::TimedOut;
-
-    [[nodiscard]] std::span<const std::uint8_t> bytes() const { return reader.bytes(); }
-};
+RtuLine::Input RtuLine::waitForInput(int descriptor, std::chrono::steady_clock::time_point deadline)
+{
+    const auto left = std::max(nanoseconds{0}, nanoseconds(deadline - std::chrono::steady_clock::now()));
+    constexpr long long perSecond = 1'000'000'000;
+    const timespec limit{left.count() / perSecond, left.count() % perSecond};
+    struct pollfd watched {
+        descriptor, POLLIN, 0
+    };
+    const int ready = ppoll(&watched, 1, &limit, nullptr);
+    if (ready == 0)
+        return Input::Nothing;
+    if (ready > 0 && (watched.revents & POLLIN) == 0)
+        return Input::Gone;
+    return Input::Bytes; // or interrupted: the read tells
+}
 
 void RtuLine::ContextDeleter::operator()(modbus_t* context) const
 {
@@ -176,49 +164,82 @@ tl::expected<RtuLine::Bytes, LinkError> RtuLine::send(const Question& question)
     return tl::unexpected(error(kind, question.name, gone ? std::string() : modbus_strerror(errorNumber)));
 }
 
-RtuLine::Received RtuLine::receive(std::span<const std::uint8_t> sent, Clock::time_point deadline)
+AnswerReader::Piece RtuLine::receive(AnswerReader& reader, Clock::time_point deadline)
 {
-    Received received{AnswerReader(sent)};
-    const int descriptor = modbus_get_socket(m_context.get());
-    while (!received.reader.space().empty()) {
-        const Readiness readiness = waitForInput(descriptor, deadline);
-        if (readiness == Readiness::Nothing)
-            break;
-        const auto space = received.reader.space();
-        ssize_t count = 0;
-        if (readiness == Readiness::Input)
-            count = read(descriptor, space.data(), space.size());
-        if (count < 0 && (errno == EAGAIN || errno == EINTR))
-            continue;
-        if (count <= 0) {
-            received.end = Received::End::Gone;
-            break;
-        }
-        received.reader.take(static_cast<std::size_t>(count));
+    for (;;) {
+        if (const auto piece = reader.next())
+            return *piece;
+        const Input input = readInput(reader, deadline);
+        if (input == Input::Gone)
+            return {FrameVerdict::PortGone, {}, reader.unread()};
+        if (input == Input::Nothing)
+            return reader.rest();
     }
-    if (received.reader.space().empty())
-        received.end = Received::End::Complete;
-    m_isEchoing = received.reader.isEchoing();
-    return received;
 }
 
-FrameVerdict RtuLine::judge(const Question& question, const Received& received, const Proof& isMine) const
+RtuLine::Input RtuLine::readInput(AnswerReader& reader, Clock::time_point deadline)
 {
-    switch (received.end) {
-    case Received::End::Gone:
-        return FrameVerdict::PortGone;
-    case Received::End::TimedOut:
-        return received.bytes().empty() ? FrameVerdict::Silence : FrameVerdict::Incomplete;
-    case Received::End::Complete:
-        break;
+    const auto space = reader.space();
+    if (space.empty())
+        return Input::Nothing;
+    const int descriptor = modbus_get_socket(m_context.get());
+    for (;;) {
+        const Input readiness = waitForInput(descriptor, deadline);
+        if (readiness != Input::Bytes)
+            return readiness;
+        const ssize_t count = read(descriptor, space.data(), space.size());
+        if (count < 0 && (errno == EAGAIN || errno == EINTR))
+            continue;
+        if (count <= 0)
+            return Input::Gone;
+        reader.take(static_cast<std::size_t>(count));
+        return Input::Bytes;
     }
-    const AnswerForm form{m_settings.unit, question.pdu.front(),
-                          static_cast<std::size_t>(question.frames.answerBytes)};
-    const FrameVerdict verdict = received.reader.verdict(form);
-    const auto frame = received.bytes();
-    return verdict == FrameVerdict::Answer && !isMine(frame.subspan(2, frame.size() - 4))
-               ? FrameVerdict::Foreign
-               : verdict;
+}
+
+// A complete answer of this unit to an earlier question is late. The answer to this question is still to
+// come: giving up here would keep the panel one answer behind permanently.
+AnswerReader::Piece RtuLine::receiveAnswer(const Question& question, AnswerReader& reader,
+                                           Clock::time_point deadline)
+{
+    AnswerReader::Piece last;
+    bool isLate = false;
+    do {
+        const AnswerReader::Piece piece = receive(reader, deadline);
+        m_isEchoing = reader.isEchoing();
+        if (last.verdict == FrameVerdict::Foreign && piece.verdict == FrameVerdict::Silence)
+            break;
+        if (!piece.strays.empty()) {
+            m_record.frames.add(FrameVerdict::Stray, piece.strays);
+            m_record.figures.noteStrays(piece.strays.size());
+        }
+        m_record.frames.add(piece.verdict, piece.frame, question.readAddress, question.readCount);
+        const auto size = static_cast<int>(piece.frame.size());
+        if (piece.verdict == FrameVerdict::Foreign)
+            m_record.figures.noteDrain(size);
+        else
+            m_record.figures.noteReceived(size);
+        isLate = isLate || (piece.verdict == FrameVerdict::Foreign && piece.frame[0] == m_settings.unit);
+        last = piece;
+    } while (last.verdict == FrameVerdict::Foreign);
+    if (isLate && m_settings.isAllowanceMeasured)
+        m_allowance.noteSilence();
+    return last;
+}
+
+// Waits for the silence that ends a frame. Returns false when bytes came behind the answer and the line is
+// not known for this.
+bool RtuLine::endsWithSilence(AnswerReader& reader)
+{
+    const auto silence = frameSilence(m_settings.line);
+    while (readInput(reader, Clock::now() + silence) == Input::Bytes) {
+    }
+    const auto strays = reader.unread();
+    if (strays.empty())
+        return true;
+    m_record.frames.add(FrameVerdict::Stray, strays);
+    m_record.figures.noteFollowedAnswer(strays.size());
+    return m_record.figures.followedAnswers() > followedAnswersDropped;
 }
 
 tl::expected<RtuLine::Bytes, LinkError> RtuLine::ask(const Question& question, const Proof& isMine)
@@ -228,36 +249,23 @@ tl::expected<RtuLine::Bytes, LinkError> RtuLine::ask(const Question& question, c
     std::this_thread::sleep_until(m_lineFreeAt);
     // Unrequested bytes: a late answer, or noise. They must not become this question's answer.
     if (hasInput(modbus_get_socket(m_context.get())))
-        drainLine();
+        drainLine(m_failedRequest ? Drain::Doubt : Drain::Unasked);
     const auto startedAt = Clock::now();
     const auto sent = send(question);
     if (!sent)
         return tl::unexpected(sent.error());
     const auto wire = pairTime(m_settings.line, question.frames);
     const auto deadline = startedAt + wire + m_allowance.value() + question.extraAllowance;
-    Received received{AnswerReader(*sent)};
-    FrameVerdict verdict = FrameVerdict::Silence;
-    // A complete answer of this unit to an earlier question is late. The answer to this question is still to
-    // come: giving up here would keep the panel one answer behind permanently.
-    bool isLate = false;
-    do {
-        Received next = receive(*sent, deadline);
-        const FrameVerdict nextVerdict = judge(question, next, isMine);
-        m_record.figures.noteReceived(static_cast<int>(next.bytes().size()));
-        if (isLate && nextVerdict == FrameVerdict::Silence)
-            break;
-        m_record.frames.add(nextVerdict, next.bytes(), question.readAddress, question.readCount);
-        verdict = nextVerdict;
-        received = next;
-        isLate = isLate || (verdict == FrameVerdict::Foreign && received.bytes()[0] == m_settings.unit);
-        if (isLate && verdict == FrameVerdict::Foreign)
-            m_record.figures.noteDrain(static_cast<int>(received.bytes().size()));
-    } while (isLate && verdict == FrameVerdict::Foreign);
+    const AnswerForm form{m_settings.unit, question.pdu.front(),
+                          static_cast<std::size_t>(question.frames.answerBytes)};
+    AnswerReader reader(*sent, form, isMine);
+    const AnswerReader::Piece piece = receiveAnswer(question, reader, deadline);
     const auto completeAt = Clock::now();
-    if (isLate && m_settings.isAllowanceMeasured)
-        m_allowance.noteSilence();
-    if (verdict != FrameVerdict::Answer)
-        return tl::unexpected(fail(question, verdict, received, startedAt));
+    if (piece.verdict != FrameVerdict::Answer)
+        return tl::unexpected(fail(question, piece, startedAt));
+    Bytes data(piece.frame.begin() + 2, piece.frame.end() - 2);
+    if (!endsWithSilence(reader))
+        return tl::unexpected(fail(question, {FrameVerdict::Malformed, reader.unread(), {}}, startedAt));
 
     const auto silence = frameSilence(m_settings.line);
     m_lineFreeAt = completeAt + silence;
@@ -268,14 +276,13 @@ tl::expected<RtuLine::Bytes, LinkError> RtuLine::ask(const Question& question, c
     if (m_settings.isAllowanceMeasured && question.extraAllowance == milliseconds{0})
         m_allowance.noteTurnaround(completeAt - startedAt - (wire - silence));
     m_record.allowance = m_allowance.value();
-    const auto frame = received.bytes();
-    return Bytes(frame.begin() + 2, frame.end() - 2);
+    return data;
 }
 
-LinkError RtuLine::fail(const Question& question, FrameVerdict verdict, const Received& received,
+LinkError RtuLine::fail(const Question& question, const AnswerReader::Piece& piece,
                         Clock::time_point startedAt)
 {
-    const LinkErrorKind kind = kindOf(verdict);
+    const LinkErrorKind kind = kindOf(piece.verdict);
     // An exception has no tag either: it may be the late answer to another question, and this one's still to
     // come. A lost port has nothing to drain.
     if (kind != LinkErrorKind::PortGone)
@@ -285,8 +292,12 @@ LinkError RtuLine::fail(const Question& question, FrameVerdict verdict, const Re
     m_record.allowance = m_allowance.value();
     m_record.figures.noteError(kind, Clock::now() - startedAt, LinkFigures::WallTime::clock::now());
     m_failedRequest = question.name;
-    const bool isException = kind == LinkErrorKind::Exception;
-    return error(kind, question.name, {}, isException ? received.bytes()[2] : 0);
+    int code = 0;
+    if (kind == LinkErrorKind::Exception)
+        code = piece.frame[2];
+    else if (piece.frame.empty())
+        code = static_cast<int>(piece.strays.size());
+    return error(kind, question.name, {}, code);
 }
 
 void RtuLine::drainLine(Drain reason)
@@ -299,7 +310,9 @@ void RtuLine::drainLine(Drain reason)
                                 dropped += static_cast<int>(bytes.size());
                                 m_record.frames.add(FrameVerdict::Drained, bytes);
                             }));
-    if (reason == Drain::Doubt || dropped > 0)
+    if (reason == Drain::Unasked)
+        m_record.figures.noteStrays(static_cast<std::size_t>(dropped));
+    else if (reason == Drain::Doubt || dropped > 0)
         m_record.figures.noteDrain(dropped);
     m_lineFreeAt = Clock::now();
 }

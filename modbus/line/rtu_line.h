@@ -6,6 +6,7 @@
 #pragma once
 
 #include "modbus/line/answer_allowance.h"
+#include "modbus/line/answer_reader.h"
 #include "modbus/line/frame_log.h"
 #include "modbus/line/link_error.h"
 #include "modbus/line/link_figures.h"
@@ -56,8 +57,7 @@ struct Question {
 class RtuLine {
 public:
     using Bytes = std::vector<std::uint8_t>;
-    // Returns true when the data of an answer (after the function) belongs to its question.
-    using Proof = std::function<bool(std::span<const std::uint8_t>)>;
+    using Proof = AnswerReader::Proof;
 
     // `record` must live as long as the line.
     RtuLine(LinkSettings settings, LinkRecord& record);
@@ -73,7 +73,8 @@ public:
     void setUnit(int unit) { m_settings.unit = unit; }
 
     // Returns the data of the answer, proven. Drops an answer with another unit, function or length, or one
-    // that `isMine` rejects; the error is ForeignAnswer.
+    // that `isMine` rejects; the error is ForeignAnswer. Bytes before and between the answers are skipped;
+    // bytes behind are an error until the line is known for them.
     [[nodiscard]] tl::expected<Bytes, LinkError> ask(const Question& question, const Proof& isMine);
 
     // Returns true when the adapter echoes what the panel sends, as some RS-485 adapters do. The echo is
@@ -88,18 +89,21 @@ private:
     struct ContextDeleter {
         void operator()(modbus_t* context) const;
     };
-    struct Received;
+    enum class Input { Bytes, Nothing, Gone };
 
     [[nodiscard]] LinkError error(LinkErrorKind kind, std::string request = {}, std::string detail = {},
                                   int code = 0) const;
     // Returns the frame that was sent.
     [[nodiscard]] tl::expected<Bytes, LinkError> send(const Question& question);
-    [[nodiscard]] Received receive(std::span<const std::uint8_t> sent, Clock::time_point deadline);
-    [[nodiscard]] FrameVerdict judge(const Question& question, const Received& received,
-                                     const Proof& isMine) const;
-    [[nodiscard]] LinkError fail(const Question& question, FrameVerdict verdict, const Received& received,
+    [[nodiscard]] static Input waitForInput(int descriptor, Clock::time_point deadline);
+    [[nodiscard]] Input readInput(AnswerReader& reader, Clock::time_point deadline);
+    [[nodiscard]] AnswerReader::Piece receive(AnswerReader& reader, Clock::time_point deadline);
+    [[nodiscard]] AnswerReader::Piece receiveAnswer(const Question& question, AnswerReader& reader,
+                                                    Clock::time_point deadline);
+    [[nodiscard]] bool endsWithSilence(AnswerReader& reader);
+    [[nodiscard]] LinkError fail(const Question& question, const AnswerReader::Piece& piece,
                                  Clock::time_point startedAt);
-    enum class Drain { Opening, Doubt };
+    enum class Drain { Opening, Unasked, Doubt };
     void drainLine(Drain reason = Drain::Doubt);
 
     LinkSettings m_settings;

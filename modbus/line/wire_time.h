@@ -33,6 +33,8 @@ struct FramePair {
 
 [[nodiscard]] constexpr std::chrono::nanoseconds charactersTime(const LineSettings& line, int characters)
 {
+    if (line.baud == 0) // no port has it: opening refuses it
+        return std::chrono::nanoseconds{0};
     const int bits = 9 + (line.parity == Parity::None ? 0 : 1) + line.stopBits;
     return std::chrono::nanoseconds{1'000'000'000LL * bits * characters / line.baud};
 }

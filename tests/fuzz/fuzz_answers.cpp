@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The client's answer reader: any bytes in any pieces after any question, and whatever passes as an answer is
-// decoded. A frame with a wrong CRC-16, of another unit, function or length never passes.
+// decoded, wherever it stands. A frame with a wrong CRC-16, of another unit, function or length never passes.
 #include "modbus/line/answer_reader.h"
 #include "modbus/line/crc16.h"
 #include "modbus/line/frame_text.h"
@@ -122,6 +122,22 @@ void show(const Asked& asked, std::span<const std::uint8_t> bytes, FrameVerdict 
     (void)framesText(std::span(&record, 1));
 }
 
+void check(const Asked& asked, const AnswerReader::Piece& piece)
+{
+    show(asked, piece.frame, piece.verdict);
+    const auto frame = piece.frame;
+    if (piece.verdict == FrameVerdict::Exception)
+        require(endsWithCrc16(frame) && frame[0] == 1 && frame[1] == (asked.form.function | 0x80u) &&
+                    frame.size() == 5,
+                "an exception is of the expected form");
+    if (piece.verdict != FrameVerdict::Answer)
+        return;
+    require(endsWithCrc16(frame) && frame[0] == 1 && frame[1] == asked.form.function &&
+                frame.size() == asked.form.bytes,
+            "an answer is of the expected form");
+    decode(asked, frame.subspan(2, frame.size() - 4));
+}
+
 } // namespace
 
 void runTarget(std::span<const std::uint8_t> bytes)
@@ -129,33 +145,34 @@ void runTarget(std::span<const std::uint8_t> bytes)
     InputReader input(bytes);
     const Asked asked = askedBy(input.byte());
     const std::uint8_t manner = input.byte();
-    const std::size_t piece = 1u + manner % 32u;
+    const std::size_t step = 1u + manner % 32u;
     const auto raw = input.rest();
     Bytes line((manner & 0x40u) != 0 ? asked.sent : Bytes()); // an adapter that echoes
     line.insert(line.end(), raw.begin(), raw.end());
     if ((manner & 0x80u) != 0) // no checksum is guessed by chance
         line = withCrc(line);
-    AnswerReader reader(asked.sent);
-    for (std::size_t at = 0; at < line.size() && !reader.space().empty();) {
-        const std::size_t count = std::min({piece, line.size() - at, reader.space().size()});
+    const AnswerReader::Proof isMine = [](std::span<const std::uint8_t>) { return true; };
+    AnswerReader reader(asked.sent, asked.form, isMine);
+    show(asked, line, FrameVerdict::Drained);
+    show(asked, line, FrameVerdict::Sent);
+    std::size_t at = 0;
+    std::size_t told = 0;
+    for (bool hasEnded = false; !hasEnded;) {
+        auto piece = reader.next();
+        const std::size_t count = std::min({piece ? 0 : step, line.size() - at, reader.space().size()});
         std::copy_n(line.begin() + static_cast<std::ptrdiff_t>(at), count, reader.space().begin());
         reader.take(count);
         at += count;
-        require(reader.bytes().size() <= FrameRecord::maxBytes, "an answer fits a frame");
+        if (!piece && count > 0)
+            continue;
+        if (!piece)
+            piece = reader.rest();
+        told += piece->strays.size() + piece->frame.size();
+        check(asked, *piece);
+        hasEnded = piece->verdict != FrameVerdict::Foreign && piece->verdict != FrameVerdict::Exception &&
+                   piece->verdict != FrameVerdict::Answer;
     }
-    show(asked, line, FrameVerdict::Drained);
-    if (!reader.space().empty())
-        return;
-    const FrameVerdict verdict = reader.verdict(asked.form);
-    show(asked, reader.bytes(), verdict);
-    show(asked, line, FrameVerdict::Sent);
-    if (verdict != FrameVerdict::Answer)
-        return;
-    const auto frame = reader.bytes();
-    require(endsWithCrc16(frame) && frame[0] == 1 && frame[1] == asked.form.function &&
-                frame.size() == asked.form.bytes,
-            "an answer is of the expected form");
-    decode(asked, frame.subspan(2, frame.size() - 4));
+    require(told + (reader.isEchoing() ? asked.sent.size() : 0) == at, "every byte is told once");
 }
 
 std::vector<Bytes> targetSeeds()
@@ -179,6 +196,9 @@ std::vector<Bytes> targetSeeds()
         }
     }
     seeds.push_back({1, 0x8F, 1, 0x83, 6});
+    // Bytes of a line without bias before and behind the beginning of an answer.
+    seeds.push_back({1, 0x8F, 0x00, 1, 0x83, 6});
+    seeds.push_back({1, 0x8F, 0xFF, 0x00, 1, 3, 80, 1, 0x83, 6, 0, 0});
     return seeds;
 }
 

@@ -136,6 +136,46 @@ private slots:
         QCOMPARE(slave.writes(), 0);
     }
 
+    void deviceThatOnlyAnswersWithErrors()
+    {
+        ScriptedSlave slave;
+        for (const std::uint8_t code : {std::uint8_t{4}, std::uint8_t{6}, std::uint8_t{11}}) {
+            slave.setException(code);
+            const LineFinding finding = diagnose(slave.port());
+            QCOMPARE(finding.condition, LineCondition::Refused);
+            QCOMPARE(finding.code, int{code});
+        }
+        slave.setException(0);
+        slave.script({Fault::Busy});
+        QCOMPARE(diagnose(slave.port()).condition, LineCondition::Controller);
+        QCOMPARE(slave.writes(), 0);
+    }
+
+    void strayBytesDoNotHideAController()
+    {
+        ScriptedSlave slave;
+        QCOMPARE(diagnose(slave.port()).strayBytes, std::uint64_t{0});
+        slave.surround({0x00}, {});
+        QCOMPARE(diagnose(slave.port()).condition, LineCondition::Controller);
+        QCOMPARE(diagnose(slave.port()).strayBytes, std::uint64_t{1});
+        slave.surround({}, {0x00, 0x00});
+        QCOMPARE(diagnose(slave.port()).condition, LineCondition::Controller);
+        QVERIFY(diagnose(slave.port()).strayBytes >= 2);
+    }
+
+    void lineWithoutASpeedEnds()
+    {
+        ScriptedSlave slave;
+        for (const Depth depth : {Depth::Diagnosis, Depth::Search}) {
+            LineSettings line;
+            line.baud = 0;
+            LineScan scan(ScanPlan{slave.port(), line, 1, {}, depth});
+            while (!scan.ended())
+                scan.advance();
+            QCOMPARE(scan.findings().front().condition, LineCondition::PortSettings);
+        }
+    }
+
     void oneDamagedAnswerIsNoVerdict()
     {
         ScriptedSlave slave;

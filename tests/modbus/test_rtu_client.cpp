@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The client against a scripted slave: every doubtful answer ends in an error, never in a wrong value, and
 // the line is usable afterwards.
+#include "modbus/line/answer_reader.h"
 #include "modbus/line/rtu_client.h"
 #include "modbus/map/codec.h"
 #include "scripted_slave.h"
@@ -14,6 +15,8 @@
 #include <random>
 
 #include <fcntl.h>
+#include <grp.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -46,6 +49,11 @@ private slots:
     void cleanup();
     void identity();
     void foreignDeviceIsLeftAlone();
+    void busyDeviceIsAskedAgain_data();
+    void busyDeviceIsAskedAgain();
+    void strayBytesAreSkipped_data();
+    void strayBytesAreSkipped();
+    void singleFollowedAnswerIsNotBelieved();
     void otherMapMajorIsRefused();
     void impossibleIdentityIsRefused_data();
     void impossibleIdentityIsRefused();
@@ -72,6 +80,7 @@ private slots:
     void parameterOutsideItsLimitsIsNotSent();
     void pulledAdapter();
     void portsThatCannotBeOpened();
+    void portWithoutPermission();
     void busyPort();
     void settingsThatCannotBeUsed_data();
     void settingsThatCannotBeUsed();
@@ -135,9 +144,83 @@ void RtuClientTest::foreignDeviceIsLeftAlone()
     QCOMPARE(identity.error().code, 0x1234);
     m_slave->script({Fault::Exception2});
     QCOMPARE(m_client->identify().error().kind, LinkErrorKind::NotCamPanel);
-    m_slave->script({Fault::Busy}); // does not identify the device
-    QCOMPARE(m_client->identify().error().kind, LinkErrorKind::Exception);
     QCOMPARE(m_slave->writes(), 0);
+}
+
+void RtuClientTest::busyDeviceIsAskedAgain_data()
+{
+    QTest::addColumn<int>("exception");
+    QTest::addColumn<int>("requests");
+    QTest::newRow("device failure") << 4 << 1;
+    QTest::newRow("acknowledged") << 5 << 6;
+    QTest::newRow("busy") << 6 << 6;
+    QTest::newRow("gateway path unavailable") << 10 << 1;
+    QTest::newRow("nobody behind the gateway") << 11 << 1;
+}
+
+void RtuClientTest::busyDeviceIsAskedAgain()
+{
+    QFETCH(int, exception);
+    QFETCH(int, requests);
+    m_slave->setException(static_cast<std::uint8_t>(exception));
+    const auto identity = m_client->identify();
+    QCOMPARE(identity.error().kind, LinkErrorKind::Exception);
+    QCOMPARE(identity.error().code, exception);
+    QCOMPARE(m_slave->requests(), requests);
+    QCOMPARE(m_slave->writes(), 0);
+    m_slave->setException(0);
+    m_slave->script({Fault::Busy, Fault::Busy, Fault::None, Fault::Busy});
+    QVERIFY(m_client->identify().has_value());
+}
+
+void RtuClientTest::strayBytesAreSkipped_data()
+{
+    using Bytes = std::vector<std::uint8_t>;
+    QTest::addColumn<Bytes>("before");
+    QTest::addColumn<Bytes>("behind");
+    QTest::newRow("a zero before") << Bytes{0x00} << Bytes{};
+    QTest::newRow("FF before") << Bytes{0xFF} << Bytes{};
+    QTest::newRow("the unit before") << Bytes{0x01} << Bytes{};
+    QTest::newRow("a zero behind") << Bytes{} << Bytes{0x00};
+    QTest::newRow("zeros behind") << Bytes{} << Bytes(5, 0x00);
+    QTest::newRow("noise on both sides") << Bytes{0x80, 0xFE, 0x55} << Bytes{0xF8, 0x01, 0x17, 0x50};
+}
+
+void RtuClientTest::strayBytesAreSkipped()
+{
+    using Bytes = std::vector<std::uint8_t>;
+    QFETCH(const Bytes, before);
+    QFETCH(const Bytes, behind);
+    m_slave->surround(before, behind);
+    m_slave->setRegister(0x0400, 4711);
+    const auto identity = m_client->identify();
+    QVERIFY2(identity.has_value(), identity ? "" : describe(identity.error()).c_str());
+    const std::uint64_t failed = m_client->record().figures.requests() - m_client->record().figures.answers();
+    QVERIFY(failed <= followedAnswersDropped);
+    for (std::uint16_t heartbeat = 1; heartbeat <= 5; ++heartbeat)
+        QVERIFY(m_client->exchangeStatus(heartbeat, 0).has_value());
+    QCOMPARE(m_client->readProven(0x0400, 1)->front(), std::uint16_t{4711});
+    QVERIFY(m_client->writeParameter(registerNamed("parameter.ramp_time"), 500).has_value());
+    QVERIFY(m_client->command(Command::Start).has_value());
+    const LinkFigures& figures = m_client->record().figures;
+    QCOMPARE(figures.strayBytes(), figures.requests() * (before.size() + behind.size()));
+    QCOMPARE(figures.followedAnswers(), behind.empty() ? std::uint64_t{0} : figures.requests());
+    m_slave->surround({}, {});
+    const std::uint64_t strays = figures.strayBytes();
+    QVERIFY(m_client->exchangeStatus(9, 0).has_value());
+    QCOMPARE(figures.strayBytes(), strays);
+}
+
+// A line that is not known for bytes behind the answers: the answer may have gained a byte.
+void RtuClientTest::singleFollowedAnswerIsNotBelieved()
+{
+    QVERIFY(m_client->exchangeStatus(1, 0).has_value());
+    m_slave->surround({}, {0x00});
+    const auto doubtful = m_client->exchangeStatus(2, 0);
+    QCOMPARE(doubtful.error().kind, LinkErrorKind::BadFrame);
+    QCOMPARE(doubtful.error().code, 1);
+    m_slave->surround({}, {});
+    QVERIFY(m_client->exchangeStatus(3, 0).has_value());
 }
 
 void RtuClientTest::otherMapMajorIsRefused()
@@ -489,6 +572,34 @@ void RtuClientTest::portsThatCannotBeOpened()
     QCOMPARE(kindOf(folder + "/file"), LinkErrorKind::PortNotSerial);
     QCOMPARE(kindOf(folder), LinkErrorKind::PortNotSerial);
     QCOMPARE(kindOf("/dev/null"), LinkErrorKind::PortNotSerial);
+}
+
+// As a user who is not in the group of the port. The superuser may open every node, so a child is one of the
+// others.
+void RtuClientTest::portWithoutPermission()
+{
+    struct stat node {};
+    QCOMPARE(stat(m_slave->port().c_str(), &node), 0);
+    QCOMPARE(chmod(m_slave->port().c_str(), 0600), 0);
+    const group* owner = getgrgid(node.st_gid);
+    const std::string expected = owner != nullptr ? owner->gr_name : std::to_string(node.st_gid);
+    const pid_t child = fork();
+    QVERIFY(child >= 0);
+    if (child == 0) {
+        constexpr id_t nobody = 65534;
+        if (getuid() == 0 && (setgroups(0, nullptr) != 0 || setgid(nobody) != 0 || setuid(nobody) != 0))
+            _exit(3);
+        if (getuid() == node.st_uid && chmod(m_slave->port().c_str(), 0) != 0)
+            _exit(4);
+        RtuClient client(settingsFor(m_slave->port()));
+        const auto opened = client.open();
+        if (opened || opened.error().kind != LinkErrorKind::PortNotPermitted)
+            _exit(1);
+        _exit(opened.error().detail == expected ? 0 : 2);
+    }
+    int status = 0;
+    QCOMPARE(waitpid(child, &status, 0), child);
+    QCOMPARE(WEXITSTATUS(status), 0);
 }
 
 void RtuClientTest::busyPort()

@@ -144,6 +144,13 @@ void ScriptedSlave::reachCycleBoundary()
         activateStaged();
 }
 
+void ScriptedSlave::surround(std::vector<std::uint8_t> before, std::vector<std::uint8_t> behind)
+{
+    const std::scoped_lock lock(m_mutex);
+    m_before = std::move(before);
+    m_behind = std::move(behind);
+}
+
 void ScriptedSlave::refuseRow(std::uint16_t row)
 {
     const std::scoped_lock lock(m_mutex);
@@ -190,8 +197,8 @@ void ScriptedSlave::answer(const Bytes& request)
     if (fault == Fault::LostRequest)
         return;
     Bytes reply{request[0], static_cast<std::uint8_t>(request[1] | 0x80u), 2};
-    if (fault == Fault::Busy) {
-        reply[2] = 6;
+    if (fault == Fault::Busy || m_exception != 0) {
+        reply[2] = m_exception != 0 ? m_exception.load() : std::uint8_t{6};
     } else if (fault != Fault::Exception2) {
         const Bytes right = execute(request);
         reply = fault == Fault::Exception2Done ? reply : right;
@@ -201,6 +208,8 @@ void ScriptedSlave::answer(const Bytes& request)
     reply.push_back(static_cast<std::uint8_t>(crc >> 8));
     if (fault == Fault::Truncated)
         reply.resize(reply.size() / 2);
+    reply.insert(reply.begin(), m_before.begin(), m_before.end());
+    reply.insert(reply.end(), m_behind.begin(), m_behind.end());
     const Bytes late = std::exchange(m_late, {});
     if (!late.empty())
         send(late);

@@ -57,6 +57,10 @@ public:
     void setBusy(int requests) { m_busy = requests; }
     // Delays every answer by this time.
     void delayAnswers(std::chrono::milliseconds delay) { m_delayMs = static_cast<int>(delay.count()); }
+    // Puts these bytes before and behind every answer, as a line without bias or a late driver does.
+    void surround(std::vector<std::uint8_t> before, std::vector<std::uint8_t> behind);
+    // Answers every request with this Modbus exception; 0: no longer.
+    void setException(std::uint8_t code) { m_exception = code; }
     // Returns every request before its answer, like some adapters.
     void setEchoing(bool isEchoing) { m_isEchoing = isEchoing; }
 
@@ -87,11 +91,14 @@ private:
     std::uint16_t m_announced = 0;
     std::uint16_t m_refusedRow = 0xFFFF;
     Bytes m_late;
+    Bytes m_before;
+    Bytes m_behind;
     std::atomic<int> m_busy = 0;
     std::atomic<int> m_commands = 0;
     std::atomic<int> m_requests = 0;
     std::atomic<int> m_writes = 0;
     std::atomic<int> m_delayMs = 0;
+    std::atomic<std::uint8_t> m_exception = 0;
     std::atomic<bool> m_isEchoing = false;
     std::atomic<bool> m_stop = false;
     std::thread m_thread;

@@ -72,6 +72,7 @@ void LineFigures::showRows()
          {tr("Responses"), count(figures.answers()), false},
          {tr("Retries"), count(figures.retries()), figures.retries() > 0},
          {tr("Bytes dropped"), count(figures.droppedBytes()), figures.droppedBytes() > 0},
+         {tr("Stray bytes"), count(figures.strayBytes()), figures.strayBytes() > 0},
          {tr("Line utilization"),
           share ? tr("%1 %").arg(format.number(100 * *share, 1)) : Format::unknownText(), false}});
     showErrors();

@@ -38,12 +38,17 @@ QString ConnectionSentences::lost(const link::LinkReport& report, const QString&
         return tr("No connection since %1 to the simulated controller on %2. The panel reconnects "
                   "automatically.")
             .arg(since, report.portName);
-    return isPortGone ? tr("No connection since %1: port %2 was removed. Plug the adapter in again; the "
-                           "panel finds it under any name and reconnects automatically.")
-                            .arg(since, report.portName)
-                      : tr("No connection since %1: no response on %2. Check the cable and the controller's "
-                           "power; the panel reconnects automatically.")
-                            .arg(since, report.portName);
+    if (isPortGone)
+        return report.hasSerialNumber
+                   ? tr("No connection since %1: port %2 was removed. Plug the adapter in again; the "
+                        "panel finds it under any name and reconnects automatically.")
+                         .arg(since, report.portName)
+                   : tr("No connection since %1: port %2 was removed. Plug the adapter into the same socket; "
+                        "the panel reconnects automatically.")
+                         .arg(since, report.portName);
+    return tr("No connection since %1: no response on %2. Check the cable and the controller's power; the "
+              "panel reconnects automatically.")
+        .arg(since, report.portName);
 }
 
 QString ConnectionSentences::simulator(const link::LinkReport& report)
@@ -77,8 +82,12 @@ QString ConnectionSentences::error(const modbus::LinkError& error)
     case LinkErrorKind::PortBusy:
         return tr("Another program is using port %1. Close that program, or choose another port.").arg(port);
     case LinkErrorKind::PortNotPermitted:
-        return tr("This user has no right to use port %1. Add the user to the group \"%2\" and log in again.")
-            .arg(port, detail);
+        return detail.isEmpty()
+                   ? tr("This user has no right to use port %1. Ask the administrator for this right.")
+                         .arg(port)
+                   : tr("This user has no right to use port %1. Add the user to the group \"%2\" and log in "
+                        "again.")
+                         .arg(port, detail);
     case LinkErrorKind::PortNotSerial:
         return tr("%1 is not a serial port. Choose another port in the settings.").arg(port);
     case LinkErrorKind::PortSettings:
@@ -95,10 +104,7 @@ QString ConnectionSentences::error(const modbus::LinkError& error)
         return tr("Responses on %1 belong to other requests. Check for another master on the line.")
             .arg(port);
     case LinkErrorKind::Exception:
-        return tr("The device on %1 refuses the request (Modbus exception %2). Check that it is a CamPanel "
-                  "controller.")
-            .arg(port)
-            .arg(error.code);
+        return exception(port, error.code);
     case LinkErrorKind::NotCamPanel:
         return tr("The device on %1 is not a CamPanel controller. Choose another port or unit number.")
             .arg(port);
@@ -126,6 +132,30 @@ QString ConnectionSentences::error(const modbus::LinkError& error)
                                   .arg(QString::fromStdString(error.request));
     }
     return {};
+}
+
+QString ConnectionSentences::exception(const QString& port, int code)
+{
+    const QString number = QString::number(code);
+    switch (code) {
+    case 4:
+    case 8:
+        return tr("The device on %1 reports a failure (Modbus exception %2). Restart the device.")
+            .arg(port, number);
+    case 5:
+    case 6:
+        return tr("The device on %1 is busy (Modbus exception %2). Wait, or restart the device.")
+            .arg(port, number);
+    case 10:
+    case 11:
+        return tr("The gateway on %1 gets no response from the controller (Modbus exception %2). Check the "
+                  "unit number, and the line behind the gateway.")
+            .arg(port, number);
+    default:
+        return tr("The device on %1 refuses the request (Modbus exception %2). Check that it is a CamPanel "
+                  "controller.")
+            .arg(port, number);
+    }
 }
 
 QString ConnectionSentences::commandName(modbus::Command command)

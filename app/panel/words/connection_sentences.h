@@ -16,6 +16,8 @@ public:
     // Describes the connection. `lostAt`: the time when the connection was lost.
     [[nodiscard]] static QString connection(const link::LinkReport& report, const QDateTime& lostAt);
     [[nodiscard]] static QString error(const modbus::LinkError& error);
+    // Describes a Modbus exception of the device on `port`.
+    [[nodiscard]] static QString exception(const QString& port, int code);
     // Says in every case that the controller's program is unchanged.
     [[nodiscard]] static QString error(const modbus::DownloadError& error);
     [[nodiscard]] static QString refused(modbus::Command command, modbus::Refusal reason);

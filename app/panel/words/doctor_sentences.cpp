@@ -2,6 +2,7 @@
 #include "app/panel/words/doctor_sentences.h"
 
 #include "app/panel/kit/format.h"
+#include "app/panel/words/connection_sentences.h"
 
 #include <QStringList>
 
@@ -35,6 +36,8 @@ QString DoctorSentences::condition(LineCondition condition)
         return tr("No response");
     case LineCondition::EchoOnly:
         return tr("Echo only");
+    case LineCondition::Refused:
+        return tr("Error response");
     case LineCondition::PortAbsent:
         return tr("Port does not exist");
     case LineCondition::PortNotPermitted:
@@ -87,14 +90,21 @@ QString DoctorSentences::finding(const modbus::LineFinding& finding)
         text = tr("The adapter echoes the requests, and no controller responds. Check the "
                   "controller's power, both ends of the cable, and A and B.");
         break;
+    case LineCondition::Refused:
+        text = ConnectionSentences::exception(QString::fromStdString(finding.port), finding.code);
+        break;
     default:
         text = portFinding(finding);
     }
+    if (finding.strayBytes > 0)
+        text = tr("%1 The line adds stray bytes to the responses (%2). Check the bias resistors, and the "
+                  "switching between sending and receiving.",
+                  "%1: whole sentence")
+                   .arg(text, QString::number(finding.strayBytes));
     if (finding.isLatencyTooLong())
         text = tr("%1 The USB adapter delays data by %2 ms: set its latency timer to 1 ms.",
                   "%1: whole sentence")
-                   .arg(text)
-                   .arg(*finding.latencyTimerMs);
+                   .arg(text, QString::number(*finding.latencyTimerMs));
     return text;
 }
 

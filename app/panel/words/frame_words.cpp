@@ -77,6 +77,8 @@ QString FrameWords::verdict(FrameVerdict verdict)
         return tr("Dropped: incomplete frame");
     case FrameVerdict::Silence:
         return tr("Response timeout");
+    case FrameVerdict::Stray:
+        return tr("Skipped: stray bytes");
     case FrameVerdict::Drained:
         return tr("Dropped: no request pending");
     case FrameVerdict::PortGone:
@@ -100,6 +102,12 @@ QString FrameWords::exception(int code)
         return tr("acknowledged, in progress");
     case 6:
         return tr("device busy");
+    case 8:
+        return tr("memory parity error");
+    case 10:
+        return tr("gateway path unavailable");
+    case 11:
+        return tr("no response from the device behind the gateway");
     default:
         return tr("unknown");
     }

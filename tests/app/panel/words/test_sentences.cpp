@@ -142,11 +142,56 @@ private slots:
         }
         error.kind = modbus::LinkErrorKind::PortNotPermitted;
         QVERIFY(ConnectionSentences::error(error).contains("group \"dialout\""));
+        error.detail.clear(); // a folder on the way to the port
+        QVERIFY(isWhole(ConnectionSentences::error(error)) &&
+                !ConnectionSentences::error(error).contains("\"\""));
+        error.detail = "dialout";
         error.kind = modbus::LinkErrorKind::WrongIdentity;
         QVERIFY(ConnectionSentences::error(error).contains("dialout is 7."));
         error.kind = modbus::LinkErrorKind::ValueRefused;
         error.limits = modbus::toRaw(modbus::registerNamed("parameter.ramp_time"), 5).error();
         QVERIFY(ConnectionSentences::error(error).contains("50 to 10000 ms"));
+    }
+
+    void exceptionsSayWhatToDo_data()
+    {
+        QTest::addColumn<int>("code");
+        QTest::addColumn<QString>("advice");
+        QTest::newRow("illegal function") << 1 << "Check that it is a CamPanel controller.";
+        QTest::newRow("illegal address") << 2 << "Check that it is a CamPanel controller.";
+        QTest::newRow("device failure") << 4 << "Restart the device.";
+        QTest::newRow("acknowledged") << 5 << "Wait, or restart the device.";
+        QTest::newRow("busy") << 6 << "Wait, or restart the device.";
+        QTest::newRow("memory") << 8 << "Restart the device.";
+        QTest::newRow("gateway path") << 10 << "Check the unit number, and the line behind the gateway.";
+        QTest::newRow("gateway target") << 11 << "Check the unit number, and the line behind the gateway.";
+    }
+
+    void exceptionsSayWhatToDo()
+    {
+        QFETCH(int, code);
+        QFETCH(QString, advice);
+        const modbus::LinkError error{modbus::LinkErrorKind::Exception, "/dev/ttyUSB0", "identity", {}, code};
+        const QString text = ConnectionSentences::error(error);
+        QVERIFY2(isWhole(text) && text.endsWith(advice), qPrintable(text));
+        QVERIFY(text.contains(QStringLiteral("(Modbus exception %1)").arg(code)));
+        modbus::LineFinding finding;
+        finding.condition = LineCondition::Refused;
+        finding.port = "/dev/ttyUSB0";
+        finding.code = code;
+        QCOMPARE(DoctorSentences::finding(finding), text);
+    }
+
+    void adapterIsPromisedToBeFoundOnlyByItsSerialNumber()
+    {
+        link::LinkReport report;
+        report.simulated = false;
+        report.state = link::LinkState::Lost;
+        report.portName = QStringLiteral("/dev/ttyUSB0");
+        report.error = modbus::LinkError{modbus::LinkErrorKind::PortGone, "/dev/ttyUSB0", {}, {}, 0};
+        QVERIFY(ConnectionSentences::connection(report, {}).contains("into the same socket"));
+        report.hasSerialNumber = true;
+        QVERIFY(ConnectionSentences::connection(report, {}).contains("under any name"));
     }
 
     void failedDownloadsSayThatTheProgramIsUnchanged()
@@ -193,6 +238,11 @@ private slots:
         QVERIFY(sentence(LineCondition::NoBytes).contains("power"));
         QVERIFY(sentence(LineCondition::PortNotPermitted).contains("group \"dialout\""));
         QVERIFY(sentence(LineCondition::PortBusy).contains("screen (process 1234)"));
+        QVERIFY(!sentence(LineCondition::Controller).contains("stray bytes"));
+        finding.strayBytes = 3;
+        QVERIFY(
+            sentence(LineCondition::Controller).contains("stray bytes to the responses (3). Check the bias"));
+        finding.strayBytes = 0;
         finding.latencyTimerMs = 16;
         QVERIFY(sentence(LineCondition::Controller).contains("delays data by 16 ms"));
         finding.latencyTimerMs = 1;
