@@ -27,16 +27,14 @@ int number(const QCommandLineParser& parser, const QString& option, int lowest, 
     const int value = parser.value(option).toInt(&isNumber);
     if (!isNumber || value < lowest || value > highest)
         refuse(QStringLiteral("--%1 %2 is not between %3 and %4.")
-                   .arg(option, parser.value(option))
-                   .arg(lowest)
-                   .arg(highest));
+                   .arg(option, parser.value(option), QString::number(lowest), QString::number(highest)));
     return value;
 }
 
 QString valueAmong(const QCommandLineParser& parser, const QString& option, const QStringList& choices)
 {
     const QString value = parser.value(option);
-    if (!value.isEmpty() && !choices.contains(value))
+    if (parser.isSet(option) && !choices.contains(value))
         refuse(QStringLiteral("--%1 %2 is not one of %3.")
                    .arg(option, value, choices.join(QStringLiteral(", "))));
     return value;
@@ -45,7 +43,8 @@ QString valueAmong(const QCommandLineParser& parser, const QString& option, cons
 QSize sizeFrom(const QString& text)
 {
     const QSize size = panel::sizeIn(text);
-    if (size.isEmpty())
+    constexpr int maxPixels = 9999;
+    if (size.isEmpty() || size.width() > maxPixels || size.height() > maxPixels)
         refuse(QStringLiteral("--size %1 is not of the form 1024x600.").arg(text));
     return size;
 }
@@ -68,7 +67,7 @@ panel::ConnectionChoice connectionFrom(const QCommandLineParser& parser)
     panel::ConnectionChoice choice;
     choice.simulated = false;
     choice.portName = parser.value(QStringLiteral("port"));
-    choice.baud = number(parser, QStringLiteral("baud"), 1200, 921600);
+    choice.baud = valueAmong(parser, QStringLiteral("baud"), panel::choicesOf("connection.baud")).toInt();
     choice.parity = valueAmong(parser, QStringLiteral("parity"), panel::choicesOf("connection.parity"));
     choice.stopBits = number(parser, QStringLiteral("stop-bits"), 1, 2);
     choice.unit = number(parser, QStringLiteral("unit"), 1, 247);

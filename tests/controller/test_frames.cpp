@@ -44,6 +44,8 @@ private slots:
     void ignoresOtherUnits();
     void executesBroadcastsWithoutAnAnswer();
     void endsAFrameOnlyAfterTheSilence();
+    void noiseBeforeARequestEndsWithTheSilence_data();
+    void noiseBeforeARequestEndsWithTheSilence();
     void countsErrors();
     void readWriteWritesFirst();
     void refusedReadWriteChangesNothing();
@@ -170,6 +172,36 @@ void TestFrames::endsAFrameOnlyAfterTheSilence()
     QCOMPARE(ctl_take_answer(&rig.core(), answer.data()), std::size_t{0});
     QCOMPARE(rig.status(CTL_REG_STATUS_LINK_FRAME_ERRORS), 1);
     QCOMPARE(rig.status(CTL_REG_STATUS_LINK_CRC_ERRORS), 1);
+}
+
+// Bytes before a request spoil it when they touch it; 3.5 characters of silence part them. The next request
+// is answered in either case.
+void TestFrames::noiseBeforeARequestEndsWithTheSilence_data()
+{
+    QTest::addColumn<Bytes>("noise");
+    QTest::newRow("a zero") << Bytes{0x00};
+    QTest::newRow("FF") << Bytes{0xFF};
+    QTest::newRow("its own unit") << Bytes{0x01};
+    QTest::newRow("the beginning of a request") << Bytes{1, 16, 0x02, 0x00, 0x00, 0x7B};
+    QTest::newRow("a whole buffer") << Bytes(256, 0xF8);
+    QTest::newRow("more than a buffer") << Bytes(700, 0x00);
+}
+
+void TestFrames::noiseBeforeARequestEndsWithTheSilence()
+{
+    QFETCH(const Bytes, noise);
+    Rig rig;
+    const Bytes request = frame({1, 3, 0, 0, 0, 1});
+    const auto receive = [&rig](const Bytes& bytes) {
+        ctl_receive(&rig.core(), bytes.data(), bytes.size(), rig.controller().nowUs());
+    };
+    receive(noise);
+    rig.run(2000);
+    QCOMPARE(rig.exchange(request).size(), std::size_t{7});
+    receive(noise);
+    QVERIFY(rig.exchange(request).empty());
+    QCOMPARE(rig.exchange(request).size(), std::size_t{7});
+    QCOMPARE(rig.status(CTL_REG_STATUS_LINK_CRC_ERRORS) + rig.status(CTL_REG_STATUS_LINK_FRAME_ERRORS), 2);
 }
 
 void TestFrames::countsErrors()

@@ -39,10 +39,25 @@ private slots:
         withoutPort("--parity", "E");
         withoutPort("--stop-bits", "2");
         withoutPort("--unit", "5");
-        QTest::addRow("baud out of range")
-            << QStringList{QStringLiteral("--port"), QStringLiteral("/dev/ttyUSB0"), QStringLiteral("--baud"),
-                           QStringLiteral("96")}
-            << QStringLiteral("campanel: --baud 96 is not between 1200 and 921600.\n");
+        const auto wrong = [](const char* option, const char* allowed) {
+            for (const char* value : {"0", "-1", "96", "4294967296", "nan", "inf", "1x", ""})
+                QTest::addRow("%s %s", option, value)
+                    << QStringList{QStringLiteral("--port"), QStringLiteral("/dev/ttyUSB0"),
+                                   QStringLiteral("%1=%2").arg(option, value)}
+                    << QStringLiteral("campanel: %1 %2 is not %3.\n").arg(option, value, allowed);
+        };
+        wrong("--baud", "one of 9600, 19200, 38400, 57600, 115200");
+        wrong("--stop-bits", "between 1 and 2");
+        wrong("--parity", "one of N, E, O");
+        for (const char* value : {"0", "-1", "248", "4294967297", "nan", ""})
+            QTest::addRow("--unit %s", value)
+                << QStringList{QStringLiteral("--port"), QStringLiteral("/dev/ttyUSB0"),
+                               QStringLiteral("--unit=%1").arg(value)}
+                << QStringLiteral("campanel: --unit %1 is not between 1 and 247.\n").arg(value);
+        for (const char* value : {"0x0", "-1x-1", "99999x99999", "nan", "1024", ""})
+            QTest::addRow("--size %s", value)
+                << QStringList{QStringLiteral("--size=%1").arg(value)}
+                << QStringLiteral("campanel: --size %1 is not of the form 1024x600.\n").arg(value);
     }
     void refusesWithASentence()
     {

@@ -30,6 +30,25 @@ private slots:
                                  << QByteArray("--seconds");
         QTest::newRow("no exchanges")
             << u"link --port /dev/null --exchanges none"_s << int{Usage} << QByteArray("--exchanges");
+        QTest::newRow("endless") << u"link --port /dev/null --seconds inf"_s << int{Usage}
+                                 << QByteArray("--seconds");
+        QTest::newRow("negative exchanges")
+            << u"link --port /dev/null --exchanges -1"_s << int{Usage} << QByteArray("--exchanges");
+        for (const char* command : {"doctor", "doctor --scan", "status", "link", "frames"}) {
+            const QString begin = QString::fromLatin1(command) + u" --port /dev/ttyNONE7 "_s;
+            for (const char* value : {"0", "-1", "12345", "4294967296", "115200.5", "nan", "inf", ""})
+                QTest::addRow("%s, baud rate %s", command, value)
+                    << begin + u"--baud="_s + QString::fromLatin1(value) << int{Usage}
+                    << QByteArray("--baud");
+            for (const char* value : {"0", "-1", "3", "257", "65537", "nan", ""})
+                QTest::addRow("%s, stop bits %s", command, value)
+                    << begin + u"--stop-bits="_s + QString::fromLatin1(value) << int{Usage}
+                    << QByteArray("--stop-bits");
+            for (const char* value : {"0", "-1", "248", "257", "4294967297", "nan", ""})
+                QTest::addRow("%s, unit %s", command, value)
+                    << begin + u"--unit="_s + QString::fromLatin1(value) << int{Usage}
+                    << QByteArray("--unit");
+        }
         QTest::newRow("frames of no port")
             << u"frames --port /dev/ttyNONE7"_s << int{Link} << QByteArray("does not exist");
     }
@@ -92,6 +111,36 @@ private slots:
         QCOMPARE(result.code, int{Link});
         QVERIFY2(result.out.contains("not a CamPanel controller"), result.out.constData());
         QCOMPARE(slave.writes(), 0);
+    }
+
+    void strayBytesAreCountedAndExplained()
+    {
+        ScriptedSlave slave;
+        slave.surround({0x00}, {0x00, 0x00});
+        const QStringList port{u"--port"_s, QString::fromStdString(slave.port()), u"--format"_s, u"json"_s};
+        const Result doctor = call(QStringList{u"doctor"_s} + port);
+        QVERIFY2(doctor.code == Ok, doctor.complaint.constData());
+        const QJsonObject finding = QJsonDocument::fromJson(doctor.out).array().first().toObject();
+        QVERIFY(finding[u"stray_bytes"_s].toInt() >= 3);
+        QVERIFY(finding[u"sentence"_s].toString().contains(u"bias resistors"_s));
+        const Result link = call(QStringList{u"link"_s, u"--exchanges"_s, u"5"_s} + port);
+        QVERIFY2(link.code == Ok, link.complaint.constData());
+        const QJsonObject figures = QJsonDocument::fromJson(link.out).object();
+        QCOMPARE(figures[u"bytes"_s][u"stray"_s].toInt(), 3 * figures[u"requests"_s].toInt());
+    }
+
+    void busyDeviceIsNotTakenForAnother()
+    {
+        ScriptedSlave slave;
+        slave.setException(6);
+        const QStringList port{u"--port"_s, QString::fromStdString(slave.port())};
+        const Result status = call(QStringList{u"status"_s} + port);
+        QCOMPARE(status.code, int{Link});
+        QVERIFY2(status.complaint.contains("is busy (Modbus exception 6)"), status.complaint.constData());
+        const Result doctor = call(QStringList{u"doctor"_s, u"--format"_s, u"json"_s} + port);
+        const QJsonObject finding = QJsonDocument::fromJson(doctor.out).array().first().toObject();
+        QCOMPARE(finding[u"condition"_s].toString(), u"refused"_s);
+        QCOMPARE(finding[u"exception"_s].toInt(), 6);
     }
 
     void linkCountsWhatHappens()

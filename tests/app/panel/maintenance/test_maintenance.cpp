@@ -208,9 +208,13 @@ private slots:
             report.figures.noteAnswer(8ms, 6ms, 8ms, at);
         }
         report.figures.noteError(modbus::LinkErrorKind::BadChecksum, 8ms, at + 2min);
+        report.figures.noteStrays(5);
+        report.figures.noteFollowedAnswer(7);
         emit rig.link.figuresReported(report);
         QCOMPARE(figures.exchanges()->rows()[0].value, "10");
-        QCOMPARE(figures.exchanges()->rows()[4].value, "68.2 %");
+        QCOMPARE(figures.exchanges()->rows()[4].value, "12");
+        QVERIFY(figures.exchanges()->rows()[4].isNotable);
+        QCOMPARE(figures.exchanges()->rows()[5].value, "68.2 %");
         QCOMPARE(figures.errors()->rows()[1].value, "1");
         QVERIFY(figures.errors()->rows()[1].isNotable && !figures.errors()->rows()[0].isNotable);
         QCOMPARE(figures.times()->rows()[3].value, "8.0 ms");
