@@ -18,7 +18,7 @@ struct PortDescription {
 
 [[nodiscard]] QList<PortDescription> availablePorts();
 
-// What a USB adapter is known by. Many have no serial number, or all the same one.
+// The marks of a USB adapter. Many have no serial number, or all the same one.
 struct AdapterIdentity {
     quint16 vendorId = 0;
     quint16 productId = 0;

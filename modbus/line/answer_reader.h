@@ -61,7 +61,7 @@ public:
     [[nodiscard]] bool isEchoing() const { return m_isEchoing; }
 
 private:
-    // What may still become of the bytes that are no frame.
+    // The prospect of the bytes that are no frame yet.
     struct Prospect {
         bool isGrowing = false;  // a frame of this unit is incomplete
         bool isExpected = false; // and it may be the answer, or the echo of the question

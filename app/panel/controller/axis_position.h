@@ -2,8 +2,8 @@
 // The position of the axis since homing beyond the 32 bits of its registers: as sent and by the encoder.
 #pragma once
 
+#include "app/link/link_values.h"
 #include "app/panel/kit/wide_counter.h"
-#include "modbus/map/blocks.h"
 
 namespace campanel::panel {
 
