@@ -1070,6 +1070,10 @@
         <translation>Ungültige Daten an %1. Baudrate, Parität und Stoppbits prüfen.</translation>
     </message>
     <message>
+        <source>Stray bytes behind a response on %1. Check the bias resistors, and the switching between sending and receiving.</source>
+        <translation>Fremde Bytes hinter einer Antwort an %1. Vorspannungswiderstände und Umschaltung zwischen Senden und Empfangen prüfen.</translation>
+    </message>
+    <message>
         <source>Responses on %1 belong to other requests. Check for another master on the line.</source>
         <translation>Antworten an %1 gehören zu anderen Anfragen. Auf einen zweiten Master am Bus prüfen.</translation>
     </message>
@@ -1253,6 +1257,11 @@
     <message>
         <source>No connection since %1: port %2 was removed. Plug the adapter into the same socket; the panel reconnects automatically.</source>
         <translation>Keine Verbindung seit %1: Schnittstelle %2 wurde entfernt. Adapter in dieselbe Buchse stecken; das Panel verbindet automatisch neu.</translation>
+    </message>
+    <message>
+        <source>No connection since %1. %2</source>
+        <comment>time, %2: whole sentences</comment>
+        <translation>Keine Verbindung seit %1. %2</translation>
     </message>
     <message>
         <source>No connection since %1: no response on %2. Check the cable and the controller&apos;s power; the panel reconnects automatically.</source>

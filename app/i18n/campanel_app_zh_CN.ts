@@ -1070,6 +1070,10 @@
         <translation>%1 上收到的数据无效。请检查波特率、校验和停止位。</translation>
     </message>
     <message>
+        <source>Stray bytes behind a response on %1. Check the bias resistors, and the switching between sending and receiving.</source>
+        <translation>%1 上的应答之后有多余字节。请检查偏置电阻以及收发切换。</translation>
+    </message>
+    <message>
         <source>Responses on %1 belong to other requests. Check for another master on the line.</source>
         <translation>%1 上的应答不属于本面板的请求。请检查线路上是否有其他主站。</translation>
     </message>
@@ -1253,6 +1257,11 @@
     <message>
         <source>No connection since %1: port %2 was removed. Plug the adapter into the same socket; the panel reconnects automatically.</source>
         <translation>自 %1 起无连接：端口 %2 已移除。请把适配器插回原来的插口，面板会自动重新连接。</translation>
+    </message>
+    <message>
+        <source>No connection since %1. %2</source>
+        <comment>time, %2: whole sentences</comment>
+        <translation>自 %1 起无连接。%2</translation>
     </message>
     <message>
         <source>No connection since %1: no response on %2. Check the cable and the controller&apos;s power; the panel reconnects automatically.</source>

@@ -10,6 +10,17 @@ using link::CommandEnd;
 using link::LinkState;
 using modbus::LinkErrorKind;
 
+namespace {
+
+// Returns true for errors of bytes that were received: the line is not silent.
+bool isOfBytes(LinkErrorKind kind)
+{
+    return kind == LinkErrorKind::BadChecksum || kind == LinkErrorKind::BadFrame ||
+           kind == LinkErrorKind::ForeignAnswer || kind == LinkErrorKind::Exception;
+}
+
+} // namespace
+
 QString ConnectionSentences::connection(const link::LinkReport& report, const QDateTime& lostAt)
 {
     if (report.isScanning)
@@ -46,6 +57,8 @@ QString ConnectionSentences::lost(const link::LinkReport& report, const QString&
                    : tr("No connection since %1: port %2 was removed. Plug the adapter into the same socket; "
                         "the panel reconnects automatically.")
                          .arg(since, report.portName);
+    if (report.error && isOfBytes(report.error->kind))
+        return tr("No connection since %1. %2", "time, %2: whole sentences").arg(since, error(*report.error));
     return tr("No connection since %1: no response on %2. Check the cable and the controller's power; the "
               "panel reconnects automatically.")
         .arg(since, report.portName);
@@ -99,6 +112,11 @@ QString ConnectionSentences::error(const modbus::LinkError& error)
         return tr("No response on %1. Check cable, power, baud rate, parity and unit number.").arg(port);
     case LinkErrorKind::BadChecksum:
     case LinkErrorKind::BadFrame:
+        if (error.code > 0)
+            return tr("Stray bytes behind a response on %1. Check the bias resistors, and the switching "
+                      "between "
+                      "sending and receiving.")
+                .arg(port);
         return tr("Invalid data on %1. Check baud rate, parity and stop bits.").arg(port);
     case LinkErrorKind::ForeignAnswer:
         return tr("Responses on %1 belong to other requests. Check for another master on the line.")

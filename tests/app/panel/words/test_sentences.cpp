@@ -194,6 +194,40 @@ private slots:
         QVERIFY(ConnectionSentences::connection(report, {}).contains("under any name"));
     }
 
+    void lostLineSaysWhatWasReceived_data()
+    {
+        QTest::addColumn<int>("kind");
+        QTest::addColumn<int>("code");
+        QTest::addColumn<QString>("words");
+        const auto row = [](const char* tag, modbus::LinkErrorKind kind, int code, const char* words) {
+            QTest::newRow(tag) << static_cast<int>(kind) << code << QString::fromLatin1(words);
+        };
+        using Kind = modbus::LinkErrorKind;
+        row("silence", Kind::NoAnswer, 0, "no response on /dev/ttyUSB0");
+        row("damaged", Kind::BadChecksum, 0, "Invalid data on /dev/ttyUSB0");
+        row("stray bytes", Kind::BadFrame, 2, "Check the bias resistors");
+        row("another master", Kind::ForeignAnswer, 0, "Check for another master");
+        row("busy", Kind::Exception, 6, "is busy");
+        row("gateway", Kind::Exception, 11, "The gateway on /dev/ttyUSB0");
+    }
+
+    void lostLineSaysWhatWasReceived()
+    {
+        QFETCH(int, kind);
+        QFETCH(int, code);
+        QFETCH(QString, words);
+        link::LinkReport report;
+        report.simulated = false;
+        report.state = link::LinkState::Lost;
+        report.portName = QStringLiteral("/dev/ttyUSB0");
+        report.error =
+            modbus::LinkError{static_cast<modbus::LinkErrorKind>(kind), "/dev/ttyUSB0", "status", {}, code};
+        const QDateTime at(QDate(2026, 1, 2), QTime(3, 4, 5));
+        const QString text = ConnectionSentences::connection(report, at);
+        QVERIFY2(isWhole(text) && text.contains(words) && text.startsWith("No connection since 03:04:05"),
+                 qPrintable(text));
+    }
+
     void failedDownloadsSayThatTheProgramIsUnchanged()
     {
         modbus::DownloadError error;
