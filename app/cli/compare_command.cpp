@@ -108,7 +108,8 @@ QByteArray comparisonText(const QJsonArray& rows)
     for (const QJsonValue& each : rows) {
         const QJsonObject row = each.toObject();
         if (row.contains(u"refusal"_s)) {
-            text += u"%1 %2\n"_s.arg(row[u"law"_s].toString(), -20).arg(row[u"refusal"_s].toString());
+            text +=
+                u"%1 %2\n"_s.arg(row[u"law"_s].toString(), -20).arg(cellText(row[u"refusal"_s].toString()));
             continue;
         }
         const double jerk = row[u"jerk_mm_per_s3"_s].toDouble(qInf());

@@ -74,8 +74,10 @@ void showProgress(const modbus::ScanProgress& progress)
 {
     if (isatty(STDERR_FILENO) == 0)
         return;
-    std::fprintf(stderr, "\r%s: %s, %s   ", qPrintable(DoctorSentences::progress(progress)),
-                 progress.port.c_str(), qPrintable(DoctorSentences::settings(progress.line, progress.unit)));
+    std::fprintf(stderr, "\r%s   ",
+                 qPrintable(cellText(u"%1: %2, %3"_s.arg(
+                     DoctorSentences::progress(progress), QString::fromStdString(progress.port),
+                     DoctorSentences::settings(progress.line, progress.unit)))));
 }
 
 QByteArray findingsText(const std::vector<LineFinding>& findings, const QString& format)
@@ -84,11 +86,12 @@ QByteArray findingsText(const std::vector<LineFinding>& findings, const QString&
     QString text;
     for (const LineFinding& finding : findings) {
         array.append(findingObject(finding));
-        text += u"%1, %2: %3\n"_s.arg(QString::fromStdString(finding.port),
-                                      DoctorSentences::settings(finding.line, finding.unit),
-                                      DoctorSentences::finding(finding));
+        text += cellText(u"%1, %2: %3"_s.arg(QString::fromStdString(finding.port),
+                                             DoctorSentences::settings(finding.line, finding.unit),
+                                             DoctorSentences::finding(finding))) +
+                u'\n';
         if (const QString command = remedy(finding); !command.isEmpty())
-            text += u"  "_s + command + u'\n';
+            text += u"  "_s + cellText(command) + u'\n';
     }
     return format == u"json" ? QJsonDocument(array).toJson() : text.toUtf8();
 }

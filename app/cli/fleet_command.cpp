@@ -6,6 +6,7 @@
 #include "app/cli/signed_file.h"
 #include "app/shell/configuration.h"
 #include "app/store/files/csv.h"
+#include "app/store/files/files.h"
 #include "gateway/fleet.h"
 #include "gateway/mqtt_line.h"
 
@@ -163,13 +164,13 @@ QJsonObject rowOf(const FleetMachine& machine, const QList<std::uint32_t>& table
     return row;
 }
 
-QString cellText(const QJsonValue& value)
+QString cellOf(const QJsonValue& value)
 {
     if (value.isBool())
         return value.toBool() ? u"yes"_s : u"no"_s;
     if (value.isNull())
         return u"--"_s;
-    return value.isString() ? value.toString() : QString::number(value.toInteger());
+    return value.isString() ? store::oneLine(value.toString()) : QString::number(value.toInteger());
 }
 
 // Returns the keys of a row, in the order of the columns.
@@ -192,7 +193,7 @@ QByteArray fleetText(const QJsonArray& rows)
     for (const QString& key : columnsOf(rows)) {
         QStringList cells{titles.value(key, key)};
         for (const QJsonValue& row : rows)
-            cells << cellText(row.toObject().value(key));
+            cells << cellOf(row.toObject().value(key));
         qsizetype width = 0;
         for (const QString& cell : cells)
             width = std::max(width, cell.size());
@@ -212,7 +213,7 @@ QByteArray fleetCsv(const QJsonArray& rows)
         QStringList cells;
         for (const QString& key : keys) {
             const QJsonValue value = row.toObject().value(key);
-            cells << (value.isNull() ? QString() : store::csvField(cellText(value)));
+            cells << (value.isNull() ? QString() : store::csvField(cellOf(value)));
         }
         text += cells.join(u',') + u'\n';
     }
@@ -225,7 +226,7 @@ Outcome judge(const QJsonArray& rows)
     QStringList others;
     for (const QJsonValue& row : rows) {
         if (!row.toObject().value(u"table_is_a_signed_one"_s).toBool())
-            others << row.toObject().value(u"machine"_s).toString();
+            others << cellOf(row.toObject().value(u"machine"_s));
     }
     if (others.isEmpty())
         return {};

@@ -3,6 +3,7 @@
 #include "app/cli/report.h"
 
 #include "app/store/files/csv.h"
+#include "app/store/files/files.h"
 
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -26,7 +27,7 @@ QString scalarText(const QJsonValue& value)
     case QJsonValue::Double: // unknown or not finite: null in JSON
         return std::isfinite(value.toDouble()) ? QString::fromLatin1(number(value.toDouble())) : u"--"_s;
     case QJsonValue::String:
-        return value.toString();
+        return cellText(value.toString());
     default:
         return u"--"_s;
     }
@@ -36,7 +37,8 @@ QString scalarText(const QJsonValue& value)
 void flatten(const QString& prefix, const QJsonObject& object, Lines& lines)
 {
     for (auto it = object.begin(); it != object.end(); ++it) {
-        const QString key = prefix.isEmpty() ? it.key() : prefix + u'.' + it.key();
+        const QString name = cellText(it.key());
+        const QString key = prefix.isEmpty() ? name : prefix + u'.' + name;
         if (it->isObject()) {
             flatten(key, it->toObject(), lines);
         } else if (it->isArray()) {
@@ -44,7 +46,7 @@ void flatten(const QString& prefix, const QJsonObject& object, Lines& lines)
             QStringList texts;
             for (const QJsonValue& item : items) {
                 if (item.isString())
-                    texts << item.toString();
+                    texts << cellText(item.toString());
             }
             if (!texts.isEmpty() || items.isEmpty())
                 lines << std::pair(key, texts.join(u"; "_s));
@@ -55,6 +57,11 @@ void flatten(const QString& prefix, const QJsonObject& object, Lines& lines)
 }
 
 } // namespace
+
+QString cellText(const QString& text)
+{
+    return store::oneLine(text, store::maxLineLength);
+}
 
 QByteArray number(double value)
 {

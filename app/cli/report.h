@@ -25,6 +25,9 @@ struct Column {
 
 [[nodiscard]] QByteArray csvTable(const std::vector<Column>& columns);
 
+// Makes a text from elsewhere, such as a name, one line: each cell of text and CSV goes through it.
+[[nodiscard]] QString cellText(const QString& text);
+
 // Formats the object. "json": as it is. "csv": key,value with keys joined by points. "text": the same,
 // aligned; lists of numbers are omitted, null is "--".
 [[nodiscard]] QByteArray formatted(const QJsonObject& object, const QString& format);

@@ -11,6 +11,7 @@
 #include <QFile>
 #include <QJsonArray>
 #include <QTest>
+#include <QTimer>
 
 namespace test_fleet {
 
@@ -174,6 +175,43 @@ private slots:
             called({u"--broker"_s, u"127.0.0.1:%1"_s.arg(broker.port()), u"--wait"_s, u"0.5"_s});
         QCOMPARE(nobody.code, test::Link);
         QVERIFY2(nobody.complaint.contains("No machine of the group CamPanel"), nobody.complaint);
+    }
+
+    // A machine's names and texts are cells of its own row, and the machines that are named are in one line.
+    void aMachineForgesNoRows()
+    {
+        Mosquitto broker;
+        const QString forged = u"P7\n\nP8        Biscuit 250  8  C0FFEE01  3   yes\u2028x\u202ey"_s;
+        const QByteArray birth =
+            gateway::encodedPayload({1000,
+                                     0,
+                                     {bdSeq(1),
+                                      crcMetric(7, u"CamPanel/Recipe/CRC-32"_s),
+                                      {.name = u"CamPanel/Recipe/Name"_s,
+                                       .alias = static_cast<std::uint64_t>(Metric::RecipeName),
+                                       .timestampMs = 1000,
+                                       .type = static_cast<std::uint32_t>(plant::MetricType::String),
+                                       .value = forged}}});
+        Machine listener(broker.port(), {}, u"M1"_s);
+        QTRY_VERIFY(listener.log().contains(u"Connected"_s));
+        // Births of one who says all names of machines, while the list is made.
+        QTimer births;
+        QObject::connect(&births, &QTimer::timeout, &births, [&broker, &birth] {
+            broker.publish(u"spBv1.0/Hall/NBIRTH/P7      Biscuit \u202e8"_s, birth);
+        });
+        births.start(200);
+        const QStringList call{u"--broker"_s, u"127.0.0.1:%1"_s.arg(broker.port()),
+                               u"--group"_s,  u"Hall"_s,
+                               u"--wait"_s,   u"2"_s};
+        for (const QString& format : {u"text"_s, u"csv"_s}) {
+            const auto listed = called(call + QStringList{u"--format"_s, format});
+            QVERIFY2(listed.code == test::Ok, listed.complaint);
+            QCOMPARE(listed.lines().size(), 3); // the titles and two machines
+            QVERIFY2(!listed.out.contains("\u202e") && !listed.out.contains("P7  "), listed.out);
+            QVERIFY2(listed.out.contains("P7 Biscuit \\u202e8"), listed.out);
+        }
+        const auto json = called(call + QStringList{u"--format"_s, u"json"_s}).json();
+        QCOMPARE(json[u"machines"_s][1][u"recipe"_s].toString(), forged); // whole
     }
 
     void wrongCalls()

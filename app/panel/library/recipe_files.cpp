@@ -3,6 +3,7 @@
 
 #include "app/panel/kit/format.h"
 #include "app/panel/recipe/recipe_comparison.h"
+#include "app/store/files/files.h"
 
 #include <QFileInfo>
 
@@ -50,7 +51,8 @@ void RecipeFiles::takeOffer(const plant::OfferMessage& offer)
         m_received.remove(offer.name);
     else if (m_received.contains(offer.name) || m_received.size() < plant::maxOffers)
         m_received.insert(offer.name, {offer.file, QDateTime::currentDateTime()});
-    m_offerTimer.start();
+    if (!m_offerTimer.isActive()) // many offers must not delay it for ever
+        m_offerTimer.start();
 }
 
 std::function<FileExchange::Apply()> RecipeFiles::searcher()
@@ -110,7 +112,7 @@ OfferRow RecipeFiles::refusedRow(const store::RecipeOffer& offer)
 {
     const store::FileError& error = offer.recipe.error();
     OfferRow row;
-    row.title = offer.isFromPlant ? offer.path : QFileInfo(offer.path).fileName();
+    row.title = offer.isFromPlant ? store::oneLine(offer.path) : QFileInfo(offer.path).fileName();
     row.usable = false;
     row.note =
         tr("cannot be used · %1 · %2", "date, place").arg(Format::minute(offer.changed), offer.placeName);

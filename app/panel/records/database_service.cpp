@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/panel/records/database_service.h"
 
+#include "app/store/files/files.h"
 #include "app/store/files/store_logging.h"
 
 #include "app/panel/kit/engine_instances.h"
@@ -40,7 +41,9 @@ void DatabaseService::takeOpening(const store::StoreThread::Report& report)
     }
     m_opening = report;
     if (report.error)
-        qCWarning(storeLog, "%s", qPrintable(store::StoreErrorText::describe(*report.error)));
+        qCWarning(
+            storeLog, "%s",
+            qPrintable(store::oneLine(store::StoreErrorText::describe(*report.error), store::maxLineLength)));
     else
         noteReplacement(report.opening);
     emit noticeChanged();
@@ -60,7 +63,7 @@ void DatabaseService::makeCopy()
 // dismissed.
 void DatabaseService::noteReplacement(const store::Database::Opening& opening)
 {
-    qCWarning(storeLog, "%s", qPrintable(replacementText(opening)));
+    qCWarning(storeLog, "%s", qPrintable(store::oneLine(replacementText(opening), store::maxLineLength)));
     store::AuditEntry entry;
     entry.timeMs = QDateTime::currentMSecsSinceEpoch();
     entry.what = opening.fromCopy ? u"memory.from_copy"_s : u"memory.lost"_s;
@@ -83,7 +86,8 @@ void DatabaseService::noteRestore(const store::FinishedRestore& restore)
 void DatabaseService::reportError(const store::StoreError& error)
 {
     m_error = error;
-    qCWarning(storeLog, "%s", qPrintable(store::StoreErrorText::describe(error)));
+    qCWarning(storeLog, "%s",
+              qPrintable(store::oneLine(store::StoreErrorText::describe(error), store::maxLineLength)));
     emit errorReported(error);
     emit noticeChanged();
 }

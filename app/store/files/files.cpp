@@ -31,6 +31,38 @@ void settleFolder(const QString& path)
     ::close(folder);
 }
 
+// Returns the UTF-16 units of the character at a place: 2 for a valid pair.
+qsizetype lengthAt(const QString& text, qsizetype place)
+{
+    return text[place].isHighSurrogate() && place + 1 < text.size() && text[place + 1].isLowSurrogate() ? 2
+                                                                                                        : 1;
+}
+
+// Returns true for a character that a reader does not see, or that changes how others are seen.
+bool isHidden(const QString& text, qsizetype place)
+{
+    switch (lengthAt(text, place) == 2 ? QChar::category(QChar::surrogateToUcs4(text[place], text[place + 1]))
+                                       : text[place].category()) {
+    case QChar::Other_Control:
+    case QChar::Other_Format:
+    case QChar::Other_Surrogate:
+    case QChar::Separator_Line:
+    case QChar::Separator_Paragraph:
+        return true;
+    default:
+        return false;
+    }
+}
+
+// Returns the units in the form of JSON.
+QString escaped(QStringView units)
+{
+    QString shown;
+    for (const QChar unit : units)
+        shown += QStringLiteral("\\u%1").arg(uint{unit.unicode()}, 4, 16, QLatin1Char('0'));
+    return shown;
+}
+
 } // namespace
 
 tl::expected<QByteArray, FileError> readBytes(const QString& path)
@@ -96,13 +128,27 @@ QString printable(const QString& text)
 {
     QString shown;
     shown.reserve(text.size());
-    for (const QChar character : text) {
-        if (character.category() != QChar::Other_Control || character == u'\n' || character == u'\t')
-            shown += character;
-        else
-            shown += QStringLiteral("\\u%1").arg(uint{character.unicode()}, 4, 16, QLatin1Char('0'));
+    for (qsizetype i = 0; i < text.size(); i += lengthAt(text, i)) {
+        const QStringView character = QStringView(text).mid(i, lengthAt(text, i));
+        shown += isHidden(text, i) && text[i] != u'\n' && text[i] != u'\t' ? escaped(character)
+                                                                           : character.toString();
     }
     return shown;
+}
+
+QString oneLine(const QString& text, qsizetype maxLength)
+{
+    QString line;
+    for (qsizetype i = 0; i < text.size(); i += lengthAt(text, i)) {
+        const QStringView character = QStringView(text).mid(i, lengthAt(text, i));
+        if (text[i].isSpace() && !isHidden(text, i) && (line.isEmpty() || line.back().isSpace()))
+            continue;
+        const QString shown = isHidden(text, i) ? escaped(character) : character.toString();
+        if (line.size() + shown.size() > maxLength)
+            return line + u'…';
+        line += shown;
+    }
+    return line.trimmed();
 }
 
 QString backupPath(const QString& path)

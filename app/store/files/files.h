@@ -23,9 +23,15 @@ inline constexpr qsizetype maxFileBytes = 1'000'000;
 // system's reason.
 [[nodiscard]] tl::expected<void, FileError> settle(const QString& path);
 
-// Makes a text safe for a terminal or a log: control characters become visible, as "\u001b"; only line ends
-// and tabs stay. The meaning of a JSON text does not change.
+// Makes a whole text safe for a terminal: control characters and those that change the direction of writing
+// become visible, as "\u001b"; only line ends and tabs stay. The meaning of a JSON text does not change.
 [[nodiscard]] QString printable(const QString& text);
+// The longest line of a log, and the longest cell of a table or name in a line.
+inline constexpr qsizetype maxLineLength = 1000;
+inline constexpr qsizetype maxCellLength = 80;
+// Makes a text from elsewhere one short line, for a log or a cell of a table: line ends and tabs become
+// visible too, several spaces become one, and a text that is cut ends with "…".
+[[nodiscard]] QString oneLine(const QString& text, qsizetype maxLength = maxCellLength);
 
 // Returns the name of the copy that is kept of the last good file.
 [[nodiscard]] QString backupPath(const QString& path);

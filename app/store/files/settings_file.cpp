@@ -138,9 +138,11 @@ SettingsFile::SettingsFile(QString path, const QStringList& knownKeys)
     }
     m_origin = copy.values ? Origin::Copy : Origin::Defaults;
     m_values = copy.values.value_or(Values());
-    qCWarning(storeLog).noquote() << printable(u"the settings file %1 is damaged (%2); %3"_s.arg(
-        m_path, file.values.error(),
-        copy.values ? u"its last good copy is used"_s : u"there is no good copy of it"_s));
+    qCWarning(storeLog).noquote() << oneLine(
+        u"the settings file %1 is damaged (%2); %3"_s.arg(m_path, file.values.error(),
+                                                          copy.values ? u"its last good copy is used"_s
+                                                                      : u"there is no good copy of it"_s),
+        maxLineLength);
     if (copy.values)
         write();
 }
@@ -184,8 +186,9 @@ void SettingsFile::write()
         replaceBytes(m_path, bytes).and_then([&] { return replaceBytes(backupPath(m_path), bytes); });
     m_isKept = written.has_value();
     if (!written)
-        qCWarning(storeLog).noquote() << printable(
-            u"the settings cannot be written to %1: %2"_s.arg(written.error().path, written.error().found));
+        qCWarning(storeLog).noquote() << oneLine(
+            u"the settings cannot be written to %1: %2"_s.arg(written.error().path, written.error().found),
+            maxLineLength);
 }
 
 } // namespace campanel::store

@@ -32,7 +32,7 @@ LastRecipe::Loaded LastRecipe::load() const
     const QString complaint = FileErrorText::describe(saved.error());
     const QString notice = copy ? tr("%1 The last good copy is used.").arg(complaint)
                                 : tr("%1 There is no good copy; the default recipe is used.").arg(complaint);
-    qCWarning(storeLog).noquote() << printable(notice);
+    qCWarning(storeLog).noquote() << oneLine(notice, maxLineLength);
     return {copy.value_or(program::Recipe{}), notice};
 }
 

@@ -56,6 +56,7 @@ private slots:
     void standardOutputThatIsFullIsAnError();
     void aPipeIsWrittenNotReplaced();
     void noControlCharacterReachesATerminal();
+    void aNameMakesNoLines();
     void linesOfCsvEndInOneWay_data();
     void linesOfCsvEndInOneWay();
 
@@ -163,6 +164,25 @@ void OutputTest::noControlCharacterReachesATerminal()
     const Result absent = call({u"recipe"_s, u"absent\x1b[2J.json"_s});
     QCOMPARE(absent.code, int{File});
     QVERIFY2(!hasControls(absent.complaint), absent.complaint.constData());
+}
+
+// A name from elsewhere is one line of a report, or is refused in one line.
+void OutputTest::aNameMakesNoLines()
+{
+    const QString path = m_directory.filePath(u"named.json"_s);
+    program::Recipe recipe;
+    recipe.name = "Mix\nforged  yes\tand\u2028forged\u202eon";
+    put(path, store::toJson(recipe));
+    for (const QString& words :
+         {u"profile"_s, u"table"_s, u"profile --format csv"_s, u"simulate --bags 3"_s}) {
+        const QStringList command = words.split(u' ');
+        const Result result = call(QStringList{command.first(), path} + command.sliced(1));
+        QVERIFY2(!result.out.contains("\nforged") && !result.out.contains('\t') &&
+                     !result.out.contains("\u202e"),
+                 result.out.constData());
+        QVERIFY2(!result.complaint.contains("\nforged") && !result.complaint.contains("\u202e"),
+                 result.complaint.constData());
+    }
 }
 
 void OutputTest::linesOfCsvEndInOneWay_data()

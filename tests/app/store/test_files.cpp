@@ -97,6 +97,19 @@ private slots:
     void controlCharactersBecomeVisible()
     {
         QCOMPARE(printable(u"a\x1b[2J\x7f\x9b\r\n\tb 面"_s), u"a\\u001b[2J\\u007f\\u009b\\u000d\n\tb 面"_s);
+        QCOMPARE(printable(u"a\u202eb\u2066\u200f\u2028\U000e0041 😀"_s),
+                 u"a\\u202eb\\u2066\\u200f\\u2028\\udb40\\udc41 😀"_s);
+    }
+
+    void aTextFromElsewhereIsOneShortLine()
+    {
+        QCOMPARE(oneLine(u" P7   Biscuit  250\n\tP8 \r\u2028\u202e😀\u00a0 面\u0085 "_s),
+                 u"P7 Biscuit 250\\u000a\\u0009P8 \\u000d\\u2028\\u202e😀\u00a0面\\u0085"_s);
+        QCOMPARE(oneLine({}), QString());
+        QCOMPARE(oneLine(QString(80, u'x')), QString(80, u'x'));
+        QCOMPARE(oneLine(QString(81, u'x')), QString(80, u'x') + u'…');
+        QCOMPARE(oneLine(QString(79, u'x') + u"😀"_s), QString(79, u'x') + u'…');
+        QCOMPARE(oneLine(QString(1'000'000, u'\n')).size(), 79);
     }
 
 private:
