@@ -83,6 +83,8 @@ std::optional<QString> valueIn(const toml::node& node, SettingForm form)
     case SettingForm::Port:
     case SettingForm::File:
     case SettingForm::Name:
+    case SettingForm::Host:
+    case SettingForm::User:
     case SettingForm::Prefix:
     case SettingForm::Size:
     case SettingForm::Times:
@@ -105,9 +107,10 @@ bool isSection(std::string_view name)
     });
 }
 
-// Returns why a line is not given to toml++ 3.3; empty when it is safe. The parser assumes much of what follows
-// a value or a bracket: otherwise a debug build aborts, and the behavior of a release build is undefined. So
-// a line has keys, texts, numbers, lists and sections, each where it can be, and nothing else of TOML.
+// Returns why a line is not given to toml++ 3.3; empty when it is safe. The parser assumes much of what
+// follows a value or a bracket: otherwise a debug build aborts, and the behavior of a release build is
+// undefined. So a line has keys, texts, numbers, lists and sections, each where it can be, and nothing else
+// of TOML.
 QString whyUnreadable(const QByteArray& line)
 {
     // A text is reduced to its first quote, a comment to nothing.
@@ -134,7 +137,7 @@ QString whyUnreadable(const QByteArray& line)
     if (misplacedBrace.match(rest).hasMatch())
         return u"a brace that ends nothing"_s;
     if (const auto mark = noMark.match(rest); mark.hasMatch())
-        return u"%1 is for texts in quotes"_s.arg(store::printable(mark.captured()));
+        return u"%1 is for texts in quotes"_s.arg(store::oneLine(mark.captured()));
     if (date.match(rest).hasMatch())
         return u"no setting is a date"_s;
     if (twoValues.match(rest).hasMatch())
@@ -183,7 +186,8 @@ public:
 private:
     void reportError(toml::source_index line, const QString& what)
     {
-        m_result.complaints += u"%1:%2: %3"_s.arg(m_file).arg(line).arg(store::printable(what));
+        m_result.complaints +=
+            u"%1:%2: %3"_s.arg(m_file).arg(line).arg(store::oneLine(what, store::maxLineLength));
     }
 
     // Returns the result with a limited number of errors. Without a valid controller setting the simulated

@@ -43,6 +43,8 @@ QString standardOf(Setting setting)
     case SettingForm::Port:
     case SettingForm::File:
     case SettingForm::Name:
+    case SettingForm::Host:
+    case SettingForm::User:
     case SettingForm::Prefix:
     case SettingForm::Size:
     case SettingForm::Times:

@@ -66,6 +66,49 @@ primary_host = "scada"
         QCOMPARE(read.settings.primaryHost, u"scada"_s);
     }
 
+    // What brokers in a cloud ask for, and DNS allows.
+    void namesOfTheWorldAreTaken_data()
+    {
+        QTest::addColumn<QString>("host");
+        QTest::addColumn<QString>("user");
+        QTest::addColumn<bool>("isTaken");
+        const QString longHost =
+            QString(60, u'a') + u".iot.eu-central-1."_s + QString(60, u'b') + u".example"_s;
+        const QString longest = (QString(62, u'x') + u'.').repeated(4).left(253);
+        QTest::newRow("azure") << longHost << u"hub.azure-devices.net/packer-7/?api-version=2021-04-12"_s
+                               << true;
+        QTest::newRow("tenant") << u"mqtt.example."_s << u"/:packers"_s << true;
+        QTest::newRow("signs") << u"10.1.2.3"_s << u"$ConnectionString #1+ \u5305\u88c5 \U0001F600"_s << true;
+        QTest::newRow("longest") << longest << QString(256, u'u') << true;
+        QTest::newRow("IPv6") << u"fe80::1%eth0"_s << u"packers"_s << true;
+        QTest::newRow("local") << u"broker_7"_s << u"p"_s << true;
+        QTest::newRow("other letters") << u"b\u00fccher.example"_s << u"p"_s << true;
+        QTest::newRow("too long a host") << longest + u".yz"_s << u"p"_s << false;
+        QTest::newRow("too long a label") << QString(64, u'x') + u".example"_s << u"p"_s << false;
+        QTest::newRow("space in a host") << u"broker example"_s << u"p"_s << false;
+        QTest::newRow("scheme") << u"mqtts://broker"_s << u"p"_s << false;
+        QTest::newRow("two points") << u"a..b"_s << u"p"_s << false;
+        QTest::newRow("too long a user") << u"b"_s << QString(257, u'u') << false;
+        QTest::newRow("line feed") << u"b"_s << u"packers\\nadmin"_s << false;
+        QTest::newRow("direction") << u"b"_s << u"packers\u202e"_s << false;
+    }
+    void namesOfTheWorldAreTaken()
+    {
+        QFETCH(QString, host);
+        QFETCH(QString, user);
+        QFETCH(bool, isTaken);
+        QTemporaryDir folder;
+        QFile file(folder.filePath(u"password"_s));
+        QVERIFY(file.open(QIODevice::WriteOnly) && file.write("secret\n") > 0);
+        file.close();
+        file.setPermissions(QFile::ReadOwner | QFile::WriteOwner);
+        const auto read = settingsOf(u"[gateway]\nhost = \"%1\"\nuser = \"%2\"\npassword_file = \"%3\"\n"_s
+                                         .arg(host, user, file.fileName())
+                                         .toUtf8());
+        QVERIFY2(read.errors.isEmpty() == isTaken, qPrintable(read.errors.join(u'\n')));
+        QVERIFY(!isTaken || (read.settings.host == host && read.settings.user == user));
+    }
+
     void aPasswordComesFromAFileOfItsOwn()
     {
         QTemporaryDir folder;

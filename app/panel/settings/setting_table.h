@@ -22,6 +22,8 @@ enum class SettingForm {
     Port,     // an absolute path, or nothing
     File,     // an absolute path, or nothing
     Name,     // up to 64 letters without those that have a meaning in MQTT topics, or nothing
+    Host,     // name or address of a computer, as DNS has it, or nothing
+    User,     // up to 256 printable characters, as MQTT has them, or nothing
     Prefix,   // up to 8 printable characters of ASCII but the space, or nothing
     Size,     // width and height of a window in pixels: "1024x600"
     Rules,    // rules for logging, one per line
@@ -247,7 +249,7 @@ inline constexpr std::array settingTable{
                    "eglfs with a screen at a graphics card; linuxfb without one, or after eglfs has "
                    "ended without drawing."},
     SettingRow{.name = "gateway.host",
-               .form = SettingForm::Name,
+               .form = SettingForm::Host,
                .help = "Name or address of the MQTT broker to which campanel-gateway sends the values of the "
                        "machine. Empty: nothing is sent."},
     SettingRow{.name = "gateway.port",
@@ -278,7 +280,7 @@ inline constexpr std::array settingTable{
                .help = "Sparkplug primary host. While it is offline, values are kept instead of sent. Empty: "
                        "the broker is enough."},
     SettingRow{.name = "gateway.user",
-               .form = SettingForm::Name,
+               .form = SettingForm::User,
                .help = "User name for a broker that asks for one."},
     SettingRow{.name = "gateway.password_file",
                .form = SettingForm::File,

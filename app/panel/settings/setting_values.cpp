@@ -47,6 +47,28 @@ bool isTopicName(const QString& text)
            });
 }
 
+// Returns true for a name of DNS, also a local one with _ or with other letters, or an address: at most 253
+// bytes, and 63 between two points.
+bool isHost(const QString& text)
+{
+    constexpr qsizetype maxLength = 253;
+    static const QRegularExpression form(
+        u"^([\\p{L}\\p{N}_]([\\p{L}\\p{N}\\p{M}_-]{0,61}[\\p{L}\\p{N}\\p{M}_])?\\.)*"
+        "[\\p{L}\\p{N}_]([\\p{L}\\p{N}\\p{M}_-]{0,61}[\\p{L}\\p{N}\\p{M}_])?\\.?$"_s,
+        QRegularExpression::UseUnicodePropertiesOption);
+    static const QRegularExpression address(u"^[0-9a-fA-F:]*:[0-9a-fA-F:.]*(%[A-Za-z0-9._-]+)?$"_s);
+    return text.isEmpty() || (text.toUtf8().size() <= maxLength &&
+                              (form.match(text).hasMatch() || address.match(text).hasMatch()));
+}
+
+bool isUser(const QString& text)
+{
+    constexpr qsizetype maxLength = 256;
+    const QList<uint> characters = text.toUcs4();
+    return characters.size() <= maxLength && text == text.trimmed() &&
+           std::ranges::all_of(characters, [](uint character) { return QChar::isPrint(character); });
+}
+
 bool isPrefix(const QString& text)
 {
     constexpr qsizetype maxLength = 8;
@@ -131,6 +153,10 @@ QString validValues(Setting setting)
         return u"the path of a file, such as \"/etc/campanel/broker.pem\""_s;
     case SettingForm::Name:
         return u"up to 64 letters, without / + #"_s;
+    case SettingForm::Host:
+        return u"the name or address of a computer, such as \"broker.example\""_s;
+    case SettingForm::User:
+        return u"up to 256 printable characters"_s;
     case SettingForm::Prefix:
         return u"up to 8 printable characters of ASCII without spaces"_s;
     case SettingForm::Size:
@@ -167,6 +193,10 @@ bool isValid(Setting setting, const QString& text)
         return text.isEmpty() || text.startsWith(u'/');
     case SettingForm::Name:
         return isTopicName(text);
+    case SettingForm::Host:
+        return isHost(text);
+    case SettingForm::User:
+        return isUser(text);
     case SettingForm::Prefix:
         return isPrefix(text);
     case SettingForm::Size:
