@@ -5,6 +5,7 @@
 #include "app/shell/termination_signals.h"
 #include "app/store/files/files.h"
 #include "gateway/gateway_settings.h"
+#include "gateway/log_limit.h"
 #include "gateway/mqtt_line.h"
 #include "gateway/offer_inbox.h"
 #include "gateway/panel_line.h"
@@ -13,6 +14,8 @@
 #include <QCommandLineParser>
 #include <QCoreApplication>
 #include <QDateTime>
+#include <QDir>
+#include <QFileInfo>
 #include <QSysInfo>
 #include <QTimer>
 #include <QUuid>
@@ -32,9 +35,11 @@ constexpr auto tickPeriod = 100ms;
 // The time for the last messages at the end.
 constexpr int stopLimitMs = 2000;
 
+// Writes one line, whatever is in the sentence.
 void report(const QString& sentence)
 {
-    std::fprintf(stderr, "campanel-gateway: %s\n", qPrintable(sentence));
+    std::fprintf(stderr, "campanel-gateway: %s\n",
+                 qPrintable(store::oneLine(sentence, store::maxLineLength)));
 }
 
 struct Arguments {
@@ -66,38 +71,48 @@ Arguments argumentsOf(const QCoreApplication& application)
 // Puts panel, node and broker together, and runs until a signal.
 int run(const gateway::GatewaySettings& settings, const Arguments& arguments)
 {
+    using gateway::LogKind;
     const shell::TerminationSignals terminationSignals;
+    gateway::LogLimit log(&report);
+    const auto note = [&log](LogKind kind, const QString& sentence) { log.report(kind, sentence); };
     const QString instance = QUuid::createUuid().toString(QUuid::Id128);
     constexpr qsizetype digits = 8;
     gateway::MqttLine line(settings, u"campanel-%1-%2"_s.arg(settings.node, instance.left(digits)),
                            arguments.stateFolder + u"/bdseq"_s);
     gateway::PanelLine panel(arguments.panelSocket);
-    gateway::SparkplugNode node({settings.group, settings.node, settings.primaryHost, instance}, line,
-                                {.wallMs = &QDateTime::currentMSecsSinceEpoch},
-                                {[&panel](const plant::CommandMessage& command) {
-                                     report(u"Refused: %1 = %2."_s.arg(store::printable(command.metric),
-                                                                       store::printable(command.value)));
-                                     panel.send(command);
-                                 },
-                                 [&panel] { panel.renew(); }, &report});
-    gateway::OfferInbox inbox(settings.group, line,
-                              {[&panel](const plant::OfferMessage& offer) { panel.send(offer); },
-                               [](const QString& sentence) { report(store::printable(sentence)); }});
+    gateway::SparkplugNode node(
+        {settings.group, settings.node, settings.primaryHost, instance}, line,
+        {.wallMs = &QDateTime::currentMSecsSinceEpoch},
+        {[&](const plant::CommandMessage& command) {
+             note(LogKind::Command,
+                  u"Refused: %1 = %2."_s.arg(store::oneLine(command.metric), store::oneLine(command.value)));
+             panel.send(command);
+         },
+         [&panel] { panel.renew(); }, note});
+    gateway::OfferInbox inbox(
+        settings.group, line,
+        {[&panel](const plant::OfferMessage& offer) { return panel.send(offer); }, note},
+        QFileInfo(arguments.configuration).absoluteDir().filePath(u"recipe-keys"_s));
     QObject context;
     QObject::connect(&panel, &gateway::PanelLine::received, &context,
                      [&node](const plant::ValueMessage& message) { node.takeValues(message); });
-    QObject::connect(&panel, &gateway::PanelLine::connected, &context, [&inbox] { inbox.panelConnected(); });
+    QObject::connect(&panel, &gateway::PanelLine::connected, &context, [&] {
+        panel.send(plant::GatewayMessage{QCoreApplication::applicationVersion()});
+        inbox.panelConnected();
+    });
     QObject::connect(&panel, &gateway::PanelLine::lost, &context, [&node] { node.panelLost(); });
-    QObject::connect(&panel, &gateway::PanelLine::reported, &context, &report);
+    QObject::connect(&panel, &gateway::PanelLine::reported, &context,
+                     [&](const QString& sentence) { note(LogKind::Panel, sentence); });
     QObject::connect(&line, &gateway::MqttLine::opened, &context, [&](int bdSeq) {
-        report(u"Connected to %1:%2."_s.arg(settings.host).arg(settings.port));
+        note(LogKind::Connected, u"Connected to %1:%2."_s.arg(settings.host).arg(settings.port));
         node.brokerOpened(bdSeq);
         inbox.brokerOpened();
     });
     QString lastReason;
+    qint64 leftOut = 0;
     QObject::connect(&line, &gateway::MqttLine::closed, &context, [&](const QString& reason) {
         if (reason != lastReason || node.isBorn())
-            report(reason);
+            note(LogKind::NotConnected, reason);
         lastReason = reason;
         node.brokerClosed();
     });
@@ -107,13 +122,23 @@ int run(const gateway::GatewaySettings& settings, const Arguments& arguments)
                              node.takeMessage(topic, bytes);
                      });
     QObject::connect(&line, &gateway::MqttLine::barrierPassed, &context, [&node] { node.barrierPassed(); });
+    QObject::connect(&line, &gateway::MqttLine::leftOut, &context, [&](qint64 messages) {
+        leftOut += messages;
+        note(LogKind::LeftOut,
+             u"%1 messages of the broker came too fast since the start and are left out."_s.arg(leftOut));
+    });
     QTimer ticks;
-    QObject::connect(&ticks, &QTimer::timeout, &context, [&node] { node.tick(); });
+    QObject::connect(&ticks, &QTimer::timeout, &context, [&] {
+        node.tick();
+        inbox.tick();
+        log.tick();
+    });
     ticks.start(tickPeriod);
     line.start([&node](int bdSeq) { return node.deathFor(bdSeq); });
     panel.start();
     const int code = QCoreApplication::exec();
     node.end();
+    log.flush();
     if (!line.stop(stopLimitMs))
         std::_Exit(code); // an attempt to connect cannot be ended
     return code;

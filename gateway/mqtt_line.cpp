@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "gateway/mqtt_line.h"
 
+#include "app/plant/local_messages.h"
 #include "gateway/bdseq_store.h"
 
 #include <QElapsedTimer>
 #include <QRandomGenerator>
+#include <QTimer>
 
 #include <algorithm>
 #include <cerrno>
@@ -21,10 +23,16 @@ namespace campanel::gateway {
 namespace {
 
 constexpr int loopMs = 100;
-constexpr int firstPauseMs = 1000;
-constexpr int maxDoublings = 3; // 8 s
+constexpr int maxMessagesAtOnce = 100;
 constexpr int restStepMs = 50;
 constexpr int maxGoodbyeRounds = 100;
+
+// Returns true for what is only said live: no broker keeps commands, births and data. A kept one is forged.
+bool isNeverRetained(const QString& topic)
+{
+    return Arrivals::isCommand(topic) ||
+           (topic.startsWith(u"spBv1.0/") && !topic.startsWith(u"spBv1.0/STATE/"));
+}
 
 } // namespace
 
@@ -103,18 +111,38 @@ void MqttLine::drop()
     m_isDropWanted = true;
 }
 
+void MqttLine::deliver()
+{
+    for (int i = 0; i < maxMessagesAtOnce; ++i) {
+        const auto arrival = m_arrivals.take(m_known);
+        if (const qint64 dropped = m_arrivals.takeDropped(); dropped > 0)
+            emit leftOut(dropped);
+        if (!arrival)
+            return;
+        if (arrival->topic.isEmpty())
+            emit barrierPassed();
+        else
+            emit received(arrival->topic, arrival->bytes);
+    }
+    QTimer::singleShot(0, this, &MqttLine::deliver);
+}
+
 // In the thread of the connection ---------------------------------------------------------------------------
 
 void MqttLine::run()
 {
     BdSeqStore numbers(m_bdSeqFile);
+    bool isNumberUsed = true;
     while (!m_isEnding) {
-        m_bdSeq = numbers.take();
+        if (isNumberUsed) // not written again for each attempt
+            m_bdSeq = numbers.take();
         m_refusal.clear();
         m_isAccepted = false;
+        m_isAnswered = false;
         m_isDropWanted = false;
         m_leavePauseMs = -1;
         const QString reason = serve();
+        isNumberUsed = m_isAccepted;
         m_connection = 0;
         emit closed(reason);
         if (!m_isEnding)
@@ -152,6 +180,7 @@ QString MqttLine::serve()
             ::shutdown(mosquitto_socket(m_client), SHUT_RDWR);
         code = mosquitto_loop(m_client, loopMs, 1);
     }
+    m_lifeMs = since.elapsed();
     if (m_leavePauseMs >= 0)
         return u"Left the broker."_s;
     if (!m_refusal.isEmpty())
@@ -180,17 +209,24 @@ void MqttLine::sayGoodbye()
 // Waits before the next attempt: longer after each failure, and not at the same time as other gateways.
 void MqttLine::rest()
 {
-    m_failures = m_isAccepted ? 0 : std::min(m_failures + 1, maxDoublings);
-    const int longest = firstPauseMs << m_failures;
-    const int pause = m_leavePauseMs >= 0 ? m_leavePauseMs.load()
-                                          : longest / 2 + QRandomGenerator::global()->bounded(longest / 2);
+    if (m_isAccepted && m_lifeMs >= goodLifeMs)
+        m_backOff.reset();
+    const int longest = m_backOff.next(m_isAnswered ? maxAnsweredPauseMs : maxPauseMs);
+    const int pause =
+        std::max(m_leavePauseMs.load(), longest / 2 + QRandomGenerator::global()->bounded(longest / 2));
     for (int waited = 0; waited < pause && !m_isEnding; waited += restStepMs)
         QThread::msleep(restStepMs);
+}
+
+void MqttLine::wake()
+{
+    QMetaObject::invokeMethod(this, &MqttLine::deliver, Qt::QueuedConnection);
 }
 
 void MqttLine::onConnect(mosquitto*, void* line, int code)
 {
     auto* self = static_cast<MqttLine*>(line);
+    self->m_isAnswered = true;
     if (code != 0) {
         self->m_refusal =
             u"The broker refuses the connection: %1"_s.arg(QString::fromUtf8(mosquitto_connack_string(code)));
@@ -204,20 +240,28 @@ void MqttLine::onConnect(mosquitto*, void* line, int code)
         [self, connection, bdSeq = self->m_bdSeq] {
             self->m_known = connection;
             emit self->opened(bdSeq);
+            self->deliver();
         },
         Qt::QueuedConnection);
 }
 
 void MqttLine::onMessage(mosquitto*, void* line, const mosquitto_message* message)
 {
-    emit static_cast<MqttLine*>(line)->received(
-        QString::fromUtf8(message->topic),
-        QByteArray(static_cast<const char*>(message->payload), message->payloadlen));
+    auto* self = static_cast<MqttLine*>(line);
+    const QString topic = QString::fromUtf8(message->topic);
+    if (message->retain && isNeverRetained(topic))
+        return;
+    const auto size = std::min<qsizetype>(message->payloadlen, plant::maxOfferBytes + 1);
+    if (self->m_arrivals.add(
+            {self->m_connection, topic, QByteArray(static_cast<const char*>(message->payload), size)}))
+        self->wake();
 }
 
 void MqttLine::onBarrier(mosquitto*, void* line, int)
 {
-    emit static_cast<MqttLine*>(line)->barrierPassed();
+    auto* self = static_cast<MqttLine*>(line);
+    if (self->m_arrivals.add({self->m_connection, {}, {}}))
+        self->wake();
 }
 
 void MqttLine::onLog(mosquitto*, void* line, int level, const char* text)

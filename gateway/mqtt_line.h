@@ -3,6 +3,8 @@
 // come from the main thread, and so do the handlers of the signals.
 #pragma once
 
+#include "gateway/arrivals.h"
+#include "gateway/back_off.h"
 #include "gateway/broker.h"
 #include "gateway/gateway_settings.h"
 
@@ -27,6 +29,13 @@ public:
     // A broker that does not hear of the gateway for one and a half of it sends its death.
     static constexpr int keepAliveS = 10;
     static constexpr int connectLimitMs = 10'000;
+    // The pauses between attempts: the first one, and the longest ones without an answer and with one. A
+    // broker that answers and then ends the connection is there: it does not want this gateway.
+    static constexpr int firstPauseMs = 2000;
+    static constexpr int maxPauseMs = 8000;
+    static constexpr int maxAnsweredPauseMs = 120'000;
+    // A connection that lasts for this time is a success.
+    static constexpr int goodLifeMs = 10'000;
 
     // Without a file the number of the connection is not kept.
     MqttLine(GatewaySettings settings, QString clientId, QString bdSeqFile = {});
@@ -50,6 +59,8 @@ signals:
     void closed(const QString& sentence);
     void received(const QString& topic, const QByteArray& bytes);
     void barrierPassed();
+    // Emitted when more messages came than could wait.
+    void leftOut(qint64 messages);
 
 private:
     void run();
@@ -57,6 +68,9 @@ private:
     [[nodiscard]] QString serve();
     void sayGoodbye();
     void rest();
+    // Handles some of what has arrived, so that the panel is heard in between.
+    void deliver();
+    void wake();
     // Returns true while what is sent belongs to the connection that the main thread knows.
     [[nodiscard]] bool isServing() const { return m_known != 0 && m_known == m_connection; }
     static void onConnect(mosquitto*, void* line, int code);
@@ -73,11 +87,14 @@ private:
     std::atomic<bool> m_isDropWanted{false};
     std::atomic<int> m_leavePauseMs{-1}; // -1: nobody has left
     std::atomic<int> m_connection{0};    // counts the connections; 0: there is none
-    int m_known = 0;                     // of the main thread
+    Arrivals m_arrivals;
+    int m_known = 0; // of the main thread
     // Members that only the thread of the connection uses.
     int m_connections = 0;
-    int m_failures = 0; // since the last connection
+    BackOff m_backOff{firstPauseMs};
     bool m_isAccepted = false;
+    bool m_isAnswered = false; // accepted or refused
+    qint64 m_lifeMs = 0;       // of the last connection or attempt
     int m_bdSeq = 0;
     QString m_refusal;
 };

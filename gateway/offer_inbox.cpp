@@ -1,12 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "gateway/offer_inbox.h"
 
+#include "app/store/files/files.h"
+#include "app/store/recipes/signed_recipe.h"
+
+#include <algorithm>
+#include <utility>
+
 using namespace Qt::StringLiterals;
 
 namespace campanel::gateway {
 
-OfferInbox::OfferInbox(const QString& group, Broker& broker, InboxEvents events)
+OfferInbox::OfferInbox(const QString& group, Broker& broker, InboxEvents events, QString keyFolder)
     : m_folder(u"campanel/%1/recipes/"_s.arg(group))
+    , m_keyFolder(std::move(keyFolder))
     , m_broker(broker)
     , m_events(std::move(events))
 {
@@ -16,9 +23,10 @@ OfferInbox::OfferInbox(const QString& group, Broker& broker, InboxEvents events)
 void OfferInbox::brokerOpened()
 {
     m_hasOpened = true;
+    m_keys = store::signerKeys(m_keyFolder);
     m_offers.clear();
-    m_reported.clear();
-    m_events.offer({});
+    m_due.clear();
+    m_isClearDue = true;
     m_broker.subscribe(m_folder + u'+');
 }
 
@@ -29,35 +37,107 @@ bool OfferInbox::take(const QString& topic, const QByteArray& file)
     const QString name = topic.sliced(m_folder.size());
     if (name.isEmpty() || name.size() > plant::maxTextLength)
         return true;
-    if (file.isEmpty()) {
-        if (m_offers.remove(name) > 0)
-            m_events.offer({name, {}});
-        return true;
-    }
-    if (!m_offers.contains(name) && m_offers.size() >= plant::maxOffers) {
-        if (m_reported.size() < plant::maxOffers && !m_reported.contains(name)) {
-            m_reported.insert(name);
-            m_events.report(
-                u"%1 recipes are offered already; %2 is not passed on."_s.arg(plant::maxOffers).arg(name));
-        }
-        return true;
-    }
+    const auto present = m_offers.constFind(name);
     const QByteArray kept = file.left(plant::maxOfferBytes + 1);
-    if (m_offers.value(name) == kept)
+    if (kept.isEmpty() || (present != m_offers.constEnd() && present->file == kept)) {
+        if (kept.isEmpty())
+            remove(name);
         return true;
-    m_offers.insert(name, kept);
-    m_events.offer({name, kept});
+    }
+    Offer offer = offerOf(kept);
+    if (present != m_offers.constEnd()) {
+        report(u"The offer %1 is replaced by another one with its name."_s, name);
+        remove(name);
+    }
+    if (!makeRoom(name, offer))
+        return true;
+    offer.order = ++m_arrivals;
+    m_offers.insert(name, offer);
+    setDue(name);
     return true;
 }
 
-// A gateway that was just started does not know what is offered.
-void OfferInbox::panelConnected() const
+OfferInbox::Offer OfferInbox::offerOf(const QByteArray& file) const
 {
-    if (!m_hasOpened)
+    const auto recipe = store::verifyRecipe(file, {}, m_keys);
+    if (!recipe)
+        return {file, false, {}, 0, 0};
+    return {file, true, QString::fromStdString(recipe->recipe.name), recipe->recipe.version, 0};
+}
+
+bool OfferInbox::makeRoom(const QString& name, const Offer& offer)
+{
+    if (offer.isTrusted) {
+        const auto other = std::find_if(m_offers.begin(), m_offers.end(), [&offer](const Offer& each) {
+            return each.isTrusted && each.recipe == offer.recipe;
+        });
+        if (other != m_offers.end() && other->version > offer.version) {
+            report(u"The offer %1 is not passed on: a newer version of its recipe is offered."_s, name);
+            return false;
+        }
+        if (other != m_offers.end()) {
+            report(u"The offer %1 is replaced by another one of its recipe."_s, other.key());
+            remove(other.key());
+        }
+    }
+    const qsizetype untrusted =
+        std::ranges::count_if(m_offers, [](const Offer& each) { return !each.isTrusted; });
+    if (!offer.isTrusted && untrusted >= maxUntrusted)
+        removeOldest(false,
+                     u"The offer %1 is left out: newer ones are not signed by a trusted key either."_s);
+    else if (m_offers.size() >= plant::maxOffers)
+        removeOldest(untrusted == 0, u"The offer %1 is left out: there are too many."_s);
+    return true;
+}
+
+void OfferInbox::removeOldest(bool isTrusted, const QString& reason)
+{
+    QString oldest;
+    for (auto offer = m_offers.cbegin(); offer != m_offers.cend(); ++offer) {
+        if (offer->isTrusted == isTrusted && (oldest.isEmpty() || offer->order < m_offers[oldest].order))
+            oldest = offer.key();
+    }
+    report(reason, oldest);
+    remove(oldest);
+}
+
+void OfferInbox::remove(const QString& name)
+{
+    if (m_offers.remove(name) > 0)
+        setDue(name);
+}
+
+// Appends the name: what leaves is said before what takes its place. So many changes are said by all offers.
+void OfferInbox::setDue(const QString& name)
+{
+    constexpr qsizetype maxDue = 4 * plant::maxOffers;
+    m_due.removeAll(name);
+    m_due << name;
+    if (m_due.size() <= maxDue)
         return;
-    m_events.offer({});
-    for (auto offer = m_offers.begin(); offer != m_offers.end(); ++offer)
-        m_events.offer({offer.key(), offer.value()});
+    m_isClearDue = true;
+    m_due = m_offers.keys();
+}
+
+void OfferInbox::report(const QString& sentence, const QString& name) const
+{
+    m_events.report(LogKind::Offer, sentence.arg(store::oneLine(name)));
+}
+
+// A gateway that was just started does not know what is offered.
+void OfferInbox::panelConnected()
+{
+    m_isClearDue = m_hasOpened;
+    m_due = m_offers.keys();
+}
+
+void OfferInbox::tick()
+{
+    if (m_isClearDue && !m_events.offer({}))
+        return;
+    m_isClearDue = false;
+    while (!m_due.isEmpty() && m_events.offer({m_due.first(), m_offers.value(m_due.first()).file}))
+        m_due.removeFirst();
 }
 
 } // namespace campanel::gateway

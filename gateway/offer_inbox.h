@@ -1,41 +1,70 @@
 // SPDX-License-Identifier: Apache-2.0
-// The recipes that the plant offers, as retained messages of the broker. They are passed on to the panel
-// unread: the panel checks signature and content, and a person there accepts.
+// The recipes that the plant offers, as retained messages of the broker. They are passed on to the panel,
+// which checks signature and content again; a person there accepts. The signature decides here whose offers
+// have a place: anybody who reaches the broker may fill it with others.
 #pragma once
 
 #include "app/plant/local_messages.h"
+#include "app/store/recipes/recipe_keys.h"
 #include "gateway/broker.h"
+#include "gateway/log_limit.h"
 
 #include <QMap>
-#include <QSet>
 
 #include <functional>
 
 namespace campanel::gateway {
 
 struct InboxEvents {
-    std::function<void(const plant::OfferMessage&)> offer; // for the panel
-    std::function<void(const QString& sentence)> report;   // for the log
+    std::function<bool(const plant::OfferMessage&)> offer; // for the panel; false: it has no room now
+    std::function<void(LogKind, const QString& sentence)> report;
 };
 
 class OfferInbox {
 public:
-    OfferInbox(const QString& group, Broker& broker, InboxEvents events);
+    // The places of offers without the signature of a trusted key: their reasons can be read on the panel.
+    static constexpr qsizetype maxUntrusted = 4;
+
+    // `keyFolder` has the public keys of the signers that the panel trusts.
+    OfferInbox(const QString& group, Broker& broker, InboxEvents events, QString keyFolder = {});
 
     // Subscribes; the broker sends all offers anew.
     void brokerOpened();
     // Returns true for a message on a topic of the offers. An empty one withdraws its offer.
     [[nodiscard]] bool take(const QString& topic, const QByteArray& file);
     // Sends all offers to a panel that has connected.
-    void panelConnected() const;
+    void panelConnected();
+    // Sends what has changed, as far as the panel has room: of many offers with one name only the newest.
+    void tick();
 
 private:
+    struct Offer {
+        QByteArray file; // a large one is cut
+        bool isTrusted = false;
+        QString recipe; // of a trusted one
+        int version = 0;
+        qint64 order = 0; // of its arrival
+    };
+
+    [[nodiscard]] Offer offerOf(const QByteArray& file) const;
+    // Frees a place for the offer. Returns false when a newer version of its recipe is offered.
+    [[nodiscard]] bool makeRoom(const QString& name, const Offer& offer);
+    // Removes the oldest offer with or without trust.
+    void removeOldest(bool isTrusted, const QString& reason);
+    void remove(const QString& name);
+    void setDue(const QString& name);
+    void report(const QString& sentence, const QString& name) const;
+
     bool m_hasOpened = false; // the broker, once
     QString m_folder;         // topic of the offers, with the last slash
+    QString m_keyFolder;
+    QList<store::SignerKey> m_keys; // at the time of the last connection
     Broker& m_broker;
     InboxEvents m_events;
-    QMap<QString, QByteArray> m_offers; // by name; a large one is cut
-    QSet<QString> m_reported;           // names that found no place
+    QMap<QString, Offer> m_offers; // by name
+    qint64 m_arrivals = 0;
+    bool m_isClearDue = false;
+    QStringList m_due; // names that the panel has to hear of
 };
 
 } // namespace campanel::gateway

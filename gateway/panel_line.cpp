@@ -11,10 +11,8 @@ namespace campanel::gateway {
 namespace {
 
 constexpr auto retryPause = 300ms;
-// The bytes of commands that may wait for the panel.
+// The bytes that may wait for the panel before one more message: it may be a large offer.
 constexpr qint64 maxWaitingBytes = 64 * 1024;
-// All offers twice.
-constexpr qint64 maxWaitingOfferBytes = 2 * plant::maxOffers * plant::maxOfferBytes;
 
 } // namespace
 
@@ -47,15 +45,12 @@ void PanelLine::renew()
     m_retryTimer.start();
 }
 
-void PanelLine::send(const plant::LocalMessage& message)
+bool PanelLine::send(const plant::LocalMessage& message)
 {
-    if (!m_isConnected)
-        return;
-    const bool isCommand = std::holds_alternative<plant::CommandMessage>(message);
-    if (m_socket.bytesToWrite() < (isCommand ? maxWaitingBytes : maxWaitingOfferBytes))
-        m_socket.write(plant::encoded(message));
-    else if (!isCommand)
-        m_socket.abort(); // the offers come again with the next connection
+    if (!m_isConnected || m_socket.bytesToWrite() >= maxWaitingBytes)
+        return false;
+    m_socket.write(plant::encoded(message));
+    return true;
 }
 
 void PanelLine::read()

@@ -19,9 +19,8 @@ public:
     void start();
     // Connects anew: the panel sends all values then.
     void renew();
-    // Sends a refused command or an offer; without a connection it is lost. A command is in the log, an offer
-    // is sent again.
-    void send(const plant::LocalMessage& message);
+    // Sends a refused command or an offer. Returns false without a connection, and while too much waits.
+    bool send(const plant::LocalMessage& message);
 
 signals:
     // Emitted when the panel can be sent to.

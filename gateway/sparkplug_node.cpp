@@ -293,7 +293,7 @@ void SparkplugNode::barrierPassed()
 void SparkplugNode::tick()
 {
     if (m_isPanelPresent && now() - m_panelAt > staleAfter) {
-        m_events.report(u"The panel does not answer; its values are unknown."_s);
+        m_events.report(LogKind::PanelStale, u"The panel does not answer; its values are unknown."_s);
         panelLost();
         m_events.panelStale();
     }
@@ -304,7 +304,8 @@ void SparkplugNode::tick()
     }
     if (m_isBarrierOut && now() - m_barrierAt > barrierLimit) {
         m_isBarrierOut = false;
-        m_events.report(u"The broker does not handle what it gets; the connection is dropped."_s);
+        m_events.report(LogKind::SlowBroker,
+                        u"The broker does not handle what it gets; the connection is dropped."_s);
         m_broker.drop();
     }
     requestBarrierWhenDue();
@@ -335,7 +336,8 @@ void SparkplugNode::takeCommand(const QByteArray& bytes)
 {
     const auto payload = decodedPayload(bytes);
     if (!payload) {
-        m_events.report(u"A command of %1 bytes is not understood."_s.arg(bytes.size()));
+        m_events.report(LogKind::NotACommand,
+                        u"A command of %1 bytes is not understood."_s.arg(bytes.size()));
         return;
     }
     for (const PayloadMetric& metric :
@@ -352,7 +354,8 @@ void SparkplugNode::takeCommand(const QByteArray& bytes)
     birthWhenAllowed();
 }
 
-// Decides between two gateways with one name: the one with the lower instance stays.
+// Decides between two gateways with one name: the one with the lower instance stays. It answers the birth of
+// the other one by its own; so a birth that comes once, forged or late, silences nobody.
 void SparkplugNode::takeTwin(const QByteArray& bytes)
 {
     const auto birth = decodedPayload(bytes);
@@ -362,25 +365,50 @@ void SparkplugNode::takeTwin(const QByteArray& bytes)
     const QString twin =
         u"Another program publishes as node \"%1\" of the group \"%2\"; "_s.arg(m_names.node, m_names.group);
     if (instance.isEmpty()) {
-        m_events.report(twin + u"give one of them another name."_s);
+        m_events.report(LogKind::Twin, twin + u"give one of them another name."_s);
     } else if (m_names.instance < instance) {
-        m_events.report(twin + u"this one stays. Give the other one another name."_s);
+        m_events.report(LogKind::Twin, twin + u"this one stays. Give the other one another name."_s);
         m_isBirthDue = true;
+    } else if (hasAnswered(instance)) {
+        leaveTwin(twin);
     } else {
-        m_events.report(
-            twin + u"this one leaves for %1 s. Set gateway.node to another name."_s.arg(twinPauseMs / 1000));
-        m_isBorn = false; // without a death: it would be that of the other one
-        m_broker.leave(twinPauseMs);
+        m_events.report(LogKind::Twin, twin + u"this one asks whether it is a gateway."_s);
+        m_isBirthDue = true;
     }
+}
+
+// Returns true for the second birth of a twin, after this node's own one. The first one is remembered.
+bool SparkplugNode::hasAnswered(const QString& twin)
+{
+    const bool isOfAsked = twin == m_twin && now() - m_twinAskedAt <= twinAnswerLimit;
+    if (isOfAsked)
+        return m_birthAt > m_twinAskedAt;
+    m_twin = twin;
+    m_twinAskedAt = now();
+    return false;
+}
+
+void SparkplugNode::leaveTwin(const QString& sentence)
+{
+    if (now() - m_twinLeftAt > twinMemory)
+        m_twinPauses.reset();
+    const int pauseMs = m_twinPauses.next(maxTwinPauseMs);
+    m_twinLeftAt = now();
+    m_twin.clear();
+    m_events.report(LogKind::TwinLeft,
+                    sentence +
+                        u"this one leaves for %1 s. Set gateway.node to another name."_s.arg(pauseMs / 1000));
+    m_isBorn = false; // without a death: it would be that of the other one
+    m_broker.leave(pauseMs);
 }
 
 void SparkplugNode::takeHostState(PrimaryHost::Change change)
 {
     if (change == PrimaryHost::Change::Online) {
-        m_events.report(u"The primary host is online."_s);
+        m_events.report(LogKind::HostOnline, u"The primary host is online."_s);
         birthWhenAllowed();
     } else if (change == PrimaryHost::Change::Offline) {
-        m_events.report(u"The primary host is offline; values wait for it."_s);
+        m_events.report(LogKind::HostOffline, u"The primary host is offline; values wait for it."_s);
         if (m_isBorn)
             m_broker.publish(deathFor(m_bdSeq));
         m_isBorn = false;

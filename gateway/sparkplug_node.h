@@ -4,7 +4,9 @@
 #pragma once
 
 #include "app/plant/local_messages.h"
+#include "gateway/back_off.h"
 #include "gateway/broker.h"
+#include "gateway/log_limit.h"
 #include "gateway/payload.h"
 #include "gateway/primary_host.h"
 #include "gateway/value_ring.h"
@@ -33,8 +35,8 @@ struct NodeClocks {
 // The events that somebody else must hear of.
 struct NodeEvents {
     std::function<void(const plant::CommandMessage&)> commandRefused;
-    std::function<void()> panelStale;                    // its next message must have all values
-    std::function<void(const QString& sentence)> report; // for the log
+    std::function<void()> panelStale; // its next message must have all values
+    std::function<void(LogKind, const QString& sentence)> report;
 };
 
 class SparkplugNode {
@@ -50,8 +52,14 @@ public:
     static constexpr std::chrono::milliseconds barrierPause{1000};
     static constexpr std::chrono::milliseconds barrierLimit{10'000};
     static constexpr int leavePauseMs = 1000;
-    // The pause of the one of two nodes with the same name that has to leave.
-    static constexpr int twinPauseMs = 300'000;
+    // The pauses of the one of two nodes with the same name that has to leave: the first one, and the
+    // longest.
+    static constexpr int twinPauseMs = 10'000;
+    static constexpr int maxTwinPauseMs = 60'000;
+    // A twin has to answer this node's birth by its own within this time: a birth alone may be forged.
+    static constexpr std::chrono::milliseconds twinAnswerLimit{5000};
+    // Without a twin for this time the pauses are short again.
+    static constexpr std::chrono::minutes twinMemory{15};
 
     SparkplugNode(NodeNames names, Broker& broker, NodeClocks clocks, NodeEvents events,
                   std::size_t ringCapacity = ValueRing::standardCapacity);
@@ -97,6 +105,8 @@ private:
     void requestBarrierWhenDue();
     void takeCommand(const QByteArray& bytes);
     void takeTwin(const QByteArray& bytes);
+    [[nodiscard]] bool hasAnswered(const QString& twin);
+    void leaveTwin(const QString& sentence);
     void takeHostState(PrimaryHost::Change change);
     [[nodiscard]] PayloadMetric wireMetric(const Sample& sample) const;
     void publish(const char* type, const Payload& payload, int qos = 0);
@@ -116,6 +126,10 @@ private:
     std::chrono::steady_clock::time_point m_barrierAt{};
     std::chrono::steady_clock::time_point m_panelAt{};
     std::chrono::steady_clock::time_point m_birthAt{};
+    QString m_twin; // the lower instance that was asked for its birth at this time
+    std::chrono::steady_clock::time_point m_twinAskedAt{};
+    std::chrono::steady_clock::time_point m_twinLeftAt{};
+    BackOff m_twinPauses{twinPauseMs};
     bool m_isPanelPresent = false;
     bool m_isConnected = false;
     bool m_isBorn = false;

@@ -17,7 +17,7 @@ namespace {
 constexpr qsizetype lengthBytes = 4;
 
 // The keys of the map.
-enum Key : int { VersionKey = 0, ValuesKey = 1, CommandKey = 2, OfferKey = 3 };
+enum Key : int { VersionKey = 0, ValuesKey = 1, CommandKey = 2, OfferKey = 3, GatewayKey = 4 };
 
 QCborValue cborOf(const MetricValue& value)
 {
@@ -78,6 +78,8 @@ std::optional<LocalMessage> messageOf(const QCborMap& map)
     const QCborArray offer = map[int(OfferKey)].toArray();
     if (offer.size() == 2 && offer.at(0).isString() && offer.at(1).isByteArray())
         return OfferMessage{offer.at(0).toString().left(maxTextLength), offer.at(1).toByteArray()};
+    if (map[int(GatewayKey)].isString())
+        return GatewayMessage{map[int(GatewayKey)].toString().left(maxTextLength)};
     const QCborArray command = map[int(CommandKey)].toArray();
     if (command.size() != 2 || !command.at(0).isString() || !command.at(1).isString())
         return {};
@@ -98,6 +100,8 @@ QByteArray encoded(const LocalMessage& message)
     } else if (const auto* command = std::get_if<CommandMessage>(&message)) {
         map.insert(int(CommandKey),
                    QCborArray{command->metric.left(maxTextLength), command->value.left(maxTextLength)});
+    } else if (const auto* gateway = std::get_if<GatewayMessage>(&message)) {
+        map.insert(int(GatewayKey), gateway->version.left(maxTextLength));
     } else {
         const auto& offer = std::get<OfferMessage>(message);
         map.insert(int(OfferKey),

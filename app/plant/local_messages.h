@@ -15,7 +15,7 @@
 namespace campanel::plant {
 
 // The version of the protocol and of the metric table; a peer with another one is not understood.
-inline constexpr int localVersion = 2;
+inline constexpr int localVersion = 3;
 // The largest file of an offer, that of all recipe files. A larger one is cut after one byte more, so that
 // the panel can name the fault.
 inline constexpr qsizetype maxOfferBytes = 1'000'000;
@@ -51,7 +51,14 @@ struct OfferMessage {
     bool operator==(const OfferMessage&) const = default;
 };
 
-using LocalMessage = std::variant<ValueMessage, CommandMessage, OfferMessage>;
+// From the gateway, once: the version of its program.
+struct GatewayMessage {
+    QString version;
+
+    bool operator==(const GatewayMessage&) const = default;
+};
+
+using LocalMessage = std::variant<ValueMessage, CommandMessage, OfferMessage, GatewayMessage>;
 
 // Returns the message with its length.
 [[nodiscard]] QByteArray encoded(const LocalMessage& message);

@@ -4,6 +4,8 @@
 #include "tests/support/test_program.h"
 
 #include <QDateTime>
+#include <QProcess>
+#include <QTemporaryDir>
 #include <QTest>
 
 #include <map>
@@ -172,6 +174,62 @@ private slots:
         QTRY_COMPARE(host.samplesOf(Metric::StateCurrent).last().value, whole(6));
         QCOMPARE(host.ofType(u"NBIRTH"_s).size(), 1);
         QCOMPARE(host.ofType(u"NDEATH"_s).size(), 0);
+    }
+
+    // Commands and births that a broker keeps are from nobody who speaks now.
+    void keptCommandsAndBirthsAreIgnored()
+    {
+        Mosquitto broker;
+        broker.publish(commandTopic, commandOf({.name = u"Command/CntrlCmd"_s, .type = 3, .value = whole(2)}),
+                       true);
+        broker.publish(u"spBv1.0/Hall/NBIRTH/P1"_s,
+                       commandOf({.name = u"CamPanel/Gateway/Instance"_s, .type = 12, .value = u"0"_s}),
+                       true);
+        Machine machine(broker.port());
+        QTRY_VERIFY(machine.panel.hasGateway());
+        broker.publish(commandTopic,
+                       commandOf({.name = u"Command/CntrlCmd"_s, .type = 3, .value = whole(3)}));
+        QTRY_COMPARE(machine.panel.commands, (QList<plant::CommandMessage>{{u"Command/CntrlCmd"_s, u"3"_s}}));
+        QVERIFY2(!machine.log().contains(u"Another program"_s), qPrintable(machine.log()));
+    }
+
+    // Whoever may publish commands: the log stays short, each of its lines is the gateway's own, and no value
+    // is lost.
+    void aFloodOfCommandsCostsNoValue()
+    {
+        Mosquitto broker;
+        Host host(broker);
+        Machine machine(broker.port());
+        QTRY_VERIFY(machine.panel.hasGateway());
+        QTRY_COMPARE(host.ofType(u"NBIRTH"_s).size(), 1);
+        const QTemporaryDir folder;
+        QFile commands(folder.filePath(u"commands"_s));
+        QVERIFY(commands.open(QIODevice::WriteOnly));
+        constexpr int flood = 20'000;
+        for (int i = 0; i < flood; ++i)
+            commands.write("not a command\n");
+        commands.close();
+        QProcess publisher;
+        publisher.setStandardInputFile(commands.fileName());
+        publisher.start(u"mosquitto_pub"_s, {u"-h"_s, u"127.0.0.1"_s, u"-p"_s, QString::number(broker.port()),
+                                             u"-t"_s, commandTopic, u"-l"_s});
+        machine.panel.countBags(1, 1000);
+        QTRY_VERIFY_WITH_TIMEOUT(publisher.state() == QProcess::NotRunning, longWaitMs);
+        broker.publish(commandTopic, commandOf({.name = u"x\ncampanel-gateway: forged\u2028"_s +
+                                                        QString(100'000, u'y').left(9000),
+                                                .type = 3,
+                                                .value = whole(2)}));
+        machine.panel.countBags(1001, 2000);
+        QTRY_COMPARE_WITH_TIMEOUT(countsOf(host.samplesOf(Metric::ProdProcessedCount)), upTo(2000),
+                                  longWaitMs);
+        QCOMPARE(host.gap(), QString());
+        QTRY_VERIFY(machine.log().contains(u"Refused: x\\u000acampanel-gateway: forged"_s));
+        machine.endGateway();
+        QStringList lines = machine.log().split(u'\n', Qt::SkipEmptyParts);
+        lines.removeIf([](const QString& line) { return line.startsWith(u"QStandardPaths: "); });
+        QVERIFY2(lines.size() <= 12, qPrintable(machine.log()));
+        for (const QString& line : lines)
+            QVERIFY2(line.startsWith(u"campanel-gateway: "_s) && line.size() < 400, qPrintable(line));
     }
 
     // The host says when it hears, so that nothing is sent to nobody.

@@ -183,12 +183,39 @@ private slots:
         for (int i = 0; i < plant::maxOffers + 3; ++i)
             broker.publish(topicOf(u"R%1"_s.arg(i)), "x", true);
         broker.publish(u"campanel/Hall/other/R"_s, "x", true);
-        QTRY_COMPARE(machine.panel.offers.size(), plant::maxOffers);
-        QTRY_VERIFY(machine.log().contains(u"R18 is not passed on"_s));
+        const QStringList newest{u"R15"_s, u"R16"_s, u"R17"_s, u"R18"_s};
+        QTRY_COMPARE(machine.panel.offers.keys(), newest);
+        QVERIFY2(machine.log().contains(u"The offer R0 is left out"_s), qPrintable(machine.log()));
         QCOMPARE(machine.panel.offers.value(u"R15"_s), QByteArray("x"));
-        broker.publish(topicOf(u"R3"_s), {}, true);
-        QTRY_COMPARE(machine.panel.offers.size(), plant::maxOffers - 1);
+        broker.publish(topicOf(u"R17"_s), {}, true);
+        QTRY_COMPARE(machine.panel.offers.keys(), (QStringList{u"R15"_s, u"R16"_s, u"R18"_s}));
         QVERIFY(machine.panel.commands.isEmpty());
+    }
+
+    // Texts that anybody may publish do not keep out what a trusted person has signed, whichever comes first.
+    void aSignedOfferHasItsPlace()
+    {
+        Mosquitto broker;
+        const auto key = store::newSigningKey(u"Anna Plant"_s).value();
+        program::Recipe recipe;
+        recipe.name = "Biscuit 250";
+        const QByteArray offer = store::signRecipe(recipe, signedMs, 1, key);
+        for (int i = 0; i < 20; ++i)
+            broker.publish(topicOf(u"X%1"_s.arg(i)), "x", true);
+        broker.publish(topicOf(u"Biscuit"_s), offer, true);
+        Machine machine(broker.port());
+        machine.killGateway();
+        QVERIFY(QDir().mkpath(machine.file(u"recipe-keys"_s)));
+        QFile file(machine.file(u"recipe-keys/anna.json"_s));
+        QVERIFY(file.open(QIODevice::WriteOnly) && file.write(store::publicKeyFile(key)) > 0);
+        file.close();
+        machine.startGateway();
+        QTRY_COMPARE(machine.panel.offers.value(u"Biscuit"_s), offer);
+        for (int i = 20; i < 40; ++i)
+            broker.publish(topicOf(u"X%1"_s.arg(i)), "x", true);
+        QTRY_VERIFY(machine.panel.offers.contains(u"X39"_s));
+        QCOMPARE(machine.panel.offers.size(), 5);
+        QVERIFY(machine.panel.offers.contains(u"Biscuit"_s));
     }
 
     // Offers that were withdrawn while the gateway was off are gone too.

@@ -34,7 +34,7 @@ struct Rig {
         : node({u"Hall"_s, u"P7"_s, primaryHost, u"5"_s}, broker,
                {.steady = [this] { return steady; }, .wallMs = [this] { return wallMs; }},
                {[this](const plant::CommandMessage& command) { commands << command; }, [this] { ++stales; },
-                [this](const QString& sentence) { reports << sentence; }},
+                [this](LogKind, const QString& sentence) { reports << sentence; }},
                ringCapacity)
     {
     }
@@ -426,12 +426,53 @@ private slots:
         QCOMPARE(rig.broker.ofType("NBIRTH").size(), 2); // hosts know this one again
         QVERIFY(rig.reports.last().contains(u"this one stays"_s));
         rig.node.takeMessage(birthTopic, birthOf(u"4"_s));
+        QVERIFY(rig.reports.last().contains(u"asks"_s));
+        rig.pass(1s);
+        QCOMPARE(rig.broker.ofType("NBIRTH").size(), 3);
+        rig.node.takeMessage(birthTopic, birthOf(u"4"_s)); // its answer
         QCOMPARE(rig.broker.leaves, QList<int>{SparkplugNode::twinPauseMs});
         QVERIFY(!rig.node.isBorn());
         QVERIFY(rig.broker.ofType("NDEATH").isEmpty()); // it would be that of the other one
         QVERIFY(rig.reports.last().contains(u"gateway.node"_s));
         rig.pass(10s);
-        QCOMPARE(rig.broker.ofType("NBIRTH").size(), 2);
+        QCOMPARE(rig.broker.ofType("NBIRTH").size(), 3);
+    }
+
+    // Whoever may publish a birth once, or again and again, must not silence the machine for long.
+    void aForgedBirthSilencesNobody()
+    {
+        Rig rig;
+        rig.node.brokerOpened(0);
+        const QByteArray forged = encodedPayload(
+            {0, 0, {{.name = u"CamPanel/Gateway/Instance"_s, .type = 12, .value = QString()}}});
+        const QByteArray lower =
+            encodedPayload({0, 0, {{.name = u"CamPanel/Gateway/Instance"_s, .type = 12, .value = u"0"_s}}});
+        rig.node.takeMessage(birthTopic, forged);
+        for (int i = 0; i < 20; ++i) { // ten in one moment count as one, and so does one each six seconds
+            for (int times = 0; times < 10; ++times)
+                rig.node.takeMessage(birthTopic, lower);
+            rig.pass(6s);
+        }
+        QVERIFY(rig.node.isBorn());
+        QCOMPARE(rig.broker.leaves, QList<int>());
+        QCOMPARE(rig.reports.size(), 201);
+        // One who answers is believed, for a time that grows.
+        for (int i = 0; i < 5; ++i) {
+            rig.node.takeMessage(birthTopic, lower);
+            rig.pass(1s);
+            rig.node.takeMessage(birthTopic, lower);
+            QVERIFY(!rig.node.isBorn());
+            rig.node.brokerClosed();
+            rig.node.brokerOpened(i);
+            rig.pass(1s);
+            QVERIFY(rig.node.isBorn());
+        }
+        QCOMPARE(rig.broker.leaves, (QList<int>{10'000, 20'000, 40'000, 60'000, 60'000}));
+        rig.pass(20min);
+        rig.node.takeMessage(birthTopic, lower);
+        rig.pass(1s);
+        rig.node.takeMessage(birthTopic, lower);
+        QCOMPARE(rig.broker.leaves.last(), SparkplugNode::twinPauseMs);
     }
 
     void anotherProgramWithThisNameIsReportedOnly()

@@ -2,6 +2,7 @@
 #include "app/panel/plant/plant_feed.h"
 
 #include "app/panel/audit/audit_trail.h"
+#include "app/store/files/files.h"
 
 #include <QLoggingCategory>
 
@@ -25,7 +26,7 @@ PlantFeed::PlantFeed(const PlantSources& sources, AuditTrail& trail, QObject* pa
     m_sendTimer.setInterval(0);
     m_aliveTimer.setInterval(plant::alivePeriodMs);
     m_minuteTimer.setSingleShot(true);
-    m_minuteTimer.setInterval(1min);
+    m_minuteTimer.setInterval(periodAfter(0));
     connect(&m_values, &PlantValues::changed, this, &PlantFeed::noteChange);
     connect(&m_sendTimer, &QTimer::timeout, this, [this] { send(false); });
     connect(&m_aliveTimer, &QTimer::timeout, this, [this] { send(true); });
@@ -33,6 +34,7 @@ PlantFeed::PlantFeed(const PlantSources& sources, AuditTrail& trail, QObject* pa
     connect(&m_server, &PlantServer::clientConnected, this, &PlantFeed::startAnew);
     connect(&m_server, &PlantServer::commandReceived, this, &PlantFeed::noteCommand);
     connect(&m_server, &PlantServer::offerReceived, this, &PlantFeed::offerReceived);
+    connect(&m_server, &PlantServer::gatewayChanged, this, &PlantFeed::gatewayChanged);
 }
 
 PlantFeed::~PlantFeed()
@@ -94,6 +96,7 @@ void PlantFeed::endMinute()
 {
     if (m_withoutRow > 0)
         addRow(u"+%1"_s.arg(m_withoutRow), {});
+    m_minuteTimer.setInterval(periodAfter(m_withoutRow));
     m_rows = 0;
     m_withoutRow = 0;
 }
@@ -102,8 +105,8 @@ void PlantFeed::addRow(const QString& object, const QString& value)
 {
     store::AuditEntry entry;
     entry.what = u"network.command"_s;
-    entry.object = object;
-    entry.after = value;
+    entry.object = store::oneLine(object);
+    entry.after = store::oneLine(value);
     entry.outcome = u"refused"_s;
     m_trail.noteOutside(entry);
 }

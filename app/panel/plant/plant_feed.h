@@ -17,8 +17,13 @@ class PlantFeed : public QObject {
     Q_OBJECT
 
 public:
-    // The rows that commands may add to the audit trail in a minute; the others are counted in one row.
+    // The rows that commands may add to the audit trail in a minute; the others are counted in one row. The
+    // trail is for what people changed: after a minute with more commands an hour counts as one.
     static constexpr int maxRowsPerMinute = 10;
+    [[nodiscard]] static constexpr std::chrono::minutes periodAfter(int withoutRow)
+    {
+        return std::chrono::minutes(withoutRow > 0 ? 60 : 1);
+    }
 
     // All arguments must outlive the object.
     PlantFeed(const PlantSources& sources, AuditTrail& trail, QObject* parent);
@@ -31,6 +36,8 @@ public:
 signals:
     // Emitted for a recipe that the plant offers or withdraws.
     void offerReceived(const campanel::plant::OfferMessage& offer);
+    // Emitted with the version of a gateway that has connected; empty: none is connected any more.
+    void gatewayChanged(const QString& version);
 
 private:
     // Sends all values in the next message.
@@ -49,7 +56,7 @@ private:
     QTimer m_aliveTimer;
     QTimer m_minuteTimer;
     QList<plant::MetricReading> m_sent; // the last readings; empty: all are to be sent
-    int m_rows = 0;                     // in this minute
+    int m_rows = 0;                     // in this period
     int m_withoutRow = 0;
 };
 

@@ -73,6 +73,8 @@ void PlantServer::read(QLocalSocket* socket)
             emit commandReceived(*command);
         else if (const auto* offer = std::get_if<plant::OfferMessage>(&message))
             emit offerReceived(*offer);
+        else if (const auto* gateway = std::get_if<plant::GatewayMessage>(&message))
+            emit gatewayChanged(gateway->version);
     }
 }
 
@@ -80,6 +82,8 @@ void PlantServer::remove(QLocalSocket* socket)
 {
     std::erase_if(m_clients, [socket](const Client& client) { return client.socket == socket; });
     socket->deleteLater();
+    if (m_clients.empty())
+        emit gatewayChanged({});
 }
 
 } // namespace campanel::panel

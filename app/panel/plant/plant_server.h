@@ -38,6 +38,8 @@ signals:
     void clientConnected();
     void commandReceived(const campanel::plant::CommandMessage& command);
     void offerReceived(const campanel::plant::OfferMessage& offer);
+    // Emitted with the version of a gateway that has told it; empty: the last client has left.
+    void gatewayChanged(const QString& version);
 
 private:
     struct Client {

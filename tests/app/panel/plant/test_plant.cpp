@@ -383,6 +383,11 @@ private slots:
         QCOMPARE(first.level, 0);
         QCOMPARE(first.timeMs, rig.wallMs);
         QCOMPARE(entries.last().object, u"+%1"_s.arg(commands - PlantFeed::maxRowsPerMinute));
+        // A flood of years does not push the changes of people out of a trail of a million rows.
+        const int rowsOfFiveYears =
+            (PlantFeed::maxRowsPerMinute + 1) * 5 * 366 * 24 * 60 / int(PlantFeed::periodAfter(1).count());
+        QVERIFY(rowsOfFiveYears < 500'000);
+        QCOMPARE(PlantFeed::periodAfter(0), std::chrono::minutes(1));
         QCOMPARE(panel::AuditWords::what(first.what), u"Command from the network"_s);
         QVERIFY(rig.link.requests.isEmpty());
         QVERIFY(std::ranges::none_of(rig.link.parameters,
