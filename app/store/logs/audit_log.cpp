@@ -188,6 +188,15 @@ tl::expected<Link, StoreError> trim(Database& database, const Link& last, const 
     if (last.sequence - start->sequence < bounds.maxRows)
         return last;
     const qint64 until = start->sequence + bounds.dropped;
+    if (last.sequence - start->sequence < bounds.hardRows) {
+        auto newest = database.execute(
+            u"SELECT max(time_ms) FROM audit WHERE sequence <= ? AND clock_doubtful = 0"_s, {until});
+        if (!newest)
+            return tl::unexpected(newest.error());
+        if (before.isClockDoubtful || (newest->next() && !newest->isNull(0) &&
+                                       before.timeMs - newest->value(0).toLongLong() < bounds.keptMs))
+            return last;
+    }
     for (const auto& [statement, values] :
          {std::pair{u"DELETE FROM audit_start"_s, QVariantList{}},
           {u"INSERT INTO audit_start (sequence, hash) SELECT sequence, hash FROM audit WHERE sequence = ?"_s,

@@ -44,11 +44,14 @@ struct AuditRow {
 // clock was not set, then the previous hash.
 [[nodiscard]] QByteArray auditHash(qint64 sequence, const AuditEntry& entry, const QByteArray& previous);
 
-// The limits of the trail. At `maxRows` rows the oldest `dropped` are deleted. The new start of the chain is
-// stored, and a row "audit.trimmed" records it.
+// The limits of the trail. From `maxRows` rows on the oldest `dropped` are deleted when all of them are older
+// than `keptMs`, at `hardRows` in any case: the disk is finite. A doubtful clock deletes nothing before. The
+// new start of the chain is stored, and a row "audit.trimmed" records it.
 struct AuditBounds {
     qint64 maxRows = 1'000'000;
     qint64 dropped = 10'000;
+    qint64 keptMs = 5 * 366 * qint64{86'400'000}; // five years
+    qint64 hardRows = 5'000'000;
 };
 
 // Adds a row; when it is returned, it is on the disk. A row "audit.loss" comes before it when the file beside

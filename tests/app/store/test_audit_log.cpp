@@ -239,7 +239,7 @@ private slots:
 
     void oldestRowsGiveWay()
     {
-        Trail trail(57, {20, 5});
+        Trail trail(57, {20, 5, 0, 20});
         const auto kept = readAudit(*trail.database, {}, std::nullopt, 1000);
         QVERIFY(kept->size() <= 21);
         QVERIFY(kept->size() > 14);
@@ -255,6 +255,33 @@ private slots:
         // The new start is part of the chain.
         trail.tamper(u"UPDATE audit_start SET hash = randomblob(32)"_s);
         QCOMPARE(trail.check().brokenSequence(), kept->last().sequence);
+    }
+
+    // What people changed is kept for five years, whatever the clock does, up to a number that the disk
+    // bears.
+    void rowsOfTheLastYearsStay()
+    {
+        constexpr qint64 dayMs = 86'400'000;
+        const AuditBounds bounds{20, 5, 30 * dayMs, 60};
+        Trail trail(0);
+        const auto append = [&](qint64 day, bool isClockDoubtful = false) {
+            AuditEntry entry = entryNumber(1);
+            entry.timeMs = day * dayMs;
+            entry.isClockDoubtful = isClockDoubtful;
+            return appendAudit(*trail.database, entry, bounds).has_value();
+        };
+        const auto kept = [&trail] { return readAudit(*trail.database, {}, std::nullopt, 1000)->size(); };
+        for (qint64 day = 1; day <= 34; ++day)
+            QVERIFY(append(day));
+        QCOMPARE(kept(), 34); // the fifth row is 29 days old
+        QVERIFY(append(4000, true));
+        QCOMPARE(kept(), 35);
+        QVERIFY(append(35));
+        QCOMPARE(kept(), 32); // five less, and a row that says so
+        for (int i = 0; i < 100; ++i)
+            QVERIFY(append(35));
+        QVERIFY2(kept() <= 61, QByteArray::number(kept()));
+        QCOMPARE(trail.check().fault(), Fault::None);
     }
 
     void theHashIsTheOneOfTheDescription()
