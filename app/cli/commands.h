@@ -25,6 +25,7 @@ class Invocation;
 [[nodiscard]] Outcome runSet(const Invocation& call);
 [[nodiscard]] Outcome runDownload(const Invocation& call);
 [[nodiscard]] Outcome runStatus(const Invocation& call);
+[[nodiscard]] Outcome runVersions(const Invocation& call);
 [[nodiscard]] Outcome runStart(const Invocation& call);
 [[nodiscard]] Outcome runStop(const Invocation& call);
 [[nodiscard]] Outcome runHome(const Invocation& call);

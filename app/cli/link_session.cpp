@@ -3,6 +3,7 @@
 #include "app/cli/link_session.h"
 
 #include "app/cli/invocation.h"
+#include "modbus/download/bank_reader.h"
 
 #include <QDateTime>
 
@@ -95,6 +96,22 @@ tl::expected<modbus::StatusBlock, Failure> LinkSession::status()
     if (!status)
         return fail(status.error());
     return *status;
+}
+
+tl::expected<std::optional<program::Recipe>, Failure> LinkSession::activeProgram()
+{
+    const auto header = m_client->readProven(modbus::activeBankBase, modbus::bankHeaderRegisters);
+    if (!header)
+        return fail(header.error());
+    const modbus::ListSpan span = modbus::listSpan(*header);
+    modbus::BankReader knots(static_cast<std::uint16_t>(modbus::activeBankBase + span.offset), span.count);
+    while (!knots.complete()) {
+        if (const auto step = knots.advance(*m_client); !step)
+            return fail(step.error());
+    }
+    const auto recipe = program::decodeProgram(*header, knots.registers(),
+                                               program::withController(profile::Machine{}, m_identity));
+    return recipe ? std::optional(*recipe) : std::nullopt;
 }
 
 Outcome LinkSession::command(modbus::Command code, modbus::CommandArguments arguments)

@@ -8,6 +8,7 @@
 #include <QCommandLineOption>
 
 #include <memory>
+#include <optional>
 
 namespace campanel::cli {
 
@@ -30,6 +31,8 @@ public:
     [[nodiscard]] tl::expected<modbus::StatusBlock, modbus::LinkError> exchangeOnce();
     // Repeats a limited number of times on a bad line; each exchange advances the heartbeat.
     [[nodiscard]] tl::expected<modbus::StatusBlock, Failure> status();
+    // Reads the recipe of the active program; empty: it is none that can be decoded.
+    [[nodiscard]] tl::expected<std::optional<program::Recipe>, Failure> activeProgram();
     // Sends the command once; a refusal by the controller is a failure with its reason.
     [[nodiscard]] Outcome command(modbus::Command code, modbus::CommandArguments arguments = {});
 

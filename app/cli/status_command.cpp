@@ -5,7 +5,6 @@
 #include "app/cli/link_session.h"
 #include "app/cli/report.h"
 #include "app/program/program_image.h"
-#include "modbus/download/bank_reader.h"
 #include "modbus/map/io_status.h"
 
 #include <QJsonArray>
@@ -145,20 +144,11 @@ Outcome runStatus(const Invocation& call)
     object[u"identity"_s] = identityObject(session->identity());
     object[u"program"_s] = QJsonValue::Null;
     if (status->activeCrc) {
-        const auto header = session->client().readProven(modbus::activeBankBase, modbus::bankHeaderRegisters);
-        if (!header)
-            return fail(header.error());
-        const modbus::ListSpan span = modbus::listSpan(*header);
-        modbus::BankReader knots(static_cast<std::uint16_t>(modbus::activeBankBase + span.offset),
-                                 span.count);
-        while (!knots.complete()) {
-            if (const auto step = knots.advance(session->client()); !step)
-                return fail(step.error());
-        }
-        const auto recipe = program::decodeProgram(
-            *header, knots.registers(), program::withController(profile::Machine{}, session->identity()));
-        if (recipe)
-            object[u"program"_s] = programObject(*recipe);
+        const auto recipe = session->activeProgram();
+        if (!recipe)
+            return tl::unexpected(recipe.error());
+        if (*recipe)
+            object[u"program"_s] = programObject(**recipe);
     }
     return call.deliver(formatted(object, call.format()));
 }

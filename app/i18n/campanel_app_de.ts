@@ -971,6 +971,22 @@
         <source>calibration of the touchscreen</source>
         <translation>Kalibrierung des Touchscreens</translation>
     </message>
+    <message>
+        <source>Another version runs</source>
+        <translation>Andere Version läuft</translation>
+    </message>
+    <message>
+        <source>panel</source>
+        <translation>Panel</translation>
+    </message>
+    <message>
+        <source>gateway</source>
+        <translation>Gateway</translation>
+    </message>
+    <message>
+        <source>controller</source>
+        <translation>Steuerung</translation>
+    </message>
 </context>
 <context>
     <name>BackupErrorText</name>
@@ -6112,6 +6128,89 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
     <message>
         <source>The maximum is %1.</source>
         <translation>Das Maximum ist %1.</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::Versions</name>
+    <message>
+        <source>%1, version %2</source>
+        <comment>recipe, number</comment>
+        <translation>%1, Version %2</translation>
+    </message>
+    <message>
+        <source>firmware %1, register map %2.%3, serial number %4</source>
+        <translation>Firmware %1, Registerplan %2.%3, Seriennummer %4</translation>
+    </message>
+    <message>
+        <source>not known yet: measured from the second day on</source>
+        <translation>noch nicht bekannt: gemessen ab dem zweiten Tag</translation>
+    </message>
+    <message>
+        <source>%1 MB a day</source>
+        <translation>%1 MB am Tag</translation>
+    </message>
+    <message>
+        <source>%1: more than 100 years</source>
+        <comment>growth</comment>
+        <translation>%1: mehr als 100 Jahre</translation>
+    </message>
+    <message>
+        <source>%1: %2 years</source>
+        <comment>growth, number</comment>
+        <translation>%1: %2 Jahre</translation>
+    </message>
+    <message>
+        <source>The disk lasts for less than five years. Free some disk space, or use a larger disk.</source>
+        <translation>Die Festplatte reicht für weniger als fünf Jahre. Speicherplatz freigeben oder eine größere Festplatte verwenden.</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>unbekannt</translation>
+    </message>
+    <message>
+        <source>%1, CRC-32 %2</source>
+        <comment>number, number</comment>
+        <translation>%1, CRC-32 %2</translation>
+    </message>
+    <message>
+        <source>%1 GB free</source>
+        <translation>%1 GB frei</translation>
+    </message>
+    <message>
+        <source>Panel</source>
+        <translation>Panel</translation>
+    </message>
+    <message>
+        <source>Gateway</source>
+        <translation>Gateway</translation>
+    </message>
+    <message>
+        <source>unknown: not connected</source>
+        <translation>unbekannt: nicht verbunden</translation>
+    </message>
+    <message>
+        <source>Controller</source>
+        <translation>Steuerung</translation>
+    </message>
+    <message>
+        <source>Active program</source>
+        <translation>Aktives Programm</translation>
+    </message>
+    <message>
+        <source>Generation</source>
+        <translation>Generation</translation>
+    </message>
+    <message>
+        <source>Open recipe</source>
+        <translation>Geöffnetes Rezept</translation>
+    </message>
+    <message>
+        <source>Disk</source>
+        <translation>Festplatte</translation>
+    </message>
+    <message>
+        <source>Growth</source>
+        <translation>Zuwachs</translation>
     </message>
 </context>
 <context>

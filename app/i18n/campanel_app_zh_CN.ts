@@ -971,6 +971,22 @@
         <source>calibration of the touchscreen</source>
         <translation>触摸屏校准</translation>
     </message>
+    <message>
+        <source>Another version runs</source>
+        <translation>版本已变更</translation>
+    </message>
+    <message>
+        <source>panel</source>
+        <translation>面板</translation>
+    </message>
+    <message>
+        <source>gateway</source>
+        <translation>网关</translation>
+    </message>
+    <message>
+        <source>controller</source>
+        <translation>控制器</translation>
+    </message>
 </context>
 <context>
     <name>BackupErrorText</name>
@@ -6109,6 +6125,89 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
     <message>
         <source>The maximum is %1.</source>
         <translation>最大值为 %1。</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::Versions</name>
+    <message>
+        <source>%1, version %2</source>
+        <comment>recipe, number</comment>
+        <translation>%1，版本 %2</translation>
+    </message>
+    <message>
+        <source>firmware %1, register map %2.%3, serial number %4</source>
+        <translation>固件 %1，寄存器表 %2.%3，序列号 %4</translation>
+    </message>
+    <message>
+        <source>not known yet: measured from the second day on</source>
+        <translation>尚未知：从第二天起测量</translation>
+    </message>
+    <message>
+        <source>%1 MB a day</source>
+        <translation>每天 %1 MB</translation>
+    </message>
+    <message>
+        <source>%1: more than 100 years</source>
+        <comment>growth</comment>
+        <translation>%1：超过 100 年</translation>
+    </message>
+    <message>
+        <source>%1: %2 years</source>
+        <comment>growth, number</comment>
+        <translation>%1：%2 年</translation>
+    </message>
+    <message>
+        <source>The disk lasts for less than five years. Free some disk space, or use a larger disk.</source>
+        <translation>磁盘空间不足五年使用。请腾出磁盘空间，或更换更大的磁盘。</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>未知</translation>
+    </message>
+    <message>
+        <source>%1, CRC-32 %2</source>
+        <comment>number, number</comment>
+        <translation>%1，CRC-32 %2</translation>
+    </message>
+    <message>
+        <source>%1 GB free</source>
+        <translation>可用 %1 GB</translation>
+    </message>
+    <message>
+        <source>Panel</source>
+        <translation>面板</translation>
+    </message>
+    <message>
+        <source>Gateway</source>
+        <translation>网关</translation>
+    </message>
+    <message>
+        <source>unknown: not connected</source>
+        <translation>未知：未连接</translation>
+    </message>
+    <message>
+        <source>Controller</source>
+        <translation>控制器</translation>
+    </message>
+    <message>
+        <source>Active program</source>
+        <translation>运行中的程序</translation>
+    </message>
+    <message>
+        <source>Generation</source>
+        <translation>代次</translation>
+    </message>
+    <message>
+        <source>Open recipe</source>
+        <translation>打开的配方</translation>
+    </message>
+    <message>
+        <source>Disk</source>
+        <translation>磁盘</translation>
+    </message>
+    <message>
+        <source>Growth</source>
+        <translation>数据增长</translation>
     </message>
 </context>
 <context>

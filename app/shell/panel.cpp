@@ -77,6 +77,7 @@ Panel::Panel(link::Link& link, const Storage& storage)
     , m_backup({m_machine, m_editor, m_records, m_trends, m_settings, m_access, m_trail},
                recipeFolder(storage), nullptr)
     , m_update(m_machine, recipeFolder(storage), nullptr)
+    , m_versions(m_machine, m_editor, m_records, recipeFolder(storage), nullptr)
     , m_commissioning(m_machine, m_editor, m_access, *m_maintenance.files(), nullptr)
     , m_shiftReport(m_stops, *m_maintenance.files(), nullptr)
     , m_bundle({m_machine, m_editor, m_records, *m_maintenance.figures(), *m_maintenance.files(),
@@ -115,6 +116,8 @@ Panel::Panel(link::Link& link, const Storage& storage)
     connect(&m_systemClock, &panel::SystemClock::moved, this, [this] { m_isClockSet = true; });
     connect(&m_update, &panel::SoftwareUpdate::noted, &m_trail, &panel::AuditTrail::note);
     connect(&m_update, &panel::SoftwareUpdate::ended, &m_trail, &panel::AuditTrail::noteOutside);
+    connect(&m_versions, &panel::Versions::noted, &m_trail, &panel::AuditTrail::noteOutside);
+    connect(&m_plant, &panel::PlantFeed::gatewayChanged, &m_versions, &panel::Versions::setGateway);
     connect(&m_access, &panel::Access::changed, this, [this] {
         m_alarms.setPerson(m_access.userName());
         m_stops.setPerson(m_access.userName());
@@ -122,7 +125,7 @@ Panel::Panel(link::Link& link, const Storage& storage)
     panel::attachToEngine(m_qml->engine, m_access, m_alarms, m_audit, m_backup, m_commissioning, m_display,
                           m_machine, m_editor, m_explanations, m_records, m_recipes, m_maintenance, m_scan,
                           m_bundle, m_rotation, m_settings, m_shiftReport, m_stops, m_systemClock,
-                          m_systemNetwork, m_touchCalibration, m_trends, m_update);
+                          m_systemNetwork, m_touchCalibration, m_trends, m_update, m_versions);
     connect(&m_settings, &panel::Settings::languageChanged, this, &Panel::translate);
     translate();
 }
@@ -160,6 +163,7 @@ void Panel::open()
     m_access.open();
     m_trail.open();
     m_update.open();
+    m_versions.open();
     m_touchCalibration.resume();
     if (m_hasBroker)
         m_plant.open(plant::panelSocketPath());

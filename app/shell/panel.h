@@ -29,6 +29,7 @@
 #include "app/panel/stops/stops.h"
 #include "app/panel/trends/trends.h"
 #include "app/panel/update/software_update.h"
+#include "app/panel/update/versions.h"
 #include "app/shell/page_memory.h"
 
 #include <QElapsedTimer>
@@ -77,6 +78,7 @@ public:
     [[nodiscard]] panel::AuditTrail& trail() { return m_trail; }
     [[nodiscard]] panel::Audit& audit() { return m_audit; }
     [[nodiscard]] panel::SoftwareUpdate& update() { return m_update; }
+    [[nodiscard]] panel::Versions& versions() { return m_versions; }
     [[nodiscard]] panel::Backup& backup() { return m_backup; }
     [[nodiscard]] panel::Commissioning& commissioning() { return m_commissioning; }
     [[nodiscard]] panel::ShiftReport& shiftReport() { return m_shiftReport; }
@@ -113,7 +115,7 @@ private:
         QQmlComponent component{&engine};
     };
     std::unique_ptr<Qml> m_qml = std::make_unique<Qml>(); // deleted first, in the destructor
-    store::FinishedRestore m_restore; // before anything is read
+    store::FinishedRestore m_restore;                     // before anything is read
     panel::Settings m_settings;
     panel::Controller m_machine;
     panel::Editor m_editor;
@@ -134,6 +136,7 @@ private:
     panel::Audit m_audit;
     panel::Backup m_backup;
     panel::SoftwareUpdate m_update;
+    panel::Versions m_versions;
     panel::Commissioning m_commissioning;
     panel::ShiftReport m_shiftReport;
     panel::ServiceBundle m_bundle;

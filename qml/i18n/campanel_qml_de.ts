@@ -23,6 +23,18 @@
         <source>Update</source>
         <translation>Aktualisierung</translation>
     </message>
+    <message>
+        <source>Versions and disk</source>
+        <translation>Versionen und Festplatte</translation>
+    </message>
+    <message>
+        <source>The disk is too small</source>
+        <translation>Die Festplatte ist zu klein</translation>
+    </message>
+    <message>
+        <source>panel, gateway, controller, program</source>
+        <translation>Panel, Gateway, Steuerung, Programm</translation>
+    </message>
 </context>
 <context>
     <name>AlarmRow</name>
@@ -2436,8 +2448,8 @@ Und %2 weitere.</translation>
         <translation>Über</translation>
     </message>
     <message>
-        <source>version, safety</source>
-        <translation>Version, Sicherheit</translation>
+        <source>versions, disk, safety</source>
+        <translation>Versionen, Festplatte, Sicherheit</translation>
     </message>
     <message>
         <source>drive, gear, motor limits</source>
@@ -2925,6 +2937,13 @@ Uhr nicht gestellt</translation>
     <message>
         <source>Row or register</source>
         <translation>Zeile oder Register</translation>
+    </message>
+</context>
+<context>
+    <name>VersionsSection</name>
+    <message>
+        <source>Versions and disk</source>
+        <translation>Versionen und Festplatte</translation>
     </message>
 </context>
 <context>

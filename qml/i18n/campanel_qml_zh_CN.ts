@@ -23,6 +23,18 @@
         <source>Update</source>
         <translation>更新</translation>
     </message>
+    <message>
+        <source>Versions and disk</source>
+        <translation>版本与磁盘</translation>
+    </message>
+    <message>
+        <source>The disk is too small</source>
+        <translation>磁盘空间太小</translation>
+    </message>
+    <message>
+        <source>panel, gateway, controller, program</source>
+        <translation>面板、网关、控制器、程序</translation>
+    </message>
 </context>
 <context>
     <name>AlarmRow</name>
@@ -2436,8 +2448,8 @@ And %2 more.</source>
         <translation>关于</translation>
     </message>
     <message>
-        <source>version, safety</source>
-        <translation>版本、安全</translation>
+        <source>versions, disk, safety</source>
+        <translation>版本、磁盘、安全</translation>
     </message>
     <message>
         <source>drive, gear, motor limits</source>
@@ -2925,6 +2937,13 @@ clock not set</source>
     <message>
         <source>Row or register</source>
         <translation>行号或寄存器</translation>
+    </message>
+</context>
+<context>
+    <name>VersionsSection</name>
+    <message>
+        <source>Versions and disk</source>
+        <translation>版本与磁盘</translation>
     </message>
 </context>
 <context>

@@ -36,7 +36,7 @@ SettingsSection {
         }
     }
     Label {
-        anchors { left: parent.left; right: parent.right; top: warning.bottom; bottom: updateRow.visible ? updateRow.top : updateState.top; topMargin: Theme.size.padding; bottomMargin: Theme.size.spacing }
+        anchors { left: parent.left; right: parent.right; top: warning.bottom; bottom: versionsRow.top; topMargin: Theme.size.padding; bottomMargin: Theme.size.spacing }
         verticalAlignment: Text.AlignTop
         wrapMode: Text.WordWrap
         fontSizeMode: Text.Fit
@@ -44,6 +44,14 @@ SettingsSection {
         text: qsTr("Touchscreen of an electronic-cam machine. CamPanel computes the cam, downloads the program to the motion controller and shows the controller's actual values.")
             + "\n\n" + qsTr("Licence: Apache 2.0. Made with Qt (LGPL 3), Qwt (Qwt licence 1.0), libmodbus (LGPL 2.1).")
         color: Theme.color.secondaryInk
+    }
+    SettingRow {
+        id: versionsRow
+        objectName: "sectionVersions"
+        anchors { left: parent.left; right: parent.right; bottom: updateRow.visible ? updateRow.top : updateState.top; bottomMargin: Theme.size.spacing }
+        label: qsTr("Versions and disk")
+        value: Versions.warning.length > 0 ? qsTr("The disk is too small") : qsTr("panel, gateway, controller, program")
+        onClicked: (section.page as SettingsPage).open("VersionsSection.qml")
     }
     SettingRow {
         id: updateRow

@@ -19,9 +19,10 @@ Page {
         { name: "section1", text: qsTr("Connection"), note: qsTr("simulated or serial port"), source: "ConnectionSection.qml" },
         { name: "section2", text: qsTr("Machine"), note: qsTr("drive, gear, motor limits"), source: "MachineSection.qml" },
         { name: "sectionUsers", text: qsTr("Users"), note: qsTr("PINs, levels, audit"), source: "UsersSection.qml" },
-        { name: "section3", text: qsTr("About"), note: qsTr("version, safety"), source: "AboutSection.qml" },
+        { name: "section3", text: qsTr("About"), note: qsTr("versions, disk, safety"), source: "AboutSection.qml" },
         { source: "SystemSection.qml", within: 0 },
-        { source: "StopsSection.qml", within: 2 }
+        { source: "StopsSection.qml", within: 2 },
+        { source: "VersionsSection.qml", within: 4 }
     ]
     readonly property var menu: sections.filter(row => row.within === undefined)
     readonly property int shown: sections[section].within ?? section // in the menu

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/looks/screen_lists.h"
 
+#include "app/store/files/files.h"
+#include "app/store/files/system_record.h"
 #include "tests/looks/test_window.h"
 #include "tests/support/fake_package.h"
 
 #include <QDir>
 #include <QFile>
+#include <QFileInfo>
+#include <QTimeZone>
 
 using namespace Qt::StringLiterals;
 
@@ -116,6 +120,30 @@ void keepEarlierVersion(TestWindow& window)
         qWarning("the demonstration's way back cannot be written");
 }
 
+// Opens the versions on a disk with so many free bytes. The data has grown by some 20 MB a day.
+Screen versions(const char* name, qint64 freeBytes)
+{
+    return {QString::fromLatin1(name), [freeBytes](TestWindow& window) {
+                const QString folder = QFileInfo(window.stick()).path();
+                const qint64 day = QDate(2026, 1, 15).toJulianDay() - QDate(1970, 1, 1).toJulianDay();
+                store::SystemRecord record;
+                store::addSample(record, day - 14, 0);
+                (void)store::replaceBytes(folder + u"/ballast"_s, QByteArray(280'000'000 - 1, 'x'));
+                (void)store::writeSystemRecord(folder, record);
+                panel::Versions& shown = window.panel().versions();
+                shown.setFreeBytes([freeBytes](const QString&) { return freeBytes; });
+                shown.setWallClock(
+                    [] { return QDateTime(QDate(2026, 1, 15), QTime(14, 7), QTimeZone::utc()); });
+                shown.setGateway(u"1.2.3"_s);
+                shown.open();
+                window.waitUntil(shown, &panel::Versions::changed, [freeBytes](const panel::Versions& each) {
+                    return each.forecast().freeBytes == freeBytes;
+                });
+                for (const char* tapped : {"nav_settings", "section3", "sectionVersions"})
+                    window.tap(QString::fromLatin1(tapped));
+            }};
+}
+
 } // namespace
 
 QList<Screen> backupScreens()
@@ -164,6 +192,8 @@ QList<Screen> updateScreens()
 {
     // The newest version first: for another computer, for this one, the older one; without signature last.
     return {
+        versions("settings-versions", 64'000'000'000),
+        versions("settings-versions-short", 3'000'000'000),
         update("update-none", {}, DemoLink::Situation::Stopped,
                [](TestWindow& window) { QDir(window.stick()).removeRecursively(); }),
         update("update", {u"offer1"_s}),

@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/panel/update/versions.h"
+
+#include "app/panel/controller/controller.h"
+#include "app/panel/editor/editor.h"
+#include "app/panel/kit/engine_instances.h"
+#include "app/panel/kit/format.h"
+#include "app/panel/kit/language_notifier.h"
+#include "app/panel/records/database_service.h"
+#include "app/panel/words/recipe_words.h"
+
+#include <QCoreApplication>
+#include <QStorageInfo>
+
+using namespace Qt::StringLiterals;
+using namespace std::chrono_literals;
+
+namespace campanel::panel {
+
+namespace {
+
+constexpr auto measurePeriod = 6h;
+constexpr double bytesPerMegabyte = 1e6;
+constexpr double bytesPerGigabyte = 1e9;
+constexpr double longYears = 100;
+
+QString versionText(const QString& name, double version)
+{
+    return Versions::tr("%1, version %2", "recipe, number").arg(name).arg(qint64(version));
+}
+
+// What the thread of the database has found.
+struct Measured {
+    store::SystemRecord record;
+    qint64 freeBytes = 0;
+};
+
+} // namespace
+
+Versions::Versions(Controller& machine, Editor& editor, DatabaseService& records, const QString& folder,
+                   QObject* parent)
+    : QObject(parent)
+    , m_machine(machine)
+    , m_editor(editor)
+    , m_records(records)
+    , m_folder(folder)
+    , m_freeBytes([](const QString& place) { return QStorageInfo(place).bytesAvailable(); })
+{
+    m_timer.setInterval(measurePeriod);
+    connect(&m_timer, &QTimer::timeout, this, &Versions::measure);
+    for (const auto changed :
+         {&Controller::connectionChanged, &Controller::programChanged, &Controller::stateChanged})
+        connect(&m_machine, changed, this, &Versions::update);
+    connect(&m_editor, &Editor::recipeChanged, this, &Versions::update);
+    connect(LanguageNotifier::ofApplication(), &LanguageNotifier::languageChanged, this, &Versions::update);
+    update();
+}
+
+Versions* Versions::create(QQmlEngine* qmlEngine, QJSEngine*)
+{
+    return attachedInstance<Versions>(qmlEngine);
+}
+
+void Versions::open()
+{
+    measure();
+    m_timer.start();
+}
+
+// Waits for the disk in the thread of the database.
+void Versions::measure()
+{
+    const qint64 day = m_wallClock().toUTC().date().toJulianDay() - QDate(1970, 1, 1).toJulianDay();
+    m_records.store().run(
+        this,
+        [folder = m_folder, freeBytes = m_freeBytes, known = m_record, day](store::Database&) {
+            Measured measured{known.value_or(store::readSystemRecord(folder)), freeBytes(folder)};
+            store::addSample(measured.record, day, store::sizeOfFolder(folder));
+            (void)store::writeSystemRecord(folder, measured.record); // it is measured again
+            return measured;
+        },
+        [this](const Measured& measured) {
+            if (m_record)
+                m_record->samples = measured.record.samples;
+            else
+                m_record = measured.record;
+            m_forecast = store::forecastOf(*m_record, measured.freeBytes);
+            update();
+        });
+}
+
+void Versions::setGateway(const QString& version)
+{
+    m_gateway = version;
+    update();
+}
+
+void Versions::noteSoftware(const QString& part, const QString& version)
+{
+    if (!m_record || version.isEmpty() || m_record->software.value(part) == version)
+        return;
+    store::AuditEntry entry;
+    entry.what = u"software.version"_s;
+    entry.object = part;
+    entry.before = m_record->software.value(part);
+    entry.after = version;
+    entry.outcome = u"done"_s;
+    m_record->software[part] = version;
+    emit noted(entry);
+    m_records.store().run(
+        this,
+        [folder = m_folder, record = *m_record](store::Database&) {
+            return store::writeSystemRecord(folder, record).has_value();
+        },
+        [](bool) {});
+}
+
+QString Versions::controllerText() const
+{
+    const auto& identity = m_machine.identity();
+    if (!identity)
+        return {};
+    return tr("firmware %1, register map %2.%3, serial number %4")
+        .arg(QString::fromStdString(identity->firmwareVersion()))
+        .arg(identity->mapMajor)
+        .arg(identity->mapMinor)
+        .arg(Format::hexDigits(identity->uniqueId, 16));
+}
+
+QString Versions::growthText() const
+{
+    const Format format;
+    if (!m_forecast.bytesPerDay)
+        return tr("not known yet: measured from the second day on");
+    const QString growth =
+        tr("%1 MB a day").arg(format.number(*m_forecast.bytesPerDay / bytesPerMegabyte, 1));
+    if (!m_forecast.years)
+        return growth;
+    return *m_forecast.years > longYears
+               ? tr("%1: more than 100 years", "growth").arg(growth)
+               : tr("%1: %2 years", "growth, number").arg(growth, format.number(*m_forecast.years, 1));
+}
+
+QString Versions::warning() const
+{
+    if (!m_forecast.isShort())
+        return {};
+    return tr("The disk lasts for less than five years. Free some disk space, or use a larger disk.");
+}
+
+void Versions::update()
+{
+    const QString unknown = tr("unknown");
+    const auto known = [&unknown](const QString& text) { return text.isEmpty() ? unknown : text; };
+    const QString panel = QCoreApplication::applicationVersion();
+    noteSoftware(u"panel"_s, panel);
+    noteSoftware(u"gateway"_s, m_gateway);
+    const auto& identity = m_machine.identity();
+    if (identity && m_machine.isConnected())
+        noteSoftware(u"controller"_s,
+                     u"%1, %2.%3, %4"_s.arg(QString::fromStdString(identity->firmwareVersion()))
+                         .arg(identity->mapMajor)
+                         .arg(identity->mapMinor)
+                         .arg(Format::hexDigits(identity->uniqueId, 16)));
+    const ActiveProgramValues active = m_machine.active();
+    const auto& status = m_machine.status();
+    const QString kind =
+        active.isPresent ? RecipeWords::kindName(static_cast<profile::ProgramKind>(active.kind)) : QString();
+    const QString program =
+        active.isPresent ? kind + u" · "_s + versionText(active.name, active.version) : QString();
+    const QString table = status && status->activeCrc ? tr("%1, CRC-32 %2", "number, number")
+                                                            .arg(status->generation)
+                                                            .arg(Format::hexDigits(*status->activeCrc, 8))
+                                                      : QString();
+    const Format format;
+    const QString freeSpace =
+        m_record ? tr("%1 GB free").arg(format.number(double(m_forecast.freeBytes) / bytesPerGigabyte, 1))
+                 : QString();
+    m_rows.setRows({{tr("Panel"), known(panel.isEmpty() ? QString() : u"CamPanel "_s + panel), false},
+                    {tr("Gateway"), m_gateway.isEmpty() ? tr("unknown: not connected") : m_gateway, false},
+                    {tr("Controller"), known(controllerText()), false},
+                    {tr("Active program"), known(program), false},
+                    {tr("Generation"), known(table), false},
+                    {tr("Open recipe"), versionText(m_editor.recipeName(), m_editor.recipeVersion()), false},
+                    {tr("Disk"), known(freeSpace), m_forecast.isShort()},
+                    {tr("Growth"), growthText(), m_forecast.isShort()}});
+    emit changed();
+}
+
+} // namespace campanel::panel
