@@ -32,6 +32,8 @@ using namespace std::chrono_literals;
 
 constexpr int configurationError = 2;
 constexpr auto tickPeriod = 100ms;
+// The commands that the panel hears of in this time, for its audit trail.
+constexpr int maxCommandsInTick = 10;
 // The time for the last messages at the end.
 constexpr int stopLimitMs = 2000;
 
@@ -68,81 +70,115 @@ Arguments argumentsOf(const QCoreApplication& application)
     return {parser.value(u"config"_s), parser.value(u"panel"_s), parser.value(u"state"_s)};
 }
 
-// Puts panel, node and broker together, and runs until a signal.
-int run(const gateway::GatewaySettings& settings, const Arguments& arguments)
-{
-    using gateway::LogKind;
-    const shell::TerminationSignals terminationSignals;
-    gateway::LogLimit log(&report);
-    const auto note = [&log](LogKind kind, const QString& sentence) { log.report(kind, sentence); };
-    const QString instance = QUuid::createUuid().toString(QUuid::Id128);
-    constexpr qsizetype digits = 8;
-    gateway::MqttLine line(settings, u"campanel-%1-%2"_s.arg(settings.node, instance.left(digits)),
-                           arguments.stateFolder + u"/bdseq"_s);
-    gateway::PanelLine panel(arguments.panelSocket);
-    gateway::SparkplugNode node(
-        {settings.group, settings.node, settings.primaryHost, instance}, line,
-        {.wallMs = &QDateTime::currentMSecsSinceEpoch},
-        {[&](const plant::CommandMessage& command) {
-             note(LogKind::Command,
-                  u"Refused: %1 = %2."_s.arg(store::oneLine(command.metric), store::oneLine(command.value)));
-             panel.send(command);
-         },
-         [&panel] { panel.renew(); }, note});
-    gateway::OfferInbox inbox(
-        settings.group, line,
-        {[&panel](const plant::OfferMessage& offer) { return panel.send(offer); }, note},
-        QFileInfo(arguments.configuration).absoluteDir().filePath(u"recipe-keys"_s));
-    QObject context;
-    QObject::connect(&panel, &gateway::PanelLine::received, &context,
-                     [&node](const plant::ValueMessage& message) { node.takeValues(message); });
-    QObject::connect(&panel, &gateway::PanelLine::connected, &context, [&] {
-        panel.send(plant::GatewayMessage{QCoreApplication::applicationVersion()});
-        inbox.panelConnected();
-    });
-    QObject::connect(&panel, &gateway::PanelLine::lost, &context, [&node] { node.panelLost(); });
-    QObject::connect(&panel, &gateway::PanelLine::reported, &context,
-                     [&](const QString& sentence) { note(LogKind::Panel, sentence); });
-    QObject::connect(&line, &gateway::MqttLine::opened, &context, [&](int bdSeq) {
-        note(LogKind::Connected, u"Connected to %1:%2."_s.arg(settings.host).arg(settings.port));
-        node.brokerOpened(bdSeq);
-        inbox.brokerOpened();
-    });
-    QString lastReason;
-    qint64 leftOut = 0;
-    QObject::connect(&line, &gateway::MqttLine::closed, &context, [&](const QString& reason) {
-        if (reason != lastReason || node.isBorn())
-            note(LogKind::NotConnected, reason);
-        lastReason = reason;
-        node.brokerClosed();
-    });
-    QObject::connect(&line, &gateway::MqttLine::received, &context,
-                     [&](const QString& topic, const QByteArray& bytes) {
-                         if (!inbox.take(topic, bytes))
-                             node.takeMessage(topic, bytes);
-                     });
-    QObject::connect(&line, &gateway::MqttLine::barrierPassed, &context, [&node] { node.barrierPassed(); });
-    QObject::connect(&line, &gateway::MqttLine::leftOut, &context, [&](qint64 messages) {
-        leftOut += messages;
-        note(LogKind::LeftOut,
-             u"%1 messages of the broker came too fast since the start and are left out."_s.arg(leftOut));
-    });
-    QTimer ticks;
-    QObject::connect(&ticks, &QTimer::timeout, &context, [&] {
-        node.tick();
-        inbox.tick();
-        log.tick();
-    });
-    ticks.start(tickPeriod);
-    line.start([&node](int bdSeq) { return node.deathFor(bdSeq); });
-    panel.start();
-    const int code = QCoreApplication::exec();
-    node.end();
-    log.flush();
-    if (!line.stop(stopLimitMs))
-        std::_Exit(code); // an attempt to connect cannot be ended
-    return code;
-}
+// Panel, node and broker together.
+class Gateway {
+public:
+    Gateway(const gateway::GatewaySettings& settings, const Arguments& arguments)
+        : m_settings(settings)
+        , m_instance(QUuid::createUuid().toString(QUuid::Id128))
+        , m_line(settings, u"campanel-%1-%2"_s.arg(settings.node, m_instance.left(8)),
+                 arguments.stateFolder + u"/bdseq"_s)
+        , m_panel(arguments.panelSocket)
+        , m_node({settings.group, settings.node, settings.primaryHost, m_instance}, m_line,
+                 {.wallMs = &QDateTime::currentMSecsSinceEpoch},
+                 {[this](const plant::CommandMessage& command) { noteCommand(command); },
+                  [this] { m_panel.renew(); },
+                  [this](LogKind kind, const QString& sentence) { m_log.report(kind, sentence); }})
+        , m_inbox(settings.group, m_line,
+                  {[this](const plant::OfferMessage& offer) { return m_panel.send(offer); },
+                   [this](LogKind kind, const QString& sentence) { m_log.report(kind, sentence); }},
+                  QFileInfo(arguments.configuration).absoluteDir().filePath(u"recipe-keys"_s))
+    {
+        connectPanel();
+        connectBroker();
+        QObject::connect(&m_ticks, &QTimer::timeout, &m_context, [this] { tick(); });
+    }
+
+    // Runs until a signal.
+    int run()
+    {
+        m_ticks.start(tickPeriod);
+        m_line.start([this](int bdSeq) { return m_node.deathFor(bdSeq); });
+        m_panel.start();
+        const int code = QCoreApplication::exec();
+        m_node.end();
+        m_log.flush();
+        if (!m_line.stop(stopLimitMs))
+            std::_Exit(code); // an attempt to connect cannot be ended
+        return code;
+    }
+
+private:
+    using LogKind = gateway::LogKind;
+
+    void noteCommand(const plant::CommandMessage& command)
+    {
+        m_log.report(LogKind::Command, u"Refused: %1 = %2."_s.arg(store::oneLine(command.metric),
+                                                                  store::oneLine(command.value)));
+        if (m_commandsInTick++ < maxCommandsInTick)
+            m_panel.send(command);
+    }
+    void connectPanel()
+    {
+        QObject::connect(&m_panel, &gateway::PanelLine::received, &m_context,
+                         [this](const plant::ValueMessage& message) { m_node.takeValues(message); });
+        QObject::connect(&m_panel, &gateway::PanelLine::connected, &m_context, [this] {
+            m_panel.send(plant::GatewayMessage{QCoreApplication::applicationVersion()});
+            m_inbox.panelConnected();
+        });
+        QObject::connect(&m_panel, &gateway::PanelLine::lost, &m_context, [this] { m_node.panelLost(); });
+        QObject::connect(&m_panel, &gateway::PanelLine::reported, &m_context,
+                         [this](const QString& sentence) { m_log.report(LogKind::Panel, sentence); });
+    }
+    void connectBroker()
+    {
+        QObject::connect(&m_line, &gateway::MqttLine::opened, &m_context, [this](int bdSeq) {
+            m_log.report(LogKind::Connected,
+                         u"Connected to %1:%2."_s.arg(m_settings.host).arg(m_settings.port));
+            m_node.brokerOpened(bdSeq);
+            m_inbox.brokerOpened();
+        });
+        QObject::connect(&m_line, &gateway::MqttLine::closed, &m_context, [this](const QString& reason) {
+            if (reason != m_lastReason || m_node.isBorn())
+                m_log.report(LogKind::NotConnected, reason);
+            m_lastReason = reason;
+            m_node.brokerClosed();
+        });
+        QObject::connect(&m_line, &gateway::MqttLine::received, &m_context,
+                         [this](const QString& topic, const QByteArray& bytes) {
+                             if (!m_inbox.take(topic, bytes))
+                                 m_node.takeMessage(topic, bytes);
+                         });
+        QObject::connect(&m_line, &gateway::MqttLine::barrierPassed, &m_context,
+                         [this] { m_node.barrierPassed(); });
+        QObject::connect(&m_line, &gateway::MqttLine::leftOut, &m_context, [this](qint64 messages) {
+            m_leftOut += messages;
+            m_log.report(LogKind::LeftOut,
+                         u"%1 messages of the broker came too fast since the start and are left out."_s.arg(
+                             m_leftOut));
+        });
+    }
+    void tick()
+    {
+        m_commandsInTick = 0;
+        m_node.tick();
+        m_inbox.tick();
+        m_log.tick();
+    }
+
+    const gateway::GatewaySettings m_settings;
+    const QString m_instance; // a random text
+    gateway::LogLimit m_log{&report};
+    gateway::MqttLine m_line;
+    gateway::PanelLine m_panel;
+    gateway::SparkplugNode m_node;
+    gateway::OfferInbox m_inbox;
+    QTimer m_ticks;
+    QString m_lastReason;
+    qint64 m_leftOut = 0;
+    int m_commandsInTick = 0;
+    QObject m_context; // the last member: what it connects is gone before the others
+};
 
 } // namespace
 
@@ -163,5 +199,6 @@ int main(int argc, char* argv[])
         report(u"[gateway] in %1 names no broker: nothing is published."_s.arg(arguments.configuration));
         return EXIT_SUCCESS;
     }
-    return run(read.settings, arguments);
+    const shell::TerminationSignals terminationSignals;
+    return Gateway(read.settings, arguments).run();
 }

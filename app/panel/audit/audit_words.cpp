@@ -74,7 +74,7 @@ constexpr std::array whatWords{
     Word{"update.start", QT_TRANSLATE_NOOP("AuditWords", "Update requested")},
     Word{"update.back", QT_TRANSLATE_NOOP("AuditWords", "Earlier version requested")},
     Word{"update.end", QT_TRANSLATE_NOOP("AuditWords", "Installation ended")},
-    Word{"software.version", QT_TRANSLATE_NOOP("AuditWords", "Another version runs")},
+    Word{"update.version", QT_TRANSLATE_NOOP("AuditWords", "Another version runs")},
     Word{"user.login", QT_TRANSLATE_NOOP("AuditWords", "Login")},
     Word{"user.logout", QT_TRANSLATE_NOOP("AuditWords", "Logout")},
     Word{"user.auto_logout", QT_TRANSLATE_NOOP("AuditWords", "Automatic logout")},
@@ -98,9 +98,9 @@ constexpr std::array objectWords{
     Word{"network_address", QT_TRANSLATE_NOOP("AuditWords", "network address")},
     Word{"touchscreen", QT_TRANSLATE_NOOP("AuditWords", "calibration of the touchscreen")},
     Word{"simulated_faults", QT_TRANSLATE_NOOP("AuditWords", "simulated faults")},
-    Word{"panel", QT_TRANSLATE_NOOP("AuditWords", "panel")},
-    Word{"gateway", QT_TRANSLATE_NOOP("AuditWords", "gateway")},
-    Word{"controller", QT_TRANSLATE_NOOP("AuditWords", "controller")},
+    Word{"panel_software", QT_TRANSLATE_NOOP("AuditWords", "panel")},
+    Word{"gateway_software", QT_TRANSLATE_NOOP("AuditWords", "gateway")},
+    Word{"controller_software", QT_TRANSLATE_NOOP("AuditWords", "controller")},
 };
 
 constexpr std::array outcomeWords{

@@ -100,8 +100,8 @@ void Versions::noteSoftware(const QString& part, const QString& version)
     if (!m_record || version.isEmpty() || m_record->software.value(part) == version)
         return;
     store::AuditEntry entry;
-    entry.what = u"software.version"_s;
-    entry.object = part;
+    entry.what = u"update.version"_s;
+    entry.object = part + u"_software"_s;
     entry.before = m_record->software.value(part);
     entry.after = version;
     entry.outcome = u"done"_s;

@@ -99,11 +99,11 @@ private slots:
         rig.versions->setGateway(u"1.2.2"_s);
         QStringList parts;
         for (const store::AuditEntry& entry : rig.noted) {
-            QCOMPARE(entry.what, u"software.version"_s);
+            QCOMPARE(entry.what, u"update.version"_s);
             QCOMPARE(entry.before, QString());
             parts << entry.object;
         }
-        QCOMPARE(parts, (QStringList{u"panel"_s, u"controller"_s, u"gateway"_s}));
+        QCOMPARE(parts, (QStringList{u"panel_software"_s, u"controller_software"_s, u"gateway_software"_s}));
         QCOMPARE(rig.noted.first().after, u"1.2.3"_s);
         QTRY_COMPARE(store::readSystemRecord(rig.folder.path()).software.value(u"gateway"_s), u"1.2.2"_s);
         rig.noted.clear();
