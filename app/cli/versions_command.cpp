@@ -24,9 +24,13 @@ QJsonValue orUnknown(const QString& version)
 
 QJsonObject diskObject(const store::DiskForecast& forecast)
 {
-    QJsonObject object{{u"free_bytes"_s, forecast.freeBytes},
+    constexpr double bytesPerMegabyte = 1e6;
+    constexpr double bytesPerGigabyte = 1e9;
+    QJsonObject object{{u"free_gb"_s, double(forecast.freeBytes) / bytesPerGigabyte},
                        {u"measured_days"_s, forecast.days},
-                       {u"growth_bytes_per_day"_s, orNull(forecast.bytesPerDay)},
+                       {u"growth_mb_per_day"_s, forecast.bytesPerDay
+                                                    ? QJsonValue(*forecast.bytesPerDay / bytesPerMegabyte)
+                                                    : QJsonValue()},
                        {u"years"_s, orNull(forecast.years)}};
     if (forecast.isShort())
         object[u"warning"_s] =

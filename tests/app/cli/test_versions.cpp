@@ -76,7 +76,7 @@ private slots:
                 .json()[u"disk"_s]
                 .toObject();
         QCOMPARE(disk[u"measured_days"_s], 10);
-        QCOMPARE(disk[u"growth_bytes_per_day"_s].toDouble(), 5.999999e14);
+        QCOMPARE(disk[u"growth_mb_per_day"_s].toDouble(), 5.999999e8);
         QVERIFY(disk[u"years"_s].toDouble() < 5);
         QCOMPARE(call(u"versions --data /nowhere"_s).code, int{File});
     }
