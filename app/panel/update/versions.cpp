@@ -150,8 +150,8 @@ QString Versions::warning() const
 
 void Versions::update()
 {
-    const QString unknown = tr("unknown");
-    const auto known = [&unknown](const QString& text) { return text.isEmpty() ? unknown : text; };
+    const QString nothing = tr("unknown");
+    const auto known = [&nothing](const QString& text) { return text.isEmpty() ? nothing : text; };
     const QString panel = QCoreApplication::applicationVersion();
     noteSoftware(u"panel"_s, panel);
     noteSoftware(u"gateway"_s, m_gateway);
