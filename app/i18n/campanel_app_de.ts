@@ -6150,14 +6150,14 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
         <translation>%1 MB am Tag</translation>
     </message>
     <message>
-        <source>%1: more than 100 years</source>
+        <source>%1; the disk lasts more than 100 years</source>
         <comment>growth</comment>
-        <translation>%1: mehr als 100 Jahre</translation>
+        <translation>%1; die Festplatte reicht mehr als 100 Jahre</translation>
     </message>
     <message>
-        <source>%1: %2 years</source>
+        <source>%1; the disk lasts %2 years</source>
         <comment>growth, number</comment>
-        <translation>%1: %2 Jahre</translation>
+        <translation>%1; die Festplatte reicht %2 Jahre</translation>
     </message>
     <message>
         <source>The disk lasts for less than five years. Free some disk space, or use a larger disk.</source>

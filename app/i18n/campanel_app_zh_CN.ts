@@ -6147,14 +6147,14 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
         <translation>每天 %1 MB</translation>
     </message>
     <message>
-        <source>%1: more than 100 years</source>
+        <source>%1; the disk lasts more than 100 years</source>
         <comment>growth</comment>
-        <translation>%1：超过 100 年</translation>
+        <translation>%1；磁盘可用 100 年以上</translation>
     </message>
     <message>
-        <source>%1: %2 years</source>
+        <source>%1; the disk lasts %2 years</source>
         <comment>growth, number</comment>
-        <translation>%1：%2 年</translation>
+        <translation>%1；磁盘可用 %2 年</translation>
     </message>
     <message>
         <source>The disk lasts for less than five years. Free some disk space, or use a larger disk.</source>

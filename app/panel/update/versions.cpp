@@ -136,9 +136,9 @@ QString Versions::growthText() const
         tr("%1 MB a day").arg(format.number(*m_forecast.bytesPerDay / bytesPerMegabyte, 1));
     if (!m_forecast.years)
         return growth;
-    return *m_forecast.years > longYears
-               ? tr("%1: more than 100 years", "growth").arg(growth)
-               : tr("%1: %2 years", "growth, number").arg(growth, format.number(*m_forecast.years, 1));
+    return *m_forecast.years > longYears ? tr("%1; the disk lasts more than 100 years", "growth").arg(growth)
+                                         : tr("%1; the disk lasts %2 years", "growth, number")
+                                               .arg(growth, format.number(*m_forecast.years, 1));
 }
 
 QString Versions::warning() const

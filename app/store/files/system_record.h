@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the panel remembers of its system, in the file system.json of its folder: the versions of software
+// The panel's record of its system, the file system.json of its folder: the versions of software
 // that ran last, and how its data has grown.
 #pragma once
 
@@ -42,7 +42,7 @@ void addSample(SystemRecord& record, qint64 day, qint64 bytes);
 
 // How long the disk lasts at the measured growth.
 struct DiskForecast {
-    // What people changed is kept for so long.
+    // The time for which the changes of people are kept.
     static constexpr double keptYears = 5;
 
     qint64 freeBytes = 0;
