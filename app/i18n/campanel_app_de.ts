@@ -7040,6 +7040,14 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
         <translation>Auf diesem Panel läuft eine andere Installation. Warten Sie, bis sie beendet ist.</translation>
     </message>
     <message>
+        <source>A program of the panel&apos;s user did not end. Switch the panel off and on, then try again.</source>
+        <translation>Ein Programm des Panel-Benutzers hat sich nicht beendet. Das Panel aus- und einschalten, dann erneut versuchen.</translation>
+    </message>
+    <message>
+        <source>The panel&apos;s data could not be copied. Read journalctl -u campanel-update.</source>
+        <translation>Die Daten des Panels konnten nicht kopiert werden. journalctl -u campanel-update lesen.</translation>
+    </message>
+    <message>
         <source>The earlier version is not kept on this panel any more.</source>
         <translation>Die frühere Version ist auf diesem Panel nicht mehr vorhanden.</translation>
     </message>

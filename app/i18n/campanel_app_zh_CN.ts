@@ -7037,6 +7037,14 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
         <translation>本面板上正在进行另一项安装。请等待其结束。</translation>
     </message>
     <message>
+        <source>A program of the panel&apos;s user did not end. Switch the panel off and on, then try again.</source>
+        <translation>面板用户的一个程序未能结束。请关闭面板电源再打开，然后重试。</translation>
+    </message>
+    <message>
+        <source>The panel&apos;s data could not be copied. Read journalctl -u campanel-update.</source>
+        <translation>面板数据无法复制。请查看 journalctl -u campanel-update。</translation>
+    </message>
+    <message>
         <source>The earlier version is not kept on this panel any more.</source>
         <translation>本面板上已不再保留旧版本。</translation>
     </message>

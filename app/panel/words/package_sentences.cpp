@@ -104,6 +104,10 @@ QString PackageSentences::failure(const QString& reason, const QString& detail)
         return tr("%1 MB of free space are needed on this panel.").arg(detail);
     if (reason == u"busy")
         return tr("Another installation is under way on this panel. Wait until it has ended.");
+    if (reason == u"processes")
+        return tr("A program of the panel's user did not end. Switch the panel off and on, then try again.");
+    if (reason == u"data")
+        return tr("The panel's data could not be copied. Read journalctl -u campanel-update.");
     if (reason == u"no-way-back")
         return tr("The earlier version is not kept on this panel any more.");
     if (reason == u"not-shown")
