@@ -7041,11 +7041,11 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
     </message>
     <message>
         <source>A program of the panel&apos;s user did not end. Switch the panel off and on, then try again.</source>
-        <translation>Ein Programm des Panel-Benutzers hat sich nicht beendet. Das Panel aus- und einschalten, dann erneut versuchen.</translation>
+        <translation>Ein Programm des Panel-Benutzers hat sich nicht beendet. Schalten Sie das Panel aus und wieder ein, und versuchen Sie es erneut.</translation>
     </message>
     <message>
         <source>The panel&apos;s data could not be copied. Read journalctl -u campanel-update.</source>
-        <translation>Die Daten des Panels konnten nicht kopiert werden. journalctl -u campanel-update lesen.</translation>
+        <translation>Die Daten des Panels konnten nicht kopiert werden. Lesen Sie journalctl -u campanel-update.</translation>
     </message>
     <message>
         <source>The earlier version is not kept on this panel any more.</source>
