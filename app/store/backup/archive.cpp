@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/store/backup/archive.h"
 
-#include "app/store/files/file_error.h"
+#include "app/store/files/files.h"
 
 #include <QCryptographicHash>
 #include <QFile>
-#include <QFileInfo>
 
+#include <fcntl.h>
 #include <functional>
+#include <unistd.h>
 #include <zip.h>
 
 using namespace Qt::StringLiterals;
@@ -104,15 +105,15 @@ void ArchiveReader::Closer::operator()(zip* archive) const
 
 tl::expected<ArchiveReader, Error> ArchiveReader::open(const QString& path)
 {
-    QFile file(path);
-    if (const QFileInfo present(path); present.exists() && !present.isFile()) // opening a pipe would block
-        return tl::unexpected(Error{Fault::NotReadable, FileErrorText::notAFile()});
-    if (!file.open(QIODevice::ReadOnly))
-        return tl::unexpected(Error{Fault::NotReadable, file.errorString()});
-    const bool beginsAsOne = file.read(4) == QByteArray("PK\x03\x04", 4);
-    file.close();
-    int code = 0;
-    zip_t* archive = zip_open(QFile::encodeName(path).constData(), ZIP_RDONLY | ZIP_CHECKCONS, &code);
+    const auto file = openRegular(path);
+    if (!file)
+        return tl::unexpected(Error{Fault::NotReadable, file.error().found});
+    const bool beginsAsOne = (*file)->peek(4) == QByteArray("PK\x03\x04", 4);
+    int code = ZIP_ER_OPEN;
+    const int handle = ::fcntl((*file)->handle(), F_DUPFD_CLOEXEC, 0);
+    zip_t* archive = handle < 0 ? nullptr : zip_fdopen(handle, ZIP_CHECKCONS, &code);
+    if (!archive && handle >= 0)
+        ::close(handle); // libzip closes it only with the archive
     if (archive)
         return ArchiveReader(archive);
     return tl::unexpected(Error{beginsAsOne ? Fault::Damaged : Fault::NotAnArchive, reasonOf(code)});

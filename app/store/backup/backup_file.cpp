@@ -2,9 +2,10 @@
 #include "app/store/backup/backup_file.h"
 
 #include "app/store/backup/archive.h"
+#include "app/store/files/files.h"
 #include "app/store/files/json_keys.h"
 #include "app/store/logs/trend_schema.h"
-#include "app/store/recipes/recipe_json.h"
+#include "app/store/recipes/recipe_file.h"
 
 #include <QCryptographicHash>
 #include <QDir>
@@ -25,7 +26,7 @@ namespace {
 const QString manifestName = u"manifest.json"_s;
 const QString backupFormat = u"campanel-backup"_s;
 constexpr qint64 maxManifestBytes = 100'000;
-constexpr qint64 maxRecipeBytes = 1'000'000;
+constexpr qint64 maxRecipeBytes = maxFileBytes;
 
 const QString databaseName = u"campanel.sqlite"_s;
 const QString anchorName = u"campanel.sqlite.audit"_s;
@@ -66,10 +67,12 @@ BackupError errorOf(const ArchiveReader::Error& error, const QString& path)
 
 tl::expected<QByteArray, QString> hashOf(const QString& path)
 {
-    QFile file(path);
+    const auto file = openRegular(path);
+    if (!file)
+        return tl::unexpected(file.error().found);
     QCryptographicHash hash(QCryptographicHash::Sha256);
-    if (!file.open(QIODevice::ReadOnly) || !hash.addData(&file))
-        return tl::unexpected(file.errorString());
+    if (!hash.addData(file->get()))
+        return tl::unexpected((*file)->errorString());
     return hash.result();
 }
 
@@ -132,8 +135,7 @@ tl::expected<int, StoreError> count(Database& database, const QString& table)
 
 tl::expected<void, BackupError> checkRecipe(const QDir& folder, const QString& name, const QString& path)
 {
-    QFile file(folder.filePath(name));
-    if (!file.open(QIODevice::ReadOnly) || !fromJson(file.read(maxRecipeBytes), name))
+    if (!readRecipe(folder.filePath(name)))
         return tl::unexpected(BackupError{Kind::Damaged, path, name});
     return {};
 }
@@ -218,10 +220,10 @@ tl::expected<BackupManifest, StoreError> takeSnapshot(Database& database, const 
     if (const auto done = copyInto(database, target.filePath(databaseName)); !done)
         return tl::unexpected(done.error());
     // Does not exist before the first row.
-    const QString anchor = database.path() + u".audit"_s;
-    QFile empty(target.filePath(anchorName));
-    if (!QFile::copy(anchor, target.filePath(anchorName)) && !empty.open(QIODevice::WriteOnly))
-        return tl::unexpected(StoreError{StoreError::Kind::Failed, anchor, empty.errorString()});
+    const auto anchor = readBytes(database.path() + u".audit"_s);
+    const auto copied = replaceBytes(target.filePath(anchorName), anchor.value_or(QByteArray()));
+    if (!copied)
+        return tl::unexpected(StoreError{StoreError::Kind::Failed, copied.error().path, copied.error().found});
     return manifest;
 }
 

@@ -3,6 +3,7 @@
 #include "app/store/database/database.h"
 
 #include "app/store/database/setup_marker.h"
+#include "app/store/files/files.h"
 #include "app/store/files/private_files.h"
 #include "app/store/files/store_logging.h"
 
@@ -101,6 +102,17 @@ tl::expected<bool, StoreError> putCopy(const QString& path, const DatabaseFile& 
     return replace(fresh, path).map([] { return true; });
 }
 
+// Checks that SQLite will not wait for a pipe in the place of one of its files.
+tl::expected<void, StoreError> checkFiles(const QString& path)
+{
+    for (const auto suffix : {""_L1, "-wal"_L1, "-shm"_L1, "-journal"_L1}) {
+        if (!isRegularOrMissing(path + suffix))
+            return tl::unexpected(
+                fileError(StoreError::Kind::CannotOpen, path + suffix, FileErrorText::notAFile()));
+    }
+    return {};
+}
+
 qint64 numberOf(Database& database, const QString& statement)
 {
     auto found = database.execute(statement);
@@ -129,6 +141,8 @@ bool hasMore(Database& copy, Database& database)
 tl::expected<std::unique_ptr<Database>, StoreError> Database::openAsFound(const QString& path,
                                                                           const DatabaseFile& file)
 {
+    if (const auto checked = checkFiles(path); !checked)
+        return tl::unexpected(checked.error());
     if (!makePrivateFile(path))
         return tl::unexpected(fileError(StoreError::Kind::CannotOpen, path, qt_error_string()));
     for (const auto suffix : {"-wal"_L1, "-shm"_L1, ".copy"_L1, ".audit"_L1, ".setup"_L1})
@@ -195,6 +209,8 @@ tl::expected<std::unique_ptr<Database>, StoreError> Database::openReadOnly(const
     if (!QFileInfo(path).isFile())
         return tl::unexpected(
             fileError(StoreError::Kind::CannotOpen, path, StoreErrorText::tr("this file does not exist")));
+    if (const auto checked = checkFiles(path); !checked)
+        return tl::unexpected(checked.error());
     std::unique_ptr<Database> database(new Database(path, file));
     // A read-only folder does not allow merging the log; without a log that is not necessary.
     const bool hasLog = QFileInfo::exists(path + u"-wal"_s);

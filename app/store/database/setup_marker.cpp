@@ -4,7 +4,6 @@
 #include "app/store/files/files.h"
 #include "app/store/files/private_files.h"
 
-#include <QFile>
 #include <QFileInfo>
 
 using namespace Qt::StringLiterals;
@@ -25,10 +24,7 @@ QString setupMarkerPath(const QString& databasePath)
 
 SetUp readSetupMarker(const QString& databasePath)
 {
-    QFile file(setupMarkerPath(databasePath));
-    if (!QFileInfo(file.fileName()).isFile() || !file.open(QIODevice::ReadOnly))
-        return SetUp::Unknown;
-    const QByteArray line = file.read(100);
+    const QByteArray line = readBytes(setupMarkerPath(databasePath)).value_or(QByteArray());
     return line == withPins ? SetUp::WithPins : line == withoutPins ? SetUp::WithoutPins : SetUp::Unknown;
 }
 

@@ -2,7 +2,6 @@
 // Writes files by QSaveFile: a temporary file, then a rename.
 #include "app/store/files/files.h"
 
-#include <QFile>
 #include <QFileInfo>
 #include <QSaveFile>
 
@@ -65,34 +64,52 @@ QString escaped(QStringView units)
 
 } // namespace
 
-tl::expected<QByteArray, FileError> readBytes(const QString& path)
+tl::expected<std::unique_ptr<QFile>, FileError> openRegular(const QString& path, Links links)
 {
     using Kind = FileError::Kind;
     // O_NONBLOCK: opening a pipe would wait for its writer.
     const int handle =
-        ::open(QFile::encodeName(path).constData(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
+        ::open(QFile::encodeName(path).constData(),
+               O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC | (links == Links::Refuse ? O_NOFOLLOW : 0));
     if (handle < 0) {
         const int code = errno;
         const bool isMissing = code == ENOENT || code == ENOTDIR;
-        return refused(isMissing ? Kind::NotFound : Kind::NotReadable, path, qt_error_string(code));
+        return refused(isMissing ? Kind::NotFound : Kind::NotReadable, path,
+                       code == ELOOP && links == Links::Refuse ? FileErrorText::notAFile()
+                                                               : qt_error_string(code));
     }
-    QFile file;
-    if (!file.open(handle, QIODevice::ReadOnly, QFileDevice::AutoCloseHandle)) {
+    auto file = std::make_unique<QFile>();
+    if (!file->open(handle, QIODevice::ReadOnly, QFileDevice::AutoCloseHandle)) {
         ::close(handle);
-        return refused(Kind::NotReadable, path, file.errorString());
+        return refused(Kind::NotReadable, path, file->errorString());
     }
     struct stat status = {};
     if (::fstat(handle, &status) != 0)
         return refused(Kind::NotReadable, path, qt_error_string());
     if (!S_ISREG(status.st_mode))
         return refused(Kind::NotReadable, path, FileErrorText::notAFile());
+    return file;
+}
+
+tl::expected<QByteArray, FileError> readBytes(const QString& path, Links links)
+{
+    using Kind = FileError::Kind;
+    const auto file = openRegular(path, links);
+    if (!file)
+        return tl::unexpected(file.error());
     // The additional byte detects a file that has grown.
-    const QByteArray bytes = file.read(maxFileBytes + 1);
-    if (file.error() != QFileDevice::NoError)
-        return refused(Kind::NotReadable, path, file.errorString());
+    const QByteArray bytes = (*file)->read(maxFileBytes + 1);
+    if ((*file)->error() != QFileDevice::NoError)
+        return refused(Kind::NotReadable, path, (*file)->errorString());
     if (bytes.size() > maxFileBytes)
         return refused(Kind::NotReadable, path, FileErrorText::tooLarge());
     return bytes;
+}
+
+bool isRegularOrMissing(const QString& path)
+{
+    struct stat status = {};
+    return ::stat(QFile::encodeName(path).constData(), &status) != 0 || S_ISREG(status.st_mode);
 }
 
 tl::expected<void, FileError> replaceBytes(const QString& path, const QByteArray& bytes)
@@ -114,7 +131,7 @@ tl::expected<void, FileError> replaceBytes(const QString& path, const QByteArray
 
 tl::expected<void, FileError> settle(const QString& path)
 {
-    const int file = ::open(QFile::encodeName(path).constData(), O_RDONLY | O_CLOEXEC);
+    const int file = ::open(QFile::encodeName(path).constData(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
     const bool isSettled = file >= 0 && ::syncfs(file) == 0;
     const QString reason = isSettled ? QString() : qt_error_string();
     if (file >= 0)

@@ -1,21 +1,34 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reads and replaces small files as a whole, for all programs.
+// Opens, reads and replaces files, for all programs. Whoever reads a file that another program or person may have put
+// there opens it by openRegular() or readBytes(): neither waits for a pipe.
 #pragma once
 
 #include "app/store/files/file_error.h"
 
 #include <QByteArray>
+#include <QFile>
+
+#include <memory>
 
 #include <tl/expected.hpp>
 
 namespace campanel::store {
 
-// The largest file that is read.
+// The largest file that is read as a whole.
 inline constexpr qsizetype maxFileBytes = 1'000'000;
 
-// Reads a regular file of at most 1 MB; stored files have a few KB. A pipe, a device or a longer file is an
-// error at once, without waiting.
-[[nodiscard]] tl::expected<QByteArray, FileError> readBytes(const QString& path);
+// What a symbolic link at the end of a path means. Refuse it where a stranger may have made it: on a stick, or where
+// the reader has more rights than the owner of the folder.
+enum class Links { Follow, Refuse };
+
+// Opens a regular file for reading. A pipe, a device or a folder is an error at once, without waiting. The file may
+// have any size: the caller limits what is read.
+[[nodiscard]] tl::expected<std::unique_ptr<QFile>, FileError> openRegular(const QString& path,
+                                                                          Links links = Links::Follow);
+// Reads a whole file as openRegular() does, of at most 1 MB; stored files have a few KB.
+[[nodiscard]] tl::expected<QByteArray, FileError> readBytes(const QString& path, Links links = Links::Follow);
+// Returns false for a pipe, a device or a folder: a library that opens the path itself would wait for it.
+[[nodiscard]] bool isRegularOrMissing(const QString& path);
 // Replaces the file in one step after the new content has reached the medium. After an error or a power cut
 // the old file is intact. Does not replace anything but a regular file.
 [[nodiscard]] tl::expected<void, FileError> replaceBytes(const QString& path, const QByteArray& bytes);

@@ -32,8 +32,9 @@ bool makePrivateFolder(const QString& folder)
 
 bool makePrivateFile(const QString& path)
 {
-    const int file =
-        ::open(QFile::encodeName(path).constData(), O_WRONLY | O_CREAT | O_CLOEXEC, ownerOnlyFile);
+    // O_NONBLOCK: opening a pipe would wait for its reader.
+    const int file = ::open(QFile::encodeName(path).constData(), O_WRONLY | O_CREAT | O_NONBLOCK | O_CLOEXEC,
+                            ownerOnlyFile);
     if (file < 0)
         return false;
     ::close(file);
@@ -51,7 +52,7 @@ void makePrivate(const QString& path)
 
 bool syncFile(const QString& path)
 {
-    const int file = ::open(QFile::encodeName(path).constData(), O_RDONLY | O_CLOEXEC);
+    const int file = ::open(QFile::encodeName(path).constData(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
     const bool isSynced = file >= 0 && ::fsync(file) == 0;
     const int reason = errno;
     if (file >= 0)

@@ -5,7 +5,6 @@
 #include "app/store/files/private_files.h"
 
 #include <QCryptographicHash>
-#include <QFile>
 #include <QtEndian>
 
 #include <limits>
@@ -81,10 +80,11 @@ bool isOnDisk(const Database& database)
 
 std::optional<Link> anchor(const Database& database)
 {
-    QFile file(anchorPath(database));
-    if (!isOnDisk(database) || !file.open(QIODevice::ReadOnly))
+    const auto line =
+        isOnDisk(database) ? readBytes(anchorPath(database)) : tl::unexpected(FileError{});
+    if (!line)
         return std::nullopt;
-    const QList<QByteArray> words = file.read(200).trimmed().split(' ');
+    const QList<QByteArray> words = line->trimmed().split(' ');
     Link link{words.first().toLongLong(), QByteArray::fromHex(words.last())};
     return link.sequence > 0 && link.hash.size() == 32 ? std::optional(link) : std::nullopt;
 }

@@ -7,7 +7,6 @@
 
 #include <QCryptographicHash>
 #include <QDateTime>
-#include <QFile>
 #include <QFileInfo>
 #include <QJsonDocument>
 
@@ -41,10 +40,12 @@ QByteArray signedText(const PackageSignature& signature)
 
 tl::expected<QByteArray, PackageFault> hashOf(const QString& path)
 {
-    QFile file(path);
+    const auto file = openRegular(path);
+    if (!file)
+        return tl::unexpected(PackageFault{Kind::NotReadable, path, file.error().found});
     QCryptographicHash hash(QCryptographicHash::Sha256);
-    if (!QFileInfo(path).isFile() || !file.open(QIODevice::ReadOnly) || !hash.addData(&file))
-        return tl::unexpected(PackageFault{Kind::NotReadable, path, file.errorString()});
+    if (!hash.addData(file->get()))
+        return tl::unexpected(PackageFault{Kind::NotReadable, path, (*file)->errorString()});
     return hash.result();
 }
 

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Small files: anything but a small regular file is refused at once; a full disk destroys no old file.
+#include "app/store/backup/archive.h"
+#include "app/store/backup/backup_file.h"
 #include "app/store/files/files.h"
+#include "app/store/logs/audit_log.h"
+#include "app/store/logs/trend_schema.h"
 #include "app/store/recipes/list_file.h"
 #include "app/store/recipes/recipe_file.h"
 #include "tests/support/full_disk.h"
@@ -82,6 +86,65 @@ private slots:
         QCOMPARE(*readBytes(path), QByteArray("old"));
         QVERIFY(replaceBytes(path, "new"));
         QCOMPARE(*readBytes(path), QByteArray("new"));
+    }
+
+    void aLinkIsFollowedOnlyWhereItMay()
+    {
+        const QString target = m_folder.filePath(u"target"_s);
+        const QString link = m_folder.filePath(u"link"_s);
+        put(target, "content");
+        QVERIFY(QFile::link(target, link));
+        QCOMPARE(*readBytes(link), QByteArray("content"));
+        QVERIFY(!readBytes(link, Links::Refuse));
+        QCOMPARE(*readBytes(target, Links::Refuse), QByteArray("content"));
+    }
+
+    // A file of any size: openRegular() has no limit, readBytes() has one.
+    void aLargeFileIsOpened()
+    {
+        const QString path = m_folder.filePath(u"larger"_s);
+        put(path, QByteArray(1'000'001, 'x'));
+        const auto file = openRegular(path);
+        QVERIFY(file);
+        QCOMPARE((*file)->size(), 1'000'001);
+        QVERIFY(!openRegular(m_folder.path()));
+        QVERIFY(isRegularOrMissing(path) && isRegularOrMissing(m_folder.filePath(u"none"_s)));
+        QVERIFY(!isRegularOrMissing(m_folder.path()));
+    }
+
+    void noDatabaseWaitsForAPipe_data()
+    {
+        QTest::addColumn<QString>("name");
+        QTest::addColumn<bool>("opens");
+        QTest::newRow("database") << u"campanel.sqlite"_s << false;
+        QTest::newRow("log") << u"campanel.sqlite-wal"_s << false;
+        QTest::newRow("index of the log") << u"campanel.sqlite-shm"_s << false;
+        QTest::newRow("newest row of the trail") << u"campanel.sqlite.audit"_s << true;
+        QTest::newRow("copy") << u"campanel.sqlite.copy"_s << true;
+        QTest::newRow("setup marker") << u"campanel.sqlite.setup"_s << true;
+        QTest::newRow("trends") << u"trends.sqlite"_s << false;
+    }
+
+    void noDatabaseWaitsForAPipe()
+    {
+        QFETCH(QString, name);
+        QFETCH(bool, opens);
+        const QTemporaryDir home;
+        const QString pipe = home.filePath(name);
+        QCOMPARE(mkfifo(QFile::encodeName(pipe).constData(), 0600), 0);
+        const bool isTrends = name == trendDatabase().name;
+        auto database = Database::open(home.path(), isTrends ? trendDatabase() : mainDatabase());
+        QCOMPARE(database.has_value(), opens);
+        if (!database)
+            QCOMPARE(static_cast<int>(database.error().kind), static_cast<int>(StoreError::Kind::CannotOpen));
+        if (opens) {
+            (void)appendAudit(**database, {});
+            QVERIFY(verifyChain(**database));
+            const QTemporaryDir snapshot;
+            QVERIFY(takeSnapshot(**database, snapshot.path()));
+            (void)(*database)->makeCopy();
+        }
+        QVERIFY(!ArchiveReader::open(pipe));
     }
 
     void aPipeIsNotReplaced()
