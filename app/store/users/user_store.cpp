@@ -63,7 +63,8 @@ qint64 delayMs(int failedAttempts)
 
 qint64 waitMs(const User& user, qint64 nowMs)
 {
-    return std::clamp(user.lockedUntilMs - nowMs, qint64{0}, delayMs(user.failedAttempts));
+    const qint64 leftMs = user.lockedUntilMs - nowMs;
+    return leftMs > delayMs(user.failedAttempts) ? 0 : std::max<qint64>(0, leftMs);
 }
 
 tl::expected<QList<User>, StoreError> users(Database& database)
