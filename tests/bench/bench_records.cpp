@@ -50,10 +50,11 @@ void fillBags(store::Database& database, qint64 endMs)
     const QString some =
         uR"(INSERT INTO bag WITH RECURSIVE n(i) AS (VALUES(?1) UNION ALL SELECT i + 1 FROM n WHERE i < ?2)
         SELECT ?3 + i * 200, 1, (i * 7919) % 601 - 300, 1 + (i % 400 = 0), (i * 104729) % 401 - 200,
-               (i * 1299709) % 1201 - 600, 300000, 1 FROM n)"_s;
+               (i * 1299709) % 1201 - 600, 300000, 1, 0 FROM n)"_s;
     for (qint64 first = 0; first < bags; first += bagsPerStatement)
         must(database.execute(some, {first, first + bagsPerStatement - 1, endMs - bags * bagMs}));
     must(database.execute(u"UPDATE ring SET held = ? WHERE name = 'bag'"_s, {bags}));
+    must(database.execute(u"INSERT INTO ring_era VALUES ('bag', 0, ?, ?)"_s, {endMs - bags * bagMs, endMs}));
     must(database.execute(u"PRAGMA wal_checkpoint(TRUNCATE)"_s));
 }
 
@@ -67,11 +68,13 @@ void fillTrends(store::Database& database, qint64 endMs)
         const QString fill =
             uR"(INSERT INTO %1 WITH RECURSIVE n(i) AS (VALUES(?1) UNION ALL SELECT i + 1 FROM n WHERE i < ?2),
             q(k) AS (VALUES(0), (1), (2), (3), (4), (5))
-            SELECT i * 8 + k, 300, (i * 7919) % 601, 27000000, -300 - i % 7, 300 + i % 11, 299 FROM n, q)"_s
+            SELECT i * 8 + k, 300, (i * 7919) % 601, 27000000, -300 - i % 7, 300 + i % 11, 299, 0 FROM n, q)"_s
                 .arg(Log::table(level));
         must(database.execute(fill, {endMs / length - buckets, endMs / length - 1}));
         must(database.execute(u"UPDATE ring SET held = ? WHERE name = ?"_s,
                               {Log::rowsKept(level), Log::table(level)}));
+        must(database.execute(u"INSERT INTO ring_era VALUES (?1, 0, ?2, ?3)"_s,
+                              {Log::table(level), (endMs / length - buckets) * 8, endMs / length * 8 - 1}));
     }
     must(database.execute(u"PRAGMA wal_checkpoint(TRUNCATE)"_s));
 }

@@ -134,9 +134,11 @@ void TrendRecorder::add(store::Bag bag)
 
 void TrendRecorder::add(TrendQuantity quantity, qint64 nowMs, double value, bool isWithin)
 {
-    m_parts[{nowMs / msPerSecond, quantity}].add(value, isWithin);
+    const qint64 second = nowMs / msPerSecond;
+    m_parts[{second, quantity}].add(value, isWithin);
+    // What lies ahead of the clock was collected before the clock was set back.
     if (m_parts.size() > maxParts)
-        m_parts.erase(m_parts.begin());
+        m_parts.erase(m_parts.rbegin()->first.first > second ? std::prev(m_parts.end()) : m_parts.begin());
 }
 
 } // namespace campanel::panel

@@ -223,7 +223,8 @@ tl::expected<BackupManifest, StoreError> takeSnapshot(Database& database, const 
     const auto anchor = readBytes(database.path() + u".audit"_s);
     const auto copied = replaceBytes(target.filePath(anchorName), anchor.value_or(QByteArray()));
     if (!copied)
-        return tl::unexpected(StoreError{StoreError::Kind::Failed, copied.error().path, copied.error().found});
+        return tl::unexpected(
+            StoreError{StoreError::Kind::Failed, copied.error().path, copied.error().found});
     return manifest;
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Opens, reads and replaces files, for all programs. Whoever reads a file that another program or person may have put
-// there opens it by openRegular() or readBytes(): neither waits for a pipe.
+// Opens, reads and replaces files, for all programs. Whoever reads a file that another program or person may
+// have put there opens it by openRegular() or readBytes(): neither waits for a pipe.
 #pragma once
 
 #include "app/store/files/file_error.h"
@@ -17,12 +17,12 @@ namespace campanel::store {
 // The largest file that is read as a whole.
 inline constexpr qsizetype maxFileBytes = 1'000'000;
 
-// What a symbolic link at the end of a path means. Refuse it where a stranger may have made it: on a stick, or where
-// the reader has more rights than the owner of the folder.
+// What a symbolic link at the end of a path means. Refuse it where a stranger may have made it: on a stick,
+// or where the reader has more rights than the owner of the folder.
 enum class Links { Follow, Refuse };
 
-// Opens a regular file for reading. A pipe, a device or a folder is an error at once, without waiting. The file may
-// have any size: the caller limits what is read.
+// Opens a regular file for reading. A pipe, a device or a folder is an error at once, without waiting. The
+// file may have any size: the caller limits what is read.
 [[nodiscard]] tl::expected<std::unique_ptr<QFile>, FileError> openRegular(const QString& path,
                                                                           Links links = Links::Follow);
 // Reads a whole file as openRegular() does, of at most 1 MB; stored files have a few KB.

@@ -80,8 +80,7 @@ bool isOnDisk(const Database& database)
 
 std::optional<Link> anchor(const Database& database)
 {
-    const auto line =
-        isOnDisk(database) ? readBytes(anchorPath(database)) : tl::unexpected(FileError{});
+    const auto line = isOnDisk(database) ? readBytes(anchorPath(database)) : tl::unexpected(FileError{});
     if (!line)
         return std::nullopt;
     const QList<QByteArray> words = line->trimmed().split(' ');

@@ -6,8 +6,8 @@
 #include "app/store/logs/trend_bucket.h"
 
 #include <algorithm>
-#include <limits>
 #include <cmath>
+#include <limits>
 
 using namespace Qt::StringLiterals;
 
@@ -37,9 +37,14 @@ std::optional<double> unscaled(const QVariant& value)
 
 tl::expected<void, StoreError> BagLog::add(const QList<Bag>& bags)
 {
+    if (bags.isEmpty())
+        return {};
     auto newest = newestMs();
     if (!newest)
         return tl::unexpected(newest.error());
+    auto ring = Ring::begin(m_database, bagTable, u"time_ms"_s);
+    if (!ring)
+        return tl::unexpected(ring.error());
     qint64 askedMs = 0;
     qint64 givenMs = 0; // all times up to this one are taken
     for (Bag bag : bags) {
@@ -50,7 +55,7 @@ tl::expected<void, StoreError> BagLog::add(const QList<Bag>& bags)
         const auto program = programOf(bag);
         if (!program)
             return tl::unexpected(program.error());
-        const auto inserted = insert(bag, *program, bag.timeMs == askedMs ? givenMs : bag.timeMs);
+        const auto inserted = insert(bag, *program, bag.timeMs == askedMs ? givenMs : bag.timeMs, *ring);
         if (!inserted)
             return tl::unexpected(inserted.error());
         if (bag.flags & Bag::ClockNotSet) {
@@ -60,9 +65,7 @@ tl::expected<void, StoreError> BagLog::add(const QList<Bag>& bags)
         askedMs = bag.timeMs;
         givenMs = *inserted;
     }
-    if (bags.isEmpty())
-        return {};
-    if (const auto kept = noteRows(m_database, bagTable, u"time_ms"_s, bags.size(), m_kept); !kept)
+    if (const auto kept = ring->end(bags.size(), m_kept); !kept)
         return kept;
     return forgetProgramsAndSpans();
 }
@@ -117,7 +120,7 @@ tl::expected<qint64, StoreError> BagLog::programOf(const Bag& bag)
     return noted->value(0).toLongLong();
 }
 
-tl::expected<qint64, StoreError> BagLog::insert(const Bag& bag, qint64 program, qint64 timeMs)
+tl::expected<qint64, StoreError> BagLog::insert(const Bag& bag, qint64 program, qint64 timeMs, Ring& ring)
 {
     auto taken = m_database.execute(u"SELECT 1 FROM bag WHERE time_ms = ?"_s, {timeMs});
     if (!taken)
@@ -130,10 +133,11 @@ tl::expected<qint64, StoreError> BagLog::insert(const Bag& bag, qint64 program, 
             return tl::unexpected(free.error());
         timeMs = free->next() ? free->value(0).toLongLong() : timeMs;
     }
-    const auto inserted = m_database.execute(u"INSERT INTO bag VALUES (?, ?, ?, ?, ?, ?, ?, ?)"_s,
-                                             {timeMs, program, scaled(bag.deviationMm), bag.lengths,
-                                              scaled(bag.markErrorMm), scaled(bag.followingErrorMm),
-                                              scaled(bag.rateBagsPerMin), static_cast<int>(bag.flags)});
+    const auto inserted =
+        m_database.execute(u"INSERT INTO bag VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)"_s,
+                           {timeMs, program, scaled(bag.deviationMm), bag.lengths, scaled(bag.markErrorMm),
+                            scaled(bag.followingErrorMm), scaled(bag.rateBagsPerMin),
+                            static_cast<int>(bag.flags), ring.eraOf(timeMs)});
     if (!inserted)
         return tl::unexpected(inserted.error());
     return timeMs;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The log of bags, the newest ten million. Call it in the thread of the database.
+// The log of bags, the ten million that were written last. Call it in the thread of the database.
 #pragma once
 
 #include "app/store/database/database.h"
@@ -32,6 +32,8 @@ struct Bag {
     bool operator==(const Bag&) const = default;
 };
 
+class Ring;
+
 class BagLog {
 public:
     static constexpr qint64 bagsKept = 10'000'000;
@@ -63,7 +65,8 @@ private:
     [[nodiscard]] tl::expected<void, StoreError> noteUnset(qint64 timeMs);
     [[nodiscard]] tl::expected<qint64, StoreError> programOf(const Bag& bag);
     // Inserts a bag at `timeMs` or the next free millisecond, which it returns.
-    [[nodiscard]] tl::expected<qint64, StoreError> insert(const Bag& bag, qint64 program, qint64 timeMs);
+    [[nodiscard]] tl::expected<qint64, StoreError> insert(const Bag& bag, qint64 program, qint64 timeMs,
+                                                          Ring& ring);
     [[nodiscard]] tl::expected<void, StoreError> forgetProgramsAndSpans();
 
     Database& m_database;

@@ -97,30 +97,34 @@ tl::expected<void, StoreError> TrendLog::addTo(Level level, const QList<TrendPar
         const qint64 start = floorDivided(part.second * msPerSecond, lengthMs(level));
         buckets[start * quantitiesPerSlot + static_cast<qint64>(part.quantity)].merge(part.bucket);
     }
+    auto ring = Ring::begin(m_database, table(level), u"slot"_s, quantitiesPerSlot);
+    if (!ring)
+        return tl::unexpected(ring.error());
     qint64 added = 0;
     for (const auto& [slot, bucket] : buckets) {
-        const auto isNew = put(level, slot, bucket);
+        const auto isNew = put(level, slot, bucket, ring->eraOf(slot));
         if (!isNew)
             return tl::unexpected(isNew.error());
         added += *isNew ? 1 : 0;
     }
     const qint64 kept = m_database.isInMemory() ? rowsKept(level) / shareInMemory : rowsKept(level);
-    return noteRows(m_database, table(level), u"slot"_s, added, kept);
+    return ring->end(added, kept);
 }
 
-tl::expected<bool, StoreError> TrendLog::put(Level level, qint64 slot, const TrendBucket& bucket)
+tl::expected<bool, StoreError> TrendLog::put(Level level, qint64 slot, const TrendBucket& bucket, qint64 era)
 {
     const auto joined = m_database.execute(
         uR"(UPDATE %1 SET count = count + ?, sum = sum + ?, squares = squares + ?, low = min(low, ?),
-                          high = max(high, ?), inside = inside + ? WHERE slot = ?)"_s.arg(table(level)),
-        {bucket.count, bucket.sum, bucket.squares, bucket.low, bucket.high, bucket.within, slot});
+                          high = max(high, ?), inside = inside + ?, era = ? WHERE slot = ?)"_s.arg(
+            table(level)),
+        {bucket.count, bucket.sum, bucket.squares, bucket.low, bucket.high, bucket.within, era, slot});
     if (!joined)
         return tl::unexpected(joined.error());
     if (joined->numRowsAffected() > 0)
         return false;
     const auto inserted = m_database.execute(
-        u"INSERT INTO %1 VALUES (?, ?, ?, ?, ?, ?, ?)"_s.arg(table(level)),
-        {slot, bucket.count, bucket.sum, bucket.squares, bucket.low, bucket.high, bucket.within});
+        u"INSERT INTO %1 VALUES (?, ?, ?, ?, ?, ?, ?, ?)"_s.arg(table(level)),
+        {slot, bucket.count, bucket.sum, bucket.squares, bucket.low, bucket.high, bucket.within, era});
     if (!inserted)
         return tl::unexpected(inserted.error());
     return true;
@@ -156,9 +160,10 @@ tl::expected<bool, StoreError> TrendLog::hasAny(const QList<TrendQuantity>& quan
     return found->next();
 }
 
-tl::expected<std::optional<qint64>, StoreError> TrendLog::firstMs(Level level)
+tl::expected<std::optional<qint64>, StoreError> TrendLog::firstMs(Level level, qint64 fromMs)
 {
-    auto found = m_database.execute(u"SELECT min(slot) FROM %1"_s.arg(table(level)));
+    auto found = m_database.execute(u"SELECT min(slot) FROM %1 WHERE slot >= ?"_s.arg(table(level)),
+                                    {firstSlot(fromMs, level)});
     if (!found)
         return tl::unexpected(found.error());
     if (!found->next() || found->value(0).isNull())

@@ -38,14 +38,15 @@ public:
     [[nodiscard]] tl::expected<void, StoreError>
     forEach(Level level, qint64 fromMs, qint64 toMs, const QList<TrendQuantity>& quantities,
             const std::function<void(qint64 startMs, TrendQuantity, const TrendBucket&)>& take);
-    // Returns the start of the oldest bucket; empty when there is none.
-    [[nodiscard]] tl::expected<std::optional<qint64>, StoreError> firstMs(Level level);
+    // Returns the start of the first bucket that begins at `fromMs` or later; empty when there is none.
+    [[nodiscard]] tl::expected<std::optional<qint64>, StoreError> firstMs(Level level, qint64 fromMs);
     [[nodiscard]] tl::expected<bool, StoreError> hasAny(const QList<TrendQuantity>& quantities);
 
 private:
     [[nodiscard]] tl::expected<void, StoreError> addTo(Level level, const QList<TrendPart>& parts);
     // Returns true when the bucket is new.
-    [[nodiscard]] tl::expected<bool, StoreError> put(Level level, qint64 slot, const TrendBucket& bucket);
+    [[nodiscard]] tl::expected<bool, StoreError> put(Level level, qint64 slot, const TrendBucket& bucket,
+                                                     qint64 era);
 
     Database& m_database;
 };

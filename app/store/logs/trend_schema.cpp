@@ -23,6 +23,13 @@ QString bucketTable(const QString& name)
                     inside INTEGER NOT NULL))"_s.arg(name);
 }
 
+QString firstEra(const QString& name, const QString& key)
+{
+    return uR"(INSERT INTO ring_era
+                    SELECT '%1', 0, (SELECT min(%2) FROM %1), (SELECT max(%2) FROM %1)
+                    WHERE EXISTS (SELECT 1 FROM %1))"_s.arg(name, key);
+}
+
 const std::vector<QStringList>& steps()
 {
     static const std::vector<QStringList> all{
@@ -54,6 +61,23 @@ const std::vector<QStringList>& steps()
         {
             // The spans with bags that were recorded while the clock was not set.
             u"CREATE TABLE clock_unset (begin_ms INTEGER PRIMARY KEY, end_ms INTEGER NOT NULL)"_s,
+        },
+        {
+            // The order in which rows were written; see ring.h. All rows of today are of the first era.
+            u"ALTER TABLE bag ADD COLUMN era INTEGER NOT NULL DEFAULT 0"_s,
+            u"ALTER TABLE trend_second ADD COLUMN era INTEGER NOT NULL DEFAULT 0"_s,
+            u"ALTER TABLE trend_minute ADD COLUMN era INTEGER NOT NULL DEFAULT 0"_s,
+            u"ALTER TABLE trend_hour ADD COLUMN era INTEGER NOT NULL DEFAULT 0"_s,
+            uR"(CREATE TABLE ring_era (
+                    name TEXT NOT NULL,
+                    era INTEGER NOT NULL,
+                    first INTEGER NOT NULL,
+                    last INTEGER NOT NULL,
+                    PRIMARY KEY (name, era)) WITHOUT ROWID)"_s,
+            firstEra(u"bag"_s, u"time_ms"_s),
+            firstEra(u"trend_second"_s, u"slot"_s),
+            firstEra(u"trend_minute"_s, u"slot"_s),
+            firstEra(u"trend_hour"_s, u"slot"_s),
         },
     };
     return all;

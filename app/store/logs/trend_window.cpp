@@ -19,13 +19,13 @@ constexpr qint64 longestOfMinutes = 8 * 24 * msPerHour;
 
 using Firsts = std::array<std::optional<qint64>, 3>;
 
-// Returns true when the level has data that old, or the next level has no older data either.
-bool reaches(const Firsts& firstMs, Level level, qint64 fromMs)
+// Returns true when the data of the level begin as early as those of the next one.
+bool reaches(const Firsts& firstMs, Level level)
 {
     const auto& first = firstMs[static_cast<std::size_t>(level)];
     const Level coarser = level == Level::Second ? Level::Minute : Level::Hour;
     const auto& before = firstMs[static_cast<std::size_t>(coarser)];
-    return first && (*first <= fromMs || !before || *first - *before < TrendLog::lengthMs(coarser));
+    return first && (!before || *first - *before < TrendLog::lengthMs(coarser));
 }
 
 qint64 columnLength(const TrendQuestion& question, Level level)
@@ -39,9 +39,9 @@ qint64 columnLength(const TrendQuestion& question, Level level)
 
 Level levelFor(qint64 fromMs, qint64 toMs, const Firsts& firstMs)
 {
-    if (toMs - fromMs <= longestOfSeconds && reaches(firstMs, Level::Second, fromMs))
+    if (toMs - fromMs <= longestOfSeconds && reaches(firstMs, Level::Second))
         return Level::Second;
-    if (toMs - fromMs <= longestOfMinutes && reaches(firstMs, Level::Minute, fromMs))
+    if (toMs - fromMs <= longestOfMinutes && reaches(firstMs, Level::Minute))
         return Level::Minute;
     return Level::Hour;
 }
@@ -51,7 +51,9 @@ tl::expected<TrendWindow, StoreError> readTrends(Database& database, const Trend
     TrendLog log(database);
     Firsts firstMs;
     for (const Level level : {Level::Second, Level::Minute, Level::Hour}) {
-        const auto first = log.firstMs(level);
+        // The bucket that contains the beginning may be the only one of a short window.
+        const qint64 partMs = level == Level::Hour ? 0 : TrendLog::lengthMs(level) - 1;
+        const auto first = log.firstMs(level, question.fromMs - partMs);
         if (!first)
             return tl::unexpected(first.error());
         firstMs[static_cast<std::size_t>(level)] = *first;

@@ -39,7 +39,7 @@ struct TrendWindow {
                                                                const TrendQuestion& question);
 
 // Returns the finest level with data for the window and not too many buckets to read at once. `firstMs`: the
-// start of each level, finest first; empty without data.
+// first data of each level in the window or after it, finest first; empty without data.
 [[nodiscard]] TrendLog::Level levelFor(qint64 fromMs, qint64 toMs,
                                        const std::array<std::optional<qint64>, 3>& firstMs);
 

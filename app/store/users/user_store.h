@@ -24,8 +24,8 @@ struct User {
 
 // Returns the waiting time after this many consecutive wrong PINs: 1, 2, 4 ... seconds, at most five minutes.
 [[nodiscard]] qint64 delayMs(int failedAttempts);
-// Returns how long this user must still wait. More than the delay can only come from a clock that was wrong: such a
-// wait is over.
+// Returns how long this user must still wait. More than the delay can only come from a clock that was wrong:
+// such a wait is over.
 [[nodiscard]] qint64 waitMs(const User& user, qint64 nowMs);
 
 // Returns the users by name, without removed ones. PinsLost when the list is empty although there were users.

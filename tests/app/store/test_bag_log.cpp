@@ -5,6 +5,7 @@
 #include "app/store/logs/trend_export.h"
 #include "app/store/logs/trend_schema.h"
 #include "app/store/store_thread.h"
+#include "tests/support/earlier_schema.h"
 #include "tests/support/test_program.h"
 
 #include <QDir>
@@ -16,6 +17,7 @@
 namespace test_bag_log {
 
 using namespace campanel::store;
+namespace test = campanel::test;
 using namespace Qt::StringLiterals;
 
 namespace {
@@ -94,6 +96,42 @@ private slots:
         QCOMPARE(left.last().timeMs, start + (40 * 7 - 1) * 200);
         QCOMPARE(BagLog(*database, kept).count().value_or(-1), kept);
         QCOMPARE(programs(*database), 1); // the other one has no bags left
+    }
+
+    // Bags of a clock that was set back, or that counts from 1970, are kept: those that were written first
+    // go.
+    void ringDropsWhatWasWrittenFirst_data()
+    {
+        QTest::addColumn<qint64>("beginMs");
+        QTest::newRow("set back by a second") << start - 1000;
+        QTest::newRow("set back into the bags") << start + 10;
+        QTest::newRow("set back by a day") << start - 86'400'000;
+        QTest::newRow("counted from 1970") << qint64{1000};
+    }
+
+    void ringDropsWhatWasWrittenFirst()
+    {
+        QFETCH(qint64, beginMs);
+        const auto database = Database::inMemory(trendDatabase());
+        constexpr int kept = 100;
+        QList<Bag> bags;
+        for (int i = 0; i < kept; ++i)
+            bags << bagAt(start + i * 20, 0.001 * i);
+        QVERIFY(add(*database, bags, kept));
+        for (int i = 0; i < kept; ++i) {
+            QVERIFY(add(*database, {bagAt(beginMs + i * 7, 1)}, kept));
+            int fresh = 0;
+            double oldest = 1;
+            for (const Bag& bag : all(*database)) {
+                fresh += bag.deviationMm == 1 ? 1 : 0;
+                oldest = std::min(oldest, bag.deviationMm);
+            }
+            QCOMPARE(fresh, i + 1);
+            if (fresh < kept)
+                QCOMPARE(oldest, 0.001 * (i + 1));
+        }
+        QCOMPARE(all(*database).size(), kept);
+        QCOMPARE(BagLog(*database).count().value_or(-1), kept);
     }
 
     void clockThatIsSetBackLosesNoBag()
@@ -212,10 +250,11 @@ private slots:
     {
         const QTemporaryDir folder;
         {
-            const auto database = *Database::open(folder.path(), trendDatabase());
-            QVERIFY(add(*database, {bagAt(start)}));
-            QVERIFY(database->execute(u"DROP TABLE clock_unset"_s));
-            QVERIFY(database->execute(u"PRAGMA user_version = 1"_s));
+            const auto database = *Database::open(folder.path(), test::earlierSchema<&trendDatabase, 1>());
+            QVERIFY(database->execute(u"INSERT INTO program VALUES (1, 'Biscuit', 3, 250000, ?)"_s, {start}));
+            QVERIFY(
+                database->execute(u"INSERT INTO bag VALUES (?, 1, 0, 1, NULL, NULL, NULL, 0)"_s, {start}));
+            QVERIFY(database->execute(u"UPDATE ring SET held = 1 WHERE name = 'bag'"_s));
         }
         const auto database = *Database::open(folder.path(), trendDatabase());
         QCOMPARE(database->opening().migratedFrom, 1);
@@ -223,6 +262,8 @@ private slots:
         QCOMPARE(all(*database).size(), 2);
         QVERIFY(*BagLog(*database).hasClockNotSet(0, start));
         QVERIFY(!*BagLog(*database).hasClockNotSet(start, 2 * start));
+        QVERIFY(add(*database, {bagAt(3000)}, 2)); // the bag of the earlier schema goes first
+        QCOMPARE(all(*database).first().timeMs, 2000);
     }
 
     void marksDoNotGrowTheFileBeyondItsLimit()

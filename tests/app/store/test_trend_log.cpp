@@ -150,8 +150,10 @@ private slots:
         const qint64 hours = TrendLog::rowsKept(Level::Hour) + 50;
         QVERIFY(database.execute(
             QStringLiteral("INSERT INTO trend_hour WITH RECURSIVE n(i) AS (VALUES(0) UNION ALL "
-                           "SELECT i + 1 FROM n WHERE i < ?) SELECT i * 8 + 1, 1, 1, 1, 1, 1, 1 FROM n"),
+                           "SELECT i + 1 FROM n WHERE i < ?) SELECT i * 8 + 1, 1, 1, 1, 1, 1, 1, 0 FROM n"),
             {hours - 2}));
+        QVERIFY(database.execute(QStringLiteral("INSERT INTO ring_era VALUES ('trend_hour', 0, 0, ?)"),
+                                 {(hours - 2) * 8 + 1}));
         QVERIFY(database.execute(QStringLiteral("UPDATE ring SET held = ? WHERE name = 'trend_hour'"),
                                  {hours - 1}));
         QVERIFY(add(database, {part((hours - 1) * 3600, {0.1})}));
@@ -160,6 +162,73 @@ private slots:
         QCOMPARE(left.begin()->first, 50 * 3600 * msPerS);
         QCOMPARE(rowsOf(database, TrendLog::table(Level::Hour)).value_or(-1),
                  TrendLog::rowsKept(Level::Hour));
+    }
+
+    // The clock may be set back by any time, or count from 1970 with a dead battery: what is written now is
+    // kept, and what was written first is deleted.
+    void ringsDropWhatWasWrittenFirst_data()
+    {
+        QTest::addColumn<qint64>("setBackS");
+        QTest::newRow("not at all") << qint64{0};
+        QTest::newRow("an hour") << qint64{3600};
+        QTest::newRow("twenty hours") << qint64{20 * 3600};
+        QTest::newRow("to the beginning of time") << start;
+        QTest::newRow("from ten years ahead") << -qint64{87'600 * 3600};
+    }
+
+    void ringsDropWhatWasWrittenFirst()
+    {
+        QFETCH(qint64, setBackS);
+        const auto database = Database::inMemory(trendDatabase()); // keeps a tenth
+        const qint64 kept = TrendLog::rowsKept(Level::Second) / 10;
+        const auto write = [&](qint64 fromS, qint64 count) {
+            QList<TrendPart> parts;
+            for (qint64 i = 0; i < count; ++i)
+                parts << part(fromS + i, {0.1});
+            QVERIFY(add(*database, parts));
+        };
+        // A full ring, then a tenth more by the clock that was set; then so many that nothing else is left.
+        write(start, kept / 2);
+        write(start + kept / 2, kept / 2);
+        const qint64 laterS = start + kept - setBackS + (setBackS == 3600 ? kept : 0);
+        const qint64 few = kept / 10;
+        write(laterS, few);
+        const auto seconds = buckets(*database, Level::Second);
+        QCOMPARE(static_cast<qint64>(seconds.size()), kept);
+        QVERIFY(seconds.contains(laterS * msPerS));
+        QVERIFY2(!seconds.contains(start * msPerS), "what was written first");
+        QVERIFY(seconds.contains((start + few) * msPerS));
+        QVERIFY(seconds.contains((start + kept - 1) * msPerS));
+        write(laterS + few, kept - few);
+        QCOMPARE(rowsOf(*database, TrendLog::table(Level::Second)).value_or(-1), kept);
+        QVERIFY(!buckets(*database, Level::Second).contains((start + kept - 1) * msPerS) || setBackS == 0);
+        auto eras =
+            database->execute(QStringLiteral("SELECT count(*) FROM ring_era WHERE name = 'trend_second'"));
+        QVERIFY(eras && eras->next());
+        QCOMPARE(eras->value(0).toInt(), 1); // the other one has no rows left
+    }
+
+    // Quantities of one second that come in two batches, in any order: no clock was set back.
+    void laterQuantitiesOfAMomentBeginNoEra()
+    {
+        const auto database = Database::inMemory(trendDatabase());
+        QVERIFY(add(*database, {part(start, {1}, TrendQuantity::Latency)}));
+        QVERIFY(add(*database, {part(start, {1}, TrendQuantity::BagLength)}));
+        auto eras = database->execute(QStringLiteral("SELECT max(era) FROM ring_era"));
+        QVERIFY(eras && eras->next());
+        QCOMPARE(eras->value(0).toInt(), 0);
+    }
+
+    // A bucket of a clock that counted from 1970 is as old as it can be, and says nothing of the present
+    // ones.
+    void aWrongClockDoesNotChooseTheLevel()
+    {
+        const auto database = Database::inMemory(trendDatabase());
+        QVERIFY(add(*database, {part(1000, {1}), part(start, {1})}));
+        QVERIFY(database->execute(QStringLiteral("DELETE FROM trend_second WHERE slot > 8008")));
+        const qint64 from = start * msPerS;
+        const auto window = readTrends(*database, {from, from + 600'000, {TrendQuantity::Deviation}, 400});
+        QCOMPARE(window->level, Level::Minute);
     }
 
     void isFoundAgainAndGoesOn()
@@ -225,10 +294,9 @@ private slots:
         QFETCH(int, level);
         const qint64 to = (start - age) * msPerS;
         const qint64 day = 86'400'000;
-        QCOMPARE(int(levelFor(to - span * msPerS, to,
-                              {start * msPerS - 4 * 3'600'000, start * msPerS - 31 * day,
-                               start * msPerS - 366 * day})),
-                 level);
+        const qint64 from = to - span * msPerS;
+        const auto first = [from](qint64 keptMs) { return std::max(from, start * msPerS - keptMs); };
+        QCOMPARE(int(levelFor(from, to, {first(4 * 3'600'000), first(31 * day), first(366 * day)})), level);
     }
 
     // A log that began an hour ago has no coarser levels before that.
