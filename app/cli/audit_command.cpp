@@ -77,6 +77,11 @@ tl::expected<std::unique_ptr<store::Database>, Failure> databaseOf(const QString
     case store::StoreError::Kind::NewerSchema:
         return fail(ExitCode::File,
                     u"%1 was written by a newer version of CamPanel. Use that version."_s.arg(path));
+    case store::StoreError::Kind::Foreign:
+        return fail(
+            ExitCode::File,
+            u"%1 was altered by another program: %2 is not of CamPanel. Its audit trail proves nothing."_s
+                .arg(path, opened.error().detail));
     default:
         return fail(ExitCode::File, u"%1 cannot be read: %2."_s.arg(path, opened.error().detail));
     }

@@ -1014,6 +1014,26 @@
         <source>%1 MB are required and %2 MB are free</source>
         <translation>%1 MB sind nötig und %2 MB frei</translation>
     </message>
+    <message>
+        <source>%1 is protected by a password. Unpack it on a computer and pack it as a zip file without a password. Nothing was changed.</source>
+        <translation>%1 ist durch ein Passwort geschützt. An einem Computer entpacken und als Zip-Datei ohne Passwort packen. Nichts wurde geändert.</translation>
+    </message>
+    <message>
+        <source>%1 was packed in a way that this panel cannot read. Unpack it on a computer and pack it as a usual zip file. Nothing was changed.</source>
+        <translation>%1 wurde auf eine Weise gepackt, die dieses Panel nicht liest. An einem Computer entpacken und als gewöhnliche Zip-Datei packen. Nichts wurde geändert.</translation>
+    </message>
+    <message>
+        <source>%1 was altered by another program: %2 is not of CamPanel. Use another backup. Nothing was changed.</source>
+        <translation>%1 wurde von einem anderen Programm verändert: %2 ist nicht von CamPanel. Eine andere Sicherung verwenden. Nichts wurde geändert.</translation>
+    </message>
+    <message>
+        <source>%1 has no users, but this panel has PINs. Use a backup that was made after the first PIN. Nothing was changed.</source>
+        <translation>%1 hat keine Benutzer, dieses Panel aber hat PINs. Eine Sicherung verwenden, die nach der ersten PIN gemacht wurde. Nichts wurde geändert.</translation>
+    </message>
+    <message>
+        <source>Nobody in %1 can log in as Service: the panel could not be set up any more. Use another backup. Nothing was changed.</source>
+        <translation>In %1 kann sich niemand als Service anmelden: Das Panel ließe sich nicht mehr einrichten. Eine andere Sicherung verwenden. Nichts wurde geändert.</translation>
+    </message>
 </context>
 <context>
     <name>ConnectionSentences</name>
@@ -3384,6 +3404,10 @@ eff. %2</translation>
     <message>
         <source>The users and PINs of this panel are lost; only operators can work. To start without PINs, delete the file %1, restart the panel and restore a backup.</source>
         <translation>Benutzer und PINs dieses Panels sind verloren; nur Bediener können arbeiten. Für einen Beginn ohne PINs die Datei %1 löschen, das Panel neu starten und eine Sicherung zurückspielen.</translation>
+    </message>
+    <message>
+        <source>The panel&apos;s database %1 was altered by another program: %2 is not of CamPanel. Move the file away, restart the panel and restore a backup.</source>
+        <translation>Die Datenbank %1 wurde von einem anderen Programm verändert: %2 ist nicht von CamPanel. Die Datei wegräumen, das Panel neu starten und eine Sicherung zurückspielen.</translation>
     </message>
 </context>
 <context>

@@ -1014,6 +1014,26 @@
         <source>%1 MB are required and %2 MB are free</source>
         <translation>需要 %1 MB，剩余 %2 MB</translation>
     </message>
+    <message>
+        <source>%1 is protected by a password. Unpack it on a computer and pack it as a zip file without a password. Nothing was changed.</source>
+        <translation>%1 有密码保护。请在电脑上解压，再打包为无密码的 zip 文件。没有任何更改。</translation>
+    </message>
+    <message>
+        <source>%1 was packed in a way that this panel cannot read. Unpack it on a computer and pack it as a usual zip file. Nothing was changed.</source>
+        <translation>%1 的压缩方式本面板无法读取。请在电脑上解压，再打包为普通 zip 文件。没有任何更改。</translation>
+    </message>
+    <message>
+        <source>%1 was altered by another program: %2 is not of CamPanel. Use another backup. Nothing was changed.</source>
+        <translation>%1 被其他程序改动过：%2 不属于 CamPanel。请使用其他备份；没有任何更改。</translation>
+    </message>
+    <message>
+        <source>%1 has no users, but this panel has PINs. Use a backup that was made after the first PIN. Nothing was changed.</source>
+        <translation>%1 中没有用户，而本面板已设置 PIN。请使用设置首个 PIN 之后制作的备份；没有任何更改。</translation>
+    </message>
+    <message>
+        <source>Nobody in %1 can log in as Service: the panel could not be set up any more. Use another backup. Nothing was changed.</source>
+        <translation>%1 中没有人能以维护级别登录：面板将无法再设置。请使用其他备份；没有任何更改。</translation>
+    </message>
 </context>
 <context>
     <name>ConnectionSentences</name>
@@ -3382,6 +3402,10 @@ RMS %2</source>
     <message>
         <source>The users and PINs of this panel are lost; only operators can work. To start without PINs, delete the file %1, restart the panel and restore a backup.</source>
         <translation>此面板的用户及其 PIN 已丢失，只能以操作员权限操作。如不用 PIN 启动，请删除文件 %1，重新启动面板，再恢复备份。</translation>
+    </message>
+    <message>
+        <source>The panel&apos;s database %1 was altered by another program: %2 is not of CamPanel. Move the file away, restart the panel and restore a backup.</source>
+        <translation>面板的数据库 %1 被其他程序改动过：%2 不属于 CamPanel。请移走该文件，重新启动面板并恢复备份。</translation>
     </message>
 </context>
 <context>

@@ -285,6 +285,7 @@ const AlarmKind& AlarmCatalogue::of(store::StoreError::Kind kind)
     switch (kind) {
     case Kind::CannotOpen:
     case Kind::NewerSchema:
+    case Kind::Foreign:
     case Kind::InUse:
         return known("P-03");
     case Kind::PinsLost:

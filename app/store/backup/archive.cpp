@@ -57,13 +57,28 @@ bool addEntry(zip_t* archive, const ArchiveEntry& entry)
     return true;
 }
 
+// Returns why an entry cannot be opened.
+Fault faultOf(zip_error_t* error)
+{
+    switch (zip_error_code_zip(error)) {
+    case ZIP_ER_NOPASSWD:
+    case ZIP_ER_WRONGPASSWD:
+    case ZIP_ER_ENCRNOTSUPP:
+        return Fault::Encrypted;
+    case ZIP_ER_COMPNOTSUPP:
+        return Fault::OtherMethod;
+    default:
+        return Fault::Damaged;
+    }
+}
+
 // Passes the pieces of the entry `name` to `take`, at most `maxBytes` together.
 tl::expected<void, Error> readPieces(zip_t* archive, const QString& name, qint64 maxBytes,
                                      const std::function<bool(const QByteArray&)>& take)
 {
     const Entry entry(zip_fopen(archive, name.toUtf8().constData(), 0));
     if (!entry)
-        return tl::unexpected(Error{Fault::Damaged, name});
+        return tl::unexpected(Error{faultOf(zip_get_error(archive)), name});
     qint64 total = 0;
     for (;;) {
         QByteArray piece(pieceBytes, Qt::Uninitialized);
@@ -119,13 +134,30 @@ tl::expected<ArchiveReader, Error> ArchiveReader::open(const QString& path)
     return tl::unexpected(Error{beginsAsOne ? Fault::Damaged : Fault::NotAnArchive, reasonOf(code)});
 }
 
+bool ArchiveReader::enterFolderOf(const QString& name)
+{
+    const auto has = [this](const QString& entry) {
+        return zip_name_locate(m_archive.get(), entry.toUtf8().constData(), ZIP_FL_ENC_UTF_8) >= 0;
+    };
+    m_folder.clear();
+    if (has(name))
+        return true;
+    const char* first = zip_get_name(m_archive.get(), 0, ZIP_FL_ENC_GUESS);
+    const QString folder = QString::fromUtf8(first).section(u'/', 0, 0) + u'/';
+    if (!has(folder + name))
+        return false;
+    m_folder = folder;
+    return true;
+}
+
 tl::expected<QByteArray, Error> ArchiveReader::read(const QString& name, qint64 maxBytes)
 {
     QByteArray bytes;
-    const auto done = readPieces(m_archive.get(), name, maxBytes, [&bytes](const QByteArray& piece) {
-        bytes += piece;
-        return true;
-    });
+    const auto done =
+        readPieces(m_archive.get(), m_folder + name, maxBytes, [&bytes](const QByteArray& piece) {
+            bytes += piece;
+            return true;
+        });
     if (!done)
         return tl::unexpected(done.error());
     return bytes;
@@ -138,7 +170,7 @@ tl::expected<QByteArray, Error> ArchiveReader::extract(const QString& name, qint
     if (!file.open(QIODevice::WriteOnly | QIODevice::NewOnly))
         return tl::unexpected(Error{Fault::NotWritable, file.errorString()});
     QCryptographicHash hash(QCryptographicHash::Sha256);
-    auto done = readPieces(m_archive.get(), name, bytes, [&](const QByteArray& piece) {
+    auto done = readPieces(m_archive.get(), m_folder + name, bytes, [&](const QByteArray& piece) {
         hash.addData(piece);
         return file.write(piece) == piece.size();
     });

@@ -27,13 +27,18 @@ struct ArchiveEntry {
 
 class ArchiveReader {
 public:
-    enum class Fault { NotReadable, NotAnArchive, Damaged, NotWritable };
+    // Encrypted: by a password. OtherMethod: compressed in a way that is not supported.
+    enum class Fault { NotReadable, NotAnArchive, Damaged, NotWritable, Encrypted, OtherMethod };
     struct Error {
         Fault fault = Fault::Damaged;
         QString detail; // the system's reason, or the name of the entry
     };
 
     [[nodiscard]] static tl::expected<ArchiveReader, Error> open(const QString& path);
+
+    // Finds the entry `name` at the top or in the only folder at the top: read() and extract() then use that
+    // folder. Returns false without such an entry.
+    [[nodiscard]] bool enterFolderOf(const QString& name);
 
     // Reads a whole entry, which must not be longer than `maxBytes`.
     [[nodiscard]] tl::expected<QByteArray, Error> read(const QString& name, qint64 maxBytes);
@@ -52,6 +57,7 @@ private:
     }
 
     std::unique_ptr<zip, Closer> m_archive;
+    QString m_folder; // "name/" or empty
 };
 
 } // namespace campanel::store

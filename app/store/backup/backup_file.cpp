@@ -59,6 +59,10 @@ BackupError errorOf(const ArchiveReader::Error& error, const QString& path)
         return {Kind::NotABackup, path, {}};
     case ArchiveReader::Fault::NotWritable:
         return {Kind::NotWritable, path, error.detail};
+    case ArchiveReader::Fault::Encrypted:
+        return {Kind::Encrypted, path, {}};
+    case ArchiveReader::Fault::OtherMethod:
+        return {Kind::OtherMethod, path, {}};
     case ArchiveReader::Fault::Damaged:
         break;
     }
@@ -97,8 +101,12 @@ QByteArray manifestJson(const BackupManifest& manifest)
 
 tl::expected<BackupManifest, BackupError> manifestOf(ArchiveReader& archive, const QString& path)
 {
+    if (!archive.enterFolderOf(manifestName))
+        return tl::unexpected(BackupError{Kind::NotABackup, path, {}});
     const auto bytes = archive.read(manifestName, maxManifestBytes);
-    const QJsonObject json = bytes ? QJsonDocument::fromJson(*bytes).object() : QJsonObject();
+    if (!bytes)
+        return tl::unexpected(errorOf(bytes.error(), path));
+    const QJsonObject json = QJsonDocument::fromJson(*bytes).object();
     if (json.value("format"_L1).toString() != backupFormat)
         return tl::unexpected(BackupError{Kind::NotABackup, path, {}});
     if (repeatedKey(*bytes))
@@ -146,9 +154,11 @@ openPart(const QString& folder, const DatabaseFile& file, const BackupManifest& 
 {
     auto database = Database::open(folder, file);
     if (!database) {
-        const bool isNewer = database.error().kind == StoreError::Kind::NewerSchema;
-        return tl::unexpected(isNewer ? BackupError{Kind::Newer, path, manifest.program}
-                                      : BackupError{Kind::NotWritable, path, database.error().detail});
+        const StoreError& error = database.error();
+        if (error.kind == StoreError::Kind::NewerSchema)
+            return tl::unexpected(BackupError{Kind::Newer, path, manifest.program});
+        const bool isForeign = error.kind == StoreError::Kind::Foreign;
+        return tl::unexpected(BackupError{isForeign ? Kind::Foreign : Kind::NotWritable, path, error.detail});
     }
     if ((*database)->opening().isNew || (*database)->opening().isReplaced())
         return tl::unexpected(BackupError{Kind::Damaged, path, file.name});
@@ -194,6 +204,28 @@ QString BackupErrorText::describe(const BackupError& error)
         return tr("The file %1 cannot be read: %2. Nothing was changed.").arg(path, error.detail);
     case Kind::NotABackup:
         return tr("%1 is not a backup of CamPanel. Nothing was changed.").arg(path);
+    case Kind::Encrypted:
+        return tr("%1 is protected by a password. Unpack it on a computer and pack it as a zip file without "
+                  "a "
+                  "password. Nothing was changed.")
+            .arg(path);
+    case Kind::OtherMethod:
+        return tr("%1 was packed in a way that this panel cannot read. Unpack it on a computer and pack it "
+                  "as a "
+                  "usual zip file. Nothing was changed.")
+            .arg(path);
+    case Kind::Foreign:
+        return tr("%1 was altered by another program: %2 is not of CamPanel. Use another backup. Nothing was "
+                  "changed.")
+            .arg(path, error.detail);
+    case Kind::NoUsers:
+        return tr("%1 has no users, but this panel has PINs. Use a backup that was made after the first PIN. "
+                  "Nothing was changed.")
+            .arg(path);
+    case Kind::NoService:
+        return tr("Nobody in %1 can log in as Service: the panel could not be set up any more. Use another "
+                  "backup. Nothing was changed.")
+            .arg(path);
     case Kind::Newer:
         return tr("%1 was made by the newer CamPanel %2. Install that version first. Nothing was changed.")
             .arg(path, error.detail);

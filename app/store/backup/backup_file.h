@@ -45,8 +45,13 @@ struct BackupError {
     enum class Kind {
         NotReadable, // `detail` is the system's reason
         NotABackup,
+        Encrypted,   // by a password
+        OtherMethod, // of compression
         Newer,       // `detail` is the version of CamPanel that created it
         Damaged,     // `detail` is the part
+        Foreign,     // `detail` is what is in a database and not CamPanel's, as "trigger x"
+        NoUsers,     // for a panel that has PINs
+        NoService,   // nobody could log in as Service
         NotWritable, // `detail` is the system's reason
     };
 
@@ -86,8 +91,8 @@ public:
                                                          qint64 freeBytes, const QString& path);
 
 // Unpacks all parts as files into `folder`, which must be empty. Checks each against the manifest; the
-// recipes must be readable, and the databases valid with the present schema. After an error the contents of
-// the folder must be deleted.
+// recipes must be readable, and the databases valid with the present schema and nothing else in it. After an
+// error the contents of the folder must be deleted.
 [[nodiscard]] tl::expected<BackupManifest, BackupError> unpackBackup(const QString& path,
                                                                      const QString& folder);
 

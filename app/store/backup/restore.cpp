@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/store/backup/restore.h"
 
+#include "app/store/database/setup_marker.h"
 #include "app/store/files/files.h"
 #include "app/store/files/private_files.h"
+#include "app/store/users/user_store.h"
 
 #include <QDir>
 #include <QFile>
@@ -75,6 +77,25 @@ tl::expected<void, QString> finishPart(const QDir& ready, const QDir& kept, cons
     });
 }
 
+// Checks that the users of an unpacked backup can still set up the panel: a panel that has PINs keeps some.
+tl::expected<void, BackupError> checkUsers(const QString& staging, const QString& folder,
+                                           const QString& backup)
+{
+    using Kind = BackupError::Kind;
+    const auto database = Database::open(staging);
+    const auto found = database ? serviceUsers(**database) : tl::unexpected(database.error());
+    if (!found)
+        return tl::unexpected(BackupError{Kind::Damaged, backup, found.error().detail});
+    const QString present = QDir(folder).filePath(mainDatabase().name);
+    const SetUp setUp = readSetupMarker(present);
+    const bool hasPins = setUp == SetUp::WithPins || (setUp == SetUp::Unknown && wasSetUp(present));
+    if (found->users == 0 && hasPins)
+        return tl::unexpected(BackupError{Kind::NoUsers, backup, {}});
+    if (found->users > 0 && found->withService == 0)
+        return tl::unexpected(BackupError{Kind::NoService, backup, {}});
+    return {};
+}
+
 } // namespace
 
 tl::expected<BackupManifest, BackupError> stageRestore(const QString& backup, const QString& folder)
@@ -84,6 +105,10 @@ tl::expected<BackupManifest, BackupError> stageRestore(const QString& backup, co
     if (!makePrivateFolder(staging))
         return tl::unexpected(BackupError{BackupError::Kind::NotWritable, backup, staging});
     auto manifest = unpackBackup(backup, staging);
+    if (manifest) {
+        if (const auto checked = checkUsers(staging, folder, backup); !checked)
+            manifest = tl::unexpected(checked.error());
+    }
     if (!manifest)
         discardRestore(folder);
     return manifest;

@@ -10,7 +10,8 @@
 
 namespace campanel::store {
 
-// Unpacks and checks a backup; deletes the one staged before. Data in use is not touched.
+// Unpacks and checks a backup; deletes the one staged before. Data in use is not touched. A backup without
+// users is refused for a panel that has PINs, one without a user who can log in as Service for every panel.
 [[nodiscard]] tl::expected<BackupManifest, BackupError> stageRestore(const QString& backup,
                                                                      const QString& folder);
 

@@ -112,6 +112,11 @@ tl::expected<void, StoreError> Database::connect()
 {
     if (!m_database.open())
         return tl::unexpected(errorOf(m_database.lastError()));
+    // What a file brings is checked, and trusted as little as possible until then.
+    for (const QString& pragma : {u"PRAGMA trusted_schema = OFF"_s, u"PRAGMA cell_size_check = ON"_s}) {
+        if (const auto done = execute(pragma); !done)
+            return tl::unexpected(done.error());
+    }
     return {};
 }
 
@@ -164,28 +169,33 @@ tl::expected<void, StoreError> Database::migrate()
     const auto found = version();
     if (!found)
         return tl::unexpected(found.error());
-    const std::vector<QStringList>& steps = m_file.steps();
-    const int newest = static_cast<int>(steps.size());
+    const int newest = static_cast<int>(m_file.steps().size());
     m_opening.migratedFrom = *found > 0 && *found < newest ? *found : 0;
     if (*found == newest)
         return {};
-    return transaction([&]() -> tl::expected<void, StoreError> {
-        for (int version = *found; version < newest; ++version) {
-            for (const QString& statement : steps[static_cast<std::size_t>(version)]) {
-                QSqlQuery step(m_database);
-                if (step.exec(statement))
-                    continue;
-                StoreError error = errorOf(step.lastError());
-                // The tables do not match the version of the file.
-                if (step.lastError().nativeErrorCode().toInt() == static_cast<int>(Code::Logic))
-                    error.kind = StoreError::Kind::Damaged;
-                return tl::unexpected(error);
-            }
-        }
-        // A pragma does not accept bound values.
-        const auto noted = execute(u"PRAGMA user_version = %1"_s.arg(newest));
-        return noted ? tl::expected<void, StoreError>() : tl::unexpected(noted.error());
+    return transaction([&] {
+        return makeSteps(*found, newest).and_then([&] {
+            // A pragma does not accept bound values.
+            return execute(u"PRAGMA user_version = %1"_s.arg(newest)).map([](const auto&) {});
+        });
     });
+}
+
+tl::expected<void, StoreError> Database::makeSteps(int from, int to)
+{
+    for (int version = from; version < to; ++version) {
+        for (const QString& statement : m_file.steps()[static_cast<std::size_t>(version)]) {
+            QSqlQuery step(m_database);
+            if (step.exec(statement))
+                continue;
+            StoreError error = errorOf(step.lastError());
+            // The tables do not match the version of the file.
+            if (step.lastError().nativeErrorCode().toInt() == static_cast<int>(Code::Logic))
+                error.kind = StoreError::Kind::Damaged;
+            return tl::unexpected(error);
+        }
+    }
+    return {};
 }
 
 Database::Result Database::execute(const QString& statement, std::initializer_list<QVariant> values)

@@ -50,8 +50,8 @@ public:
     };
 
     // Opens or creates the file in `folder`, updates its schema and checks it. The last good copy replaces a
-    // damaged file, or a missing one on a panel that had been set up. Errors: CannotOpen, NewerSchema, Full,
-    // ReadOnly, InUse.
+    // damaged file, or a missing one on a panel that had been set up. Errors: CannotOpen, NewerSchema,
+    // Foreign, Full, ReadOnly, InUse.
     [[nodiscard]] static tl::expected<std::unique_ptr<Database>, StoreError>
     open(const QString& folder, const DatabaseFile& file = mainDatabase());
     // Opens the file as open() after the present one was found damaged; moves that one aside first.
@@ -96,7 +96,11 @@ private:
     [[nodiscard]] tl::expected<void, StoreError> configure();
     [[nodiscard]] tl::expected<int, StoreError> version();
     [[nodiscard]] tl::expected<void, StoreError> migrate();
+    // Executes the steps of the schema from one version to another.
+    [[nodiscard]] tl::expected<void, StoreError> makeSteps(int from, int to);
     [[nodiscard]] tl::expected<void, StoreError> checkSound();
+    // Checks that the file has the tables of its version and nothing else; see schema_check.cpp.
+    [[nodiscard]] tl::expected<void, StoreError> checkSchema();
     void noteSetUp();
     void close();
     [[nodiscard]] StoreError errorOf(const QSqlError& error) const;

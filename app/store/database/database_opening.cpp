@@ -151,6 +151,7 @@ tl::expected<std::unique_ptr<Database>, StoreError> Database::openAsFound(const 
     const auto ready = database->connect()
                            .and_then([&] { return database->configure(); })
                            .and_then([&] { return database->checkSound(); })
+                           .and_then([&] { return database->checkSchema(); })
                            .and_then([&] { return database->migrate(); });
     if (!ready)
         return tl::unexpected(ready.error());
@@ -219,7 +220,7 @@ tl::expected<std::unique_ptr<Database>, StoreError> Database::openReadOnly(const
     database->m_database.setDatabaseName(QString::fromUtf8(uri.toEncoded()));
     database->m_database.setConnectOptions(u"QSQLITE_OPEN_READONLY;QSQLITE_OPEN_URI"_s);
     const auto ready = database->connect().and_then([&] { return database->checkSound(); }).and_then([&] {
-        return database->version();
+        return database->checkSchema();
     });
     if (!ready)
         return tl::unexpected(ready.error());

@@ -19,6 +19,11 @@ QString StoreErrorText::describe(const StoreError& error)
         return tr("The panel's database %1 is damaged. Restart the panel to use the last good copy, if there "
                   "is one.")
             .arg(path);
+    case StoreError::Kind::Foreign:
+        return tr("The panel's database %1 was altered by another program: %2 is not of CamPanel. Move the "
+                  "file "
+                  "away, restart the panel and restore a backup.")
+            .arg(path, error.detail);
     case StoreError::Kind::InUse:
         return tr("The panel's database %1 is in use by another program. Close that program, then restart "
                   "the panel.")

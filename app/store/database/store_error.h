@@ -12,6 +12,7 @@ struct StoreError {
         CannotOpen,  // `detail` is the system's reason
         NewerSchema, // written by a newer version of this program
         Damaged,
+        Foreign,    // `detail` is what is in it and not CamPanel's, as "trigger x"
         InUse,      // used by another program
         PinsLost,   // the panel had users, and there are none; `path` is the setup marker
         Full,       // no room on the disk

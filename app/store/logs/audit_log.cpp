@@ -19,6 +19,8 @@ namespace {
 constexpr int markedSince = 6;
 constexpr qint64 newestOfAll = std::numeric_limits<qint64>::max();
 
+const QString trimmedKey = u"audit.trimmed"_s;
+
 // A link of the chain: a row, and its hash.
 struct Link {
     qint64 sequence = 0;
@@ -206,8 +208,12 @@ tl::expected<Link, StoreError> trim(Database& database, const Link& last, const 
         if (!done)
             return tl::unexpected(done.error());
     }
-    AuditEntry trimmed = ownEntry(before, u"audit.trimmed"_s);
+    AuditEntry trimmed = ownEntry(before, trimmedKey);
     trimmed.object = u"%1..%2"_s.arg(start->sequence + 1).arg(until);
+    const auto cut = beginning(database);
+    if (!cut)
+        return tl::unexpected(cut.error());
+    trimmed.after = QString::fromLatin1(cut->hash.toHex());
     return add(database, last, trimmed).map([](const AuditRow& row) { return Link{row.sequence, row.hash}; });
 }
 
@@ -339,6 +345,8 @@ tl::expected<void, StoreError> ChainCheck::begin(Database& database)
     if (!start)
         return tl::unexpected(start.error());
     m_isBegun = true;
+    m_start = start->sequence;
+    m_startHash = start->hash;
     m_next = start->sequence + 1;
     m_previous = start->hash;
     return {};
@@ -360,9 +368,20 @@ void ChainCheck::check(const AuditRow& row)
     if (m_isOver)
         return;
     m_previous = row.hash;
+    if (row.entry.what == trimmedKey)
+        noteTrimmed(row.entry);
     m_losses += row.entry.what == u"audit.loss" || row.entry.what == u"audit.end_unknown" ? 1 : 0;
     ++m_next;
     ++m_rows;
+}
+
+// The rows before the start were deleted by the program if a later row tells of it. Rows of earlier versions
+// have no hash; the first row of the trail has it, too.
+void ChainCheck::noteTrimmed(const AuditEntry& entry)
+{
+    m_trimmedUntil = entry.object.section(u".."_s, 1).toLongLong();
+    m_isStartTold = m_trimmedUntil == m_start &&
+                    (entry.after.isEmpty() || entry.after == QString::fromLatin1(m_startHash.toHex()));
 }
 
 tl::expected<void, StoreError> ChainCheck::advance(Database& database, int rows)
@@ -390,7 +409,9 @@ tl::expected<void, StoreError> ChainCheck::advance(Database& database, int rows)
     }
     if (m_isOver || seen == rows)
         return {};
-    if (known && known->sequence >= m_next)
+    if (m_start > 0 && !m_isStartTold)
+        end(Fault::Missing, m_trimmedUntil + 1);
+    else if (known && known->sequence >= m_next)
         end(Fault::MissingAtEnd, m_next);
     else if (!known && mustKnowEnd(database, m_next - 1))
         end(Fault::EndUnknown, m_next);

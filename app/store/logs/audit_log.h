@@ -46,7 +46,8 @@ struct AuditRow {
 
 // The limits of the trail. From `maxRows` rows on the oldest `dropped` are deleted when all of them are older
 // than `keptMs`, at `hardRows` in any case: the disk is finite. A doubtful clock deletes nothing before. The
-// new start of the chain is stored, and a row "audit.trimmed" records it.
+// new start of the chain is stored, and a row "audit.trimmed" tells the last deleted row and its hash: a start
+// that no row tells of is a fault.
 struct AuditBounds {
     qint64 maxRows = 1'000'000;
     qint64 dropped = 10'000;
@@ -96,6 +97,7 @@ public:
 private:
     [[nodiscard]] tl::expected<void, StoreError> begin(Database& database);
     void check(const AuditRow& row);
+    void noteTrimmed(const AuditEntry& entry);
     void end(Fault fault, qint64 sequence);
 
     bool m_isBegun = false;
@@ -106,6 +108,10 @@ private:
     qint64 m_rows = 0;
     qint64 m_losses = 0;
     QByteArray m_previous;
+    qint64 m_start = 0; // the last deleted row, with its hash
+    QByteArray m_startHash;
+    qint64 m_trimmedUntil = 0; // as the last row "audit.trimmed" tells
+    bool m_isStartTold = false;
 };
 
 // Checks the whole chain at once.

@@ -42,6 +42,11 @@ bool isPin(const QString& hash, const QString& pin)
                                                  static_cast<unsigned long long>(digits.size())) == 0;
 }
 
+bool isPinHash(const QString& hash)
+{
+    return isReady() && crypto_pwhash_str_needs_rehash(hash.toLatin1().constData(), passes, memoryBytes) >= 0;
+}
+
 bool isOutdated(const QString& hash)
 {
     return isReady() && crypto_pwhash_str_needs_rehash(hash.toLatin1().constData(), passes, memoryBytes) != 0;

@@ -18,6 +18,8 @@ inline constexpr int maxPinDigits = 8;
 [[nodiscard]] std::optional<QString> hashPin(const QString& pin);
 // Compares with the effort of the hash. Returns false for an invalid hash.
 [[nodiscard]] bool isPin(const QString& hash, const QString& pin);
+// Returns true for a text that hashPin() may have made.
+[[nodiscard]] bool isPinHash(const QString& hash);
 // Returns true when the effort of the hash differs from the present one.
 [[nodiscard]] bool isOutdated(const QString& hash);
 

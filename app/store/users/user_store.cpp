@@ -2,6 +2,7 @@
 #include "app/store/users/user_store.h"
 
 #include "app/store/database/setup_marker.h"
+#include "app/store/users/pin_hash.h"
 
 #include <QDir>
 
@@ -86,6 +87,17 @@ tl::expected<QList<User>, StoreError> users(Database& database)
                 StoreError{StoreError::Kind::PinsLost, setupMarkerPath(database.path()), {}});
     }
     return found;
+}
+
+tl::expected<UserCount, StoreError> serviceUsers(Database& database)
+{
+    auto rows = database.execute(u"SELECT level, pin FROM user WHERE deleted = 0"_s);
+    if (!rows)
+        return tl::unexpected(rows.error());
+    UserCount count;
+    for (; rows->next(); ++count.users)
+        count.withService += rows->value(0).toInt() >= 3 && isPinHash(rows->value(1).toString()) ? 1 : 0;
+    return database.stepped(*rows).map([count] { return count; });
 }
 
 void borrowUsers(Database& database, const QString& folder)

@@ -31,6 +31,12 @@ struct User {
 // Returns the users by name, without removed ones. PinsLost when the list is empty although there were users.
 // Other errors are those of opening the database; nobody gets all rights in either case.
 [[nodiscard]] tl::expected<QList<User>, StoreError> users(Database& database);
+// Counts the users, and those of the level Service whose PIN can be checked.
+struct UserCount {
+    int users = 0;
+    int withService = 0;
+};
+[[nodiscard]] tl::expected<UserCount, StoreError> serviceUsers(Database& database);
 // Adds a user. Refused when the name is taken. The first user must have the level Service.
 [[nodiscard]] tl::expected<User, StoreError> addUser(Database& database, const QString& name, UserLevel level,
                                                      const QString& pinHash);

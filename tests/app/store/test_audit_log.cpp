@@ -57,6 +57,14 @@ struct Trail {
     [[nodiscard]] QString anchorFile() const { return folder.filePath(u"campanel.sqlite.audit"_s); }
 };
 
+void cutOff(Trail& trail, int until)
+{
+    (void)trail.database->execute(u"DELETE FROM audit_start"_s);
+    const QString number = QString::number(until);
+    trail.tamper(u"INSERT INTO audit_start SELECT sequence, hash FROM audit WHERE sequence = "_s + number);
+    trail.tamper(u"DELETE FROM audit WHERE sequence <= "_s + number);
+}
+
 } // namespace
 
 class TestAuditLog : public QObject {
@@ -282,6 +290,48 @@ private slots:
             QVERIFY(append(35));
         QVERIFY2(kept() <= 61, QByteArray::number(kept()));
         QCOMPARE(trail.check().fault(), Fault::None);
+    }
+
+    // Somebody cuts off the beginning and moves the start of the chain.
+    void aBeginningThatWasCutOffIsFound_data()
+    {
+        QTest::addColumn<int>("written");
+        QTest::addColumn<int>("cut");
+        QTest::addColumn<qint64>("firstMissing");
+        QTest::newRow("the first row") << 8 << 1 << qint64{1};
+        QTest::newRow("all but one") << 8 << 7 << qint64{1};
+        QTest::newRow("all") << 8 << 8 << qint64{1};
+        // After the program itself deleted rows 1 to 5.
+        QTest::newRow("more than the program deleted") << 24 << 7 << qint64{6};
+        QTest::newRow("also the row that tells of it") << 24 << 21 << qint64{1};
+    }
+
+    void aBeginningThatWasCutOffIsFound()
+    {
+        QFETCH(int, written);
+        QFETCH(int, cut);
+        QFETCH(qint64, firstMissing);
+        Trail trail(written, {20, 5, 0, 20});
+        QCOMPARE(trail.check().fault(), Fault::None);
+        cutOff(trail, cut);
+        const ChainCheck check = trail.check();
+        QCOMPARE(check.fault(), Fault::Missing);
+        QCOMPARE(check.brokenSequence(), firstMissing);
+    }
+
+    // The rows "audit.trimmed" of earlier versions have no hash.
+    void aTrailThatAnEarlierVersionShortenedIsUnbroken()
+    {
+        Trail trail;
+        AuditEntry trimmed = entryNumber(9);
+        trimmed.what = u"audit.trimmed"_s;
+        trimmed.object = u"1..5"_s;
+        trimmed.after.clear();
+        QVERIFY(appendAudit(*trail.database, trimmed));
+        cutOff(trail, 5);
+        QCOMPARE(trail.check().fault(), Fault::None);
+        cutOff(trail, 6);
+        QCOMPARE(trail.check().fault(), Fault::Missing);
     }
 
     void theHashIsTheOneOfTheDescription()

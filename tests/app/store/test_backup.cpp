@@ -7,6 +7,7 @@
 #include "app/store/logs/trend_schema.h"
 #include "app/store/recipes/recipe_json.h"
 #include "app/store/recipes/recipe_library.h"
+#include "app/store/users/pin_hash.h"
 #include "app/store/users/user_store.h"
 #include "tests/support/test_program.h"
 
@@ -57,6 +58,13 @@ campanel::program::Recipe recipeOf(const char* name)
     return recipe;
 }
 
+// The hash of a PIN; making one takes a while.
+const QString& pinHash()
+{
+    static const QString hash = hashPin(u"258025"_s).value_or(QString());
+    return hash;
+}
+
 // A panel's folder, with data and a backup of it.
 struct Home {
     QTemporaryDir dir;
@@ -76,7 +84,7 @@ struct Home {
         measure(rows);
         const auto database = Database::open(dir.path());
         QVERIFY(RecipeLibrary(**database).save(recipeOf(recipe), QString::fromLatin1(user), nowMs));
-        QVERIFY(addUser(**database, QString::fromLatin1(user), UserLevel::Service, u"hash"_s));
+        QVERIFY(addUser(**database, QString::fromLatin1(user), UserLevel::Service, pinHash()));
         for (int i = 0; i < rows; ++i)
             QVERIFY(appendAudit(**database, entryOf(u"user.add"_s)));
         put(at("recipe.json"), toJson(recipeOf(recipe)));
@@ -184,6 +192,45 @@ void rewrite(const QString& path, const std::function<void(QJsonObject&)>& chang
         change(json);
         manifest = QJsonDocument(json).toJson();
     });
+}
+
+// Changes a database in a backup like somebody who has SQLite, and makes the manifest fit.
+void alter(const QString& backup, const QString& database, const QStringList& statements)
+{
+    const QTemporaryDir parts;
+    auto manifest = unpackBackup(backup, parts.path());
+    QVERIFY(manifest);
+    {
+        QSqlDatabase file = QSqlDatabase::addDatabase(u"QSQLITE"_s, u"alter"_s);
+        file.setDatabaseName(parts.filePath(database));
+        QVERIFY(file.open());
+        for (const QString& statement : statements) {
+            QSqlQuery query(file);
+            QVERIFY2(query.exec(statement), qPrintable(statement));
+        }
+        auto counted = file.exec(u"SELECT (SELECT count(*) FROM user WHERE deleted = 0)"_s);
+        if (counted.next())
+            manifest->users = counted.value(0).toInt();
+    }
+    QSqlDatabase::removeDatabase(u"alter"_s);
+    manifest->parts.clear();
+    QVERIFY(QFile::remove(backup));
+    QVERIFY(
+        writeBackup(backup, *manifest, parts.path(),
+                    {bytesOf(parts.filePath(u"settings.ini"_s)), bytesOf(parts.filePath(u"recipe.json"_s)),
+                     bytesOf(parts.filePath(u"working_copy.json"_s))}));
+}
+
+// Changes a number of two bytes in all headers of an archive: their places in the header of an entry and in
+// the directory at the end.
+void patchHeaders(const QString& path, qsizetype inEntry, qsizetype inDirectory, char value)
+{
+    QByteArray bytes = bytesOf(path);
+    for (const auto& [mark, place] : {std::pair("PK\x03\x04", inEntry), {"PK\x01\x02", inDirectory}}) {
+        for (qsizetype at = bytes.indexOf(mark); at >= 0; at = bytes.indexOf(mark, at + 1))
+            bytes[at + place] = value;
+    }
+    put(path, bytes);
 }
 
 } // namespace
@@ -336,6 +383,119 @@ private slots:
         QVERIFY2(sentence.contains(u"day.zip"_s) && sentence.endsWith(u"Nothing was changed."),
                  qPrintable(sentence));
         QVERIFY(home.files() == before);
+    }
+
+    void databaseBringsNothingOfItsOwn_data()
+    {
+        QTest::addColumn<QString>("database");
+        QTest::addColumn<QString>("statement");
+        const QString main = u"campanel.sqlite"_s;
+        QTest::newRow("trigger that ends the wait")
+            << main
+            << u"CREATE TRIGGER x AFTER UPDATE ON user BEGIN UPDATE user SET locked_until_ms = 0; END"_s;
+        QTest::newRow("trigger that makes a user visible")
+            << main << u"CREATE TRIGGER x AFTER INSERT ON alarm BEGIN UPDATE user SET deleted = 0; END"_s;
+        QTest::newRow("view") << main << u"CREATE VIEW x AS SELECT * FROM user"_s;
+        QTest::newRow("table") << main << u"CREATE TABLE x (y)"_s;
+        QTest::newRow("index") << main << u"CREATE INDEX x ON audit (who)"_s;
+        QTest::newRow("column") << main << u"ALTER TABLE user ADD COLUMN x DEFAULT 1"_s;
+        QTest::newRow("column that is computed")
+            << main << u"ALTER TABLE user ADD COLUMN x GENERATED ALWAYS AS (abs(level)) VIRTUAL"_s;
+        QTest::newRow("trigger of the trends")
+            << u"trends.sqlite"_s << u"CREATE TRIGGER x AFTER INSERT ON bag BEGIN DELETE FROM bag; END"_s;
+    }
+
+    void databaseBringsNothingOfItsOwn()
+    {
+        QFETCH(QString, database);
+        QFETCH(QString, statement);
+        Home home;
+        alter(home.backup, database, {statement});
+        const auto before = home.files();
+        const auto staged = stageRestore(home.backup, home.dir.path());
+        QVERIFY(!staged);
+        QCOMPARE(static_cast<int>(staged.error().kind), static_cast<int>(BackupError::Kind::Foreign));
+        const QString sentence = BackupErrorText::describe(staged.error());
+        QVERIFY2(sentence.contains(u"day.zip"_s) && sentence.endsWith(u"Nothing was changed."),
+                 qPrintable(sentence));
+        QVERIFY(home.files() == before);
+    }
+
+    // A table in the place of which a view stands, and one that another program has made anew.
+    void tablesAreThoseOfThePanel()
+    {
+        for (const QStringList& statements :
+             {QStringList{u"ALTER TABLE audit_start RENAME TO x"_s,
+                          u"CREATE VIEW audit_start AS SELECT * FROM x"_s},
+              QStringList{
+                  u"DROP TABLE audit_start"_s,
+                  u"CREATE TABLE audit_start (sequence INTEGER NOT NULL, hash BLOB NOT NULL, more)"_s}}) {
+            Home home;
+            alter(home.backup, u"campanel.sqlite"_s, statements);
+            const auto staged = stageRestore(home.backup, home.dir.path());
+            QVERIFY(!staged);
+            QCOMPARE(static_cast<int>(staged.error().kind), static_cast<int>(BackupError::Kind::Foreign));
+        }
+    }
+
+    void usersOfABackupCanSetUpThePanel_data()
+    {
+        QTest::addColumn<QString>("statement");
+        QTest::addColumn<bool>("hasPins"); // the panel that is restored
+        QTest::addColumn<int>("kind");     // -1: restored
+        const int noUsers = static_cast<int>(BackupError::Kind::NoUsers);
+        const int noService = static_cast<int>(BackupError::Kind::NoService);
+        const QString remove = u"DELETE FROM user"_s;
+        const QString demote = u"UPDATE user SET level = 2"_s;
+        QTest::newRow("none, for a panel with PINs") << remove << true << noUsers;
+        QTest::newRow("removed, for a panel with PINs")
+            << u"UPDATE user SET deleted = 1"_s << true << noUsers;
+        QTest::newRow("none, for a new panel") << remove << false << -1;
+        QTest::newRow("technicians alone") << demote << true << noService;
+        QTest::newRow("technicians alone, for a new panel") << demote << false << noService;
+        QTest::newRow("no PIN that can be checked") << u"UPDATE user SET pin = 'x'"_s << true << noService;
+    }
+
+    void usersOfABackupCanSetUpThePanel()
+    {
+        QFETCH(QString, statement);
+        QFETCH(bool, hasPins);
+        QFETCH(int, kind);
+        Home home;
+        alter(home.backup, u"campanel.sqlite"_s, {statement});
+        const QTemporaryDir fresh;
+        const auto staged = stageRestore(home.backup, hasPins ? home.dir.path() : fresh.path());
+        QCOMPARE(staged ? -1 : static_cast<int>(staged.error().kind), kind);
+        if (!staged)
+            QVERIFY(BackupErrorText::describe(staged.error()).endsWith(u"Nothing was changed."));
+    }
+
+    void anArchiveThatWasPackedAgain()
+    {
+        const Home home;
+        auto archive = ArchiveReader::open(home.backup);
+        QList<ArchiveEntry> entries;
+        for (const char* name : {"manifest.json", "campanel.sqlite", "campanel.sqlite.audit", "settings.ini",
+                                 "recipe.json", "working_copy.json", "trends.sqlite"})
+            entries << ArchiveEntry{u"CamPanel backup 1/"_s + QLatin1String(name),
+                                    *archive->read(QString::fromLatin1(name), 100'000'000),
+                                    {}};
+        const QString again = home.stick.filePath(u"again.zip"_s);
+        QVERIFY(writeArchive(again, entries));
+        QVERIFY(readManifest(again));
+        const QTemporaryDir target;
+        QVERIFY(unpackBackup(again, target.path()));
+        QCOMPARE(bytesOf(target.filePath(u"settings.ini"_s)), QByteArray("theme=Biscuit"));
+        patchHeaders(again, 6, 8, 1); // the flag of a password
+        QCOMPARE(static_cast<int>(readManifest(again).error().kind),
+                 static_cast<int>(BackupError::Kind::Encrypted));
+        QCOMPARE(static_cast<int>(unpackBackup(again, target.path()).error().kind),
+                 static_cast<int>(BackupError::Kind::Encrypted));
+        const QString other = home.stick.filePath(u"other.zip"_s);
+        QVERIFY(QFile::copy(home.backup, other));
+        patchHeaders(other, 8, 10, 9); // Deflate64
+        QCOMPARE(static_cast<int>(readManifest(other).error().kind),
+                 static_cast<int>(BackupError::Kind::OtherMethod));
     }
 
     // Its sizes are true: a database of zeros, a thousand times as large as the archive.

@@ -54,6 +54,8 @@ private slots:
     void transactionIsAllOrNothing();
     void rulesOfTheTablesAreKept();
     void newerSchemaIsLeftAlone();
+    void whatIsNotOfThePanelIsAnError();
+    void whatAPersonMeasuredIsNone();
     void damagedFileGivesWayToItsCopy();
     void damagedFileWithoutACopyIsKeptBeside();
     void fullDiskLosesNothing();
@@ -120,6 +122,41 @@ void TestDatabase::newerSchemaIsLeftAlone()
     QVERIFY(!refused);
     QCOMPARE(refused.error().kind, StoreError::Kind::NewerSchema);
     QVERIFY(!StoreErrorText::describe(refused.error()).isEmpty());
+}
+
+// The file stays as it is, and nobody gains rights: the database in its place has the users of the copy.
+void TestDatabase::whatIsNotOfThePanelIsAnError()
+{
+    const QTemporaryDir folder;
+    QVERIFY(opened(folder)->execute(
+        u"CREATE TRIGGER x AFTER UPDATE ON user BEGIN UPDATE user SET locked_until_ms = 0; END"_s));
+    for (const auto& opening :
+         {Database::open(folder.path()).map([](const auto&) {}),
+          Database::openReadOnly(folder.filePath(u"campanel.sqlite"_s)).map([](const auto&) {})}) {
+        QVERIFY(!opening);
+        QCOMPARE(opening.error().kind, StoreError::Kind::Foreign);
+        QCOMPARE(opening.error().detail, u"trigger x"_s);
+    }
+    QVERIFY(QDir(folder.path()).entryList({u"*damaged*"_s}).isEmpty());
+    StoreThread store(folder.path());
+    QSignalSpy spy(&store, &StoreThread::opened);
+    store.open();
+    QTRY_COMPARE(spy.size(), 1);
+    QCOMPARE(spy[0][0].value<StoreThread::Report>().error->kind, StoreError::Kind::Foreign);
+}
+
+void TestDatabase::whatAPersonMeasuredIsNone()
+{
+    const QTemporaryDir folder;
+    {
+        const auto database = opened(folder);
+        QVERIFY(addRecipe(*database, u"one"_s));
+        QVERIFY(database->execute(u"ANALYZE"_s));
+        auto trusted = database->execute(u"PRAGMA trusted_schema"_s);
+        QVERIFY(trusted && trusted->next());
+        QCOMPARE(trusted->value(0).toInt(), 0);
+    }
+    QVERIFY(opened(folder));
 }
 
 void TestDatabase::damagedFileGivesWayToItsCopy()
