@@ -2,11 +2,13 @@
 #include "app/store/recipes/recipe_keys.h"
 
 #include "app/store/files/files.h"
+#include "app/store/files/json_keys.h"
 #include "app/store/files/store_logging.h"
 
 #include <QDir>
 #include <QJsonDocument>
 #include <QJsonObject>
+#include <QStringList>
 
 #include <sodium.h>
 
@@ -45,15 +47,30 @@ struct KeyInFile {
     bool isWithdrawn = false;
 };
 
-std::optional<KeyInFile> keyIn(const QByteArray& file, const QString& format, qsizetype size)
+// Reads a key, or returns why the file is none. A key that is unknown or occurs twice may be a "withdrawn"
+// that was misspelled: such a file is no key.
+tl::expected<KeyInFile, QString> keyIn(const QByteArray& file, const QString& format, qsizetype size)
 {
-    const QJsonObject root = QJsonDocument::fromJson(file).object();
+    const QJsonDocument document = QJsonDocument::fromJson(file);
+    if (!document.isObject())
+        return tl::unexpected(u"it is not JSON"_s);
+    if (const auto key = repeatedKey(file))
+        return tl::unexpected(u"it has \"%1\" twice"_s.arg(*key));
+    const QJsonObject root = document.object();
+    for (const QString& key : root.keys()) {
+        if (!QStringList{u"format"_s, u"name"_s, u"key"_s, u"withdrawn"_s}.contains(key))
+            return tl::unexpected(u"\"%1\" is unknown"_s.arg(key));
+    }
     const auto key = QByteArray::fromBase64Encoding(root.value(u"key"_s).toString().toLatin1());
     const QJsonValue withdrawn = root.value(u"withdrawn"_s);
     KeyInFile found{root.value(u"name"_s).toString(), key ? *key : QByteArray(), withdrawn.toBool()};
-    const bool isKey = root.value(u"format"_s).toString() == format && isSignerName(found.name) &&
-                       found.key.size() == size && (withdrawn.isUndefined() || withdrawn.isBool());
-    return isKey ? std::optional(found) : std::nullopt;
+    if (root.value(u"format"_s).toString() != format)
+        return tl::unexpected(u"its format is not \"%1\""_s.arg(format));
+    if (!isSignerName(found.name) || found.key.size() != size)
+        return tl::unexpected(u"its name or its key is invalid"_s);
+    if (!withdrawn.isUndefined() && !withdrawn.isBool())
+        return tl::unexpected(u"\"withdrawn\" is neither true nor false"_s);
+    return found;
 }
 
 } // namespace
@@ -93,10 +110,11 @@ std::optional<SigningKey> secretKeyIn(const QByteArray& file)
     return found ? std::optional(SigningKey{found->name, found->key}) : std::nullopt;
 }
 
-std::optional<SignerKey> publicKeyIn(const QByteArray& file)
+tl::expected<SignerKey, QString> publicKeyIn(const QByteArray& file)
 {
-    const auto found = keyIn(file, publicFormat, crypto_sign_PUBLICKEYBYTES);
-    return found ? std::optional(SignerKey{found->name, found->key, found->isWithdrawn}) : std::nullopt;
+    return keyIn(file, publicFormat, crypto_sign_PUBLICKEYBYTES).map([](const KeyInFile& found) {
+        return SignerKey{found.name, found.key, found.isWithdrawn};
+    });
 }
 
 QList<SignerKey> signerKeys(const QString& folder)
@@ -106,12 +124,15 @@ QList<SignerKey> signerKeys(const QString& folder)
     QList<SignerKey> keys;
     const QFileInfoList files = QDir(folder).entryInfoList({u"*.json"_s}, QDir::Files, QDir::Name);
     for (const QFileInfo& file : files) {
-        const auto bytes = readBytes(file.filePath());
-        const auto key = bytes ? publicKeyIn(*bytes) : std::nullopt;
+        const auto key = readBytes(file.filePath())
+                             .map_error([](const FileError& error) { return error.found; })
+                             .and_then(&publicKeyIn);
         if (key)
             keys << *key;
         else
-            qCWarning(storeLog) << file.filePath() << "is no public key of a signer; it is ignored";
+            qCWarning(storeLog).noquote() << printable(
+                u"The file %1 is no public key of a signer: %2. It is ignored; correct or remove it."_s.arg(
+                    file.filePath(), key.error()));
     }
     return keys;
 }
@@ -139,12 +160,14 @@ SignerTrust trustIn(const QByteArray& text, const QString& signer, const QByteAr
     for (const SignerKey& key : keys) {
         if (key.name != signer)
             continue;
-        if (!isSignedBy(key, text, signature))
-            trust = trust == SignerTrust::Unknown ? SignerTrust::Wrong : trust;
-        else if (key.isWithdrawn)
-            trust = SignerTrust::Withdrawn;
-        else
-            return SignerTrust::Trusted;
+        if (isSignedBy(key, text, signature)) {
+            // Whichever file withdraws the key, and under whichever name.
+            const bool isWithdrawn = std::ranges::any_of(keys, [&key](const SignerKey& each) {
+                return each.isWithdrawn && each.publicKey == key.publicKey;
+            });
+            return isWithdrawn ? SignerTrust::Withdrawn : SignerTrust::Trusted;
+        }
+        trust = SignerTrust::Wrong;
     }
     return trust;
 }

@@ -6,6 +6,8 @@
 #include <QList>
 #include <QString>
 
+#include <tl/expected.hpp>
+
 #include <optional>
 
 namespace campanel::store {
@@ -31,11 +33,11 @@ struct SignerKey {
 // Return the files of a key.
 [[nodiscard]] QByteArray secretKeyFile(const SigningKey& key);
 [[nodiscard]] QByteArray publicKeyFile(const SigningKey& key);
-// Read a file of a key; empty when it is none.
+// Read a file of a key; the error says why it is none.
 [[nodiscard]] std::optional<SigningKey> secretKeyIn(const QByteArray& file);
-[[nodiscard]] std::optional<SignerKey> publicKeyIn(const QByteArray& file);
+[[nodiscard]] tl::expected<SignerKey, QString> publicKeyIn(const QByteArray& file);
 
-// Reads the public keys in a folder. A file that is no public key is logged and left out.
+// Reads the public keys in a folder. A file that is no public key is logged with the reason and left out.
 [[nodiscard]] QList<SignerKey> signerKeys(const QString& folder);
 
 // Returns the signature of a text, 64 bytes.
@@ -44,7 +46,8 @@ struct SignerKey {
 
 enum class SignerTrust { Trusted, Unknown, Withdrawn, Wrong };
 
-// Returns what the signature of a text by this signer is worth with these keys.
+// Returns what the signature of a text by this signer is worth with these keys. A key that one of them
+// withdraws is withdrawn.
 [[nodiscard]] SignerTrust trustIn(const QByteArray& text, const QString& signer, const QByteArray& signature,
                                   const QList<SignerKey>& keys);
 

@@ -102,6 +102,11 @@ private slots:
         QCOMPARE(faultOf(json, {withdrawn}), Kind::WithdrawnSigner);
         QCOMPARE(faultOf(json, {withdrawn, publicOf(sameName)}), Kind::WithdrawnSigner);
         QCOMPARE(faultOf(json, {publicOf(sameName), publicOf(key)}), std::nullopt);
+        // Withdrawn in one file is withdrawn in all of them, and under each name.
+        QCOMPARE(faultOf(json, {publicOf(key), withdrawn}), Kind::WithdrawnSigner);
+        QCOMPARE(faultOf(json, {withdrawn, publicOf(key)}), Kind::WithdrawnSigner);
+        withdrawn.name = u"Anna, until May"_s;
+        QCOMPARE(faultOf(json, {publicOf(key), withdrawn}), Kind::WithdrawnSigner);
     }
 
     void everyChangeIsFound_data()
@@ -164,6 +169,17 @@ private slots:
         QVERIFY(!publicKeyIn("{}"));
         QVERIFY(!publicKeyIn(changed(publicKeyFile(key), u"withdrawn"_s, u"maybe"_s)));
         QVERIFY(publicKeyIn(changed(publicKeyFile(key), u"withdrawn"_s, true))->isWithdrawn);
+        // What may be a misspelled "withdrawn", or one that another value hides.
+        for (const QString& misspelled : {u"widthdrawn"_s, u"Withdrawn"_s, u"withdrawn "_s, u"comment"_s})
+            QCOMPARE(publicKeyIn(changed(publicKeyFile(key), misspelled, true)).error(),
+                     u"\"%1\" is unknown"_s.arg(misspelled));
+        for (const char* twice : {"\"withdrawn\": true, \"withdrawn\": false, ",
+                                  "\"withdrawn\": true, \"with\\u0064rawn\": false, "}) {
+            QByteArray file = publicKeyFile(key);
+            QCOMPARE(publicKeyIn(file.insert(file.indexOf('"'), twice)).error(),
+                     u"it has \"withdrawn\" twice"_s);
+        }
+        QVERIFY(!publicKeyIn("[" + publicKeyFile(key) + "]"));
         QVERIFY(!isSignerName(u" "_s));
         QVERIFY(!isSignerName(u"Anna\nPlant"_s));
         QVERIFY(!isSignerName(QString(65, u'a')));
