@@ -4,6 +4,7 @@
 #include "app/cli/commands.h"
 #include "app/cli/invocation.h"
 #include "app/cli/recipe_options.h"
+#include "app/store/database/names.h"
 #include "app/store/recipes/recipe_json.h"
 
 using namespace Qt::StringLiterals;
@@ -29,7 +30,9 @@ Outcome runRecipe(const Invocation& call)
     if (call.arguments().isEmpty() && !call.isSet(u"k"_s) && !call.isSet(u"ratios"_s))
         recipe = program::gentleRecipe(*recipe);
     if (call.isSet(u"name"_s))
-        recipe->name = call.value(u"name"_s).toStdString();
+        recipe->name = store::keptName(call.value(u"name"_s)).toStdString();
+    if (store::hiddenCharacter(call.value(u"name"_s)))
+        return fail(ExitCode::Usage, u"--name has characters that nobody can see. Remove them."_s);
     if (recipe->name.empty() || recipe->name.size() > program::longestNameBytes)
         return fail(ExitCode::Usage,
                     u"--name takes 1 to %1 bytes of UTF-8."_s.arg(program::longestNameBytes));

@@ -972,6 +972,10 @@
         <translation>Kalibrierung des Touchscreens</translation>
     </message>
     <message>
+        <source>User renamed</source>
+        <translation>Benutzer umbenannt</translation>
+    </message>
+    <message>
         <source>Another version runs</source>
         <translation>Andere Version läuft</translation>
     </message>
@@ -2047,6 +2051,14 @@ eff. %2</translation>
     <message>
         <source>Plant network</source>
         <translation>Werksnetz</translation>
+    </message>
+    <message>
+        <source>In the recipe file %1, %2 has the character %3, which nobody can see. Remove the character.</source>
+        <translation>In der Rezeptdatei %1 enthält %2 das unsichtbare Zeichen %3. Das Zeichen entfernen.</translation>
+    </message>
+    <message>
+        <source>a text of visible characters</source>
+        <translation>ein Text aus sichtbaren Zeichen</translation>
     </message>
 </context>
 <context>
@@ -3409,6 +3421,14 @@ eff. %2</translation>
         <source>The panel&apos;s database %1 was altered by another program: %2 is not of CamPanel. Move the file away, restart the panel and restore a backup.</source>
         <translation>Die Datenbank %1 wurde von einem anderen Programm verändert: %2 ist nicht von CamPanel. Die Datei wegräumen, das Panel neu starten und eine Sicherung zurückspielen.</translation>
     </message>
+    <message>
+        <source>The recipe %1 has the last version number and was not saved. Save it under another name.</source>
+        <translation>Das Rezept %1 hat die letzte Versionsnummer und wurde nicht gespeichert. Unter einem anderen Namen speichern.</translation>
+    </message>
+    <message>
+        <source>a name has visible characters only, and at least one</source>
+        <translation>ein Name hat nur sichtbare Zeichen und mindestens eines</translation>
+    </message>
 </context>
 <context>
     <name>TableText</name>
@@ -3614,6 +3634,10 @@ eff. %2</translation>
     <message>
         <source>At least one user of the level Service must remain.</source>
         <translation>Mindestens ein Benutzer der Stufe Service muss bleiben.</translation>
+    </message>
+    <message>
+        <source>The name has characters that nobody can see. Enter the name again.</source>
+        <translation>Der Name enthält unsichtbare Zeichen. Den Namen neu eingeben.</translation>
     </message>
 </context>
 <context>
@@ -5847,6 +5871,11 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
         <translation>%1 · Version %2, %3</translation>
     </message>
     <message>
+        <source>%1 · Version %2 cannot be read. Check this version, then save it.</source>
+        <comment>note, number</comment>
+        <translation>%1 · Version %2 ist nicht lesbar. Diese Version prüfen, dann speichern.</translation>
+    </message>
+    <message>
         <source>Enter a name.</source>
         <translation>Einen Namen eingeben.</translation>
     </message>
@@ -5958,6 +5987,10 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
         <source>%1, %2 Nm</source>
         <comment>recipe, torque</comment>
         <translation>%1, %2 Nm</translation>
+    </message>
+    <message>
+        <source>The name has characters that nobody can see. Enter the name again.</source>
+        <translation>Der Name enthält unsichtbare Zeichen. Den Namen neu eingeben.</translation>
     </message>
 </context>
 <context>

@@ -972,6 +972,10 @@
         <translation>触摸屏校准</translation>
     </message>
     <message>
+        <source>User renamed</source>
+        <translation>用户已改名</translation>
+    </message>
+    <message>
         <source>Another version runs</source>
         <translation>版本已变更</translation>
     </message>
@@ -2045,6 +2049,14 @@ RMS %2</source>
     <message>
         <source>Plant network</source>
         <translation>工厂网络</translation>
+    </message>
+    <message>
+        <source>In the recipe file %1, %2 has the character %3, which nobody can see. Remove the character.</source>
+        <translation>配方文件 %1 中 %2 含有不可见字符 %3。请删除该字符。</translation>
+    </message>
+    <message>
+        <source>a text of visible characters</source>
+        <translation>由可见字符组成的文本</translation>
     </message>
 </context>
 <context>
@@ -3407,6 +3419,14 @@ RMS %2</source>
         <source>The panel&apos;s database %1 was altered by another program: %2 is not of CamPanel. Move the file away, restart the panel and restore a backup.</source>
         <translation>面板的数据库 %1 被其他程序改动过：%2 不属于 CamPanel。请移走该文件，重新启动面板并恢复备份。</translation>
     </message>
+    <message>
+        <source>The recipe %1 has the last version number and was not saved. Save it under another name.</source>
+        <translation>配方 %1 已用完版本号，未保存。请用其他名称保存。</translation>
+    </message>
+    <message>
+        <source>a name has visible characters only, and at least one</source>
+        <translation>名称只能含可见字符，且至少一个</translation>
+    </message>
 </context>
 <context>
     <name>TableText</name>
@@ -3612,6 +3632,10 @@ RMS %2</source>
     <message>
         <source>At least one user of the level Service must remain.</source>
         <translation>必须至少保留一名“维护”级用户。</translation>
+    </message>
+    <message>
+        <source>The name has characters that nobody can see. Enter the name again.</source>
+        <translation>名称含有不可见字符。请重新输入名称。</translation>
     </message>
 </context>
 <context>
@@ -5845,6 +5869,11 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
         <translation>%1 · 第 %2 版，%3</translation>
     </message>
     <message>
+        <source>%1 · Version %2 cannot be read. Check this version, then save it.</source>
+        <comment>note, number</comment>
+        <translation>%1 · 版本 %2 无法读取。请检查本版本后保存。</translation>
+    </message>
+    <message>
         <source>Enter a name.</source>
         <translation>请输入名称。</translation>
     </message>
@@ -5955,6 +5984,10 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
         <source>%1, %2 Nm</source>
         <comment>recipe, torque</comment>
         <translation>%1，%2 Nm</translation>
+    </message>
+    <message>
+        <source>The name has characters that nobody can see. Enter the name again.</source>
+        <translation>名称含有不可见字符。请重新输入名称。</translation>
     </message>
 </context>
 <context>

@@ -10,6 +10,7 @@ namespace campanel::test {
 template <const store::DatabaseFile& (*file)(), int version> store::DatabaseFile earlierSchema()
 {
     store::DatabaseFile earlier = file();
+    earlier.complete = nullptr;
     earlier.steps = []() -> const std::vector<QStringList>& {
         static const std::vector<QStringList> steps(file().steps().begin(), file().steps().begin() + version);
         return steps;

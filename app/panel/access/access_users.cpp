@@ -5,6 +5,7 @@
 #include "app/panel/controller/controller.h"
 #include "app/panel/records/database_service.h"
 #include "app/panel/words/access_sentences.h"
+#include "app/store/database/names.h"
 #include "app/store/users/pin_hash.h"
 
 #include <QVariantMap>
@@ -100,12 +101,13 @@ int Access::minPinDigits(int level) const
 
 QString Access::nameRefusal(const QString& name) const
 {
-    const QString wanted = name.trimmed();
+    const QString wanted = store::keptName(name);
     if (wanted.isEmpty() || wanted.size() > longestName)
         return tr("A name has 1 to %1 characters.").arg(longestName);
-    const bool isTaken = std::ranges::any_of(m_users, [&](const store::User& user) {
-        return user.name.compare(wanted, Qt::CaseInsensitive) == 0;
-    });
+    if (store::hiddenCharacter(name))
+        return tr("The name has characters that nobody can see. Enter the name again.");
+    const bool isTaken = std::ranges::any_of(
+        m_users, [&](const store::User& user) { return store::isSameName(user.name, wanted); });
     return isTaken ? tr("This name is already in use.") : QString();
 }
 
@@ -156,10 +158,10 @@ void Access::apply(Change change, const Event& event, const QString& done)
 
 void Access::addUser(const QString& name, int level, const QString& pin)
 {
-    const QString wanted = name.trimmed();
+    const QString wanted = store::keptName(name);
     const bool isFirst = !protectedByPins();
     const QString refusal =
-        nameRefusal(wanted).isEmpty() ? pinRefusal(pin, isFirst ? Service : level) : nameRefusal(wanted);
+        nameRefusal(name).isEmpty() ? pinRefusal(pin, isFirst ? Service : level) : nameRefusal(name);
     if (!ask(Service) || !isUserLevel(level) || busy())
         return;
     if (!refusal.isEmpty()) {

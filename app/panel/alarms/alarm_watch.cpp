@@ -152,7 +152,7 @@ void AlarmWatch::noteOpening(const store::StoreThread::Report& report)
 
 void AlarmWatch::noteTrouble(const store::StoreError& error)
 {
-    if (error.kind == store::StoreError::Kind::Refused)
+    if (error.kind == store::StoreError::Kind::Refused || error.kind == store::StoreError::Kind::LastVersion)
         return; // an answer to a request, not a problem
     const AlarmKind& kind = AlarmCatalogue::of(error.kind);
     m_store.insert(&kind);

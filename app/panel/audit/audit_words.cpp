@@ -81,6 +81,7 @@ constexpr std::array whatWords{
     Word{"user.add", QT_TRANSLATE_NOOP("AuditWords", "User added")},
     Word{"user.pin", QT_TRANSLATE_NOOP("AuditWords", "New PIN")},
     Word{"user.level", QT_TRANSLATE_NOOP("AuditWords", "Level changed")},
+    Word{"user.rename", QT_TRANSLATE_NOOP("AuditWords", "User renamed")},
     Word{"user.remove", QT_TRANSLATE_NOOP("AuditWords", "User removed")},
     Word{"network.command", QT_TRANSLATE_NOOP("AuditWords", "Command from the network")},
     Word{"memory.from_copy", QT_TRANSLATE_NOOP("AuditWords", "Replaced by its copy")},

@@ -9,6 +9,7 @@
 #include "app/panel/recipe/recipe_edit.h"
 #include "app/panel/words/recipe_words.h"
 #include "app/panel/words/refusal_sentences.h"
+#include "app/store/database/names.h"
 
 #include <QDir>
 #include <QFileInfo>
@@ -305,7 +306,7 @@ void Editor::compareCurves()
 
 void Editor::setRecipeName(const QString& name)
 {
-    const std::string wanted = name.trimmed().toStdString();
+    const std::string wanted = store::keptName(name).toStdString();
     if (!wanted.empty())
         edit(Level::Technician, [&](program::Recipe& recipe) {
             recipe.name = modbus::fittingUtf8(wanted, program::longestNameBytes);

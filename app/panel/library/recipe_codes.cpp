@@ -4,9 +4,21 @@
 #include "app/panel/controller/controller.h"
 #include "app/panel/editor/editor.h"
 #include "app/panel/library/recipes.h"
+#include "app/store/database/names.h"
 #include "app/store/recipes/recipe_json.h"
 
 namespace campanel::panel {
+
+namespace {
+
+// Returns true when the code selects the recipe: a name does in each of its spellings.
+bool hasCode(const program::Recipe& recipe, const QString& code)
+{
+    return recipe.scanCode.empty() ? store::isSameName(QString::fromStdString(recipe.name), code)
+                                   : QString::fromStdString(recipe.scanCode) == code;
+}
+
+} // namespace
 
 RecipeCodes::RecipeCodes(Recipes& recipes)
     : QObject(&recipes)
@@ -64,7 +76,7 @@ QString RecipeCodes::problem() const
     for (const auto& each : m_recipes.newest()) {
         const bool isSame = each.recipeId == chosen->recipeId;
         const QString name = QString::fromStdString(each.recipe.name);
-        if (program::codeOf(each.recipe) == code && (!isSame || m_code == Code::Film))
+        if (hasCode(each.recipe, QString::fromStdString(code)) && (!isSame || m_code == Code::Film))
             return tr("This is the code of the recipe %1. Enter another code.").arg(name);
         if (each.recipe.filmCode == code && m_code == Code::Recipe)
             return tr("This is the code of the film reel of %1. Enter another code.").arg(name);
@@ -92,9 +104,8 @@ void RecipeCodes::store()
 QList<store::RecipeVersion> Recipes::coded(const QString& code) const
 {
     QList<store::RecipeVersion> found;
-    const std::string wanted = code.toStdString();
     for (const store::RecipeVersion& each : m_all) {
-        if (program::codeOf(each.recipe) == wanted)
+        if (hasCode(each.recipe, code))
             found << each;
     }
     return found;

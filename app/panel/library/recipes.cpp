@@ -13,6 +13,7 @@
 #include "app/panel/words/alarm_words.h"
 #include "app/panel/words/recipe_words.h"
 #include "app/panel/words/refusal_sentences.h"
+#include "app/store/database/names.h"
 
 #include <QDir>
 
@@ -162,7 +163,7 @@ const RecipeVersion* Recipes::chosenRecipe() const
 const RecipeVersion* Recipes::named(const QString& name) const
 {
     const auto isNamed = [&name](const RecipeVersion& each) {
-        return nameOf(each.recipe).compare(name, Qt::CaseInsensitive) == 0;
+        return store::isSameName(nameOf(each.recipe), name);
     };
     const auto found = std::ranges::find_if(m_all, isNamed);
     return found == m_all.end() ? nullptr : &*found;
@@ -247,7 +248,7 @@ void Recipes::showFigures()
 
 void Recipes::setSearch(const QString& search)
 {
-    m_search = search.trimmed();
+    m_search = store::keptName(search);
     show();
 }
 
@@ -268,10 +269,15 @@ QString Recipes::chosenNote() const
     const RecipeVersion* chosen = chosenRecipe();
     if (!chosen)
         return {};
-    return tr("%1 · version %2, %3", "kind of program, number, when it was saved")
-        .arg(RecipeWords::kindName(chosen->recipe.kind()))
-        .arg(chosen->version)
-        .arg(savedText(*chosen));
+    const QString note = tr("%1 · version %2, %3", "kind of program, number, when it was saved")
+                             .arg(RecipeWords::kindName(chosen->recipe.kind()))
+                             .arg(chosen->version)
+                             .arg(savedText(*chosen));
+    return chosen->unreadableVersion == 0
+               ? note
+               : tr("%1 · Version %2 cannot be read. Check this version, then save it.", "note, number")
+                     .arg(note)
+                     .arg(chosen->unreadableVersion);
 }
 
 bool Recipes::chosenIsOpen() const
@@ -300,9 +306,11 @@ void Recipes::setWantedName(const QString& name)
 
 QString Recipes::nameProblem() const
 {
-    const QString name = m_wantedName.trimmed();
+    const QString name = store::keptName(m_wantedName);
     if (name.isEmpty())
         return tr("Enter a name.");
+    if (store::hiddenCharacter(m_wantedName))
+        return tr("The name has characters that nobody can see. Enter the name again.");
     if (name.toStdString().size() > program::longestNameBytes)
         return tr("The name is too long. Enter at most %1 letters, or a third as many Chinese characters.")
             .arg(program::longestNameBytes);
@@ -370,7 +378,7 @@ void Recipes::saveAs()
 
 Recipe Recipes::renamed(Recipe recipe) const
 {
-    recipe.name = m_wantedName.trimmed().toStdString();
+    recipe.name = store::keptName(m_wantedName).toStdString();
     recipe.version = 1;
     return recipe;
 }
@@ -381,7 +389,7 @@ void Recipes::rename()
     if (!chosen || !nameProblem().isEmpty() || !m_machine.accessCheck().require(Level::Technician))
         return;
     const QString before = nameOf(chosen->recipe);
-    const QString name = m_wantedName.trimmed();
+    const QString name = store::keptName(m_wantedName);
     m_records.store().run(
         this,
         [id = chosen->recipeId, name](store::Database& database) {

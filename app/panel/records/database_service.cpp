@@ -36,6 +36,7 @@ void DatabaseService::takeOpening(const store::StoreThread::Report& report)
 {
     m_openError = report.error;
     if (!report.error && !report.opening.isReplaced()) {
+        noteRenamed(report.opening);
         makeCopy(); // the readable data is worth a copy; if that fails, the file itself still exists
         return;
     }
@@ -65,9 +66,26 @@ void DatabaseService::noteReplacement(const store::Database::Opening& opening)
 {
     qCWarning(storeLog, "%s", qPrintable(store::oneLine(replacementText(opening), store::maxLineLength)));
     store::AuditEntry entry;
-    entry.timeMs = QDateTime::currentMSecsSinceEpoch();
     entry.what = opening.fromCopy ? u"memory.from_copy"_s : u"memory.lost"_s;
     entry.object = opening.damagedKeptAs;
+    append(entry);
+}
+
+// Writes the names that the database had to change; see Opening::renamed.
+void DatabaseService::noteRenamed(const store::Database::Opening& opening)
+{
+    for (const store::Renamed& renamed : opening.renamed) {
+        store::AuditEntry entry;
+        entry.what = renamed.table + u".rename"_s;
+        entry.object = entry.before = renamed.before;
+        entry.after = renamed.after;
+        append(entry);
+    }
+}
+
+void DatabaseService::append(store::AuditEntry entry)
+{
+    entry.timeMs = QDateTime::currentMSecsSinceEpoch();
     entry.outcome = u"done"_s;
     m_store.run(
         this, [entry](store::Database& database) { return store::appendAudit(database, entry); },

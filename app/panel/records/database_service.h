@@ -54,6 +54,8 @@ signals:
 private:
     void retranslate();
     void takeOpening(const store::StoreThread::Report& report);
+    void noteRenamed(const store::Database::Opening& opening);
+    void append(store::AuditEntry entry);
     void noteReplacement(const store::Database::Opening& opening);
     [[nodiscard]] static QString replacementText(const store::Database::Opening& opening);
 

@@ -296,6 +296,7 @@ const AlarmKind& AlarmCatalogue::of(store::StoreError::Kind kind)
         return known("P-05");
     case Kind::Damaged:
     case Kind::TrendsAnew:
+    case Kind::LastVersion:
     case Kind::Refused:
     case Kind::Failed:
         break;

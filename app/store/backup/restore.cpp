@@ -21,7 +21,7 @@ namespace {
 const QString stagingName = u"restore-unpacked"_s;
 const QString readyName = u"restore-ready"_s;
 const QString staleName = u"restore-stale"_s;
-const QString keptName = u"before-restore"_s;
+const QString keptFolder = u"before-restore"_s;
 const QString databaseSuffix = u".sqlite"_s;
 
 std::filesystem::path native(const QString& path)
@@ -125,9 +125,9 @@ tl::expected<void, QString> commitRestore(const QString& folder, const AuditEntr
         if (const auto row = appendAudit(**database, entry); !row)
             return tl::unexpected(row.error().detail);
     } // closed: its log is part of the file
-    QDir(home.filePath(keptName)).removeRecursively();
-    if (!makePrivateFolder(home.filePath(keptName)))
-        return tl::unexpected(home.filePath(keptName));
+    QDir(home.filePath(keptFolder)).removeRecursively();
+    if (!makePrivateFolder(home.filePath(keptFolder)))
+        return tl::unexpected(home.filePath(keptFolder));
     return settle(staging)
         .map_error([](const FileError& error) { return error.found; })
         // A restore that could not be finished.
@@ -150,7 +150,7 @@ FinishedRestore finishRestore(const QString& folder, const QString& settingsFile
     QDir ready(home.filePath(readyName));
     if (!ready.exists())
         return {};
-    const QDir kept(home.filePath(keptName));
+    const QDir kept(home.filePath(keptFolder));
     (void)makePrivateFolder(kept.path()); // without it nothing can be moved, which is reported
     FinishedRestore finished{true, {}, kept.path()};
     tl::expected<void, QString> done = finishPart(ready, kept, backedUpSettings, settingsFile);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/store/database/database.h"
 
+#include "app/store/database/names.h"
 #include "app/store/database/schema.h"
 
 #include <QSqlError>
@@ -56,7 +57,7 @@ StoreError::Kind kindOf(int code)
 
 const DatabaseFile& mainDatabase()
 {
-    static const DatabaseFile file{u"campanel.sqlite"_s, &migrations, true};
+    static const DatabaseFile file{u"campanel.sqlite"_s, &migrations, true, &completeNames};
     return file;
 }
 

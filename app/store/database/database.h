@@ -5,6 +5,7 @@
 
 #include "app/store/database/store_error.h"
 
+#include <QList>
 #include <QSqlDatabase>
 #include <QSqlQuery>
 #include <QString>
@@ -21,6 +22,15 @@
 
 namespace campanel::store {
 
+class Database;
+
+// A name that an earlier version kept, and the present one cannot: the same as another one, or partly hidden.
+struct Renamed {
+    QString table; // "recipe" or "user"
+    QString before;
+    QString after;
+};
+
 struct DatabaseFile {
     QString name;
     const std::vector<QStringList>& (*steps)() = nullptr; // steps of its schema, see schema.h
@@ -28,6 +38,8 @@ struct DatabaseFile {
     // is then checked at opening, and damaged files are never deleted. When false, a power cut may lose the
     // last transactions (never the file), damage is found when it is read, and only one damaged file is kept.
     bool isPrecious = true;
+    // Sets what the steps of the schema cannot; empty: nothing. Returns the changed names.
+    tl::expected<QList<Renamed>, StoreError> (*complete)(Database&) = nullptr;
 };
 
 // Returns campanel.sqlite.
@@ -45,6 +57,7 @@ public:
         bool wasMissing = false; // no file or an empty one on a panel that had been set up
         QString damagedKeptAs;   // empty: it was valid, or missing
         bool fromCopy = false;   // missing or damaged, and replaced by its last good copy
+        QList<Renamed> renamed;
 
         [[nodiscard]] bool isReplaced() const { return wasMissing || !damagedKeptAs.isEmpty(); }
     };

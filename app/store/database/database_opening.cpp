@@ -155,6 +155,12 @@ tl::expected<std::unique_ptr<Database>, StoreError> Database::openAsFound(const 
                            .and_then([&] { return database->migrate(); });
     if (!ready)
         return tl::unexpected(ready.error());
+    if (file.complete) {
+        const auto renamed = file.complete(*database);
+        if (!renamed)
+            return tl::unexpected(renamed.error());
+        database->m_opening.renamed = *renamed;
+    }
     // An emptied file: a panel with users keeps at least one.
     if (file.isPrecious && usersIn(*database) == 0) {
         const auto copy = openReadOnly(copyPath(path), file);
@@ -195,6 +201,7 @@ tl::expected<std::unique_ptr<Database>, StoreError> Database::open(const QString
         auto database = openAsFound(path, file);
         if (database) {
             opening.migratedFrom = (*database)->m_opening.migratedFrom;
+            opening.renamed = (*database)->m_opening.renamed;
             (*database)->m_opening = opening;
             (*database)->noteSetUp();
             return database;

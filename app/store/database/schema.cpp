@@ -122,6 +122,14 @@ const std::vector<QStringList>& migrations()
             u"ALTER TABLE state_interval ADD COLUMN clock_doubtful INTEGER NOT NULL DEFAULT 0"_s,
             u"ALTER TABLE recipe_version ADD COLUMN clock_doubtful INTEGER NOT NULL DEFAULT 0"_s,
         },
+        {
+            // The keys of the names, see names.h: SQLite compares the letters of ASCII alone without their
+            // case.
+            u"ALTER TABLE recipe ADD COLUMN name_key TEXT"_s,
+            u"CREATE UNIQUE INDEX recipe_name_key ON recipe (name_key)"_s,
+            u"ALTER TABLE user ADD COLUMN name_key TEXT"_s,
+            u"CREATE UNIQUE INDEX user_name_key ON user (name_key) WHERE deleted = 0"_s,
+        },
     };
     return steps;
 }

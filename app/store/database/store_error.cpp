@@ -41,6 +41,9 @@ QString StoreErrorText::describe(const StoreError& error)
         return tr("The records of bags and trends were damaged; new records were started. The damaged file "
                   "was saved as %1.")
             .arg(QDir::toNativeSeparators(error.detail));
+    case StoreError::Kind::LastVersion:
+        return tr("The recipe %1 has the last version number and was not saved. Save it under another name.")
+            .arg(error.detail);
     case StoreError::Kind::Refused:
     case StoreError::Kind::Failed:
         return tr("The panel's database did not accept the data: %1.").arg(error.detail);

@@ -12,14 +12,15 @@ struct StoreError {
         CannotOpen,  // `detail` is the system's reason
         NewerSchema, // written by a newer version of this program
         Damaged,
-        Foreign,    // `detail` is what is in it and not CamPanel's, as "trigger x"
-        InUse,      // used by another program
-        PinsLost,   // the panel had users, and there are none; `path` is the setup marker
-        Full,       // no room on the disk
-        ReadOnly,   // the disk or the file is read-only
-        TrendsAnew, // bags and trends were damaged and start empty; `detail` is the path of the damaged file
-        Refused,    // by a rule of the tables, see `detail`
-        Failed      // `detail` is the database's message
+        Foreign,     // `detail` is what is in it and not CamPanel's, as "trigger x"
+        InUse,       // used by another program
+        PinsLost,    // the panel had users, and there are none; `path` is the setup marker
+        Full,        // no room on the disk
+        ReadOnly,    // the disk or the file is read-only
+        TrendsAnew,  // bags and trends were damaged and start empty; `detail` is the path of the damaged file
+        LastVersion, // `detail` is the recipe, which has the last number that a version can have
+        Refused,     // by a rule of the tables, see `detail`
+        Failed       // `detail` is the database's message
     };
 
     Kind kind = Kind::Failed;

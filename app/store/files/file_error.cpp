@@ -47,6 +47,10 @@ QString FileErrorText::describe(const FileError& error)
             .arg(path, error.key, error.expected);
     case FileError::Kind::RepeatedKey:
         return tr("The recipe file %1 has the key %2 twice. Remove one of them.").arg(path, error.key);
+    case FileError::Kind::HiddenCharacter:
+        return tr("In the recipe file %1, %2 has the character %3, which nobody can see. Remove the "
+                  "character.")
+            .arg(path, error.key, error.found);
     case FileError::Kind::UnknownSigner:
         return tr("The recipe file %1 is signed by %2, whose key this machine does not have. Ask Service to "
                   "install the key, or have the recipe signed by somebody else.")
@@ -91,6 +95,11 @@ QString FileErrorText::aWholeNumber()
 QString FileErrorText::aText()
 {
     return tr("a text");
+}
+
+QString FileErrorText::aVisibleText()
+{
+    return tr("a text of visible characters");
 }
 
 QString FileErrorText::anObject()

@@ -22,6 +22,7 @@ struct FileError {
         NotAChoice, // `expected` lists the choices
         TooLong,    // `expected` is the maximum number of bytes
         RepeatedKey,
+        HiddenCharacter, // `found` is "U+202E"
         UnknownSigner,   // `found` is the signer
         WithdrawnSigner, // the same
         WrongSignature,  // the same
@@ -49,6 +50,7 @@ public:
     [[nodiscard]] static QString aNumber();
     [[nodiscard]] static QString aWholeNumber();
     [[nodiscard]] static QString aText();
+    [[nodiscard]] static QString aVisibleText();
     [[nodiscard]] static QString anObject();
     [[nodiscard]] static QString twoPinnedKeys();
     [[nodiscard]] static QString pairsOfNumbers();

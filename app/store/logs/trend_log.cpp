@@ -12,7 +12,7 @@ namespace campanel::store {
 namespace {
 
 constexpr qint64 quantitiesPerSlot = 8; // reserve for two more
-constexpr qint64 msPerSecond = 1000;
+constexpr qint64 msOfSecond = 1000;
 constexpr qint64 secondsPerMinute = 60;
 constexpr qint64 secondsPerHour = 3600;
 constexpr qint64 hoursOfSeconds = 4;
@@ -46,13 +46,13 @@ qint64 TrendLog::lengthMs(Level level)
 {
     switch (level) {
     case Level::Second:
-        return msPerSecond;
+        return msOfSecond;
     case Level::Minute:
-        return secondsPerMinute * msPerSecond;
+        return secondsPerMinute * msOfSecond;
     case Level::Hour:
         break;
     }
-    return secondsPerHour * msPerSecond;
+    return secondsPerHour * msOfSecond;
 }
 
 qint64 TrendLog::rowsKept(Level level)
@@ -94,7 +94,7 @@ tl::expected<void, StoreError> TrendLog::addTo(Level level, const QList<TrendPar
 {
     std::map<qint64, TrendBucket> buckets;
     for (const TrendPart& part : parts) {
-        const qint64 start = floorDivided(part.second * msPerSecond, lengthMs(level));
+        const qint64 start = floorDivided(part.second * msOfSecond, lengthMs(level));
         buckets[start * quantitiesPerSlot + static_cast<qint64>(part.quantity)].merge(part.bucket);
     }
     auto ring = Ring::begin(m_database, table(level), u"slot"_s, quantitiesPerSlot);

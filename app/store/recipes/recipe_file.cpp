@@ -60,14 +60,15 @@ RecipeOffer receivedRecipe(const QString& name, const ReceivedFile& file, const 
 
 tl::expected<program::Recipe, FileError> readRecipe(const QString& path)
 {
-    return readBytes(path).and_then([&path](const QByteArray& bytes) { return fromJson(bytes, path); });
+    return readBytes(path).and_then(
+        [&path](const QByteArray& bytes) { return fromJson(bytes, path, Names::Repair); });
 }
 
 tl::expected<void, FileError> writeRecipe(const program::Recipe& recipe, const QString& path)
 {
     QDir().mkpath(QFileInfo(path).absolutePath());
     // A damaged file must not replace the last good copy.
-    if (const auto before = readBytes(path); before && fromJson(*before, path)) {
+    if (const auto before = readBytes(path); before && fromJson(*before, path, Names::Repair)) {
         if (const auto kept = replaceBytes(backupPath(path), *before); !kept)
             return kept;
     }

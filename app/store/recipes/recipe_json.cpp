@@ -2,6 +2,7 @@
 // The envelope of the recipe format. Reading stops at the first error, with the key and the expected value.
 #include "app/store/recipes/recipe_json.h"
 
+#include "app/store/database/names.h"
 #include "app/store/files/json_keys.h"
 #include "app/store/files/json_reader.h"
 #include "app/store/recipes/program_json.h"
@@ -48,6 +49,20 @@ std::string codeIn(ObjectReader& reader, const QString& key)
     return bytes;
 }
 
+QString nameIn(ObjectReader& reader, Names names)
+{
+    const QString text = reader.text(u"name"_s);
+    const QString name = keptName(text);
+    if (names == Names::Repair)
+        return name.isEmpty() ? u"?"_s : name;
+    if (const auto hidden = hiddenCharacter(text))
+        reader.fail(u"name"_s, FileError::Kind::HiddenCharacter,
+                    u"U+%1"_s.arg(QString::number(*hidden, 16).toUpper().rightJustified(4, u'0')), {});
+    if (name.isEmpty())
+        reader.fail(u"name"_s, FileError::Kind::WrongType, {}, FileErrorText::aVisibleText());
+    return name;
+}
+
 } // namespace
 
 bool isScannable(const QString& code)
@@ -73,7 +88,7 @@ QByteArray toJson(const Recipe& recipe)
     return QJsonDocument(root).toJson();
 }
 
-tl::expected<Recipe, FileError> fromJson(const QByteArray& json, const QString& path)
+tl::expected<Recipe, FileError> fromJson(const QByteArray& json, const QString& path, Names names)
 {
     const auto refuse = [&path](FileError error) {
         error.path = path;
@@ -94,7 +109,7 @@ tl::expected<Recipe, FileError> fromJson(const QByteArray& json, const QString& 
     ObjectReader reader(root, {}, failure);
     reader.take(u"format"_s);
     reader.take(u"format_version"_s);
-    const QString name = reader.text(u"name"_s);
+    const QString name = nameIn(reader, names);
     recipe.name = name.toStdString();
     if (recipe.name.size() > program::longestNameBytes)
         reader.fail(u"name"_s, FileError::Kind::TooLong, name, QString::number(program::longestNameBytes));

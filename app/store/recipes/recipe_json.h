@@ -18,9 +18,14 @@ inline constexpr int recipeFormatVersion = 2;
 
 [[nodiscard]] QByteArray toJson(const program::Recipe& recipe);
 
+// What is done with a name that has hidden characters, or none that are visible: files from outside are
+// refused, what this panel has kept is read.
+enum class Names { Refuse, Repair };
+
 // Reads a recipe. `path` is only for the error. The two pinned values and the speed law must exist; other
 // values that are missing or null have their default. Unknown keys are refused, so that a misspelled one does
 // not become a default.
-[[nodiscard]] tl::expected<program::Recipe, FileError> fromJson(const QByteArray& json, const QString& path);
+[[nodiscard]] tl::expected<program::Recipe, FileError> fromJson(const QByteArray& json, const QString& path,
+                                                                Names names = Names::Refuse);
 
 } // namespace campanel::store

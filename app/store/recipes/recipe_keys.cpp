@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/store/recipes/recipe_keys.h"
 
+#include "app/store/database/names.h"
 #include "app/store/files/files.h"
 #include "app/store/files/json_keys.h"
 #include "app/store/files/store_logging.h"
@@ -78,8 +79,7 @@ tl::expected<KeyInFile, QString> keyIn(const QByteArray& file, const QString& fo
 bool isSignerName(const QString& name)
 {
     constexpr qsizetype longest = 64;
-    return !name.trimmed().isEmpty() && name.size() <= longest &&
-           std::ranges::none_of(name, [](QChar letter) { return letter.category() == QChar::Other_Control; });
+    return !name.trimmed().isEmpty() && name.size() <= longest && !hiddenCharacter(name);
 }
 
 std::optional<SigningKey> newSigningKey(const QString& name)

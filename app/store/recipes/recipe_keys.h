@@ -25,7 +25,7 @@ struct SignerKey {
     bool isWithdrawn = false;
 };
 
-// Returns true for a name that a signature can carry: 1 to 64 characters without control characters.
+// Returns true for a name that a signature can carry: 1 to 64 visible characters.
 [[nodiscard]] bool isSignerName(const QString& name);
 // Creates a key from random numbers of the system; empty when there are none.
 [[nodiscard]] std::optional<SigningKey> newSigningKey(const QString& name);

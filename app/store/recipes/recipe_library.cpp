@@ -2,8 +2,15 @@
 #include "app/store/recipes/recipe_library.h"
 
 #include "app/store/database/clock_mark.h"
+#include "app/store/database/names.h"
+#include "app/store/files/files.h"
+#include "app/store/files/store_logging.h"
 #include "app/store/recipes/program_json.h"
 #include "app/store/recipes/recipe_json.h"
+
+#include <QHash>
+
+#include <algorithm>
 
 using namespace Qt::StringLiterals;
 
@@ -26,10 +33,14 @@ QList<RecipeVersion> readVersions(QSqlQuery& query)
 {
     QList<RecipeVersion> versions;
     while (query.next()) {
-        auto recipe = fromJson(query.value(4).toByteArray(), {});
-        if (!recipe)
+        const QString name = query.value(5).toString();
+        auto recipe = fromJson(query.value(4).toByteArray(), name, Names::Repair);
+        if (!recipe) {
+            qCWarning(storeLog).noquote() << printable(u"Version %1 of a recipe cannot be read. %2"_s.arg(
+                query.value(1).toString(), FileErrorText::describe(recipe.error())));
             continue;
-        recipe->name = query.value(5).toString().toStdString();
+        }
+        recipe->name = name.toStdString();
         recipe->version = query.value(1).toInt();
         versions << RecipeVersion{query.value(0).toLongLong(), recipe->version, query.value(2).toLongLong(),
                                   query.value(3).toString(),   *recipe,         query.value(6).toBool()};
@@ -48,9 +59,42 @@ RecipeLibrary::Result<QList<RecipeVersion>> RecipeLibrary::newest()
 {
     auto query = m_database.execute(
         selectVersions +
-        uR"(WHERE r.deleted = 0 AND v.version = (SELECT MAX(version) FROM recipe_version WHERE recipe = r.id)
-            ORDER BY v.saved_ms DESC, r.id DESC)"_s);
-    return query ? Result<QList<RecipeVersion>>(readVersions(*query)) : tl::unexpected(query.error());
+        uR"(WHERE r.deleted = 0 AND v.version = (SELECT MAX(version) FROM recipe_version WHERE recipe = r.id))"_s);
+    if (!query)
+        return tl::unexpected(query.error());
+    QList<RecipeVersion> found = readVersions(*query);
+    query->finish();
+    if (const auto added = addOlder(found); !added)
+        return tl::unexpected(added.error());
+    std::ranges::sort(found, std::greater<>(),
+                      [](const RecipeVersion& each) { return std::pair(each.savedMs, each.recipeId); });
+    return found;
+}
+
+// Adds the newest version that can be read of each recipe whose newest one cannot.
+RecipeLibrary::Result<void> RecipeLibrary::addOlder(QList<RecipeVersion>& found)
+{
+    auto all = m_database.execute(
+        uR"(SELECT recipe, MAX(version) FROM recipe_version JOIN recipe ON recipe.id = recipe
+            WHERE deleted = 0 GROUP BY recipe)"_s);
+    if (!all)
+        return tl::unexpected(all.error());
+    QHash<qint64, int> newest;
+    while (all->next())
+        newest.insert(all->value(0).toLongLong(), all->value(1).toInt());
+    all->finish();
+    for (const RecipeVersion& each : found)
+        newest.remove(each.recipeId);
+    for (auto missing = newest.begin(); missing != newest.end(); ++missing) {
+        const auto readable = versions(missing.key());
+        if (!readable)
+            return tl::unexpected(readable.error());
+        if (readable->isEmpty())
+            continue;
+        found << readable->first();
+        found.last().unreadableVersion = missing.value();
+    }
+    return {};
 }
 
 RecipeLibrary::Result<QList<RecipeVersion>> RecipeLibrary::versions(qint64 recipeId)
@@ -63,12 +107,41 @@ RecipeLibrary::Result<QList<RecipeVersion>> RecipeLibrary::versions(qint64 recip
 RecipeLibrary::Result<bool> RecipeLibrary::has(const program::Recipe& recipe)
 {
     auto query =
-        m_database.execute(selectVersions + u"WHERE r.deleted = 0 AND r.name = ? AND v.version = ?"_s,
-                           {QString::fromStdString(recipe.name), recipe.version});
+        m_database.execute(selectVersions + u"WHERE r.deleted = 0 AND r.name_key = ? AND v.version = ?"_s,
+                           {nameKey(QString::fromStdString(recipe.name)), recipe.version});
     if (!query)
         return tl::unexpected(query.error());
     const QList<RecipeVersion> found = readVersions(*query);
     return !found.isEmpty() && isSameProgram(found.first().recipe, recipe);
+}
+
+// Returns the recipe of this name, with its present spelling. A deleted recipe is restored.
+RecipeLibrary::Result<qint64> RecipeLibrary::idOf(const program::Recipe& recipe)
+{
+    const QString name = keptName(QString::fromStdString(recipe.name));
+    auto known = m_database.execute(u"SELECT id FROM recipe WHERE name_key = ?"_s, {nameKey(name)});
+    if (!known)
+        return tl::unexpected(known.error());
+    if (!known->next()) {
+        const auto added =
+            m_database.execute(u"INSERT INTO recipe (name, name_key) VALUES (?, ?)"_s, {name, nameKey(name)});
+        return added ? Result<qint64>(added->lastInsertId().toLongLong()) : tl::unexpected(added.error());
+    }
+    const qint64 id = known->value(0).toLongLong();
+    known->finish();
+    return m_database.execute(u"UPDATE recipe SET name = ?, deleted = 0 WHERE id = ?"_s, {name, id})
+        .map([id](const auto&) { return id; });
+}
+
+// Returns the highest number of a version, also of one that cannot be read; 0: there is none. Earlier
+// versions of the program gave numbers beyond the last one: no version can follow them.
+RecipeLibrary::Result<int> RecipeLibrary::highestVersion(qint64 recipeId)
+{
+    auto found = m_database.execute(
+        u"SELECT coalesce(max(version), 0) FROM recipe_version WHERE recipe = ?"_s, {recipeId});
+    if (!found || !found->next())
+        return tl::unexpected(found ? m_database.stepped(*found).error() : found.error());
+    return found->value(0).toInt();
 }
 
 RecipeLibrary::Result<RecipeVersion> RecipeLibrary::save(const program::Recipe& recipe, const QString& by,
@@ -80,28 +153,24 @@ RecipeLibrary::Result<RecipeVersion> RecipeLibrary::save(const program::Recipe& 
         if (!newest)
             return tl::unexpected(newest.error());
         saved.isClockDoubtful = isClockUnset || isTimeDoubtful(nowMs, *newest);
-        const QString name = QString::fromStdString(recipe.name);
-        // Updates the spelling of the name; a deleted recipe is restored.
-        auto known = m_database.execute(
-            u"INSERT INTO recipe (name) VALUES (?) ON CONFLICT (name) DO UPDATE SET name = excluded.name, "
-            "deleted = 0 RETURNING id"_s,
-            {name});
-        if (!known || !known->next())
-            return tl::unexpected(known ? StoreError{} : known.error());
-        saved.recipeId = known->value(0).toLongLong();
-        known->finish();
+        const auto id = idOf(recipe);
+        if (!id)
+            return tl::unexpected(id.error());
+        saved.recipeId = *id;
         const auto before = versions(saved.recipeId);
-        if (!before)
-            return tl::unexpected(before.error());
-        if (!before->isEmpty()) {
-            const RecipeVersion& top = before->first();
-            if (recipe.version <= top.version && isSameProgram(top.recipe, recipe)) {
-                saved = top;
-                return {};
-            }
-            saved.version = std::max(recipe.version, top.version + 1);
-            saved.recipe.version = saved.version;
+        const auto top = highestVersion(saved.recipeId);
+        if (!before || !top)
+            return tl::unexpected(before ? top.error() : before.error());
+        if (!before->isEmpty() && recipe.version <= before->first().version &&
+            isSameProgram(before->first().recipe, recipe)) {
+            saved = before->first();
+            return {};
         }
+        saved.version = *top > 0 ? std::max(recipe.version, *top + 1) : recipe.version;
+        saved.recipe.version = saved.version;
+        if (saved.version > program::maxVersion)
+            return tl::unexpected(StoreError{StoreError::Kind::LastVersion, m_database.path(),
+                                             QString::fromStdString(recipe.name)});
         const auto inserted = m_database.execute(
             u"INSERT INTO recipe_version (recipe, version, saved_ms, saved_by, kind, json, clock_doubtful) "
             "VALUES (?, ?, ?, ?, ?, ?, ?)"_s,
@@ -114,7 +183,8 @@ RecipeLibrary::Result<RecipeVersion> RecipeLibrary::save(const program::Recipe& 
 
 RecipeLibrary::Result<void> RecipeLibrary::rename(qint64 recipeId, const QString& name)
 {
-    const auto done = m_database.execute(u"UPDATE recipe SET name = ? WHERE id = ?"_s, {name, recipeId});
+    const auto done = m_database.execute(u"UPDATE recipe SET name = ?, name_key = ? WHERE id = ?"_s,
+                                         {keptName(name), nameKey(name), recipeId});
     return done ? Result<void>() : tl::unexpected(done.error());
 }
 
@@ -132,7 +202,7 @@ RecipeLibrary::Result<QList<program::Recipe>> RecipeLibrary::machines()
         return tl::unexpected(query.error());
     QList<program::Recipe> machines;
     while (query->next()) {
-        if (const auto recipe = fromJson(query->value(0).toByteArray(), {}))
+        if (const auto recipe = fromJson(query->value(0).toByteArray(), {}, Names::Repair))
             machines << *recipe;
     }
     return machines;

@@ -20,6 +20,7 @@ struct RecipeVersion {
     QString savedBy;
     program::Recipe recipe;       // with the recipe's present name
     bool isClockDoubtful = false; // saved while the clock was not set; see clock_mark.h
+    int unreadableVersion = 0;    // a newer version of the recipe, which cannot be read; 0: none
 };
 
 class RecipeLibrary {
@@ -31,8 +32,9 @@ public:
 
     template <typename Value> using Result = tl::expected<Value, StoreError>;
 
-    // Returns the newest version of each recipe that is not deleted, the one saved last first. Versions that
-    // cannot be read (written by a newer version of this program) are omitted.
+    // Returns the newest version of each recipe that can be read and is not deleted, the one saved last
+    // first. Versions that cannot be read (damaged, or written by a newer version of this program) are
+    // logged.
     [[nodiscard]] Result<QList<RecipeVersion>> newest();
     // Returns all versions of one recipe, newest first.
     [[nodiscard]] Result<QList<RecipeVersion>> versions(qint64 recipeId);
@@ -40,9 +42,10 @@ public:
     // Returns true when the recipe's own version has this program and these codes, and is not deleted.
     [[nodiscard]] Result<bool> has(const program::Recipe& recipe);
 
-    // Saves the recipe under its name (case-insensitive) and returns its version: that of the recipe, or the
+    // Saves the recipe under its name (see names.h) and returns its version: that of the recipe, or the
     // next one when another program has that number. An unchanged program gets no new version. A deleted
     // recipe of that name is restored. The version is marked when the clock is not set, or cannot be right.
+    // Errors: LastVersion when no number is left.
     [[nodiscard]] Result<RecipeVersion> save(const program::Recipe& recipe, const QString& by, qint64 nowMs,
                                              bool isClockUnset = false);
 
@@ -56,6 +59,10 @@ public:
     [[nodiscard]] Result<void> saveMachine(const program::Recipe& recipe, const QString& by, qint64 nowMs);
 
 private:
+    [[nodiscard]] Result<void> addOlder(QList<RecipeVersion>& found);
+    [[nodiscard]] Result<qint64> idOf(const program::Recipe& recipe);
+    [[nodiscard]] Result<int> highestVersion(qint64 recipeId);
+
     Database& m_database;
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/store/users/user_store.h"
 
+#include "app/store/database/names.h"
 #include "app/store/database/setup_marker.h"
 #include "app/store/users/pin_hash.h"
 
@@ -109,10 +110,10 @@ void borrowUsers(Database& database, const QString& folder)
     auto rows = (*copy)->execute(
         u"SELECT id, name, level, pin, failed, locked_until_ms FROM user WHERE deleted = 0"_s);
     while (rows && rows->next())
-        (void)database.execute(
-            u"INSERT INTO user (id, name, level, pin, failed, locked_until_ms) "
-            "VALUES (?, ?, ?, ?, ?, ?)"_s,
-            {rows->value(0), rows->value(1), rows->value(2), rows->value(3), rows->value(4), rows->value(5)});
+        (void)database.execute(u"INSERT INTO user (id, name, level, pin, failed, locked_until_ms, name_key) "
+                               "VALUES (?, ?, ?, ?, ?, ?, ?)"_s,
+                               {rows->value(0), rows->value(1), rows->value(2), rows->value(3),
+                                rows->value(4), rows->value(5), nameKey(rows->value(1).toString())});
 }
 
 tl::expected<void, StoreError> renewPinHash(Database& database, qint64 id, const QString& pinHash)
@@ -123,10 +124,14 @@ tl::expected<void, StoreError> renewPinHash(Database& database, qint64 id, const
 tl::expected<User, StoreError> addUser(Database& database, const QString& name, UserLevel level,
                                        const QString& pinHash)
 {
-    User user{0, name, level, 0, 0};
+    User user{0, keptName(name), level, 0, 0};
+    if (user.name.isEmpty() || hiddenCharacter(name))
+        return tl::unexpected(
+            refused(database, StoreErrorText::tr("a name has visible characters only, and at least one")));
     const auto done = database.transaction([&]() -> tl::expected<void, StoreError> {
-        const auto added = database.execute(u"INSERT INTO user (name, level, pin) VALUES (?, ?, ?)"_s,
-                                            {name, static_cast<int>(level), pinHash});
+        const auto added =
+            database.execute(u"INSERT INTO user (name, level, pin, name_key) VALUES (?, ?, ?, ?)"_s,
+                             {user.name, static_cast<int>(level), pinHash, nameKey(user.name)});
         if (!added)
             return tl::unexpected(added.error());
         user.id = added->lastInsertId().toLongLong();

@@ -111,6 +111,48 @@ private slots:
         QCOMPARE(save(recipe("Rusk", 310, 5)).version, 5);
     }
 
+    // The last number that a version can have: another program is refused, the recipe stays as it is.
+    void theLastVersionIsTheLast()
+    {
+        save(recipe("Rusk", 310, program::maxVersion));
+        QCOMPARE(save(recipe("Rusk", 310, program::maxVersion)).version, program::maxVersion); // the same
+        for (const int version : {1, program::maxVersion}) {
+            const auto refused = library().save(recipe("Rusk", 320, version), {}, 2000);
+            QVERIFY(!refused);
+            QCOMPARE(refused.error().kind, StoreError::Kind::LastVersion);
+            QVERIFY(StoreErrorText::describe(refused.error()).contains(QStringLiteral("Rusk")));
+            QCOMPARE(names(), QStringList{QStringLiteral("Rusk v65535")});
+        }
+        QCOMPARE(save(recipe("Rusk 2", 320)).version, 1);
+    }
+
+    void damagedVersionsHideNoRecipe_data()
+    {
+        QTest::addColumn<QString>("damage");
+        QTest::newRow("no JSON") << QStringLiteral(
+            "UPDATE recipe_version SET json = x'7b' WHERE version = 3");
+        QTest::newRow("a number that is none") << QStringLiteral(
+            "UPDATE recipe_version SET json = replace(json, '\"version\": 3', '\"version\": "
+            "65536') WHERE version = 3");
+        QTest::newRow("another program") << QStringLiteral(
+            "UPDATE recipe_version SET json = replace(json, 'rotary', 'other') WHERE version = 3");
+    }
+
+    void damagedVersionsHideNoRecipe()
+    {
+        QFETCH(QString, damage);
+        save(recipe("Cake", 200), 1500);
+        for (int version = 1; version <= 3; ++version)
+            save(recipe("Rusk", 300 + version, version), version * 1000);
+        const auto done = m_database->execute(damage);
+        QVERIFY(done && done->numRowsAffected() == 1);
+        QCOMPARE(names(), QStringList({QStringLiteral("Rusk v2"), QStringLiteral("Cake v1")}));
+        QCOMPARE(library().newest()->first().unreadableVersion, 3);
+        QCOMPARE(library().newest()->last().unreadableVersion, 0);
+        QCOMPARE(save(recipe("Rusk", 350, 3)).version, 4); // the number of the damaged one is taken
+        QCOMPARE(library().newest()->first().unreadableVersion, 0);
+    }
+
     void renamesDeletesAndBringsBack()
     {
         const qint64 rusk = save(recipe("Rusk", 310), 1000).recipeId;
