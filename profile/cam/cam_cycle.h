@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// The common part of all cams that follow a virtual master: the cycle in time, jumps of the speed, the checks of the
-// axis, and the nearest master rate.
+// The common part of all cams that follow a virtual master: the cycle in time, jumps of the speed, the checks
+// of the axis, and the nearest master rate.
 #pragma once
 
 #include "profile/cam/spline.h"
 #include "profile/model/axis_motion.h"
+#include "profile/model/bounds.h"
 #include "profile/program/programs.h"
 
 #include <algorithm>
@@ -65,8 +66,8 @@ MotionProfile camCycleMotion(const CamMaster& master, double degPerS, std::span<
     MotionProfile motion;
     motion.setStartPosition(startMm);
     const auto addWithin = [&](const Piece& piece, double low, double high) {
-        const double from = std::max(piece.start, low);
-        const double to = std::min(piece.end(), high);
+        const double from = maxOf(piece.start, low);
+        const double to = minOf(piece.end(), high);
         if (to - from > angleToleranceDeg)
             add(motion, piece, degPerS > 0 ? from : to, degPerS > 0 ? to : from);
     };

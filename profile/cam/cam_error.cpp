@@ -2,6 +2,7 @@
 // Visits the parts in which the table is one cubic and the motion smooth. Between two samples the motion is
 // bounded by the largest fourth derivative of its position.
 #include "profile/cam/cam_table.h"
+#include "profile/model/bounds.h"
 
 #include <algorithm>
 #include <array>
@@ -25,7 +26,7 @@ std::vector<SmoothStretch> smoothStretches(const MotionProfile& motion)
     for (const Segment& s : motion.segments()) {
         if (s.law == nullptr || !(s.durationS > 0)) {
             const double snap =
-                std::max(std::abs(s.snapMmPerS4), std::abs(s.snapMmPerS4 + s.crackleMmPerS5 * s.durationS));
+                maxOf(std::abs(s.snapMmPerS4), std::abs(s.snapMmPerS4 + s.crackleMmPerS5 * s.durationS));
             stretches.push_back({&s, s.startS, s.endS(), snap});
             continue;
         }
@@ -45,7 +46,7 @@ std::vector<SmoothStretch> smoothStretches(const MotionProfile& motion)
         ends.push_back(1);
         double from = s.startS;
         for (const double x : ends) {
-            const double to = std::clamp(s.startS + (x - s.lawFrom) * lawS, s.startS, s.endS());
+            const double to = clamped(s.startS + (x - s.lawFrom) * lawS, s.startS, s.endS());
             stretches.push_back({&s, from, to, snap});
             from = to;
         }
@@ -66,7 +67,7 @@ std::array<double, 2> turns(double first, double firstSlope, double last, double
 {
     const double c2 = 3 * (last - first) - 2 * firstSlope - lastSlope;
     const double c3 = firstSlope + lastSlope - 2 * (last - first);
-    const double q = -(c2 + std::copysign(std::sqrt(std::max(c2 * c2 - 3 * c3 * firstSlope, 0.0)), c2));
+    const double q = -(c2 + std::copysign(std::sqrt(maxOf(c2 * c2 - 3 * c3 * firstSlope, 0.0)), c2));
     const auto inside = [](double x) { return x > 0 && x < 1 ? x : 0; };
     return {inside(q / (3 * c3)), inside(firstSlope / q)};
 }
@@ -85,12 +86,12 @@ public:
     {
         const auto last = static_cast<double>(m_table.rows.size() - 2);
         const auto indexAt = [&](double timeS) {
-            return static_cast<std::size_t>(std::clamp(std::floor(timeS / m_intervalS), 0.0, last));
+            return static_cast<std::size_t>(clamped(std::floor(timeS / m_intervalS), 0.0, last));
         };
         for (std::size_t i = indexAt(stretch.fromS); i <= indexAt(stretch.toS); ++i) {
-            const double fromS = std::max(stretch.fromS, static_cast<double>(i) * m_intervalS);
+            const double fromS = maxOf(stretch.fromS, static_cast<double>(i) * m_intervalS);
             const double toS = static_cast<double>(i) < last
-                                   ? std::min(stretch.toS, static_cast<double>(i + 1) * m_intervalS)
+                                   ? minOf(stretch.toS, static_cast<double>(i + 1) * m_intervalS)
                                    : stretch.toS;
             if (toS > fromS)
                 walkInterval(stretch, i, fromS, toS);
@@ -135,15 +136,12 @@ private:
         const double width = b.timeS - a.timeS;
         const double room = snap * width * width * width / 16;
         const double change = b.velocityMmPerS - a.velocityMmPerS;
-        const double x = jerk == 0 ? 0 : std::clamp(0.5 - change / (jerk * width * width), 0.0, 1.0);
+        const double bend = jerk * width * width;
+        const double x = 2 * std::abs(change) < std::abs(bend) ? 0.5 - change / bend : 0; // of the extremum
         for (const double share : {0.0, x, 1.0}) {
             const double faster =
-                std::abs(a.velocityMmPerS + share * change - jerk * width * width / 2 * share * (1 - share)) +
-                room;
-            if (faster <= m_errors.speedMmPerS)
-                continue;
-            m_errors.speedMmPerS = faster;
-            m_errors.speedTimeS = a.timeS + share * width;
+                std::abs(a.velocityMmPerS + share * change - bend / 2 * share * (1 - share)) + room;
+            raise(m_errors.speedMmPerS, m_errors.speedTimeS, faster, a.timeS + share * width);
         }
     }
 
@@ -160,10 +158,7 @@ private:
         for (const double share : {0.0, inner[0], inner[1], 1.0}) {
             const double curved = 3 * step - 2 * slopeA - slopeB + share * (slopeA + slopeB - 2 * step);
             const double away = std::abs(a.positionMm + share * (slopeA + share * curved)) + room;
-            if (away <= m_errors.positionMm)
-                continue;
-            m_errors.positionMm = away;
-            m_errors.positionTimeS = a.timeS + share * width;
+            raise(m_errors.positionMm, m_errors.positionTimeS, away, a.timeS + share * width);
         }
     }
 

@@ -4,6 +4,7 @@
 
 #include "profile/cam/spline.h"
 #include "profile/cutter/validate.h"
+#include "profile/model/bounds.h"
 #include "profile/model/limit_check.h"
 
 #include <algorithm>
@@ -31,7 +32,7 @@ public:
 
     [[nodiscard]] MotionPoint at(double timeS)
     {
-        const double time = std::min(timeS, m_endS);
+        const double time = minOf(timeS, m_endS);
         while (m_index + 1 < m_segments.size() && time >= m_segments[m_index + 1].startS)
             ++m_index;
         return m_segments[m_index].at(time);
@@ -103,19 +104,17 @@ Samples sample(const MotionProfile& motion, std::size_t intervals, const Machine
     samples.positions.resize(intervals + 1);
     Walker walker(motion);
     const MotionPoint first = walker.at(0);
-    double minUnits = 0;
-    double maxUnits = 0;
+    Extent extent;
     for (std::size_t i = 0; i <= intervals; ++i) {
         const double position =
             units * (walker.at(intervalS * static_cast<double>(i)).positionMm - first.positionMm);
         samples.positions[i] = position;
-        minUnits = std::min(minUnits, position);
-        maxUnits = std::max(maxUnits, position);
+        extent.add(position);
     }
     const Segment& end = motion.segments().back();
     const MotionPoint last = end.at(end.endS());
-    const bool isPeriodic = use == CamUse::Repeats &&
-                            continuesAtWrap(first, last, motion.durationS(), (maxUnits - minUnits) / units);
+    const bool isPeriodic =
+        use == CamUse::Repeats && continuesAtWrap(first, last, motion.durationS(), extent.span() / units);
     samples.slopes =
         unitSplineSlopes(samples.positions, isPeriodic ? SplineEnds::Periodic : SplineEnds::Clamped,
                          {units * first.velocityMmPerS * intervalS, units * last.velocityMmPerS * intervalS});
@@ -177,7 +176,7 @@ tl::expected<CamTable, Refusal> buildCamTable(const MotionProfile& motion, int i
     table.rows.resize(samples.positions.size());
     constexpr double maxRaw = std::numeric_limits<std::int32_t>::max();
     for (std::size_t i = 0; i < table.rows.size(); ++i) {
-        const double larger = std::max(std::abs(samples.positions[i]), std::abs(samples.slopes[i]));
+        const double larger = maxOf(std::abs(samples.positions[i]), std::abs(samples.slopes[i]));
         if (!(larger <= maxRaw))
             return tl::unexpected(tooLarge(Field::PulsesPerMotorRev, larger, maxRaw));
         table.rows[i] = {rounded(samples.positions[i]), rounded(samples.slopes[i])};

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "profile/cam/csv_reader.h"
 
+#include "profile/model/bounds.h"
+
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -43,9 +45,9 @@ CsvReader::CsvReader(std::string_view text)
 std::optional<std::string_view> CsvReader::nextLine()
 {
     while (!m_rest.empty()) {
-        const std::size_t end = std::min(m_rest.find('\n'), m_rest.size());
+        const std::size_t end = minOf(m_rest.find('\n'), m_rest.size());
         const std::string_view line = trimmed(m_rest.substr(0, end));
-        m_rest.remove_prefix(std::min(end + 1, m_rest.size()));
+        m_rest.remove_prefix(minOf(end + 1, m_rest.size()));
         ++m_line;
         if (!line.empty())
             return line;
@@ -105,7 +107,7 @@ tl::expected<double, CsvError> CsvReader::number(std::string_view field)
 tl::unexpected<CsvError> CsvReader::fail(CsvExpectation expected, std::string_view found) const
 {
     constexpr std::size_t maxBytes = 40;
-    std::size_t end = std::min(found.size(), maxBytes);
+    std::size_t end = minOf(found.size(), maxBytes);
     while (end > 0 && end < found.size() && (static_cast<unsigned char>(found[end]) & 0xC0U) == 0x80U)
         --end; // not inside a UTF-8 character
     const auto isControl = [](char c) {
@@ -113,7 +115,7 @@ tl::unexpected<CsvError> CsvReader::fail(CsvExpectation expected, std::string_vi
     };
     std::string shown(found.substr(0, end));
     std::ranges::replace_if(shown, isControl, '?');
-    return tl::unexpected(CsvError{std::max(m_line, 1), expected, std::move(shown)});
+    return tl::unexpected(CsvError{maxOf(m_line, 1), expected, std::move(shown)});
 }
 
 void appendCsvHeader(std::string& text, std::span<const std::string_view> columns)

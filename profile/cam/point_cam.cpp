@@ -3,6 +3,7 @@
 #include "profile/cam/point_cam.h"
 
 #include "profile/cam/point_cam_validate.h"
+#include "profile/model/bounds.h"
 
 #include <algorithm>
 #include <array>
@@ -48,20 +49,18 @@ std::array<std::optional<double>, 2> turningPoints(const SplinePiece& piece)
 
 std::optional<Refusal> findOvershoot(const PointCamProgram& program)
 {
-    double minMm = program.knots.front().slaveMm;
-    double maxMm = minMm;
-    for (const Knot& knot : program.knots) {
-        minMm = std::min(minMm, knot.slaveMm);
-        maxMm = std::max(maxMm, knot.slaveMm);
-    }
+    Extent slave;
+    for (const Knot& knot : program.knots)
+        slave.add(knot.slaveMm);
+    const auto [minMm, maxMm] = slave;
     std::optional<Refusal> worst;
-    double worstExcess = overshootShare * (maxMm - minMm);
+    double worstExcess = overshootShare * slave.span();
     const Spline curve = camCurve(program);
     for (std::size_t i = 0; i < curve.pieces().size(); ++i) {
         const SplinePiece& piece = curve.pieces()[i];
         for (const std::optional<double> angle : turningPoints(piece)) {
             const double reached = angle ? piece.at(*angle).value : minMm;
-            const double excess = std::max(reached - maxMm, minMm - reached);
+            const double excess = maxOf(reached - maxMm, minMm - reached);
             if (excess <= worstExcess)
                 continue;
             worstExcess = excess;
@@ -95,7 +94,7 @@ Spline camCurve(const PointCamProgram& program)
 {
     std::array<double, maxKnots> masterDeg{};
     std::array<double, maxKnots> slaveMm{};
-    const std::size_t count = std::min(program.knots.size(), maxKnots);
+    const std::size_t count = minOf(program.knots.size(), maxKnots);
     for (std::size_t i = 0; i < count; ++i) {
         masterDeg[i] = program.knots[i].masterDeg;
         slaveMm[i] = program.knots[i].slaveMm;

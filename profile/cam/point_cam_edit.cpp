@@ -10,10 +10,10 @@ namespace {
 
 double slaveSpanMm(const PointCamProgram& program)
 {
-    const auto [min, max] =
-        std::minmax_element(program.knots.begin(), program.knots.end(),
-                            [](const Knot& a, const Knot& b) { return a.slaveMm < b.slaveMm; });
-    return max->slaveMm - min->slaveMm;
+    Extent slave;
+    for (const Knot& knot : program.knots)
+        slave.add(knot.slaveMm);
+    return slave.span();
 }
 
 bool isMeantToBeClosed(const PointCamProgram& program)

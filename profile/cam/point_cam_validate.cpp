@@ -3,6 +3,8 @@
 // all.
 #include "profile/cam/point_cam_validate.h"
 
+#include "profile/model/bounds.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -14,7 +16,7 @@ using detail::indexedRefusal;
 
 double nearestWithin(double value, double min, double max)
 {
-    return std::isfinite(value) ? std::clamp(value, min, max) : std::max(min, 0.0);
+    return std::isfinite(value) ? clamped(value, min, max) : maxOf(min, 0.0);
 }
 
 std::optional<Refusal> checkPlaces(std::span<const Knot> knots)
@@ -37,7 +39,7 @@ std::optional<Refusal> checkKnots(std::span<const Knot> knots)
 {
     if (knots.size() < minKnots || knots.size() > maxKnots)
         return indexedRefusal(Limit::KnotCount, 0, static_cast<double>(knots.size()),
-                              static_cast<double>(std::clamp(knots.size(), minKnots, maxKnots)), {});
+                              static_cast<double>(clamped(knots.size(), minKnots, maxKnots)), {});
     if (auto refusal = checkPlaces(knots))
         return refusal;
     for (std::size_t i = 1; i < knots.size(); ++i) {

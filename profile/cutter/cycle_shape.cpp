@@ -3,8 +3,8 @@
 #include "profile/cutter/cycle_shape.h"
 
 #include "profile/laws/laws.h"
+#include "profile/model/bounds.h"
 
-#include <algorithm>
 #include <limits>
 #include <optional>
 
@@ -25,7 +25,7 @@ CycleShape cycleShape(const RotaryCutterProgram& program, const LawAndStroke& gi
     shape.strokeMm = given.strokeMm;
     shape.weight = 1 / program.k[2] - 1 / program.k[1] + given.lawTravel * (rampUp + rampBack);
     shape.syncRatio = program.syncRatio;
-    shape.shortestRamp = std::min(rampUp, rampBack);
+    shape.shortestRamp = minOf(rampUp, rampBack);
     shape.lawPeaks = given.lawPeaks;
     return shape;
 }

@@ -8,6 +8,7 @@
 #include "profile/cutter/ratios.h"
 #include "profile/cutter/validate.h"
 #include "profile/laws/laws.h"
+#include "profile/model/bounds.h"
 
 #include <algorithm>
 #include <cmath>
@@ -109,7 +110,7 @@ void setValue(RotaryCutterProgram& program, Field field, double value)
         program.syncRatio = value;
         break;
     case Field::SlicesPerRamp:
-        program.slicesPerRamp = static_cast<int>(std::clamp(std::round(value), -1e9, 1e9));
+        program.slicesPerRamp = wholeOf(value);
         break;
     case Field::MinSealTime:
         program.minSealTimeMs = value;
@@ -134,7 +135,7 @@ tl::expected<CycleNumbers, Refusal> detail::solveValid(const RotaryCutterProgram
                                     {program.pinned[1], value(program, program.pinned[1])});
     if (values.baseSpeedMmPerS < -zeroSpeedToleranceMmPerS || values.cycleTimeS <= 0)
         return tl::unexpected(strokeCannotClose(shape, values.bagLengthMm));
-    values.baseSpeedMmPerS = std::max(values.baseSpeedMmPerS, 0.0);
+    values.baseSpeedMmPerS = maxOf(values.baseSpeedMmPerS, 0.0);
     for (const Field field : {Field::Rate, Field::FilmSpeed, Field::BaseSpeed, Field::BagLength}) {
         if (!isPinned(program, field) && !inRange(field, values.of(field)))
             return tl::unexpected(outOfRange(field, values.of(field)));

@@ -5,6 +5,7 @@
 #include "profile/cutter/limits.h"
 #include "profile/cutter/table_nearest.h"
 #include "profile/cutter/table_slices.h"
+#include "profile/model/bounds.h"
 
 #include <algorithm>
 #include <cmath>
@@ -74,7 +75,7 @@ private:
         std::int64_t tick = 0;
         for (std::int64_t pulse = 1; pulse <= slice.pulses; ++pulse) {
             const std::int64_t next = pulse * slice.ticks / slice.pulses;
-            const std::int64_t interval = std::min(next - tick, m_largestConstant);
+            const std::int64_t interval = minOf(next - tick, m_largestConstant);
             if (next - tick > interval)
                 pause(next - tick - interval);
             m_rows.push_back({1, static_cast<std::uint32_t>(interval)});
@@ -137,8 +138,8 @@ tl::expected<StepTable, Refusal> buildTable(const RotaryCutter& cutter)
     }
     table.cycleTicks =
         static_cast<std::uint32_t>(std::llround(cutter.cycle.cycleTimeS * machine.timerClockHz));
-    const auto longestS = std::max(
-        {cutter.cycle.taS, cutter.cycle.tcS - cutter.cycle.tbS, cutter.cycle.cycleTimeS - cutter.cycle.tdS});
+    const auto longestS = maxOf(cutter.cycle.taS, cutter.cycle.tcS - cutter.cycle.tbS,
+                                cutter.cycle.cycleTimeS - cutter.cycle.tdS);
     const double onePulseMoreHz = peak.pulseFrequencyHz + 1 / longestS;
     const std::optional<SlicedCycle> cycle = cutSlices(cutter, table.cycleTicks);
     if (!cycle)

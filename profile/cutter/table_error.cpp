@@ -4,21 +4,14 @@
 // equal.
 #include "profile/cutter/table_error.h"
 
-#include <algorithm>
+#include "profile/model/bounds.h"
+
 #include <array>
 #include <cmath>
 #include <optional>
 
 namespace campanel::profile {
 namespace {
-
-void keepLargest(double candidate, double timeS, double& largest, double& maxTimeS)
-{
-    if (std::abs(candidate) <= largest)
-        return;
-    largest = std::abs(candidate);
-    maxTimeS = timeS;
-}
 
 // The part of a slice within one segment of the curve.
 struct SlicePart {
@@ -121,12 +114,12 @@ double squaresOf(const SlicePart& part)
 double addErrors(const SlicePart& part, double perMm, TableErrors& errors)
 {
     for (const double timeS : {part.fromS, part.toS}) {
-        keepLargest(part.fasterMmPerS(timeS), timeS, errors.speedMmPerS, errors.speedTimeS);
-        keepLargest(part.aheadMm(timeS) * perMm, timeS, errors.insidePulses, errors.insideTimeS);
+        raise(errors.speedMmPerS, errors.speedTimeS, part.fasterMmPerS(timeS), timeS);
+        raise(errors.insidePulses, errors.insideTimeS, part.aheadMm(timeS) * perMm, timeS);
     }
     if (const auto agreement = speedAgreement(part)) {
         const double maxMm = std::abs(part.aheadMm(agreement->timeS)) + agreement->roomMm;
-        keepLargest(maxMm * perMm, agreement->timeS, errors.insidePulses, errors.insideTimeS);
+        raise(errors.insidePulses, errors.insideTimeS, maxMm * perMm, agreement->timeS);
     }
     return squaresOf(part);
 }
@@ -150,25 +143,27 @@ TableErrors tableErrors(const RotaryCutter& cutter, std::span<const TableSlice> 
         const double startS = static_cast<double>(slice.startTick) / clock;
         const double endS = static_cast<double>(slice.startTick + slice.ticks) / clock;
         for (const Segment& segment : cutter.motion.segments()) {
-            const SlicePart part{
-                segment, std::max(startS, segment.startS),          std::min(endS, segment.endS()),
-                startS,  static_cast<double>(pulsesBefore) / perMm, frequency(slice) / perMm};
+            const SlicePart part{segment,
+                                 maxOf(startS, segment.startS),
+                                 minOf(endS, segment.endS()),
+                                 startS,
+                                 static_cast<double>(pulsesBefore) / perMm,
+                                 frequency(slice) / perMm};
             if (part.toS > part.fromS)
                 squares += addErrors(part, perMm, errors);
         }
         pulsesBefore += slice.pulses;
         const double travelMm = cutter.motion.at(endS).positionMm;
         if (slice.endsSlice)
-            keepLargest(static_cast<double>(pulsesBefore) - travelMm * perMm, endS, errors.boundaryPulses,
-                        errors.boundaryTimeS);
-        keepLargest(frequency(slice) - frequency(*last), startS, errors.frequencyStepHz,
-                    errors.frequencyStepTimeS);
+            raise(errors.boundaryPulses, errors.boundaryTimeS,
+                  static_cast<double>(pulsesBefore) - travelMm * perMm, endS);
+        raise(errors.frequencyStepHz, errors.frequencyStepTimeS, frequency(slice) - frequency(*last), startS);
         last = &slice;
     }
-    keepLargest(errors.boundaryPulses, errors.boundaryTimeS, errors.insidePulses, errors.insideTimeS);
+    raise(errors.insidePulses, errors.insideTimeS, errors.boundaryPulses, errors.boundaryTimeS);
     errors.rmsPulses = perMm * std::sqrt(squares / cutter.cycle.cycleTimeS);
     errors.speedPercent =
-        100 * errors.speedMmPerS / std::max(cutter.cycle.baseSpeedMmPerS, cutter.cycle.filmSpeedMmPerS);
+        100 * errors.speedMmPerS / maxOf(cutter.cycle.baseSpeedMmPerS, cutter.cycle.filmSpeedMmPerS);
     return errors;
 }
 

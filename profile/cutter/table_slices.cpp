@@ -4,6 +4,8 @@
 // division), so that its constant speed is the curve's.
 #include "profile/cutter/table_slices.h"
 
+#include "profile/model/bounds.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -49,9 +51,12 @@ std::size_t carryStretch(const RotaryCutter& cutter, const std::vector<Stretch>&
             (spareHz * lengthS >= neededRoomPulses ? 2 : 0) + (stretch.isConstant && speed > 0 ? 1 : 0);
         return std::pair{rank, lengthS};
     };
-    const auto best = std::max_element(
-        all.begin(), all.end(), [&](const Stretch& a, const Stretch& b) { return score(a) < score(b); });
-    return static_cast<std::size_t>(best - all.begin());
+    std::size_t best = 0;
+    for (std::size_t i = 1; i < all.size(); ++i) {
+        if (score(all[i]) > score(all[best]))
+            best = i;
+    }
+    return best;
 }
 
 } // namespace
@@ -77,14 +82,14 @@ std::optional<SlicedCycle> cutSlices(const RotaryCutter& cutter, std::int64_t cy
         const double travel = cutter.motion.at(all[i].endS).positionMm * perMm - leftOut;
         const std::int64_t after =
             isLast ? cyclePulses.whole
-                   : std::clamp(std::int64_t{std::llround(travel)}, before, cyclePulses.whole);
+                   : clamped(std::int64_t{std::llround(travel)}, before, cyclePulses.whole);
         const double position = (static_cast<double>(after) + leftOut) / perMm;
         const std::int64_t exact =
             isLast ? cycleTicks : std::llround(cutter.motion.timeAt(position, all[i].endS) * clock);
         // A curve within the timer's frequency already has this distance between pulses; only noise could
         // reduce it by a tick.
         const std::int64_t earliest = (i > 0 ? endTicks[i - 1] : 0) + (after - before) * constant;
-        endTicks[i] = std::max(exact, earliest);
+        endTicks[i] = maxOf(exact, earliest);
         pulses[i] = after - before;
         before = after;
     }

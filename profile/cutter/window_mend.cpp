@@ -5,8 +5,8 @@
 #include "profile/cutter/jaw.h"
 #include "profile/cutter/limits.h"
 #include "profile/cutter/validate.h"
+#include "profile/model/bounds.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -34,7 +34,7 @@ std::optional<std::array<double, 4>> ratiosFor(const RotaryCutterProgram& progra
         return std::nullopt;
     const double present = (1 / program.k[1] + 1 / program.k[2]) / 2;
     const double middle =
-        ramps == Ramps::Longest ? 0.5 : std::clamp(present, edge + window / 2, 1 - edge - window / 2);
+        ramps == Ramps::Longest ? 0.5 : clamped(present, edge + window / 2, 1 - edge - window / 2);
     const double tb = middle - window / 2;
     const double tc = middle + window / 2;
     const double rampBefore = tb - 1 / program.k[0];
@@ -45,9 +45,9 @@ std::optional<std::array<double, 4>> ratiosFor(const RotaryCutterProgram& progra
         ratios.back() = ratioOutwards(1 - firstEndShare, false);
     } else {
         if (rampBefore < minRampShare)
-            ratios.front() = ratioOutwards(std::max(firstEndShare, tb / 2), true);
+            ratios.front() = ratioOutwards(maxOf(firstEndShare, tb / 2), true);
         if (rampAfter < minRampShare)
-            ratios.back() = ratioOutwards(std::min(1 - firstEndShare, (1 + tc) / 2), false);
+            ratios.back() = ratioOutwards(minOf(1 - firstEndShare, (1 + tc) / 2), false);
     }
     return ratios;
 }

@@ -4,8 +4,8 @@
 #include "profile/intervals/interval_errors.h"
 
 #include "profile/intervals/speed_curve.h"
+#include "profile/model/bounds.h"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -20,10 +20,10 @@ constexpr double cellsPerSegment = 256; // minimum, so that no cell contains two
 // Returns the bound of a curve between two points, when its slope is between low and high.
 double summit(double first, double last, double width, double low, double high)
 {
-    const double ends = std::max(first, last);
+    const double ends = maxOf(first, last);
     if (low >= 0 || high <= 0)
         return ends;
-    return std::max(ends, (high * last - low * first - low * high * width) / (high - low));
+    return maxOf(ends, (high * last - low * first - low * high * width) / (high - low));
 }
 
 // The state of the motion and the rows at one iteration; speeds in Hz, along the motion.
@@ -39,14 +39,11 @@ class Largest {
 public:
     void see(double error, double timeS)
     {
-        if (error > m_seen) {
-            m_seen = error;
-            m_timeS = timeS;
-        }
-        m_bound = std::max(m_bound, error);
+        raise(m_seen, m_timeS, error, timeS);
+        m_bound = maxOf(m_bound, error);
     }
     bool admits(double bound) const { return bound <= m_seen * (1 + precision) + smallest; }
-    void admit(double bound) { m_bound = std::max(m_bound, bound); }
+    void admit(double bound) { m_bound = maxOf(m_bound, bound); }
     double bound() const { return m_bound; }
     double timeS() const { return m_timeS; }
 
@@ -88,14 +85,14 @@ public:
         m_endsAtRest = std::abs(m_last.velocityMmPerS) * m_durationS <= restShare * std::abs(travel);
         double shortestS = m_durationS;
         for (const Segment& segment : motion.segments()) {
-            m_jerk = std::max(m_jerk, jerkBound(segment) * pulsesPerMm);
+            m_jerk = maxOf(m_jerk, jerkBound(segment) * pulsesPerMm);
             if (segment.durationS > 0) {
-                shortestS = std::min(shortestS, segment.durationS);
+                shortestS = minOf(shortestS, segment.durationS);
                 m_cutsS.push_back(segment.startS);
             }
         }
         m_cutsS.push_back(m_durationS);
-        m_longestCell = static_cast<std::uint64_t>(std::max(1.0, shortestS / cellsPerSegment / iterationS));
+        m_longestCell = static_cast<std::uint64_t>(maxOf(1.0, shortestS / cellsPerSegment / iterationS));
     }
 
     IntervalErrors of(std::span<const IntervalRow> rows, int fractionBits);
@@ -156,7 +153,7 @@ void Comparison::compareCell(const Part& part, const Point& first, std::uint64_t
     const double above = step + (part.acceleration < 0 ? hertz(1) : 0);
     const double below = step + (part.acceleration > 0 ? hertz(1) : 0);
     for (const Point* point : {&first, &last}) {
-        m_speed.see(std::max(point->speedError + above, below - point->speedError), point->timeS);
+        m_speed.see(maxOf(point->speedError + above, below - point->speedError), point->timeS);
         m_position.see(std::abs(point->positionError), point->timeS);
     }
     if (to - from <= 1)
@@ -164,14 +161,14 @@ void Comparison::compareCell(const Part& part, const Point& first, std::uint64_t
     const double width = static_cast<double>(to - from) * m_iterationS;
     const double rowSlope = hertz(part.acceleration) / m_iterationS;
     const double jerk = m_jerk * width;
-    const double high = rowSlope - std::min(first.acceleration, last.acceleration) + jerk;
-    const double low = rowSlope - std::max(first.acceleration, last.acceleration) - jerk;
+    const double high = rowSlope - minOf(first.acceleration, last.acceleration) + jerk;
+    const double low = rowSlope - maxOf(first.acceleration, last.acceleration) - jerk;
     const double fastest = summit(first.speedError, last.speedError, width, low, high) + above;
     const double slowest = summit(-first.speedError, -last.speedError, width, -high, -low) + below;
     const double ahead = summit(first.positionError, last.positionError, width, -slowest, fastest);
     const double behind = summit(-first.positionError, -last.positionError, width, -fastest, slowest);
-    const double speed = std::max(fastest, slowest);
-    const double position = std::max(ahead, behind);
+    const double speed = maxOf(fastest, slowest);
+    const double position = maxOf(ahead, behind);
     if (to - from <= m_longestCell && m_speed.admits(speed) && m_position.admits(position)) {
         m_speed.admit(speed);
         m_position.admit(position);
@@ -211,7 +208,7 @@ IntervalErrors Comparison::of(std::span<const IntervalRow> rows, int fractionBit
     Part part;
     for (const IntervalRow& row : rows) {
         const RowEnd end = rowEnd(row, part.rest, fractionBits);
-        const std::uint64_t ramp = std::min(rampIterations(row), end.iterations);
+        const std::uint64_t ramp = minOf(rampIterations(row), end.iterations);
         const double sign = row.lastSpeed > row.firstSpeed ? 1 : -1;
         part.row = row;
         part.from = 0;

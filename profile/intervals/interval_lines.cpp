@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "profile/intervals/interval_lines.h"
 
+#include "profile/model/bounds.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -41,7 +43,7 @@ std::vector<PathPoint> raised(std::vector<PathPoint> knots, double missingPulses
     const double lastS = knots[last].timeS - knots[last - 1].timeS;
     const double widthS = knots[last].timeS - knots.front().timeS - (firstS + lastS) / 2;
     for (std::size_t i = 1; i < last; ++i)
-        knots[i].speedHz = std::max(minHz, knots[i].speedHz + missingPulses / widthS);
+        knots[i].speedHz = maxOf(minHz, knots[i].speedHz + missingPulses / widthS);
     return knots;
 }
 
@@ -84,7 +86,7 @@ IntervalLines::IntervalLines(const SpeedCurve& curve, double minHz, double maxHz
             continue;
         const double turn = (samples[i].speedHz - samples[i - 1].speedHz) / lastS -
                             (samples[i - 1].speedHz - samples[i - 2].speedHz) / firstS;
-        m_bendIntegral += std::sqrt(std::abs(turn) * std::min(firstS, lastS));
+        m_bendIntegral += std::sqrt(std::abs(turn) * minOf(firstS, lastS));
     }
 }
 
@@ -95,7 +97,7 @@ std::size_t IntervalLines::fewest(double errorHz, std::size_t maxLines)
     for (std::size_t i = 0; i < samples.size(); ++i) {
         const double speed = samples[i].speedHz / stretch;
         const double width = errorHz + samples[i].bulgeHz;
-        m_channel[i] = {samples[i].timeS, std::max(0.0, speed - width), std::min(m_maxHz, speed + width)};
+        m_channel[i] = {samples[i].timeS, maxOf(0.0, speed - width), minOf(m_maxHz, speed + width)};
     }
     fixEnds();
     const auto knots = minLinks(m_channel, maxLines);
@@ -116,8 +118,7 @@ void IntervalLines::lay(double errorHz, const LineStyle& style, double shiftHz)
         // The mean error of a line over a parabola between its ends is a third of its largest error, towards
         // the inside of the bend.
         const double middle = samples[i].speedHz + shiftHz - style.evenness * samples[i].bend * errorHz / 3;
-        m_channel[i] = {samples[i].timeS, std::max(middle - errorHz, m_minHz),
-                        std::min(middle + errorHz, m_maxHz)};
+        m_channel[i] = {samples[i].timeS, maxOf(middle - errorHz, m_minHz), minOf(middle + errorHz, m_maxHz)};
     }
     fixEnds();
     if (style.flats == Flats::None)
@@ -136,7 +137,7 @@ void IntervalLines::pinch(const SpeedPeak& peak, double errorHz)
 {
     const Gate& gate = m_channel[peak.sample];
     const double middle = (gate.lowerHz + gate.upperHz) / 2;
-    const double level = std::clamp(middle - peak.sign * errorHz, gate.lowerHz, gate.upperHz);
+    const double level = clamped(middle - peak.sign * errorHz, gate.lowerHz, gate.upperHz);
     for (const std::size_t i : {peak.sample, peak.sample + 1})
         m_channel[i].lowerHz = m_channel[i].upperHz = level;
 }
@@ -215,7 +216,7 @@ std::optional<Lines> IntervalLines::find(std::size_t lineCount, const LineStyle&
     constexpr double closeEnough = 0.02; // share of the error by which lines may be raised
     constexpr double linesPerBend = 4;   // lines of the smallest error over a constant jerk: j h^2 / 16
     const double perLine = m_bendIntegral / (linesPerBend * static_cast<double>(lineCount));
-    double guess = std::max(perLine * perLine, 1e-6 * m_curve.fastestHz());
+    double guess = maxOf(perLine * perLine, 1e-6 * m_curve.fastestHz());
     double shift = 0;
     std::optional<Lines> result;
     for (int i = 0; i < attempts; ++i) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "profile/intervals/interval_plan.h"
 
+#include "profile/model/bounds.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -44,7 +46,7 @@ double firstPulseErrorHz(const SpeedCurve& curve, double firstHz, double lastHz)
     for (int i = 0; i <= checks; ++i) {
         const double share = static_cast<double>(i) / checks;
         const double speedHz = firstHz + (lastHz - firstHz) * share;
-        error = std::max(error, std::abs(speedHz - curve.speedAt(endS * share)));
+        error = maxOf(error, std::abs(speedHz - curve.speedAt(endS * share)));
     }
     return error;
 }
@@ -67,8 +69,8 @@ double firstPulseErrorHz(const SpeedCurve& curve)
         const double middleLastHz = lastHz;
         for (int i = -choices; i <= choices; ++i) {
             for (int j = -choices; j <= choices; ++j) {
-                const double first = std::max(0.0, middleFirstHz + width * i / choices);
-                const double last = std::max(0.0, middleLastHz + width * j / choices);
+                const double first = maxOf(0.0, middleFirstHz + width * i / choices);
+                const double last = maxOf(0.0, middleLastHz + width * j / choices);
                 const double error = first + last > 0 ? firstPulseErrorHz(curve, first, last) : best;
                 if (error < best) {
                     best = error;
@@ -127,7 +129,7 @@ std::optional<IntervalPlan> IntervalPlanner::plan(std::size_t rowCount, const Li
     const std::size_t lineCount = rowCount + level.lines.flatCount(style.flats);
     // The searched curve is stretched to whole pulses.
     const double stretchHz = std::abs(1 - 1 / curve.stretch()) * curve.fastestHz();
-    const double allowedHz = std::min(errorMmPerS * m_pulsesPerMm + stretchHz, maxErrorHz(curve));
+    const double allowedHz = minOf(errorMmPerS * m_pulsesPerMm + stretchHz, maxErrorHz(curve));
     if (!level.lines.canKeep(allowedHz / (1 + style.evenness / 3), lineCount, style.evenness))
         return std::nullopt;
     const auto lines = level.lines.find(lineCount, style);
@@ -145,7 +147,7 @@ std::optional<IntervalPlan> IntervalPlanner::plan(std::size_t rowCount, const Li
             IntervalPlan result{std::move(*rows), {}, 0};
             result.errors = intervalErrors(result.rows, m_rules.fractionBits, m_rules.iterationS, m_motion,
                                            m_pulsesPerMm);
-            result.errorMmPerS = std::max(result.errors.speedMmPerS, failedHz / m_pulsesPerMm);
+            result.errorMmPerS = maxOf(result.errors.speedMmPerS, failedHz / m_pulsesPerMm);
             // The smallest number that keeps the error has the fewest rows of all.
             if (result.errorMmPerS <= errorMmPerS && result.rows.size() + 1 >= rowCount)
                 return result;
@@ -164,8 +166,7 @@ double IntervalPlanner::finestHz()
         constexpr double share = 0.7;
         constexpr double minShare = 1e-6; // share of the maximum speed
         const SpeedCurve& curve = levelOf(1).curve;
-        m_finestHz =
-            std::max(share * std::max(m_unitHz, firstPulseErrorHz(curve)), minShare * curve.fastestHz());
+        m_finestHz = maxOf(share * maxOf(m_unitHz, firstPulseErrorHz(curve)), minShare * curve.fastestHz());
     }
     return *m_finestHz;
 }
@@ -219,11 +220,11 @@ double IntervalPlanner::keptErrorMmPerS(double triedMmPerS)
         const std::size_t styleCount = m_counts[i] <= maxFineCount ? styles.size() : 1;
         for (std::size_t j = 0; j < styleCount; ++j) {
             if (const auto found = plan(m_counts[i], styles[j], noLimit))
-                best = std::min(best, found->errorMmPerS);
+                best = minOf(best, found->errorMmPerS);
         }
         if (i == 0)
             break;
-        i -= std::min(i, std::max<std::size_t>(1, std::min(stride, i / 4)));
+        i -= minOf(i, maxOf<std::size_t>(1, minOf(stride, i / 4)));
     }
     return best;
 }

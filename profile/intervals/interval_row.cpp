@@ -3,7 +3,8 @@
 // bits.
 #include "profile/intervals/interval_row.h"
 
-#include <algorithm>
+#include "profile/model/bounds.h"
+
 #include <cmath>
 #include <utility>
 
@@ -43,7 +44,7 @@ double estimatedEnd(const IntervalRow& row, double distance)
     if (distance >= rampDistance)
         return ramp + (distance - rampDistance) / last;
     const double rate = (last - first) / ramp;
-    return 2 * distance / (first + std::sqrt(std::max(0.0, first * first + 2 * rate * distance)));
+    return 2 * distance / (first + std::sqrt(maxOf(0.0, first * first + 2 * rate * distance)));
 }
 
 } // namespace
@@ -75,7 +76,7 @@ RowEnd rowEnd(const IntervalRow& row, std::uint64_t rest, int fractionBits)
     std::uint64_t width = 4;
     std::uint64_t low = estimate;
     while (low > 0 && isReached(low)) {
-        low -= std::min(low, width);
+        low -= minOf(low, width);
         width *= 4;
     }
     std::uint64_t end = low + width;

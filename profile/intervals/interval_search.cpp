@@ -2,6 +2,8 @@
 // A beam search: each step keeps the candidates that are closest to the lines.
 #include "profile/intervals/interval_search.h"
 
+#include "profile/model/bounds.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -109,8 +111,8 @@ private:
     double hertz(std::uint32_t speed) const { return speed / m_unitsPerHz; }
     std::uint32_t units(double hz) const
     {
-        const double max = std::max(1.0, std::floor(m_rules.maxHz * m_unitsPerHz));
-        return static_cast<std::uint32_t>(std::clamp(std::round(hz * m_unitsPerHz), 1.0, max));
+        const double max = maxOf(1.0, std::floor(m_rules.maxHz * m_unitsPerHz));
+        return static_cast<std::uint32_t>(clamped(std::round(hz * m_unitsPerHz), 1.0, max));
     }
 
     const SpeedCurve& m_curve;
@@ -126,8 +128,8 @@ bool RowSearch::staysNear(double fromS, double firstHz, double rampS, double las
             timeS - fromS >= rampS ? lastHz : firstHz + (lastHz - firstHz) * (timeS - fromS) / rampS;
         return std::abs(curveHz - speedHz) <= m_toleranceHz;
     };
-    const double endOfMotionS = std::clamp(m_curve.durationS(), fromS, endS);
-    for (const double timeS : {fromS, std::min(fromS + rampS, endS), endOfMotionS, endS}) {
+    const double endOfMotionS = clamped(m_curve.durationS(), fromS, endS);
+    for (const double timeS : {fromS, minOf(fromS + rampS, endS), endOfMotionS, endS}) {
         if (!isNear(timeS, m_curve.speedAt(timeS)))
             return false;
     }
@@ -155,13 +157,12 @@ std::uint32_t RowSearch::reached(const IntervalRow& row, double distance) const
     const double first = row.firstSpeed;
     const double change =
         2 * std::ldexp(static_cast<double>(row.acceleration), m_rules.fractionBits) * distance;
-    const double min = std::max(1.0, std::ceil(m_rules.minHz * m_unitsPerHz));
-    const double max = std::max(1.0, std::floor(m_rules.maxHz * m_unitsPerHz));
+    const double min = maxOf(1.0, std::ceil(m_rules.minHz * m_unitsPerHz));
+    const double max = maxOf(1.0, std::floor(m_rules.maxHz * m_unitsPerHz));
     if (row.lastSpeed > row.firstSpeed)
-        return static_cast<std::uint32_t>(
-            std::clamp(std::floor(std::sqrt(first * first + change)), first, max));
-    const double left = std::sqrt(std::max(0.0, first * first - change));
-    return static_cast<std::uint32_t>(std::clamp(std::ceil(left), std::min(min, first), first));
+        return static_cast<std::uint32_t>(clamped(std::floor(std::sqrt(first * first + change)), first, max));
+    const double left = std::sqrt(maxOf(0.0, first * first - change));
+    return static_cast<std::uint32_t>(clamped(std::ceil(left), minOf(min, first), first));
 }
 
 // Returns the row that reaches lastHz after rampS, or at the end of its distance if that is earlier.
@@ -179,8 +180,7 @@ std::optional<Node> RowSearch::follow(const Node& from, std::int64_t pulses, dou
     // On average the speed register is half a unit behind the linear ramp, and half an iteration ahead.
     const double changeHz = hertz(row.lastSpeed) - firstHz;
     const double unitHz = std::copysign(hertz(1), changeHz);
-    const double behindPulses =
-        (unitHz * std::min(rampS, 2 * whole / sum) - changeHz * m_rules.iterationS) / 2;
+    const double behindPulses = (unitHz * minOf(rampS, 2 * whole / sum) - changeHz * m_rules.iterationS) / 2;
     const double distance = whole + behindPulses - std::ldexp(static_cast<double>(from.rest), -bits);
     if (!(distance > 0))
         return std::nullopt;
@@ -188,8 +188,7 @@ std::optional<Node> RowSearch::follow(const Node& from, std::int64_t pulses, dou
     const bool isHeld = rampS < evenS * (1 - 1e-9);
     const double change = std::abs(static_cast<double>(row.lastSpeed) - row.firstSpeed);
     if (change > 0) {
-        const double exact =
-            std::ldexp(change * m_rules.iterationS / std::min(rampS, evenS), accumulatorBits);
+        const double exact = std::ldexp(change * m_rules.iterationS / minOf(rampS, evenS), accumulatorBits);
         double acceleration = std::ceil(exact);
         if (!isHeld && rounding == Rounding::Nearest)
             acceleration = std::round(exact);
@@ -197,20 +196,20 @@ std::optional<Node> RowSearch::follow(const Node& from, std::int64_t pulses, dou
             acceleration = std::floor(exact);
         const double squares = change * (static_cast<double>(row.firstSpeed) + row.lastSpeed);
         const double minAcceleration = std::ceil(squares / (std::ldexp(2 * whole, m_rules.fractionBits)));
-        acceleration = std::max(1.0, acceleration);
+        acceleration = maxOf(1.0, acceleration);
         if (isHeld || rounding == Rounding::Keep)
-            acceleration = std::max(acceleration, minAcceleration);
-        if (!(std::max(acceleration, whole) <= max))
+            acceleration = maxOf(acceleration, minAcceleration);
+        if (!(maxOf(acceleration, whole) <= max))
             return std::nullopt;
         row.acceleration = static_cast<std::uint32_t>(acceleration);
         if (!isHeld && rounding != Rounding::Keep)
-            row.lastSpeed = reached(row, std::min(distance, whole));
+            row.lastSpeed = reached(row, minOf(distance, whole));
     }
     if (row.lastSpeed == row.firstSpeed)
         row.acceleration = 0;
     const double endHz = hertz(row.lastSpeed);
     const double realRampS = static_cast<double>(rampIterations(row)) * m_rules.iterationS;
-    const double leftPulses = std::max(0.0, distance - realRampS * (firstHz + endHz) / 2);
+    const double leftPulses = maxOf(0.0, distance - realRampS * (firstHz + endHz) / 2);
     Node node;
     node.endS = secondsAt(from) + realRampS + leftPulses / endHz;
     if (!staysNear(secondsAt(from), firstHz, realRampS, endHz, node.endS))
@@ -237,7 +236,7 @@ std::vector<Node> RowSearch::starts(double speedHz) const
     if (!m_curve.beginsAtRest())
         return result;
     for (int i = 0; i <= choices; ++i) {
-        const double hz = std::max(m_rules.minHz, m_toleranceHz * i / choices);
+        const double hz = maxOf(m_rules.minHz, m_toleranceHz * i / choices);
         Node start;
         start.row.lastSpeed = units(hz);
         start.aside = std::pow((hz - speedHz) / m_toleranceHz, 2);
@@ -252,7 +251,7 @@ double RowSearch::meetingHz(const Node& from, std::int64_t pulses, const Target&
     const double firstHz = hertz(from.speed());
     const double sum = firstHz + target.speedHz + slope * (secondsAt(from) - target.timeS);
     const double root = sum * sum + 8 * slope * static_cast<double>(pulses - from.pulses);
-    return (sum + std::sqrt(std::max(0.0, root))) / 2 - firstHz;
+    return (sum + std::sqrt(maxOf(0.0, root))) / 2 - firstHz;
 }
 
 void RowSearch::addFollowers(std::vector<Node>& result, const Node& from, const Target& target) const
@@ -308,7 +307,7 @@ void RowSearch::addEndings(std::vector<Node>& result, const Node& from, const Ta
     const double unitHzPerS = 1 / (std::ldexp(m_rules.iterationS, accumulatorBits) * m_unitsPerHz);
     const double leftPulses = timeS / m_unitsPerHz / 2 + distance * unitHzPerS / acceleration;
     const double unitS = acceleration > 0 ? std::sqrt(2 * leftPulses / acceleration) : 0;
-    const double lateS = std::max({timeS * lateShare, timeS * latePulses / std::max(1.0, distance), unitS});
+    const double lateS = maxOf(timeS * lateShare, timeS * latePulses / maxOf(1.0, distance), unitS);
     const auto add = [&](double speedHz, double rampS, Rounding rounding) {
         if (!(rampS > 0))
             return;
@@ -331,7 +330,7 @@ void RowSearch::addEndings(std::vector<Node>& result, const Node& from, const Ta
         constexpr double finest = 1.0 / 64; // share of the tolerance
         constexpr double factor = 1.5;
         speeds.push_back(2 * distance / timeS - firstHz);
-        for (double speed = std::max(m_rules.minHz, finest * m_toleranceHz); speed <= m_toleranceHz;
+        for (double speed = maxOf(m_rules.minHz, finest * m_toleranceHz); speed <= m_toleranceHz;
              speed *= factor)
             speeds.push_back(speed);
     }
@@ -373,7 +372,7 @@ std::optional<std::vector<IntervalRow>> RowSearch::along(const std::vector<PathP
             return a.parent == b.parent && a.row == b.row;
         };
         next.erase(std::unique(next.begin(), next.end(), isSame), next.end());
-        next.resize(std::min(next.size(), beamWidth));
+        next.resize(minOf(next.size(), beamWidth));
         level.clear();
         for (Node& node : next) {
             if (node.iterations == 0 && node.row.pulses > 0)

@@ -3,6 +3,7 @@
 
 #include "profile/intervals/interval_plan.h"
 #include "profile/intervals/speed_curve.h"
+#include "profile/model/bounds.h"
 
 #include <algorithm>
 #include <cmath>
@@ -42,7 +43,7 @@ std::optional<Refusal> findReversal(const MotionProfile& motion, double directio
         for (int i = 0; i <= samplesPerStretch; ++i) {
             const double time = segment.startS + segment.durationS * i / samplesPerStretch;
             const double speed = segment.at(time).velocityMmPerS * direction;
-            fastest = std::max(fastest, speed);
+            fastest = maxOf(fastest, speed);
             if (speed < -roundingShare * fastest && !result) {
                 result = refusal(Limit::Reversal, speed * direction, 0, "mm/s");
                 result->timeS = time;
@@ -124,10 +125,9 @@ tl::expected<IntervalTable, Refusal> compileIntervals(const MotionProfile& motio
         return tl::unexpected(refusal(Limit::TableRange, duration * machine.timerClockHz, maxTicks, "ticks"));
 
     const detail::RowRules rules = rowRules(curve, machine, mode);
-    const auto maxRows =
-        static_cast<std::size_t>(std::min<std::int64_t>(intervalCapacity, curve.wholePulses()));
+    const auto maxRows = static_cast<std::size_t>(minOf<std::int64_t>(intervalCapacity, curve.wholePulses()));
     detail::IntervalPlanner planner(motion, pulsesPerMm, rules, maxRows);
-    const double error = std::isfinite(speedErrorMmPerS) ? std::max(0.0, speedErrorMmPerS) : 0;
+    const double error = std::isfinite(speedErrorMmPerS) ? maxOf(0.0, speedErrorMmPerS) : 0;
     auto plan = planner.minRows(error);
     if (!plan)
         return tl::unexpected(

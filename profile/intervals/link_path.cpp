@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "profile/intervals/link_path.h"
 
+#include "profile/model/bounds.h"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -135,7 +137,7 @@ private:
         if (!side.extreme)
             return false;
         const double beyond = -side.sign * (opposite.value - side.extreme->at(opposite.time));
-        return beyond > roundingShare * std::max(1.0, std::abs(opposite.value));
+        return beyond > roundingShare * maxOf(1.0, std::abs(opposite.value));
     }
     // Sets the steepest line that touches `side` at the new point and the other wall before it.
     static void addTo(Side& side, Side& other, const WallPoint& point)
@@ -156,7 +158,7 @@ private:
         const WallPoint contact = near.contact;
         const WallPoint exit = crossing(line, far.wall.last(), beyond, i);
         m_lines.push_back(line);
-        m_windows.push_back({contact.time, std::max(contact.time, exit.time)});
+        m_windows.push_back({contact.time, maxOf(contact.time, exit.time)});
         const double wallSign = near.sign;
         for (Side* side : {&near, &far}) {
             side->wall.clear();
@@ -188,7 +190,7 @@ private:
         const double range = rising->slope - falling->slope;
         double share = 0.5;
         if (m_last == LastLink::LeastTurn && !m_lines.empty() && range > 0)
-            share = std::clamp((m_lines.back().slope - falling->slope) / range, 0.0, 1.0);
+            share = clamped((m_lines.back().slope - falling->slope) / range, 0.0, 1.0);
         return {{start, falling->at(start) + share * (rising->at(start) - falling->at(start)), 0},
                 falling->slope + share * range};
     }
@@ -204,7 +206,7 @@ private:
             double time = m_windows[k].second;
             if (a.slope != b.slope)
                 time = a.through.time + (b.at(a.through.time) - a.through.value) / (a.slope - b.slope);
-            time = std::clamp(time, m_windows[k].first, m_windows[k].second);
+            time = clamped(time, m_windows[k].first, m_windows[k].second);
             result.push_back({time, a.at(time)});
         }
         result.push_back({end, m_lines.back().at(end)});

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "profile/intervals/speed_curve.h"
 
+#include "profile/model/bounds.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -55,7 +57,7 @@ void makeBends(std::vector<CurveSample>& samples)
     constexpr double roundingShare = 1e-9;
     double largest = 0;
     for (const CurveSample& sample : samples)
-        largest = std::max(largest, std::abs(sample.bend));
+        largest = maxOf(largest, std::abs(sample.bend));
     for (CurveSample& sample : samples)
         sample.bend = std::abs(sample.bend) <= roundingShare * largest ? 0 : (sample.bend > 0 ? 1 : -1);
 }
@@ -97,7 +99,7 @@ void SpeedCurve::sample(const Segment& segment, int pieces, double startMm, doub
     const auto add = [&](double timeS) {
         const MotionPoint p = segment.at(timeS);
         m_samples.push_back(sampleOf(p, timeS, startMm, pulsesPerMm));
-        m_steepestHzPerS = std::max(m_steepestHzPerS, std::abs(p.accelerationMmPerS2) * pulsesPerMm);
+        m_steepestHzPerS = maxOf(m_steepestHzPerS, std::abs(p.accelerationMmPerS2) * pulsesPerMm);
         m_samples.back().bulgeHz = bulgeHz;
     };
     double before = segment.at(segment.startS).accelerationMmPerS2;
@@ -139,8 +141,7 @@ SpeedCurve::SpeedCurve(const MotionProfile& motion, double pulsesPerMm, int samp
     const double startMm = motion.at(0).positionMm;
     for (const Segment& segment : motion.segments()) {
         if (segment.durationS > 0)
-            sample(segment,
-                   std::max(minSamples, static_cast<int>(sampleCount * segment.durationS / duration)),
+            sample(segment, maxOf(minSamples, static_cast<int>(sampleCount * segment.durationS / duration)),
                    startMm, pulsesPerMm);
     }
     if (m_samples.empty())
@@ -149,7 +150,8 @@ SpeedCurve::SpeedCurve(const MotionProfile& motion, double pulsesPerMm, int samp
     fillNearby();
     const double pulses = m_samples.back().pulses;
     m_wholePulses = std::llround(pulses);
-    m_fastestHz = std::ranges::max(m_samples, {}, &CurveSample::speedHz).speedHz;
+    for (const CurveSample& sample : m_samples)
+        m_fastestHz = maxOf(m_fastestHz, sample.speedHz);
     m_restHz = restShare * m_fastestHz;
     if (m_wholePulses == 0 || !endsAtRest())
         return;
@@ -195,7 +197,7 @@ std::size_t SpeedCurve::indexAt(double timeS) const
 {
     const double share = timeS / durationS() * static_cast<double>(m_nearby.size());
     const auto place =
-        static_cast<std::size_t>(std::clamp(share, 0.0, static_cast<double>(m_nearby.size() - 1)));
+        static_cast<std::size_t>(clamped(share, 0.0, static_cast<double>(m_nearby.size() - 1)));
     std::size_t i = m_nearby[place];
     while (i > 0 && m_samples[i].timeS > timeS)
         --i;
@@ -213,8 +215,7 @@ double SpeedCurve::speedAt(double timeS) const
     const CurveSample& b = m_samples[i + 1];
     if (b.timeS <= a.timeS)
         return b.speedHz;
-    return a.speedHz +
-           (b.speedHz - a.speedHz) * std::clamp((timeS - a.timeS) / (b.timeS - a.timeS), 0.0, 1.0);
+    return a.speedHz + (b.speedHz - a.speedHz) * clamped((timeS - a.timeS) / (b.timeS - a.timeS), 0.0, 1.0);
 }
 
 } // namespace campanel::profile::detail

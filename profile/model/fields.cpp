@@ -2,6 +2,8 @@
 // Searches in the table of fields.
 #include "profile/model/fields.h"
 
+#include "profile/model/bounds.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -26,7 +28,7 @@ constexpr double resolutionShare = 1e-3; // share of the smallest step
 constexpr auto rangeRoom = [] {
     std::array<double, fields.size()> room{};
     for (std::size_t i = 0; i < fields.size(); ++i)
-        room[i] = std::min(rangeTolerance * fields[i].max, resolutionShare * fields[i].resolution());
+        room[i] = minOf(rangeTolerance * fields[i].max, resolutionShare * fields[i].resolution());
     return room;
 }();
 
@@ -52,7 +54,7 @@ double snapToGrid(Field field, double value)
 {
     const FieldInfo& f = info(field);
     const double scale = std::round(1 / f.resolution());
-    return std::clamp(std::round(value * scale) / scale, f.min, f.max);
+    return clamped(std::round(value * scale) / scale, f.min, f.max);
 }
 
 } // namespace campanel::profile

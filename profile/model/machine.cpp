@@ -2,7 +2,8 @@
 // Constants derived from the machine's parameters.
 #include "profile/model/machine.h"
 
-#include <algorithm>
+#include "profile/model/bounds.h"
+
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -75,7 +76,7 @@ double value(const Machine& machine, Field field)
 
 void setValue(Machine& machine, Field field, double value)
 {
-    const auto asInt = [value] { return static_cast<int>(std::clamp(std::round(value), -1e9, 1e9)); };
+    const auto asInt = [value] { return wholeOf(value); };
     switch (field) {
     case Field::KnifeRadius:
         machine.knifeRadiusMm = value;
@@ -108,7 +109,7 @@ void setValue(Machine& machine, Field field, double value)
         machine.contactAngleDeg = value;
         break;
     case Field::TimerClock:
-        machine.timerClockHz = static_cast<std::uint32_t>(std::max(asInt(), 0));
+        machine.timerClockHz = static_cast<std::uint32_t>(maxOf(asInt(), 0));
         break;
     case Field::TimerBits:
         machine.timerBits = asInt();

@@ -3,6 +3,8 @@
 // + (v1 - v0) (1 - g(1 - x)), and its travel uses G(1) - G(1 - x).
 #include "profile/model/motion_profile.h"
 
+#include "profile/model/bounds.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -14,7 +16,7 @@ MotionPoint rampAt(const Segment& segment, double elapsedS)
 {
     const double duration = segment.durationS;
     const double change = segment.endVelocityMmPerS - segment.startVelocityMmPerS;
-    const double x = std::clamp(elapsedS / duration, 0.0, 1.0);
+    const double x = clamped(elapsedS / duration, 0.0, 1.0);
     const LawPoint p = segment.law->at(segment.isMirrored ? 1 - x : x, segment.parameters);
     const double acceleration = change / duration * p.g1;
     const double jerk = change / (duration * duration) * p.g2;
@@ -33,7 +35,7 @@ MotionPoint displacementAt(const Segment& segment, double elapsedS)
 {
     const double duration = segment.lawDurationS();
     const double from = segment.lawFrom;
-    const double x = std::clamp(from + elapsedS / duration, from, segment.lawTo);
+    const double x = clamped(from + elapsedS / duration, from, segment.lawTo);
     const LawPoint p = segment.law->at(x, segment.parameters);
     const double passed = from > 0 ? p.g - segment.law->at(from, segment.parameters).g : p.g;
     return {segment.startPositionMm + segment.startVelocityMmPerS * elapsedS + segment.distanceMm * passed,
@@ -137,7 +139,7 @@ MotionPoint MotionProfile::at(double timeS) const
 {
     if (m_segments.empty())
         return {};
-    const double time = std::clamp(timeS, 0.0, durationS());
+    const double time = clamped(timeS, 0.0, durationS());
     const auto next = std::upper_bound(m_segments.begin() + 1, m_segments.end(), time,
                                        [](double t, const Segment& segment) { return t < segment.startS; });
     return (next - 1)->at(time);
@@ -150,7 +152,7 @@ double MotionProfile::timeAt(double positionMm, double guessS) const
     constexpr int maxSteps = 100;
     double low = 0;
     double high = durationS();
-    double time = std::clamp(guessS, low, high);
+    double time = clamped(guessS, low, high);
     // Newton's method with bisection whenever a step leaves the bracket or the speed is zero.
     for (int step = 0; step < maxSteps && high - low > timeToleranceS; ++step) {
         const MotionPoint p = at(time);

@@ -4,6 +4,8 @@
 // rest. A step of the motor's speed is one of the error's, the other way.
 #include "profile/model/vibration.h"
 
+#include "profile/model/bounds.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -76,17 +78,6 @@ private:
     double m_sine;
 };
 
-struct Range {
-    double min = std::numeric_limits<double>::max();
-    double max = std::numeric_limits<double>::lowest();
-
-    void take(double value)
-    {
-        min = std::min(min, value);
-        max = std::max(max, value);
-    }
-};
-
 // Carries the mode through a motion and records the error between two times.
 class ModeRun {
 public:
@@ -103,7 +94,7 @@ public:
     }
 
     // Returns the state at the end.
-    ModeState run(ModeState state, double fromS, double toS, Range* range) const
+    ModeState run(ModeState state, double fromS, double toS, Extent* range) const
     {
         double beforeMmPerS = m_beforeMmPerS;
         for (const Segment& segment : m_motion.segments()) {
@@ -150,48 +141,47 @@ private:
                2 * m_mode.dampingRatio * w * (point.velocityMmPerS - m_meanMmPerS);
     }
 
-    ModeState runPiece(const Segment& segment, double fromS, double toS, ModeState state, Range* range) const
+    ModeState runPiece(const Segment& segment, double fromS, double toS, ModeState state, Extent* range) const
     {
         const double duration = toS - fromS;
         if (segment.form == SegmentForm::Constant)
             return runConstant(driveAt(segment, fromS), duration, state, range);
         const double periods = duration * m_mode.naturalFrequencyHz;
         const double perPeriod = range ? pointsPerPeriod : stepsPerPeriod;
-        const int steps =
-            static_cast<int>(std::clamp<double>(std::ceil(periods * perPeriod), minSteps, maxSteps));
+        const int steps = static_cast<int>(clamped(std::ceil(periods * perPeriod), minSteps, maxSteps));
         const ModeStep step(m_mode, duration / steps);
         // Inside the ends: the acceleration of a law may jump there.
         const double inside = duration * 1e-9;
         double drive = driveAt(segment, fromS + inside);
         if (range)
-            range->take(state.error);
+            range->add(state.error);
         for (int i = 1; i <= steps; ++i) {
             const double middle = driveAt(segment, fromS + duration * (i - 0.5) / steps);
             const double next = driveAt(segment, i < steps ? fromS + duration * i / steps : toS - inside);
             state = step.after(state, {drive, middle, next});
             drive = next;
             if (range)
-                range->take(state.error);
+                range->add(state.error);
         }
         return state;
     }
 
     // Free vibration about a constant error decays, so its peaks lie in the first period or at the end.
-    ModeState runConstant(double drive, double durationS, ModeState state, Range* range) const
+    ModeState runConstant(double drive, double durationS, ModeState state, Extent* range) const
     {
         const ModeState end = ModeStep(m_mode, durationS).after(state, drive);
         if (!range)
             return end;
         const double observedS =
-            std::min(durationS, 1.25 / m_mode.naturalFrequencyHz /
-                                    std::sqrt(1 - m_mode.dampingRatio * m_mode.dampingRatio));
+            minOf(durationS, 1.25 / m_mode.naturalFrequencyHz /
+                                 std::sqrt(1 - m_mode.dampingRatio * m_mode.dampingRatio));
         const int points = static_cast<int>(std::ceil(1.25 * pointsPerPeriod));
         const ModeStep step(m_mode, observedS / points);
         for (int i = 0; i <= points; ++i) {
-            range->take(state.error);
+            range->add(state.error);
             state = step.after(state, drive);
         }
-        range->take(end.error);
+        range->add(end.error);
         return end;
     }
 
@@ -231,7 +221,7 @@ double windowErrorMm(const MotionProfile& motion, double fromS, double toS, cons
         return unknown;
     const ModeRun run(motion, mode, true);
     const ModeState afterRest = run.run({}, fromS, toS, nullptr);
-    Range range;
+    Extent range;
     run.run(steadyState(afterRest, mode, cycleS), fromS, toS, &range);
     return range.max >= range.min ? range.max - range.min : 0;
 }

@@ -3,6 +3,7 @@
 #include "profile/press/press.h"
 
 #include "profile/cutter/validate.h"
+#include "profile/model/bounds.h"
 #include "profile/model/limit_check.h"
 #include "profile/moves/move_time.h"
 #include "profile/press/press_ramp.h"
@@ -132,7 +133,7 @@ std::optional<Refusal> findFastRow(const PressProgram& program, const Machine& m
 {
     double fastest = 0;
     for (const detail::MovingStage& stage : detail::movingStages(program))
-        fastest = std::max(fastest, value(program, stage.speed) * axisPulsesPerMm(machine));
+        fastest = maxOf(fastest, value(program, stage.speed) * axisPulsesPerMm(machine));
     const double allowed = pulseFrequencyLimitHz(machine);
     if (fastest <= allowed * (1 + detail::limitTolerance))
         return std::nullopt;
@@ -168,7 +169,7 @@ tl::expected<PressStroke, Refusal> strokeOf(const PressProgram& program, const M
     endStage(touchMm);
     addMove(motion, program.pressPositionMm - positionMm, program.pressSpeedMmPerS, machine);
     endStage(program.pressPositionMm);
-    motion.addConstant(std::max(program.holdTimeS, pressRestS), 0);
+    motion.addConstant(maxOf(program.holdTimeS, pressRestS), 0);
     endStage(program.pressPositionMm);
     addMove(motion, -positionMm, program.returnSpeedMmPerS, machine);
     endStage(0);
@@ -193,14 +194,14 @@ std::int64_t pressRampMs(double speedMmPerS, const Machine& machine)
 {
     constexpr double rounding = 1e-9; // share of a quotient that is a whole number
     const double ms = 1000 * speedMmPerS / machine.maxAccelerationMmPerS2;
-    return std::max<std::int64_t>(1, static_cast<std::int64_t>(std::ceil(ms - rounding)));
+    return maxOf<std::int64_t>(1, static_cast<std::int64_t>(std::ceil(ms - rounding)));
 }
 
 PressRun pressRun(double lengthMm, double speedMmPerS, const Machine& machine)
 {
     const double rampS = static_cast<double>(pressRampMs(speedMmPerS, machine)) / 1000;
     const double acceleration = speedMmPerS / rampS;
-    const double usedS = std::min(rampS, std::sqrt(lengthMm / acceleration));
+    const double usedS = minOf(rampS, std::sqrt(lengthMm / acceleration));
     return {acceleration, usedS, acceleration * usedS};
 }
 

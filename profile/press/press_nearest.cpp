@@ -2,11 +2,11 @@
 // Finds the nearest press inputs. Each stage has its own speed, so one speed corrects a stroke when only one
 // stage exceeds limits. A longer ramp of whole milliseconds can lower the speed over a short distance, so
 // every value of the grid is tried.
+#include "profile/model/bounds.h"
 #include "profile/model/grid_search.h"
 #include "profile/model/limit_check.h"
 #include "profile/press/press_ramp.h"
 
-#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -83,7 +83,7 @@ std::vector<Suggestion> nearestPressInputs(const PressProgram& program, const Ma
     own.tryAround(refusal.allowed);
     others.tryAround(refusal.actual);
     if (other == Field::MaxForce) // two others must stay below it
-        others.tryAround(std::max(program.probeForceN + 1, program.maxStopForceN));
+        others.tryAround(maxOf(program.probeForceN + 1, program.maxStopForceN));
     if (refusal.limit == Limit::StageOrder) { // half a pulse apart
         const double perMm = axisPulsesPerMm(machine);
         own.tryAround((std::round(value(program, other) * perMm) + 0.5) / perMm);

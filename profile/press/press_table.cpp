@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Converts the press program to the controller's units: whole pulses, Hz, N and ms.
+#include "profile/model/bounds.h"
 #include "profile/press/press.h"
 #include "profile/press/press_ramp.h"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -22,15 +22,15 @@ public:
     PressRow row(double speedMmPerS, double endMm, double forceN)
     {
         PressRow row;
-        const double hz = std::max(1.0, std::round(speedMmPerS * m_pulsesPerMm));
+        const double hz = maxOf(1.0, std::round(speedMmPerS * m_pulsesPerMm));
         const double pulses = std::round(endMm * m_pulsesPerMm);
         row.speedHz = static_cast<std::uint32_t>(hz);
         row.endPulses = static_cast<std::int32_t>(pulses);
         row.forceN = static_cast<std::uint32_t>(std::llround(forceN));
         row.timeMs = static_cast<std::uint32_t>(detail::pressRampMs(speedMmPerS, m_machine));
-        m_table.positionErrorMm = std::max(m_table.positionErrorMm, std::abs(pulses / m_pulsesPerMm - endMm));
+        m_table.positionErrorMm = maxOf(m_table.positionErrorMm, std::abs(pulses / m_pulsesPerMm - endMm));
         m_table.speedErrorMmPerS =
-            std::max(m_table.speedErrorMmPerS, std::abs(hz / m_pulsesPerMm - speedMmPerS));
+            maxOf(m_table.speedErrorMmPerS, std::abs(hz / m_pulsesPerMm - speedMmPerS));
         return row;
     }
 
@@ -60,7 +60,7 @@ tl::expected<PressTable, Refusal> buildPressTable(const PressProgram& program, c
     rows[4] = rounding.row(program.returnSpeedMmPerS, 0, program.maxForceN);
     const double ticks = std::round(stroke->motion.motion.durationS() * machine.timerClockHz);
     table.cycleTicks = static_cast<std::uint32_t>(
-        std::min(ticks, static_cast<double>(std::numeric_limits<std::uint32_t>::max())));
+        minOf(ticks, static_cast<double>(std::numeric_limits<std::uint32_t>::max())));
     return table;
 }
 

@@ -2,6 +2,8 @@
 // The lists of members for each structure of inputs: a new input is one row.
 #include "profile/program/programs.h"
 
+#include "profile/model/bounds.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -107,7 +109,7 @@ template <typename P> void setNumber(P& program, Field field, double value)
     if (member->real != nullptr)
         program.*(member->real) = value;
     else
-        program.*(member->count) = static_cast<int>(std::clamp(std::round(value), -1e9, 1e9));
+        program.*(member->count) = wholeOf(value);
 }
 
 } // namespace

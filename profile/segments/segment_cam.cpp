@@ -3,6 +3,7 @@
 #include "profile/segments/segment_cam.h"
 
 #include "profile/laws/laws.h"
+#include "profile/model/bounds.h"
 
 #include <algorithm>
 #include <array>
@@ -182,7 +183,7 @@ SplinePoint SegmentPiece::at(double masterDeg) const
         const auto values = polynomialAt(*this, masterDeg);
         return {values[0], values[1], values[2], values[3]};
     }
-    const LawPoint p = law->at(std::clamp((masterDeg - start) / width, 0.0, 1.0), lawParameters);
+    const LawPoint p = law->at(clamped((masterDeg - start) / width, 0.0, 1.0), lawParameters);
     return {startMm + distanceMm * p.g, distanceMm / width * p.g1, distanceMm / (width * width) * p.g2,
             distanceMm / (width * width * width) * p.g3};
 }
@@ -207,8 +208,10 @@ std::vector<SegmentPiece> segmentPieces(std::span<const CamSegment> segments)
 bool detail::isMeantToBeClosed(std::span<const CamSegment> segments)
 {
     const std::vector<double> positions = jointPositionsMm(segments);
-    const auto [low, high] = std::ranges::minmax(positions);
-    return std::abs(positions.back()) <= closingShare * (high - low);
+    Extent extent;
+    for (const double position : positions)
+        extent.add(position);
+    return std::abs(positions.back()) <= closingShare * extent.span();
 }
 
 double segmentAdvanceMm(const SegmentCamProgram& program)

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Checks the segments one by one, then how they follow each other. What is refused names the nearest value.
+#include "profile/model/bounds.h"
 #include "profile/segments/segment_cam.h"
 
 #include "profile/cutter/validate.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -40,7 +40,7 @@ std::optional<Refusal> checkNumbers(const CamSegment& segment, std::size_t index
         if (number.value >= number.min && number.value <= number.max)
             continue;
         const double nearest =
-            std::isfinite(number.value) ? std::clamp(number.value, number.min, number.max) : 0;
+            std::isfinite(number.value) ? clamped(number.value, number.min, number.max) : 0;
         Refusal refusal = indexedRefusal(Limit::SegmentRange, index, number.value, nearest, number.unit);
         refusal.lawParameter = number.name;
         return refusal;
@@ -69,8 +69,7 @@ std::optional<Refusal> checkSegments(std::span<const CamSegment> segments)
 {
     if (segments.empty() || segments.size() > maxSegments)
         return indexedRefusal(Limit::SegmentCount, 0, static_cast<double>(segments.size()),
-                              static_cast<double>(std::clamp(segments.size(), std::size_t{1}, maxSegments)),
-                              {});
+                              static_cast<double>(clamped(segments.size(), std::size_t{1}, maxSegments)), {});
     for (std::size_t i = 0; i < segments.size(); ++i) {
         if (auto refusal = checkNumbers(segments[i], i))
             return refusal;

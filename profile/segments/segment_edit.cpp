@@ -2,6 +2,7 @@
 #include "profile/segments/segment_edit.h"
 
 #include "profile/laws/laws.h"
+#include "profile/model/bounds.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +12,7 @@ namespace {
 
 double limitedTo(double value, double limit, double step)
 {
-    return std::isfinite(value) ? detail::onStep(std::clamp(value, -limit, limit), step) : 0;
+    return std::isfinite(value) ? detail::onStep(clamped(value, -limit, limit), step) : 0;
 }
 
 SegmentBoundary boundaryOnGrid(double speedMmPerDeg, double accelerationMmPerDeg2)
@@ -49,12 +50,12 @@ void mendLayout(std::vector<CamSegment>& segments)
 {
     if (segments.empty())
         segments = {segmentPart(0, camCycleDeg, SegmentMotion::Dwell, 0)};
-    segments.resize(std::min(segments.size(), maxSegments));
+    segments.resize(minOf(segments.size(), maxSegments));
     double least = 0;
     for (CamSegment& segment : segments) {
         least += minMasterSpacingDeg;
-        const double to = std::isfinite(segment.toDeg) ? std::clamp(segment.toDeg, 0.0, camCycleDeg) : 0;
-        segment.toDeg = detail::onStep(std::max(to, least), masterStepDeg);
+        const double to = std::isfinite(segment.toDeg) ? clamped(segment.toDeg, 0.0, camCycleDeg) : 0;
+        segment.toDeg = detail::onStep(maxOf(to, least), masterStepDeg);
         least = segment.toDeg;
         segment.endMm = detail::slaveOnGrid(segment.endMm);
         segment.start = boundaryOnGrid(segment.start.speedMmPerDeg, segment.start.accelerationMmPerDeg2);
@@ -66,12 +67,12 @@ void mendLayout(std::vector<CamSegment>& segments)
             for (std::size_t i = 0; i < motion->law->parameters.size(); ++i) {
                 const LawParameterInfo& range = motion->law->parameters[i];
                 double& value = segment.lawParameters[i];
-                value = std::isfinite(value) ? std::clamp(value, range.min, range.max) : range.defaultValue;
+                value = std::isfinite(value) ? clamped(value, range.min, range.max) : range.defaultValue;
             }
     }
     double most = camCycleDeg;
     for (auto segment = segments.rbegin(); segment != segments.rend(); ++segment) {
-        segment->toDeg = segment == segments.rbegin() ? most : std::min(segment->toDeg, most);
+        segment->toDeg = segment == segments.rbegin() ? most : minOf(segment->toDeg, most);
         most = detail::onStep(segment->toDeg - minMasterSpacingDeg, masterStepDeg);
     }
     for (std::size_t i = 0; i < segments.size(); ++i)

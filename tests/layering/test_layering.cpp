@@ -248,6 +248,10 @@ const QRegularExpression includePattern(uR"(^\s*#\s*include\s*[<\x22]([^>\x22]+)
 const QRegularExpression
     subjectlessComment(uR"((?://|/\*+|^\s*\*) (Of|Who|What|Whether|To be|That)\b[^\n]*)"_s,
                        QRegularExpression::MultilineOption);
+// The functions of the standard library that drop a NaN.
+const QRegularExpression
+    nanDropper(uR"(\b(std::(?:ranges::)?(?:clamp|f?min|f?max|minmax|(?:min|max|minmax)_element)\b|)"
+               uR"(f(?:min|max)[fl]?\s*\(|using namespace std\b))"_s);
 
 // What each file includes, of the files that are asked about.
 using Graph = QMap<QString, QStringList>;
@@ -456,6 +460,32 @@ private slots:
         for (const QString& file : files)
             all += violations(file, importRules(), importPattern);
         QVERIFY2(all.isEmpty(), qPrintable(u"not allowed:\n  "_s + all.join(u"\n  "_s)));
+    }
+
+    // In profile/ profile/model/bounds.h takes their place.
+    void noNanIsDropped()
+    {
+        QStringList files = filesBelow({u"profile"_s}, {u"*.h"_s, u"*.cpp"_s});
+        QVERIFY(files.removeOne(u"profile/model/bounds.h"_s) && files.size() > 100);
+        QStringList found;
+        for (const QString& name : files) {
+            for (const QRegularExpressionMatch& match : nanDropper.globalMatch(textOf(name)))
+                found << name + u": "_s + match.captured(1);
+        }
+        QVERIFY2(found.isEmpty(), qPrintable(found.join(u'\n')));
+    }
+
+    void plantedNanDropperIsFound()
+    {
+        for (const QString& planted :
+             {u"x = std::max(a, b);"_s, u"std::min<double>(a, b)"_s, u"std::clamp(x, 0.0, 1.0)"_s,
+              u"std::ranges::max(all)"_s, u"std::ranges::minmax(all)"_s, u"*std::max_element(a, b)"_s,
+              u"std::fmax(a, b)"_s, u"x = fmin(a, b);"_s, u"fmaxf (a, b)"_s, u"using std::min;"_s,
+              u"using namespace std;"_s})
+            QVERIFY2(nanDropper.match(planted).hasMatch(), qPrintable(planted));
+        for (const QString& allowed : {u"std::numeric_limits<double>::max()"_s, u"info(field).max"_s,
+                                       u"maxOf(a, b)"_s, u"std::string"_s})
+            QVERIFY2(!nanDropper.match(allowed).hasMatch(), qPrintable(allowed));
     }
 
     void everySourceFileNamesItsLicence()

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The cam-point table: exact advance, rows on the curve, stated errors, refusals, and seeded random cams from
 // knots to rows.
+#include "move_checks.h"
 #include "random_cams.h"
 #include "random_cases.h"
 
@@ -12,6 +13,7 @@
 #include <QTest>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <limits>
@@ -150,6 +152,7 @@ private slots:
     void statesTheInterpolationError();
     void statedErrorsAreTheRealOnes();
     void statedErrorsOfEveryLaw();
+    void statedErrorsWithJointsOnRows();
     void advanceIsExact_data();
     void advanceIsExact();
     void slopesContinueAtTheWrap();
@@ -284,6 +287,40 @@ void TestCamTable::statedErrorsOfEveryLaw()
                     qWarning("%s, %d intervals", std::string(law.key).c_str(), intervals);
             }
         }
+    }
+}
+
+// Joints of laws and segments fall on rows, but for the rounding of their times.
+void TestCamTable::statedErrorsWithJointsOnRows()
+{
+    RandomValues random(seed);
+    constexpr std::array ids{LawId::ModifiedSine, LawId::ModifiedTrapezoid, LawId::SCurve, LawId::Trapezoid};
+    Machine machine;
+    machine.pulsesPerMotorRev = 2500;
+    for (int i = 0; i < 200; ++i) {
+        const Law& law = *findLaw(ids[random.pick(ids.size())]);
+        const LawParameters parameters{0.25, 0.5};
+        const double durationS = snapToGrid(Field::MoveTime, random.uniform(0.5, 9));
+        const int intervals = 40 * static_cast<int>(3 + random.pick(8));
+        const double speed = random.uniform(-4000, 4000);
+        MotionProfile motion;
+        if (law.isSpeedLaw)
+            motion.addRamp(durationS, 0, speed, law, parameters, random.pick(2) == 0);
+        else
+            motion.addDisplacement(durationS, speed, law, parameters);
+        if (random.pick(2) == 0) { // a joint of two segments on the middle row
+            const double endMmPerS = motion.at(durationS).velocityMmPerS;
+            motion.addRamp(durationS, endMmPerS, 100, *findLaw(LawId::Quintic), {}, false);
+        }
+        const auto table = buildCamTable(motion, intervals, machine, CamUse::Once);
+        QVERIFY(table.has_value());
+        verifyErrors(*table, motion, machine, CamUse::Once, 64);
+        if (QTest::currentTestFailed())
+            QFAIL(qPrintable(QStringLiteral("case %1: %2, %3 intervals, %4 s")
+                                 .arg(i)
+                                 .arg(QString::fromUtf8(law.key.data()))
+                                 .arg(intervals)
+                                 .arg(durationS)));
     }
 }
 
