@@ -2,6 +2,7 @@
 #include "profile/cam/cam_cycle.h"
 
 #include "profile/cutter/validate.h"
+#include "profile/model/bounds.h"
 #include "profile/model/limit_check.h"
 #include "profile/model/torque.h"
 
@@ -21,60 +22,95 @@ double angleOfTimeDeg(const CamMaster& master, double timeS)
     return angle < 0 ? angle + camCycleDeg : angle;
 }
 
-// Returns the largest speed step that the axis follows within one update of the master.
-double allowedStepMmPerS(const Machine& machine)
-{
-    return std::max(axisAllowance(machine).accelerationMmPerS2, 0.0) * masterUpdateS;
-}
-
-// The largest speed step of a cycle.
-struct LargestStep {
-    double speedMmPerS = 0;
+// A speed step in time. It is spread over one update of the master.
+struct StepInTime {
+    double speedMmPerS = 0; // 0 or more
+    double allowedMmPerS = 0;
     double masterDeg = 0;
+    double timeS = 0;
     std::size_t index = 0;
+    bool slows = false; // friction helps
+
+    [[nodiscard]] double accelerationMmPerS2() const { return speedMmPerS / masterUpdateS; }
 };
 
-LargestStep largestStep(const CamMaster& master, std::span<const detail::SpeedStep> steps)
+// Returns true when the motion goes on in its direction behind this time, but more slowly.
+bool slowsAt(const MotionProfile& motion, double timeS)
 {
-    LargestStep largest;
-    for (std::size_t i = 0; i < steps.size(); ++i) {
-        const double speed =
-            std::abs(steps[i].speedMmPerDeg * master.slaveScale * detail::camDegPerS(master));
-        if (speed > largest.speedMmPerS)
-            largest = {speed, steps[i].masterDeg, i};
-    }
-    return largest;
+    const std::span<const Segment> segments = motion.segments();
+    const double joinedS = 1e-9 * motion.durationS();
+    const auto next =
+        std::ranges::find_if(segments, [&](const Segment& s) { return s.startS >= timeS - joinedS; });
+    const Segment& after = next == segments.end() ? segments.front() : *next;
+    const Segment& before = next == segments.begin() ? segments.back() : *(next - 1);
+    const double fromMmPerS = before.at(before.endS()).velocityMmPerS;
+    const double toMmPerS = after.at(after.startS).velocityMmPerS;
+    return fromMmPerS * toMmPerS >= 0 && std::abs(toMmPerS) < std::abs(fromMmPerS);
 }
 
-std::optional<Refusal> findJump(const CamMaster& master, const Machine& machine, const LargestStep& step,
-                                detail::StepRule rule)
+std::vector<StepInTime> stepsInTime(const CamMaster& master, const Machine& machine,
+                                    const MotionProfile& motion, std::span<const detail::SpeedStep> steps)
 {
-    const double allowed = allowedStepMmPerS(machine);
+    const AxisAllowance allowance = axisAllowance(machine);
+    std::vector<StepInTime> found;
+    for (std::size_t i = 0; i < steps.size(); ++i) {
+        StepInTime step;
+        step.speedMmPerS = std::abs(steps[i].speedMmPerDeg * master.slaveScale * detail::camDegPerS(master));
+        step.masterDeg = steps[i].masterDeg;
+        step.timeS = detail::timeOfAngleS(master, step.masterDeg);
+        step.index = i;
+        step.slows = slowsAt(motion, step.timeS);
+        step.allowedMmPerS =
+            maxOf(step.slows ? allowance.slowingMmPerS2 : allowance.accelerationMmPerS2, 0.0) * masterUpdateS;
+        found.push_back(step);
+    }
+    return found;
+}
+
+// Returns the step that exceeds what the axis follows by most; nothing without a step.
+std::optional<StepInTime> worstStep(std::span<const StepInTime> steps)
+{
+    std::optional<StepInTime> worst;
+    for (const StepInTime& step : steps) {
+        if (step.speedMmPerS > 0 &&
+            (!worst || step.speedMmPerS * worst->allowedMmPerS > worst->speedMmPerS * step.allowedMmPerS))
+            worst = step;
+    }
+    return worst;
+}
+
+std::optional<Refusal> findJump(const std::optional<StepInTime>& step, detail::StepRule rule)
+{
     // Without any acceleration the rest of the cycle is refused as well, and a jump may be rounding.
-    if (step.speedMmPerS <= allowed * (1 + detail::limitTolerance) || allowed <= 0)
+    if (!step || step->speedMmPerS <= step->allowedMmPerS * (1 + detail::limitTolerance) ||
+        step->allowedMmPerS <= 0)
         return std::nullopt;
     Refusal refusal;
     refusal.limit = rule.jump;
     refusal.lawParameter = "speed";
-    refusal.actual = step.speedMmPerS;
-    refusal.allowed = allowed;
+    refusal.actual = step->speedMmPerS;
+    refusal.allowed = step->allowedMmPerS;
     refusal.unit = "mm/s";
-    refusal.index = rule.isIndexed ? static_cast<int>(step.index) : -1;
-    refusal.angleDeg = step.masterDeg;
-    refusal.timeS = detail::timeOfAngleS(master, step.masterDeg);
+    refusal.index = rule.isIndexed ? static_cast<int>(step->index) : -1;
+    refusal.angleDeg = step->masterDeg;
+    refusal.timeS = step->timeS;
     return refusal;
 }
 
-// Includes the acceleration and the torque of the largest step in the peaks.
-void addStepPeak(Peaks& peaks, const CamMaster& master, const Machine& machine, const LargestStep& step)
+// Includes the accelerations and the torques of the steps in the peaks.
+void addStepPeaks(Peaks& peaks, const Machine& machine, std::span<const StepInTime> steps)
 {
-    if (step.speedMmPerS > jumpTolerance * peaks.speedMmPerS)
-        peaks.jerkMmPerS3 = std::numeric_limits<double>::infinity();
-    if (step.speedMmPerS / masterUpdateS <= peaks.accelerationMmPerS2)
-        return;
-    peaks.accelerationMmPerS2 = step.speedMmPerS / masterUpdateS;
-    peaks.accelerationTimeS = detail::timeOfAngleS(master, step.masterDeg);
-    peaks.torqueNm = axisLoad(machine).peakNm(peaks.accelerationMmPerS2);
+    for (const StepInTime& step : steps) {
+        if (step.speedMmPerS > jumpTolerance * peaks.speedMmPerS)
+            peaks.jerkMmPerS3 = std::numeric_limits<double>::infinity();
+        const double acceleration = step.accelerationMmPerS2();
+        raise(peaks.accelerationMmPerS2, peaks.accelerationTimeS, acceleration, step.timeS);
+        if (acceleration > 0)
+            peaks.extremes.add(step.slows ? -acceleration : acceleration, step.timeS);
+    }
+    const TorquePeak torque = axisLoad(machine).peak(peaks.extremes);
+    peaks.torqueNm = torque.nm;
+    peaks.torqueTimeS = torque.timeS;
 }
 
 // Refuses a cycle that repeats faster than the natural frequency of the shaft.
@@ -118,7 +154,7 @@ CycleMeans cycleMeans(const CamMaster& master, const MotionProfile& motion,
 double rmsFactor(const CycleMeans& means, const Machine& machine)
 {
     const double allowed =
-        std::max(axisLoad(machine).rmsAllowance(machine.ratedTorqueNm, means.all.movingShare), 0.0);
+        maxOf(axisLoad(machine).rmsAllowance(machine.ratedTorqueNm, means.all.movingShare), 0.0);
     const double step = means.stepSquareMm2PerS4;
     const auto isWithin = [&](double factor) {
         const double cube = factor * factor * factor;
@@ -137,19 +173,21 @@ double rmsFactor(const CycleMeans& means, const Machine& machine)
 // Returns the feasible rate: speeds are proportional to it, accelerations to its square; the limits of both
 // are known.
 std::optional<Suggestion> feasibleRate(const CamMaster& master, const Machine& machine, const Peaks& peaks,
-                                       const LargestStep& step, const CycleMeans& means)
+                                       const std::optional<StepInTime>& step, const CycleMeans& means)
 {
     const AxisAllowance allowance = axisAllowance(machine);
+    const double torqueShare = axisLoad(machine).peakShare(peaks.extremes, machine.maxTorqueNm);
     const auto share = [](double allowed, double actual) {
-        return actual > allowed ? std::max(allowed, 0.0) / actual : 1.0;
+        return actual > allowed ? maxOf(allowed, 0.0) / actual : 1.0;
     };
     const double factor =
-        std::min({share(allowance.speedMmPerS, peaks.speedMmPerS),
-                  std::sqrt(share(allowance.accelerationMmPerS2, peaks.accelerationMmPerS2)),
-                  share(allowedStepMmPerS(machine), step.speedMmPerS), rmsFactor(means, machine),
-                  share(machine.naturalFrequencyHz > 0 ? machine.naturalFrequencyHz
-                                                       : std::numeric_limits<double>::max(),
-                        1 / camCycleS(master))});
+        minOf(share(allowance.speedMmPerS, peaks.speedMmPerS),
+              std::sqrt(share(machine.maxAccelerationMmPerS2, peaks.accelerationMmPerS2)),
+              std::sqrt(minOf(torqueShare, 1.0)), step ? share(step->allowedMmPerS, step->speedMmPerS) : 1.0,
+              rmsFactor(means, machine),
+              share(machine.naturalFrequencyHz > 0 ? machine.naturalFrequencyHz
+                                                   : std::numeric_limits<double>::max(),
+                    1 / camCycleS(master)));
     const double present = master.masterRateRevPerMin;
     const double grid = info(Field::MasterRate).resolution();
     const double steps = std::floor(std::abs(present) * factor / grid * (1 + detail::limitTolerance));
@@ -175,7 +213,7 @@ double onStep(double value, double step)
 
 double slaveOnGrid(double slaveMm)
 {
-    return std::isfinite(slaveMm) ? onStep(std::clamp(slaveMm, -maxSlaveMm, maxSlaveMm), slaveStepMm) : 0;
+    return std::isfinite(slaveMm) ? onStep(clamped(slaveMm, -maxSlaveMm, maxSlaveMm), slaveStepMm) : 0;
 }
 
 std::optional<double> masterBetween(double beforeDeg, double afterDeg, double wantedDeg)
@@ -187,7 +225,7 @@ std::optional<double> masterBetween(double beforeDeg, double afterDeg, double wa
     if (!(low <= high))
         return std::nullopt;
     const double wanted = std::isfinite(wantedDeg) ? std::round(wantedDeg * perDeg) : low;
-    return std::clamp(wanted, low, high) / perDeg;
+    return clamped(wanted, low, high) / perDeg;
 }
 
 double phaseWithinCycleDeg(const CamMaster& master)
@@ -221,8 +259,9 @@ AxisMotion solveCycle(const CamMaster& master, const Machine& machine, MotionPro
         if (refusal.timeS)
             refusal.angleDeg = angleOfTimeDeg(master, *refusal.timeS);
     }
-    const LargestStep step = largestStep(master, steps);
-    if (auto jump = findJump(master, machine, step, rule))
+    const std::vector<StepInTime> inTime = stepsInTime(master, machine, solved.motion, steps);
+    const std::optional<StepInTime> step = worstStep(inTime);
+    if (auto jump = findJump(step, rule))
         solved.broken.push_back(*std::move(jump));
     if (auto fast = findFastCycle(master, machine))
         solved.broken.push_back(*std::move(fast));
@@ -234,7 +273,7 @@ AxisMotion solveCycle(const CamMaster& master, const Machine& machine, MotionPro
                 refusal.nearest.push_back(*rate);
         }
     }
-    addStepPeak(solved.peaks, master, machine, step);
+    addStepPeaks(solved.peaks, machine, inTime);
     return solved;
 }
 

@@ -174,9 +174,11 @@ std::string loadNumbers(const Machine& m)
 Explanation explainTorque(const RotaryCutter& cutter)
 {
     const Peaks peak = peaks(cutter);
-    return {"J Z a / R + M_f",
-            concat({loadNumbers(cutter.machine), " * ", n(peak.accelerationMmPerS2), " + ",
-                    n(cutter.machine.frictionNm)}),
+    const bool slows = peak.torqueTimeS == peak.extremes.slowingTimeS;
+    return {slows ? "J Z a / R - M_f" : "J Z a / R + M_f",
+            concat({loadNumbers(cutter.machine), " * ",
+                    n(slows ? peak.extremes.slowingMmPerS2 : peak.extremes.speedingMmPerS2),
+                    slows ? " - " : " + ", n(cutter.machine.frictionNm)}),
             peak.torqueNm, "Nm"};
 }
 

@@ -9,10 +9,10 @@
 #include "profile/cutter/ratios.h"
 #include "profile/cutter/validate.h"
 #include "profile/laws/laws.h"
+#include "profile/model/bounds.h"
 #include "profile/model/torque.h"
 #include "profile/model/vibration.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -59,8 +59,7 @@ std::array<LimitComparison, 9> compareCutter(const CycleNumbers& cycle, const Pe
           machine.maxKnifeAccelerationMmPerS2, Bounded::Acceleration, machine.maxKnifeAccelerationMmPerS2},
          {Limit::PulseFrequency, Field::MaxPulseFrequency, peak.pulseFrequencyHz, pulses, Bounded::Speed,
           pulses / figures.pulsesPerMm},
-         {Limit::MotorTorque, Field::MaxTorque, peak.torqueNm, machine.maxTorqueNm, Bounded::Acceleration,
-          figures.load.peakAllowance(machine.maxTorqueNm)},
+         detail::compareTorque(peak, machine, figures.load),
          detail::compareRmsTorque(peak, machine),
          compareNaturalFrequency(cycle, machine)}};
 }
@@ -73,12 +72,26 @@ double meanSquare(const CycleNumbers& cycle, double lawSquare)
     return change * change * lawSquare * ramps / cycle.cycleTimeS;
 }
 
+// Returns the extremes of the knife's acceleration. The film's speed is not 0, so friction alone remains
+// there.
+AccelerationExtremes extremesOf(const CycleNumbers& cycle, const LawPeaks& law)
+{
+    const double change = cycle.filmSpeedMmPerS - cycle.baseSpeedMmPerS;
+    const double there = cycle.tbS - cycle.taS;
+    const double back = cycle.tdS - cycle.tcS;
+    AccelerationExtremes extremes;
+    extremes.add(0, cycle.tbS);
+    extremes.add(change * law.cv / there, cycle.taS + law.cvAt * there);
+    extremes.add(-change * law.cv / back, cycle.tdS - law.cvAt * back);
+    return extremes;
+}
+
 // Returns the RMS acceleration that the rated torque allows, as a share of that of the cycle; infinite while
 // no torque is known.
 double rmsShare(const CycleNumbers& cycle, const CutterFigures& figures)
 {
     const double allowed = figures.load.rmsAllowance(figures.machine.ratedTorqueNm, movingShare(cycle));
-    return std::max(allowed, 0.0) / std::sqrt(meanSquare(cycle, figures.lawSquare));
+    return maxOf(allowed, 0.0) / std::sqrt(meanSquare(cycle, figures.lawSquare));
 }
 
 } // namespace
@@ -104,16 +117,19 @@ Peaks detail::peaks(const CycleNumbers& cycle, const CutterFigures& figures)
     const double change = std::abs(cycle.filmSpeedMmPerS - cycle.baseSpeedMmPerS);
     const double rampThere = cycle.tbS - cycle.taS;
     const double rampBack = cycle.tdS - cycle.tcS;
-    const double ramp = std::min(rampThere, rampBack);
+    const double ramp = minOf(rampThere, rampBack);
     Peaks peak;
-    peak.speedMmPerS = std::max(cycle.baseSpeedMmPerS, cycle.filmSpeedMmPerS);
+    peak.speedMmPerS = maxOf(cycle.baseSpeedMmPerS, cycle.filmSpeedMmPerS);
     peak.speedTimeS = cycle.filmSpeedMmPerS > cycle.baseSpeedMmPerS ? cycle.tbS : 0;
     peak.motorRpm = peak.speedMmPerS * figures.rpmPerMmPerS;
     peak.pulseFrequencyHz = peak.speedMmPerS * figures.pulsesPerMm;
     peak.accelerationMmPerS2 = change * law.cv / ramp;
     peak.accelerationTimeS =
         rampThere <= rampBack ? cycle.taS + law.cvAt * rampThere : cycle.tdS - law.cvAt * rampBack;
-    peak.torqueNm = figures.load.peakNm(peak.accelerationMmPerS2);
+    peak.extremes = extremesOf(cycle, law);
+    const TorquePeak torque = figures.load.peak(peak.extremes);
+    peak.torqueNm = torque.nm;
+    peak.torqueTimeS = torque.timeS;
     peak.rmsTorqueNm = figures.load.rmsNm({meanSquare(cycle, figures.lawSquare), 0, movingShare(cycle)});
     peak.jerkMmPerS3 = figures.accelerationSteps && change > 0 ? std::numeric_limits<double>::infinity()
                                                                : change * law.ca / (ramp * ramp);
@@ -184,17 +200,23 @@ bool isFeasible(const RotaryCutterProgram& program, const Machine& machine)
 
 MotionLimits detail::motionLimits(const CutterFigures& figures)
 {
-    const double fieldLimit = std::min(info(Field::BaseSpeed).max, info(Field::FilmSpeed).max);
-    MotionLimits limits{fieldLimit, info(Field::MaxKnifeAcceleration).max};
+    const double fieldLimit = minOf(info(Field::BaseSpeed).max, info(Field::FilmSpeed).max);
+    const double acceleration = info(Field::MaxKnifeAcceleration).max;
+    MotionLimits limits{fieldLimit, acceleration, acceleration};
+    const auto lower = [](double& limit, double allowed) { limit = minOf(limit, allowed); };
     for (const LimitComparison& c : compareCutter({}, {}, figures)) {
         if (c.bounded == Bounded::Speed)
-            limits.maxSpeedMmPerS = std::min(limits.maxSpeedMmPerS, c.allowedInMotion);
+            lower(limits.maxSpeedMmPerS, c.allowedInMotion);
+        if (c.bounded == Bounded::Acceleration || c.bounded == Bounded::Torque)
+            lower(limits.maxAccelerationMmPerS2, c.allowedInMotion);
         if (c.bounded == Bounded::Acceleration)
-            limits.maxAccelerationMmPerS2 = std::min(limits.maxAccelerationMmPerS2, c.allowedInMotion);
+            lower(limits.maxSlowingMmPerS2, c.allowedInMotion);
+        if (c.bounded == Bounded::Torque)
+            lower(limits.maxSlowingMmPerS2, c.load.slowingAllowance(c.allowed));
     }
     if (figures.machine.ratedTorqueNm > 0 && figures.load.isKnown())
         limits.maxRmsAccelerationMmPerS2 =
-            std::max(figures.load.rmsAllowance(figures.machine.ratedTorqueNm), 0.0);
+            maxOf(figures.load.rmsAllowance(figures.machine.ratedTorqueNm), 0.0);
     return limits;
 }
 
@@ -210,8 +232,7 @@ std::optional<FastestRate> detail::fastestByHand(const CycleNumbers& cycle, cons
 {
     const Peaks peak = peaks(cycle, figures);
     const double rate = cycle.rateBagsPerMin;
-    FastestRate fastest{std::min(info(Field::Rate).max, figures.machine.maxRateBagsPerMin),
-                        Limit::MachineRate};
+    FastestRate fastest{minOf(info(Field::Rate).max, figures.machine.maxRateBagsPerMin), Limit::MachineRate};
     const auto lower = [&fastest](double candidate, Limit limit) {
         if (candidate < fastest.rateBagsPerMin)
             fastest = {candidate, limit};
@@ -220,8 +241,10 @@ std::optional<FastestRate> detail::fastestByHand(const CycleNumbers& cycle, cons
         if (c.limit == Limit::MachineRate || c.limit == Limit::JawWindow || c.limit == Limit::RmsTorque ||
             !(c.actual > 0))
             continue;
-        if (c.bounded == Bounded::Acceleration)
-            lower(rate * std::sqrt(std::max(c.allowedInMotion, 0.0) / peak.accelerationMmPerS2), c.limit);
+        if (c.bounded == Bounded::Torque)
+            lower(rate * std::sqrt(c.load.peakShare(peak.extremes, c.allowed)), c.limit);
+        else if (c.bounded == Bounded::Acceleration)
+            lower(rate * std::sqrt(maxOf(c.allowedInMotion, 0.0) / peak.accelerationMmPerS2), c.limit);
         else
             lower(rate * (c.bounded == Bounded::Window ? c.actual / c.allowed : c.allowed / c.actual),
                   c.limit);

@@ -34,7 +34,8 @@ namespace campanel::profile {
 // The limits of the knife's motion itself, whichever part of the machine sets them.
 struct MotionLimits {
     double maxSpeedMmPerS = 0;
-    double maxAccelerationMmPerS2 = 0;
+    double maxAccelerationMmPerS2 = 0; // while it speeds up: friction takes a part of the torque
+    double maxSlowingMmPerS2 = 0;      // while it slows down: friction adds to the torque
     double maxRmsAccelerationMmPerS2 = std::numeric_limits<double>::infinity(); // of a knife that never rests
 };
 

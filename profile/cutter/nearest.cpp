@@ -7,9 +7,11 @@
 #include "profile/cutter/cycle_shape.h"
 #include "profile/cutter/jaw.h"
 #include "profile/cutter/limits.h"
+#include "profile/cutter/ratios.h"
 #include "profile/cutter/validate.h"
 #include "profile/cutter/window_mend.h"
 #include "profile/laws/laws.h"
+#include "profile/model/bounds.h"
 #include "profile/model/grid_search.h"
 #include "profile/model/torque.h"
 
@@ -49,19 +51,31 @@ std::vector<double> accelerationTimes(const CycleShape& shape, FieldValue kept, 
 }
 
 // Returns the values of (v_b - v_a) / T at which the peak of acceleration or torque, or the RMS torque, is
-// met.
-std::array<double, 6> speedChangeLimits(const RotaryCutterProgram& program, const Machine& machine,
-                                        const CycleShape& shape)
+// met. Either ramp may have the peak of the torque.
+std::array<double, 12> speedChangeLimits(const RotaryCutterProgram& program, const Machine& machine,
+                                         const CycleShape& shape)
 {
     const TorqueLoad load = knifeLoad(machine);
-    const double perPeak = shape.shortestRamp / shape.lawPeaks.cv;
-    const double acceleration = machine.maxKnifeAccelerationMmPerS2 * perPeak;
-    const double torque = load.peakAllowance(machine.maxTorqueNm) * perPeak;
-    const double ramps =
-        1 / (1 / program.k[1] - 1 / program.k[0]) + 1 / (1 / program.k[3] - 1 / program.k[2]);
+    const double there = 1 / program.k[1] - 1 / program.k[0];
+    const double back = 1 / program.k[3] - 1 / program.k[2];
+    const double acceleration = machine.maxKnifeAccelerationMmPerS2 * shape.shortestRamp / shape.lawPeaks.cv;
+    const double speeding = load.speedingAllowance(machine.maxTorqueNm) / shape.lawPeaks.cv;
+    const double slowing = load.slowingAllowance(machine.maxTorqueNm) / shape.lawPeaks.cv;
+    const double ramps = 1 / there + 1 / back;
     const double square = lawSpeedSquare(*findLaw(program.speedLaw), program.speedLawParameters) * ramps;
     const double rms = load.rmsAllowance(machine.ratedTorqueNm) / std::sqrt(square);
-    return {acceleration, -acceleration, torque, -torque, rms, -rms};
+    return {acceleration,
+            -acceleration,
+            rms,
+            -rms,
+            speeding * there,
+            -speeding * there,
+            speeding * back,
+            -speeding * back,
+            slowing * there,
+            -slowing * there,
+            slowing * back,
+            -slowing * back};
 }
 
 std::vector<double> candidates(const RotaryCutterProgram& program, const Machine& machine, Field field)
@@ -101,6 +115,26 @@ std::vector<double> candidates(const RotaryCutterProgram& program, const Machine
     return found;
 }
 
+// A program whose ratios follow each value that is tried.
+struct FollowingProgram : RotaryCutterProgram {};
+
+bool isFeasible(const FollowingProgram& program, const Machine& machine)
+{
+    return profile::isFeasible(withRatios(program, machine), machine);
+}
+
+template <typename Program>
+std::optional<Suggestion> nearestOf(const Program& program, const Machine& machine, Field field)
+{
+    GridSearch search(program, machine, field);
+    search.tryAround(search.present()); // feasible when only the value's grid or finiteness was wrong
+    for (const double candidate : candidates(program, machine, field))
+        search.tryAround(candidate);
+    if (program.ratioMode != RatioMode::ByHand)
+        search.closeIn(); // the ratios at the limit are others than the present ones
+    return search.best();
+}
+
 std::optional<Suggestion> nearestPinned(const RotaryCutterProgram& program, const Machine& machine,
                                         Field field)
 {
@@ -108,11 +142,8 @@ std::optional<Suggestion> nearestPinned(const RotaryCutterProgram& program, cons
     setValue(mendable, field, info(field).defaultValue);
     if (findInvalid(mendable, machine))
         return std::nullopt; // another input is wrong as well
-    GridSearch search(program, machine, field);
-    search.tryAround(search.present()); // feasible when only the value's grid or finiteness was wrong
-    for (const double candidate : candidates(program, machine, field))
-        search.tryAround(candidate);
-    return search.best();
+    return program.ratioMode == RatioMode::ByHand ? nearestOf(program, machine, field)
+                                                  : nearestOf(FollowingProgram{program}, machine, field);
 }
 
 // Finds a ratio between its neighbors: coarse steps away from the violated neighbor, then bisection on the
@@ -182,7 +213,7 @@ std::pair<bool, double> cost(const RotaryCutterProgram& program, const Refusal& 
     const double present = value(program, suggestion.field);
     const double change = std::abs(suggestion.value - present);
     return {isTooDemanding && suggestion.field != Field::Rate,
-            change / std::max(std::abs(present), info(suggestion.field).resolution())};
+            change / maxOf(std::abs(present), info(suggestion.field).resolution())};
 }
 
 } // namespace

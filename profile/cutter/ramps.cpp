@@ -3,7 +3,8 @@
 // minimum of one or the crossing of two.
 #include "profile/cutter/ramps.h"
 
-#include <algorithm>
+#include "profile/model/bounds.h"
+
 #include <cmath>
 
 namespace campanel::profile {
@@ -29,6 +30,13 @@ double longestBeforeReversal(const RampTask& task)
     return (task.strokeMm / task.filmMm - task.window) / (2 * task.lawTravel);
 }
 
+// Returns the square of the shortest cycle time, s^2, that keeps the peak acceleration with this ramp.
+double squareTimeByAcceleration(const RampTask& task, double ramp)
+{
+    return task.lawPeak * change(task) /
+           (task.maxAccelerationMmPerS2 * ramp * (remaining(task) - 2 * task.lawTravel * ramp));
+}
+
 // Returns the square of the shortest cycle time, s^2, that keeps the RMS acceleration with this ramp:
 // a_rms = sqrt(2 I2 / tau) D / ((S - 2 G tau) T^2).
 double squareTimeByRms(const RampTask& task, double ramp)
@@ -41,7 +49,7 @@ double squareTimeByRms(const RampTask& task, double ramp)
 std::optional<RampRange> withinRms(RampRange range, const RampTask& task)
 {
     const double square = task.cycleTimeS * task.cycleTimeS;
-    const double coolest = std::clamp(coolestRamp(task), range.shortest, range.longest);
+    const double coolest = clamped(coolestRamp(task), range.shortest, range.longest);
     if (!(squareTimeByRms(task, coolest) <= square))
         return std::nullopt;
     for (double* end : {&range.shortest, &range.longest}) {
@@ -96,12 +104,12 @@ double longestRamp(const RampTask& task)
 
 double gentlestRamp(const RampTask& task)
 {
-    return std::min(longestRamp(task), remaining(task) / (4 * task.lawTravel));
+    return minOf(longestRamp(task), remaining(task) / (4 * task.lawTravel));
 }
 
 double coolestRamp(const RampTask& task)
 {
-    return std::min(longestRamp(task), remaining(task) / (6 * task.lawTravel));
+    return minOf(longestRamp(task), remaining(task) / (6 * task.lawTravel));
 }
 
 std::optional<RampRange> possibleRamps(const RampTask& task)
@@ -115,11 +123,11 @@ std::optional<RampRange> possibleRamps(const RampTask& task)
     if (!(discriminant >= 0) || task.filmMm > travel)
         return std::nullopt;
     const double root = std::sqrt(discriminant);
-    RampRange range{std::max(minCycleShare, 2 * least / (s + root)),
-                    std::min({longestRamp(task), (s + root) / (4 * g), longestBeforeReversal(task)})};
+    RampRange range{maxOf(minCycleShare, 2 * least / (s + root)),
+                    minOf(longestRamp(task), (s + root) / (4 * g), longestBeforeReversal(task))};
     if (task.filmMm < task.strokeMm && task.filmMm < travel)
-        range.longest = std::min(range.longest,
-                                 ((travel - task.strokeMm) / (travel - task.filmMm) - task.window) / (2 * g));
+        range.longest =
+            minOf(range.longest, ((travel - task.strokeMm) / (travel - task.filmMm) - task.window) / (2 * g));
     if (!(range.shortest <= range.longest))
         return std::nullopt;
     return std::isfinite(task.maxRmsAccelerationMmPerS2) ? withinRms(range, task) : std::optional(range);
@@ -127,16 +135,13 @@ std::optional<RampRange> possibleRamps(const RampTask& task)
 
 double fastestRamp(const RampTask& task)
 {
-    const double longest = std::max(minCycleShare, std::min(gentlestRamp(task), longestBeforeReversal(task)));
+    const double longest = maxOf(minCycleShare, minOf(gentlestRamp(task), longestBeforeReversal(task)));
     // The functions are the squares of the shortest cycle times. That of the acceleration falls, that of a
     // bag shorter than the stroke rises with its base speed, that of the RMS acceleration falls to the
     // coolest ramp and rises behind it.
     const double g = task.lawTravel;
     const bool isRmsLimited = std::isfinite(task.maxRmsAccelerationMmPerS2);
-    const auto byAcceleration = [&](double ramp) {
-        return task.lawPeak * change(task) /
-               (task.maxAccelerationMmPerS2 * ramp * (remaining(task) - 2 * g * ramp));
-    };
+    const auto byAcceleration = [&](double ramp) { return squareTimeByAcceleration(task, ramp); };
     const auto bySpeed = [&](double ramp) {
         if (task.filmMm >= task.strokeMm)
             return 0.0;
@@ -145,23 +150,51 @@ double fastestRamp(const RampTask& task)
         return time * time;
     };
     const auto byRms = [&](double ramp) { return isRmsLimited ? squareTimeByRms(task, ramp) : 0; };
-    if (byAcceleration(longest) >= std::max(bySpeed(longest), byRms(longest)))
+    if (byAcceleration(longest) >= maxOf(bySpeed(longest), byRms(longest)))
         return longest;
     // Acceleration and RMS acceleration are equal at (Cv a_rms / a_max)^2 / (2 I2); behind it the RMS
     // decides.
     double best = longest;
     if (isRmsLimited) {
         const double ratio = task.lawPeak * task.maxRmsAccelerationMmPerS2 / task.maxAccelerationMmPerS2;
-        best = std::clamp(std::max(ratio * ratio / (2 * task.lawSquare), coolestRamp(task)), minCycleShare,
-                          longest);
+        best =
+            clamped(maxOf(ratio * ratio / (2 * task.lawSquare), coolestRamp(task)), minCycleShare, longest);
     }
     // Up to there one falls and the other rises. Their inverses are nearly straight.
     const auto difference = [&](double ramp) {
-        return 1 / std::max(byAcceleration(ramp), byRms(ramp)) - 1 / bySpeed(ramp);
+        return 1 / maxOf(byAcceleration(ramp), byRms(ramp)) - 1 / bySpeed(ramp);
     };
     if (!(bySpeed(best) > 0) || !(difference(best) > 0))
         return best;
     return difference(minCycleShare) < 0 ? risingRoot(minCycleShare, best, difference) : minCycleShare;
+}
+
+RampPair fastestRamps(const RampTask& task)
+{
+    const auto skewed = [&task](double skew) {
+        RampTask each = task;
+        each.maxAccelerationMmPerS2 *= 1 + skew;
+        each.lawSquare /= 1 - skew * skew;
+        return each;
+    };
+    // A larger skew lowers the acceleration of the ramp that speeds up, and raises the RMS acceleration.
+    const auto isRmsLimited = [&](double skew) {
+        const RampTask each = skewed(skew);
+        const double ramp = fastestRamp(each);
+        return squareTimeByRms(each, ramp) > squareTimeByAcceleration(each, ramp);
+    };
+    const double slowing = task.maxSlowingMmPerS2;
+    const double speeding = task.maxAccelerationMmPerS2;
+    double skew = slowing > speeding ? (slowing - speeding) / (slowing + speeding) : 0;
+    if (skew > 0 && std::isfinite(task.maxRmsAccelerationMmPerS2) && isRmsLimited(skew)) {
+        constexpr int halvings = 20;
+        double low = 0;
+        for (int i = 0; i < halvings; ++i) {
+            const double middle = (low + skew) / 2;
+            (isRmsLimited(middle) ? skew : low) = middle;
+        }
+    }
+    return {fastestRamp(skewed(skew)), skew};
 }
 
 double rampFor(RatioMode mode, double positionPercent, const RampTask& task)
@@ -169,15 +202,15 @@ double rampFor(RatioMode mode, double positionPercent, const RampTask& task)
     const std::optional<RampRange> range = possibleRamps(task);
     if (!range)
         return fastestRamp(task);
-    const double gentle = std::clamp(gentlestRamp(task), range->shortest, range->longest);
-    const double cool = std::clamp(coolestRamp(task), range->shortest, range->longest);
+    const double gentle = clamped(gentlestRamp(task), range->shortest, range->longest);
+    const double cool = clamped(coolestRamp(task), range->shortest, range->longest);
     switch (mode) {
     case RatioMode::Cool:
         return cool;
     case RatioMode::Slow:
         return range->shortest;
     case RatioMode::Between: {
-        const double position = std::clamp(positionPercent / 50, 0.0, 2.0); // 1: coolest
+        const double position = clamped(positionPercent / 50, 0.0, 2.0); // 1: coolest
         return position <= 1 ? std::lerp(range->shortest, cool, position)
                              : std::lerp(cool, gentle, position - 1);
     }

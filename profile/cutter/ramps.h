@@ -24,7 +24,8 @@ struct RampTask {
     double lawPeak = 1.5;   // Cv
     double lawSquare = 1.2; // I2, the integral of g'^2
     double maxSpeedMmPerS = 0;
-    double maxAccelerationMmPerS2 = 0;
+    double maxAccelerationMmPerS2 = 0; // of the ramp that speeds the knife up
+    double maxSlowingMmPerS2 = 0;      // of the other one; friction may allow more
     double maxRmsAccelerationMmPerS2 = std::numeric_limits<double>::infinity(); // by the rated torque
 };
 
@@ -46,8 +47,19 @@ struct RampRange {
 // unless the RMS acceleration needs a longer one. Nothing when no ramp does.
 [[nodiscard]] std::optional<RampRange> possibleRamps(const RampTask& task);
 
-// Returns the ramp of the highest rate for this bag length.
+// Returns the ramp of the highest rate for this bag length, alike there and back.
 [[nodiscard]] double fastestRamp(const RampTask& task);
+
+// Ramps of different lengths: the one that speeds the knife up lasts mean (1 + skew), the other one
+// mean (1 - skew).
+struct RampPair {
+    double mean = 0;
+    double skew = 0;
+};
+
+// Returns the ramps of the highest rate. Where friction helps the knife to slow down, that ramp may be
+// shorter: with the skew the acceleration is A (1 + skew), and I2 becomes I2 / (1 - skew^2).
+[[nodiscard]] RampPair fastestRamps(const RampTask& task);
 
 // Returns the ramp of a mode other than ByHand, within possibleRamps(); fastestRamp() where there is none.
 [[nodiscard]] double rampFor(RatioMode mode, double positionPercent, const RampTask& task);

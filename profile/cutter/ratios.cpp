@@ -5,6 +5,7 @@
 #include "profile/cutter/cutter_search.h"
 #include "profile/cutter/validate.h"
 #include "profile/laws/laws.h"
+#include "profile/model/bounds.h"
 
 #include <algorithm>
 #include <array>
@@ -36,6 +37,7 @@ RampTask emptyTask(const RotaryCutterProgram& program, const CutterFigures& figu
     task.lawSquare = figures.lawSquare;
     task.maxSpeedMmPerS = limits.maxSpeedMmPerS;
     task.maxAccelerationMmPerS2 = limits.maxAccelerationMmPerS2;
+    task.maxSlowingMmPerS2 = limits.maxSlowingMmPerS2;
     task.maxRmsAccelerationMmPerS2 = limits.maxRmsAccelerationMmPerS2;
     return task;
 }
@@ -89,57 +91,94 @@ double gridAbove(double value)
     return std::ceil(value * scale * (1 - std::numeric_limits<double>::epsilon())) / scale;
 }
 
-double roomBeside(const Ratios& k)
+// The two ramps of a cycle, as shares of it.
+struct Ramps {
+    double there = 0;
+    double back = 0;
+};
+
+// Returns the factor with which the ramps just fit beside the window.
+double roomBeside(const Ratios& k, const Ramps& ramps)
 {
-    return std::min(1 / k[1], 1 - 1 / k[2]) - minCycleShare;
+    return minOf((1 / k[1] - minCycleShare) / ramps.there, (1 - 1 / k[2] - minCycleShare) / ramps.back);
 }
 
-// Moves the window to the middle of the cycle when the ramps do not fit beside it. It gets no narrower.
-Ratios withRoom(Ratios k, double ramp, double tolerance)
+// Moves the window to the middle of what the ramps leave when they do not fit beside it. It gets no narrower.
+Ratios withRoom(Ratios k, const Ramps& ramps, double tolerance)
 {
-    if (ramp <= roomBeside(k) * (1 + tolerance) && roomBeside(k) > 0)
+    const double room = roomBeside(k, ramps);
+    if (room * (1 + tolerance) >= 1 && room > 0)
         return k;
     const double window = 1 / k[2] - 1 / k[1];
-    k[2] = gridBelow(2 / (1 + window));
+    k[2] = gridBelow(2 / (1 + window + ramps.there - ramps.back));
     k[1] = gridAbove(1 / (1 / k[2] - window));
     return k;
 }
 
-// Returns the ratios on the grid around this ramp beside the present window: the ramp back has the coarser
+// Returns the ratios on the grid around these ramps beside the present window: the ramp back has the coarser
 // grid, the other one follows it.
-std::array<Ratios, 6> ratiosAround(const Ratios& present, double ramp)
+std::array<Ratios, 6> ratiosAround(const Ratios& present, const Ramps& ramps)
 {
     const double step = info(Field::K1).resolution();
     const double begin = 1 / present[1];
     const double end = 1 / present[2];
-    const double fitting = std::max(std::min(ramp, roomBeside(present)), minCycleShare);
+    const double fitting = maxOf(ramps.back * minOf(1.0, roomBeside(present, ramps)), minCycleShare);
     std::array<Ratios, 6> found;
     found.fill(present);
     for (std::size_t i = 0; i < found.size(); ++i) {
         Ratios& k = found[i];
         k[3] =
             snapToGrid(Field::K4, gridBelow(1 / (end + fitting)) + (static_cast<double>(i / 2) - 1) * step);
-        const double base = std::max(begin - (1 / k[3] - end), minCycleShare);
+        const double base = maxOf(begin - (1 / k[3] - end) * ramps.there / ramps.back, minCycleShare);
         // A large k1 needs few digits for its small time.
         constexpr double precision = 1e-5; // of the cycle
-        const double coarse = std::max(step, std::pow(10, std::floor(std::log10(precision / (base * base)))));
+        const double coarse = maxOf(step, std::pow(10, std::floor(std::log10(precision / (base * base)))));
         const double below = std::floor(1 / base / coarse) * coarse;
         k[0] = snapToGrid(Field::K1, below + static_cast<double>(i % 2) * coarse);
     }
     return found;
 }
 
-// Returns the ratios on the grid around the ramp of `optimum`, beside the window of the program.
-template <typename Optimum>
-std::array<Ratios, 6> ratiosFor(RotaryCutterProgram program, const CutterFigures& figures, Optimum optimum,
-                                double tolerance = placeTolerance)
+// Returns the ramps whose mean suits the cycle that it makes itself. skewOf() gives their skew in a cycle.
+template <typename Optimum, typename Skew>
+Ramps solvedRamps(const RotaryCutterProgram& program, const CutterFigures& figures, Optimum optimum,
+                  Skew skewOf)
 {
-    double ramp = solvedRamp(program, emptyTask(program, figures), optimum);
-    if (const Ratios moved = withRoom(program.k, ramp, tolerance); moved != program.k) {
+    const RampTask empty = emptyTask(program, figures);
+    const double mean = solvedRamp(program, empty, optimum);
+    const RampTask task = taskAt(empty, program, mean);
+    const double skew = task.filmMm > task.strokeMm ? skewOf(task) : -skewOf(task); // of the ramp there
+    return {mean * (1 + skew), mean * (1 - skew)};
+}
+
+// Returns the ratios on the grid around the ramps of `optimum`, beside the window of the program.
+template <typename Optimum, typename Skew>
+std::array<Ratios, 6> ratiosFor(RotaryCutterProgram program, const CutterFigures& figures, Optimum optimum,
+                                Skew skewOf, double tolerance)
+{
+    Ramps ramps = solvedRamps(program, figures, optimum, skewOf);
+    if (const Ratios moved = withRoom(program.k, ramps, tolerance); moved != program.k) {
         program.k = moved; // its window is wider by the rounding
-        ramp = solvedRamp(program, emptyTask(program, figures), optimum);
+        ramps = solvedRamps(program, figures, optimum, skewOf);
     }
-    return ratiosAround(program.k, ramp);
+    return ratiosAround(program.k, ramps);
+}
+
+// Returns the ratios of ramps that are alike.
+template <typename Optimum>
+std::array<Ratios, 6> evenRatiosFor(const RotaryCutterProgram& program, const CutterFigures& figures,
+                                    Optimum optimum, double tolerance = placeTolerance)
+{
+    return ratiosFor(
+        program, figures, optimum, [](const RampTask&) { return 0.0; }, tolerance);
+}
+
+// Returns the ratios of the highest rate.
+std::array<Ratios, 6> fastestRatiosFor(const RotaryCutterProgram& program, const CutterFigures& figures)
+{
+    return ratiosFor(
+        program, figures, [](const RampTask& task) { return fastestRamps(task).mean; },
+        [](const RampTask& task) { return fastestRamps(task).skew; }, placeTolerance);
 }
 
 // Returns the program with the ratios among these that have the lowest rank.
@@ -212,15 +251,15 @@ RotaryCutterProgram withRatios(const RotaryCutterProgram& program, const Machine
     const auto suiting = [&program](const RampTask& task) {
         return rampFor(program.ratioMode, program.rampPositionPercent, task);
     };
-    RotaryCutterProgram wanted = withLowest(program, ratiosFor(program, figures, suiting), demand);
+    RotaryCutterProgram wanted = withLowest(program, evenRatiosFor(program, figures, suiting), demand);
     if (detail::isFeasible(wanted, figures))
         return wanted;
     // Near a limit no ramp may be shortened to keep the place of the window.
-    wanted = withLowest(program, ratiosFor(program, figures, suiting, 0), demand);
+    wanted = withLowest(program, evenRatiosFor(program, figures, suiting, 0), demand);
     if (detail::isFeasible(wanted, figures))
         return wanted;
     // At the limit a ramp may be feasible only before it is rounded.
-    RotaryCutterProgram fastest = withLowest(program, ratiosFor(program, figures, fastestRamp), demand);
+    RotaryCutterProgram fastest = withLowest(program, fastestRatiosFor(program, figures), demand);
     return detail::isFeasible(fastest, figures) || !isFeasible(program, machine) ? fastest : program;
 }
 
@@ -239,7 +278,7 @@ RotaryCutterProgram detail::withFastestRatios(RotaryCutterProgram program, doubl
         const auto fastest = fastestOf(tried, figures);
         return fastest ? -fastest->rateBagsPerMin : solved(tried, figures) ? 0 : 1;
     };
-    return withLowest(program, ratiosFor(program, figures, fastestRamp), slowness);
+    return withLowest(program, fastestRatiosFor(program, figures), slowness);
 }
 
 RotaryCutterProgram withFastestRatios(const RotaryCutter& cutter)
@@ -254,7 +293,7 @@ double rampPosition(const RotaryCutter& cutter)
     RampTask task = emptyTask(cutter.program, {cutter.program, cutter.machine});
     task.filmMm = cutter.program.syncRatio * cycle.bagLengthMm;
     task.cycleTimeS = cycle.cycleTimeS;
-    const double ramp = std::min(cycle.tbS - cycle.taS, cycle.tdS - cycle.tcS) / cycle.cycleTimeS;
+    const double ramp = minOf(cycle.tbS - cycle.taS, cycle.tdS - cycle.tcS) / cycle.cycleTimeS;
     const double shortest = rampFor(RatioMode::Slow, 0, task);
     const double cool = rampFor(RatioMode::Cool, 0, task);
     const double gentle = rampFor(RatioMode::Gentle, 0, task);
@@ -271,15 +310,15 @@ RotaryCutterProgram withWindow(RotaryCutterProgram program, const Machine& machi
     const double there = 1 / program.k[1] - 1 / program.k[0];
     const double back = 1 / program.k[3] - 1 / program.k[2];
     const double middle = (1 / program.k[1] + 1 / program.k[2]) / 2;
-    const double half = std::min({share / 2, middle - 2 * minCycleShare, 1 - middle - 2 * minCycleShare});
+    const double half = minOf(share / 2, middle - 2 * minCycleShare, 1 - middle - 2 * minCycleShare);
     if (!(half > 0))
         return program;
     program.k[1] = gridAbove(1 / (middle - half));
     program.k[2] = gridBelow(1 / (middle + half));
     const double begin = 1 / program.k[1] - there;
     const double end = 1 / program.k[2] + back;
-    program.k[0] = snapToGrid(Field::K1, 1 / std::max(begin, minCycleShare));
-    program.k[3] = snapToGrid(Field::K4, 1 / std::min(end, 1 - minCycleShare));
+    program.k[0] = snapToGrid(Field::K1, 1 / maxOf(begin, minCycleShare));
+    program.k[3] = snapToGrid(Field::K4, 1 / minOf(end, 1 - minCycleShare));
     return withRatios(program, machine);
 }
 
@@ -296,7 +335,7 @@ std::optional<RampOffer> otherRamps(const RotaryCutterProgram& program, const Ma
     other.ratioMode = RatioMode::Gentle;
     other = withRatios(other, machine);
     const auto shorterRamp = [](const RotaryCutterProgram& each) {
-        return std::min(1 / each.k[1] - 1 / each.k[0], 1 / each.k[3] - 1 / each.k[2]);
+        return minOf(1 / each.k[1] - 1 / each.k[0], 1 / each.k[3] - 1 / each.k[2]);
     };
     RampOffer offer;
     offer.isLonger = shorterRamp(other) > shorterRamp(program);

@@ -4,6 +4,7 @@
 
 #include "profile/cutter/cutter_search.h"
 #include "profile/cutter/validate.h"
+#include "profile/model/bounds.h"
 
 #include <algorithm>
 #include <array>
@@ -52,6 +53,9 @@ RegimePoint pointAt(const RotaryCutterProgram& program, double bagLengthMm,
                                             ? program
                                             : detail::withFastestRatios(program, bagLengthMm, figures);
     const detail::CycleShape shape = detail::cycleShape(fastest, figures.shape);
+    constexpr double rounding = 1e-12; // share; that of the speeds has more room at a low rate
+    if (bagLengthMm > shape.strokeMm / (shape.syncRatio * shape.weight) * (1 + rounding))
+        return point;
     for (const double rate : startRates) {
         const RotaryCutterProgram tried = pinnedAt(fastest, bagLengthMm, rate);
         const auto cycle = detail::solveValid(tried, shape);
@@ -80,10 +84,9 @@ LengthRange regimeRange(const RotaryCutterProgram& program, const Machine& machi
     const CutterLengths lengths = cutterLengths(program, machine);
     const auto cycle = solveNumbers(program, machine);
     const double last =
-        std::max({lengths.dwellMm, lengths.equalSpeedMm, cycle ? cycle->bagLengthMm : program.bagLengthMm});
+        maxOf(lengths.dwellMm, lengths.equalSpeedMm, cycle ? cycle->bagLengthMm : program.bagLengthMm);
     const FieldInfo& length = info(Field::BagLength);
-    return {length.min,
-            std::clamp(std::ceil(last * roomBeyond / roundMm) * roundMm, 2 * roundMm, length.max)};
+    return {length.min, clamped(std::ceil(last * roomBeyond / roundMm) * roundMm, 2 * roundMm, length.max)};
 }
 
 tl::expected<RegimeMap, Refusal> regimeMap(const RotaryCutterProgram& program, const Machine& machine,
@@ -97,7 +100,7 @@ tl::expected<RegimeMap, Refusal> regimeMap(const RotaryCutterProgram& program, c
     const detail::CutterFigures figures(program, machine);
     for (const double length : lengthsOf(range, count, map.lengths)) {
         const RegimePoint& point = map.points.emplace_back(pointAt(program, length, figures));
-        map.maxRateBagsPerMin = std::max(map.maxRateBagsPerMin, point.rateBagsPerMin);
+        map.maxRateBagsPerMin = maxOf(map.maxRateBagsPerMin, point.rateBagsPerMin);
         if (point.rateBagsPerMin > 0 && std::ranges::find(map.limits, point.limit) == map.limits.end())
             map.limits.push_back(point.limit);
     }

@@ -2,13 +2,15 @@
 // Samples each segment separately, so that a joint keeps its value before and after.
 #include "profile/cutter/sampling.h"
 
-#include <algorithm>
+#include "profile/model/bounds.h"
+
+#include <cmath>
 
 namespace campanel::profile {
 
 Curves sampleCurves(const MotionProfile& motion, double pulsesPerMm, std::size_t points)
 {
-    const std::size_t intervals = std::max<std::size_t>(points, 2) - 1;
+    const std::size_t intervals = maxOf<std::size_t>(points, 2) - 1;
     const double total = motion.durationS();
     const auto segments = motion.segments();
 
@@ -51,12 +53,27 @@ Curves sampleCurves(const RotaryCutter& cutter, std::size_t points)
 
 void addTorque(Curves& curves, const TorqueLoad& load)
 {
+    constexpr double restShare = 1e-9; // of the largest speed: the rounding of a standstill has no direction
     curves.torqueNm.clear();
     if (!load.isKnown())
         return;
+    Extent speeds;
+    for (const double speed : curves.velocityMmPerS)
+        speeds.add(std::abs(speed));
+    const auto speedAt = [&](std::size_t i) {
+        const double speed = curves.velocityMmPerS[i];
+        return std::abs(speed) > restShare * speeds.max ? speed : 0;
+    };
+    // Where a motion starts or comes to rest, friction has the direction of the motion beside it.
+    const auto directionAt = [&](std::size_t i) {
+        if (speedAt(i) != 0 || curves.accelerationMmPerS2[i] == 0)
+            return speedAt(i);
+        const bool ends = i + 1 == curves.timeS.size() || curves.timeS[i + 1] == curves.timeS[i];
+        return ends ? (i > 0 ? speedAt(i - 1) : 0) : speedAt(i + 1);
+    };
     curves.torqueNm.reserve(curves.timeS.size());
     for (std::size_t i = 0; i < curves.timeS.size(); ++i)
-        curves.torqueNm.push_back(load.at(curves.velocityMmPerS[i], curves.accelerationMmPerS2[i]));
+        curves.torqueNm.push_back(load.at(directionAt(i), curves.accelerationMmPerS2[i]));
 }
 
 } // namespace campanel::profile

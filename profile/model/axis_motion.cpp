@@ -2,6 +2,7 @@
 // Computes peaks from Cv, Ca and Cj of each segment's law.
 #include "profile/model/axis_motion.h"
 
+#include "profile/model/bounds.h"
 #include "profile/model/torque.h"
 
 #include <algorithm>
@@ -24,10 +25,7 @@ constexpr double stepTolerance = 1e-6;
 // Replaces the peak only by a really larger one, so that the first of equal peaks is named.
 void takeLarger(double& peak, double& peakTimeS, double candidate, double timeS)
 {
-    if (std::abs(candidate) > peak * (1 + detail::limitTolerance)) {
-        peak = std::abs(candidate);
-        peakTimeS = timeS;
-    }
+    raise(peak, peakTimeS, candidate, timeS, detail::limitTolerance);
 }
 
 void takeSpeeds(Peaks& peaks, const Segment& segment)
@@ -42,7 +40,7 @@ void takeAccelerations(Peaks& peaks, const Segment& s)
         return;
     const auto take = [&peaks](double acceleration, double timeS, double jerk) {
         takeLarger(peaks.accelerationMmPerS2, peaks.accelerationTimeS, acceleration, timeS);
-        peaks.jerkMmPerS3 = std::max(peaks.jerkMmPerS3, std::abs(jerk));
+        peaks.jerkMmPerS3 = maxOf(peaks.jerkMmPerS3, std::abs(jerk));
     };
     if (s.form == SegmentForm::Polynomial) {
         for (const double timeS : accelerationTurns(s))
@@ -85,7 +83,7 @@ bool hasAccelerationStep(const MotionProfile& motion, const Peaks& peaks)
         std::abs(last.accelerationMmPerS2 - first.accelerationMmPerS2) <= room &&
         std::abs(last.velocityMmPerS - first.velocityMmPerS) <= stepTolerance * peaks.speedMmPerS;
     return !mayRepeat &&
-           std::max(std::abs(first.accelerationMmPerS2), std::abs(last.accelerationMmPerS2)) > room;
+           maxOf(std::abs(first.accelerationMmPerS2), std::abs(last.accelerationMmPerS2)) > room;
 }
 
 std::array<LimitComparison, 5> compareAxis(const Peaks& peaks, const Machine& m)
@@ -95,8 +93,7 @@ std::array<LimitComparison, 5> compareAxis(const Peaks& peaks, const Machine& m)
               m.maxMotorRpm / axisRpmPerMmPerS(m)},
              {Limit::AxisAcceleration, Field::MaxAcceleration, peaks.accelerationMmPerS2,
               m.maxAccelerationMmPerS2, Bounded::Acceleration, m.maxAccelerationMmPerS2},
-             {Limit::MotorTorque, Field::MaxTorque, peaks.torqueNm, m.maxTorqueNm, Bounded::Acceleration,
-              axisLoad(m).peakAllowance(m.maxTorqueNm)},
+             detail::compareTorque(peaks, m, axisLoad(m)),
              detail::compareRmsTorque(peaks, m),
              {Limit::PulseFrequency, Field::MaxPulseFrequency, peaks.pulseFrequencyHz, pulses, Bounded::Speed,
               pulses / axisPulsesPerMm(m)}}};
@@ -106,9 +103,29 @@ std::array<LimitComparison, 5> compareAxis(const Peaks& peaks, const Machine& m)
 
 AxisAllowance axisAllowance(const Machine& machine)
 {
-    return {std::min(machine.maxMotorRpm / axisRpmPerMmPerS(machine),
-                     pulseFrequencyLimitHz(machine) / axisPulsesPerMm(machine)),
-            std::min(machine.maxAccelerationMmPerS2, axisLoad(machine).peakAllowance(machine.maxTorqueNm))};
+    const TorqueLoad load = axisLoad(machine);
+    return {minOf(machine.maxMotorRpm / axisRpmPerMmPerS(machine),
+                  pulseFrequencyLimitHz(machine) / axisPulsesPerMm(machine)),
+            minOf(machine.maxAccelerationMmPerS2, load.speedingAllowance(machine.maxTorqueNm)),
+            minOf(machine.maxAccelerationMmPerS2, load.slowingAllowance(machine.maxTorqueNm))};
+}
+
+AccelerationExtremes accelerationExtremes(const MotionProfile& motion)
+{
+    AccelerationExtremes extremes;
+    for (const Segment& segment : motion.segments()) {
+        for (const detail::DirectedPart& part : detail::directedParts(segment)) {
+            if (part.direction == 0)
+                continue;
+            const double first = part.direction * segment.at(part.fromS).accelerationMmPerS2;
+            const double last = part.direction * segment.at(part.toS).accelerationMmPerS2;
+            extremes.add(first, part.fromS);
+            extremes.add(last, part.toS);
+            if (first * last < 0)
+                extremes.add(0, part.fromS);
+        }
+    }
+    return extremes;
 }
 
 Peaks axisPeaks(const MotionProfile& motion, const Machine& machine)
@@ -123,7 +140,11 @@ Peaks axisPeaks(const MotionProfile& motion, const Machine& machine)
     peaks.motorRpm = peaks.speedMmPerS * axisRpmPerMmPerS(machine);
     peaks.pulseFrequencyHz = peaks.speedMmPerS * axisPulsesPerMm(machine);
     const TorqueLoad load = axisLoad(machine);
-    peaks.torqueNm = load.peakNm(peaks.accelerationMmPerS2);
+    if (load.isKnown())
+        peaks.extremes = accelerationExtremes(motion);
+    const TorquePeak torque = load.peak(peaks.extremes);
+    peaks.torqueNm = torque.nm;
+    peaks.torqueTimeS = torque.timeS;
     peaks.rmsTorqueNm = load.isKnown() ? load.rmsNm(torqueMeans(motion)) : load.rmsNm({});
     if (hasAccelerationStep(motion, peaks))
         peaks.jerkMmPerS3 = inf;

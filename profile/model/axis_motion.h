@@ -18,16 +18,20 @@ struct AxisMotion {
     std::vector<double> marksS;  // joints to mark on the plot: stages, knots
 };
 
-// The largest speed and acceleration within the limits of the machine. Motor speed and pulse frequency limit
-// the speed. The acceleration limit and the torque left after friction limit the acceleration. The
-// acceleration is negative when friction alone exceeds the available torque. The RMS torque limits the time
-// of a motion instead.
+// The largest speed and accelerations within the limits of the machine. Motor speed and pulse frequency limit
+// the speed. The acceleration limit and the torque limit the acceleration: friction takes a part of the
+// torque from one that speeds up, and adds to it for one that slows down. The acceleration is negative when
+// friction alone exceeds the available torque. The RMS torque limits the time of a motion instead.
 struct AxisAllowance {
     double speedMmPerS = 0;
-    double accelerationMmPerS2 = 0;
+    double accelerationMmPerS2 = 0; // to speed up
+    double slowingMmPerS2 = 0;      // to slow down
 };
 
 [[nodiscard]] AxisAllowance axisAllowance(const Machine& machine);
+
+// Returns the extremes of the acceleration, without steps of speed.
+[[nodiscard]] AccelerationExtremes accelerationExtremes(const MotionProfile& motion);
 
 // Computes the peaks from the closed forms of each segment. A motion may repeat when it ends with the speed
 // and acceleration it begins with. Any other motion has no acceleration before and after it: one at its ends

@@ -22,6 +22,7 @@ public:
     {
         if (!std::isfinite(m_present))
             m_present = info(field).defaultValue;
+        m_nearest = snapToGrid(field, m_present);
     }
 
     // Tries the grid points around a candidate, starting at the nearest one: rounding could skip a point
@@ -42,6 +43,21 @@ public:
         return isFeasible(m_program, m_machine);
     }
 
+    // Moves the best value towards the present one as far as there is no infeasible one between.
+    void closeIn()
+    {
+        if (!m_best)
+            return;
+        double failing = m_nearest;
+        while (std::abs(*m_best - failing) > 1.5 * info(m_field).resolution()) {
+            const double middle = snapToGrid(m_field, (*m_best + failing) / 2);
+            if (isFeasibleAt(middle))
+                m_best = middle;
+            else
+                failing = middle;
+        }
+    }
+
     [[nodiscard]] std::optional<Suggestion> best() const
     {
         if (!m_best)
@@ -54,7 +70,9 @@ public:
 private:
     void tryValue(double x)
     {
-        if (m_best && std::abs(x - m_present) >= std::abs(*m_best - m_present))
+        // Beyond the range the distances from the present value itself may be equal by rounding.
+        if (m_best && std::abs(x - m_nearest) >= std::abs(*m_best - m_nearest) &&
+            std::abs(x - m_present) >= std::abs(*m_best - m_present))
             return;
         if (isFeasibleAt(x))
             m_best = x;
@@ -64,6 +82,7 @@ private:
     Machine m_machine;
     Field m_field;
     double m_present;
+    double m_nearest; // the value of the grid nearest to it
     std::optional<double> m_best;
 };
 

@@ -2,6 +2,7 @@
 // Finds the time spans of an exceeded limit by bisection between the extrema of speed or acceleration.
 #include "profile/model/limit_check.h"
 
+#include "profile/model/bounds.h"
 #include "profile/model/law.h"
 
 #include <algorithm>
@@ -18,6 +19,16 @@ constexpr double joinedS = 1e-9;
 bool exceeds(double actual, double limit)
 {
     return actual > limit + limitTolerance * std::abs(limit);
+}
+
+// Compares the accelerations, see isBroken().
+bool exceedsTorque(const LimitComparison& c, const AccelerationExtremes& e)
+{
+    const double slowing = c.load.slowingAllowance(c.allowed);
+    const double left = c.load.frictionNm - c.load.nmPerMmPerS2 * e.leastMmPerS2; // of the friction
+    return (e.speedingMmPerS2 > 0 && exceeds(e.speedingMmPerS2, c.allowedInMotion)) ||
+           exceeds(e.slowingMmPerS2, slowing) ||
+           (c.load.isKnown() && c.allowed > 0 && exceeds(left, c.allowed));
 }
 
 // Returns the elapsed times inside the polynomial at which its acceleration has an extremum, ascending.
@@ -121,6 +132,38 @@ void appendBrokenSpan(std::vector<TimeSpan>& spans, double fromS, double toS, do
         spans.push_back(span);
 }
 
+// Appends the parts of [fromS, toS] at which the magnitude of a monotone quantity exceeds the limit.
+template <typename Quantity>
+void appendBrokenSpans(std::vector<TimeSpan>& spans, double fromS, double toS, double limit,
+                       Quantity quantity)
+{
+    const double sign = quantity(fromS) > 0 ? 1 : -1;
+    if (quantity(fromS) * quantity(toS) >= 0) {
+        appendBrokenSpan(spans, fromS, toS, limit, quantity);
+        return;
+    }
+    // The magnitude has its minimum where the quantity is zero, possibly for some time.
+    const auto hasFirstSign = [&](double timeS) { return sign * quantity(timeS) > 0; };
+    const auto hasLastSign = [&](double timeS) { return sign * quantity(timeS) < 0; };
+    appendBrokenSpan(spans, fromS, lastTrueS(fromS, toS, hasFirstSign), limit, quantity);
+    appendBrokenSpan(spans, lastTrueS(toS, fromS, hasLastSign), toS, limit, quantity);
+}
+
+std::vector<TimeSpan> torqueSpans(const MotionProfile& motion, const LimitComparison& comparison)
+{
+    const TorqueLoad& load = comparison.load;
+    std::vector<TimeSpan> spans;
+    for (const Segment& segment : motion.segments()) {
+        for (const DirectedPart& part : directedParts(segment)) {
+            const auto torqueNm = [&](double timeS) {
+                return load.at(part.direction, segment.at(timeS).accelerationMmPerS2);
+            };
+            appendBrokenSpans(spans, part.fromS, part.toS, comparison.allowed, torqueNm);
+        }
+    }
+    return spans;
+}
+
 std::vector<TimeSpan> brokenSpans(const MotionProfile& motion, const LimitComparison& comparison)
 {
     const double allowed = comparison.allowedInMotion;
@@ -129,8 +172,8 @@ std::vector<TimeSpan> brokenSpans(const MotionProfile& motion, const LimitCompar
         return spans;
     if (comparison.bounded == Bounded::Window)
         return {comparison.window};
-    if (allowed < 0)
-        return {{0, motion.durationS()}}; // friction alone
+    if (comparison.bounded == Bounded::Torque)
+        return torqueSpans(motion, comparison);
     const bool isAcceleration = comparison.bounded == Bounded::Acceleration;
     for (const Segment& segment : motion.segments()) {
         const auto quantity = [&](double timeS) {
@@ -138,20 +181,8 @@ std::vector<TimeSpan> brokenSpans(const MotionProfile& motion, const LimitCompar
             return isAcceleration ? p.accelerationMmPerS2 : p.velocityMmPerS;
         };
         const std::vector<double> turns = isAcceleration ? accelerationTurns(segment) : speedTurns(segment);
-        for (std::size_t i = 0; i + 1 < turns.size(); ++i) {
-            const double fromS = turns[i];
-            const double toS = turns[i + 1];
-            const double sign = quantity(fromS) > 0 ? 1 : -1;
-            if (quantity(fromS) * quantity(toS) >= 0) {
-                appendBrokenSpan(spans, fromS, toS, allowed, quantity);
-                continue;
-            }
-            // The magnitude has its minimum where the quantity is zero, possibly for some time.
-            const auto hasFirstSign = [&](double timeS) { return sign * quantity(timeS) > 0; };
-            const auto hasLastSign = [&](double timeS) { return sign * quantity(timeS) < 0; };
-            appendBrokenSpan(spans, fromS, lastTrueS(fromS, toS, hasFirstSign), allowed, quantity);
-            appendBrokenSpan(spans, lastTrueS(toS, fromS, hasLastSign), toS, allowed, quantity);
-        }
+        for (std::size_t i = 0; i + 1 < turns.size(); ++i)
+            appendBrokenSpans(spans, turns[i], turns[i + 1], allowed, quantity);
     }
     return spans;
 }
@@ -195,6 +226,43 @@ std::vector<double> accelerationTurns(const Segment& s)
     return withEnds(s, lawTimesS(s, {law.caAt, 1 - law.caAt}));
 }
 
+std::vector<DirectedPart> directedParts(const Segment& s)
+{
+    constexpr double roundingShare = 1e-9; // of the larger speed: a reversal below it is none
+    const auto speedAt = [&s](double timeS) { return s.at(timeS).velocityMmPerS; };
+    std::vector<double> ends = accelerationTurns(s);
+    const std::vector<double> turns = speedTurns(s);
+    for (std::size_t i = 0; i + 1 < turns.size(); ++i) {
+        const double first = speedAt(turns[i]);
+        const double last = speedAt(turns[i + 1]);
+        const double larger = maxOf(std::abs(first), std::abs(last));
+        if (first * last >= 0 || minOf(std::abs(first), std::abs(last)) <= roundingShare * larger)
+            continue;
+        const auto hasFirstSign = [&](double timeS) { return speedAt(timeS) * first > 0; };
+        ends.push_back(lastTrueS(turns[i], turns[i + 1], hasFirstSign));
+    }
+    std::ranges::sort(ends);
+    std::vector<DirectedPart> parts;
+    for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
+        const double speed = speedAt((ends[i] + ends[i + 1]) / 2);
+        if (ends[i + 1] > ends[i])
+            parts.push_back({ends[i], ends[i + 1], speed > 0 ? 1.0 : speed < 0 ? -1.0 : 0.0});
+    }
+    return parts;
+}
+
+LimitComparison compareTorque(const Peaks& peaks, const Machine& machine, const TorqueLoad& load)
+{
+    return {Limit::MotorTorque,
+            Field::MaxTorque,
+            peaks.torqueNm,
+            machine.maxTorqueNm,
+            Bounded::Torque,
+            load.speedingAllowance(machine.maxTorqueNm),
+            {},
+            load};
+}
+
 LimitComparison compareRmsTorque(const Peaks& peaks, const Machine& machine)
 {
     const double allowed =
@@ -209,6 +277,8 @@ bool isBroken(const LimitComparison& c, const Peaks& peaks)
         return exceeds(peaks.speedMmPerS, c.allowedInMotion);
     case Bounded::Acceleration:
         return exceeds(peaks.accelerationMmPerS2, c.allowedInMotion);
+    case Bounded::Torque:
+        return exceedsTorque(c, peaks.extremes);
     case Bounded::Window:
         return exceeds(c.allowed, c.actual);
     case Bounded::Rate:
@@ -233,7 +303,9 @@ std::vector<Refusal> brokenLimits(std::span<const LimitComparison> comparisons, 
         if (c.bounded == Bounded::Window)
             refusal.timeS = c.window.fromS;
         else if (c.bounded != Bounded::Rate)
-            refusal.timeS = c.bounded == Bounded::Speed ? peaks.speedTimeS : peaks.accelerationTimeS;
+            refusal.timeS = c.bounded == Bounded::Speed    ? peaks.speedTimeS
+                            : c.bounded == Bounded::Torque ? peaks.torqueTimeS
+                                                           : peaks.accelerationTimeS;
         refusal.brokenDuring = brokenSpans(motion, c);
         broken.push_back(std::move(refusal));
     }

@@ -2,24 +2,27 @@
 // Integrates squares over the smooth pieces of a law by Gauss-Legendre quadrature.
 #include "profile/model/torque.h"
 
-#include <algorithm>
+#include "profile/model/bounds.h"
+
 #include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 namespace campanel::profile {
 namespace {
 
 constexpr double kgM2PerKgCm2 = 1e-4;
 constexpr double unlimited = std::numeric_limits<double>::max();
+constexpr double rounding = 1e-9; // share: the first of equal peaks is named
 
 struct QuadratureNode {
     double place = 0; // on both sides of the middle of -1..1
     double weight = 0;
 };
 
-// Exact for polynomials up to degree 15.
+// Exact for polynomials up to degree 15; other functions are parted until the sum stands.
 constexpr std::array<QuadratureNode, 4> quadrature{{{0.1834346424956498, 0.3626837833783620},
                                                     {0.5255324099163290, 0.3137066458778873},
                                                     {0.7966664774136267, 0.2223810344533745},
@@ -43,16 +46,24 @@ double squareBetween(const Law& law, const LawParameters& parameters, double Law
 double lawSquare(const Law& law, const LawParameters& parameters, double LawPoint::*derivative,
                  double lawFrom = 0, double lawTo = 1)
 {
+    constexpr double precision = 1e-12;
+    constexpr int maxParts = 64;
     const LawPieces pieces = law.pieces(parameters);
     double sum = 0;
     double from = lawFrom;
     const auto add = [&](double to) {
-        to = std::min(to, lawTo);
+        to = minOf(to, lawTo);
         if (!(to > from))
             return;
-        const double middle = (from + to) / 2;
-        sum += squareBetween(law, parameters, derivative, from, middle);
-        sum += squareBetween(law, parameters, derivative, middle, to);
+        double before = 0;
+        double piece = squareBetween(law, parameters, derivative, from, to);
+        for (int parts = 2; parts <= maxParts && std::abs(piece - before) > precision * piece; parts *= 2) {
+            before = std::exchange(piece, 0);
+            for (int i = 0; i < parts; ++i)
+                piece += squareBetween(law, parameters, derivative, std::lerp(from, to, i / double(parts)),
+                                       std::lerp(from, to, (i + 1) / double(parts)));
+        }
+        sum += piece;
         from = to;
     };
     for (const double joint : pieces.joints)
@@ -109,10 +120,33 @@ double TorqueLoad::at(double velocityMmPerS, double accelerationMmPerS2) const
     return nmPerMmPerS2 * accelerationMmPerS2 + direction * frictionNm;
 }
 
-double TorqueLoad::peakNm(double accelerationMmPerS2) const
+void AccelerationExtremes::add(double alongMmPerS2, double timeS)
 {
-    return isKnown() ? nmPerMmPerS2 * std::abs(accelerationMmPerS2) + frictionNm
-                     : std::numeric_limits<double>::quiet_NaN();
+    if (alongMmPerS2 > 0) {
+        raise(speedingMmPerS2, speedingTimeS, alongMmPerS2, timeS, rounding);
+        return;
+    }
+    raise(slowingMmPerS2, slowingTimeS, alongMmPerS2, timeS, rounding);
+    if (-alongMmPerS2 < leastMmPerS2) {
+        leastMmPerS2 = -alongMmPerS2;
+        leastTimeS = timeS;
+    }
+}
+
+TorquePeak TorqueLoad::peak(const AccelerationExtremes& e) const
+{
+    if (!isKnown())
+        return {std::numeric_limits<double>::quiet_NaN(), 0};
+    TorquePeak peak;
+    if (e.speedingMmPerS2 > 0)
+        peak = {nmPerMmPerS2 * e.speedingMmPerS2 + frictionNm, e.speedingTimeS};
+    const double slowingNm = nmPerMmPerS2 * e.slowingMmPerS2 - frictionNm;
+    if (slowingNm > 0)
+        raise(peak.nm, peak.timeS, slowingNm, e.slowingTimeS);
+    const double frictionLeftNm = frictionNm - nmPerMmPerS2 * e.leastMmPerS2;
+    if (frictionLeftNm > 0)
+        raise(peak.nm, peak.timeS, frictionLeftNm, e.leastTimeS);
+    return peak;
 }
 
 double TorqueLoad::rmsNm(const TorqueMeans& means) const
@@ -122,12 +156,28 @@ double TorqueLoad::rmsNm(const TorqueMeans& means) const
     const double square = nmPerMmPerS2 * nmPerMmPerS2 * means.squareMm2PerS4 +
                           2 * nmPerMmPerS2 * frictionNm * means.speedGainMmPerS2 +
                           frictionNm * frictionNm * means.movingShare;
-    return std::sqrt(std::max(square, 0.0));
+    return std::sqrt(maxOf(square, 0.0));
 }
 
-double TorqueLoad::peakAllowance(double maxTorqueNm) const
+double TorqueLoad::speedingAllowance(double maxTorqueNm) const
 {
     return isKnown() && maxTorqueNm > 0 ? (maxTorqueNm - frictionNm) / nmPerMmPerS2 : unlimited;
+}
+
+double TorqueLoad::slowingAllowance(double maxTorqueNm) const
+{
+    return isKnown() && maxTorqueNm > 0 ? (maxTorqueNm + frictionNm) / nmPerMmPerS2 : unlimited;
+}
+
+double TorqueLoad::peakShare(const AccelerationExtremes& e, double maxTorqueNm) const
+{
+    const double speeding = speedingAllowance(maxTorqueNm);
+    if (!(speeding > 0) && e.speedingMmPerS2 > 0)
+        return 0;
+    const double share =
+        minOf(e.speedingMmPerS2 > 0 ? speeding / e.speedingMmPerS2 : unlimited,
+              e.slowingMmPerS2 > 0 ? slowingAllowance(maxTorqueNm) / e.slowingMmPerS2 : unlimited);
+    return share * e.leastMmPerS2 < -speeding ? 0 : share;
 }
 
 double TorqueLoad::rmsAllowance(double ratedTorqueNm, double movingShare) const

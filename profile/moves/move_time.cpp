@@ -3,6 +3,7 @@
 #include "profile/moves/move_time.h"
 
 #include "profile/cutter/validate.h"
+#include "profile/model/bounds.h"
 #include "profile/model/torque.h"
 
 #include <algorithm>
@@ -21,22 +22,13 @@ Refusal noMotion(Field field, double value)
     return refusal;
 }
 
-std::optional<Refusal> noTorqueLeft(const Machine& machine)
+Refusal noTorqueLeft(const Machine& machine, Limit limit)
 {
-    const TorqueLoad load = axisLoad(machine);
     Refusal refusal;
+    refusal.limit = limit;
+    refusal.field = limit == Limit::MotorTorque ? Field::MaxTorque : Field::RatedTorque;
     refusal.actual = machine.frictionNm;
-    if (!(load.peakAllowance(machine.maxTorqueNm) > 0)) {
-        refusal.limit = Limit::MotorTorque;
-        refusal.field = Field::MaxTorque;
-        refusal.allowed = machine.maxTorqueNm;
-    } else if (!(load.rmsAllowance(machine.ratedTorqueNm) > 0)) {
-        refusal.limit = Limit::RmsTorque;
-        refusal.field = Field::RatedTorque;
-        refusal.allowed = machine.ratedTorqueNm;
-    } else {
-        return std::nullopt;
-    }
+    refusal.allowed = value(machine, refusal.field);
     refusal.unit = info(refusal.field).unit;
     return refusal;
 }
@@ -47,7 +39,7 @@ tl::expected<double, Refusal> timeOnGrid(double shortestS)
     constexpr double roundingShare = 2e-10;
     const FieldInfo& f = info(Field::MoveTime);
     const double steps = std::ceil(shortestS / f.resolution() * (1 - roundingShare));
-    const double timeS = std::max(steps * f.resolution(), f.min);
+    const double timeS = maxOf(steps * f.resolution(), f.min);
     if (!inRange(Field::MoveTime, timeS))
         return tl::unexpected(outOfRange(Field::MoveTime, shortestS));
     return snapToGrid(Field::MoveTime, timeS);

@@ -5,7 +5,6 @@
 
 #include "profile/model/axis_motion.h"
 
-#include <optional>
 #include <tl/expected.hpp>
 
 namespace campanel::profile::detail {
@@ -13,8 +12,8 @@ namespace campanel::profile::detail {
 // Returns the refusal of a move without motion, caused by this value of `field`.
 [[nodiscard]] Refusal noMotion(Field field, double value);
 
-// Returns the refusal when friction takes all the peak or rated torque, so that no time is long enough.
-[[nodiscard]] std::optional<Refusal> noTorqueLeft(const Machine& machine);
+// Returns the refusal of a move in any time, because friction takes all the peak or rated torque.
+[[nodiscard]] Refusal noTorqueLeft(const Machine& machine, Limit limit);
 
 // Rounds the time up to the grid of Field::MoveTime, so that a feasible move stays feasible. Refuses a time
 // beyond the range.

@@ -5,6 +5,7 @@
 
 #include "profile/cutter/validate.h"
 #include "profile/laws/laws.h"
+#include "profile/model/bounds.h"
 #include "profile/model/grid_search.h"
 #include "profile/model/torque.h"
 #include "profile/moves/move_time.h"
@@ -47,7 +48,7 @@ std::optional<Refusal> findInvalidPositionInput(const PositionMoveProgram& progr
 // root of the integral of g''^2.
 double ratedDistancePerSquare(const PositionMoveProgram& program, const Machine& machine)
 {
-    return axisLoad(machine).rmsAllowance(machine.ratedTorqueNm) /
+    return maxOf(axisLoad(machine).rmsAllowance(machine.ratedTorqueNm), 0.0) /
            std::sqrt(lawAccelerationSquare(*findLaw(program.law), program.lawParameters));
 }
 
@@ -56,18 +57,17 @@ double shortestPositionMoveS(const PositionMoveProgram& program, const Machine& 
     const LawPeaks law = findLaw(program.law)->peaks(program.lawParameters);
     const AxisAllowance allowed = axisAllowance(machine);
     const double distance = std::abs(program.distanceMm);
-    return std::max({distance * law.cv / allowed.speedMmPerS,
-                     std::sqrt(distance * law.ca / allowed.accelerationMmPerS2),
-                     std::sqrt(distance / ratedDistancePerSquare(program, machine))});
+    return maxOf(distance * law.cv / allowed.speedMmPerS,
+                 std::sqrt(distance * law.ca / maxOf(allowed.accelerationMmPerS2, 0.0)),
+                 std::sqrt(distance / ratedDistancePerSquare(program, machine)));
 }
 
 double longestDistanceMm(const PositionMoveProgram& program, const Machine& machine, double timeS)
 {
     const LawPeaks law = findLaw(program.law)->peaks(program.lawParameters);
     const AxisAllowance allowed = axisAllowance(machine);
-    return std::min({allowed.speedMmPerS * timeS / law.cv,
-                     allowed.accelerationMmPerS2 * timeS * timeS / law.ca,
-                     ratedDistancePerSquare(program, machine) * timeS * timeS});
+    return minOf(allowed.speedMmPerS * timeS / law.cv, allowed.accelerationMmPerS2 * timeS * timeS / law.ca,
+                 ratedDistancePerSquare(program, machine) * timeS * timeS);
 }
 
 // Returns the time of the move, without suggestions in the refusal.
@@ -77,8 +77,11 @@ tl::expected<double, Refusal> positionMoveTimeS(const PositionMoveProgram& progr
         return tl::unexpected(*std::move(refusal));
     if (!isFastest(program))
         return program.timeS;
-    if (auto refusal = detail::noTorqueLeft(machine))
-        return tl::unexpected(*std::move(refusal));
+    const TorqueLoad load = axisLoad(machine);
+    if (!(load.speedingAllowance(machine.maxTorqueNm) > 0))
+        return tl::unexpected(detail::noTorqueLeft(machine, Limit::MotorTorque));
+    if (!(load.rmsAllowance(machine.ratedTorqueNm) > 0))
+        return tl::unexpected(detail::noTorqueLeft(machine, Limit::RmsTorque));
     return detail::timeOnGrid(shortestPositionMoveS(program, machine));
 }
 

@@ -5,6 +5,7 @@
 
 #include "profile/cutter/validate.h"
 #include "profile/laws/laws.h"
+#include "profile/model/bounds.h"
 #include "profile/model/grid_search.h"
 #include "profile/model/polynomial.h"
 #include "profile/model/torque.h"
@@ -77,28 +78,66 @@ std::optional<Refusal> findInvalidSpeedInput(const SpeedMoveProgram& program, co
     return std::nullopt;
 }
 
-// Returns the time at which the RMS torque is the rated one; 0 while either is unknown. With G = |v1| - |v0|:
-// (M_n^2 - M_f^2) T^2 - 2 k M_f G T - k^2 (v1 - v0)^2 I2 = 0.
-double ratedSpeedMoveS(const SpeedMoveProgram& program, const Machine& machine)
+MotionProfile speedMotion(const SpeedMoveProgram& program, double timeS)
+{
+    MotionProfile motion;
+    motion.addRamp(timeS, program.startSpeedMmPerS, program.endSpeedMmPerS, *findLaw(program.law),
+                   program.lawParameters, isMirrored(program));
+    return motion;
+}
+
+// The times between which the torque of a move suffices. Friction shortens a move that slows down: where it
+// exceeds the torque, a long move cannot be made.
+struct PossibleTimes {
+    double firstS = 0; // infinite when no time is possible
+    double lastS = std::numeric_limits<double>::infinity();
+};
+
+// Returns the times within the rated torque. With G = |v1| - |v0|:
+// (M_n^2 - M_f^2) T^2 - 2 k M_f G T - k^2 (v1 - v0)^2 I2 >= 0.
+PossibleTimes ratedTimes(const SpeedMoveProgram& program, const Machine& machine)
 {
     const TorqueLoad load = axisLoad(machine);
     if (!load.isKnown() || !(machine.ratedTorqueNm > 0))
-        return 0;
+        return {};
     const double k = load.nmPerMmPerS2;
     const double left = machine.ratedTorqueNm * machine.ratedTorqueNm - load.frictionNm * load.frictionNm;
     const double gain = std::abs(program.endSpeedMmPerS) - std::abs(program.startSpeedMmPerS);
     const double half = k * load.frictionNm * gain;
     const double change = k * changeMmPerS(program);
     const double square = change * change * lawSpeedSquare(*findLaw(program.law), program.lawParameters);
-    return left > 0 ? (half + std::sqrt(half * half + left * square)) / left
-                    : std::numeric_limits<double>::infinity();
+    const double discriminant = half * half + left * square;
+    if (discriminant < 0 || (left <= 0 && half >= 0))
+        return {std::numeric_limits<double>::infinity(), 0};
+    const double root = std::sqrt(discriminant);
+    PossibleTimes times{half > 0 ? (half + root) / left : square / (root - half)};
+    if (left < 0)
+        times.lastS = (half - root) / left;
+    return times;
+}
+
+// Returns the times within the peak torque.
+PossibleTimes peakTimes(const SpeedMoveProgram& program, const Machine& machine)
+{
+    const TorqueLoad load = axisLoad(machine);
+    if (!load.isKnown() || !(machine.maxTorqueNm > 0))
+        return {};
+    const AccelerationExtremes inOneS = accelerationExtremes(speedMotion(program, 1));
+    PossibleTimes times{1 / load.peakShare(inOneS, machine.maxTorqueNm)};
+    if (load.frictionNm > machine.maxTorqueNm)
+        times.lastS = inOneS.leastMmPerS2 / -load.speedingAllowance(machine.maxTorqueNm);
+    return times;
 }
 
 double shortestSpeedMoveS(const SpeedMoveProgram& program, const Machine& machine)
 {
-    return std::max(std::abs(changeMmPerS(program)) * lawCv(program) /
-                        axisAllowance(machine).accelerationMmPerS2,
-                    ratedSpeedMoveS(program, machine));
+    return maxOf(std::abs(changeMmPerS(program)) * lawCv(program) / machine.maxAccelerationMmPerS2,
+                 peakTimes(program, machine).firstS, ratedTimes(program, machine).firstS);
+}
+
+double longestSpeedMoveS(const SpeedMoveProgram& program, const Machine& machine)
+{
+    return minOf(peakTimes(program, machine).lastS, ratedTimes(program, machine).lastS);
 }
 
 Refusal distanceRefusal(Limit limit, double actualMm, double allowedMm)
@@ -142,17 +181,11 @@ tl::expected<double, Refusal> speedMoveTimeS(const SpeedMoveProgram& program, co
         return program.timeS;
     if (program.duration == MoveDuration::OverDistance)
         return timeOverDistanceS(program);
-    if (auto refusal = detail::noTorqueLeft(machine))
-        return tl::unexpected(*std::move(refusal));
+    if (!std::isfinite(peakTimes(program, machine).firstS))
+        return tl::unexpected(detail::noTorqueLeft(machine, Limit::MotorTorque));
+    if (!std::isfinite(ratedTimes(program, machine).firstS))
+        return tl::unexpected(detail::noTorqueLeft(machine, Limit::RmsTorque));
     return detail::timeOnGrid(shortestSpeedMoveS(program, machine));
-}
-
-MotionProfile speedMotion(const SpeedMoveProgram& program, double timeS)
-{
-    MotionProfile motion;
-    motion.addRamp(timeS, program.startSpeedMmPerS, program.endSpeedMmPerS, *findLaw(program.law),
-                   program.lawParameters, isMirrored(program));
-    return motion;
 }
 
 // Appends the speed changes x with a x^2 + b x = c.
@@ -168,19 +201,25 @@ void appendRoots(std::vector<double>& changes, double a, double b, double c)
 std::vector<double> changesAtLimits(const SpeedMoveProgram& program, const Machine& machine, Field field)
 {
     const FieldInfo& time = info(Field::MoveTime);
-    const double perTime = axisAllowance(machine).accelerationMmPerS2 / lawCv(program);
+    const AxisAllowance allowed = axisAllowance(machine);
+    const std::array perTimes{allowed.accelerationMmPerS2 / lawCv(program),
+                              allowed.slowingMmPerS2 / lawCv(program)};
     std::vector<double> changes;
     if (program.duration != MoveDuration::OverDistance) {
         const double timeS = program.duration == MoveDuration::GivenTime ? program.timeS : time.max;
-        return {perTime * timeS, -perTime * timeS};
+        for (const double perTime : perTimes)
+            changes.insert(changes.end(), {perTime * timeS, -perTime * timeS});
+        return changes;
     }
     // The mean speed is kept + share x, with x the change; T = D / mean, and |x| = perTime T at the limit.
     const double kept = field == Field::EndSpeed ? program.startSpeedMmPerS : program.endSpeedMmPerS;
     const double g1 = lawTravel(program);
     for (const double travel : {g1, 1 - g1}) {
         const double share = field == Field::EndSpeed ? travel : travel - 1;
-        appendRoots(changes, share, kept, perTime * program.distanceMm);
-        appendRoots(changes, share, kept, -perTime * program.distanceMm);
+        for (const double perTime : perTimes) {
+            appendRoots(changes, share, kept, perTime * program.distanceMm);
+            appendRoots(changes, share, kept, -perTime * program.distanceMm);
+        }
         for (const double timeS : {time.min, time.max})
             changes.push_back((program.distanceMm / timeS - kept) / share);
     }
@@ -202,7 +241,8 @@ std::vector<double> distanceCandidates(const SpeedMoveProgram& program, const Ma
 {
     const double mean = meanSpeedMmPerS(program);
     return {-program.distanceMm, mean * shortestSpeedMoveS(program, machine),
-            mean * info(Field::MoveTime).min, mean * info(Field::MoveTime).max};
+            mean * longestSpeedMoveS(program, machine), mean * info(Field::MoveTime).min,
+            mean * info(Field::MoveTime).max};
 }
 
 // Returns the speeds s at which the RMS torque is the rated one, with the other speed u fixed:
@@ -252,8 +292,10 @@ std::optional<Suggestion> nearestSpeedInput(const SpeedMoveProgram& program, con
     search.tryAround(search.present());
     search.tryAround(info(field).min);
     search.tryAround(info(field).max);
-    if (field == Field::MoveTime)
+    if (field == Field::MoveTime) {
         search.tryAround(shortestSpeedMoveS(program, machine));
+        search.tryAround(longestSpeedMoveS(program, machine));
+    }
     if (field == Field::Distance) {
         for (const double candidate : distanceCandidates(program, machine))
             search.tryAround(candidate);
@@ -264,6 +306,7 @@ std::optional<Suggestion> nearestSpeedInput(const SpeedMoveProgram& program, con
         for (const double candidate : speedsAtRatedTorque(program, machine, field))
             search.tryAround(candidate);
     }
+    search.closeIn(); // where both directions of friction limit a move, no formula gives its end
     return search.best();
 }
 

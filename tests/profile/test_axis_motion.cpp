@@ -261,14 +261,16 @@ void TestAxisMotion::spansOfATrapezoid()
     machine.maxTorqueNm = 0.024;
     const std::vector<Refusal> broken = check(motion, machine);
     QCOMPARE(broken.size(), std::size_t{2});
-    for (const Limit limit : {Limit::AxisAcceleration, Limit::MotorTorque}) {
-        const Refusal* refusal = find(broken, limit);
-        QVERIFY(refusal != nullptr);
-        QCOMPARE(refusal->brokenDuring.size(), std::size_t{2});
-        QVERIFY(near(refusal->brokenDuring[0].toS, 0.2, 1e-9));
-        QVERIFY(near(refusal->brokenDuring[1].fromS, 0.8, 1e-9));
-        QCOMPARE(refusal->brokenDuring[1].toS, 1.0);
-    }
+    const Refusal* acceleration = find(broken, Limit::AxisAcceleration);
+    QVERIFY(acceleration != nullptr);
+    QCOMPARE(acceleration->brokenDuring.size(), std::size_t{2});
+    QVERIFY(near(acceleration->brokenDuring[0].toS, 0.2, 1e-9));
+    QVERIFY(near(acceleration->brokenDuring[1].fromS, 0.8, 1e-9));
+    QCOMPARE(acceleration->brokenDuring[1].toS, 1.0);
+    const Refusal* torque = find(broken, Limit::MotorTorque); // 0.0247 Nm; friction helps to brake
+    QVERIFY(torque != nullptr);
+    QCOMPARE(torque->brokenDuring.size(), std::size_t{1});
+    QVERIFY(near(torque->brokenDuring[0].toS, 0.2, 1e-9));
     MotionProfile always;
     always.addDisplacement(1, 1000, parabola, {});
     QCOMPARE(check(always, machine).front().brokenDuring.size(), std::size_t{1});

@@ -50,7 +50,7 @@ void TestCompareLaws::positionMove()
         QCOMPARE(c.result->peaks.speedMmPerS, 6000 * peaks.cv);
         QCOMPARE(c.result->peaks.motorRpm, 3600 * peaks.cv);
         QCOMPARE(c.result->peaks.accelerationMmPerS2, 6000 * peaks.ca);
-        QCOMPARE(c.result->peaks.torqueNm, axisLoad(test::paperMotor()).peakNm(6000 * peaks.ca));
+        QCOMPARE(c.result->peaks.torqueNm, axisLoad(test::paperMotor()).at(1, 6000 * peaks.ca));
         const bool isFinite = std::abs(law.at(0, c.choice.parameters).g2) < 1e-9 && std::isfinite(peaks.cj);
         QCOMPARE(std::isfinite(c.result->peaks.jerkMmPerS3), isFinite);
         if (isFinite)

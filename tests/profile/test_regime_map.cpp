@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numbers>
 
 namespace test_regime_map {
 
@@ -36,14 +37,18 @@ Limit limitAt(const Recipe& recipe, double lengthMm)
     return regimePoint(recipe.program, recipe.machine, lengthMm).limit;
 }
 
-// Returns the rate of the best ramps beside a window in the middle of the cycle. They are found by a search.
-double searchedRate(Recipe recipe, double lengthMm)
+// Returns the rate of the best ramps beside a window, found by a search. The ramps there and back are
+// ramp (1 + skew) and ramp (1 - skew).
+double searchedRate(Recipe recipe, double lengthMm, double skew)
 {
     RotaryCutterProgram& program = recipe.program;
-    const double free = 1 - (1 / program.k[2] - 1 / program.k[1]);
+    const double window = 1 / program.k[2] - 1 / program.k[1];
+    const double free = 1 - window;
     program.ratioMode = RatioMode::ByHand;
     const auto rateWith = [&](double ramp) {
-        program.k = {2 / (free - 2 * ramp), 2 / free, 2 / (2 - free), 1 / (1 - free / 2 + ramp)};
+        const double begin = free / 2 + ramp * skew;
+        program.k = {1 / (begin - ramp * (1 + skew)), 1 / begin, 1 / (begin + window),
+                     1 / (begin + window + ramp * (1 - skew))};
         return regimePoint(program, recipe.machine, lengthMm).rateBagsPerMin;
     };
     double best = 0;
@@ -59,6 +64,29 @@ double searchedRate(Recipe recipe, double lengthMm)
                 place = ramp;
             best = std::max(best, rate);
         }
+    }
+    return best;
+}
+
+// Returns the rate of the best skew. Friction allows the ramp that slows the knife down to be shorter.
+double searchedRate(const Recipe& recipe, double lengthMm)
+{
+    const Machine& m = recipe.machine;
+    const double speeding = m.maxTorqueNm - m.frictionNm;
+    const double slowing = m.maxTorqueNm + m.frictionNm;
+    if (m.inertiaKgCm2 == 0 || m.maxTorqueNm == 0 || speeding <= 0)
+        return searchedRate(recipe, lengthMm, 0);
+    constexpr int steps = 8; // of a golden section
+    const double sign = recipe.program.syncRatio * lengthMm > strokeMm(m) ? 1 : -1;
+    double low = 0;
+    double high = (slowing - speeding) / (slowing + speeding);
+    double best = std::max(searchedRate(recipe, lengthMm, 0), searchedRate(recipe, lengthMm, sign * high));
+    for (int i = 0; i < steps; ++i) {
+        const double width = (high - low) * (std::numbers::phi - 1);
+        const double first = searchedRate(recipe, lengthMm, sign * (high - width));
+        const double second = searchedRate(recipe, lengthMm, sign * (low + width));
+        best = std::max({best, first, second});
+        (first > second ? high : low) = first > second ? low + width : high - width;
     }
     return best;
 }
@@ -199,16 +227,20 @@ void TestRegimeMap::fastestRampsAreThoseOfASearch()
             continue;
         ++tried;
         for (const RegimePoint& point : map->points) {
-            const double searched = searchedRate(recipe, point.bagLengthMm);
+            const bool isEveryFifth = &point == &map->points[static_cast<std::size_t>(tried) % 5];
+            const double searched = isEveryFifth ? searchedRate(recipe, point.bagLengthMm)
+                                                 : searchedRate(recipe, point.bagLengthMm, 0);
             // k1 and k4 on their grids cost less than a thousandth.
             const double tolerance = 0.2 + searched * 1e-3;
-            QVERIFY2(std::abs(point.rateBagsPerMin - searched) <= tolerance,
+            QVERIFY2(point.rateBagsPerMin >= searched - tolerance &&
+                         (!isEveryFifth || point.rateBagsPerMin <= searched + tolerance),
                      qPrintable(QStringLiteral("%1: %2 mm %3, searched %4")
                                     .arg(tried)
                                     .arg(point.bagLengthMm)
                                     .arg(point.rateBagsPerMin)
                                     .arg(searched)));
-            worst = std::max(worst, std::abs(point.rateBagsPerMin - searched));
+            if (isEveryFifth)
+                worst = std::max(worst, std::abs(point.rateBagsPerMin - searched));
             limits[point.limit] += 1;
         }
     }

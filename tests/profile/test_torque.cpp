@@ -149,7 +149,14 @@ void TestTorque::gearAndSign()
     QVERIFY(near(knife.at(100, -6000), -2e-4 * 7 / 3 * 100 + 0.3, 1e-12));
     QVERIFY(near(knife.at(-100, -6000), -2e-4 * 7 / 3 * 100 - 0.3, 1e-12));
     QCOMPARE(knife.at(0, 0), 0.0);
-    QVERIFY(near(knife.peakNm(-6000), 2e-4 * 7 / 3 * 100 + 0.3, 1e-12));
+    AccelerationExtremes extremes;
+    extremes.add(-6000, 1); // slows down
+    QVERIFY(near(knife.peak(extremes).nm, 0.3 - 2e-4 * 7 / 3 * 100, 1e-12));
+    extremes.add(-600000, 2);
+    QVERIFY(near(knife.peak(extremes).nm, 2e-4 * 7 / 3 * 10000 - 0.3, 1e-12));
+    QCOMPARE(knife.peak(extremes).timeS, 2.0);
+    extremes.add(600000, 3);
+    QVERIFY(near(knife.peak(extremes).nm, 2e-4 * 7 / 3 * 10000 + 0.3, 1e-12));
     machine.feedMmPerMotorRev = 50;
     QVERIFY(near(axisLoad(machine).nmPerMmPerS2, 2e-4 * 2 * std::numbers::pi / 50, 1e-12));
 }

@@ -64,6 +64,27 @@ profile::RotaryCutter atFastestRatios(const profile::RotaryCutter& cutter)
     return solved ? *solved : atLowRate.value_or(cutter);
 }
 
+// Explains the rate at which one of the ramps has the largest torque: friction adds to that of the ramp that
+// speeds the knife up, and helps the other one.
+void explainByTorque(Explanation& explanation, const QString& rate, const profile::Machine& machine,
+                     const profile::Peaks& peaks)
+{
+    const Format format;
+    const profile::TorqueLoad load = profile::knifeLoad(machine);
+    const profile::AccelerationExtremes& extremes = peaks.extremes;
+    const double friction = machine.frictionNm;
+    const bool slows = load.slowingAllowance(machine.maxTorqueNm) * extremes.speedingMmPerS2 <
+                       load.speedingAllowance(machine.maxTorqueNm) * extremes.slowingMmPerS2;
+    const double peakNm = slows ? load.nmPerMmPerS2 * extremes.slowingMmPerS2 - friction
+                                : load.nmPerMmPerS2 * extremes.speedingMmPerS2 + friction;
+    explanation.formula =
+        slows ? Explanations::tr("rate × √((allowed + friction) / (peak + friction)), rounded down")
+              : Explanations::tr("rate × √((allowed − friction) / (peak − friction)), rounded down");
+    explanation.numbers = u"%1 × √((%2 %5 %4) / (%3 %5 %4))"_s.arg(
+        rate, format.compact(machine.maxTorqueNm, 0, 3), format.compact(peakNm, 0, 3),
+        format.compact(friction, 0, 3), slows ? u"+"_s : u"−"_s);
+}
+
 } // namespace
 
 QList<int> Explanations::ofVerdict() const
@@ -135,10 +156,7 @@ Explanation Explanations::fastestRate() const
                                   format.compact(cutter->program.minSealTimeMs, 0, 0));
         break;
     case profile::Limit::MotorTorque:
-        explanation.formula = tr("rate × √((allowed − friction) / (peak − friction)), rounded down");
-        explanation.numbers = u"%1 × √((%2 − %4) / (%3 − %4))"_s.arg(
-            rate, format.compact(machine.maxTorqueNm, 0, 3), format.compact(peaks.torqueNm, 0, 3),
-            format.compact(machine.frictionNm, 0, 3));
+        explainByTorque(explanation, rate, machine, peaks);
         break;
     case profile::Limit::RmsTorque:
         explanation.formula = tr("rate × ((allowed² − friction²) / (RMS² − friction²))^(1/4), rounded down");
@@ -208,7 +226,8 @@ Explanation Explanations::peak(Topic quantity) const
                "has the knife radius.");
     } else if (quantity == PeakTorque) {
         take(tr("Peak motor torque"), profile::CutterQuantity::PeakTorque);
-        explanation.meaning = tr("Torque at the motor for the peak acceleration, plus friction.");
+        explanation.meaning = tr("Maximum torque at the motor. Friction adds to it while the knife speeds "
+                                 "up, and helps while the knife slows down.");
     } else if (quantity == RmsTorque) {
         take(tr("RMS motor torque"), profile::CutterQuantity::RmsTorque);
         explanation.meaning =
