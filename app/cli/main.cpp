@@ -65,7 +65,7 @@ std::vector<CommandInfo> commandTable()
          {},
          runCompare},
         {u"intervals"_s,
-         u"Compile a recipe to the minimum number of intervals of constant acceleration."_s,
+         u"Compile a recipe to few intervals of constant acceleration; fewer may be possible."_s,
          u"With --cam-mov: the pulse times of one interval, published, corrected and in theory."_s,
          recipe,
          all,

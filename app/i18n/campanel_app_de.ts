@@ -3191,8 +3191,12 @@ eff. %2</translation>
         <translation>Die Bewegung kehrt um, Schritte laufen aber in eine Richtung. Kurvenpunkte wählen.</translation>
     </message>
     <message>
-        <source>With whole pulses, the speed error is at least %2 mm/s; %1 mm/s is required. Use more pulses per revolution.</source>
-        <translation>Mit ganzen Pulsen ist der Geschwindigkeitsfehler mindestens %2 mm/s; %1 mm/s sind gefordert. Mehr Pulse je Umdrehung verwenden.</translation>
+        <source>With whole pulses, a speed error of %1 mm/s is not possible, but %2 mm/s is. Use more pulses per revolution.</source>
+        <translation>Mit ganzen Pulsen ist ein Geschwindigkeitsfehler von %1 mm/s nicht möglich, aber %2 mm/s. Mehr Pulse je Umdrehung verwenden.</translation>
+    </message>
+    <message>
+        <source>The motion has too few pulses for intervals. Use more pulses per revolution.</source>
+        <translation>Die Bewegung hat zu wenige Pulse für Schritte. Mehr Pulse je Umdrehung verwenden.</translation>
     </message>
     <message>
         <source>Acceleration would reach %1 at %3 s (%4°); the limit is %2.</source>
@@ -4507,6 +4511,10 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
         <translation>Taktzahl × √((erlaubt − Reibung) / (Höchstwert − Reibung)), abgerundet</translation>
     </message>
     <message>
+        <source>rate × √((allowed + friction) / (peak + friction)), rounded down</source>
+        <translation>Taktzahl × √((erlaubt + Reibung) / (Höchstwert + Reibung)), abgerundet</translation>
+    </message>
+    <message>
         <source>rate × ((allowed² − friction²) / (RMS² − friction²))^(1/4), rounded down</source>
         <translation>Taktzahl × ((erlaubt² − Reibung²) / (Effektiv² − Reibung²))^(1/4), abgerundet</translation>
     </message>
@@ -4515,8 +4523,8 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
         <translation>Höchstes Motormoment</translation>
     </message>
     <message>
-        <source>Torque at the motor for the peak acceleration, plus friction.</source>
-        <translation>Moment am Motor für die höchste Beschleunigung, plus Reibung.</translation>
+        <source>Maximum torque at the motor. Friction adds to it while the knife speeds up, and helps while the knife slows down.</source>
+        <translation>Höchstes Moment am Motor. Reibung kommt hinzu, während das Messer beschleunigt, und hilft, während es bremst.</translation>
     </message>
     <message>
         <source>RMS motor torque</source>

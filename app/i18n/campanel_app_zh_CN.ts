@@ -3189,8 +3189,12 @@ RMS %2</source>
         <translation>运动会反向，而区间只能单向。请选择凸轮点。</translation>
     </message>
     <message>
-        <source>With whole pulses, the speed error is at least %2 mm/s; %1 mm/s is required. Use more pulses per revolution.</source>
-        <translation>按整数脉冲，速度误差至少为 %2 mm/s，而要求为 %1 mm/s。请增加每转脉冲数。</translation>
+        <source>With whole pulses, a speed error of %1 mm/s is not possible, but %2 mm/s is. Use more pulses per revolution.</source>
+        <translation>按整数脉冲无法达到 %1 mm/s 的速度误差，但可以达到 %2 mm/s。请增加每转脉冲数。</translation>
+    </message>
+    <message>
+        <source>The motion has too few pulses for intervals. Use more pulses per revolution.</source>
+        <translation>该运动的脉冲太少，不能使用区间。请增加每转脉冲数。</translation>
     </message>
     <message>
         <source>Acceleration would reach %1 at %3 s (%4°); the limit is %2.</source>
@@ -4505,6 +4509,10 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
         <translation>速率 × √((允许值 − 摩擦) / (峰值 − 摩擦))，向下取整</translation>
     </message>
     <message>
+        <source>rate × √((allowed + friction) / (peak + friction)), rounded down</source>
+        <translation>速率 × √((允许值 + 摩擦) / (峰值 + 摩擦))，向下取整</translation>
+    </message>
+    <message>
         <source>rate × ((allowed² − friction²) / (RMS² − friction²))^(1/4), rounded down</source>
         <translation>速率 × ((允许值² − 摩擦²) / (均方根² − 摩擦²))^(1/4)，向下取整</translation>
     </message>
@@ -4513,8 +4521,8 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
         <translation>电机峰值转矩</translation>
     </message>
     <message>
-        <source>Torque at the motor for the peak acceleration, plus friction.</source>
-        <translation>峰值加速度所需的电机转矩，加上摩擦。</translation>
+        <source>Maximum torque at the motor. Friction adds to it while the knife speeds up, and helps while the knife slows down.</source>
+        <translation>电机的最大转矩。切刀加速时摩擦增大转矩，减速时摩擦有助于制动。</translation>
     </message>
     <message>
         <source>RMS motor torque</source>

@@ -4,6 +4,7 @@
 #include "profile/cutter/table_nearest.h"
 
 #include "profile/cutter/limits.h"
+#include "profile/cutter/ratios.h"
 
 #include <cmath>
 #include <optional>
@@ -15,6 +16,7 @@ bool fits(RotaryCutterProgram program, Machine machine, Field field, double x)
 {
     setValue(program, field, x);
     setValue(machine, field, x);
+    program = withRatios(program, machine);
     if (!isFeasible(program, machine))
         return false;
     const auto cutter = solve(program, machine);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 
 namespace campanel::profile::detail {
 
@@ -20,6 +21,12 @@ constexpr std::array styles{LineStyle{Flats::None, 0}, LineStyle{Flats::Peaks, 0
 constexpr std::array smoothStyles{LineStyle{Flats::None, 1}, LineStyle{Flats::None, 0.5}};
 
 constexpr std::size_t maxFineCount = 64; // every number of rows is tried up to this one
+
+// Returns the styles that are tried. For large numbers, a row saved by level lines is insignificant.
+std::span<const LineStyle> stylesOf(std::size_t count)
+{
+    return std::span(styles).first(count <= maxFineCount ? styles.size() : 1);
+}
 
 // Larger numbers grow in steps of a thirty-second part.
 std::vector<std::size_t> rowCounts(std::size_t max)
@@ -124,6 +131,9 @@ std::size_t IntervalPlanner::minLines(double errorMmPerS)
 std::optional<IntervalPlan> IntervalPlanner::plan(std::size_t rowCount, const LineStyle& style,
                                                   double errorMmPerS)
 {
+    const PlanKey key{rowCount, style.flats, style.evenness};
+    if (const auto made = m_errors.find(key); made != m_errors.end() && made->second > errorMmPerS)
+        return std::nullopt;
     Level& level = levelOf(rowCount);
     const SpeedCurve& curve = level.curve;
     const std::size_t lineCount = rowCount + level.lines.flatCount(style.flats);
@@ -133,7 +143,8 @@ std::optional<IntervalPlan> IntervalPlanner::plan(std::size_t rowCount, const Li
     if (!level.lines.canKeep(allowedHz / (1 + style.evenness / 3), lineCount, style.evenness))
         return std::nullopt;
     const auto lines = level.lines.find(lineCount, style);
-    if (!lines || lines->errorHz > allowedHz || rowsOf(lines->knots) > rowCount)
+    if (!lines || lines->errorHz > allowedHz || rowsOf(lines->knots) > rowCount ||
+        maxRowsOf(lines->knots) + 1 < rowCount)
         return std::nullopt;
     constexpr double firstFactor = 1.02;
     constexpr double fineFactor = 1.2;
@@ -149,9 +160,9 @@ std::optional<IntervalPlan> IntervalPlanner::plan(std::size_t rowCount, const Li
                                            m_pulsesPerMm);
             result.errorMmPerS = maxOf(result.errors.speedMmPerS, failedHz / m_pulsesPerMm);
             // The smallest number that keeps the error has the fewest rows of all.
-            if (result.errorMmPerS <= errorMmPerS && result.rows.size() + 1 >= rowCount)
-                return result;
-            return std::nullopt;
+            m_errors[key] = result.rows.size() + 1 >= rowCount ? result.errorMmPerS : noLimit;
+            return m_errors[key] <= errorMmPerS && m_errors[key] < noLimit ? std::optional(std::move(result))
+                                                                           : std::nullopt;
         }
         failedHz = toleranceHz;
         factor = failedHz < far * lines->errorHz ? fineFactor : coarseFactor;
@@ -177,21 +188,48 @@ bool IntervalPlanner::isTooMany(std::size_t count)
     return count > 1 && levelOf(count).lines.fewest(finestHz(), count - 1) != 0;
 }
 
+// Returns true when too many lines are shorter than a pulse: the rows are those of a smaller number.
+bool IntervalPlanner::isTooShort(std::size_t count)
+{
+    IntervalLines& lines = levelOf(count).lines;
+    return std::ranges::all_of(stylesOf(count), [&](const LineStyle& style) {
+        const auto found = lines.find(count + lines.flatCount(style.flats), style);
+        return found && maxRowsOf(found->knots) + 1 < count;
+    });
+}
+
+// Returns how many of the numbers of rows may have a plan. With more rows the lines only become shorter.
+std::size_t IntervalPlanner::usefulCounts()
+{
+    constexpr std::size_t margin = 4; // the first too short one is found by bisection
+    if (!m_usefulCounts) {
+        std::size_t useful = 0;
+        std::size_t end = m_counts.size();
+        while (end - useful > 1) {
+            const std::size_t middle = (useful + end) / 2;
+            (isTooMany(m_counts[middle]) || isTooShort(m_counts[middle]) ? end : useful) = middle;
+        }
+        m_usefulCounts = minOf(end + margin, m_counts.size());
+    }
+    return *m_usefulCounts;
+}
+
 std::optional<IntervalPlan> IntervalPlanner::minRows(double errorMmPerS)
 {
+    constexpr int easyTries = 8; // before the end of the search is looked for
     const std::size_t lines = minLines(errorMmPerS);
     if (lines == 0)
         return std::nullopt;
-    for (const std::size_t count : m_counts) {
+    int tries = 0;
+    for (std::size_t place = 0; place < m_counts.size(); ++place) {
+        const std::size_t count = m_counts[place];
         if (count + levelOf(count).lines.flatCount(Flats::PeaksAndEnd) < lines)
             continue;
-        if (isTooMany(count))
+        if (isTooMany(count) || (++tries > easyTries && place >= usefulCounts()))
             break;
-        // For large numbers, a row saved by level lines is insignificant.
-        const std::size_t styleCount = count <= maxFineCount ? styles.size() : 1;
         std::optional<IntervalPlan> result;
-        for (std::size_t i = 0; i < styleCount; ++i) {
-            auto found = plan(count, styles[i], errorMmPerS);
+        for (const LineStyle& style : stylesOf(count)) {
+            auto found = plan(count, style, errorMmPerS);
             if (found && (!result || found->rows.size() < result->rows.size()))
                 result = std::move(found);
         }
@@ -209,24 +247,23 @@ std::optional<IntervalPlan> IntervalPlanner::minRows(double errorMmPerS)
 
 double IntervalPlanner::keptErrorMmPerS(double triedMmPerS)
 {
-    constexpr std::size_t stride = 24; // through the numbers of rows
+    constexpr std::size_t stride = 24; // through large numbers of rows
     constexpr int tries = 5;
-    const std::size_t lines = minLines(triedMmPerS);
-    std::size_t i = m_counts.size() - 1;
-    while (i > 0 && ((lines > 0 && m_counts[i] > lines) || isTooMany(m_counts[i])))
+    const std::size_t lines = maxOf(minLines(triedMmPerS), maxFineCount);
+    std::size_t i = usefulCounts() - 1;
+    while (i > 0 && (isTooMany(m_counts[i]) || (lines > maxFineCount && m_counts[i] > lines)))
         --i;
     double best = noLimit;
-    for (int tried = 0; tried < tries || best == noLimit; ++tried) {
-        const std::size_t styleCount = m_counts[i] <= maxFineCount ? styles.size() : 1;
-        for (std::size_t j = 0; j < styleCount; ++j) {
-            if (const auto found = plan(m_counts[i], styles[j], noLimit))
-                best = minOf(best, found->errorMmPerS);
+    for (int tried = 0;; ++tried) {
+        for (const LineStyle& style : stylesOf(m_counts[i])) {
+            if (const auto found = plan(m_counts[i], style, best))
+                best = found->errorMmPerS;
         }
-        if (i == 0)
-            break;
-        i -= minOf(i, maxOf<std::size_t>(1, minOf(stride, i / 4)));
+        const bool isFine = m_counts[i] <= maxFineCount;
+        if (i == 0 || (!isFine && tried >= tries && best != noLimit))
+            return best;
+        i -= isFine ? 1 : minOf(i, maxOf<std::size_t>(1, minOf(stride, i / 4)));
     }
-    return best;
 }
 
 } // namespace campanel::profile::detail

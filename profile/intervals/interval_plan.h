@@ -8,8 +8,10 @@
 
 #include <cstddef>
 #include <limits>
+#include <map>
 #include <memory>
 #include <optional>
+#include <tuple>
 #include <vector>
 
 namespace campanel::profile::detail {
@@ -31,7 +33,8 @@ public:
 
     // Returns the plan with the fewest rows that keeps the error.
     [[nodiscard]] std::optional<IntervalPlan> minRows(double errorMmPerS);
-    // Returns an error that can be kept when the tried one cannot; infinite when there is none.
+    // Returns the smallest error found that can be kept when the tried one cannot; infinite when there is
+    // none.
     [[nodiscard]] double keptErrorMmPerS(double triedMmPerS);
     // Returns the lower bound of the number of lines that keep the error; 0 when it exceeds the number of
     // rows.
@@ -47,9 +50,12 @@ private:
         SpeedCurve curve;
         IntervalLines lines;
     };
+    using PlanKey = std::tuple<std::size_t, Flats, double>;
     Level& levelOf(std::size_t lineCount);
     double finestHz();
     bool isTooMany(std::size_t count);
+    bool isTooShort(std::size_t count);
+    std::size_t usefulCounts();
     std::optional<IntervalPlan> plan(std::size_t rowCount, const LineStyle& style, double errorMmPerS);
 
     const MotionProfile& m_motion;
@@ -57,7 +63,9 @@ private:
     RowRules m_rules;
     double m_unitHz; // speed unit of the registers
     std::optional<double> m_finestHz;
-    std::vector<std::size_t> m_counts;            // numbers of rows, ascending
+    std::vector<std::size_t> m_counts;  // numbers of rows, ascending
+    std::map<PlanKey, double> m_errors; // in mm/s, of the plans made so far; infinite for a useless one
+    std::optional<std::size_t> m_usefulCounts;    // how many of these are tried at most
     std::vector<std::unique_ptr<Level>> m_levels; // each finer than the previous one, created on demand
 };
 

@@ -397,6 +397,22 @@ std::size_t rowsOf(const std::vector<PathPoint>& lines)
     return targets(lines).size();
 }
 
+std::size_t maxRowsOf(const std::vector<PathPoint>& lines)
+{
+    const std::vector<Target> ends = targets(lines);
+    std::size_t rows = 1; // the last one
+    std::int64_t before = 0;
+    for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
+        const std::int64_t nearest = std::llround(ends[i].pulses);
+        const std::int64_t pulses = maxOf(before + 1, nearest - 1);
+        if (pulses > nearest + 1)
+            continue;
+        before = pulses;
+        ++rows;
+    }
+    return rows;
+}
+
 std::optional<std::vector<IntervalRow>> rowsAlong(const std::vector<PathPoint>& lines,
                                                   const SpeedCurve& curve, const RowRules& rules,
                                                   double toleranceHz)

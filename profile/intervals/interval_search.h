@@ -23,6 +23,10 @@ struct RowRules {
 // it.
 [[nodiscard]] std::size_t rowsOf(const std::vector<PathPoint>& lines);
 
+// Returns an upper bound of the rows that rowsAlong() gives: each ends within a pulse of its line's end, and
+// lines shorter than a pulse share a row.
+[[nodiscard]] std::size_t maxRowsOf(const std::vector<PathPoint>& lines);
+
 // Returns rows along the lines. Rows follow each other without a jump of speed. Each row covers whole pulses
 // and reaches its last speed. Together they cover the pulses of the curve, in its duration as nearly as whole
 // pulses allow. They keep the tolerance wherever the curve has been compared. A curve that begins or ends

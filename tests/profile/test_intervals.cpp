@@ -387,14 +387,31 @@ void TestIntervals::refusedErrorNamesOneThatIsKept_data()
     QTest::addColumn<MotionProfile>("motion");
     QTest::addColumn<double>("pulsesPerMm");
     QTest::addColumn<double>("error");
-    QTest::addColumn<double>("largest"); // that may be named
+    QTest::addColumn<double>("largest");  // that may be named
+    QTest::addColumn<bool>("isSmallest"); // of those that are kept
     for (const double error : {0.0, 0.004}) {
-        QTest::addRow("quintic, %g mm/s", error) << move(LawId::Quintic, 600, 1) << 100.0 << error << 0.5;
-        QTest::addRow("cubic, %g mm/s", error) << move(LawId::Cubic, 30, 0.1) << 100.0 << error << 5.0;
+        QTest::addRow("quintic, %g mm/s", error)
+            << move(LawId::Quintic, 600, 1) << 100.0 << error << 0.5 << false;
+        QTest::addRow("cubic, %g mm/s", error)
+            << move(LawId::Cubic, 30, 0.1) << 100.0 << error << 5.0 << false;
     }
-    QTest::newRow("harmonic, few pulses") << move(LawId::Harmonic, 10, 0.1) << 10.0 << 0.02 << 1.0;
-    QTest::newRow("fast speed move") << ramp(LawId::Quintic, 0, 9000, 0.05) << 10.0 << 10.0 << 30.0;
-    QTest::newRow("moving ends") << ramp(LawId::Trapezoid, 225, 1384, 0.0324) << 1.9 << 2.0 << 8.0;
+    QTest::newRow("harmonic, few pulses") << move(LawId::Harmonic, 10, 0.1) << 10.0 << 0.02 << 1.0 << true;
+    QTest::newRow("fast speed move") << ramp(LawId::Quintic, 0, 9000, 0.05) << 10.0 << 10.0 << 30.0 << false;
+    QTest::newRow("moving ends") << ramp(LawId::Trapezoid, 225, 1384, 0.0324) << 1.9 << 2.0 << 8.0 << true;
+    QTest::newRow("harmonic, published")
+        << move(LawId::Harmonic, 40.871, 1.015) << 10.0 << 0.214 << 0.27 << true;
+    test::Recipe cutter = test::checkRecipe();
+    cutter.program.pinned = {Field::Rate, Field::FilmSpeed};
+    cutter.program.rateBagsPerMin = 227.5;
+    cutter.program.filmSpeedMmPerS = 385.6;
+    cutter.program.k = {1.8914, 1.8079, 1.1843, 1.0683};
+    cutter.program.speedLaw = LawId::Harmonic;
+    cutter.machine.knifeRadiusMm = 97.14;
+    cutter.machine.knives = 2;
+    cutter.machine.maxKnifeAccelerationMmPerS2 = 1'000'000;
+    const auto knife = solve(cutter.program, cutter.machine);
+    QTest::newRow("cutter of few pulses")
+        << knife->motion << 1250 / (2 * std::numbers::pi * 97.14) << 8.0 << 12.0 << true;
 }
 
 void TestIntervals::refusedErrorNamesOneThatIsKept()
@@ -403,16 +420,21 @@ void TestIntervals::refusedErrorNamesOneThatIsKept()
     QFETCH(double, pulsesPerMm);
     QFETCH(double, error);
     QFETCH(double, largest);
+    QFETCH(bool, isSmallest);
     const Machine machine = machineOf(pulsesPerMm);
-    const auto tight = compileIntervals(motion, machine, error, IntervalMode::Corrected);
+    const auto mode = QByteArray(QTest::currentDataTag()).contains("published") ? IntervalMode::Published
+                                                                                : IntervalMode::Corrected;
+    const auto tight = compileIntervals(motion, machine, error, mode);
     QVERIFY(!tight && tight.error().limit == Limit::SpeedError);
     const std::string text = describe(tight.error());
     // The value as read by a person.
     const double allowed = std::stod(text.substr(text.find("allowed ") + 8));
     QVERIFY2(allowed > error && allowed <= largest, text.c_str());
-    const auto table = compileIntervals(motion, machine, allowed, IntervalMode::Corrected);
+    const auto table = compileIntervals(motion, machine, allowed, mode);
     QVERIFY2(table, text.c_str());
     QCOMPARE(broken(*table, allowed), QString());
+    for (const double share : {0.98, 0.9, 0.7})
+        QVERIFY2(!isSmallest || !compileIntervals(motion, machine, share * allowed, mode), text.c_str());
 }
 
 void TestIntervals::statedErrorsAreNotBelowTheTrueOnes_data()

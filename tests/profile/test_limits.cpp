@@ -3,6 +3,7 @@
 #include "recipes.h"
 
 #include "profile/cutter/limits.h"
+#include "profile/cutter/ratios.h"
 #include "tests/support/test_program.h"
 
 #include <QTest>
@@ -52,6 +53,8 @@ private slots:
     void peaksAgreeWithTheCurves_data();
     void peaksAgreeWithTheCurves();
     void nearestIsTheNearest();
+    void nearestWithRatiosThatFollow();
+    void nearestOfAValueFarBeyondTheRange();
     void fastestRateIsTheFastest_data();
     void fastestRateIsTheFastest();
 };
@@ -232,6 +235,70 @@ void TestLimits::nearestIsTheNearest()
         ++compared;
     }
     QVERIFY(impossible > 0 && impossible < 2 * compared); // both outcomes occurred
+}
+
+// Each value is tried with its own ratios. The offered one works, and no nearer one does.
+void TestLimits::nearestWithRatiosThatFollow()
+{
+    constexpr unsigned seed = 20261127;
+    constexpr double roundingMm = 0.5; // of the ratios on their grid, at the limit
+    qInfo("seed %u", seed);
+    RandomRecipes random(seed);
+    const auto isFeasibleAt = [](RotaryCutterProgram program, const Machine& machine, double lengthMm) {
+        program.bagLengthMm = lengthMm;
+        return isFeasible(withRatios(program, machine), machine);
+    };
+    int offers = 0;
+    int none = 0;
+    while (offers < 60) {
+        Recipe r = checkRecipe(snapToGrid(Field::BagLength, random.uniform(10, 2000)),
+                               snapToGrid(Field::Rate, random.uniform(20, 400)));
+        r.program.ratioMode = std::array{RatioMode::Gentle, RatioMode::Cool, RatioMode::Slow}[random.pick(3)];
+        r.machine.maxKnifeAccelerationMmPerS2 = std::round(random.uniform(20000, 200000));
+        r.machine.contactAngleDeg = random.pick(2) == 0 ? 0 : 20;
+        if (random.pick(2) == 0) {
+            r.machine.inertiaKgCm2 = 10;
+            r.machine.frictionNm = 0.1;
+            r.machine.maxTorqueNm = random.uniform(0.2, 2);
+        }
+        r.program = withRatios(r.program, r.machine);
+        if (isFeasible(r.program, r.machine))
+            continue;
+        const auto cutter = solve(r.program, r.machine);
+        const Refusal refusal = cutter ? checkLimits(*cutter).front() : cutter.error();
+        const auto offered = std::ranges::find_if(refusal.nearest, [](const Suggestion& each) {
+            return each.field == Field::BagLength && !each.ratios;
+        });
+        const bool isOffered = offered != refusal.nearest.end();
+        const double present = r.program.bagLengthMm;
+        const double distance = isOffered ? std::abs(offered->value - present) - roundingMm : 2000;
+        QVERIFY2(!isOffered || isFeasibleAt(r.program, r.machine, offered->value), describe(refusal).c_str());
+        for (int i = 0; i < 500; ++i) {
+            const double nearer = snapToGrid(Field::BagLength, present + random.uniform(-distance, distance));
+            QVERIFY2(distance <= 0 || !isFeasibleAt(r.program, r.machine, nearer),
+                     qPrintable(QStringLiteral("%1 mm: %2").arg(nearer).arg(describe(refusal).c_str())));
+        }
+        ++(isOffered ? offers : none);
+    }
+    qInfo("%d offers, %d without", offers, none);
+}
+
+// All distances from such a value are equal by rounding.
+void TestLimits::nearestOfAValueFarBeyondTheRange()
+{
+    Recipe r = checkRecipe();
+    double nearest = 0;
+    for (const double length : {2000.1, 1e9, 1e18, 1e308}) {
+        r.program.bagLengthMm = length;
+        const auto refused = solve(r.program, r.machine);
+        QVERIFY(!refused && !refused.error().nearest.empty());
+        const double offered = refused.error().nearest.front().value;
+        QCOMPARE(offered, nearest > 0 ? nearest : offered);
+        nearest = offered;
+    }
+    QCOMPARE(nearest, 1077.1); // h / w
+    r.program.bagLengthMm = -1e308;
+    QCOMPARE(solve(r.program, r.machine).error().nearest.front().value, 10.0);
 }
 
 void TestLimits::fastestRateIsTheFastest_data()

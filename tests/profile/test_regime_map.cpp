@@ -110,6 +110,7 @@ private slots:
     void linesAreTheEnds();
     void refusesWhatHasNoMap();
     void agreesWithTheCheck();
+    void noBagIsPossibleBeyondTheStroke();
     void fastestRampsAreThoseOfASearch();
 };
 
@@ -207,6 +208,26 @@ void TestRegimeMap::agreesWithTheCheck()
     }
     qInfo("%d with a rate, %d without", feasible, none);
     QVERIFY(feasible > count / 10 && none > count / 10);
+}
+
+// The map by hand ends vertically: the point just beyond the stroke has no rate.
+void TestRegimeMap::noBagIsPossibleBeyondTheStroke()
+{
+    RandomRecipes random(seed);
+    int ends = 0;
+    while (ends < 100) {
+        const Recipe recipe = random.next();
+        const auto map = regimeMap(recipe.program, recipe.machine, {20, 2000}, 20);
+        if (!map || !(map->lengths.strokeMm < 2000))
+            continue;
+        ++ends;
+        for (const RegimePoint& point : map->points) {
+            if (point.bagLengthMm <= map->lengths.strokeMm)
+                continue;
+            QCOMPARE(point.rateBagsPerMin, 0.0);
+            QVERIFY(point.limit == Limit::StrokeCannotClose);
+        }
+    }
 }
 
 void TestRegimeMap::fastestRampsAreThoseOfASearch()

@@ -63,14 +63,18 @@ private slots:
     void squaresOfTheLaws();
     void squaresAgreeWithSums_data();
     void squaresAgreeWithSums();
+    void squaresOfTheExponentialLaw();
     void cutter();
     void gearAndSign();
     void unknownIsNoLimit();
+    void peakIsThatOfTheCurve();
+    void frictionHelpsToSlowDown();
     void rmsAgreesWithSamples();
     void shortestProductIsTheWorst();
     void positionMoveKeepsItsRatedTorque();
     void speedMoveKeepsItsRatedTorque();
     void frictionAboveTheRatedTorque();
+    void brakingWithFrictionAboveTheTorque();
     void curve();
 };
 
@@ -117,6 +121,16 @@ void TestTorque::squaresAgreeWithSums()
         if (law.isDisplacementLaw)
             QVERIFY2(near(lawAccelerationSquare(law, parameters), acceleration, 1e-3),
                      qPrintable(QString::number(acceleration)));
+    }
+}
+
+// k / 2 (1 + e^-k) / (1 - e^-k) in closed form.
+void TestTorque::squaresOfTheExponentialLaw()
+{
+    for (const double k : {0.1, 1.0, 3.0, 14.0, 20.0}) {
+        const double exact = k / 2 * (1 + std::exp(-k)) / (1 - std::exp(-k));
+        QVERIFY2(near(lawSpeedSquare(*findLaw(LawId::Exponential), {k, 0}) / exact, 1, 1e-12),
+                 qPrintable(QString::number(k)));
     }
 }
 
@@ -181,6 +195,95 @@ void TestTorque::unknownIsNoLimit()
     QCOMPARE(broken.front().limit, Limit::MotorTorque);
     QVERIFY(broken.front().nearest.empty());
     QVERIFY(!fastestRate(*solve(r.program, r.machine)));
+}
+
+// The largest magnitude of the sampled k a + M_f sign(v), of cutters, cams and moves, and its place.
+void TestTorque::peakIsThatOfTheCurve()
+{
+    qInfo("seed %u", seed);
+    RandomRecipes recipes(seed);
+    RandomCams cams(seed);
+    RandomValues values(seed);
+    int helped = 0; // by friction
+    const auto verify = [&helped](const MotionProfile& motion, const TorqueLoad& load, const Peaks& peaks) {
+        double largest = 0;
+        double acceleration = 0;
+        for (const Segment& segment : motion.segments()) {
+            constexpr int steps = 4000;
+            for (int i = 0; i < steps; ++i) {
+                const MotionPoint p = segment.at(segment.startS + (i + 0.5) / steps * segment.durationS);
+                largest = std::max(largest, std::abs(load.at(p.velocityMmPerS, p.accelerationMmPerS2)));
+                acceleration = std::max(acceleration, std::abs(p.accelerationMmPerS2));
+            }
+        }
+        QVERIFY2(largest <= peaks.torqueNm * (1 + 1e-9) && near(largest / peaks.torqueNm, 1, 5e-3),
+                 qPrintable(QStringLiteral("%1 stated, %2 Nm").arg(peaks.torqueNm).arg(largest)));
+        helped += load.nmPerMmPerS2 * acceleration + load.frictionNm > 1.02 * largest ? 1 : 0;
+    };
+    for (int i = 0; i < 300 && !QTest::currentTestFailed(); ++i) {
+        Recipe r = recipes.next();
+        r.machine.inertiaKgCm2 = 5;
+        r.machine.frictionNm = values.uniform(0, 2);
+        if (const auto cutter = solve(r.program, r.machine))
+            verify(cutter->motion, knifeLoad(r.machine), peaks(*cutter));
+        CamRecipe c = cams.next();
+        c.machine.frictionNm = values.uniform(0, 2);
+        if (const auto cam = solve(c.program, c.machine); cam && std::isfinite(cam->peaks.jerkMmPerS3))
+            verify(cam->motion, axisLoad(c.machine), cam->peaks);
+        const auto& lawRows = laws();
+        SpeedMoveProgram move;
+        const Law& law = lawRows[values.pick(lawRows.size())];
+        if (!law.isSpeedLaw)
+            continue;
+        move.law = law.id;
+        move.lawParameters = values.parametersOf(law);
+        move.startSpeedMmPerS = std::round(values.uniform(-3000, 3000));
+        move.endSpeedMmPerS = std::round(values.uniform(-3000, 3000));
+        move.timeS = values.uniform(0.1, 3);
+        Machine m = values.machine();
+        m.inertiaKgCm2 = 3;
+        m.frictionNm = values.uniform(0, 0.5);
+        if (const auto solved = solve(move, m))
+            verify(solved->motion, axisLoad(m), solved->peaks);
+    }
+    QVERIFY2(helped > 100, qPrintable(QString::number(helped)));
+}
+
+// A long ramp speeds the knife up, a short one slows it down. The torque of the latter is smaller than k a +
+// M_f.
+void TestTorque::frictionHelpsToSlowDown()
+{
+    Recipe r = checkRecipe(500, 120);
+    r.program.k = {6, 2.5, 1.6667, 1.5};
+    r.machine.inertiaKgCm2 = 20;
+    r.machine.frictionNm = 1;
+    r.machine.maxTorqueNm = 1.3;
+    const auto cutter = solve(r.program, r.machine);
+    const Peaks peak = peaks(*cutter);
+    QVERIFY(near(peak.torqueNm, 1.1622, 1e-4));
+    QVERIFY(near(peak.torqueTimeS, (cutter->cycle.taS + cutter->cycle.tbS) / 2, 1e-9));
+    QVERIFY(near(peak.accelerationTimeS, (cutter->cycle.tcS + cutter->cycle.tdS) / 2, 1e-9));
+    QVERIFY(checkLimits(*cutter).empty());
+    // At the highest rate one of the ramps meets the torque exactly.
+    const auto fastest = fastestRate(*cutter);
+    QVERIFY(fastest && fastest->limitedBy == Limit::MotorTorque);
+    r.program.rateBagsPerMin = fastest->rateBagsPerMin;
+    QVERIFY(near(peaks(*solve(r.program, r.machine)).torqueNm, 1.3, 2e-3));
+    r.program.rateBagsPerMin += 0.1;
+    const std::vector<Refusal> broken = checkLimits(*solve(r.program, r.machine));
+    QCOMPARE(broken.size(), std::size_t{1});
+    QCOMPARE(broken.front().limit, Limit::MotorTorque);
+    QCOMPARE(broken.front().brokenDuring.size(), std::size_t{1});
+    const MotionPoint place = solve(r.program, r.machine)->motion.at(*broken.front().timeS);
+    QVERIFY(near(knifeLoad(r.machine).at(place.velocityMmPerS, place.accelerationMmPerS2),
+                 broken.front().actual, 1e-9));
+    // From 9000 mm/s to rest the motor does nothing but what friction does not.
+    SpeedMoveProgram move;
+    move.startSpeedMmPerS = 9000;
+    move.endSpeedMmPerS = 0;
+    Machine machine = paperMotor();
+    machine.frictionNm = 0.5;
+    QCOMPARE(solve(move, machine)->peaks.torqueNm, 0.5);
 }
 
 void TestTorque::rmsAgreesWithSamples()
@@ -300,6 +403,42 @@ void TestTorque::frictionAboveTheRatedTorque()
     QCOMPARE(refused.error().limit, Limit::RmsTorque);
     QCOMPARE(refused.error().actual, 0.02);
     QCOMPARE(refused.error().allowed, 0.01);
+}
+
+// The motor has less torque than friction takes, but friction alone slows the axis down.
+void TestTorque::brakingWithFrictionAboveTheTorque()
+{
+    SpeedMoveProgram program;
+    program.startSpeedMmPerS = 3000;
+    program.endSpeedMmPerS = 1000;
+    program.duration = MoveDuration::Fastest;
+    Machine machine;
+    machine.inertiaKgCm2 = 1.5;
+    machine.frictionNm = 0.1;
+    machine.ratedTorqueNm = 0.085;
+    machine.pulsesPerMotorRev = 1000;
+    const auto fastest = solve(program, machine);
+    QVERIFY(fastest && fastest->broken.empty());
+    const double fastestS = fastest->motion.durationS();
+    program.duration = MoveDuration::GivenTime;
+    const auto isFeasibleIn = [&](double timeS) {
+        program.timeS = timeS;
+        return isFeasible(program, machine);
+    };
+    QVERIFY(isFeasibleIn(0.3) && !isFeasibleIn(fastestS - 0.001));
+    for (const double timeS : {fastestS - 0.01, 20.0}) { // too short, and so long that friction is too much
+        program.timeS = timeS;
+        const auto refused = solve(program, machine);
+        const Refusal* refusal = find(refused->broken, Limit::RmsTorque);
+        QVERIFY(refusal != nullptr);
+        QCOMPARE(refusal->nearest.front().field, Field::MoveTime);
+        verifySuggestions(program, machine, *refusal);
+    }
+    program.duration = MoveDuration::Fastest;
+    program.endSpeedMmPerS = 5000; // to speed up, no time is long enough
+    QCOMPARE(solve(program, machine).error().limit, Limit::RmsTorque);
+    machine.maxTorqueNm = 0.09;
+    QCOMPARE(solve(program, machine).error().limit, Limit::MotorTorque);
 }
 
 void TestTorque::curve()

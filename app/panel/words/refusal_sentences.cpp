@@ -310,9 +310,10 @@ QString RefusalSentences::refusal(const profile::Refusal& refusal)
     case Limit::Reversal:
         return tr("The motion reverses, but intervals run in one direction. Choose cam points.");
     case Limit::SpeedError:
-        return tr("With whole pulses, the speed error is at least %2 mm/s; %1 mm/s is required. Use more "
-                  "pulses per "
-                  "revolution.")
+        if (!std::isfinite(refusal.allowed))
+            return tr("The motion has too few pulses for intervals. Use more pulses per revolution.");
+        return tr("With whole pulses, a speed error of %1 mm/s is not possible, but %2 mm/s is. Use more "
+                  "pulses per revolution.")
             .arg(format.compact(refusal.actual, 0, 9), format.compact(refusal.allowed, 0, 9));
     case Limit::RampTooLong:
         return tr("%1 needs a ramp of %2 ms at maximum acceleration; the controller allows %3 ms. Enter a "
