@@ -3,6 +3,7 @@
 // a clock that was not set.
 #include "app/store/database/clock_mark.h"
 #include "app/store/logs/log_export.h"
+#include "tests/support/earlier_schema.h"
 #include "tests/support/test_program.h"
 
 #include <QRandomGenerator>
@@ -290,13 +291,7 @@ private slots:
         {
             const auto database = *Database::open(folder.path());
             QVERIFY(appendAudit(*database, entry(7000, u"user.login"_s, u"Anna"_s)));
-            for (const QString& statement :
-                 {u"DROP INDEX audit_time"_s, u"DROP INDEX alarm_raised"_s,
-                  u"ALTER TABLE audit DROP COLUMN clock_doubtful"_s,
-                  u"ALTER TABLE alarm DROP COLUMN clock_doubtful"_s,
-                  u"ALTER TABLE state_interval DROP COLUMN clock_doubtful"_s,
-                  u"ALTER TABLE recipe_version DROP COLUMN clock_doubtful"_s, u"PRAGMA user_version = 5"_s})
-                QVERIFY2(database->execute(statement), qPrintable(statement));
+            QVERIFY(campanel::test::goBackTo(*database, 5));
         }
         const QString path = folder.filePath(u"campanel.sqlite"_s);
         {

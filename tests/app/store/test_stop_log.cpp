@@ -3,6 +3,7 @@
 #include "app/store/database/clock_mark.h"
 #include "app/store/logs/stop_export.h"
 #include "app/store/recipes/recipe_library.h"
+#include "tests/support/earlier_schema.h"
 #include "tests/support/test_program.h"
 
 #include <QTemporaryDir>
@@ -111,12 +112,7 @@ private slots:
         {
             const auto database = Database::open(folder.path());
             QVERIFY(database);
-            for (const QString& statement :
-                 {u"DROP TABLE state_interval"_s, u"DROP TABLE stop"_s, u"DROP INDEX audit_time"_s,
-                  u"DROP INDEX alarm_raised"_s, u"ALTER TABLE audit DROP COLUMN clock_doubtful"_s,
-                  u"ALTER TABLE alarm DROP COLUMN clock_doubtful"_s,
-                  u"ALTER TABLE recipe_version DROP COLUMN clock_doubtful"_s, u"PRAGMA user_version = 4"_s})
-                QVERIFY2((*database)->execute(statement), qPrintable(statement));
+            QVERIFY(campanel::test::goBackTo(**database, before));
         }
         const auto database = Database::open(folder.path());
         QVERIFY(database);
@@ -132,10 +128,7 @@ private slots:
             const auto database = *Database::open(folder.path());
             QVERIFY(StopLog::write(*database, {{interval(1, 1, State::Ready, 1000, 500)}, {}}));
             QVERIFY(RecipeLibrary(*database).save({}, u"Anna"_s, earliestRecordMs));
-            for (const QString& statement :
-                 {u"ALTER TABLE state_interval DROP COLUMN clock_doubtful"_s,
-                  u"ALTER TABLE recipe_version DROP COLUMN clock_doubtful"_s, u"PRAGMA user_version = 6"_s})
-                QVERIFY2(database->execute(statement), qPrintable(statement));
+            QVERIFY(campanel::test::goBackTo(*database, before));
         }
         const auto database = *Database::open(folder.path());
         QCOMPARE(database->opening().migratedFrom, before);
