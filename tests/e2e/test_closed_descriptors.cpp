@@ -43,6 +43,13 @@ class TestClosedDescriptors : public QObject {
     Q_OBJECT
 
 private slots:
+    void initTestCase()
+    {
+        QFile file(m_folder.filePath(u"campanel.toml"_s));
+        QVERIFY(file.open(QIODevice::WriteOnly) &&
+                file.write("[gateway]\nhost = \"127.0.0.1\"\nport = 9\n") > 0);
+    }
+
     void eachProgramOpensThem_data()
     {
         QTest::addColumn<QString>("program");
@@ -100,13 +107,6 @@ private slots:
     }
 
 private:
-    void initTestCase()
-    {
-        QFile file(m_folder.filePath(u"campanel.toml"_s));
-        QVERIFY(file.open(QIODevice::WriteOnly) &&
-                file.write("[gateway]\nhost = \"127.0.0.1\"\nport = 9\n") > 0);
-    }
-
     QTemporaryDir m_folder;
     test::ControllerProcess m_controller;
 };
