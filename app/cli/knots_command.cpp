@@ -28,7 +28,7 @@ Outcome runKnots(const Invocation& call)
     return call.deliver(
         formatted(QJsonObject{{u"knots"_s, static_cast<qint64>(cam.knots.size())},
                               {u"smooth"_s, wrap.isSmooth},
-                              {u"position_jump_mm"_s, wrap.positionMm},
+                              {u"closing_error_mm"_s, profile::closingErrorMm(cam)},
                               {u"speed_jump_mm_per_deg"_s, wrap.speedMmPerDeg},
                               {u"acceleration_jump_mm_per_deg2"_s, wrap.accelerationMmPerDeg2},
                               {u"advance_mm"_s, wrap.advanceMm}},

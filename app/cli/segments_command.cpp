@@ -32,12 +32,12 @@ Outcome runSegments(const Invocation& call)
         joints[u"%1"_s.arg(static_cast<int>(joints.size()) + 1, 2, 10, QChar(u'0'))] =
             QJsonObject{{u"master_deg"_s, joint.masterDeg},
                         {u"smooth"_s, joint.isSmooth},
-                        {u"position_jump_mm"_s, joint.positionMm},
                         {u"speed_jump_mm_per_deg"_s, joint.speedMmPerDeg},
                         {u"acceleration_jump_mm_per_deg2"_s, joint.accelerationMmPerDeg2}};
     QJsonObject object{{u"segments"_s, static_cast<qint64>(cam.segments.size())},
                        {u"continuous"_s, std::ranges::all_of(found, &profile::SegmentJoint::isSmooth)},
-                       {u"advance_mm"_s, profile::segmentAdvanceMm(cam)}};
+                       {u"closing_error_mm"_s, profile::closingErrorMm(cam)},
+                       {u"advance_mm"_s, profile::netAdvanceMm(cam)}};
     object[u"joints"_s] = joints;
     return call.deliver(formatted(object, call.format()));
 }

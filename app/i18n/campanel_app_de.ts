@@ -1040,6 +1040,21 @@
     </message>
 </context>
 <context>
+    <name>CamSentences</name>
+    <message>
+        <source>The axis advances by %1 mm per cycle.</source>
+        <translation>Die Achse rückt je Zyklus um %1 mm vor.</translation>
+    </message>
+    <message>
+        <source>The axis advances by %1 mm in every cycle, and no travel limit stops it.</source>
+        <translation>Die Achse rückt in jedem Zyklus um %1 mm vor, und keine Wegbegrenzung hält sie an.</translation>
+    </message>
+    <message>
+        <source>The ends of the cam differ by %1 mm; the table closes the cam.</source>
+        <translation>Die Enden der Kurve weichen um %1 mm voneinander ab; die Tabelle schließt die Kurve.</translation>
+    </message>
+</context>
+<context>
     <name>ConnectionSentences</name>
     <message>
         <source>Connected to the simulated controller.</source>
@@ -2364,6 +2379,14 @@ eff. %2</translation>
         <source>none</source>
         <translation>keiner</translation>
     </message>
+    <message>
+        <source>Confirmed advance</source>
+        <translation>Bestätigter Vorschub</translation>
+    </message>
+    <message>
+        <source>%1 mm per cycle</source>
+        <translation>%1 mm je Zyklus</translation>
+    </message>
 </context>
 <context>
     <name>RecipeWords</name>
@@ -3147,16 +3170,8 @@ eff. %2</translation>
         <translation>Bei Stützpunkt %1 erreicht die Kurve %2, über das Ende des Bereichs bei %3 hinaus. Stützpunkt verschieben oder einen weiteren einfügen.</translation>
     </message>
     <message>
-        <source>Position jumps by %1 at the end of the cycle. Choose periodic ends.</source>
-        <translation>Die Position springt am Ende des Zyklus um %1. Periodische Enden wählen.</translation>
-    </message>
-    <message>
         <source>Speed jumps by %1 at the end of the cycle. Choose periodic ends.</source>
         <translation>Die Geschwindigkeit springt am Ende des Zyklus um %1. Periodische Enden wählen.</translation>
-    </message>
-    <message>
-        <source>Acceleration jumps by %1 at the end of the cycle. Choose periodic ends.</source>
-        <translation>Die Beschleunigung springt am Ende des Zyklus um %1. Periodische Enden wählen.</translation>
     </message>
     <message>
         <source>%1 is %2, which gives no motion. Enter another value.</source>
@@ -4047,6 +4062,11 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
     <message>
         <source>Downloaded. The controller has this recipe.</source>
         <translation>Geladen. Die Steuerung hat dieses Rezept.</translation>
+    </message>
+    <message>
+        <source>%1 Confirm the advance, or close the cam.</source>
+        <comment>%1: whole sentence</comment>
+        <translation>%1 Vorschub bestätigen oder Kurve schließen.</translation>
     </message>
 </context>
 <context>
@@ -5055,12 +5075,8 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
         <translation>Der Zyklus schließt glatt.</translation>
     </message>
     <message>
-        <source>The cycle closes smoothly and advances by %1 mm.</source>
-        <translation>Der Zyklus schließt glatt und rückt %1 mm vor.</translation>
-    </message>
-    <message>
-        <source>At the end of the cycle: position jumps by %1 mm, speed by %2 mm/°, acceleration by %3 mm/°².</source>
-        <translation>Am Ende des Zyklus springt die Position um %1 mm, die Geschwindigkeit um %2 mm/°, die Beschleunigung um %3 mm/°².</translation>
+        <source>At the end of the cycle: speed jumps by %1 mm/°, acceleration by %2 mm/°².</source>
+        <translation>Am Ende des Zyklus springt die Geschwindigkeit um %1 mm/°, die Beschleunigung um %2 mm/°².</translation>
     </message>
 </context>
 <context>
@@ -6431,16 +6447,12 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
         <translation>Am Anfang von Abschnitt %1 springt die Geschwindigkeit um %2 mm/°, die Beschleunigung um %3 mm/°².</translation>
     </message>
     <message>
-        <source>At the end of the cycle: position jumps by %1 mm, speed by %2 mm/°, acceleration by %3 mm/°².</source>
-        <translation>Am Ende des Zyklus springt die Position um %1 mm, die Geschwindigkeit um %2 mm/°, die Beschleunigung um %3 mm/°².</translation>
-    </message>
-    <message>
         <source>The segments are continuous.</source>
         <translation>Die Abschnitte sind stetig.</translation>
     </message>
     <message>
-        <source>The segments are continuous and advance by %1 mm per cycle.</source>
-        <translation>Die Abschnitte sind stetig und rücken %1 mm je Zyklus vor.</translation>
+        <source>At the end of the cycle: speed jumps by %1 mm/°, acceleration by %2 mm/°².</source>
+        <translation>Am Ende des Zyklus springt die Geschwindigkeit um %1 mm/°, die Beschleunigung um %2 mm/°².</translation>
     </message>
 </context>
 <context>

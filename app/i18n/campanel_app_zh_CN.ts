@@ -1040,6 +1040,21 @@
     </message>
 </context>
 <context>
+    <name>CamSentences</name>
+    <message>
+        <source>The axis advances by %1 mm per cycle.</source>
+        <translation>轴每周期净进给 %1 mm。</translation>
+    </message>
+    <message>
+        <source>The axis advances by %1 mm in every cycle, and no travel limit stops it.</source>
+        <translation>轴每周期净进给 %1 mm，且没有行程限位使其停止。</translation>
+    </message>
+    <message>
+        <source>The ends of the cam differ by %1 mm; the table closes the cam.</source>
+        <translation>凸轮两端相差 %1 mm，程序表会将其闭合。</translation>
+    </message>
+</context>
+<context>
     <name>ConnectionSentences</name>
     <message>
         <source>Connected to the simulated controller.</source>
@@ -2362,6 +2377,14 @@ RMS %2</source>
         <source>none</source>
         <translation>无</translation>
     </message>
+    <message>
+        <source>Confirmed advance</source>
+        <translation>已确认的净进给</translation>
+    </message>
+    <message>
+        <source>%1 mm per cycle</source>
+        <translation>每周期 %1 mm</translation>
+    </message>
 </context>
 <context>
     <name>RecipeWords</name>
@@ -3145,16 +3168,8 @@ RMS %2</source>
         <translation>在型值点 %1 附近曲线达到 %2，超出型值点范围的终点 %3。请移动该点或增加一点。</translation>
     </message>
     <message>
-        <source>Position jumps by %1 at the end of the cycle. Choose periodic ends.</source>
-        <translation>周期衔接处位置突变 %1。请选择周期端点。</translation>
-    </message>
-    <message>
         <source>Speed jumps by %1 at the end of the cycle. Choose periodic ends.</source>
         <translation>周期衔接处速度突变 %1。请选择周期端点。</translation>
-    </message>
-    <message>
-        <source>Acceleration jumps by %1 at the end of the cycle. Choose periodic ends.</source>
-        <translation>周期衔接处加速度突变 %1。请选择周期端点。</translation>
     </message>
     <message>
         <source>%1 is %2, which gives no motion. Enter another value.</source>
@@ -4045,6 +4060,11 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
     <message>
         <source>Downloaded. The controller has this recipe.</source>
         <translation>已下载。控制器中已有此配方。</translation>
+    </message>
+    <message>
+        <source>%1 Confirm the advance, or close the cam.</source>
+        <comment>%1: whole sentence</comment>
+        <translation>%1请确认净进给，或闭合凸轮。</translation>
     </message>
 </context>
 <context>
@@ -5053,12 +5073,8 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
         <translation>周期衔接平滑。</translation>
     </message>
     <message>
-        <source>The cycle closes smoothly and advances by %1 mm.</source>
-        <translation>周期衔接平滑，每周期前进 %1 mm。</translation>
-    </message>
-    <message>
-        <source>At the end of the cycle: position jumps by %1 mm, speed by %2 mm/°, acceleration by %3 mm/°².</source>
-        <translation>周期衔接处：位置突变 %1 mm，速度突变 %2 mm/°，加速度突变 %3 mm/°²。</translation>
+        <source>At the end of the cycle: speed jumps by %1 mm/°, acceleration by %2 mm/°².</source>
+        <translation>周期衔接处：速度突变 %1 mm/°，加速度突变 %2 mm/°²。</translation>
     </message>
 </context>
 <context>
@@ -6428,16 +6444,12 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
         <translation>第 %1 段起点：速度突变 %2 mm/°，加速度突变 %3 mm/°²。</translation>
     </message>
     <message>
-        <source>At the end of the cycle: position jumps by %1 mm, speed by %2 mm/°, acceleration by %3 mm/°².</source>
-        <translation>周期末：位置突变 %1 mm，速度突变 %2 mm/°，加速度突变 %3 mm/°²。</translation>
-    </message>
-    <message>
         <source>The segments are continuous.</source>
         <translation>各段连续。</translation>
     </message>
     <message>
-        <source>The segments are continuous and advance by %1 mm per cycle.</source>
-        <translation>各段连续，每周期前进 %1 mm。</translation>
+        <source>At the end of the cycle: speed jumps by %1 mm/°, acceleration by %2 mm/°².</source>
+        <translation>周期衔接处：速度突变 %1 mm/°，加速度突变 %2 mm/°²。</translation>
     </message>
 </context>
 <context>

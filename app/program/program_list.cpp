@@ -5,7 +5,7 @@
 #include "modbus/map/register_map.h"
 #include "profile/cam/cam_cycle.h"
 #include "profile/cam/knots_csv.h"
-#include "profile/cam/point_cam.h"
+#include "profile/cam/point_cam_edit.h"
 #include "profile/segments/segment_edit.h"
 #include "profile/segments/segments_csv.h"
 
@@ -78,6 +78,17 @@ void quantiseKnots(Program& program)
         knot.masterDeg = onListGrid(knot.masterDeg, stepsPerDeg);
         knot.slaveMm = onListGrid(knot.slaveMm, stepsPerMm);
     }
+    auto& cam = std::get<PointCamProgram>(program);
+    if (!cam.knots.empty() && netAdvanceMm(cam) == 0)
+        cam = profile::closed(std::move(cam));
+}
+
+void quantiseSegments(Program& program)
+{
+    auto& cam = std::get<SegmentCamProgram>(program);
+    cam.segments = profile::onSegmentGrid(cam.segments);
+    if (netAdvanceMm(cam) == 0)
+        cam = profile::closed(std::move(cam));
 }
 
 void appendKnots(const Program& program, std::vector<std::uint16_t>& registers)
@@ -177,7 +188,7 @@ constinit const ListInfo segmentList{
     "cam.segment_count",
     [](const Program& program) { return segmentsOf(program).size(); },
     [](const Program& a, const Program& b) { return segmentsOf(a) == segmentsOf(b); },
-    [](Program& program) { segmentsOf(program) = profile::onSegmentGrid(segmentsOf(program)); },
+    quantiseSegments,
     appendSegments,
     readSegments,
     profile::segmentColumns,

@@ -24,7 +24,8 @@ struct ListInfo {
     std::string_view countRegister;
     std::size_t (*size)(const profile::Program& program) = nullptr;
     bool (*isEqual)(const profile::Program& one, const profile::Program& other) = nullptr;
-    // Rounds to register values. A value far beyond any range is unchanged, so that its refusal names it.
+    // Rounds to register values, and closes a closing error: the controller compares the advance with the
+    // list. A value far beyond any range is unchanged, so that its refusal names it.
     void (*quantise)(profile::Program& program) = nullptr;
     void (*append)(const profile::Program& program, std::vector<std::uint16_t>& registers) = nullptr;
     void (*read)(std::span<const std::uint16_t> registers, profile::Program& program) = nullptr;

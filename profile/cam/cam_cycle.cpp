@@ -87,7 +87,6 @@ std::optional<Refusal> findJump(const std::optional<StepInTime>& step, detail::S
         return std::nullopt;
     Refusal refusal;
     refusal.limit = rule.jump;
-    refusal.lawParameter = "speed";
     refusal.actual = step->speedMmPerS;
     refusal.allowed = step->allowedMmPerS;
     refusal.unit = "mm/s";
@@ -204,6 +203,11 @@ double camCycleS(const CamMaster& master)
 }
 
 namespace detail {
+
+double withoutClosingError(double differenceMm, double spanMm)
+{
+    return std::abs(differenceMm) <= closingShare * spanMm * (1 + limitTolerance) ? 0 : differenceMm;
+}
 
 double onStep(double value, double step)
 {

@@ -22,8 +22,8 @@ inline constexpr double masterStepDeg = 1e-4; // grid of a knot or joint in the 
 inline constexpr double slaveStepMm = 1e-3;
 inline constexpr double maxSlaveMm = info(Field::Distance).max; // limit of the magnitude
 inline constexpr double minMasterSpacingDeg = 0.1;              // between two knots or joints
-// The share of a cam's span up to which a difference between its two ends counts as a closing error. A
-// larger difference is the net advance of a progressive cam.
+// The share of a cam's span up to which a difference between its two ends is a closing error: curve and table
+// end where they began. A larger difference is the net advance of a progressive cam.
 inline constexpr double closingShare = 0.01;
 // The interval, in seconds, at which the master's position is updated. The slave's pulses are spread evenly
 // over it.
@@ -43,6 +43,9 @@ struct SpeedStep {
     double masterDeg = 0;
     double speedMmPerDeg = 0;
 };
+
+// Returns the net advance of a cam whose ends differ by this much: 0 for a closing error.
+[[nodiscard]] double withoutClosingError(double differenceMm, double spanMm);
 
 // Returns the value on the grid of a knot or joint: 1e-4 degrees, 1e-3 mm within the range, or another grid.
 [[nodiscard]] double onStep(double value, double step);

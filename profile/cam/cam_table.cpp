@@ -155,18 +155,15 @@ std::optional<Refusal> findTooFast(const CamTable& table, double durationS, cons
     return refusal;
 }
 
-} // namespace
-
-tl::expected<CamTable, Refusal> buildCamTable(const MotionProfile& motion, int intervals,
-                                              const Machine& machine, CamUse use)
+tl::expected<CamTable, Refusal> tableOf(const MotionProfile& motion, double advanceMm, int intervals,
+                                        const Machine& machine, CamUse use)
 {
     if (!inRange(Field::CamPoints, intervals))
         return tl::unexpected(detail::outOfRange(Field::CamPoints, intervals));
     const double ticks = std::round(motion.durationS() * machine.timerClockHz);
     if (!(ticks <= std::numeric_limits<std::uint32_t>::max()))
         return tl::unexpected(tooLarge(Field::TimerClock, ticks, std::numeric_limits<std::uint32_t>::max()));
-    const Segment& end = motion.segments().back();
-    const auto advance = exactAdvance(end.at(end.endS()).positionMm - motion.at(0).positionMm, machine);
+    const auto advance = exactAdvance(advanceMm, machine);
     if (!advance)
         return tl::unexpected(advance.error());
     const Samples samples = sample(motion, static_cast<std::size_t>(intervals), machine, use);
@@ -186,10 +183,22 @@ tl::expected<CamTable, Refusal> buildCamTable(const MotionProfile& motion, int i
     return table;
 }
 
-tl::expected<CamTable, Refusal> buildCamTable(const MotionProfile& forward, const CamMaster& master,
-                                              const Machine& machine)
+} // namespace
+
+tl::expected<CamTable, Refusal> buildCamTable(const MotionProfile& motion, int intervals,
+                                              const Machine& machine, CamUse use)
 {
-    auto table = buildCamTable(forward, master.camPoints, machine, CamUse::Repeats);
+    const Segment& end = motion.segments().back();
+    return tableOf(motion, end.at(end.endS()).positionMm - motion.at(0).positionMm, intervals, machine, use);
+}
+
+tl::expected<CamTable, Refusal> buildCamTable(const MotionProfile& forward, const CamMaster& master,
+                                              double netAdvanceMm, const Machine& machine)
+{
+    const auto build = [&](int points) {
+        return tableOf(forward, netAdvanceMm * master.slaveScale, points, machine, CamUse::Repeats);
+    };
+    auto table = build(master.camPoints);
     if (table)
         return table;
     Refusal& refusal = table.error();
@@ -200,7 +209,7 @@ tl::expected<CamTable, Refusal> buildCamTable(const MotionProfile& forward, cons
         if (rate != 0)
             refusal.nearest.push_back({Field::MasterRate, snapToGrid(Field::MasterRate, rate)});
     } else if (refusal.limit == Limit::FieldRange) {
-        if (buildCamTable(forward, static_cast<int>(refusal.allowed), machine, CamUse::Repeats))
+        if (build(static_cast<int>(refusal.allowed)))
             refusal.nearest.push_back({Field::CamPoints, refusal.allowed});
     }
     return table;

@@ -41,23 +41,25 @@ enum class CamUse : std::uint8_t {
 
 // Builds the table of a motion. Positions are round(256 K / feed * (s(t_i) - s(0))). The slopes are those of
 // the twice continuously differentiable spline through the unrounded positions. The net advance is rounded to
-// 1e-6 mm: knots have 3 decimals, and so has the slave scale. The motion must have a duration, and the
-// machine valid axis data. Refusals: FieldRange (CamPoints outside 100..2000); TableRange (a value, the ticks
-// of the cycle or the divisor do not fit 32 bits; the field says which input is too large); MasterTooFast
-// (two neighboring rows need more pulses per second than the output stage gives).
+// 1e-6 mm: the ends of a cam have 3 decimals, and so has the slave scale. The motion must have a duration,
+// and the machine valid axis data. Refusals: FieldRange (CamPoints outside 100..2000); TableRange (a value,
+// the ticks of the cycle or the divisor do not fit 32 bits; the field says which input is too large);
+// MasterTooFast (two neighboring rows need more pulses per second than the output stage gives).
 [[nodiscard]] tl::expected<CamTable, Refusal> buildCamTable(const MotionProfile& motion, int intervals,
                                                             const Machine& machine, CamUse use);
 
-// Builds the table of a solved cam from its forward motion, regardless of the sign of the master rate.
+// Builds the table of a solved cam from its forward motion, regardless of the sign of the master rate. The
+// advance is that of the cam itself, before scaling: no rounding of the motion makes a closed cam creep.
 // FieldRange refusals get the nearest valid number of points, MasterTooFast refusals the nearest valid master
 // rate.
 [[nodiscard]] tl::expected<CamTable, Refusal> buildCamTable(const MotionProfile& forward,
-                                                            const CamMaster& master, const Machine& machine);
+                                                            const CamMaster& master, double netAdvanceMm,
+                                                            const Machine& machine);
 template <typename Cam>
 [[nodiscard]] tl::expected<CamTable, Refusal>
 buildCamTable(const Cam& cam, const Machine& machine) requires std::is_base_of_v<CamMaster, Cam>
 {
-    return buildCamTable(forwardMotion(cam), cam, machine);
+    return buildCamTable(forwardMotion(cam), cam, netAdvanceMm(cam), machine);
 }
 
 // The position at a share 0..1 of an interval, in 1/256 pulse from the first row, and its derivative per

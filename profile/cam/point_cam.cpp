@@ -99,12 +99,21 @@ Spline camCurve(const PointCamProgram& program)
         masterDeg[i] = program.knots[i].masterDeg;
         slaveMm[i] = program.knots[i].slaveMm;
     }
+    if (netAdvanceMm(program) == 0)
+        slaveMm[count - 1] = slaveMm[0];
     return {std::span(masterDeg).first(count), std::span(slaveMm).first(count), program.ends};
 }
 
 double netAdvanceMm(const PointCamProgram& program)
 {
-    return program.knots.back().slaveMm - program.knots.front().slaveMm;
+    const auto [low, high] = std::ranges::minmax(program.knots, {}, &Knot::slaveMm);
+    return detail::withoutClosingError(program.knots.back().slaveMm - program.knots.front().slaveMm,
+                                       high.slaveMm - low.slaveMm);
+}
+
+double closingErrorMm(const PointCamProgram& program)
+{
+    return program.knots.back().slaveMm - program.knots.front().slaveMm - netAdvanceMm(program);
 }
 
 MotionProfile forwardMotion(const PointCamProgram& program)

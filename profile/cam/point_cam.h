@@ -18,12 +18,15 @@ inline constexpr std::size_t maxKnots = 100;
 // Returns the first fault of the knots: KnotCount, KnotRange, KnotOrder, KnotSpacing, KnotEnds.
 [[nodiscard]] std::optional<Refusal> checkKnots(std::span<const Knot> knots);
 
-// Returns the curve through the knots as entered, before scaling: slave mm over master degrees. The knots
-// must pass checkKnots().
+// Returns the curve through the knots before scaling: slave mm over master degrees. A closing error is
+// closed: the curve ends at the first slave. The knots must pass checkKnots().
 [[nodiscard]] Spline camCurve(const PointCamProgram& program);
 
-// Returns the net advance of a cycle in mm, before scaling: last slave - first slave. 0 for a closed cam.
+// Returns the net advance of a cycle in mm, before scaling: last slave - first slave, 0 within the closing
+// error.
 [[nodiscard]] double netAdvanceMm(const PointCamProgram& program);
+// Returns last slave - first slave where that is a closing error, which the curve does not have; else 0.
+[[nodiscard]] double closingErrorMm(const PointCamProgram& program);
 
 // Returns one cam cycle from the phase on with a forward master, regardless of the sign of the rate. The cam
 // table is built from this motion: at a negative rate the controller runs the same table backward.

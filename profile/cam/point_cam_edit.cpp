@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace campanel::profile {
 namespace {
@@ -16,11 +17,6 @@ double slaveSpanMm(const PointCamProgram& program)
     return slave.span();
 }
 
-bool isMeantToBeClosed(const PointCamProgram& program)
-{
-    return std::abs(netAdvanceMm(program)) <= closingShare * slaveSpanMm(program);
-}
-
 } // namespace
 
 WrapCheck wrapCheck(const PointCamProgram& program)
@@ -29,24 +25,27 @@ WrapCheck wrapCheck(const PointCamProgram& program)
     const SplinePoint first = curve.pieces().front().at0;
     const SplinePoint last = curve.at(camCycleDeg);
     WrapCheck wrap;
-    if (isMeantToBeClosed(program))
-        wrap.positionMm = program.knots.front().slaveMm - program.knots.back().slaveMm;
-    else
-        wrap.advanceMm = netAdvanceMm(program);
+    wrap.advanceMm = netAdvanceMm(program);
     wrap.speedMmPerDeg = first.slope - last.slope;
     wrap.accelerationMmPerDeg2 = first.curvature - last.curvature;
     const double tolerance = 1e-9 * slaveSpanMm(program);
-    wrap.isSmooth = std::abs(wrap.positionMm) <= tolerance && std::abs(wrap.speedMmPerDeg) <= tolerance &&
-                    std::abs(wrap.accelerationMmPerDeg2) <= tolerance;
+    wrap.isSmooth =
+        std::abs(wrap.speedMmPerDeg) <= tolerance && std::abs(wrap.accelerationMmPerDeg2) <= tolerance;
     return wrap;
+}
+
+PointCamProgram closed(PointCamProgram program)
+{
+    if (!program.knots.empty())
+        program.knots.back().slaveMm = program.knots.front().slaveMm;
+    return program;
 }
 
 PointCamProgram repaired(PointCamProgram program)
 {
     program.ends = SplineEnds::Periodic;
-    if (program.knots.size() >= minKnots && isMeantToBeClosed(program))
-        program.knots.back().slaveMm = program.knots.front().slaveMm;
-    return program;
+    const bool isClosed = program.knots.size() >= minKnots && netAdvanceMm(program) == 0;
+    return isClosed ? closed(std::move(program)) : program;
 }
 
 std::optional<std::size_t> insertKnot(PointCamProgram& program, double masterDeg)
@@ -77,7 +76,8 @@ Knot moveKnot(PointCamProgram& program, std::size_t index, const Knot& wanted)
 {
     std::vector<Knot>& knots = program.knots;
     Knot& knot = knots[index];
-    const bool isClosed = program.ends == SplineEnds::Periodic && netAdvanceMm(program) == 0;
+    const bool isClosed =
+        program.ends == SplineEnds::Periodic && knots.front().slaveMm == knots.back().slaveMm;
     const bool isEnd = index == 0 || index + 1 == knots.size();
     if (std::isfinite(wanted.slaveMm))
         knot.slaveMm = detail::slaveOnGrid(wanted.slaveMm);

@@ -9,13 +9,12 @@
 
 namespace campanel::profile {
 
-// The jump of the slave at the wrap, as entered, before scaling. It is the value just after 0 degrees (less
-// the net advance) minus the value just before 360 degrees.
+// The jump of the curve at the wrap, before scaling. It is the value just after 0 degrees minus the value
+// just before 360 degrees. The position never jumps: it is closed, or advances.
 struct WrapCheck {
-    double positionMm = 0; // the closing error of a cam meant as closed; else 0
     double speedMmPerDeg = 0;
     double accelerationMmPerDeg2 = 0;
-    double advanceMm = 0; // net advance per cycle of a progressive cam; 0 for a cam meant as closed
+    double advanceMm = 0; // net advance per cycle of a progressive cam; 0 for a closed one
 
     // True without a jump: to 1e-9 of the knots' span, per degree and per degree^2.
     bool isSmooth = true;
@@ -24,7 +23,10 @@ struct WrapCheck {
 // Computes the check. The knots must pass checkKnots().
 [[nodiscard]] WrapCheck wrapCheck(const PointCamProgram& program);
 
-// Returns the program with periodic ends. A cam meant as closed also gets its last slave set to the first.
+// Returns the program with the last slave at the first one: without an advance, whatever it was.
+[[nodiscard]] PointCamProgram closed(PointCamProgram program);
+
+// Returns the program with periodic ends, and without its closing error.
 [[nodiscard]] PointCamProgram repaired(PointCamProgram program);
 
 // Inserts a knot on the curve, at the nearest grid point that keeps the minimum distance to the neighbors,

@@ -39,7 +39,7 @@ enum class Limit : std::uint8_t {
     KnotRange,        // knot `index` lies outside 0..360 degrees, or the slave's range
     KnotEnds,         // the first is not at 0 or the last not at 360 degrees
     Overshoot,        // the spline exceeds the range of its knots by more than a tenth of their span
-    WrapJump,         // position, speed or acceleration jumps at the wrap
+    WrapJump,         // the speed jumps at the wrap
     StageOrder,       // a press stage ends before it begins: `field` must exceed `allowed`
     ForceOrder,       // `field` must not exceed `allowed`
     MasterTooFast,    // the slave would need more pulses in one update than the output stage gives
@@ -93,11 +93,10 @@ struct Refusal {
     std::optional<double> angleDeg; // the same as an angle of the master, 360 degrees per cycle
     std::vector<TimeSpan> brokenDuring;
     std::vector<Suggestion> nearest; // best first; empty when no single input can correct it
-    std::string_view
-        lawParameter; // LawParameter: id of the parameter; WrapJump: "position", "speed", "acceleration";
-                      // SegmentRange: "from", "to", "end", "speed", "acceleration"
-    std::optional<RampOffer> ramps; // only for a rotary cutter; empty when other ratios do not help
-    int index = -1;                 // index from 0 of the knot or the segment, only for their limits
+    std::string_view lawParameter;   // LawParameter: id of the parameter; SegmentRange: "from", "to", "end",
+                                     // "speed", "acceleration"
+    std::optional<RampOffer> ramps;  // only for a rotary cutter; empty when other ratios do not help
+    int index = -1;                  // index from 0 of the knot or the segment, only for their limits
 };
 
 // Returns the ids and the numbers, for logs.

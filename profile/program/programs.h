@@ -91,6 +91,8 @@ struct CamMaster {
     double slaveScale = 1;  // stretches the cam over the slave
     double phaseDeg = 0;    // start of the master within the cam cycle
     int camPoints = 1000;
+    // The net advance of the axis per cycle that a person has confirmed; 0: none. Not part of the motion.
+    double confirmedAdvanceMm = 0;
 };
 
 struct PointCamProgram : CamMaster {

@@ -75,13 +75,38 @@ SegmentPiece pieceOf(const CamSegment& segment, double startMm, double endMm)
     return piece;
 }
 
+// Returns true when the slave stands in all of the segment.
+bool isAtRest(const SegmentPiece& piece)
+{
+    return piece.distanceMm == 0 && piece.boundary == SegmentBoundary{} && piece.thirdMmPerDeg3 == 0 &&
+           piece.fourthMmPerDeg4 == 0 && piece.fifthMmPerDeg5 == 0;
+}
+
+// Returns the sizes of the terms that slope and curvature at the end of the piece are sums of.
+SegmentBoundary termsOf(const SegmentPiece& piece)
+{
+    const double w = piece.width;
+    const double fifth = std::abs(piece.fifthMmPerDeg5) * w / 3;
+    const double third = std::abs(piece.thirdMmPerDeg3) + (std::abs(piece.fourthMmPerDeg4) + fifth) * w / 2;
+    const double curvature =
+        std::abs(piece.boundary.accelerationMmPerDeg2) + std::abs(piece.distanceMm) / (w * w) + third * w;
+    return {std::abs(piece.boundary.speedMmPerDeg) + curvature * w, curvature};
+}
+
+// Returns behind - before, or 0 within the rounding of sums of such terms.
+double jumpBetween(double before, double behind, double terms)
+{
+    constexpr double roundingShare = 1e-12;
+    return std::abs(behind - before) <= roundingShare * terms ? 0 : behind - before;
+}
+
 // The slave and its five derivatives by the angle, of a polynomial.
 std::array<double, curveDerivatives + 1> polynomialAt(const SegmentPiece& piece, double masterDeg)
 {
     std::array<double, curveDerivatives + 1> values{
         piece.startMm,        piece.boundary.speedMmPerDeg, piece.boundary.accelerationMmPerDeg2,
         piece.thirdMmPerDeg3, piece.fourthMmPerDeg4,        piece.fifthMmPerDeg5};
-    const double x = masterDeg - piece.start;
+    const double x = masterDeg == piece.end() ? piece.width : masterDeg - piece.start;
     // Taylor's series of each derivative, from its last term back.
     for (int order = 0; order < curveDerivatives; ++order) {
         double sum = 0;
@@ -183,16 +208,35 @@ SplinePoint SegmentPiece::at(double masterDeg) const
         const auto values = polynomialAt(*this, masterDeg);
         return {values[0], values[1], values[2], values[3]};
     }
-    const LawPoint p = law->at(clamped((masterDeg - start) / width, 0.0, 1.0), lawParameters);
+    const double x = masterDeg == end() ? 1 : clamped((masterDeg - start) / width, 0.0, 1.0);
+    const LawPoint p = law->at(x, lawParameters);
     return {startMm + distanceMm * p.g, distanceMm / width * p.g1, distanceMm / (width * width) * p.g2,
             distanceMm / (width * width * width) * p.g3};
 }
 
-std::vector<double> jointPositionsMm(std::span<const CamSegment> segments)
+std::vector<double> detail::enteredPositionsMm(std::span<const CamSegment> segments)
 {
     std::vector<double> positions{0};
     for (const CamSegment& segment : segments)
         positions.push_back(segment.motion == SegmentMotion::Dwell ? positions.back() : segment.endMm);
+    return positions;
+}
+
+void detail::closePositions(std::vector<double>& positionsMm)
+{
+    const double endMm = positionsMm.back();
+    for (auto each = positionsMm.rbegin(); each != positionsMm.rend() && *each == endMm; ++each)
+        *each = 0;
+}
+
+std::vector<double> jointPositionsMm(std::span<const CamSegment> segments)
+{
+    std::vector<double> positions = detail::enteredPositionsMm(segments);
+    Extent extent;
+    for (const double position : positions)
+        extent.add(position);
+    if (detail::withoutClosingError(positions.back(), extent.span()) == 0)
+        detail::closePositions(positions);
     return positions;
 }
 
@@ -205,18 +249,14 @@ std::vector<SegmentPiece> segmentPieces(std::span<const CamSegment> segments)
     return pieces;
 }
 
-bool detail::isMeantToBeClosed(std::span<const CamSegment> segments)
+double netAdvanceMm(const SegmentCamProgram& program)
 {
-    const std::vector<double> positions = jointPositionsMm(segments);
-    Extent extent;
-    for (const double position : positions)
-        extent.add(position);
-    return std::abs(positions.back()) <= closingShare * extent.span();
+    return jointPositionsMm(program.segments).back();
 }
 
-double segmentAdvanceMm(const SegmentCamProgram& program)
+double closingErrorMm(const SegmentCamProgram& program)
 {
-    return detail::isMeantToBeClosed(program.segments) ? 0 : jointPositionsMm(program.segments).back();
+    return detail::enteredPositionsMm(program.segments).back() - netAdvanceMm(program);
 }
 
 std::vector<SegmentJoint> segmentJoints(const SegmentCamProgram& program)
@@ -227,14 +267,16 @@ std::vector<SegmentJoint> segmentJoints(const SegmentCamProgram& program)
         const SegmentPiece& previous = i == 0 ? pieces.back() : pieces[i - 1];
         const SplinePoint before = previous.at(previous.end());
         const SplinePoint behind = pieces[i].at(pieces[i].start);
+        const SegmentBoundary termsBefore = termsOf(previous);
+        const SegmentBoundary termsBehind = termsOf(pieces[i]);
         SegmentJoint joint;
         joint.masterDeg = pieces[i].start;
-        joint.speedMmPerDeg = behind.slope - before.slope;
-        joint.accelerationMmPerDeg2 = behind.curvature - before.curvature;
-        if (i == 0 && detail::isMeantToBeClosed(program.segments))
-            joint.positionMm = -jointPositionsMm(program.segments).back();
-        joint.isSmooth = joint.positionMm == 0 &&
-                         std::abs(joint.speedMmPerDeg) <= boundarySpeedStepMmPerDeg &&
+        joint.speedMmPerDeg =
+            jumpBetween(before.slope, behind.slope, termsBefore.speedMmPerDeg + termsBehind.speedMmPerDeg);
+        joint.accelerationMmPerDeg2 =
+            jumpBetween(before.curvature, behind.curvature,
+                        termsBefore.accelerationMmPerDeg2 + termsBehind.accelerationMmPerDeg2);
+        joint.isSmooth = std::abs(joint.speedMmPerDeg) <= boundarySpeedStepMmPerDeg &&
                          std::abs(joint.accelerationMmPerDeg2) <= boundaryAccelerationStepMmPerDeg2;
         joints.push_back(joint);
     }
@@ -253,12 +295,7 @@ tl::expected<AxisMotion, Refusal> solve(const SegmentCamProgram& program, const 
             return refusal;
         if (auto refusal = checkSegments(cam.segments))
             return refusal;
-        const std::vector<double> positions = jointPositionsMm(cam.segments);
-        const bool isFlat = std::ranges::all_of(positions, [](double mm) { return mm == 0; }) &&
-                            std::ranges::all_of(cam.segments, [](const CamSegment& segment) {
-                                return findSegmentMotion(segment.motion)->boundaryOrder == 0;
-                            });
-        return detail::findNoMotion(cam, isFlat);
+        return detail::findNoMotion(cam, std::ranges::all_of(segmentPieces(cam.segments), isAtRest));
     };
     return detail::solveCam(program, machine, findInvalid, solveValidSegments);
 }

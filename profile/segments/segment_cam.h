@@ -63,14 +63,14 @@ struct SegmentPiece {
 // Returns the curve of valid segments, one piece for each.
 [[nodiscard]] std::vector<SegmentPiece> segmentPieces(std::span<const CamSegment> segments);
 
-// Returns the slave positions at the beginnings of the segments, and at the end of the cycle.
+// Returns the slave positions at the beginnings of the segments, and at the end of the cycle. A closing error
+// is closed: the last segment that changes its position ends at 0.
 [[nodiscard]] std::vector<double> jointPositionsMm(std::span<const CamSegment> segments);
 
 // The change of the curve where a segment begins: behind the joint minus before it, before scaling.
 struct SegmentJoint {
     double masterDeg = 0;
-    double positionMm = 0; // only at the wrap of a cam meant as closed: its closing error
-    double speedMmPerDeg = 0;
+    double speedMmPerDeg = 0; // 0 within the rounding of the terms that it is computed from
     double accelerationMmPerDeg2 = 0;
     bool isSmooth = true; // the changes are at most one step of the controller's grid
 };
@@ -79,8 +79,12 @@ struct SegmentJoint {
 // checkSegments().
 [[nodiscard]] std::vector<SegmentJoint> segmentJoints(const SegmentCamProgram& program);
 
-// Returns the net advance of a cycle in mm, before scaling; 0 for a cam meant as closed.
-[[nodiscard]] double segmentAdvanceMm(const SegmentCamProgram& program);
+// Returns the net advance of a cycle in mm, before scaling: the end of the last segment, 0 within the closing
+// error.
+[[nodiscard]] double netAdvanceMm(const SegmentCamProgram& program);
+// Returns the entered end of the last segment where that is a closing error, which the curve does not have;
+// else 0.
+[[nodiscard]] double closingErrorMm(const SegmentCamProgram& program);
 
 // Returns one cam cycle from the phase on with a forward master, regardless of the sign of the rate.
 [[nodiscard]] MotionProfile forwardMotion(const SegmentCamProgram& program);
@@ -95,8 +99,10 @@ struct SegmentJoint {
 
 namespace detail {
 
-// Returns true when the last position is within the closing error of the first.
-[[nodiscard]] bool isMeantToBeClosed(std::span<const CamSegment> segments);
+// Returns the positions of the joints as entered, with their closing error.
+[[nodiscard]] std::vector<double> enteredPositionsMm(std::span<const CamSegment> segments);
+// Sets the last position, and those before it that are the same, to 0.
+void closePositions(std::vector<double>& positionsMm);
 
 } // namespace detail
 } // namespace campanel::profile

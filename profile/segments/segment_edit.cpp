@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace campanel::profile {
 namespace {
@@ -149,7 +150,7 @@ void insertBehind(SegmentCamProgram& program, std::size_t index, const CamSegmen
 
 std::vector<CamSegment> onSegmentGrid(std::span<const CamSegment> segments)
 {
-    const std::vector<double> positions = jointPositionsMm(segments);
+    const std::vector<double> positions = detail::enteredPositionsMm(segments);
     std::vector<CamSegment> result(segments.begin(), segments.end());
     for (std::size_t i = 0; i < result.size(); ++i) {
         CamSegment& segment = result[i];
@@ -175,17 +176,21 @@ std::vector<CamSegment> onSegmentGrid(std::span<const CamSegment> segments)
     return result;
 }
 
+SegmentCamProgram closed(SegmentCamProgram program)
+{
+    std::vector<double> positions = detail::enteredPositionsMm(program.segments);
+    detail::closePositions(positions);
+    for (std::size_t i = 0; i < program.segments.size(); ++i)
+        program.segments[i].endMm = positions[i + 1];
+    return program;
+}
+
 SegmentCamProgram repaired(SegmentCamProgram program)
 {
+    mendLayout(program.segments);
+    if (netAdvanceMm(program) == 0)
+        program = closed(std::move(program));
     std::vector<CamSegment>& segments = program.segments;
-    mendLayout(segments);
-    if (detail::isMeantToBeClosed(segments)) {
-        const auto last = std::find_if(segments.rbegin(), segments.rend(), [](const CamSegment& segment) {
-            return segment.motion != SegmentMotion::Dwell;
-        });
-        if (last != segments.rend())
-            last->endMm = 0;
-    }
     for (std::size_t i = 0; i < segments.size(); ++i) {
         if (!segmentJoints(program)[i].isSmooth)
             smoothJoint(segments, i);
@@ -257,7 +262,7 @@ void moveSegmentEnd(SegmentCamProgram& program, std::size_t index, double master
     if (moved == segments.rend() || !std::isfinite(slaveMm))
         return;
     moved->endMm = detail::slaveOnGrid(slaveMm);
-    if (std::none_of(end, segments.end(), moves) && detail::isMeantToBeClosed(segments))
+    if (std::none_of(end, segments.end(), moves) && netAdvanceMm(program) == 0)
         moved->endMm = 0;
     segments = onSegmentGrid(segments);
 }

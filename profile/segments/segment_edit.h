@@ -16,10 +16,14 @@ namespace campanel::profile {
 // where it begins.
 [[nodiscard]] std::vector<CamSegment> onSegmentGrid(std::span<const CamSegment> segments);
 
-// Returns the cam with segments that follow each other from 0 to 360 degrees, and without a jump of position,
-// speed or acceleration at any joint. A segment gives way to a neighbor in this order: polynomials and laws
-// that begin or end with an acceleration, other laws, constant speed, dwell. It becomes a polynomial of the
-// fifth degree; its end position stays.
+// Returns the cam without an advance, whatever it was: the last segment that changes its position ends where
+// the cycle began.
+[[nodiscard]] SegmentCamProgram closed(SegmentCamProgram program);
+
+// Returns the cam with segments that follow each other from 0 to 360 degrees, and without a closing error
+// and without a jump of speed or acceleration at any joint. A segment gives way to a neighbor in this order:
+// polynomials and laws that begin or end with an acceleration, other laws, constant speed, dwell. It becomes
+// a polynomial of the fifth degree; its end position stays.
 [[nodiscard]] SegmentCamProgram repaired(SegmentCamProgram program);
 
 // Divides a segment at its middle, and keeps the curve: exactly for polynomials, constant speed and dwell; of

@@ -381,7 +381,7 @@ void TestSegments::movesEnds()
     QCOMPARE(program.segments[3].toDeg, 360.0);
     QCOMPARE(program.segments[3].endMm, 0.0);
     moveSegmentEnd(program, 3, 300, 20);
-    QCOMPARE(segmentAdvanceMm(program), 20.0);
+    QCOMPARE(netAdvanceMm(program), 20.0);
     SegmentCamProgram first = camOf({segment(0, 90, SegmentMotion::Dwell), segment(90, 360, quintic, 50)});
     moveSegmentEnd(first, 0, 80, 7); // nothing before it can move
     QCOMPARE(first.segments[0].endMm, 0.0);

@@ -2,6 +2,7 @@
 #include "app/panel/editor/knot_model.h"
 
 #include "app/panel/kit/format.h"
+#include "app/panel/words/cam_sentences.h"
 
 #include <algorithm>
 
@@ -85,13 +86,12 @@ QString KnotModel::wrapText() const
         return {};
     const profile::WrapCheck wrap = profile::wrapCheck(cam());
     const Format format;
-    if (wrap.isSmooth)
-        return wrap.advanceMm == 0 ? tr("The cycle closes smoothly.")
-                                   : tr("The cycle closes smoothly and advances by %1 mm.")
-                                         .arg(format.compact(wrap.advanceMm, 0, 3));
-    return tr("At the end of the cycle: position jumps by %1 mm, speed by %2 mm/°, acceleration by %3 mm/°².")
-        .arg(format.compact(wrap.positionMm, 0, 3), format.compact(wrap.speedMmPerDeg, 0, 4),
-             format.compact(wrap.accelerationMmPerDeg2, 0, 5));
+    const QString end = wrap.isSmooth
+                            ? tr("The cycle closes smoothly.")
+                            : tr("At the end of the cycle: speed jumps by %1 mm/°, acceleration by %2 mm/°².")
+                                  .arg(format.compact(wrap.speedMmPerDeg, 0, 4),
+                                       format.compact(wrap.accelerationMmPerDeg2, 0, 5));
+    return QStringLiteral("%1 %2").arg(end, CamSentences::ends(cam())).trimmed();
 }
 
 bool KnotModel::canRepair() const

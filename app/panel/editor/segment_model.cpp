@@ -3,6 +3,7 @@
 
 #include "app/panel/kit/format.h"
 #include "app/panel/recipe/curve_shape.h"
+#include "app/panel/words/cam_sentences.h"
 #include "app/panel/words/recipe_words.h"
 #include "app/panel/words/segment_sentences.h"
 #include "profile/segments/segment_values.h"
@@ -192,7 +193,10 @@ QString SegmentModel::motionName() const
 
 QString SegmentModel::jointText() const
 {
-    return canEdit() ? SegmentSentences::continuity(cam()) : QString();
+    return canEdit() ? QStringLiteral("%1 %2")
+                           .arg(SegmentSentences::continuity(cam()), CamSentences::ends(cam()))
+                           .trimmed()
+                     : QString();
 }
 
 bool SegmentModel::canRepair() const

@@ -221,11 +221,7 @@ QString RefusalSentences::knot(const profile::Refusal& refusal)
             .arg(number)
             .arg(actual, allowed);
     case Limit::WrapJump:
-        if (refusal.lawParameter == "position")
-            return tr("Position jumps by %1 at the end of the cycle. Choose periodic ends.").arg(actual);
-        if (refusal.lawParameter == "speed")
-            return tr("Speed jumps by %1 at the end of the cycle. Choose periodic ends.").arg(actual);
-        return tr("Acceleration jumps by %1 at the end of the cycle. Choose periodic ends.").arg(actual);
+        return tr("Speed jumps by %1 at the end of the cycle. Choose periodic ends.").arg(actual);
     default:
         return {};
     }

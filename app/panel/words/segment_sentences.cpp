@@ -103,14 +103,10 @@ QString SegmentSentences::continuity(const profile::SegmentCamProgram& program)
             return tr("Where segment %1 begins: speed jumps by %2 mm/°, acceleration by %3 mm/°².")
                 .arg(i + 1)
                 .arg(speed, acceleration);
-        return tr("At the end of the cycle: position jumps by %1 mm, speed by %2 mm/°, acceleration by %3 "
-                  "mm/°².")
-            .arg(format.compact(joint.positionMm, 0, 3), speed, acceleration);
+        return tr("At the end of the cycle: speed jumps by %1 mm/°, acceleration by %2 mm/°².")
+            .arg(speed, acceleration);
     }
-    const double advanceMm = profile::segmentAdvanceMm(program);
-    return advanceMm == 0 ? tr("The segments are continuous.")
-                          : tr("The segments are continuous and advance by %1 mm per cycle.")
-                                .arg(format.compact(advanceMm, 0, 3));
+    return tr("The segments are continuous.");
 }
 
 } // namespace campanel::panel

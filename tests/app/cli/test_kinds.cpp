@@ -390,7 +390,7 @@ void CliKindsTest::knotsRepaired()
     const QString words = u"knots --kind point_cam --ends natural --format %1 --knots-csv "_s + file;
     const QJsonObject open = call(words.arg(u"json"_s)).json();
     QVERIFY(!open[u"smooth"_s].toBool());
-    QCOMPARE(open[u"position_jump_mm"_s].toDouble(), -0.2);
+    QCOMPARE(open[u"closing_error_mm"_s].toDouble(), 0.2);
     const QJsonObject closed = call(words.arg(u"json"_s) + u" --repair"_s).json();
     QVERIFY(closed[u"smooth"_s].toBool());
     QVERIFY(call(words.arg(u"csv"_s) + u" --repair"_s).out.endsWith("\n360,0\n"));

@@ -125,7 +125,7 @@ private slots:
         rig.editor.undo();
         knots.slave()->set(120); // not closed any more: a net advance
         knots.repairWrap();
-        QVERIFY2(knots.wrapText().contains("advances by 120 mm"), qPrintable(knots.wrapText()));
+        QVERIFY2(knots.wrapText().contains("advances by +120 mm"), qPrintable(knots.wrapText()));
     }
 
     void knotsStandWhereTheMasterPassesThem()
