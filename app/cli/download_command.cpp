@@ -5,6 +5,8 @@
 #include "app/cli/link_session.h"
 #include "app/cli/recipe_options.h"
 #include "app/cli/report.h"
+#include "app/panel/words/cam_sentences.h"
+#include "app/program/cam_advance.h"
 #include "modbus/download/download.h"
 
 #include <QDateTime>
@@ -75,6 +77,11 @@ Outcome runDownload(const Invocation& call)
     auto recipe = recipeOf(call);
     if (!recipe)
         return tl::unexpected(recipe.error());
+    const double advanceMm = program::advanceMm(recipe->program);
+    if (!program::isAdvanceConfirmed(recipe->program))
+        return fail(ExitCode::Refused,
+                    u"%1 Add --progressive to confirm this, or --close to close the cam."_s.arg(
+                        panel::CamSentences::unconfirmed(advanceMm)));
     auto session = LinkSession::open(call);
     if (!session)
         return tl::unexpected(session.error());
@@ -109,14 +116,15 @@ Outcome runDownload(const Invocation& call)
     }
     const auto rows =
         std::visit([](const auto& table) { return static_cast<qint64>(table.rows.size()); }, image->table);
-    const QJsonObject result{{u"name"_s, QString::fromStdString(image->recipe.name)},
-                             {u"recipe_version"_s, image->recipe.version},
-                             {u"generation"_s, static_cast<qint64>(active->generation)},
-                             {u"crc32"_s, crcText(image->crc)},
-                             {u"registers"_s, static_cast<qint64>(image->registers.size())},
-                             {u"rows"_s, rows},
-                             {u"transfer_s"_s, transferS},
-                             {u"saved"_s, call.isSet(u"save"_s)}};
+    QJsonObject result{{u"name"_s, QString::fromStdString(image->recipe.name)},
+                       {u"recipe_version"_s, image->recipe.version},
+                       {u"generation"_s, static_cast<qint64>(active->generation)},
+                       {u"crc32"_s, crcText(image->crc)},
+                       {u"registers"_s, static_cast<qint64>(image->registers.size())},
+                       {u"rows"_s, rows},
+                       {u"transfer_s"_s, transferS},
+                       {u"saved"_s, call.isSet(u"save"_s)}};
+    addAdvance(result, recipe->program);
     return call.deliver(formatted(result, call.format()));
 }
 

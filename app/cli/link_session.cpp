@@ -98,7 +98,7 @@ tl::expected<modbus::StatusBlock, Failure> LinkSession::status()
     return *status;
 }
 
-tl::expected<std::optional<program::Recipe>, Failure> LinkSession::activeProgram()
+tl::expected<std::optional<ActiveProgram>, Failure> LinkSession::activeProgram()
 {
     const auto header = m_client->readProven(modbus::activeBankBase, modbus::bankHeaderRegisters);
     if (!header)
@@ -111,7 +111,9 @@ tl::expected<std::optional<program::Recipe>, Failure> LinkSession::activeProgram
     }
     const auto recipe = program::decodeProgram(*header, knots.registers(),
                                                program::withController(profile::Machine{}, m_identity));
-    return recipe ? std::optional(*recipe) : std::nullopt;
+    if (!recipe)
+        return std::nullopt;
+    return ActiveProgram{*recipe, *header};
 }
 
 Outcome LinkSession::command(modbus::Command code, modbus::CommandArguments arguments)

@@ -9,6 +9,7 @@
 
 #include <memory>
 #include <optional>
+#include <vector>
 
 namespace campanel::cli {
 
@@ -21,6 +22,11 @@ class Invocation;
 [[nodiscard]] tl::expected<modbus::LinkSettings, Failure> lineSettings(const Invocation& call);
 [[nodiscard]] tl::expected<modbus::LinkSettings, Failure> linkSettings(const Invocation& call);
 
+struct ActiveProgram {
+    program::Recipe recipe;
+    std::vector<std::uint16_t> header; // of its bank
+};
+
 class LinkSession {
 public:
     [[nodiscard]] static tl::expected<LinkSession, Failure> open(const Invocation& call);
@@ -31,8 +37,8 @@ public:
     [[nodiscard]] tl::expected<modbus::StatusBlock, modbus::LinkError> exchangeOnce();
     // Repeats a limited number of times on a bad line; each exchange advances the heartbeat.
     [[nodiscard]] tl::expected<modbus::StatusBlock, Failure> status();
-    // Reads the recipe of the active program; empty: it is none that can be decoded.
-    [[nodiscard]] tl::expected<std::optional<program::Recipe>, Failure> activeProgram();
+    // Reads the active program; empty: it is none that can be decoded.
+    [[nodiscard]] tl::expected<std::optional<ActiveProgram>, Failure> activeProgram();
     // Sends the command once; a refusal by the controller is a failure with its reason.
     [[nodiscard]] Outcome command(modbus::Command code, modbus::CommandArguments arguments = {});
 

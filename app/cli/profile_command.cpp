@@ -164,6 +164,7 @@ Outcome runProfile(const Invocation& call)
             {u"vibration"_s, vibrationObject(*recipe, *solved)},
             {u"feasible"_s, broken.limits.empty()},
             {u"broken_limits"_s, limits}};
+        addAdvance(object, recipe->program);
         if (const QJsonObject found = coefficientObject(*recipe, solved->cycleS()); !found.isEmpty())
             object[u"coefficients"_s] = found;
         if (solved->cutter) {

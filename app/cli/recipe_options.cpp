@@ -3,6 +3,7 @@
 #include "app/cli/recipe_options.h"
 
 #include "app/cli/invocation.h"
+#include "app/program/cam_advance.h"
 #include "app/store/recipes/list_file.h"
 #include "app/store/recipes/recipe_file.h"
 #include "profile/laws/laws.h"
@@ -282,6 +283,22 @@ Outcome applyLists(const Invocation& call, program::Recipe& recipe)
     return applyList(call, recipe, u"segments-csv"_s, Kind::SegmentCam, u"segment cam"_s);
 }
 
+// Confirms the net advance of a cam, or closes the cam.
+Outcome applyAdvance(const Invocation& call, program::Recipe& recipe)
+{
+    for (const auto& [option, apply] :
+         {std::pair{u"close"_s, &program::closeCam}, std::pair{u"progressive"_s, &program::confirmAdvance}}) {
+        if (!call.isSet(option))
+            continue;
+        if (profile::camMaster(recipe.program) == nullptr)
+            return fail(ExitCode::Usage, u"--%1 applies to a cam only."_s.arg(option));
+        apply(recipe.program);
+    }
+    if (call.isSet(u"close"_s) && call.isSet(u"progressive"_s))
+        return fail(ExitCode::Usage, u"Give --progressive or --close, not both."_s);
+    return {};
+}
+
 } // namespace
 
 QList<QCommandLineOption> recipeOptions()
@@ -309,6 +326,9 @@ QList<QCommandLineOption> recipeOptions()
             << QCommandLineOption(u"segments-csv"_s,
                                   u"Segments of a segment cam, as printed by segments --format csv."_s,
                                   u"FILE"_s);
+    options << QCommandLineOption(u"progressive"_s,
+                                  u"Confirm that the cam moves its axis on in every cycle."_s)
+            << QCommandLineOption(u"close"_s, u"End the cam where it began: no advance."_s);
     options << QCommandLineOption(u"gear"_s, u"Motor revolutions per knife revolution, such as 5/2."_s,
                                   u"A/B"_s)
             << QCommandLineOption(u"k"_s, u"Ratios k1 > k2 > k3 > k4 > 1."_s, u"K1,K2,K3,K4"_s)
@@ -337,7 +357,8 @@ tl::expected<program::Recipe, Failure> recipeOf(const Invocation& call)
             return fail(ExitCode::Usage,
                         u"The recipe is of kind %1."_s.arg(fromText(program::kindInfo(recipe.kind()).key)));
     }
-    for (const auto apply : {applyFields, applyGear, applyRatios, applyLaw, applyChoices, applyLists}) {
+    for (const auto apply :
+         {applyFields, applyGear, applyRatios, applyLaw, applyChoices, applyLists, applyAdvance}) {
         if (const Outcome applied = apply(call, recipe); !applied)
             return tl::unexpected(applied.error());
     }

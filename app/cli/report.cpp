@@ -2,6 +2,7 @@
 // Flattens JSON objects, and writes CSV tables.
 #include "app/cli/report.h"
 
+#include "app/program/cam_advance.h"
 #include "app/store/files/csv.h"
 #include "app/store/files/files.h"
 
@@ -105,6 +106,16 @@ QByteArray formatted(const QJsonObject& object, const QString& format)
             text += key.leftJustified(width) + u"  "_s + (value.isEmpty() ? u"none"_s : value) + u'\n';
     }
     return text.toUtf8();
+}
+
+void addAdvance(QJsonObject& object, const profile::Program& program)
+{
+    if (profile::camMaster(program) == nullptr)
+        return;
+    const double advanceMm = program::advanceMm(program);
+    object[u"advance_mm_per_cycle"_s] = advanceMm;
+    object[u"advance_confirmed"_s] =
+        advanceMm == 0 ? QJsonValue() : QJsonValue(program::isAdvanceConfirmed(program));
 }
 
 QString crcText(std::uint32_t crc)

@@ -3,6 +3,8 @@
 // CSV.
 #pragma once
 
+#include "profile/program/programs.h"
+
 #include <QByteArray>
 #include <QJsonObject>
 
@@ -31,6 +33,9 @@ struct Column {
 // Formats the object. "json": as it is. "csv": key,value with keys joined by points. "text": the same,
 // aligned; lists of numbers are omitted, null is "--".
 [[nodiscard]] QByteArray formatted(const QJsonObject& object, const QString& format);
+
+// Adds the net advance of a cam per cycle, and whether a person has confirmed it; nothing for other kinds.
+void addAdvance(QJsonObject& object, const profile::Program& program);
 
 [[nodiscard]] QString crcText(std::uint32_t crc); // eight hexadecimal digits
 

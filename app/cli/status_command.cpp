@@ -4,6 +4,7 @@
 #include "app/cli/invocation.h"
 #include "app/cli/link_session.h"
 #include "app/cli/report.h"
+#include "app/program/cam_advance.h"
 #include "app/program/program_image.h"
 #include "modbus/map/io_status.h"
 
@@ -144,11 +145,16 @@ Outcome runStatus(const Invocation& call)
     object[u"identity"_s] = identityObject(session->identity());
     object[u"program"_s] = QJsonValue::Null;
     if (status->activeCrc) {
-        const auto recipe = session->activeProgram();
-        if (!recipe)
-            return tl::unexpected(recipe.error());
-        if (*recipe)
-            object[u"program"_s] = programObject(**recipe);
+        const auto active = session->activeProgram();
+        if (!active)
+            return tl::unexpected(active.error());
+        if (*active) {
+            const program::Recipe& recipe = (*active)->recipe;
+            QJsonObject program = programObject(recipe);
+            if (profile::camMaster(recipe.program) != nullptr)
+                program[u"advance_mm_per_cycle"_s] = program::advanceMm((*active)->header, recipe);
+            object[u"program"_s] = program;
+        }
     }
     return call.deliver(formatted(object, call.format()));
 }

@@ -110,6 +110,7 @@ QJsonObject figures(const program::ProgramImage& image, std::size_t rows)
                        {u"cycle_ticks"_s, ticks},
                        {u"cycle_time_s"_s, static_cast<double>(ticks) / image.recipe.machine.timerClockHz}};
     std::visit([&](const auto& table) { addFigures(object, table, image); }, image.table);
+    addAdvance(object, image.recipe.program);
     return object;
 }
 

@@ -75,14 +75,15 @@ Outcome addController(QJsonObject& object, const Invocation& call)
                         {u"version"_s, QJsonValue()},
                         {u"generation"_s, static_cast<qint64>(status->generation)},
                         {u"crc32"_s, crcText(*status->activeCrc)}};
-    const auto recipe = session->activeProgram();
-    if (recipe && *recipe) {
-        program[u"kind"_s] = fromView(program::kindInfo((*recipe)->kind()).key);
-        program[u"name"_s] = QString::fromStdString((*recipe)->name);
-        program[u"version"_s] = (*recipe)->version;
+    const auto active = session->activeProgram();
+    if (active && *active) {
+        const program::Recipe& recipe = (*active)->recipe;
+        program[u"kind"_s] = fromView(program::kindInfo(recipe.kind()).key);
+        program[u"name"_s] = QString::fromStdString(recipe.name);
+        program[u"version"_s] = recipe.version;
     }
     object[u"active_program"_s] = program;
-    return recipe ? Outcome() : tl::unexpected(recipe.error());
+    return active ? Outcome() : tl::unexpected(active.error());
 }
 
 // Says plainly what is not known.

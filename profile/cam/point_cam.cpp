@@ -106,9 +106,11 @@ Spline camCurve(const PointCamProgram& program)
 
 double netAdvanceMm(const PointCamProgram& program)
 {
-    const auto [low, high] = std::ranges::minmax(program.knots, {}, &Knot::slaveMm);
+    Extent slave;
+    for (const Knot& knot : program.knots)
+        slave.add(knot.slaveMm);
     return detail::withoutClosingError(program.knots.back().slaveMm - program.knots.front().slaveMm,
-                                       high.slaveMm - low.slaveMm);
+                                       slave.span());
 }
 
 double closingErrorMm(const PointCamProgram& program)

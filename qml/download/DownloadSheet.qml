@@ -12,6 +12,7 @@ Sheet {
 
     readonly property bool busy: Editor.programDownload.state === ProgramDownload.State.Transferring
         || Editor.programDownload.state === ProgramDownload.State.Sealing || Editor.programDownload.state === ProgramDownload.State.Armed
+    readonly property bool asks: Editor.programDownload.state === ProgramDownload.State.Unconfirmed
     readonly property bool failed: Editor.programDownload.state === ProgramDownload.State.Failed
 
     signal proofRequested()
@@ -80,18 +81,32 @@ Sheet {
         },
         Button {
             objectName: "downloadProof"
-            visible: !Editor.programDownload.canDownload && !sheet.busy && Controller.active.isPresent
+            visible: !Editor.programDownload.canDownload && !sheet.busy && !sheet.asks && Controller.active.isPresent
             text: qsTr("Compare")
             onClicked: sheet.proofRequested()
         },
         Button {
-            visible: Editor.programDownload.canSave && !sheet.busy
+            visible: Editor.programDownload.canSave && !sheet.busy && !sheet.asks
             glyph: Theme.icon.save
             text: qsTr("Save")
             onClicked: Editor.saveToFlash()
         },
         Button {
+            objectName: "closeCam"
+            visible: sheet.asks
+            text: qsTr("Close the cam")
+            onClicked: Editor.closeCam()
+        },
+        Button {
+            objectName: "confirmAdvance"
+            visible: sheet.asks
+            kind: Button.Primary
+            text: qsTr("Confirm advance")
+            onClicked: Editor.confirmAdvance()
+        },
+        Button {
             objectName: "downloadStart"
+            visible: !sheet.asks
             kind: Button.Primary
             glyph: Theme.icon.download
             enabled: Editor.programDownload.canDownload

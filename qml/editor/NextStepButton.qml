@@ -13,14 +13,15 @@ Button {
 
     readonly property bool busy: Editor.programDownload.state === ProgramDownload.State.Transferring
         || Editor.programDownload.state === ProgramDownload.State.Sealing || Editor.programDownload.state === ProgramDownload.State.Armed
+    readonly property bool asks: Editor.programDownload.state === ProgramDownload.State.Unconfirmed   // the sheet does
     readonly property bool suggests: !busy && !Editor.programDownload.canDownload && Editor.suggestionText.length > 0
-    readonly property bool saves: !busy && !suggests && !Editor.programDownload.canDownload && Editor.programDownload.canSave
+    readonly property bool saves: !busy && !suggests && !asks && !Editor.programDownload.canDownload && Editor.programDownload.canSave
     readonly property bool settled: !busy && Editor.programDownload.state === ProgramDownload.State.NothingToDo && Editor.programDownload.saved
 
     objectName: "nextStep"
     kind: Button.Primary
     width: Math.max(implicitWidth, Theme.size.touch * 1.5)
-    enabled: busy || suggests || saves || Editor.programDownload.canDownload
+    enabled: busy || suggests || saves || asks || Editor.programDownload.canDownload
     text: busy ? qsTr("Downloading") : suggests ? Editor.suggestionText : saves ? qsTr("Save")
         : settled ? qsTr("Saved") : qsTr("Download")
     note: busy ? Theme.number(100 * Editor.programDownload.progress, 0) + " %" : saves ? qsTr("keep after power-off")

@@ -690,6 +690,14 @@ Und %2 weitere.</translation>
         <source>The controller already has this program.</source>
         <translation>Die Steuerung hat dieses Programm schon.</translation>
     </message>
+    <message>
+        <source>Close the cam</source>
+        <translation>Kurve schließen</translation>
+    </message>
+    <message>
+        <source>Confirm advance</source>
+        <translation>Vorschub bestätigen</translation>
+    </message>
 </context>
 <context>
     <name>DryRunSection</name>
@@ -2288,6 +2296,10 @@ Und %2 weitere.</translation>
     <message>
         <source>Axis speed mm/s</source>
         <translation>Achsgeschw. mm/s</translation>
+    </message>
+    <message>
+        <source>Position mm, %1 per cycle</source>
+        <translation>Position mm, %1 je Zyklus</translation>
     </message>
 </context>
 <context>

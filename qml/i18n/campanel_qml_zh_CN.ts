@@ -690,6 +690,14 @@ And %2 more.</source>
         <source>The controller already has this program.</source>
         <translation>控制器中已有此程序。</translation>
     </message>
+    <message>
+        <source>Close the cam</source>
+        <translation>闭合凸轮</translation>
+    </message>
+    <message>
+        <source>Confirm advance</source>
+        <translation>确认净进给</translation>
+    </message>
 </context>
 <context>
     <name>DryRunSection</name>
@@ -2288,6 +2296,10 @@ And %2 more.</source>
     <message>
         <source>Axis speed mm/s</source>
         <translation>轴速度 mm/s</translation>
+    </message>
+    <message>
+        <source>Position mm, %1 per cycle</source>
+        <translation>位置 mm，每周期 %1</translation>
     </message>
 </context>
 <context>

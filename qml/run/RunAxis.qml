@@ -40,7 +40,8 @@ Item {
         height: view.row
         value: Controller.live.positionMm
         decimals: 2
-        caption: qsTr("Position mm")
+        caption: Controller.direction.advanceText.length > 0 ? qsTr("Position mm, %1 per cycle").arg(Controller.direction.advanceText)
+            : qsTr("Position mm")
     }
     NumberCard {
         objectName: "axisCount"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Motor and shaft of a machine: on Run, on Motion, in the law picker, explained.
+// Motor and shaft of a machine: on Run, on Motion, in the law picker, explained. And an axis that a cam moves
+// on in every cycle.
 #include "tests/looks/screen_lists.h"
 
 #include "tests/looks/test_window.h"
@@ -45,6 +46,37 @@ Screen runWithTorque(const char* name, Kind kind)
             }};
 }
 
+// Ends the edited cam beside its beginning, with the same cam closed in the controller, then taps.
+Screen withAdvance(const char* name, double advanceMm, const QStringList& names)
+{
+    return {QString::fromLatin1(name), [advanceMm, names](TestWindow& window) {
+                window.link().show(Situation::Running, Kind::PointCam);
+                window.checkClock();
+                panel::Editor& editor = window.panel().editor();
+                editor.newProgram(static_cast<int>(Kind::PointCam));
+                panel::KnotModel& knots = *editor.knots();
+                knots.select(knots.count() - 1);
+                editor.setChoice(0, 0); // natural ends: each knot for itself
+                knots.slave()->set(advanceMm);
+                editor.setChoice(0, 2);
+                for (const QString& tapped : names)
+                    window.tap(tapped);
+            }};
+}
+
+// Shows Run of a progressive cam.
+Screen runWithAdvance(const char* name)
+{
+    return {QString::fromLatin1(name), [](TestWindow& window) {
+                window.link().show(Situation::Running, Kind::PointCam);
+                program::Recipe recipe = program::defaultRecipe(Kind::PointCam);
+                std::get<profile::PointCamProgram>(recipe.program).knots.back().slaveMm = -25.125;
+                window.link().activate(*program::buildProgram(recipe), window.link().now());
+                window.checkClock();
+                window.tap(QStringLiteral("nav_run"));
+            }};
+}
+
 } // namespace
 
 QList<Screen> motorScreens()
@@ -53,6 +85,13 @@ QList<Screen> motorScreens()
     return {
         runWithTorque("run-torque", Kind::RotaryCutter),
         runWithTorque("run-torque-cam", Kind::PointCam),
+        runWithAdvance("run-advance"),
+        withAdvance("motion-advance", 25.125, {motion}),
+        withAdvance("knots-advance", 25.125, {motion, QStringLiteral("knotsButton")}),
+        withAdvance("download-advance", 25.125, {motion, QStringLiteral("nextStep")}),
+        withAdvance("download-advance-confirmed", 25.125,
+                    {motion, QStringLiteral("nextStep"), QStringLiteral("confirmAdvance")}),
+        withAdvance("motion-closing-error", 0.4, {motion}),
         withMotor("laws-motor", {motion, QStringLiteral("lawButton")}),
         withMotor("motion-torque", {motion, QStringLiteral("more"), QStringLiteral("torqueSwitch"),
                                     QStringLiteral("sheetClose")}),

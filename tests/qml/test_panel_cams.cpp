@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Knots and segments beside their curve: on each size of screen the curve stays in sight and follows each
 // entry.
+#include "app/program/cam_advance.h"
 #include "panel_test.h"
 #include "tests/support/test_program.h"
 
@@ -139,6 +140,42 @@ private slots:
         tap(qPrintable(u"choice_%1"_s.arg(other)));
         QCOMPARE(editor().segments()->motion(), other);
         QVERIFY2(m_window->find(u"segmentList"_s), "back among the segments");
+    }
+
+    // A cam that moves its axis on is downloaded after one confirmation, or closed by one key.
+    void aProgressiveCamIsConfirmedOrClosed_data()
+    {
+        QTest::addColumn<QSize>("size");
+        QTest::addColumn<bool>("closes");
+        for (const QSize size : {QSize(800, 480), QSize(1024, 600), QSize(1280, 800)}) {
+            for (const bool closes : {false, true})
+                QTest::addRow("%s at %d", closes ? "closed" : "confirmed", size.width()) << size << closes;
+        }
+    }
+    void aProgressiveCamIsConfirmedOrClosed()
+    {
+        QFETCH(QSize, size);
+        QFETCH(bool, closes);
+        open(size, false, 4);
+        show(looks::DemoLink::Kind::PointCam);
+        editor().setChoice(0, 0);
+        editor().knots()->select(4);
+        editor().knots()->slave()->set(25);
+        editor().setChoice(0, 2);
+        tap("sheetClose");
+        QVERIFY2(textOf("verdict").contains(u"+25"_s), qPrintable(textOf("verdict")));
+        tap("nextStep");
+        QVERIFY(!m_window->find(u"downloadStart"_s));
+        QVERIFY(m_window->find(u"closeCam"_s) && m_window->find(u"confirmAdvance"_s));
+        tap(closes ? "closeCam" : "confirmAdvance");
+        QVERIFY2(!m_window->find(u"confirmAdvance"_s), "asked once");
+        QCOMPARE(program::advanceMm(editor().recipe().program), closes ? 0.0 : 25.0);
+        if (closes) { // the program that the controller has, but for the ends of the spline
+            QVERIFY2(!textOf("verdict").contains(u"+25"_s), qPrintable(textOf("verdict")));
+            return;
+        }
+        tap("downloadStart");
+        QCOMPARE(editor().programDownload()->state(), panel::ProgramDownload::State::Transferring);
     }
 
     void theNumbersOfRatiosAreTypedBesideTheCurve()

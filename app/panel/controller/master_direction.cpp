@@ -2,6 +2,7 @@
 #include "app/panel/controller/master_direction.h"
 
 #include "app/panel/controller/controller.h"
+#include "app/panel/words/cam_sentences.h"
 #include "app/panel/words/connection_sentences.h"
 
 #include <algorithm>
@@ -70,6 +71,13 @@ QString MasterDirection::text() const
     if (!m_observed)
         return isBackward ? tr("set to reverse") : tr("set to forward");
     return isBackward ? tr("runs in reverse") : tr("runs forward");
+}
+
+QString MasterDirection::advanceText() const
+{
+    const double advanceMm = programSign() ? m_machine.program()->advanceMm : 0;
+    const bool isReversed = m_parameter.value().value_or(0) != 0;
+    return advanceMm == 0 ? QString() : CamSentences::signedMm(isReversed ? -advanceMm : advanceMm);
 }
 
 void MasterDirection::turn(Way wanted)

@@ -26,6 +26,8 @@ class MasterDirection : public QObject {
     Q_PROPERTY(bool canChange READ canChange NOTIFY changed FINAL)
     // The master's movement, or the reason why it cannot be reversed.
     Q_PROPERTY(QString text READ text NOTIFY changed FINAL)
+    // The net advance of the axis per cycle in this direction, "+0.5" mm; empty for a closed cam.
+    Q_PROPERTY(QString advanceText READ advanceText NOTIFY changed FINAL)
 
 public:
     enum class Way { Unknown, Forward, Backward };
@@ -38,6 +40,7 @@ public:
     [[nodiscard]] bool turning() const;
     [[nodiscard]] bool canChange() const { return blockedReason().isEmpty(); }
     [[nodiscard]] QString text() const;
+    [[nodiscard]] QString advanceText() const;
 
     // Requests the direction; `way` changes when the controller is proven to have stored it.
     Q_INVOKABLE void turn(campanel::panel::MasterDirection::Way way);

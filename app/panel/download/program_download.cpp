@@ -3,7 +3,9 @@
 
 #include "app/panel/controller/controller.h"
 #include "app/panel/download/differences_text.h"
+#include "app/panel/words/cam_sentences.h"
 #include "app/panel/words/connection_sentences.h"
+#include "app/program/cam_advance.h"
 
 #include <algorithm>
 #include <array>
@@ -89,21 +91,31 @@ void ProgramDownload::update()
     m_proof.update();
     m_forecast.update(m_differs ? m_offer.get() : nullptr);
     m_canRetry = false;
+    const bool isConfirmed = !m_offer || program::isAdvanceConfirmed(m_offer->recipe.program);
     if (isUnderWay()) {
         m_state = m_report.stage == DownloadStage::Armed     ? State::Armed
                   : m_report.stage == DownloadStage::Sealing ? State::Sealing
                                                              : State::Transferring;
     } else if (m_hasEnded && m_report.stage == DownloadStage::Failed) {
         m_state = State::Failed;
-        m_canRetry = m_differs && blockedReason().isEmpty();
+        m_canRetry = m_differs && blockedReason().isEmpty() && isConfirmed;
     } else if (!blockedReason().isEmpty()) {
         m_state = State::Blocked;
     } else if (m_hasEnded && m_report.stage == DownloadStage::Active && !m_differs) {
         m_state = State::Applied;
     } else {
-        m_state = m_differs ? State::Ready : State::NothingToDo;
+        m_state = !m_differs ? State::NothingToDo : isConfirmed ? State::Ready : State::Unconfirmed;
     }
     emit changed();
+}
+
+QString ProgramDownload::readyText() const
+{
+    const double advanceMm = program::advanceMm(m_offer->recipe.program);
+    const QString use = m_machine.state() == Controller::State::Running
+                            ? m_forecast.text()
+                            : tr("The new recipe is used from the next start.");
+    return advanceMm == 0 ? use : QStringLiteral("%1 %2").arg(CamSentences::advance(advanceMm), use);
 }
 
 QString ProgramDownload::text() const
@@ -112,9 +124,10 @@ QString ProgramDownload::text() const
     case State::NothingToDo:
         return tr("The controller already has this program.");
     case State::Ready:
-        if (m_machine.state() != Controller::State::Running)
-            return tr("The new recipe is used from the next start.");
-        return m_forecast.text();
+        return readyText();
+    case State::Unconfirmed:
+        return tr("%1 Confirm the advance, or close the cam.", "%1: whole sentence")
+            .arg(CamSentences::unconfirmed(program::advanceMm(m_offer->recipe.program)));
     case State::Blocked:
         return blockedReason();
     case State::Transferring:

@@ -32,7 +32,18 @@ class ProgramDownload : public QObject {
 
 public:
     // The states, in the order and with the names of Editor.DownloadState in QML.
-    enum class State { NothingToDo, Ready, Blocked, Transferring, Sealing, Armed, Applied, Failed };
+    // Unconfirmed: the axis would advance in every cycle, and nobody has confirmed that.
+    enum class State {
+        NothingToDo,
+        Ready,
+        Unconfirmed,
+        Blocked,
+        Transferring,
+        Sealing,
+        Armed,
+        Applied,
+        Failed
+    };
     Q_ENUM(State)
 
     ProgramDownload(Controller& machine, QObject* parent);
@@ -67,6 +78,7 @@ signals:
 private:
     [[nodiscard]] bool isUnderWay() const;
     [[nodiscard]] QString blockedReason() const; // empty when the download is possible
+    [[nodiscard]] QString readyText() const;
     [[nodiscard]] bool changesMachineData() const;
     void takeReport(const link::DownloadReport& report);
     void compare();

@@ -9,6 +9,7 @@
 #include "app/panel/recipe/recipe_edit.h"
 #include "app/panel/words/recipe_words.h"
 #include "app/panel/words/refusal_sentences.h"
+#include "app/program/cam_advance.h"
 #include "app/store/database/names.h"
 
 #include <QDir>
@@ -53,13 +54,14 @@ Level levelFor(Field field)
     return field == Field::BagLength || field == Field::Rate ? Level::Operator : Level::Technician;
 }
 
-// Returns the level for the change from one recipe to the other: an operator's only when bag length and rate
-// alone differ.
+// Returns the level for the change from one recipe to the other: an operator's only when bag length and rate,
+// or the confirmed advance, alone differ.
 Level levelBetween(const program::Recipe& before, const program::Recipe& after)
 {
-    if (!before.isCutter() || !after.isCutter())
-        return Level::Technician;
     program::Recipe same = after;
+    program::setConfirmedAdvance(same.program, program::confirmedAdvanceMm(before.program));
+    if (!before.isCutter() || !after.isCutter())
+        return sameRecipe(before, same) ? Level::Operator : Level::Technician;
     same.cutter().pinned = before.cutter().pinned;
     for (const Field field : program::pinnableFields)
         program::setValue(same, field, program::value(before, field));
@@ -455,23 +457,14 @@ void Editor::watchController()
     recompute();
 }
 
-void Editor::download()
+void Editor::confirmAdvance()
 {
-    commitDrag();
-    if (m_download.canDownload() && m_solution.image && require(Level::Operator))
-        m_download.download(*m_solution.image, m_recipe);
+    edit(Level::Operator, [](program::Recipe& recipe) { program::confirmAdvance(recipe.program); });
 }
 
-void Editor::cancelDownload()
+void Editor::closeCam()
 {
-    if (require(Level::Operator))
-        m_download.cancel();
-}
-
-void Editor::saveToFlash()
-{
-    if (require(Level::Operator))
-        m_download.save();
+    edit(Level::Technician, [](program::Recipe& recipe) { program::closeCam(recipe.program); });
 }
 
 void Editor::showNotice(const QString& text)

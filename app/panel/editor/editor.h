@@ -169,6 +169,10 @@ public:
     Q_INVOKABLE void undo();
     Q_INVOKABLE void redo();
     Q_INVOKABLE void revert();
+    // Confirms the net advance of the cam; only that makes a progressive one downloadable.
+    Q_INVOKABLE void confirmAdvance();
+    // Ends the cam where it began. Can be undone.
+    Q_INVOKABLE void closeCam();
     Q_INVOKABLE void download();
     Q_INVOKABLE void cancelDownload();
     Q_INVOKABLE void saveToFlash();
@@ -185,7 +189,8 @@ public:
     void open(const program::Recipe& stored, const std::optional<program::Recipe>& edited = {});
     // Sets the saved recipe as the new reference of edited(); the edits stay. Calls `done` once its file is
     // written, or cannot be.
-    void takeStored(const program::Recipe& recipe, std::function<void()> done = [] {});
+    void takeStored(
+        const program::Recipe& recipe, std::function<void()> done = [] {});
     // Returns the newest stored version of a name, 0: none. An edited recipe has the next version.
     using NewestVersion = std::function<int(const std::string& name)>;
     void setNewestVersion(NewestVersion newest);

@@ -7,6 +7,7 @@
 #include "app/panel/recipe/curve_shape.h"
 #include "app/panel/words/recipe_words.h"
 #include "app/panel/words/refusal_sentences.h"
+#include "app/program/cam_advance.h"
 
 namespace campanel::panel {
 
@@ -32,7 +33,8 @@ Editor::Severity Editor::severity() const
 {
     if (!feasible() && !m_solution.isTablePending)
         return Severity::Bad;
-    return m_solution.isCloseToLimit() ? Severity::Warning : Severity::Good;
+    const bool warns = m_solution.isCloseToLimit() || !program::isAdvanceConfirmed(m_recipe.program);
+    return warns ? Severity::Warning : Severity::Good;
 }
 
 QString Editor::suggestionText() const

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The persistent data of the Editor: the stored recipe, the working copy, and their versions.
+// The persistent data of the Editor: the stored recipe, the working copy, their versions, and the download.
 #include "app/panel/editor/editor.h"
 
 #include "app/panel/controller/controller.h"
@@ -79,6 +79,25 @@ void Editor::write(const store::LastRecipe& file, const program::Recipe& recipe,
             done();
         });
     });
+}
+
+void Editor::download()
+{
+    commitDrag();
+    if (m_download.canDownload() && m_solution.image && require(Level::Operator))
+        m_download.download(*m_solution.image, m_recipe);
+}
+
+void Editor::cancelDownload()
+{
+    if (require(Level::Operator))
+        m_download.cancel();
+}
+
+void Editor::saveToFlash()
+{
+    if (require(Level::Operator))
+        m_download.save();
 }
 
 // Sends the controller's figures the machine data of the kind that is active.

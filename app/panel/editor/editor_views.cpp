@@ -3,6 +3,7 @@
 
 #include "app/panel/kit/format.h"
 #include "app/panel/recipe/recipe_edit.h"
+#include "app/panel/words/cam_sentences.h"
 #include "app/panel/words/recipe_words.h"
 #include "app/panel/words/refusal_sentences.h"
 #include "app/panel/words/register_words.h"
@@ -200,9 +201,8 @@ LawRow EditorViews::lawRow(const profile::Law& law, const LawDemand& demand) con
     if (hasVibration())
         row.vibrationText = tr("%1 mm").arg(format.number(demand.vibrationMm, 3));
     const double jerk = peaks.jerkMmPerS3 / mmPerM;
-    row.peakJerkText = std::isinf(jerk)
-                           ? tr("unbounded")
-                           : tr("%1 m/s³").arg(format.number(jerk, jerk < 1000 ? 1 : 0));
+    row.peakJerkText =
+        std::isinf(jerk) ? tr("unbounded") : tr("%1 m/s³").arg(format.number(jerk, jerk < 1000 ? 1 : 0));
     return row;
 }
 
@@ -266,8 +266,11 @@ QString EditorViews::verdict() const
         return RegisterWords::outOfRange(*m_solution.unstorable);
     if (m_solution.isTablePending)
         return tr("Within all limits; building the table …");
-    if (!m_recipe.isCutter())
-        return m_solution.isCloseToLimit() ? tr("Just within the limits.") : tr("Within all limits.");
+    if (!m_recipe.isCutter()) {
+        const QString limits =
+            m_solution.isCloseToLimit() ? tr("Just within the limits.") : tr("Within all limits.");
+        return QStringLiteral("%1 %2").arg(limits, CamSentences::ends(m_recipe.program)).trimmed();
+    }
     return m_solution.isCloseToLimit() ? RefusalSentences::closeToLimits(m_solution.fastest)
                                        : RefusalSentences::withinLimits(m_solution.fastest);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/panel/recipe/controller_program.h"
 
+#include "app/program/cam_advance.h"
 #include "app/program/program_image.h"
 
 #include <QLoggingCategory>
@@ -52,6 +53,7 @@ std::shared_ptr<const ControllerProgram> readProgram(const link::ActiveProgram& 
         return program;
     }
     program->pulsesPerMm = solved->pulsesPerMm;
+    program->advanceMm = program::advanceMm(active.header, *recipe);
     program->version = recipe->version;
     // The rows of a press are stages: the bank does not contain the duration of a stroke.
     const std::uint32_t ticks = header.u32("bank.cycle_ticks");

@@ -25,6 +25,7 @@ struct ControllerProgram {
     std::string name;
     program::Recipe recipe;
     double pulsesPerMm = 0;
+    double advanceMm = 0; // of the axis per cycle of a cam, in the direction of the program
     // NaN when the header does not describe a cycle.
     double version = std::numeric_limits<double>::quiet_NaN();
     double bagLengthMm = std::numeric_limits<double>::quiet_NaN();

@@ -2,8 +2,10 @@
 #include "app/panel/recipe/recipe_comparison.h"
 
 #include "app/panel/recipe/recipe_edit.h"
+#include "app/panel/words/cam_sentences.h"
 #include "app/panel/words/recipe_words.h"
 #include "app/panel/words/refusal_sentences.h"
+#include "app/program/cam_advance.h"
 #include "profile/cutter/rotary_cutter.h"
 
 #include <algorithm>
@@ -46,6 +48,12 @@ QString RecipeComparison::codeText(const std::string& code)
     return code.empty() ? tr("none") : QString::fromStdString(code);
 }
 
+QString RecipeComparison::advanceText(const Recipe& recipe)
+{
+    const double mm = program::confirmedAdvanceMm(recipe.program);
+    return mm == 0 ? tr("none") : tr("%1 mm per cycle").arg(CamSentences::signedMm(mm));
+}
+
 QList<DifferenceRow> RecipeComparison::rows(const Recipe& before, const Recipe& after)
 {
     const Recipe a = solved(before);
@@ -81,6 +89,7 @@ QList<DifferenceRow> RecipeComparison::rows(const Recipe& before, const Recipe& 
     if (kind.list && !kind.list->isEqual(a.program, b.program))
         rows << DifferenceRow{RecipeWords::listName(a.kind()), RecipeWords::listSize(a.program),
                               RecipeWords::listSize(b.program)};
+    compare(tr("Confirmed advance"), advanceText(a), advanceText(b));
     return rows;
 }
 

@@ -26,6 +26,7 @@ public:
 private:
     [[nodiscard]] static QString pinnedText(const program::Recipe& recipe);
     [[nodiscard]] static QString codeText(const std::string& code);
+    [[nodiscard]] static QString advanceText(const program::Recipe& recipe);
     [[nodiscard]] static QString choiceText(const program::Recipe& recipe, program::Choice choice);
 };
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/panel/recipe/recipe_edit.h"
 
+#include "app/program/cam_advance.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -136,6 +138,7 @@ bool sameRecipe(const Recipe& left, const Recipe& right)
         return program::value(left, field) == program::value(right, field);
     };
     return (!kind.list || kind.list->isEqual(left.program, right.program)) &&
+           program::confirmedAdvanceMm(left.program) == program::confirmedAdvanceMm(right.program) &&
            std::ranges::all_of(kind.programFields, isSame) &&
            std::ranges::all_of(kind.machineFields, sameMachine);
 }

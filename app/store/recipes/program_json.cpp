@@ -3,7 +3,9 @@
 // values are given, a cam its knots or segments.
 #include "app/store/recipes/program_json.h"
 
+#include "app/program/cam_advance.h"
 #include "app/store/recipes/segments_file.h"
+#include "profile/cam/cam_cycle.h"
 #include "profile/laws/laws.h"
 
 #include <QJsonArray>
@@ -134,6 +136,18 @@ void readChoice(ObjectReader& reader, Recipe& recipe, const program::ChoiceInfo&
     reader.fail(id, FileError::Kind::NotAChoice, key, keys.join(u", "_s));
 }
 
+const QString confirmedAdvance = u"confirmed_advance_mm"_s;
+
+void readConfirmedAdvance(ObjectReader& reader, Recipe& recipe)
+{
+    if (profile::camMaster(recipe.program) == nullptr || !reader.has(confirmedAdvance))
+        return;
+    profile::FieldInfo limits; // both ends of a cam, and the scale
+    limits.max = 2 * profile::maxSlaveMm * profile::info(Field::SlaveScale).max;
+    limits.min = -limits.max;
+    program::setConfirmedAdvance(recipe.program, reader.number(confirmedAdvance, false, limits));
+}
+
 void readCamKnots(ObjectReader& reader, profile::PointCamProgram& cam)
 {
     const QString id = u"knots"_s;
@@ -176,6 +190,8 @@ QJsonObject programJson(const Recipe& recipe)
     }
     if (const auto* cam = std::get_if<profile::SegmentCamProgram>(&recipe.program))
         object[u"segments"_s] = segmentsJson(cam->segments);
+    if (const double confirmedMm = program::confirmedAdvanceMm(recipe.program); confirmedMm != 0)
+        object[confirmedAdvance] = confirmedMm;
     return object;
 }
 
@@ -225,6 +241,7 @@ void readProgram(const QJsonObject& object, Recipe& recipe, std::optional<FileEr
         readCamKnots(reader, *cam);
     if (auto* cam = std::get_if<profile::SegmentCamProgram>(&recipe.program))
         readSegmentsJson(reader, *cam, failure);
+    readConfirmedAdvance(reader, recipe);
     reader.refuseUnknownKeys();
 }
 

@@ -2,6 +2,7 @@
 // The envelope of the recipe format. Reading stops at the first error, with the key and the expected value.
 #include "app/store/recipes/recipe_json.h"
 
+#include "app/program/cam_advance.h"
 #include "app/store/database/names.h"
 #include "app/store/files/json_keys.h"
 #include "app/store/files/json_reader.h"
@@ -19,6 +20,13 @@ namespace {
 using program::Recipe;
 
 const QString recipeFormat = u"campanel-recipe"_s;
+
+// Returns the first version of the format that has all keys of the recipe, so that older readers know whether
+// they can read it. The confirmed advance is new in version 3.
+int formatVersionOf(const Recipe& recipe)
+{
+    return program::confirmedAdvanceMm(recipe.program) == 0 ? recipeFormatVersion - 1 : recipeFormatVersion;
+}
 
 std::optional<FileError> wrongFormat(const QJsonObject& root)
 {
@@ -76,7 +84,7 @@ bool isScannable(const QString& code)
 QByteArray toJson(const Recipe& recipe)
 {
     QJsonObject root{{u"format"_s, recipeFormat},
-                     {u"format_version"_s, recipeFormatVersion},
+                     {u"format_version"_s, formatVersionOf(recipe)},
                      {u"name"_s, QString::fromStdString(recipe.name)},
                      {u"version"_s, recipe.version},
                      {u"program"_s, programJson(recipe)},

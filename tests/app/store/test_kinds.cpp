@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Recipe files of every kind of program, and knots as CSV files.
+#include "app/program/cam_advance.h"
 #include "app/store/recipes/list_file.h"
 #include "app/store/recipes/recipe_file.h"
 #include "tests/support/random_recipe.h"
@@ -31,6 +32,7 @@ private slots:
     void randomRecipesTrip();
     void everyChoiceTrips_data() { addKinds(); }
     void everyChoiceTrips();
+    void aConfirmedAdvanceTrips();
     void ratiosOfOlderAndNewerFiles();
     void whatIsAbsentHasTheDefaultsOfItsKind();
     void cutterFilesWithoutAMotorMeanUnknown();
@@ -112,6 +114,36 @@ void StoreKindsTest::randomRecipesTrip()
 
 // Older files have no origin of the ratios: they were set by hand. A file with an origin and without ratios
 // gets those that suit its machine.
+// Only a file that needs it says that it needs a newer reader; a file of today has nothing confirmed.
+void StoreKindsTest::aConfirmedAdvanceTrips()
+{
+    for (const ProgramKind kind : {ProgramKind::PointCam, ProgramKind::SegmentCam}) {
+        program::Recipe recipe = program::defaultRecipe(kind);
+        const auto version = [&recipe] {
+            return QJsonDocument::fromJson(toJson(recipe)).object()[u"format_version"_s].toInt();
+        };
+        QCOMPARE(version(), 2);
+        QVERIFY(!toJson(recipe).contains("confirmed_advance_mm"));
+        program::setConfirmedAdvance(recipe.program, -376.991);
+        QCOMPARE(version(), 3);
+        const auto read = fromJson(toJson(recipe), {});
+        QVERIFY(read.has_value());
+        QCOMPARE(program::confirmedAdvanceMm(read->program), -376.991);
+        QByteArray wrong = toJson(recipe);
+        QCOMPARE(fromJson(wrong.replace("-376.991", "\"all\""), {}).error().key,
+                 u"program.confirmed_advance_mm"_s);
+    }
+    const QByteArray older = R"({"format": "campanel-recipe", "format_version": 1, "name": "Feed", "program":
+        {"kind": "point_cam", "knots": [[0, 0], [90, 20], [180, 50], [270, 80], [360, 100]]}})";
+    const auto read = fromJson(older, {});
+    QVERIFY(read.has_value());
+    QCOMPARE(program::advanceMm(read->program), 100.0);
+    QVERIFY(!program::isAdvanceConfirmed(read->program));
+    QByteArray cutter = toJson(program::defaultRecipe(ProgramKind::RotaryCutter));
+    cutter.replace("\"program\": {", "\"program\": {\"confirmed_advance_mm\": 5,");
+    QCOMPARE(fromJson(cutter, {}).error().kind, Kind::UnknownKey);
+}
+
 void StoreKindsTest::ratiosOfOlderAndNewerFiles()
 {
     program::Recipe recipe = program::gentleRecipe(program::defaultRecipe(ProgramKind::RotaryCutter));
