@@ -972,6 +972,14 @@
         <translation>Kalibrierung des Touchscreens</translation>
     </message>
     <message>
+        <source>Recipe file lost or damaged</source>
+        <translation>Rezeptdatei verloren oder beschädigt</translation>
+    </message>
+    <message>
+        <source>Machine data lost or damaged</source>
+        <translation>Maschinendaten verloren oder beschädigt</translation>
+    </message>
+    <message>
         <source>User renamed</source>
         <translation>Benutzer umbenannt</translation>
     </message>
@@ -4150,6 +4158,10 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
         <source>Speed law</source>
         <translation>Geschwindigkeitsgesetz</translation>
     </message>
+    <message>
+        <source>The unsaved edits were lost: their file is damaged. The saved recipe is open.</source>
+        <translation>Die ungespeicherten Änderungen sind verloren: ihre Datei ist beschädigt. Das gespeicherte Rezept ist offen.</translation>
+    </message>
 </context>
 <context>
     <name>campanel::panel::Explanations</name>
@@ -6011,6 +6023,14 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
         <source>%1, %2 Nm</source>
         <comment>recipe, torque</comment>
         <translation>%1, %2 Nm</translation>
+    </message>
+    <message>
+        <source>The file of the open recipe was lost or damaged. Opened instead: %1, version %2, with this panel&apos;s machine data.</source>
+        <translation>Die Datei des offenen Rezepts war verloren oder beschädigt. Stattdessen geöffnet: %1, Version %2, mit den Maschinendaten dieses Panels.</translation>
+    </message>
+    <message>
+        <source>The machine data for %1 were lost or damaged. Those saved with the recipe %2 are used; check them on the Motion page.</source>
+        <translation>Die Maschinendaten für %1 waren verloren oder beschädigt. Die mit dem Rezept %2 gespeicherten gelten; auf der Seite Bewegung prüfen.</translation>
     </message>
     <message>
         <source>The name has characters that nobody can see. Enter the name again.</source>

@@ -972,6 +972,14 @@
         <translation>触摸屏校准</translation>
     </message>
     <message>
+        <source>Recipe file lost or damaged</source>
+        <translation>配方文件丢失或损坏</translation>
+    </message>
+    <message>
+        <source>Machine data lost or damaged</source>
+        <translation>机器数据丢失或损坏</translation>
+    </message>
+    <message>
         <source>User renamed</source>
         <translation>用户已改名</translation>
     </message>
@@ -4148,6 +4156,10 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
         <source>Speed law</source>
         <translation>速度规律</translation>
     </message>
+    <message>
+        <source>The unsaved edits were lost: their file is damaged. The saved recipe is open.</source>
+        <translation>未保存的修改已丢失：其文件已损坏。已打开保存的配方。</translation>
+    </message>
 </context>
 <context>
     <name>campanel::panel::Explanations</name>
@@ -6008,6 +6020,14 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
         <source>%1, %2 Nm</source>
         <comment>recipe, torque</comment>
         <translation>%1，%2 Nm</translation>
+    </message>
+    <message>
+        <source>The file of the open recipe was lost or damaged. Opened instead: %1, version %2, with this panel&apos;s machine data.</source>
+        <translation>已打开配方的文件丢失或损坏。已改为打开：%1，版本 %2，使用本面板的机器数据。</translation>
+    </message>
+    <message>
+        <source>The machine data for %1 were lost or damaged. Those saved with the recipe %2 are used; check them on the Motion page.</source>
+        <translation>%1 的机器数据丢失或损坏。现使用与配方 %2 一起保存的数据；请在“运动”页核对。</translation>
     </message>
     <message>
         <source>The name has characters that nobody can see. Enter the name again.</source>

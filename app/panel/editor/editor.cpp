@@ -13,7 +13,6 @@
 #include "app/store/database/names.h"
 
 #include <QDir>
-#include <QFileInfo>
 
 #include <cmath>
 
@@ -98,11 +97,8 @@ Editor::Editor(Controller& machine, const QString& folder, QObject* parent)
     m_stored = stored.recipe;
     m_recipe = m_stored;
     m_notice = stored.notice;
-    if (QFileInfo::exists(m_workingFile.path())) {
-        const auto working = m_workingFile.load();
-        m_recipe = working.recipe;
-        m_notice = m_notice.isEmpty() ? working.notice : m_notice;
-    }
+    m_sources.stored = stored.source;
+    loadWorkingCopy();
     connectFields();
     connectKnots();
     connectMap();

@@ -92,7 +92,8 @@ public:
     enum class Severity { Good, Warning, Bad };
     Q_ENUM(Severity)
 
-    // Stores both recipes in `folder`. The machine must outlive the object.
+    // Stores both recipes in `folder`. A default recipe never takes the place of edits that cannot be read.
+    // The machine must outlive the object.
     Editor(Controller& machine, const QString& folder, QObject* parent);
     ~Editor() override;
 
@@ -184,6 +185,15 @@ public:
     // Returns the reference of edited(): the version last opened, downloaded or saved.
     [[nodiscard]] const program::Recipe& storedRecipe() const { return m_stored; }
 
+    // Where the recipe and its edits at the start came from; Saved once another recipe was opened.
+    struct Sources {
+        store::LastRecipe::Source stored = store::LastRecipe::Source::Saved;
+        store::LastRecipe::Source working = store::LastRecipe::Source::Saved;
+    };
+    [[nodiscard]] const Sources& sources() const { return m_sources; }
+    // Shows a sentence until a person dismisses it.
+    void showNotice(const QString& text);
+
     // Opens another recipe, unchanged or with the edits in `edited`. Clears the previous recipe and the undo
     // history.
     void open(const program::Recipe& stored, const std::optional<program::Recipe>& edited = {});
@@ -237,8 +247,8 @@ private:
     void show();
     void watchController();
     void keepWorkingCopy();
+    void loadWorkingCopy();
     void write(const store::LastRecipe& file, const program::Recipe& recipe, std::function<void()> done);
-    void showNotice(const QString& text);
     [[nodiscard]] const profile::Suggestion* suggestion() const;
     [[nodiscard]] int nextVersion() const;
 
@@ -263,6 +273,7 @@ private:
     QTimer m_tableTimer; // builds a slow table once the finger rests
     program::Recipe m_stored;
     program::Recipe m_recipe;
+    Sources m_sources;
     NewestVersion m_newestVersion = [](const std::string&) { return 0; };
     std::map<profile::ProgramKind, profile::Machine> m_machines;
     std::optional<program::Recipe> m_beforeDrag;

@@ -5,6 +5,8 @@
 #include "app/panel/controller/controller.h"
 #include "app/panel/recipe/recipe_edit.h"
 
+#include <QFileInfo>
+
 #include <algorithm>
 #include <utility>
 
@@ -58,9 +60,31 @@ void Editor::open(const program::Recipe& stored, const std::optional<program::Re
 void Editor::takeStored(const program::Recipe& recipe, std::function<void()> done)
 {
     m_stored = recipe;
+    m_sources = {};
     write(m_storedFile, m_stored, std::move(done));
     m_keepTimer.start();
     recompute();
+}
+
+void Editor::loadWorkingCopy()
+{
+    if (!QFileInfo::exists(m_workingFile.path())) {
+        m_sources.working = m_sources.stored;
+        return;
+    }
+    const auto working = m_workingFile.load();
+    m_sources.working = working.source;
+    if (working.source == store::LastRecipe::Source::Default) {
+        if (m_notice.isEmpty())
+            m_notice = tr("The unsaved edits were lost: their file is damaged. The saved recipe is open.");
+        return;
+    }
+    m_recipe = working.recipe;
+    if (m_notice.isEmpty())
+        m_notice = working.notice;
+    // An earlier state of the edits; its machine data may be out of date.
+    if (working.source == store::LastRecipe::Source::Copy && m_recipe.kind() == m_stored.kind())
+        m_recipe.machine = m_stored.machine;
 }
 
 void Editor::keepWorkingCopy()

@@ -48,17 +48,11 @@ Recipes::Recipes(Controller& machine, Editor& editor, DatabaseService& records, 
           [this](const store::RecipeOffer& offer) { return consequence(offer); }, this)
     , m_exports(QDir(folder).filePath(u"recipes"_s), this)
 {
-    connect(&records.store(), &store::StoreThread::opened, this, [this] {
-        reload();
-        // The open recipe outlives the database, because it has its own file.
-        const Recipe open = m_editor.storedRecipe();
-        work([open](store::RecipeLibrary& library) { return library.has(open); },
-             [this, open](bool isKept) {
-                 if (!isKept)
-                     keep(open, {});
-             });
+    connect(&records.store(), &store::StoreThread::opened, this, &Recipes::begin);
+    connect(&editor, &Editor::applied, this, [this](const Recipe& recipe) {
+        emit downloaded(recipe);
+        keep(recipe, {});
     });
-    connect(&editor, &Editor::applied, this, [this](const Recipe& recipe) { keep(recipe, {}); });
     connect(&editor, &Editor::recipeChanged, this, &Recipes::followEditor);
     connect(&machine, &Controller::programChanged, this, &Recipes::show);
     connect(&m_files, &RecipeFiles::taken, this, &Recipes::import);
@@ -96,12 +90,24 @@ template <typename Job, typename Done> void Recipes::work(Job job, Done done)
         });
 }
 
+void Recipes::begin()
+{
+    reload();
+    const Recipe open = m_editor.storedRecipe();
+    work([open](store::RecipeLibrary& library) { return library.has(open); },
+         [this, open](bool isKept) {
+             work([](store::RecipeLibrary& library) { return library.isEmpty(); },
+                  [this, open, isKept](bool isEmpty) { checkOpenRecipe(open, isKept, isEmpty); });
+         });
+}
+
 void Recipes::reload()
 {
     work([](store::RecipeLibrary& library) { return library.machines(); },
-         [this](const QList<Recipe>& machines) {
-             for (const Recipe& each : machines)
-                 m_editor.setMachine(each.kind(), each.machine);
+         [this](const QList<store::MachineData>& machines) {
+             m_machineData = machines;
+             for (const store::MachineData& each : machines)
+                 m_editor.setMachine(each.recipe.kind(), each.recipe.machine);
          });
     work([](store::RecipeLibrary& library) { return library.newest(); },
          [this](const Versions& newest) {
@@ -350,8 +356,8 @@ void Recipes::save()
 
 void Recipes::create(int kind)
 {
-    if (kind < 1 || kind > static_cast<int>(program::kinds().size()) || !nameProblem().isEmpty() ||
-        !m_machine.accessCheck().require(Level::Technician))
+    if (!m_isReady || kind < 1 || kind > static_cast<int>(program::kinds().size()) ||
+        !nameProblem().isEmpty() || !m_machine.accessCheck().require(Level::Technician))
         return;
     keepAndOpen(renamed(m_editor.newRecipe(static_cast<profile::ProgramKind>(kind))), [](const Recipe& kept) {
         return tr("%1 was created with default values and opened. Set your values on the Motion page.")

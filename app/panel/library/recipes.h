@@ -117,6 +117,8 @@ public:
     [[nodiscard]] const QList<store::RecipeVersion>& newest() const { return m_all; }
     // Returns the newest version of the chosen recipe; null: none.
     [[nodiscard]] const store::RecipeVersion* chosenRecipe() const;
+    // Returns the newest version of the recipe of that name, whatever its capitals; null: none.
+    [[nodiscard]] const store::RecipeVersion* named(const QString& name) const;
     // Returns the recipes that this code selects: one, unless files brought the same code twice.
     [[nodiscard]] QList<store::RecipeVersion> coded(const QString& code) const;
     // Chooses the recipe with this id of the database, and ends the search.
@@ -154,6 +156,9 @@ public:
 signals:
     // Emitted for the audit trail.
     void noted(const campanel::store::AuditEntry& entry);
+    // Emitted when the controller executes this recipe, and when a recipe got other codes.
+    void downloaded(const campanel::program::Recipe& recipe);
+    void codesSet(const campanel::store::RecipeVersion& recipe);
     void listChanged();
     void wantedNameChanged();
     void comparisonChanged();
@@ -170,6 +175,13 @@ private:
     void keep(const program::Recipe& recipe, std::function<void(const store::RecipeVersion& kept)> done,
               const QString& signer = {});
     void import(const store::RecipeOffer& offer);
+    void begin();
+    // Keeps the open recipe, which outlives the database because it has its own file. When that file is lost
+    // or damaged, the library's recipe is opened: no default takes the place of what a person saved.
+    void checkOpenRecipe(const program::Recipe& open, bool isKept, bool isLibraryEmpty);
+    // Opens a recipe because the file of the open one was lost, and says so.
+    void openAtStart(const program::Recipe& recipe);
+    void reportLostMachineData();
     void keepAndOpen(const program::Recipe& recipe,
                      std::function<QString(const program::Recipe& kept)> sentence);
     void followEditor();
@@ -180,7 +192,6 @@ private:
     void compare(const program::Recipe& before, const program::Recipe& after);
     void say(const QString& text);
     void note(const QString& what, const QString& name, const QString& before, const QString& after);
-    [[nodiscard]] const store::RecipeVersion* named(const QString& name) const;
     [[nodiscard]] program::Recipe onThisMachine(program::Recipe recipe) const;
     // Returns the recipe as first version of the wanted name.
     [[nodiscard]] program::Recipe renamed(program::Recipe recipe) const;
@@ -196,7 +207,8 @@ private:
     WallClock m_wallClock;
     std::function<bool()> m_isClockUnset;
     Author m_author;
-    Versions m_all;                     // the newest of each
+    Versions m_all; // the newest of each
+    QList<store::MachineData> m_machineData;
     QHash<qint64, CurveShape> m_shapes; // of each
     RecipeList m_list{this};
     FigureModel m_figures{this};

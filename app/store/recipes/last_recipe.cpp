@@ -28,12 +28,12 @@ LastRecipe::Loaded LastRecipe::load() const
     const auto copy = readRecipe(backupPath(m_path));
     const bool neverSaved = saved.error().kind == FileError::Kind::NotFound;
     if (!copy && neverSaved && copy.error().kind == FileError::Kind::NotFound)
-        return {program::Recipe{}, {}};
+        return {program::Recipe{}, {}, Source::Default};
     const QString complaint = FileErrorText::describe(saved.error());
     const QString notice = copy ? tr("%1 The last good copy is used.").arg(complaint)
                                 : tr("%1 There is no good copy; the default recipe is used.").arg(complaint);
     qCWarning(storeLog).noquote() << oneLine(notice, maxLineLength);
-    return {copy.value_or(program::Recipe{}), notice};
+    return {copy.value_or(program::Recipe{}), notice, copy ? Source::Copy : Source::Default};
 }
 
 tl::expected<void, FileError> LastRecipe::save(const program::Recipe& recipe) const

@@ -13,9 +13,11 @@ class LastRecipe {
     Q_DECLARE_TR_FUNCTIONS(LastRecipe)
 
 public:
+    enum class Source { Saved, Copy, Default };
     struct Loaded {
         program::Recipe recipe;
         QString notice; // empty without an error
+        Source source = Source::Saved;
     };
 
     explicit LastRecipe(QString path);

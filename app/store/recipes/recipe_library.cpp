@@ -104,6 +104,12 @@ RecipeLibrary::Result<QList<RecipeVersion>> RecipeLibrary::versions(qint64 recip
     return query ? Result<QList<RecipeVersion>>(readVersions(*query)) : tl::unexpected(query.error());
 }
 
+RecipeLibrary::Result<bool> RecipeLibrary::isEmpty()
+{
+    auto query = m_database.execute(u"SELECT 1 FROM recipe LIMIT 1"_s);
+    return query ? Result<bool>(!query->next()) : tl::unexpected(query.error());
+}
+
 RecipeLibrary::Result<bool> RecipeLibrary::has(const program::Recipe& recipe)
 {
     auto query =
@@ -195,15 +201,28 @@ RecipeLibrary::Result<void> RecipeLibrary::setDeleted(qint64 recipeId, bool isDe
     return done ? Result<void>() : tl::unexpected(done.error());
 }
 
-RecipeLibrary::Result<QList<program::Recipe>> RecipeLibrary::machines()
+RecipeLibrary::Result<QList<MachineData>> RecipeLibrary::machines()
 {
     auto query = m_database.execute(u"SELECT json FROM machine_data"_s);
     if (!query)
         return tl::unexpected(query.error());
-    QList<program::Recipe> machines;
+    QList<MachineData> machines;
+    QStringList known{QString()};
     while (query->next()) {
-        if (const auto recipe = fromJson(query->value(0).toByteArray(), {}, Names::Repair))
-            machines << *recipe;
+        if (const auto recipe = fromJson(query->value(0).toByteArray(), {}, Names::Repair)) {
+            machines << MachineData{*recipe, {}};
+            known << kindKey(*recipe);
+        }
+    }
+    auto others = m_database.execute(
+        selectVersions + u"WHERE v.kind NOT IN ('%1') ORDER BY v.saved_ms DESC"_s.arg(known.join(u"', '"_s)));
+    if (!others)
+        return tl::unexpected(others.error());
+    for (const RecipeVersion& each : readVersions(*others)) {
+        if (!known.contains(kindKey(each.recipe))) {
+            machines << MachineData{each.recipe, QString::fromStdString(each.recipe.name)};
+            known << kindKey(each.recipe);
+        }
     }
     return machines;
 }

@@ -23,6 +23,12 @@ struct RecipeVersion {
     int unreadableVersion = 0;    // a newer version of the recipe, which cannot be read; 0: none
 };
 
+// What the machine is for one kind of program; only `machine` and the kind of the recipe are valid.
+struct MachineData {
+    program::Recipe recipe;
+    QString takenFrom; // the recipe that they were saved with when they themselves are lost; else empty
+};
+
 class RecipeLibrary {
 public:
     explicit RecipeLibrary(Database& database)
@@ -39,6 +45,9 @@ public:
     // Returns all versions of one recipe, newest first.
     [[nodiscard]] Result<QList<RecipeVersion>> versions(qint64 recipeId);
 
+    // Returns true when there was never a recipe, not even one that was deleted.
+    [[nodiscard]] Result<bool> isEmpty();
+
     // Returns true when the recipe's own version has this program and these codes, and is not deleted.
     [[nodiscard]] Result<bool> has(const program::Recipe& recipe);
 
@@ -53,9 +62,9 @@ public:
     [[nodiscard]] Result<void> rename(qint64 recipeId, const QString& name);
     [[nodiscard]] Result<void> setDeleted(qint64 recipeId, bool isDeleted);
 
-    // Returns the machine data, one recipe for each kind that was set; only `machine` and the kind of these
-    // recipes are valid.
-    [[nodiscard]] Result<QList<program::Recipe>> machines();
+    // Returns the machine data of each kind that was set. When they cannot be read, those of the version of
+    // this kind that was saved last take their place.
+    [[nodiscard]] Result<QList<MachineData>> machines();
     [[nodiscard]] Result<void> saveMachine(const program::Recipe& recipe, const QString& by, qint64 nowMs);
 
 private:

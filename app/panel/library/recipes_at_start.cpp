@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+// The open recipe at the start. Nobody is there who could have changed the machine data: they stay those of
+// the database.
+#include "app/panel/library/recipes.h"
+
+#include "app/panel/editor/editor.h"
+#include "app/panel/recipe/recipe_edit.h"
+#include "app/panel/words/recipe_words.h"
+
+using namespace Qt::StringLiterals;
+
+namespace campanel::panel {
+
+using program::Recipe;
+using store::RecipeVersion;
+using Source = store::LastRecipe::Source;
+
+void Recipes::checkOpenRecipe(const Recipe& open, bool isKept, bool isLibraryEmpty)
+{
+    reportLostMachineData();
+    const Source source = m_editor.sources().stored;
+    if (source == Source::Saved && !isKept)
+        keep(open, {});
+    if (source == Source::Saved)
+        return;
+    if (isLibraryEmpty) { // a new panel
+        keep(open, [this, open](const RecipeVersion& kept) {
+            if (sameRecipe(m_editor.storedRecipe(), open))
+                m_editor.takeStored(kept.recipe);
+        });
+        return;
+    }
+    const RecipeVersion* sameName = named(QString::fromStdString(open.name));
+    const bool isNews = source == Source::Copy && !isKept &&
+                        (!sameName || sameName->version < open.version); // the database is an older copy
+    if (isNews || m_all.isEmpty()) {
+        openAtStart(open);
+        if (isNews)
+            keep(m_editor.storedRecipe(), {});
+        return;
+    }
+    const bool isNameKnown = m_editor.sources().working != Source::Default;
+    const RecipeVersion* last = isNameKnown ? named(m_editor.recipeName()) : nullptr;
+    last = last ? last : &m_all.first();
+    m_chosenId = last->recipeId;
+    openAtStart(last->recipe);
+}
+
+void Recipes::openAtStart(const Recipe& recipe)
+{
+    std::optional<Recipe> edited;
+    if (m_editor.sources().working == Source::Saved)
+        edited = m_editor.recipe();
+    else if (m_editor.sources().working == Source::Copy)
+        edited = onThisMachine(m_editor.recipe());
+    m_editor.open(onThisMachine(recipe), edited);
+    const QString name = QString::fromStdString(recipe.name);
+    m_editor.showNotice(tr("The file of the open recipe was lost or damaged. Opened instead: %1, version %2, "
+                           "with this panel's machine data.")
+                            .arg(name, QString::number(recipe.version)));
+    note(u"recipe.file_lost"_s, name, {}, u"version %1"_s.arg(recipe.version));
+}
+
+void Recipes::reportLostMachineData()
+{
+    for (const store::MachineData& each : m_machineData) {
+        if (each.takenFrom.isEmpty())
+            continue;
+        m_editor.showNotice(
+            tr("The machine data for %1 were lost or damaged. Those saved with the recipe %2 are "
+               "used; check them on the Motion page.")
+                .arg(RecipeWords::kindName(each.recipe.kind()), each.takenFrom));
+        note(u"recipe.machine_lost"_s, each.takenFrom, {}, {});
+    }
+}
+
+} // namespace campanel::panel
