@@ -137,6 +137,7 @@ void Recipes::setCodes(const program::Recipe& withCodes)
                                          : isEdited                             ? std::optional(edited)
                                                                                 : std::nullopt);
         }
+        emit codesSet(kept);
         say(tr("Saved: %1, version %2.").arg(QString::fromStdString(kept.recipe.name)).arg(kept.version));
     });
 }

@@ -15,15 +15,30 @@ using namespace Qt::StringLiterals;
 
 namespace campanel::panel {
 
+namespace {
+
+// Stands for a reel whose file cannot be read: no recipe needs this one, so that it has to be scanned.
+constexpr auto unreadableReel = "?";
+
+QString identityOf(const ControllerProgram& program)
+{
+    return u"%1 v%2 %3"_s.arg(QString::fromStdString(program.name), QString::number(program.version),
+                              QString::number(program.crc, 16));
+}
+
+} // namespace
+
 FilmCheck::FilmCheck(Controller& machine, Recipes& recipes, const QString& folder, QObject* parent)
     : QObject(parent)
     , m_machine(machine)
     , m_recipes(recipes)
     , m_path(QDir(folder).filePath(u"film_reel.json"_s))
-    , m_reel(kept())
 {
-    connect(&machine, &Controller::programChanged, this, &FilmCheck::changed);
-    connect(&recipes, &Recipes::listChanged, this, &FilmCheck::changed);
+    load();
+    connect(&machine, &Controller::programChanged, this, &FilmCheck::followProgram);
+    connect(&recipes, &Recipes::listChanged, this, &FilmCheck::followProgram);
+    connect(&recipes, &Recipes::downloaded, this, &FilmCheck::takeDownloaded);
+    connect(&recipes, &Recipes::codesSet, this, &FilmCheck::takeCodes);
     connect(this, &FilmCheck::changed, &machine, &Controller::commandsChanged);
     machine.setStartInterlock([this] { return blockedReason(); });
 }
@@ -33,37 +48,68 @@ FilmCheck::~FilmCheck()
     m_machine.setStartInterlock({});
 }
 
-FilmCheck::Reel FilmCheck::kept() const
+void FilmCheck::load()
 {
     const auto bytes = store::readBytes(m_path);
+    if (!bytes && bytes.error().kind == store::FileError::Kind::NotFound)
+        return;
     const QJsonObject root = bytes ? QJsonDocument::fromJson(*bytes).object() : QJsonObject();
-    return {root.value(u"code"_s).toString(), root.value(u"overridden_for"_s).toString(),
-            root.value(u"reason"_s).toString()};
+    m_reel = {root.value(u"code"_s).toString(QString::fromLatin1(unreadableReel)),
+              root.value(u"overridden_for"_s).toString(), root.value(u"reason"_s).toString()};
+    m_demand = {root.value(u"program"_s).toString(), root.value(u"recipe"_s).toInteger(),
+                root.value(u"needed"_s).toString()};
 }
 
-void FilmCheck::setReel(const Reel& reel)
+void FilmCheck::keep(const Reel& reel, const Demand& demand)
 {
-    if (m_reel == reel)
+    if (m_reel == reel && m_demand == demand)
         return;
     m_reel = reel;
+    m_demand = demand;
     // Without the file a restart of the panel forgets the reel; the block of this run holds.
     (void)store::replaceBytes(m_path, QJsonDocument(QJsonObject{{u"code"_s, reel.code},
                                                                 {u"overridden_for"_s, reel.overriddenFor},
-                                                                {u"reason"_s, reel.reason}})
+                                                                {u"reason"_s, reel.reason},
+                                                                {u"program"_s, demand.program},
+                                                                {u"recipe"_s, demand.recipeId},
+                                                                {u"needed"_s, demand.code}})
                                           .toJson());
+}
+
+void FilmCheck::followProgram()
+{
+    const auto& program = m_machine.program();
+    if (program && (identityOf(*program) != m_demand.program || m_demand.recipeId == 0)) {
+        const store::RecipeVersion* known = m_recipes.named(QString::fromStdString(program->name));
+        const bool isDownloaded =
+            m_downloaded && m_downloaded->name == program->name && m_downloaded->version == program->version;
+        if (known || isDownloaded)
+            keep(m_reel,
+                 {identityOf(*program), known ? known->recipeId : 0,
+                  QString::fromStdString(isDownloaded ? m_downloaded->filmCode : known->recipe.filmCode)});
+    }
+    emit changed();
+}
+
+void FilmCheck::takeDownloaded(const program::Recipe& recipe)
+{
+    m_downloaded = recipe;
+    m_demand.recipeId = 0;
+    followProgram();
+}
+
+// The codes are no part of the program: new ones hold for the one that runs.
+void FilmCheck::takeCodes(const store::RecipeVersion& recipe)
+{
+    if (recipe.recipeId != m_demand.recipeId)
+        return;
+    keep(m_reel, {m_demand.program, m_demand.recipeId, QString::fromStdString(recipe.recipe.filmCode)});
     emit changed();
 }
 
 QString FilmCheck::neededCode() const
 {
-    const auto& program = m_machine.program();
-    if (!program)
-        return {};
-    for (const store::RecipeVersion& each : m_recipes.newest()) {
-        if (each.recipe.name == program->name)
-            return QString::fromStdString(each.recipe.filmCode);
-    }
-    return {};
+    return m_machine.program() ? m_demand.code : QString();
 }
 
 bool FilmCheck::isReel(const QString& code) const
@@ -87,7 +133,8 @@ QString FilmCheck::blockedReason() const
 
 bool FilmCheck::check(const QString& code)
 {
-    setReel({code, {}, {}});
+    keep({code, {}, {}}, m_demand);
+    emit changed();
     const bool isWrong = !blockedReason().isEmpty();
     note(u"film.scan"_s, code, isWrong ? u"refused"_s : u"done"_s);
     return !isWrong;
@@ -98,7 +145,8 @@ void FilmCheck::overrideCheck(const QString& reason)
     const QString text = reason.simplified();
     if (text.isEmpty() || blockedReason().isEmpty() || !m_machine.accessCheck().require(Level::Technician))
         return;
-    setReel({m_reel.code, neededCode(), text});
+    keep({m_reel.code, neededCode(), text}, m_demand);
+    emit changed();
     note(u"film.override"_s, u"%1: %2"_s.arg(m_reel.code, text), u"done"_s);
 }
 

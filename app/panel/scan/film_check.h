@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// The scanned film reel against the one that the active program's recipe needs. A wrong reel blocks Start
+// The scanned film reel against the one that the program in the controller needs. A wrong reel blocks Start
 // until the right one is scanned or a technician overrides the check with a reason. The reel stays on the
-// machine when the program changes: it is compared with the new one's.
+// machine when the program changes: it is compared with the new one's. The demand belongs to the program,
+// whatever becomes of its recipe in the library: it is taken once, when the program is downloaded or first
+// seen. While the recipe of a program is unknown, the last demand stays.
 #pragma once
 
 #include "app/store/logs/audit_log.h"
+#include "app/store/recipes/recipe_library.h"
 
 #include <QObject>
 #include <QtQml/qqmlregistration.h>
@@ -48,6 +51,14 @@ signals:
     void noted(const campanel::store::AuditEntry& entry);
 
 private:
+    // The reel that a program needs.
+    struct Demand {
+        QString program;     // its name, version and CRC-32
+        qint64 recipeId = 0; // in the library
+        QString code;        // empty: any reel
+
+        bool operator==(const Demand&) const = default;
+    };
     // The reel that was scanned last, and the override for it.
     struct Reel {
         QString code;          // empty: none was scanned
@@ -57,14 +68,19 @@ private:
         bool operator==(const Reel&) const = default;
     };
 
-    void setReel(const Reel& reel);
+    void keep(const Reel& reel, const Demand& demand);
+    void followProgram();
+    void takeDownloaded(const program::Recipe& recipe);
+    void takeCodes(const store::RecipeVersion& recipe);
+    void load();
     void note(const QString& what, const QString& after, const QString& outcome);
-    [[nodiscard]] Reel kept() const;
 
     Controller& m_machine;
     Recipes& m_recipes;
     QString m_path;
     Reel m_reel;
+    Demand m_demand;
+    std::optional<program::Recipe> m_downloaded; // the last one
 };
 
 } // namespace campanel::panel

@@ -166,6 +166,8 @@ void Scan::takeCode(const QString& code)
 // Takes a code that is no recipe's for that of a film reel.
 void Scan::checkFilm(const QString& code)
 {
+    if (!m_parts.machine.accessCheck().require(Level::Operator))
+        return;
     if (!m_film.check(code))
         emit wrongFilmScanned();
     else if (code == m_film.neededCode())
@@ -204,6 +206,8 @@ void Scan::openRecipe(qint64 recipeId)
 
 void Scan::openScanned(bool savesEdits)
 {
+    if (!m_parts.machine.accessCheck().require(Level::Operator))
+        return;
     if (savesEdits)
         m_parts.recipes.save();
     m_parts.recipes.open();

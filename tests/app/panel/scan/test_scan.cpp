@@ -7,6 +7,7 @@
 #include "app/store/recipes/recipe_json.h"
 #include "tests/support/test_program.h"
 
+#include <QFile>
 #include <QSignalSpy>
 #include <QTest>
 
@@ -312,6 +313,107 @@ private slots:
         QCOMPARE(rig.machine.startBlockedReason(), QString()); // the right one
         rig.scan.takeCode(u"PE 30"_s);
         QVERIFY(!rig.machine.startBlockedReason().isEmpty());
+    }
+
+    // What becomes of the recipe in the library changes nothing on the machine.
+    void theReelBelongsToTheProgramInTheController_data()
+    {
+        QTest::addColumn<QString>("change");
+        for (const char* change :
+             {"rename", "delete", "capitals", "another film for the next version", "restart"})
+            QTest::addRow("%s", change) << QString::fromLatin1(change);
+    }
+
+    void theReelBelongsToTheProgramInTheController()
+    {
+        QFETCH(QString, change);
+        ScanRig rig;
+        rig.choose(u"Soap"_s);
+        rig.setCode(RecipeCodes::Code::Film, u"PE 30"_s);
+        QTRY_COMPARE(rig.recipes.codes()->filmText(), u"PE 30"_s);
+        rig.connectRunning();
+        rig.link.status.state = modbus::State::Ready;
+        rig.link.sendStatus(rig.now);
+        rig.scan.takeCode(u"PP 40"_s);
+        const QString reason = rig.machine.startBlockedReason();
+        QVERIFY2(reason.contains(u"needs PE 30"_s) || reason.contains(u"film reel PE 30"_s),
+                 qPrintable(reason));
+        const auto save = [&rig](program::Recipe recipe) {
+            rig.records.store().run(
+                &rig.recipes,
+                [recipe](store::Database& database) {
+                    return store::RecipeLibrary(database).save(recipe, {}, 1);
+                },
+                [&rig](const auto& /*saved*/) { rig.recipes.reload(); });
+        };
+        QSignalSpy listed(&rig.recipes, &Recipes::listChanged);
+        if (change == u"rename") {
+            rig.recipes.setWantedName(u"Soap 2"_s);
+            rig.recipes.rename();
+        } else if (change == u"delete") {
+            rig.recipes.remove();
+        } else if (change == u"capitals") {
+            program::Recipe imported = rig.recipes.chosenRecipe()->recipe;
+            imported.name = "SOAP";
+            imported.filmCode.clear();
+            save(imported);
+        } else if (change != u"restart") {
+            program::Recipe next = rig.recipes.chosenRecipe()->recipe;
+            next.version += 1;
+            next.filmCode = "PP 40";
+            save(next);
+        }
+        if (change == u"restart") {
+            rig.recipes.remove();
+            QTRY_COMPARE(rig.recipes.total(), 1);
+            {
+                FilmCheck restarted(rig.machine, rig.recipes, rig.folder.path(), nullptr);
+                QVERIFY(!restarted.blockedReason().isEmpty());
+                rig.link.activate(rig.image(), rig.now); // of a recipe that no library has
+                QVERIFY(!restarted.blockedReason().isEmpty());
+            }
+            return;
+        }
+        QTRY_VERIFY(listed.count() > 0);
+        QTest::qWait(0);
+        QVERIFY(rig.recipes.chosenName() != u"Soap"_s || rig.recipes.chosenRecipe()->version > 2);
+        QVERIFY2(!rig.machine.startBlockedReason().isEmpty(), qPrintable(change));
+        rig.scan.takeCode(u"PE 30"_s);
+        QCOMPARE(rig.machine.startBlockedReason(), QString());
+    }
+
+    void aFileOfTheReelThatIsDamagedAsksForAScan()
+    {
+        ScanRig rig;
+        rig.choose(u"Soap"_s);
+        rig.setCode(RecipeCodes::Code::Film, u"PE 30"_s);
+        QTRY_COMPARE(rig.recipes.codes()->filmText(), u"PE 30"_s);
+        rig.connectRunning();
+        rig.scan.takeCode(u"PE 30"_s);
+        QFile file(rig.folder.filePath(u"film_reel.json"_s));
+        QVERIFY(file.open(QIODevice::WriteOnly | QIODevice::Truncate));
+        file.write("{");
+        file.close();
+        FilmCheck restarted(rig.machine, rig.recipes, rig.folder.path(), nullptr);
+        emit rig.recipes.listChanged();
+        QVERIFY(restarted.blockedReason().contains(u"Load and scan the film reel PE 30"_s));
+    }
+
+    void withoutALoginNoReelIsTaken()
+    {
+        ScanRig rig;
+        rig.choose(u"Soap"_s);
+        rig.setCode(RecipeCodes::Code::Film, u"PE 30"_s);
+        QTRY_COMPARE(rig.recipes.codes()->filmText(), u"PE 30"_s);
+        rig.connectRunning();
+        QSignalSpy refused(&rig.machine.accessCheck(), &AccessCheck::refused);
+        rig.machine.accessCheck().setLevel(Level::Viewer);
+        rig.scan.takeCode(u"PP 40"_s);
+        QCOMPARE(refused.count(), 1);
+        QCOMPARE(rig.scan.film()->scannedCode(), QString());
+        rig.scan.openScanned(true);
+        QCOMPARE(refused.count(), 2);
+        QCOMPARE(rig.opened.count(), 0);
     }
 
     void codesAreInTheRecipeFile()
