@@ -5,7 +5,6 @@
 #include "app/cli/report.h"
 #include "app/cli/signed_file.h"
 #include "app/shell/configuration.h"
-#include "app/store/files/csv.h"
 #include "app/store/files/files.h"
 #include "gateway/fleet.h"
 #include "gateway/mqtt_line.h"
@@ -208,16 +207,13 @@ QByteArray fleetText(const QJsonArray& rows)
 QByteArray fleetCsv(const QJsonArray& rows)
 {
     const QStringList keys = columnsOf(rows);
-    QString text = keys.join(u',') + u'\n';
+    store::CsvWriter csv(keys.join(u','), {});
     for (const QJsonValue& row : rows) {
-        QStringList cells;
-        for (const QString& key : keys) {
-            const QJsonValue value = row.toObject().value(key);
-            cells << (value.isNull() ? QString() : store::csvField(cellOf(value)));
-        }
-        text += cells.join(u',') + u'\n';
+        for (const QString& key : keys)
+            addCell(csv, row.toObject().value(key));
+        csv.endLine();
     }
-    return text.toUtf8();
+    return csv.bytes();
 }
 
 // Names the machines that do not report a signed table.

@@ -73,21 +73,13 @@ QJsonObject asJson(const Row& row)
             {u"weakness"_s, fromView(row.law.weakness)}};
 }
 
-QString asCsv(const Row& row)
+void addRow(store::CsvWriter& csv, const Row& row)
 {
-    const auto quoted = [](QString text) { return u'"' + text.replace(u'"', u"\"\""_s) + u'"'; };
-    return QStringList{fromView(row.law.key),
-                       quoted(fromView(row.law.name)),
-                       quoted(usesOf(row.law).join(u"; "_s)),
-                       quoted(parametersText(row.law)),
-                       fixed(row.peaks.cv),
-                       fixed(row.peaks.ca),
-                       fixed(row.peaks.cj),
-                       fixed(row.travel),
-                       quoted(fromView(row.law.strength)),
-                       quoted(fromView(row.law.weakness))}
-               .join(u',') +
-           u'\n';
+    csv.text(fromView(row.law.key)).text(fromView(row.law.name)).text(usesOf(row.law).join(u"; "_s));
+    csv.text(parametersText(row.law));
+    for (const double value : {row.peaks.cv, row.peaks.ca, row.peaks.cj, row.travel})
+        csv.value(fixed(value));
+    csv.text(fromView(row.law.strength)).text(fromView(row.law.weakness)).endLine();
 }
 
 QString textLine(const QString& key, const QString& name, const QString& uses, const QStringList& numbers)
@@ -119,17 +111,17 @@ Outcome runLaws(const Invocation& call)
             format = name;
     }
     QJsonArray list;
-    QString text = format == u"csv"
-                       ? u"key,name,uses,parameters,cv,ca,cj,g_integral,strength,weakness\n"_s
-                       : textLine(u"key"_s, u"name"_s, u"uses"_s, {u"Cv"_s, u"Ca"_s, u"Cj"_s, u"G(1)"_s});
+    store::CsvWriter csv(u"key,name,uses,parameters,cv,ca,cj,g_integral,strength,weakness", {});
+    QString text = textLine(u"key"_s, u"name"_s, u"uses"_s, {u"Cv"_s, u"Ca"_s, u"Cj"_s, u"G(1)"_s});
     for (const profile::Law& law : profile::laws()) {
         const Row row(law);
         list.append(asJson(row));
-        text += format == u"csv" ? asCsv(row) : asText(row);
+        addRow(csv, row);
+        text += asText(row);
     }
     if (format == u"json")
         return call.deliver(formatted({{u"laws"_s, list}}, format));
-    return call.deliver(text.toUtf8());
+    return call.deliver(format == u"csv" ? csv.bytes() : text.toUtf8());
 }
 
 } // namespace campanel::cli

@@ -36,11 +36,12 @@ QString limitOf(const RegimePoint& point)
 
 QByteArray mapCsv(const RegimeMap& map)
 {
-    QByteArray text = "bag_length_mm,rate_bags_per_min,limited_by\n";
-    for (const RegimePoint& point : map.points)
-        text += number(point.bagLengthMm) + ',' + number(point.rateBagsPerMin) + ',' +
-                limitOf(point).toUtf8() + '\n';
-    return text;
+    store::CsvWriter csv(u"bag_length_mm,rate_bags_per_min,limited_by", {});
+    for (const RegimePoint& point : map.points) {
+        csv.significant(point.bagLengthMm).significant(point.rateBagsPerMin);
+        csv.text(limitOf(point)).endLine();
+    }
+    return csv.bytes();
 }
 
 QJsonObject pointObject(const RegimePoint& point)

@@ -63,24 +63,22 @@ QByteArray mapJson()
         .toJson();
 }
 
-QByteArray mapLines(bool csv)
+QByteArray mapLines(bool isCsv)
 {
-    QString text = csv ? u"address,name,type,registers,writable,scale,unit\n"_s : QString();
+    store::CsvWriter csv(u"address,name,type,registers,writable,scale,unit", {});
+    QString text;
     for (const auto rows : {modbus::registers(), modbus::bankFields()}) {
         for (const RegisterInfo& row : rows) {
-            const QStringList cells{QString::fromStdString(modbus::hexAddress(row.address)),
-                                    fromView(row.name),
-                                    fromView(modbus::typeName(row.type)),
-                                    QString::number(row.count),
-                                    row.access == modbus::Access::ReadWrite ? u"yes"_s : u"no"_s,
-                                    QString::number(row.scale),
-                                    fromView(row.unit)};
-            text += csv ? cells.join(u',') + u'\n'
-                        : u"%1  %2 %3 %4\n"_s.arg(cells[0], cells[1].leftJustified(34),
-                                                  cells[2].leftJustified(6), fromView(row.text));
+            const QString address = QString::fromStdString(modbus::hexAddress(row.address));
+            const QString type = fromView(modbus::typeName(row.type));
+            csv.text(address).text(fromView(row.name)).text(type).whole(row.count);
+            csv.yesOrNo(row.access == modbus::Access::ReadWrite).significant(row.scale);
+            csv.text(fromView(row.unit)).endLine();
+            text += u"%1  %2 %3 %4\n"_s.arg(address, fromView(row.name).leftJustified(34),
+                                            type.leftJustified(6), fromView(row.text));
         }
     }
-    return text.toUtf8();
+    return isCsv ? csv.bytes() : text.toUtf8();
 }
 
 // Returns the address; fields of a bank have offsets and are read from the active bank.

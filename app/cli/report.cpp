@@ -3,7 +3,6 @@
 #include "app/cli/report.h"
 
 #include "app/program/cam_advance.h"
-#include "app/store/files/csv.h"
 #include "app/store/files/files.h"
 
 #include <QJsonArray>
@@ -11,31 +10,19 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 using namespace Qt::StringLiterals;
 
 namespace campanel::cli {
 namespace {
 
-using Lines = QList<std::pair<QString, QString>>;
-
-QString scalarText(const QJsonValue& value)
-{
-    switch (value.type()) {
-    case QJsonValue::Bool:
-        return value.toBool() ? u"yes"_s : u"no"_s;
-    case QJsonValue::Double: // unknown or not finite: null in JSON
-        return std::isfinite(value.toDouble()) ? QString::fromLatin1(number(value.toDouble())) : u"--"_s;
-    case QJsonValue::String:
-        return cellText(value.toString());
-    default:
-        return u"--"_s;
-    }
-}
+struct Line {
+    QString key;
+    QJsonValue value;
+};
 
 // Flattens lists of words; lists of numbers are only in JSON.
-void flatten(const QString& prefix, const QJsonObject& object, Lines& lines)
+void flatten(const QString& prefix, const QJsonObject& object, QList<Line>& lines)
 {
     for (auto it = object.begin(); it != object.end(); ++it) {
         const QString name = cellText(it.key());
@@ -50,11 +37,39 @@ void flatten(const QString& prefix, const QJsonObject& object, Lines& lines)
                     texts << cellText(item.toString());
             }
             if (!texts.isEmpty() || items.isEmpty())
-                lines << std::pair(key, texts.join(u"; "_s));
+                lines << Line{key, texts.join(u"; "_s)};
         } else {
-            lines << std::pair(key, scalarText(*it));
+            lines << Line{key, *it};
         }
     }
+}
+
+// Unknown or not finite is null in JSON.
+bool isKnown(const QJsonValue& value)
+{
+    return value.isBool() || value.isString() || (value.isDouble() && std::isfinite(value.toDouble()));
+}
+
+QString scalarText(const QJsonValue& value)
+{
+    if (!isKnown(value))
+        return u"--"_s;
+    if (value.isBool())
+        return value.toBool() ? u"yes"_s : u"no"_s;
+    if (value.isDouble())
+        return QString::fromLatin1(number(value.toDouble()));
+    return value.toString().isEmpty() ? u"none"_s : cellText(value.toString());
+}
+
+QByteArray linesCsv(const QList<Line>& lines)
+{
+    store::CsvWriter csv(u"key,value", {});
+    for (const auto& [key, value] : lines) {
+        csv.text(key);
+        addCell(csv, value);
+        csv.endLine();
+    }
+    return csv.bytes();
 }
 
 } // namespace
@@ -77,34 +92,44 @@ QJsonValue orNull(const std::optional<double>& value)
 
 QByteArray csvTable(const std::vector<Column>& columns)
 {
-    QByteArray text;
+    QStringList names;
     for (const Column& column : columns)
-        text.append(text.isEmpty() ? "" : ",").append(column.name);
-    text.append('\n');
+        names << QString::fromLatin1(column.name);
+    store::CsvWriter csv(names.join(u','), {});
     for (std::size_t row = 0; row < columns.front().values->size(); ++row) {
-        for (std::size_t i = 0; i < columns.size(); ++i)
-            text.append(i == 0 ? "" : ",").append(number((*columns[i].values)[row]));
-        text.append('\n');
+        for (const Column& column : columns)
+            csv.significant((*column.values)[row]);
+        csv.endLine();
     }
-    return text;
+    return csv.bytes();
+}
+
+void addCell(store::CsvWriter& csv, const QJsonValue& value)
+{
+    if (value.isBool())
+        csv.yesOrNo(value.toBool());
+    else if (!isKnown(value))
+        csv.empty();
+    else if (value.isDouble())
+        csv.significant(value.toDouble());
+    else
+        csv.text(value.toString());
 }
 
 QByteArray formatted(const QJsonObject& object, const QString& format)
 {
     if (format == u"json")
         return QJsonDocument(object).toJson();
-    Lines lines;
+    QList<Line> lines;
     flatten({}, object, lines);
-    QString text = format == u"csv" ? u"key,value\n"_s : QString();
+    if (format == u"csv")
+        return linesCsv(lines);
     qsizetype width = 0;
     for (const auto& line : lines)
-        width = std::max(width, line.first.size());
-    for (const auto& [key, value] : lines) {
-        if (format == u"csv")
-            text += key + u',' + store::csvField(value) + u'\n';
-        else
-            text += key.leftJustified(width) + u"  "_s + (value.isEmpty() ? u"none"_s : value) + u'\n';
-    }
+        width = std::max(width, line.key.size());
+    QString text;
+    for (const auto& [key, value] : lines)
+        text += key.leftJustified(width) + u"  "_s + scalarText(value) + u'\n';
     return text.toUtf8();
 }
 

@@ -3,6 +3,7 @@
 // CSV.
 #pragma once
 
+#include "app/store/files/csv.h"
 #include "profile/program/programs.h"
 
 #include <QByteArray>
@@ -15,7 +16,7 @@
 
 namespace campanel::cli {
 
-// Formats a number for CSV: up to 10 significant digits, decimal point.
+// Formats a number: up to 10 significant digits, decimal point.
 [[nodiscard]] QByteArray number(double value);
 
 [[nodiscard]] QJsonValue orNull(const std::optional<double>& value);
@@ -25,13 +26,16 @@ struct Column {
     const std::vector<double>* values = nullptr; // all columns of a table have the same length
 };
 
+// Adds one field: unknown is empty, a number has up to 10 significant digits.
+void addCell(store::CsvWriter& csv, const QJsonValue& value);
+
 [[nodiscard]] QByteArray csvTable(const std::vector<Column>& columns);
 
-// Makes a text from elsewhere, such as a name, one line: each cell of text and CSV goes through it.
+// Makes a text from elsewhere, such as a name, one line: each cell of text goes through it.
 [[nodiscard]] QString cellText(const QString& text);
 
-// Formats the object. "json": as it is. "csv": key,value with keys joined by points. "text": the same,
-// aligned; lists of numbers are omitted, null is "--".
+// Formats the object. "json": as it is. "csv": key,value with keys joined by points; null is empty. "text":
+// the same, aligned; lists of numbers are omitted, null is "--".
 [[nodiscard]] QByteArray formatted(const QJsonObject& object, const QString& format);
 
 // Adds the net advance of a cam per cycle, and whether a person has confirmed it; nothing for other kinds.

@@ -176,7 +176,9 @@ constinit const ListInfo knotList{
     appendKnots,
     readKnots,
     profile::knotColumns,
-    [](const Program& program) { return profile::writeKnotsCsv(knotsOf(program)); },
+    [](const Program& program, const profile::CsvDialect& dialect) {
+        return profile::writeKnotsCsv(knotsOf(program), dialect);
+    },
     [](std::string_view text, Program& program) {
         return takeCsv(profile::readKnotsCsv(text), knotsOf(program));
     },
@@ -192,7 +194,9 @@ constinit const ListInfo segmentList{
     appendSegments,
     readSegments,
     profile::segmentColumns,
-    [](const Program& program) { return profile::writeSegmentsCsv(segmentsOf(program)); },
+    [](const Program& program, const profile::CsvDialect& dialect) {
+        return profile::writeSegmentsCsv(segmentsOf(program), dialect);
+    },
     [](std::string_view text, Program& program) {
         return takeCsv(profile::readSegmentsCsv(text), segmentsOf(program));
     },

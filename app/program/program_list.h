@@ -4,6 +4,7 @@
 #pragma once
 
 #include "profile/cam/csv_reader.h"
+#include "profile/cam/csv_writer.h"
 #include "profile/model/refusal.h"
 #include "profile/program/programs.h"
 
@@ -31,7 +32,7 @@ struct ListInfo {
     void (*read)(std::span<const std::uint16_t> registers, profile::Program& program) = nullptr;
     // As CSV text. Text that cannot be read leaves the program unchanged.
     std::span<const std::string_view> (*csvColumns)() = nullptr;
-    std::string (*writeCsv)(const profile::Program& program) = nullptr;
+    std::string (*writeCsv)(const profile::Program& program, const profile::CsvDialect& dialect) = nullptr;
     std::optional<profile::CsvError> (*readCsv)(std::string_view text, profile::Program& program) = nullptr;
     // Returns the first fault of the entries; `index` is the entry.
     std::optional<profile::Refusal> (*check)(const profile::Program& program) = nullptr;

@@ -2,9 +2,9 @@
 #include "app/program/table_columns.h"
 
 #include "app/program/interval_speeds.h"
+#include "profile/cam/csv_writer.h"
 
 #include <array>
-#include <charconv>
 #include <variant>
 
 namespace campanel::program {
@@ -81,15 +81,6 @@ TableColumns columnsOf(const profile::PressTable& table, const ProgramImage&)
     return columns;
 }
 
-void append(std::string& text, double value)
-{
-    constexpr int digits = 10;
-    std::array<char, 32> buffer{};
-    const auto [end, error] = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value,
-                                            std::chars_format::general, digits);
-    text.append(buffer.data(), end);
-}
-
 } // namespace
 
 std::vector<TableColumn> tableColumns(const ProgramImage& image)
@@ -99,19 +90,17 @@ std::vector<TableColumn> tableColumns(const ProgramImage& image)
 
 std::string tableCsv(const std::vector<TableColumn>& columns)
 {
-    std::string text;
+    constexpr int digits = 10;
+    profile::CsvWriter csv;
     for (const TableColumn& column : columns)
-        text.append(text.empty() ? "" : ",").append(column.name);
-    text += '\n';
+        csv.add(column.name);
+    csv.endLine();
     for (std::size_t row = 0; row < columns.front().values.size(); ++row) {
-        for (std::size_t i = 0; i < columns.size(); ++i) {
-            if (i > 0)
-                text += ',';
-            append(text, columns[i].values[row]);
-        }
-        text += '\n';
+        for (const TableColumn& column : columns)
+            csv.addSignificant(column.values[row], digits);
+        csv.endLine();
     }
-    return text;
+    return csv.text();
 }
 
 } // namespace campanel::program

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Counts, and exports the figures as CSV.
 #include "modbus/line/link_figures.h"
 
 #include <algorithm>
-#include <cstdio>
-#include <ctime>
 
 namespace campanel::modbus {
 namespace {
@@ -19,29 +16,6 @@ std::size_t indexOf(LinkErrorKind kind)
 std::uint32_t grownBy(std::uint16_t before, std::uint16_t now)
 {
     return static_cast<std::uint16_t>(now - before);
-}
-
-// Returns "2026-01-31T12:34Z".
-std::string minuteText(std::int64_t minute)
-{
-    const std::time_t seconds = minute * 60;
-    std::tm parts{};
-    gmtime_r(&seconds, &parts);
-    char text[32];
-    std::strftime(text, sizeof text, "%Y-%m-%dT%H:%MZ", &parts);
-    return text;
-}
-
-std::string fixed(double value, int digits)
-{
-    char text[48];
-    std::snprintf(text, sizeof text, "%.*f", digits, value);
-    return text;
-}
-
-std::string msText(std::int64_t us)
-{
-    return fixed(static_cast<double>(us) / 1000.0, 3);
 }
 
 } // namespace
@@ -158,58 +132,6 @@ std::vector<MinuteFigures> LinkFigures::strip() const
         }
     }
     return result;
-}
-
-std::string figuresCsv(const LinkFigures& figures)
-{
-    std::string text = "figure,value\n";
-    const auto line = [&text](std::string_view key, const std::string& value) {
-        text.append(key).append(",").append(value).append("\n");
-    };
-    line("requests", std::to_string(figures.requests()));
-    line("answers", std::to_string(figures.answers()));
-    for (std::size_t i = 0; i < countedErrors.size(); ++i)
-        line(errorId(countedErrors[i]), std::to_string(figures.errors()[i]));
-    line("retries", std::to_string(figures.retries()));
-    line("drains", std::to_string(figures.drains()));
-    line("sent_bytes", std::to_string(figures.sentBytes()));
-    line("received_bytes", std::to_string(figures.receivedBytes()));
-    line("dropped_bytes", std::to_string(figures.droppedBytes()));
-    line("stray_bytes", std::to_string(figures.strayBytes()));
-    const LatencyHistogram& latency = figures.latency();
-    const bool isMeasured = latency.count() > 0;
-    const auto percentile = [&](double share) {
-        return isMeasured ? msText(latency.percentile(share).count()) : std::string();
-    };
-    line("latency_p50_ms", percentile(0.50));
-    line("latency_p95_ms", percentile(0.95));
-    line("latency_p99_ms", percentile(0.99));
-    line("latency_max_ms", isMeasured ? msText(latency.maximum().count()) : std::string());
-    line("wire_share", figures.wireShare() ? fixed(*figures.wireShare(), 4) : std::string());
-    if (const auto& controller = figures.controller()) {
-        line("controller_requests", std::to_string(controller->requests));
-        line("controller_crc_errors", std::to_string(controller->crcErrors));
-        line("controller_frame_errors", std::to_string(controller->frameErrors));
-        line("controller_exceptions", std::to_string(controller->exceptions));
-    }
-    return text;
-}
-
-std::string stripCsv(const LinkFigures& figures)
-{
-    std::string text = "minute,answers";
-    for (const LinkErrorKind kind : countedErrors)
-        text.append(",").append(errorId(kind));
-    text += ",latency_p99_ms,latency_max_ms\n";
-    for (const MinuteFigures& minute : figures.strip()) {
-        text.append(minuteText(minute.minute)).append(",").append(std::to_string(minute.answers));
-        for (const std::uint32_t count : minute.errors)
-            text.append(",").append(std::to_string(count));
-        const bool isMeasured = minute.answers > 0;
-        text.append(",").append(isMeasured ? msText(minute.latencyP99Us) : std::string());
-        text.append(",").append(isMeasured ? msText(minute.latencyMaxUs) : std::string()).append("\n");
-    }
-    return text;
 }
 
 } // namespace campanel::modbus

@@ -119,9 +119,4 @@ private:
     std::int64_t m_minute = -1;         // newest minute
 };
 
-// Returns one line "key,value" for each figure.
-[[nodiscard]] std::string figuresCsv(const LinkFigures& figures);
-// Returns a heading and one line for each minute of the strip; times in UTC, ISO 8601.
-[[nodiscard]] std::string stripCsv(const LinkFigures& figures);
-
 } // namespace campanel::modbus

@@ -23,15 +23,41 @@ std::string_view trimmed(std::string_view text)
                                            : text.substr(first, text.find_last_not_of(blanks) - first + 1);
 }
 
+// Returns the length of the quoted field at the begin of the text, with both marks; 0: it has none, or is not
+// closed before the separator or the end.
+std::size_t quotedLength(std::string_view text, char separator)
+{
+    if (!text.starts_with('"'))
+        return 0;
+    std::size_t end = text.find('"', 1);
+    while (end != std::string_view::npos && text.substr(end + 1).starts_with('"')) // a doubled mark
+        end = text.find('"', end + 2);
+    if (end == std::string_view::npos)
+        return 0;
+    const std::string_view behind = trimmed(text.substr(end + 1, text.find(separator, end) - end - 1));
+    return behind.empty() ? end + 1 : 0;
+}
+
+// A field is a part of the line. Doubled marks stay: no number and no key has one.
 std::vector<std::string_view> fieldsOf(std::string_view line, char separator)
 {
     std::vector<std::string_view> fields;
     for (std::size_t end = 0; end != std::string_view::npos;) {
-        end = line.find(separator);
-        fields.push_back(trimmed(line.substr(0, end)));
+        line.remove_prefix(std::min(line.find_first_not_of(' '), line.size()));
+        const std::size_t quoted = quotedLength(line, separator);
+        // An open quotation mark takes the rest of the line.
+        end = quoted == 0 && line.starts_with('"') ? std::string_view::npos : line.find(separator, quoted);
+        fields.push_back(trimmed(quoted > 0 ? line.substr(1, quoted - 2) : line.substr(0, end)));
         line.remove_prefix(end == std::string_view::npos ? line.size() : end + 1);
     }
     return fields;
+}
+
+// Removes what spreadsheets write behind the last column.
+void removeEmptyEnd(std::vector<std::string_view>& fields, std::size_t columns)
+{
+    while (fields.size() > columns && fields.back().empty())
+        fields.pop_back();
 }
 
 } // namespace
@@ -45,9 +71,10 @@ CsvReader::CsvReader(std::string_view text)
 std::optional<std::string_view> CsvReader::nextLine()
 {
     while (!m_rest.empty()) {
-        const std::size_t end = minOf(m_rest.find('\n'), m_rest.size());
+        const std::size_t end = minOf(m_rest.find_first_of("\r\n"), m_rest.size());
         const std::string_view line = trimmed(m_rest.substr(0, end));
-        m_rest.remove_prefix(minOf(end + 1, m_rest.size()));
+        const std::size_t endLength = m_rest.substr(end).starts_with("\r\n") ? 2 : 1;
+        m_rest.remove_prefix(minOf(end + endLength, m_rest.size()));
         ++m_line;
         if (!line.empty())
             return line;
@@ -55,30 +82,40 @@ std::optional<std::string_view> CsvReader::nextLine()
     return std::nullopt;
 }
 
-tl::expected<void, CsvError> CsvReader::readHeader(std::span<const std::string_view> columns)
+tl::expected<void, CsvError> CsvReader::readHeader(std::span<const std::string_view> columns,
+                                                   std::size_t minColumns)
 {
     // UTF-16 begins with one of these marks or has zero bytes.
     if (m_rest.starts_with("\xFF\xFE") || m_rest.starts_with("\xFE\xFF") ||
         m_rest.find('\0') != std::string_view::npos)
         return fail(CsvExpectation::Utf8, {});
-    const std::string_view line = nextLine().value_or(std::string_view{});
-    const std::size_t end = line.find_first_of(",;");
+    std::string_view line = nextLine().value_or(std::string_view{});
+    if (line.starts_with("sep=")) // for Excel; the header has the separator as well
+        line = nextLine().value_or(std::string_view{});
+    const std::size_t end = line.find_first_of(",;\t");
     m_separator = end == std::string_view::npos ? ',' : line[end];
-    if (!std::ranges::equal(fieldsOf(line, m_separator), columns))
+    std::vector<std::string_view> names = fieldsOf(line, m_separator);
+    removeEmptyEnd(names, columns.size());
+    if (!std::ranges::equal(names, columns))
         return fail(CsvExpectation::Header, line);
     m_columns = columns.size();
+    m_minColumns = minColumns == 0 ? m_columns : minColumns;
     return {};
 }
 
 tl::expected<std::optional<std::vector<std::string_view>>, CsvError> CsvReader::readRow()
 {
-    const auto line = nextLine();
-    if (!line)
-        return std::nullopt;
-    std::vector<std::string_view> fields = fieldsOf(*line, m_separator);
-    if (fields.size() != m_columns)
-        return fail(CsvExpectation::Values, *line);
-    return fields;
+    while (const auto line = nextLine()) {
+        std::vector<std::string_view> fields = fieldsOf(*line, m_separator);
+        if (std::ranges::all_of(fields, &std::string_view::empty))
+            continue;
+        removeEmptyEnd(fields, m_columns);
+        if (fields.size() < m_minColumns || fields.size() > m_columns)
+            return fail(CsvExpectation::Values, *line);
+        fields.resize(m_columns);
+        return fields;
+    }
+    return std::nullopt;
 }
 
 tl::expected<double, CsvError> CsvReader::number(std::string_view field)
@@ -116,23 +153,6 @@ tl::unexpected<CsvError> CsvReader::fail(CsvExpectation expected, std::string_vi
     std::string shown(found.substr(0, end));
     std::ranges::replace_if(shown, isControl, '?');
     return tl::unexpected(CsvError{maxOf(m_line, 1), expected, std::move(shown)});
-}
-
-void appendCsvHeader(std::string& text, std::span<const std::string_view> columns)
-{
-    for (const std::string_view column : columns) {
-        text.append(column);
-        text.push_back(',');
-    }
-    text.back() = '\n';
-}
-
-void appendCsvNumber(std::string& text, double value)
-{
-    std::array<char, longestNumber> buffer{};
-    const auto end =
-        std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::fixed);
-    text.append(buffer.data(), end.ptr);
 }
 
 } // namespace campanel::profile::detail

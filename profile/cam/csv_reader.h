@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reads and writes CSV text with one known header: the knots and the segments of cams. The header determines
-// the separator, the first fractional number the decimal sign.
+// Reads CSV text with one known header, as people and spreadsheets write it: the knots and the segments of
+// cams. The header determines the separator, the first fractional number the decimal sign. Quotation marks,
+// empty rows, empty columns at the end and any kind of line end are allowed.
 #pragma once
 
 #include <cstddef>
@@ -15,7 +16,7 @@
 namespace campanel::profile {
 
 enum class CsvExpectation : std::uint8_t {
-    Header,       // the columns of the header, with comma or semicolon
+    Header,       // the columns of the header, with comma, semicolon or tabulator
     Values,       // a value for each column, with the separator of the header
     Number,       // a finite number
     DecimalPoint, // the decimal sign of the earlier numbers, a point
@@ -42,9 +43,10 @@ class CsvReader {
 public:
     explicit CsvReader(std::string_view text);
 
-    // Reads the header.
-    [[nodiscard]] tl::expected<void, CsvError> readHeader(std::span<const std::string_view> columns);
-    // Reads the next line that is not empty, as one field for each column. Nothing at the end.
+    // Reads the header. A row needs `minColumns` fields; 0: all. A spreadsheet may leave out empty ones.
+    [[nodiscard]] tl::expected<void, CsvError> readHeader(std::span<const std::string_view> columns,
+                                                          std::size_t minColumns = 0);
+    // Reads the next row that is not empty, as one field for each column. Nothing at the end.
     [[nodiscard]] tl::expected<std::optional<std::vector<std::string_view>>, CsvError> readRow();
     [[nodiscard]] tl::expected<double, CsvError> number(std::string_view field);
     [[nodiscard]] tl::unexpected<CsvError> fail(CsvExpectation expected, std::string_view found) const;
@@ -56,15 +58,11 @@ private:
 
     std::string_view m_rest;
     std::size_t m_columns = 0;
+    std::size_t m_minColumns = 0;
     int m_line = 0;
     char m_separator = ',';
     char m_decimalSign = 0; // unknown yet
 };
-
-// Appends the columns with commas and LF.
-void appendCsvHeader(std::string& text, std::span<const std::string_view> columns);
-// Appends the shortest number that reads back exactly.
-void appendCsvNumber(std::string& text, double value);
 
 } // namespace detail
 } // namespace campanel::profile

@@ -36,17 +36,18 @@ tl::expected<std::vector<Knot>, CsvError> readKnotsCsv(std::string_view text)
     return knots;
 }
 
-std::string writeKnotsCsv(std::span<const Knot> knots)
+std::string writeKnotsCsv(std::span<const Knot> knots, const CsvDialect& dialect)
 {
-    std::string text;
-    detail::appendCsvHeader(text, knotColumns());
+    CsvWriter csv(dialect);
+    for (const std::string_view column : knotColumns())
+        csv.add(column);
+    csv.endLine();
     for (const Knot& knot : knots) {
-        detail::appendCsvNumber(text, knot.masterDeg);
-        text.push_back(',');
-        detail::appendCsvNumber(text, knot.slaveMm);
-        text.push_back('\n');
+        csv.addNumber(knot.masterDeg);
+        csv.addNumber(knot.slaveMm);
+        csv.endLine();
     }
-    return text;
+    return csv.text();
 }
 
 } // namespace campanel::profile

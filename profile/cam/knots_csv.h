@@ -3,6 +3,7 @@
 #pragma once
 
 #include "profile/cam/csv_reader.h"
+#include "profile/cam/csv_writer.h"
 #include "profile/program/programs.h"
 
 #include <cstddef>
@@ -16,13 +17,11 @@ namespace campanel::profile {
 
 [[nodiscard]] std::span<const std::string_view> knotColumns();
 
-// Reads a header line, then one line per knot: "master_deg,slave_mm" in degrees and mm. With a semicolon as
-// separator the decimal sign may be a comma, the same one throughout. Lines end with LF or CRLF. Empty lines,
-// spaces around values and a UTF-8 byte order mark are ignored. checkKnots() decides if the knots form a
-// valid cam.
+// Reads a header line, then one line per knot: "master_deg,slave_mm" in degrees and mm. The decimal sign is a
+// point or a comma, the same one throughout. checkKnots() decides if the knots form a valid cam.
 [[nodiscard]] tl::expected<std::vector<Knot>, CsvError> readKnotsCsv(std::string_view text);
 
-// Writes the shortest numbers that read back exactly, with comma, decimal point and LF.
-[[nodiscard]] std::string writeKnotsCsv(std::span<const Knot> knots);
+// Writes the shortest numbers that read back exactly.
+[[nodiscard]] std::string writeKnotsCsv(std::span<const Knot> knots, const CsvDialect& dialect = {});
 
 } // namespace campanel::profile

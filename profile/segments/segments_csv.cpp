@@ -57,7 +57,7 @@ std::span<const std::string_view> segmentColumns()
 tl::expected<std::vector<CamSegment>, CsvError> readSegmentsCsv(std::string_view text)
 {
     detail::CsvReader reader(text);
-    if (const auto header = reader.readHeader(segmentColumns()); !header)
+    if (const auto header = reader.readHeader(segmentColumns(), placeColumns); !header)
         return tl::unexpected(header.error());
     std::vector<CamSegment> segments;
     for (;;) {
@@ -78,25 +78,26 @@ tl::expected<std::vector<CamSegment>, CsvError> readSegmentsCsv(std::string_view
     return segments;
 }
 
-std::string writeSegmentsCsv(std::span<const CamSegment> segments)
+std::string writeSegmentsCsv(std::span<const CamSegment> segments, const CsvDialect& dialect)
 {
-    std::string text;
-    detail::appendCsvHeader(text, segmentColumns());
+    CsvWriter csv(dialect);
+    for (const std::string_view column : segmentColumns())
+        csv.add(column);
+    csv.endLine();
     for (CamSegment segment : segments) {
         const SegmentMotionInfo* motion = findSegmentMotion(segment.motion);
-        detail::appendCsvNumber(text, segment.fromDeg);
-        text.push_back(',');
-        detail::appendCsvNumber(text, segment.toDeg);
-        text.push_back(',');
-        text.append(motion->key);
+        csv.addNumber(segment.fromDeg);
+        csv.addNumber(segment.toDeg);
+        csv.add(motion->key);
         for (const SegmentValueInfo& value : segmentEndValues) {
-            text.push_back(',');
             if (value.isUsed(*motion))
-                detail::appendCsvNumber(text, value.number(segment));
+                csv.addNumber(value.number(segment));
+            else
+                csv.add({});
         }
-        text.push_back('\n');
+        csv.endLine();
     }
-    return text;
+    return csv.text();
 }
 
 } // namespace campanel::profile

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "profile/cam/csv_reader.h"
+#include "profile/cam/csv_writer.h"
 #include "profile/program/programs.h"
 
 #include <span>
@@ -20,8 +21,8 @@ namespace campanel::profile {
 // valid cam.
 [[nodiscard]] tl::expected<std::vector<CamSegment>, CsvError> readSegmentsCsv(std::string_view text);
 
-// Writes the shortest numbers that read back exactly, with comma, decimal point and LF. Numbers that the
-// motion does not use are empty.
-[[nodiscard]] std::string writeSegmentsCsv(std::span<const CamSegment> segments);
+// Writes the shortest numbers that read back exactly. Numbers that the motion does not use are empty.
+[[nodiscard]] std::string writeSegmentsCsv(std::span<const CamSegment> segments,
+                                           const CsvDialect& dialect = {});
 
 } // namespace campanel::profile

@@ -143,24 +143,6 @@ private slots:
         QCOMPARE(figures.controller()->crcErrors, 3u);
     }
 
-    void csvHasOneLineForEachFigure()
-    {
-        LinkFigures figures;
-        const QString empty = QString::fromStdString(figuresCsv(figures));
-        QVERIFY(empty.contains("\nlatency_p99_ms,\n")); // unknown is not zero
-        QVERIFY(empty.contains("\nwire_share,\n"));
-        answerAt(figures, atMinute(29'000'000), 12'500us);
-        figures.noteError(LinkErrorKind::BadChecksum, 1ms, atMinute(29'000'000));
-        const QString text = QString::fromStdString(figuresCsv(figures));
-        QVERIFY(text.startsWith("figure,value\nrequests,1\nanswers,1\n"));
-        QVERIFY(text.contains("\nbad_checksum,1\n"));
-        QVERIFY(text.contains("\nlatency_max_ms,12.500\n"));
-        const QStringList strip = QString::fromStdString(stripCsv(figures)).split('\n', Qt::SkipEmptyParts);
-        QCOMPARE(strip.size(), 1 + LinkFigures::stripMinutes);
-        QCOMPARE(strip.last(), QString("2025-02-19T21:20Z,1,0,1,0,0,0,0,12.500,12.500"));
-        QCOMPARE(strip[1].count(','), strip[0].count(','));
-    }
-
     void allowanceFollowsTheMeasuredTurnaround()
     {
         AnswerAllowance allowance(100ms);

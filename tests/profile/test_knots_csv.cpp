@@ -43,6 +43,7 @@ void TestKnotsCsv::namesTheLineOfAKnot()
     QCOMPARE(csvLineOfRow(text, 1), 5);
     QCOMPARE(csvLineOfRow(text, 2), 7);
     QCOMPARE(csvLineOfRow(text, 99), 7);
+    QCOMPARE(csvLineOfRow("sep=;\nmaster_deg;slave_mm;\n;;\n0;0;\r;\r90;1;\n;", 1), 6);
 }
 
 void TestKnotsCsv::reads_data()
@@ -58,6 +59,21 @@ void TestKnotsCsv::reads_data()
     QTest::newRow("semicolon and point") << QByteArray("master_deg;slave_mm\n0;0\n90.5;-20.25\n360.0;1000\n");
     QTest::newRow("blanks, plus, empty lines")
         << QByteArray("\n master_deg , slave_mm \n\n 0 , +0\n\t90.5,-20.25 \n   \n360, +1000\n\n");
+    QTest::newRow("quoted") << QByteArray(
+        "\"master_deg\",\"slave_mm\"\r\n\"0\",\"0\"\r\n \"90.5\" , \"-20.25\"\r\n360,\" 1000 \"\r\n");
+    QTest::newRow("quoted decimal comma")
+        << QByteArray("master_deg,slave_mm\n0,0\n\"90,5\",\"-20,25\"\n360,\"1000,0\"\n");
+    QTest::newRow("empty columns and rows at the end")
+        << QByteArray("master_deg,slave_mm,,\n0,0,,\n90.5,-20.25,,\n,,,\n360,1000,\n,,,\n , \n\"\",\n");
+    QTest::newRow("the same with semicolons")
+        << QByteArray("\xEF\xBB\xBFmaster_deg;slave_mm;\r\n0;0;\r\n90,5;-20,25;\r\n360;1000;\r\n;;\r\n");
+    QTest::newRow("tabulators") << QByteArray(
+        "master_deg\tslave_mm\t\n0\t0\n90,5\t-20,25\t\n360\t1000\n\t\n");
+    QTest::newRow("the separator named")
+        << QByteArray("sep=;\r\nmaster_deg;slave_mm\r\n0;0\r\n90,5;-20,25\r\n360;1000\r\n");
+    QTest::newRow("CR alone") << QByteArray("master_deg;slave_mm\r0;0\r90.5;-20.25\r360;1000\r");
+    QTest::newRow("exponents") << QByteArray(
+        "master_deg;slave_mm\n0,00E+00;0\n9,05E+01;-2,025E+01\n360;1E+03\n");
 }
 
 void TestKnotsCsv::reads()
@@ -98,6 +114,11 @@ void TestKnotsCsv::refuses_data()
     row("thousands", "master_deg;slave_mm\n0;1.000,5\n", 2, CsvExpectation::Number, "1.000,5");
     row("comma, then point", "master_deg;slave_mm\n0;0,5\n90;1.5\n", 3, CsvExpectation::DecimalComma, "1.5");
     row("point, then comma", "master_deg;slave_mm\n0;0.5\n90,5;1\n", 3, CsvExpectation::DecimalPoint, "90,5");
+    row("three values of spreadsheets", "master_deg,slave_mm,\n0,0,x\n", 2, CsvExpectation::Values, "0,0,x");
+    row("a third name", "master_deg,slave_mm,note\n0,0,\n", 1, CsvExpectation::Header,
+        "master_deg,slave_mm,note");
+    row("an open quote", "master_deg,slave_mm\n\"0,0\n", 2, CsvExpectation::Values, "\"0,0");
+    row("a quote in a number", "master_deg,slave_mm\n0,1\"2\n", 2, CsvExpectation::Number, "1\"2");
     row("control characters", "master_deg,slave_mm\n0,\x1b[31m\x7f\n", 2, CsvExpectation::Number, "?[31m?");
     row("long line", "a line of a document that is no list of knots at all\n", 1, CsvExpectation::Header,
         "a line of a document that is no list of ");

@@ -418,6 +418,13 @@ void TestSegments::tripsAsCsv()
     QCOMPARE(european->at(0).toDeg, 90.5);
     QCOMPARE(european->at(0).lawParameters[0], 0.3);
     QCOMPARE(european->at(1).endMm, 12.25); // a dwell stays
+    // A spreadsheet quotes, and leaves out empty cells at the end of a line.
+    const auto quoted = readSegmentsCsv(
+        "from_deg,to_deg,motion,end_mm,start_speed_mm_per_deg,start_acceleration_mm_per_deg2,end_speed_mm_"
+        "per_deg,end_acceleration_mm_per_deg2,law_parameter1,law_parameter2,,\r\n"
+        "0,\"90,5\",\"trapezoid\",\"12,25\",,,,,\"0,3\",,,\r\n\"90,5\",360,dwell\r\n,,,,,,,,,,,\r\n");
+    QVERIFY2(quoted, quoted ? "" : quoted.error().found.c_str());
+    QVERIFY(*quoted == *european);
 }
 
 void TestSegments::refusesBadCsv_data()
@@ -425,7 +432,10 @@ void TestSegments::refusesBadCsv_data()
     QTest::addColumn<QByteArray>("line");
     QTest::addColumn<int>("expected");
     QTest::newRow("motion") << QByteArray("0,360,hop,5,,,,,,") << static_cast<int>(CsvExpectation::Motion);
-    QTest::newRow("columns") << QByteArray("0,360,quintic,5") << static_cast<int>(CsvExpectation::Values);
+    QTest::newRow("columns") << QByteArray("0,360") << static_cast<int>(CsvExpectation::Values);
+    QTest::newRow("too many") << QByteArray("0,360,dwell,,,,,,,,x")
+                              << static_cast<int>(CsvExpectation::Values);
+    QTest::newRow("left out") << QByteArray("0,360,quintic") << static_cast<int>(CsvExpectation::Number);
     QTest::newRow("no end") << QByteArray("0,360,quintic,,,,,,,") << static_cast<int>(CsvExpectation::Number);
     QTest::newRow("no speed") << QByteArray("0,360,polynomial_3,5,,,,,,")
                               << static_cast<int>(CsvExpectation::Number);

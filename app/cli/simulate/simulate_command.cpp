@@ -20,25 +20,20 @@ namespace {
 
 constexpr double usualToleranceMm = 0.2;
 constexpr double maxToleranceMm = 100.0;
-constexpr qsizetype rowBytes = 80; // estimate, to reserve memory
 
 // The rows of the bags in the requested format.
 class BagRows {
 public:
-    BagRows(const Invocation& call, std::uint32_t bags)
+    explicit BagRows(const Invocation& call)
         : m_csv(call.format() == u"csv")
         , m_json(call.format() == u"json" && call.isSet(u"with-bags"_s))
     {
-        if (m_csv) {
-            m_text.reserve(rowBytes * static_cast<qsizetype>(bags));
-            m_text = bagHeader();
-        }
     }
 
     void add(const controller::PackedBag& bag)
     {
         if (m_csv)
-            m_text += bagRow(bag);
+            addBag(m_rows, bag);
         if (m_json)
             m_list.append(bagObject(bag));
     }
@@ -50,7 +45,7 @@ public:
         if (m_csv) {
             std::fputs(qPrintable(store::printable(QString::fromUtf8(formatted(summary, u"text"_s)))),
                        stderr);
-            return call.deliver(m_text);
+            return call.deliver(m_rows.bytes());
         }
         if (m_json)
             summary[u"bag_list"_s] = m_list;
@@ -60,7 +55,7 @@ public:
 private:
     bool m_csv;
     bool m_json;
-    QByteArray m_text;
+    store::CsvWriter m_rows = bagRows();
     QJsonArray m_list;
 };
 
@@ -88,7 +83,7 @@ Outcome simulateOne(const Invocation& call, const program::Recipe& recipe, const
     if (!image)
         return fail(image.error());
     PackingFigures figures(toleranceMm);
-    BagRows rows(call, job.bags);
+    BagRows rows(call);
     const double before = cpuS();
     const controller::PackingResult result =
         runPacking(withProgram(job, *image), [&figures, &rows](const controller::PackedBag& bag) {

@@ -25,11 +25,6 @@ bool has(const PackedBag& bag, BagBit bit)
     return (bag.flags >> static_cast<unsigned>(bit) & 1u) != 0;
 }
 
-QByteArray decimals(double value, int count)
-{
-    return QByteArray::number(value, 'f', count);
-}
-
 QByteArray skipCause(const PackedBag& bag)
 {
     if (bag.lengths == 1)
@@ -154,33 +149,24 @@ QJsonObject PackingFigures::object(const PackingResult& result, double cpuS) con
             {u"alarms"_s, alarmsObject(result)}};
 }
 
-QByteArray bagHeader()
+store::CsvWriter bagRows()
 {
-    return "bag,time_s,length_mm,lengths,deviation_mm,mark_error_mm,tracked,mark_missed,products,empty,"
-           "through_product,at_speed,settled,skip_cause,skip_gap_mm,start\n";
+    return {u"bag,time_s,length_mm,lengths,deviation_mm,mark_error_mm,tracked,mark_missed,products,empty,"
+            "through_product,at_speed,settled,skip_cause,skip_gap_mm,start",
+            {}};
 }
 
-QByteArray bagRow(const PackedBag& bag)
+void addBag(store::CsvWriter& csv, const PackedBag& bag)
 {
-    const auto flag = [](bool isSet) { return isSet ? QByteArray("1") : QByteArray("0"); };
-    const QByteArray gap = bag.lengths > 1 ? decimals(bag.skipGapMm, 3) : QByteArray();
-    const QByteArrayList cells{QByteArray::number(bag.number),
-                               decimals(bag.timeS, 4),
-                               decimals(bag.lengthMm, 3),
-                               QByteArray::number(bag.lengths),
-                               decimals(bag.deviationMm, 3),
-                               decimals(bag.markErrorMm, 4),
-                               flag(has(bag, BagBit::Tracked)),
-                               flag(has(bag, BagBit::MarkMissed)),
-                               QByteArray::number(bag.products),
-                               flag(has(bag, BagBit::Empty)),
-                               flag(bag.throughProduct),
-                               flag(bag.atSpeed),
-                               flag(bag.isSettled),
-                               skipCause(bag),
-                               gap,
-                               QByteArray::number(bag.start)};
-    return cells.join(',') + '\n';
+    csv.whole(bag.number).number(bag.timeS, 4).number(bag.lengthMm, 3).whole(bag.lengths);
+    csv.number(bag.deviationMm, 3).number(bag.markErrorMm, 4).whole(has(bag, BagBit::Tracked));
+    csv.whole(has(bag, BagBit::MarkMissed)).whole(bag.products).whole(has(bag, BagBit::Empty));
+    csv.whole(bag.throughProduct)
+        .whole(bag.atSpeed)
+        .whole(bag.isSettled)
+        .text(QString::fromLatin1(skipCause(bag)));
+    bag.lengths > 1 ? csv.number(bag.skipGapMm, 3) : csv.empty();
+    csv.whole(bag.start).endLine();
 }
 
 QJsonObject bagObject(const PackedBag& bag)

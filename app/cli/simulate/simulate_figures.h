@@ -4,6 +4,7 @@
 #pragma once
 
 #include "app/cli/failure.h"
+#include "app/store/files/csv.h"
 #include "packing_run.h"
 
 #include <QByteArray>
@@ -55,8 +56,8 @@ private:
     std::uint32_t m_phaseLost = 0;
 };
 
-[[nodiscard]] QByteArray bagHeader();
-[[nodiscard]] QByteArray bagRow(const controller::PackedBag& bag);
+[[nodiscard]] store::CsvWriter bagRows();
+void addBag(store::CsvWriter& csv, const controller::PackedBag& bag);
 [[nodiscard]] QJsonObject bagObject(const controller::PackedBag& bag);
 
 // Returns success when every bag was cut; otherwise the reason and the action.

@@ -206,20 +206,16 @@ QByteArray tableText(const QJsonArray& rows, const controller::PackingJob& job, 
 
 QByteArray tableCsv(const QJsonArray& rows)
 {
-    QByteArrayList lines;
-    QByteArrayList heads;
+    QStringList header;
     for (const TableColumn& column : measuredColumns)
-        heads << column.key;
-    lines << heads.join(',');
+        header << QString::fromLatin1(column.key);
+    store::CsvWriter csv(header.join(u','), {});
     for (const QJsonValue& row : rows) {
-        QByteArrayList cells;
-        for (const TableColumn& column : measuredColumns) {
-            const QJsonValue cell = row[QLatin1String(column.key)];
-            cells << (cell.isNull() ? QByteArray() : number(cell.toDouble()));
-        }
-        lines << cells.join(',');
+        for (const TableColumn& column : measuredColumns)
+            addCell(csv, row[QLatin1String(column.key)]);
+        csv.endLine();
     }
-    return lines.join('\n') + '\n';
+    return csv.bytes();
 }
 
 } // namespace

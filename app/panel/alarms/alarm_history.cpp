@@ -146,7 +146,9 @@ void AlarmHistory::exportCsv(ReportFiles* files)
     emit changed();
     m_records.store().run(
         this,
-        [filter = logFilter()](store::Database& database) { return store::alarmsCsv(database, filter); },
+        [filter = logFilter(), dialect = store::spreadsheetDialect()](store::Database& database) {
+            return store::alarmsCsv(database, filter, dialect);
+        },
         [this, files = QPointer(files)](const tl::expected<QByteArray, store::StoreError>& csv) {
             m_isExporting = false;
             emit changed();

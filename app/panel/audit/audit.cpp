@@ -186,8 +186,8 @@ void Audit::exportCsv()
     emit changed();
     m_records.store().run(
         this,
-        [filter = m_filter](store::Database& database) {
-            return store::auditCsv(database, filter, maxExported);
+        [filter = m_filter, dialect = store::spreadsheetDialect()](store::Database& database) {
+            return store::auditCsv(database, filter, maxExported, dialect);
         },
         [this](const tl::expected<QByteArray, store::StoreError>& csv) {
             m_isExporting = false;

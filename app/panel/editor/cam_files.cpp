@@ -98,8 +98,8 @@ void CamFiles::write(int place)
 {
     if (place < 0 || place >= m_found.places.size() || m_found.places[place].isReadOnly)
         return;
-    run([where = m_found.places[place], cam = m_cam,
-         name = m_recipeName] { return store::exportList(cam, name, where); },
+    run([where = m_found.places[place], cam = m_cam, name = m_recipeName,
+         dialect = store::spreadsheetDialect()] { return store::exportList(cam, name, where, dialect); },
         [this, isOnStick = m_found.places[place].isRemovable](const auto& written) {
             showWritten({written.value_or(QString())}, written ? QString() : written.error(), isOnStick);
             search();

@@ -3,6 +3,7 @@
 
 #include "app/panel/kit/format.h"
 #include "app/panel/kit/numbers.h"
+#include "app/panel/maintenance/figures_csv.h"
 
 #include <numeric>
 
@@ -152,10 +153,11 @@ void LineFigures::showStrip()
 void LineFigures::exportCsv()
 {
     const modbus::LinkFigures figures = m_report ? m_report->figures : modbus::LinkFigures();
-    m_files.offer({{tr("link statistics"), QStringLiteral("csv"),
-                    [figures] { return QByteArray::fromStdString(modbus::figuresCsv(figures)); }},
-                   {tr("link 24 hours"), QStringLiteral("csv"),
-                    [figures] { return QByteArray::fromStdString(modbus::stripCsv(figures)); }}});
+    m_files.offer(
+        {{tr("link statistics"), QStringLiteral("csv"),
+          [figures, dialect = store::spreadsheetDialect()] { return figuresCsv(figures, dialect); }},
+         {tr("link 24 hours"), QStringLiteral("csv"),
+          [figures, dialect = store::spreadsheetDialect()] { return stripCsv(figures, dialect); }}});
 }
 
 } // namespace campanel::panel

@@ -5,6 +5,7 @@
 #include "app/panel/editor/editor.h"
 #include "app/panel/kit/engine_instances.h"
 #include "app/panel/kit/format.h"
+#include "app/panel/maintenance/figures_csv.h"
 #include "app/panel/maintenance/frame_list.h"
 #include "app/panel/maintenance/line_figures.h"
 #include "app/panel/records/database_service.h"
@@ -51,7 +52,7 @@ trace_before_fault.csv   the 10 seconds before the last fault since the panel st
 frames_before_fault.txt  the last frames before that fault
 screen_at_fault.png      the screen half a second after that fault
 
-All times are UTC. The texts in controller.json are in the language of the panel.
+All times are UTC. The tables have commas and decimal points in any language. The texts in controller.json are in the language of the panel.
 )");
 }
 
@@ -131,22 +132,23 @@ void ServiceBundle::recordFault()
 
 void ServiceBundle::readParameters(const link::FiguresReport& figures)
 {
-    m_parameters.clear();
+    m_parameters.emplace(u"parameter,value", store::CsvDialect());
     const std::vector<modbus::RegisterSpan> spans =
         m_parts.machine.isConnected() ? parameterSpans() : std::vector<modbus::RegisterSpan>();
     m_pendingReads = static_cast<int>(spans.size());
     if (spans.empty())
         gather(figures);
     for (const modbus::RegisterSpan& span : spans) {
-        m_parts.machine.link().readRegisters(
-            {0, span.address, span.count},
-            {this, [this, figures](const link::ReadOutcome& outcome) {
-                 for (const modbus::NamedValue& value :
-                      modbus::namedValues(outcome.request.address, outcome.registers))
-                     m_parameters += QByteArray::fromStdString(value.name() + ',' + value.text() + '\n');
-                 if (--m_pendingReads == 0)
-                     gather(figures);
-             }});
+        m_parts.machine.link().readRegisters({0, span.address, span.count},
+                                             {this, [this, figures](const link::ReadOutcome& outcome) {
+                                                  for (const modbus::NamedValue& value : modbus::namedValues(
+                                                           outcome.request.address, outcome.registers))
+                                                      m_parameters->text(QString::fromStdString(value.name()))
+                                                          .value(QString::fromStdString(value.text()))
+                                                          .endLine();
+                                                  if (--m_pendingReads == 0)
+                                                      gather(figures);
+                                              }});
     }
 }
 
@@ -194,19 +196,18 @@ void ServiceBundle::gather(const link::FiguresReport& figures)
 {
     const link::SteadyTime moment = m_parts.machine.now();
     const QDateTime timeOfDay = m_wallClock();
-    Entries entries{
-        {u"README.txt"_s, readMe(), {}},
-        {u"about.json"_s, about(), {}},
-        {u"recipe.json"_s, store::toJson(m_parts.editor.recipe()), {}},
-        {u"controller.json"_s, controller(), {}},
-        {u"trace.csv"_s, StatusTrace::csv(m_trace.latest(), moment, timeOfDay), {}},
-        {u"link_figures.csv"_s, QByteArray::fromStdString(modbus::figuresCsv(figures.figures)), {}},
-        {u"link_24_hours.csv"_s, QByteArray::fromStdString(modbus::stripCsv(figures.figures)), {}}};
+    Entries entries{{u"README.txt"_s, readMe(), {}},
+                    {u"about.json"_s, about(), {}},
+                    {u"recipe.json"_s, store::toJson(m_parts.editor.recipe()), {}},
+                    {u"controller.json"_s, controller(), {}},
+                    {u"trace.csv"_s, StatusTrace::csv(m_trace.latest(), moment, timeOfDay), {}},
+                    {u"link_figures.csv"_s, figuresCsv(figures.figures), {}},
+                    {u"link_24_hours.csv"_s, stripCsv(figures.figures), {}}};
     if (!m_trace.beforeFault().empty())
         entries << store::ArchiveEntry{
             u"trace_before_fault.csv"_s, StatusTrace::csv(m_trace.beforeFault(), moment, timeOfDay), {}};
-    if (!m_parameters.isEmpty())
-        entries << store::ArchiveEntry{u"parameters.csv"_s, "parameter,value\n" + m_parameters, {}};
+    if (m_parameters->rows() > 0)
+        entries << store::ArchiveEntry{u"parameters.csv"_s, m_parameters->bytes(), {}};
     if (!m_frames.isEmpty())
         entries << store::ArchiveEntry{u"frames.txt"_s, framesText(m_frames), {}};
     if (!m_faultFrames.isEmpty())

@@ -9,12 +9,14 @@
 #include "app/panel/kit/report_files.h"
 #include "app/panel/reports/status_trace.h"
 #include "app/store/backup/archive.h"
+#include "app/store/files/csv.h"
 
 #include <QDateTime>
 #include <QObject>
 #include <QtQml/qqmlregistration.h>
 
 #include <functional>
+#include <optional>
 #include <utility>
 
 class QJSEngine;
@@ -87,7 +89,7 @@ private:
     QList<modbus::FrameRecord> m_frames;
     QList<modbus::FrameRecord> m_faultFrames;
     QByteArray m_faultScreen;
-    QByteArray m_parameters; // CSV
+    std::optional<store::CsvWriter> m_parameters;
     int m_pendingReads = 0;
     bool m_isBusy = false;
 };

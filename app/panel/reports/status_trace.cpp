@@ -2,19 +2,13 @@
 #include "app/panel/reports/status_trace.h"
 
 #include "app/panel/controller/axis_position.h"
-
-#include <QStringList>
+#include "app/store/files/csv.h"
 
 using namespace Qt::StringLiterals;
 
 namespace campanel::panel {
 
 namespace {
-
-QString number(const std::optional<double>& value, int decimals)
-{
-    return value ? QString::number(*value, 'f', decimals) : QString();
-}
 
 QString stateName(const std::optional<modbus::State>& state)
 {
@@ -48,41 +42,28 @@ bool StatusTrace::add(const link::StatusSample& sample)
 QByteArray StatusTrace::csv(const std::deque<link::StatusSample>& samples, link::SteadyTime moment,
                             const QDateTime& timeOfDay)
 {
-    QByteArray text(
-        "time_utc,state,fault_bits,warning_bits,generation,cycle,master_deg,master_percent,commanded_hz,"
+    store::CsvWriter csv(
+        u"time_utc,state,fault_bits,warning_bits,generation,cycle,master_deg,master_percent,commanded_hz,"
         "actual_hz,commanded_pulses,position_pulses,following_error_pulses,knife_deg,bag,bag_length_mm,"
-        "bag_deviation_mm,force_n,uptime_s,sample_ms,latency_ms\n");
+        "bag_deviation_mm,force_n,uptime_s,sample_ms,latency_ms",
+        {});
     AxisPosition position;
     for (const link::StatusSample& sample : samples) {
         const modbus::StatusBlock& status = sample.status;
         position.note(status);
         const auto since = std::chrono::duration_cast<std::chrono::milliseconds>(sample.receivedAt - moment);
-        const QStringList fields{
-            timeOfDay.toUTC().addMSecs(since.count()).toString(Qt::ISODateWithMs),
-            stateName(status.state),
-            QString::number(status.faultBits),
-            QString::number(status.warningBits),
-            QString::number(status.generation),
-            QString::number(status.cycleCount),
-            number(status.masterAngleDeg, 3),
-            number(status.masterSpeedPercent, 2),
-            QString::number(status.commandedFrequencyHz),
-            QString::number(status.actualFrequencyHz),
-            QString::number(position.commandedPulses().value_or(0)),
-            QString::number(position.actualPulses().value_or(0)),
-            QString::number(status.followingErrorPulses),
-            number(status.knifeAngleDeg, 3),
-            QString::number(status.bagCount),
-            number(status.bagLengthMm, 3),
-            number(status.bagDeviationMm, 3),
-            status.press ? QString::number(status.press->forceN) : QString(),
-            QString::number(status.uptimeS),
-            QString::number(status.sampleTimeMs),
-            number(std::chrono::duration<double, std::milli>(sample.latency).count(), 3),
-        };
-        text += fields.join(u',').toLatin1() + '\n';
+        csv.utc(timeOfDay.toMSecsSinceEpoch() + since.count()).text(stateName(status.state));
+        csv.whole(status.faultBits).whole(status.warningBits).whole(status.generation);
+        csv.whole(status.cycleCount).number(status.masterAngleDeg, 3).number(status.masterSpeedPercent, 2);
+        csv.whole(status.commandedFrequencyHz).whole(status.actualFrequencyHz);
+        csv.whole(position.commandedPulses().value_or(0)).whole(position.actualPulses().value_or(0));
+        csv.whole(status.followingErrorPulses).number(status.knifeAngleDeg, 3).whole(status.bagCount);
+        csv.number(status.bagLengthMm, 3).number(status.bagDeviationMm, 3);
+        status.press ? csv.whole(status.press->forceN) : csv.empty();
+        csv.whole(status.uptimeS).whole(status.sampleTimeMs);
+        csv.number(std::chrono::duration<double, std::milli>(sample.latency).count(), 3).endLine();
     }
-    return text;
+    return csv.bytes();
 }
 
 } // namespace campanel::panel

@@ -278,8 +278,8 @@ void ShiftView::exportCsv()
             emit changed();
             if (!span)
                 return m_records.reportError(span.error());
-            const QByteArray stops = store::stopsCsv(*span);
-            const QByteArray states = store::statesCsv(*span);
+            const QByteArray stops = store::stopsCsv(*span, store::spreadsheetDialect());
+            const QByteArray states = store::statesCsv(*span, store::spreadsheetDialect());
             m_files.offer({{tr("stops"), u"csv"_s, [stops] { return stops; }},
                            {tr("states"), u"csv"_s, [states] { return states; }}});
             emit exportReady();

@@ -325,17 +325,19 @@ void Trends::exportCsv()
     };
     m_store.run(
         this,
-        [batch = m_recorder.take(), question = question()](store::Database& database) {
+        [batch = m_recorder.take(), question = question(),
+         dialect = store::spreadsheetDialect()](store::Database& database) {
             Files files;
             files.kept = keep(database, batch);
-            const auto bags = store::bagsCsv(database, question.fromMs, question.toMs, maxBagsExported);
+            const auto bags =
+                store::bagsCsv(database, question.fromMs, question.toMs, maxBagsExported, dialect);
             const auto window = store::readTrends(database, question);
             if (!bags || !window)
                 files.error = bags ? window.error() : bags.error();
             if (bags && !bags->isEmpty())
                 files.bags = qCompress(*bags);
             if (window)
-                files.trends = qCompress(store::trendsCsv(*window, question.fromMs, question.toMs));
+                files.trends = qCompress(store::trendsCsv(*window, question.fromMs, question.toMs, dialect));
             return files;
         },
         [this](const Files& made) {

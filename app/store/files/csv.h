@@ -1,40 +1,56 @@
 // SPDX-License-Identifier: Apache-2.0
-// Formats texts and times as fields of a CSV line (RFC 4180). All CSV files of CamPanel separate fields by
-// commas and end every line with a line feed alone.
+// The writer of CSV files in app/. Texts come from files, scanners and networks: no cell can become a formula
+// of a spreadsheet, and each is one line of visible characters.
 #pragma once
 
-#include <QDateTime>
+#include "profile/cam/csv_writer.h"
+
+#include <QByteArray>
+#include <QLocale>
 #include <QString>
+
+#include <optional>
 
 namespace campanel::store {
 
-// Adds quotation marks when they are necessary.
-[[nodiscard]] inline QString csvField(const QString& text)
-{
-    if (!text.contains(u',') && !text.contains(u'"') && !text.contains(u'\n') && !text.contains(u'\r'))
-        return text;
-    QString doubled = text;
-    return u'"' + doubled.replace(u'"', QStringLiteral("\"\"")) + u'"';
-}
+using profile::CsvDialect;
 
-// Returns a time since 1970 UTC as "2026-01-15T14:07:00.000Z".
-[[nodiscard]] inline QString csvUtc(qint64 timeMs)
-{
-    return QDateTime::fromMSecsSinceEpoch(timeMs).toUTC().toString(Qt::ISODateWithMs);
-}
+// Returns the dialect that spreadsheets of this language open: a semicolon where the comma is the decimal
+// sign.
+[[nodiscard]] CsvDialect spreadsheetDialect(const QLocale& locale = QLocale());
 
-// Returns two fields, UTC and local: "2026-01-15T14:07:00.000Z,2026-01-15T15:07:00.000+01:00".
-[[nodiscard]] inline QString csvUtcAndLocal(qint64 timeMs)
-{
-    const QDateTime local = QDateTime::fromMSecsSinceEpoch(timeMs);
-    const QDateTime withOffset = local.toOffsetFromUtc(local.offsetFromUtc());
-    return csvUtc(timeMs) + u',' + withOffset.toString(Qt::ISODateWithMs);
-}
+class CsvWriter {
+public:
+    // Begins with the header, names with commas between them.
+    CsvWriter(QStringView header, const CsvDialect& dialect);
 
-// Returns the field "clock" of a record.
-[[nodiscard]] inline QString csvClock(bool isDoubtful)
-{
-    return isDoubtful ? QStringLiteral("not set") : QStringLiteral("set");
-}
+    // Adds a text. An apostrophe comes before a text that a spreadsheet takes as a formula, also behind a
+    // separator inside the text. Control and direction characters are shown as "\u202e"; line ends become
+    // spaces.
+    CsvWriter& text(const QString& text);
+    // Adds a text that may be a number, such as a value before a change: a number stays one.
+    CsvWriter& value(const QString& text);
+    CsvWriter& number(double value, int decimals);
+    CsvWriter& number(const std::optional<double>& value, int decimals); // unknown: empty
+    // Adds a number with up to 10 significant digits.
+    CsvWriter& significant(double value);
+    CsvWriter& whole(qint64 value);
+    CsvWriter& empty();
+    // Adds a time since 1970 UTC as "2026-01-15T14:07:00.000Z"; nothing for 0.
+    CsvWriter& utc(qint64 timeMs);
+    // Adds two fields, UTC and local: "2026-01-15T14:07:00.000Z", "2026-01-15T15:07:00.000+01:00".
+    CsvWriter& utcAndLocal(qint64 timeMs);
+    // Adds the field "clock" of a record.
+    CsvWriter& clock(bool isDoubtful);
+    CsvWriter& yesOrNo(bool isTrue);
+    void endLine();
+
+    [[nodiscard]] qint64 rows() const { return m_rows; } // below the header
+    [[nodiscard]] QByteArray bytes() const { return QByteArray::fromStdString(m_csv.text()); }
+
+private:
+    profile::CsvWriter m_csv;
+    qint64 m_rows = -1;
+};
 
 } // namespace campanel::store

@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/store/logs/log_export.h"
 
-#include "app/store/files/csv.h"
-
-#include <QDateTime>
-
 #include <algorithm>
 #include <optional>
 
@@ -13,18 +9,6 @@ using namespace Qt::StringLiterals;
 namespace campanel::store {
 
 namespace {
-
-QString time(qint64 utcMs)
-{
-    return utcMs == 0 ? QString() : csvUtc(utcMs);
-}
-
-QByteArray line(QStringList fields)
-{
-    for (QString& field : fields)
-        field = csvField(field);
-    return fields.join(u',').toUtf8() + '\n';
-}
 
 QString end(AlarmRow::End end)
 {
@@ -39,35 +23,30 @@ QString end(AlarmRow::End end)
     return u"unknown"_s;
 }
 
-constexpr auto auditHead =
-    "sequence,time_utc,who,level,what,object,before,after,read_back,outcome,previous,hash,clock\n";
-constexpr auto alarmsHead =
-    "id,code,raised_utc,end,returned_utc,acknowledged_utc,acknowledged_by,count,shelved,detail,clock\n";
+const QString auditHead =
+    u"sequence,time_utc,who,level,what,object,before,after,read_back,outcome,previous,hash,clock"_s;
+const QString alarmsHead =
+    u"id,code,raised_utc,end,returned_utc,acknowledged_utc,acknowledged_by,count,shelved,detail,clock"_s;
 constexpr int pageRows = 1000;
 
-QByteArray auditLines(const QList<AuditRow>& rows)
+void addAudit(CsvWriter& csv, const QList<AuditRow>& rows)
 {
-    QByteArray text;
     for (const AuditRow& row : rows) {
         const AuditEntry& entry = row.entry;
-        text += line({QString::number(row.sequence), time(entry.timeMs), entry.who,
-                      QString::number(entry.level), entry.what, entry.object, entry.before, entry.after,
-                      entry.readBack, entry.outcome, QString::fromLatin1(row.previous.toHex()),
-                      QString::fromLatin1(row.hash.toHex()), csvClock(entry.isClockDoubtful)});
+        csv.whole(row.sequence).utc(entry.timeMs).text(entry.who).whole(entry.level).text(entry.what);
+        csv.text(entry.object).value(entry.before).value(entry.after).value(entry.readBack);
+        csv.text(entry.outcome).text(QString::fromLatin1(row.previous.toHex()));
+        csv.text(QString::fromLatin1(row.hash.toHex())).clock(entry.isClockDoubtful).endLine();
     }
-    return text;
 }
 
-QByteArray alarmLines(const QList<AlarmRow>& rows)
+void addAlarms(CsvWriter& csv, const QList<AlarmRow>& rows)
 {
-    QByteArray text;
     for (const AlarmRow& row : rows) {
-        text +=
-            line({QString::number(row.id), row.code, time(row.raisedMs), end(row.end), time(row.returnedMs),
-                  time(row.acknowledgedMs), row.acknowledgedBy, QString::number(row.count),
-                  row.isShelved ? u"yes"_s : u"no"_s, row.detail, csvClock(row.isClockDoubtful)});
+        csv.whole(row.id).text(row.code).utc(row.raisedMs).text(end(row.end)).utc(row.returnedMs);
+        csv.utc(row.acknowledgedMs).text(row.acknowledgedBy).whole(row.count).yesOrNo(row.isShelved);
+        csv.text(row.detail).clock(row.isClockDoubtful).endLine();
     }
-    return text;
 }
 
 // Calls `use` with page after page from `read(last row)` until a page is empty or `use` returns false.
@@ -101,38 +80,44 @@ tl::expected<QList<AlarmRow>, StoreError> alarmsAfter(Database& database, const 
 
 QByteArray auditCsv(const QList<AuditRow>& rows)
 {
-    return auditHead + auditLines(rows);
+    CsvWriter csv(auditHead, {});
+    addAudit(csv, rows);
+    return csv.bytes();
 }
 
 QByteArray alarmsCsv(const QList<AlarmRow>& rows)
 {
-    return alarmsHead + alarmLines(rows);
+    CsvWriter csv(alarmsHead, {});
+    addAlarms(csv, rows);
+    return csv.bytes();
 }
 
-tl::expected<QByteArray, StoreError> auditCsv(Database& database, const AuditFilter& filter, qint64 maxRows)
+tl::expected<QByteArray, StoreError> auditCsv(Database& database, const AuditFilter& filter, qint64 maxRows,
+                                              const CsvDialect& dialect)
 {
-    QByteArray text(auditHead);
+    CsvWriter csv(auditHead, dialect);
     qint64 left = maxRows;
     const auto done =
         forEachPage<AuditRow>([&](const auto& last) { return auditAfter(database, filter, last); },
                               [&](const QList<AuditRow>& page) {
-                                  text += auditLines(page.first(std::min(page.size(), left)));
+                                  addAudit(csv, page.first(std::min(page.size(), left)));
                                   left -= std::min(page.size(), left);
                                   return left > 0;
                               });
-    return done ? tl::expected<QByteArray, StoreError>(text) : tl::unexpected(done.error());
+    return done ? tl::expected<QByteArray, StoreError>(csv.bytes()) : tl::unexpected(done.error());
 }
 
-tl::expected<QByteArray, StoreError> alarmsCsv(Database& database, const LogFilter& filter)
+tl::expected<QByteArray, StoreError> alarmsCsv(Database& database, const LogFilter& filter,
+                                               const CsvDialect& dialect)
 {
-    QByteArray text(alarmsHead);
+    CsvWriter csv(alarmsHead, dialect);
     const auto done =
         forEachPage<AlarmRow>([&](const auto& last) { return alarmsAfter(database, filter, last); },
                               [&](const QList<AlarmRow>& page) {
-                                  text += alarmLines(page);
+                                  addAlarms(csv, page);
                                   return true;
                               });
-    return done ? tl::expected<QByteArray, StoreError>(text) : tl::unexpected(done.error());
+    return done ? tl::expected<QByteArray, StoreError>(csv.bytes()) : tl::unexpected(done.error());
 }
 
 tl::expected<QList<AuditRow>, StoreError> auditSince(Database& database, qint64 sinceMs)

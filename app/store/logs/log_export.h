@@ -1,20 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
-// Exports the logs of the database as CSV (RFC 4180), times in UTC.
+// Exports the logs of the database as CSV, times in UTC.
 #pragma once
 
+#include "app/store/files/csv.h"
 #include "app/store/logs/alarm_log.h"
 #include "app/store/logs/audit_log.h"
 
 namespace campanel::store {
 
-// Returns the rows in their order, with the hashes of the chain.
+// Returns the rows in their order, with the hashes of the chain, for programs.
 [[nodiscard]] QByteArray auditCsv(const QList<AuditRow>& rows);
 [[nodiscard]] QByteArray alarmsCsv(const QList<AlarmRow>& rows);
 
 // Returns the newest `maxRows` rows of the filter as text, read by pages.
 [[nodiscard]] tl::expected<QByteArray, StoreError> auditCsv(Database& database, const AuditFilter& filter,
-                                                            qint64 maxRows);
-[[nodiscard]] tl::expected<QByteArray, StoreError> alarmsCsv(Database& database, const LogFilter& filter);
+                                                            qint64 maxRows, const CsvDialect& dialect);
+[[nodiscard]] tl::expected<QByteArray, StoreError> alarmsCsv(Database& database, const LogFilter& filter,
+                                                             const CsvDialect& dialect);
 
 // Returns the rows from `sinceMs` (since 1970 UTC) on, newest first.
 [[nodiscard]] tl::expected<QList<AuditRow>, StoreError> auditSince(Database& database, qint64 sinceMs);

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/store/logs/stop_export.h"
 
-#include "app/store/files/csv.h"
-
 #include <QMap>
 
 using namespace Qt::StringLiterals;
@@ -13,14 +11,9 @@ namespace {
 
 constexpr double msPerSecond = 1000;
 
-QString secondsText(qint64 durationMs)
+double secondsOf(qint64 durationMs)
 {
-    return QString::number(static_cast<double>(durationMs) / msPerSecond, 'f', 3);
-}
-
-QString yesOrNo(bool isTrue)
-{
-    return isTrue ? u"yes"_s : u"no"_s;
+    return static_cast<double>(durationMs) / msPerSecond;
 }
 
 } // namespace
@@ -48,29 +41,23 @@ QString nameOf(StateInterval::State state)
     return u"suspended"_s;
 }
 
-QByteArray statesCsv(const StopLog::Span& span)
+QByteArray statesCsv(const StopLog::Span& span, const CsvDialect& dialect)
 {
-    QByteArray csv = "begin_utc,begin_local,duration_s,state,stop,program,version,ideal_per_min,pieces,"
-                     "out_of_tolerance,start_up_scrap,skipped_cuts,clock\n";
+    CsvWriter csv(u"begin_utc,begin_local,duration_s,state,stop,program,version,ideal_per_min,pieces,"
+                  "out_of_tolerance,start_up_scrap,skipped_cuts,clock",
+                  dialect);
     for (const StateInterval& each : span.intervals) {
-        const QStringList fields{csvUtcAndLocal(each.beginMs),
-                                 secondsText(each.durationMs),
-                                 nameOf(each.state),
-                                 each.stop == 0 ? QString() : QString::number(each.stop),
-                                 csvField(each.program),
-                                 QString::number(each.version),
-                                 each.idealPerMin > 0 ? QString::number(each.idealPerMin, 'f', 3) : QString(),
-                                 QString::number(each.pieces),
-                                 QString::number(each.outOfTolerance),
-                                 QString::number(each.startUpScrap),
-                                 QString::number(each.skipped),
-                                 csvClock(each.isClockDoubtful)};
-        csv += fields.join(u',').toUtf8() + '\n';
+        csv.utcAndLocal(each.beginMs).number(secondsOf(each.durationMs), 3).text(nameOf(each.state));
+        each.stop == 0 ? csv.empty() : csv.whole(each.stop);
+        csv.text(each.program).whole(each.version);
+        each.idealPerMin > 0 ? csv.number(each.idealPerMin, 3) : csv.empty();
+        csv.whole(each.pieces).whole(each.outOfTolerance).whole(each.startUpScrap).whole(each.skipped);
+        csv.clock(each.isClockDoubtful).endLine();
     }
-    return csv;
+    return csv.bytes();
 }
 
-QByteArray stopsCsv(const StopLog::Span& span)
+QByteArray stopsCsv(const StopLog::Span& span, const CsvDialect& dialect)
 {
     struct Part {
         const StateInterval* first = nullptr;
@@ -88,22 +75,16 @@ QByteArray stopsCsv(const StopLog::Span& span)
     QMap<qint64, StopRow> reasons;
     for (const StopRow& each : span.stops)
         reasons.insert(each.id, each);
-    QByteArray csv =
-        "stop,begin_utc,begin_local,duration_s,state,reason,planned,answered_by,answered_utc,clock\n";
+    CsvWriter csv(
+        u"stop,begin_utc,begin_local,duration_s,state,reason,planned,answered_by,answered_utc,clock",
+        dialect);
     for (auto it = parts.cbegin(); it != parts.cend(); ++it) {
         const StopRow reason = reasons.value(it.key());
-        const QStringList fields{QString::number(it.key()),
-                                 csvUtcAndLocal(it->first->beginMs),
-                                 secondsText(it->durationMs),
-                                 nameOf(it->first->state),
-                                 csvField(reason.reason),
-                                 yesOrNo(reason.isPlanned),
-                                 csvField(reason.by),
-                                 reason.answeredMs == 0 ? QString() : csvUtc(reason.answeredMs),
-                                 csvClock(it->first->isClockDoubtful)};
-        csv += fields.join(u',').toUtf8() + '\n';
+        csv.whole(it.key()).utcAndLocal(it->first->beginMs).number(secondsOf(it->durationMs), 3);
+        csv.text(nameOf(it->first->state)).text(reason.reason).yesOrNo(reason.isPlanned).text(reason.by);
+        csv.utc(reason.answeredMs).clock(it->first->isClockDoubtful).endLine();
     }
-    return csv;
+    return csv.bytes();
 }
 
 } // namespace campanel::store

@@ -1,18 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/store/logs/trend_export.h"
 
-#include "app/store/files/csv.h"
-
 using namespace Qt::StringLiterals;
 
 namespace campanel::store {
 
 namespace {
-
-QString number(const std::optional<double>& value)
-{
-    return value ? QString::number(*value, 'f', 3) : QString();
-}
 
 QString flags(quint8 flags)
 {
@@ -49,7 +42,8 @@ QString nameOf(TrendQuantity quantity)
 
 } // namespace
 
-tl::expected<QByteArray, StoreError> bagsCsv(Database& database, qint64 fromMs, qint64 toMs, qint64 maxRows)
+tl::expected<QByteArray, StoreError> bagsCsv(Database& database, qint64 fromMs, qint64 toMs, qint64 maxRows,
+                                             const CsvDialect& dialect)
 {
     BagLog log(database);
     const auto counted = log.countBetween(fromMs, toMs, maxRows + 1);
@@ -57,44 +51,34 @@ tl::expected<QByteArray, StoreError> bagsCsv(Database& database, qint64 fromMs, 
         return tl::unexpected(counted.error());
     if (*counted == 0 || *counted > maxRows)
         return QByteArray();
-    QByteArray csv =
-        "each_bag_utc,each_bag_local,program,version,lengths,length_mm,deviation_mm,mark_error_mm,"
-        "following_error_mm,rate_bags_per_min,flags,clock\n";
-    const auto read = log.forEach(fromMs, toMs, [&](const Bag& bag) {
-        const QStringList fields{csvUtcAndLocal(bag.timeMs),
-                                 csvField(bag.programName),
-                                 QString::number(bag.programVersion),
-                                 QString::number(bag.lengths),
-                                 number(bag.lengthMm()),
-                                 number(bag.deviationMm),
-                                 number(bag.markErrorMm),
-                                 number(bag.followingErrorMm),
-                                 number(bag.rateBagsPerMin),
-                                 flags(bag.flags),
-                                 csvClock(bag.flags & Bag::ClockNotSet)};
-        csv += fields.join(u',').toUtf8() + '\n';
+    CsvWriter csv(u"each_bag_utc,each_bag_local,program,version,lengths,length_mm,deviation_mm,mark_error_mm,"
+                  "following_error_mm,rate_bags_per_min,flags,clock",
+                  dialect);
+    const auto read = log.forEach(fromMs, toMs, [&csv](const Bag& bag) {
+        csv.utcAndLocal(bag.timeMs).text(bag.programName).whole(bag.programVersion).whole(bag.lengths);
+        csv.number(bag.lengthMm(), 3).number(bag.deviationMm, 3).number(bag.markErrorMm, 3);
+        csv.number(bag.followingErrorMm, 3).number(bag.rateBagsPerMin, 3).text(flags(bag.flags));
+        csv.clock(bag.flags & Bag::ClockNotSet).endLine();
     });
     if (!read)
         return tl::unexpected(read.error());
-    return csv;
+    return csv.bytes();
 }
 
-QByteArray trendsCsv(const TrendWindow& window, qint64 fromMs, qint64 toMs)
+QByteArray trendsCsv(const TrendWindow& window, qint64 fromMs, qint64 toMs, const CsvDialect& dialect)
 {
-    QByteArray csv = "stretch_begin_utc,stretch_begin_local,stretch_s,quantity,count,mean,min,max\n";
+    CsvWriter csv(u"stretch_begin_utc,stretch_begin_local,stretch_s,quantity,count,mean,min,max", dialect);
     for (const TrendCurve& curve : window.curves) {
         for (const TrendColumn& column : curve.columns) {
             if (column.startMs + window.columnMs <= fromMs || column.startMs >= toMs)
                 continue;
             const TrendBucket& bucket = column.bucket;
-            const QStringList fields{csvUtcAndLocal(column.startMs), QString::number(window.columnMs / 1000),
-                                     nameOf(curve.quantity),         QString::number(bucket.count),
-                                     number(bucket.mean()),          number(bucket.lowest()),
-                                     number(bucket.highest())};
-            csv += fields.join(u',').toUtf8() + '\n';
+            csv.utcAndLocal(column.startMs).whole(window.columnMs / 1000).text(nameOf(curve.quantity));
+            csv.whole(bucket.count).number(bucket.mean(), 3).number(bucket.lowest(), 3);
+            csv.number(bucket.highest(), 3).endLine();
         }
     }
-    return csv;
+    return csv.bytes();
 }
 
 } // namespace campanel::store

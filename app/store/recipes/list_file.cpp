@@ -19,9 +19,9 @@ const program::ListInfo& listOf(const profile::Program& cam)
     return *program::kindInfo(profile::kindOf(cam)).list;
 }
 
-QByteArray csvOf(const profile::Program& cam)
+QByteArray csvOf(const profile::Program& cam, const CsvDialect& dialect)
 {
-    return QByteArray::fromStdString(listOf(cam).writeCsv(cam));
+    return QByteArray::fromStdString(listOf(cam).writeCsv(cam, dialect));
 }
 
 ListOffer readOffer(const QString& path, const profile::Program& cam)
@@ -60,7 +60,7 @@ tl::expected<void, QString> readListCsv(const QString& path, profile::Program& p
 
 tl::expected<void, QString> writeListCsv(const profile::Program& program, const QString& path)
 {
-    const auto written = replaceBytes(path, csvOf(program));
+    const auto written = replaceBytes(path, csvOf(program, {}));
     if (!written)
         return tl::unexpected(csvNotOpened(written.error()));
     return {};
@@ -87,9 +87,9 @@ QString exportPath(const QString& recipeName, const Place& place)
 }
 
 tl::expected<QString, QString> exportList(const profile::Program& cam, const QString& recipeName,
-                                          const Place& place)
+                                          const Place& place, const CsvDialect& dialect)
 {
-    return writeNewFile(place, recipeName, QStringLiteral("csv"), csvOf(cam));
+    return writeNewFile(place, recipeName, QStringLiteral("csv"), csvOf(cam, dialect));
 }
 
 } // namespace campanel::store

@@ -3,6 +3,7 @@
 // places. All functions wait for the disk.
 #pragma once
 
+#include "app/store/files/csv.h"
 #include "app/store/files/exchange_places.h"
 #include "app/store/files/file_error.h"
 #include "profile/model/refusal.h"
@@ -41,7 +42,8 @@ struct ListOffer {
 // Writes a new file named after the recipe; no file is ever replaced. Returns the path, or a sentence as
 // error.
 [[nodiscard]] tl::expected<QString, QString> exportList(const profile::Program& cam,
-                                                        const QString& recipeName, const Place& place);
+                                                        const QString& recipeName, const Place& place,
+                                                        const CsvDialect& dialect = {});
 
 // Returns the path that exportList() will use.
 [[nodiscard]] QString exportPath(const QString& recipeName, const Place& place);

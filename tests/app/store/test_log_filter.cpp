@@ -136,7 +136,7 @@ private slots:
                 included << row.id;
         }
         QCOMPARE(included, ids);
-        QCOMPARE(alarmsCsv(*database, filter)->count('\n'), 1 + ids.size());
+        QCOMPARE(alarmsCsv(*database, filter, {})->count('\n'), 1 + ids.size());
     }
 
     void alarmsByPages()
@@ -201,9 +201,9 @@ private slots:
                 included << row.sequence;
         }
         QCOMPARE(included, rows);
-        QCOMPARE(auditCsv(*database, wanted, 100)->count('\n'), 1 + rows.size());
-        QCOMPARE(auditCsv(*database, wanted, 100)->count("Z,"), rows.size()); // UTC as in the other files
-        QCOMPARE(auditCsv(*database, wanted, 2)->count('\n'), 1 + std::min<qsizetype>(2, rows.size()));
+        QCOMPARE(auditCsv(*database, wanted, 100, {})->count('\n'), 1 + rows.size());
+        QCOMPARE(auditCsv(*database, wanted, 100, {})->count("Z,"), rows.size()); // UTC as in the other files
+        QCOMPARE(auditCsv(*database, wanted, 2, {})->count('\n'), 1 + std::min<qsizetype>(2, rows.size()));
     }
 
     // Random logs with clocks that jump: SQL and the test of a single row agree.

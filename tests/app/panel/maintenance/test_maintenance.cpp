@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Link doctor, figures and reports of the Service page, on a fake link.
+#include "app/panel/maintenance/figures_csv.h"
 #include "tests/app/panel/panel_rig.h"
 #include "tests/support/test_program.h"
 
@@ -249,7 +250,32 @@ private slots:
         QCOMPARE(folder.entryList(QDir::Files), (QStringList{"link 24 hours.csv", "link statistics.csv"}));
         QFile file(folder.filePath(QStringLiteral("link statistics.csv")));
         QVERIFY(file.open(QIODevice::ReadOnly));
+        QCOMPARE(file.readLine(), QByteArray("\xEF\xBB\xBF"
+                                             "figure,value\n")); // for a spreadsheet
         QVERIFY(file.readAll().contains("requests,1\n"));
+    }
+
+    void figuresHaveOneLineEach()
+    {
+        using namespace std::chrono_literals;
+        modbus::LinkFigures figures;
+        const QByteArray empty = panel::figuresCsv(figures);
+        QVERIFY(empty.contains("\nlatency_p99_ms,\n")); // unknown is not zero
+        QVERIFY(empty.contains("\nwire_share,\n"));
+        const modbus::LinkFigures::WallTime at{std::chrono::minutes{29'000'000}};
+        figures.noteRequest(19, false);
+        figures.noteAnswer(12'500us, 10ms, 12'500us, at);
+        figures.noteError(modbus::LinkErrorKind::BadChecksum, 1ms, at);
+        const QByteArray text = panel::figuresCsv(figures);
+        QVERIFY(text.startsWith("figure,value\nrequests,1\nanswers,1\n"));
+        QVERIFY(text.contains("\nbad_checksum,1\n"));
+        QVERIFY(text.contains("\nlatency_max_ms,12.500\n"));
+        const QList<QByteArray> strip = panel::stripCsv(figures).trimmed().split('\n');
+        QCOMPARE(strip.size(), qsizetype(1 + modbus::LinkFigures::stripMinutes));
+        QCOMPARE(strip.last(), QByteArray("2025-02-19T21:20Z,1,0,1,0,0,0,0,12.500,12.500"));
+        QCOMPARE(strip[1].count(','), strip[0].count(','));
+        const QByteArray german = panel::stripCsv(figures, store::spreadsheetDialect(QLocale::German));
+        QVERIFY2(german.endsWith("\n2025-02-19T21:20Z;1;0;1;0;0;0;0;12,500;12,500\n"), german.right(80));
     }
 
     void aPlaceThatCannotBeWrittenIsSaid()
