@@ -2083,6 +2083,14 @@ eff. %2</translation>
         <source>a text of visible characters</source>
         <translation>ein Text aus sichtbaren Zeichen</translation>
     </message>
+    <message>
+        <source>%1 does not answer. Check the network or plug the stick in again.</source>
+        <translation>%1 antwortet nicht. Netzwerk prüfen oder den Stick neu einstecken.</translation>
+    </message>
+    <message>
+        <source>%1 older files of %2 are not shown. Delete files that are not needed, or move them into a folder.</source>
+        <translation>%1 ältere Dateien von %2 fehlen in der Liste. Nicht benötigte Dateien löschen oder in einen Ordner verschieben.</translation>
+    </message>
 </context>
 <context>
     <name>FrameWords</name>
@@ -3756,6 +3764,10 @@ eff. %2</translation>
     <message>
         <source>Hash</source>
         <translation>Hash</translation>
+    </message>
+    <message>
+        <source>Only the newest %1 rows are exported. Set a time by the filter for older ones.</source>
+        <translation>Nur die neuesten %1 Zeilen werden exportiert. Für ältere im Filter eine Zeit wählen.</translation>
     </message>
 </context>
 <context>
@@ -6215,6 +6227,10 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
         <source>trends</source>
         <translation>Trends</translation>
     </message>
+    <message>
+        <source>Single bags are left out: more than %1. Show a shorter time.</source>
+        <translation>Einzelne Beutel fehlen: mehr als %1. Einen kürzeren Zeitraum anzeigen.</translation>
+    </message>
 </context>
 <context>
     <name>campanel::panel::Value</name>
@@ -6331,6 +6347,29 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
     <message>
         <source>Written: %1. You can remove the stick now.</source>
         <translation>Geschrieben: %1. Der Stick kann jetzt abgezogen werden.</translation>
+    </message>
+    <message>
+        <source>%1 Also missing: %2.</source>
+        <comment>%1: whole sentences, %2: files</comment>
+        <translation>%1 Außerdem fehlen: %2.</translation>
+    </message>
+    <message>
+        <source>Written: %1 of %2 files. %3</source>
+        <comment>%3: whole sentences</comment>
+        <translation>Geschrieben: %1 von %2 Dateien. %3</translation>
+    </message>
+    <message>
+        <source>%1 files in %2</source>
+        <comment>number, folder</comment>
+        <translation>%1 Dateien in %2</translation>
+    </message>
+    <message>
+        <source>Some files are not shown</source>
+        <translation>Einige Dateien fehlen hier</translation>
+    </message>
+    <message>
+        <source>%1 · no answer</source>
+        <translation>%1 · keine Antwort</translation>
     </message>
 </context>
 <context>

@@ -2081,6 +2081,14 @@ RMS %2</source>
         <source>a text of visible characters</source>
         <translation>由可见字符组成的文本</translation>
     </message>
+    <message>
+        <source>%1 does not answer. Check the network or plug the stick in again.</source>
+        <translation>%1 无响应。请检查网络，或重新插入 U 盘。</translation>
+    </message>
+    <message>
+        <source>%1 older files of %2 are not shown. Delete files that are not needed, or move them into a folder.</source>
+        <translation>%2 中有 %1 个较旧的文件未显示。请删除不需要的文件，或将其移入文件夹。</translation>
+    </message>
 </context>
 <context>
     <name>FrameWords</name>
@@ -3754,6 +3762,10 @@ RMS %2</source>
     <message>
         <source>Hash</source>
         <translation>哈希</translation>
+    </message>
+    <message>
+        <source>Only the newest %1 rows are exported. Set a time by the filter for older ones.</source>
+        <translation>只导出最新的 %1 行。要导出更早的行，请在筛选中设置时间。</translation>
     </message>
 </context>
 <context>
@@ -6212,6 +6224,10 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
         <source>trends</source>
         <translation>趋势</translation>
     </message>
+    <message>
+        <source>Single bags are left out: more than %1. Show a shorter time.</source>
+        <translation>单个袋的数据未导出：超过 %1 个。请显示较短的时间段。</translation>
+    </message>
 </context>
 <context>
     <name>campanel::panel::Value</name>
@@ -6328,6 +6344,29 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
     <message>
         <source>Written: %1. You can remove the stick now.</source>
         <translation>已写入：%1。现在可以拔出 U 盘。</translation>
+    </message>
+    <message>
+        <source>%1 Also missing: %2.</source>
+        <comment>%1: whole sentences, %2: files</comment>
+        <translation>%1 另外缺少：%2。</translation>
+    </message>
+    <message>
+        <source>Written: %1 of %2 files. %3</source>
+        <comment>%3: whole sentences</comment>
+        <translation>已写入 %1 个文件，共 %2 个。%3</translation>
+    </message>
+    <message>
+        <source>%1 files in %2</source>
+        <comment>number, folder</comment>
+        <translation>%2 中的 %1 个文件</translation>
+    </message>
+    <message>
+        <source>Some files are not shown</source>
+        <translation>部分文件未显示</translation>
+    </message>
+    <message>
+        <source>%1 · no answer</source>
+        <translation>%1 · 无响应</translation>
     </message>
 </context>
 <context>

@@ -43,7 +43,7 @@ std::vector<std::string_view> fieldsOf(std::string_view line, char separator)
 {
     std::vector<std::string_view> fields;
     for (std::size_t end = 0; end != std::string_view::npos;) {
-        line.remove_prefix(std::min(line.find_first_not_of(' '), line.size()));
+        line.remove_prefix(minOf(line.find_first_not_of(' '), line.size()));
         const std::size_t quoted = quotedLength(line, separator);
         // An open quotation mark takes the rest of the line.
         end = quoted == 0 && line.starts_with('"') ? std::string_view::npos : line.find(separator, quoted);

@@ -19,6 +19,7 @@ OfferSheet {
     chooseText: exports ? qsTr("Choose the location of the new file.") : qsTr("Choose a file to view its content.")
     emptyText: qsTr("There is no CSV file on a USB stick or in %1. Plug a stick in; the panel finds it automatically.").arg(Editor.cam.files.ownFolder)
     actionText: exports ? qsTr("Write file") : qsTr("Import")
+    workText: qsTr("Writing …")
     headHeight: way.height + Theme.size.spacing
     Component.onCompleted: Editor.cam.files.scan()
     onAccepted: row => {

@@ -1265,6 +1265,10 @@ Und %2 weitere.</translation>
         <source>Import</source>
         <translation>Importieren</translation>
     </message>
+    <message>
+        <source>Writing …</source>
+        <translation>Wird geschrieben …</translation>
+    </message>
 </context>
 <context>
     <name>CamSheet</name>
@@ -2269,6 +2273,10 @@ Und %2 weitere.</translation>
     <message>
         <source>Write file</source>
         <translation>Datei schreiben</translation>
+    </message>
+    <message>
+        <source>Writing …</source>
+        <translation>Wird geschrieben …</translation>
     </message>
 </context>
 <context>

@@ -1265,6 +1265,10 @@ And %2 more.</source>
         <source>Import</source>
         <translation>导入</translation>
     </message>
+    <message>
+        <source>Writing …</source>
+        <translation>正在写入…</translation>
+    </message>
 </context>
 <context>
     <name>CamSheet</name>
@@ -2269,6 +2273,10 @@ And %2 more.</source>
     <message>
         <source>Write file</source>
         <translation>写入文件</translation>
+    </message>
+    <message>
+        <source>Writing …</source>
+        <translation>正在写入…</translation>
     </message>
 </context>
 <context>

@@ -16,7 +16,7 @@ Sheet {
     // The texts below the list while nothing is selected.
     property string chooseText: qsTr("Choose a file to view its content.")
     property string emptyText: chooseText
-    property string workText: qsTr("Searching …")
+    property string workText // while the key's work is done; empty: the message stays
     // The height above the list for a choice of the sheet's own.
     property real headHeight: 0
 
@@ -81,7 +81,7 @@ Sheet {
         fontSizeMode: Text.Fit
         minimumPixelSize: Theme.size.caption - 3
         readonly property bool isResult: sheet.exchange.message.length > 0
-        text: sheet.chosen >= 0 ? sheet.chosenDetail : sheet.works && sheet.exchange.busy ? sheet.workText
+        text: sheet.chosen >= 0 ? sheet.chosenDetail : sheet.works && sheet.exchange.busy && sheet.workText.length > 0 ? sheet.workText
             : isResult ? sheet.exchange.message : sheet.hint
         color: sheet.chosen >= 0 ? (sheet.chosenUsable ? Theme.color.ink : Theme.color.fault)
             : sheet.exchange.failed ? Theme.color.fault : isResult ? Theme.color.ink : Theme.color.secondaryInk

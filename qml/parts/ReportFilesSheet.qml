@@ -12,5 +12,6 @@ OfferSheet {
     offers: files.places
     chooseText: qsTr("Choose the location of the new files.")
     actionText: qsTr("Write file")
+    workText: qsTr("Writing …")
     onAccepted: row => sheet.files.write(row)
 }

@@ -189,12 +189,16 @@ void Audit::exportCsv()
         [filter = m_filter, dialect = store::spreadsheetDialect()](store::Database& database) {
             return store::auditCsv(database, filter, maxExported, dialect);
         },
-        [this](const tl::expected<QByteArray, store::StoreError>& csv) {
+        [this](const tl::expected<store::AuditExport, store::StoreError>& made) {
             m_isExporting = false;
-            if (csv)
-                m_files.offer({{tr("audit trail"), u"csv"_s, [text = *csv] { return text; }}});
+            if (made)
+                m_files.offer({{tr("audit trail"), u"csv"_s, [text = made->csv] { return text; }}},
+                              made->isCut ? tr("Only the newest %1 rows are exported. Set a time by the "
+                                               "filter for older ones.")
+                                                .arg(maxExported)
+                                          : QString());
             else
-                m_records.reportError(csv.error());
+                m_records.reportError(made.error());
             emit changed();
         });
 }

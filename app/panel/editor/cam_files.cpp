@@ -42,7 +42,7 @@ std::function<FileExchange::Apply()> CamFiles::searcher()
         const Found found = scan(folder, cam);
         QStringList paths;
         for (const store::Place& place : found.places)
-            paths << store::exportPath(name, place);
+            paths << (place.isSilent ? QString() : store::exportPath(name, place));
         return [this, found, paths] { showFound(found, paths); };
     };
 }
@@ -61,6 +61,8 @@ void CamFiles::showFound(const Found& found, const QStringList& exportPaths)
 
 OfferRow CamFiles::fileRow(const store::ListOffer& offer) const
 {
+    if (offer.isNotice)
+        return noticeRow(offer.placeName, offer.problem);
     const Format format;
     OfferRow row;
     row.title = QFileInfo(offer.path).fileName();
@@ -96,12 +98,14 @@ void CamFiles::take(int file)
 
 void CamFiles::write(int place)
 {
-    if (place < 0 || place >= m_found.places.size() || m_found.places[place].isReadOnly)
+    if (place < 0 || place >= m_found.places.size() || m_found.places[place].isReadOnly ||
+        m_found.places[place].isSilent)
         return;
     run([where = m_found.places[place], cam = m_cam, name = m_recipeName,
          dialect = store::spreadsheetDialect()] { return store::exportList(cam, name, where, dialect); },
-        [this, isOnStick = m_found.places[place].isRemovable](const auto& written) {
-            showWritten({written.value_or(QString())}, written ? QString() : written.error(), isOnStick);
+        [this, isOnStick = m_found.places[place].isRemovable](const auto& path) {
+            showWritten(path ? Written{{*path}, {}, {}, isOnStick}
+                             : Written{{}, {m_recipeName}, {path.error()}, isOnStick});
             search();
         });
 }

@@ -1,18 +1,31 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/panel/kit/file_exchange.h"
 
+#include <QDir>
+#include <QFileInfo>
+
 namespace campanel::panel {
+
+namespace {
+
+constexpr std::chrono::seconds patience{2}; // at the end, for a job that a disk may hold up
+
+} // namespace
 
 FileExchange::FileExchange(QString ownFolder, QObject* parent)
     : QObject(parent)
     , m_ownFolder(std::move(ownFolder))
 {
-    m_pool.setMaxThreadCount(1);
+    m_pool->setMaxThreadCount(1);
+    m_pool->setExpiryTimeout(-1); // it knows the places that did not answer
 }
 
 FileExchange::~FileExchange()
 {
-    m_pool.waitForDone();
+    if (m_pool->waitForDone(std::chrono::milliseconds(patience).count())) {
+        delete m_pool;
+        delete m_receiver;
+    } // else they stay for the thread, which may come back when this object is gone
 }
 
 void FileExchange::scan()
@@ -30,11 +43,9 @@ void FileExchange::refresh()
 {
     if (busy() || std::exchange(m_isRefreshing, true))
         return;
-    m_pool.start([this, search = searcher()] {
-        QMetaObject::invokeMethod(this, [this, apply = search()] {
-            m_isRefreshing = false;
-            apply();
-        });
+    startJob(searcher(), [this](const Apply& apply) {
+        m_isRefreshing = false;
+        apply();
     });
 }
 
@@ -57,15 +68,37 @@ void FileExchange::showMessage(const QString& message, bool failed)
     emit changed();
 }
 
-void FileExchange::showWritten(const QStringList& paths, const QString& problem, bool isOnStick)
+void FileExchange::showWritten(const Written& written, const QString& notice)
 {
-    const QString all = paths.join(QStringLiteral(", "));
-    if (!problem.isEmpty())
-        showMessage(problem, true);
-    else
-        showMessage(isOnStick ? tr("Written: %1. You can remove the stick now.").arg(all)
-                              : tr("Written: %1").arg(all),
-                    false);
+    const qsizetype count = written.paths.size();
+    if (!written.problems.isEmpty()) {
+        QStringList names = written.failed.mid(1);
+        constexpr qsizetype maxNames = 3;
+        if (names.size() > maxNames)
+            names = names.first(maxNames) << QStringLiteral("…");
+        QString message = written.problems.first();
+        if (!names.isEmpty())
+            message =
+                tr("%1 Also missing: %2.", "%1: whole sentences, %2: files").arg(message, names.join(u", "));
+        if (count > 0)
+            message =
+                tr("Written: %1 of %2 files. %3", "%3: whole sentences")
+                    .arg(QString::number(count), QString::number(count + written.failed.size()), message);
+        return showMessage(message, true);
+    }
+    const QString what = count == 1
+                             ? written.paths.first()
+                             : tr("%1 files in %2", "number, folder")
+                                   .arg(count)
+                                   .arg(QDir::toNativeSeparators(QFileInfo(written.paths.value(0)).path()));
+    const QString message = written.isOnStick ? tr("Written: %1. You can remove the stick now.").arg(what)
+                                              : tr("Written: %1").arg(what);
+    showMessage(notice.isEmpty() ? message : notice + u' ' + message, false);
+}
+
+OfferRow FileExchange::noticeRow(const QString& placeName, const QString& notice)
+{
+    return {placeName, tr("Some files are not shown"), notice, false};
 }
 
 QList<OfferRow> FileExchange::placeRows(const QList<store::Place>& places,
@@ -74,6 +107,11 @@ QList<OfferRow> FileExchange::placeRows(const QList<store::Place>& places,
     QList<OfferRow> rows;
     for (qsizetype i = 0; i < places.size(); ++i) {
         const store::Place& place = places[i];
+        if (place.isSilent) {
+            rows << OfferRow{place.name, tr("%1 · no answer").arg(place.path), store::silentText(place),
+                             false};
+            continue;
+        }
         const QString detail =
             place.isReadOnly
                 ? tr("%1 is read-only. Unlock the stick or choose another location.").arg(place.path)

@@ -8,6 +8,7 @@
 #include "app/store/files/exchange_places.h"
 
 #include <QObject>
+#include <QPointer>
 #include <QThreadPool>
 #include <QtQml/qqmlregistration.h>
 
@@ -55,15 +56,13 @@ protected:
     [[nodiscard]] virtual std::function<Apply()> searcher() = 0;
 
     // Calls `job` in another thread, then `done` with its result in the thread of this object.
+    // Once the object is gone `done` is not called: `job` must own what it uses.
     template <class Job, class Done> void run(Job job, Done done)
     {
         begin();
-        m_pool.start([this, job = std::move(job), done = std::move(done)] {
-            auto result = job();
-            QMetaObject::invokeMethod(this, [this, done, result] {
-                done(result);
-                end();
-            });
+        startJob(std::move(job), [this, done = std::move(done)](const auto& result) {
+            done(result);
+            end();
         });
     }
     // Searches as scan(), without clearing the message.
@@ -71,19 +70,40 @@ protected:
     void begin();
     void end();
     void showMessage(const QString& message, bool failed);
-    // Tells the result of a write: the paths, or the error.
-    void showWritten(const QStringList& paths, const QString& problem, bool isOnStick);
+    struct Written {
+        QStringList paths;
+        QStringList failed;   // the names of the files that are missing
+        QStringList problems; // why, a whole sentence for each of them
+        bool isOnStick = false;
+    };
+    // Tells the result of a write; `notice` tells what the files lack.
+    void showWritten(const Written& written, const QString& notice = {});
+    // Returns the row that tells which files of a place are not in the list.
+    [[nodiscard]] static OfferRow noticeRow(const QString& placeName, const QString& notice);
     // Returns the rows of places, with the consequence of choosing one that can be written.
     [[nodiscard]] static QList<OfferRow>
     placeRows(const QList<store::Place>& places, const std::function<QString(qsizetype place)>& consequence);
 
 private:
+    template <class Job, class Done> void startJob(Job job, Done done)
+    {
+        m_pool->start(
+            [receiver = m_receiver, self = QPointer(this), job = std::move(job), done = std::move(done)] {
+                QMetaObject::invokeMethod(receiver, [self, done, result = job()] {
+                    if (self)
+                        done(result);
+                });
+            });
+    }
+
     QString m_ownFolder;
     QString m_message;
     bool m_failed = false;
     bool m_isRefreshing = false;
     int m_jobs = 0;
-    QThreadPool m_pool; // one thread; the destructor waits for it
+    // One thread. Both outlive the object when a disk holds up a job.
+    QThreadPool* m_pool = new QThreadPool;
+    QObject* m_receiver = new QObject;
 };
 
 } // namespace campanel::panel

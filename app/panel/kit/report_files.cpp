@@ -5,24 +5,20 @@ namespace campanel::panel {
 
 namespace {
 
-struct Written {
-    QStringList paths;
-    QString problem; // empty when all were written
-    bool isOnStick = false;
-};
-
-Written writeAll(const QList<ReportFile>& files, const store::Place& place)
+// One file that cannot be written does not end the others.
+ReportFiles::Written writeAll(const QList<ReportFile>& files, const store::Place& place)
 {
-    Written written;
+    ReportFiles::Written written;
     written.isOnStick = place.isRemovable;
     for (const ReportFile& file : files) {
         const auto path = file.write ? store::writeNewFile(place, file.name, file.suffix, file.write)
                                      : store::writeNewFile(place, file.name, file.suffix, file.content());
-        if (!path) {
-            written.problem = path.error();
-            break;
+        if (path) {
+            written.paths << *path;
+        } else {
+            written.failed << file.name;
+            written.problems << path.error();
         }
-        written.paths << *path;
     }
     return written;
 }
@@ -35,9 +31,10 @@ ReportFiles::ReportFiles(const QString& ownFolder, QObject* parent)
 {
 }
 
-void ReportFiles::offer(QList<ReportFile> files)
+void ReportFiles::offer(QList<ReportFile> files, const QString& notice)
 {
     m_files = std::move(files);
+    m_notice = notice;
     scan();
 }
 
@@ -47,7 +44,8 @@ std::function<FileExchange::Apply()> ReportFiles::searcher()
         return [this, found = scan(folder)] {
             m_found = found;
             m_places.setRows(placeRows(found, [this](qsizetype place) {
-                return tr("New files will be written to %1.").arg(m_found[place].path);
+                const QString consequence = tr("New files will be written to %1.").arg(m_found[place].path);
+                return m_notice.isEmpty() ? consequence : consequence + u' ' + m_notice;
             }));
         };
     };
@@ -55,12 +53,13 @@ std::function<FileExchange::Apply()> ReportFiles::searcher()
 
 void ReportFiles::write(int place)
 {
-    if (place < 0 || place >= m_found.size() || m_found[place].isReadOnly || m_files.isEmpty())
+    if (place < 0 || place >= m_found.size() || m_found[place].isReadOnly || m_found[place].isSilent ||
+        m_files.isEmpty())
         return;
     run([where = m_found[place], files = m_files] { return writeAll(files, where); },
         [this](const Written& written) {
-            showWritten(written.paths, written.problem, written.isOnStick);
-            emit this->written(written.paths, written.problem);
+            showWritten(written, m_notice);
+            emit this->written(written.paths, written.problems.value(0));
             search();
         });
 }

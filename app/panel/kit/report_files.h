@@ -25,10 +25,13 @@ class ReportFiles : public campanel::panel::FileExchange {
 public:
     ReportFiles(const QString& ownFolder, QObject* parent);
 
+    using FileExchange::Written; // of one place
+
     // Replaces the search of this computer's disks, for tests and captures.
     void setScanner(Scanner scanner) { m_scanner = std::move(scanner); }
-    // Sets the files to write; clears the last message and searches for places.
-    void offer(QList<ReportFile> files);
+    // Sets the files to write; clears the last message and searches for places. `notice` tells what they lack
+    // and what to do, whole sentences.
+    void offer(QList<ReportFile> files, const QString& notice = {});
 
     [[nodiscard]] OfferModel* places() { return &m_places; }
 
@@ -46,6 +49,7 @@ private:
     OfferModel m_places{this};
     QList<store::Place> m_found;
     QList<ReportFile> m_files;
+    QString m_notice;
 };
 
 } // namespace campanel::panel

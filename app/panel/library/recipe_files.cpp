@@ -111,6 +111,8 @@ OfferRow RecipeFiles::row(const store::RecipeOffer& offer, const Effect& effect)
 OfferRow RecipeFiles::refusedRow(const store::RecipeOffer& offer)
 {
     const store::FileError& error = offer.recipe.error();
+    if (error.kind == store::FileError::Kind::NotShown)
+        return noticeRow(offer.placeName, error.found);
     OfferRow row;
     row.title = offer.isFromPlant ? store::oneLine(offer.path) : QFileInfo(offer.path).fileName();
     row.usable = false;

@@ -11,6 +11,7 @@
 #include "app/panel/records/database_service.h"
 #include "app/panel/settings/settings.h"
 #include "app/panel/trends/trends.h"
+#include "app/store/files/ask_places.h"
 #include "app/store/recipes/recipe_json.h"
 
 #include <QCoreApplication>
@@ -25,7 +26,7 @@ namespace campanel::panel {
 
 namespace {
 
-constexpr qsizetype maxFound = 50; // in one place
+constexpr qsizetype maxFound = 500; // in one place
 const QString suffix = u"zip"_s;
 
 QString snapshotName()
@@ -157,13 +158,32 @@ void Backup::make()
 std::function<FileExchange::Apply()> Backup::searcher()
 {
     return [this, scan = m_scanner, folder = ownFolder()]() -> Apply {
+        constexpr std::chrono::seconds patience{20}; // a slow stick with many backups
+        const QList<store::Place> places = scan(folder);
+        const auto answers = store::askPlaces<QList<Found>>(places, &Backup::foundIn, patience);
         QList<Found> found;
-        for (const store::Place& place : scan(folder)) {
-            for (const QFileInfo& file : store::filesIn(place, suffix, maxFound))
-                found << Found{file.filePath(), place.name, store::readManifest(file.filePath())};
+        for (qsizetype i = 0; i < places.size(); ++i) {
+            const auto& answer = answers[static_cast<std::size_t>(i)];
+            found += answer ? *answer : QList{missing(places[i], store::silentText(places[i]))};
         }
         return [this, found] { takeFound(found); };
     };
+}
+
+QList<Backup::Found> Backup::foundIn(const store::Place& place)
+{
+    const store::FolderFiles files = store::filesIn(place, u"*."_s + suffix, maxFound);
+    QList<Found> found;
+    for (const QFileInfo& file : files.files)
+        found << Found{file.filePath(), place.name, store::readManifest(file.filePath()), {}};
+    if (!files.notice.isEmpty())
+        found << missing(place, files.notice);
+    return found;
+}
+
+Backup::Found Backup::missing(const store::Place& place, const QString& notice)
+{
+    return {place.path, place.name, tl::unexpected(store::BackupError{}), notice};
 }
 
 void Backup::takeFound(const QList<Found>& found)
@@ -193,6 +213,8 @@ QString Backup::summary(const store::BackupManifest& manifest) const
 
 OfferRow Backup::row(const Found& found) const
 {
+    if (!found.notice.isEmpty())
+        return noticeRow(found.placeName, found.notice);
     OfferRow row;
     row.title = QFileInfo(found.path).fileName();
     row.usable = found.manifest.has_value();

@@ -87,6 +87,7 @@ private:
         QString path;
         QString placeName;
         tl::expected<store::BackupManifest, store::BackupError> manifest;
+        QString notice; // which files of the place `path` are missing; empty: this is a backup
     };
     struct Checked {
         QString path;
@@ -107,6 +108,8 @@ private:
     void addTrends(const Snapshot& taken, const std::function<void(const Snapshot& taken)>& then);
     void seal(const Snapshot& present);
     [[nodiscard]] std::function<Apply()> searcher() override;
+    [[nodiscard]] static QList<Found> foundIn(const store::Place& place);
+    [[nodiscard]] static Found missing(const store::Place& place, const QString& notice);
     void takeFound(const QList<Found>& found);
     [[nodiscard]] OfferRow row(const Found& found) const;
     [[nodiscard]] QString summary(const store::BackupManifest& manifest) const;

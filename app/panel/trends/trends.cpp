@@ -320,6 +320,7 @@ void Trends::exportCsv()
     struct Files {
         QByteArray bags; // compressed, until a place is chosen
         QByteArray trends;
+        bool hasTooManyBags = false;
         tl::expected<void, StoreError> kept;
         std::optional<StoreError> error;
     };
@@ -336,6 +337,10 @@ void Trends::exportCsv()
                 files.error = bags ? window.error() : bags.error();
             if (bags && !bags->isEmpty())
                 files.bags = qCompress(*bags);
+            else if (bags)
+                files.hasTooManyBags = store::BagLog(database)
+                                           .countBetween(question.fromMs, question.toMs, maxBagsExported + 1)
+                                           .value_or(0) > maxBagsExported;
             if (window)
                 files.trends = qCompress(store::trendsCsv(*window, question.fromMs, question.toMs, dialect));
             return files;
@@ -352,7 +357,10 @@ void Trends::exportCsv()
                                     [bags = made.bags] { return qUncompress(bags); }};
             files << ReportFile{tr("trends"), QStringLiteral("csv"),
                                 [trends = made.trends] { return qUncompress(trends); }};
-            m_files.offer(files);
+            m_files.offer(files, made.hasTooManyBags ? tr("Single bags are left out: more than %1. Show a "
+                                                          "shorter time.")
+                                                           .arg(maxBagsExported)
+                                                     : QString());
             emit exportReady();
         });
 }

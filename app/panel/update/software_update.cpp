@@ -67,9 +67,8 @@ void SoftwareUpdate::setWatched(bool isWatched)
 void SoftwareUpdate::send(const QString& method, const QVariantList& arguments,
                           const SystemService::Handler& handler)
 {
-    m_bus.send(
-        {u"/org/freedesktop/systemd1"_s, u"org.freedesktop.systemd1.Manager"_s, method, arguments}, this,
-        handler);
+    m_bus.send({u"/org/freedesktop/systemd1"_s, u"org.freedesktop.systemd1.Manager"_s, method, arguments},
+               this, handler);
 }
 
 void SoftwareUpdate::askForUnit()
@@ -127,6 +126,8 @@ QString SoftwareUpdate::installedVersion() const
 
 OfferRow SoftwareUpdate::row(const store::PackageOffer& offer) const
 {
+    if (!offer.notice.isEmpty())
+        return noticeRow(offer.placeName, offer.notice);
     OfferRow row;
     QString obstacle;
     QString word;

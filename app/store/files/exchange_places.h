@@ -16,6 +16,7 @@ struct Place {
     QString name; // display name
     bool isReadOnly = false;
     bool isRemovable = false; // a stick
+    bool isSilent = false;    // did not answer; nothing else is known of it
 
     bool operator==(const Place&) const = default;
 };
@@ -23,16 +24,28 @@ struct Place {
 // Returns true for media mounted below /media, /run/media and /mnt.
 [[nodiscard]] bool isRemovableMount(const QString& rootPath);
 
-// Returns the removable media that are ready, then `ownFolder`, which is created when necessary. Waits for
-// the media: not for the GUI thread.
+// Returns the removable media, then `ownFolder`, which is created when necessary. Waits for the media, at
+// most two seconds: not for the GUI thread.
 [[nodiscard]] QList<Place> exchangePlaces(const QString& ownFolder);
 
-// Returns at most `maxFiles` files directly in the place with this suffix in any case ("csv"), newest first.
-// Hidden files are skipped.
-[[nodiscard]] QFileInfoList filesIn(const Place& place, const QString& suffix, qsizetype maxFiles);
+struct FolderFiles {
+    QFileInfoList files; // newest first
+    QString notice;      // what is missing and what to do, whole sentences; empty when nothing is
+};
 
-// Returns an unused path in the place: NAME.suffix, NAME-2.suffix ... `name` is any text; characters that a
-// stick's file system does not allow become "_".
+// Returns at most `maxFiles` files directly in the place, by a pattern for names in any case ("*.csv").
+// Hidden files and links are skipped.
+[[nodiscard]] FolderFiles filesIn(const Place& place, const QString& pattern, qsizetype maxFiles);
+
+// Returns the sentence about a place that does not answer.
+[[nodiscard]] QString silentText(const Place& place);
+
+// Makes any text a name of a file on every medium, without suffix. Characters that FAT refuses and hidden
+// ones become "_"; names of devices, such as AUX, get one in front.
+[[nodiscard]] QString portableName(const QString& name);
+
+// Returns an unused path in the place: NAME.suffix, NAME-2.suffix ... NAME is the portable name. Capitals do
+// not make another name, and a link that leads nowhere uses its name.
 [[nodiscard]] QString freePath(const Place& place, const QString& name, const QString& suffix);
 
 } // namespace campanel::store

@@ -68,6 +68,8 @@ QString FileErrorText::describe(const FileError& error)
         return tr("The recipe file %1 is not signed; the plant's network offers signed recipes only. Have it "
                   "signed.")
             .arg(path);
+    case FileError::Kind::NotShown:
+        return error.found;
     }
     return {};
 }

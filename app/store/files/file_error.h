@@ -27,6 +27,7 @@ struct FileError {
         WithdrawnSigner, // the same
         WrongSignature,  // the same
         NotSigned,
+        NotShown, // `found` is a whole sentence: files of a place are missing in a list
     };
 
     Kind kind = Kind::NotFound;

@@ -92,19 +92,21 @@ QByteArray alarmsCsv(const QList<AlarmRow>& rows)
     return csv.bytes();
 }
 
-tl::expected<QByteArray, StoreError> auditCsv(Database& database, const AuditFilter& filter, qint64 maxRows,
-                                              const CsvDialect& dialect)
+tl::expected<AuditExport, StoreError> auditCsv(Database& database, const AuditFilter& filter, qint64 maxRows,
+                                               const CsvDialect& dialect)
 {
     CsvWriter csv(auditHead, dialect);
     qint64 left = maxRows;
+    bool isCut = false;
     const auto done =
         forEachPage<AuditRow>([&](const auto& last) { return auditAfter(database, filter, last); },
                               [&](const QList<AuditRow>& page) {
                                   addAudit(csv, page.first(std::min(page.size(), left)));
+                                  isCut = page.size() > left;
                                   left -= std::min(page.size(), left);
-                                  return left > 0;
+                                  return !isCut;
                               });
-    return done ? tl::expected<QByteArray, StoreError>(csv.bytes()) : tl::unexpected(done.error());
+    return done ? tl::expected<AuditExport, StoreError>({csv.bytes(), isCut}) : tl::unexpected(done.error());
 }
 
 tl::expected<QByteArray, StoreError> alarmsCsv(Database& database, const LogFilter& filter,

@@ -12,9 +12,14 @@ namespace campanel::store {
 [[nodiscard]] QByteArray auditCsv(const QList<AuditRow>& rows);
 [[nodiscard]] QByteArray alarmsCsv(const QList<AlarmRow>& rows);
 
+struct AuditExport {
+    QByteArray csv;
+    bool isCut = false; // older rows are not in it
+};
+
 // Returns the newest `maxRows` rows of the filter as text, read by pages.
-[[nodiscard]] tl::expected<QByteArray, StoreError> auditCsv(Database& database, const AuditFilter& filter,
-                                                            qint64 maxRows, const CsvDialect& dialect);
+[[nodiscard]] tl::expected<AuditExport, StoreError> auditCsv(Database& database, const AuditFilter& filter,
+                                                             qint64 maxRows, const CsvDialect& dialect);
 [[nodiscard]] tl::expected<QByteArray, StoreError> alarmsCsv(Database& database, const LogFilter& filter,
                                                              const CsvDialect& dialect);
 

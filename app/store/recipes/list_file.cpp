@@ -2,6 +2,7 @@
 #include "app/store/recipes/list_file.h"
 
 #include "app/program/program_kinds.h"
+#include "app/store/files/ask_places.h"
 #include "app/store/files/files.h"
 #include "app/store/files/new_file.h"
 #include "app/store/recipes/csv_problem.h"
@@ -11,8 +12,7 @@
 namespace campanel::store {
 namespace {
 
-// The maximum number of files per place: a longer list cannot be searched by touch.
-constexpr qsizetype maxFiles = 100;
+constexpr qsizetype maxFiles = 2000; // in one place
 
 const program::ListInfo& listOf(const profile::Program& cam)
 {
@@ -47,6 +47,17 @@ ListOffer readOffer(const QString& path, const profile::Program& cam)
     return offer;
 }
 
+ListOffer missingOffers(const Place& place, const profile::Program& cam, const QString& notice)
+{
+    ListOffer offer;
+    offer.path = place.path;
+    offer.placeName = place.name;
+    offer.program = cam;
+    offer.problem = notice;
+    offer.isNotice = true;
+    return offer;
+}
+
 } // namespace
 
 tl::expected<void, QString> readListCsv(const QString& path, profile::Program& program)
@@ -68,14 +79,26 @@ tl::expected<void, QString> writeListCsv(const profile::Program& program, const 
 
 QList<ListOffer> offeredLists(const QList<Place>& places, const profile::Program& cam)
 {
+    constexpr std::chrono::seconds patience{20}; // a slow stick with many files
+    const auto answers = askPlaces<QList<ListOffer>>(
+        places,
+        [cam](const Place& place) {
+            QList<ListOffer> offers;
+            const FolderFiles found = filesIn(place, QStringLiteral("*.csv"), maxFiles);
+            for (const QFileInfo& file : found.files) {
+                offers << readOffer(file.filePath(), cam);
+                offers.last().placeName = place.name;
+                offers.last().changed = file.lastModified();
+            }
+            if (!found.notice.isEmpty())
+                offers << missingOffers(place, cam, found.notice);
+            return offers;
+        },
+        patience);
     QList<ListOffer> offers;
-    for (const Place& place : places) {
-        for (const QFileInfo& file : filesIn(place, QStringLiteral("csv"), maxFiles)) {
-            ListOffer offer = readOffer(file.filePath(), cam);
-            offer.placeName = place.name;
-            offer.changed = file.lastModified();
-            offers << offer;
-        }
+    for (qsizetype i = 0; i < places.size(); ++i) {
+        const auto& answer = answers[static_cast<std::size_t>(i)];
+        offers += answer ? *answer : QList{missingOffers(places[i], cam, silentText(places[i]))};
     }
     std::ranges::stable_sort(offers, std::ranges::greater(), &ListOffer::changed);
     return offers;

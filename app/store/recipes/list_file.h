@@ -32,6 +32,7 @@ struct ListOffer {
     // The reason why its list is not a valid cam, and the line, from 1, of the wrong entry.
     std::optional<profile::Refusal> refusal;
     int refusedLine = 0;
+    bool isNotice = false; // `problem` tells which files of the place `path` are missing
 
     [[nodiscard]] bool isUsable() const { return problem.isEmpty() && !refusal; }
 };

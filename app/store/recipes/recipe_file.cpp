@@ -2,6 +2,7 @@
 // Keeps the previous copy only while it is a valid recipe.
 #include "app/store/recipes/recipe_file.h"
 
+#include "app/store/files/ask_places.h"
 #include "app/store/files/files.h"
 
 #include <QDir>
@@ -36,6 +37,14 @@ RecipeOffer offeredRecipe(const QFileInfo& file, const Place& place, const QList
     else
         offer.recipe = fromJson(*bytes, path);
     return offer;
+}
+
+RecipeOffer missingOffers(const Place& place, const QString& notice)
+{
+    return {place.path,
+            place.name,
+            {},
+            tl::unexpected(FileError{FileError::Kind::NotShown, place.path, {}, notice, {}, 0})};
 }
 
 RecipeOffer receivedRecipe(const QString& name, const ReceivedFile& file, const QList<SignerKey>& keys)
@@ -86,12 +95,24 @@ QList<RecipeOffer> receivedRecipes(const QMap<QString, ReceivedFile>& files, con
 
 QList<RecipeOffer> offeredRecipes(const QList<Place>& places, const QString& keyFolder)
 {
-    constexpr qsizetype maxFiles = 200; // in one place
-    const QList<SignerKey> keys = signerKeys(keyFolder);
+    constexpr qsizetype maxFiles = 2000;         // in one place
+    constexpr std::chrono::seconds patience{20}; // a slow stick with many files
+    const auto answers = askPlaces<QList<RecipeOffer>>(
+        places,
+        [keys = signerKeys(keyFolder)](const Place& place) {
+            QList<RecipeOffer> offers;
+            const FolderFiles found = filesIn(place, QStringLiteral("*.json"), maxFiles);
+            for (const QFileInfo& file : found.files)
+                offers << offeredRecipe(file, place, keys);
+            if (!found.notice.isEmpty())
+                offers << missingOffers(place, found.notice);
+            return offers;
+        },
+        patience);
     QList<RecipeOffer> offers;
-    for (const Place& place : places) {
-        for (const QFileInfo& file : filesIn(place, QStringLiteral("json"), maxFiles))
-            offers << offeredRecipe(file, place, keys);
+    for (qsizetype i = 0; i < places.size(); ++i) {
+        const auto& answer = answers[static_cast<std::size_t>(i)];
+        offers += answer ? *answer : QList{missingOffers(places[i], silentText(places[i]))};
     }
     std::ranges::stable_sort(offers, std::ranges::greater(), &RecipeOffer::changed);
     return offers;

@@ -36,8 +36,8 @@ struct ReceivedFile {
 [[nodiscard]] QList<RecipeOffer> receivedRecipes(const QMap<QString, ReceivedFile>& files,
                                                  const QString& keyFolder);
 
-// Returns the JSON files of the places, newest first. Signatures are checked with the keys in a folder. Waits
-// for the disk.
+// Returns the JSON files of the places, newest first. Signatures are checked with the keys in a folder. An
+// offer of the kind NotShown tells what is missing. Waits for the disk.
 [[nodiscard]] QList<RecipeOffer> offeredRecipes(const QList<Place>& places, const QString& keyFolder);
 
 } // namespace campanel::store

@@ -35,15 +35,16 @@ QList<PackageOffer> offeredPackages(const QList<Place>& places, const QString& k
     CheckedPackages present;
     QList<PackageOffer> offers;
     for (const Place& place : places) {
-        for (const QFileInfo& file : filesIn(place, u"deb"_s, maxFound)) {
+        const FolderFiles found = filesIn(place, u"campanel_*.deb"_s, maxFound);
+        if (!found.notice.isEmpty())
+            offers << PackageOffer{place.path, place.name, tl::unexpected(PackageFault{}), found.notice};
+        for (const QFileInfo& file : found.files) {
             const QString path = file.filePath();
-            if (!file.fileName().startsWith(u"campanel_"_s))
-                continue;
             const QString stamp = stampOf(path) + stampOf(signaturePath(path));
             const auto known = checked.constFind(stamp);
             const auto result = known != checked.cend() ? *known : verifyPackage(path, keys);
             present.insert(stamp, result);
-            offers << PackageOffer{path, place.name, result};
+            offers << PackageOffer{path, place.name, result, {}};
         }
     }
     checked = present;

@@ -13,6 +13,7 @@ struct PackageOffer {
     QString path;
     QString placeName;
     tl::expected<PackageSignature, PackageFault> package;
+    QString notice; // which files of the place `path` are missing; empty: this is a package
 };
 
 // Results by file, with its size and time: a package is read once.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Import and export of knots at the exchange places: offers, refusals, unique names, disks that fail.
+#include "app/store/files/ask_places.h"
 #include "app/store/recipes/list_file.h"
+#include "app/store/recipes/recipe_file.h"
 #include "tests/support/full_disk.h"
 #include "tests/support/test_program.h"
 
@@ -14,6 +16,7 @@ using namespace campanel;
 using namespace campanel::store;
 using test::FullDisk;
 using namespace Qt::StringLiterals;
+using namespace std::chrono_literals;
 
 namespace {
 
@@ -85,7 +88,20 @@ private slots:
         QTest::newRow("a path") << "../etc/passwd" << QStringList() << "_etc_passwd.csv";
         QTest::newRow("not for a stick") << "a<b>:\"c\"|d?*\\ " << QStringList() << "a_b___c__d___.csv";
         QTest::newRow("hidden, empty at its end") << " .. x. " << QStringList() << "x.csv";
-        QTest::newRow("nothing left") << "..." << QStringList() << "knots.csv";
+        QTest::newRow("nothing left") << "..." << QStringList() << "recipe.csv";
+        for (const char* device :
+             {"AUX", "Con", "nul", "PRN", "COM1", "lpt9", "aux.old", "NUL .x", "COM\xC2\xB2"})
+            QTest::addRow("a device: %s", device)
+                << QString::fromUtf8(device) << QStringList() << u"_%1.csv"_s.arg(QString::fromUtf8(device));
+        QTest::newRow("no device") << "Auxiliary COM10" << QStringList() << "Auxiliary COM10.csv";
+        QTest::newRow("a device, spaces behind") << "AUX  . ." << QStringList() << "_AUX.csv";
+        QTest::newRow("other capitals") << "PUSHER" << QStringList{"Pusher.csv"} << "PUSHER-2.csv";
+        QTest::newRow("other capitals, not ASCII")
+            << u"tüte"_s << QStringList{u"TÜTE.CSV"_s} << u"tüte-2.csv"_s;
+        QTest::newRow("hidden signs") << u"a\u202Eb\u200Bc\x7F"_s << QStringList() << "a_b_c_.csv";
+        QTest::newRow("long") << QString(300, u'面') << QStringList() << QString(64, u'面') + u".csv"_s;
+        QTest::newRow("long, of two units") << QString(u"🧁"_s).repeated(200) << QStringList()
+                                            << QString(u"🧁"_s).repeated(32) + u".csv"_s;
         QTest::newRow("Chinese") << u"推料凸轮"_s << QStringList() << u"推料凸轮.csv"_s;
     }
     void namesAreFreeAndPortable()
@@ -121,6 +137,88 @@ private slots:
             QCOMPARE(std::get<profile::PointCamProgram>(offer.program).knots == cam.knots,
                      offer.path == *second);
         }
+    }
+
+    // The link is on the stick of somebody else; what it names is not there yet.
+    void noLinkIsFollowed_data()
+    {
+        QTest::addColumn<bool>("isThere");
+        QTest::newRow("to a file that is not there") << false;
+        QTest::newRow("to a file") << true;
+    }
+    void noLinkIsFollowed()
+    {
+        QFETCH(bool, isThere);
+        const QTemporaryDir stick;
+        const QTemporaryDir home;
+        const QString target = home.filePath(u"autostart.csv"_s);
+        if (isThere)
+            put(target, "old");
+        QVERIFY(QFile::link(target, stick.filePath(u"Pusher.csv"_s)));
+        const Place place{stick.path(), u"STICK"_s, false};
+        const auto written = exportList(defaultCam, u"Pusher"_s, place);
+        QVERIFY2(written, written ? "" : qPrintable(written.error()));
+        QCOMPARE(*written, stick.filePath(u"Pusher-2.csv"_s));
+        QVERIFY(!QFileInfo(*written).isSymLink());
+        QCOMPARE(QFile::exists(target), isThere);
+        QCOMPARE(QFileInfo(target).size(), isThere ? 3 : 0);
+        QCOMPARE(QDir(stick.path())
+                     .entryList(QDir::AllEntries | QDir::Hidden | QDir::System | QDir::NoDotAndDotDot)
+                     .size(),
+                 2);                                           // nothing temporary
+        QCOMPARE(offeredLists({place}, defaultCam).size(), 1); // nor is it read
+    }
+
+    void whatIsMissingInAListIsSaid()
+    {
+        const QTemporaryDir folder;
+        for (const char* name : {"a.csv", "b.CSV", "c.csv", "d.txt"})
+            put(folder.filePath(QString::fromLatin1(name)), "x");
+        Place place{folder.path(), u"STICK"_s, false};
+        QVERIFY(filesIn(place, u"*.csv"_s, 3).notice.isEmpty());
+        const FolderFiles two = filesIn(place, u"*.csv"_s, 2);
+        QCOMPARE(two.files.size(), 2);
+        QVERIFY2(two.notice.startsWith(u"1 older files of "_s + folder.path()), qPrintable(two.notice));
+        place.isSilent = true;
+        const auto offers = offeredLists({place}, defaultCam);
+        QCOMPARE(offers.size(), 1);
+        QVERIFY(offers[0].isNotice && !offers[0].isUsable());
+        QVERIFY2(offers[0].problem.contains(u"does not answer"_s), qPrintable(offers[0].problem));
+    }
+
+    void everyRecipeOfALongListIsOffered()
+    {
+        const QTemporaryDir folder;
+        for (int i = 0; i < 2003; ++i)
+            put(folder.filePath(u"%1.json"_s.arg(i)), "{}");
+        const auto offers = offeredRecipes({{folder.path(), u"STICK"_s}}, {});
+        QCOMPARE(offers.size(), 2001);
+        const FileError& last = offers.last().recipe.error();
+        QCOMPARE(static_cast<int>(last.kind), static_cast<int>(FileError::Kind::NotShown));
+        QVERIFY2(FileErrorText::describe(last).startsWith(u"3 older files of "_s), qPrintable(last.found));
+    }
+
+    // A share that never answers: its thread waits in the kernel and cannot be ended.
+    void aSilentPlaceHidesNoOther()
+    {
+        const auto gate = std::make_shared<std::promise<void>>();
+        const std::shared_future<void> opened = gate->get_future().share();
+        const auto calls = std::make_shared<std::atomic<int>>(0);
+        const std::function<QString(const Place&)> ask = [opened, calls](const Place& place) {
+            ++*calls;
+            if (place.name == u"share"_s)
+                opened.wait();
+            return place.name;
+        };
+        const QList<Place> places{{u"/mnt/share"_s, u"share"_s}, {u"/media/stick"_s, u"stick"_s}};
+        for (const int asked : {2, 3}) { // the share is not asked again
+            const auto answers = askPlaces<QString>(places, ask, 500ms);
+            QVERIFY(!answers[0]);
+            QCOMPARE(answers[1], u"stick"_s);
+            QCOMPARE(calls->load(), asked);
+        }
+        gate->set_value();
+        QTRY_VERIFY(askPlaces<QString>(places, ask, 500ms)[0]);
     }
 
     void theNewestFileComesFirst()

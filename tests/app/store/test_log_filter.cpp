@@ -201,9 +201,13 @@ private slots:
                 included << row.sequence;
         }
         QCOMPARE(included, rows);
-        QCOMPARE(auditCsv(*database, wanted, 100, {})->count('\n'), 1 + rows.size());
-        QCOMPARE(auditCsv(*database, wanted, 100, {})->count("Z,"), rows.size()); // UTC as in the other files
-        QCOMPARE(auditCsv(*database, wanted, 2, {})->count('\n'), 1 + std::min<qsizetype>(2, rows.size()));
+        QCOMPARE(auditCsv(*database, wanted, 100, {})->csv.count('\n'), 1 + rows.size());
+        QCOMPARE(auditCsv(*database, wanted, 100, {})->csv.count("Z,"),
+                 rows.size()); // UTC as in the other files
+        const auto two = auditCsv(*database, wanted, 2, {});
+        QCOMPARE(two->csv.count('\n'), 1 + std::min<qsizetype>(2, rows.size()));
+        QCOMPARE(two->isCut, rows.size() > 2);
+        QVERIFY(!auditCsv(*database, wanted, rows.size(), {})->isCut);
     }
 
     // Random logs with clocks that jump: SQL and the test of a single row agree.
