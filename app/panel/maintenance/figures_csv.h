@@ -2,8 +2,8 @@
 // The figures of the line as CSV.
 #pragma once
 
+#include "app/link/link.h"
 #include "app/store/files/csv.h"
-#include "modbus/line/link_figures.h"
 
 namespace campanel::panel {
 

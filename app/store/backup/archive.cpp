@@ -99,7 +99,7 @@ tl::expected<void, Error> readPieces(zip_t* archive, const QString& name, qint64
 tl::expected<void, QString> writeArchive(const QString& path, const QList<ArchiveEntry>& entries)
 {
     int code = 0;
-    zip_t* archive = zip_open(QFile::encodeName(path).constData(), ZIP_CREATE | ZIP_EXCL, &code);
+    zip_t* archive = zip_open(QFile::encodeName(path).constData(), ZIP_CREATE | ZIP_TRUNCATE, &code);
     if (!archive)
         return tl::unexpected(reasonOf(code));
     bool isWritten = true;
