@@ -1,37 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/store/files/csv.h"
 
+#include "app/store/files/files.h"
+
 #include <QDateTime>
 #include <QRegularExpression>
+
+#include <limits>
 
 using namespace Qt::StringLiterals;
 
 namespace campanel::store {
 
 namespace {
-
-// Emoji and some scripts need the two joiners.
-bool isJoiner(char32_t character)
-{
-    return character == 0x200C || character == 0x200D;
-}
-
-QString oneVisibleLine(const QString& text)
-{
-    QString shown;
-    for (const char32_t character : text.toUcs4()) {
-        const QChar::Category category = QChar::category(character);
-        const bool isHidden =
-            category == QChar::Other_Control || (category == QChar::Other_Format && !isJoiner(character));
-        if (QChar::isSpace(character) && category != QChar::Separator_Space)
-            shown += u' '; // line ends and tabulators
-        else if (isHidden)
-            shown += u"\\u%1"_s.arg(uint{character}, 4, 16, QLatin1Char('0'));
-        else
-            shown += QChar::fromUcs4(character);
-    }
-    return shown;
-}
 
 // Excel and LibreOffice take a text as a formula that begins with one of these signs, also behind spaces; the
 // wide ones in some languages. A spreadsheet of another language splits a text at the other separator, and a
@@ -68,7 +49,7 @@ void CsvWriter::endLine()
 
 CsvWriter& CsvWriter::text(const QString& text)
 {
-    m_csv.add(withoutFormula(oneVisibleLine(text)).toStdString());
+    m_csv.add(withoutFormula(oneLine(text, std::numeric_limits<qsizetype>::max())).toStdString());
     return *this;
 }
 

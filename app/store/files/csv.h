@@ -25,8 +25,7 @@ public:
     CsvWriter(QStringView header, const CsvDialect& dialect);
 
     // Adds a text. An apostrophe comes before a text that a spreadsheet takes as a formula, also behind a
-    // separator inside the text. Control and direction characters are shown as "\u202e"; line ends become
-    // spaces.
+    // separator inside the text. It is one line, as from oneLine().
     CsvWriter& text(const QString& text);
     // Adds a text that may be a number, such as a value before a change: a number stays one.
     CsvWriter& value(const QString& text);

@@ -17,8 +17,8 @@ namespace campanel::store {
 // The largest file that is read as a whole.
 inline constexpr qsizetype maxFileBytes = 1'000'000;
 
-// What a symbolic link at the end of a path means. Refuse it where a stranger may have made it: on a stick,
-// or where the reader has more rights than the owner of the folder.
+// The meaning of a symbolic link at the end of a path. Refuse it where a stranger may have made it: on a
+// stick, or where the reader has more rights than the owner of the folder.
 enum class Links { Follow, Refuse };
 
 // Opens a regular file for reading. A pipe, a device or a folder is an error at once, without waiting. The

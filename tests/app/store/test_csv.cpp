@@ -44,11 +44,11 @@ private slots:
         row(u"+49 711"_s, u"'+49 711"_s);
         row(u"-5"_s, u"'-5"_s);
         row(u"@SUM(A1)"_s, u"'@SUM(A1)"_s);
-        row(u"   =1"_s, u"'   =1"_s);
-        row(u"\u00A0\u3000=1"_s, u"'\u00A0\u3000=1"_s);
-        row(u"\t=1"_s, u"' =1"_s);
-        row(u"\r=1"_s, u"' =1"_s);
-        row(u"\n@1"_s, u"' @1"_s);
+        row(u"   =1"_s, u"'=1"_s);
+        row(u"\u00A0\u3000=1"_s, u"'=1"_s);
+        row(u"\t=1"_s, u"\\u0009=1"_s);
+        row(u"\r=1"_s, u"\\u000d=1"_s);
+        row(u"\n@1"_s, u"\\u000a@1"_s);
         row(u"\x01=1"_s, u"\\u0001=1"_s);
         row(u"\u200B=1"_s, u"\\u200b=1"_s);
         row(u"\uFEFF=1"_s, u"\\ufeff=1"_s);
@@ -59,7 +59,7 @@ private slots:
         row(u"a;-5;+6,5"_s, u"\"a;-5;+6,5\""_s);
         row(u"a=1-2"_s, u"a=1-2"_s);
         row(u"say \"so\""_s, u"\"say \"\"so\"\"\""_s);
-        row(u"two\nlines\r\nand\u2028more"_s, u"two lines  and more"_s);
+        row(u"two\nlines\r\nand\u2028more"_s, u"two\\u000alines\\u000d\\u000aand\\u2028more"_s);
         row(u"left\u202Eright\u2066\u200F"_s, u"left\\u202eright\\u2066\\u200f"_s);
         row(u"推料 🧁 \u200D"_s, u"推料 🧁 \u200D"_s);
         row({}, {});
