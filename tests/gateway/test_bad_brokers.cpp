@@ -165,6 +165,19 @@ private slots:
         machine.endGateway();
     }
 
+    // The number of a connection is written when a broker has accepted one, not for each attempt.
+    void attemptsWriteNothing()
+    {
+        BadBroker broker([](QTcpSocket& socket, const QByteArray&) { socket.disconnectFromHost(); });
+        Machine machine(broker.server.serverPort());
+        QTRY_VERIFY_WITH_TIMEOUT(broker.connections >= 3, 30'000);
+        QFile file(machine.file(u"bdseq"_s));
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        QCOMPARE(file.readAll(), QByteArray("0\n"));
+        machine.endGateway();
+        QCOMPARE(machine.log().count(u"No connection to the broker"_s), 1);
+    }
+
     // It accepts the connection and then answers nothing: nothing is believed to have arrived.
     void aBrokerThatHangs()
     {
