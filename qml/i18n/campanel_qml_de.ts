@@ -2306,8 +2306,8 @@ Und %2 weitere.</translation>
         <translation>Achsgeschw. mm/s</translation>
     </message>
     <message>
-        <source>Position mm, %1 per cycle</source>
-        <translation>Position mm, %1 je Zyklus</translation>
+        <source>Position mm (%1/cycle)</source>
+        <translation>Position mm (%1/Zyklus)</translation>
     </message>
 </context>
 <context>

@@ -2306,7 +2306,7 @@ And %2 more.</source>
         <translation>轴速度 mm/s</translation>
     </message>
     <message>
-        <source>Position mm, %1 per cycle</source>
+        <source>Position mm (%1/cycle)</source>
         <translation>位置 mm，每周期 %1</translation>
     </message>
 </context>

@@ -40,7 +40,7 @@ Item {
         height: view.row
         value: Controller.live.positionMm
         decimals: 2
-        caption: Controller.direction.advanceText.length > 0 ? qsTr("Position mm, %1 per cycle").arg(Controller.direction.advanceText)
+        caption: Controller.direction.advanceText.length > 0 ? qsTr("Position mm (%1/cycle)").arg(Controller.direction.advanceText)
             : qsTr("Position mm")
     }
     NumberCard {
