@@ -185,7 +185,7 @@ RampPair fastestRamps(const RampTask& task)
     };
     const double slowing = task.maxSlowingMmPerS2;
     const double speeding = task.maxAccelerationMmPerS2;
-    double skew = slowing > speeding ? (slowing - speeding) / (slowing + speeding) : 0;
+    double skew = speeding > 0 && slowing > speeding ? (slowing - speeding) / (slowing + speeding) : 0;
     if (skew > 0 && std::isfinite(task.maxRmsAccelerationMmPerS2) && isRmsLimited(skew)) {
         constexpr int halvings = 20;
         double low = 0;

@@ -142,6 +142,7 @@ private slots:
     void offersLongerRamps();
     void offersShorterRampsForALongBag();
     void lawsAreRankedAtTheirOwnBest();
+    void frictionAboveThePeakTorque();
     void randomRecipesStayFeasible();
 };
 
@@ -467,6 +468,29 @@ void TestRatios::lawsAreRankedAtTheirOwnBest()
         const double best =
             task.lawPeak * (task.strokeMm - task.filmMm) / (ramp * (0.8 - 2 * task.lawTravel * ramp) * 0.09);
         QVERIFY2(near(each.peaks.accelerationMmPerS2, best, 1e-3), findLaw(own.program.speedLaw)->key.data());
+    }
+}
+
+// No ratios help where friction alone takes the torque; some are found all the same.
+void TestRatios::frictionAboveThePeakTorque()
+{
+    for (const RatioMode mode : allModes) {
+        for (const double frictionNm : {0.999, 1.0, 1.2}) {
+            for (const double ratedNm : {0.0, 1.5}) {
+                for (const double lengthMm : {100.0, 377.0, 600.0}) {
+                    Recipe r = checkRecipe(lengthMm, 60);
+                    r.program.ratioMode = mode;
+                    r.machine.inertiaKgCm2 = 10;
+                    r.machine.frictionNm = frictionNm;
+                    r.machine.maxTorqueNm = 1;
+                    r.machine.ratedTorqueNm = ratedNm;
+                    r.program = withRatios(r.program, r.machine);
+                    const auto cutter = solve(r.program, r.machine);
+                    QVERIFY(cutter && (frictionNm < 1 || !checkLimits(*cutter).empty()));
+                    QCOMPARE(fastestRate(*cutter).has_value(), frictionNm < 1);
+                }
+            }
+        }
     }
 }
 
