@@ -227,13 +227,14 @@ AnswerReader::Piece RtuLine::receiveAnswer(const Question& question, AnswerReade
     return last;
 }
 
-// Waits for the silence that ends a frame. Returns false when bytes came behind the answer and the line is
-// not known for this.
-bool RtuLine::endsWithSilence(AnswerReader& reader)
+// Waits for the silence that ends the frame of `completeAt`. Returns false when bytes came behind the answer
+// and the line is not known for this.
+bool RtuLine::endsWithSilence(AnswerReader& reader, Clock::time_point completeAt)
 {
     const auto silence = frameSilence(m_settings.line);
-    while (readInput(reader, Clock::now() + silence) == Input::Bytes) {
-    }
+    auto end = completeAt + silence;
+    while (readInput(reader, end) == Input::Bytes)
+        end = Clock::now() + silence;
     const auto strays = reader.unread();
     if (strays.empty())
         return true;
@@ -264,7 +265,7 @@ tl::expected<RtuLine::Bytes, LinkError> RtuLine::ask(const Question& question, c
     if (piece.verdict != FrameVerdict::Answer)
         return tl::unexpected(fail(question, piece, startedAt));
     Bytes data(piece.frame.begin() + 2, piece.frame.end() - 2);
-    if (!endsWithSilence(reader))
+    if (!endsWithSilence(reader, completeAt))
         return tl::unexpected(fail(question, {FrameVerdict::Malformed, reader.unread(), {}}, startedAt));
 
     const auto silence = frameSilence(m_settings.line);

@@ -100,7 +100,7 @@ private:
     [[nodiscard]] AnswerReader::Piece receive(AnswerReader& reader, Clock::time_point deadline);
     [[nodiscard]] AnswerReader::Piece receiveAnswer(const Question& question, AnswerReader& reader,
                                                     Clock::time_point deadline);
-    [[nodiscard]] bool endsWithSilence(AnswerReader& reader);
+    [[nodiscard]] bool endsWithSilence(AnswerReader& reader, Clock::time_point completeAt);
     [[nodiscard]] LinkError fail(const Question& question, const AnswerReader::Piece& piece,
                                  Clock::time_point startedAt);
     enum class Drain { Opening, Unasked, Doubt };
