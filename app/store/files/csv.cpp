@@ -19,7 +19,7 @@ namespace {
 // number there is harmless.
 QString withoutFormula(QString text)
 {
-    static const QRegularExpression formula(u"(^|[,;|])(?=[\\s\u200C\u200D]*[=+\\-@\uFF1D\uFF0B\uFF0D\uFF20])"
+    static const QRegularExpression formula(u"(^|[,;|])(?=\\s*[=+\\-@\uFF1D\uFF0B\uFF0D\uFF20])"
                                             "(?!(?<=.)\\s*[+-]?[0-9]+([.,][0-9]+)?\\s*($|[,;|]))"_s,
                                             QRegularExpression::UseUnicodePropertiesOption);
     return text.replace(formula, u"\\1'"_s);

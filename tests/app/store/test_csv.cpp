@@ -61,7 +61,8 @@ private slots:
         row(u"say \"so\""_s, u"\"say \"\"so\"\"\""_s);
         row(u"two\nlines\r\nand\u2028more"_s, u"two\\u000alines\\u000d\\u000aand\\u2028more"_s);
         row(u"left\u202Eright\u2066\u200F"_s, u"left\\u202eright\\u2066\\u200f"_s);
-        row(u"推料 🧁 \u200D"_s, u"推料 🧁 \u200D"_s);
+        row(u"推料 🧁"_s, u"推料 🧁"_s);
+        row(u"\u200D=1"_s, u"\\u200d=1"_s);
         row({}, {});
     }
     void noTextIsAFormula()
