@@ -19,7 +19,7 @@ using test::Rig;
 
 namespace {
 
-constexpr std::int64_t second = 1'000'000; // us
+constexpr std::uint64_t second = 1'000'000; // us
 
 // Returns a small cam with ten cycles in a second, whose ends differ by a share of its span of 5 mm.
 program::Recipe recipeOf(ProgramKind kind, double share, double rate)
@@ -29,9 +29,9 @@ program::Recipe recipeOf(ProgramKind kind, double share, double rate)
         knots->knots.back().slaveMm = 50 * share;
     if (auto* segments = std::get_if<profile::SegmentCamProgram>(&recipe.program))
         segments->segments[2].endMm = 50 * share;
-    setValue(recipe.program, profile::Field::SlaveScale, 0.1);
-    setValue(recipe.program, profile::Field::MasterRate, rate);
-    setValue(recipe.program, profile::Field::MasterRamp, 0.2);
+    program::setValue(recipe.program, profile::Field::SlaveScale, 0.1);
+    program::setValue(recipe.program, profile::Field::MasterRate, rate);
+    program::setValue(recipe.program, profile::Field::MasterRamp, 0.2);
     return recipe;
 }
 
@@ -67,15 +67,16 @@ private slots:
         QVERIFY2(image, image ? "" : program::describe(image.error()).c_str());
         constexpr unsigned seed = 5;
         qInfo("seed %u", seed);
-        std::mt19937 random(seed);
+        std::mt19937_64 random(seed);
         Rig rig;
         QCOMPARE(rig.download(image->registers), CTL_TRANSFER_RESULT_ACCEPTED);
         QCOMPARE(rig.apply(image->registers, CTL_APPLY_MODE_WHEN_STOPPED), CTL_REFUSAL_NONE);
         const double pulsesPerCycle = advanceMm * image->solved.pulsesPerMm;
         // A few cycles, then more, and more than a thousand in all.
-        for (const std::int64_t runUs : {second / 20, second, 5 * second + random() % second, 105 * second}) {
+        for (const std::uint64_t runUs :
+             {second / 20, second, 5 * second + random() % second, 105 * second}) {
             rig.start();
-            rig.run(static_cast<std::uint64_t>(runUs));
+            rig.run(runUs);
             QCOMPARE(rig.command(CTL_COMMAND_STOP_AT_CYCLE_END), CTL_REFUSAL_NONE);
             QVERIFY(rig.runUntilState(CTL_STATE_READY));
             rig.run(2 * second); // the axis follows with a lag
