@@ -78,10 +78,9 @@ Card {
             fontSizeMode: Text.Fit
             minimumPixelSize: Theme.size.caption - 3
             wrapMode: Text.WordWrap
-            text: keypad.refusal.length > 0 ? keypad.refusal
-                : qsTr("%1 to %2 · now %3").arg(Theme.number(keypad.minimum, keypad.decimals))
-                    .arg(Theme.number(keypad.maximum, keypad.decimals)).arg(keypad.currentText)
-            color: keypad.refusal.length > 0 ? Theme.color.fault : Theme.color.secondaryInk
+            text: entry.unwantedFraction ? qsTr("Enter a whole number.") : keypad.refusal.length > 0 ? keypad.refusal
+                : Theme.fill(qsTr("%1 to %2 · now %3"), [Theme.number(keypad.minimum, keypad.decimals), Theme.number(keypad.maximum, keypad.decimals), keypad.currentText])
+            color: keypad.refusal.length > 0 || entry.unwantedFraction ? Theme.color.fault : Theme.color.secondaryInk
             font.pixelSize: Theme.size.caption
         }
     }

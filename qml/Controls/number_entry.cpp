@@ -12,6 +12,8 @@ constexpr QChar minusSign(0x2212);
 constexpr QChar hyphen(u'-');
 constexpr QChar point(u'.');
 constexpr QChar backspaceKey(u'\b');
+// In every language: a scale, a scanner or a person from elsewhere does not know that of the panel.
+constexpr QStringView decimalSigns(u".,，．");
 } // namespace
 
 void NumberEntry::setLocale(const QString& name)
@@ -45,14 +47,19 @@ bool NumberEntry::isComplete() const
 {
     bool isNumber = false;
     (void)m_typed.toDouble(&isNumber);
-    return isNumber;
+    return isNumber && !hasUnwantedFraction();
+}
+
+bool NumberEntry::hasUnwantedFraction() const
+{
+    return m_decimals == 0 && m_typed.contains(point);
 }
 
 double NumberEntry::value() const
 {
     bool isNumber = false;
     const double typed = m_typed.toDouble(&isNumber);
-    return isNumber ? typed : std::numeric_limits<double>::quiet_NaN();
+    return isNumber && !hasUnwantedFraction() ? typed : std::numeric_limits<double>::quiet_NaN();
 }
 
 void NumberEntry::type(const QString& key)
@@ -75,8 +82,8 @@ void NumberEntry::typeCharacter(QChar key)
             m_typed.chop(1);
         if (digits < maximumDigits && !decimalsFull)
             m_typed += key;
-    } else if (key == point || QString(key) == decimalPoint()) {
-        if (m_decimals > 0 && pointAt < 0)
+    } else if (decimalSigns.contains(key) || QString(key) == decimalPoint()) {
+        if (pointAt < 0) // also of a whole number, so that 4.2 does not become 42
             m_typed += m_typed.isEmpty() || m_typed == hyphen ? QStringLiteral("0.") : QString(point);
     } else if (key == minusSign || key == hyphen) {
         toggleSign();

@@ -18,6 +18,8 @@ class NumberEntry : public QObject {
     Q_PROPERTY(QString decimalPoint READ decimalPoint NOTIFY changed FINAL)
     Q_PROPERTY(bool empty READ isEmpty NOTIFY changed FINAL)
     Q_PROPERTY(bool complete READ isComplete NOTIFY changed FINAL)
+    // True when a whole number got a decimal point; it is not complete until the point is deleted.
+    Q_PROPERTY(bool unwantedFraction READ hasUnwantedFraction NOTIFY changed FINAL)
     Q_PROPERTY(double value READ value NOTIFY changed FINAL) // NaN while it is not a number
 
 public:
@@ -31,10 +33,11 @@ public:
     [[nodiscard]] QString decimalPoint() const;
     [[nodiscard]] bool isEmpty() const { return m_typed.isEmpty(); }
     [[nodiscard]] bool isComplete() const;
+    [[nodiscard]] bool hasUnwantedFraction() const;
     [[nodiscard]] double value() const;
 
-    // Handles one key: a digit, the decimal point (of the language, or '.'), a minus sign (toggles). Ignores
-    // keys that do not fit.
+    // Handles one key: a digit, the decimal point (of the language, '.' or ','), a minus sign (toggles).
+    // Ignores keys that do not fit.
     Q_INVOKABLE void type(const QString& key);
     Q_INVOKABLE void backspace();
     Q_INVOKABLE void clear();

@@ -1758,6 +1758,10 @@ Und %2 weitere.</translation>
         <source>Delete</source>
         <translation>Löschen</translation>
     </message>
+    <message>
+        <source>Enter a whole number.</source>
+        <translation>Eine ganze Zahl eingeben.</translation>
+    </message>
 </context>
 <context>
     <name>PackingSection</name>

@@ -1758,6 +1758,10 @@ And %2 more.</source>
         <source>Delete</source>
         <translation>删除</translation>
     </message>
+    <message>
+        <source>Enter a whole number.</source>
+        <translation>请输入整数。</translation>
+    </message>
 </context>
 <context>
     <name>PackingSection</name>

@@ -26,7 +26,9 @@ private slots:
         QTest::newRow("no more decimals than allowed") << "62.57" << 1 << "62.5" << 62.5;
         QTest::newRow("point first") << ".5" << 2 << "0.5" << 0.5;
         QTest::newRow("second point is ignored") << "1.2.3" << 3 << "1.23" << 1.23;
-        QTest::newRow("point of an integer is ignored") << "4.2" << 0 << "42" << 42.0;
+        QTest::newRow("comma is a point too") << "95,5" << 1 << "95.5" << 95.5;
+        QTest::newRow("comma of a Chinese keyboard") << QString::fromUtf8("95，5") << 1 << "95.5" << 95.5;
+        QTest::newRow("point and comma are one sign") << "1,000.5" << 4 << "1.0005" << 1.0005;
         QTest::newRow("leading zero is replaced") << "07" << 0 << "7" << 7.0;
         QTest::newRow("zero before a point stays") << "0.7" << 1 << "0.7" << 0.7;
         QTest::newRow("sign toggles") << "5-" << 0 << QString(QChar(0x2212)) + "5" << -5.0;
@@ -47,6 +49,40 @@ private slots:
         QCOMPARE(entry.text(), text);
         QVERIFY(entry.isComplete());
         QCOMPARE(entry.value(), value);
+    }
+
+    // A whole number never grows by its decimals.
+    void aWholeNumberTakesNoDecimals_data()
+    {
+        QTest::addColumn<QString>("keys");
+        for (const char* keys : {"4.2", "95,5", "1,000", "4."})
+            QTest::addRow("%s", keys) << QString::fromLatin1(keys);
+    }
+    void aWholeNumberTakesNoDecimals()
+    {
+        QFETCH(QString, keys);
+        NumberEntry entry;
+        for (const QChar key : keys)
+            entry.type(QString(key));
+        QVERIFY(!entry.isComplete());
+        QVERIFY(entry.hasUnwantedFraction());
+        QVERIFY(std::isnan(entry.value()));
+        entry.backspace();
+        QVERIFY(entry.isComplete());
+    }
+
+    void aCommaIsADecimalPointInEveryLanguage()
+    {
+        for (const char* language : {"en", "de", "zh_CN", "fr"}) {
+            for (const char* keys : {"95.5", "95,5"}) {
+                NumberEntry entry;
+                entry.setDecimals(1);
+                entry.setLocale(QString::fromLatin1(language));
+                for (const QChar key : QString::fromLatin1(keys))
+                    entry.type(QString(key));
+                QCOMPARE(entry.value(), 95.5);
+            }
+        }
     }
 
     void showsThePointOfTheLanguage()
