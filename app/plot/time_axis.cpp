@@ -38,6 +38,9 @@ QDateTime roundBefore(const QDateTime& time, qint64 step)
     if (step >= day)
         return QDateTime(date.addDays(-(date.toJulianDay() % (step / day))), QTime(0, 0));
     const qint64 seconds = time.time().msecsSinceStartOfDay() / 1000;
+    // Not from date and time: at the end of summer time an hour has them twice.
+    if (step <= hour)
+        return time.addMSecs(-time.time().msec()).addSecs(-(seconds % step));
     return QDateTime(date, QTime(0, 0).addSecs(static_cast<int>(seconds / step * step)));
 }
 
@@ -46,10 +49,22 @@ QDateTime roundAfter(const QDateTime& tick, qint64 step)
 {
     if (step >= day)
         return QDateTime(tick.date().addDays(step / day), QTime(0, 0));
-    if (step < hour)
+    if (step <= hour)
         return tick.addSecs(step);
     const qint64 next = tick.time().msecsSinceStartOfDay() / 1000 + step;
     return QDateTime(tick.date().addDays(next / day), QTime(0, 0).addSecs(static_cast<int>(next % day)));
+}
+
+// Returns true in the hour that the end of summer time repeats, for both of them.
+bool isRepeated(const QDateTime& time)
+{
+    return time.addSecs(hour).time() == time.time() || time.addSecs(-hour).time() == time.time();
+}
+
+QString clockText(const QDateTime& time, const QString& form, bool isZoneNeeded)
+{
+    const QString text = time.toString(form);
+    return isZoneNeeded ? text + u' ' + time.timeZoneAbbreviation() : text;
 }
 
 } // namespace
@@ -63,7 +78,8 @@ QString momentText(double timeMs, double spanMs, const QLocale& locale)
 {
     const QDateTime time = QDateTime::fromMSecsSinceEpoch(std::llround(timeMs));
     const bool needsSeconds = spanMs < 4 * hour * msPerSecond;
-    return shortDate(time.date(), locale) + u' ' + time.toString(needsSeconds ? u"HH:mm:ss"_s : u"HH:mm"_s);
+    return shortDate(time.date(), locale) + u' ' +
+           clockText(time, needsSeconds ? u"HH:mm:ss"_s : u"HH:mm"_s, isRepeated(time));
 }
 
 QList<TimeTick> timeTicks(double fromMs, double toMs, int maxTicks, const QLocale& locale)
@@ -72,15 +88,19 @@ QList<TimeTick> timeTicks(double fromMs, double toMs, int maxTicks, const QLocal
     if (!(toMs > fromMs))
         return ticks;
     const qint64 step = stepFor(toMs - fromMs, std::max(2, maxTicks));
+    int zoneS = -1; // offset of the last tick that names its zone
     QDateTime tick = roundBefore(QDateTime::fromMSecsSinceEpoch(std::llround(std::ceil(fromMs))), step);
     for (; static_cast<double>(tick.toMSecsSinceEpoch()) <= toMs; tick = roundAfter(tick, step)) {
         const auto at = static_cast<double>(tick.toMSecsSinceEpoch());
         if (at < fromMs)
             continue;
         const bool isMidnight = tick.time() == QTime(0, 0);
+        const bool isZoneNeeded = isRepeated(tick) && tick.offsetFromUtc() != zoneS;
+        if (isZoneNeeded)
+            zoneS = tick.offsetFromUtc();
         const QString text = step >= day || isMidnight
                                  ? shortDate(tick.date(), locale)
-                                 : tick.toString(step < minute ? u"HH:mm:ss"_s : u"HH:mm"_s);
+                                 : clockText(tick, step < minute ? u"HH:mm:ss"_s : u"HH:mm"_s, isZoneNeeded);
         ticks << TimeTick{at, text};
     }
     return ticks;

@@ -55,14 +55,43 @@ QString Format::compact(double value, int minimumDecimals, int maximumDecimals) 
     return text;
 }
 
+int Format::decimalsToTell(double first, double second, int decimals)
+{
+    constexpr int maxDecimals = 9;
+    for (int enough = decimals; enough <= maxDecimals; ++enough) {
+        const double scale = std::pow(10.0, enough);
+        const double one = std::round(first * scale);
+        const double other = std::round(second * scale);
+        if ((first == second || one != other) && (first == 0 || one != 0) && (second == 0 || other != 0))
+            return enough;
+    }
+    return decimals;
+}
+
 QString Format::minute(const QDateTime& moment)
 {
-    return moment.toLocalTime().toString(QStringLiteral("yyyy-MM-dd HH:mm"));
+    return local(moment, QStringLiteral("yyyy-MM-dd HH:mm"));
 }
 
 QString Format::second(const QDateTime& moment)
 {
-    return moment.toLocalTime().toString(QStringLiteral("yyyy-MM-dd HH:mm:ss"));
+    return local(moment, QStringLiteral("yyyy-MM-dd HH:mm:ss"));
+}
+
+QString Format::local(const QDateTime& moment, const QString& form)
+{
+    constexpr qint64 hour = 3600;
+    const QDateTime time = moment.toLocalTime();
+    const bool isRepeated =
+        time.addSecs(hour).time() == time.time() || time.addSecs(-hour).time() == time.time();
+    const QString text = time.toString(form);
+    return isRepeated ? text + u' ' + time.timeZoneAbbreviation() : text;
+}
+
+QString Format::utcOffset(int minutes)
+{
+    const QTime size = QTime(0, 0).addSecs(std::abs(minutes) * 60);
+    return QStringLiteral("UTC") + (minutes < 0 ? u'-' : u'+') + size.toString(QStringLiteral("HH:mm"));
 }
 
 QString Format::hexDigits(quint64 value, int digits)

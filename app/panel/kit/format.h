@@ -20,11 +20,20 @@ public:
     [[nodiscard]] QString grouped(double value, int decimals) const;
     // Formats with between the two numbers of decimals, without superfluous zeros: 2.50, 1.6667.
     [[nodiscard]] QString compact(double value, int minimumDecimals, int maximumDecimals) const;
+    // Returns how many decimals, at least `decimals`, two numbers of one sentence need: different ones read
+    // differently, and none reads as zero that is not.
+    [[nodiscard]] static int decimalsToTell(double first, double second, int decimals);
     [[nodiscard]] const QLocale& locale() const { return m_locale; }
 
-    // Formats local time as 2026-11-22 07:38, and with seconds.
+    // Formats local time as 2026-11-22 07:38, and with seconds. In the hour that the end of summer time
+    // repeats the zone follows.
     static QString minute(const QDateTime& moment);
     static QString second(const QDateTime& moment);
+    // Formats in this form of Qt, with the zone as above.
+    static QString local(const QDateTime& moment, const QString& form);
+
+    // Formats an offset of the local time: UTC+01:00.
+    static QString utcOffset(int minutes);
 
     // Formats with at least this many digits: 00FF, and with the prefix: 0x00FF.
     static QString hexDigits(quint64 value, int digits);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/panel/stops/shift_view.h"
 
+#include "app/panel/kit/format.h"
 #include "app/panel/kit/report_files.h"
 #include "app/panel/records/database_service.h"
 #include "app/panel/settings/settings.h"
@@ -29,7 +30,7 @@ constexpr qint64 msPerHour = 3'600'000;
 
 QString clockText(qint64 utcMs)
 {
-    return QDateTime::fromMSecsSinceEpoch(utcMs).toString(u"HH:mm"_s);
+    return Format::local(QDateTime::fromMSecsSinceEpoch(utcMs), u"HH:mm"_s);
 }
 
 } // namespace
@@ -63,8 +64,7 @@ QString ReasonRow::text() const
 QString ReasonRow::durationText() const
 {
     return StopWords::tr("%1 · %2×", "duration, number of stops")
-        .arg(StopWords::duration(value.durationMs))
-        .arg(value.count);
+        .arg(StopWords::duration(value.durationMs), QString::number(value.count));
 }
 
 ShiftView::ShiftView(Stops& owner, Settings& settings, DatabaseService& records, ReportFiles& files)

@@ -2,6 +2,7 @@
 // The rows of a shift: stretches of the bar, reasons by their time, stops.
 #pragma once
 
+#include "app/panel/kit/format.h"
 #include "app/panel/kit/row_model.h"
 #include "app/panel/stops/shift_summary.h"
 #include "app/panel/words/alarm_words.h"
@@ -75,7 +76,7 @@ public:
     [[nodiscard]] qint64 id() const { return stop.id; }
     [[nodiscard]] QString time() const
     {
-        return QDateTime::fromMSecsSinceEpoch(stop.beginMs).toString(QStringLiteral("HH:mm:ss"));
+        return Format::local(QDateTime::fromMSecsSinceEpoch(stop.beginMs), QStringLiteral("HH:mm:ss"));
     }
     [[nodiscard]] QString clockNote() const { return AlarmWords::clockNote(stop.isClockDoubtful); }
     [[nodiscard]] QString durationText() const { return StopWords::duration(stop.durationMs); }

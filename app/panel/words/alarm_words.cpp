@@ -45,7 +45,7 @@ QString AlarmWords::state(const AlarmRow& row)
 QString AlarmWords::time(qint64 utcMs, const QDate& today)
 {
     const QDateTime local = QDateTime::fromMSecsSinceEpoch(utcMs);
-    return local.date() == today ? local.toString(u"HH:mm:ss"_s) : Format::second(local);
+    return local.date() == today ? Format::local(local, u"HH:mm:ss"_s) : Format::second(local);
 }
 
 QString AlarmWords::clockNote(bool isClockDoubtful)

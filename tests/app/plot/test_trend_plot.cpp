@@ -124,6 +124,49 @@ private slots:
                                      u"18:00"_s, u"21:00"_s, u"29 Mar"_s}));
     }
 
+    // 02:00 to 03:00 comes twice on the day on which the clock is put back.
+    void theRepeatedHourHasItsTicksAndZones_data()
+    {
+        QTest::addColumn<double>("fromHour"); // of UTC
+        QTest::addColumn<double>("hours");
+        QTest::addColumn<QStringList>("texts");
+        QTest::addRow("in the first pass")
+            << 0.0 << 0.5 << QStringList{u"02:00 CEST"_s, u"02:10"_s, u"02:20"_s, u"02:30"_s};
+        QTest::addRow("in the second pass")
+            << 1.0 << 0.5 << QStringList{u"02:00 CET"_s, u"02:10"_s, u"02:20"_s, u"02:30"_s};
+        QTest::addRow("over the change")
+            << 0.5 << 1.0 << QStringList{u"02:30 CEST"_s, u"02:45"_s, u"02:00 CET"_s, u"02:15"_s, u"02:30"_s};
+        QTest::addRow("hours") << -1.0 << 4.0
+                               << QStringList{u"01:00"_s, u"02:00 CEST"_s, u"02:00 CET"_s, u"03:00"_s,
+                                              u"04:00"_s};
+        QTest::addRow("a day") << -2.0 << 25.0
+                               << QStringList{u"31 Oct"_s, u"06:00"_s, u"12:00"_s, u"18:00"_s, u"1 Nov"_s};
+    }
+    void theRepeatedHourHasItsTicksAndZones()
+    {
+        QFETCH(double, fromHour);
+        QFETCH(double, hours);
+        const QDateTime midnight(QDate(2027, 10, 31), QTime(0, 0), Qt::UTC);
+        const double from = static_cast<double>(midnight.toMSecsSinceEpoch()) + fromHour * hourMs;
+        QStringList texts;
+        for (const TimeTick& tick : timeTicks(from, from + hours * hourMs, 6, QLocale::c()))
+            texts << tick.text;
+        QTEST(texts, "texts");
+    }
+
+    void aTimeThatComesTwiceNamesItsZone()
+    {
+        const QDateTime midnight(QDate(2027, 10, 31), QTime(0, 0), Qt::UTC);
+        const auto at = [&midnight](double hour) {
+            return momentText(static_cast<double>(midnight.toMSecsSinceEpoch()) + hour * hourMs, 24 * hourMs,
+                              QLocale::c());
+        };
+        QCOMPARE(at(-0.5), u"31 Oct 01:30"_s);
+        QCOMPARE(at(0.5), u"31 Oct 02:30 CEST"_s);
+        QCOMPARE(at(1), u"31 Oct 02:00 CET"_s);
+        QCOMPARE(at(2), u"31 Oct 03:00"_s);
+    }
+
     void datesAreWrittenAsTheLanguageDoes()
     {
         QCOMPARE(shortDate({2026, 1, 15}, QLocale(QLocale::Chinese)), u"1月15日"_s);

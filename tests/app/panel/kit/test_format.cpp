@@ -5,6 +5,7 @@
 
 #include <QTest>
 
+#include <ctime>
 #include <limits>
 
 namespace test_format {
@@ -27,6 +28,8 @@ private slots:
     void groupsOnlyWhereNobodyEdits();
     void withoutSuperfluousZeros();
     void momentsAreOfTheLocalTime();
+    void theRepeatedHourNamesItsZone();
+    void decimalsTellNumbersApart();
 };
 
 void FormatTest::numbers_data()
@@ -66,6 +69,27 @@ void FormatTest::withoutSuperfluousZeros()
     QCOMPARE(format.compact(2.5, 2, 4), u"2.50"_s);
     QCOMPARE(format.compact(5.0 / 3, 2, 4), u"1.6667"_s);
     QCOMPARE(format.compact(-3.0, 0, 3), u"\u22123"_s);
+}
+
+void FormatTest::theRepeatedHourNamesItsZone()
+{
+    qputenv("TZ", "Europe/Berlin");
+    tzset();
+    const QDateTime before(QDate(2027, 10, 31), QTime(0, 50), Qt::UTC);
+    QCOMPARE(Format::minute(before), u"2027-10-31 02:50 CEST"_s);
+    QCOMPARE(Format::minute(before.addSecs(600)), u"2027-10-31 02:00 CET"_s);
+    QCOMPARE(Format::local(before.addSecs(-3600), u"HH:mm"_s), u"01:50"_s);
+    QCOMPARE(Format::local(before.addSecs(4200), u"HH:mm"_s), u"03:00"_s);
+}
+
+void FormatTest::decimalsTellNumbersApart()
+{
+    QCOMPARE(Format::decimalsToTell(90, 89.99996, 3), 5);
+    QCOMPARE(Format::decimalsToTell(0.0004, 0.1, 3), 4);
+    QCOMPARE(Format::decimalsToTell(2, 1, 0), 0);
+    QCOMPARE(Format::decimalsToTell(2, 2, 1), 1);
+    QCOMPARE(Format::decimalsToTell(1, 1 + 1e-12, 3), 3); // nothing tells them apart
+    QCOMPARE(Format::decimalsToTell(qQNaN(), 1, 3), 3);
 }
 
 void FormatTest::momentsAreOfTheLocalTime()
