@@ -14,21 +14,23 @@ using profile::Limit;
 namespace {
 
 // Formats a value in the units of the plots: accelerations in m/s².
-QString quantityText(profile::Field field, double value)
+QString quantityText(profile::Field field, double value, double beside)
 {
     if (field != profile::Field::MaxKnifeAcceleration && field != profile::Field::MaxAcceleration)
-        return RefusalSentences::valueWithUnit(field, value);
+        return RefusalSentences::valueWithUnit(field, value, beside);
     constexpr double mmPerM = 1000;
+    const int decimals = Format::decimalsToTell(value / mmPerM, beside / mmPerM, 2);
     return RefusalSentences::tr("%1 %2", "%1: number, %2: unit")
-        .arg(Format().grouped(value / mmPerM, 2), QStringLiteral("m/s²"));
+        .arg(Format().grouped(value / mmPerM, decimals), QStringLiteral("m/s²"));
 }
 
 } // namespace
 
-QString RefusalSentences::valueWithUnit(profile::Field field, double value)
+QString RefusalSentences::valueWithUnit(profile::Field field, double value, std::optional<double> beside)
 {
     const profile::FieldInfo& info = profile::info(field);
-    const QString number = Format().grouped(value, info.decimals);
+    const QString number = Format().grouped(
+        value, beside ? Format::decimalsToTell(value, *beside, info.decimals) : info.decimals);
     return info.unit.empty() ? number
                              : tr("%1 %2", "%1: number, %2: unit").arg(number, RecipeWords::unit(info.unit));
 }
@@ -133,8 +135,8 @@ QString RefusalSentences::axisLimitBrokenAt(Limit limit, const QString& actual, 
 QString RefusalSentences::limitBrokenAt(const profile::Refusal& refusal)
 {
     const Format format;
-    const QString actual = quantityText(refusal.field, refusal.actual);
-    const QString allowed = quantityText(refusal.field, refusal.allowed);
+    const QString actual = quantityText(refusal.field, refusal.actual, refusal.allowed);
+    const QString allowed = quantityText(refusal.field, refusal.allowed, refusal.actual);
     const QString time = format.number(*refusal.timeS, 3);
     if (!refusal.angleDeg)
         return axisLimitBrokenAt(refusal.limit, actual, allowed, time);
@@ -166,22 +168,25 @@ QString RefusalSentences::limitBroken(const profile::Refusal& refusal)
     if (refusal.timeS && refusal.limit != Limit::MachineRate)
         return limitBrokenAt(refusal);
     return tr("%1 is required; the machine's limit is %2.")
-        .arg(valueWithUnit(refusal.field, refusal.actual), valueWithUnit(refusal.field, refusal.allowed));
+        .arg(valueWithUnit(refusal.field, refusal.actual, refusal.allowed),
+             valueWithUnit(refusal.field, refusal.allowed, refusal.actual));
 }
 
 // Returns the sentence of a window or a time that jaws or film do not have.
 QString RefusalSentences::jaw(const profile::Refusal& refusal)
 {
     const Format format;
+    const int decimals = Format::decimalsToTell(refusal.actual, refusal.allowed, 1);
     const auto inUnit = [&](double value) {
         return tr("%1 %2", "%1: number, %2: unit")
-            .arg(format.compact(value, 0, 1), RecipeWords::unit(refusal.unit));
+            .arg(format.compact(value, 0, decimals), RecipeWords::unit(refusal.unit));
     };
     const QString time = format.number(*refusal.timeS, 3);
     const QString angle = format.number(*refusal.angleDeg, 0);
     if (refusal.limit == Limit::JawWindow)
         return tr("The jaws need a sync window of %2° of the knife; at %3 s (%4°) the window has only %1°.")
-            .arg(format.compact(refusal.actual, 0, 1), format.compact(refusal.allowed, 0, 1), time, angle);
+            .arg(format.compact(refusal.actual, 0, decimals), format.compact(refusal.allowed, 0, decimals),
+                 time, angle);
     if (refusal.actual > 0)
         return tr("Seal time would be %1 at %3 s (%4°); the film needs %2.")
             .arg(inUnit(refusal.actual), inUnit(refusal.allowed), time, angle);
@@ -194,11 +199,12 @@ QString RefusalSentences::knot(const profile::Refusal& refusal)
 {
     const Format format;
     const int number = refusal.index + 1;
+    const int decimals = Format::decimalsToTell(refusal.actual, refusal.allowed, 3);
     const QString unit = RecipeWords::unit(refusal.unit);
     const QString actual =
-        tr("%1 %2", "%1: number, %2: unit").arg(format.compact(refusal.actual, 0, 3), unit);
+        tr("%1 %2", "%1: number, %2: unit").arg(format.compact(refusal.actual, 0, decimals), unit);
     const QString allowed =
-        tr("%1 %2", "%1: number, %2: unit").arg(format.compact(refusal.allowed, 0, 3), unit);
+        tr("%1 %2", "%1: number, %2: unit").arg(format.compact(refusal.allowed, 0, decimals), unit);
     switch (refusal.limit) {
     case Limit::KnotCount:
         return tr("The cam has %1 knots; the nearest possible number is %2.")
@@ -232,14 +238,19 @@ QString RefusalSentences::refusal(const profile::Refusal& refusal)
     const Format format;
     const profile::FieldInfo& field = profile::info(refusal.field);
     const QString name = RecipeWords::fieldName(refusal.field);
+    const auto decimals = [&refusal](int usual) {
+        return Format::decimalsToTell(refusal.actual, refusal.allowed, usual);
+    };
     switch (refusal.limit) {
     case Limit::FieldRange:
         if (!std::isfinite(refusal.actual))
             return tr("%1 has no value. Enter %2 to %3.")
                 .arg(name, format.number(field.min, field.decimals), valueWithUnit(refusal.field, field.max));
         return tr("%1 would be %2; the allowed range is %3 to %4.")
-            .arg(name, valueWithUnit(refusal.field, refusal.actual), format.number(field.min, field.decimals),
-                 valueWithUnit(refusal.field, field.max));
+            .arg(name,
+                 valueWithUnit(refusal.field, refusal.actual,
+                               refusal.actual < field.min ? field.min : field.max),
+                 format.number(field.min, field.decimals), valueWithUnit(refusal.field, field.max));
     case Limit::PinnedPair:
         return tr("Pin two of bag length, rate, base speed and film speed.");
     case Limit::LawUnknown:
@@ -248,15 +259,17 @@ QString RefusalSentences::refusal(const profile::Refusal& refusal)
         if (refusal.index >= 0)
             return SegmentSentences::refusal(refusal);
         return tr("%1 is %2; the nearest possible value is %3.")
-            .arg(RecipeWords::lawParameterName(refusal.lawParameter), format.compact(refusal.actual, 0, 3),
-                 format.compact(refusal.allowed, 0, 3));
+            .arg(RecipeWords::lawParameterName(refusal.lawParameter),
+                 format.compact(refusal.actual, 0, decimals(3)),
+                 format.compact(refusal.allowed, 0, decimals(3)));
     case Limit::RatioOrder:
         return tr("The ratios must descend from k1 to k4: %1 is %2 and must be below %3.")
-            .arg(name, format.compact(refusal.actual, 2, 4), format.compact(refusal.allowed, 2, 4));
+            .arg(name, format.compact(refusal.actual, 2, decimals(4)),
+                 format.compact(refusal.allowed, 2, decimals(4)));
     case Limit::StrokeCannotClose:
         return tr("A bag of %1 exceeds the knife stroke; with these ratios the maximum is %2.")
-            .arg(valueWithUnit(profile::Field::BagLength, refusal.actual),
-                 valueWithUnit(profile::Field::BagLength, refusal.allowed));
+            .arg(valueWithUnit(profile::Field::BagLength, refusal.actual, refusal.allowed),
+                 valueWithUnit(profile::Field::BagLength, refusal.allowed, refusal.actual));
     case Limit::RowCapacity:
         return tr("The table needs %1 rows, the controller has %2. Use fewer slices per ramp.")
             .arg(format.number(refusal.actual, 0), format.number(refusal.allowed, 0));
@@ -276,30 +289,32 @@ QString RefusalSentences::refusal(const profile::Refusal& refusal)
         return jaw(refusal);
     case Limit::RmsTorque:
         return tr("RMS torque would be %1, and the motor would overheat; its rated torque is %2.")
-            .arg(valueWithUnit(refusal.field, refusal.actual), valueWithUnit(refusal.field, refusal.allowed));
+            .arg(valueWithUnit(refusal.field, refusal.actual, refusal.allowed),
+                 valueWithUnit(refusal.field, refusal.allowed, refusal.actual));
     case Limit::NaturalFrequency:
         return tr("The cycle repeats at %1, above the shaft's natural frequency of %2. Enter a lower rate, "
                   "or "
                   "correct the machine data.")
-            .arg(valueWithUnit(refusal.field, refusal.actual), valueWithUnit(refusal.field, refusal.allowed));
+            .arg(valueWithUnit(refusal.field, refusal.actual, refusal.allowed),
+                 valueWithUnit(refusal.field, refusal.allowed, refusal.actual));
     case Limit::NoMotion:
         return tr("%1 is %2, which gives no motion. Enter another value.")
             .arg(name, valueWithUnit(refusal.field, refusal.actual));
     case Limit::DistanceTooShort:
         return tr("These speeds require at least %1, not %2.")
-            .arg(valueWithUnit(profile::Field::Distance, refusal.allowed),
-                 valueWithUnit(profile::Field::Distance, refusal.actual));
+            .arg(valueWithUnit(profile::Field::Distance, refusal.allowed, refusal.actual),
+                 valueWithUnit(profile::Field::Distance, refusal.actual, refusal.allowed));
     case Limit::DistanceSign:
         return tr("The distance %1 and the speeds have opposite directions. Change the sign of the distance.")
             .arg(valueWithUnit(profile::Field::Distance, refusal.actual));
     case Limit::StageOrder:
         return tr("%1 %2 must be beyond %3.")
-            .arg(name, valueWithUnit(refusal.field, refusal.actual),
-                 valueWithUnit(refusal.field, refusal.allowed));
+            .arg(name, valueWithUnit(refusal.field, refusal.actual, refusal.allowed),
+                 valueWithUnit(refusal.field, refusal.allowed, refusal.actual));
     case Limit::ForceOrder:
         return tr("%1 %2 must be at most %3.")
-            .arg(name, valueWithUnit(refusal.field, refusal.actual),
-                 valueWithUnit(refusal.field, refusal.allowed));
+            .arg(name, valueWithUnit(refusal.field, refusal.actual, refusal.allowed),
+                 valueWithUnit(refusal.field, refusal.allowed, refusal.actual));
     case Limit::TableRange:
         return tr(
             "The table exceeds the controller's range. Use fewer pulses per revolution or a shorter motion.");
@@ -314,7 +329,8 @@ QString RefusalSentences::refusal(const profile::Refusal& refusal)
     case Limit::RampTooLong:
         return tr("%1 needs a ramp of %2 ms at maximum acceleration; the controller allows %3 ms. Enter a "
                   "lower speed or a higher acceleration.")
-            .arg(name, format.number(refusal.actual, 0), format.number(refusal.allowed, 0));
+            .arg(name, format.number(refusal.actual, decimals(0)),
+                 format.number(refusal.allowed, decimals(0)));
     case Limit::KnotCount:
     case Limit::KnotOrder:
     case Limit::KnotSpacing:

@@ -27,8 +27,9 @@ public:
     [[nodiscard]] static QString rampsRate(const profile::RampOffer& offer); // "291.0 bags/min"
     [[nodiscard]] static QString withinLimits(const std::optional<profile::FastestRate>& fastest);
     [[nodiscard]] static QString closeToLimits(const std::optional<profile::FastestRate>& fastest);
-    // Returns "60.0 mm".
-    [[nodiscard]] static QString valueWithUnit(profile::Field field, double value);
+    // Returns "60.0 mm", as exact as needed to differ from the value beside it in the sentence.
+    [[nodiscard]] static QString valueWithUnit(profile::Field field, double value,
+                                               std::optional<double> beside = {});
 
 private:
     [[nodiscard]] static QString limitBroken(const profile::Refusal& refusal);

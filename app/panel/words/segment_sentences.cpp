@@ -40,10 +40,11 @@ QString SegmentSentences::refusal(const profile::Refusal& refusal)
     const Format format;
     const int number = refusal.index + 1;
     const QString unit = RecipeWords::unit(refusal.unit);
+    const int decimals = Format::decimalsToTell(refusal.actual, refusal.allowed, 4);
     const QString actual =
-        tr("%1 %2", "%1: number, %2: unit").arg(format.compact(refusal.actual, 0, 4), unit);
+        tr("%1 %2", "%1: number, %2: unit").arg(format.compact(refusal.actual, 0, decimals), unit);
     const QString allowed =
-        tr("%1 %2", "%1: number, %2: unit").arg(format.compact(refusal.allowed, 0, 4), unit);
+        tr("%1 %2", "%1: number, %2: unit").arg(format.compact(refusal.allowed, 0, decimals), unit);
     switch (refusal.limit) {
     case Limit::SegmentCount:
         return tr("The cam has %1 segments; the nearest possible number is %2.")
@@ -71,8 +72,8 @@ QString SegmentSentences::refusal(const profile::Refusal& refusal)
     case Limit::LawParameter:
         return tr("Segment %1: %2 is %3; the nearest possible value is %4.")
             .arg(number)
-            .arg(RecipeWords::lawParameterName(refusal.lawParameter), format.compact(refusal.actual, 0, 3),
-                 format.compact(refusal.allowed, 0, 3));
+            .arg(RecipeWords::lawParameterName(refusal.lawParameter),
+                 format.compact(refusal.actual, 0, decimals), format.compact(refusal.allowed, 0, decimals));
     case Limit::JointJump:
         return refusal.index == 0 ? tr("Speed jumps by %1 at the end of the cycle; the axis can follow %2. "
                                        "Make the segments "
@@ -81,9 +82,7 @@ QString SegmentSentences::refusal(const profile::Refusal& refusal)
                                   : tr("Speed jumps by %1 where segment %2 begins; the axis can follow %3. "
                                        "Make the segments "
                                        "continuous.")
-                                        .arg(actual)
-                                        .arg(number)
-                                        .arg(allowed);
+                                        .arg(actual, QString::number(number), allowed);
     default:
         return {};
     }

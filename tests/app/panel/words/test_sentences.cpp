@@ -44,6 +44,62 @@ class TestSentences : public QObject {
     Q_OBJECT
 
 private slots:
+    // "Knot 3 is only 0° after the previous knot", "at 90° must come after 90°".
+    void numbersOfASentenceDiffer_data()
+    {
+        QTest::addColumn<double>("actual");
+        QTest::addColumn<double>("allowed");
+        QTest::addRow("a small difference") << 90.00004 << 90.00008;
+        QTest::addRow("nearly nothing") << 0.00004 << 0.001;
+        QTest::addRow("a large number") << 3000.0003 << 3000.0;
+        QTest::addRow("a negative one") << -0.00002 << 0.0;
+    }
+
+    void numbersOfASentenceDiffer()
+    {
+        QFETCH(double, actual);
+        QFETCH(double, allowed);
+        // Sentences about whole numbers, or without the number.
+        const QList<Limit> without{Limit::FieldRange, Limit::NoMotion,     Limit::PinnedPair,
+                                   Limit::LawUnknown, Limit::RowCapacity,  Limit::TooFewPulses,
+                                   Limit::KnotCount,  Limit::SegmentCount, Limit::TableRange,
+                                   Limit::Reversal,   Limit::WrapJump,     Limit::SegmentMotion};
+        for (int i = 0; i <= static_cast<int>(Limit::RampTooLong); ++i) {
+            Refusal refusal;
+            refusal.limit = static_cast<Limit>(i);
+            if (without.contains(refusal.limit))
+                continue;
+            refusal.field = Field::MaxMotorRpm;
+            refusal.unit = "mm";
+            refusal.lawParameter = refusal.limit == Limit::LawParameter ? "k" : "speed";
+            refusal.index = 3;
+            refusal.timeS = 0.5;
+            refusal.angleDeg = 90;
+            refusal.allowed = allowed;
+            refusal.actual = actual;
+            const QString one = RefusalSentences::refusal(refusal);
+            refusal.actual = allowed;
+            QVERIFY2(one != RefusalSentences::refusal(refusal), qPrintable(one));
+        }
+    }
+
+    void aSmallDistanceIsNotZero()
+    {
+        Refusal refusal;
+        refusal.limit = Limit::KnotSpacing;
+        refusal.unit = "°";
+        refusal.index = 2;
+        refusal.actual = 0.0004;
+        refusal.allowed = 0.1;
+        QCOMPARE(RefusalSentences::refusal(refusal),
+                 QStringLiteral("Knot 3 is only 0.0004 ° after the previous knot; the minimum is 0.1 °."));
+        refusal.limit = Limit::KnotOrder;
+        refusal.actual = 89.99996;
+        refusal.allowed = 90;
+        QCOMPARE(RefusalSentences::refusal(refusal),
+                 QStringLiteral("Knot 3 at 89.99996 ° must come after the previous knot at 90 °."));
+    }
+
     void everyLimitHasASentence()
     {
         for (int i = 0; i <= static_cast<int>(Limit::RampTooLong); ++i) {
