@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Recognizes the codes of a scanner among the keys of a keyboard: prefix, code and suffix, each key soon
-// after the one before. It knows no window and no clock of its own.
+// after the one before. It knows no window and no clock of its own. A code keeps its letters when Caps Lock
+// is on, and the separators of a GS1 code (FNC1) as "|", which no GS1 code contains.
 #pragma once
 
 #include "app/link/link_values.h"
@@ -27,6 +28,7 @@ public:
         int key = 0; // Qt::Key
         QString text;
         bool isRepeat = false;
+        std::optional<Qt::KeyboardModifiers> modifiers{}; // nullopt: not known
     };
     // The consequence of a key, or of the time.
     struct Step {
@@ -55,12 +57,19 @@ private:
     void readPrefix(const Key& key, Step& step);
     void readCode(const Key& key, Step& step);
     void drop(Step& step);
+    void finish(Step& step);
+    [[nodiscard]] QString takeAltNumber();
     [[nodiscard]] bool isSuffix(const Key& key) const;
 
     ScannerKeys m_keys;
     State m_state = State::Typing;
     QString m_held; // the beginning of the prefix
     QString m_code;
+    QString m_altNumber; // digits typed while Alt is held: the number of a character
+    int m_letters = 0;   // of the code, and those whose case contradicts Shift
+    int m_contradictions = 0;
+    bool m_isCapsLockSent = false;                // by the scanner itself
+    std::optional<link::SteadyTime> m_suffixAt{}; // end of the last code
     link::SteadyTime m_lastAt;
 };
 

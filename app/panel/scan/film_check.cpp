@@ -143,7 +143,7 @@ bool FilmCheck::check(const QString& code)
 void FilmCheck::overrideCheck(const QString& reason)
 {
     const QString text = reason.simplified();
-    if (text.isEmpty() || blockedReason().isEmpty() || !m_machine.accessCheck().require(Level::Technician))
+    if (!m_machine.accessCheck().require(Level::Technician) || text.isEmpty() || blockedReason().isEmpty())
         return;
     keep({m_reel.code, neededCode(), text}, m_demand);
     emit changed();

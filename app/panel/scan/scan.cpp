@@ -91,8 +91,8 @@ bool Scan::eventFilter(QObject* watched, QEvent* event)
 // Returns true when the window must not get the key.
 bool Scan::takeKey(QObject* window, const QKeyEvent& event)
 {
-    const CodeReader::Step step =
-        m_reader.press({event.key(), event.text(), event.isAutoRepeat()}, m_parts.machine.now());
+    const CodeReader::Step step = m_reader.press(
+        {event.key(), event.text(), event.isAutoRepeat(), event.modifiers()}, m_parts.machine.now());
     release(step.released);
     if (step.isBegun)
         m_held.clear();

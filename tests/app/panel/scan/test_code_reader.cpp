@@ -39,9 +39,10 @@ struct Desk {
         if (step.code)
             codes << *step.code;
     }
-    void press(int key, const QString& text, bool isRepeat = false)
+    void press(int key, const QString& text, bool isRepeat = false,
+               std::optional<Qt::KeyboardModifiers> modifiers = {})
     {
-        const CodeReader::Step step = reader.press({key, text, isRepeat}, now);
+        const CodeReader::Step step = reader.press({key, text, isRepeat, modifiers}, now);
         follow(step);
         if (step.isHeld)
             held += text;
@@ -74,6 +75,94 @@ class TestCodeReader : public QObject {
     Q_OBJECT
 
 private slots:
+    // The second Return would be OK of an open keypad.
+    void aSecondReturnIsSwallowed()
+    {
+        for (const QString& ends : {u"||"_s, u"|>"_s, u"|||"_s}) {
+            Desk desk;
+            desk.send(u"95"_s, 200ms);
+            desk.send(u"~~A1"_s + ends, 20ms);
+            QCOMPARE(desk.codes, QStringList{u"A1"_s});
+            QCOMPARE(desk.field, u"95"_s);
+            desk.send(u"|"_s, 101ms); // of a person
+            QCOMPARE(desk.field, u"95\r"_s);
+        }
+        Desk half;
+        half.send(u"~~A\x01||"_s, 20ms);
+        QCOMPARE(half.halves, 1);
+        QCOMPARE(half.field, QString());
+    }
+
+    // FNC1 in a GS1 code, in the ways in which scanners send it.
+    void separatorsOfGs1StayInTheCode_data()
+    {
+        QTest::addColumn<int>("way");
+        for (const int way : {0, 1, 2})
+            QTest::addRow("way %d", way) << way;
+    }
+    void separatorsOfGs1StayInTheCode()
+    {
+        QFETCH(int, way);
+        Desk desk;
+        const auto separate = [&desk, way] {
+            if (way == 0)
+                desk.press(Qt::Key_BracketRight, QString(QChar(0x1d)), false, Qt::ControlModifier);
+            else if (way == 1)
+                desk.press(Qt::Key_F8, {}, false, Qt::NoModifier);
+            for (const QChar digit : way == 2 ? u"029"_s : QString())
+                desk.press(Qt::Key_0 + digit.digitValue(), QString(digit), false, Qt::AltModifier);
+        };
+        desk.send(u"~~"_s, 10ms);
+        separate(); // some scanners send the first one
+        desk.send(u"10ABC"_s, 10ms);
+        separate();
+        desk.send(u"21X"_s, 10ms);
+        desk.send(u"|"_s, 10ms);
+        QCOMPARE(desk.codes, QStringList{u"10ABC|21X"_s});
+        QCOMPARE(desk.halves, 0);
+        QCOMPARE(desk.field, QString());
+    }
+
+    void capsLockChangesNoCode_data()
+    {
+        QTest::addColumn<QString>("prefix");
+        QTest::addColumn<QString>("code");
+        QTest::addRow("letters") << u"~~"_s << u"Biscuit 250-Xl"_s;
+        QTest::addRow("capitals") << u"~~"_s << u"PE 30"_s;
+        QTest::addRow("digits") << u"~~"_s << u"4006381"_s;
+        QTest::addRow("a prefix of letters") << u"Qz"_s << u"aB7"_s;
+    }
+    void capsLockChangesNoCode()
+    {
+        QFETCH(QString, prefix);
+        QFETCH(QString, code);
+        for (const bool isCapsLockOn : {false, true}) {
+            Desk desk({prefix, false, 100ms});
+            for (const QChar letter : prefix + code) {
+                const bool hasCase = letter.toUpper() != letter.toLower();
+                const QString text(hasCase && isCapsLockOn
+                                       ? (letter.isUpper() ? letter.toLower() : letter.toUpper())
+                                       : letter);
+                desk.press(Qt::Key_A, text, false, letter.isUpper() ? Qt::ShiftModifier : Qt::NoModifier);
+            }
+            desk.press(Qt::Key_Return, u"\r"_s, false, Qt::NoModifier);
+            QCOMPARE(desk.codes, QStringList{code});
+        }
+    }
+
+    // It presses Caps Lock for its capitals, without Shift.
+    void aScannerMayUseCapsLockItself()
+    {
+        Desk desk;
+        desk.send(u"~~"_s, 10ms);
+        desk.press(Qt::Key_CapsLock, {});
+        for (const char* letter : {"P", "E"})
+            desk.press(Qt::Key_A, QString::fromLatin1(letter), false, Qt::NoModifier);
+        desk.press(Qt::Key_CapsLock, {});
+        desk.press(Qt::Key_Return, u"\r"_s, false, Qt::NoModifier);
+        QCOMPARE(desk.codes, QStringList{u"PE"_s});
+    }
+
     void readsACodeAndGivesTheFieldNothing_data()
     {
         QTest::addColumn<QString>("prefix");
