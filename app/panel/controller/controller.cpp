@@ -18,6 +18,7 @@ namespace {
 
 constexpr auto agePeriod = 100ms;
 constexpr auto qualityPeriod = 500ms; // faster changes cannot be read
+constexpr auto doubleTouch = 400ms;
 
 } // namespace
 
@@ -225,9 +226,9 @@ void Controller::takeProgram(const link::ActiveProgram& program)
 
 void Controller::start()
 {
-    const QString reason = startBlockedReason();
-    if (reason.isEmpty() && !m_access.require(Level::Operator))
+    if (!m_access.require(Level::Operator))
         return;
+    const QString reason = startBlockedReason();
     if (reason.isEmpty())
         send(modbus::Command::Start);
     else
@@ -237,6 +238,10 @@ void Controller::start()
 void Controller::stop()
 {
     const bool isAgain = state() == State::Stopping || stopWaits();
+    // A finger that bounces has touched once: it must not make the stop at cycle end an immediate one.
+    if (isAgain && m_stopPressedAt && now() - *m_stopPressedAt < doubleTouch)
+        return;
+    m_stopPressedAt = now();
     send(isAgain ? modbus::Command::StopNow : modbus::Command::StopAtCycleEnd);
 }
 

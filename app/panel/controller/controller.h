@@ -236,6 +236,7 @@ private:
     QString m_returnMessage;                         // changes found when the line was back
     bool m_hasStopWaited = false;                    // the last Stop had to wait for the line
     quint32 m_lastRequestId = 0;
+    std::optional<link::SteadyTime> m_stopPressedAt;
     std::map<std::string_view, Parameter*> m_parameters; // children
     QString m_commandMessage;
     MasterDirection m_direction{*this};

@@ -13,6 +13,13 @@ using namespace std::chrono_literals;
 
 namespace campanel::panel {
 
+namespace {
+
+// After a touch that woke the screen: so long no other one acts.
+constexpr auto wakingTime = 300ms;
+
+} // namespace
+
 Display::Display(Controller& machine, Settings& settings, QObject* parent)
     : QObject(parent)
     , m_machine(machine)
@@ -135,14 +142,21 @@ bool Display::eventFilter(QObject* watched, QEvent* event)
     switch (event->type()) {
     case QEvent::MouseButtonPress:
     case QEvent::TouchBegin:
-    case QEvent::KeyPress:
+    case QEvent::KeyPress: {
         m_touchedAt = m_machine.now();
-        m_isWaking = m_isDark && event->type() != QEvent::KeyPress;
-        if (m_isDark) {
+        const bool isTouch = event->type() != QEvent::KeyPress;
+        // The second touch of a double tap wakes too: nobody has seen yet what it would hit.
+        const bool isSecond = isTouch && m_wokenAt && m_touchedAt - *m_wokenAt < wakingTime;
+        if (isTouch && m_isDark)
+            m_wokenAt = m_touchedAt;
+        m_isWaking = isTouch && (m_isDark || isSecond);
+        m_isFirst = m_isDark;
+        if (m_isDark || isSecond) {
             setDark(false);
             return true;
         }
         break;
+    }
     case QEvent::MouseMove:
     case QEvent::TouchUpdate:
         if (m_isWaking)
@@ -151,8 +165,11 @@ bool Display::eventFilter(QObject* watched, QEvent* event)
     case QEvent::MouseButtonRelease:
     case QEvent::TouchEnd:
     case QEvent::TouchCancel:
-        if (std::exchange(m_isWaking, false))
+        if (std::exchange(m_isWaking, false)) {
+            if (m_isFirst)
+                m_wokenAt = m_machine.now();
             return true;
+        }
         break;
     default:
         break;

@@ -81,7 +81,9 @@ private:
     link::SteadyTime m_touchedAt;
     int m_wipeSeconds = 0;
     bool m_isDark = false;
-    bool m_isWaking = false; // the waking touch has not ended
+    std::optional<link::SteadyTime> m_wokenAt; // the end of the waking touch
+    bool m_isWaking = false;                   // the waking touch, or the one after it, has not ended
+    bool m_isFirst = false;                    // it is the one that woke the screen
 };
 
 } // namespace campanel::panel

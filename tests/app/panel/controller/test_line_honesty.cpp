@@ -119,6 +119,7 @@ void TestLineHonesty::stopPressedAgainIsMoreUrgent()
     rig.link.becomeLost();
     rig.machine.stop();
     rig.link.becomeLost(Command::StopAtCycleEnd);
+    rig.now += std::chrono::milliseconds(400);
     rig.machine.stop();
     QCOMPARE(rig.link.requests.last().command, Command::StopNow);
     // The replaced one ends first, without a report.

@@ -134,6 +134,11 @@ private slots:
         QVERIFY(!rig.display.dark());
         QCOMPARE(page.presses, 0);
         QCOMPARE(page.releases, 0);
+        rig.now += 299ms; // a double tap
+        page.tap();
+        QCOMPARE(page.presses, 0);
+        QCOMPARE(page.releases, 0);
+        rig.now += 1ms;
         page.tap();
         QCOMPARE(page.presses, 1);
         QCOMPARE(page.releases, 1);
