@@ -177,9 +177,8 @@ public:
             const toml::parse_error& error = parsed.error();
             dropLine(error.source().begin.line, fromAscii(error.description()));
         }
-        m_result.complaints +=
-            u"%1: more than %2 lines are not understood; the whole file is ignored."_s.arg(m_file).arg(
-                maxBrokenLines);
+        m_result.complaints += u"%1: more than %2 lines are not understood; the whole file is ignored."_s.arg(
+            m_file, QString::number(maxBrokenLines));
         return result();
     }
 
@@ -187,7 +186,7 @@ private:
     void reportError(toml::source_index line, const QString& what)
     {
         m_result.complaints +=
-            u"%1:%2: %3"_s.arg(m_file).arg(line).arg(store::oneLine(what, store::maxLineLength));
+            u"%1:%2: %3"_s.arg(m_file, QString::number(line), store::oneLine(what, store::maxLineLength));
     }
 
     // Returns the result with a limited number of errors. Without a valid controller setting the simulated
@@ -199,7 +198,8 @@ private:
             m_result.values.set("connection.simulated", settingText(false));
         if (const qsizetype more = m_result.complaints.size() - maxComplaints; more > 0) {
             m_result.complaints.remove(maxComplaints - 1, more); // the last one stays
-            m_result.complaints.insert(maxComplaints - 1, u"%1: and %2 more."_s.arg(m_file).arg(more));
+            m_result.complaints.insert(maxComplaints - 1,
+                                       u"%1: and %2 more."_s.arg(m_file, QString::number(more)));
         }
         return m_result;
     }

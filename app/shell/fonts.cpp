@@ -5,6 +5,7 @@
 #include <QFile>
 #include <QFont>
 #include <QFontDatabase>
+#include <QFontMetrics>
 #include <QGuiApplication>
 
 #include <array>
@@ -32,6 +33,11 @@ void applyFonts()
     QFont font;
     font.setFamilies({QString::fromLatin1(latinFamily.name), QString::fromLatin1(chineseFamily.name)});
     QGuiApplication::setFont(font);
+}
+
+bool hasGlyph(char32_t letter)
+{
+    return QFontMetrics(QGuiApplication::font()).inFontUcs4(letter);
 }
 
 QStringList missingFonts()

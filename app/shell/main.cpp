@@ -150,7 +150,7 @@ int runPanel(const shell::Options& options, const panel::SettingValues& configur
                 std::puts("first frame");
                 std::fflush(stdout);
             }
-            panel.settings().offerFirstStart();
+            panel.settings().offerFirstStart(panel.wasSetUp());
             panel.open();
         },
         Qt::ConnectionType(Qt::AutoConnection | Qt::SingleShotConnection));

@@ -2,13 +2,17 @@
 // The complete panel; see panel.h.
 #include "app/shell/panel.h"
 
+#include "app/shell/fonts.h"
+
 #include "app/panel/kit/engine_instances.h"
 #include "app/plant/socket_path.h"
 #include "app/report/commissioning_pdf.h"
+#include "app/store/database/setup_marker.h"
 #include "app/store/files/private_files.h"
 
 #include <QBuffer>
 #include <QCoreApplication>
+#include <QDir>
 #include <QEventLoop>
 #include <QInputDevice>
 #include <QLibraryInfo>
@@ -59,6 +63,7 @@ Panel::Qml::Qml()
 Panel::Panel(link::Link& link, const Storage& storage)
     : m_restore(
           store::finishRestore(privateDataFolder(storage), panel::Settings::fileName(storage.settingsFile)))
+    , m_wasSetUp(store::wasSetUp(QDir(recipeFolder(storage)).filePath(QStringLiteral("campanel.sqlite"))))
     , m_settings(storage.settingsFile, nullptr, storage.standard)
     , m_machine(link, m_settings, nullptr)
     , m_editor(m_machine, recipeFolder(storage), nullptr)
@@ -105,10 +110,15 @@ Panel::Panel(link::Link& link, const Storage& storage)
     m_alarms.watch().setTouchscreenCount(&countTouchscreens);
     m_maintenance.dryRun()->follow(m_editor);
     m_recipes.files()->setKeyFolder(storage.keyFolder);
+    m_recipes.files()->setGlyphs(&hasGlyph);
     m_recipes.setAuthor([this] { return m_access.userName(); });
     connect(m_scan.film(), &panel::FilmCheck::noted, &m_trail, &panel::AuditTrail::note);
     connect(&m_plant, &panel::PlantFeed::offerReceived, m_recipes.files(), &panel::RecipeFiles::takeOffer);
     connect(&m_recipes, &panel::Recipes::noted, &m_trail, &panel::AuditTrail::note);
+    connect(&m_alarms, &panel::Alarms::noted, &m_trail, &panel::AuditTrail::note);
+    for (const panel::FileExchange* files : std::initializer_list<panel::FileExchange*>{
+             m_maintenance.files(), m_recipes.exports(), m_editor.camFiles()})
+        connect(files, &panel::FileExchange::written, &m_trail, &panel::AuditTrail::noteExport);
     connect(&m_stops, &panel::Stops::noted, &m_trail, &panel::AuditTrail::note);
     connect(&m_systemClock, &panel::SystemClock::noted, &m_trail, &panel::AuditTrail::note);
     connect(&m_systemNetwork, &panel::SystemNetwork::noted, &m_trail, &panel::AuditTrail::note);

@@ -89,6 +89,8 @@ public:
     [[nodiscard]] panel::Explanations& explanations() { return m_explanations; }
     [[nodiscard]] QQmlEngine& engine() { return m_qml->engine; }
 
+    // Returns true when this panel's folder has data of an earlier run.
+    [[nodiscard]] bool wasSetUp() const { return m_wasSetUp; }
     // Connects to the controller and opens the databases. Call it after the first frame: line and disk can
     // wait, a person cannot.
     void open();
@@ -116,6 +118,7 @@ private:
     };
     std::unique_ptr<Qml> m_qml = std::make_unique<Qml>(); // deleted first, in the destructor
     store::FinishedRestore m_restore;                     // before anything is read
+    bool m_wasSetUp = false;
     panel::Settings m_settings;
     panel::Controller m_machine;
     panel::Editor m_editor;

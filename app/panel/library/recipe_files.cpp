@@ -7,6 +7,7 @@
 
 #include <QFileInfo>
 
+#include <algorithm>
 #include <chrono>
 
 namespace campanel::panel {
@@ -89,8 +90,7 @@ void RecipeFiles::updateRows()
 QString RecipeFiles::offeredText(const store::RecipeOffer& offer)
 {
     return tr("Offered: %1, version %2", "recipe, number")
-        .arg(QString::fromStdString(offer.recipe->name))
-        .arg(offer.recipe->version);
+        .arg(QString::fromStdString(offer.recipe->name), QString::number(offer.recipe->version));
 }
 
 OfferRow RecipeFiles::row(const store::RecipeOffer& offer, const Effect& effect) const
@@ -100,12 +100,23 @@ OfferRow RecipeFiles::row(const store::RecipeOffer& offer, const Effect& effect)
     OfferRow row;
     row.title = offer.isFromPlant ? offeredText(offer) : QFileInfo(offer.path).fileName();
     row.usable = !effect.isRefused;
-    row.detail = effect.text;
+    const QString hidden = hiddenLetters(offer.recipe->name);
+    row.detail = hidden.isEmpty() ? effect.text : tr("%1 %2", "whole sentences").arg(effect.text, hidden);
     row.note = offer.signature
                    ? tr("%1 · signed by %2 · %3 · %4", "what it is, person, date, place")
                          .arg(summary, offer.signature->signer, date, offer.placeName)
                    : tr("%1 · %2 · %3", "what it is, date, place").arg(summary, date, offer.placeName);
     return row;
+}
+
+QString RecipeFiles::hiddenLetters(const std::string& name) const
+{
+    const auto letters = QString::fromStdString(name).toUcs4();
+    const auto shown = std::ranges::count_if(letters, m_hasGlyph);
+    return shown == letters.size() ? QString()
+                                   : tr("This panel cannot show all letters of the name; missing: %1. Rename "
+                                        "the recipe after importing.")
+                                         .arg(letters.size() - shown);
 }
 
 OfferRow RecipeFiles::refusedRow(const store::RecipeOffer& offer)
@@ -127,7 +138,7 @@ OfferRow RecipeFiles::refusedRow(const store::RecipeOffer& offer)
 
 void RecipeFiles::take(int file)
 {
-    if (file >= 0 && file < m_found.size() && m_files.rows()[file].usable)
+    if (isAllowed(Level::Operator) && file >= 0 && file < m_found.size() && m_files.rows()[file].usable)
         emit taken(m_found[file]);
 }
 

@@ -35,6 +35,8 @@ public:
 
     // Replaces the search of this computer's disks, for tests and captures.
     void setScanner(Scanner scanner) { m_scanner = std::move(scanner); }
+    // Sets the function that returns true for a letter that the fonts of the screen have; all by default.
+    void setGlyphs(std::function<bool(char32_t letter)> hasGlyph) { m_hasGlyph = std::move(hasGlyph); }
     // Checks signatures with the keys in this folder.
     void setKeyFolder(const QString& folder);
     // Adds, replaces or withdraws an offer of the plant's network.
@@ -56,10 +58,13 @@ private:
     [[nodiscard]] std::function<Apply()> searcher() override;
     [[nodiscard]] OfferRow row(const store::RecipeOffer& offer, const Effect& effect) const;
     [[nodiscard]] static OfferRow refusedRow(const store::RecipeOffer& offer);
+    // Returns how many letters of the name would be boxes on the screen, as a sentence; empty: none.
+    [[nodiscard]] QString hiddenLetters(const std::string& name) const;
     [[nodiscard]] static QString offeredText(const store::RecipeOffer& offer);
 
     Consequence m_consequence;
     Scanner m_scanner;
+    std::function<bool(char32_t letter)> m_hasGlyph = [](char32_t) { return true; };
     QString m_keyFolder;
     QMap<QString, store::ReceivedFile> m_received;
     QTimer m_offerTimer; // runs out when the offers that come together have come

@@ -111,14 +111,19 @@ void Settings::load()
                  nearestLanguage(m_languages, wanted.isEmpty() ? QLocale::system().name() : wanted));
 }
 
-// Removes the connection when the panel's controller is unknown. The panel is not new either: it has no
-// controller until somebody chooses one, also after the next start.
-void Settings::forgetController()
+ConnectionChoice Settings::withoutController() const
 {
     ConnectionChoice none = connectionOf(m_standard);
     none.simulated = false;
     none.portName.clear();
-    store::SettingsFile::Values stored = storedForm(none);
+    return none;
+}
+
+// Removes the connection when the panel's controller is unknown. The panel is not new either: it has no
+// controller until somebody chooses one, also after the next start.
+void Settings::forgetController()
+{
+    store::SettingsFile::Values stored = storedForm(withoutController());
     stored.insert(firstStartKey, firstStartDone);
     m_file.set(stored);
 }
@@ -130,7 +135,8 @@ QString Settings::notice() const
     return m_file.origin() == store::SettingsFile::Origin::Copy
                ? tr("The settings file was damaged or missing. The last good copy is used; check the "
                     "settings.")
-               : tr("The settings file was damaged and has no good copy. No controller is selected: select "
+               : tr("The settings file was damaged or missing and has no good copy. No controller is "
+                    "selected: select "
                     "one on the Settings page, under Connection.");
 }
 
@@ -155,8 +161,17 @@ QString Settings::fileName(const QString& storage)
     return storage.isEmpty() ? QSettings().fileName() : storage;
 }
 
-void Settings::offerFirstStart()
+void Settings::offerFirstStart(bool wasSetUp)
 {
+    if (m_file.isEmpty() && wasSetUp) {
+        const bool isOverridden = connection() != connectionOf(m_standard); // by an option of this run
+        forgetController();
+        if (!isOverridden)
+            overrideConnection(withoutController());
+        m_isNoticed = true;
+        emit textsChanged();
+        return;
+    }
     if (m_file.isEmpty() || m_file.value(firstStartKey) == firstStartBegun)
         beginFirstStart();
 }

@@ -151,7 +151,9 @@ public:
 
     [[nodiscard]] bool firstStart() const { return m_isFirstStart; }
     // Offers the first start when nothing has been set yet, or when the last one was not completed.
-    void offerFirstStart();
+    // On a panel that was set up before, missing settings are a loss: this is said, and no controller is
+    // selected.
+    void offerFirstStart(bool wasSetUp = false);
     void beginFirstStart();
     Q_INVOKABLE void endFirstStart();
 
@@ -181,6 +183,7 @@ private:
     void load();
     void updateValues();
     void forgetController();
+    [[nodiscard]] ConnectionChoice withoutController() const;
     void edit(Setting setting, const QString& text);
     [[nodiscard]] bool require(Level needed) const { return !m_access || m_access->require(needed); }
 

@@ -206,6 +206,23 @@ private slots:
         QVERIFY(rig.machine.commandMessage().isEmpty());
         rig.link.status.state = modbus::State::Stopping;
         rig.link.sendStatus(rig.now);
+        const auto sent = rig.link.requests.size();
+        rig.now += 60ms; // a finger that bounces
+        rig.machine.stop();
+        rig.now += 300ms;
+        rig.machine.stop();
+        QCOMPARE(rig.link.requests.size(), sent);
+        rig.now += 40ms;
+        rig.machine.stop();
+        QCOMPARE(rig.link.requests.last().command, modbus::Command::StopNow);
+    }
+
+    void theFirstTouchOfStopCountsAtOnce()
+    {
+        PanelRig rig;
+        rig.connectRunning();
+        rig.link.status.state = modbus::State::Stopping; // by another master
+        rig.link.sendStatus(rig.now);
         rig.machine.stop();
         QCOMPARE(rig.link.requests.last().command, modbus::Command::StopNow);
     }
@@ -322,6 +339,21 @@ private slots:
         panel::Settings again(rig.folder.filePath("settings.ini"), nullptr);
         QCOMPARE(again.portName(), "/dev/ttyUSB7");
         QCOMPARE(again.parity(), "E");
+    }
+
+    // Without a word the simulated controller would take the machine's place.
+    void missingSettingsOfAPanelThatWasSetUpAreALoss()
+    {
+        for (const bool wasSetUp : {false, true}) {
+            const QTemporaryDir folder;
+            panel::Settings settings(folder.filePath("settings.ini"), nullptr);
+            settings.offerFirstStart(wasSetUp);
+            QCOMPARE(settings.firstStart(), !wasSetUp);
+            QCOMPARE(settings.simulated(), !wasSetUp);
+            QCOMPARE(settings.notice().contains("No controller is selected"), wasSetUp);
+            panel::Settings again(folder.filePath("settings.ini"), nullptr);
+            QCOMPARE(again.simulated(), !wasSetUp);
+        }
     }
 
     void nonsenseInTheSettingsFileBecomesTheStandard()
