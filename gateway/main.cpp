@@ -134,7 +134,7 @@ private:
     {
         QObject::connect(&m_line, &gateway::MqttLine::opened, &m_context, [this](int bdSeq) {
             m_log.report(LogKind::Connected,
-                         u"Connected to %1:%2."_s.arg(m_settings.host).arg(m_settings.port));
+                         u"Connected to %1:%2."_s.arg(m_settings.host, QString::number(m_settings.port)));
             m_node.brokerOpened(bdSeq);
             m_inbox.brokerOpened();
         });

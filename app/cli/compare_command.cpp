@@ -69,58 +69,48 @@ QString cell(const QJsonValue& value, int width, int decimals, const QString& ot
     return (std::isfinite(number) ? QString::number(number, 'f', decimals) : otherwise).rightJustified(width);
 }
 
+constexpr int lawWidth = 20;
+
+QString verdict(const QJsonObject& row)
+{
+    return (row[u"feasible"_s].toBool() ? u"yes"_s : u"no"_s).rightJustified(13);
+}
+
 // The laws of a rotary cutter, the gentlest first, each with the ratios that suit it.
 QByteArray rankedText(const QJsonArray& rows)
 {
     const QString unknown = u"--"_s;
-    QString text = u"%1 %2 %3 %4 %5 %6 %7 %8 %9\n"_s.arg(u"law"_s, -20)
-                       .arg(u"k1"_s, 9)
-                       .arg(u"k4"_s, 7)
-                       .arg(u"r/min"_s, 8)
-                       .arg(u"mm/s^2"_s, 10)
-                       .arg(u"rms mm/s^2"_s, 11)
-                       .arg(u"mm/s^3"_s, 12)
-                       .arg(u"bags/min"_s, 9)
-                       .arg(u"within limits"_s, 13);
+    QString text =
+        u"law                         k1      k4    r/min     mm/s^2  rms mm/s^2       mm/s^3  bags/min within limits\n"_s;
     for (const QJsonValue& each : rows) {
         const QJsonObject row = each.toObject();
-        text += u"%1 %2 %3 %4 %5 %6 %7 %8 %9\n"_s.arg(row[u"law"_s].toString(), -20)
-                    .arg(cell(row[u"k"_s][0], 9, 4, unknown), cell(row[u"k"_s][3], 7, 4, unknown),
-                         cell(row[u"motor_rpm"_s], 8, 1, unknown),
-                         cell(row[u"acceleration_mm_per_s2"_s], 10, 1, unknown),
-                         cell(row[u"rms_acceleration_mm_per_s2"_s], 11, 1, unknown),
-                         cell(row[u"jerk_mm_per_s3"_s], 12, 0, u"steps"_s),
-                         cell(row[u"fastest_bags_per_min"_s], 9, 1, unknown))
-                    .arg(row[u"feasible"_s].toBool() ? u"yes"_s : u"no"_s, 13);
+        text += u"%1 %2 %3 %4 %5 %6 %7 %8 %9\n"_s.arg(
+            row[u"law"_s].toString().leftJustified(lawWidth), cell(row[u"k"_s][0], 9, 4, unknown),
+            cell(row[u"k"_s][3], 7, 4, unknown), cell(row[u"motor_rpm"_s], 8, 1, unknown),
+            cell(row[u"acceleration_mm_per_s2"_s], 10, 1, unknown),
+            cell(row[u"rms_acceleration_mm_per_s2"_s], 11, 1, unknown),
+            cell(row[u"jerk_mm_per_s3"_s], 12, 0, u"steps"_s),
+            cell(row[u"fastest_bags_per_min"_s], 9, 1, unknown), verdict(row));
     }
     return text.toUtf8();
 }
 
 QByteArray comparisonText(const QJsonArray& rows)
 {
-    QString text = u"%1 %2 %3 %4 %5 %6 %7\n"_s.arg(u"law"_s, -20)
-                       .arg(u"time s"_s, 9)
-                       .arg(u"r/min"_s, 9)
-                       .arg(u"mm/s^2"_s, 11)
-                       .arg(u"mm/s^3"_s, 13)
-                       .arg(u"Nm"_s, 9)
-                       .arg(u"within limits"_s, 13);
+    QString text =
+        u"law                     time s     r/min      mm/s^2        mm/s^3        Nm within limits\n"_s;
     for (const QJsonValue& each : rows) {
         const QJsonObject row = each.toObject();
         if (row.contains(u"refusal"_s)) {
-            text +=
-                u"%1 %2\n"_s.arg(row[u"law"_s].toString(), -20).arg(cellText(row[u"refusal"_s].toString()));
+            text += u"%1 %2\n"_s.arg(row[u"law"_s].toString().leftJustified(lawWidth),
+                                     cellText(row[u"refusal"_s].toString()));
             continue;
         }
-        const double jerk = row[u"jerk_mm_per_s3"_s].toDouble(qInf());
-        const double torque = row[u"torque_nm"_s].toDouble(qQNaN());
-        text += u"%1 %2 %3 %4 %5 %6 %7\n"_s.arg(row[u"law"_s].toString(), -20)
-                    .arg(row[u"time_s"_s].toDouble(), 9, 'f', 3)
-                    .arg(row[u"motor_rpm"_s].toDouble(), 9, 'f', 1)
-                    .arg(row[u"acceleration_mm_per_s2"_s].toDouble(), 11, 'f', 1)
-                    .arg(std::isfinite(jerk) ? QString::number(jerk, 'f', 0) : u"steps"_s, 13)
-                    .arg(std::isfinite(torque) ? QString::number(torque, 'f', 4) : u"--"_s, 9)
-                    .arg(row[u"feasible"_s].toBool() ? u"yes"_s : u"no"_s, 13);
+        text += u"%1 %2 %3 %4 %5 %6 %7\n"_s.arg(
+            row[u"law"_s].toString().leftJustified(lawWidth), cell(row[u"time_s"_s], 9, 3, {}),
+            cell(row[u"motor_rpm"_s], 9, 1, {}), cell(row[u"acceleration_mm_per_s2"_s], 11, 1, {}),
+            cell(row[u"jerk_mm_per_s3"_s], 13, 0, u"steps"_s), cell(row[u"torque_nm"_s], 9, 4, u"--"_s),
+            verdict(row));
     }
     return text.toUtf8();
 }

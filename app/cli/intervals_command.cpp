@@ -60,7 +60,7 @@ Outcome runCamMov(const Invocation& call)
     QString text = u"theory %1 ms\n"_s.arg(object[u"theory_total_ms"_s].toDouble(), 0, 'f', 7);
     for (const QString& mode : {u"published"_s, u"corrected"_s}) {
         const QJsonObject result = object[mode].toObject();
-        text += u"%1 %2 ms, pulses at"_s.arg(mode).arg(result[u"total_ms"_s].toDouble(), 0, 'f', 5);
+        text += u"%1 %2 ms, pulses at"_s.arg(mode, QString::number(result[u"total_ms"_s].toDouble(), 'f', 5));
         for (const QJsonValue& time : result[u"pulse_times_ms"_s].toArray())
             text += u" %1"_s.arg(time.toDouble(), 0, 'f', 5);
         text += u'\n';

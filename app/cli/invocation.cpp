@@ -145,7 +145,7 @@ QString overviewText(std::span<const CommandInfo> commands)
         u"Usage: campanelctl COMMAND [options]\n"
         "Computes, downloads and watches the programs of an electronic-cam machine.\n\nCommands:\n"_s;
     for (const CommandInfo& command : commands)
-        text += u"  %1 %2\n"_s.arg(command.name, -10).arg(command.summary);
+        text += u"  %1 %2\n"_s.arg(QString(command.name).leftJustified(10), command.summary);
     return text + u"\ncampanelctl COMMAND --help explains the options of one command.\n"_s + exitCodes +
            u'\n';
 }

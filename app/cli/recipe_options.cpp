@@ -308,12 +308,11 @@ QList<QCommandLineOption> recipeOptions()
     for (const Field field : optionFields()) {
         const profile::FieldInfo& info = profile::info(field);
         const QString unit = info.unit.empty() ? QString() : u", "_s + fromText(info.unit);
-        options << QCommandLineOption(optionOf(field),
-                                      u"%1 (%2 to %3%4)."_s.arg(fromText(info.name))
-                                          .arg(info.min, 0, 'g', shownDigits)
-                                          .arg(info.max, 0, 'g', shownDigits)
-                                          .arg(unit),
-                                      u"NUMBER"_s);
+        options << QCommandLineOption(
+            optionOf(field),
+            u"%1 (%2 to %3%4)."_s.arg(fromText(info.name), QString::number(info.min, 'g', shownDigits),
+                                      QString::number(info.max, 'g', shownDigits), unit),
+            u"NUMBER"_s);
     }
     for (const program::ChoiceInfo& info : choiceOptions())
         options << QCommandLineOption(fromText(info.id).replace(u'_', u'-'),

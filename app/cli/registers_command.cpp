@@ -98,8 +98,8 @@ Outcome readLive(const Invocation& call, const QString& format)
             return fail(ExitCode::Usage,
                         u"Unknown register \"%1\". campanelctl registers lists all registers."_s.arg(name));
         if (info->type == modbus::RegisterType::Block)
-            return fail(ExitCode::Usage,
-                        u"%1 is a block of %2 registers; name a single value."_s.arg(name).arg(info->count));
+            return fail(ExitCode::Usage, u"%1 is a block of %2 registers; name a single value."_s.arg(
+                                             name, QString::number(info->count)));
         wanted << info;
     }
     if (wanted.isEmpty())

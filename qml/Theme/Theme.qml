@@ -64,6 +64,10 @@ QtObject {
     function signedNumber(value: real, decimals: int): string {
         return (value > 0 ? "+" : "") + theme.number(value, decimals)
     }
+    // Returns a text with its places %1, %2 ... filled at once: a name may contain such a place itself.
+    function fill(text: string, values: var): string {
+        return text.replace(/%(\d)/g, (place, number) => values[number - 1])
+    }
     // Returns a sentence without line breaks between a number and its unit, or within a unit at its slash.
     function unbroken(sentence: string): string {
         return sentence.replace(/(\d) (?=[%°µA-Za-z\u4e00-\u9fff])/g, "$1\u00a0").replace(/\//g, "/\u2060")

@@ -124,13 +124,12 @@ QList<QCommandLineOption> simulateOptions()
     const controller::MachineOptions defaults;
     for (const Disturbance& each : disturbances) {
         Machine machine = defaults;
-        options << QCommandLineOption(
-            QString::fromLatin1(each.name),
-            u"Disturbance: %1 (%2 to %3, default %4)."_s.arg(QLatin1String(each.what))
-                .arg(each.minimum)
-                .arg(each.maximum)
-                .arg(each.place(machine)),
-            QString::fromLatin1(each.unit));
+        options << QCommandLineOption(QString::fromLatin1(each.name),
+                                      u"Disturbance: %1 (%2 to %3, default %4)."_s.arg(
+                                          QLatin1String(each.what), QString::number(each.minimum),
+                                          QString::number(each.maximum),
+                                          QString::number(each.place(machine))),
+                                      QString::fromLatin1(each.unit));
     }
     return options;
 }
@@ -143,10 +142,9 @@ tl::expected<double, Failure> numberOf(const Invocation& call, const QString& op
     bool isNumber = false;
     const double value = call.value(option).toDouble(&isNumber);
     if (!isNumber || !(value >= minimum && value <= maximum))
-        return fail(ExitCode::Usage, u"--%1 takes a number from %2 to %3, not \"%4\"."_s.arg(option)
-                                         .arg(minimum, 0, 'g', 10)
-                                         .arg(maximum, 0, 'g', 10)
-                                         .arg(call.value(option)));
+        return fail(ExitCode::Usage, u"--%1 takes a number from %2 to %3, not \"%4\"."_s.arg(
+                                         option, QString::number(minimum, 'g', 10),
+                                         QString::number(maximum, 'g', 10), call.value(option)));
     return value;
 }
 

@@ -116,7 +116,7 @@ QString Access::freeName(int level) const
     const QString base = AccessSentences::level(static_cast<panel::Level>(level));
     QString name = base;
     for (int i = 2; !nameRefusal(name).isEmpty(); ++i)
-        name = u"%1 %2"_s.arg(base).arg(i);
+        name = u"%1 %2"_s.arg(base, QString::number(i));
     return name;
 }
 

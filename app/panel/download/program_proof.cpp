@@ -244,10 +244,8 @@ QString ProgramProof::activeText() const
     if (!program)
         return tr("generation %1, CRC-32 %2").arg(status->generation).arg(Format::hex(*status->activeCrc, 8));
     return tr("%1 · v%2, generation %3, CRC-32 %4")
-        .arg(m_machine.active().name)
-        .arg(m_machine.active().version)
-        .arg(status->generation)
-        .arg(Format::hex(*status->activeCrc, 8));
+        .arg(m_machine.active().name, QString::number(m_machine.active().version),
+             QString::number(status->generation), Format::hex(*status->activeCrc, 8));
 }
 
 QString ProgramProof::savedText() const

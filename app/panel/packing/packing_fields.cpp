@@ -104,17 +104,14 @@ QString PackingFields::note(const Field& field) const
         return ParameterFields::note(field);
     if (!m_gains && m_bags >= GainEstimate::minBags)
         return tr("%1 · no suggestion: the mark positions do not vary (%2 bags)")
-            .arg(range(field))
-            .arg(m_bags);
+            .arg(range(field), QString::number(m_bags));
     if (!m_gains)
         return tr("%1 · suggestion after %2 tracked bags, %3 so far")
-            .arg(range(field))
-            .arg(GainEstimate::minBags)
-            .arg(m_bags);
+            .arg(range(field), QString::number(GainEstimate::minBags), QString::number(m_bags));
     const Format format;
     return tr("%1 · film slip %2 mm per bag, sensor std dev %3 mm (%4 bags)")
-        .arg(range(field), format.number(m_gains->slipMm, 3), format.number(m_gains->sensorMm, 3))
-        .arg(m_bags);
+        .arg(range(field), format.number(m_gains->slipMm, 3), format.number(m_gains->sensorMm, 3),
+             QString::number(m_bags));
 }
 
 } // namespace campanel::panel

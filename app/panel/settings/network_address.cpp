@@ -167,7 +167,7 @@ QString NetworkAddress::text() const
 {
     if (method != Method::Fixed)
         return method == Method::Dhcp ? u"DHCP"_s : u"other"_s;
-    QString line = u"%1/%2"_s.arg(fields[Address]).arg(prefixFrom(fields[Mask]).value_or(0));
+    QString line = u"%1/%2"_s.arg(fields[Address], QString::number(prefixFrom(fields[Mask]).value_or(0)));
     if (!fields[Gateway].isEmpty())
         line += u", gateway "_s + fields[Gateway];
     if (!fields[NameServer].isEmpty())

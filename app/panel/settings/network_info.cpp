@@ -68,10 +68,7 @@ QString NetworkInfo::clockText() const
 QString NetworkInfo::zoneText() const
 {
     const int minutes = m_now.offsetFromUtc() / 60;
-    const QString offset = u"UTC%1%2:%3"_s.arg(QChar(minutes < 0 ? u'-' : u'+'))
-                               .arg(std::abs(minutes) / 60, 2, 10, QLatin1Char('0'))
-                               .arg(std::abs(minutes) % 60, 2, 10, QLatin1Char('0'));
-    return u"%1 (%2)"_s.arg(QString::fromLatin1(m_now.timeZone().id()), offset);
+    return u"%1 (%2)"_s.arg(QString::fromLatin1(m_now.timeZone().id()), Format::utcOffset(minutes));
 }
 
 } // namespace campanel::panel

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/panel/settings/system_clock.h"
 
+#include "app/panel/kit/format.h"
+
 #include "app/panel/kit/engine_instances.h"
 
 #include <QDBusError>
@@ -22,9 +24,7 @@ constexpr bool isInteractive = false; // nobody can answer a question of polkit 
 QString offsetText(const QByteArray& zone)
 {
     const int minutes = QTimeZone(zone).standardTimeOffset(QDateTime::currentDateTimeUtc()) / 60;
-    return u"UTC%1%2:%3"_s.arg(QChar(minutes < 0 ? u'-' : u'+'))
-        .arg(std::abs(minutes) / 60, 2, 10, QLatin1Char('0'))
-        .arg(std::abs(minutes) % 60, 2, 10, QLatin1Char('0'));
+    return Format::utcOffset(minutes);
 }
 
 QString utcText(const QDateTime& moment)

@@ -26,7 +26,7 @@ constexpr double longYears = 100;
 
 QString versionText(const QString& name, double version)
 {
-    return Versions::tr("%1, version %2", "recipe, number").arg(name).arg(qint64(version));
+    return Versions::tr("%1, version %2", "recipe, number").arg(name, QString::number(version));
 }
 
 // What the thread of the database has found.
@@ -121,10 +121,8 @@ QString Versions::controllerText() const
     if (!identity)
         return {};
     return tr("firmware %1, register map %2.%3, serial number %4")
-        .arg(QString::fromStdString(identity->firmwareVersion()))
-        .arg(identity->mapMajor)
-        .arg(identity->mapMinor)
-        .arg(Format::hexDigits(identity->uniqueId, 16));
+        .arg(QString::fromStdString(identity->firmwareVersion()), QString::number(identity->mapMajor),
+             QString::number(identity->mapMinor), Format::hexDigits(identity->uniqueId, 16));
 }
 
 QString Versions::growthText() const
@@ -158,10 +156,10 @@ void Versions::update()
     const auto& identity = m_machine.identity();
     if (identity && m_machine.isConnected())
         noteSoftware(u"controller"_s,
-                     u"%1, %2.%3, %4"_s.arg(QString::fromStdString(identity->firmwareVersion()))
-                         .arg(identity->mapMajor)
-                         .arg(identity->mapMinor)
-                         .arg(Format::hexDigits(identity->uniqueId, 16)));
+                     u"%1, %2.%3, %4"_s.arg(QString::fromStdString(identity->firmwareVersion()),
+                                            QString::number(identity->mapMajor),
+                                            QString::number(identity->mapMinor),
+                                            Format::hexDigits(identity->uniqueId, 16)));
     const ActiveProgramValues active = m_machine.active();
     const auto& status = m_machine.status();
     const QString kind =

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/panel/words/connection_sentences.h"
 
+#include "app/panel/kit/format.h"
 #include "app/panel/words/controller_sentences.h"
 #include "app/panel/words/register_words.h"
 
@@ -33,7 +34,7 @@ QString ConnectionSentences::connection(const link::LinkReport& report, const QD
     if (report.error && !report.simulated && report.error->port.empty())
         return tr("No controller is selected. Select one on the Settings page, under Connection.");
     if (report.state == LinkState::Lost)
-        return lost(report, lostAt.toString(QStringLiteral("HH:mm:ss")));
+        return lost(report, Format::local(lostAt, QStringLiteral("HH:mm:ss")));
     if (report.error)
         return error(*report.error);
     if (report.state == LinkState::Connecting)
@@ -128,13 +129,10 @@ QString ConnectionSentences::error(const modbus::LinkError& error)
             .arg(port);
     case LinkErrorKind::WrongMapMajor:
         return tr("The controller on %1 has register map version %2, not %3. Update the older device.")
-            .arg(port)
-            .arg(error.code)
-            .arg(modbus::mapMajor);
+            .arg(port, QString::number(error.code), QString::number(modbus::mapMajor));
     case LinkErrorKind::WrongIdentity:
         return tr("The controller on %1 reports an impossible value: %2 is %3. Update its firmware.")
-            .arg(port, detail)
-            .arg(error.code);
+            .arg(port, detail, QString::number(error.code));
     case LinkErrorKind::RangeNotReadable:
         return tr("The controller on %1 lacks required registers. Update its firmware.").arg(port);
     case LinkErrorKind::CommandLost:
@@ -279,8 +277,7 @@ QString ConnectionSentences::error(const modbus::DownloadError& error)
     case DownloadErrorKind::ImageTooLong:
         return tr("The table needs %1 registers, the controller has %2; its program is unchanged. Use fewer "
                   "slices per ramp.")
-            .arg(error.actual)
-            .arg(error.expected);
+            .arg(QString::number(error.actual), QString::number(error.expected));
     case DownloadErrorKind::KindNotSupported:
         return tr("This controller cannot execute this kind of program; its program is unchanged. Update its "
                   "firmware.");

@@ -13,10 +13,8 @@ using modbus::LineCondition;
 QString DoctorSentences::settings(const modbus::LineSettings& line, int unit)
 {
     return tr("%1 baud, 8%2%3, unit %4", "parity letter, stop bits")
-        .arg(line.baud)
-        .arg(QChar::fromLatin1(static_cast<char>(line.parity)))
-        .arg(line.stopBits)
-        .arg(unit);
+        .arg(QString::number(line.baud), QChar::fromLatin1(static_cast<char>(line.parity)),
+             QString::number(line.stopBits), QString::number(unit));
 }
 
 QString DoctorSentences::condition(LineCondition condition)
@@ -71,8 +69,7 @@ QString DoctorSentences::finding(const modbus::LineFinding& finding)
     case LineCondition::OtherMapVersion:
         text = tr("A CamPanel controller responds with register map version %1, not %2. Update the older "
                   "device.")
-                   .arg(finding.code)
-                   .arg(modbus::mapMajor);
+                   .arg(QString::number(finding.code), QString::number(modbus::mapMajor));
         break;
     case LineCondition::OtherDevice:
         text = tr("The responding device is not a CamPanel controller. Choose another port or unit number.");
@@ -139,8 +136,8 @@ QString DoctorSentences::busy(const modbus::LineFinding& finding)
     for (const modbus::PortHolder& holder : finding.holders)
         holders << (holder.program.empty() ? tr("process %1").arg(holder.processId)
                                            : tr("%1 (process %2)")
-                                                 .arg(QString::fromStdString(holder.program))
-                                                 .arg(holder.processId));
+                                                 .arg(QString::fromStdString(holder.program),
+                                                      QString::number(holder.processId)));
     return holders.isEmpty()
                ? tr("Another program is using this port. Close that program, or choose another port.")
                : tr("The port is in use by %1. Close that program, or choose another port.")
@@ -153,10 +150,10 @@ QString DoctorSentences::progress(const modbus::ScanProgress& progress)
     const auto seconds = std::chrono::ceil<std::chrono::seconds>(progress.remaining).count();
     if (seconds > 2 * secondsOfMinute)
         return tr("%1 of %2, max. %3 min left")
-            .arg(progress.done)
-            .arg(progress.total)
-            .arg((seconds + secondsOfMinute - 1) / secondsOfMinute);
-    return tr("%1 of %2, max. %3 s left").arg(progress.done).arg(progress.total).arg(seconds);
+            .arg(QString::number(progress.done), QString::number(progress.total),
+                 QString::number((seconds + secondsOfMinute - 1) / secondsOfMinute));
+    return tr("%1 of %2, max. %3 s left")
+        .arg(QString::number(progress.done), QString::number(progress.total), QString::number(seconds));
 }
 
 } // namespace campanel::panel

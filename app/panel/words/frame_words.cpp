@@ -129,7 +129,8 @@ QString FrameWords::question(const DecodedFrame& frame)
     if (frame.written && !frame.values.empty())
         return tr("Write %1").arg(assignment(frame.values.front()));
     if (frame.read)
-        return tr("Read %1, count %2").arg(registerAt(frame.read->address)).arg(frame.read->count);
+        return tr("Read %1, count %2")
+            .arg(registerAt(frame.read->address), QString::number(frame.read->count));
     return tr("Sent: function %1").arg(frame.function.value_or(0));
 }
 
@@ -164,9 +165,9 @@ QString FrameWords::line(const modbus::FrameRecord& record)
         return question(frame);
     if (frame.unit && record.verdict == FrameVerdict::Answer)
         return answer(frame);
-    return record.length > 0
-               ? tr("%1, %2 bytes", "what, number").arg(verdict(record.verdict)).arg(record.length)
-               : verdict(record.verdict);
+    return record.length > 0 ? tr("%1, %2 bytes", "what, number")
+                                   .arg(verdict(record.verdict), QString::number(record.length))
+                             : verdict(record.verdict);
 }
 
 QStringList FrameWords::details(const modbus::FrameRecord& record)

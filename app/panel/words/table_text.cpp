@@ -140,10 +140,9 @@ QStringList TableText::summaryOf(const profile::StepTable& table) const
     const Format format;
     QStringList lines;
     lines << tr("%1 rows, %2 pulses per cycle, %3 s")
-                 .arg(table.rows.size())
-                 .arg(format.compact(table.pulses.asDouble(), 0, 4))
-                 .arg(format.compact(
-                     static_cast<double>(table.cycleTicks) / m_image.solved.machine.timerClockHz, 3, 6));
+                 .arg(QString::number(table.rows.size()), format.compact(table.pulses.asDouble(), 0, 4),
+                      format.compact(
+                          static_cast<double>(table.cycleTicks) / m_image.solved.machine.timerClockHz, 3, 6));
     lines << tr("Max. speed error: %1 mm/s (%2 %) at %3 s")
                  .arg(format.number(errors.speedMmPerS, 2), format.number(errors.speedPercent, 2),
                       format.number(errors.speedTimeS, 3));
@@ -168,10 +167,9 @@ QStringList TableText::summaryOf(const profile::CamTable& table) const
         profile::camErrors(table, source.motion, m_image.solved.machine, source.use);
     QStringList lines;
     lines << tr("%1 points, %2 pulses per cycle, %3 s")
-                 .arg(table.rows.size())
-                 .arg(format.compact(table.advance.asDouble(), 0, 4))
-                 .arg(format.compact(
-                     static_cast<double>(table.cycleTicks) / m_image.solved.machine.timerClockHz, 3, 6));
+                 .arg(QString::number(table.rows.size()), format.compact(table.advance.asDouble(), 0, 4),
+                      format.compact(
+                          static_cast<double>(table.cycleTicks) / m_image.solved.machine.timerClockHz, 3, 6));
     lines << tr("Max. position error between points: %1 pulses (%2 mm) at %3 s")
                  .arg(format.compact(errors.positionPulses, 2, 5), format.compact(errors.positionMm, 2, 6),
                       format.number(errors.positionTimeS, 3));
@@ -185,9 +183,8 @@ QStringList TableText::summaryOf(const profile::IntervalTable& table) const
     const Format format;
     QStringList lines;
     lines << tr("%1 intervals, %2 pulses, %3 s instead of %4 s")
-                 .arg(table.rows.size())
-                 .arg(table.advance)
-                 .arg(format.number(table.timeS, 6), format.number(table.profileTimeS, 6));
+                 .arg(QString::number(table.rows.size()), QString::number(table.advance),
+                      format.number(table.timeS, 6), format.number(table.profileTimeS, 6));
     lines << tr("Max. speed error: %1 mm/s at %2 s, position: %3 pulses")
                  .arg(format.compact(table.errors.speedMmPerS, 2, 4),
                       format.number(table.errors.speedTimeS, 3),

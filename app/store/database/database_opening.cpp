@@ -39,7 +39,7 @@ QString freeName(const QString& path)
     const QString base = u"%1-%2"_s.arg(path, stamp);
     QString name = base;
     for (int i = 2; QFileInfo::exists(name) || QFileInfo::exists(name + u"-wal"_s); ++i)
-        name = u"%1-%2"_s.arg(base).arg(i);
+        name = u"%1-%2"_s.arg(base, QString::number(i));
     return name;
 }
 

@@ -73,7 +73,7 @@ QString unusedName(const QString& name, const QSet<QString>& taken)
         QString begin = base;
         while (begin.toUtf8().size() > maxBytes - maxLetters)
             begin.chop(begin.back().isLowSurrogate() ? 2 : 1);
-        free = u"%1 (%2)"_s.arg(keptName(begin)).arg(number);
+        free = u"%1 (%2)"_s.arg(keptName(begin), QString::number(number));
     }
     return free;
 }

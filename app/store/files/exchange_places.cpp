@@ -152,7 +152,7 @@ QString freePath(const Place& place, const QString& name, const QString& suffix)
     const QString base = portableName(name);
     QString file = base + u'.' + suffix;
     for (int number = 2; taken.contains(file.toCaseFolded()); ++number)
-        file = u"%1-%2.%3"_s.arg(base).arg(number).arg(suffix);
+        file = u"%1-%2.%3"_s.arg(base, QString::number(number), suffix);
     return folder.filePath(file);
 }
 

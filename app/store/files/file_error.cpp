@@ -20,9 +20,7 @@ QString FileErrorText::describe(const FileError& error)
             .arg(path, error.found);
     case FileError::Kind::NotJson:
         return tr("The recipe file %1 is damaged at byte %2: %3. Restore it from a copy.")
-            .arg(path)
-            .arg(error.offset)
-            .arg(error.found);
+            .arg(path, QString::number(error.offset), error.found);
     case FileError::Kind::NotARecipe:
         return tr("%1 is not a CamPanel recipe: the key \"format\" must be \"campanel-recipe\".").arg(path);
     case FileError::Kind::NewerVersion:

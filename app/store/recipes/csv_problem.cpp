@@ -70,9 +70,8 @@ QString csvProblem(const profile::CsvError& error, const QString& path,
     if (error.expected == profile::CsvExpectation::Utf8)
         return FileErrorText::tr("The file %1 is not UTF-8 text. Save the file as CSV in UTF-8.").arg(path);
     return FileErrorText::tr("%1, line %2: expected %3, found \"%4\".")
-        .arg(path)
-        .arg(error.line)
-        .arg(expectation(error.expected, columns), QString::fromStdString(error.found));
+        .arg(path, QString::number(error.line), expectation(error.expected, columns),
+             QString::fromStdString(error.found));
 }
 
 } // namespace campanel::store

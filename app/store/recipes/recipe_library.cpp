@@ -228,12 +228,14 @@ RecipeLibrary::Result<QList<MachineData>> RecipeLibrary::machines()
 }
 
 RecipeLibrary::Result<void> RecipeLibrary::saveMachine(const program::Recipe& recipe, const QString& by,
-                                                       qint64 nowMs)
+                                                       qint64 nowMs, bool replaces)
 {
     const auto done = m_database.execute(
         u"INSERT INTO machine_data (kind, saved_ms, saved_by, json) VALUES (?, ?, ?, ?) ON CONFLICT (kind) "
-        u"DO UPDATE "
-        "SET saved_ms = excluded.saved_ms, saved_by = excluded.saved_by, json = excluded.json"_s,
+        u"DO "_s +
+            (replaces ? u"UPDATE SET saved_ms = excluded.saved_ms, saved_by = excluded.saved_by, "
+                        "json = excluded.json"_s
+                      : u"NOTHING"_s),
         {kindKey(recipe), nowMs, by, toJson(recipe)});
     return done ? Result<void>() : tl::unexpected(done.error());
 }

@@ -65,7 +65,9 @@ public:
     // Returns the machine data of each kind that was set. When they cannot be read, those of the version of
     // this kind that was saved last take their place.
     [[nodiscard]] Result<QList<MachineData>> machines();
-    [[nodiscard]] Result<void> saveMachine(const program::Recipe& recipe, const QString& by, qint64 nowMs);
+    // Saves the machine data of the recipe: always, or only when there are none of its kind.
+    [[nodiscard]] Result<void> saveMachine(const program::Recipe& recipe, const QString& by, qint64 nowMs,
+                                           bool replaces = true);
 
 private:
     [[nodiscard]] Result<void> addOlder(QList<RecipeVersion>& found);

@@ -27,8 +27,8 @@ struct Envelope {
     // Returns the text that is signed: the recipe comes last, because only it has more than one line.
     [[nodiscard]] QByteArray text() const
     {
-        return QStringList{u"%1 %2"_s.arg(signedFormat).arg(signedFormatVersion), signer, time, tableCrc,
-                           recipe}
+        return QStringList{u"%1 %2"_s.arg(signedFormat, QString::number(signedFormatVersion)), signer, time,
+                           tableCrc, recipe}
             .join(u'\n')
             .toUtf8();
     }

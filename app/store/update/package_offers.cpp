@@ -16,7 +16,8 @@ constexpr qsizetype maxFound = 20; // in one place
 QString stampOf(const QString& path)
 {
     const QFileInfo file(path);
-    return u"%1|%2|%3"_s.arg(path).arg(file.size()).arg(file.lastModified().toMSecsSinceEpoch());
+    return u"%1|%2|%3"_s.arg(path, QString::number(file.size()),
+                             QString::number(file.lastModified().toMSecsSinceEpoch()));
 }
 
 bool isNewer(const PackageOffer& left, const PackageOffer& right)

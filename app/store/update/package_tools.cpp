@@ -131,7 +131,7 @@ QString shortVersion(const QString& version)
 
 QString dataSchema()
 {
-    return u"%1.%2"_s.arg(schemaVersion()).arg(trendDatabase().steps().size());
+    return u"%1.%2"_s.arg(QString::number(schemaVersion()), QString::number(trendDatabase().steps().size()));
 }
 
 } // namespace campanel::store

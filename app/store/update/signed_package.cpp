@@ -26,7 +26,7 @@ constexpr int signatureVersion = 1;
 // The text that is signed. Its first line is that of no signed recipe.
 QByteArray signedText(const PackageSignature& signature)
 {
-    return QStringList{u"%1 %2"_s.arg(signatureFormat).arg(signatureVersion),
+    return QStringList{u"%1 %2"_s.arg(signatureFormat, QString::number(signatureVersion)),
                        signature.signer,
                        QDateTime::fromMSecsSinceEpoch(signature.signedMs).toUTC().toString(Qt::ISODate),
                        signature.package.name,

@@ -99,6 +99,24 @@ private slots:
         QCOMPARE(rig.recipes.message(), QStringLiteral("Saved: Biscuit 250, version 2."));
     }
 
+    // A name may look like a place for a value.
+    void aNameStaysWhatItIs()
+    {
+        RecipesRig rig;
+        rig.create(QStringLiteral("Mix 50%3"));
+        QVERIFY(rig.recipes.message().startsWith(QStringLiteral("Mix 50%3 was created")));
+        rig.editor.bagLength()->set(240);
+        rig.recipes.save();
+        QTRY_COMPARE(rig.recipes.message(), QStringLiteral("Saved: Mix 50%3, version 2."));
+        rig.recipes.setWantedName(QStringLiteral("Mix %2%1"));
+        rig.recipes.saveAs();
+        QTRY_COMPARE(rig.recipes.message(), QStringLiteral("Saved: Mix %2%1, version 1."));
+        QTRY_COMPARE(rig.recipes.total(), 3);
+        rig.recipes.listOthers();
+        rig.recipes.compareOther(0);
+        QCOMPARE(rig.recipes.beforeTitle(), QStringLiteral("Mix %2%1 · v1"));
+    }
+
     // During a drag the list of all recipes is not updated.
     void changesAreNotedForTheAuditTrail()
     {
@@ -360,6 +378,27 @@ private slots:
         QVERIFY(rig.recipes.message().contains(QStringLiteral("version 7")));
         rig.recipes.open();
         QCOMPARE(rig.editor.recipe().machine.knifeRadiusMm, 60.0); // from this machine
+    }
+
+    // Letters that no font of the panel has would be boxes without a word.
+    void aNameThatCannotBeShownIsSaid()
+    {
+        RecipesRig rig;
+        rig.recipes.files()->setGlyphs([](char32_t letter) { return letter < 0x600; });
+        QVERIFY(QDir(rig.folder.path()).mkpath(QStringLiteral("recipes")));
+        for (const QString& name : {QStringLiteral("Rusk 310"), QStringLiteral("خبز 5")}) {
+            program::Recipe recipe;
+            recipe.name = name.toStdString();
+            QFile file(rig.folder.filePath(QStringLiteral("recipes/offer.json")));
+            QVERIFY(file.open(QIODevice::WriteOnly | QIODevice::Truncate));
+            file.write(store::toJson(recipe));
+            file.close();
+            rig.recipes.files()->scan();
+            QTRY_VERIFY(!rig.recipes.files()->busy());
+            const OfferRow row = rig.recipes.files()->files()->rows().value(0);
+            QVERIFY(row.usable);
+            QCOMPARE(row.detail.contains(QStringLiteral("missing: 3.")), name != QStringLiteral("Rusk 310"));
+        }
     }
 
     // A signed recipe needs no technician, but must be newer, of the same kind, and feasible here.
