@@ -999,6 +999,46 @@
         <source>controller</source>
         <translation>Steuerung</translation>
     </message>
+    <message>
+        <source>Alarms</source>
+        <translation>Alarme</translation>
+    </message>
+    <message>
+        <source>Exports</source>
+        <translation>Exporte</translation>
+    </message>
+    <message>
+        <source>Connection</source>
+        <translation>Verbindung</translation>
+    </message>
+    <message>
+        <source>Alarm acknowledged</source>
+        <translation>Alarm quittiert</translation>
+    </message>
+    <message>
+        <source>Alarm shelved</source>
+        <translation>Alarm zurückgestellt</translation>
+    </message>
+    <message>
+        <source>Alarm unshelved</source>
+        <translation>Zurückstellung aufgehoben</translation>
+    </message>
+    <message>
+        <source>Files written</source>
+        <translation>Dateien geschrieben</translation>
+    </message>
+    <message>
+        <source>Connection diagnosed</source>
+        <translation>Verbindung geprüft</translation>
+    </message>
+    <message>
+        <source>Controller searched for</source>
+        <translation>Steuerung gesucht</translation>
+    </message>
+    <message>
+        <source>Statistics reset</source>
+        <translation>Statistik zurückgesetzt</translation>
+    </message>
 </context>
 <context>
     <name>BackupErrorText</name>
@@ -5896,6 +5936,15 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
         <comment>recipe, number</comment>
         <translation>Angeboten: %1, Version %2</translation>
     </message>
+    <message>
+        <source>This panel cannot show all letters of the name; missing: %1. Rename the recipe after importing.</source>
+        <translation>Dieses Panel kann nicht alle Buchstaben des Namens anzeigen; es fehlen: %1. Das Rezept nach dem Import umbenennen.</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <comment>whole sentences</comment>
+        <translation>%1 %2</translation>
+    </message>
 </context>
 <context>
     <name>campanel::panel::Recipes</name>
@@ -6149,10 +6198,6 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
         <translation>Die Einstellungsdatei war beschädigt oder fehlte. Die letzte gute Kopie wird verwendet; Einstellungen prüfen.</translation>
     </message>
     <message>
-        <source>The settings file was damaged and has no good copy. No controller is selected: select one on the Settings page, under Connection.</source>
-        <translation>Die Einstellungsdatei war beschädigt, ohne gute Kopie. Keine Steuerung gewählt: auf der Seite Einstellungen unter Verbindung wählen.</translation>
-    </message>
-    <message>
         <source>Language</source>
         <translation>Sprache</translation>
     </message>
@@ -6215,6 +6260,10 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
     <message>
         <source>screen rotation, degrees</source>
         <translation>Bildschirmdrehung, Grad</translation>
+    </message>
+    <message>
+        <source>The settings file was damaged or missing and has no good copy. No controller is selected: select one on the Settings page, under Connection.</source>
+        <translation>Die Einstellungsdatei war beschädigt oder fehlte, ohne gute Kopie. Keine Steuerung gewählt: auf der Seite Einstellungen unter Verbindung wählen.</translation>
     </message>
 </context>
 <context>

@@ -999,6 +999,46 @@
         <source>controller</source>
         <translation>控制器</translation>
     </message>
+    <message>
+        <source>Alarms</source>
+        <translation>报警</translation>
+    </message>
+    <message>
+        <source>Exports</source>
+        <translation>导出</translation>
+    </message>
+    <message>
+        <source>Connection</source>
+        <translation>连接</translation>
+    </message>
+    <message>
+        <source>Alarm acknowledged</source>
+        <translation>报警已确认</translation>
+    </message>
+    <message>
+        <source>Alarm shelved</source>
+        <translation>报警已搁置</translation>
+    </message>
+    <message>
+        <source>Alarm unshelved</source>
+        <translation>报警已取消搁置</translation>
+    </message>
+    <message>
+        <source>Files written</source>
+        <translation>文件已写出</translation>
+    </message>
+    <message>
+        <source>Connection diagnosed</source>
+        <translation>连接已诊断</translation>
+    </message>
+    <message>
+        <source>Controller searched for</source>
+        <translation>已搜索控制器</translation>
+    </message>
+    <message>
+        <source>Statistics reset</source>
+        <translation>统计已清零</translation>
+    </message>
 </context>
 <context>
     <name>BackupErrorText</name>
@@ -5894,6 +5934,15 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
         <comment>recipe, number</comment>
         <translation>可接收：%1，第 %2 版</translation>
     </message>
+    <message>
+        <source>This panel cannot show all letters of the name; missing: %1. Rename the recipe after importing.</source>
+        <translation>本面板无法显示名称中的全部字符；缺少：%1 个。导入后请重命名配方。</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <comment>whole sentences</comment>
+        <translation>%1%2</translation>
+    </message>
 </context>
 <context>
     <name>campanel::panel::Recipes</name>
@@ -6146,10 +6195,6 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
         <translation>设置文件已损坏或丢失。现使用最近的完好副本；请检查设置。</translation>
     </message>
     <message>
-        <source>The settings file was damaged and has no good copy. No controller is selected: select one on the Settings page, under Connection.</source>
-        <translation>设置文件已损坏，且没有完好的副本。未选择控制器：请在“设置”页的“通信”中选择。</translation>
-    </message>
-    <message>
         <source>Language</source>
         <translation>语言</translation>
     </message>
@@ -6212,6 +6257,10 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
     <message>
         <source>screen rotation, degrees</source>
         <translation>屏幕旋转，度</translation>
+    </message>
+    <message>
+        <source>The settings file was damaged or missing and has no good copy. No controller is selected: select one on the Settings page, under Connection.</source>
+        <translation>设置文件已损坏或丢失，且没有完好的副本。未选择控制器：请在“设置”页的“通信”中选择。</translation>
     </message>
 </context>
 <context>

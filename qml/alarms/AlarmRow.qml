@@ -63,7 +63,7 @@ T.AbstractButton {
             Label {
                 objectName: "alarmState"
                 width: parent.width
-                text: qsTr("%1 · %2").arg(row.code).arg(row.stateText)
+                text: Theme.fill(qsTr("%1 · %2"), [row.code, row.stateText])
                 fontSizeMode: Text.HorizontalFit
                 minimumPixelSize: 0.8 * Theme.size.caption
                 color: row.calls ? row.severityColor : Theme.color.secondaryInk

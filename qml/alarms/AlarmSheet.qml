@@ -18,8 +18,8 @@ Sheet {
         sheet.closed()
     }
 
-    title: qsTr("%1 · %2").arg(alarm.code).arg(alarm.title)
-    note: qsTr("%1 · %2").arg(alarm.severityText).arg(alarm.stateText)
+    title: Theme.fill(qsTr("%1 · %2"), [alarm.code, alarm.title])
+    note: Theme.fill(qsTr("%1 · %2"), [alarm.severityText, alarm.stateText])
 
     Flickable {
         id: view
@@ -79,6 +79,8 @@ Sheet {
             visible: sheet.alarm.shelved
             text: qsTr("Unshelve")
             onClicked: {
+                if (!Access.ask(Access.Operator))
+                    return
                 Alarms.unshelveShown()
                 sheet.closed()
             }
@@ -101,6 +103,8 @@ Sheet {
             kind: Button.Primary
             text: qsTr("Acknowledge")
             onClicked: {
+                if (!Access.ask(Access.Operator))
+                    return
                 Alarms.acknowledgeShown()
                 sheet.closed()
             }

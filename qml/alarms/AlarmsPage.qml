@@ -51,7 +51,7 @@ Page {
             width: (parent.width - parent.spacing) / 2
             text: qsTr("CSV")
             enabled: Alarms.history.rows.count > 0 && !Alarms.history.exporting
-            onClicked: Alarms.history.exportCsv(Maintenance.files)
+            onClicked: if (Access.ask(Access.Operator)) Alarms.history.exportCsv(Maintenance.files)
         }
     }
     LogFilterStrip {

@@ -42,7 +42,7 @@ Item {
                 Label {
                     objectName: "shelvedState"
                     width: parent.width
-                    text: row.by.length > 0 ? qsTr("%1 · %2 · by %3").arg(row.code).arg(row.until).arg(row.by) : qsTr("%1 · %2").arg(row.code).arg(row.until)
+                    text: row.by.length > 0 ? Theme.fill(qsTr("%1 · %2 · by %3"), [row.code, row.until, row.by]) : Theme.fill(qsTr("%1 · %2"), [row.code, row.until])
                     fontSizeMode: Text.HorizontalFit
                     minimumPixelSize: 0.8 * Theme.size.caption
                     color: Theme.color.secondaryInk

@@ -34,7 +34,7 @@ T.AbstractButton {
             width: Math.round(parent.width * 0.3)
             Label {
                 width: parent.width
-                text: row.clockNote.length > 0 ? qsTr("%1 · %2").arg(row.time).arg(row.clockNote) : row.time
+                text: row.clockNote.length > 0 ? Theme.fill(qsTr("%1 · %2"), [row.time, row.clockNote]) : row.time
                 fontSizeMode: Text.HorizontalFit
                 minimumPixelSize: Theme.size.caption - 3
                 color: row.clockNote.length > 0 ? Theme.color.warning : Theme.color.secondaryInk
@@ -53,7 +53,7 @@ T.AbstractButton {
                 width: parent.width
                 fontSizeMode: Text.HorizontalFit
                 minimumPixelSize: Theme.size.caption - 3
-                text: row.object.length > 0 ? qsTr("%1 · %2").arg(row.what).arg(row.object) : row.what
+                text: row.object.length > 0 ? Theme.fill(qsTr("%1 · %2"), [row.what, row.object]) : row.what
                 font.weight: Font.DemiBold
             }
             Label {

@@ -65,6 +65,8 @@ Sheet {
                 text: qsTr("CSV")
                 enabled: Audit.rows.count > 0 && !Audit.busy
                 onClicked: {
+                    if (!Access.ask(Access.Operator))
+                        return
                     Audit.exportCsv()
                     sheet.exportRequested()
                 }

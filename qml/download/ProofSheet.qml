@@ -45,8 +45,8 @@ Sheet {
         Entry {
             live: false
             name: qsTr("Edited on this panel")
-            value: Editor.programDownload.differenceCount > 0 && Controller.fresh ? qsTr("%1 · v%2, differences from the active program: %3").arg(Editor.recipeName).arg(Editor.recipeVersion).arg(Editor.programDownload.differenceCount)
-                : qsTr("%1 · v%2").arg(Editor.recipeName).arg(Editor.recipeVersion)
+            value: Editor.programDownload.differenceCount > 0 && Controller.fresh ? Theme.fill(qsTr("%1 · v%2, differences from the active program: %3"), [Editor.recipeName, Editor.recipeVersion, Editor.programDownload.differenceCount])
+                : Theme.fill(qsTr("%1 · v%2"), [Editor.recipeName, Editor.recipeVersion])
         }
         Entry {
             objectName: "proofActive"

@@ -22,7 +22,7 @@ Sheet {
     // Returns the width of a tool of which a row has so many.
     function toolWidth(count: int): real { return Math.floor((tools.width - (count - 1) * tools.spacing) / count) }
 
-    title: qsTr("%1 of %2").arg(handles.selected + 1).arg(handles.count)
+    title: Theme.fill(qsTr("%1 of %2"), [handles.selected + 1, handles.count])
     beside: true
     // Three keys beside the title, also with gloves.
     panelWidth: Math.max(besideWidth, 3 * Theme.size.touch + 2 * Theme.size.padding + 5 * Theme.size.body)

@@ -140,7 +140,7 @@ Item {
         visible: inputs.grouped
         height: Theme.size.touch
         text: qsTr("Next: %1").arg(inputs.groupNames[inputs.groups[inputs.next]] ?? "")
-        note: qsTr("%1, %2 of %3").arg(inputs.groupNames[inputs.group] ?? "").arg(inputs.shown + 1).arg(inputs.groups.length)
+        note: Theme.fill(qsTr("%1, %2 of %3"), [inputs.groupNames[inputs.group] ?? "", inputs.shown + 1, inputs.groups.length])
         onClicked: inputs.opened = inputs.next
     }
 }

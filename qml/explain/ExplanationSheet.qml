@@ -28,8 +28,7 @@ Sheet {
         fontSizeMode: Text.Fit
         minimumPixelSize: Theme.size.caption
         text: sheet.field.derived ? sheet.field.explanation
-            : sheet.field.explanation + (sheet.field.explanation.length > 0 ? "\n" : "") + qsTr("This value is entered, not calculated. The range is %1 to %2.")
-                .arg(Theme.number(sheet.field.minimum, sheet.field.decimals)).arg(Theme.number(sheet.field.maximum, sheet.field.decimals))
+            : sheet.field.explanation + (sheet.field.explanation.length > 0 ? "\n" : "") + Theme.fill(qsTr("This value is entered, not calculated. The range is %1 to %2."), [Theme.number(sheet.field.minimum, sheet.field.decimals), Theme.number(sheet.field.maximum, sheet.field.decimals)])
         lineHeight: 1.2
     }
     footer: Button {

@@ -39,7 +39,7 @@ FirstStep {
             objectName: "firstSearchText"
             width: parent.width
             wrapMode: Text.WordWrap
-            text: step.doctor.running ? qsTr("%1 · %2").arg(step.doctor.progressText).arg(step.doctor.triedText)
+            text: step.doctor.running ? Theme.fill(qsTr("%1 · %2"), [step.doctor.progressText, step.doctor.triedText])
                 : step.doctor.canTake ? step.doctor.foundText : Controller.connectionText
             color: step.doctor.canTake ? Theme.color.good : Theme.color.secondaryInk
         }

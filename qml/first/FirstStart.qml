@@ -43,7 +43,7 @@ Page {
         Label {
             id: count
             anchors { left: parent.left; top: parent.top; margins: Theme.size.padding }
-            text: qsTr("First start · %1 of %2").arg(page.step + 1).arg(page.steps.length)
+            text: Theme.fill(qsTr("First start · %1 of %2"), [page.step + 1, page.steps.length])
             color: Theme.color.secondaryInk
             font.pixelSize: Theme.size.caption
         }

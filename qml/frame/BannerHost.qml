@@ -25,7 +25,7 @@ Item {
     readonly property var alarms: Controller.alarmTexts
     readonly property string alarm: alarms.length > 0 ? alarms.join("\n") : linkTrouble
     // Every screen has space for one alarm at a time.
-    readonly property string mostUrgent: alarms.length > 1 ? qsTr("%1\nAnd %2 more.").arg(alarms[0]).arg(alarms.length - 1) : alarm
+    readonly property string mostUrgent: alarms.length > 1 ? Theme.fill(qsTr("%1\nAnd %2 more."), [alarms[0], alarms.length - 1]) : alarm
     readonly property string answer: Controller.commandMessage.length > 0 ? Controller.commandMessage : Scan.notice.length > 0 ? Scan.notice
         : Settings.notice.length > 0 ? Settings.notice : Editor.notice.length > 0 ? Editor.notice
         : DatabaseService.notice.length > 0 ? DatabaseService.notice

@@ -45,7 +45,7 @@ Rectangle {
                 elide: Text.ElideRight
                 fontSizeMode: Text.HorizontalFit
                 minimumPixelSize: Theme.size.caption
-                text: qsTr("%1 · v%2").arg(Editor.recipeName).arg(Editor.recipeVersion)
+                text: Theme.fill(qsTr("%1 · v%2"), [Editor.recipeName, Editor.recipeVersion])
                 font { pixelSize: bar.runsAnother ? Theme.size.body : Theme.size.title; bold: true }
             }
             Label {
@@ -55,7 +55,7 @@ Rectangle {
                 elide: Text.ElideRight
                 fontSizeMode: Text.HorizontalFit
                 minimumPixelSize: 0.6 * Theme.size.caption
-                text: qsTr("in the controller: %1 · v%2").arg(Controller.active.name).arg(Controller.active.version)
+                text: Theme.fill(qsTr("in the controller: %1 · v%2"), [Controller.active.name, Controller.active.version])
                 color: Controller.fresh ? Theme.color.warning : Theme.color.disabledInk
                 font { pixelSize: Theme.size.caption; weight: Font.DemiBold }
             }

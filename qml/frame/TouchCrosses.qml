@@ -71,7 +71,7 @@ Rectangle {
             visible: cover.waits
             width: parent.width
             horizontalAlignment: Text.AlignHCenter
-            text: qsTr("Cross %1 of %2").arg(TouchCalibration.crossIndex + 1).arg(TouchCalibration.crossCount)
+            text: Theme.fill(qsTr("Cross %1 of %2"), [TouchCalibration.crossIndex + 1, TouchCalibration.crossCount])
         }
         Row {
             anchors.horizontalCenter: parent.horizontalCenter

@@ -52,7 +52,7 @@ T.AbstractButton {
                 width: parent.width
                 fontSizeMode: Text.HorizontalFit
                 minimumPixelSize: Theme.size.caption - 4
-                text: qsTr("v%1 · %2").arg(row.version).arg(row.summary)
+                text: Theme.fill(qsTr("v%1 · %2"), [row.version, row.summary])
                 color: Theme.color.secondaryInk
                 font.pixelSize: Theme.size.caption
             }

@@ -16,6 +16,12 @@ Page {
     property int wantedVersion: -1         // version to open after the decision on the edits, -1: the chosen recipe
 
     // Unsaved edits would be lost, so the user decides.
+    function offerExport(all: bool): void {
+        if (!Access.ask(Access.Operator))
+            return
+        Recipes.offerExport(all)
+        page.sheetRequested(exportSheet)
+    }
     function open(version: int): void {
         page.wantedVersion = version
         if (Editor.edited)
@@ -63,10 +69,7 @@ Page {
             objectName: "recipeExportAll"
             text: qsTr("Export all …")
             enabled: Recipes.total > 0
-            onClicked: {
-                Recipes.offerExport(true)
-                page.sheetRequested(exportSheet)
-            }
+            onClicked: page.offerExport(true)
         }
     }
     Card {
@@ -164,10 +167,7 @@ Page {
         onCompareRequested: page.sheetRequested(compareSheet)
         onRemoveRequested: page.sheetRequested(removeSheet)
         onCodesRequested: page.sheetRequested(codesSheet)
-        onExportRequested: {
-            Recipes.offerExport(false)
-            page.sheetRequested(exportSheet)
-        }
+        onExportRequested: page.offerExport(false)
     }
 
     component NameSheet: TextSheet {

@@ -110,6 +110,8 @@ MaintenanceSection {
             glyph: Theme.icon.save
             text: qsTr("Export CSV")
             onClicked: {
+                if (!Access.ask(Access.Operator))
+                    return
                 section.figures.exportCsv()
                 section.page.sheetRequested(exportSheet)
             }

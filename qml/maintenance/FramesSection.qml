@@ -47,6 +47,8 @@ MaintenanceSection {
             glyph: Theme.icon.save
             enabled: section.frames.count > 0
             onClicked: {
+                if (!Access.ask(Access.Operator))
+                    return
                 section.frames.exportText()
                 section.page.sheetRequested(exportSheet)
             }

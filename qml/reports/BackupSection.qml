@@ -62,6 +62,8 @@ MaintenanceSection {
             glyph: Theme.icon.save
             keyWidth: section.keyWidth
             onClicked: {
+                if (!Access.ask(Access.Operator))
+                    return
                 Commissioning.offer()
                 section.page.sheetRequested(reportPlaces)
             }
@@ -76,7 +78,7 @@ MaintenanceSection {
             glyph: Theme.icon.save
             keyWidth: section.keyWidth
             usable: !ServiceBundle.busy
-            onClicked: ServiceBundle.make()
+            onClicked: if (Access.ask(Access.Operator)) ServiceBundle.make()
         }
     }
     Label {

@@ -44,7 +44,7 @@ Card {
             anchors { left: parent.left; right: parent.right; bottom: parent.bottom }
             fontSizeMode: Text.HorizontalFit
             minimumPixelSize: Theme.size.caption - 3
-            text: qsTr("mean %1, std dev %2").arg(Theme.number(Controller.bags.meanMm, 2)).arg(Theme.number(Controller.bags.scatterMm, 2))
+            text: Theme.fill(qsTr("mean %1, std dev %2"), [Theme.number(Controller.bags.meanMm, 2), Theme.number(Controller.bags.scatterMm, 2)])
             color: card.figureColor
             font.pixelSize: Theme.size.caption
         }
@@ -96,8 +96,8 @@ Card {
         horizontalAlignment: Text.AlignRight
         fontSizeMode: Text.HorizontalFit
         minimumPixelSize: Theme.size.caption - 3
-        text: Controller.bags.scrap === 0 ? qsTr("%1 of %2 within").arg(Controller.bags.within).arg(card.deviations.length)
-            : qsTr("%1 of %2 within, scrap: %3").arg(Controller.bags.within).arg(card.deviations.length).arg(Controller.bags.scrap)
+        text: Controller.bags.scrap === 0 ? Theme.fill(qsTr("%1 of %2 within"), [Controller.bags.within, card.deviations.length])
+            : Theme.fill(qsTr("%1 of %2 within, scrap: %3"), [Controller.bags.within, card.deviations.length, Controller.bags.scrap])
         color: !Controller.fresh ? Theme.color.disabledInk : Controller.bags.within < card.deviations.length ? Theme.color.fault : Theme.color.secondaryInk
         font.pixelSize: Theme.size.caption
     }

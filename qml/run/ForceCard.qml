@@ -56,8 +56,7 @@ Card {
         anchors { left: parent.left; right: parent.right; bottom: parent.bottom; leftMargin: Theme.size.padding; rightMargin: Theme.size.padding; bottomMargin: Theme.size.spacing }
         fontSizeMode: Text.HorizontalFit
         minimumPixelSize: Theme.size.caption - 2
-        text: qsTr("at the stop: %1 mm, %2 to %3 N").arg(Theme.number(Controller.active.pressPositionMm, 2))
-            .arg(Theme.number(Controller.active.minStopForceN, 0)).arg(Theme.number(Controller.active.maxStopForceN, 0))
+        text: Theme.fill(qsTr("at the stop: %1 mm, %2 to %3 N"), [Theme.number(Controller.active.pressPositionMm, 2), Theme.number(Controller.active.minStopForceN, 0), Theme.number(Controller.active.maxStopForceN, 0)])
         color: Theme.color.secondaryInk
         font.pixelSize: Theme.size.caption
     }

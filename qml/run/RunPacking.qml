@@ -29,7 +29,7 @@ Item {
         TextMetrics {
             id: words
             font.pixelSize: Theme.size.caption - 3
-            text: qsTr("bags/min · %1 bags · seal %2 ms").arg(Theme.count(Controller.bags.count, 0)).arg(Theme.number(Controller.live.sealTimeMs, 0))
+            text: Theme.fill(qsTr("bags/min · %1 bags · seal %2 ms"), [Theme.count(Controller.bags.count, 0), Theme.number(Controller.live.sealTimeMs, 0)])
         }
         captionColor: Controller.fresh ? Theme.color.secondaryInk : Theme.color.disabledInk
         quantities: isNaN(Controller.live.sealTimeMs) ? [Explanations.Rate] : [Explanations.Rate, Explanations.LiveSealTime]

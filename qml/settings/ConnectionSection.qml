@@ -54,7 +54,7 @@ SettingsSection {
             SettingRow {
                 width: section.half
                 label: qsTr("Parity and stop bits")
-                value: qsTr("%1, %2").arg(section.parityNames[Settings.parity]).arg(Settings.stopBits)
+                value: Theme.fill(qsTr("%1, %2"), [section.parityNames[Settings.parity], Settings.stopBits])
                 onClicked: section.page.sheetRequested(paritySheet)
             }
             SettingRow {

@@ -78,7 +78,7 @@ SettingsSection {
                 objectName: "setClock"
                 width: parent.width
                 label: qsTr("Clock")
-                value: qsTr("%1, %2").arg(facts.clockText).arg(facts.zoneText)
+                value: Theme.fill(qsTr("%1, %2"), [facts.clockText, facts.zoneText])
                 onClicked: {
                     if (Access.ask(Access.Service))
                         section.page.sheetRequested(clockSheet)

@@ -55,7 +55,7 @@ SettingsSection {
                 width: parent.width
                 fontSizeMode: Text.HorizontalFit
                 minimumPixelSize: Theme.size.caption - 2
-                text: Access.loggedIn ? qsTr("%1 · %2").arg(Access.userName).arg(Access.levelText) : qsTr("Nobody logged in · %1").arg(Access.levelText)
+                text: Access.loggedIn ? Theme.fill(qsTr("%1 · %2"), [Access.userName, Access.levelText]) : qsTr("Nobody logged in · %1").arg(Access.levelText)
                 font.weight: Font.DemiBold
             }
             Label {

@@ -62,8 +62,8 @@ T.AbstractButton {
                 width: parent.width
                 fontSizeMode: Text.HorizontalFit
                 minimumPixelSize: Theme.size.caption - 3
-                readonly property string given: row.by.length > 0 ? qsTr("%1 · %2").arg(row.stateText).arg(row.by) : row.stateText
-                text: row.clockNote.length > 0 ? qsTr("%1 · %2").arg(given).arg(row.clockNote) : given
+                readonly property string given: row.by.length > 0 ? Theme.fill(qsTr("%1 · %2"), [row.stateText, row.by]) : row.stateText
+                text: row.clockNote.length > 0 ? Theme.fill(qsTr("%1 · %2"), [given, row.clockNote]) : given
                 color: Theme.color.secondaryInk
                 font.pixelSize: Theme.size.caption
             }

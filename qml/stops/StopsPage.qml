@@ -113,7 +113,7 @@ Page {
             glyph: Theme.icon.save
             text: qsTr("CSV")
             enabled: page.known && !Stops.shift.exporting
-            onClicked: Stops.shift.exportCsv()
+            onClicked: if (Access.ask(Access.Operator)) Stops.shift.exportCsv()
         }
         Button {
             objectName: "shiftPdf"
@@ -121,6 +121,8 @@ Page {
             text: qsTr("PDF")
             enabled: page.known
             onClicked: {
+                if (!Access.ask(Access.Operator))
+                    return
                 ShiftReport.offer()
                 page.sheetRequested(pdfSheet)
             }

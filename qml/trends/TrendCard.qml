@@ -25,10 +25,9 @@ Card {
         const found = Trends.statistics[lane]
         if (!found || found.count === 0)
             return qsTr("no data in this time")
-        const figures = (quantity <= Trends.Deviation ? qsTr("n %1 · mean %2 · std dev %3 · %4 … %5 · %6 % within") : qsTr("n %1 · mean %2 · std dev %3 · %4 … %5"))
-            .arg(Theme.count(found.count, 0)).arg(card.figure(quantity, found.mean)).arg(card.figure(quantity, found.scatter))
-            .arg(card.figure(quantity, found.low)).arg(card.figure(quantity, found.high))
-        return quantity <= Trends.Deviation ? figures.arg(Theme.number(100 * found.within, 1)) : figures
+        const form = quantity <= Trends.Deviation ? qsTr("n %1 · mean %2 · std dev %3 · %4 … %5 · %6 % within") : qsTr("n %1 · mean %2 · std dev %3 · %4 … %5")
+        return Theme.fill(form, [Theme.count(found.count, 0), card.figure(quantity, found.mean), card.figure(quantity, found.scatter),
+                                 card.figure(quantity, found.low), card.figure(quantity, found.high), Theme.number(100 * found.within, 1)])
     }
     function explain(lane: int): void {
         const explanations = isNaN(card.cursor) ? Explanations.ofTrend(lane) : Explanations.ofTrendCursor(lane, plot.valuesAt(lane, card.cursor))
@@ -39,8 +38,7 @@ Card {
     function valuesOf(lane: int, quantity: int, at: int): string {
         const values = plot.valuesAt(lane, card.cursor)
         return isNaN(values[1]) ? qsTr("%1 · no data").arg(card.momentOf(card.cursor))
-            : qsTr("%1 · mean %2 · %3 … %4").arg(card.momentOf(card.cursor)).arg(card.figure(quantity, values[1]))
-                .arg(card.figure(quantity, values[0])).arg(card.figure(quantity, values[2]))
+            : Theme.fill(qsTr("%1 · mean %2 · %3 … %4"), [card.momentOf(card.cursor), card.figure(quantity, values[1]), card.figure(quantity, values[0]), card.figure(quantity, values[2])])
     }
 
     TrendPlot {

@@ -65,7 +65,7 @@ Page {
             glyph: Theme.icon.save
             text: qsTr("CSV")
             enabled: Trends.content === Trends.Shown && !Trends.exporting
-            onClicked: Trends.exportCsv()
+            onClicked: if (Access.ask(Access.Operator)) Trends.exportCsv()
         }
     }
     Label {
@@ -73,7 +73,7 @@ Page {
         anchors { left: actions.right; right: zoomRow.left; top: actions.top; bottom: actions.bottom; leftMargin: Theme.size.spacing; rightMargin: Theme.size.spacing }
         horizontalAlignment: Text.AlignHCenter
         wrapMode: Text.WordWrap
-        readonly property string range: qsTr("%1 –\n%2", "from, to").arg(card.momentOf(Trends.fromMs)).arg(card.momentOf(Trends.toMs))
+        readonly property string range: Theme.fill(qsTr("%1 –\n%2", "from, to"), [card.momentOf(Trends.fromMs), card.momentOf(Trends.toMs)])
         fontSizeMode: Text.Fit
         minimumPixelSize: Theme.size.caption - 3
         text: Trends.clockDoubtful ? qsTr("%1\nclock not set", "from, to").arg(range) : range

@@ -280,6 +280,19 @@ const QList<Screen>& allScreens()
              window.tap(length);
              window.type(QStringLiteral("99999"));
          }},
+        {QStringLiteral("keypad-whole"),
+         [=](TestWindow& window) {
+             window.tap(motion);
+             window.tap(QStringLiteral("more"));
+             window.tap(QStringLiteral("field_slices_per_ramp"));
+             window.type(QStringLiteral("1,5"));
+         }},
+        {QStringLiteral("recipe-file-lost"),
+         [=](TestWindow& window) {
+             window.tap(motion);
+             window.panel().editor().showNotice(
+                 panel::Recipes::openedInsteadText(QStringLiteral("Biscuit 250"), 12));
+         }},
         taps("ratios", {motion, QStringLiteral("ratios")}),
         {QStringLiteral("ratios-gentle"),
          [=](TestWindow& window) {

@@ -11,6 +11,7 @@
 #include <chrono>
 #include <utility>
 
+using namespace Qt::StringLiterals;
 using namespace std::chrono_literals;
 
 namespace campanel::panel {
@@ -190,24 +191,40 @@ Alarms::Severity Alarms::urgentSeverity() const
     return severityOf(m_urgent);
 }
 
-void Alarms::acknowledge(int row)
+void Alarms::note(const QString& what, const QString& codes, const QString& after)
 {
-    if (row < 0 || row >= m_live.count())
-        return;
-    const store::AlarmRow& alarm = m_live.row(row).alarm;
-    m_book.acknowledge(alarm.code, alarm.id, m_person, now().utcMs);
     noteChange();
     publish();
+    store::AuditEntry entry;
+    entry.what = what;
+    entry.object = codes;
+    entry.after = after;
+    entry.outcome = u"done"_s;
+    emit noted(entry);
+}
+
+void Alarms::acknowledge(int row)
+{
+    if (!m_machine.accessCheck().require(Level::Operator) || row < 0 || row >= m_live.count())
+        return;
+    const store::AlarmRow alarm = m_live.row(row).alarm;
+    m_book.acknowledge(alarm.code, alarm.id, m_person, now().utcMs);
+    note(u"alarm.acknowledge"_s, alarm.code);
 }
 
 void Alarms::acknowledgeAll()
 {
+    if (!m_machine.accessCheck().require(Level::Operator))
+        return;
+    QStringList codes;
     for (const AlarmEntry& entry : m_book.live()) {
-        if (entry.isUnacknowledged())
-            m_book.acknowledge(entry.row.code, entry.row.id, m_person, now().utcMs);
+        if (!entry.isUnacknowledged())
+            continue;
+        m_book.acknowledge(entry.row.code, entry.row.id, m_person, now().utcMs);
+        codes << entry.row.code;
     }
-    noteChange();
-    publish();
+    if (!codes.isEmpty())
+        note(u"alarm.acknowledge"_s, codes.join(u", "_s));
 }
 
 void Alarms::showLive(int row)
@@ -224,13 +241,12 @@ void Alarms::showHistory(int row)
 
 void Alarms::acknowledgeShown()
 {
-    if (!m_detail.calls())
+    if (!m_machine.accessCheck().require(Level::Operator) || !m_detail.calls())
         return;
     const qint64 utcMs = now().utcMs;
     m_book.acknowledge(m_detail.code(), m_detail.row().id, m_person, utcMs);
     m_detail.noteAcknowledged(utcMs, m_person);
-    noteChange();
-    publish();
+    note(u"alarm.acknowledge"_s, m_detail.code());
 }
 
 void Alarms::shelveShown(int hours)
@@ -238,26 +254,25 @@ void Alarms::shelveShown(int hours)
     if (!m_machine.accessCheck().require(Level::Technician))
         return;
     const qint64 utcMs = now().utcMs;
-    if (!m_book.shelve(m_detail.code(), utcMs + hours * msPerHour, m_person, utcMs))
-        return;
-    noteChange();
-    publish();
+    if (m_book.shelve(m_detail.code(), utcMs + hours * msPerHour, m_person, utcMs))
+        note(u"alarm.shelve"_s, m_detail.code(), u"%1 h"_s.arg(hours));
 }
 
 void Alarms::unshelveShown()
 {
+    if (!m_machine.accessCheck().require(Level::Operator))
+        return;
     m_book.unshelve(m_detail.code());
-    noteChange();
-    publish();
+    note(u"alarm.unshelve"_s, m_detail.code());
 }
 
 void Alarms::unshelve(int row)
 {
-    if (row < 0 || row >= m_shelved.count())
+    if (!m_machine.accessCheck().require(Level::Operator) || row < 0 || row >= m_shelved.count())
         return;
-    m_book.unshelve(m_shelved.row(row).code());
-    noteChange();
-    publish();
+    const QString code = m_shelved.row(row).code();
+    m_book.unshelve(code);
+    note(u"alarm.unshelve"_s, code);
 }
 
 void Alarms::check()

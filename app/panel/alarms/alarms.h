@@ -8,6 +8,8 @@
 #include "app/panel/alarms/alarm_lists.h"
 #include "app/panel/alarms/alarm_watch.h"
 
+#include "app/store/logs/audit_log.h"
+
 #include <QDateTime>
 #include <QObject>
 #include <QTimer>
@@ -98,6 +100,8 @@ public:
 
 signals:
     void changed();
+    // Emitted for the audit trail.
+    void noted(const campanel::store::AuditEntry& entry);
 
 private:
     void retranslate();
@@ -106,6 +110,8 @@ private:
     void begin(const tl::expected<store::AlarmLog::Start, store::StoreError>& start);
     // Publishes and writes the changes soon, at most a few times a second.
     void noteChange();
+    // Publishes what a person did, and reports it to the audit trail.
+    void note(const QString& what, const QString& codes, const QString& after = {});
     void publish();
     void write();
     void takeWritten(const store::AlarmChanges& changes,

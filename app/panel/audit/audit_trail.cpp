@@ -93,18 +93,16 @@ QString crcText(std::uint32_t crc)
 
 QString programText(const program::Recipe& recipe, std::uint32_t crc)
 {
-    return u"%1 · v%2 · %3"_s.arg(QString::fromStdString(recipe.name)).arg(recipe.version).arg(crcText(crc));
+    return u"%1 · v%2 · %3"_s.arg(QString::fromStdString(recipe.name), QString::number(recipe.version),
+                                  crcText(crc));
 }
 
 QString connectionText(const ConnectionChoice& choice)
 {
     if (choice.simulated)
         return u"simulated"_s;
-    return u"%1 %2 8%3%4 unit %5"_s.arg(choice.portName)
-        .arg(choice.baud)
-        .arg(choice.parity)
-        .arg(choice.stopBits)
-        .arg(choice.unit);
+    return u"%1 %2 8%3%4 unit %5"_s.arg(choice.portName, QString::number(choice.baud), choice.parity,
+                                        QString::number(choice.stopBits), QString::number(choice.unit));
 }
 
 struct AuditedSetting {
@@ -185,6 +183,7 @@ void AuditTrail::open()
     watchSettings();
     watchSimulation();
     watchManual();
+    watchLine();
     connect(&m_watched.access, &Access::happened, this, [this](const Access::Event& event) {
         store::AuditEntry made = entry(event.what, event.object);
         made.before = event.before;
@@ -434,6 +433,25 @@ void AuditTrail::noteSettings()
         changed.after = now[i].text;
         append(changed);
     }
+}
+
+void AuditTrail::noteExport(const QStringList& paths, const QString& problem)
+{
+    store::AuditEntry made = entry(u"export.write"_s, paths.value(0));
+    if (paths.size() > 1)
+        made.after = u"%1 files"_s.arg(paths.size());
+    if (!problem.isEmpty())
+        made.outcome = u"failed"_s;
+    append(made);
+}
+
+void AuditTrail::watchLine()
+{
+    connect(m_watched.maintenance.doctor(), &LinkDoctor::begun, this, [this](bool isSearch) {
+        append(entry(isSearch ? u"line.search"_s : u"line.diagnose"_s, u"connection"_s));
+    });
+    connect(m_watched.maintenance.figures(), &LineFigures::wasReset, this,
+            [this] { append(entry(u"line.reset"_s, {})); });
 }
 
 void AuditTrail::watchSimulation()

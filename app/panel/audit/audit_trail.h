@@ -48,6 +48,8 @@ public:
     void open();
     // Adds an entry that is not watched here; sets its time, user and level.
     void note(store::AuditEntry entry);
+    // Adds an entry for files that were taken out.
+    void noteExport(const QStringList& paths, const QString& problem);
     // Adds an entry that no person at the panel has caused; sets its time.
     void noteOutside(store::AuditEntry entry);
     void setWallClock(Access::WallClock clock) { m_wallClock = std::move(clock); }
@@ -81,6 +83,7 @@ private:
     void noteSettings();
     void noteWizard();
     void watchManual();
+    void watchLine();
     void noteManual(const QString& what, const QString& before, const QString& after, const QString& outcome);
 
     DatabaseService& m_records;

@@ -82,6 +82,8 @@ QString MasterDirection::advanceText() const
 
 void MasterDirection::turn(Way wanted)
 {
+    if (!m_machine.accessCheck().require(Level::Technician))
+        return;
     const std::optional<int> sign = programSign();
     if (wanted == Way::Unknown || wanted == way() || !canChange() || !sign)
         return;

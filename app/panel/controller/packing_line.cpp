@@ -248,7 +248,8 @@ QList<QPointF> PackingLine::seenProducts() const
 
 void PackingLine::teach(int marks)
 {
-    m_machine.send(modbus::Command::TeachMarks, {static_cast<std::uint16_t>(marks), 0, 0});
+    if (m_machine.accessCheck().require(Level::Technician))
+        m_machine.send(modbus::Command::TeachMarks, {static_cast<std::uint16_t>(marks), 0, 0});
 }
 
 } // namespace campanel::panel

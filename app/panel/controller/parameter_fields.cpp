@@ -89,8 +89,8 @@ void ParameterFields::endWrite(const Field& field, const link::ParameterOutcome&
 void ParameterFields::save()
 {
     const auto& status = m_machine.status();
-    if (m_machine.isConnected() && status && status->activeCrc &&
-        m_machine.accessCheck().require(Level::Technician))
+    if (m_machine.accessCheck().require(Level::Technician) && m_machine.isConnected() && status &&
+        status->activeCrc)
         m_machine.send(modbus::Command::SaveToFlash, {0, 0, *status->activeCrc});
 }
 
@@ -143,14 +143,18 @@ void ParameterFields::updateValue()
 
 void ParameterFields::setChoice(int row, int choice)
 {
-    const Field& field = m_fields.at(static_cast<std::size_t>(row));
+    if (!m_machine.accessCheck().require(Level::Technician) || row < 0 || row >= rowCount())
+        return;
+    const Field& field = m_fields[static_cast<std::size_t>(row)];
     if (field.hasChoices)
         write(field, choice);
 }
 
 void ParameterFields::takeSuggestion(int row)
 {
-    const Field& field = m_fields.at(static_cast<std::size_t>(row));
+    if (!m_machine.accessCheck().require(Level::Technician) || row < 0 || row >= rowCount())
+        return;
+    const Field& field = m_fields[static_cast<std::size_t>(row)];
     if (field.suggestion)
         write(field, *field.suggestion);
 }

@@ -69,8 +69,8 @@ QString ScreenRotation::blockedReason() const
 
 void ScreenRotation::tryOut(int degrees)
 {
-    if (!choices().contains(degrees) || degrees == this->degrees() || !blockedReason().isEmpty() ||
-        !m_machine.accessCheck().require(Level::Service))
+    if (!m_machine.accessCheck().require(Level::Service) || !choices().contains(degrees) ||
+        degrees == this->degrees() || !blockedReason().isEmpty())
         return;
     m_tried = degrees;
     m_secondsLeft = trialTimeS;

@@ -101,7 +101,7 @@ void TouchCalibration::setEnd(End end)
 
 void TouchCalibration::begin()
 {
-    if (busy() || !blockedReason().isEmpty() || !m_machine.accessCheck().require(Level::Service))
+    if (!m_machine.accessCheck().require(Level::Service) || busy() || !blockedReason().isEmpty())
         return;
     setEnd(End::None);
     m_pairs.clear();
@@ -143,7 +143,7 @@ void TouchCalibration::cancel()
 
 void TouchCalibration::remove()
 {
-    if (blockedReason().isEmpty() && calibrated())
+    if (m_machine.accessCheck().require(Level::Service) && blockedReason().isEmpty() && calibrated())
         apply(noCalibration);
 }
 

@@ -92,14 +92,15 @@ OfferRow CamFiles::fileRow(const store::ListOffer& offer) const
 
 void CamFiles::take(int file)
 {
-    if (file >= 0 && file < m_found.offers.size() && m_found.offers[file].isUsable())
+    if (isAllowed(Level::Technician) && file >= 0 && file < m_found.offers.size() &&
+        m_found.offers[file].isUsable())
         emit taken(m_found.offers[file].program);
 }
 
 void CamFiles::write(int place)
 {
-    if (place < 0 || place >= m_found.places.size() || m_found.places[place].isReadOnly ||
-        m_found.places[place].isSilent)
+    if (!isAllowed(Level::Operator) || place < 0 || place >= m_found.places.size() ||
+        m_found.places[place].isReadOnly || m_found.places[place].isSilent)
         return;
     run([where = m_found.places[place], cam = m_cam, name = m_recipeName,
          dialect = store::spreadsheetDialect()] { return store::exportList(cam, name, where, dialect); },

@@ -99,6 +99,7 @@ Editor::Editor(Controller& machine, const QString& folder, QObject* parent)
     m_notice = stored.notice;
     m_sources.stored = stored.source;
     loadWorkingCopy();
+    m_camFiles.guardBy(machine.accessCheck());
     connectFields();
     connectKnots();
     connectMap();
@@ -313,7 +314,7 @@ void Editor::setRecipeName(const QString& name)
 
 void Editor::applySuggestion()
 {
-    if (!suggestion())
+    if (!require(Level::Operator) || !suggestion())
         return;
     const profile::Suggestion wanted = *suggestion();
     edit(wanted.ratios ? Level::Technician : levelFor(wanted.field), [&](program::Recipe& recipe) {
@@ -344,21 +345,22 @@ void Editor::commitDrag()
 void Editor::undo()
 {
     commitDrag();
-    if (m_history.canUndo() && require(levelBetween(m_recipe, m_history.previous())))
+    if (require(Level::Operator) && m_history.canUndo() &&
+        require(levelBetween(m_recipe, m_history.previous())))
         replace(m_history.undo(m_recipe));
 }
 
 void Editor::redo()
 {
     commitDrag();
-    if (m_history.canRedo() && require(levelBetween(m_recipe, m_history.next())))
+    if (require(Level::Operator) && m_history.canRedo() && require(levelBetween(m_recipe, m_history.next())))
         replace(m_history.redo(m_recipe));
 }
 
 void Editor::revert()
 {
     commitDrag();
-    if (!edited() || !require(Level::Operator))
+    if (!require(Level::Operator) || !edited())
         return;
     m_history.note(m_recipe);
     replace(m_stored);

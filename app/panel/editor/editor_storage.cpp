@@ -108,7 +108,7 @@ void Editor::write(const store::LastRecipe& file, const program::Recipe& recipe,
 void Editor::download()
 {
     commitDrag();
-    if (m_download.canDownload() && m_solution.image && require(Level::Operator))
+    if (require(Level::Operator) && m_download.canDownload() && m_solution.image)
         m_download.download(*m_solution.image, m_recipe);
 }
 

@@ -12,10 +12,12 @@ KnotModel::KnotModel(QObject* parent)
     : CamHandles(parent)
 {
     connect(&m_master, &EditorField::setRequested, this, [this](double value) {
-        moveSelected({value, at(selected()).slaveMm});
+        if (canEdit()) // the keypad may outlive the cam: Undo brings another kind back
+            moveSelected({value, at(selected()).slaveMm});
     });
     connect(&m_slave, &EditorField::setRequested, this, [this](double value) {
-        moveSelected({at(selected()).masterDeg, value});
+        if (canEdit())
+            moveSelected({at(selected()).masterDeg, value});
     });
 }
 

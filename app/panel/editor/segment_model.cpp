@@ -49,7 +49,10 @@ SegmentModel::SegmentModel(QObject* parent)
 {
     for (std::size_t i = 0; i < entries.size(); ++i) {
         auto* field = new EditorField(QString::fromLatin1(entries[i].fieldId), this);
-        connect(field, &EditorField::setRequested, this, [this, i](double value) { enter(i, value); });
+        connect(field, &EditorField::setRequested, this, [this, i](double value) {
+            if (canEdit())
+                enter(i, value);
+        });
         m_fields.push_back(field);
     }
 }

@@ -70,6 +70,7 @@ void FileExchange::showMessage(const QString& message, bool failed)
 
 void FileExchange::showWritten(const Written& written, const QString& notice)
 {
+    emit this->written(written.paths, written.problems.value(0));
     const qsizetype count = written.paths.size();
     if (!written.problems.isEmpty()) {
         QStringList names = written.failed.mid(1);
@@ -89,8 +90,8 @@ void FileExchange::showWritten(const Written& written, const QString& notice)
     const QString what = count == 1
                              ? written.paths.first()
                              : tr("%1 files in %2", "number, folder")
-                                   .arg(count)
-                                   .arg(QDir::toNativeSeparators(QFileInfo(written.paths.value(0)).path()));
+                                   .arg(QString::number(count),
+                                        QDir::toNativeSeparators(QFileInfo(written.paths.value(0)).path()));
     const QString message = written.isOnStick ? tr("Written: %1. You can remove the stick now.").arg(what)
                                               : tr("Written: %1").arg(what);
     showMessage(notice.isEmpty() ? message : notice + u' ' + message, false);

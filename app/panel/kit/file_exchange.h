@@ -4,6 +4,7 @@
 // file.
 #pragma once
 
+#include "app/panel/kit/access_check.h"
 #include "app/panel/kit/offer_model.h"
 #include "app/store/files/exchange_places.h"
 
@@ -37,6 +38,9 @@ public:
     [[nodiscard]] QString message() const { return m_message; }
     [[nodiscard]] bool failed() const { return m_failed; }
 
+    // Sets the permissions that writing a file asks for; without them everything is permitted.
+    void guardBy(AccessCheck& access) { m_access = &access; }
+
     // Searches and clears the message.
     Q_INVOKABLE void scan();
     // Searches again without clearing the message, for a sheet that waits for a stick.
@@ -44,6 +48,8 @@ public:
 
 signals:
     void changed();
+    // Emitted with the files written; `problem` is empty when all were written.
+    void written(const QStringList& paths, const QString& problem);
 
 protected:
     using Apply = std::function<void()>;
@@ -70,6 +76,8 @@ protected:
     void begin();
     void end();
     void showMessage(const QString& message, bool failed);
+    // Returns true when the person has the level. Otherwise requests a login.
+    [[nodiscard]] bool isAllowed(Level needed) const { return !m_access || m_access->require(needed); }
     struct Written {
         QStringList paths;
         QStringList failed;   // the names of the files that are missing
@@ -96,6 +104,7 @@ private:
             });
     }
 
+    AccessCheck* m_access = nullptr;
     QString m_ownFolder;
     QString m_message;
     bool m_failed = false;

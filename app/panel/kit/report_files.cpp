@@ -53,13 +53,12 @@ std::function<FileExchange::Apply()> ReportFiles::searcher()
 
 void ReportFiles::write(int place)
 {
-    if (place < 0 || place >= m_found.size() || m_found[place].isReadOnly || m_found[place].isSilent ||
-        m_files.isEmpty())
+    if (!isAllowed(Level::Operator) || place < 0 || place >= m_found.size() || m_found[place].isReadOnly ||
+        m_found[place].isSilent || m_files.isEmpty())
         return;
     run([where = m_found[place], files = m_files] { return writeAll(files, where); },
         [this](const Written& written) {
             showWritten(written, m_notice);
-            emit this->written(written.paths, written.problems.value(0));
             search();
         });
 }

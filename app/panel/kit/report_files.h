@@ -38,10 +38,6 @@ public:
     // Writes new files to that place, then searches again.
     Q_INVOKABLE void write(int place);
 
-signals:
-    // Emitted with the files written; `problem` is empty when all were written.
-    void written(const QStringList& paths, const QString& problem);
-
 private:
     [[nodiscard]] std::function<Apply()> searcher() override;
 

@@ -97,7 +97,7 @@ void RecipeCodes::enter(Code code)
 void RecipeCodes::store()
 {
     const auto* chosen = m_recipes.chosenRecipe();
-    if (chosen && problem().isEmpty())
+    if (m_recipes.accessCheck().require(Level::Technician) && chosen && problem().isEmpty())
         m_recipes.setCodes(withWanted(chosen->recipe));
 }
 
@@ -111,6 +111,11 @@ QList<store::RecipeVersion> Recipes::coded(const QString& code) const
     return found;
 }
 
+AccessCheck& Recipes::accessCheck() const
+{
+    return m_machine.accessCheck();
+}
+
 void Recipes::chooseId(qint64 recipeId)
 {
     m_chosenId = recipeId;
@@ -121,7 +126,7 @@ void Recipes::setCodes(const program::Recipe& withCodes)
 {
     if (!m_machine.accessCheck().require(Level::Technician))
         return;
-    keep(withCodes, [this, version = withCodes.version](const store::RecipeVersion& kept) {
+    keep(withCodes, Origin::Library, [this, version = withCodes.version](const store::RecipeVersion& kept) {
         const auto coded = [&kept, version](program::Recipe recipe) {
             recipe.scanCode = kept.recipe.scanCode;
             recipe.filmCode = kept.recipe.filmCode;
@@ -138,7 +143,8 @@ void Recipes::setCodes(const program::Recipe& withCodes)
                                                                                 : std::nullopt);
         }
         emit codesSet(kept);
-        say(tr("Saved: %1, version %2.").arg(QString::fromStdString(kept.recipe.name)).arg(kept.version));
+        say(tr("Saved: %1, version %2.")
+                .arg(QString::fromStdString(kept.recipe.name), QString::number(kept.version)));
     });
 }
 

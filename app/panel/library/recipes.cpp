@@ -10,7 +10,6 @@
 #include "app/panel/recipe/recipe_comparison.h"
 #include "app/panel/recipe/recipe_edit.h"
 #include "app/panel/records/database_service.h"
-#include "app/panel/words/alarm_words.h"
 #include "app/panel/words/recipe_words.h"
 #include "app/panel/words/refusal_sentences.h"
 #include "app/store/database/names.h"
@@ -51,10 +50,12 @@ Recipes::Recipes(Controller& machine, Editor& editor, DatabaseService& records, 
     connect(&records.store(), &store::StoreThread::opened, this, &Recipes::begin);
     connect(&editor, &Editor::applied, this, [this](const Recipe& recipe) {
         emit downloaded(recipe);
-        keep(recipe, {});
+        keep(recipe, Origin::Editor, {});
     });
     connect(&editor, &Editor::recipeChanged, this, &Recipes::followEditor);
     connect(&machine, &Controller::programChanged, this, &Recipes::show);
+    m_files.guardBy(machine.accessCheck());
+    m_exports.guardBy(machine.accessCheck());
     connect(&m_files, &RecipeFiles::taken, this, &Recipes::import);
     m_editor.setNewestVersion([this](const std::string& name) {
         const RecipeVersion* known = named(QString::fromStdString(name));
@@ -125,16 +126,16 @@ void Recipes::reload()
          });
 }
 
-void Recipes::keep(const Recipe& recipe, std::function<void(const RecipeVersion& kept)> done,
+void Recipes::keep(const Recipe& recipe, Origin origin, std::function<void(const RecipeVersion& kept)> done,
                    const QString& signer)
 {
     const QString by = m_author();
     const qint64 nowMs = m_wallClock().toMSecsSinceEpoch();
     const bool isClockUnset = m_isClockUnset && m_isClockUnset();
     work(
-        [recipe, by, nowMs, isClockUnset](store::RecipeLibrary& library) {
+        [recipe, origin, by, nowMs, isClockUnset](store::RecipeLibrary& library) {
             auto saved = library.save(recipe, by, nowMs, isClockUnset);
-            if (const auto kept = library.saveMachine(recipe, by, nowMs); !kept)
+            if (const auto kept = library.saveMachine(recipe, by, nowMs, origin == Origin::Editor); !kept)
                 saved = tl::unexpected(kept.error());
             return saved;
         },
@@ -145,15 +146,19 @@ void Recipes::keep(const Recipe& recipe, std::function<void(const RecipeVersion&
             const RecipeVersion* before = named(nameOf(recipe));
             if (!before || before->version != kept.version)
                 emit noted(recipeSaved(before ? std::optional(*before) : std::nullopt, kept, signer));
+            if (const auto at = std::ranges::find(m_all, kept.recipeId, &RecipeVersion::recipeId);
+                at != m_all.end())
+                *at = kept; // whoever asks before the list is read again
             if (done)
                 done(kept);
             reload();
         });
 }
 
-void Recipes::keepAndOpen(const Recipe& recipe, std::function<QString(const Recipe& kept)> sentence)
+void Recipes::keepAndOpen(const Recipe& recipe, Origin origin,
+                          std::function<QString(const Recipe& kept)> sentence)
 {
-    keep(recipe, [this, sentence](const RecipeVersion& kept) {
+    keep(recipe, origin, [this, sentence](const RecipeVersion& kept) {
         m_chosenId = kept.recipeId;
         m_editor.open(kept.recipe);
         say(sentence(kept.recipe));
@@ -182,16 +187,6 @@ Recipe Recipes::onThisMachine(Recipe recipe) const
     if (!sameRecipe(before, recipe))
         program::followRatios(recipe);
     return recipe;
-}
-
-QString Recipes::savedText(const RecipeVersion& version) const
-{
-    const QString when = Format::minute(QDateTime::fromMSecsSinceEpoch(version.savedMs));
-    QStringList parts{version.savedBy.isEmpty() ? when
-                                                : tr("%1 by %2", "date, person").arg(when, version.savedBy)};
-    if (version.isClockDoubtful)
-        parts << AlarmWords::clockNote(true);
-    return parts.join(QStringLiteral(" · "));
 }
 
 // Follows the editor, which signals every step of a drag, also without a change of the list.
@@ -276,14 +271,12 @@ QString Recipes::chosenNote() const
     if (!chosen)
         return {};
     const QString note = tr("%1 · version %2, %3", "kind of program, number, when it was saved")
-                             .arg(RecipeWords::kindName(chosen->recipe.kind()))
-                             .arg(chosen->version)
-                             .arg(savedText(*chosen));
+                             .arg(RecipeWords::kindName(chosen->recipe.kind()),
+                                  QString::number(chosen->version), savedText(*chosen));
     return chosen->unreadableVersion == 0
                ? note
                : tr("%1 · Version %2 cannot be read. Check this version, then save it.", "note, number")
-                     .arg(note)
-                     .arg(chosen->unreadableVersion);
+                     .arg(note, QString::number(chosen->unreadableVersion));
 }
 
 bool Recipes::chosenIsOpen() const
@@ -336,7 +329,7 @@ void Recipes::choose(int row)
 void Recipes::open()
 {
     const RecipeVersion* chosen = chosenRecipe();
-    if (chosen && m_machine.accessCheck().require(Level::Operator)) {
+    if (m_machine.accessCheck().require(Level::Operator) && chosen) {
         m_editor.open(onThisMachine(chosen->recipe));
         dismissMessage();
     }
@@ -346,39 +339,42 @@ void Recipes::save()
 {
     if (!m_machine.accessCheck().require(Level::Operator))
         return;
-    keep(m_editor.recipe(), [this, before = m_editor.storedRecipe()](const RecipeVersion& kept) {
-        // Unless another recipe has been opened since then.
-        if (sameRecipe(m_editor.storedRecipe(), before))
-            m_editor.takeStored(kept.recipe);
-        say(tr("Saved: %1, version %2.").arg(nameOf(kept.recipe)).arg(kept.version));
-    });
+    keep(m_editor.recipe(), Origin::Editor,
+         [this, before = m_editor.storedRecipe()](const RecipeVersion& kept) {
+             // Unless another recipe has been opened since then.
+             if (sameRecipe(m_editor.storedRecipe(), before))
+                 m_editor.takeStored(kept.recipe);
+             say(tr("Saved: %1, version %2.").arg(nameOf(kept.recipe), QString::number(kept.version)));
+         });
 }
 
 void Recipes::create(int kind)
 {
-    if (!m_isReady || kind < 1 || kind > static_cast<int>(program::kinds().size()) ||
-        !nameProblem().isEmpty() || !m_machine.accessCheck().require(Level::Technician))
+    if (!m_machine.accessCheck().require(Level::Technician) || !m_isReady || kind < 1 ||
+        kind > static_cast<int>(program::kinds().size()) || !nameProblem().isEmpty())
         return;
-    keepAndOpen(renamed(m_editor.newRecipe(static_cast<profile::ProgramKind>(kind))), [](const Recipe& kept) {
-        return tr("%1 was created with default values and opened. Set your values on the Motion page.")
-            .arg(nameOf(kept));
-    });
+    keepAndOpen(
+        renamed(m_editor.newRecipe(static_cast<profile::ProgramKind>(kind))), Origin::Library,
+        [](const Recipe& kept) {
+            return tr("%1 was created with default values and opened. Set your values on the Motion page.")
+                .arg(nameOf(kept));
+        });
 }
 
 void Recipes::copy()
 {
     const RecipeVersion* chosen = chosenRecipe();
-    if (chosen && nameProblem().isEmpty() && m_machine.accessCheck().require(Level::Technician))
-        keepAndOpen(renamed(onThisMachine(chosen->recipe)), [](const Recipe& kept) {
+    if (m_machine.accessCheck().require(Level::Technician) && chosen && nameProblem().isEmpty())
+        keepAndOpen(renamed(onThisMachine(chosen->recipe)), Origin::Library, [](const Recipe& kept) {
             return tr("%1 was created as a copy and opened.").arg(nameOf(kept));
         });
 }
 
 void Recipes::saveAs()
 {
-    if (nameProblem().isEmpty() && m_machine.accessCheck().require(Level::Technician))
-        keepAndOpen(renamed(m_editor.recipe()), [](const Recipe& kept) {
-            return tr("Saved: %1, version %2.").arg(nameOf(kept)).arg(kept.version);
+    if (m_machine.accessCheck().require(Level::Technician) && nameProblem().isEmpty())
+        keepAndOpen(renamed(m_editor.recipe()), Origin::Editor, [](const Recipe& kept) {
+            return tr("Saved: %1, version %2.").arg(nameOf(kept), QString::number(kept.version));
         });
 }
 
@@ -392,7 +388,7 @@ Recipe Recipes::renamed(Recipe recipe) const
 void Recipes::rename()
 {
     const RecipeVersion* chosen = chosenRecipe();
-    if (!chosen || !nameProblem().isEmpty() || !m_machine.accessCheck().require(Level::Technician))
+    if (!m_machine.accessCheck().require(Level::Technician) || !chosen || !nameProblem().isEmpty())
         return;
     const QString before = nameOf(chosen->recipe);
     const QString name = store::keptName(m_wantedName);
@@ -429,7 +425,7 @@ void Recipes::rename()
 void Recipes::remove()
 {
     const RecipeVersion* chosen = chosenRecipe();
-    if (!chosen || !m_machine.accessCheck().require(Level::Technician))
+    if (!m_machine.accessCheck().require(Level::Technician) || !chosen)
         return;
     m_records.store().run(
         this,

@@ -113,6 +113,9 @@ public:
     [[nodiscard]] RecipeFiles* files() { return &m_files; }
     [[nodiscard]] ReportFiles* exports() { return &m_exports; }
 
+    [[nodiscard]] AccessCheck& accessCheck() const;
+    // Returns the sentence for a recipe that is open because the file of the open one was lost.
+    [[nodiscard]] static QString openedInsteadText(const QString& name, int version);
     // Returns the newest version of each recipe.
     [[nodiscard]] const QList<store::RecipeVersion>& newest() const { return m_all; }
     // Returns the newest version of the chosen recipe; null: none.
@@ -172,8 +175,10 @@ private:
     template <typename Job, typename Done> void work(Job job, Done done);
     // Saves the recipe, reports it (`recipe` of the result is the given one, under its version) and reads all
     // again. The audit trail names who signed it.
-    void keep(const program::Recipe& recipe, std::function<void(const store::RecipeVersion& kept)> done,
-              const QString& signer = {});
+    // The machine data of the database change only with a recipe of the Editor.
+    enum class Origin { Library, Editor };
+    void keep(const program::Recipe& recipe, Origin origin,
+              std::function<void(const store::RecipeVersion& kept)> done, const QString& signer = {});
     void import(const store::RecipeOffer& offer);
     void begin();
     // Keeps the open recipe, which outlives the database because it has its own file. When that file is lost
@@ -182,7 +187,7 @@ private:
     // Opens a recipe because the file of the open one was lost, and says so.
     void openAtStart(const program::Recipe& recipe);
     void reportLostMachineData();
-    void keepAndOpen(const program::Recipe& recipe,
+    void keepAndOpen(const program::Recipe& recipe, Origin origin,
                      std::function<QString(const program::Recipe& kept)> sentence);
     void followEditor();
     void show();

@@ -20,11 +20,11 @@ void Recipes::checkOpenRecipe(const Recipe& open, bool isKept, bool isLibraryEmp
     reportLostMachineData();
     const Source source = m_editor.sources().stored;
     if (source == Source::Saved && !isKept)
-        keep(open, {});
+        keep(open, Origin::Editor, {});
     if (source == Source::Saved)
         return;
     if (isLibraryEmpty) { // a new panel
-        keep(open, [this, open](const RecipeVersion& kept) {
+        keep(open, Origin::Library, [this, open](const RecipeVersion& kept) {
             if (sameRecipe(m_editor.storedRecipe(), open))
                 m_editor.takeStored(kept.recipe);
         });
@@ -36,7 +36,7 @@ void Recipes::checkOpenRecipe(const Recipe& open, bool isKept, bool isLibraryEmp
     if (isNews || m_all.isEmpty()) {
         openAtStart(open);
         if (isNews)
-            keep(m_editor.storedRecipe(), {});
+            keep(m_editor.storedRecipe(), Origin::Library, {});
         return;
     }
     const bool isNameKnown = m_editor.sources().working != Source::Default;
@@ -44,6 +44,14 @@ void Recipes::checkOpenRecipe(const Recipe& open, bool isKept, bool isLibraryEmp
     last = last ? last : &m_all.first();
     m_chosenId = last->recipeId;
     openAtStart(last->recipe);
+}
+
+QString Recipes::openedInsteadText(const QString& name, int version)
+{
+    return tr("The file of the open recipe was lost or damaged. Opened instead: %1, version %2, with this "
+              "panel's "
+              "machine data.")
+        .arg(name, QString::number(version));
 }
 
 void Recipes::openAtStart(const Recipe& recipe)
@@ -55,9 +63,7 @@ void Recipes::openAtStart(const Recipe& recipe)
         edited = onThisMachine(m_editor.recipe());
     m_editor.open(onThisMachine(recipe), edited);
     const QString name = QString::fromStdString(recipe.name);
-    m_editor.showNotice(tr("The file of the open recipe was lost or damaged. Opened instead: %1, version %2, "
-                           "with this panel's machine data.")
-                            .arg(name, QString::number(recipe.version)));
+    m_editor.showNotice(openedInsteadText(name, recipe.version));
     note(u"recipe.file_lost"_s, name, {}, u"version %1"_s.arg(recipe.version));
 }
 

@@ -8,6 +8,7 @@
 #include "app/panel/recipe/motor_demand.h"
 #include "app/panel/recipe/recipe_comparison.h"
 #include "app/panel/records/database_service.h"
+#include "app/panel/words/alarm_words.h"
 #include "app/panel/words/recipe_words.h"
 #include "app/panel/words/refusal_sentences.h"
 #include "app/program/program_image.h"
@@ -34,14 +35,25 @@ void Recipes::clearComparison()
 void Recipes::compare(const Recipe& before, const Recipe& after)
 {
     const auto title = [](const Recipe& recipe, bool isNamed) {
-        return isNamed ? tr("%1 · v%2").arg(QString::fromStdString(recipe.name)).arg(recipe.version)
-                       : tr("Version %1").arg(recipe.version);
+        return isNamed
+                   ? tr("%1 · v%2").arg(QString::fromStdString(recipe.name), QString::number(recipe.version))
+                   : tr("Version %1").arg(recipe.version);
     };
     const bool isNamed = before.name != after.name;
     m_beforeTitle = title(before, isNamed);
     m_afterTitle = title(after, isNamed);
     m_differences.setRows(RecipeComparison::rows(before, after));
     emit comparisonChanged();
+}
+
+QString Recipes::savedText(const RecipeVersion& version) const
+{
+    const QString when = Format::minute(QDateTime::fromMSecsSinceEpoch(version.savedMs));
+    QStringList parts{version.savedBy.isEmpty() ? when
+                                                : tr("%1 by %2", "date, person").arg(when, version.savedBy)};
+    if (version.isClockDoubtful)
+        parts << AlarmWords::clockNote(true);
+    return parts.join(QStringLiteral(" · "));
 }
 
 void Recipes::listVersions()
@@ -125,7 +137,7 @@ void Recipes::compareOther(int row)
 
 void Recipes::openVersion(int row)
 {
-    if (row < 0 || row >= m_compared.size() || !m_machine.accessCheck().require(Level::Operator))
+    if (!m_machine.accessCheck().require(Level::Operator) || row < 0 || row >= m_compared.size())
         return;
     m_editor.open(onThisMachine(m_compared[row].recipe));
     dismissMessage();
@@ -151,13 +163,12 @@ void Recipes::import(const store::RecipeOffer& offer)
     if (const QString refusal = refusalOf(offer); !refusal.isEmpty()) // of another version since the search
         return say(refusal);
     keep(
-        onThisMachine(*offer.recipe),
+        onThisMachine(*offer.recipe), Origin::Library,
         [this, fileName = offer.isFromPlant ? offer.path
                                             : QFileInfo(offer.path).fileName()](const RecipeVersion& kept) {
             m_chosenId = kept.recipeId;
             say(tr("%1 was imported as %2, version %3.", "file, recipe")
-                    .arg(fileName, QString::fromStdString(kept.recipe.name))
-                    .arg(kept.version));
+                    .arg(fileName, QString::fromStdString(kept.recipe.name), QString::number(kept.version)));
         },
         signer);
 }
@@ -173,11 +184,11 @@ RecipeFiles::Effect Recipes::consequence(const store::RecipeOffer& offer) const
         return {tr("The file becomes the new recipe %1. The data of this machine stay unchanged.").arg(name)};
     const QList<DifferenceRow> rows = RecipeComparison::rows(known->recipe, recipe);
     if (rows.isEmpty())
-        return {tr("The file is identical to %1, version %2; nothing changes.").arg(name).arg(known->version),
+        return {tr("The file is identical to %1, version %2; nothing changes.")
+                    .arg(name, QString::number(known->version)),
                 false, true};
     QString text = tr("The file becomes version %2 of %1; earlier versions are kept.")
-                       .arg(name)
-                       .arg(std::max(known->version + 1, recipe.version));
+                       .arg(name, QString::number(std::max(known->version + 1, recipe.version)));
     if (offer.signature)
         text = tr("%1 Changes: %2.", "whole sentence, list").arg(text, changes(rows));
     return {text};
@@ -209,9 +220,7 @@ QString Recipes::refusalOf(const store::RecipeOffer& offer) const
         if (recipe.version < known->version)
             return tr("The file has version %2 of %1; this panel has version %3. An older version is not "
                       "imported; open it from the versions of the recipe.")
-                .arg(name)
-                .arg(recipe.version)
-                .arg(known->version);
+                .arg(name, QString::number(recipe.version), QString::number(known->version));
     }
     const auto image = program::buildProgram(onThisMachine(recipe));
     return image ? QString()

@@ -128,7 +128,7 @@ bool Homing::failed() const
 
 void Homing::home()
 {
-    if (possible())
+    if (m_machine.accessCheck().require(Level::Operator) && possible())
         m_machine.home();
 }
 

@@ -163,7 +163,7 @@ void Jog::press(int direction)
         finish(End::BothKeys);
         m_end = End::BothKeys;
         emit changed();
-    } else if (possible() && m_machine.accessCheck().require(Level::Technician)) {
+    } else if (m_machine.accessCheck().require(Level::Technician) && possible()) {
         begin(direction);
     } else {
         m_end = End::Blocked;

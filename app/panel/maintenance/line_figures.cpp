@@ -18,9 +18,10 @@ QString count(std::uint64_t number)
 
 } // namespace
 
-LineFigures::LineFigures(link::Link& link, ReportFiles& files, QObject* parent)
+LineFigures::LineFigures(link::Link& link, AccessCheck& access, ReportFiles& files, QObject* parent)
     : QObject(parent)
     , m_link(link)
+    , m_access(access)
     , m_files(files)
 {
     connect(&link, &link::Link::figuresReported, this, &LineFigures::takeFigures);
@@ -53,7 +54,10 @@ void LineFigures::readOnce(QObject* context, const std::function<void(const link
 
 void LineFigures::reset()
 {
+    if (!m_access.require(Level::Operator))
+        return;
     m_link.resetFigures();
+    emit wasReset();
 }
 
 void LineFigures::takeFigures(const link::FiguresReport& report)

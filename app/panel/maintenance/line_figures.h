@@ -33,7 +33,7 @@ class LineFigures : public QObject {
 
 public:
     // Both arguments must outlive the object.
-    LineFigures(link::Link& link, ReportFiles& files, QObject* parent);
+    LineFigures(link::Link& link, AccessCheck& access, ReportFiles& files, QObject* parent);
 
     [[nodiscard]] bool watched() const { return m_isWatched; }
     void setWatched(bool isWatched);
@@ -62,6 +62,7 @@ public:
 signals:
     void watchedChanged();
     void stripChanged();
+    void wasReset(); // by a person
 
 private:
     void takeFigures(const link::FiguresReport& report);
@@ -72,6 +73,7 @@ private:
     void showStrip();
 
     link::Link& m_link;
+    AccessCheck& m_access;
     ReportFiles& m_files;
     std::optional<link::FiguresReport> m_report; // the last one
     FigureModel m_exchanges{this};

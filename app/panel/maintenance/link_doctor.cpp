@@ -107,19 +107,22 @@ void LinkDoctor::search()
 
 void LinkDoctor::begin(Depth depth)
 {
-    if (canBegin())
-        m_machine.link().startScan(depth);
+    // It interrupts the connection of everybody.
+    if (!m_machine.accessCheck().require(Level::Operator) || !canBegin())
+        return;
+    m_machine.link().startScan(depth);
+    emit begun(depth == Depth::Search);
 }
 
 void LinkDoctor::cancel()
 {
-    if (running())
+    if (m_machine.accessCheck().require(Level::Operator) && running())
         m_machine.link().cancelScan();
 }
 
 void LinkDoctor::take()
 {
-    if (canTake())
+    if (m_machine.accessCheck().require(Level::Technician) && canTake())
         m_settings.takeConnection(*m_report->found);
 }
 

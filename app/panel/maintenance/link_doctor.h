@@ -63,6 +63,7 @@ public:
 
 signals:
     void changed();
+    void begun(bool isSearch); // by a person
 
 private:
     void begin(modbus::ScanPlan::Depth depth);

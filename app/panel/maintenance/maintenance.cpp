@@ -15,7 +15,7 @@ Maintenance::Maintenance(Controller& machine, Settings& settings, const QString&
     , m_files(QDir(folder).filePath(QStringLiteral("reports")), this)
     , m_doctor(machine, settings, this)
     , m_simulatedFaults(machine.link(), machine.accessCheck(), this)
-    , m_figures(machine.link(), m_files, this)
+    , m_figures(machine.link(), machine.accessCheck(), m_files, this)
     , m_inspector(machine, this)
     , m_frames(machine.link(), m_files, this)
     , m_packing(machine, this)
@@ -25,6 +25,7 @@ Maintenance::Maintenance(Controller& machine, Settings& settings, const QString&
     , m_switches(machine, this)
     , m_dryRun(this)
 {
+    m_files.guardBy(machine.accessCheck());
     connect(LanguageNotifier::ofApplication(), &LanguageNotifier::languageChanged, this,
             &Maintenance::retranslate);
 }

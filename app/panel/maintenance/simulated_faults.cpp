@@ -104,8 +104,8 @@ QStringList SimulatedFaults::rules(const QList<Level>& levels)
 
 void SimulatedFaults::setLevel(int row, int level)
 {
-    if (row < 0 || row >= faultCount || level < Off || level > Often ||
-        !m_access.require(panel::Level::Technician))
+    if (!m_access.require(panel::Level::Technician) || row < 0 || row >= faultCount || level < Off ||
+        level > Often)
         return;
     m_wanted[row] = static_cast<Level>(level);
     send();

@@ -119,7 +119,7 @@ bool MarkWizard::canGoOn() const
 
 void MarkWizard::goOn()
 {
-    if (!canGoOn() || !m_machine.accessCheck().require(Level::Technician))
+    if (!m_machine.accessCheck().require(Level::Technician) || !canGoOn())
         return;
     switch (m_step) {
     case Step::Explain:

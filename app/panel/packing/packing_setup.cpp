@@ -58,7 +58,7 @@ bool PackingSetup::canTeach() const
 
 void PackingSetup::teach()
 {
-    if (!canTeach() || !m_machine.accessCheck().require(Level::Technician))
+    if (!m_machine.accessCheck().require(Level::Technician) || !canTeach())
         return;
     m_refusal.clear();
     m_teaching = Teaching::Asked;

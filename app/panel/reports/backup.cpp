@@ -53,6 +53,7 @@ Backup::Backup(const Parts& parts, const QString& folder, QObject* parent)
     , m_scanner(&store::exchangePlaces)
     , m_wallClock([] { return QDateTime::currentDateTime(); })
 {
+    m_places.guardBy(parts.machine.accessCheck());
     connect(&m_places, &ReportFiles::written, this, [this](const QStringList& paths, const QString& problem) {
         store::AuditEntry entry;
         entry.what = u"backup.make"_s;
@@ -81,7 +82,7 @@ void Backup::setScanner(Scanner scanner)
 
 bool Backup::require()
 {
-    return !busy() && m_parts.machine.accessCheck().require(Level::Service);
+    return m_parts.machine.accessCheck().require(Level::Service) && !busy();
 }
 
 void Backup::snapshot(const std::function<void(const Snapshot&)>& then)
@@ -205,10 +206,7 @@ QString Backup::summary(const store::BackupManifest& manifest) const
     const QString maker =
         manifest.madeBy.isEmpty() ? date : tr("%1 by %2", "date, person").arg(date, manifest.madeBy);
     return tr("%1 · recipes: %2 · users: %3 · CamPanel %4", "when, how many, how many, version")
-        .arg(maker)
-        .arg(manifest.recipes)
-        .arg(manifest.users)
-        .arg(manifest.program);
+        .arg(maker, QString::number(manifest.recipes), QString::number(manifest.users), manifest.program);
 }
 
 OfferRow Backup::row(const Found& found) const
@@ -228,7 +226,7 @@ OfferRow Backup::row(const Found& found) const
 
 void Backup::check(int row)
 {
-    if (row < 0 || row >= m_files.size() || !m_files[row].manifest || !require())
+    if (!require() || row < 0 || row >= m_files.size() || !m_files[row].manifest)
         return;
     m_checked.reset();
     showMessage({}, false);
@@ -261,7 +259,7 @@ QString Backup::question() const
 
 void Backup::restore()
 {
-    if (!m_checked || !require())
+    if (!require() || !m_checked)
         return;
     if (m_parts.machine.isMoving())
         return showMessage(tr("The machine is moving. Stop it before restoring; the panel will restart."),

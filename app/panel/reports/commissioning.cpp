@@ -150,7 +150,8 @@ ReportData Commissioning::data() const
 {
     ReportData made;
     made.title = tr("Commissioning report");
-    made.recipe = tr("%1 · version %2", "recipe").arg(m_editor.recipeName()).arg(m_editor.recipeVersion());
+    made.recipe =
+        tr("%1 · version %2", "recipe").arg(m_editor.recipeName(), QString::number(m_editor.recipeVersion()));
     const QString when = Format::second(m_wallClock());
     const QString maker = m_access.userName().isEmpty() ? tr("nobody logged in") : m_access.userName();
     made.footer = tr("%1 · %2 · CamPanel %3", "date, person, version")

@@ -3,6 +3,7 @@
 
 #include "app/panel/controller/controller.h"
 #include "app/panel/kit/engine_instances.h"
+#include "app/panel/kit/format.h"
 #include "app/panel/kit/language_notifier.h"
 #include "app/panel/records/database_service.h"
 #include "app/panel/settings/settings.h"
@@ -126,7 +127,7 @@ void Stops::postpone()
 
 bool Stops::answer(qint64 stop, const StopReason& reason)
 {
-    if (stop == 0 || !m_machine.accessCheck().require(Level::Operator))
+    if (!m_machine.accessCheck().require(Level::Operator) || stop == 0)
         return false;
     const StopRow answer{stop, reason.key(), reason.isPlanned, m_person, nowMs()};
     const StopRow before = m_book.presentStop();
@@ -193,7 +194,7 @@ void Stops::updatePresent()
             stop.reason.isEmpty() && stop.id != m_postponed && hasProgram && m_book.stopMs() >= afterMs;
         present.sinceText =
             tr("Since %1, %2", "time, duration")
-                .arg(QDateTime::fromMSecsSinceEpoch(m_book.stopBeginMs()).toString(u"HH:mm"_s),
+                .arg(Format::local(QDateTime::fromMSecsSinceEpoch(m_book.stopBeginMs()), u"HH:mm"_s),
                      StopWords::duration(m_book.stopMs()));
     }
     if (present == m_present)

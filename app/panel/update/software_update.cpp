@@ -180,12 +180,12 @@ QString SoftwareUpdate::actionOf(int row) const
 
 bool SoftwareUpdate::require()
 {
-    return !busy() && blockedReason().isEmpty() && m_machine.accessCheck().require(Level::Service);
+    return m_machine.accessCheck().require(Level::Service) && !busy() && blockedReason().isEmpty();
 }
 
 void SoftwareUpdate::choose(int row)
 {
-    if (row < 0 || row >= m_found.count() || !m_found.row(row).usable || !require())
+    if (!require() || row < 0 || row >= m_found.count() || !m_found.row(row).usable)
         return;
     Step step{{m_seen.offers[row].path, {}}, m_seen.offers[row].package->package.version};
     for (const store::PackageOffer& offer : m_seen.offers) {
@@ -199,7 +199,7 @@ void SoftwareUpdate::choose(int row)
 
 void SoftwareUpdate::chooseBack()
 {
-    if (backVersion().isEmpty() || !require())
+    if (!require() || backVersion().isEmpty())
         return;
     m_chosen = Step{{}, m_seen.back->version};
     emit changed();
@@ -235,7 +235,7 @@ QString SoftwareUpdate::question() const
 
 void SoftwareUpdate::confirm()
 {
-    if (!m_chosen || !require())
+    if (!require() || !m_chosen)
         return;
     const Step step = *std::exchange(m_chosen, std::nullopt);
     store::AuditEntry entry;

@@ -298,6 +298,43 @@ private slots:
         QCOMPARE(rig.alarms->detail()->detail(), "0x8000 0x0000");
     }
 
+    // Nobody without the level acknowledges, and the trail names who did.
+    void whoMayOnlyLookAcknowledgesNothing()
+    {
+        AlarmRig rig;
+        rig.open();
+        rig.panel.connectIdle();
+        rig.setWarnings(flash);
+        QCOMPARE(rig.live(), Lines{"W-03 active calls"});
+        rig.alarms->showLive(0);
+        QSignalSpy noted(rig.alarms.get(), &panel::Alarms::noted);
+        const auto last = [&noted] {
+            const auto entry = noted.last().first().value<store::AuditEntry>();
+            return QString(entry.what + u' ' + entry.object + u' ' + entry.after);
+        };
+        auto& access = rig.panel.machine.accessCheck();
+        access.setLevel(panel::Level::Viewer);
+        rig.alarms->acknowledge(0);
+        rig.alarms->acknowledgeAll();
+        rig.alarms->acknowledgeShown();
+        rig.alarms->shelveShown(1);
+        QCOMPARE(rig.live(), Lines{"W-03 active calls"});
+        QCOMPARE(noted.count(), 0);
+        access.setLevel(panel::Level::Technician);
+        rig.alarms->shelveShown(1);
+        QCOMPARE(last(), QStringLiteral("alarm.shelve W-03 1 h"));
+        access.setLevel(panel::Level::Viewer);
+        rig.alarms->unshelve(0);
+        rig.alarms->unshelveShown();
+        QCOMPARE(rig.live(), Lines{"W-03 active shelved"});
+        access.setLevel(panel::Level::Operator);
+        rig.alarms->unshelve(0);
+        QCOMPARE(last(), QStringLiteral("alarm.unshelve W-03 "));
+        rig.alarms->acknowledgeAll();
+        QCOMPARE(last(), QStringLiteral("alarm.acknowledge W-03 "));
+        QCOMPARE(rig.live(), Lines{"W-03 active"});
+    }
+
     void shelvedDoesNotCall()
     {
         AlarmRig rig;

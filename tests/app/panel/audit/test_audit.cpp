@@ -274,6 +274,24 @@ private slots:
         QCOMPARE(rig.audit.rows()->count(), 0);
     }
 
+    void filesAndDiagnosesAreInTheTrail()
+    {
+        AccessRig rig;
+        rig.trail.noteExport({u"/stick/alarms.csv"_s, u"/stick/more.csv"_s}, {});
+        rig.trail.noteExport({}, u"full"_s);
+        rig.maintenance.doctor()->diagnose();
+        rig.maintenance.figures()->reset();
+        rig.machine.accessCheck().setLevel(panel::Level::Viewer);
+        rig.maintenance.doctor()->search();
+        rig.maintenance.figures()->reset();
+        QStringList rows;
+        for (const AuditEntry& entry : rig.entries())
+            rows << QStringList{entry.what, entry.object, entry.after, entry.outcome}.join(u'|');
+        QCOMPARE(rows,
+                 (QStringList{u"export.write|/stick/alarms.csv|2 files|done"_s, u"export.write|||failed"_s,
+                              u"line.diagnose|connection||done"_s, u"line.reset|||done"_s}));
+    }
+
     void aBrokenChainIsTold()
     {
         AccessRig rig;

@@ -213,6 +213,22 @@ private slots:
         }
     }
 
+    // An old recipe was saved with the machine data of its time.
+    void aCodeOfAnOldRecipeChangesNoMachineData()
+    {
+        const QTemporaryDir folder;
+        saveSoap(folder);
+        Start start(folder);
+        start.recipes.chooseId(start.recipes.coded(u"Biscuit 250"_s).first().recipeId);
+        QVERIFY(start.recipes.chosenRecipe()->recipe.machine.pulsesPerMotorRev != pulsesSet);
+        start.recipes.codes()->enter(RecipeCodes::Code::Film);
+        start.recipes.codes()->setWanted(u"PE 30"_s);
+        start.recipes.codes()->store();
+        start.settle();
+        QCOMPARE(start.recipes.codes()->filmText(), u"PE 30"_s);
+        QCOMPARE(start.pulsesOfDatabase(), pulsesSet);
+    }
+
     // All recipes are deleted: the machine is still what it was.
     void anEmptyListKeepsTheMachine()
     {
