@@ -126,9 +126,9 @@ const QList<Harmless>& harmless()
           u"Trends::exportCsv"_s}},
         {"a draft; what applies it asks",
          {u"MarkWizard::restart"_s, u"MarkWizard::addMeasurement"_s, u"MarkWizard::dropMeasurement"_s,
-          u"MarkWizard::measureSimulatedBag"_s, u"RecipeCodes::enter"_s, u"RecipeCodes::wanted="_s,
-          u"Recipes::wantedName="_s, u"SystemNetwork::port="_s, u"SystemNetwork::fixed="_s,
-          u"SystemNetwork::enter"_s, u"SystemNetwork::discard"_s}},
+          u"MarkWizard::measureSimulatedBag"_s, u"Value::set of MarkWizard"_s, u"RecipeCodes::enter"_s,
+          u"RecipeCodes::wanted="_s, u"Recipes::wantedName="_s, u"SystemNetwork::port="_s,
+          u"SystemNetwork::fixed="_s, u"SystemNetwork::enter"_s, u"SystemNetwork::discard"_s}},
         {"ends or undoes what was begun with permission",
          {u"CamHandles::beginDrag"_s, u"CamHandles::endDrag"_s, u"CutterMap::endDrag"_s,
           u"Editor::commitDrag"_s, u"RampControl::endDrag"_s, u"ScreenRotation::keep"_s,
@@ -305,7 +305,9 @@ class TestPanelPermissions : public test::PanelTest {
                     continue; // Qt's models
                 for (int i = type->methodOffset(); i < type->methodCount(); ++i) {
                     const QMetaMethod method = type->method(i);
-                    const QString name = shortName(type) + u"::"_s + QString::fromLatin1(method.name());
+                    QString name = shortName(type) + u"::"_s + QString::fromLatin1(method.name());
+                    if (name == u"Value::set" && object->parent())
+                        name += u" of "_s + shortName(object->parent()->metaObject());
                     if (method.methodType() != QMetaMethod::Signal && !known.contains(name))
                         call(name, object, method);
                 }

@@ -18,7 +18,8 @@ ParameterFields::ParameterFields(Controller& machine, QObject* parent)
 {
     connect(&machine.link(), &link::Link::commandEnded, this, &ParameterFields::takeCommand);
     connect(&m_value, &Value::setRequested, this, [this](double value) {
-        if (const Field* field = selected())
+        const Field* field = selected();
+        if (m_machine.accessCheck().require(Level::Technician) && field)
             write(*field, value);
     });
 }

@@ -190,7 +190,7 @@ void RegisterInspector::updateSelected()
 
 void RegisterInspector::write(double value)
 {
-    if (!canWrite() || !m_machine.accessCheck().require(Level::Service))
+    if (!m_machine.accessCheck().require(Level::Service) || !canWrite())
         return;
     m_outcome = tr("Writing %1 …").arg(number(value));
     m_isFailed = false;
