@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the ends of a cam mean for its axis: an advance in every cycle, or a closing error.
+// The sentences about the ends of a cam: its axis advances in every cycle, or the table closes an error.
 #pragma once
 
 #include "profile/program/programs.h"
