@@ -223,7 +223,7 @@ void Settings::set(Setting setting, const QString& text)
     const QString value = m_values.nearest(setting, text);
     // A choice that everybody may make is stored also when it is the default.
     const bool isWanted = value != m_values.text(setting) || setting->level == Level::Viewer;
-    if (!isWanted || !require(setting->level))
+    if (!require(setting->level) || !isWanted)
         return;
     m_file.set(keyOf(setting), value);
     overrideValue(setting, value);
@@ -266,7 +266,7 @@ bool Settings::startIsHeld() const
 void Settings::edit(Setting setting, const QString& text)
 {
     SettingValues values = valuesOf(m_draft);
-    if (!values.set(setting, text) || !require(setting->level))
+    if (!require(setting->level) || !values.set(setting, text))
         return;
     m_draft = connectionOf(values);
     emit connectionChanged();
