@@ -181,9 +181,9 @@ private slots:
         QVERIFY(machines);
         QCOMPARE(machines->size(), 2);
         double radiusMm = 0;
-        for (const program::Recipe& each : *machines) {
-            if (each.isCutter())
-                radiusMm = each.machine.knifeRadiusMm;
+        for (const MachineData& each : *machines) {
+            if (each.recipe.isCutter())
+                radiusMm = each.recipe.machine.knifeRadiusMm;
         }
         QCOMPARE(radiusMm, 75.0);
     }
