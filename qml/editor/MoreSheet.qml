@@ -124,6 +124,7 @@ Sheet {
                 onEditRequested: (field, source) => sheet.editRequested([field], 0, source)
             }
             FieldTile {
+                objectName: "field_" + field.fieldId
                 visible: sheet.isCutter
                 field: Editor.cutter.rampSlices
                 compact: false

@@ -191,6 +191,8 @@ void scanWrongFilm(TestWindow& window)
         window.panel().records().store().run(&recipes, &saveFilms,
                                              [&recipes](const auto& /*saved*/) { recipes.reload(); });
         window.waitUntil(recipes, &panel::Recipes::listChanged, hasFilm);
+        if (const auto* running = recipes.named(u"Biscuit 250"_s))
+            emit recipes.codesSet(*running);
     }
     window.link().show(DemoLink::Situation::Stopped);
     window.tap(u"nav_run"_s);

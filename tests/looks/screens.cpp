@@ -689,6 +689,7 @@ void enterScreen(TestWindow& window, const Screen& screen)
     forgetUsers(window);
     editor.cancelDownload();
     editor.compareLaw({});
+    editor.showNotice({});
     while (editor.canUndo())
         editor.undo();
     window.panel().settings().setSimulated(true);

@@ -12,6 +12,8 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <unistd.h>
+
 namespace campanel::test {
 
 class ScriptRoot {
@@ -55,6 +57,8 @@ public:
         environment.insert(QStringLiteral("T"), m_folder.path());
         process.setProcessEnvironment(environment);
         process.setStandardOutputFile(path(QStringLiteral("log")));
+        // A test runner may lend its own files, such as its log.
+        process.setChildProcessModifier([] { close_range(3, ~0u, CLOSE_RANGE_CLOEXEC); });
         // cat ends when the last process that can write into the pipe has ended.
         process.start(QStringLiteral("sh"),
                       {QStringLiteral("-c"),
