@@ -40,10 +40,9 @@ Item {
         return !inputs.grouped || inputs.group === group
     }
 
-    Connections {
-        target: Editor
-        function onKindChanged() { inputs.opened = 0 }
-    }
+    // The signal of the Editor comes with every solution.
+    readonly property int kind: Editor.kind
+    onKindChanged: inputs.opened = 0
 
     Flickable {
         id: list

@@ -130,7 +130,7 @@ void scanCode(PanelWindow& panel, const QString& code)
 {
     for (const QChar key : QStringLiteral("~~") + code)
         QTest::sendKeyEvent(QTest::Click, &panel.panel().window(), QTest::asciiToKey(key.toLatin1()),
-                            QString(key), Qt::NoModifier);
+                            QString(key), key.isUpper() ? Qt::ShiftModifier : Qt::NoModifier);
     QTest::keyClick(&panel.panel().window(), Qt::Key_Return);
     panel.touchDriver().settle();
 }

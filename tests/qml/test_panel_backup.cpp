@@ -90,12 +90,16 @@ private slots:
         openSection();
         m_window->panel().settings().setTheme(u"dark"_s);
         const QString recipe = editor().recipeName();
+        panel::Access& access = m_window->panel().access();
+        access.addUser(u"Anna"_s, panel::Access::Service, u"258036"_s);
+        QTRY_VERIFY(access.loggedIn());
+        m_window->settle();
         makeBackup();
         // Everything changes: recipe, a user, a setting.
         m_window->panel().settings().setTheme(u"light"_s);
         editor().setRecipeName(u"Another"_s);
-        m_window->panel().access().addUser(u"Anna"_s, panel::Access::Service, u"258036"_s);
-        QTRY_VERIFY(m_window->panel().access().loggedIn());
+        access.addUser(u"Bert"_s, panel::Access::Operator, u"741852"_s);
+        QTRY_COMPARE(access.users().size(), 2);
         m_window->settle();
         tap("backupRestore");
         waitForBackup();
@@ -123,7 +127,7 @@ private slots:
         QCOMPARE(next.editor().recipeName(), recipe);
         QVERIFY2(next.records().notice().startsWith(u"The backup has been restored."),
                  qPrintable(next.records().notice()));
-        QTRY_VERIFY(!next.access().protectedByPins());
+        QTRY_COMPARE(next.access().users().size(), 1);
         const auto rows = inStore(
             next, [](store::Database& database) { return store::readAudit(database, {}, std::nullopt, 1); });
         QCOMPARE(rows->first().entry.what, u"backup.restored"_s);

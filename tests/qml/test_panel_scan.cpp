@@ -22,7 +22,7 @@ class TestPanelScan : public test::PanelTest {
     {
         for (const QChar key : keys)
             QTest::sendKeyEvent(QTest::Click, &m_window->window(), QTest::asciiToKey(key.toLatin1()),
-                                QString(key), Qt::NoModifier);
+                                QString(key), key.isUpper() ? Qt::ShiftModifier : Qt::NoModifier);
     }
     void scanCode(const QString& code)
     {

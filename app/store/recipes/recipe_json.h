@@ -18,8 +18,8 @@ inline constexpr int recipeFormatVersion = 3;
 
 [[nodiscard]] QByteArray toJson(const program::Recipe& recipe);
 
-// What is done with a name that has hidden characters, or none that are visible: files from outside are
-// refused, what this panel has kept is read.
+// A name with hidden characters, or with none that are visible: files from outside are refused, those that
+// this panel has kept are read.
 enum class Names { Refuse, Repair };
 
 // Reads a recipe. `path` is only for the error. The two pinned values and the speed law must exist; other

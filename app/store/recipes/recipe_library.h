@@ -23,7 +23,7 @@ struct RecipeVersion {
     int unreadableVersion = 0;    // a newer version of the recipe, which cannot be read; 0: none
 };
 
-// What the machine is for one kind of program; only `machine` and the kind of the recipe are valid.
+// The machine for one kind of program; only `machine` and the kind of the recipe are valid.
 struct MachineData {
     program::Recipe recipe;
     QString takenFrom; // the recipe that they were saved with when they themselves are lost; else empty

@@ -197,7 +197,7 @@ void CliKindsTest::refusedErrorNamesOneThatIsKept()
 {
     const Result none = call(u"intervals --speed-error-mm-per-s 0"_s);
     QCOMPARE(none.code, int(Refused));
-    static const QRegularExpression kept(u"at least ([0-9.]+) mm/s"_s);
+    static const QRegularExpression kept(u"not possible, but ([0-9.]+) mm/s is"_s);
     const QString allowed = kept.match(QString::fromUtf8(none.complaint)).captured(1);
     QVERIFY2(!allowed.isEmpty(), none.complaint.constData());
     const Result taken = call(u"intervals --speed-error-mm-per-s "_s + allowed);
@@ -293,8 +293,14 @@ void CliKindsTest::motorAndShaftOfAKnife()
                           "--natural-frequency-hz 25"_s;
     const QJsonObject object = call(words + u" --format json"_s).json();
     const QJsonObject peaks = object[u"peaks"_s].toObject();
-    QVERIFY(std::abs(peaks[u"torque_nm"_s].toDouble() -
-                     (1e-3 * peaks[u"acceleration_mm_per_s2"_s].toDouble() / 60 + 0.1)) < 1e-9);
+    // That of the curve between its samples; while the knife slows down, where it accelerates most, friction
+    // helps.
+    const double peak = peaks[u"torque_nm"_s].toDouble();
+    double sampled = 0;
+    for (const QJsonValue& each : object[u"curves"_s][u"torque_nm"_s].toArray())
+        sampled = std::max(sampled, std::abs(each.toDouble()));
+    QVERIFY2(peak >= sampled && peak < sampled + 2e-5, QByteArray::number(peak - sampled));
+    QVERIFY(peak < 1e-3 * peaks[u"acceleration_mm_per_s2"_s].toDouble() / 60 + 0.1);
     QVERIFY(std::abs(object[u"vibration"_s][u"seal_error_mm"_s].toDouble() - 1.72) < 0.005);
     QCOMPARE(object[u"curves"_s][u"torque_nm"_s].toArray().size(),
              object[u"curves"_s][u"time_s"_s].toArray().size());
