@@ -46,8 +46,8 @@ struct AuditRow {
 
 // The limits of the trail. From `maxRows` rows on the oldest `dropped` are deleted when all of them are older
 // than `keptMs`, at `hardRows` in any case: the disk is finite. A doubtful clock deletes nothing before. The
-// new start of the chain is stored, and a row "audit.trimmed" tells the last deleted row and its hash: a start
-// that no row tells of is a fault.
+// new start of the chain is stored, and a row "audit.trimmed" tells the last deleted row and its hash: a
+// start that no row tells of is a fault.
 struct AuditBounds {
     qint64 maxRows = 1'000'000;
     qint64 dropped = 10'000;
