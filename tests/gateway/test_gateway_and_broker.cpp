@@ -202,6 +202,11 @@ private slots:
         Machine machine(broker.port());
         QTRY_VERIFY(machine.panel.hasGateway());
         QTRY_COMPARE(host.ofType(u"NBIRTH"_s).size(), 1);
+        broker.publish(commandTopic, commandOf({.name = u"x\ncampanel-gateway: forged\u2028"_s +
+                                                        QString(100'000, u'y').left(9000),
+                                                .type = 3,
+                                                .value = whole(2)}));
+        QTRY_VERIFY(machine.log().contains(u"Refused: x\\u000acampanel-gateway: forged"_s));
         const QTemporaryDir folder;
         QFile commands(folder.filePath(u"commands"_s));
         QVERIFY(commands.open(QIODevice::WriteOnly));
@@ -215,15 +220,10 @@ private slots:
                                              u"-t"_s, commandTopic, u"-l"_s});
         machine.panel.countBags(1, 1000);
         QTRY_VERIFY_WITH_TIMEOUT(publisher.state() == QProcess::NotRunning, longWaitMs);
-        broker.publish(commandTopic, commandOf({.name = u"x\ncampanel-gateway: forged\u2028"_s +
-                                                        QString(100'000, u'y').left(9000),
-                                                .type = 3,
-                                                .value = whole(2)}));
         machine.panel.countBags(1001, 2000);
         QTRY_COMPARE_WITH_TIMEOUT(countsOf(host.samplesOf(Metric::ProdProcessedCount)), upTo(2000),
                                   longWaitMs);
         QCOMPARE(host.gap(), QString());
-        QTRY_VERIFY(machine.log().contains(u"Refused: x\\u000acampanel-gateway: forged"_s));
         machine.endGateway();
         QStringList lines = machine.log().split(u'\n', Qt::SkipEmptyParts);
         lines.removeIf([](const QString& line) { return line.startsWith(u"QStandardPaths: "); });

@@ -101,6 +101,7 @@ const QList<Harmless>& harmless()
           u"RegisterInspector::setVisibleRows"_s,
           u"RegisterInspector::select"_s,
           u"ScreenRotation::screen="_s,
+          u"TouchCalibration::cross="_s,
           u"Settings::refreshPorts"_s,
           u"ShiftView::watched="_s,
           u"ShiftView::showPrevious"_s,

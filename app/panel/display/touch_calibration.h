@@ -31,7 +31,7 @@ class TouchCalibration : public campanel::panel::SystemService {
     Q_PROPERTY(int crossIndex READ crossIndex NOTIFY changed FINAL)
     Q_PROPERTY(int crossCount READ crossCount CONSTANT FINAL)
     // The place of that cross, in shares of the screen from its upper left corner as it is wired.
-    Q_PROPERTY(QPointF cross READ cross NOTIFY crossChanged FINAL)
+    Q_PROPERTY(QPointF cross MEMBER m_cross NOTIFY crossChanged FINAL)
     // The result of the crosses.
     Q_PROPERTY(QString message READ message NOTIFY changed FINAL)
     Q_PROPERTY(bool failed READ failed NOTIFY changed FINAL)
@@ -60,7 +60,6 @@ public:
     [[nodiscard]] bool calibrated() const;
     [[nodiscard]] bool isOpen() const { return m_crossIndex >= 0 || m_end != End::None; }
     [[nodiscard]] int crossIndex() const { return m_crossIndex; }
-    [[nodiscard]] QPointF cross() const { return m_cross; }
     [[nodiscard]] static int crossCount() { return crosses; }
     [[nodiscard]] QString message() const;
     [[nodiscard]] bool failed() const { return m_end != End::None && m_end != End::Requested; }
