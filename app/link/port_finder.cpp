@@ -76,7 +76,7 @@ QString findPort(const QString& wanted, const AdapterIdentity& identity, const Q
         if (adapter.identity == identity)
             inPlace = adapter.path;
     }
-    // Of two alike, neither is known to be the one that was unplugged.
+    // Two alike in other sockets are not told apart, so neither is taken.
     const QString found = inPlace.isEmpty() && alike.size() == 1 ? alike.first() : inPlace;
     // The wanted path may be a symbolic link to it.
     return found.isEmpty() || QFileInfo(wanted).canonicalFilePath() == found ? wanted : found;

@@ -13,7 +13,7 @@ namespace {
 constexpr int constructorPriority = 101;
 constexpr int failureCode = 127;
 
-// What is written to them is refused, as without them: an answer that nobody gets is an error.
+// A write to them is refused, as without them: an answer that nobody gets is an error.
 [[gnu::constructor(constructorPriority)]] void openStandardDescriptors()
 {
     for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {

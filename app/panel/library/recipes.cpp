@@ -398,14 +398,10 @@ void Recipes::rename()
             return store::RecipeLibrary(database).rename(id, name);
         },
         [this, before, name](const tl::expected<void, store::StoreError>& renamed) {
-            if (!renamed && renamed.error().kind == store::StoreError::Kind::Refused) {
-                say(tr("A deleted recipe has the name %1. Choose another name.").arg(name));
-                return;
-            }
-            if (!renamed) {
-                m_records.reportError(renamed.error());
-                return;
-            }
+            if (!renamed && renamed.error().kind == store::StoreError::Kind::Refused)
+                return say(tr("A deleted recipe has the name %1. Choose another name.").arg(name));
+            if (!renamed)
+                return m_records.reportError(renamed.error());
             if (nameOf(m_editor.storedRecipe()) == before) {
                 Recipe stored = m_editor.storedRecipe();
                 std::optional<Recipe> edited;

@@ -136,7 +136,7 @@ void TrendRecorder::add(TrendQuantity quantity, qint64 nowMs, double value, bool
 {
     const qint64 second = nowMs / msPerSecond;
     m_parts[{second, quantity}].add(value, isWithin);
-    // What lies ahead of the clock was collected before the clock was set back.
+    // Parts ahead of the clock were collected before the clock was set back.
     if (m_parts.size() > maxParts)
         m_parts.erase(m_parts.rbegin()->first.first > second ? std::prev(m_parts.end()) : m_parts.begin());
 }

@@ -29,7 +29,7 @@ QString versionText(const QString& name, double version)
     return Versions::tr("%1, version %2", "recipe, number").arg(name, QString::number(version));
 }
 
-// What the thread of the database has found.
+// The result from the thread of the database.
 struct Measured {
     store::SystemRecord record;
     qint64 freeBytes = 0;

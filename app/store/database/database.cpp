@@ -113,7 +113,7 @@ tl::expected<void, StoreError> Database::connect()
 {
     if (!m_database.open())
         return tl::unexpected(errorOf(m_database.lastError()));
-    // What a file brings is checked, and trusted as little as possible until then.
+    // The schema of a file is checked later, and trusted as little as possible until then.
     for (const QString& pragma : {u"PRAGMA trusted_schema = OFF"_s, u"PRAGMA cell_size_check = ON"_s}) {
         if (const auto done = execute(pragma); !done)
             return tl::unexpected(done.error());

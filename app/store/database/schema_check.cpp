@@ -11,7 +11,7 @@ namespace campanel::store {
 
 namespace {
 
-// What the schema says of each object: "trigger x" and its statement, empty for the index of a constraint.
+// The statement of each object, such as "trigger x"; empty for the index of a constraint.
 using Objects = QMap<QString, QString>;
 
 tl::expected<Objects, StoreError> objectsIn(Database& database)

@@ -81,7 +81,7 @@ private slots:
         const QString file = put(u"cam.json"_s, made.out);
         QCOMPARE(call(u"profile --points 2 --format json "_s + file).json()[u"advance_confirmed"_s],
                  QJsonValue(true));
-        // Of another advance nothing is confirmed.
+        // Another advance is not confirmed.
         const QString scaled = u"profile --points 2 --format json --slave-scale 2 "_s + file;
         QCOMPARE(call(scaled).json()[u"advance_confirmed"_s], QJsonValue(false));
         const Result closed = call(u"recipe --close "_s + segmentsTo("25"));

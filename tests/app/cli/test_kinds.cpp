@@ -293,8 +293,8 @@ void CliKindsTest::motorAndShaftOfAKnife()
                           "--natural-frequency-hz 25"_s;
     const QJsonObject object = call(words + u" --format json"_s).json();
     const QJsonObject peaks = object[u"peaks"_s].toObject();
-    // That of the curve between its samples; while the knife slows down, where it accelerates most, friction
-    // helps.
+    // The peak is that of the curve between its samples; friction helps where the knife slows down, which
+    // has the largest acceleration.
     const double peak = peaks[u"torque_nm"_s].toDouble();
     double sampled = 0;
     for (const QJsonValue& each : object[u"curves"_s][u"torque_nm"_s].toArray())

@@ -119,7 +119,7 @@ private slots:
             rig.editor.knots()->wrapText(),
             "The cycle closes smoothly. The ends of the cam differ by 0.4 mm; the table closes the cam.");
         QCOMPARE(rig.editor.programDownload()->state(), State::Ready);
-        // What the controller then has is the same program.
+        // The controller then has the same program.
         rig.link.activate(rig.image(), rig.now);
         QCOMPARE(rig.editor.programDownload()->state(), State::NothingToDo);
         QCOMPARE(rig.machine.direction()->advanceText(), QString());

@@ -315,7 +315,7 @@ private slots:
         QVERIFY(!rig.machine.startBlockedReason().isEmpty());
     }
 
-    // What becomes of the recipe in the library changes nothing on the machine.
+    // A change of the recipe in the library changes nothing on the machine.
     void theReelBelongsToTheProgramInTheController_data()
     {
         QTest::addColumn<QString>("change");
