@@ -123,8 +123,8 @@ struct Change {
     bool isThroughProduct = false;
 };
 
-// Of these speeds: positions are in 1/256 pulse, the master moves by whole ticks, and a correction of the
-// film or the infeed may begin at the boundary.
+// The resolution of these speeds: positions are in 1/256 pulse, the master moves by whole ticks, and a
+// correction of the film or the infeed may begin at the boundary.
 constexpr double resolutionHz = 80.0;
 
 // Runs the rig until the armed program has taken over and runs at full speed. The boundary lies inside

@@ -66,7 +66,7 @@ primary_host = "scada"
         QCOMPARE(read.settings.primaryHost, u"scada"_s);
     }
 
-    // What brokers in a cloud ask for, and DNS allows.
+    // Brokers in a cloud ask for such names, and DNS allows them.
     void namesOfTheWorldAreTaken_data()
     {
         QTest::addColumn<QString>("host");

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What others send has its limits: lines of the log, messages that wait, connections, and places of offers.
+// The limits of messages from others: lines of the log, messages that wait, connections, and places of
+// offers.
 #include "app/store/recipes/signed_recipe.h"
 #include "gateway/arrivals.h"
 #include "gateway/back_off.h"
@@ -222,7 +223,7 @@ private slots:
         QVERIFY(rig.panel.contains(u"Biscuit new"_s));
     }
 
-    // Of a thousand offers with one name the panel gets the last one, when it has room.
+    // The panel gets the last one of a thousand offers with one name, when it has room.
     void theNewestOfANameIsSent()
     {
         InboxRig rig;

@@ -67,7 +67,7 @@ Exchange someExchange()
     return exchangeOf(functionWriteAndRead, {0x1234, 7, 0, 0xFFFF, 0x0117, 42});
 }
 
-// What the line's owner sees of the bytes: the last piece, what was skipped, and the bytes behind.
+// The owner of the line sees of the bytes: the last piece, the skipped ones, and those behind.
 struct Read {
     FrameVerdict verdict = FrameVerdict::Silence;
     Bytes frame;

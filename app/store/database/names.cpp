@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/store/database/names.h"
 
+#include "app/store/files/hidden_character.h"
 #include "app/store/files/store_logging.h"
 
 #include <QSet>
@@ -26,16 +27,7 @@ bool isInvisibleLetter(char32_t character)
 
 bool isHidden(char32_t character)
 {
-    switch (QChar::category(character)) {
-    case QChar::Other_Control:
-    case QChar::Other_Format:
-    case QChar::Other_Surrogate:
-    case QChar::Separator_Line:
-    case QChar::Separator_Paragraph:
-        return true;
-    default:
-        return isInvisibleLetter(character);
-    }
+    return hasHiddenCategory(character) || isInvisibleLetter(character);
 }
 
 struct NamedRow {

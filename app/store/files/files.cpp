@@ -2,6 +2,8 @@
 // Writes files by QSaveFile: a temporary file, then a rename.
 #include "app/store/files/files.h"
 
+#include "app/store/files/hidden_character.h"
+
 #include <QFileInfo>
 #include <QSaveFile>
 
@@ -37,20 +39,10 @@ qsizetype lengthAt(const QString& text, qsizetype place)
                                                                                                         : 1;
 }
 
-// Returns true for a character that a reader does not see, or that changes how others are seen.
 bool isHidden(const QString& text, qsizetype place)
 {
-    switch (lengthAt(text, place) == 2 ? QChar::category(QChar::surrogateToUcs4(text[place], text[place + 1]))
-                                       : text[place].category()) {
-    case QChar::Other_Control:
-    case QChar::Other_Format:
-    case QChar::Other_Surrogate:
-    case QChar::Separator_Line:
-    case QChar::Separator_Paragraph:
-        return true;
-    default:
-        return false;
-    }
+    return hasHiddenCategory(lengthAt(text, place) == 2 ? QChar::surrogateToUcs4(text[place], text[place + 1])
+                                                        : char32_t{text[place].unicode()});
 }
 
 // Returns the units in the form of JSON.

@@ -265,7 +265,7 @@ private slots:
         QCOMPARE(trail.check().brokenSequence(), kept->last().sequence);
     }
 
-    // What people changed is kept for five years, whatever the clock does, up to a number that the disk
+    // Changes by people are kept for five years, whatever the clock does, up to a number that the disk
     // bears.
     void rowsOfTheLastYearsStay()
     {

@@ -114,7 +114,7 @@ private slots:
         QVERIFY(
             FileErrorText::describe(read.error())
                 .contains(u"U+%1"_s.arg(QString::number(character, 16).toUpper().rightJustified(4, u'0'))));
-        // What this panel kept is read.
+        // A recipe that this panel kept is read.
         QCOMPARE(fromJson(toJson(recipe(name)), {}, Names::Repair)->name, "Biscuit");
     }
 

@@ -169,7 +169,7 @@ private slots:
         QVERIFY(!publicKeyIn("{}"));
         QVERIFY(!publicKeyIn(changed(publicKeyFile(key), u"withdrawn"_s, u"maybe"_s)));
         QVERIFY(publicKeyIn(changed(publicKeyFile(key), u"withdrawn"_s, true))->isWithdrawn);
-        // What may be a misspelled "withdrawn", or one that another value hides.
+        // The key may be a misspelled "withdrawn", or one that another value hides.
         for (const QString& misspelled : {u"widthdrawn"_s, u"Withdrawn"_s, u"withdrawn "_s, u"comment"_s})
             QCOMPARE(publicKeyIn(changed(publicKeyFile(key), misspelled, true)).error(),
                      u"\"%1\" is unknown"_s.arg(misspelled));
