@@ -71,7 +71,7 @@ TestWindow::TestWindow(const Variant& variant)
     m_panel.machine().open();
     m_panel.records().open();
     waitUntil(m_panel.recipes(), &panel::Recipes::listChanged,
-              [](const panel::Recipes& recipes) { return recipes.ready(); });
+              [](const panel::Recipes& recipes) { return recipes.total() > 0; });
 }
 
 // Installed is 0.1.0, on a computer whose folders are those of the test.
