@@ -4,10 +4,13 @@
 #include "app/store/database/names.h"
 #include "app/store/database/schema.h"
 
+#include <QSqlDriver>
 #include <QSqlError>
 #include <QUuid>
 
 #include <utility>
+
+#include <sqlite3.h>
 
 using namespace Qt::StringLiterals;
 
@@ -114,6 +117,10 @@ tl::expected<void, StoreError> Database::connect()
     if (!m_database.open())
         return tl::unexpected(errorOf(m_database.lastError()));
     // The schema of a file is checked later, and trusted as little as possible until then.
+    const QVariant handle = m_database.driver()->handle();
+    if (qstrcmp(handle.typeName(), "sqlite3*") == 0)
+        sqlite3_db_config(*static_cast<sqlite3* const*>(handle.constData()), SQLITE_DBCONFIG_DEFENSIVE, 1,
+                          nullptr);
     for (const QString& pragma : {u"PRAGMA trusted_schema = OFF"_s, u"PRAGMA cell_size_check = ON"_s}) {
         if (const auto done = execute(pragma); !done)
             return tl::unexpected(done.error());

@@ -152,6 +152,9 @@ void TestDatabase::whatAPersonMeasuredIsNone()
         const auto database = opened(folder);
         QVERIFY(addRecipe(*database, u"one"_s));
         QVERIFY(database->execute(u"ANALYZE"_s));
+        // A statement from outside the program cannot rewrite the schema either.
+        (void)database->execute(u"PRAGMA writable_schema = ON"_s);
+        QVERIFY(!database->execute(u"UPDATE sqlite_schema SET sql = '' WHERE name = 'stop'"_s));
         auto trusted = database->execute(u"PRAGMA trusted_schema"_s);
         QVERIFY(trusted && trusted->next());
         QCOMPARE(trusted->value(0).toInt(), 0);
