@@ -5949,6 +5949,10 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
 <context>
     <name>campanel::panel::Recipes</name>
     <message>
+        <source>No version of these recipes can be read: %1. Restore a backup that has them.</source>
+        <translation>Von diesen Rezepten ist keine Version lesbar: %1. Stellen Sie eine Sicherung wieder her, die sie enthält.</translation>
+    </message>
+    <message>
         <source>%1 was imported as %2, version %3.</source>
         <comment>file, recipe</comment>
         <translation>%1 wurde als %2, Version %3, importiert.</translation>

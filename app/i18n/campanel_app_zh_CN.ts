@@ -5947,6 +5947,10 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
 <context>
     <name>campanel::panel::Recipes</name>
     <message>
+        <source>No version of these recipes can be read: %1. Restore a backup that has them.</source>
+        <translation>以下配方的所有版本均无法读取：%1。请恢复包含这些配方的备份。</translation>
+    </message>
+    <message>
         <source>%1 was imported as %2, version %3.</source>
         <comment>file, recipe</comment>
         <translation>%1 已导入为 %2，第 %3 版。</translation>

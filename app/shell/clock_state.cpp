@@ -16,15 +16,17 @@ bool isClockSynchronized()
     return adjtimex(&state) != -1 && (state.status & STA_UNSYNC) == 0;
 }
 
-bool isClockUnset(const std::function<bool()>& isSynchronized, const QString& rtcFolder)
+store::ClockState clockState(const std::function<bool()>& isSynchronized, const QString& rtcFolder)
 {
+    if (isSynchronized())
+        return store::ClockState::Proven;
     const QDir clocks(rtcFolder);
     for (const QString& name : clocks.entryList(QDir::Dirs | QDir::NoDotAndDotDot)) {
         QFile mark(clocks.filePath(name + u"/hctosys"_s));
         if (mark.open(QIODevice::ReadOnly) && mark.readAll().trimmed() == "1")
-            return false;
+            return store::ClockState::Unproven;
     }
-    return !isSynchronized();
+    return store::ClockState::NotSet;
 }
 
 } // namespace campanel::shell

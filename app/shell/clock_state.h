@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The state of this computer's clock: records are marked while it was not set since the start.
+// The state of this computer's clock: records are marked while it cannot be right.
 #pragma once
+
+#include "app/store/database/clock_mark.h"
 
 #include <QString>
 
@@ -11,10 +13,10 @@ namespace campanel::shell {
 // Returns true when the kernel's clock follows a time server.
 [[nodiscard]] bool isClockSynchronized();
 
-// Returns true when the clock counts from the last shutdown, or from nothing: the kernel did not set it by a
-// hardware clock (RTC), and it does not follow a time server. `rtcFolder` has a folder for each hardware
+// Returns NotSet when the clock counts from the last shutdown, or from nothing: the kernel did not set it by
+// a hardware clock (RTC), and it does not follow a time server. `rtcFolder` has a folder for each hardware
 // clock.
-[[nodiscard]] bool isClockUnset(const std::function<bool()>& isSynchronized = &isClockSynchronized,
-                                const QString& rtcFolder = QStringLiteral("/sys/class/rtc"));
+[[nodiscard]] store::ClockState clockState(const std::function<bool()>& isSynchronized = &isClockSynchronized,
+                                           const QString& rtcFolder = QStringLiteral("/sys/class/rtc"));
 
 } // namespace campanel::shell

@@ -123,7 +123,7 @@ Panel::Panel(link::Link& link, const Storage& storage)
     connect(&m_systemClock, &panel::SystemClock::noted, &m_trail, &panel::AuditTrail::note);
     connect(&m_systemNetwork, &panel::SystemNetwork::noted, &m_trail, &panel::AuditTrail::note);
     connect(&m_touchCalibration, &panel::TouchCalibration::noted, &m_trail, &panel::AuditTrail::note);
-    connect(&m_systemClock, &panel::SystemClock::moved, this, [this] { m_isClockSet = true; });
+    connect(&m_systemClock, &panel::SystemClock::moved, this, &Panel::noteClockProven);
     connect(&m_update, &panel::SoftwareUpdate::noted, &m_trail, &panel::AuditTrail::note);
     connect(&m_update, &panel::SoftwareUpdate::ended, &m_trail, &panel::AuditTrail::noteOutside);
     connect(&m_versions, &panel::Versions::noted, &m_trail, &panel::AuditTrail::noteOutside);
@@ -148,21 +148,39 @@ Panel::~Panel()
         QCoreApplication::removeTranslator(translator);
 }
 
-void Panel::setClockUnset(const std::function<bool()>& isUnset)
+void Panel::setClockState(const std::function<store::ClockState()>& state)
 {
-    const auto isUnsetNow = [this, isUnset] {
+    const auto stateNow = [this, state] {
         // Bags and states come more often than once a second.
-        if (!m_clockAsked.isValid() || m_clockAsked.hasExpired(clockAskedMs)) {
-            m_isClockUnset = isUnset();
+        if (m_clock != store::ClockState::Proven &&
+            (!m_clockAsked.isValid() || m_clockAsked.hasExpired(clockAskedMs))) {
+            m_clock = state();
             m_clockAsked.start();
+            if (m_clock == store::ClockState::Proven)
+                noteClockProven();
         }
-        return !m_isClockSet && m_isClockUnset;
+        return m_clock;
     };
-    m_alarms.setClockUnset(isUnsetNow);
-    m_trail.setClockUnset(isUnsetNow);
-    m_stops.setClockUnset(isUnsetNow);
-    m_trends.setClockUnset(isUnsetNow);
-    m_recipes.setClockUnset(isUnsetNow);
+    m_alarms.setClockState(stateNow);
+    m_trail.setClockState(stateNow);
+    m_stops.setClockState(stateNow);
+    m_trends.setClockState(stateNow);
+    m_recipes.setClockState(stateNow);
+}
+
+// Keeps the proof, so that records of a clock that ran ahead mark no later one after a restart either.
+void Panel::noteClockProven()
+{
+    m_clock = store::ClockState::Proven;
+    m_records.store().run(
+        &m_records,
+        [nowMs = QDateTime::currentMSecsSinceEpoch()](store::Database& database) {
+            return store::noteClockProven(database, nowMs);
+        },
+        [this](const tl::expected<void, store::StoreError>& kept) {
+            if (!kept)
+                m_records.reportError(kept.error());
+        });
 }
 
 void Panel::open()

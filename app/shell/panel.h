@@ -68,7 +68,7 @@ public:
     [[nodiscard]] panel::SystemClock& systemClock() { return m_systemClock; }
     [[nodiscard]] panel::SystemNetwork& systemNetwork() { return m_systemNetwork; }
     // Sets how records learn that the clock of this computer was not set; never by default.
-    void setClockUnset(const std::function<bool()>& isUnset);
+    void setClockState(const std::function<store::ClockState()>& state);
     [[nodiscard]] panel::Recipes& recipes() { return m_recipes; }
     [[nodiscard]] panel::Scan& scan() { return m_scan; }
     [[nodiscard]] panel::Maintenance& maintenance() { return m_maintenance; }
@@ -109,6 +109,7 @@ signals:
 
 private:
     void translate();
+    void noteClockProven();
 
     // The engine with the component of the window, which loads while the other parts are created.
     struct Qml {
@@ -132,9 +133,8 @@ private:
     panel::Access m_access;
     panel::SystemClock m_systemClock;
     panel::SystemNetwork m_systemNetwork;
-    bool m_isClockSet = false; // by a person
-    bool m_isClockUnset = false;
-    QElapsedTimer m_clockAsked; // since m_isClockUnset was read
+    store::ClockState m_clock = store::ClockState::Unproven; // Proven stays until the end
+    QElapsedTimer m_clockAsked;                              // since m_clock was read
     panel::AuditTrail m_trail;
     panel::Audit m_audit;
     panel::Backup m_backup;

@@ -39,6 +39,35 @@ private slots:
         QVERIFY2(!clock().watched(), "nothing is asked while nobody looks");
     }
 
+    // One record of a clock that ran ahead marks the next ones until a person sets the clock.
+    void recordsAreMarkedUntilTheClockIsSet()
+    {
+        auto& panel = m_window->panel();
+        panel.setClockState([] { return campanel::store::ClockState::Unproven; });
+        QList<bool> marks;
+        connect(&panel.trail(), &campanel::panel::AuditTrail::appended, this,
+                [&marks](const campanel::store::AuditRow& row) { marks << row.entry.isClockDoubtful; });
+        campanel::store::AuditEntry ahead;
+        ahead.what = u"user.login"_s;
+        ahead.timeMs = QDateTime::currentMSecsSinceEpoch() + 31'536'000'000;
+        panel.records().store().run(
+            this,
+            [ahead](campanel::store::Database& database) {
+                return campanel::store::appendAudit(database, ahead);
+            },
+            [](const auto&) {});
+        panel.trail().note(ahead);
+        QTRY_COMPARE(marks, QList<bool>{true});
+        openClock();
+        tap("clockEarlier");
+        QTRY_COMPARE(service().m_movedUs, -60'000'000);
+        QTRY_VERIFY(clock().movable());
+        QTRY_VERIFY(marks.size() > 1); // the moved clock is in the trail, too
+        panel.trail().note(ahead);
+        QTRY_VERIFY(marks.size() > 2);
+        QVERIFY(!marks.last());
+    }
+
     void zoneIsChosenByRegionAndCity()
     {
         openClock();

@@ -142,11 +142,11 @@ void AlarmBook::updateShelved()
     }
 }
 
-void AlarmBook::begin(const store::AlarmLog::Start& start, bool isClockUnset)
+void AlarmBook::begin(const store::AlarmLog::Start& start, store::ClockState clock)
 {
-    const auto mark = [&start, isClockUnset](AlarmRow& row) {
+    const auto mark = [&start, clock](AlarmRow& row) {
         row.isClockDoubtful =
-            row.isClockDoubtful || isClockUnset || store::isTimeDoubtful(row.raisedMs, start.newestMs);
+            row.isClockDoubtful || store::isTimeDoubtful(row.raisedMs, start.newestMs, clock);
     };
     std::map<qint64, AlarmRow> waiting;
     for (auto& [id, row] : m_waiting) {

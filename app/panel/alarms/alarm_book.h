@@ -5,6 +5,7 @@
 #pragma once
 
 #include "app/panel/words/alarm_catalogue.h"
+#include "app/store/database/clock_mark.h"
 #include "app/store/logs/alarm_log.h"
 
 #include <chrono>
@@ -54,7 +55,7 @@ public:
     bool endShelves(qint64 utcMs);
 
     // Starts after the log's last id and shelves; earlier occurrences get the following ids. Called once.
-    void begin(const store::AlarmLog::Start& start, bool isClockUnset = false);
+    void begin(const store::AlarmLog::Start& start, store::ClockState clock = store::ClockState::Unproven);
 
     // Returns the alarms that are active or need to be acknowledged, the most urgent first.
     [[nodiscard]] std::vector<AlarmEntry> live() const;

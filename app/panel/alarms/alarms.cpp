@@ -85,8 +85,7 @@ Alarms* Alarms::create(QQmlEngine* qmlEngine, QJSEngine*)
 AlarmBook::Now Alarms::now() const
 {
     const qint64 utcMs = m_wallClock().toMSecsSinceEpoch();
-    return {m_machine.now(), utcMs,
-            store::isTimeDoubtful(utcMs, m_newestMs) || (m_isClockUnset && m_isClockUnset())};
+    return {m_machine.now(), utcMs, store::isTimeDoubtful(utcMs, m_newestMs, m_clockState())};
 }
 
 void Alarms::raise(const AlarmKind& kind, const QString& detail)
@@ -112,7 +111,7 @@ void Alarms::begin(const tl::expected<AlarmLog::Start, StoreError>& start)
     }
     m_isBegun = true;
     m_newestMs = std::max(m_newestMs, start->newestMs);
-    m_book.begin(*start, m_isClockUnset && m_isClockUnset());
+    m_book.begin(*start, m_clockState());
     m_book.endShelves(now().utcMs);
     noteChange();
 }

@@ -68,7 +68,7 @@ public:
     // Sets the person who acknowledges and shelves; empty: unknown.
     void setPerson(const QString& person) { m_person = person; }
     // Sets how it is found out that the clock of this computer was not set since the start; never by default.
-    void setClockUnset(std::function<bool()> isUnset) { m_isClockUnset = std::move(isUnset); }
+    void setClockState(std::function<store::ClockState()> state) { m_clockState = std::move(state); }
     [[nodiscard]] AlarmWatch& watch() { return m_watch; }
 
     [[nodiscard]] AlarmList* live() { return &m_live; }
@@ -122,7 +122,7 @@ private:
     Controller& m_machine;
     DatabaseService& m_records;
     WallClock m_wallClock;
-    std::function<bool()> m_isClockUnset;
+    std::function<store::ClockState()> m_clockState = [] { return store::ClockState::Unproven; };
     qint64 m_newestMs = 0; // the latest record with a clock that was set
     QString m_person;
     AlarmBook m_book;

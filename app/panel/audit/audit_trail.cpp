@@ -224,10 +224,10 @@ void AuditTrail::append(const store::AuditEntry& entry)
 {
     m_records.store().run(
         this,
-        [entry, isUnset = m_isClockUnset && m_isClockUnset()](store::Database& database) {
+        [entry, clock = m_clockState()](store::Database& database) {
             return store::newestRecordMs(database).and_then([&](qint64 newestMs) {
                 store::AuditEntry marked = entry;
-                marked.isClockDoubtful = isUnset || store::isTimeDoubtful(entry.timeMs, newestMs);
+                marked.isClockDoubtful = store::isTimeDoubtful(entry.timeMs, newestMs, clock);
                 return store::appendAudit(database, marked);
             });
         },

@@ -7,6 +7,7 @@
 #include "app/link/link_values.h"
 #include "app/panel/access/access.h"
 #include "app/panel/recipe/controller_program.h"
+#include "app/store/database/clock_mark.h"
 #include "app/store/logs/audit_log.h"
 
 #include <QHash>
@@ -54,7 +55,7 @@ public:
     void noteOutside(store::AuditEntry entry);
     void setWallClock(Access::WallClock clock) { m_wallClock = std::move(clock); }
     // Sets how it is found out that the clock of this computer was not set since the start; never by default.
-    void setClockUnset(std::function<bool()> isUnset) { m_isClockUnset = std::move(isUnset); }
+    void setClockState(std::function<store::ClockState()> state) { m_clockState = std::move(state); }
 
 signals:
     // Emitted when the row is on the disk.
@@ -89,7 +90,7 @@ private:
     DatabaseService& m_records;
     Watched m_watched;
     Access::WallClock m_wallClock;
-    std::function<bool()> m_isClockUnset;
+    std::function<store::ClockState()> m_clockState = [] { return store::ClockState::Unproven; };
     QHash<quint32, store::AuditEntry> m_commands; // pending, by id
     QList<store::AuditEntry> m_writes;            // under way, oldest first
     std::optional<Download> m_download;

@@ -98,7 +98,10 @@ void Recipes::begin()
     work([open](store::RecipeLibrary& library) { return library.has(open); },
          [this, open](bool isKept) {
              work([](store::RecipeLibrary& library) { return library.isEmpty(); },
-                  [this, open, isKept](bool isEmpty) { checkOpenRecipe(open, isKept, isEmpty); });
+                  [this, open, isKept](bool isEmpty) {
+                      checkOpenRecipe(open, isKept, isEmpty);
+                      nameUnreadable();
+                  });
          });
 }
 
@@ -131,10 +134,10 @@ void Recipes::keep(const Recipe& recipe, Origin origin, std::function<void(const
 {
     const QString by = m_author();
     const qint64 nowMs = m_wallClock().toMSecsSinceEpoch();
-    const bool isClockUnset = m_isClockUnset && m_isClockUnset();
+    const store::ClockState clock = m_clockState();
     work(
-        [recipe, origin, by, nowMs, isClockUnset](store::RecipeLibrary& library) {
-            auto saved = library.save(recipe, by, nowMs, isClockUnset);
+        [recipe, origin, by, nowMs, clock](store::RecipeLibrary& library) {
+            auto saved = library.save(recipe, by, nowMs, clock);
             if (const auto kept = library.saveMachine(recipe, by, nowMs, origin == Origin::Editor); !kept)
                 saved = tl::unexpected(kept.error());
             return saved;

@@ -80,7 +80,7 @@ public:
 
     void setWallClock(WallClock clock) { m_wallClock = std::move(clock); }
     // Sets the function that returns true while the clock of the computer is not set.
-    void setClockUnset(std::function<bool()> isUnset) { m_isClockUnset = std::move(isUnset); }
+    void setClockState(std::function<store::ClockState()> state) { m_clockState = std::move(state); }
     // Sets the function that returns the person at the panel; empty while unknown.
     void setAuthor(Author author) { m_author = std::move(author); }
 
@@ -184,6 +184,7 @@ private:
     // Keeps the open recipe, which outlives the database because it has its own file. When that file is lost
     // or damaged, the library's recipe is opened: no default takes the place of what a person saved.
     void checkOpenRecipe(const program::Recipe& open, bool isKept, bool isLibraryEmpty);
+    void nameUnreadable();
     // Opens a recipe because the file of the open one was lost, and says so.
     void openAtStart(const program::Recipe& recipe);
     void reportLostMachineData();
@@ -210,7 +211,7 @@ private:
     Editor& m_editor;
     DatabaseService& m_records;
     WallClock m_wallClock;
-    std::function<bool()> m_isClockUnset;
+    std::function<store::ClockState()> m_clockState = [] { return store::ClockState::Unproven; };
     Author m_author;
     Versions m_all; // the newest of each
     QList<store::MachineData> m_machineData;

@@ -15,6 +15,17 @@ using program::Recipe;
 using store::RecipeVersion;
 using Source = store::LastRecipe::Source;
 
+// Says which recipes are missing from the list; the open one may just have been kept again.
+void Recipes::nameUnreadable()
+{
+    work([](store::RecipeLibrary& library) { return library.unreadable(); },
+         [this](const QStringList& names) {
+             if (!names.isEmpty())
+                 say(tr("No version of these recipes can be read: %1. Restore a backup that has them.")
+                         .arg(names.join(u", "_s)));
+         });
+}
+
 void Recipes::checkOpenRecipe(const Recipe& open, bool isKept, bool isLibraryEmpty)
 {
     reportLostMachineData();

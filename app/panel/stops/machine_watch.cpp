@@ -5,7 +5,6 @@
 #include "app/panel/settings/settings.h"
 #include "app/panel/words/alarm_catalogue.h"
 #include "app/program/solved_program.h"
-#include "app/store/database/clock_mark.h"
 #include "profile/cutter/limits.h"
 
 #include <QDateTime>
@@ -92,8 +91,7 @@ MachineWatch::MachineWatch(Controller& machine, Settings& settings, StateBook& b
 StateBook::Now MachineWatch::now() const
 {
     const qint64 utcMs = m_clock();
-    return {m_machine.now(), utcMs,
-            store::isTimeDoubtful(utcMs, m_newestMs) || (m_isClockUnset && m_isClockUnset())};
+    return {m_machine.now(), utcMs, store::isTimeDoubtful(utcMs, m_newestMs, m_clockState())};
 }
 
 void MachineWatch::takeStatus()

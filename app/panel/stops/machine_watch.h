@@ -5,6 +5,7 @@
 
 #include "app/panel/recipe/controller_program.h"
 #include "app/panel/stops/state_book.h"
+#include "app/store/database/clock_mark.h"
 
 #include <QObject>
 
@@ -34,7 +35,7 @@ public:
 
     void setWallClock(WallClock clock) { m_clock = std::move(clock); }
     // Sets the function that returns true while the clock of the computer is not set.
-    void setClockUnset(std::function<bool()> isUnset) { m_isClockUnset = std::move(isUnset); }
+    void setClockState(std::function<store::ClockState()> state) { m_clockState = std::move(state); }
     // Sets the time of the newest record: an earlier time cannot be right.
     void setNewestRecord(qint64 utcMs) { m_newestMs = utcMs; }
     [[nodiscard]] StateBook::Now now() const;
@@ -54,7 +55,7 @@ private:
     Settings& m_settings;
     StateBook& m_book;
     WallClock m_clock;
-    std::function<bool()> m_isClockUnset;
+    std::function<store::ClockState()> m_clockState = [] { return store::ClockState::Unproven; };
     qint64 m_newestMs = 0;
     std::optional<link::SteadyTime> m_waitsSince; // the film
     std::optional<std::uint32_t> m_pieces;        // the controller's count

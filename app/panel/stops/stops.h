@@ -47,7 +47,7 @@ public:
     static Stops* create(QQmlEngine* qmlEngine, QJSEngine* jsEngine);
 
     void setWallClock(const MachineWatch::WallClock& clock);
-    void setClockUnset(std::function<bool()> isUnset) { m_watch.setClockUnset(std::move(isUnset)); }
+    void setClockState(std::function<store::ClockState()> state) { m_watch.setClockState(std::move(state)); }
     // Sets the person who answers; empty: unknown.
     void setPerson(const QString& person) { m_person = person; }
     [[nodiscard]] qint64 nowMs() const { return m_watch.now().utcMs; }

@@ -113,8 +113,7 @@ void TrendRecorder::add(store::Bag bag)
     if (std::exchange(m_isNextOfTwoPrograms, false) || !std::isfinite(bag.setLengthMm))
         return;
     bag.timeMs = m_clock();
-    if (m_isClockUnset && m_isClockUnset())
-        bag.flags |= store::Bag::ClockNotSet;
+    bag.clock = m_clockState();
     bag.programName = m_machine.active().name;
     bag.programVersion =
         std::isfinite(m_machine.active().version) ? static_cast<int>(m_machine.active().version) : 0;

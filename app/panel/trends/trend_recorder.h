@@ -37,7 +37,7 @@ public:
 
     void setWallClock(WallClock clock) { m_clock = std::move(clock); }
     // Sets the function that returns true while the clock of the computer is not set.
-    void setClockUnset(std::function<bool()> isUnset) { m_isClockUnset = std::move(isUnset); }
+    void setClockState(std::function<store::ClockState()> state) { m_clockState = std::move(state); }
     // Returns the data since the last call. Data older than ten minutes is dropped.
     [[nodiscard]] Batch take();
 
@@ -53,7 +53,7 @@ private:
     Controller& m_machine;
     Settings& m_settings;
     WallClock m_clock;
-    std::function<bool()> m_isClockUnset;
+    std::function<store::ClockState()> m_clockState = [] { return store::ClockState::Unproven; };
     QList<store::Bag> m_bags;
     std::map<std::pair<qint64, store::TrendQuantity>, store::TrendBucket> m_parts;
     std::optional<double> m_worstFollowingMm; // since the last bag

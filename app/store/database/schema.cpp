@@ -130,6 +130,11 @@ const std::vector<QStringList>& migrations()
             u"ALTER TABLE user ADD COLUMN name_key TEXT"_s,
             u"CREATE UNIQUE INDEX user_name_key ON user (name_key) WHERE deleted = 0"_s,
         },
+        {
+            // At most one row: when the clock was last proven right, and the newest row of the audit trail
+            // then.
+            u"CREATE TABLE clock_proof (time_ms INTEGER NOT NULL, audit_sequence INTEGER NOT NULL)"_s,
+        },
     };
     return steps;
 }

@@ -48,8 +48,13 @@ tl::expected<void, StoreError> BagLog::add(const QList<Bag>& bags)
     qint64 askedMs = 0;
     qint64 givenMs = 0; // all times up to this one are taken
     for (Bag bag : bags) {
-        if (isTimeDoubtful(bag.timeMs, *newest))
+        if (isTimeDoubtful(bag.timeMs, *newest, bag.clock))
             bag.flags |= Bag::ClockNotSet;
+        else if (bag.timeMs < *newest - maxSetBackMs) { // proven right
+            if (const auto marked = markLater(bag.timeMs); !marked)
+                return marked;
+            newest = bag.timeMs;
+        }
         if (!(bag.flags & Bag::ClockNotSet))
             newest = std::max(*newest, bag.timeMs);
         const auto program = programOf(bag);
@@ -90,6 +95,18 @@ tl::expected<qint64, StoreError> BagLog::newestMs()
             return timeMs;
         beforeMs = span->value(0).toLongLong();
     }
+}
+
+tl::expected<void, StoreError> BagLog::markLater(qint64 timeMs)
+{
+    for (
+        const QString& statement :
+        {u"UPDATE bag SET flags = flags | %1 WHERE time_ms > ?"_s.arg(Bag::ClockNotSet),
+         u"INSERT OR REPLACE INTO clock_unset (begin_ms, end_ms) SELECT min(time_ms), max(time_ms) FROM bag WHERE time_ms > ?"_s}) {
+        if (const auto done = m_database.execute(statement, {timeMs}); !done)
+            return tl::unexpected(done.error());
+    }
+    return {};
 }
 
 tl::expected<void, StoreError> BagLog::noteUnset(qint64 timeMs)

@@ -2,7 +2,7 @@
 // The log of bags, the ten million that were written last. Call it in the thread of the database.
 #pragma once
 
-#include "app/store/database/database.h"
+#include "app/store/database/clock_mark.h"
 
 #include <QList>
 #include <QString>
@@ -27,6 +27,7 @@ struct Bag {
     std::optional<double> followingErrorMm{}; // maximum of the knife since the previous bag, signed
     std::optional<double> rateBagsPerMin{};
     quint8 flags = 0;
+    ClockState clock = ClockState::Unproven; // at `timeMs`; only of a bag to be added
 
     [[nodiscard]] double lengthMm() const { return lengths * setLengthMm + deviationMm; }
     bool operator==(const Bag&) const = default;
@@ -63,6 +64,8 @@ private:
     [[nodiscard]] tl::expected<qint64, StoreError> newestMs();
     // Notes the time of a marked bag in its span.
     [[nodiscard]] tl::expected<void, StoreError> noteUnset(qint64 timeMs);
+    // Marks the bags later than `timeMs`: the clock ran ahead.
+    [[nodiscard]] tl::expected<void, StoreError> markLater(qint64 timeMs);
     [[nodiscard]] tl::expected<qint64, StoreError> programOf(const Bag& bag);
     // Inserts a bag at `timeMs` or the next free millisecond, which it returns.
     [[nodiscard]] tl::expected<qint64, StoreError> insert(const Bag& bag, qint64 program, qint64 timeMs,

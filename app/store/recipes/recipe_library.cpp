@@ -97,6 +97,23 @@ RecipeLibrary::Result<void> RecipeLibrary::addOlder(QList<RecipeVersion>& found)
     return {};
 }
 
+RecipeLibrary::Result<QStringList> RecipeLibrary::unreadable()
+{
+    const auto readable = newest();
+    if (!readable)
+        return tl::unexpected(readable.error());
+    auto all = m_database.execute(u"SELECT id, name FROM recipe WHERE deleted = 0 ORDER BY name"_s);
+    if (!all)
+        return tl::unexpected(all.error());
+    QStringList names;
+    while (all->next()) {
+        if (std::ranges::find(*readable, all->value(0).toLongLong(), &RecipeVersion::recipeId) ==
+            readable->end())
+            names << all->value(1).toString();
+    }
+    return names;
+}
+
 RecipeLibrary::Result<QList<RecipeVersion>> RecipeLibrary::versions(qint64 recipeId)
 {
     auto query =
@@ -151,14 +168,14 @@ RecipeLibrary::Result<int> RecipeLibrary::highestVersion(qint64 recipeId)
 }
 
 RecipeLibrary::Result<RecipeVersion> RecipeLibrary::save(const program::Recipe& recipe, const QString& by,
-                                                         qint64 nowMs, bool isClockUnset)
+                                                         qint64 nowMs, ClockState clock)
 {
     RecipeVersion saved{0, recipe.version, nowMs, by, recipe};
     const auto done = m_database.transaction([&]() -> Result<void> {
         const auto newest = newestRecordMs(m_database);
         if (!newest)
             return tl::unexpected(newest.error());
-        saved.isClockDoubtful = isClockUnset || isTimeDoubtful(nowMs, *newest);
+        saved.isClockDoubtful = isTimeDoubtful(nowMs, *newest, clock);
         const auto id = idOf(recipe);
         if (!id)
             return tl::unexpected(id.error());

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "app/program/recipe.h"
-#include "app/store/database/database.h"
+#include "app/store/database/clock_mark.h"
 
 #include <QList>
 #include <QString>
@@ -42,6 +42,8 @@ public:
     // first. Versions that cannot be read (damaged, or written by a newer version of this program) are
     // logged.
     [[nodiscard]] Result<QList<RecipeVersion>> newest();
+    // Returns the names of the recipes that are not deleted and of which no version can be read.
+    [[nodiscard]] Result<QStringList> unreadable();
     // Returns all versions of one recipe, newest first.
     [[nodiscard]] Result<QList<RecipeVersion>> versions(qint64 recipeId);
 
@@ -56,7 +58,7 @@ public:
     // recipe of that name is restored. The version is marked when the clock is not set, or cannot be right.
     // Errors: LastVersion when no number is left.
     [[nodiscard]] Result<RecipeVersion> save(const program::Recipe& recipe, const QString& by, qint64 nowMs,
-                                             bool isClockUnset = false);
+                                             ClockState clock = ClockState::Unproven);
 
     // Renames a recipe. Errors: Refused when there is or was another recipe of that name.
     [[nodiscard]] Result<void> rename(qint64 recipeId, const QString& name);

@@ -11,7 +11,8 @@
 namespace test_clock_state {
 
 using namespace Qt::StringLiterals;
-using campanel::shell::isClockUnset;
+using campanel::shell::clockState;
+using State = campanel::store::ClockState;
 
 class TestClockState : public QObject {
     Q_OBJECT
@@ -21,12 +22,13 @@ private slots:
     {
         QTest::addColumn<QByteArrayList>("hardwareClocks");
         QTest::addColumn<bool>("isSynchronized");
-        QTest::addColumn<bool>("isUnset");
-        QTest::newRow("no hardware clock, no server") << QByteArrayList{} << false << true;
-        QTest::newRow("time server") << QByteArrayList{} << true << false;
-        QTest::newRow("hardware clock") << QByteArrayList{"1\n"} << false << false;
-        QTest::newRow("hardware clock without a battery") << QByteArrayList{"0\n"} << false << true;
-        QTest::newRow("the second one") << QByteArrayList{"0\n", "1\n"} << false << false;
+        QTest::addColumn<State>("state");
+        QTest::newRow("no hardware clock, no server") << QByteArrayList{} << false << State::NotSet;
+        QTest::newRow("time server") << QByteArrayList{} << true << State::Proven;
+        QTest::newRow("hardware clock") << QByteArrayList{"1\n"} << false << State::Unproven;
+        QTest::newRow("both") << QByteArrayList{"1\n"} << true << State::Proven;
+        QTest::newRow("hardware clock without a battery") << QByteArrayList{"0\n"} << false << State::NotSet;
+        QTest::newRow("the second one") << QByteArrayList{"0\n", "1\n"} << false << State::Unproven;
     }
 
     void states()
@@ -41,12 +43,12 @@ private slots:
             QVERIFY(file.open(QIODevice::WriteOnly));
             file.write(hardwareClocks[i]);
         }
-        QTEST(isClockUnset([isSynchronized] { return isSynchronized; }, folder.path()), "isUnset");
+        QTEST(clockState([isSynchronized] { return isSynchronized; }, folder.path()), "state");
     }
 
     void noFolder()
     {
-        QVERIFY(isClockUnset([] { return false; }, u"/nonexistent"_s));
+        QCOMPARE(clockState([] { return false; }, u"/nonexistent"_s), State::NotSet);
     }
 };
 

@@ -246,6 +246,23 @@ private slots:
         QCOMPARE(csv->count(",set\n"), 3);
     }
 
+    void bagsOfAClockThatRanAheadAreMarkedOnceItIsProven()
+    {
+        constexpr qint64 day = 86'400'000;
+        const auto database = Database::inMemory(trendDatabase());
+        QVERIFY(add(*database, {bagAt(start), bagAt(start + 400 * day), bagAt(start + 401 * day)}));
+        QVERIFY(add(*database, {bagAt(start + day)}));
+        Bag proven = bagAt(start + 2 * day);
+        proven.clock = ClockState::Proven;
+        QVERIFY(add(*database, {proven, bagAt(start + 3 * day)}));
+        QList<bool> marks;
+        for (const Bag& bag : all(*database))
+            marks << (bag.flags & Bag::ClockNotSet);
+        QCOMPARE(marks, QList<bool>({false, true, false, false, true, true}));
+        QVERIFY(*BagLog(*database).hasClockNotSet(start + 400 * day, start + 402 * day));
+        QVERIFY(!*BagLog(*database).hasClockNotSet(start + 2 * day, start + 4 * day));
+    }
+
     void aFileOfTheEarlierSchemaIsReadAndMarked()
     {
         const QTemporaryDir folder;

@@ -3,6 +3,8 @@
 // a clock that was not set.
 #include "app/store/database/clock_mark.h"
 #include "app/store/logs/log_export.h"
+#include "app/store/logs/stop_log.h"
+#include "app/store/recipes/recipe_library.h"
 #include "tests/support/earlier_schema.h"
 #include "tests/support/test_program.h"
 
@@ -257,6 +259,50 @@ private slots:
         QVERIFY(!isTimeDoubtful(now, now));
         QVERIFY2(!isTimeDoubtful(now - maxSetBackMs, now), "a time server corrects a clock by seconds");
         QVERIFY(isTimeDoubtful(now - maxSetBackMs - 1, now));
+        QVERIFY(isTimeDoubtful(now, now, ClockState::NotSet));
+        QVERIFY(!isTimeDoubtful(now, now + 365 * day, ClockState::Proven));
+        QVERIFY(isTimeDoubtful(earliestRecordMs - 1, 0, ClockState::Proven));
+    }
+
+    // A clock that runs years ahead writes one record of each kind, then it is set right.
+    void aProofEndsTheMarkOfWhatComesAfterAClockThatRanAhead()
+    {
+        constexpr qint64 day = 86'400'000;
+        constexpr qint64 now = earliestRecordMs + 30 * day;
+        constexpr qint64 ahead = now + 1825 * day;
+        const QTemporaryDir folder;
+        const auto database = *Database::open(folder.path());
+        AlarmChanges alarms;
+        alarms.rows << alarm(1, u"C-01"_s, now - day) << alarm(2, u"C-01"_s, ahead);
+        QVERIFY(AlarmLog::write(*database, alarms));
+        StopChanges states;
+        for (const qint64 beginMs : {now - day, ahead}) {
+            StateInterval interval;
+            interval.id = interval.stop = states.intervals.size() + 1;
+            interval.beginMs = beginMs;
+            states.intervals << interval;
+        }
+        QVERIFY(StopLog::write(*database, states));
+        RecipeLibrary library(*database);
+        campanel::program::Recipe recipe;
+        QVERIFY(!library.save(recipe, u"Anna"_s, ahead)->isClockDoubtful);
+        QVERIFY(appendAudit(*database, entry(ahead, u"user.login"_s, u"Anna"_s)));
+        QVERIFY(isTimeDoubtful(now, *newestRecordMs(*database))); // and so for five years
+
+        QVERIFY(noteClockProven(*database, now));
+        QCOMPARE(*newestRecordMs(*database), now);
+        const auto rows = *AlarmLog::page(*database, 0);
+        QVERIFY(rows[0].isClockDoubtful && !rows[1].isClockDoubtful);
+        const auto intervals = StopLog::between(*database, 0, ahead + day)->intervals;
+        QVERIFY(!intervals[0].isClockDoubtful && intervals[1].isClockDoubtful);
+        QVERIFY(library.newest()->first().isClockDoubtful);
+        QCOMPARE(verifyChain(*database)->fault(), ChainCheck::Fault::None);
+        // The next records tell the time again, also those of the trail.
+        QVERIFY(appendAudit(*database, entry(now + 2 * day, u"user.login"_s, u"Anna"_s)));
+        QCOMPARE(*newestRecordMs(*database), now + 2 * day);
+        alarms.rows = {alarm(3, u"C-01"_s, now + 3 * day)};
+        QVERIFY(AlarmLog::write(*database, alarms));
+        QCOMPARE(*newestRecordMs(*database), now + 3 * day);
     }
 
     void marksAreKeptExportedAndHashed()
@@ -269,8 +315,8 @@ private slots:
         AlarmChanges changes;
         changes.rows << marked << alarm(2, u"C-01"_s, 4000);
         QVERIFY(AlarmLog::write(*database, changes));
-        QCOMPARE(*newestRecordMs(*database), 5000);
-        QCOMPARE(AlarmLog::begin(*database)->newestMs, 5000);
+        QCOMPARE(*newestRecordMs(*database), 4000); // without the marked one
+        QCOMPARE(AlarmLog::begin(*database)->newestMs, 4000);
         const auto page = *AlarmLog::page(*database, 0);
         QVERIFY(!page[0].isClockDoubtful && page[1].isClockDoubtful);
         const QByteArray alarms = alarmsCsv(page);

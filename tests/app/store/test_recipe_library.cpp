@@ -65,7 +65,9 @@ private slots:
     {
         QVERIFY(save(recipe("Rusk", 310), earliestRecordMs - 1).isClockDoubtful);
         QVERIFY(!save(recipe("Rusk", 315, 2), earliestRecordMs).isClockDoubtful);
-        QVERIFY(library().save(recipe("Rusk", 320, 3), {}, earliestRecordMs, true)->isClockDoubtful);
+        QVERIFY(library()
+                    .save(recipe("Rusk", 320, 3), {}, earliestRecordMs, ClockState::NotSet)
+                    ->isClockDoubtful);
         AlarmRow newer;
         newer.id = 1;
         newer.code = QStringLiteral("C-01");
@@ -149,6 +151,11 @@ private slots:
         QCOMPARE(names(), QStringList({QStringLiteral("Rusk v2"), QStringLiteral("Cake v1")}));
         QCOMPARE(library().newest()->first().unreadableVersion, 3);
         QCOMPARE(library().newest()->last().unreadableVersion, 0);
+        QCOMPARE(*library().unreadable(), QStringList());
+        QVERIFY(m_database->execute(
+            QStringLiteral("UPDATE recipe_version SET json = '' WHERE version < 3 AND saved_ms <> 1500")));
+        QCOMPARE(*library().unreadable(), QStringList{QStringLiteral("Rusk")});
+        QCOMPARE(names(), QStringList{QStringLiteral("Cake v1")});
         QCOMPARE(save(recipe("Rusk", 350, 3)).version, 4); // the number of the damaged one is taken
         QCOMPARE(library().newest()->first().unreadableVersion, 0);
     }

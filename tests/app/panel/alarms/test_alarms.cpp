@@ -76,7 +76,7 @@ private slots:
         rig.setWarnings(flash);
         QTRY_COMPARE(rig.logged().size(), 3);
         QVERIFY(!rig.logged()[0].isClockDoubtful);
-        rig.alarms->setClockUnset([] { return true; });
+        rig.alarms->setClockState([] { return store::ClockState::NotSet; });
         rig.setWarnings(flash | marksLost);
         QTRY_COMPARE(rig.logged().size(), 4);
         QVERIFY(rig.logged()[0].isClockDoubtful);

@@ -75,7 +75,7 @@ private slots:
     {
         RecipesRig rig;
         QVERIFY(!rig.recipes.chosenNote().contains(QStringLiteral("clock")));
-        rig.recipes.setClockUnset([] { return true; });
+        rig.recipes.setClockState([] { return store::ClockState::NotSet; });
         rig.editor.bagLength()->set(240);
         rig.recipes.save();
         QTRY_VERIFY(rig.recipes.chosenNote().contains(QStringLiteral("clock not set")));

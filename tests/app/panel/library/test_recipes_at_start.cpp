@@ -111,6 +111,29 @@ private slots:
         }
     }
 
+    void aRecipeOfWhichNothingCanBeReadIsNamed()
+    {
+        const QTemporaryDir folder;
+        saveSoap(folder);
+        {
+            Start start(folder);
+            start.recipes.setWantedName(u"Rusk"_s);
+            start.recipes.saveAs();
+            start.settle();
+        }
+        {
+            const auto database = *store::Database::open(folder.path());
+            QVERIFY(database->execute(
+                u"UPDATE recipe_version SET json = '{' WHERE recipe = (SELECT id FROM recipe WHERE name = 'Soap')"_s));
+        }
+        Start start(folder);
+        QVERIFY2(start.recipes.message().startsWith(u"No version of these recipes can be read: Soap."),
+                 qPrintable(start.recipes.message()));
+        QCOMPARE(start.names(), QStringList({u"Rusk v1"_s, u"Biscuit 250 v1"_s}));
+        // The open recipe has its own file and is kept again.
+        QVERIFY(!start.recipes.message().contains(u"Rusk"));
+    }
+
     void noDefaultTakesThePlaceOfLostFiles_data()
     {
         QTest::addColumn<bool>("isWorkingCopyThere");
