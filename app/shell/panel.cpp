@@ -65,34 +65,34 @@ Panel::Panel(link::Link& link, const Storage& storage)
           store::finishRestore(privateDataFolder(storage), panel::Settings::fileName(storage.settingsFile)))
     , m_wasSetUp(store::wasSetUp(QDir(recipeFolder(storage)).filePath(QStringLiteral("campanel.sqlite"))))
     , m_settings(storage.settingsFile, nullptr, storage.standard)
-    , m_machine(link, m_settings, nullptr)
-    , m_editor(m_machine, recipeFolder(storage), nullptr)
+    , m_controller(link, m_settings, nullptr)
+    , m_editor(m_controller, recipeFolder(storage), nullptr)
     , m_records(recipeFolder(storage), nullptr)
-    , m_alarms(m_machine, m_editor, m_records, m_settings, nullptr)
-    , m_recipes(m_machine, m_editor, m_records, recipeFolder(storage), nullptr)
-    , m_scan({m_machine, m_editor, m_recipes, m_settings}, recipeFolder(storage), nullptr)
-    , m_maintenance(m_machine, m_settings, recipeFolder(storage), nullptr)
-    , m_trends(m_machine, m_settings, m_records, *m_maintenance.files(), recipeFolder(storage), nullptr)
-    , m_stops(m_machine, m_settings, m_records, *m_maintenance.files(), nullptr)
-    , m_access(m_records, m_machine, m_settings, nullptr)
-    , m_systemClock(m_machine.accessCheck(), nullptr)
-    , m_systemNetwork(m_machine.accessCheck(), nullptr)
-    , m_trail(m_records, {m_machine, m_editor, m_settings, m_maintenance, m_access}, nullptr)
+    , m_alarms(m_controller, m_editor, m_records, m_settings, nullptr)
+    , m_recipes(m_controller, m_editor, m_records, recipeFolder(storage), nullptr)
+    , m_scan({m_controller, m_editor, m_recipes, m_settings}, recipeFolder(storage), nullptr)
+    , m_maintenance(m_controller, m_settings, recipeFolder(storage), nullptr)
+    , m_trends(m_controller, m_settings, m_records, *m_maintenance.files(), recipeFolder(storage), nullptr)
+    , m_stops(m_controller, m_settings, m_records, *m_maintenance.files(), nullptr)
+    , m_access(m_records, m_controller, m_settings, nullptr)
+    , m_systemClock(m_controller.accessCheck(), nullptr)
+    , m_systemNetwork(m_controller.accessCheck(), nullptr)
+    , m_trail(m_records, {m_controller, m_editor, m_settings, m_maintenance, m_access}, nullptr)
     , m_audit(m_records, m_trail, *m_maintenance.files(), nullptr)
-    , m_backup({m_machine, m_editor, m_records, m_trends, m_settings, m_access, m_trail},
+    , m_backup({m_controller, m_editor, m_records, m_trends, m_settings, m_access, m_trail},
                recipeFolder(storage), nullptr)
-    , m_update(m_machine, recipeFolder(storage), nullptr)
-    , m_versions(m_machine, m_editor, m_records, recipeFolder(storage), nullptr)
-    , m_commissioning(m_machine, m_editor, m_access, *m_maintenance.files(), nullptr)
+    , m_update(m_controller, recipeFolder(storage), nullptr)
+    , m_versions(m_controller, m_editor, m_records, recipeFolder(storage), nullptr)
+    , m_commissioning(m_controller, m_editor, m_access, *m_maintenance.files(), nullptr)
     , m_shiftReport(m_stops, *m_maintenance.files(), nullptr)
-    , m_bundle({m_machine, m_editor, m_records, *m_maintenance.figures(), *m_maintenance.files(),
+    , m_bundle({m_controller, m_editor, m_records, *m_maintenance.figures(), *m_maintenance.files(),
                 *m_maintenance.frames()},
                nullptr)
-    , m_display(m_machine, m_settings, nullptr)
-    , m_rotation(m_machine, m_settings, nullptr)
-    , m_touchCalibration(m_machine, nullptr)
-    , m_explanations({m_machine, m_editor, *m_maintenance.figures(), m_trends, m_stops}, nullptr)
-    , m_plant({m_machine, m_alarms, m_stops}, m_trail, nullptr)
+    , m_display(m_controller, m_settings, nullptr)
+    , m_rotation(m_controller, m_settings, nullptr)
+    , m_touchCalibration(m_controller, nullptr)
+    , m_explanations({m_controller, m_editor, *m_maintenance.figures(), m_trends, m_stops}, nullptr)
+    , m_plant({m_controller, m_alarms, m_stops}, m_trail, nullptr)
     , m_hasBroker(!storage.standard.text("gateway.host").isEmpty())
     , m_pageMemory(recipeFolder(storage) + QStringLiteral("/open-page"))
 {
@@ -133,7 +133,7 @@ Panel::Panel(link::Link& link, const Storage& storage)
         m_stops.setPerson(m_access.userName());
     });
     panel::attachToEngine(m_qml->engine, m_access, m_alarms, m_audit, m_backup, m_commissioning, m_display,
-                          m_machine, m_editor, m_explanations, m_records, m_recipes, m_maintenance, m_scan,
+                          m_controller, m_editor, m_explanations, m_records, m_recipes, m_maintenance, m_scan,
                           m_bundle, m_rotation, m_settings, m_shiftReport, m_stops, m_systemClock,
                           m_systemNetwork, m_touchCalibration, m_trends, m_update, m_versions);
     connect(&m_settings, &panel::Settings::languageChanged, this, &Panel::translate);
@@ -185,7 +185,7 @@ void Panel::noteClockProven()
 
 void Panel::open()
 {
-    m_machine.open();
+    m_controller.open();
     m_records.open();
     m_trends.open();
     m_access.open();

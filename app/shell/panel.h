@@ -61,7 +61,7 @@ public:
     ~Panel() override;
 
     [[nodiscard]] panel::Settings& settings() { return m_settings; }
-    [[nodiscard]] panel::Controller& machine() { return m_machine; }
+    [[nodiscard]] panel::Controller& controller() { return m_controller; }
     [[nodiscard]] panel::Editor& editor() { return m_editor; }
     [[nodiscard]] panel::DatabaseService& records() { return m_records; }
     [[nodiscard]] panel::Alarms& alarms() { return m_alarms; }
@@ -121,7 +121,7 @@ private:
     store::FinishedRestore m_restore;                     // before anything is read
     bool m_wasSetUp = false;
     panel::Settings m_settings;
-    panel::Controller m_machine;
+    panel::Controller m_controller;
     panel::Editor m_editor;
     panel::DatabaseService m_records;
     panel::Alarms m_alarms;

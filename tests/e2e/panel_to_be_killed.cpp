@@ -41,10 +41,10 @@ static int panelToBeKilled(int argc, char** argv)
     QByteArray told;
     QTimer timer;
     QObject::connect(&timer, &QTimer::timeout, &panel, [&] {
-        if (!key.isEmpty() && panel.machine().connection() == panel::Controller::Connection::Connected)
+        if (!key.isEmpty() && panel.controller().connection() == panel::Controller::Connection::Connected)
             touch.tap(std::exchange(key, QString()));
         const QByteArray now = "page " + panel.window().property("page").toString().toLatin1() + " state " +
-                               QByteArray::number(static_cast<int>(panel.machine().state())) + '\n';
+                               QByteArray::number(static_cast<int>(panel.controller().state())) + '\n';
         if (now == told)
             return;
         told = now;

@@ -36,7 +36,7 @@ public:
         m_panel.open();
     }
 
-    [[nodiscard]] panel::Controller& machine() { return m_panel.machine(); }
+    [[nodiscard]] panel::Controller& controller() { return m_panel.controller(); }
     [[nodiscard]] panel::Editor& editor() { return m_panel.editor(); }
     [[nodiscard]] panel::Maintenance& maintenance() { return m_panel.maintenance(); }
     [[nodiscard]] panel::Settings& settings() { return m_panel.settings(); }

@@ -86,7 +86,7 @@ public:
 private:
     void act()
     {
-        Controller& machine = m_panel.machine();
+        Controller& machine = m_panel.controller();
         panel::Editor& editor = m_panel.editor();
         if (!machine.isConnected() || !machine.status())
             return;
@@ -122,8 +122,8 @@ private:
 void report(shell::Panel& panel)
 {
     test::sayConfirmed(panel.recipes(), panel.trail(), panel.editor());
-    QObject::connect(&panel.machine(), &Controller::programChanged, [&panel] {
-        if (const auto& status = panel.machine().status(); status && status->activeCrc)
+    QObject::connect(&panel.controller(), &Controller::programChanged, [&panel] {
+        if (const auto& status = panel.controller().status(); status && status->activeCrc)
             test::say(QStringLiteral("active %1 %2")
                           .arg(status->generation)
                           .arg(test::crcText(*status->activeCrc)));

@@ -50,7 +50,7 @@ private slots:
     {
         ControllerProcess controller;
         PanelWindow panel(controller.port());
-        QTRY_COMPARE_WITH_TIMEOUT(panel.machine().state(), Controller::State::Idle, timeoutMs);
+        QTRY_COMPARE_WITH_TIMEOUT(panel.controller().state(), Controller::State::Idle, timeoutMs);
         for (const char* name : {"nav_maintenance", "maintenanceLine", "maintenance2", "registerGroup",
                                  "choice_parameter", "register2"})
             panel.tap(name);
@@ -83,7 +83,7 @@ private slots:
         ControllerProcess controller(
             {QStringLiteral("--control"), QStringLiteral("--pins"), QStringLiteral("limit-forward")});
         PanelWindow panel(controller.port());
-        QTRY_COMPARE_WITH_TIMEOUT(panel.machine().state(), Controller::State::Idle, timeoutMs);
+        QTRY_COMPARE_WITH_TIMEOUT(panel.controller().state(), Controller::State::Idle, timeoutMs);
         for (const char* name : {"nav_maintenance", "maintenanceMachine", "maintenanceIo"})
             panel.tap(name);
         QTRY_COMPARE_WITH_TIMEOUT(lampOf(panel, "Limit switch, forward"), panel::IoList::Lamp::On, timeoutMs);
@@ -110,7 +110,7 @@ private slots:
         controller.tell("pin emergency-stop on");
         QTRY_COMPARE_WITH_TIMEOUT(lampOf(panel, "Emergency stop"), panel::IoList::Lamp::Bad, timeoutMs);
         controller.tell("pin drive-alarm on");
-        QTRY_COMPARE_WITH_TIMEOUT(panel.machine().state(), Controller::State::Fault, timeoutMs);
+        QTRY_COMPARE_WITH_TIMEOUT(panel.controller().state(), Controller::State::Fault, timeoutMs);
         QCOMPARE(panel.statuses().back().faultBits,
                  1U << static_cast<unsigned>(modbus::FaultBit::DriveAlarm));
         QTRY_COMPARE_WITH_TIMEOUT(lampOf(panel, "Drive alarm"), panel::IoList::Lamp::Bad, timeoutMs);
@@ -121,16 +121,16 @@ private slots:
     {
         ControllerProcess controller;
         PanelWindow panel(controller.port());
-        QTRY_COMPARE_WITH_TIMEOUT(panel.machine().state(), Controller::State::Idle, timeoutMs);
+        QTRY_COMPARE_WITH_TIMEOUT(panel.controller().state(), Controller::State::Idle, timeoutMs);
         for (const char* name : {"nav_maintenance", "maintenanceMachine", "maintenanceJog"})
             panel.tap(name);
         panel::Jog& jog = *panel.maintenance().jog();
         QTRY_COMPARE_WITH_TIMEOUT(jog.speed()->frequencyHz(), 1000.0, timeoutMs);
         panel.touchDriver().touch(QStringLiteral("jogForward"));
         QTRY_VERIFY_WITH_TIMEOUT(jog.positionPulses() > 500, timeoutMs); // longer than the validity of a key
-        QCOMPARE(panel.machine().state(), Controller::State::Jogging);
+        QCOMPARE(panel.controller().state(), Controller::State::Jogging);
         panel.touchDriver().lift();
-        QTRY_COMPARE_WITH_TIMEOUT(panel.machine().state(), Controller::State::Idle, timeoutMs);
+        QTRY_COMPARE_WITH_TIMEOUT(panel.controller().state(), Controller::State::Idle, timeoutMs);
         const double stoodAt = jog.positionPulses();
 
         // The page disappears under the finger.
@@ -138,7 +138,7 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT(jog.positionPulses() < stoodAt - 300, timeoutMs);
         QMetaObject::invokeMethod(panel.touchDriver().frame(), "openPage",
                                   Q_ARG(QString, QStringLiteral("run")));
-        QTRY_COMPARE_WITH_TIMEOUT(panel.machine().state(), Controller::State::Idle, timeoutMs);
+        QTRY_COMPARE_WITH_TIMEOUT(panel.controller().state(), Controller::State::Idle, timeoutMs);
         panel.touchDriver().lift();
         QCOMPARE(panel.complaints(), QStringList());
     }
@@ -147,23 +147,25 @@ private slots:
     {
         ControllerProcess controller;
         PanelWindow panel(controller.port());
-        QTRY_COMPARE_WITH_TIMEOUT(panel.machine().state(), Controller::State::Idle, timeoutMs);
+        QTRY_COMPARE_WITH_TIMEOUT(panel.controller().state(), Controller::State::Idle, timeoutMs);
         for (const char* name : {"nav_maintenance", "maintenanceLine", "maintenance0", "doctorDiagnose"})
             panel.tap(name);
         const panel::LinkDoctor& doctor = *panel.maintenance().doctor();
         QTRY_VERIFY_WITH_TIMEOUT(doctor.resultText().startsWith("The connection in use works"), timeoutMs);
-        QTRY_COMPARE_WITH_TIMEOUT(panel.machine().connection(), Controller::Connection::Connected, timeoutMs);
+        QTRY_COMPARE_WITH_TIMEOUT(panel.controller().connection(), Controller::Connection::Connected,
+                                  timeoutMs);
 
         panel::ConnectionChoice wrong = panel.settings().connection();
         wrong.unit = 9;
         panel.settings().overrideConnection(wrong);
-        QTRY_VERIFY_WITH_TIMEOUT(panel.machine().connection() != Controller::Connection::Connected,
+        QTRY_VERIFY_WITH_TIMEOUT(panel.controller().connection() != Controller::Connection::Connected,
                                  timeoutMs);
         panel.tap("doctorDiagnose");
         QTRY_VERIFY_WITH_TIMEOUT(doctor.canTake(), timeoutMs);
         panel.tap("doctorTake");
         QCOMPARE(panel.settings().connection().unit, 1);
-        QTRY_COMPARE_WITH_TIMEOUT(panel.machine().connection(), Controller::Connection::Connected, timeoutMs);
+        QTRY_COMPARE_WITH_TIMEOUT(panel.controller().connection(), Controller::Connection::Connected,
+                                  timeoutMs);
         QCOMPARE(panel.complaints(), QStringList());
     }
 };

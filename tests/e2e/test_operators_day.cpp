@@ -51,7 +51,7 @@ void waitForRecipes(PanelWindow& panel, int total)
 
 void beginFirstStart(PanelWindow& panel)
 {
-    QTRY_COMPARE_WITH_TIMEOUT(panel.machine().state(), Controller::State::Idle, timeoutMs);
+    QTRY_COMPARE_WITH_TIMEOUT(panel.controller().state(), Controller::State::Idle, timeoutMs);
     waitForRecipes(panel, 1);
     panel.settings().beginFirstStart();
     panel.touchDriver().settle();
@@ -103,7 +103,7 @@ private slots:
         QCOMPARE(panel.panel().recipes().chosenName(), QStringLiteral("rusk large"));
         QTRY_VERIFY_WITH_TIMEOUT(panel.editor().programDownload()->canDownload(), timeoutMs);
         panel.tap("downloadStart"); // the last step has opened the sheet
-        QTRY_COMPARE_WITH_TIMEOUT(panel.machine().active().name, QStringLiteral("rusk large"), timeoutMs);
+        QTRY_COMPARE_WITH_TIMEOUT(panel.controller().active().name, QStringLiteral("rusk large"), timeoutMs);
         QCOMPARE(panel.complaints(), QStringList());
     }
 
@@ -132,7 +132,7 @@ private slots:
         touch("downloadStart");
         QTRY_COMPARE_WITH_TIMEOUT(panel.editor().programDownload()->state(), ProgramDownload::State::Applied,
                                   timeoutMs);
-        QTRY_VERIFY_WITH_TIMEOUT(panel.machine().canStart(), timeoutMs);
+        QTRY_VERIFY_WITH_TIMEOUT(panel.controller().canStart(), timeoutMs);
         panel.touchDriver().settle();
         QVERIFY2(!panel.touchDriver().find("sheetPanel"), qPrintable(panel.texts()));
         QVERIFY2(!panel.texts().contains(refusal), qPrintable(panel.texts()));
@@ -141,11 +141,11 @@ private slots:
         QVERIFY(panel.touchDriver().find("middleKey")); // Home, which the controller accepts now
         touch("startKey");
         QTest::qWait(200);
-        QCOMPARE(panel.machine().state(), Controller::State::Ready); // a tap is too short
+        QCOMPARE(panel.controller().state(), Controller::State::Ready); // a tap is too short
         QVERIFY2(panel.texts().contains(QStringLiteral("hold longer")), qPrintable(panel.texts()));
         panel.start();
-        QTRY_COMPARE_WITH_TIMEOUT(panel.machine().state(), Controller::State::Running, timeoutMs);
-        QTRY_VERIFY_WITH_TIMEOUT(panel.machine().bags().count > 0, timeoutMs);
+        QTRY_COMPARE_WITH_TIMEOUT(panel.controller().state(), Controller::State::Running, timeoutMs);
+        QTRY_VERIFY_WITH_TIMEOUT(panel.controller().bags().count > 0, timeoutMs);
         QVERIFY2(touches <= 12, qPrintable(QString::number(touches)));
         QCOMPARE(panel.complaints(), QStringList());
     }
@@ -173,17 +173,17 @@ private slots:
         touch("Download");
         QTRY_COMPARE_WITH_TIMEOUT(panel.editor().programDownload()->state(), ProgramDownload::State::Applied,
                                   timeoutMs);
-        QTRY_VERIFY_WITH_TIMEOUT(panel.machine().canStart(), timeoutMs);
+        QTRY_VERIFY_WITH_TIMEOUT(panel.controller().canStart(), timeoutMs);
         panel.touchDriver().settle();
         QVERIFY(panel.touchDriver().findNamed(QStringLiteral("Start")));
         panel.start();
         ++touches;
-        QTRY_COMPARE_WITH_TIMEOUT(panel.machine().state(), Controller::State::Running, timeoutMs);
-        QTRY_VERIFY_WITH_TIMEOUT(panel.machine().bags().count > 0, timeoutMs);
-        QCOMPARE(panel.machine().active().name, panel.editor().recipeName());
+        QTRY_COMPARE_WITH_TIMEOUT(panel.controller().state(), Controller::State::Running, timeoutMs);
+        QTRY_VERIFY_WITH_TIMEOUT(panel.controller().bags().count > 0, timeoutMs);
+        QCOMPARE(panel.controller().active().name, panel.editor().recipeName());
         QCOMPARE(panel.editor().bagLength()->value(), 265.0);
         // The first bags may be start-up scrap, which has no part in the mean.
-        QTRY_VERIFY_WITH_TIMEOUT(std::abs(panel.machine().bags().meanMm - 265) < 1, timeoutMs);
+        QTRY_VERIFY_WITH_TIMEOUT(std::abs(panel.controller().bags().meanMm - 265) < 1, timeoutMs);
         QVERIFY2(touches <= 12, qPrintable(QString::number(touches)));
         QCOMPARE(panel.complaints(), QStringList());
     }
@@ -210,7 +210,7 @@ private slots:
     {
         const ControllerProcess controller;
         PanelWindow panel(controller.port());
-        QTRY_COMPARE_WITH_TIMEOUT(panel.machine().state(), Controller::State::Idle, timeoutMs);
+        QTRY_COMPARE_WITH_TIMEOUT(panel.controller().state(), Controller::State::Idle, timeoutMs);
         waitForRecipes(panel, 1);
         panel.tap("nav_recipes");
         panel.tap("recipeNew");
@@ -223,20 +223,20 @@ private slots:
         enter(panel, "field_bagLength", QStringLiteral("240"));
         panel.download();
         panel.tap("nav_run");
-        QTRY_VERIFY_WITH_TIMEOUT(panel.machine().canStart(), timeoutMs);
+        QTRY_VERIFY_WITH_TIMEOUT(panel.controller().canStart(), timeoutMs);
         panel.start();
-        QTRY_COMPARE_WITH_TIMEOUT(panel.machine().state(), Controller::State::Running, timeoutMs);
+        QTRY_COMPARE_WITH_TIMEOUT(panel.controller().state(), Controller::State::Running, timeoutMs);
         panel.tap("nav_motion");
         enter(panel, "field_bagLength", QStringLiteral("250"));
         panel.download();
-        QTRY_COMPARE_WITH_TIMEOUT(panel.machine().active().bagLengthMm, 250.0, timeoutMs);
-        QCOMPARE(panel.machine().state(), Controller::State::Running);
+        QTRY_COMPARE_WITH_TIMEOUT(panel.controller().active().bagLengthMm, 250.0, timeoutMs);
+        QCOMPARE(panel.controller().state(), Controller::State::Running);
         QVERIFY2(panel.texts().contains(QStringLiteral("Downloaded. The machine is running this recipe.")),
                  qPrintable(panel.texts()));
         // Both downloads are versions of it.
         QTRY_COMPARE_WITH_TIMEOUT(panel.panel().recipes().list()->rows().first().version, 3, timeoutMs);
         panel.tap("stopKey");
-        QTRY_COMPARE_WITH_TIMEOUT(panel.machine().state(), Controller::State::Ready, timeoutMs);
+        QTRY_COMPARE_WITH_TIMEOUT(panel.controller().state(), Controller::State::Ready, timeoutMs);
         QCOMPARE(panel.complaints(), QStringList());
     }
 
@@ -244,7 +244,7 @@ private slots:
     {
         ControllerProcess controller;
         PanelWindow panel(controller.port());
-        QTRY_COMPARE_WITH_TIMEOUT(panel.machine().state(), Controller::State::Idle, timeoutMs);
+        QTRY_COMPARE_WITH_TIMEOUT(panel.controller().state(), Controller::State::Idle, timeoutMs);
         controller.kill();
         QTRY_COMPARE_WITH_TIMEOUT(panel.panel().alarms().unacknowledged(), 1, timeoutMs);
         panel.tap("nav_alarms");
@@ -255,7 +255,8 @@ private slots:
         QTRY_COMPARE_WITH_TIMEOUT(panel.panel().alarms().unacknowledged(), 0, timeoutMs);
         QVERIFY2(panel.texts().contains(QStringLiteral("Connection lost")), qPrintable(panel.texts()));
         controller.start();
-        QTRY_COMPARE_WITH_TIMEOUT(panel.machine().connection(), Controller::Connection::Connected, timeoutMs);
+        QTRY_COMPARE_WITH_TIMEOUT(panel.controller().connection(), Controller::Connection::Connected,
+                                  timeoutMs);
         panel.touchDriver().settle();
         QTRY_VERIFY2_WITH_TIMEOUT(!panel.texts().contains(QStringLiteral("Connection lost")),
                                   qPrintable(panel.texts()), timeoutMs);
@@ -269,7 +270,7 @@ private slots:
     {
         const ControllerProcess controller;
         PanelWindow panel(controller.port());
-        QTRY_COMPARE_WITH_TIMEOUT(panel.machine().state(), Controller::State::Idle, timeoutMs);
+        QTRY_COMPARE_WITH_TIMEOUT(panel.controller().state(), Controller::State::Idle, timeoutMs);
         waitForRecipes(panel, 1); // the database is open
         panel::Access& access = panel.panel().access();
         access.addUser(QStringLiteral("Anna"), panel::Access::Service, QStringLiteral("258036"));
@@ -323,7 +324,7 @@ private slots:
     {
         const ControllerProcess controller;
         PanelWindow panel(controller.port());
-        QTRY_COMPARE_WITH_TIMEOUT(panel.machine().state(), Controller::State::Idle, timeoutMs);
+        QTRY_COMPARE_WITH_TIMEOUT(panel.controller().state(), Controller::State::Idle, timeoutMs);
         panel.tap("nav_motion");
         enter(panel, "field_bagLength", QStringLiteral("270"));
         panel.tap("field_rate");

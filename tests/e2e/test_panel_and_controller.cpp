@@ -114,8 +114,9 @@ void TestPanelAndController::theMainJob()
     const ControllerProcess controller;
     {
         PanelWindow panel(controller.port());
-        QTRY_COMPARE_WITH_TIMEOUT(panel.machine().connection(), Controller::Connection::Connected, timeoutMs);
-        QTRY_COMPARE_WITH_TIMEOUT(panel.machine().state(), Controller::State::Idle, timeoutMs);
+        QTRY_COMPARE_WITH_TIMEOUT(panel.controller().connection(), Controller::Connection::Connected,
+                                  timeoutMs);
+        QTRY_COMPARE_WITH_TIMEOUT(panel.controller().state(), Controller::State::Idle, timeoutMs);
         runLength(panel);
         if (!QTest::currentTestFailed())
             changeWhileItRuns(panel);
@@ -143,7 +144,7 @@ void TestPanelAndController::aScanChangesOver()
     PanelWindow panel(controller.port());
     panel.settings().overrideValue("scanner.prefix", QStringLiteral("~~"));
     panel.settings().overrideValue("scanner.key_time_ms", QStringLiteral("1000")); // for a busy computer
-    QTRY_COMPARE_WITH_TIMEOUT(panel.machine().state(), Controller::State::Idle, timeoutMs);
+    QTRY_COMPARE_WITH_TIMEOUT(panel.controller().state(), Controller::State::Idle, timeoutMs);
     panel::Recipes& recipes = panel.panel().recipes();
     QTRY_COMPARE_WITH_TIMEOUT(recipes.total(), 1, timeoutMs);
     recipes.setWantedName(QStringLiteral("Soap"));
@@ -151,29 +152,29 @@ void TestPanelAndController::aScanChangesOver()
     QTRY_COMPARE_WITH_TIMEOUT(panel.editor().recipeName(), QStringLiteral("Soap"), timeoutMs);
     scanCode(panel, QStringLiteral("Biscuit 250"));
     QCOMPARE(panel.editor().recipeName(), QStringLiteral("Biscuit 250"));
-    QVERIFY(!panel.machine().active().isPresent); // nothing without a touch
+    QVERIFY(!panel.controller().active().isPresent); // nothing without a touch
     panel.tap("downloadStart");
     QTRY_COMPARE_WITH_TIMEOUT(panel.editor().programDownload()->state(), ProgramDownload::State::Applied,
                               timeoutMs);
-    QTRY_COMPARE_WITH_TIMEOUT(panel.machine().active().name, QStringLiteral("Biscuit 250"), timeoutMs);
+    QTRY_COMPARE_WITH_TIMEOUT(panel.controller().active().name, QStringLiteral("Biscuit 250"), timeoutMs);
 
     recipes.codes()->enter(panel::RecipeCodes::Code::Film);
     recipes.codes()->setWanted(QStringLiteral("PE 30"));
     recipes.codes()->store();
     QTRY_COMPARE_WITH_TIMEOUT(panel.editor().recipe().filmCode, std::string("PE 30"), timeoutMs);
-    QTRY_VERIFY_WITH_TIMEOUT(panel.machine().canStart(), timeoutMs);
+    QTRY_VERIFY_WITH_TIMEOUT(panel.controller().canStart(), timeoutMs);
     scanCode(panel, QStringLiteral("PP 40"));
     panel.tap("confirmCancel");
     panel.start();
     QTest::qWait(300); // some polls
-    QCOMPARE(panel.machine().state(), Controller::State::Ready);
+    QCOMPARE(panel.controller().state(), Controller::State::Ready);
     panel.tap("confirm_override");
     for (const QChar key : QStringLiteral("same width"))
         QTest::sendKeyEvent(QTest::Click, &panel.panel().window(), QTest::asciiToKey(key.toLatin1()),
                             QString(key), Qt::NoModifier);
     panel.tap("textAccept");
     panel.start();
-    QTRY_COMPARE_WITH_TIMEOUT(panel.machine().state(), Controller::State::Running, timeoutMs);
+    QTRY_COMPARE_WITH_TIMEOUT(panel.controller().state(), Controller::State::Running, timeoutMs);
     QStringList films;
     panel.panel().records().store().run(
         &panel.panel(),
@@ -196,24 +197,24 @@ void TestPanelAndController::runLength(PanelWindow& panel)
     enterLength(panel, "260");
     QCOMPARE(panel.editor().bagLength()->value(), 260.0);
     panel.download();
-    QTRY_COMPARE_WITH_TIMEOUT(panel.machine().active().bagLengthMm, 260.0, timeoutMs);
-    QCOMPARE(panel.machine().generation(), 1.0);
+    QTRY_COMPARE_WITH_TIMEOUT(panel.controller().active().bagLengthMm, 260.0, timeoutMs);
+    QCOMPARE(panel.controller().generation(), 1.0);
 
     panel.tap("nav_run");
-    QTRY_VERIFY_WITH_TIMEOUT(panel.machine().canStart(), timeoutMs);
+    QTRY_VERIFY_WITH_TIMEOUT(panel.controller().canStart(), timeoutMs);
     panel.start();
-    QTRY_COMPARE_WITH_TIMEOUT(panel.machine().state(), Controller::State::Running, timeoutMs);
-    const double angle = panel.machine().live().knifeAngleDeg;
+    QTRY_COMPARE_WITH_TIMEOUT(panel.controller().state(), Controller::State::Running, timeoutMs);
+    const double angle = panel.controller().live().knifeAngleDeg;
     QVERIFY(!std::isnan(angle));
-    QTRY_VERIFY_WITH_TIMEOUT(std::abs(panel.machine().live().knifeAngleDeg - angle) > 10, timeoutMs);
-    QTRY_VERIFY_WITH_TIMEOUT(panel.machine().bags().count >= 2, timeoutMs);
+    QTRY_VERIFY_WITH_TIMEOUT(std::abs(panel.controller().live().knifeAngleDeg - angle) > 10, timeoutMs);
+    QTRY_VERIFY_WITH_TIMEOUT(panel.controller().bags().count >= 2, timeoutMs);
     // The first bags of a run are shifted onto the marks.
-    QTRY_COMPARE_WITH_TIMEOUT(panel.machine().packing()->markState(), PackingLine::MarkState::Tracking,
+    QTRY_COMPARE_WITH_TIMEOUT(panel.controller().packing()->markState(), PackingLine::MarkState::Tracking,
                               timeoutMs);
-    QTRY_VERIFY2_WITH_TIMEOUT(std::abs(panel.machine().bags().lengthMm - 260) <
-                                  panel.machine().bags().toleranceMm,
-                              qPrintable(QString::number(panel.machine().bags().lengthMm)), timeoutMs);
-    QCOMPARE(panel.machine().state(), Controller::State::Running);
+    QTRY_VERIFY2_WITH_TIMEOUT(std::abs(panel.controller().bags().lengthMm - 260) <
+                                  panel.controller().bags().toleranceMm,
+                              qPrintable(QString::number(panel.controller().bags().lengthMm)), timeoutMs);
+    QCOMPARE(panel.controller().state(), Controller::State::Running);
 }
 
 void TestPanelAndController::changeWhileItRuns(PanelWindow& panel)
@@ -222,21 +223,21 @@ void TestPanelAndController::changeWhileItRuns(PanelWindow& panel)
     enterLength(panel, "300");
     QCOMPARE(panel.editor().programDownload()->differenceCount(), 1);
     panel.download();
-    QTRY_COMPARE_WITH_TIMEOUT(panel.machine().active().bagLengthMm, 300.0, timeoutMs);
-    QCOMPARE(panel.machine().generation(), 2.0);
+    QTRY_COMPARE_WITH_TIMEOUT(panel.controller().active().bagLengthMm, 300.0, timeoutMs);
+    QCOMPARE(panel.controller().generation(), 2.0);
     // The bag under the knife began with the old length, the next ones are shifted onto the marks.
-    QTRY_COMPARE_WITH_TIMEOUT(panel.machine().packing()->markState(), PackingLine::MarkState::Tracking,
+    QTRY_COMPARE_WITH_TIMEOUT(panel.controller().packing()->markState(), PackingLine::MarkState::Tracking,
                               timeoutMs);
-    QTRY_VERIFY2_WITH_TIMEOUT(std::abs(panel.machine().bags().lengthMm - 300) <
-                                  panel.machine().bags().toleranceMm,
-                              qPrintable(QString::number(panel.machine().bags().lengthMm)), timeoutMs);
-    QCOMPARE(panel.machine().state(), Controller::State::Running);
+    QTRY_VERIFY2_WITH_TIMEOUT(std::abs(panel.controller().bags().lengthMm - 300) <
+                                  panel.controller().bags().toleranceMm,
+                              qPrintable(QString::number(panel.controller().bags().lengthMm)), timeoutMs);
+    QCOMPARE(panel.controller().state(), Controller::State::Running);
 
     panel.tap("stopKey");
-    QTRY_VERIFY2_WITH_TIMEOUT(panel.machine().state() == Controller::State::Ready,
+    QTRY_VERIFY2_WITH_TIMEOUT(panel.controller().state() == Controller::State::Ready,
                               qPrintable(panel.texts() + panel.complaints().join(u'\n')), timeoutMs);
-    QVERIFY2(panel.machine().commandMessage().isEmpty(), qPrintable(panel.machine().commandMessage()));
-    QVERIFY2(panel.machine().alarmText().isEmpty(), qPrintable(panel.machine().alarmText()));
+    QVERIFY2(panel.controller().commandMessage().isEmpty(), qPrintable(panel.controller().commandMessage()));
+    QVERIFY2(panel.controller().alarmText().isEmpty(), qPrintable(panel.controller().alarmText()));
 
     const auto& statuses = panel.statuses();
     const QString fault =
@@ -267,12 +268,12 @@ void TestPanelAndController::readFromOutsideAndAgain(const QString& port)
     QVERIFY(std::abs(outside["bag_length_mm"].toDouble() - 300) < 1);
 
     PanelWindow panel(port);
-    QTRY_VERIFY_WITH_TIMEOUT(panel.machine().active().isPresent, timeoutMs);
-    QCOMPARE(panel.machine().active().bagLengthMm, 300.0);
-    QCOMPARE(panel.machine().active().name, outside["program"]["name"].toString());
-    QCOMPARE(panel.machine().active().version, outside["program"]["version"].toDouble());
-    QCOMPARE(panel.machine().generation(), 2.0);
-    QCOMPARE(panel.machine().state(), Controller::State::Ready);
+    QTRY_VERIFY_WITH_TIMEOUT(panel.controller().active().isPresent, timeoutMs);
+    QCOMPARE(panel.controller().active().bagLengthMm, 300.0);
+    QCOMPARE(panel.controller().active().name, outside["program"]["name"].toString());
+    QCOMPARE(panel.controller().active().version, outside["program"]["version"].toDouble());
+    QCOMPARE(panel.controller().generation(), 2.0);
+    QCOMPARE(panel.controller().state(), Controller::State::Ready);
     panel.tap("nav_motion");
     QVERIFY2(panel.texts().contains("generation 2"), qPrintable(panel.texts()));
     QCOMPARE(panel.complaints(), QStringList());
@@ -285,22 +286,22 @@ void TestPanelAndController::theMasterIsTurnedRound()
     const ControllerProcess controller;
     {
         PanelWindow panel(controller.port());
-        QTRY_COMPARE_WITH_TIMEOUT(panel.machine().state(), Controller::State::Idle, timeoutMs);
+        QTRY_COMPARE_WITH_TIMEOUT(panel.controller().state(), Controller::State::Idle, timeoutMs);
         panel.editor().newProgram(static_cast<int>(profile::ProgramKind::PointCam));
         panel.tap("nav_motion");
         panel.download();
         if (QTest::currentTestFailed())
             return;
-        const panel::MasterDirection& direction = *panel.machine().direction();
+        const panel::MasterDirection& direction = *panel.controller().direction();
         QTRY_COMPARE_WITH_TIMEOUT(direction.way(), Way::Forward, timeoutMs);
         panel.tap("nav_run");
-        QTRY_VERIFY_WITH_TIMEOUT(panel.machine().canStart(), timeoutMs);
+        QTRY_VERIFY_WITH_TIMEOUT(panel.controller().canStart(), timeoutMs);
         QVERIFY2(panel.texts().contains("starts forward"), qPrintable(panel.texts()));
         panel.start();
         QTRY_VERIFY_WITH_TIMEOUT(panel.texts().contains("runs forward"), timeoutMs);
-        QTRY_COMPARE_WITH_TIMEOUT(panel.machine().live().masterSpeedPercent, 100.0, timeoutMs);
+        QTRY_COMPARE_WITH_TIMEOUT(panel.controller().live().masterSpeedPercent, 100.0, timeoutMs);
         bool hasTurned = false;
-        QObject::connect(&direction, &panel::MasterDirection::changed, &panel.machine(),
+        QObject::connect(&direction, &panel::MasterDirection::changed, &panel.controller(),
                          [&] { hasTurned |= direction.turning(); });
         const std::size_t before = panel.statuses().size();
         panel.tap("directionBackward");
@@ -308,7 +309,7 @@ void TestPanelAndController::theMasterIsTurnedRound()
         QCOMPARE(direction.way(), Way::Backward);
         QTRY_VERIFY_WITH_TIMEOUT(panel.texts().contains("runs in reverse"), timeoutMs);
         QVERIFY(hasTurned);
-        QTRY_COMPARE_WITH_TIMEOUT(panel.machine().live().masterSpeedPercent, 100.0, timeoutMs);
+        QTRY_COMPARE_WITH_TIMEOUT(panel.controller().live().masterSpeedPercent, 100.0, timeoutMs);
         // Down by its ramp and up again, never stopped as a program.
         const auto& statuses = panel.statuses();
         double slowest = 100;
@@ -317,14 +318,14 @@ void TestPanelAndController::theMasterIsTurnedRound()
             QCOMPARE(statuses[i].state, std::optional(State::Running));
         }
         QVERIFY2(slowest < 10, qPrintable(QString::number(slowest)));
-        QVERIFY2(panel.machine().alarmText().isEmpty(), qPrintable(panel.machine().alarmText()));
+        QVERIFY2(panel.controller().alarmText().isEmpty(), qPrintable(panel.controller().alarmText()));
         QCOMPARE(panel.complaints(), QStringList());
     }
     PanelWindow later(controller.port());
-    QTRY_COMPARE_WITH_TIMEOUT(later.machine().direction()->way(), Way::Backward, timeoutMs);
+    QTRY_COMPARE_WITH_TIMEOUT(later.controller().direction()->way(), Way::Backward, timeoutMs);
     QTRY_VERIFY_WITH_TIMEOUT(later.texts().contains("runs in reverse"), timeoutMs);
     later.tap("stopKey");
-    QTRY_COMPARE_WITH_TIMEOUT(later.machine().state(), Controller::State::Ready, timeoutMs);
+    QTRY_COMPARE_WITH_TIMEOUT(later.controller().state(), Controller::State::Ready, timeoutMs);
     QTRY_VERIFY_WITH_TIMEOUT(later.texts().contains("starts in reverse"), timeoutMs);
     QCOMPARE(later.statuses().back().commandedPositionPulses, 0); // a closed cam ends where it began
     later.tap("directionForward");
@@ -336,13 +337,14 @@ void TestPanelAndController::aBusyPortIsTakenWhenItIsFree()
 {
     const ControllerProcess controller;
     auto first = std::make_unique<PanelWindow>(controller.port());
-    QTRY_COMPARE_WITH_TIMEOUT(first->machine().connection(), Controller::Connection::Connected, timeoutMs);
+    QTRY_COMPARE_WITH_TIMEOUT(first->controller().connection(), Controller::Connection::Connected, timeoutMs);
     PanelWindow second(controller.port());
-    QTRY_COMPARE_WITH_TIMEOUT(second.machine().connection(), Controller::Connection::PortProblem, timeoutMs);
+    QTRY_COMPARE_WITH_TIMEOUT(second.controller().connection(), Controller::Connection::PortProblem,
+                              timeoutMs);
     QTRY_VERIFY_WITH_TIMEOUT(second.texts().contains("is using port"), timeoutMs);
-    QCOMPARE(first->machine().connection(), Controller::Connection::Connected);
+    QCOMPARE(first->controller().connection(), Controller::Connection::Connected);
     first.reset();
-    QTRY_COMPARE_WITH_TIMEOUT(second.machine().connection(), Controller::Connection::Connected, timeoutMs);
+    QTRY_COMPARE_WITH_TIMEOUT(second.controller().connection(), Controller::Connection::Connected, timeoutMs);
 }
 
 void TestPanelAndController::badPorts_data()
@@ -365,7 +367,7 @@ void TestPanelAndController::badPorts()
     QFETCH(QString, words);
     PanelWindow panel(port);
     QTRY_VERIFY2_WITH_TIMEOUT(panel.texts().contains(words), qPrintable(panel.texts()), timeoutMs);
-    QCOMPARE(panel.machine().connection(), connection);
+    QCOMPARE(panel.controller().connection(), connection);
     panel.start();
     QVERIFY2(panel.texts().contains("There is no connection to the controller."), qPrintable(panel.texts()));
 }
@@ -394,7 +396,7 @@ void TestPanelAndController::otherDevices()
         device.script(std::vector<test::Fault>(10'000, test::Fault::LostRequest));
     PanelWindow panel(QString::fromStdString(device.port()));
     QTRY_VERIFY2_WITH_TIMEOUT(panel.texts().contains(words), qPrintable(panel.texts()), timeoutMs);
-    QCOMPARE(panel.machine().connection(), connection);
+    QCOMPARE(panel.controller().connection(), connection);
     QCOMPARE(device.writes(), 0);
 }
 

@@ -70,10 +70,10 @@ private slots:
         QFETCH(const QString, sentence);
         const ControllerProcess controller(smallFirmware());
         PanelWindow panel(controller.port(), QString::fromLatin1(QTest::currentDataTag()));
-        QTRY_COMPARE_WITH_TIMEOUT(panel.machine().state(), Controller::State::Idle, timeoutMs);
+        QTRY_COMPARE_WITH_TIMEOUT(panel.controller().state(), Controller::State::Idle, timeoutMs);
         downloadInVain(panel);
         QVERIFY2(texts(panel).contains(sentence), qPrintable(panel.texts()));
-        QCOMPARE(panel.machine().generation(), 0.0);
+        QCOMPARE(panel.controller().generation(), 0.0);
         QCOMPARE(panel.complaints(), QStringList());
     }
 
@@ -97,10 +97,10 @@ private slots:
         panel.editor().newProgram(static_cast<int>(modbus::ProgramKind::SpeedMove));
         chooseIntervals(panel.editor());
         controller.start();
-        QTRY_COMPARE_WITH_TIMEOUT(panel.machine().state(), Controller::State::Idle, timeoutMs);
+        QTRY_COMPARE_WITH_TIMEOUT(panel.controller().state(), Controller::State::Idle, timeoutMs);
         downloadInVain(panel);
         QVERIFY2(texts(panel).contains(sentence), qPrintable(panel.texts()));
-        QCOMPARE(panel.machine().generation(), 0.0);
+        QCOMPARE(panel.controller().generation(), 0.0);
         QCOMPARE(panel.complaints(), QStringList());
     }
 

@@ -34,7 +34,7 @@ private slots:
         PanelWindow panel(controller.port());
         panel::Stops& stops = panel.panel().stops();
         panel.settings().overrideValue("stops.ask_after_seconds", QStringLiteral("1"));
-        QTRY_COMPARE_WITH_TIMEOUT(panel.machine().state(), Controller::State::Idle, timeoutMs);
+        QTRY_COMPARE_WITH_TIMEOUT(panel.controller().state(), Controller::State::Idle, timeoutMs);
         QTRY_COMPARE_WITH_TIMEOUT(panel.panel().recipes().total(), 1, timeoutMs);
         QTest::qWait(1500);
         QVERIFY(!stops.asking()); // there is no program to run
@@ -42,30 +42,30 @@ private slots:
         panel.tap("nav_motion");
         panel.download();
         panel.tap("nav_run");
-        QTRY_VERIFY_WITH_TIMEOUT(panel.machine().canStart(), timeoutMs);
+        QTRY_VERIFY_WITH_TIMEOUT(panel.controller().canStart(), timeoutMs);
         panel.start(); // also while the question is on the page
-        QTRY_COMPARE_WITH_TIMEOUT(panel.machine().state(), Controller::State::Running, timeoutMs);
-        QTRY_VERIFY_WITH_TIMEOUT(panel.machine().bags().count > 2, timeoutMs);
+        QTRY_COMPARE_WITH_TIMEOUT(panel.controller().state(), Controller::State::Running, timeoutMs);
+        QTRY_VERIFY_WITH_TIMEOUT(panel.controller().bags().count > 2, timeoutMs);
         QCOMPARE(stops.reason(), QString());
 
         controller.tell("pin drive-alarm on");
-        QTRY_COMPARE_WITH_TIMEOUT(panel.machine().state(), Controller::State::Fault, timeoutMs);
+        QTRY_COMPARE_WITH_TIMEOUT(panel.controller().state(), Controller::State::Fault, timeoutMs);
         QTRY_COMPARE_WITH_TIMEOUT(stops.reason(), QStringLiteral("C-08"), timeoutMs);
         QTest::qWait(1500);
         QVERIFY(!stops.asking());
         controller.tell("pin drive-alarm off");
         panel.touchDriver().settle();
         panel.tap("middleKey"); // Reset
-        QTRY_VERIFY_WITH_TIMEOUT(panel.machine().state() != Controller::State::Fault, timeoutMs);
+        QTRY_VERIFY_WITH_TIMEOUT(panel.controller().state() != Controller::State::Fault, timeoutMs);
         panel.touchDriver().settle();
         panel.tap("middleKey"); // Home
-        QTRY_COMPARE_WITH_TIMEOUT(panel.machine().state(), Controller::State::Homing, timeoutMs);
-        QTRY_VERIFY_WITH_TIMEOUT(panel.machine().canStart(), timeoutMs);
+        QTRY_COMPARE_WITH_TIMEOUT(panel.controller().state(), Controller::State::Homing, timeoutMs);
+        QTRY_VERIFY_WITH_TIMEOUT(panel.controller().canStart(), timeoutMs);
         panel.start();
-        QTRY_COMPARE_WITH_TIMEOUT(panel.machine().state(), Controller::State::Running, timeoutMs);
+        QTRY_COMPARE_WITH_TIMEOUT(panel.controller().state(), Controller::State::Running, timeoutMs);
 
         panel.tap("stopKey");
-        QTRY_COMPARE_WITH_TIMEOUT(panel.machine().state(), Controller::State::Ready, timeoutMs);
+        QTRY_COMPARE_WITH_TIMEOUT(panel.controller().state(), Controller::State::Ready, timeoutMs);
         QTRY_VERIFY_WITH_TIMEOUT(stops.asking(), timeoutMs);
         panel.touchDriver().settle();
         QVERIFY2(panel.texts().contains(QStringLiteral("Why is the machine stopped?")),

@@ -170,7 +170,7 @@ void TestTorqueAndController::measuredIsWhatTheServoDoes()
     QFETCH(int, readings);
     const ControllerProcess controller(drive());
     PanelWindow window(controller.port());
-    Controller& machine = window.machine();
+    Controller& machine = window.controller();
     panel::Editor& editor = window.editor();
     const program::Recipe recipe = recipeOf(static_cast<ProgramKind>(kind));
     editor.open(recipe);
@@ -233,8 +233,8 @@ void TestTorqueAndController::torqueIsReadWhileRunIsShown()
 {
     const ControllerProcess controller;
     PanelWindow window(controller.port());
-    TorqueWatch& torque = *window.machine().torque();
-    QTRY_COMPARE_WITH_TIMEOUT(window.machine().state(), Controller::State::Idle, timeoutMs);
+    TorqueWatch& torque = *window.controller().torque();
+    QTRY_COMPARE_WITH_TIMEOUT(window.controller().state(), Controller::State::Idle, timeoutMs);
     QVERIFY(!torque.watched()); // there is no program
     window.editor().open(recipeOf(ProgramKind::RotaryCutter));
     QTRY_VERIFY_WITH_TIMEOUT(window.editor().programDownload()->canDownload(), timeoutMs);

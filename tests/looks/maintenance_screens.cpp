@@ -38,7 +38,7 @@ Screen oldValues(const char* name, const char* section)
 
 void tell(TestWindow& window, modbus::State state, std::uint16_t warningBits = 0)
 {
-    modbus::StatusBlock status = *window.panel().machine().status();
+    modbus::StatusBlock status = *window.panel().controller().status();
     status.state = state;
     status.warningBits = warningBits;
     emit window.link().statusReceived({{{window.link().now(), status}}, 0});

@@ -704,7 +704,7 @@ void enterScreen(TestWindow& window, const Screen& screen)
     if (window.link().setOld(false))
         window.link().show(Situation::Empty);
     window.link().show(Situation::Running);
-    window.panel().machine().dismissMessage();
+    window.panel().controller().dismissMessage();
     window.panel().scan().dismissNotice();
     window.panel().settings().overrideValue("scanner.prefix", {});
     window.settle();

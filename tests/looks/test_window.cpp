@@ -44,7 +44,7 @@ TestWindow::TestWindow(const Variant& variant)
     m_panel.settings().overrideValue("display.theme", variant.theme);
     m_panel.settings().overrideValue("display.gloves", panel::settingText(variant.gloves));
     const auto wallClock = [] { return QDateTime(QDate(2026, 1, 15), QTime(14, 6, 58)); };
-    m_panel.machine().setWallClock(wallClock);
+    m_panel.controller().setWallClock(wallClock);
     m_panel.recipes().setWallClock(wallClock);
     m_panel.trends().setWallClock(
         [] { return QDateTime(QDate(2026, 1, 15), QTime(14, 7)).toMSecsSinceEpoch(); });
@@ -68,7 +68,7 @@ TestWindow::TestWindow(const Variant& variant)
     frame()->setProperty("now", QDateTime(QDate(2026, 1, 15), QTime(14, 7)));
     m_panel.window().show();
     settle(); // the first frame comes before the first data, as on a machine
-    m_panel.machine().open();
+    m_panel.controller().open();
     m_panel.records().open();
     waitUntil(m_panel.recipes(), &panel::Recipes::listChanged,
               [](const panel::Recipes& recipes) { return recipes.total() > 0; });
@@ -131,7 +131,7 @@ void TestWindow::tap(const QString& name)
 
 void TestWindow::checkClock()
 {
-    m_panel.machine().setClock([this] { return m_link.now(); });
+    m_panel.controller().setClock([this] { return m_link.now(); });
     m_panel.maintenance().frames()->setTimeOfDay(m_link.now(), QDateTime(QDate(2026, 1, 15), QTime(14, 7)));
 }
 

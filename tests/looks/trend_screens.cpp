@@ -385,7 +385,7 @@ Screen asked(const char* name, const QStringList& names = {})
                 window.checkClock();
                 window.panel().settings().overrideValue("stops.ask_after_seconds", QStringLiteral("1"));
                 window.tap(QStringLiteral("nav_run"));
-                const modbus::StatusBlock status = *window.panel().machine().status();
+                const modbus::StatusBlock status = *window.panel().controller().status();
                 for (int i = 0; i < 2; ++i) {
                     window.link().advance(1s);
                     emit window.link().statusReceived({{{window.link().now(), status}}, 0});

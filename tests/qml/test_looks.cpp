@@ -120,7 +120,7 @@ private slots:
         m_window->hold(QStringLiteral("packingRate"));
         const QString text = textOf("explanationText");
         QVERIFY2(text.contains(QStringLiteral("rate of the program × master speed")), qPrintable(text));
-        const auto& machine = m_window->panel().machine();
+        const auto& machine = m_window->panel().controller();
         const QString sum = QStringLiteral("= %1 × %2 %\n= %3 bags/min");
         QVERIFY2(text.contains(sum.arg(machine.active().rateBagsPerMin, 0, 'f', 1)
                                    .arg(machine.live().masterSpeedPercent, 0, 'f', 0)

@@ -125,7 +125,7 @@ private slots:
         for (const QQuickItem* text : fresh)
             QVERIFY2(!grey(*text), qPrintable(text->property("text").toString()));
         auto now = m_window->link().now() + std::chrono::milliseconds(1200);
-        m_window->panel().machine().setClock([&] { return now; });
+        m_window->panel().controller().setClock([&] { return now; });
         m_window->settle();
         const auto stale = live();
         QVERIFY(stale.size() >= fresh.size());
@@ -137,7 +137,7 @@ private slots:
         }
         QCOMPARE(textOf("ageText"), QStringLiteral("1 s ago"));
         now += std::chrono::seconds(41);
-        m_window->panel().machine().setClock([&] { return now; });
+        m_window->panel().controller().setClock([&] { return now; });
         QCOMPARE(textOf("ageText"), QStringLiteral("42 s ago"));
         m_window->checkClock();
     }

@@ -82,7 +82,7 @@ private slots:
         else if (what == 3)
             emit m_window->panel().access().loginRequested(campanel::panel::Access::Technician);
         else
-            m_window->panel().machine().stop();
+            m_window->panel().controller().stop();
         m_window->settle();
         QCOMPARE(link().jog(), JogDirection::None);
         QCOMPARE(jog().held(), 0);

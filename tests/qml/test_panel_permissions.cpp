@@ -247,7 +247,7 @@ class TestPanelPermissions : public test::PanelTest {
     QSet<QString> m_done; // called without being refused
     QSet<QString> m_classes;
 
-    panel::AccessCheck& check() { return m_window->panel().machine().accessCheck(); }
+    panel::AccessCheck& check() { return m_window->panel().controller().accessCheck(); }
 
     // Calls with the values until it is refused.
     void call(const QString& name, QObject* object, const QMetaMethod& method)

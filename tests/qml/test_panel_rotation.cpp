@@ -55,7 +55,7 @@ private slots:
     void stopActsAndStartDoesNotDuringTheQuestion()
     {
         tryUpsideDown();
-        const QSignalSpy sent(&m_window->panel().machine(), &campanel::panel::Controller::commandSending);
+        const QSignalSpy sent(&m_window->panel().controller(), &campanel::panel::Controller::commandSending);
         touch(centerOf(u"startKey"_s));
         QCOMPARE(sent.size(), 0);
         touch(centerOf(u"stopKey"_s));

@@ -154,7 +154,7 @@ private slots:
         const auto codes = m_window->panel().commissioning().data().codes;
         QCOMPARE(codes.size(), 2);
         QCOMPARE(codes.last().code, u"PE 30"_s);
-        const auto& machine = m_window->panel().machine();
+        const auto& machine = m_window->panel().controller();
         QVERIFY2(machine.canStart(), qPrintable(machine.startBlockedReason()));
         scanCode(u"PP 40"_s);
         QVERIFY(!machine.canStart());

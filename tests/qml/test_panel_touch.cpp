@@ -95,7 +95,7 @@ private slots:
     void anInvertedTouchscreenIsTurnedAndStartsNothing()
     {
         openCrosses();
-        const QSignalSpy sent(&m_window->panel().machine(), &campanel::panel::Controller::commandSending);
+        const QSignalSpy sent(&m_window->panel().controller(), &campanel::panel::Controller::commandSending);
         touchCrosses([](const QPoint& at) { return QPoint(1024, 600) - at; });
         QTRY_COMPARE(m_window->unitService().m_started.size(), 1);
         QVERIFY2(distanceFrom({-1, 0, 1, 0, -1, 1}) < 0.003, request().constData());

@@ -40,7 +40,7 @@ class TestPacking : public campanel::test::PanelTest {
     }
     campanel::link::StatusBatch status()
     {
-        return {{{m_window->link().now(), *m_window->panel().machine().status()}}, 0};
+        return {{{m_window->link().now(), *m_window->panel().controller().status()}}, 0};
     }
     qsizetype countOf(const char* list) { return picture().property(list).value<QList<QPointF>>().size(); }
 
@@ -105,12 +105,12 @@ private slots:
         enter(Situation::Running);
         QVERIFY(!m_window->find(QStringLiteral("filmPicture")));
         QVERIFY(m_window->find(QStringLiteral("knifeDial")));
-        QCOMPARE(m_window->panel().machine().bags().series.size(), 60);
+        QCOMPARE(m_window->panel().controller().bags().series.size(), 60);
         m_window->link().setOld(false);
         m_window->link().show(Situation::Stopped);
         enter(Situation::Running);
         QVERIFY(m_window->find(QStringLiteral("filmPicture")));
-        QCOMPARE(m_window->panel().machine().bags().series.size(), 60);
+        QCOMPARE(m_window->panel().controller().bags().series.size(), 60);
     }
 
     // Each status paints the film at its present place, without a report of the film itself.
@@ -178,7 +178,7 @@ private slots:
         QCOMPARE(m_window->panel().settings().bagToleranceMm(), 0.05);
         enter(Situation::Running);
         QCOMPARE(textOf("toleranceText"), QStringLiteral("±0.05 mm"));
-        QVERIFY(m_window->panel().machine().bags().within < 60);
+        QVERIFY(m_window->panel().controller().bags().within < 60);
     }
 };
 

@@ -26,15 +26,15 @@ constexpr auto waitPeriod = 250ms; // a countdown in seconds
 
 } // namespace
 
-Access::Access(DatabaseService& records, Controller& machine, Settings& settings, QObject* parent)
+Access::Access(DatabaseService& records, Controller& controller, Settings& settings, QObject* parent)
     : QObject(parent)
     , m_records(records)
-    , m_machine(machine)
+    , m_controller(controller)
     , m_settings(settings)
     , m_wallClock(&QDateTime::currentMSecsSinceEpoch)
 {
     m_pool.setMaxThreadCount(1);
-    connect(&machine.accessCheck(), &AccessCheck::refused, this,
+    connect(&controller.accessCheck(), &AccessCheck::refused, this,
             [this](panel::Level needed) { emit loginRequested(static_cast<int>(needed)); });
     connect(&settings, &Settings::changed, this, &Access::update);
     connect(&m_idleTimer, &QTimer::timeout, this, &Access::checkClock);
@@ -101,9 +101,9 @@ panel::Level Access::currentLevel() const
 
 void Access::update()
 {
-    m_machine.accessCheck().setLevel(currentLevel());
+    m_controller.accessCheck().setLevel(currentLevel());
     if (m_user && !m_idleTimer.isActive()) {
-        m_touchedAt = m_machine.now();
+        m_touchedAt = m_controller.now();
         m_idleTimer.start();
     } else if (!m_user) {
         m_idleTimer.stop();
@@ -113,7 +113,7 @@ void Access::update()
 
 bool Access::ask(int level)
 {
-    return m_machine.accessCheck().require(static_cast<panel::Level>(level));
+    return m_controller.accessCheck().require(static_cast<panel::Level>(level));
 }
 
 void Access::choose(int id)
@@ -217,7 +217,7 @@ void Access::admit(const store::User& user)
         return; // removed in the meantime
     *known = user;
     m_user = user;
-    m_touchedAt = m_machine.now();
+    m_touchedAt = m_controller.now();
     update();
     emit happened({u"user.login"_s, user.name, {}, {}});
     showMessage({}, false);
@@ -240,7 +240,7 @@ void Access::logOut()
 
 void Access::checkClock()
 {
-    if (!m_user || m_machine.now() - m_touchedAt < std::chrono::minutes(m_settings.autoLogoutMinutes()))
+    if (!m_user || m_controller.now() - m_touchedAt < std::chrono::minutes(m_settings.autoLogoutMinutes()))
         return;
     leave(u"user.auto_logout"_s);
     emit leftAlone();
@@ -283,7 +283,7 @@ bool Access::eventFilter(QObject* watched, QEvent* event)
     case QEvent::MouseButtonPress:
     case QEvent::TouchBegin:
     case QEvent::KeyPress:
-        m_touchedAt = m_machine.now();
+        m_touchedAt = m_controller.now();
         break;
     default:
         break;

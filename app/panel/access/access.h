@@ -73,7 +73,7 @@ public:
     using WallClock = std::function<qint64()>; // ms since 1970 UTC
 
     // All arguments must outlive the object.
-    Access(DatabaseService& records, Controller& machine, Settings& settings, QObject* parent);
+    Access(DatabaseService& records, Controller& controller, Settings& settings, QObject* parent);
     ~Access() override;
 
     static Access* create(QQmlEngine* qmlEngine, QJSEngine* jsEngine);
@@ -174,7 +174,7 @@ private:
     void showMessage(const QString& message, bool isFailed);
 
     DatabaseService& m_records;
-    Controller& m_machine;
+    Controller& m_controller;
     Settings& m_settings;
     WallClock m_wallClock;
     bool m_isOpened = false;

@@ -38,10 +38,10 @@ template <typename Bit> QSet<const AlarmKind*> kindsOf(unsigned bits)
 
 } // namespace
 
-AlarmWatch::AlarmWatch(Controller& machine, Editor& editor, DatabaseService& records, Settings& settings,
+AlarmWatch::AlarmWatch(Controller& controller, Editor& editor, DatabaseService& records, Settings& settings,
                        QObject* parent)
     : QObject(parent)
-    , m_machine(machine)
+    , m_controller(controller)
     , m_editor(editor)
     , m_settings(settings)
     , m_patience(this)
@@ -52,8 +52,8 @@ AlarmWatch::AlarmWatch(Controller& machine, Editor& editor, DatabaseService& rec
         m_isPatienceOver = true;
         noteLink();
     });
-    connect(&machine, &Controller::stateChanged, this, &AlarmWatch::noteController);
-    connect(&machine, &Controller::connectionChanged, this, &AlarmWatch::noteLink);
+    connect(&controller, &Controller::stateChanged, this, &AlarmWatch::noteController);
+    connect(&controller, &Controller::connectionChanged, this, &AlarmWatch::noteLink);
     connect(&editor, &Editor::noticeChanged, this, &AlarmWatch::noteRecipe);
     connect(&records, &DatabaseService::errorReported, this, &AlarmWatch::noteTrouble);
     connect(&records.store(), &store::StoreThread::opened, this, &AlarmWatch::noteOpening);
@@ -70,13 +70,13 @@ void AlarmWatch::begin()
 
 void AlarmWatch::noteController()
 {
-    const auto& status = m_machine.status();
+    const auto& status = m_controller.status();
     if (!status) {
         setControllerAlarms({}, {}, AlarmRow::End::Unknown); // another controller
         return;
     }
     // Invisible alarms have not ended.
-    if (!m_machine.isConnected())
+    if (!m_controller.isConnected())
         return;
     const QString bits = u"0x%1 0x%2"_s.arg(status->faultBits, 4, 16, QLatin1Char('0'))
                              .arg(status->warningBits, 4, 16, QLatin1Char('0'));
@@ -87,7 +87,7 @@ void AlarmWatch::noteController()
 
 void AlarmWatch::setControllerAlarms(const Kinds& now, const QString& bits, AlarmRow::End end)
 {
-    const Kinds before = std::exchange(m_controller, now);
+    const Kinds before = std::exchange(m_byController, now);
     for (const AlarmKind* kind : before - now)
         emit cleared(*kind, end);
     for (const AlarmKind* kind : now - before) {
@@ -99,7 +99,7 @@ void AlarmWatch::setControllerAlarms(const Kinds& now, const QString& bits, Alar
 
 void AlarmWatch::noteLink()
 {
-    const link::LinkReport& report = m_machine.report();
+    const link::LinkReport& report = m_controller.report();
     if (report.isScanning)
         return; // a scan of the link doctor uses the ports
     if (report.state == link::LinkState::Connected) {
@@ -132,7 +132,7 @@ void AlarmWatch::setLinkAlarm(const AlarmKind* kind)
     if (before)
         emit cleared(*before, AlarmRow::End::Returned);
     if (kind)
-        emit raised(*kind, m_machine.connectionText());
+        emit raised(*kind, m_controller.connectionText());
 }
 
 void AlarmWatch::noteRecipe()

@@ -25,7 +25,7 @@ class AlarmWatch : public QObject {
 
 public:
     // All arguments must outlive the object.
-    AlarmWatch(Controller& machine, Editor& editor, DatabaseService& records, Settings& settings,
+    AlarmWatch(Controller& controller, Editor& editor, DatabaseService& records, Settings& settings,
                QObject* parent);
 
     // Reports the initial state. Connect the signals first.
@@ -59,12 +59,12 @@ private:
     // Reports an event, which does not last.
     void raiseEvent(const AlarmKind& kind, const QString& detail);
 
-    Controller& m_machine;
+    Controller& m_controller;
     Editor& m_editor;
     Settings& m_settings;
     QTimer m_patience;
     bool m_isPatienceOver = false;
-    Kinds m_controller;
+    Kinds m_byController;
     const AlarmKind* m_link = nullptr;
     Kinds m_store; // until the next successful write
     bool m_areSettingsLost = false;

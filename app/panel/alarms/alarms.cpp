@@ -37,13 +37,13 @@ static_assert(static_cast<int>(Alarms::Severity::Fault) == static_cast<int>(Alar
 
 } // namespace
 
-Alarms::Alarms(Controller& machine, Editor& editor, DatabaseService& records, Settings& settings,
+Alarms::Alarms(Controller& controller, Editor& editor, DatabaseService& records, Settings& settings,
                QObject* parent)
     : QObject(parent)
-    , m_machine(machine)
+    , m_controller(controller)
     , m_records(records)
     , m_wallClock([] { return QDateTime::currentDateTime(); })
-    , m_watch(machine, editor, records, settings, this)
+    , m_watch(controller, editor, records, settings, this)
     , m_history(records, this)
     , m_publishTimer(this)
     , m_writeTimer(this)
@@ -85,7 +85,7 @@ Alarms* Alarms::create(QQmlEngine* qmlEngine, QJSEngine*)
 AlarmBook::Now Alarms::now() const
 {
     const qint64 utcMs = m_wallClock().toMSecsSinceEpoch();
-    return {m_machine.now(), utcMs, store::isTimeDoubtful(utcMs, m_newestMs, m_clockState())};
+    return {m_controller.now(), utcMs, store::isTimeDoubtful(utcMs, m_newestMs, m_clockState())};
 }
 
 void Alarms::raise(const AlarmKind& kind, const QString& detail)
@@ -204,7 +204,7 @@ void Alarms::note(const QString& what, const QString& codes, const QString& afte
 
 void Alarms::acknowledge(int row)
 {
-    if (!m_machine.accessCheck().require(Level::Operator) || row < 0 || row >= m_live.count())
+    if (!m_controller.accessCheck().require(Level::Operator) || row < 0 || row >= m_live.count())
         return;
     const store::AlarmRow alarm = m_live.row(row).alarm;
     m_book.acknowledge(alarm.code, alarm.id, m_person, now().utcMs);
@@ -213,7 +213,7 @@ void Alarms::acknowledge(int row)
 
 void Alarms::acknowledgeAll()
 {
-    if (!m_machine.accessCheck().require(Level::Operator))
+    if (!m_controller.accessCheck().require(Level::Operator))
         return;
     QStringList codes;
     for (const AlarmEntry& entry : m_book.live()) {
@@ -240,7 +240,7 @@ void Alarms::showHistory(int row)
 
 void Alarms::acknowledgeShown()
 {
-    if (!m_machine.accessCheck().require(Level::Operator) || !m_detail.calls())
+    if (!m_controller.accessCheck().require(Level::Operator) || !m_detail.calls())
         return;
     const qint64 utcMs = now().utcMs;
     m_book.acknowledge(m_detail.code(), m_detail.row().id, m_person, utcMs);
@@ -250,7 +250,7 @@ void Alarms::acknowledgeShown()
 
 void Alarms::shelveShown(int hours)
 {
-    if (!m_machine.accessCheck().require(Level::Technician))
+    if (!m_controller.accessCheck().require(Level::Technician))
         return;
     const qint64 utcMs = now().utcMs;
     if (m_book.shelve(m_detail.code(), utcMs + hours * msPerHour, m_person, utcMs))
@@ -259,7 +259,7 @@ void Alarms::shelveShown(int hours)
 
 void Alarms::unshelveShown()
 {
-    if (!m_machine.accessCheck().require(Level::Operator))
+    if (!m_controller.accessCheck().require(Level::Operator))
         return;
     m_book.unshelve(m_detail.code());
     note(u"alarm.unshelve"_s, m_detail.code());
@@ -267,7 +267,7 @@ void Alarms::unshelveShown()
 
 void Alarms::unshelve(int row)
 {
-    if (!m_machine.accessCheck().require(Level::Operator) || row < 0 || row >= m_shelved.count())
+    if (!m_controller.accessCheck().require(Level::Operator) || row < 0 || row >= m_shelved.count())
         return;
     const QString code = m_shelved.row(row).code();
     m_book.unshelve(code);

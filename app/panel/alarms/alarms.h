@@ -51,7 +51,7 @@ public:
     using WallClock = std::function<QDateTime()>;
 
     // All arguments must outlive the object. The log begins when the records are opened.
-    Alarms(Controller& machine, Editor& editor, DatabaseService& records, Settings& settings,
+    Alarms(Controller& controller, Editor& editor, DatabaseService& records, Settings& settings,
            QObject* parent);
     // Writes the pending changes.
     ~Alarms() override;
@@ -119,7 +119,7 @@ private:
     [[nodiscard]] AlarmBook::Now now() const;
     [[nodiscard]] QDate today() const { return m_wallClock().date(); }
 
-    Controller& m_machine;
+    Controller& m_controller;
     DatabaseService& m_records;
     WallClock m_wallClock;
     std::function<store::ClockState()> m_clockState = [] { return store::ClockState::Unproven; };

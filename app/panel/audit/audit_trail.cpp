@@ -241,22 +241,23 @@ void AuditTrail::append(const store::AuditEntry& entry)
 
 void AuditTrail::watchCommands()
 {
-    connect(&m_watched.machine, &Controller::commandSending, this, &AuditTrail::noteSending);
-    connect(&m_watched.machine, &Controller::commandEnded, this, [this](const link::CommandOutcome& outcome) {
-        const auto sent = m_commands.find(outcome.id);
-        if (sent == m_commands.end())
-            return;
-        store::AuditEntry ended = *sent;
-        m_commands.erase(sent);
-        ended.outcome = outcomeKey(outcome);
-        append(ended);
-    });
+    connect(&m_watched.controller, &Controller::commandSending, this, &AuditTrail::noteSending);
+    connect(&m_watched.controller, &Controller::commandEnded, this,
+            [this](const link::CommandOutcome& outcome) {
+                const auto sent = m_commands.find(outcome.id);
+                if (sent == m_commands.end())
+                    return;
+                store::AuditEntry ended = *sent;
+                m_commands.erase(sent);
+                ended.outcome = outcomeKey(outcome);
+                append(ended);
+            });
 }
 
 void AuditTrail::noteSending(const link::CommandRequest& request)
 {
     store::AuditEntry sent = entry(commandKey(request.command), {});
-    if (const auto& program = m_watched.machine.program())
+    if (const auto& program = m_watched.controller.program())
         sent.object = QString::fromStdString(program->recipe.name);
     m_commands.insert(request.id, sent);
 }
@@ -280,7 +281,7 @@ void AuditTrail::noteManual(const QString& what, const QString& before, const QS
                             const QString& outcome)
 {
     store::AuditEntry made = entry(what, {});
-    if (const auto& program = m_watched.machine.program())
+    if (const auto& program = m_watched.controller.program())
         made.object = QString::fromStdString(program->recipe.name);
     made.before = before;
     made.after = after;
@@ -290,8 +291,8 @@ void AuditTrail::noteManual(const QString& what, const QString& before, const QS
 
 void AuditTrail::watchParameters()
 {
-    connect(&m_watched.machine, &Controller::parameterWriting, this, &AuditTrail::noteWriting);
-    connect(&m_watched.machine, &Controller::parameterWritten, this, &AuditTrail::noteWritten);
+    connect(&m_watched.controller, &Controller::parameterWriting, this, &AuditTrail::noteWriting);
+    connect(&m_watched.controller, &Controller::parameterWritten, this, &AuditTrail::noteWritten);
     connect(m_watched.maintenance.packing()->wizard(), &MarkWizard::changed, this, &AuditTrail::noteWizard);
 }
 
@@ -302,12 +303,12 @@ void AuditTrail::noteWriting(const QString& name, double value)
     store::AuditEntry writing = entry(u"parameter.write"_s, name);
     writing.after = numberText(value);
     m_writes << writing;
-    m_watched.machine.link().exchange({0, name.toStdString(), std::nullopt},
-                                      {this, [this, name](const link::ParameterOutcome& outcome) {
-                                           const auto written = findWrite(name);
-                                           if (outcome.value && written != m_writes.end())
-                                               written->before = numberText(*outcome.value);
-                                       }});
+    m_watched.controller.link().exchange({0, name.toStdString(), std::nullopt},
+                                         {this, [this, name](const link::ParameterOutcome& outcome) {
+                                              const auto written = findWrite(name);
+                                              if (outcome.value && written != m_writes.end())
+                                                  written->before = numberText(*outcome.value);
+                                          }});
 }
 
 QList<store::AuditEntry>::iterator AuditTrail::findWrite(const QString& name)
@@ -348,8 +349,8 @@ void AuditTrail::watchDownloads()
 {
     connect(&m_watched.editor, &Editor::downloadBegun, this, &AuditTrail::beginDownload);
     connect(&m_watched.editor, &Editor::downloadEnded, this, &AuditTrail::endDownload);
-    connect(&m_watched.machine, &Controller::savedChanged, this, [this] { proveDownload(false); });
-    connect(&m_watched.machine, &Controller::programChanged, this, [this] { proveDownload(false); });
+    connect(&m_watched.controller, &Controller::savedChanged, this, [this] { proveDownload(false); });
+    connect(&m_watched.controller, &Controller::programChanged, this, [this] { proveDownload(false); });
 }
 
 void AuditTrail::beginDownload(const program::ProgramImage& image)
@@ -359,8 +360,8 @@ void AuditTrail::beginDownload(const program::ProgramImage& image)
     download.crc = image.crc;
     store::AuditEntry whole = entry(u"program.download"_s, QString::fromStdString(image.recipe.name));
     whole.after = programText(image.recipe, image.crc);
-    const auto& active = m_watched.machine.program();
-    const auto& status = m_watched.machine.status();
+    const auto& active = m_watched.controller.program();
+    const auto& status = m_watched.controller.status();
     if (active)
         whole.before = programText(active->recipe, status && status->activeCrc ? *status->activeCrc : 0);
     download.entries << whole;
@@ -402,7 +403,7 @@ void AuditTrail::proveDownload(bool isLast)
 {
     if (!m_download || !m_isDownloadProven)
         return;
-    const auto& status = m_watched.machine.status();
+    const auto& status = m_watched.controller.status();
     const bool isTold = status && status->activeCrc == m_download->crc;
     if (!isTold && !isLast)
         return;

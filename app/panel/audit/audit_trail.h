@@ -36,7 +36,7 @@ class AuditTrail : public QObject {
 public:
     // The watched objects; all must outlive the trail.
     struct Watched {
-        Controller& machine;
+        Controller& controller;
         Editor& editor;
         Settings& settings;
         Maintenance& maintenance;

@@ -17,18 +17,18 @@ const char* parameterOf(AxisSpeed::Use use)
 
 } // namespace
 
-AxisSpeed::AxisSpeed(Controller& machine, Use use, QObject* parent)
+AxisSpeed::AxisSpeed(Controller& controller, Use use, QObject* parent)
     : QObject(parent)
-    , m_machine(machine)
+    , m_controller(controller)
     , m_use(use)
-    , m_parameter(machine.parameter(parameterOf(use)))
+    , m_parameter(controller.parameter(parameterOf(use)))
 {
     connect(&m_parameter, &Parameter::changed, this, &AxisSpeed::updateValue);
     connect(LanguageNotifier::ofApplication(), &LanguageNotifier::languageChanged, this,
             &AxisSpeed::updateValue);
     connect(&m_value, &Value::setRequested, this, &AxisSpeed::write);
     updateValue();
-    connect(&machine, &Controller::programChanged, this, &AxisSpeed::changed);
+    connect(&controller, &Controller::programChanged, this, &AxisSpeed::changed);
 }
 
 QString AxisSpeed::label() const
@@ -43,7 +43,7 @@ QString AxisSpeed::text() const
         return Format::unknownText();
     const Format format;
     const QString frequency = tr("%1 Hz").arg(format.grouped(*frequencyHz, 0));
-    const auto& program = m_machine.program();
+    const auto& program = m_controller.program();
     if (!program || program->pulsesPerMm <= 0)
         return frequency;
     return tr("%1 · %2 mm/s", "1,000 Hz · 3.1 mm/s")

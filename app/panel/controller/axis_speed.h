@@ -27,7 +27,7 @@ public:
     enum class Use { Jog, Home };
 
     // The machine must outlive the object.
-    AxisSpeed(Controller& machine, Use use, QObject* parent);
+    AxisSpeed(Controller& controller, Use use, QObject* parent);
 
     [[nodiscard]] Value* value() { return &m_value; }
     [[nodiscard]] double frequencyHz() const { return m_parameter.value().value_or(unknown); }
@@ -45,7 +45,7 @@ private:
     void write(double frequencyHz);
     void updateValue();
 
-    Controller& m_machine;
+    Controller& m_controller;
     Use m_use;
     Parameter& m_parameter;
     Value m_value;

@@ -13,11 +13,11 @@ constexpr double umPerMm = 1000;
 
 } // namespace
 
-IoPins::IoPins(Controller& machine, QObject* parent)
+IoPins::IoPins(Controller& controller, QObject* parent)
     : QObject(parent)
-    , m_machine(machine)
+    , m_controller(controller)
 {
-    connect(&machine, &Controller::connectionChanged, this, [this] {
+    connect(&controller, &Controller::connectionChanged, this, [this] {
         if (!present()) {
             m_status.reset();
             m_infeed.reset();
@@ -28,16 +28,17 @@ IoPins::IoPins(Controller& machine, QObject* parent)
 
 bool IoPins::present() const
 {
-    return m_machine.identity() && m_machine.identity()->mapMinor >= modbus::ioMapMinor;
+    return m_controller.identity() && m_controller.identity()->mapMinor >= modbus::ioMapMinor;
 }
 
 void IoPins::read()
 {
-    if (m_isAsked || !m_machine.isConnected() || !present())
+    if (m_isAsked || !m_controller.isConnected() || !present())
         return;
     m_isAsked = true;
-    m_machine.link().readRegisters({0, modbus::ioAddress, modbus::ioRegisters},
-                                   {this, [this](const link::ReadOutcome& outcome) { takeRead(outcome); }});
+    m_controller.link().readRegisters(
+        {0, modbus::ioAddress, modbus::ioRegisters},
+        {this, [this](const link::ReadOutcome& outcome) { takeRead(outcome); }});
 }
 
 void IoPins::takeRead(const link::ReadOutcome& outcome)

@@ -18,7 +18,7 @@ class IoPins : public QObject {
 
 public:
     // The machine must outlive the object.
-    IoPins(Controller& machine, QObject* parent);
+    IoPins(Controller& controller, QObject* parent);
 
     // Returns true when the controller reports its pins; those of older register maps do not.
     [[nodiscard]] bool present() const;
@@ -35,7 +35,7 @@ signals:
 private:
     void takeRead(const link::ReadOutcome& outcome);
 
-    Controller& m_machine;
+    Controller& m_controller;
     std::optional<modbus::IoStatus> m_status;
     WideCounter m_infeed; // 0.001 mm
     bool m_isAsked = false;

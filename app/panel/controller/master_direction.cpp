@@ -19,17 +19,17 @@ constexpr double minTellingDeg = 0.05; // the resolution of the status is 0.01
 
 } // namespace
 
-MasterDirection::MasterDirection(Controller& machine)
-    : QObject(&machine)
-    , m_machine(machine)
-    , m_parameter(machine.parameter("parameter.master_direction"))
+MasterDirection::MasterDirection(Controller& controller)
+    : QObject(&controller)
+    , m_controller(controller)
+    , m_parameter(controller.parameter("parameter.master_direction"))
 {
     connect(&m_parameter, &Parameter::changed, this, &MasterDirection::changed);
 }
 
 std::optional<int> MasterDirection::programSign() const
 {
-    const auto* program = m_machine.program().get();
+    const auto* program = m_controller.program().get();
     const profile::CamMaster* cam = program ? profile::camMaster(program->recipe.program) : nullptr;
     return cam ? std::optional(cam->masterRateRevPerMin < 0 ? -1 : 1) : std::nullopt;
 }
@@ -45,13 +45,13 @@ MasterDirection::Way MasterDirection::way() const
 
 bool MasterDirection::turning() const
 {
-    return way() != Way::Unknown && m_machine.state() == Controller::State::Running && m_observed &&
+    return way() != Way::Unknown && m_controller.state() == Controller::State::Running && m_observed &&
            (*m_observed < 0) != (way() == Way::Backward);
 }
 
 QString MasterDirection::blockedReason() const
 {
-    if (!m_machine.isConnected() || !m_machine.fresh())
+    if (!m_controller.isConnected() || !m_controller.fresh())
         return tr("There is no connection to the controller.");
     if (m_parameter.isMissing())
         return tr("This controller cannot reverse its master. Update its firmware.");
@@ -66,7 +66,7 @@ QString MasterDirection::text() const
     const bool isBackward = way() == Way::Backward;
     if (turning())
         return isBackward ? tr("Changing to reverse …") : tr("Changing to forward …");
-    if (m_machine.state() != Controller::State::Running)
+    if (m_controller.state() != Controller::State::Running)
         return isBackward ? tr("starts in reverse") : tr("starts forward");
     if (!m_observed)
         return isBackward ? tr("set to reverse") : tr("set to forward");
@@ -75,14 +75,14 @@ QString MasterDirection::text() const
 
 QString MasterDirection::advanceText() const
 {
-    const double advanceMm = programSign() ? m_machine.program()->advanceMm : 0;
+    const double advanceMm = programSign() ? m_controller.program()->advanceMm : 0;
     const bool isReversed = m_parameter.value().value_or(0) != 0;
     return advanceMm == 0 ? QString() : CamSentences::signedMm(isReversed ? -advanceMm : advanceMm);
 }
 
 void MasterDirection::turn(Way wanted)
 {
-    if (!m_machine.accessCheck().require(Level::Technician))
+    if (!m_controller.accessCheck().require(Level::Technician))
         return;
     const std::optional<int> sign = programSign();
     if (wanted == Way::Unknown || wanted == way() || !canChange() || !sign)
@@ -97,7 +97,7 @@ void MasterDirection::turn(Way wanted)
 
 void MasterDirection::noteConnection()
 {
-    if (!m_machine.isConnected()) {
+    if (!m_controller.isConnected()) {
         m_observed.reset();
         m_before.reset();
     }
@@ -126,7 +126,7 @@ void MasterDirection::noteStatus(const link::StatusBatch& batch)
 void MasterDirection::observe(const Sample& now)
 {
     const auto before = std::exchange(m_before, now);
-    const auto& program = m_machine.program();
+    const auto& program = m_controller.program();
     if (!before || !program || program->cycleSeconds <= 0)
         return;
     const double seconds = static_cast<std::uint16_t>(now.timeMs - before->timeMs) / 1000.0;

@@ -34,7 +34,7 @@ public:
     Q_ENUM(Way)
 
     // The machine must outlive the object.
-    explicit MasterDirection(Controller& machine);
+    explicit MasterDirection(Controller& controller);
 
     [[nodiscard]] Way way() const;
     [[nodiscard]] bool turning() const;
@@ -68,7 +68,7 @@ private:
     void readWhenUnknown();
     void observe(const Sample& now);
 
-    Controller& m_machine;
+    Controller& m_controller;
     Parameter& m_parameter;        // 0 like the program's rate, 1 reversed
     std::optional<int> m_observed; // 1 or -1, from the master's angle; empty: unknown
     std::optional<Sample> m_before;

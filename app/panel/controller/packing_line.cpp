@@ -20,33 +20,34 @@ constexpr double mmPerUm = 0.001;
 
 } // namespace
 
-PackingLine::PackingLine(Controller& machine)
-    : m_machine(machine)
-    , m_sensor(machine.parameter("parameter.mark_distance"))
-    , m_window(machine.parameter("parameter.mark_window"))
+PackingLine::PackingLine(Controller& controller)
+    : m_controller(controller)
+    , m_sensor(controller.parameter("parameter.mark_distance"))
+    , m_window(controller.parameter("parameter.mark_window"))
     , m_timer(this)
 {
     m_timer.setSingleShot(true);
     connect(&m_timer, &QTimer::timeout, this, &PackingLine::ask);
-    connect(&machine.link(), &link::Link::registersRead, this, &PackingLine::takeRead);
+    connect(&controller.link(), &link::Link::registersRead, this, &PackingLine::takeRead);
     for (Parameter* parameter : {&m_sensor, &m_window})
         connect(parameter, &Parameter::changed, this, &PackingLine::changed);
 }
 
 bool PackingLine::recordsBags() const
 {
-    const auto& status = m_machine.status();
+    const auto& status = m_controller.status();
     // The first version of the map with these registers.
     constexpr std::uint16_t firstMinor = 2;
-    return m_machine.isConnected() && m_machine.identity() && m_machine.identity()->mapMinor >= firstMinor &&
-           status && status->programKind == modbus::ProgramKind::RotaryCutter;
+    return m_controller.isConnected() && m_controller.identity() &&
+           m_controller.identity()->mapMinor >= firstMinor && status &&
+           status->programKind == modbus::ProgramKind::RotaryCutter;
 }
 
 void PackingLine::noteConnection()
 {
-    if (!m_machine.isConnected())
+    if (!m_controller.isConnected())
         m_isAsked = false;
-    if (!m_machine.identity())
+    if (!m_controller.identity())
         forget();
     askWhenIdle();
 }
@@ -63,7 +64,7 @@ void PackingLine::noteProgram()
 void PackingLine::askWhenIdle()
 {
     if (!recordsBags()) {
-        if (m_machine.isConnected() && m_status)
+        if (m_controller.isConnected() && m_status)
             forget();
         return;
     }
@@ -97,8 +98,8 @@ void PackingLine::ask()
         return;
     readSetup();
     m_isAsked = true;
-    m_askedAt = m_machine.now();
-    m_machine.link().readRegisters({0, modbus::packerAddress, modbus::packerRegisters});
+    m_askedAt = m_controller.now();
+    m_controller.link().readRegisters({0, modbus::packerAddress, modbus::packerRegisters});
 }
 
 void PackingLine::takeRead(const link::ReadOutcome& outcome)
@@ -106,7 +107,7 @@ void PackingLine::takeRead(const link::ReadOutcome& outcome)
     if (outcome.request.address != modbus::packerAddress || outcome.request.count != modbus::packerRegisters)
         return;
     m_isAsked = false;
-    const auto took = m_machine.now() - m_askedAt;
+    const auto took = m_controller.now() - m_askedAt;
     m_timer.start(std::chrono::duration_cast<std::chrono::milliseconds>(
         std::max<link::SteadyTime::duration>(shortestPeriod, shareOfTheLine * took)));
     if (outcome.end != link::ReadEnd::Done || outcome.registers.size() != modbus::packerRegisters)
@@ -136,7 +137,7 @@ void PackingLine::reportBags()
 
 bool PackingLine::fresh() const
 {
-    return m_status && m_machine.now() - m_receivedAt < Controller::freshFor;
+    return m_status && m_controller.now() - m_receivedAt < Controller::freshFor;
 }
 
 PackingLine::MarkState PackingLine::markState() const
@@ -199,8 +200,8 @@ double PackingLine::filmPositionMm() const
 
 double PackingLine::filmSpeedMmPerS() const
 {
-    const double speed = m_machine.active().bagLengthMm / m_machine.active().cycleSeconds *
-                         m_machine.live().masterSpeedPercent / 100;
+    const double speed = m_controller.active().bagLengthMm / m_controller.active().cycleSeconds *
+                         m_controller.live().masterSpeedPercent / 100;
     const bool runs = m_status && m_status->filmGate == modbus::GateState::Running;
     return runs && std::isfinite(speed) ? speed : 0;
 }
@@ -217,7 +218,8 @@ double PackingLine::nextMarkMm() const
     if (!isExpected || m_status->seenMarks.empty())
         return unknown;
     const auto last = std::ranges::max_element(m_status->seenMarks, {}, &modbus::FilmMark::distanceMm);
-    const double pitch = m_status->markPitchMm > 0 ? m_status->markPitchMm : m_machine.active().bagLengthMm;
+    const double pitch =
+        m_status->markPitchMm > 0 ? m_status->markPitchMm : m_controller.active().bagLengthMm;
     return last->distanceMm + pitch;
 }
 
@@ -248,8 +250,8 @@ QList<QPointF> PackingLine::seenProducts() const
 
 void PackingLine::teach(int marks)
 {
-    if (m_machine.accessCheck().require(Level::Technician))
-        m_machine.send(modbus::Command::TeachMarks, {static_cast<std::uint16_t>(marks), 0, 0});
+    if (m_controller.accessCheck().require(Level::Technician))
+        m_controller.send(modbus::Command::TeachMarks, {static_cast<std::uint16_t>(marks), 0, 0});
 }
 
 } // namespace campanel::panel

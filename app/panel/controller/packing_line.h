@@ -69,7 +69,7 @@ public:
     Q_ENUM(MarkState)
 
     // `machine` must outlive the object.
-    explicit PackingLine(Controller& machine);
+    explicit PackingLine(Controller& controller);
 
     [[nodiscard]] bool present() const { return known() || recordsBags(); }
     [[nodiscard]] bool known() const { return m_status.has_value(); }
@@ -149,7 +149,7 @@ private:
         return m_status ? static_cast<double>((*m_status).*member) : unknown;
     }
 
-    Controller& m_machine;
+    Controller& m_controller;
     Parameter& m_sensor;
     Parameter& m_window;
     QTimer m_timer;

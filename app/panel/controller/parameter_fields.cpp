@@ -12,14 +12,14 @@
 
 namespace campanel::panel {
 
-ParameterFields::ParameterFields(Controller& machine, QObject* parent)
+ParameterFields::ParameterFields(Controller& controller, QObject* parent)
     : QAbstractListModel(parent)
-    , m_machine(machine)
+    , m_controller(controller)
 {
-    connect(&machine.link(), &link::Link::commandEnded, this, &ParameterFields::takeCommand);
+    connect(&controller.link(), &link::Link::commandEnded, this, &ParameterFields::takeCommand);
     connect(&m_value, &Value::setRequested, this, [this](double value) {
         const Field* field = selected();
-        if (m_machine.accessCheck().require(Level::Technician) && field)
+        if (m_controller.accessCheck().require(Level::Technician) && field)
             write(*field, value);
     });
 }
@@ -89,10 +89,10 @@ void ParameterFields::endWrite(const Field& field, const link::ParameterOutcome&
 
 void ParameterFields::save()
 {
-    const auto& status = m_machine.status();
-    if (m_machine.accessCheck().require(Level::Technician) && m_machine.isConnected() && status &&
+    const auto& status = m_controller.status();
+    if (m_controller.accessCheck().require(Level::Technician) && m_controller.isConnected() && status &&
         status->activeCrc)
-        m_machine.send(modbus::Command::SaveToFlash, {0, 0, *status->activeCrc});
+        m_controller.send(modbus::Command::SaveToFlash, {0, 0, *status->activeCrc});
 }
 
 void ParameterFields::takeCommand(const link::CommandOutcome& outcome)
@@ -144,7 +144,7 @@ void ParameterFields::updateValue()
 
 void ParameterFields::setChoice(int row, int choice)
 {
-    if (!m_machine.accessCheck().require(Level::Technician) || row < 0 || row >= rowCount())
+    if (!m_controller.accessCheck().require(Level::Technician) || row < 0 || row >= rowCount())
         return;
     const Field& field = m_fields[static_cast<std::size_t>(row)];
     if (field.hasChoices)
@@ -153,7 +153,7 @@ void ParameterFields::setChoice(int row, int choice)
 
 void ParameterFields::takeSuggestion(int row)
 {
-    if (!m_machine.accessCheck().require(Level::Technician) || row < 0 || row >= rowCount())
+    if (!m_controller.accessCheck().require(Level::Technician) || row < 0 || row >= rowCount())
         return;
     const Field& field = m_fields[static_cast<std::size_t>(row)];
     if (field.suggestion)

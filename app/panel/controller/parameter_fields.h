@@ -79,9 +79,9 @@ protected:
     };
 
     // The machine must outlive the object.
-    ParameterFields(Controller& machine, QObject* parent);
+    ParameterFields(Controller& controller, QObject* parent);
 
-    [[nodiscard]] Controller& machine() const { return m_machine; }
+    [[nodiscard]] Controller& controller() const { return m_controller; }
     void setFields(std::vector<Field> fields);
     [[nodiscard]] Field& find(std::string_view name);
     void notifyChange();
@@ -103,7 +103,7 @@ private:
     void takeCommand(const link::CommandOutcome& outcome);
     void updateValue();
 
-    Controller& m_machine;
+    Controller& m_controller;
     std::vector<Field> m_fields;
     Value m_value;
     int m_selected = -1;

@@ -34,9 +34,9 @@ bool hasTorque(const ControllerProgram& program)
 
 } // namespace
 
-TorqueWatch::TorqueWatch(Controller& machine)
-    : m_machine(machine)
-    , m_pins(machine, this)
+TorqueWatch::TorqueWatch(Controller& controller)
+    : m_controller(controller)
+    , m_pins(controller, this)
     , m_timer(this)
 {
     m_timer.setInterval(readPeriod);
@@ -71,7 +71,7 @@ void TorqueWatch::setMachineData(const std::optional<profile::Machine>& machine)
 
 void TorqueWatch::noteConnection()
 {
-    if (!m_machine.isConnected())
+    if (!m_controller.isConnected())
         m_isPending = false;
     emit changed();
 }
@@ -88,7 +88,7 @@ void TorqueWatch::prepare()
     m_load = {};
     m_isPending = false;
     m_readings.clear();
-    const auto& program = m_machine.program();
+    const auto& program = m_controller.program();
     if (program && hasTorque(*program) && isSameAxis() && m_machineData->ratedTorqueNm > 0) {
         program::Recipe recipe = program->recipe;
         recipe.machine = *m_machineData;
@@ -103,7 +103,7 @@ void TorqueWatch::prepare()
 
 bool TorqueWatch::isSameAxis() const
 {
-    const auto& program = m_machine.program();
+    const auto& program = m_controller.program();
     if (!program || !m_machineData)
         return false;
     const auto fields = program::kindInfo(program->recipe.kind()).machineFields;
@@ -117,15 +117,15 @@ bool TorqueWatch::isSameAxis() const
 
 bool TorqueWatch::isAtFullSpeed() const
 {
-    const auto& status = m_machine.status();
-    const auto& program = m_machine.program();
-    if (!status || !program || !m_machine.isConnected() || !m_machine.fresh() ||
+    const auto& status = m_controller.status();
+    const auto& program = m_controller.program();
+    if (!status || !program || !m_controller.isConnected() || !m_controller.fresh() ||
         status->state != modbus::State::Running || status->masterSpeedPercent < fullSpeedPercent ||
         program->generation != status->generation || program->crc != status->activeCrc)
         return false;
     // A knife that waits for the film is not in its program.
-    const auto& packer = m_machine.packing()->status();
-    return !m_machine.packing()->recordsBags() ||
+    const auto& packer = m_controller.packing()->status();
+    return !m_controller.packing()->recordsBags() ||
            (packer && packer->knifeGate == modbus::GateState::Running &&
             packer->filmGate == modbus::GateState::Running);
 }
@@ -135,13 +135,13 @@ double TorqueWatch::predictedAt(double angleDeg) const
     if (!m_load.isKnown() || m_motion.segments().empty() || std::isnan(angleDeg))
         return unknown;
     profile::MotionPoint point = m_motion.at(angleDeg / 360 * m_motion.durationS());
-    const profile::Program& program = m_machine.program()->recipe.program;
+    const profile::Program& program = m_controller.program()->recipe.program;
     // The speed that a speed move has reached is held.
     if (std::holds_alternative<profile::SpeedMoveProgram>(program) && angleDeg >= cycleEndDeg)
         point.accelerationMmPerS2 = 0;
     const profile::CamMaster* cam = profile::camMaster(program);
     const bool isReversed = cam && (cam->masterRateRevPerMin < 0) !=
-                                       (m_machine.direction()->way() == MasterDirection::Way::Backward);
+                                       (m_controller.direction()->way() == MasterDirection::Way::Backward);
     const double torqueNm =
         m_load.at(isReversed ? -point.velocityMmPerS : point.velocityMmPerS, point.accelerationMmPerS2);
     return 100 * torqueNm / m_machineData->ratedTorqueNm;
@@ -176,7 +176,7 @@ void TorqueWatch::noteStatus()
 
 double TorqueWatch::measuredPercent() const
 {
-    return m_machine.isConnected() ? m_last.measuredPercent : unknown;
+    return m_controller.isConnected() ? m_last.measuredPercent : unknown;
 }
 
 std::optional<TorqueWatch::Reading> TorqueWatch::worst() const
@@ -194,8 +194,8 @@ double TorqueWatch::differencePercent() const
 
 QString TorqueWatch::missingText() const
 {
-    const auto& program = m_machine.program();
-    if (!m_machine.isConnected() || !program || !hasTorque(*program))
+    const auto& program = m_controller.program();
+    if (!m_controller.isConnected() || !program || !hasTorque(*program))
         return {};
     const auto& pins = m_pins.status();
     if (!m_pins.present() || (pins && !pins->torquePercent))

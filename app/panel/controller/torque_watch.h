@@ -48,7 +48,7 @@ public:
     };
 
     // The machine must outlive the object.
-    explicit TorqueWatch(Controller& machine);
+    explicit TorqueWatch(Controller& controller);
 
     [[nodiscard]] bool watched() const { return m_timer.isActive(); }
     void setWatched(bool isWatched);
@@ -87,7 +87,7 @@ private:
     // Returns the torque at this angle of the master, in per cent of the rated torque.
     [[nodiscard]] double predictedAt(double angleDeg) const;
 
-    Controller& m_machine;
+    Controller& m_controller;
     IoPins m_pins;
     QTimer m_timer;
     std::optional<profile::Machine> m_machineData;

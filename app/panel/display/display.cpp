@@ -20,18 +20,18 @@ constexpr auto wakingTime = 300ms;
 
 } // namespace
 
-Display::Display(Controller& machine, Settings& settings, QObject* parent)
+Display::Display(Controller& controller, Settings& settings, QObject* parent)
     : QObject(parent)
-    , m_machine(machine)
+    , m_controller(controller)
     , m_settings(settings)
     , m_backlight(Backlight::find())
-    , m_touchedAt(machine.now())
+    , m_touchedAt(controller.now())
 {
     if (settings.isStored("display.brightness")) // else the system's brightness stays
         light(brightness());
     m_timer.callOnTimeout(this, &Display::tick);
     m_timer.start(1s);
-    connect(&machine, &Controller::stateChanged, this, [this] {
+    connect(&controller, &Controller::stateChanged, this, [this] {
         if (!mayBeDark())
             setDark(false);
     });
@@ -93,7 +93,7 @@ void Display::light(int percent)
 // Returns false while somebody must see or stop something without waking the screen first.
 bool Display::mayBeDark() const
 {
-    switch (m_machine.state()) {
+    switch (m_controller.state()) {
     case Controller::State::Unknown:
     case Controller::State::Idle:
     case Controller::State::Ready:
@@ -114,7 +114,7 @@ void Display::setDark(bool isDark)
         return;
     m_isDark = isDark;
     if (!isDark)
-        m_touchedAt = m_machine.now();
+        m_touchedAt = m_controller.now();
     light(isDark ? 0 : brightness());
     emit darkChanged();
 }
@@ -132,8 +132,9 @@ void Display::tick()
         emit wipeChanged();
     }
     if (!mayBeDark())
-        m_touchedAt = m_machine.now(); // the time starts at standstill
-    if (darkAfterMinutes() > 0 && m_machine.now() - m_touchedAt >= std::chrono::minutes(darkAfterMinutes()))
+        m_touchedAt = m_controller.now(); // the time starts at standstill
+    if (darkAfterMinutes() > 0 &&
+        m_controller.now() - m_touchedAt >= std::chrono::minutes(darkAfterMinutes()))
         setDark(true);
 }
 
@@ -143,7 +144,7 @@ bool Display::eventFilter(QObject* watched, QEvent* event)
     case QEvent::MouseButtonPress:
     case QEvent::TouchBegin:
     case QEvent::KeyPress: {
-        m_touchedAt = m_machine.now();
+        m_touchedAt = m_controller.now();
         const bool isTouch = event->type() != QEvent::KeyPress;
         // The second touch of a double tap wakes too: nobody has seen yet what it would hit.
         const bool isSecond = isTouch && m_wokenAt && m_touchedAt - *m_wokenAt < wakingTime;
@@ -167,7 +168,7 @@ bool Display::eventFilter(QObject* watched, QEvent* event)
     case QEvent::TouchCancel:
         if (std::exchange(m_isWaking, false)) {
             if (m_isFirst)
-                m_wokenAt = m_machine.now();
+                m_wokenAt = m_controller.now();
             return true;
         }
         break;

@@ -40,7 +40,7 @@ public:
     static constexpr int wipeTimeS = 30;
 
     // Stores its values in the settings file. Settings and machine must outlive the object.
-    Display(Controller& machine, Settings& settings, QObject* parent);
+    Display(Controller& controller, Settings& settings, QObject* parent);
 
     static Display* create(QQmlEngine* qmlEngine, QJSEngine* jsEngine);
 
@@ -74,7 +74,7 @@ private:
     void light(int percent);
     [[nodiscard]] bool mayBeDark() const;
 
-    Controller& m_machine;
+    Controller& m_controller;
     Settings& m_settings;
     std::optional<Backlight> m_backlight;
     QTimer m_timer;

@@ -15,17 +15,17 @@ constexpr Setting rotationSetting("display.rotation");
 
 } // namespace
 
-ScreenRotation::ScreenRotation(Controller& machine, Settings& settings, QObject* parent)
+ScreenRotation::ScreenRotation(Controller& controller, Settings& settings, QObject* parent)
     : QObject(parent)
-    , m_machine(machine)
+    , m_controller(controller)
     , m_settings(settings)
 {
     m_timer.setInterval(1s);
     m_timer.callOnTimeout(this, &ScreenRotation::tick);
     connect(&settings, &Settings::changed, this, &ScreenRotation::changed);
     connect(&settings, &Settings::textsChanged, this, &ScreenRotation::changed);
-    connect(&machine, &Controller::stateChanged, this, [this] {
-        if (m_machine.isMoving())
+    connect(&controller, &Controller::stateChanged, this, [this] {
+        if (m_controller.isMoving())
             goBack(); // now, not in the middle of a run
         emit changed();
     });
@@ -63,13 +63,13 @@ int ScreenRotation::degrees() const
 
 QString ScreenRotation::blockedReason() const
 {
-    return m_machine.isMoving() ? tr("The machine is moving. Stop it before changing the screen.")
-                                : QString();
+    return m_controller.isMoving() ? tr("The machine is moving. Stop it before changing the screen.")
+                                   : QString();
 }
 
 void ScreenRotation::tryOut(int degrees)
 {
-    if (!m_machine.accessCheck().require(Level::Service) || !choices().contains(degrees) ||
+    if (!m_controller.accessCheck().require(Level::Service) || !choices().contains(degrees) ||
         degrees == this->degrees() || !blockedReason().isEmpty())
         return;
     m_tried = degrees;

@@ -38,7 +38,7 @@ public:
     static constexpr int trialTimeS = 15;
 
     // Stores its value in the settings file. Settings and machine must outlive the object.
-    ScreenRotation(Controller& machine, Settings& settings, QObject* parent);
+    ScreenRotation(Controller& controller, Settings& settings, QObject* parent);
 
     static ScreenRotation* create(QQmlEngine* qmlEngine, QJSEngine* jsEngine);
 
@@ -59,7 +59,7 @@ signals:
     void changed();
 
 private:
-    Controller& m_machine;
+    Controller& m_controller;
     Settings& m_settings;
     QSize m_screen;
     std::optional<int> m_tried;

@@ -20,9 +20,9 @@ const QString managerInterface = QStringLiteral("org.freedesktop.systemd1.Manage
 
 } // namespace
 
-TouchCalibration::TouchCalibration(Controller& machine, QObject* parent)
-    : SystemService(machine.accessCheck(), u"org.freedesktop.systemd1"_s, parent)
-    , m_machine(machine)
+TouchCalibration::TouchCalibration(Controller& controller, QObject* parent)
+    : SystemService(controller.accessCheck(), u"org.freedesktop.systemd1"_s, parent)
+    , m_controller(controller)
 {
     m_timer.setInterval(1s);
     m_timer.callOnTimeout(this, &TouchCalibration::tick);
@@ -35,8 +35,8 @@ TouchCalibration::TouchCalibration(Controller& machine, QObject* parent)
                tr("The calibration was not set. Read journalctl -u campanel-touch."));
         setEnd(End::NotSet);
     });
-    connect(&machine, &Controller::stateChanged, this, [this] {
-        if (m_machine.isMoving() && m_crossIndex >= 0)
+    connect(&controller, &Controller::stateChanged, this, [this] {
+        if (m_controller.isMoving() && m_crossIndex >= 0)
             cancel();
         emit changed();
     });
@@ -65,8 +65,8 @@ QString TouchCalibration::blockedReason() const
         return tr("The touchscreen is calibrated in the operating system of this computer.");
     if (!m_hasTouchscreen)
         return tr("This computer has no touchscreen.");
-    return m_machine.isMoving() ? tr("The machine is moving. Stop it before calibrating the touchscreen.")
-                                : QString();
+    return m_controller.isMoving() ? tr("The machine is moving. Stop it before calibrating the touchscreen.")
+                                   : QString();
 }
 
 bool TouchCalibration::calibrated() const
@@ -101,7 +101,7 @@ void TouchCalibration::setEnd(End end)
 
 void TouchCalibration::begin()
 {
-    if (!m_machine.accessCheck().require(Level::Service) || busy() || !blockedReason().isEmpty())
+    if (!m_controller.accessCheck().require(Level::Service) || busy() || !blockedReason().isEmpty())
         return;
     setEnd(End::None);
     m_pairs.clear();
@@ -143,7 +143,7 @@ void TouchCalibration::cancel()
 
 void TouchCalibration::remove()
 {
-    if (m_machine.accessCheck().require(Level::Service) && blockedReason().isEmpty() && calibrated())
+    if (m_controller.accessCheck().require(Level::Service) && blockedReason().isEmpty() && calibrated())
         apply(noCalibration);
 }
 

@@ -46,7 +46,7 @@ public:
     static constexpr int crosses = 4;
 
     // The machine must outlive the object.
-    TouchCalibration(Controller& machine, QObject* parent);
+    TouchCalibration(Controller& controller, QObject* parent);
 
     static TouchCalibration* create(QQmlEngine* qmlEngine, QJSEngine* jsEngine);
 
@@ -93,7 +93,7 @@ private:
     void request(const QString& wanted, const std::function<void(const QString& problem)>& done);
     void note(const TouchTrial& trial, const QString& outcome);
 
-    Controller& m_machine;
+    Controller& m_controller;
     TouchPlaces m_places;
     bool m_hasTouchscreen = false;
     int m_crossIndex = -1;

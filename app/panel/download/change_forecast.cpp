@@ -33,12 +33,12 @@ enum class Index {
 
 } // namespace
 
-ChangeForecast::ChangeForecast(Controller& machine, QObject* parent)
+ChangeForecast::ChangeForecast(Controller& controller, QObject* parent)
     : QObject(parent)
-    , m_machine(machine)
+    , m_controller(controller)
 {
     for (const char* name : names) {
-        m_parameters.push_back(&machine.parameter(name));
+        m_parameters.push_back(&controller.parameter(name));
         connect(m_parameters.back(), &Parameter::changed, this, &ChangeForecast::changed);
     }
 }
@@ -51,7 +51,7 @@ std::optional<program::ChangeParameters> ChangeForecast::parameters() const
     const auto value = [this](Index index) {
         return m_parameters[static_cast<std::size_t>(index)]->value().value();
     };
-    const bool hasFilm = m_machine.packing()->present();
+    const bool hasFilm = m_controller.packing()->present();
     return program::ChangeParameters{
         .knifeStepHz = value(KnifeStep),
         .filmStepHz = value(FilmStep),
@@ -68,8 +68,8 @@ std::optional<program::ChangeParameters> ChangeForecast::parameters() const
 void ChangeForecast::update(const program::ProgramImage* wanted)
 {
     m_isKnown = false;
-    const auto& active = m_machine.program();
-    if (wanted == nullptr || !active || m_machine.state() != Controller::State::Running ||
+    const auto& active = m_controller.program();
+    if (wanted == nullptr || !active || m_controller.state() != Controller::State::Running ||
         !program::changesWhileRunning(active->recipe, wanted->recipe))
         return;
     for (Parameter* parameter : m_parameters)

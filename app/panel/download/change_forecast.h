@@ -20,7 +20,7 @@ class ChangeForecast final : public QObject {
     Q_OBJECT
 
 public:
-    ChangeForecast(Controller& machine, QObject* parent);
+    ChangeForecast(Controller& controller, QObject* parent);
 
     // Forecasts the change from the active program to this one; null: there is none. Reads the parameters
     // that are unknown. There is no forecast at standstill, before the parameters are known, and for a
@@ -38,7 +38,7 @@ signals:
 private:
     [[nodiscard]] std::optional<program::ChangeParameters> parameters() const;
 
-    Controller& m_machine;
+    Controller& m_controller;
     std::vector<Parameter*> m_parameters;
     bool m_isKnown = false;
     std::optional<program::ProgramChange> m_change; // known and empty: the steps cannot be kept

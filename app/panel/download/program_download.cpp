@@ -14,18 +14,18 @@ namespace campanel::panel {
 
 using link::DownloadStage;
 
-ProgramDownload::ProgramDownload(Controller& machine, QObject* parent)
+ProgramDownload::ProgramDownload(Controller& controller, QObject* parent)
     : QObject(parent)
-    , m_machine(machine)
+    , m_controller(controller)
     , m_differences(this)
-    , m_proof(machine, this)
-    , m_forecast(machine, this)
+    , m_proof(controller, this)
+    , m_forecast(controller, this)
 {
-    connect(&machine.link(), &link::Link::downloadReported, this, &ProgramDownload::takeReport);
+    connect(&controller.link(), &link::Link::downloadReported, this, &ProgramDownload::takeReport);
     connect(&m_forecast, &ChangeForecast::changed, this, &ProgramDownload::update);
-    connect(&machine, &Controller::programChanged, this, &ProgramDownload::update);
-    connect(&machine, &Controller::savedChanged, this, &ProgramDownload::update);
-    connect(&machine, &Controller::commandsChanged, this, &ProgramDownload::update);
+    connect(&controller, &Controller::programChanged, this, &ProgramDownload::update);
+    connect(&controller, &Controller::savedChanged, this, &ProgramDownload::update);
+    connect(&controller, &Controller::commandsChanged, this, &ProgramDownload::update);
 }
 
 void ProgramDownload::offer(std::shared_ptr<const program::ProgramImage> image)
@@ -43,9 +43,10 @@ bool ProgramDownload::isUnderWay() const
 
 void ProgramDownload::compare()
 {
-    const ControllerProgram* active = m_machine.program().get();
+    const ControllerProgram* active = m_controller.program().get();
     // The status arrives before the header has been read again.
-    const bool isActive = m_offer && m_machine.status() && m_machine.status()->activeCrc == m_offer->crc;
+    const bool isActive =
+        m_offer && m_controller.status() && m_controller.status()->activeCrc == m_offer->crc;
     const auto rows =
         m_offer && active && !isActive ? DifferencesText::rows(*active, *m_offer) : QList<DifferenceRow>();
     m_differs = m_offer && !isActive && (!active || !rows.isEmpty());
@@ -54,9 +55,9 @@ void ProgramDownload::compare()
 
 bool ProgramDownload::changesMachineData() const
 {
-    if (!m_offer || !m_machine.program())
+    if (!m_offer || !m_controller.program())
         return false;
-    const program::Recipe& active = m_machine.program()->recipe;
+    const program::Recipe& active = m_controller.program()->recipe;
     const program::Recipe& wanted = m_offer->recipe;
     using profile::Field;
     const auto isChanged = [&](Field field) {
@@ -73,13 +74,13 @@ bool ProgramDownload::changesMachineData() const
 
 QString ProgramDownload::blockedReason() const
 {
-    if (!m_machine.isConnected() || !m_machine.fresh())
+    if (!m_controller.isConnected() || !m_controller.fresh())
         return tr("Not possible now: there is no connection to the controller.");
     if (!m_offer)
         return tr("Not possible: the machine cannot execute this recipe.");
-    if (!m_machine.identity()->supports(static_cast<modbus::ProgramKind>(m_offer->recipe.kind())))
+    if (!m_controller.identity()->supports(static_cast<modbus::ProgramKind>(m_offer->recipe.kind())))
         return tr("Not possible: this controller cannot execute this kind of program.");
-    const Controller::State state = m_machine.state();
+    const Controller::State state = m_controller.state();
     if (state != Controller::State::Idle && state != Controller::State::Ready && changesMachineData())
         return tr("Program type and machine data can only be changed at standstill. Stop the machine first.");
     return m_forecast.refusal();
@@ -112,7 +113,7 @@ void ProgramDownload::update()
 QString ProgramDownload::readyText() const
 {
     const double advanceMm = program::advanceMm(m_offer->recipe.program);
-    const QString use = m_machine.state() == Controller::State::Running
+    const QString use = m_controller.state() == Controller::State::Running
                             ? m_forecast.text()
                             : tr("The new recipe is used from the next start.");
     return advanceMm == 0 ? use : QStringLiteral("%1 %2").arg(CamSentences::advance(advanceMm), use);
@@ -136,23 +137,23 @@ QString ProgramDownload::text() const
     case State::Failed:
         break;
     case State::Applied:
-        if (m_machine.state() == Controller::State::Running)
+        if (m_controller.state() == Controller::State::Running)
             return tr("Downloaded. The machine is running this recipe.");
-        return m_machine.canStart() ? tr("Downloaded. Press Start to run this recipe.")
-                                    : tr("Downloaded. The controller has this recipe.");
+        return m_controller.canStart() ? tr("Downloaded. Press Start to run this recipe.")
+                                       : tr("Downloaded. The controller has this recipe.");
     }
     return ConnectionSentences::download(m_report);
 }
 
 QString ProgramDownload::controllerText() const
 {
-    if (!m_machine.status() || !m_machine.identity())
+    if (!m_controller.status() || !m_controller.identity())
         return tr("Controller: unknown");
-    if (!m_machine.program())
-        return m_machine.status()->activeCrc ? tr("Controller: reading the program …")
-                                             : tr("The controller has no program");
-    const QString generation = QString::number(m_machine.program()->generation);
-    if (!m_machine.isConnected() || !m_machine.fresh())
+    if (!m_controller.program())
+        return m_controller.status()->activeCrc ? tr("Controller: reading the program …")
+                                                : tr("The controller has no program");
+    const QString generation = QString::number(m_controller.program()->generation);
+    if (!m_controller.isConnected() || !m_controller.fresh())
         return tr("No connection. Last known program in the controller: generation %1").arg(generation);
     if (!m_offer)
         return tr("Active in controller: generation %1").arg(generation);
@@ -170,13 +171,14 @@ QString ProgramDownload::controllerText() const
 
 bool ProgramDownload::isSaved() const
 {
-    const auto& status = m_machine.status();
+    const auto& status = m_controller.status();
     return status && status->activeCrc && status->activeCrc == status->savedCrc;
 }
 
 bool ProgramDownload::canSave() const
 {
-    return m_machine.isConnected() && m_machine.fresh() && m_machine.status()->activeCrc && !isSaved();
+    return m_controller.isConnected() && m_controller.fresh() && m_controller.status()->activeCrc &&
+           !isSaved();
 }
 
 void ProgramDownload::download(const program::ProgramImage& image, const program::Recipe& recipe)
@@ -186,20 +188,20 @@ void ProgramDownload::download(const program::ProgramImage& image, const program
     m_report = {};
     m_hasEnded = false;
     emit begun(image);
-    m_machine.link().download(image.registers);
+    m_controller.link().download(image.registers);
     update();
 }
 
 void ProgramDownload::cancel()
 {
     if (isUnderWay())
-        m_machine.link().cancelDownload();
+        m_controller.link().cancelDownload();
 }
 
 void ProgramDownload::save()
 {
     if (canSave())
-        m_machine.send(modbus::Command::SaveToFlash, {0, 0, *m_machine.status()->activeCrc});
+        m_controller.send(modbus::Command::SaveToFlash, {0, 0, *m_controller.status()->activeCrc});
 }
 
 void ProgramDownload::takeReport(const link::DownloadReport& report)

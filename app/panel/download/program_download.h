@@ -46,7 +46,7 @@ public:
     };
     Q_ENUM(State)
 
-    ProgramDownload(Controller& machine, QObject* parent);
+    ProgramDownload(Controller& controller, QObject* parent);
 
     // Sets the image to download; null when the recipe is not feasible.
     void offer(std::shared_ptr<const program::ProgramImage> image);
@@ -83,7 +83,7 @@ private:
     void takeReport(const link::DownloadReport& report);
     void compare();
 
-    Controller& m_machine;
+    Controller& m_controller;
     std::shared_ptr<const program::ProgramImage> m_offer;
     DifferenceModel m_differences;
     ProgramProof m_proof;

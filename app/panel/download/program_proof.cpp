@@ -47,11 +47,11 @@ std::vector<std::uint16_t> rebuilt(const program::Recipe& recipe, std::uint32_t 
 
 } // namespace
 
-ProgramProof::ProgramProof(Controller& machine, QObject* parent)
+ProgramProof::ProgramProof(Controller& controller, QObject* parent)
     : QObject(parent)
-    , m_machine(machine)
+    , m_controller(controller)
 {
-    connect(&machine.link(), &link::Link::comparisonReported, this, &ProgramProof::takeReport);
+    connect(&controller.link(), &link::Link::comparisonReported, this, &ProgramProof::takeReport);
 }
 
 void ProgramProof::noteDownloaded(std::vector<std::uint16_t> registers, std::uint32_t crc)
@@ -62,20 +62,20 @@ void ProgramProof::noteDownloaded(std::vector<std::uint16_t> registers, std::uin
 
 void ProgramProof::update()
 {
-    const auto& status = m_machine.status();
+    const auto& status = m_controller.status();
     // A result belongs to one program, and is valid while the line is watched.
     const bool isFinding = result() == Result::Equal || result() == Result::Different;
     if (m_hasResult &&
-        (!status || status->generation != m_report.generation || (isFinding && !m_machine.isConnected())))
+        (!status || status->generation != m_report.generation || (isFinding && !m_controller.isConnected())))
         m_hasResult = false;
     emit changed();
 }
 
 QString ProgramProof::blockedReason() const
 {
-    if (!m_machine.isConnected() || !m_machine.fresh())
+    if (!m_controller.isConnected() || !m_controller.fresh())
         return tr("Not possible now: there is no connection to the controller.");
-    if (!m_machine.status()->activeCrc)
+    if (!m_controller.status()->activeCrc)
         return tr("The controller has no program. Download a recipe first.");
     return {};
 }
@@ -84,13 +84,13 @@ void ProgramProof::compare()
 {
     if (!canCompare())
         return;
-    const std::uint32_t crc = m_machine.status()->activeCrc.value_or(0);
+    const std::uint32_t crc = m_controller.status()->activeCrc.value_or(0);
     m_basis = Basis::OwnChecksum;
     m_expected.clear();
     if (!m_downloaded.empty() && m_downloadedCrc == crc) {
         m_basis = Basis::Downloaded;
         m_expected = m_downloaded;
-    } else if (const auto& program = m_machine.program()) {
+    } else if (const auto& program = m_controller.program()) {
         m_expected = rebuilt(program->recipe, crc);
         m_basis = m_expected.empty() ? Basis::OwnChecksum : Basis::Rebuilt;
     }
@@ -98,13 +98,13 @@ void ProgramProof::compare()
     m_isRunning = true;
     m_hasResult = false;
     emit changed();
-    m_machine.link().compareProgram(m_expected);
+    m_controller.link().compareProgram(m_expected);
 }
 
 void ProgramProof::cancel()
 {
     if (m_isRunning)
-        m_machine.link().cancelComparison();
+        m_controller.link().cancelComparison();
 }
 
 void ProgramProof::takeReport(const link::ComparisonReport& report)
@@ -235,8 +235,8 @@ QString ProgramProof::nameOf(quint16 offset) const
 
 QString ProgramProof::activeText() const
 {
-    const auto& program = m_machine.program();
-    const auto& status = m_machine.status();
+    const auto& program = m_controller.program();
+    const auto& status = m_controller.status();
     if (!status)
         return unknownText;
     if (!status->activeCrc)
@@ -244,13 +244,13 @@ QString ProgramProof::activeText() const
     if (!program)
         return tr("generation %1, CRC-32 %2").arg(status->generation).arg(Format::hex(*status->activeCrc, 8));
     return tr("%1 · v%2, generation %3, CRC-32 %4")
-        .arg(m_machine.active().name, QString::number(m_machine.active().version),
+        .arg(m_controller.active().name, QString::number(m_controller.active().version),
              QString::number(status->generation), Format::hex(*status->activeCrc, 8));
 }
 
 QString ProgramProof::savedText() const
 {
-    const auto& status = m_machine.status();
+    const auto& status = m_controller.status();
     if (!status)
         return unknownText;
     if (!status->savedCrc)

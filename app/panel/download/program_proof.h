@@ -35,7 +35,7 @@ public:
     Q_ENUM(Result)
 
     // The machine must outlive the object.
-    ProgramProof(Controller& machine, QObject* parent);
+    ProgramProof(Controller& controller, QObject* parent);
 
     // Stores what this panel downloaded and the controller activated.
     void noteDownloaded(std::vector<std::uint16_t> registers, std::uint32_t crc);
@@ -67,7 +67,7 @@ private:
     [[nodiscard]] QString nameOf(quint16 offset) const;
     void takeReport(const link::ComparisonReport& report);
 
-    Controller& m_machine;
+    Controller& m_controller;
     std::vector<std::uint16_t> m_downloaded;
     std::uint32_t m_downloadedCrc = 0;
     std::vector<std::uint16_t> m_expected; // for the pending or last comparison

@@ -76,7 +76,7 @@ constexpr auto tableDelay = 80ms;
 
 } // namespace
 
-Editor::Editor(Controller& machine, const QString& folder, QObject* parent)
+Editor::Editor(Controller& controller, const QString& folder, QObject* parent)
     : QObject(parent)
     , m_knots(this)
     , m_segments(this)
@@ -86,8 +86,8 @@ Editor::Editor(Controller& machine, const QString& folder, QObject* parent)
     , m_choices(this)
     , m_laws(this)
     , m_table(this)
-    , m_machine(machine)
-    , m_download(machine, this)
+    , m_controller(controller)
+    , m_download(controller, this)
     , m_storedFile(QDir(folder).filePath(u"recipe.json"_s))
     , m_workingFile(QDir(folder).filePath(u"working_copy.json"_s))
     , m_keepTimer(this)
@@ -99,7 +99,7 @@ Editor::Editor(Controller& machine, const QString& folder, QObject* parent)
     m_notice = stored.notice;
     m_sources.stored = stored.source;
     loadWorkingCopy();
-    m_camFiles.guardBy(machine.accessCheck());
+    m_camFiles.guardBy(controller.accessCheck());
     connectFields();
     connectKnots();
     connectMap();
@@ -110,7 +110,7 @@ Editor::Editor(Controller& machine, const QString& folder, QObject* parent)
     m_tableTimer.setSingleShot(true);
     m_tableTimer.setInterval(tableDelay);
     connect(&m_tableTimer, &QTimer::timeout, this,
-            [this] { takeSolution(solveRecipe(m_recipe, m_controller)); });
+            [this] { takeSolution(solveRecipe(m_recipe, m_identity)); });
     connect(&m_keepTimer, &QTimer::timeout, this, &Editor::keepWorkingCopy);
     connect(&m_download, &ProgramDownload::changed, this, &Editor::overlayChanged);
     connect(&m_download, &ProgramDownload::begun, this, &Editor::downloadBegun);
@@ -119,11 +119,11 @@ Editor::Editor(Controller& machine, const QString& folder, QObject* parent)
         // The library must not know a newer version than the file does.
         takeStored(recipe, [this, recipe] { emit applied(recipe); });
     });
-    connect(&machine, &Controller::connectionChanged, this, &Editor::watchController);
-    connect(&machine, &Controller::programChanged, this, &Editor::show);
+    connect(&controller, &Controller::connectionChanged, this, &Editor::watchController);
+    connect(&controller, &Controller::programChanged, this, &Editor::show);
     connect(LanguageNotifier::ofApplication(), &LanguageNotifier::languageChanged, this,
             &Editor::retranslate);
-    m_controller = machine.identity();
+    m_identity = controller.identity();
     recompute();
 }
 
@@ -218,15 +218,15 @@ void Editor::connectRamps()
 void Editor::follow(program::Recipe& recipe) const
 {
     program::Recipe solved = recipe;
-    if (m_controller)
-        solved.machine = program::withController(recipe.machine, *m_controller);
+    if (m_identity)
+        solved.machine = program::withController(recipe.machine, *m_identity);
     program::followRatios(solved);
     recipe.program = solved.program;
 }
 
 bool Editor::require(Level needed) const
 {
-    return m_machine.accessCheck().require(needed);
+    return m_controller.accessCheck().require(needed);
 }
 
 // Changes the recipe as part of a drag; commitDrag() ends the drag.
@@ -381,7 +381,7 @@ void Editor::recompute()
     const bool isKnown =
         m_solution.image && sameRecipe(m_solvedFor, m_recipe) && m_solvedFor.version == m_recipe.version;
     m_solvedFor = m_recipe;
-    takeSolution(solveRecipe(m_recipe, m_controller, isKnown ? TableWork::All : TableWork::WithoutSlow));
+    takeSolution(solveRecipe(m_recipe, m_identity, isKnown ? TableWork::All : TableWork::WithoutSlow));
 }
 
 void Editor::takeSolution(Solution solution)
@@ -393,7 +393,7 @@ void Editor::takeSolution(Solution solution)
         adopt(m_recipe, cutter->cycle);
     if (m_solution.solved)
         m_cycleSeconds = m_solution.solved->cycleS();
-    m_machine.setContactAngle(m_recipe.isCutter() ? m_recipe.machine.contactAngleDeg : 0);
+    m_controller.setContactAngle(m_recipe.isCutter() ? m_recipe.machine.contactAngleDeg : 0);
     compareCurves();
     m_table.setImage(m_solution.image);
     m_download.offer(m_solution.image);
@@ -402,15 +402,15 @@ void Editor::takeSolution(Solution solution)
 
 void Editor::show()
 {
-    const EditorViews views(m_recipe, m_solution, m_machine.program().get());
+    const EditorViews views(m_recipe, m_solution, m_controller.program().get());
     const program::KindInfo& kind = program::kindInfo(m_recipe.kind());
     for (const auto fields : {kind.programFields, kind.machineFields}) {
         for (const Field field : fields)
             item(field)->show(views.field(field));
     }
     showFields();
-    m_choices.setRows(ChoiceRow::rows(m_recipe, m_controller));
-    m_map.show(m_recipe, m_solution, m_controller);
+    m_choices.setRows(ChoiceRow::rows(m_recipe, m_identity));
+    m_map.show(m_recipe, m_solution, m_identity);
     m_ramps.show(m_recipe, m_solution);
     m_knots.show(m_recipe.program, m_cycleSeconds, handles() == &m_knots);
     m_segments.show(m_recipe.program, m_cycleSeconds, handles() == &m_segments);
@@ -443,15 +443,15 @@ void Editor::showFields()
 
 void Editor::watchController()
 {
-    const auto& identity = m_machine.identity();
-    const bool isSame = identity.has_value() == m_controller.has_value() &&
-                        (!identity || (identity->uniqueId == m_controller->uniqueId &&
-                                       identity->timerClockHz == m_controller->timerClockHz &&
-                                       identity->rowCapacity == m_controller->rowCapacity &&
-                                       identity->tableLayouts == m_controller->tableLayouts));
+    const auto& identity = m_controller.identity();
+    const bool isSame = identity.has_value() == m_identity.has_value() &&
+                        (!identity || (identity->uniqueId == m_identity->uniqueId &&
+                                       identity->timerClockHz == m_identity->timerClockHz &&
+                                       identity->rowCapacity == m_identity->rowCapacity &&
+                                       identity->tableLayouts == m_identity->tableLayouts));
     if (isSame)
         return;
-    m_controller = identity;
+    m_identity = identity;
     recompute();
 }
 

@@ -94,7 +94,7 @@ public:
 
     // Stores both recipes in `folder`. A default recipe never takes the place of edits that cannot be read.
     // The machine must outlive the object.
-    Editor(Controller& machine, const QString& folder, QObject* parent);
+    Editor(Controller& controller, const QString& folder, QObject* parent);
     ~Editor() override;
 
     static Editor* create(QQmlEngine* qmlEngine, QJSEngine* jsEngine);
@@ -264,7 +264,7 @@ private:
     LawModel m_laws;
     TableModel m_table;
 
-    Controller& m_machine;
+    Controller& m_controller;
     ProgramDownload m_download;
     store::LastRecipe m_storedFile;
     store::LastRecipe m_workingFile;
@@ -278,7 +278,7 @@ private:
     std::map<profile::ProgramKind, profile::Machine> m_machines;
     std::optional<program::Recipe> m_beforeDrag;
     EditHistory<program::Recipe> m_history;
-    std::optional<modbus::Identity> m_controller; // controller that the solution was computed for
+    std::optional<modbus::Identity> m_identity; // controller that the solution was computed for
     Solution m_solution;
     program::Recipe m_solvedFor;
     std::optional<profile::LawId> m_comparedLaw;

@@ -120,15 +120,15 @@ QVariant Editor::overlayCurves() const
 {
     if (m_comparedCurves)
         return QVariant::fromValue(m_comparedCurves);
-    const auto& active = m_machine.program();
-    return active && active->recipe.kind() == m_recipe.kind() ? m_machine.active().curves : QVariant();
+    const auto& active = m_controller.program();
+    return active && active->recipe.kind() == m_recipe.kind() ? m_controller.active().curves : QVariant();
 }
 
 void Editor::watchLaws(bool isWatched)
 {
     m_areLawsWatched = isWatched;
     m_laws.setRows(isWatched
-                       ? EditorViews(m_recipe, m_solution, m_machine.program().get()).laws(m_comparedLaw)
+                       ? EditorViews(m_recipe, m_solution, m_controller.program().get()).laws(m_comparedLaw)
                        : QList<LawRow>{});
 }
 

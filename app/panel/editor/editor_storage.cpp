@@ -127,14 +127,14 @@ void Editor::saveToFlash()
 // Sends the controller's figures the machine data of the kind that is active.
 void Editor::shareMachine()
 {
-    const auto& program = m_machine.program();
+    const auto& program = m_controller.program();
     const auto kind = program ? program->recipe.kind() : m_recipe.kind();
     const auto known = m_machines.find(kind);
     if (kind == m_recipe.kind())
-        m_machine.torque()->setMachineData(m_recipe.machine);
+        m_controller.torque()->setMachineData(m_recipe.machine);
     else
-        m_machine.torque()->setMachineData(known == m_machines.end() ? std::nullopt
-                                                                     : std::optional(known->second));
+        m_controller.torque()->setMachineData(known == m_machines.end() ? std::nullopt
+                                                                        : std::optional(known->second));
 }
 
 } // namespace campanel::panel

@@ -37,7 +37,7 @@ QString Explanation::text() const
 
 Explanations::Explanations(const Sources& sources, QObject* parent)
     : QObject(parent)
-    , m_machine(sources.machine)
+    , m_controller(sources.controller)
     , m_editor(sources.editor)
     , m_figures(sources.figures)
     , m_trends(sources.trends)
@@ -111,9 +111,9 @@ Explanation Explanations::of(int quantity) const
 Explanation Explanations::rate() const
 {
     const Format format;
-    const double rate = m_machine.live().rateBagsPerMin;
-    const double program = m_machine.active().rateBagsPerMin;
-    const double master = m_machine.live().masterSpeedPercent;
+    const double rate = m_controller.live().rateBagsPerMin;
+    const double program = m_controller.active().rateBagsPerMin;
+    const double master = m_controller.live().masterSpeedPercent;
     Explanation explanation;
     explanation.title = tr("Rate");
     explanation.value = format.number(rate, 1);
@@ -129,15 +129,15 @@ Explanation Explanations::rate() const
 Explanation Explanations::bags(Topic quantity) const
 {
     const Format format;
-    const auto series = m_machine.bags().series;
+    const auto series = m_controller.bags().series;
     const auto count = format.number(static_cast<double>(series.size()), 0);
-    const double tolerance = m_machine.bags().toleranceMm;
-    const double mean = m_machine.bags().meanDeviationMm;
+    const double tolerance = m_controller.bags().toleranceMm;
+    const double mean = m_controller.bags().meanDeviationMm;
     Explanation explanation;
     explanation.unit = tr("mm");
     switch (quantity) {
     case BagMean: {
-        const double length = m_machine.bags().meanMm;
+        const double length = m_controller.bags().meanMm;
         explanation.title = tr("Mean bag length");
         explanation.value = format.number(length, 2);
         explanation.meaning =
@@ -150,7 +150,7 @@ Explanation Explanations::bags(Topic quantity) const
         break;
     }
     case BagScatter: {
-        const double scatter = m_machine.bags().scatterMm;
+        const double scatter = m_controller.bags().scatterMm;
         const double squares = scatter * scatter * static_cast<double>(series.size() - 1);
         explanation.title = tr("Standard deviation of the bag length");
         explanation.value = format.number(scatter, 2);
@@ -163,20 +163,20 @@ Explanation Explanations::bags(Topic quantity) const
     }
     case BagsWithin:
         explanation.title = tr("Bags within the tolerance");
-        explanation.value = format.number(m_machine.bags().within, 0);
+        explanation.value = format.number(m_controller.bags().within, 0);
         explanation.unit.clear();
         explanation.meaning =
             tr("Number of the last bags (%1) within ±%2 mm. Set the tolerance in Settings, Machine.")
                 .arg(count, format.number(tolerance, 2));
-        if (m_machine.bags().scrap > 0)
+        if (m_controller.bags().scrap > 0)
             explanation.meaning +=
                 u' ' + tr("Start-up scrap and bags of a change of program are left out: %1.")
-                           .arg(m_machine.bags().scrap);
+                           .arg(m_controller.bags().scrap);
         explanation.formula = tr("bags with a deviation within the tolerance");
         break;
     default: {
-        const double deviation = m_machine.bags().deviationMm;
-        const double length = m_machine.bags().lengthMm;
+        const double deviation = m_controller.bags().deviationMm;
+        const double length = m_controller.bags().lengthMm;
         explanation.title = tr("Deviation of the last bag");
         explanation.value = format.number(deviation, 2);
         explanation.meaning =
@@ -195,7 +195,7 @@ Explanation Explanations::bags(Topic quantity) const
 Explanation Explanations::packing(Topic quantity) const
 {
     const Format format;
-    const PackingLine& line = *m_machine.packing();
+    const PackingLine& line = *m_controller.packing();
     Explanation explanation;
     if (quantity == MarkError) {
         explanation.title = tr("Mark error");
@@ -221,25 +221,25 @@ Explanation Explanations::packing(Topic quantity) const
 Explanation Explanations::followingError() const
 {
     const Format format;
-    const double error = m_machine.live().followingErrorMm;
-    const double pulses = m_machine.live().followingErrorPulses;
+    const double error = m_controller.live().followingErrorMm;
+    const double pulses = m_controller.live().followingErrorPulses;
     Explanation explanation;
     explanation.title = tr("Following error");
     explanation.value = format.number(error, 2);
     explanation.unit = tr("mm");
     explanation.meaning = tr("Last reported difference between commanded and actual position of the axis.");
     explanation.formula = tr("error in pulses / pulses per mm");
-    if (m_machine.program())
+    if (m_controller.program())
         explanation.numbers = ifKnown(
             {error, pulses}, u"%1 / %2"_s.arg(format.number(pulses, 0),
-                                              format.compact(m_machine.program()->pulsesPerMm, 1, 3)));
+                                              format.compact(m_controller.program()->pulsesPerMm, 1, 3)));
     return explanation;
 }
 
 Explanation Explanations::torque() const
 {
     const Format format;
-    const TorqueWatch& torque = *m_machine.torque();
+    const TorqueWatch& torque = *m_controller.torque();
     const auto worst = torque.worst();
     Explanation explanation;
     explanation.title = tr("Torque, largest difference");
@@ -266,7 +266,7 @@ Explanation Explanations::torque() const
 Explanation Explanations::goodStrokes() const
 {
     const Format format;
-    StrokeModel& strokes = *m_machine.strokes();
+    StrokeModel& strokes = *m_controller.strokes();
     Explanation explanation;
     explanation.title = tr("Good strokes");
     explanation.value =
@@ -274,8 +274,8 @@ Explanation Explanations::goodStrokes() const
     explanation.meaning =
         tr("Number of the last strokes (%1) that ended at the press position with a force of %2 to %3 N.")
             .arg(format.number(strokes.rows()->count(), 0),
-                 format.number(m_machine.active().minStopForceN, 0),
-                 format.number(m_machine.active().maxStopForceN, 0));
+                 format.number(m_controller.active().minStopForceN, 0),
+                 format.number(m_controller.active().maxStopForceN, 0));
     explanation.formula = tr("strokes that the controller evaluated as good");
     return explanation;
 }
@@ -283,7 +283,7 @@ Explanation Explanations::goodStrokes() const
 Explanation Explanations::liveSealTime() const
 {
     const Format format;
-    const double time = m_machine.live().sealTimeMs;
+    const double time = m_controller.live().sealTimeMs;
     Explanation explanation;
     explanation.title = tr("Seal time");
     explanation.value = format.number(time, 0);
@@ -292,14 +292,14 @@ Explanation Explanations::liveSealTime() const
         tr("Time of the jaws on the film at the present rate. The contact angle is that of the recipe "
            "on the Motion page.");
     explanation.formula = tr("60 000 × arc of the jaws / (sync ratio × bag length × rate)");
-    if (const auto& program = m_machine.program(); program && program->recipe.isCutter()) {
+    if (const auto& program = m_controller.program(); program && program->recipe.isCutter()) {
         profile::Machine machine = program->recipe.machine;
-        machine.contactAngleDeg = m_machine.contactAngleDeg();
+        machine.contactAngleDeg = m_controller.contactAngleDeg();
         explanation.numbers = ifKnown({time}, u"60 000 × %1 / (%2 × %3 × %4)"_s.arg(
                                                   format.compact(profile::jawArcMm(machine), 0, 2),
                                                   format.compact(program->recipe.cutter().syncRatio, 0, 3),
                                                   format.compact(program->bagLengthMm, 0, 2),
-                                                  format.compact(m_machine.live().rateBagsPerMin, 0, 2)));
+                                                  format.compact(m_controller.live().rateBagsPerMin, 0, 2)));
     }
     return explanation;
 }

@@ -67,7 +67,7 @@ public:
     Q_ENUM(Topic)
 
     struct Sources {
-        Controller& machine;
+        Controller& controller;
         Editor& editor;
         LineFigures& figures;
         Trends& trends;
@@ -111,7 +111,7 @@ private:
     [[nodiscard]] Explanation effectiveness(Topic quantity) const;
     [[nodiscard]] static QString trendUnit(int quantity); // for a Trends.Quantity
 
-    Controller& m_machine;
+    Controller& m_controller;
     Editor& m_editor;
     LineFigures& m_figures;
     Trends& m_trends;

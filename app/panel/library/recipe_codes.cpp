@@ -113,7 +113,7 @@ QList<store::RecipeVersion> Recipes::coded(const QString& code) const
 
 AccessCheck& Recipes::accessCheck() const
 {
-    return m_machine.accessCheck();
+    return m_controller.accessCheck();
 }
 
 void Recipes::chooseId(qint64 recipeId)
@@ -124,7 +124,7 @@ void Recipes::chooseId(qint64 recipeId)
 
 void Recipes::setCodes(const program::Recipe& withCodes)
 {
-    if (!m_machine.accessCheck().require(Level::Technician))
+    if (!m_controller.accessCheck().require(Level::Technician))
         return;
     keep(withCodes, Origin::Library, [this, version = withCodes.version](const store::RecipeVersion& kept) {
         const auto coded = [&kept, version](program::Recipe recipe) {

@@ -34,10 +34,10 @@ QString nameOf(const Recipe& recipe)
 
 } // namespace
 
-Recipes::Recipes(Controller& machine, Editor& editor, DatabaseService& records, const QString& folder,
+Recipes::Recipes(Controller& controller, Editor& editor, DatabaseService& records, const QString& folder,
                  QObject* parent)
     : QObject(parent)
-    , m_machine(machine)
+    , m_controller(controller)
     , m_editor(editor)
     , m_records(records)
     , m_wallClock([] { return QDateTime::currentDateTime(); })
@@ -53,9 +53,9 @@ Recipes::Recipes(Controller& machine, Editor& editor, DatabaseService& records, 
         keep(recipe, Origin::Editor, {});
     });
     connect(&editor, &Editor::recipeChanged, this, &Recipes::followEditor);
-    connect(&machine, &Controller::programChanged, this, &Recipes::show);
-    m_files.guardBy(machine.accessCheck());
-    m_exports.guardBy(machine.accessCheck());
+    connect(&controller, &Controller::programChanged, this, &Recipes::show);
+    m_files.guardBy(controller.accessCheck());
+    m_exports.guardBy(controller.accessCheck());
     connect(&m_files, &RecipeFiles::taken, this, &Recipes::import);
     m_editor.setNewestVersion([this](const std::string& name) {
         const RecipeVersion* known = named(QString::fromStdString(name));
@@ -203,7 +203,7 @@ void Recipes::show()
 {
     m_shownName = m_editor.recipeName();
     m_shownNextVersion = nextVersion();
-    const auto& active = m_machine.program();
+    const auto& active = m_controller.program();
     QList<RecipeRow> rows;
     for (const RecipeVersion& each : m_all) {
         const QString name = nameOf(each.recipe);
@@ -289,7 +289,7 @@ bool Recipes::chosenIsOpen() const
 
 bool Recipes::chosenIsActive() const
 {
-    const auto& active = m_machine.program();
+    const auto& active = m_controller.program();
     const RecipeVersion* chosen = chosenRecipe();
     return active && chosen && active->recipe.name == chosen->recipe.name &&
            active->recipe.version == chosen->version;
@@ -332,7 +332,7 @@ void Recipes::choose(int row)
 void Recipes::open()
 {
     const RecipeVersion* chosen = chosenRecipe();
-    if (m_machine.accessCheck().require(Level::Operator) && chosen) {
+    if (m_controller.accessCheck().require(Level::Operator) && chosen) {
         m_editor.open(onThisMachine(chosen->recipe));
         dismissMessage();
     }
@@ -340,7 +340,7 @@ void Recipes::open()
 
 void Recipes::save()
 {
-    if (!m_machine.accessCheck().require(Level::Operator))
+    if (!m_controller.accessCheck().require(Level::Operator))
         return;
     keep(m_editor.recipe(), Origin::Editor,
          [this, before = m_editor.storedRecipe()](const RecipeVersion& kept) {
@@ -353,7 +353,7 @@ void Recipes::save()
 
 void Recipes::create(int kind)
 {
-    if (!m_machine.accessCheck().require(Level::Technician) || !m_isReady || kind < 1 ||
+    if (!m_controller.accessCheck().require(Level::Technician) || !m_isReady || kind < 1 ||
         kind > static_cast<int>(program::kinds().size()) || !nameProblem().isEmpty())
         return;
     keepAndOpen(
@@ -367,7 +367,7 @@ void Recipes::create(int kind)
 void Recipes::copy()
 {
     const RecipeVersion* chosen = chosenRecipe();
-    if (m_machine.accessCheck().require(Level::Technician) && chosen && nameProblem().isEmpty())
+    if (m_controller.accessCheck().require(Level::Technician) && chosen && nameProblem().isEmpty())
         keepAndOpen(renamed(onThisMachine(chosen->recipe)), Origin::Library, [](const Recipe& kept) {
             return tr("%1 was created as a copy and opened.").arg(nameOf(kept));
         });
@@ -375,7 +375,7 @@ void Recipes::copy()
 
 void Recipes::saveAs()
 {
-    if (m_machine.accessCheck().require(Level::Technician) && nameProblem().isEmpty())
+    if (m_controller.accessCheck().require(Level::Technician) && nameProblem().isEmpty())
         keepAndOpen(renamed(m_editor.recipe()), Origin::Editor, [](const Recipe& kept) {
             return tr("Saved: %1, version %2.").arg(nameOf(kept), QString::number(kept.version));
         });
@@ -391,7 +391,7 @@ Recipe Recipes::renamed(Recipe recipe) const
 void Recipes::rename()
 {
     const RecipeVersion* chosen = chosenRecipe();
-    if (!m_machine.accessCheck().require(Level::Technician) || !chosen || !nameProblem().isEmpty())
+    if (!m_controller.accessCheck().require(Level::Technician) || !chosen || !nameProblem().isEmpty())
         return;
     const QString before = nameOf(chosen->recipe);
     const QString name = store::keptName(m_wantedName);
@@ -424,7 +424,7 @@ void Recipes::rename()
 void Recipes::remove()
 {
     const RecipeVersion* chosen = chosenRecipe();
-    if (!m_machine.accessCheck().require(Level::Technician) || !chosen)
+    if (!m_controller.accessCheck().require(Level::Technician) || !chosen)
         return;
     m_records.store().run(
         this,
@@ -448,7 +448,7 @@ void Recipes::remove()
 
 void Recipes::restore()
 {
-    if (!m_machine.accessCheck().require(Level::Technician))
+    if (!m_controller.accessCheck().require(Level::Technician))
         return;
     m_records.store().run(
         this,

@@ -72,7 +72,7 @@ public:
     using Author = std::function<QString()>;
 
     // All arguments must outlive the object. Its own files are in a folder below `folder`.
-    Recipes(Controller& machine, Editor& editor, DatabaseService& records, const QString& folder,
+    Recipes(Controller& controller, Editor& editor, DatabaseService& records, const QString& folder,
             QObject* parent);
     ~Recipes() override;
 
@@ -207,7 +207,7 @@ private:
     // Returns why this machine does not take a signed recipe; empty when it does.
     [[nodiscard]] QString refusalOf(const store::RecipeOffer& offer) const;
 
-    Controller& m_machine;
+    Controller& m_controller;
     Editor& m_editor;
     DatabaseService& m_records;
     WallClock m_wallClock;

@@ -137,7 +137,7 @@ void Recipes::compareOther(int row)
 
 void Recipes::openVersion(int row)
 {
-    if (!m_machine.accessCheck().require(Level::Operator) || row < 0 || row >= m_compared.size())
+    if (!m_controller.accessCheck().require(Level::Operator) || row < 0 || row >= m_compared.size())
         return;
     m_editor.open(onThisMachine(m_compared[row].recipe));
     dismissMessage();
@@ -158,7 +158,7 @@ void Recipes::offerExport(bool all)
 void Recipes::import(const store::RecipeOffer& offer)
 {
     const QString signer = offer.signature ? offer.signature->signer : QString();
-    if (!m_machine.accessCheck().require(offer.signature ? Level::Operator : Level::Technician))
+    if (!m_controller.accessCheck().require(offer.signature ? Level::Operator : Level::Technician))
         return;
     if (const QString refusal = refusalOf(offer); !refusal.isEmpty()) // of another version since the search
         return say(refusal);

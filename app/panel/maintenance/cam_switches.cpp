@@ -40,8 +40,8 @@ std::string nameOf(int number, const SwitchParameter& parameter)
 
 } // namespace
 
-CamSwitches::CamSwitches(Controller& machine, QObject* parent)
-    : ParameterFields(machine, parent)
+CamSwitches::CamSwitches(Controller& controller, QObject* parent)
+    : ParameterFields(controller, parent)
 {
 }
 
@@ -55,11 +55,11 @@ void CamSwitches::choose(int current)
     m_current = std::clamp(current, 1, drives());
     std::vector<Field> fields;
     if (m_current == drives()) {
-        fields.push_back({&machine().parameter(driveEnable), nullptr, true});
+        fields.push_back({&controller().parameter(driveEnable), nullptr, true});
     } else {
         for (const SwitchParameter& parameter : switchParameters)
-            fields.push_back(
-                {&machine().parameter(nameOf(m_current, parameter)), parameter.words, parameter.hasChoices});
+            fields.push_back({&controller().parameter(nameOf(m_current, parameter)), parameter.words,
+                              parameter.hasChoices});
     }
     setFields(std::move(fields));
     read();

@@ -16,7 +16,7 @@ class CamSwitches final : public campanel::panel::ParameterFields {
 
 public:
     // The machine must outlive the object.
-    CamSwitches(Controller& machine, QObject* parent);
+    CamSwitches(Controller& controller, QObject* parent);
 
     [[nodiscard]] int current() const { return m_current; }
     [[nodiscard]] static int drives();

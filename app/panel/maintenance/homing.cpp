@@ -9,23 +9,23 @@ namespace {
 
 using Kind = profile::ProgramKind;
 
-Kind kindOf(const Controller& machine)
+Kind kindOf(const Controller& controller)
 {
-    return static_cast<Kind>(machine.active().kind);
+    return static_cast<Kind>(controller.active().kind);
 }
 
 } // namespace
 
-Homing::Homing(Controller& machine, QObject* parent)
+Homing::Homing(Controller& controller, QObject* parent)
     : QObject(parent)
-    , m_machine(machine)
-    , m_speed(machine, AxisSpeed::Use::Home, this)
+    , m_controller(controller)
+    , m_speed(controller, AxisSpeed::Use::Home, this)
 {
     for (const auto trigger :
          {&Controller::stateChanged, &Controller::freshChanged, &Controller::connectionChanged})
-        connect(&machine, trigger, this, &Homing::note);
-    connect(&machine, &Controller::programChanged, this, &Homing::noteProgram);
-    connect(&machine, &Controller::commandEnded, this, [this](const link::CommandOutcome& outcome) {
+        connect(&controller, trigger, this, &Homing::note);
+    connect(&controller, &Controller::programChanged, this, &Homing::noteProgram);
+    connect(&controller, &Controller::commandEnded, this, [this](const link::CommandOutcome& outcome) {
         // A press sets the present position: homing ends with the command.
         if (outcome.command == modbus::Command::Home && outcome.end == link::CommandEnd::Done && !moves())
             end(Result::Done);
@@ -34,17 +34,17 @@ Homing::Homing(Controller& machine, QObject* parent)
 
 bool Homing::moves() const
 {
-    return kindOf(m_machine) != Kind::Press;
+    return kindOf(m_controller) != Kind::Press;
 }
 
 Homing::Place Homing::place() const
 {
-    const auto& status = m_machine.status();
-    if (!m_machine.isConnected() || !m_machine.fresh() || !status)
+    const auto& status = m_controller.status();
+    if (!m_controller.isConnected() || !m_controller.fresh() || !status)
         return Place::Unknown;
     if (status->has(modbus::WarningBit::NotHomed))
         return Place::NotHomed;
-    const bool isMove = kindOf(m_machine) == Kind::PositionMove || kindOf(m_machine) == Kind::SpeedMove;
+    const bool isMove = kindOf(m_controller) == Kind::PositionMove || kindOf(m_controller) == Kind::SpeedMove;
     return isMove ? Place::NotNeeded : Place::Homed;
 }
 
@@ -65,7 +65,7 @@ QString Homing::placeText() const
 
 QString Homing::explanation() const
 {
-    switch (kindOf(m_machine)) {
+    switch (kindOf(m_controller)) {
     case Kind::RotaryCutter:
         return tr("Keep hands away: the knife turns slowly forward to the index mark of its shaft, brakes "
                   "and returns to 0°. Start homes automatically when required.");
@@ -91,9 +91,9 @@ QString Homing::keyText() const
 
 QString Homing::blockedReason() const
 {
-    if (m_machine.state() == Controller::State::Homing && m_machine.fresh())
+    if (m_controller.state() == Controller::State::Homing && m_controller.fresh())
         return tr("Searching for the index mark …");
-    return m_machine.blockedReason(modbus::Command::Home);
+    return m_controller.blockedReason(modbus::Command::Home);
 }
 
 bool Homing::offered() const
@@ -128,18 +128,18 @@ bool Homing::failed() const
 
 void Homing::home()
 {
-    if (m_machine.accessCheck().require(Level::Operator) && possible())
-        m_machine.home();
+    if (m_controller.accessCheck().require(Level::Operator) && possible())
+        m_controller.home();
 }
 
 void Homing::note()
 {
-    const Controller::State state = m_machine.state();
+    const Controller::State state = m_controller.state();
     if (state == Controller::State::Homing) {
         m_result = Result::UnderWay;
         m_wasStopping = false;
     } else if (m_result == Result::UnderWay) {
-        if (!m_machine.isConnected())
+        if (!m_controller.isConnected())
             end(Result::Interrupted);
         else if (state == Controller::State::Stopping)
             m_wasStopping = true;

@@ -39,7 +39,7 @@ public:
     enum class Result { None, UnderWay, Done, Stopped, Failed, Interrupted };
 
     // The machine must outlive the object.
-    Homing(Controller& machine, QObject* parent);
+    Homing(Controller& controller, QObject* parent);
 
     [[nodiscard]] Place place() const;
     [[nodiscard]] QString placeText() const;
@@ -68,7 +68,7 @@ private:
     void noteProgram();
     void end(Result result);
 
-    Controller& m_machine;
+    Controller& m_controller;
     AxisSpeed m_speed;
     Result m_result = Result::None;
     bool m_wasStopping = false;

@@ -38,11 +38,11 @@ IoList::Lamp lampOf(bool isOn)
 
 } // namespace
 
-IoList::IoList(Controller& machine, QObject* parent)
+IoList::IoList(Controller& controller, QObject* parent)
     : QObject(parent)
-    , m_machine(machine)
+    , m_controller(controller)
     , m_timer(this)
-    , m_pins(machine, this)
+    , m_pins(controller, this)
 {
     m_timer.setInterval(lampPeriod);
     connect(&m_timer, &QTimer::timeout, this, &IoList::refresh);
@@ -52,7 +52,7 @@ IoList::IoList(Controller& machine, QObject* parent)
             showRows();
     });
     for (const auto trigger : {&Controller::freshChanged, &Controller::connectionChanged})
-        connect(&machine, trigger, this, [this] {
+        connect(&controller, trigger, this, [this] {
             if (watched())
                 refresh();
         });
@@ -80,7 +80,7 @@ void IoList::refresh()
 void IoList::showRows()
 {
     QList<Row> rows;
-    const auto& status = m_machine.status();
+    const auto& status = m_controller.status();
     if (status) {
         addAxis(rows, *status);
         addLine(rows);
@@ -89,7 +89,7 @@ void IoList::showRows()
         addBits(rows, *status);
     }
     std::ranges::stable_sort(rows, {}, &Row::side);
-    const bool isStale = !m_machine.isConnected() || !m_machine.fresh();
+    const bool isStale = !m_controller.isConnected() || !m_controller.fresh();
     if (std::exchange(m_isStale, isStale) != isStale)
         emit staleChanged();
     m_rows.setRows(rows);
@@ -101,7 +101,7 @@ void IoList::addAxis(QList<Row>& rows, const modbus::StatusBlock& status) const
     const auto pulses = [&format](std::int64_t count) {
         return tr("%1 pulses").arg(format.grouped(static_cast<double>(count), 0));
     };
-    const AxisPosition& position = m_machine.axisPosition();
+    const AxisPosition& position = m_controller.axisPosition();
     const auto hertz = [&format](double frequency) { return tr("%1 Hz").arg(format.grouped(frequency, 0)); };
     rows << Row{Side::Input, tr("Encoder of the axis"), pulses(position.actualPulses().value_or(0)),
                 Lamp::None}
@@ -127,7 +127,7 @@ void IoList::addAxis(QList<Row>& rows, const modbus::StatusBlock& status) const
 // Adds the rows of a packing machine whose controller reports film, marks and products.
 void IoList::addLine(QList<Row>& rows)
 {
-    const PackingLine& line = *m_machine.packing();
+    const PackingLine& line = *m_controller.packing();
     if (!line.known())
         return;
     const Format format;

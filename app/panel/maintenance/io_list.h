@@ -58,7 +58,7 @@ public:
     using Rows = RowModel<IoRow, &IoRow::name>;
 
     // The machine must outlive the object.
-    IoList(Controller& machine, QObject* parent);
+    IoList(Controller& controller, QObject* parent);
 
     [[nodiscard]] bool watched() const { return m_timer.isActive(); }
     void setWatched(bool isWatched);
@@ -81,7 +81,7 @@ private:
     void addPins(QList<Row>& rows, const modbus::IoStatus& pins) const;
     void addBits(QList<Row>& rows, const modbus::StatusBlock& status) const;
 
-    Controller& m_machine;
+    Controller& m_controller;
     QTimer m_timer;
     IoPins m_pins;
     Rows m_rows{this};

@@ -28,22 +28,22 @@ link::JogDirection linkDirection(int direction)
                            : link::JogDirection::Reverse;
 }
 
-bool isPress(const Controller& machine)
+bool isPress(const Controller& controller)
 {
-    return machine.active().kind == static_cast<int>(profile::ProgramKind::Press);
+    return controller.active().kind == static_cast<int>(profile::ProgramKind::Press);
 }
 
-bool isCutter(const Controller& machine)
+bool isCutter(const Controller& controller)
 {
-    return machine.active().kind == static_cast<int>(profile::ProgramKind::RotaryCutter);
+    return controller.active().kind == static_cast<int>(profile::ProgramKind::RotaryCutter);
 }
 
 } // namespace
 
-Jog::Jog(Controller& machine, QObject* parent)
+Jog::Jog(Controller& controller, QObject* parent)
     : QObject(parent)
-    , m_machine(machine)
-    , m_speed(machine, AxisSpeed::Use::Jog, this)
+    , m_controller(controller)
+    , m_speed(controller, AxisSpeed::Use::Jog, this)
     , m_repeatTimer(this)
     , m_patienceTimer(this)
     , m_settleTimer(this)
@@ -51,24 +51,24 @@ Jog::Jog(Controller& machine, QObject* parent)
     m_repeatTimer.setInterval(repeatPeriod);
     m_repeatTimer.setTimerType(Qt::PreciseTimer);
     connect(&m_repeatTimer, &QTimer::timeout, this,
-            [this] { m_machine.link().setJog(linkDirection(m_held)); });
+            [this] { m_controller.link().setJog(linkDirection(m_held)); });
     m_patienceTimer.setSingleShot(true);
     m_patienceTimer.setInterval(patience);
     connect(&m_patienceTimer, &QTimer::timeout, this, [this] {
-        m_isRefused = m_machine.state() != Controller::State::Jogging;
+        m_isRefused = m_controller.state() != Controller::State::Jogging;
         emit changed();
     });
     m_settleTimer.setInterval(settleTime);
     connect(&m_settleTimer, &QTimer::timeout, this, [this] {
-        if (m_machine.state() != Controller::State::Jogging)
+        if (m_controller.state() != Controller::State::Jogging)
             reportEnd();
     });
     for (const auto trigger : {&Controller::stateChanged, &Controller::freshChanged,
                                &Controller::connectionChanged, &Controller::programChanged})
-        connect(&machine, trigger, this, &Jog::check);
-    connect(&machine, &Controller::liveChanged, this, &Jog::positionChanged);
+        connect(&controller, trigger, this, &Jog::check);
+    connect(&controller, &Controller::liveChanged, this, &Jog::positionChanged);
     // Any command ends jogging, above all Stop.
-    connect(&machine, &Controller::commandSending, this, [this] { finish(End::Stopped); });
+    connect(&controller, &Controller::commandSending, this, [this] { finish(End::Stopped); });
 }
 
 bool Jog::possible() const
@@ -83,25 +83,25 @@ bool Jog::blocked() const
 
 double Jog::positionPulses() const
 {
-    const auto pulses = m_machine.axisPosition().actualPulses();
+    const auto pulses = m_controller.axisPosition().actualPulses();
     return pulses ? static_cast<double>(*pulses) : std::numeric_limits<double>::quiet_NaN();
 }
 
 QString Jog::forwardNote() const
 {
-    return isPress(m_machine) ? tr("towards the part") : QString();
+    return isPress(m_controller) ? tr("towards the part") : QString();
 }
 
 QString Jog::reverseNote() const
 {
-    return isPress(m_machine) ? tr("away from the part") : QString();
+    return isPress(m_controller) ? tr("away from the part") : QString();
 }
 
 QString Jog::blockedReason() const
 {
-    if (!m_machine.isConnected() || !m_machine.fresh())
+    if (!m_controller.isConnected() || !m_controller.fresh())
         return tr("There is no connection to the controller.");
-    switch (m_machine.state()) {
+    switch (m_controller.state()) {
     case Controller::State::Idle:
     case Controller::State::Ready:
     case Controller::State::Jogging:
@@ -141,7 +141,7 @@ QString Jog::text() const
     if (!reason.isEmpty())
         return reason;
     if (m_isRefused)
-        return isPress(m_machine) && m_held > 0
+        return isPress(m_controller) && m_held > 0
                    ? tr("No motion: the press does not continue against its force.")
                    : tr("No motion. Release the key and try again.");
     if (m_held > 0)
@@ -150,9 +150,9 @@ QString Jog::text() const
         return tr("Moves in reverse while you hold the key.");
     if (m_pressed != 0)
         return endText();
-    if (isCutter(m_machine))
+    if (isCutter(m_controller))
         return tr("Hold a key to turn the knife. The film stays still, and the next start homes first.");
-    return isPress(m_machine) ? tr("Hold a key to move the ram.") : tr("Hold a key to move the axis.");
+    return isPress(m_controller) ? tr("Hold a key to move the ram.") : tr("Hold a key to move the axis.");
 }
 
 void Jog::press(int direction)
@@ -163,7 +163,7 @@ void Jog::press(int direction)
         finish(End::BothKeys);
         m_end = End::BothKeys;
         emit changed();
-    } else if (m_machine.accessCheck().require(Level::Technician) && possible()) {
+    } else if (m_controller.accessCheck().require(Level::Technician) && possible()) {
         begin(direction);
     } else {
         m_end = End::Blocked;
@@ -191,7 +191,7 @@ void Jog::begin(int direction)
     reportEnd(); // for the previous one
     m_held = direction;
     m_isRefused = false;
-    m_machine.link().setJog(linkDirection(direction));
+    m_controller.link().setJog(linkDirection(direction));
     m_repeatTimer.start();
     m_patienceTimer.start();
     emit begun(direction, positionPulses());
@@ -207,7 +207,7 @@ void Jog::finish(End end)
     m_isRefused = false;
     m_repeatTimer.stop();
     m_patienceTimer.stop();
-    m_machine.link().setJog(link::JogDirection::None);
+    m_controller.link().setJog(link::JogDirection::None);
     m_settleTimer.start();
     emit changed();
 }
@@ -216,9 +216,9 @@ void Jog::check()
 {
     if (!possible())
         finish(End::Blocked);
-    if (m_held != 0 && m_machine.state() == Controller::State::Jogging)
+    if (m_held != 0 && m_controller.state() == Controller::State::Jogging)
         m_isRefused = false;
-    if (m_endedDirection != 0 && !m_machine.isConnected())
+    if (m_endedDirection != 0 && !m_controller.isConnected())
         reportEnd();
     emit changed();
 }
@@ -228,7 +228,7 @@ void Jog::reportEnd()
     m_settleTimer.stop();
     if (m_endedDirection != 0)
         emit ended(std::exchange(m_endedDirection, 0), m_end,
-                   m_machine.isConnected() ? positionPulses() : std::numeric_limits<double>::quiet_NaN());
+                   m_controller.isConnected() ? positionPulses() : std::numeric_limits<double>::quiet_NaN());
 }
 
 } // namespace campanel::panel

@@ -35,7 +35,7 @@ public:
     enum class End { Released, Stopped, Blocked, BothKeys, LeftScreen };
 
     // The machine must outlive the object.
-    Jog(Controller& machine, QObject* parent);
+    Jog(Controller& controller, QObject* parent);
 
     [[nodiscard]] bool possible() const;
     [[nodiscard]] int held() const { return m_held; }
@@ -70,7 +70,7 @@ private:
     void check();
     void reportEnd();
 
-    Controller& m_machine;
+    Controller& m_controller;
     AxisSpeed m_speed;
     QTimer m_repeatTimer;
     QTimer m_patienceTimer; // limits the wait for a controller that does not move

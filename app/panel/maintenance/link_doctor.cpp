@@ -9,21 +9,21 @@ namespace campanel::panel {
 
 using Depth = modbus::ScanPlan::Depth;
 
-LinkDoctor::LinkDoctor(Controller& machine, Settings& settings, QObject* parent)
+LinkDoctor::LinkDoctor(Controller& controller, Settings& settings, QObject* parent)
     : QObject(parent)
-    , m_machine(machine)
+    , m_controller(controller)
     , m_settings(settings)
 {
-    connect(&machine.link(), &link::Link::reported, this, &LinkDoctor::takeLinkReport);
-    connect(&machine.link(), &link::Link::downloadReported, this, &LinkDoctor::takeDownload);
-    connect(&machine.link(), &link::Link::scanReported, this, &LinkDoctor::takeScan);
-    connect(&machine, &Controller::stateChanged, this, &LinkDoctor::changed);
+    connect(&controller.link(), &link::Link::reported, this, &LinkDoctor::takeLinkReport);
+    connect(&controller.link(), &link::Link::downloadReported, this, &LinkDoctor::takeDownload);
+    connect(&controller.link(), &link::Link::scanReported, this, &LinkDoctor::takeScan);
+    connect(&controller, &Controller::stateChanged, this, &LinkDoctor::changed);
     connect(&settings, &Settings::connectionChanged, this, &LinkDoctor::changed);
 }
 
 QString LinkDoctor::blockedReason() const
 {
-    switch (m_machine.state()) {
+    switch (m_controller.state()) {
     case Controller::State::Running:
     case Controller::State::Stopping:
     case Controller::State::Jogging:
@@ -108,21 +108,21 @@ void LinkDoctor::search()
 void LinkDoctor::begin(Depth depth)
 {
     // It interrupts the connection of everybody.
-    if (!m_machine.accessCheck().require(Level::Operator) || !canBegin())
+    if (!m_controller.accessCheck().require(Level::Operator) || !canBegin())
         return;
-    m_machine.link().startScan(depth);
+    m_controller.link().startScan(depth);
     emit begun(depth == Depth::Search);
 }
 
 void LinkDoctor::cancel()
 {
-    if (m_machine.accessCheck().require(Level::Operator) && running())
-        m_machine.link().cancelScan();
+    if (m_controller.accessCheck().require(Level::Operator) && running())
+        m_controller.link().cancelScan();
 }
 
 void LinkDoctor::take()
 {
-    if (m_machine.accessCheck().require(Level::Technician) && canTake())
+    if (m_controller.accessCheck().require(Level::Technician) && canTake())
         m_settings.takeConnection(*m_report->found);
 }
 
@@ -131,7 +131,7 @@ void LinkDoctor::takeLinkReport(const link::LinkReport& report)
     m_isStopWaiting = report.pendingStop.has_value();
     // Stop was pressed and needs the ports now.
     if (m_isStopWaiting && report.isScanning)
-        m_machine.link().cancelScan();
+        m_controller.link().cancelScan();
     emit changed();
 }
 

@@ -38,7 +38,7 @@ class LinkDoctor : public QObject {
 
 public:
     // Both arguments must outlive the object.
-    LinkDoctor(Controller& machine, Settings& settings, QObject* parent);
+    LinkDoctor(Controller& controller, Settings& settings, QObject* parent);
 
     [[nodiscard]] bool running() const { return m_report && m_report->isRunning; }
     [[nodiscard]] QString blockedReason() const;
@@ -72,7 +72,7 @@ private:
     void takeScan(const link::ScanReport& report);
     void showFindings();
 
-    Controller& m_machine;
+    Controller& m_controller;
     Settings& m_settings;
     std::optional<link::ScanReport> m_report; // the last one
     OfferModel m_findings{this};

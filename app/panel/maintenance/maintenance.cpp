@@ -10,22 +10,22 @@
 
 namespace campanel::panel {
 
-Maintenance::Maintenance(Controller& machine, Settings& settings, const QString& folder, QObject* parent)
+Maintenance::Maintenance(Controller& controller, Settings& settings, const QString& folder, QObject* parent)
     : QObject(parent)
     , m_files(QDir(folder).filePath(QStringLiteral("reports")), this)
-    , m_doctor(machine, settings, this)
-    , m_simulatedFaults(machine.link(), machine.accessCheck(), this)
-    , m_figures(machine.link(), machine.accessCheck(), m_files, this)
-    , m_inspector(machine, this)
-    , m_frames(machine.link(), m_files, this)
-    , m_packing(machine, this)
-    , m_jog(machine, this)
-    , m_homing(machine, this)
-    , m_io(machine, this)
-    , m_switches(machine, this)
+    , m_doctor(controller, settings, this)
+    , m_simulatedFaults(controller.link(), controller.accessCheck(), this)
+    , m_figures(controller.link(), controller.accessCheck(), m_files, this)
+    , m_inspector(controller, this)
+    , m_frames(controller.link(), m_files, this)
+    , m_packing(controller, this)
+    , m_jog(controller, this)
+    , m_homing(controller, this)
+    , m_io(controller, this)
+    , m_switches(controller, this)
     , m_dryRun(this)
 {
-    m_files.guardBy(machine.accessCheck());
+    m_files.guardBy(controller.accessCheck());
     connect(LanguageNotifier::ofApplication(), &LanguageNotifier::languageChanged, this,
             &Maintenance::retranslate);
 }

@@ -43,7 +43,7 @@ class Maintenance : public QObject {
 
 public:
     // Machine and settings must outlive the object. Reports are stored in a folder below `folder`.
-    Maintenance(Controller& machine, Settings& settings, const QString& folder, QObject* parent);
+    Maintenance(Controller& controller, Settings& settings, const QString& folder, QObject* parent);
 
     static Maintenance* create(QQmlEngine* qmlEngine, QJSEngine* jsEngine);
 

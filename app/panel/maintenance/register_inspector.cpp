@@ -21,16 +21,16 @@ constexpr auto staleAfter = 1000ms;
 
 } // namespace
 
-RegisterInspector::RegisterInspector(Controller& machine, QObject* parent)
+RegisterInspector::RegisterInspector(Controller& controller, QObject* parent)
     : QObject(parent)
-    , m_machine(machine)
+    , m_controller(controller)
 {
     m_readTimer.setInterval(readPeriod);
     connect(&m_readTimer, &QTimer::timeout, this, &RegisterInspector::readVisible);
     connect(&m_registers, &RegisterModel::modelReset, this, [this] { select(-1); });
     connect(&m_value, &Value::setRequested, this, &RegisterInspector::write);
-    connect(&machine, &Controller::connectionChanged, this, &RegisterInspector::noteConnection);
-    connect(&machine, &Controller::programChanged, this, &RegisterInspector::noteProgram);
+    connect(&controller, &Controller::connectionChanged, this, &RegisterInspector::noteConnection);
+    connect(&controller, &Controller::programChanged, this, &RegisterInspector::noteProgram);
 }
 
 void RegisterInspector::setWatched(bool isWatched)
@@ -90,13 +90,13 @@ void RegisterInspector::setVisibleRows(int first, int last)
 
 void RegisterInspector::readVisible()
 {
-    m_registers.markOlderThan(m_machine.now() - staleAfter);
-    if (!m_isWatched || !m_machine.isConnected() || m_pendingReads > 0)
+    m_registers.markOlderThan(m_controller.now() - staleAfter);
+    if (!m_isWatched || !m_controller.isConnected() || m_pendingReads > 0)
         return;
     const auto spans = m_registers.spans(m_first, m_last);
     m_pendingReads = static_cast<int>(spans.size());
     for (const modbus::RegisterSpan& span : spans) {
-        m_machine.link().readRegisters(
+        m_controller.link().readRegisters(
             {0, span.address, span.count},
             {this, [this](const link::ReadOutcome& outcome) { takeRead(outcome); }});
     }
@@ -124,7 +124,7 @@ void RegisterInspector::noteConnection()
 
 void RegisterInspector::noteProgram()
 {
-    const auto& program = m_machine.program();
+    const auto& program = m_controller.program();
     m_registers.setProgram(program ? program->kind : modbus::ProgramKind::None,
                            program ? program->layout : modbus::TableLayout::None);
 }
@@ -157,10 +157,10 @@ QString RegisterInspector::selectedText() const
     const QString reason = RegisterWords::readOnlyReason(row()->group);
     if (!reason.isEmpty())
         return reason;
-    return m_machine.isConnected() ? tr("Writable: %1 to %2, default %3.")
-                                         .arg(number(m_value.minimum()), number(m_value.maximum()),
-                                              number(m_value.defaultValue()))
-                                   : tr("There is no connection to the controller.");
+    return m_controller.isConnected() ? tr("Writable: %1 to %2, default %3.")
+                                            .arg(number(m_value.minimum()), number(m_value.maximum()),
+                                                 number(m_value.defaultValue()))
+                                      : tr("There is no connection to the controller.");
 }
 
 bool RegisterInspector::writable() const
@@ -170,7 +170,7 @@ bool RegisterInspector::writable() const
 
 bool RegisterInspector::canWrite() const
 {
-    return writable() && m_machine.isConnected() && !m_isWriting;
+    return writable() && m_controller.isConnected() && !m_isWriting;
 }
 
 void RegisterInspector::updateSelected()
@@ -190,11 +190,11 @@ void RegisterInspector::updateSelected()
 
 void RegisterInspector::write(double value)
 {
-    if (!m_machine.accessCheck().require(Level::Service) || !canWrite())
+    if (!m_controller.accessCheck().require(Level::Service) || !canWrite())
         return;
     m_outcome = tr("Writing %1 …").arg(number(value));
     m_isFailed = false;
-    m_isWriting = m_machine.writeParameter(
+    m_isWriting = m_controller.writeParameter(
         *row()->info, value, {this, [this](const link::ParameterOutcome& outcome) { takeWritten(outcome); }});
     updateSelected();
 }

@@ -40,7 +40,7 @@ class RegisterInspector : public QObject {
 
 public:
     // The machine must outlive the object.
-    RegisterInspector(Controller& machine, QObject* parent);
+    RegisterInspector(Controller& controller, QObject* parent);
 
     [[nodiscard]] RegisterModel* registers() { return &m_registers; }
     [[nodiscard]] bool watched() const { return m_isWatched; }
@@ -81,7 +81,7 @@ private:
     [[nodiscard]] const RegisterRow* row() const { return m_registers.rowAt(m_selected); }
     [[nodiscard]] QString number(double value) const; // format of the selected register, with unit
 
-    Controller& m_machine;
+    Controller& m_controller;
     RegisterModel m_registers{this};
     QTimer m_readTimer;
     int m_pendingReads = 0;

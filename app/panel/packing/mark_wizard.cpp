@@ -34,13 +34,13 @@ QString millimeters(double value, int decimals)
 
 } // namespace
 
-MarkWizard::MarkWizard(Controller& machine, PackingFields& fields, QObject* parent)
+MarkWizard::MarkWizard(Controller& controller, PackingFields& fields, QObject* parent)
     : QObject(parent)
-    , m_machine(machine)
+    , m_controller(controller)
     , m_fields(fields)
 {
-    connect(machine.packing(), &PackingLine::changed, this, &MarkWizard::followBags);
-    connect(machine.packing(), &PackingLine::bagRecorded, this, [this](const modbus::BagRecord& bag) {
+    connect(controller.packing(), &PackingLine::changed, this, &MarkWizard::followBags);
+    connect(controller.packing(), &PackingLine::bagRecorded, this, [this](const modbus::BagRecord& bag) {
         if (m_step != Step::Watch || !m_firstBag || !bag.isTracked ||
             bag.number <= *m_firstBag + static_cast<std::uint32_t>(bagsUnderWay()))
             return;
@@ -48,9 +48,9 @@ MarkWizard::MarkWizard(Controller& machine, PackingFields& fields, QObject* pare
         if (m_errorsMm.size() > watchedBags)
             m_errorsMm.removeFirst();
     });
-    connect(&machine, &Controller::stateChanged, this, &MarkWizard::changed);
-    connect(&machine, &Controller::connectionChanged, this, [this] {
-        if (!m_machine.isConnected())
+    connect(&controller, &Controller::stateChanged, this, &MarkWizard::changed);
+    connect(&controller, &Controller::connectionChanged, this, [this] {
+        if (!m_controller.isConnected())
             m_isRulerAsked = false;
         emit changed();
     });
@@ -59,14 +59,14 @@ MarkWizard::MarkWizard(Controller& machine, PackingFields& fields, QObject* pare
     connect(&m_measurement, &Value::setRequested, this, &MarkWizard::addMeasurement);
     connect(this, &MarkWizard::changed, this, &MarkWizard::updateMeasurement);
     updateMeasurement();
-    connect(&machine.link(), &link::Link::rulerRead, this, &MarkWizard::takeRuler);
+    connect(&controller.link(), &link::Link::rulerRead, this, &MarkWizard::takeRuler);
 }
 
 void MarkWizard::setStep(Step step)
 {
     m_step = step;
-    m_steppedAt = m_machine.now();
-    const auto& status = m_machine.packing()->status();
+    m_steppedAt = m_controller.now();
+    const auto& status = m_controller.packing()->status();
     // Earlier readings are of bags cut with the old distance.
     m_firstBag.reset();
     if (status && step != Step::Watch)
@@ -91,16 +91,16 @@ QString MarkWizard::blockedReason() const
     const bool needsRun = m_step == Step::Explain || m_step == Step::Cutting || m_step == Step::Watch;
     if (m_step == Step::Done || m_step == Step::Failed || m_step == Step::Writing)
         return {};
-    if (!m_machine.isConnected() || !m_machine.fresh())
+    if (!m_controller.isConnected() || !m_controller.fresh())
         return tr("There is no connection to the controller.");
-    if (!m_machine.packing()->known())
+    if (!m_controller.packing()->known())
         return tr(
             "The controller has no program for a packing machine. Download a recipe of a rotary cutter.");
-    if (needsRun && m_machine.state() != Controller::State::Running)
+    if (needsRun && m_controller.state() != Controller::State::Running)
         return tr("Start the machine: this step continues while the machine runs.");
-    if (needsRun && m_machine.packing()->markState() == PackingLine::MarkState::Off)
+    if (needsRun && m_controller.packing()->markState() == PackingLine::MarkState::Off)
         return tr("Mark tracking is off. Switch mark tracking on first.");
-    if (needsRun && m_machine.packing()->markState() != PackingLine::MarkState::Tracking)
+    if (needsRun && m_controller.packing()->markState() != PackingLine::MarkState::Tracking)
         return tr("Waiting for the cuts to reach the marks …");
     if (!std::isfinite(m_fields.value(distanceName)) || !std::isfinite(m_fields.value(offsetName)))
         return tr("Waiting for the controller …");
@@ -119,7 +119,7 @@ bool MarkWizard::canGoOn() const
 
 void MarkWizard::goOn()
 {
-    if (!m_machine.accessCheck().require(Level::Technician) || !canGoOn())
+    if (!m_controller.accessCheck().require(Level::Technician) || !canGoOn())
         return;
     switch (m_step) {
     case Step::Explain:
@@ -142,7 +142,7 @@ void MarkWizard::goOn()
 
 int MarkWizard::bagsSinceStep() const
 {
-    const auto& status = m_machine.packing()->status();
+    const auto& status = m_controller.packing()->status();
     return status && m_firstBag && status->bagNumber >= *m_firstBag
                ? static_cast<int>(status->bagNumber - *m_firstBag)
                : 0;
@@ -151,7 +151,7 @@ int MarkWizard::bagsSinceStep() const
 // Returns the bags whose marks had passed the sensor before the new distance, and one for each end.
 int MarkWizard::bagsUnderWay() const
 {
-    const double bagMm = m_machine.active().bagLengthMm;
+    const double bagMm = m_controller.active().bagLengthMm;
     const double distanceMm = std::isfinite(m_newMm) ? m_newMm : 0.0;
     return bagMm > 0 ? static_cast<int>(std::ceil(distanceMm / bagMm)) + 2 : 0;
 }
@@ -167,7 +167,7 @@ int MarkWizard::bagsToWatch() const
 
 void MarkWizard::followBags()
 {
-    const auto& status = m_machine.packing()->status();
+    const auto& status = m_controller.packing()->status();
     if (status && m_firstBag && status->bagNumber < *m_firstBag)
         m_firstBag = status->bagNumber; // the controller restarted its count
     // Untracked bags do not count.
@@ -175,7 +175,7 @@ void MarkWizard::followBags()
         m_firstBag = status->bagNumber;
     if (m_step == Step::Cutting && bagsSinceStep() >= bagsToCut)
         setStep(Step::Measure);
-    if (m_step == Step::Watch && status && !m_firstBag && m_machine.packing()->receivedAt() >= m_steppedAt)
+    if (m_step == Step::Watch && status && !m_firstBag && m_controller.packing()->receivedAt() >= m_steppedAt)
         m_firstBag = status->bagNumber;
     if (m_step == Step::Watch && m_errorsMm.size() == watchedBags)
         judgeBags();
@@ -199,7 +199,7 @@ void MarkWizard::judgeBags()
 // Allows a bag length to either side.
 void MarkWizard::updateMeasurement()
 {
-    const double bagMm = m_machine.active().bagLengthMm;
+    const double bagMm = m_controller.active().bagLengthMm;
     const double maxMm = std::isfinite(bagMm) ? bagMm : 0.0;
     m_measurement.show({tr("Cut offset behind its mark"), QStringLiteral("mm"), Format::unknownText(), -maxMm,
                         maxMm, 0.0, 2});
@@ -227,8 +227,8 @@ void MarkWizard::dropMeasurement()
 
 bool MarkWizard::canReadRuler() const
 {
-    return m_step == Step::Measure && m_machine.simulated() && m_machine.isConnected() && !m_isRulerAsked &&
-           m_measuredMm.size() < maxMeasured;
+    return m_step == Step::Measure && m_controller.simulated() && m_controller.isConnected() &&
+           !m_isRulerAsked && m_measuredMm.size() < maxMeasured;
 }
 
 void MarkWizard::measureSimulatedBag()
@@ -236,7 +236,7 @@ void MarkWizard::measureSimulatedBag()
     if (!canReadRuler())
         return;
     m_isRulerAsked = true;
-    m_machine.link().measureSimulatedBag();
+    m_controller.link().measureSimulatedBag();
     emit changed();
 }
 
@@ -262,7 +262,7 @@ double MarkWizard::meanMm() const
 
 double MarkWizard::newDistanceMm() const
 {
-    const double bagMm = m_machine.active().bagLengthMm;
+    const double bagMm = m_controller.active().bagLengthMm;
     const modbus::RegisterInfo* info = modbus::findRegister(distanceName);
     if (!(bagMm > 0) || !info)
         return unknown;

@@ -48,7 +48,7 @@ public:
     static constexpr int maxMeasured = 5;
 
     // Machine and fields must outlive the object.
-    MarkWizard(Controller& machine, PackingFields& fields, QObject* parent);
+    MarkWizard(Controller& controller, PackingFields& fields, QObject* parent);
 
     // Restarts the wizard; closing it does the same.
     Q_INVOKABLE void restart();
@@ -92,7 +92,7 @@ private:
     [[nodiscard]] QString rulerText() const;
     [[nodiscard]] QString watchedText() const;
 
-    Controller& m_machine;
+    Controller& m_controller;
     PackingFields& m_fields;
     Value m_measurement;
     Step m_step = Step::Explain;

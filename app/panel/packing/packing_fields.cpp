@@ -69,12 +69,12 @@ constexpr std::array listed{
 
 } // namespace
 
-PackingFields::PackingFields(Controller& machine, QObject* parent)
-    : ParameterFields(machine, parent)
+PackingFields::PackingFields(Controller& controller, QObject* parent)
+    : ParameterFields(controller, parent)
 {
     std::vector<Field> fields;
     for (const Listed& field : listed)
-        fields.push_back({&machine.parameter(field.name), field.words, field.isSwitch});
+        fields.push_back({&controller.parameter(field.name), field.words, field.isSwitch});
     setFields(std::move(fields));
 }
 

@@ -14,7 +14,7 @@ class PackingFields final : public campanel::panel::ParameterFields {
 
 public:
     // The machine must outlive the object.
-    PackingFields(Controller& machine, QObject* parent);
+    PackingFields(Controller& controller, QObject* parent);
 
     // Returns the label of a parameter; empty for one that is not in this list. `name` as in the register
     // table.

@@ -18,32 +18,32 @@ constexpr double percent = 100.0;
 
 } // namespace
 
-PackingSetup::PackingSetup(Controller& machine, QObject* parent)
+PackingSetup::PackingSetup(Controller& controller, QObject* parent)
     : QObject(parent)
-    , m_machine(machine)
-    , m_fields(machine, this)
-    , m_wizard(machine, m_fields, this)
+    , m_controller(controller)
+    , m_fields(controller, this)
+    , m_wizard(controller, m_fields, this)
 {
-    connect(machine.packing(), &PackingLine::changed, this, &PackingSetup::followMarks);
-    connect(&machine, &Controller::stateChanged, this, &PackingSetup::changed);
-    connect(&machine, &Controller::connectionChanged, this, [this] {
-        if (!m_machine.isConnected())
+    connect(controller.packing(), &PackingLine::changed, this, &PackingSetup::followMarks);
+    connect(&controller, &Controller::stateChanged, this, &PackingSetup::changed);
+    connect(&controller, &Controller::connectionChanged, this, [this] {
+        if (!m_controller.isConnected())
             m_teaching = Teaching::No;
         emit changed();
     });
     // Another film needs another estimate.
-    connect(&machine, &Controller::programChanged, this, [this] {
+    connect(&controller, &Controller::programChanged, this, [this] {
         m_estimate.clear();
         m_fields.suggest(std::nullopt, 0);
         emit changed();
     });
     connect(&m_fields, &PackingFields::changed, this, &PackingSetup::changed);
-    connect(&machine.link(), &link::Link::commandEnded, this, &PackingSetup::takeCommand);
+    connect(&controller.link(), &link::Link::commandEnded, this, &PackingSetup::takeCommand);
 }
 
 bool PackingSetup::available() const
 {
-    return m_machine.packing()->known() && m_machine.packing()->fresh();
+    return m_controller.packing()->known() && m_controller.packing()->fresh();
 }
 
 void PackingSetup::open()
@@ -53,16 +53,16 @@ void PackingSetup::open()
 
 bool PackingSetup::canTeach() const
 {
-    return available() && m_machine.state() == Controller::State::Running && !teaching();
+    return available() && m_controller.state() == Controller::State::Running && !teaching();
 }
 
 void PackingSetup::teach()
 {
-    if (!m_machine.accessCheck().require(Level::Technician) || !canTeach())
+    if (!m_controller.accessCheck().require(Level::Technician) || !canTeach())
         return;
     m_refusal.clear();
     m_teaching = Teaching::Asked;
-    m_machine.packing()->teach(marksToTeach);
+    m_controller.packing()->teach(marksToTeach);
     emit changed();
 }
 
@@ -81,17 +81,17 @@ void PackingSetup::followTeaching()
 {
     if (m_teaching == Teaching::Accepted)
         m_teaching = Teaching::UnderWay;
-    else if (m_teaching == Teaching::UnderWay && m_machine.packing()->teachMarks() >= marksToTeach)
+    else if (m_teaching == Teaching::UnderWay && m_controller.packing()->teachMarks() >= marksToTeach)
         m_teaching = Teaching::No;
 }
 
 void PackingSetup::followMarks()
 {
     followTeaching();
-    const auto& status = m_machine.packing()->status();
+    const auto& status = m_controller.packing()->status();
     const double gain = m_fields.value(phaseGainName);
     if (status && std::isfinite(gain) &&
-        m_machine.packing()->markState() == PackingLine::MarkState::Tracking) {
+        m_controller.packing()->markState() == PackingLine::MarkState::Tracking) {
         const int before = m_estimate.bags();
         m_estimate.take({status->marks, status->marksMissing, status->lastMarkMm, status->markPitchMm}, gain);
         if (m_estimate.bags() != before)
@@ -104,33 +104,33 @@ double PackingSetup::teachProgress() const
 {
     if (!available() || m_teaching == Teaching::Asked || m_teaching == Teaching::Accepted)
         return 0.0;
-    return std::min(1.0, static_cast<double>(m_machine.packing()->teachMarks()) / marksToTeach);
+    return std::min(1.0, static_cast<double>(m_controller.packing()->teachMarks()) / marksToTeach);
 }
 
 bool PackingSetup::misfit() const
 {
-    const double bagMm = m_machine.active().bagLengthMm;
+    const double bagMm = m_controller.active().bagLengthMm;
     const double limit = m_fields.value(lengthLimitName);
-    const double pitchMm = m_machine.packing()->teachPitchMm();
+    const double pitchMm = m_controller.packing()->teachPitchMm();
     return !teaching() && std::isfinite(limit) && std::abs(pitchMm - bagMm) > bagMm * limit / percent;
 }
 
 QString PackingSetup::teachText() const
 {
-    const PackingLine& packing = *m_machine.packing();
+    const PackingLine& packing = *m_controller.packing();
     if (!available())
         return tr(
             "No packing machine data. Connect the controller and download a recipe of a rotary cutter.");
     if (!m_refusal.isEmpty())
         return m_refusal;
-    if (teaching() && m_machine.state() != Controller::State::Running)
+    if (teaching() && m_controller.state() != Controller::State::Running)
         return tr("Waiting: marks are measured while the film runs.");
     if (teaching())
         return tr("%1 of %2 marks measured …")
             .arg(std::lround(teachProgress() * marksToTeach))
             .arg(marksToTeach);
     if (!std::isfinite(packing.teachPitchMm()))
-        return m_machine.state() == Controller::State::Running
+        return m_controller.state() == Controller::State::Running
                    ? tr("Measures the distances of the next %1 marks while the machine runs.")
                          .arg(marksToTeach)
                    : tr("Start the machine: marks are measured while the film runs, with mark tracking on or "
@@ -138,7 +138,7 @@ QString PackingSetup::teachText() const
     const Format format;
     const QString pitch = format.number(packing.teachPitchMm(), 2);
     const QString scatter = format.number(packing.teachScatterMm(), 2);
-    const QString bag = format.compact(m_machine.active().bagLengthMm, 0, 2);
+    const QString bag = format.compact(m_controller.active().bagLengthMm, 0, 2);
     if (misfit())
         return tr("The mark distance is %1 mm (± %2 mm), the recipe cuts %3 mm. The difference exceeds the "
                   "length limit: this film does not match this recipe.")

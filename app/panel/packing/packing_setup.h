@@ -32,7 +32,7 @@ public:
     static constexpr int marksToTeach = 10;
 
     // The machine must outlive the object.
-    PackingSetup(Controller& machine, QObject* parent);
+    PackingSetup(Controller& controller, QObject* parent);
 
     [[nodiscard]] PackingFields* fields() { return &m_fields; }
     [[nodiscard]] MarkWizard* wizard() { return &m_wizard; }
@@ -58,7 +58,7 @@ private:
     void followTeaching();
     void takeCommand(const link::CommandOutcome& outcome);
 
-    Controller& m_machine;
+    Controller& m_controller;
     PackingFields m_fields;
     MarkWizard m_wizard;
     GainEstimate m_estimate;

@@ -65,7 +65,7 @@ MetricValue secondsOf(link::SteadyTime::duration time)
 
 PlantValues::PlantValues(const PlantSources& sources, QObject* parent)
     : QObject(parent)
-    , m_machine(sources.machine)
+    , m_controller(sources.controller)
     , m_alarms(sources.alarms)
     , m_stops(sources.stops)
 {
@@ -73,9 +73,9 @@ PlantValues::PlantValues(const PlantSources& sources, QObject* parent)
          {&Controller::connectionChanged, &Controller::qualityChanged, &Controller::freshChanged,
           &Controller::stateChanged, &Controller::liveChanged, &Controller::bagChanged,
           &Controller::programChanged, &Controller::savedChanged})
-        connect(&m_machine, signal, this, &PlantValues::changed);
-    connect(m_machine.packing(), &PackingLine::changed, this, &PlantValues::changed);
-    connect(m_machine.packing(), &PackingLine::bagRecorded, this, &PlantValues::noteBag);
+        connect(&m_controller, signal, this, &PlantValues::changed);
+    connect(m_controller.packing(), &PackingLine::changed, this, &PlantValues::changed);
+    connect(m_controller.packing(), &PackingLine::bagRecorded, this, &PlantValues::noteBag);
     connect(&m_alarms, &Alarms::changed, this, &PlantValues::changed);
     connect(&m_stops, &Stops::presentChanged, this, &PlantValues::changed);
     connect(this, &PlantValues::changed, this, &PlantValues::countTime);
@@ -98,11 +98,11 @@ MetricValue PlantValues::valueOf(Metric metric) const
     case Metric::Alarm:
         return m_alarms.urgentCode();
     case Metric::LinkQuality:
-        return std::int64_t(m_machine.linkQuality());
+        return std::int64_t(m_controller.linkQuality());
     default:
         break;
     }
-    if (!m_situation || !m_machine.fresh())
+    if (!m_situation || !m_controller.fresh())
         return {};
     switch (metric) {
     case Metric::UnitModeCurrent:
@@ -116,13 +116,13 @@ MetricValue PlantValues::valueOf(Metric metric) const
     case Metric::StopReason:
         return m_stops.reason();
     case Metric::CurMachSpeed:
-        return real(m_machine.live().rateBagsPerMin);
+        return real(m_controller.live().rateBagsPerMin);
     case Metric::ProdProcessedCount:
-        return whole(m_machine.bags().count);
+        return whole(m_controller.bags().count);
     case Metric::BagDeviationMean:
-        return real(m_machine.bags().meanDeviationMm);
+        return real(m_controller.bags().meanDeviationMm);
     case Metric::BagDeviationScatter:
-        return real(m_machine.bags().scatterMm);
+        return real(m_controller.bags().scatterMm);
     case Metric::ProdDefectiveCount:
     case Metric::FilmSaved:
         return valueOfPacking(metric);
@@ -133,13 +133,13 @@ MetricValue PlantValues::valueOf(Metric metric) const
 
 MetricValue PlantValues::valueOfProgram(Metric metric) const
 {
-    const auto& status = m_machine.status();
+    const auto& status = m_controller.status();
     if (metric == Metric::RecipeGeneration)
         return std::int64_t(status->generation);
     if (metric == Metric::RecipeCrc)
         return status->activeCrc ? MetricValue(std::int64_t(*status->activeCrc)) : MetricValue();
     // After a download the name is read a moment later than the status; the old one is not sent as new.
-    const auto& program = m_machine.program();
+    const auto& program = m_controller.program();
     if (!program || program->generation != status->generation || program->crc != status->activeCrc)
         return {};
     switch (metric) {
@@ -156,7 +156,7 @@ MetricValue PlantValues::valueOfProgram(Metric metric) const
 
 MetricValue PlantValues::valueOfPacking(Metric metric) const
 {
-    const PackingLine& packing = *m_machine.packing();
+    const PackingLine& packing = *m_controller.packing();
     if (metric == Metric::ProdDefectiveCount)
         return m_defective ? MetricValue(*m_defective) : MetricValue();
     return packing.fresh() ? real(packing.filmSavedM()) : MetricValue();
@@ -166,25 +166,25 @@ std::int64_t PlantValues::ageMs(Metric metric) const
 {
     if (metric == Metric::Alarm || metric == Metric::LinkQuality)
         return 0;
-    if (metric == Metric::FilmSaved && m_machine.packing()->fresh())
-        return millisecondsOf(m_machine.now() - m_machine.packing()->receivedAt());
-    const double age = m_machine.fresh() ? m_machine.ageMs() : 0;
+    if (metric == Metric::FilmSaved && m_controller.packing()->fresh())
+        return millisecondsOf(m_controller.now() - m_controller.packing()->receivedAt());
+    const double age = m_controller.fresh() ? m_controller.ageMs() : 0;
     return std::isfinite(age) && age > 0 ? std::llround(age) : 0;
 }
 
 std::optional<PlantValues::Situation> PlantValues::situation() const
 {
-    if (!m_machine.fresh() || m_machine.state() == Controller::State::Unknown)
+    if (!m_controller.fresh() || m_controller.state() == Controller::State::Unknown)
         return {};
-    const PackingLine& packing = *m_machine.packing();
+    const PackingLine& packing = *m_controller.packing();
     const bool isWaiting = packing.fresh() && packing.status()->filmGate != modbus::GateState::Running;
-    const int mode = m_machine.state() == Controller::State::Jogging ? manualMode : productionMode;
-    return Situation{mode, packmlState(m_machine.state(), isWaiting)};
+    const int mode = m_controller.state() == Controller::State::Jogging ? manualMode : productionMode;
+    return Situation{mode, packmlState(m_controller.state(), isWaiting)};
 }
 
 void PlantValues::countTime()
 {
-    const link::SteadyTime now = m_machine.now();
+    const link::SteadyTime now = m_controller.now();
     if (m_situation)
         m_totals[*m_situation] += now - m_countedAt;
     const auto present = situation();
@@ -199,7 +199,7 @@ void PlantValues::countTime()
 
 void PlantValues::noteBag(const modbus::BagRecord& bag)
 {
-    const bool isOutside = std::abs(bag.deviationMm) > m_machine.bags().toleranceMm;
+    const bool isOutside = std::abs(bag.deviationMm) > m_controller.bags().toleranceMm;
     m_defective = m_defective.value_or(0) + (bag.isScrap() || isOutside ? 1 : 0);
     emit changed();
 }

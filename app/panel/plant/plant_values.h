@@ -23,7 +23,7 @@ class Stops;
 
 // The objects that have the values; they must outlive what uses them.
 struct PlantSources {
-    Controller& machine;
+    Controller& controller;
     Alarms& alarms;
     Stops& stops;
 };
@@ -56,7 +56,7 @@ private:
     void countTime();
     void noteBag(const modbus::BagRecord& bag);
 
-    Controller& m_machine;
+    Controller& m_controller;
     Alarms& m_alarms;
     Stops& m_stops;
     std::optional<Situation> m_situation; // the one that is counted

@@ -53,7 +53,7 @@ Backup::Backup(const Parts& parts, const QString& folder, QObject* parent)
     , m_scanner(&store::exchangePlaces)
     , m_wallClock([] { return QDateTime::currentDateTime(); })
 {
-    m_places.guardBy(parts.machine.accessCheck());
+    m_places.guardBy(parts.controller.accessCheck());
     connect(&m_places, &ReportFiles::written, this, [this](const QStringList& paths, const QString& problem) {
         store::AuditEntry entry;
         entry.what = u"backup.make"_s;
@@ -82,7 +82,7 @@ void Backup::setScanner(Scanner scanner)
 
 bool Backup::require()
 {
-    return m_parts.machine.accessCheck().require(Level::Service) && !busy();
+    return m_parts.controller.accessCheck().require(Level::Service) && !busy();
 }
 
 void Backup::snapshot(const std::function<void(const Snapshot&)>& then)
@@ -230,7 +230,7 @@ void Backup::check(int row)
         return;
     m_checked.reset();
     showMessage({}, false);
-    if (m_parts.machine.isMoving())
+    if (m_parts.controller.isMoving())
         return showMessage(tr("The machine is moving. Stop it before restoring; the panel will restart."),
                            true);
     const QString path = m_files[row].path;
@@ -261,7 +261,7 @@ void Backup::restore()
 {
     if (!require() || !m_checked)
         return;
-    if (m_parts.machine.isMoving())
+    if (m_parts.controller.isMoving())
         return showMessage(tr("The machine is moving. Stop it before restoring; the panel will restart."),
                            true);
     // The old trail gets an entry too, so that it documents its end.

@@ -46,7 +46,7 @@ public:
 
     // The contents of a backup and the access checks; all must outlive the object.
     struct Parts {
-        Controller& machine;
+        Controller& controller;
         Editor& editor;
         DatabaseService& records;
         Trends& trends;

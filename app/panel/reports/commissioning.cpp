@@ -32,10 +32,10 @@ void addFields(Rows& rows, const QVariantList& fields)
 
 } // namespace
 
-Commissioning::Commissioning(Controller& machine, Editor& editor, Access& access, ReportFiles& files,
+Commissioning::Commissioning(Controller& controller, Editor& editor, Access& access, ReportFiles& files,
                              QObject* parent)
     : QObject(parent)
-    , m_machine(machine)
+    , m_controller(controller)
     , m_editor(editor)
     , m_access(access)
     , m_files(files)
@@ -106,13 +106,13 @@ ReportSection Commissioning::tableSection() const
 ReportSection Commissioning::controllerSection() const
 {
     ReportSection section{tr("Controller"), {}, {}};
-    const auto& identity = m_machine.identity();
+    const auto& identity = m_controller.identity();
     if (identity) {
         section.rows.append({tr("Serial number"), QString::number(identity->uniqueId, 16).toUpper()});
         section.rows.append({tr("Firmware"), QString::fromStdString(identity->firmwareVersion())});
         section.rows.append({tr("Register map"), u"%1.%2"_s.arg(identity->mapMajor).arg(identity->mapMinor)});
-        section.rows.append(
-            {tr("Connected by"), m_machine.simulated() ? tr("simulated controller") : m_machine.portName()});
+        section.rows.append({tr("Connected by"), m_controller.simulated() ? tr("simulated controller")
+                                                                          : m_controller.portName()});
     }
     const ProgramProof& proof = *m_editor.programDownload()->proof();
     section.rows.append({tr("Active program"), proof.activeText()});
@@ -132,17 +132,17 @@ ReportSection Commissioning::bagSection() const
         if (!std::isnan(value))
             section.rows.append({name, format.number(value, decimals) + u' ' + unit});
     };
-    const auto bags = m_machine.bags().series.size();
+    const auto bags = m_controller.bags().series.size();
     if (bags == 0) {
         section.lines << tr("No bag has been measured yet.");
         return section;
     }
     section.rows.append({tr("Measured"), QString::number(bags)});
-    add(tr("Mean length"), m_machine.bags().meanMm, 2, u"mm"_s);
-    add(tr("Mean deviation"), m_machine.bags().meanDeviationMm, 3, u"mm"_s);
-    add(tr("Standard deviation"), m_machine.bags().scatterMm, 3, u"mm"_s);
-    section.rows.append({tr("Within ±%1 mm").arg(format.compact(m_machine.bags().toleranceMm, 0, 2)),
-                         tr("%1 of %2").arg(m_machine.bags().within).arg(bags)});
+    add(tr("Mean length"), m_controller.bags().meanMm, 2, u"mm"_s);
+    add(tr("Mean deviation"), m_controller.bags().meanDeviationMm, 3, u"mm"_s);
+    add(tr("Standard deviation"), m_controller.bags().scatterMm, 3, u"mm"_s);
+    section.rows.append({tr("Within ±%1 mm").arg(format.compact(m_controller.bags().toleranceMm, 0, 2)),
+                         tr("%1 of %2").arg(m_controller.bags().within).arg(bags)});
     return section;
 }
 

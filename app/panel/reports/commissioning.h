@@ -70,7 +70,8 @@ public:
     using WallClock = std::function<QDateTime()>;
 
     // All arguments must outlive the object.
-    Commissioning(Controller& machine, Editor& editor, Access& access, ReportFiles& files, QObject* parent);
+    Commissioning(Controller& controller, Editor& editor, Access& access, ReportFiles& files,
+                  QObject* parent);
 
     static Commissioning* create(QQmlEngine* qmlEngine, QJSEngine* jsEngine);
 
@@ -91,7 +92,7 @@ private:
     [[nodiscard]] ReportSection controllerSection() const;
     [[nodiscard]] ReportSection bagSection() const;
 
-    Controller& m_machine;
+    Controller& m_controller;
     Editor& m_editor;
     Access& m_access;
     ReportFiles& m_files;

@@ -92,12 +92,13 @@ ServiceBundle::ServiceBundle(const Parts& parts, QObject* parent)
     , m_parts(parts)
     , m_wallClock([] { return QDateTime::currentDateTime(); })
 {
-    connect(&parts.machine.link(), &link::Link::statusReceived, this, [this](const link::StatusBatch& batch) {
-        for (const link::StatusSample& sample : batch.samples) {
-            if (m_trace.add(sample))
-                recordFault();
-        }
-    });
+    connect(&parts.controller.link(), &link::Link::statusReceived, this,
+            [this](const link::StatusBatch& batch) {
+                for (const link::StatusSample& sample : batch.samples) {
+                    if (m_trace.add(sample))
+                        recordFault();
+                }
+            });
 }
 
 ServiceBundle* ServiceBundle::create(QQmlEngine* qmlEngine, QJSEngine*)
@@ -134,21 +135,21 @@ void ServiceBundle::readParameters(const link::FiguresReport& figures)
 {
     m_parameters.emplace(u"parameter,value", store::CsvDialect());
     const std::vector<modbus::RegisterSpan> spans =
-        m_parts.machine.isConnected() ? parameterSpans() : std::vector<modbus::RegisterSpan>();
+        m_parts.controller.isConnected() ? parameterSpans() : std::vector<modbus::RegisterSpan>();
     m_pendingReads = static_cast<int>(spans.size());
     if (spans.empty())
         gather(figures);
     for (const modbus::RegisterSpan& span : spans) {
-        m_parts.machine.link().readRegisters({0, span.address, span.count},
-                                             {this, [this, figures](const link::ReadOutcome& outcome) {
-                                                  for (const modbus::NamedValue& value : modbus::namedValues(
-                                                           outcome.request.address, outcome.registers))
-                                                      m_parameters->text(QString::fromStdString(value.name()))
-                                                          .value(QString::fromStdString(value.text()))
-                                                          .endLine();
-                                                  if (--m_pendingReads == 0)
-                                                      gather(figures);
-                                              }});
+        m_parts.controller.link().readRegisters(
+            {0, span.address, span.count}, {this, [this, figures](const link::ReadOutcome& outcome) {
+                                                for (const modbus::NamedValue& value : modbus::namedValues(
+                                                         outcome.request.address, outcome.registers))
+                                                    m_parameters->text(QString::fromStdString(value.name()))
+                                                        .value(QString::fromStdString(value.text()))
+                                                        .endLine();
+                                                if (--m_pendingReads == 0)
+                                                    gather(figures);
+                                            }});
     }
 }
 
@@ -165,13 +166,13 @@ QByteArray ServiceBundle::about() const
 
 QByteArray ServiceBundle::controller() const
 {
-    const Controller& machine = m_parts.machine;
-    QJsonObject object{{u"connection"_s, machine.connectionText()},
-                       {u"port"_s, machine.portName()},
-                       {u"simulated"_s, machine.simulated()},
-                       {u"state"_s, machine.stateText()},
-                       {u"alarm"_s, machine.alarmText()}};
-    if (const auto& identity = machine.identity()) {
+    const Controller& controller = m_parts.controller;
+    QJsonObject object{{u"connection"_s, controller.connectionText()},
+                       {u"port"_s, controller.portName()},
+                       {u"simulated"_s, controller.simulated()},
+                       {u"state"_s, controller.stateText()},
+                       {u"alarm"_s, controller.alarmText()}};
+    if (const auto& identity = controller.identity()) {
         object[u"serial_number"_s] = Format::hexDigits(identity->uniqueId, 16);
         object[u"firmware"_s] = QString::fromStdString(identity->firmwareVersion());
         object[u"register_map"_s] = u"%1.%2"_s.arg(identity->mapMajor).arg(identity->mapMinor);
@@ -179,7 +180,7 @@ QByteArray ServiceBundle::controller() const
         object[u"timer_clock_hz"_s] = static_cast<qint64>(identity->timerClockHz);
         object[u"max_pulse_frequency_hz"_s] = static_cast<qint64>(identity->maxPulseFrequencyHz);
     }
-    if (const auto& status = machine.status()) {
+    if (const auto& status = controller.status()) {
         object[u"generation"_s] = static_cast<qint64>(status->generation);
         object[u"active_crc32"_s] = checksum(status->activeCrc);
         object[u"saved_crc32"_s] = checksum(status->savedCrc);
@@ -194,7 +195,7 @@ QByteArray ServiceBundle::controller() const
 
 void ServiceBundle::gather(const link::FiguresReport& figures)
 {
-    const link::SteadyTime moment = m_parts.machine.now();
+    const link::SteadyTime moment = m_parts.controller.now();
     const QDateTime timeOfDay = m_wallClock();
     Entries entries{{u"README.txt"_s, readMe(), {}},
                     {u"about.json"_s, about(), {}},

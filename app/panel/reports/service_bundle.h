@@ -42,7 +42,7 @@ public:
     using Screen = std::function<QByteArray()>;
 
     struct Parts {
-        Controller& machine;
+        Controller& controller;
         Editor& editor;
         DatabaseService& records;
         LineFigures& figures;

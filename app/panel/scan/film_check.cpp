@@ -28,24 +28,24 @@ QString identityOf(const ControllerProgram& program)
 
 } // namespace
 
-FilmCheck::FilmCheck(Controller& machine, Recipes& recipes, const QString& folder, QObject* parent)
+FilmCheck::FilmCheck(Controller& controller, Recipes& recipes, const QString& folder, QObject* parent)
     : QObject(parent)
-    , m_machine(machine)
+    , m_controller(controller)
     , m_recipes(recipes)
     , m_path(QDir(folder).filePath(u"film_reel.json"_s))
 {
     load();
-    connect(&machine, &Controller::programChanged, this, &FilmCheck::followProgram);
+    connect(&controller, &Controller::programChanged, this, &FilmCheck::followProgram);
     connect(&recipes, &Recipes::listChanged, this, &FilmCheck::followProgram);
     connect(&recipes, &Recipes::downloaded, this, &FilmCheck::takeDownloaded);
     connect(&recipes, &Recipes::codesSet, this, &FilmCheck::takeCodes);
-    connect(this, &FilmCheck::changed, &machine, &Controller::commandsChanged);
-    machine.setStartInterlock([this] { return blockedReason(); });
+    connect(this, &FilmCheck::changed, &controller, &Controller::commandsChanged);
+    controller.setStartInterlock([this] { return blockedReason(); });
 }
 
 FilmCheck::~FilmCheck()
 {
-    m_machine.setStartInterlock({});
+    m_controller.setStartInterlock({});
 }
 
 void FilmCheck::load()
@@ -78,7 +78,7 @@ void FilmCheck::keep(const Reel& reel, const Demand& demand)
 
 void FilmCheck::followProgram()
 {
-    const auto& program = m_machine.program();
+    const auto& program = m_controller.program();
     if (program && (identityOf(*program) != m_demand.program || m_demand.recipeId == 0)) {
         const store::RecipeVersion* known = m_recipes.named(QString::fromStdString(program->name));
         const bool isDownloaded =
@@ -109,7 +109,7 @@ void FilmCheck::takeCodes(const store::RecipeVersion& recipe)
 
 QString FilmCheck::neededCode() const
 {
-    return m_machine.program() ? m_demand.code : QString();
+    return m_controller.program() ? m_demand.code : QString();
 }
 
 bool FilmCheck::isReel(const QString& code) const
@@ -143,7 +143,7 @@ bool FilmCheck::check(const QString& code)
 void FilmCheck::overrideCheck(const QString& reason)
 {
     const QString text = reason.simplified();
-    if (!m_machine.accessCheck().require(Level::Technician) || text.isEmpty() || blockedReason().isEmpty())
+    if (!m_controller.accessCheck().require(Level::Technician) || text.isEmpty() || blockedReason().isEmpty())
         return;
     keep({m_reel.code, neededCode(), text}, m_demand);
     emit changed();
@@ -155,7 +155,8 @@ void FilmCheck::note(const QString& what, const QString& after, const QString& o
 {
     store::AuditEntry entry;
     entry.what = what;
-    entry.object = QString::fromStdString(m_machine.program() ? m_machine.program()->name : std::string());
+    entry.object =
+        QString::fromStdString(m_controller.program() ? m_controller.program()->name : std::string());
     entry.before = neededCode();
     entry.after = after;
     entry.outcome = outcome;

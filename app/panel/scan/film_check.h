@@ -29,7 +29,7 @@ class FilmCheck : public QObject {
 
 public:
     // Both must outlive the object. What was scanned is kept in a file of the folder.
-    FilmCheck(Controller& machine, Recipes& recipes, const QString& folder, QObject* parent);
+    FilmCheck(Controller& controller, Recipes& recipes, const QString& folder, QObject* parent);
     ~FilmCheck() override;
 
     // Returns the code of the reel that the active program's recipe needs; empty: any, or no program is
@@ -75,7 +75,7 @@ private:
     void load();
     void note(const QString& what, const QString& after, const QString& outcome);
 
-    Controller& m_machine;
+    Controller& m_controller;
     Recipes& m_recipes;
     QString m_path;
     Reel m_reel;

@@ -20,10 +20,10 @@ namespace campanel::panel {
 Scan::Scan(const Parts& parts, const QString& folder, QObject* parent)
     : QObject(parent)
     , m_parts(parts)
-    , m_film(parts.machine, parts.recipes, folder, this)
+    , m_film(parts.controller, parts.recipes, folder, this)
 {
     m_timer.setSingleShot(true);
-    m_timer.callOnTimeout(this, [this] { carryOut(m_reader.expire(m_parts.machine.now())); });
+    m_timer.callOnTimeout(this, [this] { carryOut(m_reader.expire(m_parts.controller.now())); });
     connect(&parts.settings, &Settings::changed, this, &Scan::updateSettings);
     connect(&m_keyTime, &Value::setRequested, this, [this](double timeMs) {
         m_parts.settings.set("scanner.key_time_ms", settingText(static_cast<int>(std::lround(timeMs))));
@@ -92,7 +92,7 @@ bool Scan::eventFilter(QObject* watched, QEvent* event)
 bool Scan::takeKey(QObject* window, const QKeyEvent& event)
 {
     const CodeReader::Step step = m_reader.press(
-        {event.key(), event.text(), event.isAutoRepeat(), event.modifiers()}, m_parts.machine.now());
+        {event.key(), event.text(), event.isAutoRepeat(), event.modifiers()}, m_parts.controller.now());
     release(step.released);
     if (step.isBegun)
         m_held.clear();
@@ -166,7 +166,7 @@ void Scan::takeCode(const QString& code)
 // Takes a code that is no recipe's for that of a film reel.
 void Scan::checkFilm(const QString& code)
 {
-    if (!m_parts.machine.accessCheck().require(Level::Operator))
+    if (!m_parts.controller.accessCheck().require(Level::Operator))
         return;
     if (!m_film.check(code))
         emit wrongFilmScanned();
@@ -195,7 +195,7 @@ QString Scan::refusal() const
 
 void Scan::openRecipe(qint64 recipeId)
 {
-    if (!m_parts.machine.accessCheck().require(Level::Operator))
+    if (!m_parts.controller.accessCheck().require(Level::Operator))
         return;
     m_parts.recipes.chooseId(recipeId);
     if (m_parts.editor.edited())
@@ -206,7 +206,7 @@ void Scan::openRecipe(qint64 recipeId)
 
 void Scan::openScanned(bool savesEdits)
 {
-    if (!m_parts.machine.accessCheck().require(Level::Operator))
+    if (!m_parts.controller.accessCheck().require(Level::Operator))
         return;
     if (savesEdits)
         m_parts.recipes.save();

@@ -45,7 +45,7 @@ class Scan : public QObject {
 
 public:
     struct Parts {
-        Controller& machine;
+        Controller& controller;
         Editor& editor;
         Recipes& recipes;
         Settings& settings;

@@ -69,19 +69,19 @@ qint64 advanceOf(std::optional<std::uint32_t>& last, std::uint32_t count)
 
 } // namespace
 
-MachineWatch::MachineWatch(Controller& machine, Settings& settings, StateBook& book)
-    : m_machine(machine)
+MachineWatch::MachineWatch(Controller& controller, Settings& settings, StateBook& book)
+    : m_controller(controller)
     , m_settings(settings)
     , m_book(book)
     , m_clock(&QDateTime::currentMSecsSinceEpoch)
 {
-    // Connected after the machine, which handles the signal first.
-    connect(&machine.link(), &link::Link::statusReceived, this, &MachineWatch::takeStatus);
-    connect(machine.packing(), &PackingLine::bagRecorded, this, &MachineWatch::takeBag);
-    connect(machine.packing(), &PackingLine::changed, this, &MachineWatch::takeSkippedCuts);
+    // Connected after the controller, which handles the signal first.
+    connect(&controller.link(), &link::Link::statusReceived, this, &MachineWatch::takeStatus);
+    connect(controller.packing(), &PackingLine::bagRecorded, this, &MachineWatch::takeBag);
+    connect(controller.packing(), &PackingLine::changed, this, &MachineWatch::takeSkippedCuts);
     // Pieces made during a gap are unknown.
-    connect(&machine, &Controller::connectionChanged, this, [this] {
-        if (m_machine.isConnected())
+    connect(&controller, &Controller::connectionChanged, this, [this] {
+        if (m_controller.isConnected())
             return;
         m_pieces.reset();
         m_cutsSkipped.reset();
@@ -91,15 +91,15 @@ MachineWatch::MachineWatch(Controller& machine, Settings& settings, StateBook& b
 StateBook::Now MachineWatch::now() const
 {
     const qint64 utcMs = m_clock();
-    return {m_machine.now(), utcMs, store::isTimeDoubtful(utcMs, m_newestMs, m_clockState())};
+    return {m_controller.now(), utcMs, store::isTimeDoubtful(utcMs, m_newestMs, m_clockState())};
 }
 
 void MachineWatch::takeStatus()
 {
-    const auto& status = m_machine.status();
+    const auto& status = m_controller.status();
     if (!status || !status->state)
         return;
-    const auto& program = m_machine.program();
+    const auto& program = m_controller.program();
     const bool isKnown = program && program->generation == status->generation;
     if (status->activeCrc && !isKnown)
         return; // its program is being read
@@ -123,14 +123,14 @@ void MachineWatch::takeStatus()
 
 StateInterval::State MachineWatch::stateOf(const modbus::StatusBlock& status)
 {
-    const auto& line = m_machine.packing()->status();
-    const bool waits = status.state == modbus::State::Running && m_machine.packing()->fresh() &&
+    const auto& line = m_controller.packing()->status();
+    const bool waits = status.state == modbus::State::Running && m_controller.packing()->fresh() &&
                        line->filmGate == modbus::GateState::Standing;
     if (!waits)
         m_waitsSince.reset();
     else if (!m_waitsSince)
-        m_waitsSince = m_machine.now();
-    const bool isSuspended = m_waitsSince && m_machine.now() - *m_waitsSince >= suspendedAfter;
+        m_waitsSince = m_controller.now();
+    const bool isSuspended = m_waitsSince && m_controller.now() - *m_waitsSince >= suspendedAfter;
     return isSuspended ? StateInterval::State::Suspended : static_cast<StateInterval::State>(*status.state);
 }
 
@@ -139,8 +139,8 @@ double MachineWatch::idealPerMin()
     const double set = m_settings.values().number("stops.ideal_rate");
     if (set > 0)
         return set;
-    const auto& program = m_machine.program();
-    const auto& machine = m_machine.torque()->machineData();
+    const auto& program = m_controller.program();
+    const auto& machine = m_controller.torque()->machineData();
     if (program != m_program || machine != m_machineData) {
         m_program = program;
         m_machineData = machine;
@@ -154,7 +154,7 @@ void MachineWatch::countPieces(const modbus::StatusBlock& status)
 {
     const bool isCutter = status.programKind == modbus::ProgramKind::RotaryCutter;
     const qint64 made = advanceOf(m_pieces, isCutter ? status.bagCount : status.cycleCount);
-    if (made == 0 || m_machine.packing()->recordsBags())
+    if (made == 0 || m_controller.packing()->recordsBags())
         return;
     const bool isBadBag =
         isCutter && status.bagDeviationMm && std::abs(*status.bagDeviationMm) > m_settings.bagToleranceMm();
@@ -171,7 +171,7 @@ void MachineWatch::takeBag(const modbus::BagRecord& bag)
 
 void MachineWatch::takeSkippedCuts()
 {
-    const auto& line = m_machine.packing()->status();
+    const auto& line = m_controller.packing()->status();
     if (!line)
         return;
     if (const qint64 skipped = advanceOf(m_cutsSkipped, line->cutsSkipped); skipped > 0)

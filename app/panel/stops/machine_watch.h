@@ -31,7 +31,7 @@ public:
     static constexpr std::chrono::seconds suspendedAfter{5};
 
     // All arguments must outlive the object.
-    MachineWatch(Controller& machine, Settings& settings, StateBook& book);
+    MachineWatch(Controller& controller, Settings& settings, StateBook& book);
 
     void setWallClock(WallClock clock) { m_clock = std::move(clock); }
     // Sets the function that returns true while the clock of the computer is not set.
@@ -51,7 +51,7 @@ private:
     [[nodiscard]] store::StateInterval::State stateOf(const modbus::StatusBlock& status);
     [[nodiscard]] double idealPerMin();
 
-    Controller& m_machine;
+    Controller& m_controller;
     Settings& m_settings;
     StateBook& m_book;
     WallClock m_clock;

@@ -30,13 +30,13 @@ constexpr qint64 msPerAskedSecond = 1000;
 
 } // namespace
 
-Stops::Stops(Controller& machine, Settings& settings, DatabaseService& records, ReportFiles& files,
+Stops::Stops(Controller& controller, Settings& settings, DatabaseService& records, ReportFiles& files,
              QObject* parent)
     : QObject(parent)
-    , m_machine(machine)
+    , m_controller(controller)
     , m_settings(settings)
     , m_records(records)
-    , m_watch(machine, settings, m_book)
+    , m_watch(controller, settings, m_book)
     , m_setup(settings)
     , m_keys(settings, this)
     , m_shift(*this, settings, records, files)
@@ -86,7 +86,7 @@ void Stops::check()
 {
     m_book.check(m_watch.now());
     updatePresent();
-    const auto sinceWrite = m_machine.now() - m_writtenAt;
+    const auto sinceWrite = m_controller.now() - m_writtenAt;
     const bool isDue = m_book.hasNews() ? !m_hasFailed || sinceWrite >= retryDelay
                                         : m_book.present() && sinceWrite >= writePeriod;
     if (isDue && m_writes == 0)
@@ -101,7 +101,7 @@ void Stops::write()
     if (changes.isEmpty())
         return;
     ++m_writes;
-    m_writtenAt = m_machine.now();
+    m_writtenAt = m_controller.now();
     m_records.store().run(
         this, [changes](store::Database& database) { return StopLog::write(database, changes); },
         [this, changes](const tl::expected<void, StoreError>& written) { takeWritten(changes, written); });
@@ -127,7 +127,7 @@ void Stops::postpone()
 
 bool Stops::answer(qint64 stop, const StopReason& reason)
 {
-    if (!m_machine.accessCheck().require(Level::Operator) || stop == 0)
+    if (!m_controller.accessCheck().require(Level::Operator) || stop == 0)
         return false;
     const StopRow answer{stop, reason.key(), reason.isPlanned, m_person, nowMs()};
     const StopRow before = m_book.presentStop();

@@ -39,7 +39,7 @@ public:
     static constexpr std::chrono::seconds writePeriod{60};
 
     // All arguments must outlive the object. The log begins when the records are opened.
-    Stops(Controller& machine, Settings& settings, DatabaseService& records, ReportFiles& files,
+    Stops(Controller& controller, Settings& settings, DatabaseService& records, ReportFiles& files,
           QObject* parent);
     // Writes the pending changes.
     ~Stops() override;
@@ -89,7 +89,7 @@ private:
     void noteReplaced(const store::StopRow& before, const store::StopRow& answer);
     void updatePresent();
 
-    Controller& m_machine;
+    Controller& m_controller;
     Settings& m_settings;
     DatabaseService& m_records;
     QString m_person;

@@ -25,15 +25,15 @@ bool turns(const modbus::StatusBlock& status)
 
 } // namespace
 
-TrendRecorder::TrendRecorder(Controller& machine, Settings& settings)
-    : m_machine(machine)
+TrendRecorder::TrendRecorder(Controller& controller, Settings& settings)
+    : m_controller(controller)
     , m_settings(settings)
     , m_clock(&QDateTime::currentMSecsSinceEpoch)
 {
-    // Connected after the machine, which handles the signal first.
-    connect(&machine.link(), &link::Link::statusReceived, this, &TrendRecorder::takeStatus);
-    connect(machine.packing(), &PackingLine::bagRecorded, this, &TrendRecorder::takeBag);
-    connect(&machine, &Controller::programChanged, this, [this] {
+    // Connected after the controller, which handles the signal first.
+    connect(&controller.link(), &link::Link::statusReceived, this, &TrendRecorder::takeStatus);
+    connect(controller.packing(), &PackingLine::bagRecorded, this, &TrendRecorder::takeBag);
+    connect(&controller, &Controller::programChanged, this, [this] {
         m_isNextOfTwoPrograms = true;
         m_worstFollowingMm.reset();
     });
@@ -62,7 +62,7 @@ void TrendRecorder::takeStatus(const link::StatusBatch& batch)
 
 void TrendRecorder::noteMotion(const modbus::StatusBlock& status, qint64 nowMs)
 {
-    const auto& program = m_machine.program();
+    const auto& program = m_controller.program();
     if (!program || program->generation != status.generation || program->crc != status.activeCrc)
         return;
     const double rate = turns(status) ? program->rateBagsPerMin * status.masterSpeedPercent / 100 : 0;
@@ -79,7 +79,7 @@ void TrendRecorder::noteMotion(const modbus::StatusBlock& status, qint64 nowMs)
 void TrendRecorder::noteBag(const modbus::StatusBlock& status)
 {
     const std::optional<std::uint32_t> before = std::exchange(m_bagCount, status.bagCount);
-    if (m_machine.packing()->recordsBags() || before == m_bagCount || !before)
+    if (m_controller.packing()->recordsBags() || before == m_bagCount || !before)
         return;
     if (!status.bagLengthMm || !status.bagDeviationMm)
         return;
@@ -96,7 +96,7 @@ void TrendRecorder::takeBag(const modbus::BagRecord& record)
         return;
     }
     store::Bag bag;
-    bag.setLengthMm = m_machine.active().bagLengthMm;
+    bag.setLengthMm = m_controller.active().bagLengthMm;
     bag.lengths = std::max(1, record.lengths);
     bag.deviationMm = record.deviationMm;
     if (record.isTracked)
@@ -114,10 +114,10 @@ void TrendRecorder::add(store::Bag bag)
         return;
     bag.timeMs = m_clock();
     bag.clock = m_clockState();
-    bag.programName = m_machine.active().name;
+    bag.programName = m_controller.active().name;
     bag.programVersion =
-        std::isfinite(m_machine.active().version) ? static_cast<int>(m_machine.active().version) : 0;
-    const double rate = m_machine.live().rateBagsPerMin;
+        std::isfinite(m_controller.active().version) ? static_cast<int>(m_controller.active().version) : 0;
+    const double rate = m_controller.live().rateBagsPerMin;
     if (std::isfinite(rate))
         bag.rateBagsPerMin = rate;
     // A bag of several lengths counts by one of them: otherwise it would flatten the curve of all others.

@@ -33,7 +33,7 @@ public:
     using WallClock = std::function<qint64()>;
 
     // Both arguments must outlive the object.
-    TrendRecorder(Controller& machine, Settings& settings);
+    TrendRecorder(Controller& controller, Settings& settings);
 
     void setWallClock(WallClock clock) { m_clock = std::move(clock); }
     // Sets the function that returns true while the clock of the computer is not set.
@@ -50,7 +50,7 @@ private:
     void add(store::Bag bag);
     void add(store::TrendQuantity quantity, qint64 nowMs, double value, bool isWithin = true);
 
-    Controller& m_machine;
+    Controller& m_controller;
     Settings& m_settings;
     WallClock m_clock;
     std::function<store::ClockState()> m_clockState = [] { return store::ClockState::Unproven; };

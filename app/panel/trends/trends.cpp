@@ -93,12 +93,12 @@ QVariantMap mapOf(const store::TrendStatistics& statistics)
 
 } // namespace
 
-Trends::Trends(Controller& machine, Settings& settings, DatabaseService& records, ReportFiles& files,
+Trends::Trends(Controller& controller, Settings& settings, DatabaseService& records, ReportFiles& files,
                const QString& folder, QObject* parent)
     : QObject(parent)
     , m_records(records)
     , m_files(files)
-    , m_recorder(machine, settings)
+    , m_recorder(controller, settings)
     , m_clock(&QDateTime::currentMSecsSinceEpoch)
     , m_store(folder, store::trendDatabase())
     , m_toMs(m_clock())

@@ -61,7 +61,7 @@ public:
     static constexpr int writePeriodMs = 5000;
 
     // All arguments must outlive the object. `folder` contains the database.
-    Trends(Controller& machine, Settings& settings, DatabaseService& records, ReportFiles& files,
+    Trends(Controller& controller, Settings& settings, DatabaseService& records, ReportFiles& files,
            const QString& folder, QObject* parent);
     // Stores the remaining data.
     ~Trends() override;

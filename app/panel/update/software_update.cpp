@@ -31,9 +31,9 @@ QString minuteOf(const QString& utc)
 
 } // namespace
 
-SoftwareUpdate::SoftwareUpdate(Controller& machine, const QString& folder, QObject* parent)
+SoftwareUpdate::SoftwareUpdate(Controller& controller, const QString& folder, QObject* parent)
     : FileExchange(QDir(folder).filePath(u"packages"_s), parent)
-    , m_machine(machine)
+    , m_controller(controller)
     , m_bus{[] { return QDBusConnection::systemBus(); }, u"org.freedesktop.systemd1"_s}
     , m_scanner(&store::exchangePlaces)
     , m_installed(&store::installedPackage)
@@ -41,7 +41,7 @@ SoftwareUpdate::SoftwareUpdate(Controller& machine, const QString& folder, QObje
     m_timer.setInterval(pace);
     m_timer.setSingleShot(true);
     m_timer.callOnTimeout(this, &SoftwareUpdate::lookAgain);
-    connect(&machine, &Controller::stateChanged, this, &SoftwareUpdate::showRows);
+    connect(&controller, &Controller::stateChanged, this, &SoftwareUpdate::showRows);
     connect(LanguageNotifier::ofApplication(), &LanguageNotifier::languageChanged, this,
             &SoftwareUpdate::retranslate);
 }
@@ -159,7 +159,7 @@ QString SoftwareUpdate::blockedReason() const
 {
     if (!m_seen.installed)
         return tr("CamPanel was not installed as a package. Install it once by the package manager.");
-    return m_machine.isMoving()
+    return m_controller.isMoving()
                ? tr("The machine is moving. Stop it before the update; the panel will restart.")
                : QString();
 }
@@ -180,7 +180,7 @@ QString SoftwareUpdate::actionOf(int row) const
 
 bool SoftwareUpdate::require()
 {
-    return m_machine.accessCheck().require(Level::Service) && !busy() && blockedReason().isEmpty();
+    return m_controller.accessCheck().require(Level::Service) && !busy() && blockedReason().isEmpty();
 }
 
 void SoftwareUpdate::choose(int row)

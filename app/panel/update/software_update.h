@@ -48,7 +48,7 @@ public:
     using Installed = std::function<std::optional<store::PackageId>()>; // called in another thread
 
     // The machine must outlive the object. Packages may also lie in a folder below `folder`.
-    SoftwareUpdate(Controller& machine, const QString& folder, QObject* parent);
+    SoftwareUpdate(Controller& controller, const QString& folder, QObject* parent);
 
     static SoftwareUpdate* create(QQmlEngine* qmlEngine, QJSEngine* jsEngine);
 
@@ -116,7 +116,7 @@ private:
     void endWork(const QString& problem);
     void retranslate();
 
-    Controller& m_machine;
+    Controller& m_controller;
     UpdatePlaces m_places;
     Bus m_bus;
     Scanner m_scanner;

@@ -37,10 +37,10 @@ struct Measured {
 
 } // namespace
 
-Versions::Versions(Controller& machine, Editor& editor, DatabaseService& records, const QString& folder,
+Versions::Versions(Controller& controller, Editor& editor, DatabaseService& records, const QString& folder,
                    QObject* parent)
     : QObject(parent)
-    , m_machine(machine)
+    , m_controller(controller)
     , m_editor(editor)
     , m_records(records)
     , m_folder(folder)
@@ -50,7 +50,7 @@ Versions::Versions(Controller& machine, Editor& editor, DatabaseService& records
     connect(&m_timer, &QTimer::timeout, this, &Versions::measure);
     for (const auto changed :
          {&Controller::connectionChanged, &Controller::programChanged, &Controller::stateChanged})
-        connect(&m_machine, changed, this, &Versions::update);
+        connect(&m_controller, changed, this, &Versions::update);
     connect(&m_editor, &Editor::recipeChanged, this, &Versions::update);
     connect(LanguageNotifier::ofApplication(), &LanguageNotifier::languageChanged, this, &Versions::update);
     update();
@@ -117,7 +117,7 @@ void Versions::noteSoftware(const QString& part, const QString& version)
 
 QString Versions::controllerText() const
 {
-    const auto& identity = m_machine.identity();
+    const auto& identity = m_controller.identity();
     if (!identity)
         return {};
     return tr("firmware %1, register map %2.%3, serial number %4")
@@ -153,15 +153,15 @@ void Versions::update()
     const QString panel = QCoreApplication::applicationVersion();
     noteSoftware(u"panel"_s, panel);
     noteSoftware(u"gateway"_s, m_gateway);
-    const auto& identity = m_machine.identity();
-    if (identity && m_machine.isConnected())
+    const auto& identity = m_controller.identity();
+    if (identity && m_controller.isConnected())
         noteSoftware(u"controller"_s,
                      u"%1, %2.%3, %4"_s.arg(QString::fromStdString(identity->firmwareVersion()),
                                             QString::number(identity->mapMajor),
                                             QString::number(identity->mapMinor),
                                             Format::hexDigits(identity->uniqueId, 16)));
-    const ActiveProgramValues active = m_machine.active();
-    const auto& status = m_machine.status();
+    const ActiveProgramValues active = m_controller.active();
+    const auto& status = m_controller.status();
     const QString kind =
         active.isPresent ? RecipeWords::kindName(static_cast<profile::ProgramKind>(active.kind)) : QString();
     const QString program =

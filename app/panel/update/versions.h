@@ -37,7 +37,7 @@ public:
     using WallClock = std::function<QDateTime()>;
 
     // All arguments must outlive the object. `folder` has the panel's data.
-    Versions(Controller& machine, Editor& editor, DatabaseService& records, const QString& folder,
+    Versions(Controller& controller, Editor& editor, DatabaseService& records, const QString& folder,
              QObject* parent);
 
     static Versions* create(QQmlEngine* qmlEngine, QJSEngine* jsEngine);
@@ -68,7 +68,7 @@ private:
     [[nodiscard]] QString controllerText() const;
     [[nodiscard]] QString growthText() const;
 
-    Controller& m_machine;
+    Controller& m_controller;
     Editor& m_editor;
     DatabaseService& m_records;
     QString m_folder;
