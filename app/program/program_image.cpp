@@ -81,14 +81,20 @@ struct TableBuilder {
 
 tl::expected<ProgramImage, ProgramRefusal> buildProgram(const Recipe& given)
 {
-    ProgramImage image;
-    image.recipe = quantised(given);
-    auto solved = solveProgram(image.recipe);
+    Recipe wanted = quantised(given);
+    auto solved = solveProgram(wanted);
     if (!solved)
         return refuse({solved.error()});
-    if (!solved->broken.empty())
-        return refuse(std::move(solved->broken));
-    image.solved = std::move(*solved);
+    return buildProgram(std::move(wanted), std::move(*solved));
+}
+
+tl::expected<ProgramImage, ProgramRefusal> buildProgram(Recipe quantised, SolvedProgram solved)
+{
+    if (!solved.broken.empty())
+        return refuse(std::move(solved.broken));
+    ProgramImage image;
+    image.recipe = std::move(quantised);
+    image.solved = std::move(solved);
     auto table = std::visit(TableBuilder{image.solved}, image.recipe.program);
     if (!table)
         return refuse({table.error()});

@@ -44,6 +44,8 @@ struct ProgramImage {
 // Builds the program. Refuses an impossible cycle, exceeded limits of the machine, and a table that the
 // controller cannot hold.
 [[nodiscard]] tl::expected<ProgramImage, ProgramRefusal> buildProgram(const Recipe& recipe);
+// The same of a recipe that is quantised and solved already.
+[[nodiscard]] tl::expected<ProgramImage, ProgramRefusal> buildProgram(Recipe quantised, SolvedProgram solved);
 
 enum class DecodeErrorKind : std::uint8_t { Layout, Kind, Pinned, Law, Choice };
 

@@ -38,9 +38,10 @@ Solution solveRecipe(const program::Recipe& recipe, const std::optional<modbus::
                      TableWork work)
 {
     Solution solution;
-    program::Recipe wanted = program::quantised(recipe);
+    program::Recipe wanted = recipe;
     if (controller)
         wanted.machine = program::withController(wanted.machine, *controller);
+    wanted = program::quantised(wanted);
     auto solved = program::solveProgram(wanted);
     if (!solved) {
         solution.refusals.push_back(std::move(solved.error()));
@@ -57,7 +58,7 @@ Solution solveRecipe(const program::Recipe& recipe, const std::optional<modbus::
         solution.isTablePending = true;
         return solution;
     }
-    auto image = program::buildProgram(wanted);
+    auto image = program::buildProgram(std::move(wanted), *solution.solved);
     if (image) {
         solution.image = std::make_shared<const program::ProgramImage>(std::move(*image));
     } else {
