@@ -13,6 +13,12 @@ using store::AlarmRow;
 
 namespace {
 
+bool isShelvable(const QString& code)
+{
+    const AlarmKind* kind = AlarmCatalogue::find(code);
+    return kind && !kind->stopsMachine;
+}
+
 // Returns a smaller value for a more urgent alarm.
 auto urgency(const AlarmEntry& entry)
 {
@@ -100,8 +106,7 @@ bool AlarmBook::isShelved(const QString& code) const
 
 bool AlarmBook::shelve(const QString& code, qint64 untilMs, const QString& by, qint64 utcMs)
 {
-    const AlarmKind* kind = AlarmCatalogue::find(code);
-    if (!kind || kind->stopsMachine)
+    if (!isShelvable(code))
         return false;
     m_shelves.removeIf([&](const auto& shelf) { return shelf.code == code; });
     m_shelves.append({code, utcMs, untilMs, by});
@@ -163,7 +168,7 @@ void AlarmBook::begin(const store::AlarmLog::Start& start, store::ClockState clo
         given.upToId += start.lastId;
     m_lastId += start.lastId;
     for (const store::AlarmShelf& shelf : start.shelves) {
-        if (!isShelved(shelf.code))
+        if (!isShelved(shelf.code) && isShelvable(shelf.code))
             m_shelves.append(shelf);
     }
     updateShelved();

@@ -18,22 +18,11 @@ using store::AlarmRow;
 namespace {
 
 constexpr int patienceMs = 3000;
-constexpr unsigned statusBits = 16;
 
 // Returns true while a link is connecting, however long that takes.
 bool isComing(link::LinkState state)
 {
     return state == link::LinkState::Searching || state == link::LinkState::Connecting;
-}
-
-template <typename Bit> QSet<const AlarmKind*> kindsOf(unsigned bits)
-{
-    QSet<const AlarmKind*> active;
-    for (unsigned bit = 0; bit < statusBits; ++bit) {
-        if ((bits & (1U << bit)) != 0)
-            active.insert(&AlarmCatalogue::of(static_cast<Bit>(bit)));
-    }
-    return active;
 }
 
 } // namespace
@@ -80,8 +69,8 @@ void AlarmWatch::noteController()
         return;
     const QString bits = u"0x%1 0x%2"_s.arg(status->faultBits, 4, 16, QLatin1Char('0'))
                              .arg(status->warningBits, 4, 16, QLatin1Char('0'));
-    setControllerAlarms(kindsOf<modbus::FaultBit>(status->faultBits) +
-                            kindsOf<modbus::WarningBit>(status->warningBits),
+    setControllerAlarms(AlarmCatalogue::ofBits<modbus::FaultBit>(status->faultBits) +
+                            AlarmCatalogue::ofBits<modbus::WarningBit>(status->warningBits),
                         bits, AlarmRow::End::Returned);
 }
 
@@ -90,10 +79,12 @@ void AlarmWatch::setControllerAlarms(const Kinds& now, const QString& bits, Alar
     const Kinds before = std::exchange(m_byController, now);
     for (const AlarmKind* kind : before - now)
         emit cleared(*kind, end);
-    for (const AlarmKind* kind : now - before) {
+    for (const AlarmKind& kind : AlarmCatalogue::all()) { // alarms of one status come in its order
+        if (!now.contains(&kind) || before.contains(&kind))
+            continue;
         const bool isUnknown =
-            kind == &AlarmCatalogue::unknownFault() || kind == &AlarmCatalogue::unknownWarning();
-        emit raised(*kind, isUnknown ? bits : QString());
+            &kind == &AlarmCatalogue::unknownFault() || &kind == &AlarmCatalogue::unknownWarning();
+        emit raised(kind, isUnknown ? bits : QString());
     }
 }
 

@@ -19,29 +19,19 @@ using store::StateInterval;
 
 namespace {
 
-// The warnings that end a run.
-constexpr std::array endsOfRun{modbus::WarningBit::EmergencyStop,  modbus::WarningBit::MarksLost,
-                               modbus::WarningBit::MarkPitchWrong, modbus::WarningBit::CorrectionAtLimit,
-                               modbus::WarningBit::ProductTooLong, modbus::WarningBit::TooManySkips};
-
 static_assert(static_cast<int>(StateInterval::State::Fault) == static_cast<int>(modbus::State::Fault));
 
 // Returns the code of the alarm that stopped the machine; empty: none.
 QString alarmOf(const modbus::StatusBlock& status)
 {
-    if (status.state == modbus::State::Fault) {
-        for (const auto& entry : modbus::faultBits) {
-            const auto bit = static_cast<modbus::FaultBit>(entry.value);
-            if (status.has(bit))
-                return AlarmCatalogue::of(bit).code();
-        }
-        return AlarmCatalogue::unknownFault().code();
+    const bool isFault = status.state == modbus::State::Fault;
+    const auto set = isFault ? AlarmCatalogue::ofBits<modbus::FaultBit>(status.faultBits)
+                             : AlarmCatalogue::ofBits<modbus::WarningBit>(status.warningBits);
+    for (const AlarmKind& kind : AlarmCatalogue::all()) {
+        if (kind.stopsMachine && set.contains(&kind))
+            return kind.code();
     }
-    for (const modbus::WarningBit bit : endsOfRun) {
-        if (status.has(bit))
-            return AlarmCatalogue::of(bit).code();
-    }
-    return {};
+    return isFault ? AlarmCatalogue::unknownFault().code() : QString();
 }
 
 // Returns the fastest rate of a cutter on this machine; of other programs their own rate; 0: unknown.

@@ -68,7 +68,7 @@ constexpr std::array kinds{
               QT_TRANSLATE_NOOP("AlarmCatalogue", "The controller has had no time of day since power-on."),
               QT_TRANSLATE_NOOP("AlarmCatalogue",
                                 "No action required: the panel sets the clock when it connects.")},
-    AlarmKind{"W-05", warning, runsOn, QT_TRANSLATE_NOOP("AlarmCatalogue", "Emergency stop pressed"),
+    AlarmKind{"W-05", warning, stops, QT_TRANSLATE_NOOP("AlarmCatalogue", "Emergency stop pressed"),
               QT_TRANSLATE_NOOP("AlarmCatalogue", "The emergency stop of the machine is pressed."),
               QT_TRANSLATE_NOOP("AlarmCatalogue",
                                 "Make sure that the machine is safe, then release the emergency stop.")},

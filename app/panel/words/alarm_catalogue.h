@@ -6,6 +6,7 @@
 #include "app/link/link_values.h"
 #include "app/store/database/store_error.h"
 
+#include <QSet>
 #include <QString>
 
 #include <span>
@@ -18,7 +19,7 @@ enum class AlarmSeverity { None, Notice, Warning, Fault };
 struct AlarmKind {
     const char* id = "";
     AlarmSeverity severity = AlarmSeverity::Warning;
-    bool stopsMachine = false; // an alarm that stops the machine cannot be shelved
+    bool stopsMachine = false; // it ends a run, and cannot be shelved
     // The English sources of the texts; see the functions below.
     const char* titleSource = "";
     const char* causeSource = "";
@@ -42,6 +43,16 @@ public:
 
     [[nodiscard]] static const AlarmKind& of(modbus::FaultBit bit);
     [[nodiscard]] static const AlarmKind& of(modbus::WarningBit bit);
+    // Returns the kinds of the bits that are set in a word of the status block.
+    template <typename Bit> [[nodiscard]] static QSet<const AlarmKind*> ofBits(unsigned word)
+    {
+        QSet<const AlarmKind*> kinds;
+        for (unsigned bit = 0; word >> bit != 0; ++bit) {
+            if ((word >> bit & 1U) != 0)
+                kinds.insert(&of(static_cast<Bit>(bit)));
+        }
+        return kinds;
+    }
     // Returns the kind for bits that this version does not know.
     [[nodiscard]] static const AlarmKind& unknownFault();
     [[nodiscard]] static const AlarmKind& unknownWarning();

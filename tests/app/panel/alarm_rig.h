@@ -55,6 +55,19 @@ struct AlarmRig {
         panel.link.sendStatus(panel.now);
     }
 
+    // Puts the alarm on the shelf of the log, for a day.
+    void shelve(const QString& code)
+    {
+        records->store().run(
+            alarms.get(),
+            [code, nowMs = wall().toMSecsSinceEpoch()](store::Database& database) {
+                store::AlarmChanges changes;
+                changes.shelves = QList<store::AlarmShelf>{{code, nowMs, nowMs + 86'400'000, {}}};
+                return store::AlarmLog::write(database, changes);
+            },
+            [](const auto&) {});
+    }
+
     // Returns the rows on the disk, newest first.
     [[nodiscard]] QList<store::AlarmRow> logged() const
     {

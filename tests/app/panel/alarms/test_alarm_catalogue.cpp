@@ -50,6 +50,10 @@ private slots:
         for (const modbus::EnumValue& value : warnings) {
             const AlarmKind& kind = AlarmCatalogue::of(static_cast<modbus::WarningBit>(value.value));
             QVERIFY2(&kind != &AlarmCatalogue::unknownWarning(), value.name.data());
+            // A run ends by these; the emergency stop ends it outside the controller.
+            const bool isEndOfRun = value.value >= static_cast<int>(modbus::WarningBit::MarksLost) &&
+                                    value.value <= static_cast<int>(modbus::WarningBit::EmergencyStop);
+            QVERIFY2(kind.stopsMachine == isEndOfRun, value.name.data());
             found.insert(&kind);
         }
         QCOMPARE(found.size(), static_cast<qsizetype>(faults.size() + warnings.size()));

@@ -24,6 +24,7 @@ namespace {
 constexpr unsigned jam = 1U << static_cast<unsigned>(modbus::FaultBit::FollowingError);
 constexpr unsigned tooFast = 1U << static_cast<unsigned>(modbus::FaultBit::MasterTooFast);
 constexpr unsigned notHomed = 1U << static_cast<unsigned>(modbus::WarningBit::NotHomed);
+constexpr unsigned emergencyStop = 1U << static_cast<unsigned>(modbus::WarningBit::EmergencyStop);
 constexpr unsigned flash = 1U << static_cast<unsigned>(modbus::WarningBit::FlashSlotInvalid);
 constexpr unsigned marksLost = 1U << static_cast<unsigned>(modbus::WarningBit::MarksLost);
 
@@ -371,15 +372,27 @@ private slots:
         AlarmRig rig;
         rig.panel.connectIdle();
         rig.setFaults(jam);
-        rig.setWarnings(marksLost);
-        QCOMPARE(rig.live(), (Lines{"C-01 active calls", "M-01 active calls"}));
-        for (int row = 0; row < 2; ++row) {
+        rig.setWarnings(marksLost | emergencyStop);
+        QCOMPARE(rig.live(), (Lines{"C-01 active calls", "M-01 active calls", "W-05 active calls"}));
+        for (int row = 0; row < 3; ++row) {
             rig.alarms->showLive(row);
             QVERIFY(!rig.alarms->detail()->shelvable());
             rig.alarms->shelveShown(1);
             QCOMPARE(rig.alarms->shelved()->count(), 0);
         }
-        QCOMPARE(rig.alarms->unacknowledged(), 2);
+        QCOMPARE(rig.alarms->unacknowledged(), 3);
+    }
+
+    // An earlier version could shelve the emergency stop.
+    void aShelfOfWhatStopsTheMachineIsForgotten()
+    {
+        AlarmRig rig;
+        rig.shelve(QStringLiteral("W-05"));
+        rig.open();
+        rig.panel.connectIdle();
+        rig.setWarnings(emergencyStop);
+        QTRY_COMPARE(rig.live(), Lines{"W-05 active calls"});
+        QCOMPARE(rig.alarms->shelved()->count(), 0);
     }
 
     void takenOffTheShelfItCallsAgain()
