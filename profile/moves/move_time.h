@@ -7,6 +7,8 @@
 
 #include <tl/expected.hpp>
 
+#include <utility>
+
 namespace campanel::profile::detail {
 
 // Returns the refusal of a move without motion, caused by this value of `field`.
@@ -21,5 +23,26 @@ namespace campanel::profile::detail {
 
 // Returns the motion with its peaks and exceeded limits, without suggestions.
 [[nodiscard]] AxisMotion checkedMotion(MotionProfile motion, const Machine& machine);
+
+// Solves a move. `timeOf` returns its time or refuses it, `motionOf` makes the motion of a time, and
+// `suggestionsOf` the nearest feasible values for a refusal.
+template <typename Program, typename TimeOf, typename MotionOf, typename SuggestionsOf>
+[[nodiscard]] tl::expected<AxisMotion, Refusal> solveMove(const Program& program, const Machine& machine,
+                                                          TimeOf timeOf, MotionOf motionOf,
+                                                          SuggestionsOf suggestionsOf)
+{
+    tl::expected<double, Refusal> timeS = timeOf(program, machine);
+    if (!timeS) {
+        timeS.error().nearest = suggestionsOf(program, machine, timeS.error());
+        return tl::unexpected(std::move(timeS.error()));
+    }
+    AxisMotion result = checkedMotion(motionOf(program, *timeS), machine);
+    if (!result.broken.empty()) {
+        const auto nearest = suggestionsOf(program, machine, result.broken.front());
+        for (Refusal& refusal : result.broken)
+            refusal.nearest = nearest;
+    }
+    return result;
+}
 
 } // namespace campanel::profile::detail

@@ -135,18 +135,7 @@ std::vector<Suggestion> positionSuggestions(const PositionMoveProgram& program, 
 
 tl::expected<AxisMotion, Refusal> solve(const PositionMoveProgram& program, const Machine& machine)
 {
-    tl::expected<double, Refusal> timeS = positionMoveTimeS(program, machine);
-    if (!timeS) {
-        timeS.error().nearest = positionSuggestions(program, machine, timeS.error());
-        return tl::unexpected(std::move(timeS.error()));
-    }
-    AxisMotion result = detail::checkedMotion(positionMotion(program, *timeS), machine);
-    if (!result.broken.empty()) {
-        const auto nearest = positionSuggestions(program, machine, result.broken.front());
-        for (Refusal& refusal : result.broken)
-            refusal.nearest = nearest;
-    }
-    return result;
+    return detail::solveMove(program, machine, positionMoveTimeS, positionMotion, positionSuggestions);
 }
 
 bool isFeasible(const PositionMoveProgram& program, const Machine& machine)

@@ -346,18 +346,7 @@ double meanSpeedMmPerS(const SpeedMoveProgram& program)
 
 tl::expected<AxisMotion, Refusal> solve(const SpeedMoveProgram& program, const Machine& machine)
 {
-    tl::expected<double, Refusal> timeS = speedMoveTimeS(program, machine);
-    if (!timeS) {
-        timeS.error().nearest = speedSuggestions(program, machine, timeS.error());
-        return tl::unexpected(std::move(timeS.error()));
-    }
-    AxisMotion result = detail::checkedMotion(speedMotion(program, *timeS), machine);
-    if (!result.broken.empty()) {
-        const auto nearest = speedSuggestions(program, machine, result.broken.front());
-        for (Refusal& refusal : result.broken)
-            refusal.nearest = nearest;
-    }
-    return result;
+    return detail::solveMove(program, machine, speedMoveTimeS, speedMotion, speedSuggestions);
 }
 
 bool isFeasible(const SpeedMoveProgram& program, const Machine& machine)
