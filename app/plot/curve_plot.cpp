@@ -89,8 +89,8 @@ void CurvePlot::updatePolish()
 CurvePlot::Mapping CurvePlot::mapping() const
 {
     const PlotPanel* panel = velocityPanel();
-    return {m_plotArea, panel ? panel->canvas() : QRectF(), m_timeMap.s2(),
-            panel ? panel->scale().lower() : 0.0, panel ? panel->scale().upper() : 0.0};
+    return {m_plotArea, panel ? panel->axis().canvas() : QRectF(), m_timeMap.s2(),
+            panel ? panel->axis().scale().lower() : 0.0, panel ? panel->axis().scale().upper() : 0.0};
 }
 
 void CurvePlot::ensureLayout()
@@ -130,7 +130,7 @@ void CurvePlot::placePanels()
     const QFontMetricsF titleMetrics(m_style.titleFont);
     m_labelWidth = std::max(m_labelWidth, axisMetrics.horizontalAdvance(QStringLiteral("0000")) + labelGap);
     for (const PlotPanel& panel : m_panels) {
-        m_labelWidth = std::max(m_labelWidth, std::ceil(panel.labelWidth(plotStyle)));
+        m_labelWidth = std::max(m_labelWidth, std::ceil(panel.axis().labelWidth(plotStyle)));
     }
     const bool titled =
         std::any_of(m_titles.cbegin(), m_titles.cend(), [](const QString& t) { return !t.isEmpty(); });
@@ -191,14 +191,14 @@ double CurvePlot::yOfVelocity(double velocityMmPerS)
 {
     ensureLayout();
     const PlotPanel* panel = velocityPanel();
-    return panel ? panel->valueMap().transform(velocityMmPerS) : none;
+    return panel ? panel->axis().map().transform(velocityMmPerS) : none;
 }
 
 double CurvePlot::yOfValue(int index, double value)
 {
     ensureLayout();
     const auto i = static_cast<std::size_t>(index);
-    return i < m_panels.size() ? m_panels[i].valueMap().transform(value) : none;
+    return i < m_panels.size() ? m_panels[i].axis().map().transform(value) : none;
 }
 
 double CurvePlot::valuePerPixel(int index)
@@ -207,7 +207,7 @@ double CurvePlot::valuePerPixel(int index)
     const auto i = static_cast<std::size_t>(index);
     if (i >= m_panels.size())
         return none;
-    const QwtScaleMap& map = m_panels[i].valueMap();
+    const QwtScaleMap& map = m_panels[i].axis().map();
     return std::abs(map.invTransform(1) - map.invTransform(0));
 }
 
@@ -215,14 +215,14 @@ double CurvePlot::panelTop(int index)
 {
     ensureLayout();
     const auto i = static_cast<std::size_t>(index);
-    return i < m_panels.size() ? m_panels[i].canvas().top() : none;
+    return i < m_panels.size() ? m_panels[i].axis().canvas().top() : none;
 }
 
 double CurvePlot::panelHeight(int index)
 {
     ensureLayout();
     const auto i = static_cast<std::size_t>(index);
-    return i < m_panels.size() ? m_panels[i].canvas().height() : none;
+    return i < m_panels.size() ? m_panels[i].axis().canvas().height() : none;
 }
 
 QList<double> CurvePlot::valuesAt(double timeS)
@@ -346,7 +346,7 @@ QRectF CurvePlot::traceStrip(double fromS, double toS)
         return {};
     }
     const double margin = m_style.traceLineWidth + 1;
-    const QRectF canvas = panel->canvas();
+    const QRectF canvas = panel->axis().canvas();
     return QRectF(QPointF(m_timeMap.transform(fromS), canvas.top()),
                   QPointF(m_timeMap.transform(toS), canvas.bottom()))
         .adjusted(-margin, -margin, margin, margin);

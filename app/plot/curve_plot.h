@@ -47,7 +47,6 @@ class CurvePlot : public QQuickPaintedItem {
     // The end of the time axis in s; NaN: the end of the curves.
     Q_PROPERTY(double timeMaximum READ timeMaximum WRITE setTimeMaximum NOTIFY timeMaximumChanged FINAL)
     Q_PROPERTY(QString timeUnit MEMBER m_timeUnit NOTIFY timeUnitChanged FINAL)
-    // The widths of the lines in px.
     // The canvas of all panels together, in px of the item.
     Q_PROPERTY(QRectF plotArea READ plotArea NOTIFY layoutChanged FINAL)
 
@@ -63,11 +62,11 @@ public:
     // They update the layout first, so they are not const.
     [[nodiscard]] Q_INVOKABLE double xOfTime(double timeS);
     [[nodiscard]] Q_INVOKABLE double timeOfX(double x);
-    [[nodiscard]] Q_INVOKABLE double yOfVelocity(double velocityMmPerS);
+    [[nodiscard]] double yOfVelocity(double velocityMmPerS);
     // Returns the place of a value in the displayed unit of the panel with this index.
     [[nodiscard]] Q_INVOKABLE double yOfValue(int index, double value);
     [[nodiscard]] Q_INVOKABLE double valuePerPixel(int index);
-    [[nodiscard]] Q_INVOKABLE double panelTop(int index);
+    [[nodiscard]] double panelTop(int index);
     [[nodiscard]] Q_INVOKABLE double panelHeight(int index);
     // Returns one value per panel in its displayed unit (mm, mm/s, m/s2, m/s3, kHz, Nm); NaN outside the
     // curves.

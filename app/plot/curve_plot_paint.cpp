@@ -111,7 +111,7 @@ QRectF CurvePlot::titleRect(std::size_t panel) const
         return {};
     }
     const QFontMetricsF metrics(m_style.titleFont);
-    const QRectF canvas = m_panels[panel].canvas();
+    const QRectF canvas = m_panels[panel].axis().canvas();
     const double width = metrics.horizontalAdvance(m_titles[static_cast<qsizetype>(panel)]);
     return {canvas.left() + titleGap, canvas.top() - titleGap - metrics.height(), width, metrics.height()};
 }
@@ -163,9 +163,9 @@ void CurvePlot::paintTrace(QPainter& painter) const
     }
     const double margin = m_style.traceLineWidth;
     painter.save();
-    painter.setClipRect(panel->canvas().adjusted(0, -margin, 0, margin), Qt::IntersectClip);
+    painter.setClipRect(panel->axis().canvas().adjusted(0, -margin, 0, margin), Qt::IntersectClip);
     paintLine(painter, decimate(times, speeds, maximumDrawnPoints),
-              {m_style.traceColor, m_style.traceLineWidth}, m_timeMap, panel->valueMap());
+              {m_style.traceColor, m_style.traceLineWidth}, m_timeMap, panel->axis().map());
     painter.restore();
 }
 
@@ -185,7 +185,7 @@ void CurvePlot::paintCursor(QPainter& painter) const
             const double value = valueAt(m_curveSet, panel.quantity(), m_cursorTime);
             if (!std::isnan(value)) {
                 painter.setBrush(colorOf(panel.quantity()));
-                painter.drawEllipse(QPointF(x, panel.valueMap().transform(value)), dotRadius, dotRadius);
+                painter.drawEllipse(QPointF(x, panel.axis().map().transform(value)), dotRadius, dotRadius);
             }
         }
     }

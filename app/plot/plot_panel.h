@@ -3,15 +3,11 @@
 // and controlled by CurvePlot.
 #pragma once
 
-#include "app/plot/picture/axis_scale.h"
-#include "app/plot/plot_style.h"
+#include "app/plot/picture/value_axis.h"
 #include "app/plot/quantity.h"
 
 #include <QPointF>
 #include <QPolygonF>
-#include <QRectF>
-
-#include <qwt_scale_map.h>
 
 #include <limits>
 
@@ -35,17 +31,12 @@ public:
     }
 
     [[nodiscard]] Quantity quantity() const { return m_quantity; }
-    [[nodiscard]] const QRectF& canvas() const { return m_canvas; }
-    [[nodiscard]] const QwtScaleMap& valueMap() const { return m_valueMap; }
-    [[nodiscard]] const AxisScale& scale() const { return m_scale; }
+    [[nodiscard]] const ValueAxis& axis() const { return m_axis; }
 
     // Sets the data; keeps the scale of the panel if possible. The limit is in the displayed unit, NaN for
     // none.
     void setData(const CurveSet& curves, const CurveSet& overlay, double limit);
-    void setCanvas(const QRectF& canvas);
-
-    // Returns the width of the tick labels left of the canvas.
-    [[nodiscard]] double labelWidth(const PlotStyle& style) const;
+    void setCanvas(const QRectF& canvas) { m_axis.setCanvas(canvas); }
 
     // Returns true if the curve exceeds the limit between the two times.
     [[nodiscard]] bool isBroken(double fromS, double toS) const;
@@ -57,17 +48,12 @@ public:
 
 private:
     void fitScale();
-    // Returns the ticks with a number: in a low panel only those at the ends, so that they do not overlap.
-    [[nodiscard]] QwtScaleDiv labelDivision(const PlotStyle& style) const;
-    void paintLimit(QPainter& painter, const PlotStyle& style, double value, const QString& label) const;
 
     Quantity m_quantity;
     QPolygonF m_curve;
     QPolygonF m_overlay;
     double m_limit = std::numeric_limits<double>::quiet_NaN();
-    AxisScale m_scale;
-    QRectF m_canvas;
-    QwtScaleMap m_valueMap;
+    ValueAxis m_axis;
 };
 
 } // namespace campanel::plot

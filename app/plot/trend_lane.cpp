@@ -1,14 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/plot/trend_lane.h"
 
-#include "app/plot/picture/label_draw.h"
 #include "app/plot/plot_panel.h"
 
-#include <QFontMetricsF>
 #include <QPainter>
-#include <QPalette>
 
-#include <qwt_plot_grid.h>
 #include <qwt_plot_intervalcurve.h>
 
 #include <algorithm>
@@ -21,7 +17,6 @@ namespace {
 constexpr double bandOpacity = 0.28;
 constexpr double flattest = 0.002;    // a smaller scale would display the jitter of the last digit
 constexpr double nearTolerance = 1.0; // share of the data's span up to which a tolerance line is visible
-constexpr double toleranceDash = 4;
 
 QPolygonF cut(const QPolygonF& points, qsizetype begin, qsizetype end)
 {
@@ -62,8 +57,8 @@ void TrendLane::setData(const Lines& lines, double fromMs, double toMs, double t
         high = std::max(high, m_shown.highs[i].y());
     }
     if (low > high) {
-        m_scale.reset();
-        (void)m_scale.fit(m_tolerance > 0 ? -m_tolerance : 0, m_tolerance > 0 ? m_tolerance : 1, 0);
+        m_axis.scale().reset();
+        (void)m_axis.scale().fit(m_tolerance > 0 ? -m_tolerance : 0, m_tolerance > 0 ? m_tolerance : 1, 0);
         return;
     }
     const double near = std::max(nearTolerance * (high - low), m_tolerance);
@@ -71,21 +66,7 @@ void TrendLane::setData(const Lines& lines, double fromMs, double toMs, double t
         high = std::max(high, m_tolerance);
     if (-m_tolerance > low - near)
         low = std::min(low, -m_tolerance);
-    (void)m_scale.fit(low, high, flattest);
-}
-
-void TrendLane::setCanvas(const QRectF& canvas)
-{
-    m_canvas = canvas;
-    m_valueMap.setScaleInterval(m_scale.lower(), m_scale.upper());
-    m_valueMap.setPaintInterval(canvas.bottom(), canvas.top());
-}
-
-double TrendLane::labelWidth(const PlotStyle& style) const
-{
-    LabelDraw labels(QwtScaleDraw::LeftScale, style.locale, decimalsOfStep(m_scale.step()));
-    labels.setScaleDiv(m_scale.division());
-    return labels.extent(style.axisFont);
+    (void)m_axis.scale().fit(low, high, flattest);
 }
 
 TrendLane::Values TrendLane::valuesAt(double timeMs) const
@@ -100,48 +81,14 @@ TrendLane::Values TrendLane::valuesAt(double timeMs) const
     return {m_shown.lows[nearest].y(), means[nearest].y(), m_shown.highs[nearest].y()};
 }
 
-QwtScaleDiv TrendLane::labelDivision(const PlotStyle& style) const
-{
-    QwtScaleDiv division = m_scale.division();
-    const QList<double> ticks = division.ticks(QwtScaleDiv::MajorTick);
-    const double room = m_canvas.height() / std::max<double>(1, static_cast<double>(ticks.size() - 1));
-    if (ticks.size() > 2 && room < QFontMetricsF(style.axisFont).height())
-        division.setTicks(QwtScaleDiv::MajorTick, {ticks.first(), ticks.last()});
-    return division;
-}
-
 void TrendLane::paintGrid(QPainter& painter, const PlotStyle& style) const
 {
-    QwtPlotGrid grid;
-    grid.enableX(false);
-    grid.setMajorPen(QPen(style.grid, 1));
-    grid.setYDiv(m_scale.division());
-    grid.draw(&painter, QwtScaleMap(), m_valueMap, m_canvas.adjusted(0, 0, 0, 1));
+    m_axis.paintGrid(painter, style);
     if (m_shown.means.isEmpty())
         return; // nothing is known, so no numbers
-    LabelDraw labels(QwtScaleDraw::LeftScale, style.locale, decimalsOfStep(m_scale.step()));
-    labels.setScaleDiv(labelDivision(style));
-    labels.move(m_canvas.topLeft());
-    labels.setLength(m_canvas.height());
-    QPalette palette;
-    palette.setColor(QPalette::Text, style.secondaryInk);
-    painter.setFont(style.axisFont);
-    labels.draw(&painter, palette);
-    paintTolerance(painter, style);
-}
-
-void TrendLane::paintTolerance(QPainter& painter, const PlotStyle& style) const
-{
-    QPen pen(style.limit, 2);
-    pen.setDashPattern({toleranceDash, toleranceDash});
-    pen.setCapStyle(Qt::FlatCap);
-    painter.setPen(pen);
-    for (const double value : {m_tolerance, -m_tolerance}) {
-        if (!(value >= m_scale.lower() && value <= m_scale.upper()))
-            continue;
-        const double y = std::round(m_valueMap.transform(value));
-        painter.drawLine(QPointF(m_canvas.left(), y), QPointF(m_canvas.right(), y));
-    }
+    m_axis.paintLabels(painter, style);
+    for (const double value : {m_tolerance, -m_tolerance})
+        m_axis.paintLimit(painter, style, value);
 }
 
 void TrendLane::paintCurves(QPainter& painter, const PlotStyle& style, const QColor& color,
@@ -150,14 +97,14 @@ void TrendLane::paintCurves(QPainter& painter, const PlotStyle& style, const QCo
     QColor tint = color;
     tint.setAlphaF(static_cast<float>(bandOpacity));
     painter.save();
-    painter.setClipRect(m_canvas.adjusted(0, -style.lineWidth, 0, style.lineWidth));
+    painter.setClipRect(m_axis.canvas().adjusted(0, -style.lineWidth, 0, style.lineWidth));
     painter.setRenderHint(QPainter::Antialiasing);
     for (const auto& [begin, end] : stretches(m_shown.means)) {
         if (end - begin == 1) { // a single point has no line
             const double x = timeMap.transform(m_shown.means[begin].x());
             painter.setPen(QPen(color, 2 * style.lineWidth, Qt::SolidLine, Qt::RoundCap));
-            painter.drawLine(QPointF(x, m_valueMap.transform(m_shown.lows[begin].y())),
-                             QPointF(x, m_valueMap.transform(m_shown.highs[begin].y())));
+            painter.drawLine(QPointF(x, m_axis.map().transform(m_shown.lows[begin].y())),
+                             QPointF(x, m_axis.map().transform(m_shown.highs[begin].y())));
             continue;
         }
         QList<QwtIntervalSample> samples;
@@ -168,8 +115,8 @@ void TrendLane::paintCurves(QPainter& painter, const PlotStyle& style, const QCo
         band.setPen(QPen(Qt::NoPen));
         band.setBrush(tint);
         band.setSamples(samples);
-        band.draw(&painter, timeMap, m_valueMap, m_canvas);
-        paintLine(painter, cut(m_shown.means, begin, end), {color, style.lineWidth}, timeMap, m_valueMap);
+        band.draw(&painter, timeMap, m_axis.map(), m_axis.canvas());
+        paintLine(painter, cut(m_shown.means, begin, end), {color, style.lineWidth}, timeMap, m_axis.map());
     }
     painter.restore();
 }

@@ -3,13 +3,9 @@
 // with its own value scale and tolerance lines. Owned and controlled by TrendPlot.
 #pragma once
 
-#include "app/plot/picture/axis_scale.h"
-#include "app/plot/plot_style.h"
+#include "app/plot/picture/value_axis.h"
 
 #include <QPolygonF>
-#include <QRectF>
-
-#include <qwt_scale_map.h>
 
 #include <limits>
 
@@ -32,10 +28,8 @@ public:
 
     // Sets the data. Only points in the window, and one beyond each end, are drawn and used for the scale.
     void setData(const Lines& lines, double fromMs, double toMs, double tolerance);
-    void setCanvas(const QRectF& canvas);
-    [[nodiscard]] const QRectF& canvas() const { return m_canvas; }
-    [[nodiscard]] const QwtScaleMap& valueMap() const { return m_valueMap; }
-    [[nodiscard]] double labelWidth(const PlotStyle& style) const;
+    void setCanvas(const QRectF& canvas) { m_axis.setCanvas(canvas); }
+    [[nodiscard]] const ValueAxis& axis() const { return m_axis; }
     // Returns the values of the nearest point; NaN in a gap.
     [[nodiscard]] Values valuesAt(double timeMs) const;
     [[nodiscard]] qsizetype drawnPoints() const { return m_shown.means.size(); }
@@ -45,14 +39,9 @@ public:
                      const QwtScaleMap& timeMap) const;
 
 private:
-    void paintTolerance(QPainter& painter, const PlotStyle& style) const;
-    [[nodiscard]] QwtScaleDiv labelDivision(const PlotStyle& style) const;
-
     Lines m_shown;
     double m_tolerance = std::numeric_limits<double>::quiet_NaN(); // in both directions from zero
-    AxisScale m_scale;
-    QRectF m_canvas;
-    QwtScaleMap m_valueMap;
+    ValueAxis m_axis;
 };
 
 } // namespace campanel::plot

@@ -60,7 +60,7 @@ void TrendPlot::ensureLayout()
         if (curves && curves->size() >= 3 * (at + 1))
             lines = {curves->at(3 * at), curves->at(3 * at + 1), curves->at(3 * at + 2)};
         m_lanes[i].setData(lines, m_fromMs, m_toMs, at < m_tolerances.size() ? m_tolerances[at] : unknown);
-        m_labelWidth = std::max(m_labelWidth, std::ceil(m_lanes[i].labelWidth(style())));
+        m_labelWidth = std::max(m_labelWidth, std::ceil(m_lanes[i].axis().labelWidth(style())));
     }
     const double axis = QFontMetricsF(m_axisFont).height() + axisGap;
     m_area = QRectF(m_labelWidth, 0, std::max(1.0, width() - m_labelWidth - rightMargin),
@@ -103,7 +103,7 @@ double TrendPlot::laneTop(int lane)
 {
     ensureLayout();
     const bool isKnown = lane >= 0 && static_cast<std::size_t>(lane) < m_lanes.size();
-    return isKnown ? m_lanes[static_cast<std::size_t>(lane)].canvas().top() - m_headerHeight : 0;
+    return isKnown ? m_lanes[static_cast<std::size_t>(lane)].axis().canvas().top() - m_headerHeight : 0;
 }
 
 double TrendPlot::xOfTime(double timeMs)
@@ -170,7 +170,8 @@ void TrendPlot::paintTimeAxis(QPainter& painter) const
         const double x = std::round(map.transform(tick.timeMs)) + 0.5;
         painter.setPen(QPen(m_gridColor, 1));
         for (const TrendLane& lane : m_lanes)
-            painter.drawLine(QPointF(x, lane.canvas().top()), QPointF(x, lane.canvas().bottom()));
+            painter.drawLine(QPointF(x, lane.axis().canvas().top()),
+                             QPointF(x, lane.axis().canvas().bottom()));
         const double wide = metrics.horizontalAdvance(tick.text) + 1;
         const double left = std::clamp(x - wide / 2, m_area.left(), std::max(m_area.left(), width() - wide));
         painter.setPen(m_secondaryInkColor);
@@ -187,13 +188,13 @@ void TrendPlot::paintCursor(QPainter& painter) const
     painter.setRenderHint(QPainter::Antialiasing);
     for (const TrendLane& lane : m_lanes) {
         painter.setPen(QPen(m_inkColor, cursorWidth));
-        painter.drawLine(QPointF(x, lane.canvas().top()), QPointF(x, lane.canvas().bottom()));
+        painter.drawLine(QPointF(x, lane.axis().canvas().top()), QPointF(x, lane.axis().canvas().bottom()));
         const double mean = lane.valuesAt(m_cursorMs).mean;
         if (!std::isfinite(mean))
             continue;
         painter.setPen(Qt::NoPen);
         painter.setBrush(m_inkColor);
-        painter.drawEllipse(QPointF(x, lane.valueMap().transform(mean)), dotRadius, dotRadius);
+        painter.drawEllipse(QPointF(x, lane.axis().map().transform(mean)), dotRadius, dotRadius);
     }
 }
 
