@@ -15,6 +15,7 @@ namespace campanel::plot {
 
 namespace {
 
+constexpr int capacity = 60; // bags
 constexpr double toleranceShare =
     0.8; // of half the height, where the tolerance lines are if no bag is beyond them
 constexpr double defaultReachMm = 1.0;     // without tolerance and without larger values
@@ -58,8 +59,8 @@ void BagChart::setTolerance(double tolerance)
 BagChart::Points BagChart::points() const
 {
     Points points;
-    const qsizetype first = std::max<qsizetype>(0, m_values.size() - m_capacity);
-    const qsizetype offset = m_capacity - (m_values.size() - first);
+    const qsizetype first = std::max<qsizetype>(0, m_values.size() - capacity);
+    const qsizetype offset = capacity - (m_values.size() - first);
     for (qsizetype i = first; i < m_values.size(); ++i) {
         if (std::isfinite(m_values[i])) {
             const QPointF point(static_cast<double>(offset + i - first), m_values[i]);
@@ -96,7 +97,7 @@ void BagChart::paint(QPainter* painter)
     valueMap.setScaleInterval(-half, half);
     valueMap.setPaintInterval(height(), 0);
     QwtScaleMap indexMap;
-    indexMap.setScaleInterval(0, std::max(1, m_capacity - 1));
+    indexMap.setScaleInterval(0, std::max(1, capacity - 1));
     indexMap.setPaintInterval(margin, width() - margin);
 
     paintMean(*painter, valueMap);

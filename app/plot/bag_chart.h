@@ -18,9 +18,8 @@ namespace campanel::plot {
 class BagChart : public QQuickPaintedItem {
     Q_OBJECT
     QML_ELEMENT
-    // The deviations in mm, oldest first; NaN leaves a gap. Only the newest `capacity` are drawn.
+    // The deviations in mm, oldest first; NaN leaves a gap. Only the newest 60 are drawn.
     Q_PROPERTY(QList<double> values MEMBER m_values NOTIFY valuesChanged FINAL)
-    Q_PROPERTY(int capacity MEMBER m_capacity NOTIFY valuesChanged FINAL)
     // The tolerance, +- mm around zero; NaN: no lines.
     Q_PROPERTY(double tolerance READ tolerance WRITE setTolerance NOTIFY toleranceChanged FINAL)
     // The mean of the values in mm: a line in a band of +- scatter; NaN: none.
@@ -62,7 +61,6 @@ private:
     void paintLines(QPainter& painter, const QwtScaleMap& valueMap) const;
 
     QList<double> m_values;
-    int m_capacity = 60;
     double m_tolerance = std::numeric_limits<double>::quiet_NaN();
     double m_mean = std::numeric_limits<double>::quiet_NaN();
     double m_scatter = std::numeric_limits<double>::quiet_NaN();

@@ -18,7 +18,6 @@ class CurveStyle : public QObject {
     Q_PROPERTY(QColor gridColor MEMBER gridColor NOTIFY changed FINAL)
     Q_PROPERTY(QColor inkColor MEMBER inkColor NOTIFY changed FINAL)
     Q_PROPERTY(QColor secondaryInkColor MEMBER secondaryInkColor NOTIFY changed FINAL)
-    Q_PROPERTY(QColor markerColor MEMBER markerColor NOTIFY changed FINAL)
     Q_PROPERTY(QColor surfaceColor MEMBER surfaceColor NOTIFY changed FINAL)
     Q_PROPERTY(QColor positionColor MEMBER positionColor NOTIFY changed FINAL)
     Q_PROPERTY(QColor velocityColor MEMBER velocityColor NOTIFY changed FINAL)

@@ -2,8 +2,8 @@
 #include "app/plot/force_plot.h"
 
 #include "app/plot/picture/label_draw.h"
+#include "app/plot/picture/plot_style.h"
 #include "app/plot/plot_panel.h"
-#include "app/plot/plot_style.h"
 
 #include <QFontMetricsF>
 #include <QPainter>
@@ -78,7 +78,7 @@ void ForcePlot::place()
     const double left = std::ceil(forces.extent(m_axisFont));
     const double top = std::ceil(metrics.height() / 2);
     const double bottom = std::ceil(metrics.height() + labelGap);
-    const double right = std::ceil(metrics.horizontalAdvance(QStringLiteral("0000 ") + m_positionUnit) / 2);
+    const double right = std::ceil(metrics.horizontalAdvance(QStringLiteral("0000 mm")) / 2);
     m_canvas =
         QRectF(left, top, std::max(1.0, width() - left - right), std::max(1.0, height() - top - bottom));
     m_positionMap.setScaleInterval(m_positionScale.lower(), m_positionScale.upper());
@@ -126,8 +126,8 @@ void ForcePlot::paintAxes(QPainter& painter) const
     positions.setScaleDiv(m_positionScale.division());
     const QList<double> ticks = m_positionScale.division().ticks(QwtScaleDiv::MajorTick);
     if (!ticks.isEmpty())
-        positions.setSpecialLabel(ticks.last(), localNumber(m_locale, ticks.last(), decimals) +
-                                                    QLatin1Char(' ') + m_positionUnit);
+        positions.setSpecialLabel(ticks.last(),
+                                  localNumber(m_locale, ticks.last(), decimals) + QStringLiteral(" mm"));
     positions.move(m_canvas.bottomLeft());
     positions.setLength(m_canvas.width());
     positions.draw(&painter, palette);

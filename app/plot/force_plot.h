@@ -32,7 +32,6 @@ class ForcePlot : public QQuickPaintedItem {
     Q_PROPERTY(double gatePosition MEMBER m_gatePosition NOTIFY marksChanged FINAL)
     Q_PROPERTY(double gateLow MEMBER m_gateLow NOTIFY marksChanged FINAL)
     Q_PROPERTY(double gateHigh MEMBER m_gateHigh NOTIFY marksChanged FINAL)
-    Q_PROPERTY(QString positionUnit MEMBER m_positionUnit NOTIFY styleChanged FINAL)
     Q_PROPERTY(QColor gridColor MEMBER m_gridColor NOTIFY styleChanged FINAL)
     Q_PROPERTY(QColor secondaryInkColor MEMBER m_secondaryInkColor NOTIFY styleChanged FINAL)
     Q_PROPERTY(QColor curveColor MEMBER m_curveColor NOTIFY styleChanged FINAL)
@@ -71,7 +70,6 @@ private:
     double m_gatePosition = none;
     double m_gateLow = none;
     double m_gateHigh = none;
-    QString m_positionUnit = QStringLiteral("mm");
     QColor m_gridColor{Qt::lightGray};
     QColor m_secondaryInkColor{Qt::darkGray};
     QColor m_curveColor{Qt::blue};

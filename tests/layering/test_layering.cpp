@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The allowed directions between the layers, read from every #include and every QML import.
 // A folder without a rule, a file in no folder with a rule, or an include that no rule allows fails the test.
-#include "tests/support/places.h"
+#include "source_files.h"
 #include "tests/support/test_program.h"
 
 #include <QDirIterator>
@@ -16,6 +16,8 @@
 namespace test_layering {
 
 using namespace Qt::StringLiterals;
+using campanel::test::filesBelow;
+using campanel::test::textOf;
 
 namespace {
 
@@ -193,25 +195,6 @@ const Rule* ruleFor(const QList<Rule>& rules, const QString& relativePath)
             best = &rule;
     }
     return best;
-}
-
-QStringList filesBelow(const QStringList& folders, const QStringList& patterns)
-{
-    const QDir root(campanel::test::sourcePath("."));
-    QStringList result;
-    for (const QString& folder : folders) {
-        QDirIterator it(root.filePath(folder), patterns, QDir::Files, QDirIterator::Subdirectories);
-        while (it.hasNext())
-            result << root.relativeFilePath(it.next());
-    }
-    result.sort();
-    return result;
-}
-
-QString textOf(const QString& relativePath)
-{
-    QFile file(QDir(campanel::test::sourcePath(".")).filePath(relativePath));
-    return file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()) : QString();
 }
 
 // Returns every first capture of `pattern` in the file that no rule allows, as "path: what".
@@ -401,28 +384,6 @@ private slots:
         QVERIFY(counts.size() > 60);
         for (auto it = counts.begin(); it != counts.end(); ++it)
             QVERIFY2(it.value() <= maxFiles, qPrintable(u"%1: %2 files"_s.arg(it.key()).arg(it.value())));
-    }
-
-    void noClassHasTooManyProperties()
-    {
-        constexpr int maxProperties = 30;
-        static const QRegularExpression start(u"^(class|struct) (\\w+)"_s,
-                                              QRegularExpression::MultilineOption);
-        int classes = 0;
-        for (const QString& name : filesBelow({u"app"_s}, {u"*.h"_s})) {
-            const QString text = textOf(name);
-            QRegularExpressionMatchIterator it = start.globalMatch(text);
-            while (it.hasNext()) {
-                const QRegularExpressionMatch match = it.next();
-                const qsizetype end = it.hasNext() ? it.peekNext().capturedStart() : text.size();
-                const QString body = text.sliced(match.capturedStart(), end - match.capturedStart());
-                const qsizetype count = body.count(u"Q_PROPERTY("_s);
-                QVERIFY2(count <= maxProperties,
-                         qPrintable(u"%1: %2 properties"_s.arg(match.captured(2)).arg(count)));
-                classes += count > 0 ? 1 : 0;
-            }
-        }
-        QVERIFY(classes > 40);
     }
 
     void noHeaderIncludesItself()

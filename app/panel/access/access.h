@@ -38,9 +38,6 @@ class Access : public QObject {
     Q_PROPERTY(bool protectedByPins READ protectedByPins NOTIFY changed FINAL)
     // True when the users cannot be read: nobody can log in, and refusalText() says why.
     Q_PROPERTY(bool locked READ locked NOTIFY changed FINAL)
-    Q_PROPERTY(bool mayOperate READ mayOperate NOTIFY changed FINAL)
-    Q_PROPERTY(bool maySetUp READ maySetUp NOTIFY changed FINAL) // as a technician
-    Q_PROPERTY(bool mayService READ mayService NOTIFY changed FINAL)
 
     // A list of {id, name, level, levelText, current}, sorted by name.
     Q_PROPERTY(QVariantList users READ users NOTIFY changed FINAL)
@@ -81,7 +78,7 @@ public:
     // Reads the users; until then nobody has more rights than an operator. Before open() nothing is
     // restricted.
     void open();
-    // Sets a clock for tests. The idle time of the panel uses the Machine's clock.
+    // Sets a clock for tests. The idle time of the panel uses the Controller's clock.
     void setWallClock(WallClock clock) { m_wallClock = std::move(clock); }
     // Logs out a user who has been idle for too long; runs once a second.
     void checkClock();
@@ -116,9 +113,6 @@ public:
     [[nodiscard]] bool loggedIn() const { return m_user.has_value(); }
     [[nodiscard]] bool protectedByPins() const { return !m_users.isEmpty() || locked(); }
     [[nodiscard]] bool locked() const { return m_lock.has_value(); }
-    [[nodiscard]] bool mayOperate() const { return level() >= Operator; }
-    [[nodiscard]] bool maySetUp() const { return level() >= Technician; }
-    [[nodiscard]] bool mayService() const { return level() >= Service; }
     [[nodiscard]] QVariantList users() const;
     [[nodiscard]] QVariantList levels() const;
     [[nodiscard]] bool busy() const { return m_jobs > 0; }

@@ -26,7 +26,7 @@ class AxisSpeed : public QObject {
 public:
     enum class Use { Jog, Home };
 
-    // The machine must outlive the object.
+    // The controller must outlive the object.
     AxisSpeed(Controller& controller, Use use, QObject* parent);
 
     [[nodiscard]] Value* value() { return &m_value; }

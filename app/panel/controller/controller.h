@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// `Machine` in QML: the live controller. Unknown numbers are NaN and unknown strings empty. Lives in the GUI
-// thread; all its data arrives from the link as values.
+// `Controller` in QML: the live controller. Unknown numbers are NaN and unknown strings empty. Lives in the
+// GUI thread; all its data arrives from the link as values.
 #pragma once
 
 #include "app/link/link.h"
@@ -206,7 +206,6 @@ private:
     // Returns the program of the last status; null while another one is known.
     [[nodiscard]] const ControllerProgram* runningProgram() const;
     void trace(const modbus::StatusBlock& status);
-    // Returns the active program if it is a press, else null.
     void forgetStatus();
     void updateAge();
     void showMessage(const QString& text);

@@ -20,7 +20,6 @@ struct LiveValues {
     Q_PROPERTY(double masterAngleDeg MEMBER masterAngleDeg FINAL)
     Q_PROPERTY(double knifeAngleDeg MEMBER knifeAngleDeg FINAL)
     Q_PROPERTY(double knifeSpeedMmPerS MEMBER knifeSpeedMmPerS FINAL)
-    Q_PROPERTY(double followingErrorPulses MEMBER followingErrorPulses FINAL)
     Q_PROPERTY(double followingErrorMm MEMBER followingErrorMm FINAL)
     Q_PROPERTY(double pulseFrequencyHz MEMBER pulseFrequencyHz FINAL)
     Q_PROPERTY(double cycleCount MEMBER cycleCount FINAL)

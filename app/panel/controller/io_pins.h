@@ -17,7 +17,7 @@ class IoPins : public QObject {
     Q_OBJECT
 
 public:
-    // The machine must outlive the object.
+    // The controller must outlive the object.
     IoPins(Controller& controller, QObject* parent);
 
     // Returns true when the controller reports its pins; those of older register maps do not.

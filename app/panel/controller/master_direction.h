@@ -18,7 +18,7 @@ class Parameter;
 class MasterDirection : public QObject {
     Q_OBJECT
     QML_ELEMENT
-    QML_UNCREATABLE("The direction belongs to the Machine")
+    QML_UNCREATABLE("The direction belongs to the Controller")
     // The controller's setting; Unknown until it is read.
     Q_PROPERTY(Way way READ way NOTIFY changed FINAL)
     // True during the reversal: down to zero, then up again.
@@ -33,7 +33,7 @@ public:
     enum class Way { Unknown, Forward, Backward };
     Q_ENUM(Way)
 
-    // The machine must outlive the object.
+    // The controller must outlive the object.
     explicit MasterDirection(Controller& controller);
 
     [[nodiscard]] Way way() const;
@@ -45,7 +45,7 @@ public:
     // Requests the direction; `way` changes when the controller is proven to have stored it.
     Q_INVOKABLE void turn(campanel::panel::MasterDirection::Way way);
 
-    // Handle events of the Machine.
+    // Handle events of the Controller.
     void noteConnection();
     void noteProgram();
     void noteStatus(const link::StatusBatch& batch);

@@ -23,7 +23,7 @@ class Controller;
 class PackingLine : public QObject {
     Q_OBJECT
     QML_ELEMENT
-    QML_UNCREATABLE("The packing line belongs to the Machine")
+    QML_UNCREATABLE("The packing line belongs to the Controller")
     // True with a cutter's program in a controller that reports its film, or did so before the connection was
     // lost.
     Q_PROPERTY(bool present READ present NOTIFY changed FINAL)

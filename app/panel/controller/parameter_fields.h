@@ -78,7 +78,7 @@ protected:
         [[nodiscard]] std::optional<double> value() const { return parameter->value(); }
     };
 
-    // The machine must outlive the object.
+    // The controller must outlive the object.
     ParameterFields(Controller& controller, QObject* parent);
 
     [[nodiscard]] Controller& controller() const { return m_controller; }

@@ -23,11 +23,6 @@ QString StrokeRow::stopForceText() const
     return Format().number(status.stopForceN, 0);
 }
 
-QString StrokeRow::peakForceText() const
-{
-    return Format().number(status.peakForceN, 0);
-}
-
 void StrokeModel::note(const modbus::StatusBlock& status, double pulsesPerMm)
 {
     if (!status.press)

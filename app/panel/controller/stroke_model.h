@@ -19,7 +19,6 @@ struct StrokeRow {
     Q_PROPERTY(bool good READ good)
     Q_PROPERTY(QString stopErrorText READ stopErrorText)
     Q_PROPERTY(QString stopForceText READ stopForceText)
-    Q_PROPERTY(QString peakForceText READ peakForceText)
 
 public:
     quint32 number = 0;
@@ -30,7 +29,6 @@ public:
     [[nodiscard]] bool good() const { return status.result == modbus::StrokeResult::Ok; }
     [[nodiscard]] QString stopErrorText() const;
     [[nodiscard]] QString stopForceText() const;
-    [[nodiscard]] QString peakForceText() const;
 };
 
 using StrokeRows = RowModel<StrokeRow, &StrokeRow::number>;
@@ -38,7 +36,7 @@ using StrokeRows = RowModel<StrokeRow, &StrokeRow::number>;
 class StrokeModel : public QObject {
     Q_OBJECT
     QML_ELEMENT
-    QML_UNCREATABLE("Strokes belong to the Machine")
+    QML_UNCREATABLE("Strokes belong to the Controller")
     Q_PROPERTY(campanel::panel::RowModelBase* rows READ rows CONSTANT FINAL)
     Q_PROPERTY(int goodCount READ goodCount NOTIFY changed FINAL)
     // The newest stroke in order of time: x position in mm, y force in N.

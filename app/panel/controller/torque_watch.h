@@ -23,17 +23,13 @@ namespace campanel::panel {
 class TorqueWatch : public QObject {
     Q_OBJECT
     QML_ELEMENT
-    QML_UNCREATABLE("The torque belongs to the Machine")
+    QML_UNCREATABLE("The torque belongs to the Controller")
     // True while it is displayed; otherwise nothing is read.
     Q_PROPERTY(bool watched READ watched WRITE setWatched NOTIFY watchedChanged FINAL)
-    Q_PROPERTY(double measuredPercent READ measuredPercent NOTIFY changed FINAL)
-    Q_PROPERTY(double predictedPercent READ predictedPercent NOTIFY changed FINAL) // at the same angle
     // The largest magnitude of measured minus predicted among the last readings at full speed.
-    Q_PROPERTY(double differencePercent READ differencePercent NOTIFY changed FINAL)
     Q_PROPERTY(QString text READ text NOTIFY changed FINAL)
     Q_PROPERTY(QString shortText READ shortText NOTIFY changed FINAL)
     // The data that a comparison needs and does not have, as a sentence; empty when there are none.
-    Q_PROPERTY(QString missingText READ missingText NOTIFY changed FINAL)
 
 public:
     // The readings that the difference is of: half a minute of them.
@@ -47,7 +43,7 @@ public:
         [[nodiscard]] double difference() const { return measuredPercent - predictedPercent; }
     };
 
-    // The machine must outlive the object.
+    // The controller must outlive the object.
     explicit TorqueWatch(Controller& controller);
 
     [[nodiscard]] bool watched() const { return m_timer.isActive(); }
@@ -68,7 +64,7 @@ public:
     // Sets the machine data for the kind of the active program; empty: nobody has entered any.
     void setMachineData(const std::optional<profile::Machine>& machine);
     [[nodiscard]] const std::optional<profile::Machine>& machineData() const { return m_machineData; }
-    // Handle events of the Machine.
+    // Handle events of the Controller.
     void noteConnection();
     void noteProgram();
     void noteStatus();

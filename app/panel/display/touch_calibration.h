@@ -45,7 +45,7 @@ public:
     static constexpr int idleTimeS = 60;
     static constexpr int crosses = 4;
 
-    // The machine must outlive the object.
+    // The controller must outlive the object.
     TouchCalibration(Controller& controller, QObject* parent);
 
     static TouchCalibration* create(QQmlEngine* qmlEngine, QJSEngine* jsEngine);

@@ -34,7 +34,7 @@ public:
     enum class Result { None, Equal, Different, Undecided };
     Q_ENUM(Result)
 
-    // The machine must outlive the object.
+    // The controller must outlive the object.
     ProgramProof(Controller& controller, QObject* parent);
 
     // Stores what this panel downloaded and the controller activated.

@@ -93,7 +93,7 @@ public:
     Q_ENUM(Severity)
 
     // Stores both recipes in `folder`. A default recipe never takes the place of edits that cannot be read.
-    // The machine must outlive the object.
+    // The controller must outlive the object.
     Editor(Controller& controller, const QString& folder, QObject* parent);
     ~Editor() override;
 

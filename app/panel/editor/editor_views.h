@@ -44,7 +44,6 @@ public:
     [[nodiscard]] QString peaks() const; // "peak 71 r/min · 1.95 m/s² · 11.8 kHz"
     [[nodiscard]] QString verdict() const;
 
-    // Returns the value with the field's decimals; ratios without superfluous zeros.
 private:
     [[nodiscard]] QString explanation(profile::Field field) const;
     [[nodiscard]] program::Recipe withLaw(const profile::Law& law) const;

@@ -102,7 +102,6 @@ void SegmentModel::showRows()
         row.rangeText =
             tr("%1 – %2°").arg(format.compact(segment.fromDeg, 0, 4), format.compact(segment.toDeg, 0, 4));
         row.motionText = SegmentSentences::motionName(segment.motion);
-        row.endText = tr("%1 mm").arg(format.compact(segment.endMm, 0, 3));
         row.jumps =
             static_cast<std::size_t>(i) < joints.size() && !joints[static_cast<std::size_t>(i)].isSmooth;
         row.isSelected = i == selected();

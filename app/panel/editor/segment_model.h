@@ -20,7 +20,6 @@ struct SegmentRow {
     Q_PROPERTY(int number MEMBER number)
     Q_PROPERTY(QString rangeText MEMBER rangeText)
     Q_PROPERTY(QString motionText MEMBER motionText)
-    Q_PROPERTY(QString endText MEMBER endText)
     Q_PROPERTY(bool jumps MEMBER jumps)
     Q_PROPERTY(bool selected MEMBER isSelected)
 
@@ -28,7 +27,6 @@ public:
     int number = 0; // from 1
     QString rangeText;
     QString motionText;
-    QString endText;
     bool jumps = false; // at its beginning
     bool isSelected = false;
 

@@ -19,7 +19,7 @@ struct ReportFile {
 class ReportFiles : public campanel::panel::FileExchange {
     Q_OBJECT
     QML_ELEMENT
-    QML_UNCREATABLE("Report files belong to the Service")
+    QML_UNCREATABLE("Report files belong to Maintenance")
     Q_PROPERTY(campanel::panel::RowModelBase* places READ places CONSTANT FINAL)
 
 public:

@@ -15,7 +15,7 @@ class CamSwitches final : public campanel::panel::ParameterFields {
     Q_PROPERTY(int drives READ drives CONSTANT FINAL)
 
 public:
-    // The machine must outlive the object.
+    // The controller must outlive the object.
     CamSwitches(Controller& controller, QObject* parent);
 
     [[nodiscard]] int current() const { return m_current; }

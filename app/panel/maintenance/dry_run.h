@@ -19,7 +19,7 @@ struct Solution;
 class DryRun : public QObject {
     Q_OBJECT
     QML_ELEMENT
-    QML_UNCREATABLE("The dry run belongs to the Service")
+    QML_UNCREATABLE("The dry run belongs to Maintenance")
     // True when the recipe has a motion, even one that exceeds a limit.
     Q_PROPERTY(bool available READ available NOTIFY changed FINAL)
     Q_PROPERTY(bool cutter READ cutter NOTIFY changed FINAL)

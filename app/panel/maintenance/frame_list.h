@@ -20,7 +20,7 @@ namespace campanel::panel {
 class FrameList : public QAbstractListModel {
     Q_OBJECT
     QML_ELEMENT
-    QML_UNCREATABLE("The frames belong to the Service")
+    QML_UNCREATABLE("The frames belong to Maintenance")
     Q_PROPERTY(bool watched READ watched WRITE setWatched NOTIFY changed FINAL)
     // True while the list is paused. Frames that pass meanwhile are read afterwards, as far as the link still
     // has them.

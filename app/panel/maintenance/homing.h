@@ -15,7 +15,7 @@ class Controller;
 class Homing : public QObject {
     Q_OBJECT
     QML_ELEMENT
-    QML_UNCREATABLE("Homing belongs to the Service")
+    QML_UNCREATABLE("Homing belongs to Maintenance")
     Q_PROPERTY(Place place READ place NOTIFY changed FINAL)
     Q_PROPERTY(QString placeText READ placeText NOTIFY changed FINAL)
     // The effect of Home on this machine.
@@ -38,7 +38,7 @@ public:
     Q_ENUM(Place)
     enum class Result { None, UnderWay, Done, Stopped, Failed, Interrupted };
 
-    // The machine must outlive the object.
+    // The controller must outlive the object.
     Homing(Controller& controller, QObject* parent);
 
     [[nodiscard]] Place place() const;
@@ -53,7 +53,7 @@ public:
     [[nodiscard]] bool moves() const;
     [[nodiscard]] AxisSpeed* speed() { return &m_speed; }
 
-    // Calls Machine::home(), when nothing blocks it.
+    // Calls Controller::home(), when nothing blocks it.
     Q_INVOKABLE void home();
 
     void retranslate() { emit changed(); }

@@ -42,7 +42,7 @@ public:
 class IoList : public QObject {
     Q_OBJECT
     QML_ELEMENT
-    QML_UNCREATABLE("Inputs and outputs belong to the Service")
+    QML_UNCREATABLE("Inputs and outputs belong to Maintenance")
     // True while the list is displayed; otherwise nothing is updated.
     Q_PROPERTY(bool watched READ watched WRITE setWatched NOTIFY watchedChanged FINAL)
     // True when all rows are older than a second, or without a connection.
@@ -57,7 +57,7 @@ public:
     using Row = IoRow;
     using Rows = RowModel<IoRow, &IoRow::name>;
 
-    // The machine must outlive the object.
+    // The controller must outlive the object.
     IoList(Controller& controller, QObject* parent);
 
     [[nodiscard]] bool watched() const { return m_timer.isActive(); }

@@ -17,7 +17,7 @@ class Controller;
 class Jog : public QObject {
     Q_OBJECT
     QML_ELEMENT
-    QML_UNCREATABLE("Jog belongs to the Service")
+    QML_UNCREATABLE("Jog belongs to Maintenance")
     // True when pressing a key would move the axis.
     Q_PROPERTY(bool possible READ possible NOTIFY changed FINAL)
     // The requested direction: 1 forward, -1 reverse, 0 none.
@@ -34,7 +34,7 @@ public:
     // The reason for the end of a jog.
     enum class End { Released, Stopped, Blocked, BothKeys, LeftScreen };
 
-    // The machine must outlive the object.
+    // The controller must outlive the object.
     Jog(Controller& controller, QObject* parent);
 
     [[nodiscard]] bool possible() const;

@@ -19,7 +19,7 @@ namespace campanel::panel {
 class LineFigures : public QObject {
     Q_OBJECT
     QML_ELEMENT
-    QML_UNCREATABLE("The figures belong to the Service")
+    QML_UNCREATABLE("The figures belong to Maintenance")
     Q_PROPERTY(bool watched READ watched WRITE setWatched NOTIFY watchedChanged FINAL)
     Q_PROPERTY(campanel::panel::RowModelBase* exchanges READ exchanges CONSTANT FINAL)
     Q_PROPERTY(campanel::panel::RowModelBase* errors READ errors CONSTANT FINAL)

@@ -20,7 +20,7 @@ class Settings;
 class LinkDoctor : public QObject {
     Q_OBJECT
     QML_ELEMENT
-    QML_UNCREATABLE("The doctor belongs to the Service")
+    QML_UNCREATABLE("The doctor belongs to Maintenance")
     Q_PROPERTY(bool running READ running NOTIFY changed FINAL)
     // The reason why it cannot start now; empty when it can.
     Q_PROPERTY(QString blockedReason READ blockedReason NOTIFY changed FINAL)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// `Service` in QML: the maintenance figures of the line, and the controller's registers.
+// `Maintenance` in QML: the maintenance figures of the line, and the controller's registers.
 #pragma once
 
 #include "app/panel/kit/report_files.h"

@@ -18,7 +18,7 @@ class Controller;
 class RegisterInspector : public QObject {
     Q_OBJECT
     QML_ELEMENT
-    QML_UNCREATABLE("The inspector belongs to the Service")
+    QML_UNCREATABLE("The inspector belongs to Maintenance")
     Q_PROPERTY(campanel::panel::RegisterModel* registers READ registers CONSTANT FINAL)
     // True while the registers are displayed; otherwise nothing is read.
     Q_PROPERTY(bool watched READ watched WRITE setWatched NOTIFY watchedChanged FINAL)
@@ -29,7 +29,6 @@ class RegisterInspector : public QObject {
     Q_PROPERTY(QVariantList groups READ groups NOTIFY filterChanged FINAL) // list of {key, text}
     // The selected row; -1: none.
     Q_PROPERTY(int selected READ selected NOTIFY selectionChanged FINAL)
-    Q_PROPERTY(QString selectedName READ selectedName NOTIFY selectionChanged FINAL)
     // The limits, the reason why it cannot be written, or the result of the last write.
     Q_PROPERTY(QString selectedText READ selectedText NOTIFY selectionChanged FINAL)
     Q_PROPERTY(bool failed READ failed NOTIFY selectionChanged FINAL)
@@ -39,7 +38,7 @@ class RegisterInspector : public QObject {
     Q_PROPERTY(campanel::panel::Value* value READ value CONSTANT FINAL)
 
 public:
-    // The machine must outlive the object.
+    // The controller must outlive the object.
     RegisterInspector(Controller& controller, QObject* parent);
 
     [[nodiscard]] RegisterModel* registers() { return &m_registers; }

@@ -33,7 +33,7 @@ public:
 class SimulatedFaults : public QObject {
     Q_OBJECT
     QML_ELEMENT
-    QML_UNCREATABLE("The line faults belong to the Service")
+    QML_UNCREATABLE("The line faults belong to Maintenance")
     Q_PROPERTY(campanel::panel::RowModelBase* rows READ rows CONSTANT FINAL)
     Q_PROPERTY(int activeCount READ activeCount NOTIFY changed FINAL)
     // The active faults as text.

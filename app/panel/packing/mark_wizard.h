@@ -55,7 +55,7 @@ public:
     // Continues with the next step; in Confirm it writes the value.
     Q_INVOKABLE void goOn();
     // Adds the distance of a cut behind its mark; negative: before it.
-    Q_INVOKABLE void addMeasurement(double behindMm);
+    void addMeasurement(double behindMm);
     Q_INVOKABLE void dropMeasurement();
     // Measures the last bag of the simulated machine.
     Q_INVOKABLE void measureSimulatedBag();

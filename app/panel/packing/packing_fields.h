@@ -13,7 +13,7 @@ class PackingFields final : public campanel::panel::ParameterFields {
     QML_UNCREATABLE("The fields belong to the packing setup")
 
 public:
-    // The machine must outlive the object.
+    // The controller must outlive the object.
     PackingFields(Controller& controller, QObject* parent);
 
     // Returns the label of a parameter; empty for one that is not in this list. `name` as in the register

@@ -15,7 +15,7 @@ namespace campanel::panel {
 class PackingSetup : public QObject {
     Q_OBJECT
     QML_ELEMENT
-    QML_UNCREATABLE("The packing setup belongs to the Service")
+    QML_UNCREATABLE("The packing setup belongs to Maintenance")
     Q_PROPERTY(campanel::panel::PackingFields* fields READ fields CONSTANT FINAL)
     Q_PROPERTY(campanel::panel::MarkWizard* wizard READ wizard CONSTANT FINAL)
     // True when a packing machine's program is active and the controller reports it.
@@ -31,7 +31,7 @@ class PackingSetup : public QObject {
 public:
     static constexpr int marksToTeach = 10;
 
-    // The machine must outlive the object.
+    // The controller must outlive the object.
     PackingSetup(Controller& controller, QObject* parent);
 
     [[nodiscard]] PackingFields* fields() { return &m_fields; }

@@ -47,7 +47,7 @@ public:
     using Bus = SystemService::Bus;
     using Installed = std::function<std::optional<store::PackageId>()>; // called in another thread
 
-    // The machine must outlive the object. Packages may also lie in a folder below `folder`.
+    // The controller must outlive the object. Packages may also lie in a folder below `folder`.
     SoftwareUpdate(Controller& controller, const QString& folder, QObject* parent);
 
     static SoftwareUpdate* create(QQmlEngine* qmlEngine, QJSEngine* jsEngine);

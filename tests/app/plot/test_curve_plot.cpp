@@ -191,7 +191,7 @@ void TestCurvePlot::overlayCursorTraceAndMarkersAreDrawn()
     plot.curveStyle()->setProperty("overlayColor", QColor(Qt::cyan));
     plot.setProperty("overlayCurves", test::curveVariant([](double t) { return 390 - 80 * t; }));
     plot.curveStyle()->setProperty("inkColor", QColor(Qt::black));
-    plot.curveStyle()->setProperty("markerColor", red);
+    plot.curveStyle()->markerColor = red;
     plot.setProperty("markerTimes", QVariant::fromValue(QList<double>{0.25, 7.0}));
     plot.setCursorTime(0.6);
     plot.setTrace({{0.0, 370.0}, {0.2, 370.0}, {0.4, 370.0}});

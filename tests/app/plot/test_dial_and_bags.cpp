@@ -98,14 +98,15 @@ void TestDialAndBags::bagsAreBetweenTheLines()
 {
     BagChart chart;
     chart.setSize({300, 100});
-    chart.setProperty("capacity", 3);
     chart.setTolerance(1.0);
     chart.setProperty("pointColor", blue);
     chart.setProperty("toleranceColor", red);
-    chart.setProperty("values", QVariant::fromValue(QList<double>{9.0, 0.0, nan, 0.5}));
+    chart.setProperty("values", QVariant::fromValue(QList<double>{9.0} + QList<double>(57, nan) +
+                                                    QList<double>{0.0, nan, 0.5}));
     const QImage image = test::paintItem(chart);
-    // Only the newest three are drawn; 0.8 of half the height is the tolerance.
-    QVERIFY(test::inkIn(image, test::around(6, 50, 2), blue) > 15);
+    // Only the newest 60 are drawn; 0.8 of half the height is the tolerance.
+    QCOMPARE(test::inkIn(image, QRect(0, 0, 100, 100), blue), 0);
+    QVERIFY(test::inkIn(image, test::around(284, 50, 2), blue) > 15);
     QVERIFY(test::inkIn(image, test::around(294, 30, 2), blue) > 15);
     QCOMPARE(test::inkIn(image, QRect(100, 0, 100, 100), blue), 0);
     QVERIFY(test::inkIn(image, QRect(0, 8, 300, 4), red) > 150);
@@ -116,7 +117,6 @@ void TestDialAndBags::bagsOutOfToleranceStandOut()
 {
     BagChart chart;
     chart.setSize({300, 100});
-    chart.setProperty("capacity", 10);
     chart.setTolerance(1.0);
     chart.setProperty("violationColor", red);
     chart.setProperty("toleranceColor", QColor(Qt::green));

@@ -263,7 +263,7 @@ private slots:
         QCOMPARE(first.resultText(), "OK");
         QCOMPARE(first.stopErrorText(), "−0.01");
         QCOMPARE(first.stopForceText(), "2000");
-        QCOMPARE(first.peakForceText(), "2100");
+        QCOMPARE(first.status.peakForceN, 2100.0);
         QCOMPARE(strokes.goodCount(), 1);
         for (int i = 0; i < 2 * StrokeModel::maxStrokes; ++i)
             stroke(modbus::StrokeResult::Ok, 0, 3000);
