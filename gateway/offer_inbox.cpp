@@ -101,7 +101,7 @@ void OfferInbox::removeOldest(bool isTrusted, const QString& reason)
     remove(oldest);
 }
 
-void OfferInbox::remove(const QString& name)
+void OfferInbox::remove(QString name)
 {
     if (m_offers.remove(name) > 0)
         setDue(name);

@@ -51,7 +51,7 @@ private:
     [[nodiscard]] bool makeRoom(const QString& name, const Offer& offer);
     // Removes the oldest offer with or without trust.
     void removeOldest(bool isTrusted, const QString& reason);
-    void remove(const QString& name);
+    void remove(QString name); // by value: it may be the key of what goes
     void setDue(const QString& name);
     void report(const QString& sentence, const QString& name) const;
 

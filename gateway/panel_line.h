@@ -36,8 +36,8 @@ private:
     void fail(plant::LocalError error);
 
     QString m_path;
-    QLocalSocket m_socket{this};
     QTimer m_retryTimer{this};
+    QLocalSocket m_socket{this}; // goes first: it may still report its end
     plant::LocalReader m_reader;
     bool m_isConnected = false;
     bool m_hasFailed = false; // since the last message; said once
