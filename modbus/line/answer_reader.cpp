@@ -5,6 +5,7 @@
 #include "modbus/map/function_codes.h"
 
 #include <algorithm>
+#include <cstddef>
 
 namespace campanel::modbus {
 namespace {
@@ -137,10 +138,10 @@ void AnswerReader::dropEcho()
     if (m_isEchoing)
         return;
     const auto received = std::span(m_data).first(m_count).subspan(m_begin);
-    const auto echo = std::ranges::search(received, m_sent);
-    if (echo.empty())
+    const auto echo = std::search(received.begin(), received.end(), m_sent.begin(), m_sent.end());
+    if (m_sent.empty() || echo == received.end())
         return;
-    std::copy(echo.end(), received.end(), echo.begin());
+    std::copy(echo + static_cast<std::ptrdiff_t>(m_sent.size()), received.end(), echo);
     m_count -= m_sent.size();
     m_isEchoing = true;
 }
