@@ -1103,6 +1103,61 @@
     </message>
 </context>
 <context>
+    <name>Availability</name>
+    <message>
+        <source>Program type and machine data can only be changed at standstill. Stop the machine first.</source>
+        <translation>Programmart und Maschinendaten lassen sich nur im Stillstand ändern. Zuerst die Maschine stoppen.</translation>
+    </message>
+    <message>
+        <source>Start the machine: this step continues while the machine runs.</source>
+        <translation>Maschine starten: dieser Schritt geht weiter, während sie läuft.</translation>
+    </message>
+    <message>
+        <source>The machine is moving. Stop it first: diagnosis and search interrupt the connection.</source>
+        <translation>Die Maschine bewegt sich. Zuerst stoppen: Diagnose und Suche unterbrechen die Verbindung.</translation>
+    </message>
+    <message>
+        <source>The machine is moving. Stop it before changing the screen.</source>
+        <translation>Die Maschine bewegt sich. Vor Änderungen am Bildschirm anhalten.</translation>
+    </message>
+    <message>
+        <source>The machine is moving. Stop it before calibrating the touchscreen.</source>
+        <translation>Die Maschine bewegt sich. Vor dem Kalibrieren des Touchscreens anhalten.</translation>
+    </message>
+    <message>
+        <source>The machine is moving. Stop it before the update; the panel will restart.</source>
+        <translation>Die Maschine bewegt sich. Halten Sie sie vor der Aktualisierung an; das Panel startet neu.</translation>
+    </message>
+    <message>
+        <source>The machine is moving. Stop it before restoring; the panel will restart.</source>
+        <translation>Die Maschine bewegt sich. Vor dem Rückspielen stoppen; das Panel startet neu.</translation>
+    </message>
+    <message>
+        <source>The controller&apos;s state is unknown.</source>
+        <translation>Der Zustand der Steuerung ist unbekannt.</translation>
+    </message>
+    <message>
+        <source>The machine is running. Stop it first.</source>
+        <translation>Die Maschine läuft. Zuerst stoppen.</translation>
+    </message>
+    <message>
+        <source>The machine is stopping. Wait for standstill.</source>
+        <translation>Die Maschine hält an. Stillstand abwarten.</translation>
+    </message>
+    <message>
+        <source>The axis is homing. Wait for standstill.</source>
+        <translation>Die Referenzfahrt läuft. Stillstand abwarten.</translation>
+    </message>
+    <message>
+        <source>The controller is in fault. Reset the fault first.</source>
+        <translation>Die Steuerung ist in Störung. Zuerst die Störung quittieren.</translation>
+    </message>
+    <message>
+        <source>There is no connection to the controller.</source>
+        <translation>Keine Verbindung zur Steuerung.</translation>
+    </message>
+</context>
+<context>
     <name>ConnectionSentences</name>
     <message>
         <source>Connected to the simulated controller.</source>
@@ -3866,10 +3921,6 @@ eff. %2</translation>
         <translation>Zuerst wird die Datei geprüft. Vor Ihrer Bestätigung ändert sich nichts.</translation>
     </message>
     <message>
-        <source>The machine is moving. Stop it before restoring; the panel will restart.</source>
-        <translation>Die Maschine bewegt sich. Vor dem Rückspielen stoppen; das Panel startet neu.</translation>
-    </message>
-    <message>
         <source>CamPanel before restore %1</source>
         <comment>name of a file</comment>
         <translation>CamPanel vor Rückspielen %1</translation>
@@ -4056,10 +4107,6 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
 <context>
     <name>campanel::panel::ProgramDownload</name>
     <message>
-        <source>Not possible now: there is no connection to the controller.</source>
-        <translation>Jetzt nicht möglich: keine Verbindung zur Steuerung.</translation>
-    </message>
-    <message>
         <source>Not possible: the machine cannot execute this recipe.</source>
         <translation>Nicht möglich: die Maschine kann dieses Rezept nicht ausführen.</translation>
     </message>
@@ -4094,10 +4141,6 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
     <message>
         <source>Active in controller: generation %1 · %2 values differ</source>
         <translation>In der Steuerung aktiv: Generation %1 · %2 Werte anders</translation>
-    </message>
-    <message>
-        <source>Program type and machine data can only be changed at standstill. Stop the machine first.</source>
-        <translation>Programmart und Maschinendaten lassen sich nur im Stillstand ändern. Zuerst die Maschine stoppen.</translation>
     </message>
     <message>
         <source>No connection. Last known program in the controller: generation %1</source>
@@ -5028,30 +5071,6 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
         <translation>vom Teil weg</translation>
     </message>
     <message>
-        <source>There is no connection to the controller.</source>
-        <translation>Keine Verbindung zur Steuerung.</translation>
-    </message>
-    <message>
-        <source>The machine is running. Stop it first.</source>
-        <translation>Die Maschine läuft. Zuerst stoppen.</translation>
-    </message>
-    <message>
-        <source>The machine is stopping. Wait for standstill.</source>
-        <translation>Die Maschine hält an. Stillstand abwarten.</translation>
-    </message>
-    <message>
-        <source>The axis is homing. Wait for standstill.</source>
-        <translation>Die Referenzfahrt läuft. Stillstand abwarten.</translation>
-    </message>
-    <message>
-        <source>The controller is in fault. Reset the fault first.</source>
-        <translation>Die Steuerung ist in Störung. Zuerst die Störung quittieren.</translation>
-    </message>
-    <message>
-        <source>The controller&apos;s state is unknown.</source>
-        <translation>Der Zustand der Steuerung ist unbekannt.</translation>
-    </message>
-    <message>
         <source>Stop ended the jog. Release the key before you jog again.</source>
         <translation>Stopp hat das Tippen beendet. Vor neuem Tippen die Taste loslassen.</translation>
     </message>
@@ -5357,10 +5376,6 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
 <context>
     <name>campanel::panel::LinkDoctor</name>
     <message>
-        <source>The machine is moving. Stop it first: diagnosis and search interrupt the connection.</source>
-        <translation>Die Maschine bewegt sich. Zuerst stoppen: Diagnose und Suche unterbrechen die Verbindung.</translation>
-    </message>
-    <message>
         <source>A stop command is waiting for the connection and has priority.</source>
         <translation>Ein Stoppbefehl wartet auf die Verbindung und hat Vorrang.</translation>
     </message>
@@ -5447,14 +5462,6 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
         <translation>Schnittstellenproblem</translation>
     </message>
     <message>
-        <source>There is no connection to the controller.</source>
-        <translation>Keine Verbindung zur Steuerung.</translation>
-    </message>
-    <message>
-        <source>The controller&apos;s state is unknown.</source>
-        <translation>Der Zustand der Steuerung ist unbekannt.</translation>
-    </message>
-    <message>
         <source>Connection restored. The controller has restarted meanwhile.</source>
         <translation>Verbindung wieder da. Die Steuerung hat inzwischen neu gestartet.</translation>
     </message>
@@ -5499,16 +5506,8 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
         <translation>Schnitt hinter seiner Marke</translation>
     </message>
     <message>
-        <source>There is no connection to the controller.</source>
-        <translation>Keine Verbindung zur Steuerung.</translation>
-    </message>
-    <message>
         <source>The controller has no program for a packing machine. Download a recipe of a rotary cutter.</source>
         <translation>Die Steuerung hat kein Programm für eine Packmaschine. Ein Rezept für einen Querschneider laden.</translation>
-    </message>
-    <message>
-        <source>Start the machine: this step continues while the machine runs.</source>
-        <translation>Maschine starten: dieser Schritt geht weiter, während sie läuft.</translation>
     </message>
     <message>
         <source>Mark tracking is off. Switch mark tracking on first.</source>
@@ -5577,10 +5576,6 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
 </context>
 <context>
     <name>campanel::panel::MasterDirection</name>
-    <message>
-        <source>There is no connection to the controller.</source>
-        <translation>Keine Verbindung zur Steuerung.</translation>
-    </message>
     <message>
         <source>This controller cannot reverse its master. Update its firmware.</source>
         <translation>Diese Steuerung kann ihre Leitachse nicht umkehren. Firmware aktualisieren.</translation>
@@ -5800,10 +5795,6 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
 </context>
 <context>
     <name>campanel::panel::ProgramProof</name>
-    <message>
-        <source>Not possible now: there is no connection to the controller.</source>
-        <translation>Jetzt nicht möglich: keine Verbindung zur Steuerung.</translation>
-    </message>
     <message>
         <source>The controller has no program. Download a recipe first.</source>
         <translation>Die Steuerung hat kein Programm. Zuerst ein Rezept laden.</translation>
@@ -7283,10 +7274,6 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
         <translation>CamPanel wurde nicht als Paket installiert. Installieren Sie es einmal mit der Paketverwaltung.</translation>
     </message>
     <message>
-        <source>The machine is moving. Stop it before the update; the panel will restart.</source>
-        <translation>Die Maschine bewegt sich. Halten Sie sie vor der Aktualisierung an; das Panel startet neu.</translation>
-    </message>
-    <message>
         <source>Update</source>
         <translation>Aktualisieren</translation>
     </message>
@@ -7354,10 +7341,6 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
 </context>
 <context>
     <name>campanel::panel::ScreenRotation</name>
-    <message>
-        <source>The machine is moving. Stop it before changing the screen.</source>
-        <translation>Die Maschine bewegt sich. Vor Änderungen am Bildschirm anhalten.</translation>
-    </message>
 </context>
 <context>
     <name>campanel::panel::TouchCalibration</name>
@@ -7372,10 +7355,6 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
     <message>
         <source>This computer has no touchscreen.</source>
         <translation>Dieser Rechner hat keinen Touchscreen.</translation>
-    </message>
-    <message>
-        <source>The machine is moving. Stop it before calibrating the touchscreen.</source>
-        <translation>Die Maschine bewegt sich. Vor dem Kalibrieren des Touchscreens anhalten.</translation>
     </message>
     <message>
         <source>The panel closes, sets the calibration and comes back.</source>

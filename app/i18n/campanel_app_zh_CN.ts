@@ -1103,6 +1103,61 @@
     </message>
 </context>
 <context>
+    <name>Availability</name>
+    <message>
+        <source>Program type and machine data can only be changed at standstill. Stop the machine first.</source>
+        <translation>程序类型和机器数据只能在静止时更改。请先停机。</translation>
+    </message>
+    <message>
+        <source>Start the machine: this step continues while the machine runs.</source>
+        <translation>请启动机器：此步骤在机器运行时继续。</translation>
+    </message>
+    <message>
+        <source>The machine is moving. Stop it first: diagnosis and search interrupt the connection.</source>
+        <translation>机器正在运动。请先停机：诊断和搜索会中断连接。</translation>
+    </message>
+    <message>
+        <source>The machine is moving. Stop it before changing the screen.</source>
+        <translation>机器正在运动。更改屏幕设置前请先停机。</translation>
+    </message>
+    <message>
+        <source>The machine is moving. Stop it before calibrating the touchscreen.</source>
+        <translation>机器正在运动。校准触摸屏前请先停机。</translation>
+    </message>
+    <message>
+        <source>The machine is moving. Stop it before the update; the panel will restart.</source>
+        <translation>机器正在运动。更新前请先停机；面板将重启。</translation>
+    </message>
+    <message>
+        <source>The machine is moving. Stop it before restoring; the panel will restart.</source>
+        <translation>机器正在运动。请先停机：恢复后面板将重新启动。</translation>
+    </message>
+    <message>
+        <source>The controller&apos;s state is unknown.</source>
+        <translation>控制器的状态未知。</translation>
+    </message>
+    <message>
+        <source>The machine is running. Stop it first.</source>
+        <translation>机器正在运行。请先停机。</translation>
+    </message>
+    <message>
+        <source>The machine is stopping. Wait for standstill.</source>
+        <translation>机器正在停止。请等它停稳。</translation>
+    </message>
+    <message>
+        <source>The axis is homing. Wait for standstill.</source>
+        <translation>轴正在回零。请等它停稳。</translation>
+    </message>
+    <message>
+        <source>The controller is in fault. Reset the fault first.</source>
+        <translation>控制器处于故障状态。请先复位故障。</translation>
+    </message>
+    <message>
+        <source>There is no connection to the controller.</source>
+        <translation>没有连接到控制器。</translation>
+    </message>
+</context>
+<context>
     <name>ConnectionSentences</name>
     <message>
         <source>Connected to the simulated controller.</source>
@@ -3864,10 +3919,6 @@ RMS %2</source>
         <translation>先检查文件。确认之前不会更改任何内容。</translation>
     </message>
     <message>
-        <source>The machine is moving. Stop it before restoring; the panel will restart.</source>
-        <translation>机器正在运动。请先停机：恢复后面板将重新启动。</translation>
-    </message>
-    <message>
         <source>CamPanel before restore %1</source>
         <comment>name of a file</comment>
         <translation>CamPanel 恢复前 %1</translation>
@@ -4054,10 +4105,6 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
 <context>
     <name>campanel::panel::ProgramDownload</name>
     <message>
-        <source>Not possible now: there is no connection to the controller.</source>
-        <translation>暂时无法下载：没有连接到控制器。</translation>
-    </message>
-    <message>
         <source>Not possible: the machine cannot execute this recipe.</source>
         <translation>无法下载：机器不能执行此配方。</translation>
     </message>
@@ -4092,10 +4139,6 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
     <message>
         <source>Active in controller: generation %1 · %2 values differ</source>
         <translation>控制器当前：第 %1 代 · %2 个值不同</translation>
-    </message>
-    <message>
-        <source>Program type and machine data can only be changed at standstill. Stop the machine first.</source>
-        <translation>程序类型和机器数据只能在静止时更改。请先停机。</translation>
     </message>
     <message>
         <source>No connection. Last known program in the controller: generation %1</source>
@@ -5026,30 +5069,6 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
         <translation>离开工件</translation>
     </message>
     <message>
-        <source>There is no connection to the controller.</source>
-        <translation>没有连接到控制器。</translation>
-    </message>
-    <message>
-        <source>The machine is running. Stop it first.</source>
-        <translation>机器正在运行。请先停机。</translation>
-    </message>
-    <message>
-        <source>The machine is stopping. Wait for standstill.</source>
-        <translation>机器正在停止。请等它停稳。</translation>
-    </message>
-    <message>
-        <source>The axis is homing. Wait for standstill.</source>
-        <translation>轴正在回零。请等它停稳。</translation>
-    </message>
-    <message>
-        <source>The controller is in fault. Reset the fault first.</source>
-        <translation>控制器处于故障状态。请先复位故障。</translation>
-    </message>
-    <message>
-        <source>The controller&apos;s state is unknown.</source>
-        <translation>控制器的状态未知。</translation>
-    </message>
-    <message>
         <source>Stop ended the jog. Release the key before you jog again.</source>
         <translation>点动已被“停止”结束。请先松开按键再点动。</translation>
     </message>
@@ -5355,10 +5374,6 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
 <context>
     <name>campanel::panel::LinkDoctor</name>
     <message>
-        <source>The machine is moving. Stop it first: diagnosis and search interrupt the connection.</source>
-        <translation>机器正在运动。请先停机：诊断和搜索会中断连接。</translation>
-    </message>
-    <message>
         <source>A stop command is waiting for the connection and has priority.</source>
         <translation>有一个停止命令在等待连接，停止优先。</translation>
     </message>
@@ -5445,14 +5460,6 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
         <translation>端口问题</translation>
     </message>
     <message>
-        <source>There is no connection to the controller.</source>
-        <translation>没有连接到控制器。</translation>
-    </message>
-    <message>
-        <source>The controller&apos;s state is unknown.</source>
-        <translation>控制器状态未知。</translation>
-    </message>
-    <message>
         <source>Connection restored. The controller has restarted meanwhile.</source>
         <translation>连接已恢复。期间控制器曾重新启动。</translation>
     </message>
@@ -5497,16 +5504,8 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
         <translation>切断滞后色标的距离</translation>
     </message>
     <message>
-        <source>There is no connection to the controller.</source>
-        <translation>没有连接到控制器。</translation>
-    </message>
-    <message>
         <source>The controller has no program for a packing machine. Download a recipe of a rotary cutter.</source>
         <translation>控制器中没有包装机的程序。请下载旋转切刀的配方。</translation>
-    </message>
-    <message>
-        <source>Start the machine: this step continues while the machine runs.</source>
-        <translation>请启动机器：此步骤在机器运行时继续。</translation>
     </message>
     <message>
         <source>Mark tracking is off. Switch mark tracking on first.</source>
@@ -5575,10 +5574,6 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
 </context>
 <context>
     <name>campanel::panel::MasterDirection</name>
-    <message>
-        <source>There is no connection to the controller.</source>
-        <translation>没有连接到控制器。</translation>
-    </message>
     <message>
         <source>This controller cannot reverse its master. Update its firmware.</source>
         <translation>此控制器不能使主轴换向。请更新其固件。</translation>
@@ -5798,10 +5793,6 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
 </context>
 <context>
     <name>campanel::panel::ProgramProof</name>
-    <message>
-        <source>Not possible now: there is no connection to the controller.</source>
-        <translation>暂时无法进行：没有连接到控制器。</translation>
-    </message>
     <message>
         <source>The controller has no program. Download a recipe first.</source>
         <translation>控制器没有程序。请先下载配方。</translation>
@@ -7280,10 +7271,6 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
         <translation>CamPanel 不是以软件包形式安装的。请先用软件包管理器安装一次。</translation>
     </message>
     <message>
-        <source>The machine is moving. Stop it before the update; the panel will restart.</source>
-        <translation>机器正在运动。更新前请先停机；面板将重启。</translation>
-    </message>
-    <message>
         <source>Update</source>
         <translation>更新</translation>
     </message>
@@ -7351,10 +7338,6 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
 </context>
 <context>
     <name>campanel::panel::ScreenRotation</name>
-    <message>
-        <source>The machine is moving. Stop it before changing the screen.</source>
-        <translation>机器正在运动。更改屏幕设置前请先停机。</translation>
-    </message>
 </context>
 <context>
     <name>campanel::panel::TouchCalibration</name>
@@ -7369,10 +7352,6 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
     <message>
         <source>This computer has no touchscreen.</source>
         <translation>此计算机没有触摸屏。</translation>
-    </message>
-    <message>
-        <source>The machine is moving. Stop it before calibrating the touchscreen.</source>
-        <translation>机器正在运动。校准触摸屏前请先停机。</translation>
     </message>
     <message>
         <source>The panel closes, sets the calibration and comes back.</source>

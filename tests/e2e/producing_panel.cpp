@@ -98,9 +98,9 @@ private:
             machine.stop();
         else if (machine.canStart())
             machine.start();
-        else if (machine.blockedReason(modbus::Command::Home).isEmpty())
+        else if (machine.blockedReason(panel::Action::Home).isEmpty())
             machine.home();
-        else if (machine.blockedReason(modbus::Command::SaveToFlash).isEmpty())
+        else if (machine.isConnected() && machine.fresh())
             editor.saveToFlash();
     }
 

@@ -5,6 +5,8 @@
 
 #include "app/link/link.h"
 #include "app/panel/controller/actual_trace.h"
+#include "app/panel/controller/availability.h"
+#include "app/panel/controller/availability.h"
 #include "app/panel/controller/axis_position.h"
 #include "app/panel/controller/bag_statistics.h"
 #include "app/panel/controller/controller_values.h"
@@ -136,10 +138,10 @@ public:
     [[nodiscard]] const AxisPosition& axisPosition() const { return m_axisPosition; }
     [[nodiscard]] double generation() const;
     [[nodiscard]] bool canStart() const { return startBlockedReason().isEmpty(); }
-    [[nodiscard]] QString startBlockedReason() const { return blockedReason(modbus::Command::Start); }
+    [[nodiscard]] QString startBlockedReason() const { return blockedReason(Action::Start); }
     // Returns why the controller would refuse the command according to its last status; empty: it would
     // accept it.
-    [[nodiscard]] QString blockedReason(modbus::Command command) const;
+    [[nodiscard]] QString blockedReason(Action action) const;
     // Sets what blocks Start beyond the controller's own rules: a sentence, empty while nothing does. Emit
     // commandsChanged() when it changes.
     void setStartInterlock(std::function<QString()> reason) { m_startInterlock = std::move(reason); }

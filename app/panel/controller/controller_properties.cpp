@@ -233,15 +233,4 @@ ActiveProgramValues Controller::active() const
     return values;
 }
 
-QString Controller::blockedReason(modbus::Command command) const
-{
-    if (!isConnected() || !m_fresh)
-        return tr("There is no connection to the controller.");
-    if (state() == State::Unknown)
-        return tr("The controller's state is unknown.");
-    const QString refusal = ControllerSentences::refusal(expectedRefusal(*m_status, command));
-    const bool isFree = refusal.isEmpty() && command == modbus::Command::Start && m_startInterlock;
-    return isFree ? m_startInterlock() : refusal;
-}
-
 } // namespace campanel::panel

@@ -51,8 +51,8 @@ bool MasterDirection::turning() const
 
 QString MasterDirection::blockedReason() const
 {
-    if (!m_controller.isConnected() || !m_controller.fresh())
-        return tr("There is no connection to the controller.");
+    if (const QString reason = m_controller.blockedReason(Action::ReverseMaster); !reason.isEmpty())
+        return reason;
     if (m_parameter.isMissing())
         return tr("This controller cannot reverse its master. Update its firmware.");
     return way() == Way::Unknown ? tr("Waiting for the controller …") : QString();

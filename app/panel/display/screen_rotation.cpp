@@ -63,8 +63,7 @@ int ScreenRotation::degrees() const
 
 QString ScreenRotation::blockedReason() const
 {
-    return m_controller.isMoving() ? tr("The machine is moving. Stop it before changing the screen.")
-                                   : QString();
+    return m_controller.blockedReason(Action::RotateScreen);
 }
 
 void ScreenRotation::tryOut(int degrees)

@@ -65,8 +65,7 @@ QString TouchCalibration::blockedReason() const
         return tr("The touchscreen is calibrated in the operating system of this computer.");
     if (!m_hasTouchscreen)
         return tr("This computer has no touchscreen.");
-    return m_controller.isMoving() ? tr("The machine is moving. Stop it before calibrating the touchscreen.")
-                                   : QString();
+    return m_controller.blockedReason(Action::CalibrateTouch);
 }
 
 bool TouchCalibration::calibrated() const

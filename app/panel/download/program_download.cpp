@@ -74,16 +74,15 @@ bool ProgramDownload::changesMachineData() const
 
 QString ProgramDownload::blockedReason() const
 {
-    if (!m_controller.isConnected() || !m_controller.fresh())
-        return tr("Not possible now: there is no connection to the controller.");
+    if (const QString reason = m_controller.blockedReason(Action::Download); !reason.isEmpty())
+        return reason;
     if (!m_offer)
         return tr("Not possible: the machine cannot execute this recipe.");
     if (!m_controller.identity()->supports(static_cast<modbus::ProgramKind>(m_offer->recipe.kind())))
         return tr("Not possible: this controller cannot execute this kind of program.");
-    const Controller::State state = m_controller.state();
-    if (state != Controller::State::Idle && state != Controller::State::Ready && changesMachineData())
-        return tr("Program type and machine data can only be changed at standstill. Stop the machine first.");
-    return m_forecast.refusal();
+    const QString reason =
+        changesMachineData() ? m_controller.blockedReason(Action::ChangeMachineData) : QString();
+    return reason.isEmpty() ? m_forecast.refusal() : reason;
 }
 
 void ProgramDownload::update()

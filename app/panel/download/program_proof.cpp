@@ -73,8 +73,8 @@ void ProgramProof::update()
 
 QString ProgramProof::blockedReason() const
 {
-    if (!m_controller.isConnected() || !m_controller.fresh())
-        return tr("Not possible now: there is no connection to the controller.");
+    if (const QString reason = m_controller.blockedReason(Action::Compare); !reason.isEmpty())
+        return reason;
     if (!m_controller.status()->activeCrc)
         return tr("The controller has no program. Download a recipe first.");
     return {};

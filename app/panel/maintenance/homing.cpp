@@ -93,7 +93,7 @@ QString Homing::blockedReason() const
 {
     if (m_controller.state() == Controller::State::Homing && m_controller.fresh())
         return tr("Searching for the index mark …");
-    return m_controller.blockedReason(modbus::Command::Home);
+    return m_controller.blockedReason(Action::Home);
 }
 
 bool Homing::offered() const

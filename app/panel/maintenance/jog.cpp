@@ -73,7 +73,7 @@ Jog::Jog(Controller& controller, QObject* parent)
 
 bool Jog::possible() const
 {
-    return blockedReason().isEmpty();
+    return m_controller.blockedReason(Action::Jog).isEmpty();
 }
 
 bool Jog::blocked() const
@@ -97,29 +97,6 @@ QString Jog::reverseNote() const
     return isPress(m_controller) ? tr("away from the part") : QString();
 }
 
-QString Jog::blockedReason() const
-{
-    if (!m_controller.isConnected() || !m_controller.fresh())
-        return tr("There is no connection to the controller.");
-    switch (m_controller.state()) {
-    case Controller::State::Idle:
-    case Controller::State::Ready:
-    case Controller::State::Jogging:
-        return {};
-    case Controller::State::Running:
-        return tr("The machine is running. Stop it first.");
-    case Controller::State::Stopping:
-        return tr("The machine is stopping. Wait for standstill.");
-    case Controller::State::Homing:
-        return tr("The axis is homing. Wait for standstill.");
-    case Controller::State::Fault:
-        return tr("The controller is in fault. Reset the fault first.");
-    case Controller::State::Unknown:
-        break;
-    }
-    return tr("The controller's state is unknown.");
-}
-
 QString Jog::endText() const
 {
     switch (m_end) {
@@ -137,7 +114,7 @@ QString Jog::endText() const
 
 QString Jog::text() const
 {
-    const QString reason = blockedReason();
+    const QString reason = m_controller.blockedReason(Action::Jog);
     if (!reason.isEmpty())
         return reason;
     if (m_isRefused)

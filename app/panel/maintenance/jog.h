@@ -63,7 +63,6 @@ signals:
     void ended(int direction, campanel::panel::Jog::End end, double positionPulses);
 
 private:
-    [[nodiscard]] QString blockedReason() const;
     [[nodiscard]] QString endText() const;
     void begin(int direction);
     void finish(End end);

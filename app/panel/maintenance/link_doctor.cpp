@@ -23,15 +23,8 @@ LinkDoctor::LinkDoctor(Controller& controller, Settings& settings, QObject* pare
 
 QString LinkDoctor::blockedReason() const
 {
-    switch (m_controller.state()) {
-    case Controller::State::Running:
-    case Controller::State::Stopping:
-    case Controller::State::Jogging:
-    case Controller::State::Homing:
-        return tr("The machine is moving. Stop it first: diagnosis and search interrupt the connection.");
-    default:
-        break;
-    }
+    if (const QString reason = m_controller.blockedReason(Action::Diagnose); !reason.isEmpty())
+        return reason;
     if (m_isStopWaiting)
         return tr("A stop command is waiting for the connection and has priority.");
     if (m_isDownloading)

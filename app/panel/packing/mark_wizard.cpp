@@ -91,13 +91,14 @@ QString MarkWizard::blockedReason() const
     const bool needsRun = m_step == Step::Explain || m_step == Step::Cutting || m_step == Step::Watch;
     if (m_step == Step::Done || m_step == Step::Failed || m_step == Step::Writing)
         return {};
-    if (!m_controller.isConnected() || !m_controller.fresh())
-        return tr("There is no connection to the controller.");
+    if (const QString reason = m_controller.blockedReason(Action::SetUpMarks); !reason.isEmpty())
+        return reason;
     if (!m_controller.packing()->known())
         return tr(
             "The controller has no program for a packing machine. Download a recipe of a rotary cutter.");
-    if (needsRun && m_controller.state() != Controller::State::Running)
-        return tr("Start the machine: this step continues while the machine runs.");
+    const QString reason = needsRun ? m_controller.blockedReason(Action::MeasureMarks) : QString();
+    if (!reason.isEmpty())
+        return reason;
     if (needsRun && m_controller.packing()->markState() == PackingLine::MarkState::Off)
         return tr("Mark tracking is off. Switch mark tracking on first.");
     if (needsRun && m_controller.packing()->markState() != PackingLine::MarkState::Tracking)

@@ -230,9 +230,8 @@ void Backup::check(int row)
         return;
     m_checked.reset();
     showMessage({}, false);
-    if (m_parts.controller.isMoving())
-        return showMessage(tr("The machine is moving. Stop it before restoring; the panel will restart."),
-                           true);
+    if (const QString reason = m_parts.controller.blockedReason(Action::RestoreBackup); !reason.isEmpty())
+        return showMessage(reason, true);
     const QString path = m_files[row].path;
     run([path, folder = m_folder] { return store::stageRestore(path, folder); },
         [this, path](const tl::expected<store::BackupManifest, store::BackupError>& staged) {
@@ -261,9 +260,8 @@ void Backup::restore()
 {
     if (!require() || !m_checked)
         return;
-    if (m_parts.controller.isMoving())
-        return showMessage(tr("The machine is moving. Stop it before restoring; the panel will restart."),
-                           true);
+    if (const QString reason = m_parts.controller.blockedReason(Action::RestoreBackup); !reason.isEmpty())
+        return showMessage(reason, true);
     // The old trail gets an entry too, so that it documents its end.
     store::AuditEntry entry;
     entry.what = u"backup.restore"_s;

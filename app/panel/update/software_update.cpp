@@ -159,9 +159,7 @@ QString SoftwareUpdate::blockedReason() const
 {
     if (!m_seen.installed)
         return tr("CamPanel was not installed as a package. Install it once by the package manager.");
-    return m_controller.isMoving()
-               ? tr("The machine is moving. Stop it before the update; the panel will restart.")
-               : QString();
+    return m_controller.blockedReason(Action::UpdateSoftware);
 }
 
 QString SoftwareUpdate::backVersion() const

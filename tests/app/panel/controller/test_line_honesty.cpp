@@ -221,7 +221,7 @@ void TestLineHonesty::lostLineClaimsNothingOfTheController()
              "No connection. Last known program in the controller: generation 1");
     QVERIFY(!rig.editor.programDownload()->canDownload());
     QCOMPARE(rig.editor.programDownload()->text(),
-             "Not possible now: there is no connection to the controller.");
+             "There is no connection to the controller.");
     QVERIFY(!rig.editor.programDownload()->canSave());
     QVERIFY(!rig.editor.programDownload()->proof()->canCompare());
 }

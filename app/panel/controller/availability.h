@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+// The actions that the state of machine and connection may block; Controller::blockedReason() says why.
+#pragma once
+
+namespace campanel::panel {
+
+enum class Action {
+    Start,
+    Home,
+    Jog,
+    Download,
+    ChangeMachineData, // a download with another kind of program or other machine data
+    Compare,           // the controller's program with the recipe
+    ReverseMaster,
+    SetUpMarks,
+    MeasureMarks, // while the film runs
+    Diagnose,
+    RotateScreen,
+    CalibrateTouch,
+    UpdateSoftware,
+    RestoreBackup,
+};
+
+} // namespace campanel::panel
