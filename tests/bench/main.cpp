@@ -7,6 +7,7 @@
 #include <QCommandLineParser>
 #include <QGuiApplication>
 
+#include <cstdlib>
 #include <exception>
 #include <iostream>
 #include <string>
@@ -17,11 +18,24 @@ using namespace Qt::StringLiterals;
 
 namespace {
 constexpr int usageError = 2;
+
+// Ends the program with what to do where Qt would abort: it calls a missing display fatal. Its other messages
+// meanwhile only tell how it looked for one.
+void reportMissingDisplay(QtMsgType type, const QMessageLogContext& /*context*/, const QString& /*message*/)
+{
+    if (type != QtFatalMsg)
+        return;
+    std::cerr << "campanel-bench: There is no display; run it without one: QT_QPA_PLATFORM=offscreen "
+                 "build/bench/tests/campanel-bench\n";
+    std::_Exit(usageError);
 }
+} // namespace
 
 int main(int argc, char** argv)
 {
+    const QtMessageHandler usual = qInstallMessageHandler(reportMissingDisplay);
     const QGuiApplication app(argc, argv);
+    qInstallMessageHandler(usual);
     QCommandLineParser parser;
     parser.setApplicationDescription(
         u"Measures CamPanel against its limits; prints one table as Markdown. Ends with 1 when a figure misses its limit."_s);
