@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <random>
+#include <unordered_map>
 
 namespace campanel::looks {
 namespace {
@@ -89,9 +90,14 @@ void setFilm(test::PackerImage& image, const DemoFilm& film)
 
 double demoDeviationMm(std::uint32_t bag)
 {
-    std::mt19937 random(bag);
-    std::normal_distribution<double> deviation(meanMm, scatterMm);
-    return std::round(umPerMm * deviation(random)) / umPerMm;
+    static std::unordered_map<std::uint32_t, double> known; // a generator for each bag takes long to seed
+    const auto [place, isNew] = known.try_emplace(bag, 0);
+    if (isNew) {
+        std::mt19937 random(bag);
+        std::normal_distribution<double> deviation(meanMm, scatterMm);
+        place->second = std::round(umPerMm * deviation(random)) / umPerMm;
+    }
+    return place->second;
 }
 
 std::vector<std::uint16_t> demoPacker(const DemoFilm& film)
