@@ -180,7 +180,9 @@ private slots:
         rig.settings.setSimulated(false);
         rig.settings.setPortName(u"/dev/ttyUSB0"_s);
         rig.settings.applyConnection();
-        rig.addAnnaAndBo();
+        rig.add(u"Anna"_s, Access::Service, u"258036"_s);
+        rig.add(u"Bo"_s, Access::Technician, u"1470"_s);
+        rig.access.logOut();
         rig.logIn(u"Bo"_s, u"9999"_s);
         rig.logIn(u"Anna"_s, u"258036"_s);
         rig.access.changeLevel(rig.idOf(u"Bo"_s), Access::Operator);
