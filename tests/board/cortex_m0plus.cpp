@@ -99,7 +99,6 @@ void CortexM0plus::step()
     const std::uint32_t op = load(m_at, 2);
     m_r[programCounter] = m_at + 4; // as the instruction reads it
     m_cycles += 1;                  // of most instructions; the others add theirs
-    const std::uint32_t before = m_at;
     m_at += 2;
     switch (op >> 12) {
     case 0x0:
@@ -111,14 +110,7 @@ void CortexM0plus::step()
         immediate(op);
         break;
     case 0x4:
-        if (bits(op, 11, 1) != 0) { // a constant beside the program
-            m_r[bits(op, 8, 3)] = load((m_r[programCounter] & ~3U) + 4 * bits(op, 0, 8), 4);
-            m_cycles += 1;
-        } else if (bits(op, 10, 1) != 0) {
-            highRegisters(op);
-        } else {
-            dataProcessing(op);
-        }
+        registersOrConstant(op);
         break;
     case 0x5:
         loadOrStoreByRegister(op);
@@ -148,9 +140,20 @@ void CortexM0plus::step()
         jump(m_r[programCounter] + 2 * extended(op, 11), 1);
         break;
     default:
-        m_at = before;
         branchFar(op);
         break;
+    }
+}
+
+void CortexM0plus::registersOrConstant(std::uint32_t op)
+{
+    if (bits(op, 11, 1) != 0) { // a constant beside the program
+        m_r[bits(op, 8, 3)] = load((m_r[programCounter] & ~3U) + 4 * bits(op, 0, 8), 4);
+        m_cycles += 1;
+    } else if (bits(op, 10, 1) != 0) {
+        highRegisters(op);
+    } else {
+        dataProcessing(op);
     }
 }
 
@@ -170,7 +173,7 @@ std::uint32_t CortexM0plus::add(std::uint32_t a, std::uint32_t b, bool carry)
     return result(sum);
 }
 
-// kind: 0 left, 1 right, 2 right with the sign, 3 around.
+// Shifts and sets the flags: left (0), right (1), right with the sign (2), around (3).
 std::uint32_t CortexM0plus::shifted(std::uint32_t kind, std::uint32_t value, std::uint32_t by)
 {
     if (by == 0)
@@ -266,10 +269,8 @@ void CortexM0plus::dataProcessing(std::uint32_t op)
         target = add(0, ~source, true);
         break;
     case 0xA:
-        (void)add(target, ~source, true);
-        break;
     case 0xB:
-        (void)add(target, source, false);
+        (void)add(target, bits(op, 6, 1) != 0 ? source : ~source, bits(op, 6, 1) == 0);
         break;
     case 0xC:
         target = result(target | source);
@@ -358,19 +359,9 @@ void CortexM0plus::miscellaneous(std::uint32_t op)
         break;
     }
     case 0x4:
-    case 0x5: {
-        const std::uint32_t list = bits(op, 0, 9); // bit 8: the link register
-        std::uint32_t at = m_r[stackPointer] - 4 * static_cast<std::uint32_t>(std::popcount(list));
-        m_r[stackPointer] = at;
-        for (std::uint32_t i = 0; i < 9; ++i) {
-            if (bits(list, static_cast<int>(i), 1) != 0) {
-                store(at, 4, m_r[i == 8 ? link : i]);
-                at += 4;
-                m_cycles += 1;
-            }
-        }
+    case 0x5:
+        push(bits(op, 0, 9));
         break;
-    }
     case 0xA:
         if (bits(op, 6, 2) == 0)
             target = __builtin_bswap32(source);
@@ -381,22 +372,42 @@ void CortexM0plus::miscellaneous(std::uint32_t op)
         break;
     case 0xC:
     case 0xD:
-        for (std::uint32_t i = 0; i < 8; ++i) {
-            if (bits(op, static_cast<int>(i), 1) != 0) {
-                m_r[i] = load(m_r[stackPointer], 4);
-                m_r[stackPointer] += 4;
-                m_cycles += 1;
-            }
-        }
-        if (bits(op, 8, 1) != 0) {
-            jump(load(m_r[stackPointer], 4), 3);
-            m_r[stackPointer] += 4;
-        }
+        pop(bits(op, 0, 9));
         break;
     case 0xF: // nop
         break;
     default:
         fail("unknown instruction");
+    }
+}
+
+// Bit 8 of the list is the link register.
+void CortexM0plus::push(std::uint32_t list)
+{
+    std::uint32_t at = m_r[stackPointer] - 4 * static_cast<std::uint32_t>(std::popcount(list));
+    m_r[stackPointer] = at;
+    for (std::uint32_t i = 0; i < 9; ++i) {
+        if (bits(list, static_cast<int>(i), 1) != 0) {
+            store(at, 4, m_r[i == 8 ? link : i]);
+            at += 4;
+            m_cycles += 1;
+        }
+    }
+}
+
+// Bit 8 of the list is the program counter.
+void CortexM0plus::pop(std::uint32_t list)
+{
+    for (std::uint32_t i = 0; i < 8; ++i) {
+        if (bits(list, static_cast<int>(i), 1) != 0) {
+            m_r[i] = load(m_r[stackPointer], 4);
+            m_r[stackPointer] += 4;
+            m_cycles += 1;
+        }
+    }
+    if (bits(list, 8, 1) != 0) {
+        jump(load(m_r[stackPointer], 4), 3);
+        m_r[stackPointer] += 4;
     }
 }
 
@@ -459,7 +470,7 @@ void CortexM0plus::branch(std::uint32_t op)
 // BL; the other instructions of 32 bits are barriers and special registers, which the core does not use.
 void CortexM0plus::branchFar(std::uint32_t op)
 {
-    const std::uint32_t second = load(m_at + 2, 2);
+    const std::uint32_t second = load(m_at, 2);
     if (bits(op, 11, 5) != 0x1E || bits(second, 14, 2) != 3 || bits(second, 12, 1) != 1)
         fail("unknown instruction");
     const std::uint32_t sign = bits(op, 10, 1);
@@ -467,8 +478,8 @@ void CortexM0plus::branchFar(std::uint32_t op)
     const std::uint32_t next = ~(bits(second, 11, 1) ^ sign) & 1;
     const std::uint32_t offset =
         sign << 24 | first << 23 | next << 22 | bits(op, 0, 10) << 12 | bits(second, 0, 11) << 1;
-    m_r[link] = (m_at + 4) | 1;
-    jump(m_at + 4 + extended(offset, 25), 2);
+    m_r[link] = (m_at + 2) | 1;
+    jump(m_r[programCounter] + extended(offset, 25), 2);
 }
 
 } // namespace campanel::board

@@ -22,6 +22,9 @@ public:
 
 private:
     void step();
+    void registersOrConstant(std::uint32_t op);
+    void push(std::uint32_t list);
+    void pop(std::uint32_t list);
     void shiftOrAdd(std::uint32_t op);
     void immediate(std::uint32_t op);
     void dataProcessing(std::uint32_t op);
@@ -46,7 +49,7 @@ private:
 
     std::vector<std::uint8_t> m_memory;
     std::array<std::uint32_t, 16> m_r{};
-    std::uint32_t m_at = 0; // the instruction
+    std::uint32_t m_at = 0; // the next instruction
     std::uint32_t m_number;
     std::uint64_t m_cycles = 0;
     std::string m_line; // printed at its end
