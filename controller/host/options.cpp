@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "options.h"
 
+#include "ctl_registers.h"
 #include "file_flash.h"
 #include "input_pins.h"
 #include "machine_options.h"
@@ -31,6 +32,7 @@ printed is that port's path. Ends on SIGTERM or SIGINT.
   --stop-bits 1|2      stop bits (1)
   --no-pacing          bytes take no time
   --state DIR          where its flash is kept ($XDG_STATE_HOME/campanel)
+  --map-minor N        answer as a controller of register map 1.N, 4 or later: registers since then do not exist
   --speed FACTOR       simulated seconds per second, 0.01..1000 (1)
   --seed N             seed of the machine's disturbances (1)
   --pins NAME,..       inputs that are on at power-up: drive-alarm, emergency-stop, limit-forward, limit-reverse
@@ -71,6 +73,7 @@ enum Code {
     StopBits,
     NoPacing,
     State,
+    MapMinor,
     Speed,
     Seed,
     Pins,
@@ -90,6 +93,7 @@ const option ownOptions[] = {{"link", required_argument, nullptr, Link},
                              {"stop-bits", required_argument, nullptr, StopBits},
                              {"no-pacing", no_argument, nullptr, NoPacing},
                              {"state", required_argument, nullptr, State},
+                             {"map-minor", required_argument, nullptr, MapMinor},
                              {"speed", required_argument, nullptr, Speed},
                              {"seed", required_argument, nullptr, Seed},
                              {"pins", required_argument, nullptr, Pins},
@@ -153,6 +157,8 @@ bool takeOption(int code, std::string_view argument, Options& options)
     case State:
         options.stateDirectory = argument;
         return !argument.empty();
+    case MapMinor:
+        return parseNumber<std::uint16_t>(argument, 4, CTL_MAP_MINOR, options.mapMinor);
     case Speed:
         return parseNumber(argument, 0.01, 1000.0, options.speed);
     case Seed:

@@ -44,6 +44,7 @@ ctl_config configOf(const Options& options)
     config.timer_clock_hz = 8'000'000;
     config.timer_bits = 16;
     config.max_pulse_hz = 200'000;
+    config.map_minor = options.mapMinor;
     return config;
 }
 

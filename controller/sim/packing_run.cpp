@@ -4,6 +4,7 @@
 #include "bank/ctl_check.h"
 #include "base/ctl_words.h"
 #include "link/ctl_map.h"
+#include "motion/ctl_start.h"
 #include "simulated_controller.h"
 
 #include <algorithm>
@@ -120,7 +121,7 @@ private:
 
     bool start()
     {
-        const std::uint16_t refusal = ctl_motion_start(&m_core.motion);
+        const std::uint16_t refusal = ctl_start(&m_core.motion, &m_core.io);
         if (refusal != CTL_REFUSAL_NONE)
             return end(PackingEnd::Refused, refusal);
         m_untilUs = m_controller.nowUs() + longestStartUs + m_longestBagUs;

@@ -70,7 +70,8 @@ inline constexpr std::array warningBits{
     entry(WarningBit::TooManySkips, "TooManySkips",
           "The run was ended: parameter.skip_limit cuts in a row were skipped for a product across."),
     entry(WarningBit::EmergencyStop, "EmergencyStop",
-          "The emergency stop is pressed, or was within the last two seconds. No function depends on it."),
+          "The emergency stop is pressed, or was within the last two seconds. It has ended any motion; no "
+          "safety depends on that."),
 };
 
 } // namespace campanel::modbus

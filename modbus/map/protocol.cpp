@@ -225,7 +225,18 @@ constexpr std::array refusals{
           "The lead of cam switch 7 is longer than a cycle at the program's full speed."),
     entry(Refusal::Switch8LeadTooLong, "Switch8LeadTooLong",
           "The lead of cam switch 8 is longer than a cycle at the program's full speed."),
+    entry(Refusal::EmergencyStop, "EmergencyStop",
+          "The emergency stop is pressed, or was within the last two seconds."),
+    entry(Refusal::DriveAlarm, "DriveAlarm",
+          "The fault is an alarm of the drive; remove its cause, then reset the fault."),
+    entry(Refusal::NotWarm, "NotWarm", "exchange.permit lacks Warm."),
+    entry(Refusal::WrongFilm, "WrongFilm", "exchange.permit lacks Film."),
+    entry(Refusal::WrongRecipe, "WrongRecipe", "exchange.permit lacks Recipe."),
+    entry(Refusal::NotClean, "NotClean", "exchange.permit lacks Clean."),
+    entry(Refusal::PanelDisagrees, "PanelDisagrees", "exchange.permit lacks PanelAgrees."),
 };
+static_assert(refusals.back().value == static_cast<std::uint16_t>(Refusal::NotWarm) +
+                                           static_cast<std::uint16_t>(PermitBit::PanelAgrees));
 
 constexpr std::array transferOperations{
     entry(TransferOperation::None, "None", "No transfer since power-up."),
@@ -261,6 +272,17 @@ constexpr std::array jogBits{
     entry(JogBit::Reverse, "Reverse", "Jog backward while set and the heartbeat advances."),
 };
 
+constexpr std::array permitBits{
+    entry(PermitBit::Warm, "Warm", "The machine is warm. A panel sets it while it does not judge the heat."),
+    entry(PermitBit::Film, "Film", "No wrong or unknown film reel was scanned."),
+    entry(PermitBit::Recipe, "Recipe", "The active program is one that the panel would start."),
+    entry(PermitBit::Clean, "Clean",
+          "Nobody cleans the machine; homing and jogging need it as well. A panel sets it while it does not "
+          "judge that."),
+    entry(PermitBit::PanelAgrees, "PanelAgrees", "The panel has no reason against a start."),
+};
+static_assert(permitBits.size() == permitCount);
+
 constexpr std::array heartbeatLostActions{
     entry(HeartbeatLostAction::RunOn, "RunOn", "Warn and run on."),
     entry(HeartbeatLostAction::StopAtCycleEnd, "StopAtCycleEnd", "Warn and stop at the end of the cycle."),
@@ -290,7 +312,8 @@ constexpr std::array ioBits{
 
 constexpr std::array inputBits{
     entry(InputBit::DriveAlarm, "DriveAlarm", "The drive reports an alarm: a fault at once."),
-    entry(InputBit::EmergencyStop, "EmergencyStop", "The emergency stop is pressed. Only reported."),
+    entry(InputBit::EmergencyStop, "EmergencyStop",
+          "The emergency stop is pressed: ends a motion and refuses others. No safety depends on it."),
     entry(InputBit::LimitForward, "LimitForward", "Forward limit switch reached. Only reported."),
     entry(InputBit::LimitReverse, "LimitReverse", "Reverse limit switch reached. Only reported."),
     entry(InputBit::IndexMark, "IndexMark", "The axis stands on its index mark."),
@@ -345,7 +368,7 @@ constexpr std::array bagBits{
         "for another length."),
 };
 
-constexpr std::array<EnumInfo, 30> infos{{
+constexpr std::array<EnumInfo, 31> infos{{
     {"State", states},
     {"ProgramKind", programKinds},
     {"StagedState", stagedStates},
@@ -358,6 +381,7 @@ constexpr std::array<EnumInfo, 30> infos{{
     {"FaultBit", faultBits},
     {"WarningBit", warningBits},
     {"JogBit", jogBits},
+    {"PermitBit", permitBits},
     {"HeartbeatLostAction", heartbeatLostActions},
     {"TableLayout", tableLayouts},
     {"EndBehavior", endBehaviors},

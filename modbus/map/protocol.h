@@ -120,6 +120,14 @@ enum class Refusal : std::uint16_t {
     Switch6LeadTooLong,
     Switch7LeadTooLong,
     Switch8LeadTooLong,
+    EmergencyStop,
+    DriveAlarm,
+    // The missing bits of exchange.permit, in the order of PermitBit.
+    NotWarm,
+    WrongFilm,
+    WrongRecipe,
+    NotClean,
+    PanelDisagrees,
 };
 
 enum class TransferOperation : std::uint16_t { None = 0, Begin, Block, Seal };
@@ -159,6 +167,11 @@ enum class BagBit : std::uint16_t {
 
 // The bits of exchange.jog; both set means neither.
 enum class JogBit : std::uint16_t { Forward = 0, Reverse = 1 };
+
+// The bits of exchange.permit.
+enum class PermitBit : std::uint16_t { Warm = 0, Film, Recipe, Clean, PanelAgrees };
+inline constexpr int permitCount = 5;
+inline constexpr std::uint16_t allPermits = (1u << permitCount) - 1u;
 
 enum class HeartbeatLostAction : std::uint16_t { RunOn = 0, StopAtCycleEnd = 1 };
 

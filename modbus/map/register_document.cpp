@@ -91,6 +91,13 @@ void printLists(std::ostream& out)
     for (const Group& group : groups())
         out << " \\\n    GROUP(" << upperSnake(group.name) << ", " << hexAddress(group.base) << "u, "
             << group.count << "u)";
+    out << "\n\n/* NEWER(address, registers, minor): registers that came with this minor version. */\n"
+           "#define CTL_NEWER(NEWER)";
+    for (const RegisterInfo& row : registers()) {
+        if (row.minor != 0)
+            out << " \\\n    NEWER(" << hexAddress(row.address) << "u, " << row.count << "u, " << row.minor
+                << "u)";
+    }
     out << "\n";
     for (const Group& group : groups())
         out << "#define CTL_GROUP_" << upperSnake(group.name) << ' ' << group.count << "u\n";
@@ -229,6 +236,13 @@ void printRules(std::ostream& out)
            "without its "
            "code is refused with\nCommandIncomplete. Start homes first when the axis has not been homed "
            "since power-up and the program needs it; a stop ends that\nas well.\n\n"
+           "**Permit.** While `parameter.permit_needed` is 1, Start needs every bit of `exchange.permit`, "
+           "homing "
+           "and jogging need Clean.\nThe bits hold with the heartbeat of their frame, until "
+           "`parameter.heartbeat_timeout` or another frame of the group; Start and\nHome are then refused "
+           "with "
+           "HeartbeatLost, else with the first bit that is missing. A permit lost while running does not end "
+           "the run.\n\n"
            "**Jog.** One key at a time; both are none. The axis turns while the bit is set and the heartbeat "
            "advances. "
            "After 200 ms without a\nheartbeat it ramps down, and turns again only once all keys have been "

@@ -9,7 +9,7 @@
 
 namespace campanel::modbus {
 
-const std::uint16_t mapMinor = 4;
+const std::uint16_t mapMinor = 5;
 
 namespace {
 
@@ -123,6 +123,8 @@ constexpr std::array registerTable{
     CAMPANEL_CAM_SWITCH("8", 0x00CF),
     rw16("parameter.drive_enable", 0x00D4, "when the drives are enabled by their output", "DriveEnable", 0, 2,
          1),
+    since(5, rw16("parameter.permit_needed", 0x00D5, "1: a start needs every bit of exchange.permit", {}, 0,
+                  1, 0)),
 
     // Status block: the answer to the periodic FC23 exchange. 40 registers, so that 9600 baud still carries 8
     // a second.
@@ -236,6 +238,11 @@ constexpr std::array registerTable{
     rw16("exchange.tag", 0x0200, "any value that differs from the last one; comes back as status.tag"),
     rw16("exchange.heartbeat", 0x0201, "must advance; jog dies 200 ms after it last did"),
     rw16("exchange.jog", 0x0202, "held jog keys", "JogBit", 0, 3, 0),
+    since(5,
+          rw16("exchange.permit", 0x0203,
+               "what the panel permits, in one frame with the heartbeat; any other write of the group takes "
+               "it back",
+               "PermitBit")),
 
     rw16("command.counter", 0x0220,
          "sets off command.code, which must be in the same frame; the last counter again does nothing"),

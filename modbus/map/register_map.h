@@ -33,6 +33,8 @@ struct RegisterInfo {
     // The program kinds or table layouts that have the register (bit n: kind or layout n); 0: all.
     std::uint16_t kinds = 0;
     std::uint16_t layouts = 0;
+    // The first minor map version that has the register; 0: older than any controller that a panel may meet.
+    std::uint16_t minor = 0;
 
     [[nodiscard]] constexpr bool appliesTo(ProgramKind kind, TableLayout layout) const
     {

@@ -75,6 +75,12 @@ constexpr RegisterInfo withKind(ProgramKind kind, RegisterInfo row)
     return row;
 }
 
+constexpr RegisterInfo since(std::uint16_t minor, RegisterInfo row)
+{
+    row.minor = minor;
+    return row;
+}
+
 constexpr RegisterInfo cutter(RegisterInfo row)
 {
     return withKind(ProgramKind::RotaryCutter, row);

@@ -91,7 +91,7 @@ bool PressBench::stroke()
 {
     heldMm = 0.0;
     backwards = 0;
-    if (ctl_motion_start(&m_core->motion) != CTL_REFUSAL_NONE)
+    if (ctl_start(&m_core->motion, &m_core->io) != CTL_REFUSAL_NONE)
         return false;
     runToStandstill();
     return true;

@@ -5,6 +5,7 @@
 
 #include "ctl_core.h"
 #include "machine.h"
+#include "motion/ctl_start.h"
 #include "rig.h"
 #include "support/press_image.h"
 

@@ -220,10 +220,13 @@ void Rig::start()
         throw std::runtime_error("the program does not run");
 }
 
-void Rig::heartbeat(std::uint16_t jog)
+void Rig::heartbeat(std::uint16_t jog, std::optional<std::uint16_t> permit)
 {
     ++m_heartbeat;
-    write(CTL_REG_EXCHANGE_TAG, {m_heartbeat, m_heartbeat, jog});
+    Registers written{m_heartbeat, m_heartbeat, jog};
+    if (permit)
+        written.push_back(*permit);
+    write(CTL_REG_EXCHANGE_TAG, written);
 }
 
 void Rig::setParameter(std::uint16_t address, std::uint16_t value)

@@ -65,7 +65,8 @@ public:
     void install(const BankImage& bank) { install(bank.registers()); }
     // Starts and homes until the table runs.
     void start();
-    void heartbeat(std::uint16_t jog = 0);
+    // Without a permit the frame is that of a panel that does not have the register.
+    void heartbeat(std::uint16_t jog = 0, std::optional<std::uint16_t> permit = {});
     void setParameter(std::uint16_t address, std::uint16_t value);
 
     void run(std::uint64_t timeUs);

@@ -65,6 +65,7 @@ private slots:
     void usesNoHeapOrInputOutput();
     void hasNoGlobals();
     void includesOnlyItselfAndTheLanguage();
+    void setsAnAxisOffInTheGateAlone();
 };
 
 void TestCoreSource::isFound()
@@ -99,6 +100,18 @@ void TestCoreSource::includesOnlyItselfAndTheLanguage()
     QCOMPARE(
         findings(u"#\\s*include (?!\"([a-z]+/)?ctl_[a-z_]+\\.h\"|<(stdint|stddef|stdbool|string)\\.h>)"_s),
         QStringList());
+}
+
+// What a start needs is asked in one place: whatever wants to start calls ctl_start().
+void TestCoreSource::setsAnAxisOffInTheGateAlone()
+{
+    QStringList others;
+    for (const QString& line : findings(u"\\bctl_motion_(start|home)\\("_s)) {
+        if (!line.startsWith(u"ctl_start.c"_s) && !line.startsWith(u"ctl_motion."_s))
+            others << line;
+    }
+    QCOMPARE(others, QStringList());
+    QCOMPARE(findings(u"\\bctl_motion_(start|home)\\("_s).size(), 6); // declared, defined, called
 }
 
 CAMPANEL_TEST(TestCoreSource)

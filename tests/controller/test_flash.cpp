@@ -314,6 +314,7 @@ void TestFlash::slotsOfOtherVersions_data()
     QTest::newRow("map 1.1") << int{'2'} << false << 10;
     QTest::newRow("map 1.2") << int{'3'} << false << 38;
     QTest::newRow("an older one") << int{'4'} << true << 12;
+    QTest::newRow("map 1.4") << int{'4'} << true << 85;
     QTest::newRow("a newer one") << int{'4'} << true << int{CTL_GROUP_PARAMETER} + 3;
 }
 
@@ -327,6 +328,7 @@ void TestFlash::slotsOfOtherVersions()
         Rig rig({}, &flash);
         rig.setParameter(CTL_REG_PARAMETER_RAMP_TIME, 1234);
         rig.setParameter(CTL_REG_PARAMETER_SWITCH8_LEAD, 77);
+        rig.setParameter(CTL_REG_PARAMETER_PERMIT_NEEDED, 1);
         QCOMPARE(saveNumber(rig, 1), CTL_REFUSAL_NONE);
     }
     auto& bytes = flash.contents[0];
@@ -355,7 +357,9 @@ void TestFlash::slotsOfOtherVersions()
     Rig rig({}, &flash);
     QCOMPARE(rig.statusWide(CTL_REG_STATUS_ACTIVE_CRC), crc32(bankNumber(1).registers()));
     QCOMPARE(rig.status(CTL_REG_PARAMETER_RAMP_TIME), 1234);
-    QCOMPARE(rig.status(CTL_REG_PARAMETER_SWITCH8_LEAD), parameters < now ? 0 : 77);
+    constexpr int lead = CTL_REG_PARAMETER_SWITCH8_LEAD - CTL_REG_PARAMETER_HEARTBEAT_TIMEOUT;
+    QCOMPARE(rig.status(CTL_REG_PARAMETER_SWITCH8_LEAD), parameters > lead ? 77 : 0);
+    QCOMPARE(rig.status(CTL_REG_PARAMETER_PERMIT_NEEDED), parameters < now ? 0 : 1);
     QCOMPARE(rig.status(CTL_REG_PARAMETER_DRIVE_ENABLE), CTL_DRIVE_ENABLE_ON);
     QCOMPARE(saveNumber(rig, 2), CTL_REFUSAL_NONE);
     Rig after({}, &flash);

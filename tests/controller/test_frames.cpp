@@ -114,7 +114,7 @@ void TestFrames::refusals_data()
     QTest::newRow("write cut short") << "0110020000020400010002"
                                         "00"
                                      << 3;
-    QTest::newRow("write beyond the group") << "0110020200020400000000" << 2;
+    QTest::newRow("write beyond the group") << "0110020300020400000000" << 2;
     QTest::newRow("read-write none") << "0117010000000200000102"
                                         "0001"
                                      << 3;

@@ -38,7 +38,7 @@ class TestIo : public QObject {
 private slots:
     void driveAlarmIsAFaultAtOnce_data();
     void driveAlarmIsAFaultAtOnce();
-    void otherInputsStopNothing();
+    void limitSwitchesStopNothing();
     void bouncingEmergencyStopIsOneWarning();
     void drivesAreEnabledAsSet();
     void noPulseIsLostToTheEnable();
@@ -98,7 +98,7 @@ void TestIo::driveAlarmIsAFaultAtOnce()
     QCOMPARE(rig.core().motion.commanded, stopped);
     QCOMPARE(rig.status(CTL_REG_STATUS_FAULT), 1u << CTL_FAULT_BIT_DRIVE_ALARM);
     QCOMPARE(rig.command(CTL_COMMAND_RESET_FAULT), CTL_REFUSAL_FAULT_PERSISTS);
-    QCOMPARE(rig.command(CTL_COMMAND_START), CTL_REFUSAL_IN_FAULT);
+    QCOMPARE(rig.command(CTL_COMMAND_START), CTL_REFUSAL_DRIVE_ALARM);
     machineOf(rig).setInput(CTL_INPUT_BIT_DRIVE_ALARM, false);
     rig.run(1000);
     QCOMPARE(rig.core().motion.state, CTL_STATE_FAULT);
@@ -113,12 +113,11 @@ void TestIo::driveAlarmIsAFaultAtOnce()
     QCOMPARE(rig.core().motion.state, CTL_STATE_RUNNING);
 }
 
-// Limit switches and emergency stop are on from power-up.
-void TestIo::otherInputsStopNothing()
+// They are on from power-up.
+void TestIo::limitSwitchesStopNothing()
 {
     controller::MachineOptions options;
-    options.inputs = 1u << CTL_INPUT_BIT_EMERGENCY_STOP | 1u << CTL_INPUT_BIT_LIMIT_FORWARD |
-                     1u << CTL_INPUT_BIT_LIMIT_REVERSE;
+    options.inputs = 1u << CTL_INPUT_BIT_LIMIT_FORWARD | 1u << CTL_INPUT_BIT_LIMIT_REVERSE;
     Rig without;
     Rig with(options);
     for (Rig* rig : {&without, &with}) {
@@ -141,16 +140,21 @@ void TestIo::bouncingEmergencyStopIsOneWarning()
     QVERIFY((rig.status(CTL_REG_STATUS_WARNING) & stopWarning) == 0);
     int changes = 0;
     unsigned before = 0;
+    std::uint32_t ended = 0;        // cycles when the run had ended
     for (int i = 0; i < 400; ++i) { // 20 s, and 10 s of quiet
         machineOf(rig).setInput(CTL_INPUT_BIT_EMERGENCY_STOP, i < 280 && (i * 7) % 5 < 2);
         rig.run(50'000);
         rig.heartbeat();
         const unsigned now = rig.status(CTL_REG_STATUS_WARNING) & stopWarning;
         changes += std::exchange(before, now) != now ? 1 : 0;
+        if (i == 100)
+            ended = rig.core().motion.cycle_count;
     }
     QCOMPARE(changes, 2); // it came and went
     QCOMPARE(before, 0u);
-    QCOMPARE(rig.core().motion.state, CTL_STATE_RUNNING);
+    QCOMPARE(rig.core().motion.state, CTL_STATE_READY); // the first touch has ended the run
+    QCOMPARE(rig.core().motion.cycle_count, ended);
+    rig.start();
 }
 
 void TestIo::drivesAreEnabledAsSet()

@@ -131,7 +131,7 @@ void TestPressCommands::stopNowInEveryStage()
     QFETCH(int, stage);
     QFETCH(int, result);
     PressBench bench(PressImage{}, MachineOptions{});
-    QCOMPARE(ctl_motion_start(&bench.core().motion), std::uint16_t{CTL_REFUSAL_NONE});
+    QCOMPARE(ctl_start(&bench.core().motion, &bench.core().io), std::uint16_t{CTL_REFUSAL_NONE});
     runUntilStage(bench, static_cast<std::uint16_t>(stage));
     for (int i = 0; i < 400; ++i) // about 60 ms into the stage
         bench.tick();
@@ -155,8 +155,8 @@ void TestPressCommands::stopNowInEveryStage()
 void TestPressCommands::stopAtCycleEndFinishesTheStroke()
 {
     PressBench bench(PressImage{}, MachineOptions{});
-    QCOMPARE(ctl_motion_start(&bench.core().motion), std::uint16_t{CTL_REFUSAL_NONE});
-    QCOMPARE(ctl_motion_start(&bench.core().motion), std::uint16_t{CTL_REFUSAL_ALREADY_RUNNING});
+    QCOMPARE(ctl_start(&bench.core().motion, &bench.core().io), std::uint16_t{CTL_REFUSAL_NONE});
+    QCOMPARE(ctl_start(&bench.core().motion, &bench.core().io), std::uint16_t{CTL_REFUSAL_ALREADY_RUNNING});
     runUntilStage(bench, CTL_PRESS_STAGE_PROBE);
     QCOMPARE(ctl_motion_stop_at_cycle_end(&bench.core().motion), std::uint16_t{CTL_REFUSAL_NONE});
     QCOMPARE(bench.core().motion.state, std::uint16_t{CTL_STATE_STOPPING});
@@ -170,7 +170,7 @@ void TestPressCommands::stopAtCycleEndFinishesTheStroke()
 void TestPressCommands::abandonedByAFault()
 {
     PressBench bench(PressImage{}, MachineOptions{});
-    QCOMPARE(ctl_motion_start(&bench.core().motion), std::uint16_t{CTL_REFUSAL_NONE});
+    QCOMPARE(ctl_start(&bench.core().motion, &bench.core().io), std::uint16_t{CTL_REFUSAL_NONE});
     runUntilStage(bench, CTL_PRESS_STAGE_APPROACH);
     bench.machine().setDriveOn(false);
     bench.runToStandstill();

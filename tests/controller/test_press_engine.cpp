@@ -275,7 +275,7 @@ void TestPressEngine::wrongWorkPiece()
     options.press.missing = missing;
     options.press.stiffnessNPerMm = stiffness;
     PressBench bench(PressImage{}, options);
-    QCOMPARE(ctl_motion_start(&bench.core().motion), CTL_REFUSAL_NONE);
+    QCOMPARE(ctl_start(&bench.core().motion, &bench.core().io), CTL_REFUSAL_NONE);
     double deepest = 0.0;
     while (!ctl_motion_standstill(&bench.core().motion)) {
         bench.tick();

@@ -202,8 +202,9 @@ ctl_flash_progress ctl_flash_save_piece(ctl_flash* flash, const ctl_board* board
         ok = write_piece(saving, board, &saving->head[saving->written], count);
     } else if (ok && saving->written < length) {
         const uint32_t at = saving->written - CTL_FLASH_HEAD_REGISTERS;
+        /* Flash of 32-bit words: from an odd register on, an odd number ends at a whole word. */
         ok = write_piece(saving, board, &saving->bank->registers[at],
-                         least(CHUNK_REGISTERS, length - saving->written));
+                         least(CHUNK_REGISTERS - saving->written % 2u, length - saving->written));
     } else if (ok && saving->written == length) {
         uint16_t crc[2];
         ctl_put32(crc, ~saving->crc);

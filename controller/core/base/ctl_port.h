@@ -78,6 +78,8 @@ typedef struct {
     uint16_t table_layouts;      /* bit n: table layout n can be executed */
     uint16_t max_rows_per_slice; /* rows of a step table that one slice may meet, at least 2 */
     uint16_t work_registers;     /* registers that one slice checks, sums up or saves of long work */
+
+    uint16_t map_minor; /* the registers of later minor versions of the map do not exist; 0: all do */
 } ctl_config;
 
 #endif

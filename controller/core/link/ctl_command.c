@@ -3,6 +3,7 @@
 
 #include "base/ctl_words.h"
 #include "link/ctl_parts.h"
+#include "motion/ctl_start.h"
 
 #include <stddef.h>
 #include <string.h>
@@ -10,15 +11,6 @@
 enum { COUNTER = 0, CODE = 1, ARGUMENT0 = 2, ARGUMENT1 = 3, ARGUMENT2 = 4 };
 _Static_assert(CTL_GROUP_COMMAND == ARGUMENT2 + 2, "the wide argument ends the group");
 _Static_assert(CTL_GROUP_RESULT == 4u, "ctl_command() fills the group");
-
-/* A switch with too long a lead would be on in the wrong cycle. */
-static uint16_t start(ctl_core* core)
-{
-    const bool ready = core->motion.state == CTL_STATE_READY;
-    const uint16_t refusal =
-        ready ? ctl_switches_refusal(&core->board, ctl_active_bank(&core->banks)) : CTL_REFUSAL_NONE;
-    return refusal != CTL_REFUSAL_NONE ? refusal : ctl_motion_start(&core->motion);
-}
 
 static uint16_t apply_staged(ctl_core* core, const uint16_t* request)
 {
@@ -98,13 +90,13 @@ static uint16_t carry_out(ctl_core* core, const uint16_t* request)
 {
     switch (request[CODE]) {
     case CTL_COMMAND_START:
-        return start(core);
+        return ctl_start(&core->motion, &core->io);
     case CTL_COMMAND_STOP_AT_CYCLE_END:
         return ctl_motion_stop_at_cycle_end(&core->motion);
     case CTL_COMMAND_STOP_NOW:
         return ctl_motion_stop_now(&core->motion);
     case CTL_COMMAND_HOME:
-        return ctl_motion_home(&core->motion);
+        return ctl_start_home(&core->motion, &core->io);
     case CTL_COMMAND_RESET_FAULT:
         return ctl_io_drive_alarm(&core->io) && core->motion.state == CTL_STATE_FAULT
                    ? CTL_REFUSAL_FAULT_PERSISTS

@@ -78,8 +78,9 @@ static size_t read_write(struct ctl_core* core, const uint8_t* request, size_t s
     if (count == 0 || count > MAX_WRITTEN_AND_READ || request[9] != 2 * count || size != 10 + 2 * count)
         return exception(request, CTL_ILLEGAL_VALUE, answer);
     const uint32_t read = ctl_get_bytes16(&request[3]);
-    uint8_t refused = read == 0 || read > MAX_READ ? CTL_ILLEGAL_VALUE
-                                                   : ctl_map_readable(ctl_get_bytes16(&request[1]), read);
+    uint8_t refused = read == 0 || read > MAX_READ
+                          ? CTL_ILLEGAL_VALUE
+                          : ctl_map_readable(core, ctl_get_bytes16(&request[1]), read);
     if (refused != 0)
         return exception(request, refused, answer);
     refused = write_registers(core, ctl_get_bytes16(&request[5]), &request[10], count);

@@ -129,8 +129,31 @@ static void read_group(ctl_core* core, group_name group, uint32_t first, uint16_
     memcpy(values, &source[first], count * sizeof values[0]);
 }
 
-uint8_t ctl_map_readable(uint32_t address, uint32_t count)
+typedef struct {
+    uint16_t address;
+    uint16_t count;
+    uint16_t minor;
+} newer_registers;
+
+#define NEWER_REGISTERS(address, count, minor) {address, count, minor},
+static const newer_registers newer[] = {CTL_NEWER(NEWER_REGISTERS)};
+
+/* The range has a register that came later than the minor version that this controller shows. */
+static bool has_newer(const ctl_core* core, uint32_t address, uint32_t count)
 {
+    const uint16_t minor = core->board.config.map_minor;
+    for (uint32_t i = 0; minor != 0 && i < sizeof newer / sizeof newer[0]; ++i) {
+        if (newer[i].minor > minor && newer[i].address < address + count &&
+            address < (uint32_t)newer[i].address + newer[i].count)
+            return true;
+    }
+    return false;
+}
+
+uint8_t ctl_map_readable(const ctl_core* core, uint32_t address, uint32_t count)
+{
+    if (has_newer(core, address, count))
+        return CTL_ILLEGAL_ADDRESS;
     for (uint32_t at = address; at < address + count;) {
         const group_name group = group_of(at);
         if (group == GROUPS)
@@ -142,7 +165,7 @@ uint8_t ctl_map_readable(uint32_t address, uint32_t count)
 
 uint8_t ctl_map_read(ctl_core* core, uint32_t address, uint16_t* values, uint32_t count)
 {
-    const uint8_t refused = ctl_map_readable(address, count);
+    const uint8_t refused = ctl_map_readable(core, address, count);
     if (refused != 0)
         return refused;
     while (count != 0) {
@@ -172,6 +195,8 @@ static void read_back(ctl_core* core)
     memcpy(&result[3], values, sizeof values);
 }
 
+enum { PERMIT = CTL_REG_EXCHANGE_PERMIT - CTL_REG_EXCHANGE_TAG };
+
 static bool covers(uint32_t address, uint32_t count, uint32_t wanted)
 {
     return wanted >= address && wanted - address < count;
@@ -183,6 +208,7 @@ static void act(ctl_core* core, uint32_t address, uint32_t count)
 {
     if (covers(address, count, CTL_REG_EXCHANGE_HEARTBEAT))
         ctl_heartbeat_receive(&core->heartbeat, &core->board, core->written.exchange[1]);
+    core->heartbeat.permit = core->written.exchange[PERMIT];
     if (covers(address, count, CTL_REG_COMMAND_COUNTER))
         ctl_command(core, covers(address, count, CTL_REG_COMMAND_CODE));
     if (covers(address, count, CTL_REG_TRANSFER_OPERATION))
@@ -206,7 +232,7 @@ uint8_t ctl_map_write(ctl_core* core, uint32_t address, const uint16_t* values, 
     if (group == GROUPS || count > ranges[group].count - (address - ranges[group].base))
         return CTL_ILLEGAL_ADDRESS;
     uint16_t* target = writable(core, group);
-    if (target == NULL)
+    if (target == NULL || has_newer(core, address, count))
         return CTL_ILLEGAL_ADDRESS;
     uint16_t changed[sizeof(writable_group) / sizeof(uint16_t)];
     memcpy(changed, target, ranges[group].count * sizeof changed[0]);
@@ -216,6 +242,9 @@ uint8_t ctl_map_write(ctl_core* core, uint32_t address, const uint16_t* values, 
     memcpy(target, changed, ranges[group].count * sizeof changed[0]);
     if (group == GROUP_PARAMETER)
         core->board.parameter_writes += 1;
+    if (group == GROUP_EXCHANGE && !(covers(address, count, CTL_REG_EXCHANGE_HEARTBEAT) &&
+                                     covers(address, count, CTL_REG_EXCHANGE_PERMIT)))
+        core->written.exchange[PERMIT] = 0;
     act(core, address, count);
     return 0;
 }

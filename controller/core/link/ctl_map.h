@@ -21,7 +21,7 @@ struct ctl_core;
 void ctl_map_init(struct ctl_core* core);
 /* All return 0 or the exception code; a write that is refused has changed nothing. The first one only tells
  * what a read would return. */
-uint8_t ctl_map_readable(uint32_t address, uint32_t count);
+uint8_t ctl_map_readable(const struct ctl_core* core, uint32_t address, uint32_t count);
 uint8_t ctl_map_read(struct ctl_core* core, uint32_t address, uint16_t* values, uint32_t count);
 uint8_t ctl_map_write(struct ctl_core* core, uint32_t address, const uint16_t* values, uint32_t count);
 

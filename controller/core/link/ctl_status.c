@@ -19,7 +19,8 @@ void ctl_identity(const ctl_core* core, uint16_t* registers)
     const ctl_config* config = &core->board.config;
     registers[CTL_REG_IDENTITY_DEVICE_TYPE] = CTL_DEVICE_TYPE;
     registers[CTL_REG_IDENTITY_MAP_MAJOR] = CTL_MAP_MAJOR;
-    registers[CTL_REG_IDENTITY_MAP_MINOR] = CTL_MAP_MINOR;
+    registers[CTL_REG_IDENTITY_MAP_MINOR] =
+        config->map_minor == 0 ? (uint16_t)CTL_MAP_MINOR : config->map_minor;
     registers[CTL_REG_IDENTITY_FIRMWARE_MAJOR] = config->firmware[0];
     registers[CTL_REG_IDENTITY_FIRMWARE_MINOR] = config->firmware[1];
     registers[CTL_REG_IDENTITY_FIRMWARE_PATCH] = config->firmware[2];

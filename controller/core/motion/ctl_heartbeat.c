@@ -31,13 +31,20 @@ bool ctl_heartbeat_stops(const ctl_heartbeat* heartbeat, const ctl_board* board)
            ctl_heartbeat_lost(heartbeat, board);
 }
 
+uint32_t ctl_heartbeat_missing(const ctl_heartbeat* heartbeat, const ctl_board* board, uint32_t bits)
+{
+    return ctl_parameter16(board, CTL_REG_PARAMETER_PERMIT_NEEDED) != 0 ? bits & ~(uint32_t)heartbeat->permit
+                                                                        : 0u;
+}
+
 bool ctl_heartbeat_slice(ctl_heartbeat* heartbeat, const ctl_board* board, uint16_t keys)
 {
     heartbeat->keys = keys;
     /* A jog that died does not come back by itself: the key must be let go first. */
     if (keys == 0)
         heartbeat->jog_blocked = false;
-    else if (!heartbeat->heard || older_than(heartbeat, board, CTL_JOG_HOLD_US))
+    else if (!heartbeat->heard || older_than(heartbeat, board, CTL_JOG_HOLD_US) ||
+             ctl_heartbeat_missing(heartbeat, board, 1u << CTL_PERMIT_BIT_CLEAN) != 0)
         heartbeat->jog_blocked = true;
     return ctl_heartbeat_stops(heartbeat, board);
 }

@@ -47,7 +47,7 @@ static bool drives_enabled(ctl_io* io, const ctl_motion* motion)
     }
 }
 
-void ctl_io_begin(ctl_io* io, const ctl_motion* motion)
+void ctl_io_begin(ctl_io* io, ctl_motion* motion)
 {
     const ctl_board* board = motion->board;
     if (board->port.inputs != NULL)
@@ -55,6 +55,8 @@ void ctl_io_begin(ctl_io* io, const ctl_motion* motion)
     if ((io->inputs & INPUT(EMERGENCY_STOP)) != 0) {
         io->was_stopped = true;
         io->stopped_us = board->now_us;
+        motion->heartbeat->jog_blocked = true; /* a key that is held then must be let go first */
+        (void)ctl_motion_stop_now(motion);
     }
     const uint32_t enable = 1u << CTL_OUTPUT_BIT_DRIVE_ENABLE;
     const uint32_t others = io->outputs & ~enable;

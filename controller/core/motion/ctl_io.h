@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-/* The pins of the machine beside its axes: inputs, drive enable, cam switches. Limit switches and emergency
- * stop are reported only; what stops the machine safely is wired without the controller. */
+/* The pins of the machine beside its axes: inputs, drive enable, cam switches. Limit switches are reported
+ * only. The emergency stop ends a motion, but no safety depends on that: what stops the machine safely is
+ * wired without the controller. */
 #ifndef CTL_IO_H
 #define CTL_IO_H
 
@@ -22,8 +23,8 @@ typedef struct {
 } ctl_io;
 
 void ctl_io_init(ctl_io* io, const ctl_board* board);
-/* Begins a slice: reads the inputs, enables the drives. */
-void ctl_io_begin(ctl_io* io, const ctl_motion* motion);
+/* Begins a slice: reads the inputs, ends a motion when the emergency stop is pressed, enables the drives. */
+void ctl_io_begin(ctl_io* io, ctl_motion* motion);
 /* Ends a slice: the cam switches follow what has moved. */
 void ctl_io_slice(ctl_io* io, const ctl_motion* motion);
 bool ctl_io_drive_alarm(const ctl_io* io);

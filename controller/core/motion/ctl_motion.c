@@ -186,51 +186,22 @@ void ctl_motion_fault(ctl_motion* motion, uint16_t fault_bit)
     ctl_packer_break_off(motion->packer);
 }
 
-/* Why the axis may not set off; CTL_REFUSAL_NONE when it may. */
-static uint16_t refuse_to_move(ctl_motion* motion, uint16_t when_moving)
+void ctl_motion_start(ctl_motion* motion)
 {
-    if (motion->state == CTL_STATE_FAULT)
-        return CTL_REFUSAL_IN_FAULT;
-    if (!motion->banks->has_active)
-        return CTL_REFUSAL_NO_ACTIVE_PROGRAM;
-    if (!ctl_motion_standstill(motion))
-        return when_moving;
-    if (ctl_heartbeat_stops(motion->heartbeat, motion->board))
-        return CTL_REFUSAL_HEARTBEAT_LOST;
-    if (!ctl_active_bank_intact(motion->banks)) {
-        ctl_motion_fault(motion, CTL_FAULT_BIT_ACTIVE_TABLE_DAMAGED);
-        return CTL_REFUSAL_IN_FAULT;
-    }
-    return CTL_REFUSAL_NONE;
-}
-
-uint16_t ctl_motion_start(ctl_motion* motion)
-{
-    const uint16_t refusal = refuse_to_move(motion, CTL_REFUSAL_ALREADY_RUNNING);
-    if (refusal != CTL_REFUSAL_NONE)
-        return refusal;
-    const uint16_t line_refusal = ctl_packer_refusal(motion->packer, ctl_active_bank(motion->banks));
-    if (line_refusal != CTL_REFUSAL_NONE)
-        return line_refusal;
     if (motion->in_phase || !ctl_bank_needs_homing(ctl_active_bank(motion->banks))) {
         ctl_motion_run(motion);
     } else {
         begin_homing(motion);
         motion->start_after_home = true;
     }
-    return CTL_REFUSAL_NONE;
 }
 
-uint16_t ctl_motion_home(ctl_motion* motion)
+void ctl_motion_home(ctl_motion* motion)
 {
-    const uint16_t refusal = refuse_to_move(motion, CTL_REFUSAL_NOT_STANDSTILL);
-    if (refusal != CTL_REFUSAL_NONE)
-        return refusal;
     if (ctl_motion_is_press(motion))
         ctl_motion_take_top(motion);
     else
         begin_homing(motion);
-    return CTL_REFUSAL_NONE;
 }
 
 uint16_t ctl_motion_stop_now(ctl_motion* motion)

@@ -77,11 +77,12 @@ void ctl_motion_slice(ctl_motion* motion, uint32_t ticks);
 /* Pulses stop at once. */
 void ctl_motion_fault(ctl_motion* motion, uint16_t fault_bit);
 
+/* Set the axis off. Only the gate in ctl_start.c calls them. */
+void ctl_motion_start(ctl_motion* motion);
+void ctl_motion_home(ctl_motion* motion);
 /* Commands; each returns CTL_REFUSAL_... */
-uint16_t ctl_motion_start(ctl_motion* motion);
 uint16_t ctl_motion_stop_at_cycle_end(ctl_motion* motion);
 uint16_t ctl_motion_stop_now(ctl_motion* motion);
-uint16_t ctl_motion_home(ctl_motion* motion);
 uint16_t ctl_motion_reset_fault(ctl_motion* motion);
 /* Running: returns CTL_REFUSAL_..., the reason why the staged program cannot take over. */
 uint16_t ctl_motion_change_refusal(const ctl_motion* motion);

@@ -1,0 +1,64 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+#include "motion/ctl_start.h"
+
+#define ALL_PERMITS ((2u << CTL_PERMIT_BIT_LAST) - 1u)
+
+_Static_assert(CTL_REFUSAL_PANEL_DISAGREES - CTL_REFUSAL_NOT_WARM == CTL_PERMIT_BIT_LAST,
+               "each bit of a permit has its refusal, in the same order");
+
+/* What the panel has to say to it; `permits`: the bits that are needed where a permit is. */
+static uint16_t panel_refusal(const ctl_heartbeat* heartbeat, const ctl_board* board, uint32_t permits)
+{
+    const bool needs_panel = ctl_parameter16(board, CTL_REG_PARAMETER_PERMIT_NEEDED) != 0;
+    if (needs_panel ? ctl_heartbeat_lost(heartbeat, board) : ctl_heartbeat_stops(heartbeat, board))
+        return CTL_REFUSAL_HEARTBEAT_LOST;
+    const uint32_t missing = ctl_heartbeat_missing(heartbeat, board, permits);
+    for (uint32_t bit = 0; missing != 0 && bit <= CTL_PERMIT_BIT_LAST; ++bit) {
+        if ((missing & 1u << bit) != 0)
+            return (uint16_t)(CTL_REFUSAL_NOT_WARM + bit);
+    }
+    return CTL_REFUSAL_NONE;
+}
+
+static uint16_t refusal_to_move(ctl_motion* motion, const ctl_io* io, uint16_t when_moving, uint32_t permits)
+{
+    if (motion->state == CTL_STATE_FAULT)
+        return (motion->fault & 1u << CTL_FAULT_BIT_DRIVE_ALARM) != 0 ? CTL_REFUSAL_DRIVE_ALARM
+                                                                      : CTL_REFUSAL_IN_FAULT;
+    if (!motion->banks->has_active)
+        return CTL_REFUSAL_NO_ACTIVE_PROGRAM;
+    if (!ctl_motion_standstill(motion))
+        return when_moving;
+    if (ctl_io_emergency_stop(io, motion->board))
+        return CTL_REFUSAL_EMERGENCY_STOP;
+    const uint16_t refusal = panel_refusal(motion->heartbeat, motion->board, permits);
+    if (refusal != CTL_REFUSAL_NONE)
+        return refusal;
+    if (!ctl_active_bank_intact(motion->banks)) {
+        ctl_motion_fault(motion, CTL_FAULT_BIT_ACTIVE_TABLE_DAMAGED);
+        return CTL_REFUSAL_IN_FAULT;
+    }
+    return CTL_REFUSAL_NONE;
+}
+
+uint16_t ctl_start(ctl_motion* motion, const ctl_io* io)
+{
+    uint16_t refusal = refusal_to_move(motion, io, CTL_REFUSAL_ALREADY_RUNNING, ALL_PERMITS);
+    /* A switch with too long a lead would be on in the wrong cycle. */
+    if (refusal == CTL_REFUSAL_NONE)
+        refusal = ctl_switches_refusal(motion->board, ctl_active_bank(motion->banks));
+    if (refusal == CTL_REFUSAL_NONE)
+        refusal = ctl_packer_refusal(motion->packer, ctl_active_bank(motion->banks));
+    if (refusal == CTL_REFUSAL_NONE)
+        ctl_motion_start(motion);
+    return refusal;
+}
+
+uint16_t ctl_start_home(ctl_motion* motion, const ctl_io* io)
+{
+    const uint16_t refusal =
+        refusal_to_move(motion, io, CTL_REFUSAL_NOT_STANDSTILL, 1u << CTL_PERMIT_BIT_CLEAN);
+    if (refusal == CTL_REFUSAL_NONE)
+        ctl_motion_home(motion);
+    return refusal;
+}

@@ -1,0 +1,20 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/* The one gate that every start passes, whoever asks for it. Homing and jogging are no starts. */
+#ifndef CTL_START_H
+#define CTL_START_H
+
+#include "motion/ctl_io.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* Each returns CTL_REFUSAL_..., the first reason against it; CTL_REFUSAL_NONE: the axis sets off. */
+uint16_t ctl_start(ctl_motion* motion, const ctl_io* io);
+uint16_t ctl_start_home(ctl_motion* motion, const ctl_io* io);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
