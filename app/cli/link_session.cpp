@@ -3,6 +3,7 @@
 #include "app/cli/link_session.h"
 
 #include "app/cli/invocation.h"
+#include "app/cli/report.h"
 #include "modbus/download/bank_reader.h"
 
 #include <QDateTime>
@@ -16,6 +17,19 @@ namespace {
 
 // The number of attempts for a damaged or lost answer.
 constexpr int attempts = 4;
+
+// Returns the names of these permits as in the register map, "Film, Recipe".
+QString permitNames(std::uint16_t bits)
+{
+    QStringList names;
+    for (const modbus::EnumInfo& info : modbus::enumerations()) {
+        for (const modbus::EnumValue& value : info.values) {
+            if (info.name == "PermitBit" && (bits >> value.value & 1U) != 0)
+                names << fromView(value.name);
+        }
+    }
+    return names.join(u", "_s);
+}
 
 } // namespace
 
@@ -60,6 +74,32 @@ QList<QCommandLineOption> linkOptions()
             QCommandLineOption(u"unit"_s, u"Modbus unit number, 1 (default) to 247."_s, u"UNIT"_s, u"1"_s)};
 }
 
+QCommandLineOption permitOption()
+{
+    return {
+        u"permit"_s,
+        u"Permit the start in the panel's place: all, or names such as Warm,Film. See PermitBit in the register map."_s,
+        u"NAMES"_s};
+}
+
+tl::expected<std::uint16_t, Failure> permitOf(const Invocation& call)
+{
+    if (call.value(u"permit"_s) == u"all")
+        return modbus::allPermits;
+    unsigned bits = 0;
+    for (const QString& name : call.value(u"permit"_s).split(u',', Qt::SkipEmptyParts)) {
+        unsigned bit = 0;
+        while (bit < modbus::permitCount &&
+               permitNames(static_cast<std::uint16_t>(1U << bit)).compare(name, Qt::CaseInsensitive) != 0)
+            ++bit;
+        if (bit == modbus::permitCount)
+            return fail(ExitCode::Usage, u"--permit takes all or some of %1, not \"%2\"."_s.arg(
+                                             permitNames(modbus::allPermits), name));
+        bits |= 1U << bit;
+    }
+    return static_cast<std::uint16_t>(bits);
+}
+
 tl::expected<LinkSession, Failure> LinkSession::open(const Invocation& call)
 {
     const auto settings = linkSettings(call);
@@ -85,7 +125,7 @@ tl::expected<LinkSession, Failure> LinkSession::open(const Invocation& call)
 
 tl::expected<modbus::StatusBlock, modbus::LinkError> LinkSession::exchangeOnce()
 {
-    return m_client->exchangeStatus(++m_heartbeat, 0);
+    return m_client->exchangeStatus(++m_heartbeat, 0, m_permit);
 }
 
 tl::expected<modbus::StatusBlock, Failure> LinkSession::status()
@@ -124,9 +164,19 @@ Outcome LinkSession::command(modbus::Command code, modbus::CommandArguments argu
     const auto result = m_client->command(code, arguments);
     if (!result)
         return fail(result.error());
-    if (!result->done())
+    if (result->done())
+        return {};
+    const bool isPermitMissing =
+        result->reason >= modbus::Refusal::NotWarm && result->reason <= modbus::Refusal::PanelDisagrees;
+    if (!isPermitMissing)
         return fail(ExitCode::Refused, panel::ConnectionSentences::refused(code, result->reason));
-    return {};
+    const unsigned needed = code == modbus::Command::Start
+                                ? modbus::allPermits
+                                : modbus::RegisterInfo::bitOf(modbus::PermitBit::Clean);
+    return fail(
+        ExitCode::Refused,
+        u"The controller needs a panel's permit, which lacks %1. Use the panel, or permit "
+        u"it yourself with --permit all."_s.arg(permitNames(static_cast<std::uint16_t>(needed & ~m_permit))));
 }
 
 } // namespace campanel::cli

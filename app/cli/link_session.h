@@ -16,6 +16,9 @@ namespace campanel::cli {
 class Invocation;
 
 [[nodiscard]] QList<QCommandLineOption> linkOptions();
+// The option of commands that move the machine, and its bits; without it none.
+[[nodiscard]] QCommandLineOption permitOption();
+[[nodiscard]] tl::expected<std::uint16_t, Failure> permitOf(const Invocation& call);
 
 // Return the settings of the options. Invalid options are usage errors; for linkSettings() also a missing
 // port.
@@ -33,6 +36,8 @@ public:
 
     [[nodiscard]] modbus::RtuClient& client() { return *m_client; }
     [[nodiscard]] const modbus::Identity& identity() const { return m_identity; }
+    // Sets what the exchanges permit (PermitBit); nothing unless set.
+    void setPermit(std::uint16_t bits) { m_permit = bits; }
     // Performs one exchange without repetition.
     [[nodiscard]] tl::expected<modbus::StatusBlock, modbus::LinkError> exchangeOnce();
     // Repeats a limited number of times on a bad line; each exchange advances the heartbeat.
@@ -46,6 +51,7 @@ private:
     std::unique_ptr<modbus::RtuClient> m_client;
     modbus::Identity m_identity;
     std::uint16_t m_heartbeat = 0;
+    std::uint16_t m_permit = 0;
 };
 
 } // namespace campanel::cli

@@ -2,6 +2,7 @@
 // campanelctl: finds the command, runs it, and converts its outcome to an exit code and one line on stderr.
 #include "app/cli/commands.h"
 #include "app/cli/invocation.h"
+#include "app/cli/link_session.h"
 #include "app/cli/simulate/simulate_options.h"
 #include "app/store/files/files.h"
 
@@ -125,7 +126,7 @@ std::vector<CommandInfo> commandTable()
          {{u"data"_s, u"Folder of the panel's data, such as /var/lib/campanel/data/campanel/campanel."_s,
            u"FOLDER"_s}},
          runVersions},
-        {u"start"_s, u"Start the machine."_s, {}, link, {}, {}, runStart},
+        {u"start"_s, u"Start the machine."_s, {}, link, {}, {permitOption()}, runStart},
         {u"stop"_s,
          u"Stop the machine at the end of the cycle. This is not an emergency stop."_s,
          {},
@@ -133,7 +134,7 @@ std::vector<CommandInfo> commandTable()
          {},
          {{u"now"_s, u"Ramp down immediately."_s}},
          runStop},
-        {u"home"_s, u"Search for the index mark."_s, {}, link, {}, {}, runHome},
+        {u"home"_s, u"Search for the index mark."_s, {}, link, {}, {permitOption()}, runHome},
         {u"save"_s, u"Save the active program to the controller's flash."_s, {}, link, {}, {}, runSave},
         {u"set"_s,
          u"Write a parameter of the controller and read it back: set parameter.ramp_time 800."_s,

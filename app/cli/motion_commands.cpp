@@ -9,21 +9,28 @@ using namespace Qt::StringLiterals;
 namespace campanel::cli {
 namespace {
 
-Outcome give(const Invocation& call, modbus::Command code, const char* done)
+Outcome give(const Invocation& call, modbus::Command code, const char* done, std::uint16_t permit = 0)
 {
     auto session = LinkSession::open(call);
     if (!session)
         return tl::unexpected(session.error());
+    session->setPermit(permit);
     if (const Outcome given = session->command(code); !given)
         return given;
     return call.deliver(QByteArray(done) + '\n');
+}
+
+Outcome giveWithPermit(const Invocation& call, modbus::Command code, const char* done)
+{
+    const auto permit = permitOf(call);
+    return permit ? give(call, code, done, *permit) : tl::unexpected(permit.error());
 }
 
 } // namespace
 
 Outcome runStart(const Invocation& call)
 {
-    return give(call, modbus::Command::Start, "Started.");
+    return giveWithPermit(call, modbus::Command::Start, "Started.");
 }
 
 Outcome runStop(const Invocation& call)
@@ -35,7 +42,7 @@ Outcome runStop(const Invocation& call)
 
 Outcome runHome(const Invocation& call)
 {
-    return give(call, modbus::Command::Home, "Homing.");
+    return giveWithPermit(call, modbus::Command::Home, "Homing.");
 }
 
 Outcome runSave(const Invocation& call)

@@ -1712,6 +1712,34 @@
         <source>The lead of cam switch %1 is longer than a cycle. Shorten it under Maintenance, or lower the rate.</source>
         <translation>Die Vorhaltezeit von Nocken %1 ist länger als ein Zyklus. Unter Wartung verkürzen oder Taktzahl senken.</translation>
     </message>
+    <message>
+        <source>The emergency stop is pressed. Release it, then wait two seconds.</source>
+        <translation>Der Not-Halt ist gedrückt. Entriegeln, dann zwei Sekunden warten.</translation>
+    </message>
+    <message>
+        <source>The drive reported an alarm. Remove its cause, then reset the fault.</source>
+        <translation>Der Antrieb meldete einen Alarm. Ursache beseitigen, dann Störung quittieren.</translation>
+    </message>
+    <message>
+        <source>The panel does not permit the start: the machine is not warm. Wait until it is warm.</source>
+        <translation>Das Panel gibt den Start nicht frei: Die Maschine ist nicht warm. Warten, bis sie warm ist.</translation>
+    </message>
+    <message>
+        <source>The panel does not permit the start with this film reel. Load and scan the right reel.</source>
+        <translation>Das Panel gibt den Start mit dieser Folienrolle nicht frei. Richtige Rolle einlegen und scannen.</translation>
+    </message>
+    <message>
+        <source>The panel does not permit the start with this program. Download the recipe again.</source>
+        <translation>Das Panel gibt den Start mit diesem Programm nicht frei. Rezept erneut herunterladen.</translation>
+    </message>
+    <message>
+        <source>The panel does not permit motion while the machine is cleaned. End the cleaning first.</source>
+        <translation>Das Panel gibt keine Bewegung frei, solange die Maschine gereinigt wird. Zuerst die Reinigung beenden.</translation>
+    </message>
+    <message>
+        <source>The panel does not permit the start. Read the reason at its Start button.</source>
+        <translation>Das Panel gibt den Start nicht frei. Grund an seiner Taste Start lesen.</translation>
+    </message>
 </context>
 <context>
     <name>DifferencesText</name>
@@ -6259,6 +6287,21 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
     <message>
         <source>The settings file was damaged or missing and has no good copy. No controller is selected: select one on the Settings page, under Connection.</source>
         <translation>Die Einstellungsdatei war beschädigt oder fehlte, ohne gute Kopie. Keine Steuerung gewählt: auf der Seite Einstellungen unter Verbindung wählen.</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::StartPermit</name>
+    <message>
+        <source>Start only with this panel&apos;s permit</source>
+        <translation>Start nur mit Freigabe dieses Panels</translation>
+    </message>
+    <message>
+        <source>This controller does not have this setting. Update its firmware.</source>
+        <translation>Diese Steuerung hat diese Einstellung nicht. Ihre Firmware aktualisieren.</translation>
+    </message>
+    <message>
+        <source>On: the controller refuses a start that the panel would block, for example with a wrong film reel.</source>
+        <translation>Ein: Die Steuerung verweigert einen Start, den das Panel sperren würde, zum Beispiel bei falscher Folienrolle.</translation>
     </message>
 </context>
 <context>

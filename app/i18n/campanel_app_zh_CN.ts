@@ -1712,6 +1712,34 @@
         <source>The lead of cam switch %1 is longer than a cycle. Shorten it under Maintenance, or lower the rate.</source>
         <translation>凸轮开关 %1 的提前时间超过一个周期。请在“维护”中缩短提前时间，或降低速率。</translation>
     </message>
+    <message>
+        <source>The emergency stop is pressed. Release it, then wait two seconds.</source>
+        <translation>急停已按下。请松开急停，然后等待两秒。</translation>
+    </message>
+    <message>
+        <source>The drive reported an alarm. Remove its cause, then reset the fault.</source>
+        <translation>驱动器曾报警。请排除原因，然后复位故障。</translation>
+    </message>
+    <message>
+        <source>The panel does not permit the start: the machine is not warm. Wait until it is warm.</source>
+        <translation>面板不允许启动：机器尚未预热。请等待预热完成。</translation>
+    </message>
+    <message>
+        <source>The panel does not permit the start with this film reel. Load and scan the right reel.</source>
+        <translation>面板不允许用此膜卷启动。请装上并扫描正确的膜卷。</translation>
+    </message>
+    <message>
+        <source>The panel does not permit the start with this program. Download the recipe again.</source>
+        <translation>面板不允许用此程序启动。请重新下载配方。</translation>
+    </message>
+    <message>
+        <source>The panel does not permit motion while the machine is cleaned. End the cleaning first.</source>
+        <translation>清洁机器时面板不允许运动。请先结束清洁。</translation>
+    </message>
+    <message>
+        <source>The panel does not permit the start. Read the reason at its Start button.</source>
+        <translation>面板不允许启动。请查看其启动键处的原因。</translation>
+    </message>
 </context>
 <context>
     <name>DifferencesText</name>
@@ -6256,6 +6284,21 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
     <message>
         <source>The settings file was damaged or missing and has no good copy. No controller is selected: select one on the Settings page, under Connection.</source>
         <translation>设置文件已损坏或丢失，且没有完好的副本。未选择控制器：请在“设置”页的“通信”中选择。</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::StartPermit</name>
+    <message>
+        <source>Start only with this panel&apos;s permit</source>
+        <translation>仅在本面板允许时启动</translation>
+    </message>
+    <message>
+        <source>This controller does not have this setting. Update its firmware.</source>
+        <translation>此控制器没有该设置。请更新其固件。</translation>
+    </message>
+    <message>
+        <source>On: the controller refuses a start that the panel would block, for example with a wrong film reel.</source>
+        <translation>开：控制器拒绝面板会禁止的启动，例如膜卷不对时。</translation>
     </message>
 </context>
 <context>

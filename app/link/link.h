@@ -48,6 +48,10 @@ public:
     // expired, nothing moves before a None.
     virtual void setJog(campanel::link::JogDirection direction) = 0;
 
+    // Sets what the panel permits (modbus::PermitBit) from the next exchange on, before any command but a
+    // Stop.
+    virtual void setPermit(std::uint16_t bits) = 0;
+
     // Reads the whole active bank back and compares it with `bank`, the downloaded one. With an empty `bank`,
     // only its CRC-32 is compared with the controller's own. Ends in exactly one comparisonReported() with
     // another stage than Reading.

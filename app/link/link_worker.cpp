@@ -145,11 +145,11 @@ void LinkWorker::exchange()
     const auto sinceLastPoll = steady_clock::now() - m_lastPollAt;
     const bool mayPollWait = sinceLastPoll < pollPeriodInTransfer;
     const bool isReadNext = !m_reads.isEmpty() && !m_wasRead;
-    const bool isJogNext = m_jog.isPollDue(steady_clock::now(), m_lastPollAt) && !m_requests.isStopNext();
+    const bool isPollNext = isPollUrgent() && !m_requests.isStopNext();
     m_wasRead = false;
     if (m_heldStop && !std::exchange(m_heldStop->isPollNext, false))
         sendHeldStop();
-    else if (isJogNext)
+    else if (isPollNext)
         pollStatus();
     else if (isResultDue() && !m_requests.isStopNext())
         askForResult();
@@ -170,12 +170,19 @@ void LinkWorker::exchange()
         pollStatus();
     if (m_report.state != LinkState::Connected)
         return;
-    const bool hasWork = m_heldStop || m_jog.isPollDue(steady_clock::now(), m_lastPollAt) || isResultDue() ||
+    const bool hasWork = m_heldStop || isPollUrgent() || isResultDue() ||
                          (!m_requests.isEmpty() && (!m_begun || m_requests.isStopNext())) ||
                          !m_reads.isEmpty() || (m_download && m_download->hasWork() && !m_begun) ||
                          (m_comparison && m_comparison->hasWork());
     const auto pollDue = m_lastPollAt + pollPeriod() - steady_clock::now();
     stepAfter(hasWork ? 0ms : std::max(0ms, std::chrono::ceil<std::chrono::milliseconds>(pollDue)));
+}
+
+// Returns true when the controller must get jog keys or permit before anything but a Stop.
+bool LinkWorker::isPollUrgent() const
+{
+    return m_jog.isPollDue(steady_clock::now(), m_lastPollAt) ||
+           (m_permitHeard != m_permit && m_report.identity->hasRegister("exchange.permit"));
 }
 
 // Detects another controller or firmware, which makes all earlier data invalid; reconnecting identifies it.
@@ -304,9 +311,10 @@ void LinkWorker::advanceDownload()
 void LinkWorker::pollStatus()
 {
     m_lastPollAt = steady_clock::now();
-    const auto status = m_client->exchangeStatus(++m_heartbeat, m_jog.bits(m_lastPollAt));
+    const auto status = m_client->exchangeStatus(++m_heartbeat, m_jog.bits(m_lastPollAt), m_permit);
     if (status) {
         m_jog.noteAnswer();
+        m_permitHeard = m_permit;
         noteStatus(*status);
         return;
     }

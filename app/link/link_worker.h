@@ -35,6 +35,7 @@ public:
     void cancelDownload();
     void withdrawStop();
     void setJog(const campanel::link::JogRequest& request);
+    void setPermit(std::uint16_t bits);
     void readRegisters(const campanel::link::ReadRequest& request);
     void compareProgram(const std::vector<std::uint16_t>& bank);
     void cancelComparison();
@@ -74,6 +75,7 @@ private:
     void holdStop(const CommandRequest& request, std::optional<std::uint16_t> counter);
     void endHeldStop(CommandEnd end);
     void sendHeldStop();
+    [[nodiscard]] bool isPollUrgent() const;
     [[nodiscard]] bool isResultDue() const { return m_begun && m_lastPollAt > m_begun->askedAt; }
     void askForResult();
     void endBegun(std::optional<modbus::LinkError> error);
@@ -114,7 +116,9 @@ private:
     std::optional<HeldStop> m_heldStop;
     std::optional<BegunCommand> m_begun;
     HeldJog m_jog;
-    std::uint64_t m_controllerId = 0; // controller of the held Stop
+    std::uint16_t m_permit = 0;
+    std::optional<std::uint16_t> m_permitHeard; // confirmed by the controller of this connection
+    std::uint64_t m_controllerId = 0;           // controller of the held Stop
     RegisterReads m_reads;
     bool m_wasRead = false; // the last exchange was one of m_reads
     std::unique_ptr<DownloadJob> m_download;

@@ -132,6 +132,7 @@ void LinkWorker::tryToConnect()
     m_lastGoodAt = std::chrono::steady_clock::now();
     m_identifiedAt = m_lastGoodAt;
     m_lastPollAt = {};
+    m_permitHeard.reset();
     m_status.reset();
     m_programRead.reset();
     m_headerOf.reset();

@@ -54,6 +54,13 @@ void LinkWorker::setJog(const JogRequest& request)
         stepAfter(0ms);
 }
 
+void LinkWorker::setPermit(std::uint16_t bits)
+{
+    m_permit = bits;
+    if (m_report.state == LinkState::Connected && isPollUrgent())
+        stepAfter(0ms);
+}
+
 // Sends the held Stop; at most one exchange, while connected. It is never sent again on mere suspicion. While
 // its reception is unknown, its result is requested, with polls in between that detect a lost line.
 void LinkWorker::sendHeldStop()

@@ -95,6 +95,7 @@ LinkError RtuClient::error(LinkErrorKind kind, std::string request, std::string 
 
 tl::expected<void, LinkError> RtuClient::open()
 {
+    m_hasPermit = false;
     m_commandCounter.reset();
     return m_line.open();
 }
@@ -181,6 +182,7 @@ tl::expected<Identity, LinkError> RtuClient::identify()
     if (!proven)
         return tl::unexpected(proven.error());
     auto identity = identityIn(*proven);
+    m_hasPermit = identity && identity->hasRegister("exchange.permit");
     constexpr std::uint16_t firstMinorWithLayouts = 4;
     if (!identity || identity->mapMinor < firstMinorWithLayouts)
         return identity;
@@ -195,15 +197,17 @@ tl::expected<Identity, LinkError> RtuClient::identify()
     return identity;
 }
 
-tl::expected<StatusBlock, LinkError> RtuClient::exchangeStatus(std::uint16_t heartbeat, std::uint16_t jogBits)
+tl::expected<StatusBlock, LinkError> RtuClient::exchangeStatus(std::uint16_t heartbeat, std::uint16_t jogBits,
+                                                               std::uint16_t permitBits)
 {
-    const std::array<std::uint16_t, 3> written{++m_tag, heartbeat, jogBits};
+    const std::array<std::uint16_t, 4> registers{++m_tag, heartbeat, jogBits, permitBits};
+    const std::span written = std::span(registers).first(m_hasPermit ? 4 : 3);
     static const std::uint16_t exchangeAddress = registerNamed("exchange.tag").address;
     StatusBlock status;
     const auto answer =
         writeAndRead("status", {exchangeAddress, written, statusAddress, statusRegisters, milliseconds{0}},
-                     [&](const Registers& registers) {
-                         status = decodeStatus(registers);
+                     [&](const Registers& answered) {
+                         status = decodeStatus(answered);
                          return status.tag == m_tag && status.heartbeat == heartbeat;
                      });
     if (!answer)

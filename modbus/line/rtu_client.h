@@ -62,9 +62,11 @@ public:
     // device type or map major version.
     [[nodiscard]] tl::expected<Identity, LinkError> identify();
 
-    // Performs the periodic exchange: sends heartbeat and held jog bits, receives the status block.
-    [[nodiscard]] tl::expected<StatusBlock, LinkError> exchangeStatus(std::uint16_t heartbeat,
-                                                                      std::uint16_t jogBits);
+    // Performs the periodic exchange: sends heartbeat, held jog bits and the permit (PermitBit), receives the
+    // status block. A controller that was not identified, or whose map has no permit, gets the first two
+    // only.
+    [[nodiscard]] tl::expected<StatusBlock, LinkError>
+    exchangeStatus(std::uint16_t heartbeat, std::uint16_t jogBits, std::uint16_t permitBits = 0);
 
     // Reads 1..readbackRegisters registers with an answer that identifies the question.
     [[nodiscard]] tl::expected<std::vector<std::uint16_t>, LinkError> readProven(std::uint16_t address,
@@ -123,6 +125,7 @@ private:
     std::shared_ptr<LinkRecord> m_record;
     RtuLine m_line;
     std::uint16_t m_tag = 0;
+    bool m_hasPermit = false;                      // of the identified controller's map
     std::optional<std::uint16_t> m_commandCounter; // controller's last command; empty until read
 };
 

@@ -74,6 +74,11 @@ bool Identity::supports(TableLayout layout) const
            (layout <= TableLayout::PressStages && (tableLayouts >> static_cast<unsigned>(layout) & 1u) != 0);
 }
 
+bool Identity::hasRegister(std::string_view name) const
+{
+    return mapMinor >= registerNamed(name).minor;
+}
+
 bool StatusBlock::has(FaultBit which) const
 {
     return (faultBits & bit(which)) != 0;

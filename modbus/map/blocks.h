@@ -41,6 +41,8 @@ struct Identity {
     [[nodiscard]] std::string firmwareVersion() const;
     [[nodiscard]] bool supports(ProgramKind kind) const;
     [[nodiscard]] bool supports(TableLayout layout) const;
+    // Returns true when the controller's map has the register with this name of the table.
+    [[nodiscard]] bool hasRegister(std::string_view name) const;
 
     bool operator==(const Identity&) const = default;
 };

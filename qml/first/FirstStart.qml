@@ -29,6 +29,7 @@ Page {
         }
         if (Editor.edited)
             Recipes.save()
+        Controller.startPermit.turnOn()
         page.finished()
         Settings.endFirstStart() // closes this page
     }

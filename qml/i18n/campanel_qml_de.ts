@@ -1078,8 +1078,8 @@ Und %2 weitere.</translation>
         <translation>Keine Daten von der Steuerung: graue Werte sind die zuletzt empfangenen.</translation>
     </message>
     <message>
-        <source>A filled lamp means on. Emergency stop and limit switches are only displayed: no function depends on them.</source>
-        <translation>Eine gefüllte Lampe heißt ein. Not-Halt und Endschalter werden nur angezeigt: keine Funktion hängt davon ab.</translation>
+        <source>A filled lamp means on. Limit switches are only displayed. The emergency stop ends the motion, but no safety depends on it.</source>
+        <translation>Eine gefüllte Lampe heißt ein. Endschalter werden nur angezeigt. Der Not-Halt beendet die Bewegung, aber keine Sicherheit hängt davon ab.</translation>
     </message>
     <message>
         <source>This controller reports the counts of its inputs, not the levels of its pins. A filled lamp means on.</source>
@@ -1424,6 +1424,10 @@ Und %2 weitere.</translation>
     <message>
         <source>Reasons, ideal rate</source>
         <translation>Gründe, ideale Taktrate</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Speichern</translation>
     </message>
 </context>
 <context>

@@ -1078,8 +1078,8 @@ And %2 more.</source>
         <translation>没有收到控制器的数据：灰色为最后收到的值。</translation>
     </message>
     <message>
-        <source>A filled lamp means on. Emergency stop and limit switches are only displayed: no function depends on them.</source>
-        <translation>实心灯表示接通。急停和限位开关仅供显示，不影响任何功能。</translation>
+        <source>A filled lamp means on. Limit switches are only displayed. The emergency stop ends the motion, but no safety depends on it.</source>
+        <translation>实心灯表示接通。限位开关仅供显示。急停会结束运动，但安全不依赖于此。</translation>
     </message>
     <message>
         <source>This controller reports the counts of its inputs, not the levels of its pins. A filled lamp means on.</source>
@@ -1424,6 +1424,10 @@ And %2 more.</source>
     <message>
         <source>Stops and shifts</source>
         <translation>停机与班次</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>保存</translation>
     </message>
 </context>
 <context>

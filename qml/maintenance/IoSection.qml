@@ -87,7 +87,7 @@ MaintenanceSection {
             anchors { left: parent.left; right: change.visible ? change.left : parent.right; rightMargin: change.visible ? Theme.size.padding : 0; verticalCenter: parent.verticalCenter }
             wrapMode: Text.WordWrap
             text: section.io.stale ? qsTr("No data from the controller: grey values were received last.")
-                : section.io.hasPins ? qsTr("A filled lamp means on. Emergency stop and limit switches are only displayed: no function depends on them.")
+                : section.io.hasPins ? qsTr("A filled lamp means on. Limit switches are only displayed. The emergency stop ends the motion, but no safety depends on it.")
                 : qsTr("This controller reports the counts of its inputs, not the levels of its pins. A filled lamp means on.")
             color: section.io.stale ? Theme.color.warning : Theme.color.secondaryInk
             font.pixelSize: Theme.size.caption

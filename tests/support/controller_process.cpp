@@ -15,6 +15,9 @@ ControllerProcess::ControllerProcess(QStringList arguments)
     : m_arguments(std::move(arguments))
 {
     m_process.setProcessChannelMode(QProcess::ForwardedErrorChannel);
+    // The same test with a controller of an older register map.
+    if (const QString minor = qEnvironmentVariable("CAMPANEL_CONTROLLER_MAP_MINOR"); !minor.isEmpty())
+        m_arguments << u"--map-minor"_s << minor;
     start();
 }
 

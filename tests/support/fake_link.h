@@ -18,6 +18,7 @@ public:
     void cancelDownload() override { ++cancels; }
     void withdrawStop() override { ++withdrawals; }
     void setJog(link::JogDirection direction) override { jogs << direction; }
+    void setPermit(std::uint16_t bits) override { permit = bits; }
     void compareProgram(const std::vector<std::uint16_t>& bank) override { comparisons << bank; }
     void cancelComparison() override { ++comparisonCancels; }
     void startScan(modbus::ScanPlan::Depth depth) override { scans << depth; }
@@ -35,6 +36,7 @@ public:
     int cancels = 0;
     int withdrawals = 0;
     QList<link::JogDirection> jogs;
+    std::uint16_t permit = 0;
     QList<link::ReadRequest> reads;
     QList<std::vector<std::uint16_t>> comparisons;
     int comparisonCancels = 0;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/panel/audit/audit_words.h"
 
+#include "app/panel/controller/start_permit.h"
 #include "app/panel/kit/format.h"
 #include "app/panel/maintenance/cam_switches.h"
 #include "app/panel/packing/packing_fields.h"
@@ -185,7 +186,7 @@ QString AuditWords::object(const store::AuditEntry& entry)
         }
     }
     if (entry.what == u"parameter.write") {
-        for (const auto wordsOf : {PackingFields::words, CamSwitches::words}) {
+        for (const auto wordsOf : {PackingFields::words, CamSwitches::words, StartPermit::words}) {
             if (const QString words = wordsOf(entry.object); !words.isEmpty())
                 return words;
         }
@@ -225,6 +226,7 @@ QStringList AuditWords::keysWith(const QString& word)
         const QString name = QString::fromUtf8(each.name.data(), static_cast<qsizetype>(each.name.size()));
         add(name, PackingFields::words(name));
         add(name, CamSwitches::words(name));
+        add(name, StartPermit::words(name));
     }
     return keys;
 }

@@ -96,6 +96,8 @@ QString Controller::blockedReason(Action action) const
         return translated(QT_TRANSLATE_NOOP("Availability", "There is no connection to the controller."));
     if ((row.blockedIn & in(state())) != 0)
         return translated(row.sentence ? row.sentence : sentencesOfStates[static_cast<std::size_t>(state())]);
+    if (action == Action::Jog && m_status->has(modbus::WarningBit::EmergencyStop))
+        return ControllerSentences::refusal(modbus::Refusal::EmergencyStop);
     const QString refusal =
         row.command ? ControllerSentences::refusal(expectedRefusal(*m_status, *row.command)) : QString();
     const bool isInterlocked = refusal.isEmpty() && action == Action::Start && m_startInterlock;

@@ -12,10 +12,12 @@ using modbus::State;
 Refusal refusalToMove(const modbus::StatusBlock& status, Refusal whenMoving)
 {
     if (status.state == State::Fault)
-        return Refusal::InFault;
+        return status.has(modbus::FaultBit::DriveAlarm) ? Refusal::DriveAlarm : Refusal::InFault;
     if (!status.activeCrc)
         return Refusal::NoActiveProgram;
-    return status.state == State::Ready ? Refusal::None : whenMoving;
+    if (status.state != State::Ready)
+        return whenMoving;
+    return status.has(modbus::WarningBit::EmergencyStop) ? Refusal::EmergencyStop : Refusal::None;
 }
 
 } // namespace

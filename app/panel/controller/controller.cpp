@@ -47,6 +47,7 @@ Controller::Controller(link::Link& link, Settings& settings, QObject* parent)
     connect(this, &Controller::programChanged, &m_torque, &TorqueWatch::noteProgram);
     connect(&m_packing, &PackingLine::bagRecorded, this, &Controller::takeBag);
     connect(&settings, &Settings::changed, this, &Controller::bagChanged);
+    connect(this, &Controller::commandsChanged, this, [this] { m_link.setPermit(permit()); });
     connect(&m_direction, &MasterDirection::failed, this, &Controller::showMessage);
     connect(&m_ageTimer, &QTimer::timeout, this, &Controller::updateAge);
     m_ageTimer.start(agePeriod);
@@ -372,6 +373,7 @@ void Controller::retranslate()
     m_strokes.rows()->refresh();
     m_direction.retranslate();
     m_packing.retranslate();
+    m_startPermit.retranslate();
     m_torque.retranslate();
 }
 

@@ -13,6 +13,7 @@
 #include "app/panel/controller/master_direction.h"
 #include "app/panel/controller/packing_line.h"
 #include "app/panel/controller/parameter.h"
+#include "app/panel/controller/start_permit.h"
 #include "app/panel/controller/status_rate.h"
 #include "app/panel/controller/stroke_model.h"
 #include "app/panel/controller/torque_watch.h"
@@ -83,6 +84,7 @@ class Controller : public QObject {
 
     Q_PROPERTY(bool canStart READ canStart NOTIFY commandsChanged FINAL)
     Q_PROPERTY(QString startBlockedReason READ startBlockedReason NOTIFY commandsChanged FINAL)
+    Q_PROPERTY(campanel::panel::StartPermit* startPermit READ startPermit CONSTANT FINAL)
     Q_PROPERTY(QString commandMessage READ commandMessage NOTIFY commandMessageChanged FINAL)
 
 public:
@@ -142,6 +144,9 @@ public:
     // Returns why the controller would refuse the command according to its last status; empty: it would
     // accept it.
     [[nodiscard]] QString blockedReason(Action action) const;
+    // Returns what the panel permits now, the bits of exchange.permit.
+    [[nodiscard]] std::uint16_t permit() const;
+    [[nodiscard]] StartPermit* startPermit() { return &m_startPermit; }
     // Sets what blocks Start beyond the controller's own rules: a sentence, empty while nothing does. Emit
     // commandsChanged() when it changes.
     void setStartInterlock(std::function<QString()> reason) { m_startInterlock = std::move(reason); }
@@ -243,6 +248,7 @@ private:
     MasterDirection m_direction{*this};
     PackingLine m_packing{*this};
     TorqueWatch m_torque{*this};
+    StartPermit m_startPermit{*this, this};
 };
 
 } // namespace campanel::panel

@@ -233,4 +233,17 @@ ActiveProgramValues Controller::active() const
     return values;
 }
 
+// Nothing judges heat and cleaning yet.
+std::uint16_t Controller::permit() const
+{
+    using modbus::PermitBit;
+    const auto bit = [](PermitBit which, bool isSet) {
+        return isSet ? 1U << static_cast<unsigned>(which) : 0U;
+    };
+    return static_cast<std::uint16_t>(
+        bit(PermitBit::Warm, true) | bit(PermitBit::Film, !m_startInterlock || m_startInterlock().isEmpty()) |
+        bit(PermitBit::Recipe, m_status && m_status->activeCrc) | bit(PermitBit::Clean, true) |
+        bit(PermitBit::PanelAgrees, canStart()));
+}
+
 } // namespace campanel::panel

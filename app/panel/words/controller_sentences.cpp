@@ -121,6 +121,20 @@ QString ControllerSentences::refusal(Refusal reason)
         return tr("The lead of cam switch %1 is longer than a cycle. Shorten it under Maintenance, or lower "
                   "the rate.")
             .arg(1 + static_cast<int>(reason) - static_cast<int>(Refusal::Switch1LeadTooLong));
+    case Refusal::EmergencyStop:
+        return tr("The emergency stop is pressed. Release it, then wait two seconds.");
+    case Refusal::DriveAlarm:
+        return tr("The drive reported an alarm. Remove its cause, then reset the fault.");
+    case Refusal::NotWarm:
+        return tr("The panel does not permit the start: the machine is not warm. Wait until it is warm.");
+    case Refusal::WrongFilm:
+        return tr("The panel does not permit the start with this film reel. Load and scan the right reel.");
+    case Refusal::WrongRecipe:
+        return tr("The panel does not permit the start with this program. Download the recipe again.");
+    case Refusal::NotClean:
+        return tr("The panel does not permit motion while the machine is cleaned. End the cleaning first.");
+    case Refusal::PanelDisagrees:
+        return tr("The panel does not permit the start. Read the reason at its Start button.");
     }
     return tr("The controller reports reason %1, which this panel does not know. Update the panel.")
         .arg(static_cast<int>(reason));

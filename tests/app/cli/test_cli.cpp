@@ -79,6 +79,7 @@ void CliTest::complaints_data()
     row("two recipes", u"table a.json b.json"_s, Usage, u"b.json"_s);
     row("points", u"profile --points 1"_s, Usage, u"2 to"_s);
     row("no port", u"status"_s, Usage, u"--port"_s);
+    row("unknown permit", u"start --permit film,rain --port /dev/null"_s, Usage, u"rain"_s);
     row("strange parity", u"status --port /dev/null --parity X"_s, Usage, u"N, E or O"_s);
     row("no such baud rate", u"status --port /dev/null --baud 12345"_s, Usage, u"12345"_s);
     row("unit 0", u"status --port /dev/null --unit 0"_s, Usage, u"1 to 247"_s);

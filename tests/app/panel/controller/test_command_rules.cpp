@@ -33,7 +33,9 @@ enum class Situation {
     Homing,
     Running,
     Stopping,
-    Fault
+    Fault,
+    EmergencyStop,
+    DriveAlarm
 };
 
 void jog(Rig& rig)
@@ -66,6 +68,16 @@ std::unique_ptr<Rig> rigIn(Situation situation, profile::ProgramKind kind)
         break;
     case Situation::Homing:
         rig->command(CTL_COMMAND_HOME);
+        break;
+    case Situation::EmergencyStop:
+        rig->controller().machine().setInput(CTL_INPUT_BIT_EMERGENCY_STOP, true);
+        rig->run(1000);
+        break;
+    case Situation::DriveAlarm:
+        rig->controller().machine().setInput(CTL_INPUT_BIT_DRIVE_ALARM, true);
+        rig->run(1000);
+        rig->controller().machine().setInput(CTL_INPUT_BIT_DRIVE_ALARM, false);
+        rig->run(1000);
         break;
     case Situation::Running:
     case Situation::Stopping:
@@ -109,6 +121,8 @@ private slots:
         row("running", Situation::Running, State::Running);
         row("stopping", Situation::Stopping, State::Stopping);
         row("fault", Situation::Fault, State::Fault);
+        row("emergency stop", Situation::EmergencyStop, State::Ready);
+        row("drive alarm", Situation::DriveAlarm, State::Fault);
     }
 
     void theCoreRefusesWhatIsExpected()

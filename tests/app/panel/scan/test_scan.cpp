@@ -234,6 +234,12 @@ private slots:
         const QString sentence =
             u"Wrong film reel: PP 40 was scanned, the recipe needs PE 30. Load and scan the right reel."_s;
         QCOMPARE(rig.machine.startBlockedReason(), sentence);
+        const auto permitted = [&rig](modbus::PermitBit bit) {
+            return (rig.link.permit & modbus::RegisterInfo::bitOf(bit)) != 0;
+        };
+        QVERIFY(!permitted(modbus::PermitBit::Film));
+        QVERIFY(!permitted(modbus::PermitBit::PanelAgrees));
+        QVERIFY(permitted(modbus::PermitBit::Recipe));
         QCOMPARE(wrong.count(), 1);
         QCOMPARE(last().what, u"film.scan"_s);
         QCOMPARE(last().outcome, u"refused"_s);
@@ -247,6 +253,7 @@ private slots:
 
         rig.scan.takeCode(u"PE 30"_s);
         QCOMPARE(rig.machine.startBlockedReason(), QString());
+        QCOMPARE(rig.link.permit, modbus::allPermits);
         QCOMPARE(rig.scan.notice(), u"Film reel PE 30 is the right one for this recipe."_s);
         QCOMPARE(last().outcome, u"done"_s);
 

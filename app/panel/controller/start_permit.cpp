@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/panel/controller/start_permit.h"
+
+#include "app/panel/controller/controller.h"
+
+namespace campanel::panel {
+
+namespace {
+
+constexpr auto permitNeeded = "parameter.permit_needed";
+
+} // namespace
+
+StartPermit::StartPermit(Controller& controller, QObject* parent)
+    : ParameterFields(controller, parent)
+{
+    setFields({{&controller.parameter(permitNeeded), nullptr, true}});
+}
+
+void StartPermit::readIfUncertain()
+{
+    find(permitNeeded).parameter->readIfUncertain();
+}
+
+void StartPermit::turnOn()
+{
+    const auto& identity = controller().identity();
+    if (controller().isConnected() && identity && identity->hasRegister(permitNeeded))
+        write(permitNeeded, 1);
+}
+
+QString StartPermit::words(const QString& name)
+{
+    return name == QLatin1String(permitNeeded) ? tr("Start only with this panel's permit") : QString();
+}
+
+QString StartPermit::label(const Field&) const
+{
+    return words(QLatin1String(permitNeeded));
+}
+
+QString StartPermit::note(const Field& field) const
+{
+    return field.parameter->isMissing()
+               ? tr("This controller does not have this setting. Update its firmware.")
+               : tr("On: the controller refuses a start that the panel would block, for example with a wrong "
+                    "film reel.");
+}
+
+} // namespace campanel::panel
