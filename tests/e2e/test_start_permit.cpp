@@ -40,7 +40,7 @@ QString ctl(const QStringList& words, const QString& port)
 // Downloads a recipe that needs this film.
 void downloadWithFilm(PanelWindow& panel, const QString& film)
 {
-    QTRY_COMPARE_WITH_TIMEOUT(panel.machine().state(), Controller::State::Idle, timeoutMs);
+    QTRY_COMPARE_WITH_TIMEOUT(panel.controller().state(), Controller::State::Idle, timeoutMs);
     panel::Recipes& recipes = panel.panel().recipes();
     QTRY_COMPARE_WITH_TIMEOUT(recipes.total(), 1, timeoutMs);
     recipes.chooseId(recipes.newest().front().recipeId);
@@ -61,7 +61,7 @@ void turnOn(PanelWindow& panel)
     QTRY_VERIFY_WITH_TIMEOUT(panel.touchDriver().find(u"startPermit0choice1"_s), timeoutMs);
     panel.touchDriver().settle();
     panel.tap("startPermit0choice1");
-    QTRY_VERIFY2_WITH_TIMEOUT(panel.machine().startPermit()->unsaved(), qPrintable(panel.texts()), timeoutMs);
+    QTRY_VERIFY2_WITH_TIMEOUT(panel.controller().startPermit()->unsaved(), qPrintable(panel.texts()), timeoutMs);
 }
 
 // Sends a Start past the panel's own rules; returns the controller's reason.
@@ -69,9 +69,9 @@ modbus::Refusal sentStart(PanelWindow& panel)
 {
     std::optional<link::CommandOutcome> ended;
     const auto context = std::make_unique<QObject>();
-    QObject::connect(&panel.machine(), &Controller::commandEnded, context.get(),
+    QObject::connect(&panel.controller(), &Controller::commandEnded, context.get(),
                      [&ended](const link::CommandOutcome& outcome) { ended = outcome; });
-    panel.machine().send(modbus::Command::Start);
+    panel.controller().send(modbus::Command::Start);
     if (!QTest::qWaitFor([&ended] { return ended.has_value(); }, timeoutMs))
         return modbus::Refusal::UnknownCommand;
     return ended->reason;
@@ -135,9 +135,9 @@ private slots:
             qPrintable(panel.texts()), timeoutMs);
         QVERIFY(panel.touchDriver().find(u"field_knifeRadius"_s));
         panel.panel().scan().takeCode(u"PP 40"_s);
-        QVERIFY(!panel.machine().canStart());
+        QVERIFY(!panel.controller().canStart());
         QCOMPARE(sentStart(panel), modbus::Refusal::None);
-        QTRY_COMPARE_WITH_TIMEOUT(panel.machine().state(), Controller::State::Running, timeoutMs);
+        QTRY_COMPARE_WITH_TIMEOUT(panel.controller().state(), Controller::State::Running, timeoutMs);
         QCOMPARE(panel.complaints(), QStringList());
     }
 };
