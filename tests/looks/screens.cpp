@@ -686,7 +686,8 @@ void enterScreen(TestWindow& window, const Screen& screen)
     QFile::remove(window.touchFolder() + u"/rule"_s);
     window.closeDialogs();
     window.panel().settings().endFirstStart();
-    forgetUsers(window);
+    if (!screen.keepsUsers)
+        forgetUsers(window);
     editor.cancelDownload();
     editor.compareLaw({});
     editor.showNotice({});

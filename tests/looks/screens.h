@@ -13,6 +13,7 @@ namespace campanel::looks {
 struct Screen {
     QString name; // "motion", "keypad" ...
     std::function<void(TestWindow&)> enter;
+    bool keepsUsers = false; // with the users of the previous screen, if it has any
 };
 
 [[nodiscard]] const QList<Screen>& allScreens();
