@@ -19,3 +19,8 @@ foreach(code IN LISTS CAMPANEL_LANGUAGES)
 endforeach()
 add_custom_target(campanel_languages ALL DEPENDS ${languages})
 install(FILES ${languages} DESTINATION ${CMAKE_INSTALL_DATADIR}/campanel/languages)
+
+add_custom_target(update_translations
+    COMMAND ${PROJECT_SOURCE_DIR}/app/i18n/update_translations $<TARGET_FILE:Qt6::lupdate>
+    COMMENT "Bringing the texts of the sources into the .ts files"
+    VERBATIM)

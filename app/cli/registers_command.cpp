@@ -49,7 +49,7 @@ QByteArray mapJson()
         for (const modbus::EnumValue& value : info.values)
             entries.append(QJsonObject{{u"value"_s, value.value},
                                        {u"name"_s, fromView(value.name)},
-                                       {u"meaning"_s, fromView(value.text)}});
+                                       {u"meaning"_s, QString::fromStdString(modbus::meaning(value))}});
         values[fromView(info.name)] = entries;
     }
     return QJsonDocument(QJsonObject{{u"map_major"_s, modbus::mapMajor},

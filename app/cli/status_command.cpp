@@ -15,17 +15,9 @@ using namespace Qt::StringLiterals;
 namespace campanel::cli {
 namespace {
 
-QString nameOf(std::string_view enumName, std::uint16_t value)
+QString nameOf(std::string_view enumeration, std::uint16_t value)
 {
-    for (const modbus::EnumInfo& info : modbus::enumerations()) {
-        if (info.name != enumName)
-            continue;
-        for (const modbus::EnumValue& entry : info.values) {
-            if (entry.value == value)
-                return fromView(entry.name);
-        }
-    }
-    return QString::number(value);
+    return QString::fromStdString(modbus::enumName(enumeration, value));
 }
 
 QJsonArray bitNames(std::string_view enumName, std::uint16_t bits)

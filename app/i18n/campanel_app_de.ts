@@ -2,14 +2,6 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de">
 <context>
-    <name>Language</name>
-    <message>
-        <source>English</source>
-        <extracomment>The name of the language in the language itself; without it the file is not used.</extracomment>
-        <translation>Deutsch</translation>
-    </message>
-</context>
-<context>
     <name>AccessSentences</name>
     <message>
         <source>View only</source>
@@ -1041,6 +1033,61 @@
     </message>
 </context>
 <context>
+    <name>Availability</name>
+    <message>
+        <source>Program type and machine data can only be changed at standstill. Stop the machine first.</source>
+        <translation>Programmart und Maschinendaten lassen sich nur im Stillstand ändern. Zuerst die Maschine stoppen.</translation>
+    </message>
+    <message>
+        <source>Start the machine: this step continues while the machine runs.</source>
+        <translation>Maschine starten: dieser Schritt geht weiter, während sie läuft.</translation>
+    </message>
+    <message>
+        <source>The machine is moving. Stop it first: diagnosis and search interrupt the connection.</source>
+        <translation>Die Maschine bewegt sich. Zuerst stoppen: Diagnose und Suche unterbrechen die Verbindung.</translation>
+    </message>
+    <message>
+        <source>The machine is moving. Stop it before changing the screen.</source>
+        <translation>Die Maschine bewegt sich. Vor Änderungen am Bildschirm anhalten.</translation>
+    </message>
+    <message>
+        <source>The machine is moving. Stop it before calibrating the touchscreen.</source>
+        <translation>Die Maschine bewegt sich. Vor dem Kalibrieren des Touchscreens anhalten.</translation>
+    </message>
+    <message>
+        <source>The machine is moving. Stop it before the update; the panel will restart.</source>
+        <translation>Die Maschine bewegt sich. Halten Sie sie vor der Aktualisierung an; das Panel startet neu.</translation>
+    </message>
+    <message>
+        <source>The machine is moving. Stop it before restoring; the panel will restart.</source>
+        <translation>Die Maschine bewegt sich. Vor dem Rückspielen stoppen; das Panel startet neu.</translation>
+    </message>
+    <message>
+        <source>The controller&apos;s state is unknown.</source>
+        <translation>Der Zustand der Steuerung ist unbekannt.</translation>
+    </message>
+    <message>
+        <source>The machine is running. Stop it first.</source>
+        <translation>Die Maschine läuft. Zuerst stoppen.</translation>
+    </message>
+    <message>
+        <source>The machine is stopping. Wait for standstill.</source>
+        <translation>Die Maschine hält an. Stillstand abwarten.</translation>
+    </message>
+    <message>
+        <source>The axis is homing. Wait for standstill.</source>
+        <translation>Die Referenzfahrt läuft. Stillstand abwarten.</translation>
+    </message>
+    <message>
+        <source>The controller is in fault. Reset the fault first.</source>
+        <translation>Die Steuerung ist in Störung. Zuerst die Störung quittieren.</translation>
+    </message>
+    <message>
+        <source>There is no connection to the controller.</source>
+        <translation>Keine Verbindung zur Steuerung.</translation>
+    </message>
+</context>
+<context>
     <name>BackupErrorText</name>
     <message>
         <source>The file %1 cannot be read: %2. Nothing was changed.</source>
@@ -1100,61 +1147,6 @@
     <message>
         <source>The ends of the cam differ by %1 mm; the table closes the cam.</source>
         <translation>Die Enden der Kurve weichen um %1 mm voneinander ab; die Tabelle schließt die Kurve.</translation>
-    </message>
-</context>
-<context>
-    <name>Availability</name>
-    <message>
-        <source>Program type and machine data can only be changed at standstill. Stop the machine first.</source>
-        <translation>Programmart und Maschinendaten lassen sich nur im Stillstand ändern. Zuerst die Maschine stoppen.</translation>
-    </message>
-    <message>
-        <source>Start the machine: this step continues while the machine runs.</source>
-        <translation>Maschine starten: dieser Schritt geht weiter, während sie läuft.</translation>
-    </message>
-    <message>
-        <source>The machine is moving. Stop it first: diagnosis and search interrupt the connection.</source>
-        <translation>Die Maschine bewegt sich. Zuerst stoppen: Diagnose und Suche unterbrechen die Verbindung.</translation>
-    </message>
-    <message>
-        <source>The machine is moving. Stop it before changing the screen.</source>
-        <translation>Die Maschine bewegt sich. Vor Änderungen am Bildschirm anhalten.</translation>
-    </message>
-    <message>
-        <source>The machine is moving. Stop it before calibrating the touchscreen.</source>
-        <translation>Die Maschine bewegt sich. Vor dem Kalibrieren des Touchscreens anhalten.</translation>
-    </message>
-    <message>
-        <source>The machine is moving. Stop it before the update; the panel will restart.</source>
-        <translation>Die Maschine bewegt sich. Halten Sie sie vor der Aktualisierung an; das Panel startet neu.</translation>
-    </message>
-    <message>
-        <source>The machine is moving. Stop it before restoring; the panel will restart.</source>
-        <translation>Die Maschine bewegt sich. Vor dem Rückspielen stoppen; das Panel startet neu.</translation>
-    </message>
-    <message>
-        <source>The controller&apos;s state is unknown.</source>
-        <translation>Der Zustand der Steuerung ist unbekannt.</translation>
-    </message>
-    <message>
-        <source>The machine is running. Stop it first.</source>
-        <translation>Die Maschine läuft. Zuerst stoppen.</translation>
-    </message>
-    <message>
-        <source>The machine is stopping. Wait for standstill.</source>
-        <translation>Die Maschine hält an. Stillstand abwarten.</translation>
-    </message>
-    <message>
-        <source>The axis is homing. Wait for standstill.</source>
-        <translation>Die Referenzfahrt läuft. Stillstand abwarten.</translation>
-    </message>
-    <message>
-        <source>The controller is in fault. Reset the fault first.</source>
-        <translation>Die Steuerung ist in Störung. Zuerst die Störung quittieren.</translation>
-    </message>
-    <message>
-        <source>There is no connection to the controller.</source>
-        <translation>Keine Verbindung zur Steuerung.</translation>
     </message>
 </context>
 <context>
@@ -1284,26 +1276,6 @@
         <translation>Die Steuerung erlaubt diesen Zugriff auf %1 nicht.</translation>
     </message>
     <message>
-        <source>Start</source>
-        <translation>Start</translation>
-    </message>
-    <message>
-        <source>Stop</source>
-        <translation>Stopp</translation>
-    </message>
-    <message>
-        <source>Home</source>
-        <translation>Referenzfahrt</translation>
-    </message>
-    <message>
-        <source>Reset fault</source>
-        <translation>Störung quittieren</translation>
-    </message>
-    <message>
-        <source>Save</source>
-        <translation>Speichern</translation>
-    </message>
-    <message>
         <source>Command</source>
         <translation>Befehl</translation>
     </message>
@@ -1426,10 +1398,6 @@
         <translation>Seit %1 keine Verbindung: keine Antwort an %2. Kabel und Versorgung der Steuerung prüfen; das Panel verbindet sich selbsttätig.</translation>
     </message>
     <message>
-        <source>Measure marks</source>
-        <translation>Marken messen</translation>
-    </message>
-    <message>
         <source>No controller is selected. Select one on the Settings page, under Connection.</source>
         <translation>Keine Steuerung gewählt. Eine auf der Seite Einstellungen unter Verbindung wählen.</translation>
     </message>
@@ -1473,272 +1441,8 @@
         <translation>%1 s</translation>
     </message>
     <message>
-        <source>No program</source>
-        <translation>Kein Programm</translation>
-    </message>
-    <message>
-        <source>Ready</source>
-        <translation>Bereit</translation>
-    </message>
-    <message>
-        <source>Running</source>
-        <translation>Läuft</translation>
-    </message>
-    <message>
-        <source>Stopping</source>
-        <translation>Hält an</translation>
-    </message>
-    <message>
-        <source>Jogging</source>
-        <translation>Tippen</translation>
-    </message>
-    <message>
-        <source>Homing</source>
-        <translation>Referenzfahrt</translation>
-    </message>
-    <message>
-        <source>Fault</source>
-        <translation>Störung</translation>
-    </message>
-    <message>
-        <source>The controller does not support this command. Update its firmware.</source>
-        <translation>Die Steuerung kennt diesen Befehl nicht. Ihre Firmware aktualisieren.</translation>
-    </message>
-    <message>
-        <source>The controller has no program. Download a recipe first.</source>
-        <translation>Die Steuerung hat kein Programm. Zuerst ein Rezept laden.</translation>
-    </message>
-    <message>
-        <source>The machine is already moving. Stop it first.</source>
-        <translation>Die Maschine bewegt sich schon. Zuerst stoppen.</translation>
-    </message>
-    <message>
-        <source>The machine is not running.</source>
-        <translation>Die Maschine läuft nicht.</translation>
-    </message>
-    <message>
-        <source>The controller is in fault. Reset the fault first.</source>
-        <translation>Die Steuerung ist in Störung. Zuerst die Störung quittieren.</translation>
-    </message>
-    <message>
-        <source>This is only possible at standstill. Stop the machine first.</source>
-        <translation>Nur im Stillstand möglich. Zuerst die Maschine stoppen.</translation>
-    </message>
-    <message>
-        <source>The controller has no checked table. Download again.</source>
-        <translation>Die Steuerung hat keine geprüfte Tabelle. Erneut laden.</translation>
-    </message>
-    <message>
-        <source>Another download interfered. Download again.</source>
-        <translation>Ein anderes Laden kam dazwischen. Erneut laden.</translation>
-    </message>
-    <message>
-        <source>The controller received different data. Download again.</source>
-        <translation>Die Steuerung hat andere Daten empfangen. Erneut laden.</translation>
-    </message>
-    <message>
-        <source>No change is pending.</source>
-        <translation>Es steht keine Änderung an.</translation>
-    </message>
-    <message>
-        <source>Writing to the controller&apos;s flash failed; the saved program is unchanged. Save again.</source>
-        <translation>Schreiben in den Flash-Speicher fehlgeschlagen; das gespeicherte Programm ist unverändert. Erneut speichern.</translation>
-    </message>
-    <message>
-        <source>There is no fault to reset.</source>
-        <translation>Es gibt keine Störung zu quittieren.</translation>
-    </message>
-    <message>
-        <source>The controller does not accept this value. Update the older of panel and controller.</source>
-        <translation>Die Steuerung nimmt diesen Wert nicht an. Das ältere Gerät, Panel oder Steuerung, aktualisieren.</translation>
-    </message>
-    <message>
-        <source>The cause of the fault still exists. Remove it first.</source>
-        <translation>Die Ursache der Störung besteht noch. Zuerst beseitigen.</translation>
-    </message>
-    <message>
-        <source>The controller receives no heartbeat from the panel. Check the cable.</source>
-        <translation>Die Steuerung erhält kein Lebenszeichen vom Panel. Kabel prüfen.</translation>
-    </message>
-    <message>
         <source>The controller reports reason %1, which this panel does not know. Update the panel.</source>
         <translation>Die Steuerung meldet Grund %1, den dieses Panel nicht kennt. Panel aktualisieren.</translation>
-    </message>
-    <message>
-        <source>Parts of the table are missing. Download again.</source>
-        <translation>Teile der Tabelle fehlen. Erneut laden.</translation>
-    </message>
-    <message>
-        <source>Panel and controller do not match. Update the older device.</source>
-        <translation>Panel und Steuerung passen nicht zusammen. Das ältere Gerät aktualisieren.</translation>
-    </message>
-    <message>
-        <source>Value %1 in the table header is outside the controller&apos;s limits. Correct the recipe.</source>
-        <translation>Wert %1 im Tabellenkopf liegt außerhalb der Grenzen der Steuerung. Rezept korrigieren.</translation>
-    </message>
-    <message>
-        <source>Row %1 of the table is outside the range of the controller&apos;s timer. Lower the rate.</source>
-        <translation>Zeile %1 der Tabelle liegt außerhalb des Zeitgebers der Steuerung. Taktzahl senken.</translation>
-    </message>
-    <message>
-        <source>The table&apos;s rows do not match its total pulses and time. Download again.</source>
-        <translation>Die Zeilen der Tabelle passen nicht zu ihrer Pulszahl und Zeit. Erneut laden.</translation>
-    </message>
-    <message>
-        <source>An earlier change is waiting for the end of the cycle. Cancel it first.</source>
-        <translation>Eine frühere Änderung wartet auf das Ende des Zyklus. Zuerst abbrechen.</translation>
-    </message>
-    <message>
-        <source>The controller has not finished checking or saving a table. Download again.</source>
-        <translation>Die Steuerung hat das Prüfen oder Speichern einer Tabelle nicht beendet. Laden Sie erneut.</translation>
-    </message>
-    <message>
-        <source>At standstill</source>
-        <translation>Im Stillstand</translation>
-    </message>
-    <message>
-        <source>Approach</source>
-        <translation>Anfahren</translation>
-    </message>
-    <message>
-        <source>Probe</source>
-        <translation>Tasten</translation>
-    </message>
-    <message>
-        <source>Press</source>
-        <translation>Pressen</translation>
-    </message>
-    <message>
-        <source>Hold</source>
-        <translation>Halten</translation>
-    </message>
-    <message>
-        <source>Return</source>
-        <translation>Rückhub</translation>
-    </message>
-    <message>
-        <source>OK</source>
-        <translation>OK</translation>
-    </message>
-    <message>
-        <source>Stop position outside tolerance</source>
-        <translation>Endlage außerhalb der Toleranz</translation>
-    </message>
-    <message>
-        <source>Force too low</source>
-        <translation>Kraft zu klein</translation>
-    </message>
-    <message>
-        <source>Force too high</source>
-        <translation>Kraft zu groß</translation>
-    </message>
-    <message>
-        <source>Contact too early</source>
-        <translation>Kontakt zu früh</translation>
-    </message>
-    <message>
-        <source>No contact</source>
-        <translation>Kein Kontakt</translation>
-    </message>
-    <message>
-        <source>Max. force reached</source>
-        <translation>Max. Kraft erreicht</translation>
-    </message>
-    <message>
-        <source>Stopped</source>
-        <translation>Gestoppt</translation>
-    </message>
-    <message>
-        <source>Machine data can only be changed at standstill. Stop the machine first.</source>
-        <translation>Maschinendaten lassen sich nur im Stillstand ändern. Zuerst die Maschine stoppen.</translation>
-    </message>
-    <message>
-        <source>There are too many bags between mark sensor and knife. Set a longer bag, move the sensor closer, or switch off mark tracking under Maintenance.</source>
-        <translation>Zwischen Markensensor und Messer liegen zu viele Beutel. Längeren Beutel einstellen, Sensor näher setzen oder Markenregelung unter Wartung ausschalten.</translation>
-    </message>
-    <message>
-        <source>The mark window is wider than half a bag. Reduce it under Maintenance.</source>
-        <translation>Das Markenfenster ist breiter als ein halber Beutel. Unter Wartung verkleinern.</translation>
-    </message>
-    <message>
-        <source>The sync window is too long to correct the film. Change k1 to k4.</source>
-        <translation>Der Synchronbereich ist zu lang, um die Folie zu korrigieren. k1 bis k4 ändern.</translation>
-    </message>
-    <message>
-        <source>The product eye is too close or too far to decide in time. Check its distance under Maintenance.</source>
-        <translation>Die Produktlichtschranke ist zu nah oder zu weit entfernt. Ihren Abstand unter Wartung prüfen.</translation>
-    </message>
-    <message>
-        <source>Mark tracking off</source>
-        <translation>Markenregelung aus</translation>
-    </message>
-    <message>
-        <source>Searching for marks</source>
-        <translation>Sucht Druckmarken</translation>
-    </message>
-    <message>
-        <source>Aligning cuts with marks</source>
-        <translation>Richtet Schnitte an Marken aus</translation>
-    </message>
-    <message>
-        <source>Tracking marks</source>
-        <translation>Folgt den Druckmarken</translation>
-    </message>
-    <message>
-        <source>Product in the knife&apos;s path</source>
-        <translation>Produkt im Weg des Messers</translation>
-    </message>
-    <message>
-        <source>Product longer than the bag</source>
-        <translation>Produkt länger als der Beutel</translation>
-    </message>
-    <message>
-        <source>Product missing</source>
-        <translation>Produkt fehlt</translation>
-    </message>
-    <message>
-        <source>Film or infeed would exceed the controller&apos;s speed limit. Lower the rate.</source>
-        <translation>Folie oder Zuführung würde die Grenze der Steuerung überschreiten. Taktzahl senken.</translation>
-    </message>
-    <message>
-        <source>The speed of an axis would change too abruptly. Stop the machine, then download; or raise the largest speed steps under Maintenance.</source>
-        <translation>Eine Achse würde ihre Geschwindigkeit zu plötzlich ändern. Zuerst stoppen, dann laden; oder die größten Geschwindigkeitssprünge unter Wartung anheben.</translation>
-    </message>
-    <message>
-        <source>Another device on the line writes parts of commands. Check the connected devices.</source>
-        <translation>Ein anderes Gerät am Bus schreibt Teile von Befehlen. Angeschlossene Geräte prüfen.</translation>
-    </message>
-    <message>
-        <source>The lead of cam switch %1 is longer than a cycle. Shorten it under Maintenance, or lower the rate.</source>
-        <translation>Die Vorhaltezeit von Nocken %1 ist länger als ein Zyklus. Unter Wartung verkürzen oder Taktzahl senken.</translation>
-    </message>
-    <message>
-        <source>The emergency stop is pressed. Release it, then wait two seconds.</source>
-        <translation>Der Not-Halt ist gedrückt. Entriegeln, dann zwei Sekunden warten.</translation>
-    </message>
-    <message>
-        <source>The drive reported an alarm. Remove its cause, then reset the fault.</source>
-        <translation>Der Antrieb meldete einen Alarm. Ursache beseitigen, dann Störung quittieren.</translation>
-    </message>
-    <message>
-        <source>The panel does not permit the start: the machine is not warm. Wait until it is warm.</source>
-        <translation>Das Panel gibt den Start nicht frei: Die Maschine ist nicht warm. Warten, bis sie warm ist.</translation>
-    </message>
-    <message>
-        <source>The panel does not permit the start with this film reel. Load and scan the right reel.</source>
-        <translation>Das Panel gibt den Start mit dieser Folienrolle nicht frei. Richtige Rolle einlegen und scannen.</translation>
-    </message>
-    <message>
-        <source>The panel does not permit the start with this program. Download the recipe again.</source>
-        <translation>Das Panel gibt den Start mit diesem Programm nicht frei. Rezept erneut herunterladen.</translation>
-    </message>
-    <message>
-        <source>The panel does not permit motion while the machine is cleaned. End the cleaning first.</source>
-        <translation>Das Panel gibt keine Bewegung frei, solange die Maschine gereinigt wird. Zuerst die Reinigung beenden.</translation>
-    </message>
-    <message>
-        <source>The panel does not permit the start. Read the reason at its Start button.</source>
-        <translation>Das Panel gibt den Start nicht frei. Grund an seiner Taste Start lesen.</translation>
     </message>
 </context>
 <context>
@@ -1770,10 +1474,6 @@
     <message>
         <source>Displacement law</source>
         <translation>Bewegungsgesetz</translation>
-    </message>
-    <message>
-        <source>Knots</source>
-        <translation>Stützpunkte</translation>
     </message>
 </context>
 <context>
@@ -2106,10 +1806,6 @@ eff. %2</translation>
         <translation>Paare aus Leitwinkel und Folgeposition</translation>
     </message>
     <message>
-        <source>the header master_deg,slave_mm</source>
-        <translation>die Kopfzeile master_deg,slave_mm</translation>
-    </message>
-    <message>
         <source>%1 values, as in the header</source>
         <translation>%1 Werte, wie in der Kopfzeile</translation>
     </message>
@@ -2262,46 +1958,6 @@ eff. %2</translation>
         <translation>Schnittstelle entfernt</translation>
     </message>
     <message>
-        <source>illegal function</source>
-        <translation>unzulässige Funktion</translation>
-    </message>
-    <message>
-        <source>illegal register address</source>
-        <translation>unzulässige Registeradresse</translation>
-    </message>
-    <message>
-        <source>illegal value</source>
-        <translation>unzulässiger Wert</translation>
-    </message>
-    <message>
-        <source>device failure</source>
-        <translation>Gerätefehler</translation>
-    </message>
-    <message>
-        <source>acknowledged, in progress</source>
-        <translation>bestätigt, in Arbeit</translation>
-    </message>
-    <message>
-        <source>device busy</source>
-        <translation>Gerät beschäftigt</translation>
-    </message>
-    <message>
-        <source>memory parity error</source>
-        <translation>Paritätsfehler im Speicher</translation>
-    </message>
-    <message>
-        <source>gateway path unavailable</source>
-        <translation>Gateway-Pfad nicht verfügbar</translation>
-    </message>
-    <message>
-        <source>no response from the device behind the gateway</source>
-        <translation>keine Antwort vom Gerät hinter dem Gateway</translation>
-    </message>
-    <message>
-        <source>unknown</source>
-        <translation>unbekannt</translation>
-    </message>
-    <message>
         <source>Status request, heartbeat %1</source>
         <translation>Statusanfrage, Lebenszeichen %1</translation>
     </message>
@@ -2366,6 +2022,14 @@ eff. %2</translation>
     </message>
 </context>
 <context>
+    <name>Language</name>
+    <message>
+        <source>English</source>
+        <extracomment>The name of the language in the language itself; without it the file is not used.</extracomment>
+        <translation>Deutsch</translation>
+    </message>
+</context>
+<context>
     <name>LastRecipe</name>
     <message>
         <source>%1 The last good copy is used.</source>
@@ -2374,47 +2038,6 @@ eff. %2</translation>
     <message>
         <source>%1 There is no good copy; the default recipe is used.</source>
         <translation>%1 Es gibt keine gute Kopie; das Standardrezept wird verwendet.</translation>
-    </message>
-</context>
-<context>
-    <name>campanel::panel::RampControl</name>
-    <message>
-        <source>Peak acceleration</source>
-        <translation>Max. Beschleunigung</translation>
-    </message>
-    <message>
-        <source>RMS acceleration</source>
-        <translation>Effektive Beschleunigung</translation>
-    </message>
-    <message>
-        <source>Peak speed</source>
-        <translation>Max. Drehzahl</translation>
-    </message>
-    <message>
-        <source>Highest rate</source>
-        <translation>Höchste Taktzahl</translation>
-    </message>
-    <message>
-        <source>%1 m/s²</source>
-        <translation>%1 m/s²</translation>
-    </message>
-    <message>
-        <source>%1 r/min</source>
-        <translation>%1/min</translation>
-    </message>
-    <message>
-        <source>%1 %</source>
-        <translation>%1 %</translation>
-    </message>
-    <message>
-        <source>Ratios: %1 %</source>
-        <comment>position between slow and gentle</comment>
-        <translation>Verhältnisse: %1 %</translation>
-    </message>
-    <message>
-        <source>Ratios: %1</source>
-        <comment>set by hand, gentle, cool or slow</comment>
-        <translation>Verhältnisse: %1</translation>
     </message>
 </context>
 <context>
@@ -2481,54 +2104,797 @@ eff. %2</translation>
     </message>
 </context>
 <context>
-    <name>RecipeComparison</name>
+    <name>PackageSentences</name>
     <message>
-        <source>Recipe</source>
-        <translation>Rezept</translation>
+        <source>%1 cannot be read: %2.</source>
+        <translation>%1 kann nicht gelesen werden: %2.</translation>
     </message>
     <message>
-        <source>Program type</source>
-        <translation>Programmart</translation>
+        <source>%1 is not a Debian package.</source>
+        <translation>%1 ist kein Debian-Paket.</translation>
     </message>
     <message>
-        <source>Pinned values</source>
-        <translation>Feste Werte</translation>
+        <source>%1 has no signature. Copy the file %1.sig beside it.</source>
+        <translation>%1 hat keine Signatur. Kopieren Sie die Datei %1.sig daneben.</translation>
     </message>
     <message>
-        <source>Law parameter 1</source>
-        <translation>Parameter 1 des Gesetzes</translation>
+        <source>%1 is signed by %2, whose key this machine does not have. Install the key first.</source>
+        <translation>%1 ist von %2 signiert, dessen Schlüssel diese Maschine nicht hat. Installieren Sie zuerst den Schlüssel.</translation>
     </message>
     <message>
-        <source>Law parameter 2</source>
-        <translation>Parameter 2 des Gesetzes</translation>
+        <source>%1 is signed by %2, whose key was withdrawn. Ask for a package signed with a valid key.</source>
+        <translation>%1 ist von %2 signiert, dessen Schlüssel zurückgezogen wurde. Fordern Sie ein Paket mit einem gültigen Schlüssel an.</translation>
+    </message>
+    <message>
+        <source>The signature of %1 is not valid. Ask for a new copy of both files.</source>
+        <translation>Die Signatur von %1 ist ungültig. Fordern Sie beide Dateien neu an.</translation>
+    </message>
+    <message>
+        <source>The signature of %1 has a newer form than this CamPanel knows. Install a version in between first.</source>
+        <translation>Die Signatur von %1 hat eine neuere Form, als dieses CamPanel kennt. Installieren Sie zuerst eine Version dazwischen.</translation>
+    </message>
+    <message>
+        <source>%1 is damaged or was changed after it was signed. Copy the file again.</source>
+        <translation>%1 ist beschädigt oder wurde nach dem Signieren geändert. Kopieren Sie die Datei neu.</translation>
+    </message>
+    <message>
+        <source>This is the package %1, not CamPanel.</source>
+        <translation>Dies ist das Paket %1, nicht CamPanel.</translation>
+    </message>
+    <message>
+        <source>This package is for computers of type %1; this panel has %2.</source>
+        <translation>Dieses Paket ist für Rechner vom Typ %1; dieses Panel hat %2.</translation>
+    </message>
+    <message>
+        <source>Version %1 is older than the installed version %2.</source>
+        <translation>Version %1 ist älter als die installierte Version %2.</translation>
+    </message>
+    <message>
+        <source>Version %1 is installed.</source>
+        <translation>Version %1 ist installiert.</translation>
+    </message>
+    <message>
+        <source>not readable</source>
+        <translation>nicht lesbar</translation>
+    </message>
+    <message>
+        <source>no package</source>
+        <translation>kein Paket</translation>
+    </message>
+    <message>
+        <source>no signature</source>
+        <translation>keine Signatur</translation>
+    </message>
+    <message>
+        <source>unknown key</source>
+        <translation>unbekannter Schlüssel</translation>
+    </message>
+    <message>
+        <source>withdrawn key</source>
+        <translation>zurückgezogener Schlüssel</translation>
+    </message>
+    <message>
+        <source>wrong signature</source>
+        <translation>falsche Signatur</translation>
+    </message>
+    <message>
+        <source>unknown form of signature</source>
+        <translation>unbekannte Form der Signatur</translation>
+    </message>
+    <message>
+        <source>damaged</source>
+        <translation>beschädigt</translation>
+    </message>
+    <message>
+        <source>another program</source>
+        <translation>anderes Programm</translation>
+    </message>
+    <message>
+        <source>for another type of computer</source>
+        <translation>für anderen Rechnertyp</translation>
+    </message>
+    <message>
+        <source>older version</source>
+        <translation>ältere Version</translation>
+    </message>
+    <message>
+        <source>installed</source>
+        <translation>installiert</translation>
+    </message>
+    <message>
+        <source>The package is not signed by a key of this machine.</source>
+        <translation>Das Paket ist mit keinem Schlüssel dieser Maschine signiert.</translation>
+    </message>
+    <message>
+        <source>The package is not a newer CamPanel for this machine.</source>
+        <translation>Das Paket ist kein neueres CamPanel für diese Maschine.</translation>
+    </message>
+    <message>
+        <source>The package needs other packages, which the stick cannot bring: %1. Install them by the package manager first.</source>
+        <translation>Das Paket braucht weitere Pakete, die der Stick nicht bringen kann: %1. Installieren Sie diese zuerst mit der Paketverwaltung.</translation>
+    </message>
+    <message>
+        <source>The package of the installed version %1 is missing, so there would be no way back. Copy it and its signature to the stick as well.</source>
+        <translation>Das Paket der installierten Version %1 fehlt, es gäbe also keinen Weg zurück. Kopieren Sie es mit seiner Signatur ebenfalls auf den Stick.</translation>
+    </message>
+    <message>
+        <source>%1 MB of free space are needed on this panel.</source>
+        <translation>Auf diesem Panel werden %1 MB freier Platz gebraucht.</translation>
+    </message>
+    <message>
+        <source>Another installation is under way on this panel. Wait until it has ended.</source>
+        <translation>Auf diesem Panel läuft eine andere Installation. Warten Sie, bis sie beendet ist.</translation>
+    </message>
+    <message>
+        <source>A program of the panel&apos;s user did not end. Switch the panel off and on, then try again.</source>
+        <translation>Ein Programm des Panel-Benutzers hat sich nicht beendet. Schalten Sie das Panel aus und wieder ein, und versuchen Sie es erneut.</translation>
+    </message>
+    <message>
+        <source>The panel&apos;s data could not be copied. Read journalctl -u campanel-update.</source>
+        <translation>Die Daten des Panels konnten nicht kopiert werden. Lesen Sie journalctl -u campanel-update.</translation>
+    </message>
+    <message>
+        <source>The earlier version is not kept on this panel any more.</source>
+        <translation>Die frühere Version ist auf diesem Panel nicht mehr vorhanden.</translation>
+    </message>
+    <message>
+        <source>The new version did not open its window.</source>
+        <translation>Die neue Version hat ihr Fenster nicht geöffnet.</translation>
+    </message>
+    <message>
+        <source>The new version could not be installed.</source>
+        <translation>Die neue Version ließ sich nicht installieren.</translation>
+    </message>
+    <message>
+        <source>The files could not be read.</source>
+        <translation>Die Dateien ließen sich nicht lesen.</translation>
+    </message>
+</context>
+<context>
+    <name>Protocol</name>
+    <message>
+        <source>No program</source>
+        <translation>Kein Programm</translation>
+    </message>
+    <message>
+        <source>Ready</source>
+        <translation>Bereit</translation>
+    </message>
+    <message>
+        <source>Running</source>
+        <translation>Läuft</translation>
+    </message>
+    <message>
+        <source>Stopping</source>
+        <translation>Hält an</translation>
+    </message>
+    <message>
+        <source>Jogging</source>
+        <translation>Tippen</translation>
+    </message>
+    <message>
+        <source>Homing</source>
+        <translation>Referenzfahrt</translation>
+    </message>
+    <message>
+        <source>Fault</source>
+        <translation>Störung</translation>
+    </message>
+    <message>
+        <source>At standstill</source>
+        <translation>Im Stillstand</translation>
+    </message>
+    <message>
+        <source>Approach</source>
+        <translation>Anfahren</translation>
+    </message>
+    <message>
+        <source>Probe</source>
+        <translation>Tasten</translation>
+    </message>
+    <message>
+        <source>Press</source>
+        <translation>Pressen</translation>
+    </message>
+    <message>
+        <source>Hold</source>
+        <translation>Halten</translation>
+    </message>
+    <message>
+        <source>Return</source>
+        <translation>Rückhub</translation>
+    </message>
+    <message>
+        <source>OK</source>
+        <translation>OK</translation>
+    </message>
+    <message>
+        <source>Stop position outside tolerance</source>
+        <translation>Endlage außerhalb der Toleranz</translation>
+    </message>
+    <message>
+        <source>Force too low</source>
+        <translation>Kraft zu klein</translation>
+    </message>
+    <message>
+        <source>Force too high</source>
+        <translation>Kraft zu groß</translation>
+    </message>
+    <message>
+        <source>Contact too early</source>
+        <translation>Kontakt zu früh</translation>
+    </message>
+    <message>
+        <source>No contact</source>
+        <translation>Kein Kontakt</translation>
+    </message>
+    <message>
+        <source>Max. force reached</source>
+        <translation>Max. Kraft erreicht</translation>
+    </message>
+    <message>
+        <source>Stopped</source>
+        <translation>Gestoppt</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Start</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Stopp</translation>
+    </message>
+    <message>
+        <source>Home</source>
+        <translation>Referenzfahrt</translation>
+    </message>
+    <message>
+        <source>Reset fault</source>
+        <translation>Störung quittieren</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Speichern</translation>
+    </message>
+    <message>
+        <source>Measure marks</source>
+        <translation>Marken messen</translation>
+    </message>
+    <message>
+        <source>The lead of cam switch %1 is longer than a cycle. Shorten it under Maintenance, or lower the rate.</source>
+        <translation>Die Vorhaltezeit von Nocken %1 ist länger als ein Zyklus. Unter Wartung verkürzen oder Taktzahl senken.</translation>
+    </message>
+    <message>
+        <source>The controller does not support this command. Update its firmware.</source>
+        <translation>Die Steuerung kennt diesen Befehl nicht. Ihre Firmware aktualisieren.</translation>
+    </message>
+    <message>
+        <source>The controller has no program. Download a recipe first.</source>
+        <translation>Die Steuerung hat kein Programm. Zuerst ein Rezept laden.</translation>
+    </message>
+    <message>
+        <source>The machine is already moving. Stop it first.</source>
+        <translation>Die Maschine bewegt sich schon. Zuerst stoppen.</translation>
+    </message>
+    <message>
+        <source>The machine is not running.</source>
+        <translation>Die Maschine läuft nicht.</translation>
+    </message>
+    <message>
+        <source>The controller is in fault. Reset the fault first.</source>
+        <translation>Die Steuerung ist in Störung. Zuerst die Störung quittieren.</translation>
+    </message>
+    <message>
+        <source>This is only possible at standstill. Stop the machine first.</source>
+        <translation>Nur im Stillstand möglich. Zuerst die Maschine stoppen.</translation>
+    </message>
+    <message>
+        <source>The controller has no checked table. Download again.</source>
+        <translation>Die Steuerung hat keine geprüfte Tabelle. Erneut laden.</translation>
+    </message>
+    <message>
+        <source>Another download interfered. Download again.</source>
+        <translation>Ein anderes Laden kam dazwischen. Erneut laden.</translation>
+    </message>
+    <message>
+        <source>The controller received different data. Download again.</source>
+        <translation>Die Steuerung hat andere Daten empfangen. Erneut laden.</translation>
+    </message>
+    <message>
+        <source>Machine data can only be changed at standstill. Stop the machine first.</source>
+        <translation>Maschinendaten lassen sich nur im Stillstand ändern. Zuerst die Maschine stoppen.</translation>
+    </message>
+    <message>
+        <source>No change is pending.</source>
+        <translation>Es steht keine Änderung an.</translation>
+    </message>
+    <message>
+        <source>Writing to the controller&apos;s flash failed; the saved program is unchanged. Save again.</source>
+        <translation>Schreiben in den Flash-Speicher fehlgeschlagen; das gespeicherte Programm ist unverändert. Erneut speichern.</translation>
+    </message>
+    <message>
+        <source>There is no fault to reset.</source>
+        <translation>Es gibt keine Störung zu quittieren.</translation>
+    </message>
+    <message>
+        <source>The controller does not accept this value. Update the older of panel and controller.</source>
+        <translation>Die Steuerung nimmt diesen Wert nicht an. Das ältere Gerät, Panel oder Steuerung, aktualisieren.</translation>
+    </message>
+    <message>
+        <source>The cause of the fault still exists. Remove it first.</source>
+        <translation>Die Ursache der Störung besteht noch. Zuerst beseitigen.</translation>
+    </message>
+    <message>
+        <source>The controller receives no heartbeat from the panel. Check the cable.</source>
+        <translation>Die Steuerung erhält kein Lebenszeichen vom Panel. Kabel prüfen.</translation>
+    </message>
+    <message>
+        <source>There are too many bags between mark sensor and knife. Set a longer bag, move the sensor closer, or switch off mark tracking under Maintenance.</source>
+        <translation>Zwischen Markensensor und Messer liegen zu viele Beutel. Längeren Beutel einstellen, Sensor näher setzen oder Markenregelung unter Wartung ausschalten.</translation>
+    </message>
+    <message>
+        <source>The mark window is wider than half a bag. Reduce it under Maintenance.</source>
+        <translation>Das Markenfenster ist breiter als ein halber Beutel. Unter Wartung verkleinern.</translation>
+    </message>
+    <message>
+        <source>The sync window is too long to correct the film. Change k1 to k4.</source>
+        <translation>Der Synchronbereich ist zu lang, um die Folie zu korrigieren. k1 bis k4 ändern.</translation>
+    </message>
+    <message>
+        <source>The product eye is too close or too far to decide in time. Check its distance under Maintenance.</source>
+        <translation>Die Produktlichtschranke ist zu nah oder zu weit entfernt. Ihren Abstand unter Wartung prüfen.</translation>
+    </message>
+    <message>
+        <source>Film or infeed would exceed the controller&apos;s speed limit. Lower the rate.</source>
+        <translation>Folie oder Zuführung würde die Grenze der Steuerung überschreiten. Taktzahl senken.</translation>
+    </message>
+    <message>
+        <source>Another device on the line writes parts of commands. Check the connected devices.</source>
+        <translation>Ein anderes Gerät am Bus schreibt Teile von Befehlen. Angeschlossene Geräte prüfen.</translation>
+    </message>
+    <message>
+        <source>The speed of an axis would change too abruptly. Stop the machine, then download; or raise the largest speed steps under Maintenance.</source>
+        <translation>Eine Achse würde ihre Geschwindigkeit zu plötzlich ändern. Zuerst stoppen, dann laden; oder die größten Geschwindigkeitssprünge unter Wartung anheben.</translation>
+    </message>
+    <message>
+        <source>Parts of the table are missing. Download again.</source>
+        <translation>Teile der Tabelle fehlen. Erneut laden.</translation>
+    </message>
+    <message>
+        <source>Panel and controller do not match. Update the older device.</source>
+        <translation>Panel und Steuerung passen nicht zusammen. Das ältere Gerät aktualisieren.</translation>
+    </message>
+    <message>
+        <source>Value %1 in the table header is outside the controller&apos;s limits. Correct the recipe.</source>
+        <translation>Wert %1 im Tabellenkopf liegt außerhalb der Grenzen der Steuerung. Rezept korrigieren.</translation>
+    </message>
+    <message>
+        <source>Row %1 of the table is outside the range of the controller&apos;s timer. Lower the rate.</source>
+        <translation>Zeile %1 der Tabelle liegt außerhalb des Zeitgebers der Steuerung. Taktzahl senken.</translation>
+    </message>
+    <message>
+        <source>The table&apos;s rows do not match its total pulses and time. Download again.</source>
+        <translation>Die Zeilen der Tabelle passen nicht zu ihrer Pulszahl und Zeit. Erneut laden.</translation>
+    </message>
+    <message>
+        <source>An earlier change is waiting for the end of the cycle. Cancel it first.</source>
+        <translation>Eine frühere Änderung wartet auf das Ende des Zyklus. Zuerst abbrechen.</translation>
+    </message>
+    <message>
+        <source>The controller has not finished checking or saving a table. Download again.</source>
+        <translation>Die Steuerung hat das Prüfen oder Speichern einer Tabelle nicht beendet. Laden Sie erneut.</translation>
+    </message>
+    <message>
+        <source>Mark tracking off</source>
+        <translation>Markenregelung aus</translation>
+    </message>
+    <message>
+        <source>Searching for marks</source>
+        <translation>Sucht Druckmarken</translation>
+    </message>
+    <message>
+        <source>Aligning cuts with marks</source>
+        <translation>Richtet Schnitte an Marken aus</translation>
+    </message>
+    <message>
+        <source>Tracking marks</source>
+        <translation>Folgt den Druckmarken</translation>
+    </message>
+    <message>
+        <source>Product in the knife&apos;s path</source>
+        <translation>Produkt im Weg des Messers</translation>
+    </message>
+    <message>
+        <source>Product longer than the bag</source>
+        <translation>Produkt länger als der Beutel</translation>
+    </message>
+    <message>
+        <source>Product missing</source>
+        <translation>Produkt fehlt</translation>
+    </message>
+    <message>
+        <source>illegal function</source>
+        <translation>unzulässige Funktion</translation>
+    </message>
+    <message>
+        <source>illegal register address</source>
+        <translation>unzulässige Registeradresse</translation>
+    </message>
+    <message>
+        <source>illegal value</source>
+        <translation>unzulässiger Wert</translation>
+    </message>
+    <message>
+        <source>device failure</source>
+        <translation>Gerätefehler</translation>
+    </message>
+    <message>
+        <source>acknowledged, in progress</source>
+        <translation>bestätigt, in Arbeit</translation>
+    </message>
+    <message>
+        <source>device busy</source>
+        <translation>Gerät beschäftigt</translation>
+    </message>
+    <message>
+        <source>memory parity error</source>
+        <translation>Paritätsfehler im Speicher</translation>
+    </message>
+    <message>
+        <source>gateway path unavailable</source>
+        <translation>Gateway-Pfad nicht verfügbar</translation>
+    </message>
+    <message>
+        <source>no response from the device behind the gateway</source>
+        <translation>keine Antwort vom Gerät hinter dem Gateway</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>unbekannt</translation>
+    </message>
+    <message>
+        <source>Off</source>
+        <translation>Aus</translation>
+    </message>
+    <message>
+        <source>By angle</source>
+        <translation>Nach Winkel</translation>
+    </message>
+    <message>
+        <source>Rejected bags</source>
+        <translation>Ausschuss</translation>
+    </message>
+    <message>
+        <source>Always on</source>
+        <translation>Immer ein</translation>
+    </message>
+    <message>
+        <source>While running</source>
+        <translation>Im Lauf</translation>
+    </message>
+    <message>
+        <source>Drive alarm</source>
+        <translation>Alarm des Antriebs</translation>
+    </message>
+    <message>
+        <source>Emergency stop</source>
+        <translation>Not-Halt</translation>
+    </message>
+    <message>
+        <source>Limit switch, forward</source>
+        <translation>Endschalter vorwärts</translation>
+    </message>
+    <message>
+        <source>Limit switch, reverse</source>
+        <translation>Endschalter rückwärts</translation>
+    </message>
+    <message>
+        <source>Index mark</source>
+        <translation>Nullmarke</translation>
+    </message>
+    <message>
+        <source>Mark sensor</source>
+        <translation>Markensensor</translation>
+    </message>
+    <message>
+        <source>Product eye</source>
+        <translation>Produktlichtschranke</translation>
+    </message>
+    <message>
+        <source>Cam switch %1</source>
+        <translation>Nocken %1</translation>
+    </message>
+    <message>
+        <source>Drive enable</source>
+        <translation>Antriebsfreigabe</translation>
+    </message>
+    <message>
+        <source>following</source>
+        <translation>folgt</translation>
+    </message>
+    <message>
+        <source>decelerating</source>
+        <translation>bremst</translation>
+    </message>
+    <message>
+        <source>at standstill</source>
+        <translation>im Stillstand</translation>
+    </message>
+    <message>
+        <source>accelerating</source>
+        <translation>beschleunigt</translation>
+    </message>
+    <message>
+        <source>The emergency stop is pressed. Release it, then wait two seconds.</source>
+        <translation>Der Not-Halt ist gedrückt. Entriegeln, dann zwei Sekunden warten.</translation>
+    </message>
+    <message>
+        <source>The drive reported an alarm. Remove its cause, then reset the fault.</source>
+        <translation>Der Antrieb meldete einen Alarm. Ursache beseitigen, dann Störung quittieren.</translation>
+    </message>
+    <message>
+        <source>The panel does not permit the start: the machine is not warm. Wait until it is warm.</source>
+        <translation>Das Panel gibt den Start nicht frei: Die Maschine ist nicht warm. Warten, bis sie warm ist.</translation>
+    </message>
+    <message>
+        <source>The panel does not permit the start with this film reel. Load and scan the right reel.</source>
+        <translation>Das Panel gibt den Start mit dieser Folienrolle nicht frei. Richtige Rolle einlegen und scannen.</translation>
+    </message>
+    <message>
+        <source>The panel does not permit the start with this program. Download the recipe again.</source>
+        <translation>Das Panel gibt den Start mit diesem Programm nicht frei. Rezept erneut herunterladen.</translation>
+    </message>
+    <message>
+        <source>The panel does not permit motion while the machine is cleaned. End the cleaning first.</source>
+        <translation>Das Panel gibt keine Bewegung frei, solange die Maschine gereinigt wird. Zuerst die Reinigung beenden.</translation>
+    </message>
+    <message>
+        <source>The panel does not permit the start. Read the reason at its Start button.</source>
+        <translation>Das Panel gibt den Start nicht frei. Grund an seiner Taste Start lesen.</translation>
+    </message>
+</context>
+<context>
+    <name>Recipe</name>
+    <message>
+        <source>In a given time</source>
+        <translation>In gegebener Zeit</translation>
+    </message>
+    <message>
+        <source>As fast as possible</source>
+        <translation>So schnell wie möglich</translation>
+    </message>
+    <message>
+        <source>Over a distance</source>
+        <translation>Über einen Weg</translation>
+    </message>
+    <message>
+        <source>Cam points</source>
+        <translation>Kurvenpunkte</translation>
+    </message>
+    <message>
+        <source>Intervals</source>
+        <translation>Schritte</translation>
+    </message>
+    <message>
+        <source>Natural</source>
+        <translation>Natürlich</translation>
+    </message>
+    <message>
+        <source>Clamped</source>
+        <translation>Eingespannt</translation>
+    </message>
+    <message>
+        <source>Periodic</source>
+        <translation>Periodisch</translation>
+    </message>
+    <message>
+        <source>Trapezoid</source>
+        <translation>Trapez</translation>
+    </message>
+    <message>
+        <source>S curve</source>
+        <translation>S-Kurve</translation>
+    </message>
+    <message>
+        <source>Set by hand</source>
+        <translation>Von Hand</translation>
+    </message>
+    <message>
+        <source>Gentle</source>
+        <translation>Sanft</translation>
+    </message>
+    <message>
+        <source>Cool</source>
+        <translation>Kühl</translation>
+    </message>
+    <message>
+        <source>Slow</source>
+        <translation>Langsam</translation>
+    </message>
+    <message>
+        <source>Between</source>
+        <translation>Dazwischen</translation>
+    </message>
+    <message>
+        <source>Law</source>
+        <translation>Gesetz</translation>
+    </message>
+    <message>
+        <source>Execution</source>
+        <translation>Ausführung</translation>
+    </message>
+    <message>
+        <source>Shape of the ramp</source>
+        <translation>Form der Rampe</translation>
+    </message>
+    <message>
+        <source>Duration</source>
+        <translation>Dauer</translation>
+    </message>
+    <message>
+        <source>Ratios</source>
+        <translation>Verhältnisse</translation>
+    </message>
+    <message>
+        <source>Spline ends</source>
+        <translation>Spline-Enden</translation>
+    </message>
+    <message>
+        <source>Rotary cutter</source>
+        <translation>Querschneider</translation>
+    </message>
+    <message>
+        <source>Position move</source>
+        <translation>Positionierung</translation>
+    </message>
+    <message>
+        <source>Speed move</source>
+        <translation>Geschw.-Wechsel</translation>
+    </message>
+    <message>
+        <source>Point cam</source>
+        <translation>Punktkurve</translation>
+    </message>
+    <message>
+        <source>Press</source>
+        <translation>Presse</translation>
+    </message>
+    <message>
+        <source>Segment cam</source>
+        <translation>Abschnittskurve</translation>
     </message>
     <message>
         <source>Knots</source>
         <translation>Stützpunkte</translation>
     </message>
     <message>
-        <source>Code</source>
-        <translation>Code</translation>
+        <source>Segments</source>
+        <translation>Abschnitte</translation>
     </message>
     <message>
-        <source>Film reel</source>
-        <translation>Folienrolle</translation>
+        <source>Exponent k</source>
+        <translation>Exponent k</translation>
     </message>
     <message>
-        <source>none</source>
-        <translation>keiner</translation>
+        <source>Cubic (paper)</source>
+        <translation>Kubisch (Aufsatz)</translation>
     </message>
     <message>
-        <source>Confirmed advance</source>
-        <translation>Bestätigter Vorschub</translation>
+        <source>As a displacement law, acceleration jumps to its peak (6) at both ends; as a speed law, jerk does.</source>
+        <translation>Als Bewegungsgesetz springt an beiden Enden die Beschleunigung auf ihren Höchstwert (6), als Geschwindigkeitsgesetz der Ruck.</translation>
     </message>
     <message>
-        <source>%1 mm per cycle</source>
-        <translation>%1 mm je Zyklus</translation>
+        <source>Quintic 3-4-5</source>
+        <translation>Polynom 3-4-5</translation>
     </message>
-</context>
-<context>
-    <name>RecipeWords</name>
+    <message>
+        <source>Speed and acceleration are zero at both ends, with a short polynomial.</source>
+        <translation>Geschwindigkeit und Beschleunigung sind an beiden Enden null, mit kurzem Polynom.</translation>
+    </message>
+    <message>
+        <source>Polynomial 4-5-6-7</source>
+        <translation>Polynom 4-5-6-7</translation>
+    </message>
+    <message>
+        <source>Speed, acceleration and jerk are zero at both ends, which excites little vibration.</source>
+        <translation>Geschwindigkeit, Beschleunigung und Ruck sind an beiden Enden null: wenig Schwingung.</translation>
+    </message>
+    <message>
+        <source>This law has the highest peak speed (2.19) and peak acceleration (7.51) of the displacement laws without parameters.</source>
+        <translation>Höchste Geschwindigkeit (2,19) und Beschleunigung (7,51) der Bewegungsgesetze ohne Parameter.</translation>
+    </message>
+    <message>
+        <source>Harmonic</source>
+        <translation>Einfache Sinuslinie</translation>
+    </message>
+    <message>
+        <source>Half a cosine wave gives a low peak speed (1.57) and a low peak acceleration (4.93).</source>
+        <translation>Eine halbe Kosinuswelle ergibt kleine Geschwindigkeit (1,57) und Beschleunigung (4,93).</translation>
+    </message>
+    <message>
+        <source>As a displacement law, full acceleration at start and end causes jolts.</source>
+        <translation>Als Bewegungsgesetz stößt die volle Beschleunigung am Anfang und am Ende.</translation>
+    </message>
+    <message>
+        <source>Cycloidal</source>
+        <translation>Geneigte Sinuslinie</translation>
+    </message>
+    <message>
+        <source>Acceleration is one full sine wave: smooth, and zero at both ends.</source>
+        <translation>Die Beschleunigung ist eine volle Sinuswelle: glatt und an beiden Enden null.</translation>
+    </message>
+    <message>
+        <source>Peak speed (2) and peak acceleration (6.28) are high, and jerk jumps at both ends.</source>
+        <translation>Geschwindigkeit (2) und Beschleunigung (6,28) sind hoch, der Ruck springt an beiden Enden.</translation>
+    </message>
+    <message>
+        <source>Modified sine</source>
+        <translation>Mod. Sinuslinie</translation>
+    </message>
+    <message>
+        <source>Jerk jumps at both ends and has the highest finite peak (69.5) of the laws without parameters.</source>
+        <translation>Der Ruck springt an beiden Enden und hat den höchsten endlichen Wert (69,5) der Gesetze ohne Parameter.</translation>
+    </message>
+    <message>
+        <source>Modified trapezoid</source>
+        <translation>Mod. Beschl.-Trapez</translation>
+    </message>
+    <message>
+        <source>This law has the lowest peak acceleration (4.89) of the laws without parameters and acceleration jumps.</source>
+        <translation>Kleinste Höchstbeschleunigung (4,89) der Gesetze ohne Parameter und ohne Beschleunigungssprung.</translation>
+    </message>
+    <message>
+        <source>Peak speed (2) and peak jerk (61.4) are high, and jerk jumps at both ends.</source>
+        <translation>Geschwindigkeit (2) und Ruck (61,4) sind hoch, der Ruck springt an beiden Enden.</translation>
+    </message>
+    <message>
+        <source>Parabolic</source>
+        <translation>Quadratische Parabel</translation>
+    </message>
+    <message>
+        <source>This law has the lowest possible peak acceleration (4) from rest to rest.</source>
+        <translation>Kleinste mögliche Höchstbeschleunigung (4) von Rast zu Rast.</translation>
+    </message>
+    <message>
+        <source>At the same peak acceleration, no law has a lower peak speed; the ramp fraction trades one for the other.</source>
+        <translation>Bei gleicher Beschleunigung hat kein Gesetz eine kleinere Geschwindigkeit; der Rampenanteil tauscht eins gegen das andere.</translation>
+    </message>
+    <message>
+        <source>Seven-segment S</source>
+        <translation>S-Kurve, 7 Abschnitte</translation>
+    </message>
+    <message>
+        <source>Acceleration does not jump; the peaks of acceleration and jerk can be set.</source>
+        <translation>Die Beschleunigung springt nicht; die Höchstwerte von Beschleunigung und Ruck sind einstellbar.</translation>
+    </message>
+    <message>
+        <source>Exponential</source>
+        <translation>Exponentiell</translation>
+    </message>
+    <message>
+        <source>Acceleration is highest at low speed, where the motor has the most torque, and lowest near the end speed.</source>
+        <translation>Die Beschleunigung ist groß bei kleiner Drehzahl, wo der Motor das größte Moment hat, und klein nahe der Endgeschwindigkeit.</translation>
+    </message>
+    <message>
+        <source>Acceleration jumps at both ends; a larger k increases the jump at the low speed.</source>
+        <translation>Die Beschleunigung springt an beiden Enden; größeres k vergrößert den Sprung bei kleiner Geschwindigkeit.</translation>
+    </message>
+    <message>
+        <source>Half modified sine</source>
+        <translation>Halbe mod. Sinuslinie</translation>
+    </message>
+    <message>
+        <source>Acceleration is zero at both ends and peaks at only 1.57 times its mean.</source>
+        <translation>Die Beschleunigung ist an beiden Enden null und höchstens das 1,57-Fache des Mittels.</translation>
+    </message>
+    <message>
+        <source>Ramp fraction r</source>
+        <translation>Rampenanteil r</translation>
+    </message>
+    <message>
+        <source>Jerk share q</source>
+        <translation>Ruckanteil q</translation>
+    </message>
     <message>
         <source>Bag length</source>
         <translation>Beutellänge</translation>
@@ -2574,36 +2940,72 @@ eff. %2</translation>
         <translation>Messerradius R</translation>
     </message>
     <message>
+        <source>Distance from the shaft&apos;s center to the knife edge: half of the diameter measured at the edge. All knife speeds refer to the edge.</source>
+        <translation>Abstand von der Wellenmitte zur Messerschneide: der halbe an der Schneide gemessene Durchmesser. Alle Messergeschwindigkeiten gelten an der Schneide.</translation>
+    </message>
+    <message>
         <source>Knives N</source>
         <translation>Messerzahl N</translation>
+    </message>
+    <message>
+        <source>Number of knives on the shaft, evenly spaced. Each bag turns the shaft by one knife.</source>
+        <translation>Anzahl der gleichmäßig verteilten Messer auf der Welle. Jeder Beutel dreht die Welle um ein Messer weiter.</translation>
     </message>
     <message>
         <source>Pulses per motor rev. K</source>
         <translation>Pulse/Motorumdr. K</translation>
     </message>
     <message>
+        <source>Pulses per motor revolution, as set in the servo drive&apos;s electronic gear. A wrong value makes all bags too long or too short.</source>
+        <translation>Pulse je Motorumdrehung laut elektronischem Getriebe des Servoantriebs. Ein falscher Wert macht alle Beutel zu lang oder zu kurz.</translation>
+    </message>
+    <message>
         <source>Gear Z, motor revs</source>
         <translation>Getriebe Z, Motor</translation>
+    </message>
+    <message>
+        <source>Motor revolutions for the knife shaft revolutions below, see the gear&apos;s nameplate: 7 and 3 for a gear of 7:3.</source>
+        <translation>Motorumdrehungen für die Umdrehungen der Messerwelle darunter, siehe Typenschild: 7 und 3 bei einem Getriebe 7:3.</translation>
     </message>
     <message>
         <source>Gear Z, knife revs</source>
         <translation>Getriebe Z, Messer</translation>
     </message>
     <message>
+        <source>Knife shaft revolutions for the motor revolutions above.</source>
+        <translation>Umdrehungen der Messerwelle für die Motorumdrehungen darüber.</translation>
+    </message>
+    <message>
         <source>Max. motor speed</source>
         <translation>Max. Motordrehzahl</translation>
+    </message>
+    <message>
+        <source>Maximum motor speed, see the motor&apos;s nameplate. No recipe exceeds this speed.</source>
+        <translation>Höchste Motordrehzahl, siehe Typenschild des Motors. Kein Rezept überschreitet sie.</translation>
     </message>
     <message>
         <source>Max. acceleration</source>
         <translation>Max. Beschleunigung</translation>
     </message>
     <message>
+        <source>Maximum acceleration without vibration or loss of position. Start with a low value, and raise it as the following error allows.</source>
+        <translation>Höchste Beschleunigung ohne Schwingung und ohne Positionsverlust. Klein beginnen und erhöhen, soweit der Schleppfehler es erlaubt.</translation>
+    </message>
+    <message>
         <source>Max. pulse frequency</source>
         <translation>Max. Pulsfrequenz</translation>
     </message>
     <message>
+        <source>Maximum pulse frequency of the drive&apos;s input, see its manual. The controller has its own limit.</source>
+        <translation>Höchste Pulsfrequenz am Eingang des Antriebs, siehe sein Handbuch. Die Steuerung hat ihre eigene Grenze.</translation>
+    </message>
+    <message>
         <source>Max. rate</source>
         <translation>Max. Taktzahl</translation>
+    </message>
+    <message>
+        <source>Maximum rate that sealing time and infeed allow, independent of the knife.</source>
+        <translation>Höchste Taktzahl, die Siegelzeit und Zuführung unabhängig vom Messer erlauben.</translation>
     </message>
     <message>
         <source>Timer clock</source>
@@ -2618,120 +3020,36 @@ eff. %2</translation>
         <translation>Zeilen der Steuerung</translation>
     </message>
     <message>
-        <source>bags/min</source>
-        <translation>Beutel/min</translation>
-    </message>
-    <message>
-        <source>r/min</source>
-        <translation>1/min</translation>
-    </message>
-    <message>
-        <source>pulses</source>
-        <translation>Pulse</translation>
-    </message>
-    <message>
-        <source>Cubic (paper)</source>
-        <translation>Kubisch (Aufsatz)</translation>
-    </message>
-    <message>
-        <source>Quintic 3-4-5</source>
-        <translation>Polynom 3-4-5</translation>
-    </message>
-    <message>
-        <source>Polynomial 4-5-6-7</source>
-        <translation>Polynom 4-5-6-7</translation>
-    </message>
-    <message>
-        <source>Harmonic</source>
-        <translation>Einfache Sinuslinie</translation>
-    </message>
-    <message>
-        <source>Cycloidal</source>
-        <translation>Geneigte Sinuslinie</translation>
-    </message>
-    <message>
-        <source>Modified sine</source>
-        <translation>Mod. Sinuslinie</translation>
-    </message>
-    <message>
-        <source>Modified trapezoid</source>
-        <translation>Mod. Beschl.-Trapez</translation>
-    </message>
-    <message>
-        <source>Parabolic</source>
-        <translation>Quadratische Parabel</translation>
-    </message>
-    <message>
-        <source>Trapezoid</source>
-        <translation>Trapez</translation>
-    </message>
-    <message>
-        <source>Seven-segment S</source>
-        <translation>S-Kurve, 7 Abschnitte</translation>
-    </message>
-    <message>
-        <source>Exponential</source>
-        <translation>Exponentiell</translation>
-    </message>
-    <message>
-        <source>Half modified sine</source>
-        <translation>Halbe mod. Sinuslinie</translation>
-    </message>
-    <message>
-        <source>Ramp fraction r</source>
-        <translation>Rampenanteil r</translation>
-    </message>
-    <message>
-        <source>Jerk share q</source>
-        <translation>Ruckanteil q</translation>
-    </message>
-    <message>
-        <source>Exponent k</source>
-        <translation>Exponent k</translation>
-    </message>
-    <message>
-        <source>motor speed</source>
-        <translation>Motordrehzahl</translation>
-    </message>
-    <message>
-        <source>acceleration</source>
-        <translation>Beschleunigung</translation>
-    </message>
-    <message>
-        <source>pulse frequency</source>
-        <translation>Pulsfrequenz</translation>
-    </message>
-    <message>
-        <source>knife stroke</source>
-        <translation>Messerhub</translation>
-    </message>
-    <message>
-        <source>table rows</source>
-        <translation>Tabellenzeilen</translation>
-    </message>
-    <message>
-        <source>max. rate</source>
-        <translation>max. Taktzahl</translation>
-    </message>
-    <message>
-        <source>knife speed</source>
-        <translation>Messergeschwindigkeit</translation>
-    </message>
-    <message>
         <source>Feed per motor rev.</source>
         <translation>Vorschub/Motorumdr.</translation>
+    </message>
+    <message>
+        <source>Travel of the axis per motor revolution, including gear and spindle.</source>
+        <translation>Weg der Achse je Motorumdrehung, mit Getriebe und Spindel.</translation>
     </message>
     <message>
         <source>Max. motor torque</source>
         <translation>Max. Motormoment</translation>
     </message>
     <message>
+        <source>Peak torque of the motor, see the motor&apos;s nameplate. 0: unknown, no limit.</source>
+        <translation>Spitzenmoment des Motors, siehe Typenschild. 0: unbekannt, keine Grenze.</translation>
+    </message>
+    <message>
         <source>Inertia at the motor</source>
         <translation>Trägheit am Motor</translation>
     </message>
     <message>
+        <source>Total inertia of motor, gear and load at the motor. CamPanel uses the inertia to estimate the torque of a motion. 0: unknown.</source>
+        <translation>Gesamte Trägheit von Motor, Getriebe und Last am Motor. CamPanel schätzt daraus das Moment einer Bewegung. 0: unbekannt.</translation>
+    </message>
+    <message>
         <source>Friction at the motor</source>
         <translation>Reibung am Motor</translation>
+    </message>
+    <message>
+        <source>Friction torque at the motor while the axis turns slowly and steadily.</source>
+        <translation>Reibmoment am Motor, während die Achse langsam und gleichmäßig dreht.</translation>
     </message>
     <message>
         <source>Distance</source>
@@ -2830,280 +3148,20 @@ eff. %2</translation>
         <translation>Max. Kraft am Ende</translation>
     </message>
     <message>
-        <source>As a speed law, acceleration is zero at both ends and peaks at only 1.5 times its mean.</source>
-        <translation>Als Geschwindigkeitsgesetz ist die Beschleunigung an beiden Enden null und höchstens das 1,5-Fache des Mittels.</translation>
-    </message>
-    <message>
-        <source>Speed and acceleration are zero at both ends, with a short polynomial.</source>
-        <translation>Geschwindigkeit und Beschleunigung sind an beiden Enden null, mit kurzem Polynom.</translation>
-    </message>
-    <message>
-        <source>Speed, acceleration and jerk are zero at both ends, which excites little vibration.</source>
-        <translation>Geschwindigkeit, Beschleunigung und Ruck sind an beiden Enden null: wenig Schwingung.</translation>
-    </message>
-    <message>
-        <source>Half a cosine wave gives a low peak speed (1.57) and a low peak acceleration (4.93).</source>
-        <translation>Eine halbe Kosinuswelle ergibt kleine Geschwindigkeit (1,57) und Beschleunigung (4,93).</translation>
-    </message>
-    <message>
-        <source>Acceleration is one full sine wave: smooth, and zero at both ends.</source>
-        <translation>Die Beschleunigung ist eine volle Sinuswelle: glatt und an beiden Enden null.</translation>
-    </message>
-    <message>
-        <source>Low peak speed (1.76), moderate peak acceleration (5.53) and continuous acceleration suit large inertia.</source>
-        <translation>Kleine Geschwindigkeit (1,76), mäßige Beschleunigung (5,53) ohne Sprung passen zu großer Trägheit.</translation>
-    </message>
-    <message>
-        <source>This law has the lowest peak acceleration (4.89) of the laws without parameters and acceleration jumps.</source>
-        <translation>Kleinste Höchstbeschleunigung (4,89) der Gesetze ohne Parameter und ohne Beschleunigungssprung.</translation>
-    </message>
-    <message>
-        <source>This law has the lowest possible peak acceleration (4) from rest to rest.</source>
-        <translation>Kleinste mögliche Höchstbeschleunigung (4) von Rast zu Rast.</translation>
-    </message>
-    <message>
-        <source>At the same peak acceleration, no law has a lower peak speed; the ramp fraction trades one for the other.</source>
-        <translation>Bei gleicher Beschleunigung hat kein Gesetz eine kleinere Geschwindigkeit; der Rampenanteil tauscht eins gegen das andere.</translation>
-    </message>
-    <message>
-        <source>Acceleration does not jump; the peaks of acceleration and jerk can be set.</source>
-        <translation>Die Beschleunigung springt nicht; die Höchstwerte von Beschleunigung und Ruck sind einstellbar.</translation>
-    </message>
-    <message>
-        <source>Acceleration is highest at low speed, where the motor has the most torque, and lowest near the end speed.</source>
-        <translation>Die Beschleunigung ist groß bei kleiner Drehzahl, wo der Motor das größte Moment hat, und klein nahe der Endgeschwindigkeit.</translation>
-    </message>
-    <message>
-        <source>Acceleration is zero at both ends and peaks at only 1.57 times its mean.</source>
-        <translation>Die Beschleunigung ist an beiden Enden null und höchstens das 1,57-Fache des Mittels.</translation>
-    </message>
-    <message>
-        <source>As a displacement law, acceleration jumps to its peak (6) at both ends; as a speed law, jerk does.</source>
-        <translation>Als Bewegungsgesetz springt an beiden Enden die Beschleunigung auf ihren Höchstwert (6), als Geschwindigkeitsgesetz der Ruck.</translation>
-    </message>
-    <message>
-        <source>Jerk jumps at both ends; a trapezoid with ramps above 22.29 % of the move needs less peak acceleration.</source>
-        <translation>Der Ruck springt an beiden Enden; ein Trapez mit Rampen über 22,29 % des Wegs braucht weniger Beschleunigung.</translation>
-    </message>
-    <message>
-        <source>This law has the highest peak speed (2.19) and peak acceleration (7.51) of the displacement laws without parameters.</source>
-        <translation>Höchste Geschwindigkeit (2,19) und Beschleunigung (7,51) der Bewegungsgesetze ohne Parameter.</translation>
-    </message>
-    <message>
-        <source>As a displacement law, full acceleration at start and end causes jolts.</source>
-        <translation>Als Bewegungsgesetz stößt die volle Beschleunigung am Anfang und am Ende.</translation>
-    </message>
-    <message>
-        <source>Peak speed (2) and peak acceleration (6.28) are high, and jerk jumps at both ends.</source>
-        <translation>Geschwindigkeit (2) und Beschleunigung (6,28) sind hoch, der Ruck springt an beiden Enden.</translation>
-    </message>
-    <message>
-        <source>Jerk jumps at both ends and has the highest finite peak (69.5) of the laws without parameters.</source>
-        <translation>Der Ruck springt an beiden Enden und hat den höchsten endlichen Wert (69,5) der Gesetze ohne Parameter.</translation>
-    </message>
-    <message>
-        <source>Peak speed (2) and peak jerk (61.4) are high, and jerk jumps at both ends.</source>
-        <translation>Geschwindigkeit (2) und Ruck (61,4) sind hoch, der Ruck springt an beiden Enden.</translation>
-    </message>
-    <message>
-        <source>As a displacement law, acceleration jumps at both ends and in the middle, and peak speed (2) is high.</source>
-        <translation>Als Bewegungsgesetz springt die Beschleunigung an den Enden und in der Mitte; die Geschwindigkeit (2) ist hoch.</translation>
-    </message>
-    <message>
-        <source>As a displacement law, acceleration jumps at both ends of both ramps, so jerk is unbounded.</source>
-        <translation>Als Bewegungsgesetz springt die Beschleunigung an beiden Enden beider Rampen; der Ruck ist unbegrenzt.</translation>
-    </message>
-    <message>
-        <source>Jerk jumps at every joint of the segments; a smaller jerk share means a higher jerk.</source>
-        <translation>Der Ruck springt an jeder Naht der Abschnitte; kleinerer Ruckanteil heißt größerer Ruck.</translation>
-    </message>
-    <message>
-        <source>Acceleration jumps at both ends; a larger k increases the jump at the low speed.</source>
-        <translation>Die Beschleunigung springt an beiden Enden; größeres k vergrößert den Sprung bei kleiner Geschwindigkeit.</translation>
-    </message>
-    <message>
-        <source>The law is not symmetric: from rest, the travel is 0.568 of end speed times time; jerk jumps at both ends.</source>
-        <translation>Das Gesetz ist unsymmetrisch: aus dem Stand ist der Weg 0,568 mal Endgeschwindigkeit mal Zeit; der Ruck springt an beiden Enden.</translation>
-    </message>
-    <message>
-        <source>Rotary cutter</source>
-        <translation>Querschneider</translation>
-    </message>
-    <message>
-        <source>Position move</source>
-        <translation>Positionierung</translation>
-    </message>
-    <message>
-        <source>Speed move</source>
-        <translation>Geschw.-Wechsel</translation>
-    </message>
-    <message>
-        <source>Point cam</source>
-        <translation>Punktkurve</translation>
-    </message>
-    <message>
-        <source>Press</source>
-        <translation>Presse</translation>
-    </message>
-    <message>
-        <source>Law</source>
-        <translation>Gesetz</translation>
-    </message>
-    <message>
-        <source>Duration</source>
-        <translation>Dauer</translation>
-    </message>
-    <message>
-        <source>Execution</source>
-        <translation>Ausführung</translation>
-    </message>
-    <message>
-        <source>Spline ends</source>
-        <translation>Spline-Enden</translation>
-    </message>
-    <message>
-        <source>Shape of the ramp</source>
-        <translation>Form der Rampe</translation>
-    </message>
-    <message>
-        <source>In a given time</source>
-        <translation>In gegebener Zeit</translation>
-    </message>
-    <message>
-        <source>As fast as possible</source>
-        <translation>So schnell wie möglich</translation>
-    </message>
-    <message>
-        <source>Over a distance</source>
-        <translation>Über einen Weg</translation>
-    </message>
-    <message>
-        <source>Cam points</source>
-        <translation>Kurvenpunkte</translation>
-    </message>
-    <message>
-        <source>Intervals</source>
-        <translation>Schritte</translation>
-    </message>
-    <message>
-        <source>Natural</source>
-        <translation>Natürlich</translation>
-    </message>
-    <message>
-        <source>Clamped</source>
-        <translation>Eingespannt</translation>
-    </message>
-    <message>
-        <source>Periodic</source>
-        <translation>Periodisch</translation>
-    </message>
-    <message>
-        <source>S curve</source>
-        <translation>S-Kurve</translation>
-    </message>
-    <message>
-        <source>motor torque</source>
-        <translation>Motormoment</translation>
-    </message>
-    <message>
-        <source>Distance from the shaft&apos;s center to the knife edge: half of the diameter measured at the edge. All knife speeds refer to the edge.</source>
-        <translation>Abstand von der Wellenmitte zur Messerschneide: der halbe an der Schneide gemessene Durchmesser. Alle Messergeschwindigkeiten gelten an der Schneide.</translation>
-    </message>
-    <message>
-        <source>Number of knives on the shaft, evenly spaced. Each bag turns the shaft by one knife.</source>
-        <translation>Anzahl der gleichmäßig verteilten Messer auf der Welle. Jeder Beutel dreht die Welle um ein Messer weiter.</translation>
-    </message>
-    <message>
-        <source>Pulses per motor revolution, as set in the servo drive&apos;s electronic gear. A wrong value makes all bags too long or too short.</source>
-        <translation>Pulse je Motorumdrehung laut elektronischem Getriebe des Servoantriebs. Ein falscher Wert macht alle Beutel zu lang oder zu kurz.</translation>
-    </message>
-    <message>
-        <source>Motor revolutions for the knife shaft revolutions below, see the gear&apos;s nameplate: 7 and 3 for a gear of 7:3.</source>
-        <translation>Motorumdrehungen für die Umdrehungen der Messerwelle darunter, siehe Typenschild: 7 und 3 bei einem Getriebe 7:3.</translation>
-    </message>
-    <message>
-        <source>Knife shaft revolutions for the motor revolutions above.</source>
-        <translation>Umdrehungen der Messerwelle für die Motorumdrehungen darüber.</translation>
-    </message>
-    <message>
-        <source>Maximum motor speed, see the motor&apos;s nameplate. No recipe exceeds this speed.</source>
-        <translation>Höchste Motordrehzahl, siehe Typenschild des Motors. Kein Rezept überschreitet sie.</translation>
-    </message>
-    <message>
-        <source>Maximum acceleration without vibration or loss of position. Start with a low value, and raise it as the following error allows.</source>
-        <translation>Höchste Beschleunigung ohne Schwingung und ohne Positionsverlust. Klein beginnen und erhöhen, soweit der Schleppfehler es erlaubt.</translation>
-    </message>
-    <message>
-        <source>Maximum pulse frequency of the drive&apos;s input, see its manual. The controller has its own limit.</source>
-        <translation>Höchste Pulsfrequenz am Eingang des Antriebs, siehe sein Handbuch. Die Steuerung hat ihre eigene Grenze.</translation>
-    </message>
-    <message>
-        <source>Maximum rate that sealing time and infeed allow, independent of the knife.</source>
-        <translation>Höchste Taktzahl, die Siegelzeit und Zuführung unabhängig vom Messer erlauben.</translation>
-    </message>
-    <message>
-        <source>Travel of the axis per motor revolution, including gear and spindle.</source>
-        <translation>Weg der Achse je Motorumdrehung, mit Getriebe und Spindel.</translation>
-    </message>
-    <message>
-        <source>Peak torque of the motor, see the motor&apos;s nameplate. 0: unknown, no limit.</source>
-        <translation>Spitzenmoment des Motors, siehe Typenschild. 0: unbekannt, keine Grenze.</translation>
-    </message>
-    <message>
-        <source>Total inertia of motor, gear and load at the motor. CamPanel uses the inertia to estimate the torque of a motion. 0: unknown.</source>
-        <translation>Gesamte Trägheit von Motor, Getriebe und Last am Motor. CamPanel schätzt daraus das Moment einer Bewegung. 0: unbekannt.</translation>
-    </message>
-    <message>
-        <source>Friction torque at the motor while the axis turns slowly and steadily.</source>
-        <translation>Reibmoment am Motor, während die Achse langsam und gleichmäßig dreht.</translation>
-    </message>
-    <message>
         <source>Jaw contact angle</source>
         <translation>Kontaktwinkel Backen</translation>
-    </message>
-    <message>
-        <source>Min. seal time</source>
-        <translation>Min. Siegelzeit</translation>
-    </message>
-    <message>
-        <source>sync window</source>
-        <translation>Synchronbereich</translation>
-    </message>
-    <message>
-        <source>seal time</source>
-        <translation>Siegelzeit</translation>
     </message>
     <message>
         <source>Angle of the knife shaft over which the sealing jaws touch the film: their arc divided by the knife radius. 0 is a thin knife, without checks of window and seal time.</source>
         <translation>Winkel der Messerwelle, über den die Siegelbacken die Folie berühren: ihr Bogen durch den Messerradius. 0 ist ein dünnes Messer, ohne Prüfung von Bereich und Siegelzeit.</translation>
     </message>
     <message>
+        <source>Min. seal time</source>
+        <translation>Min. Siegelzeit</translation>
+    </message>
+    <message>
         <source>Minimum time of the jaws on the film, see the film&apos;s data sheet. The panel limits the rate accordingly. The controller does not store this value. 0: no minimum.</source>
         <translation>Kleinste Zeit der Backen auf der Folie, siehe Datenblatt der Folie. Das Panel begrenzt damit die Taktzahl. Die Steuerung speichert den Wert nicht. 0: kein Mindestwert.</translation>
-    </message>
-    <message>
-        <source>Ratios</source>
-        <translation>Verhältnisse</translation>
-    </message>
-    <message>
-        <source>Set by hand</source>
-        <translation>Von Hand</translation>
-    </message>
-    <message>
-        <source>Gentle</source>
-        <translation>Sanft</translation>
-    </message>
-    <message>
-        <source>Cool</source>
-        <translation>Kühl</translation>
-    </message>
-    <message>
-        <source>Slow</source>
-        <translation>Langsam</translation>
-    </message>
-    <message>
-        <source>Between</source>
-        <translation>Dazwischen</translation>
     </message>
     <message>
         <source>Ramps, slow to gentle</source>
@@ -3114,24 +3172,64 @@ eff. %2</translation>
         <translation>Nennmoment Motor</translation>
     </message>
     <message>
-        <source>Natural frequency</source>
-        <translation>Eigenfrequenz</translation>
-    </message>
-    <message>
-        <source>Damping ratio</source>
-        <translation>Dämpfungsgrad</translation>
-    </message>
-    <message>
         <source>Continuous torque of the motor, see the motor&apos;s nameplate. The RMS torque of a cycle stays below it. 0: unknown, no limit.</source>
         <translation>Dauermoment des Motors, siehe Typenschild. Das Effektivmoment eines Zyklus bleibt darunter. 0: unbekannt, keine Grenze.</translation>
+    </message>
+    <message>
+        <source>Natural frequency</source>
+        <translation>Eigenfrequenz</translation>
     </message>
     <message>
         <source>Lowest natural frequency of the shaft behind the motor, from a measurement or the drive&apos;s analysis. 0: unknown.</source>
         <translation>Kleinste Eigenfrequenz der Welle hinter dem Motor, aus einer Messung oder der Analyse des Antriebs. 0: unbekannt.</translation>
     </message>
     <message>
+        <source>Damping ratio</source>
+        <translation>Dämpfungsgrad</translation>
+    </message>
+    <message>
         <source>Damping of this vibration as a share of critical damping. 0.05 is usual for a shaft with gear.</source>
         <translation>Dämpfung dieser Schwingung als Anteil der kritischen Dämpfung. 0,05 ist für eine Welle mit Getriebe üblich.</translation>
+    </message>
+    <message>
+        <source>knife speed</source>
+        <translation>Messergeschwindigkeit</translation>
+    </message>
+    <message>
+        <source>knife stroke</source>
+        <translation>Messerhub</translation>
+    </message>
+    <message>
+        <source>motor speed</source>
+        <translation>Motordrehzahl</translation>
+    </message>
+    <message>
+        <source>acceleration</source>
+        <translation>Beschleunigung</translation>
+    </message>
+    <message>
+        <source>pulse frequency</source>
+        <translation>Pulsfrequenz</translation>
+    </message>
+    <message>
+        <source>max. rate</source>
+        <translation>max. Taktzahl</translation>
+    </message>
+    <message>
+        <source>table rows</source>
+        <translation>Tabellenzeilen</translation>
+    </message>
+    <message>
+        <source>motor torque</source>
+        <translation>Motormoment</translation>
+    </message>
+    <message>
+        <source>sync window</source>
+        <translation>Synchronbereich</translation>
+    </message>
+    <message>
+        <source>seal time</source>
+        <translation>Siegelzeit</translation>
     </message>
     <message>
         <source>RMS torque</source>
@@ -3140,18 +3238,6 @@ eff. %2</translation>
     <message>
         <source>natural frequency</source>
         <translation>Eigenfrequenz</translation>
-    </message>
-    <message>
-        <source>Segment cam</source>
-        <translation>Abschnittskurve</translation>
-    </message>
-    <message>
-        <source>Segments</source>
-        <translation>Abschnitte</translation>
-    </message>
-    <message>
-        <source>Knots</source>
-        <translation>Stützpunkte</translation>
     </message>
     <message>
         <source>Dwell</source>
@@ -3168,6 +3254,92 @@ eff. %2</translation>
     <message>
         <source>Polynomial 5, with speeds and accelerations</source>
         <translation>Polynom 5, mit Geschw. und Beschl.</translation>
+    </message>
+    <message>
+        <source>As a speed law, acceleration is zero at both ends and peaks at only 1.5 times its mean.</source>
+        <translation>Als Geschwindigkeitsgesetz ist die Beschleunigung an beiden Enden null und höchstens das 1,5-Fache des Mittels.</translation>
+    </message>
+    <message>
+        <source>Jerk jumps at both ends; a trapezoid with ramps above 22.29 % of the move needs less peak acceleration.</source>
+        <translation>Der Ruck springt an beiden Enden; ein Trapez mit Rampen über 22,29 % des Wegs braucht weniger Beschleunigung.</translation>
+    </message>
+    <message>
+        <source>Low peak speed (1.76), moderate peak acceleration (5.53) and continuous acceleration suit large inertia.</source>
+        <translation>Kleine Geschwindigkeit (1,76), mäßige Beschleunigung (5,53) ohne Sprung passen zu großer Trägheit.</translation>
+    </message>
+    <message>
+        <source>As a displacement law, acceleration jumps at both ends and in the middle, and peak speed (2) is high.</source>
+        <translation>Als Bewegungsgesetz springt die Beschleunigung an den Enden und in der Mitte; die Geschwindigkeit (2) ist hoch.</translation>
+    </message>
+    <message>
+        <source>As a displacement law, acceleration jumps at both ends of both ramps, so jerk is unbounded.</source>
+        <translation>Als Bewegungsgesetz springt die Beschleunigung an beiden Enden beider Rampen; der Ruck ist unbegrenzt.</translation>
+    </message>
+    <message>
+        <source>Jerk jumps at every joint of the segments; a smaller jerk share means a higher jerk.</source>
+        <translation>Der Ruck springt an jeder Naht der Abschnitte; kleinerer Ruckanteil heißt größerer Ruck.</translation>
+    </message>
+    <message>
+        <source>The law is not symmetric: from rest, the travel is 0.568 of end speed times time; jerk jumps at both ends.</source>
+        <translation>Das Gesetz ist unsymmetrisch: aus dem Stand ist der Weg 0,568 mal Endgeschwindigkeit mal Zeit; der Ruck springt an beiden Enden.</translation>
+    </message>
+</context>
+<context>
+    <name>RecipeComparison</name>
+    <message>
+        <source>Recipe</source>
+        <translation>Rezept</translation>
+    </message>
+    <message>
+        <source>Program type</source>
+        <translation>Programmart</translation>
+    </message>
+    <message>
+        <source>Pinned values</source>
+        <translation>Feste Werte</translation>
+    </message>
+    <message>
+        <source>Law parameter 1</source>
+        <translation>Parameter 1 des Gesetzes</translation>
+    </message>
+    <message>
+        <source>Law parameter 2</source>
+        <translation>Parameter 2 des Gesetzes</translation>
+    </message>
+    <message>
+        <source>Code</source>
+        <translation>Code</translation>
+    </message>
+    <message>
+        <source>Film reel</source>
+        <translation>Folienrolle</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keiner</translation>
+    </message>
+    <message>
+        <source>Confirmed advance</source>
+        <translation>Bestätigter Vorschub</translation>
+    </message>
+    <message>
+        <source>%1 mm per cycle</source>
+        <translation>%1 mm je Zyklus</translation>
+    </message>
+</context>
+<context>
+    <name>RecipeWords</name>
+    <message>
+        <source>bags/min</source>
+        <translation>Beutel/min</translation>
+    </message>
+    <message>
+        <source>r/min</source>
+        <translation>1/min</translation>
+    </message>
+    <message>
+        <source>pulses</source>
+        <translation>Pulse</translation>
     </message>
     <message>
         <source>%1 segments</source>
@@ -3518,6 +3690,204 @@ eff. %2</translation>
     </message>
 </context>
 <context>
+    <name>SegmentSentences</name>
+    <message>
+        <source>%1 %2</source>
+        <comment>%1: number, %2: unit</comment>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>Segment %1 begins at %2, which is out of range; the nearest possible value is %3.</source>
+        <translation>Abschnitt %1 beginnt bei %2, außerhalb des Bereichs; der nächste mögliche Wert ist %3.</translation>
+    </message>
+    <message>
+        <source>Segment %1 has a boundary speed of %2; the nearest possible value is %3.</source>
+        <translation>Abschnitt %1 hat eine Randgeschwindigkeit von %2; der nächste mögliche Wert ist %3.</translation>
+    </message>
+    <message>
+        <source>Segment %1 has a boundary acceleration of %2; the nearest possible value is %3.</source>
+        <translation>Abschnitt %1 hat eine Randbeschleunigung von %2; der nächste mögliche Wert ist %3.</translation>
+    </message>
+    <message>
+        <source>Segment %1 ends at %2, which is out of range; the nearest possible value is %3.</source>
+        <translation>Abschnitt %1 endet bei %2, außerhalb des Bereichs; der nächste mögliche Wert ist %3.</translation>
+    </message>
+    <message>
+        <source>The cam has %1 segments; the nearest possible number is %2.</source>
+        <translation>Die Kurve hat %1 Abschnitte; die nächste mögliche Zahl ist %2.</translation>
+    </message>
+    <message>
+        <source>Segment %1 is only %2 wide; the minimum is %3.</source>
+        <translation>Abschnitt %1 ist nur %2 breit; das Minimum ist %3.</translation>
+    </message>
+    <message>
+        <source>Segment %1 begins at %2 and overlaps the segment before it, which ends at %3. Begin it at %3.</source>
+        <translation>Abschnitt %1 beginnt bei %2 und überlappt den vorigen, der bei %3 endet. Beginn auf %3 setzen.</translation>
+    </message>
+    <message>
+        <source>Segment %1 begins at %2 and leaves a gap: the segment before it ends at %3. Begin it at %3.</source>
+        <translation>Abschnitt %1 beginnt bei %2 und lässt eine Lücke: der vorige endet bei %3. Beginn auf %3 setzen.</translation>
+    </message>
+    <message>
+        <source>The first segment begins at %1; the cycle begins at %2.</source>
+        <translation>Der erste Abschnitt beginnt bei %1; der Zyklus beginnt bei %2.</translation>
+    </message>
+    <message>
+        <source>The last segment ends at %1; the cycle ends at %2.</source>
+        <translation>Der letzte Abschnitt endet bei %1; der Zyklus endet bei %2.</translation>
+    </message>
+    <message>
+        <source>The motion of segment %1 is unknown. Choose another motion.</source>
+        <translation>Die Bewegung von Abschnitt %1 ist unbekannt. Andere Bewegung wählen.</translation>
+    </message>
+    <message>
+        <source>Segment %1: %2 is %3; the nearest possible value is %4.</source>
+        <translation>Abschnitt %1: %2 ist %3; der nächste mögliche Wert ist %4.</translation>
+    </message>
+    <message>
+        <source>Speed jumps by %1 at the end of the cycle; the axis can follow %2. Make the segments continuous.</source>
+        <translation>Die Geschwindigkeit springt am Ende des Zyklus um %1; die Achse kann %2 folgen. Abschnitte stetig machen.</translation>
+    </message>
+    <message>
+        <source>Speed jumps by %1 where segment %2 begins; the axis can follow %3. Make the segments continuous.</source>
+        <translation>Die Geschwindigkeit springt am Anfang von Abschnitt %2 um %1; die Achse kann %3 folgen. Abschnitte stetig machen.</translation>
+    </message>
+    <message>
+        <source>Where segment %1 begins: speed jumps by %2 mm/°, acceleration by %3 mm/°².</source>
+        <translation>Am Anfang von Abschnitt %1 springt die Geschwindigkeit um %2 mm/°, die Beschleunigung um %3 mm/°².</translation>
+    </message>
+    <message>
+        <source>The segments are continuous.</source>
+        <translation>Die Abschnitte sind stetig.</translation>
+    </message>
+    <message>
+        <source>At the end of the cycle: speed jumps by %1 mm/°, acceleration by %2 mm/°².</source>
+        <translation>Am Ende des Zyklus springt die Geschwindigkeit um %1 mm/°, die Beschleunigung um %2 mm/°².</translation>
+    </message>
+</context>
+<context>
+    <name>StopWords</name>
+    <message>
+        <source>Waiting for products</source>
+        <translation>Warten auf Produkte</translation>
+    </message>
+    <message>
+        <source>Material</source>
+        <translation>Material</translation>
+    </message>
+    <message>
+        <source>Film change</source>
+        <translation>Folienwechsel</translation>
+    </message>
+    <message>
+        <source>Film torn</source>
+        <translation>Folie gerissen</translation>
+    </message>
+    <message>
+        <source>No product</source>
+        <translation>Kein Produkt</translation>
+    </message>
+    <message>
+        <source>Product jam</source>
+        <translation>Produktstau</translation>
+    </message>
+    <message>
+        <source>Machine</source>
+        <translation>Maschine</translation>
+    </message>
+    <message>
+        <source>Film jam</source>
+        <translation>Folienstau</translation>
+    </message>
+    <message>
+        <source>Knife, jaws</source>
+        <translation>Messer, Backen</translation>
+    </message>
+    <message>
+        <source>Sensor</source>
+        <translation>Sensor</translation>
+    </message>
+    <message>
+        <source>Adjustment</source>
+        <translation>Einstellung</translation>
+    </message>
+    <message>
+        <source>Quality</source>
+        <translation>Qualität</translation>
+    </message>
+    <message>
+        <source>Seal</source>
+        <translation>Siegelnaht</translation>
+    </message>
+    <message>
+        <source>Bag length</source>
+        <translation>Beutellänge</translation>
+    </message>
+    <message>
+        <source>Print</source>
+        <translation>Druck</translation>
+    </message>
+    <message>
+        <source>Changeover</source>
+        <translation>Umrüsten</translation>
+    </message>
+    <message>
+        <source>Cleaning</source>
+        <translation>Reinigung</translation>
+    </message>
+    <message>
+        <source>Maintenance</source>
+        <translation>Wartung</translation>
+    </message>
+    <message>
+        <source>Break</source>
+        <translation>Pause</translation>
+    </message>
+    <message>
+        <source>No order</source>
+        <translation>Kein Auftrag</translation>
+    </message>
+    <message>
+        <source>Waiting</source>
+        <translation>Warten</translation>
+    </message>
+    <message>
+        <source>No reason</source>
+        <translation>Ohne Grund</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <comment>title and code of an alarm</comment>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
+        <comment>group and reason</comment>
+        <translation>%1 · %2</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>%1 min</source>
+        <translation>%1 min</translation>
+    </message>
+    <message>
+        <source>%1 h %2 min</source>
+        <translation>%1 h %2 min</translation>
+    </message>
+    <message>
+        <source>Short stops (up to %1)</source>
+        <translation>Kurze Stillstände (bis %1)</translation>
+    </message>
+    <message>
+        <source>%1 · %2×</source>
+        <comment>duration, number of stops</comment>
+        <translation>%1 · %2×</translation>
+    </message>
+</context>
+<context>
     <name>StoreErrorText</name>
     <message>
         <source>the folder cannot be created</source>
@@ -3839,6 +4209,13 @@ eff. %2</translation>
     </message>
 </context>
 <context>
+    <name>campanel::panel::AlarmHistory</name>
+    <message>
+        <source>alarms</source>
+        <translation>Alarme</translation>
+    </message>
+</context>
+<context>
     <name>campanel::panel::Audit</name>
     <message>
         <source>Checking the audit trail …</source>
@@ -3968,6 +4345,65 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll und Ei
 It replaces recipes, machine data, users with their PINs, alarms, audit trail, bags, trends and settings of this panel. The present state is saved as a backup on this panel, then the panel restarts.</source>
         <translation>Die Datei ist gültig: %1.
 Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beutel, Trends und Einstellungen dieses Panels. Der jetzige Stand wird auf dem Panel gesichert, dann startet es neu.</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::CamFiles</name>
+    <message>
+        <source>A new file %1 will be written.</source>
+        <translation>Eine neue Datei %1 wird geschrieben.</translation>
+    </message>
+    <message>
+        <source>%1 · %2 · %3</source>
+        <comment>number of knots or segments, date, place</comment>
+        <translation>%1 · %2 · %3</translation>
+    </message>
+    <message>
+        <source>cannot be used · %1 · %2</source>
+        <comment>date, place</comment>
+        <translation>nicht verwendbar · %1 · %2</translation>
+    </message>
+    <message>
+        <source>Line %1: %2 Correct the file; the panel reads it again automatically.</source>
+        <comment>%2: whole sentence</comment>
+        <translation>Zeile %1: %2 Korrigieren Sie die Datei; das Panel liest sie von selbst erneut.</translation>
+    </message>
+    <message>
+        <source>%1 Correct the file; the panel reads it again automatically.</source>
+        <comment>%1: whole sentence</comment>
+        <translation>%1 Korrigieren Sie die Datei; das Panel liest sie von selbst erneut.</translation>
+    </message>
+    <message>
+        <source>%1, slave %2 to %3 mm, will replace those of the recipe. Undo restores them.</source>
+        <comment>%1: number of knots or segments</comment>
+        <translation>%1, Folgeachse %2 bis %3 mm, ersetzen die des Rezepts. Rückgängig stellt sie wieder her.</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::CamSwitches</name>
+    <message>
+        <source>Cam switch %1: mode</source>
+        <translation>Nocken %1: Betriebsart</translation>
+    </message>
+    <message>
+        <source>Cam switch %1: on angle</source>
+        <translation>Nocken %1: Einschaltwinkel</translation>
+    </message>
+    <message>
+        <source>Cam switch %1: off angle</source>
+        <translation>Nocken %1: Ausschaltwinkel</translation>
+    </message>
+    <message>
+        <source>Cam switch %1: lead time</source>
+        <translation>Nocken %1: Vorhaltezeit</translation>
+    </message>
+    <message>
+        <source>Cam switch %1: on in every n-th cycle</source>
+        <translation>Nocken %1: ein in jedem n-ten Zyklus</translation>
+    </message>
+    <message>
+        <source>Drive enable</source>
+        <translation>Antriebsfreigabe</translation>
     </message>
 </context>
 <context>
@@ -4133,71 +4569,129 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
     </message>
 </context>
 <context>
-    <name>campanel::panel::ProgramDownload</name>
+    <name>campanel::panel::Controller</name>
     <message>
-        <source>Not possible: the machine cannot execute this recipe.</source>
-        <translation>Nicht möglich: die Maschine kann dieses Rezept nicht ausführen.</translation>
+        <source>Unknown state</source>
+        <translation>Unbekannter Zustand</translation>
     </message>
     <message>
-        <source>Not possible: this controller cannot execute this kind of program.</source>
-        <translation>Nicht möglich: diese Steuerung kann diese Programmart nicht ausführen.</translation>
+        <source>Searching</source>
+        <translation>Sucht</translation>
     </message>
     <message>
-        <source>Controller: unknown</source>
-        <translation>Steuerung: unbekannt</translation>
+        <source>Connecting</source>
+        <translation>Verbindet</translation>
     </message>
     <message>
-        <source>Controller: reading the program …</source>
-        <translation>Steuerung: Programm wird gelesen …</translation>
+        <source>No connection</source>
+        <translation>Keine Verbindung</translation>
     </message>
     <message>
-        <source>The controller has no program</source>
-        <translation>Die Steuerung hat kein Programm</translation>
+        <source>Wrong device</source>
+        <translation>Falsches Gerät</translation>
     </message>
     <message>
-        <source>Active in controller: generation %1</source>
-        <translation>In der Steuerung aktiv: Generation %1</translation>
+        <source>Port problem</source>
+        <translation>Schnittstellenproblem</translation>
     </message>
     <message>
-        <source>Active in controller: generation %1 · identical</source>
-        <translation>In der Steuerung aktiv: Generation %1 · gleich</translation>
+        <source>Connection restored. The controller has restarted meanwhile.</source>
+        <translation>Verbindung wieder da. Die Steuerung hat inzwischen neu gestartet.</translation>
     </message>
     <message>
-        <source>Active in controller: generation %1 · 1 value differs</source>
-        <translation>In der Steuerung aktiv: Generation %1 · 1 Wert anders</translation>
+        <source>Connection restored. The controller has a different program now.</source>
+        <translation>Verbindung wieder da. Die Steuerung hat jetzt ein anderes Programm.</translation>
     </message>
     <message>
-        <source>Active in controller: generation %1 · %2 values differ</source>
-        <translation>In der Steuerung aktiv: Generation %1 · %2 Werte anders</translation>
+        <source>Connection restored. Before: %1. Now: %2.</source>
+        <comment>states of the machine</comment>
+        <translation>Verbindung wieder da. Vorher: %1. Jetzt: %2.</translation>
     </message>
     <message>
-        <source>No connection. Last known program in the controller: generation %1</source>
-        <translation>Keine Verbindung. Letztes bekanntes Programm der Steuerung: Generation %1</translation>
+        <source>Connection restored: Stop was sent, and the controller accepted the command.</source>
+        <translation>Verbindung wieder da: Stopp wurde gesendet und von der Steuerung angenommen.</translation>
     </message>
     <message>
-        <source>The controller already has this program.</source>
-        <translation>Die Steuerung hat dieses Programm schon.</translation>
+        <source>Stop was withdrawn and will not be sent.</source>
+        <translation>Stopp wurde zurückgezogen und wird nicht gesendet.</translation>
     </message>
     <message>
-        <source>The new recipe is used from the next start.</source>
-        <translation>Das neue Rezept gilt ab dem nächsten Start.</translation>
+        <source>Stop was not sent: a different machine is connected now.</source>
+        <translation>Stopp wurde nicht gesendet: jetzt ist eine andere Maschine verbunden.</translation>
     </message>
     <message>
-        <source>Downloaded. The machine is running this recipe.</source>
-        <translation>Geladen. Die Maschine läuft mit diesem Rezept.</translation>
+        <source>Connection restored: Stop was sent, but the machine was no longer running.</source>
+        <translation>Verbindung wieder da: Stopp wurde gesendet, aber die Maschine lief nicht mehr.</translation>
     </message>
     <message>
-        <source>Downloaded. Press Start to run this recipe.</source>
-        <translation>Geladen. Start drücken, um dieses Rezept auszuführen.</translation>
+        <source>Stop was sent. Waiting for the response.</source>
+        <translation>Stopp wurde gesendet. Antwort wird erwartet.</translation>
     </message>
     <message>
-        <source>Downloaded. The controller has this recipe.</source>
-        <translation>Geladen. Die Steuerung hat dieses Rezept.</translation>
+        <source>Stop is not sent yet. The panel sends Stop as soon as the connection is restored.</source>
+        <translation>Stopp ist noch nicht gesendet. Das Panel sendet Stopp, sobald die Verbindung wieder da ist.</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::CutterMap</name>
+    <message>
+        <source>L_min: the jaws just fill the window</source>
+        <translation>L_min: die Backen füllen das Fenster gerade</translation>
     </message>
     <message>
-        <source>%1 Confirm the advance, or close the cam.</source>
-        <comment>%1: whole sentence</comment>
-        <translation>%1 Vorschub bestätigen oder Kurve schließen.</translation>
+        <source>h/c: the knife turns evenly</source>
+        <translation>h/c: das Messer dreht gleichmäßig</translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
+        <comment>%1: bag length, %2: rate</comment>
+        <translation>%1 · %2</translation>
+    </message>
+    <message>
+        <source>Up to %1; limited by: %2.</source>
+        <comment>%1: rate, %2: name of the limit</comment>
+        <translation>Bis %1; begrenzt durch: %2.</translation>
+    </message>
+    <message>
+        <source>No rate is possible; limited by: %1.</source>
+        <comment>name of the limit</comment>
+        <translation>Keine Taktzahl ist möglich; begrenzt durch: %1.</translation>
+    </message>
+    <message>
+        <source>L_crit: the longest ramps stop the knife</source>
+        <translation>L_krit: die längsten Rampen halten das Messer an</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::DatabaseService</name>
+    <message>
+        <source>%1 Until then, new data are lost at a restart.</source>
+        <comment>%1: whole sentences</comment>
+        <translation>%1 Bis dahin gehen neue Daten beim Neustart verloren.</translation>
+    </message>
+    <message>
+        <source>The panel&apos;s database was damaged. The last good copy is used; the damaged file is kept as %1.</source>
+        <translation>Die Datenbank war beschädigt. Die letzte gute Kopie wird verwendet; die beschädigte Datei liegt unter %1.</translation>
+    </message>
+    <message>
+        <source>The panel&apos;s database was damaged and there was no copy. A new, empty database was created; the damaged file is kept as %1.</source>
+        <translation>Die Datenbank war beschädigt, und es gab keine Kopie. Eine neue, leere wurde angelegt; die beschädigte Datei liegt unter %1.</translation>
+    </message>
+    <message>
+        <source>The backup has been restored. The previous data are kept in %1.</source>
+        <translation>Die Sicherung ist zurückgespielt. Die vorigen Daten liegen unter %1.</translation>
+    </message>
+    <message>
+        <source>The restore could not be completed: %1. The panel tries again at the next start.</source>
+        <translation>Das Rückspielen gelang nicht ganz: %1. Das Panel versucht es beim nächsten Start erneut.</translation>
+    </message>
+    <message>
+        <source>The panel&apos;s database was missing or empty and was replaced by the last good copy. Data saved after the last start are lost.</source>
+        <translation>Die Datenbank fehlte oder war leer und wurde durch die letzte gute Kopie ersetzt. Nach dem letzten Start gespeicherte Daten sind verloren.</translation>
+    </message>
+    <message>
+        <source>The panel&apos;s database was missing or empty, and there was no good copy. A new, empty database was created; restore a backup.</source>
+        <translation>Die Datenbank fehlte oder war leer, und es gab keine gute Kopie. Eine neue, leere wurde angelegt; eine Sicherung zurückspielen.</translation>
     </message>
 </context>
 <context>
@@ -4795,6 +5289,59 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
     </message>
 </context>
 <context>
+    <name>campanel::panel::FileExchange</name>
+    <message>
+        <source>%1 is read-only. Unlock the stick or choose another location.</source>
+        <translation>%1 ist schreibgeschützt. Stick entsperren oder einen anderen Ort wählen.</translation>
+    </message>
+    <message>
+        <source>Written: %1</source>
+        <translation>Geschrieben: %1</translation>
+    </message>
+    <message>
+        <source>%1 · read-only</source>
+        <translation>%1 · schreibgeschützt</translation>
+    </message>
+    <message>
+        <source>Written: %1. You can remove the stick now.</source>
+        <translation>Geschrieben: %1. Der Stick kann jetzt abgezogen werden.</translation>
+    </message>
+    <message>
+        <source>%1 Also missing: %2.</source>
+        <comment>%1: whole sentences, %2: files</comment>
+        <translation>%1 Außerdem fehlen: %2.</translation>
+    </message>
+    <message>
+        <source>Written: %1 of %2 files. %3</source>
+        <comment>%3: whole sentences</comment>
+        <translation>Geschrieben: %1 von %2 Dateien. %3</translation>
+    </message>
+    <message>
+        <source>%1 files in %2</source>
+        <comment>number, folder</comment>
+        <translation>%1 Dateien in %2</translation>
+    </message>
+    <message>
+        <source>Some files are not shown</source>
+        <translation>Einige Dateien fehlen hier</translation>
+    </message>
+    <message>
+        <source>%1 · no answer</source>
+        <translation>%1 · keine Antwort</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::FilmCheck</name>
+    <message>
+        <source>Wrong film reel: %1 was scanned, the recipe needs %2. Load and scan the right reel.</source>
+        <translation>Falsche Folienrolle: %1 wurde gescannt, das Rezept braucht %2. Richtige Rolle einlegen und scannen.</translation>
+    </message>
+    <message>
+        <source>Unknown code %1: no recipe and no film reel has it. Load and scan the film reel %2.</source>
+        <translation>Unbekannter Code %1: kein Rezept und keine Folienrolle hat ihn. Folienrolle %2 einlegen und scannen.</translation>
+    </message>
+</context>
+<context>
     <name>campanel::panel::FrameList</name>
     <message>
         <source>Sent at %1</source>
@@ -4889,53 +5436,6 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
     </message>
 </context>
 <context>
-    <name>campanel::panel::CamSwitches</name>
-    <message>
-        <source>Cam switch %1: mode</source>
-        <translation>Nocken %1: Betriebsart</translation>
-    </message>
-    <message>
-        <source>Cam switch %1: on angle</source>
-        <translation>Nocken %1: Einschaltwinkel</translation>
-    </message>
-    <message>
-        <source>Cam switch %1: off angle</source>
-        <translation>Nocken %1: Ausschaltwinkel</translation>
-    </message>
-    <message>
-        <source>Cam switch %1: lead time</source>
-        <translation>Nocken %1: Vorhaltezeit</translation>
-    </message>
-    <message>
-        <source>Cam switch %1: on in every n-th cycle</source>
-        <translation>Nocken %1: ein in jedem n-ten Zyklus</translation>
-    </message>
-    <message>
-        <source>Drive enable</source>
-        <translation>Antriebsfreigabe</translation>
-    </message>
-    <message>
-        <source>Off</source>
-        <translation>Aus</translation>
-    </message>
-    <message>
-        <source>Always on</source>
-        <translation>Immer ein</translation>
-    </message>
-    <message>
-        <source>While running</source>
-        <translation>Im Lauf</translation>
-    </message>
-    <message>
-        <source>By angle</source>
-        <translation>Nach Winkel</translation>
-    </message>
-    <message>
-        <source>Rejected bags</source>
-        <translation>Ausschuss</translation>
-    </message>
-</context>
-<context>
     <name>campanel::panel::IoList</name>
     <message>
         <source>%1 pulses</source>
@@ -5019,22 +5519,6 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
         <translation>%1 mm</translation>
     </message>
     <message>
-        <source>following</source>
-        <translation>folgt</translation>
-    </message>
-    <message>
-        <source>decelerating</source>
-        <translation>bremst</translation>
-    </message>
-    <message>
-        <source>at standstill</source>
-        <translation>im Stillstand</translation>
-    </message>
-    <message>
-        <source>accelerating</source>
-        <translation>beschleunigt</translation>
-    </message>
-    <message>
         <source>Pulses to the film</source>
         <translation>Pulse zur Folie</translation>
     </message>
@@ -5047,22 +5531,6 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
         <translation>Folie, gesendet minus Geber</translation>
     </message>
     <message>
-        <source>Drive alarm</source>
-        <translation>Alarm des Antriebs</translation>
-    </message>
-    <message>
-        <source>Emergency stop</source>
-        <translation>Not-Halt</translation>
-    </message>
-    <message>
-        <source>Limit switch, forward</source>
-        <translation>Endschalter vorwärts</translation>
-    </message>
-    <message>
-        <source>Limit switch, reverse</source>
-        <translation>Endschalter rückwärts</translation>
-    </message>
-    <message>
         <source>Torque of the axis, of rated</source>
         <translation>Moment der Achse, vom Nennmoment</translation>
     </message>
@@ -5073,14 +5541,6 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
     <message>
         <source>Infeed, sent minus encoder</source>
         <translation>Zuführung, gesendet minus Geber</translation>
-    </message>
-    <message>
-        <source>Drive enable</source>
-        <translation>Antriebsfreigabe</translation>
-    </message>
-    <message>
-        <source>Cam switch %1</source>
-        <translation>Nocken %1</translation>
     </message>
     <message>
         <source>%1 %</source>
@@ -5140,38 +5600,6 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
     </message>
 </context>
 <context>
-    <name>campanel::panel::CamFiles</name>
-    <message>
-        <source>A new file %1 will be written.</source>
-        <translation>Eine neue Datei %1 wird geschrieben.</translation>
-    </message>
-    <message>
-        <source>%1 · %2 · %3</source>
-        <comment>number of knots or segments, date, place</comment>
-        <translation>%1 · %2 · %3</translation>
-    </message>
-    <message>
-        <source>cannot be used · %1 · %2</source>
-        <comment>date, place</comment>
-        <translation>nicht verwendbar · %1 · %2</translation>
-    </message>
-    <message>
-        <source>Line %1: %2 Correct the file; the panel reads it again automatically.</source>
-        <comment>%2: whole sentence</comment>
-        <translation>Zeile %1: %2 Korrigieren Sie die Datei; das Panel liest sie von selbst erneut.</translation>
-    </message>
-    <message>
-        <source>%1 Correct the file; the panel reads it again automatically.</source>
-        <comment>%1: whole sentence</comment>
-        <translation>%1 Korrigieren Sie die Datei; das Panel liest sie von selbst erneut.</translation>
-    </message>
-    <message>
-        <source>%1, slave %2 to %3 mm, will replace those of the recipe. Undo restores them.</source>
-        <comment>%1: number of knots or segments</comment>
-        <translation>%1, Folgeachse %2 bis %3 mm, ersetzen die des Rezepts. Rückgängig stellt sie wieder her.</translation>
-    </message>
-</context>
-<context>
     <name>campanel::panel::KnotModel</name>
     <message>
         <source>Knot %1, master</source>
@@ -5188,122 +5616,6 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
     <message>
         <source>At the end of the cycle: speed jumps by %1 mm/°, acceleration by %2 mm/°².</source>
         <translation>Am Ende des Zyklus springt die Geschwindigkeit um %1 mm/°, die Beschleunigung um %2 mm/°².</translation>
-    </message>
-</context>
-<context>
-    <name>campanel::panel::SimulatedFaults</name>
-    <message>
-        <source>Late responses</source>
-        <translation>Späte Antworten</translation>
-    </message>
-    <message>
-        <source>Responses arrive 1.5 timeouts late, after the next request.</source>
-        <translation>Antworten kommen 1,5 Wartezeiten zu spät, nach der nächsten Anfrage.</translation>
-    </message>
-    <message>
-        <source>Lost frames</source>
-        <translation>Verlorene Telegramme</translation>
-    </message>
-    <message>
-        <source>Requests and responses that never arrive.</source>
-        <translation>Anfragen und Antworten, die nie ankommen.</translation>
-    </message>
-    <message>
-        <source>Corrupted responses</source>
-        <translation>Verfälschte Antworten</translation>
-    </message>
-    <message>
-        <source>Flipped bits and truncated responses.</source>
-        <translation>Gekippte Bits und abgeschnittene Antworten.</translation>
-    </message>
-    <message>
-        <source>Noise</source>
-        <translation>Rauschen</translation>
-    </message>
-    <message>
-        <source>Random bytes after the responses.</source>
-        <translation>Zufällige Bytes nach den Antworten.</translation>
-    </message>
-    <message>
-        <source>A second master</source>
-        <translation>Zweiter Master</translation>
-    </message>
-    <message>
-        <source>Its valid responses arrive in place of the panel&apos;s.</source>
-        <translation>Seine gültigen Antworten kommen an Stelle der eigenen.</translation>
-    </message>
-    <message>
-        <source>Responses of other devices</source>
-        <translation>Antworten anderer Geräte</translation>
-    </message>
-    <message>
-        <source>Wrong unit, wrong function, wrong length.</source>
-        <translation>Falsches Gerät, falsche Funktion, falsche Länge.</translation>
-    </message>
-    <message>
-        <source>Busy controller</source>
-        <translation>Steuerung beschäftigt</translation>
-    </message>
-    <message>
-        <source>The controller refuses three requests in a row.</source>
-        <translation>Die Steuerung lehnt drei Anfragen nacheinander ab.</translation>
-    </message>
-    <message>
-        <source>Silence</source>
-        <translation>Stille</translation>
-    </message>
-    <message>
-        <source>No data passes for two seconds.</source>
-        <translation>Zwei Sekunden lang keine Daten.</translation>
-    </message>
-    <message>
-        <source>Unplugged adapter</source>
-        <translation>Adapter abgezogen</translation>
-    </message>
-    <message>
-        <source>The port disappears for two seconds.</source>
-        <translation>Die Schnittstelle verschwindet zwei Sekunden lang.</translation>
-    </message>
-    <message>
-        <source>Restarts of the controller</source>
-        <translation>Neustarts der Steuerung</translation>
-    </message>
-    <message>
-        <source>Silence, then power-on with the saved program. The machine stops.</source>
-        <translation>Stille, dann Einschalten mit dem gespeicherten Programm. Die Maschine hält an.</translation>
-    </message>
-    <message>
-        <source>Another register map</source>
-        <translation>Anderer Registerplan</translation>
-    </message>
-    <message>
-        <source>Takes effect when the panel reconnects, after another fault.</source>
-        <translation>Wirkt beim nächsten Verbinden, nach einem anderen Fehler.</translation>
-    </message>
-    <message>
-        <source>No faults: the connection works without errors.</source>
-        <translation>Keine Fehler: die Verbindung arbeitet fehlerfrei.</translation>
-    </message>
-    <message>
-        <source>Active: %1</source>
-        <translation>Aktiv: %1</translation>
-    </message>
-    <message>
-        <source>, </source>
-        <comment>between names</comment>
-        <translation>, </translation>
-    </message>
-    <message>
-        <source>The simulated controller refused the fault: %1</source>
-        <translation>Die simulierte Steuerung hat den Fehler abgelehnt: %1</translation>
-    </message>
-    <message>
-        <source>Faults are available for the simulated controller only.</source>
-        <translation>Fehler gibt es nur bei der simulierten Steuerung.</translation>
-    </message>
-    <message>
-        <source>The simulated controller is not running. Connect it, then try again.</source>
-        <translation>Die simulierte Steuerung läuft nicht. Verbinden und erneut versuchen.</translation>
     </message>
 </context>
 <context>
@@ -5464,67 +5776,22 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
     </message>
 </context>
 <context>
-    <name>campanel::panel::Controller</name>
+    <name>campanel::panel::LogFilterEditor</name>
     <message>
-        <source>Unknown state</source>
-        <translation>Unbekannter Zustand</translation>
+        <source>%1 to %2</source>
+        <translation>%1 bis %2</translation>
     </message>
     <message>
-        <source>Searching</source>
-        <translation>Sucht</translation>
+        <source>from %1</source>
+        <translation>ab %1</translation>
     </message>
     <message>
-        <source>Connecting</source>
-        <translation>Verbindet</translation>
+        <source>until %1</source>
+        <translation>bis %1</translation>
     </message>
     <message>
-        <source>No connection</source>
-        <translation>Keine Verbindung</translation>
-    </message>
-    <message>
-        <source>Wrong device</source>
-        <translation>Falsches Gerät</translation>
-    </message>
-    <message>
-        <source>Port problem</source>
-        <translation>Schnittstellenproblem</translation>
-    </message>
-    <message>
-        <source>Connection restored. The controller has restarted meanwhile.</source>
-        <translation>Verbindung wieder da. Die Steuerung hat inzwischen neu gestartet.</translation>
-    </message>
-    <message>
-        <source>Connection restored. The controller has a different program now.</source>
-        <translation>Verbindung wieder da. Die Steuerung hat jetzt ein anderes Programm.</translation>
-    </message>
-    <message>
-        <source>Connection restored. Before: %1. Now: %2.</source>
-        <comment>states of the machine</comment>
-        <translation>Verbindung wieder da. Vorher: %1. Jetzt: %2.</translation>
-    </message>
-    <message>
-        <source>Connection restored: Stop was sent, and the controller accepted the command.</source>
-        <translation>Verbindung wieder da: Stopp wurde gesendet und von der Steuerung angenommen.</translation>
-    </message>
-    <message>
-        <source>Stop was withdrawn and will not be sent.</source>
-        <translation>Stopp wurde zurückgezogen und wird nicht gesendet.</translation>
-    </message>
-    <message>
-        <source>Stop was not sent: a different machine is connected now.</source>
-        <translation>Stopp wurde nicht gesendet: jetzt ist eine andere Maschine verbunden.</translation>
-    </message>
-    <message>
-        <source>Connection restored: Stop was sent, but the machine was no longer running.</source>
-        <translation>Verbindung wieder da: Stopp wurde gesendet, aber die Maschine lief nicht mehr.</translation>
-    </message>
-    <message>
-        <source>Stop was sent. Waiting for the response.</source>
-        <translation>Stopp wurde gesendet. Antwort wird erwartet.</translation>
-    </message>
-    <message>
-        <source>Stop is not sent yet. The panel sends Stop as soon as the connection is restored.</source>
-        <translation>Stopp ist noch nicht gesendet. Das Panel sendet Stopp, sobald die Verbindung wieder da ist.</translation>
+        <source>“%1”</source>
+        <translation>„%1“</translation>
     </message>
 </context>
 <context>
@@ -5822,6 +6089,74 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
     </message>
 </context>
 <context>
+    <name>campanel::panel::ProgramDownload</name>
+    <message>
+        <source>Not possible: the machine cannot execute this recipe.</source>
+        <translation>Nicht möglich: die Maschine kann dieses Rezept nicht ausführen.</translation>
+    </message>
+    <message>
+        <source>Not possible: this controller cannot execute this kind of program.</source>
+        <translation>Nicht möglich: diese Steuerung kann diese Programmart nicht ausführen.</translation>
+    </message>
+    <message>
+        <source>Controller: unknown</source>
+        <translation>Steuerung: unbekannt</translation>
+    </message>
+    <message>
+        <source>Controller: reading the program …</source>
+        <translation>Steuerung: Programm wird gelesen …</translation>
+    </message>
+    <message>
+        <source>The controller has no program</source>
+        <translation>Die Steuerung hat kein Programm</translation>
+    </message>
+    <message>
+        <source>Active in controller: generation %1</source>
+        <translation>In der Steuerung aktiv: Generation %1</translation>
+    </message>
+    <message>
+        <source>Active in controller: generation %1 · identical</source>
+        <translation>In der Steuerung aktiv: Generation %1 · gleich</translation>
+    </message>
+    <message>
+        <source>Active in controller: generation %1 · 1 value differs</source>
+        <translation>In der Steuerung aktiv: Generation %1 · 1 Wert anders</translation>
+    </message>
+    <message>
+        <source>Active in controller: generation %1 · %2 values differ</source>
+        <translation>In der Steuerung aktiv: Generation %1 · %2 Werte anders</translation>
+    </message>
+    <message>
+        <source>No connection. Last known program in the controller: generation %1</source>
+        <translation>Keine Verbindung. Letztes bekanntes Programm der Steuerung: Generation %1</translation>
+    </message>
+    <message>
+        <source>The controller already has this program.</source>
+        <translation>Die Steuerung hat dieses Programm schon.</translation>
+    </message>
+    <message>
+        <source>The new recipe is used from the next start.</source>
+        <translation>Das neue Rezept gilt ab dem nächsten Start.</translation>
+    </message>
+    <message>
+        <source>Downloaded. The machine is running this recipe.</source>
+        <translation>Geladen. Die Maschine läuft mit diesem Rezept.</translation>
+    </message>
+    <message>
+        <source>Downloaded. Press Start to run this recipe.</source>
+        <translation>Geladen. Start drücken, um dieses Rezept auszuführen.</translation>
+    </message>
+    <message>
+        <source>Downloaded. The controller has this recipe.</source>
+        <translation>Geladen. Die Steuerung hat dieses Rezept.</translation>
+    </message>
+    <message>
+        <source>%1 Confirm the advance, or close the cam.</source>
+        <comment>%1: whole sentence</comment>
+        <translation>%1 Vorschub bestätigen oder Kurve schließen.</translation>
+    </message>
+</context>
+<context>
     <name>campanel::panel::ProgramProof</name>
     <message>
         <source>The controller has no program. Download a recipe first.</source>
@@ -5929,6 +6264,89 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
     </message>
 </context>
 <context>
+    <name>campanel::panel::RampControl</name>
+    <message>
+        <source>Peak acceleration</source>
+        <translation>Max. Beschleunigung</translation>
+    </message>
+    <message>
+        <source>RMS acceleration</source>
+        <translation>Effektive Beschleunigung</translation>
+    </message>
+    <message>
+        <source>Peak speed</source>
+        <translation>Max. Drehzahl</translation>
+    </message>
+    <message>
+        <source>Highest rate</source>
+        <translation>Höchste Taktzahl</translation>
+    </message>
+    <message>
+        <source>%1 m/s²</source>
+        <translation>%1 m/s²</translation>
+    </message>
+    <message>
+        <source>%1 r/min</source>
+        <translation>%1/min</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Ratios: %1 %</source>
+        <comment>position between slow and gentle</comment>
+        <translation>Verhältnisse: %1 %</translation>
+    </message>
+    <message>
+        <source>Ratios: %1</source>
+        <comment>set by hand, gentle, cool or slow</comment>
+        <translation>Verhältnisse: %1</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::ReasonEditor</name>
+    <message>
+        <source>Enter a name.</source>
+        <translation>Geben Sie einen Namen ein.</translation>
+    </message>
+    <message>
+        <source>The name is longer than %1 letters.</source>
+        <translation>Der Name ist länger als %1 Zeichen.</translation>
+    </message>
+    <message>
+        <source>The name cannot contain a slash.</source>
+        <translation>Der Name darf keinen Schrägstrich enthalten.</translation>
+    </message>
+    <message>
+        <source>This name is already in the list.</source>
+        <translation>Dieser Name ist schon in der Liste.</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::RecipeCodes</name>
+    <message>
+        <source>Any reel</source>
+        <translation>Jede Rolle</translation>
+    </message>
+    <message>
+        <source>The code is too long. Enter at most %1 letters and digits.</source>
+        <translation>Der Code ist zu lang. Höchstens %1 Buchstaben und Ziffern eingeben.</translation>
+    </message>
+    <message>
+        <source>The code has characters that cannot be printed. Enter letters and digits.</source>
+        <translation>Der Code hat Zeichen, die nicht druckbar sind. Buchstaben und Ziffern eingeben.</translation>
+    </message>
+    <message>
+        <source>This is the code of the recipe %1. Enter another code.</source>
+        <translation>Dies ist der Code des Rezepts %1. Anderen Code eingeben.</translation>
+    </message>
+    <message>
+        <source>This is the code of the film reel of %1. Enter another code.</source>
+        <translation>Dies ist der Code der Folienrolle von %1. Anderen Code eingeben.</translation>
+    </message>
+</context>
+<context>
     <name>campanel::panel::RecipeFiles</name>
     <message>
         <source>%1 · %2 · %3</source>
@@ -5980,10 +6398,6 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
         <source>%1 by %2</source>
         <comment>date, person</comment>
         <translation>%1 von %2</translation>
-    </message>
-    <message>
-        <source>Knots</source>
-        <translation>Stützpunkte</translation>
     </message>
     <message>
         <source>%1 · version %2, %3</source>
@@ -6122,38 +6536,6 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
     </message>
 </context>
 <context>
-    <name>campanel::panel::DatabaseService</name>
-    <message>
-        <source>%1 Until then, new data are lost at a restart.</source>
-        <comment>%1: whole sentences</comment>
-        <translation>%1 Bis dahin gehen neue Daten beim Neustart verloren.</translation>
-    </message>
-    <message>
-        <source>The panel&apos;s database was damaged. The last good copy is used; the damaged file is kept as %1.</source>
-        <translation>Die Datenbank war beschädigt. Die letzte gute Kopie wird verwendet; die beschädigte Datei liegt unter %1.</translation>
-    </message>
-    <message>
-        <source>The panel&apos;s database was damaged and there was no copy. A new, empty database was created; the damaged file is kept as %1.</source>
-        <translation>Die Datenbank war beschädigt, und es gab keine Kopie. Eine neue, leere wurde angelegt; die beschädigte Datei liegt unter %1.</translation>
-    </message>
-    <message>
-        <source>The backup has been restored. The previous data are kept in %1.</source>
-        <translation>Die Sicherung ist zurückgespielt. Die vorigen Daten liegen unter %1.</translation>
-    </message>
-    <message>
-        <source>The restore could not be completed: %1. The panel tries again at the next start.</source>
-        <translation>Das Rückspielen gelang nicht ganz: %1. Das Panel versucht es beim nächsten Start erneut.</translation>
-    </message>
-    <message>
-        <source>The panel&apos;s database was missing or empty and was replaced by the last good copy. Data saved after the last start are lost.</source>
-        <translation>Die Datenbank fehlte oder war leer und wurde durch die letzte gute Kopie ersetzt. Nach dem letzten Start gespeicherte Daten sind verloren.</translation>
-    </message>
-    <message>
-        <source>The panel&apos;s database was missing or empty, and there was no good copy. A new, empty database was created; restore a backup.</source>
-        <translation>Die Datenbank fehlte oder war leer, und es gab keine gute Kopie. Eine neue, leere wurde angelegt; eine Sicherung zurückspielen.</translation>
-    </message>
-</context>
-<context>
     <name>campanel::panel::RegisterInspector</name>
     <message>
         <source>All groups</source>
@@ -6192,6 +6574,80 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
     <message>
         <source>New files will be written to %1.</source>
         <translation>Neue Dateien werden nach %1 geschrieben.</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::Scan</name>
+    <message>
+        <source>Time between keys</source>
+        <translation>Zeit zwischen Tasten</translation>
+    </message>
+    <message>
+        <source>The prefix is not possible. Enter up to 8 letters, digits or signs of ASCII without spaces.</source>
+        <translation>Dieses Präfix ist nicht möglich. Bis zu 8 Buchstaben, Ziffern oder Zeichen in ASCII ohne Leerzeichen eingeben.</translation>
+    </message>
+    <message>
+        <source>The code was not read completely. Scan again.</source>
+        <translation>Der Code wurde nicht vollständig gelesen. Erneut scannen.</translation>
+    </message>
+    <message>
+        <source>No recipe has the code %1. Enter the code with its recipe on the Recipes page.</source>
+        <translation>Kein Rezept hat den Code %1. Den Code auf der Seite Rezepte beim Rezept eingeben.</translation>
+    </message>
+    <message>
+        <source>%1 and %2 have the same code %3. Give one of them another code.</source>
+        <translation>%1 und %2 haben denselben Code %3. Einem davon einen anderen Code geben.</translation>
+    </message>
+    <message>
+        <source>Complete the first start, then scan again.</source>
+        <translation>Zuerst den ersten Start abschließen, dann erneut scannen.</translation>
+    </message>
+    <message>
+        <source>The recipes are still being read. Scan again.</source>
+        <translation>Die Rezepte werden noch gelesen. Erneut scannen.</translation>
+    </message>
+    <message>
+        <source>A download is running. Scan again when the download has ended.</source>
+        <translation>Eine Übertragung läuft. Nach ihrem Ende erneut scannen.</translation>
+    </message>
+    <message>
+        <source>Film reel %1 is the right one for this recipe.</source>
+        <translation>Folienrolle %1 ist die richtige für dieses Rezept.</translation>
+    </message>
+    <message>
+        <source>Film reel %1 is loaded. The next recipe is compared with it.</source>
+        <translation>Folienrolle %1 ist eingelegt. Das nächste Rezept wird damit verglichen.</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::SegmentModel</name>
+    <message>
+        <source>%1 – %2°</source>
+        <translation>%1 – %2°</translation>
+    </message>
+    <message>
+        <source>Ends at</source>
+        <translation>Endet bei</translation>
+    </message>
+    <message>
+        <source>End position</source>
+        <translation>Endposition</translation>
+    </message>
+    <message>
+        <source>Start speed</source>
+        <translation>Anfangsgeschw.</translation>
+    </message>
+    <message>
+        <source>Start acceleration</source>
+        <translation>Anfangsbeschl.</translation>
+    </message>
+    <message>
+        <source>End speed</source>
+        <translation>Endgeschw.</translation>
+    </message>
+    <message>
+        <source>End acceleration</source>
+        <translation>Endbeschl.</translation>
     </message>
 </context>
 <context>
@@ -6287,494 +6743,6 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
     <message>
         <source>The settings file was damaged or missing and has no good copy. No controller is selected: select one on the Settings page, under Connection.</source>
         <translation>Die Einstellungsdatei war beschädigt oder fehlte, ohne gute Kopie. Keine Steuerung gewählt: auf der Seite Einstellungen unter Verbindung wählen.</translation>
-    </message>
-</context>
-<context>
-    <name>campanel::panel::StartPermit</name>
-    <message>
-        <source>Start only with this panel&apos;s permit</source>
-        <translation>Start nur mit Freigabe dieses Panels</translation>
-    </message>
-    <message>
-        <source>This controller does not have this setting. Update its firmware.</source>
-        <translation>Diese Steuerung hat diese Einstellung nicht. Ihre Firmware aktualisieren.</translation>
-    </message>
-    <message>
-        <source>On: the controller refuses a start that the panel would block, for example with a wrong film reel.</source>
-        <translation>Ein: Die Steuerung verweigert einen Start, den das Panel sperren würde, zum Beispiel bei falscher Folienrolle.</translation>
-    </message>
-</context>
-<context>
-    <name>campanel::panel::Trends</name>
-    <message>
-        <source>bags</source>
-        <translation>Beutel</translation>
-    </message>
-    <message>
-        <source>trends</source>
-        <translation>Trends</translation>
-    </message>
-    <message>
-        <source>Single bags are left out: more than %1. Show a shorter time.</source>
-        <translation>Einzelne Beutel fehlen: mehr als %1. Einen kürzeren Zeitraum anzeigen.</translation>
-    </message>
-</context>
-<context>
-    <name>campanel::panel::Value</name>
-    <message>
-        <source>Enter a number.</source>
-        <translation>Eine Zahl eingeben.</translation>
-    </message>
-    <message>
-        <source>The minimum is %1.</source>
-        <translation>Das Minimum ist %1.</translation>
-    </message>
-    <message>
-        <source>The maximum is %1.</source>
-        <translation>Das Maximum ist %1.</translation>
-    </message>
-</context>
-<context>
-    <name>campanel::panel::Versions</name>
-    <message>
-        <source>%1, version %2</source>
-        <comment>recipe, number</comment>
-        <translation>%1, Version %2</translation>
-    </message>
-    <message>
-        <source>firmware %1, register map %2.%3, serial number %4</source>
-        <translation>Firmware %1, Registerplan %2.%3, Seriennummer %4</translation>
-    </message>
-    <message>
-        <source>not known yet: measured from the second day on</source>
-        <translation>noch nicht bekannt: gemessen ab dem zweiten Tag</translation>
-    </message>
-    <message>
-        <source>%1 MB a day</source>
-        <translation>%1 MB am Tag</translation>
-    </message>
-    <message>
-        <source>%1; the disk lasts more than 100 years</source>
-        <comment>growth</comment>
-        <translation>%1; die Festplatte reicht mehr als 100 Jahre</translation>
-    </message>
-    <message>
-        <source>%1; the disk lasts %2 years</source>
-        <comment>growth, number</comment>
-        <translation>%1; die Festplatte reicht %2 Jahre</translation>
-    </message>
-    <message>
-        <source>The disk lasts for less than five years. Free some disk space, or use a larger disk.</source>
-        <translation>Die Festplatte reicht für weniger als fünf Jahre. Speicherplatz freigeben oder eine größere Festplatte verwenden.</translation>
-    </message>
-    <message>
-        <source>unknown</source>
-        <translation>unbekannt</translation>
-    </message>
-    <message>
-        <source>%1, CRC-32 %2</source>
-        <comment>number, number</comment>
-        <translation>%1, CRC-32 %2</translation>
-    </message>
-    <message>
-        <source>%1 GB free</source>
-        <translation>%1 GB frei</translation>
-    </message>
-    <message>
-        <source>Panel</source>
-        <translation>Panel</translation>
-    </message>
-    <message>
-        <source>Gateway</source>
-        <translation>Gateway</translation>
-    </message>
-    <message>
-        <source>unknown: not connected</source>
-        <translation>unbekannt: nicht verbunden</translation>
-    </message>
-    <message>
-        <source>Controller</source>
-        <translation>Steuerung</translation>
-    </message>
-    <message>
-        <source>Active program</source>
-        <translation>Aktives Programm</translation>
-    </message>
-    <message>
-        <source>Generation</source>
-        <translation>Generation</translation>
-    </message>
-    <message>
-        <source>Open recipe</source>
-        <translation>Geöffnetes Rezept</translation>
-    </message>
-    <message>
-        <source>Disk</source>
-        <translation>Festplatte</translation>
-    </message>
-    <message>
-        <source>Growth</source>
-        <translation>Zuwachs</translation>
-    </message>
-</context>
-<context>
-    <name>campanel::panel::FileExchange</name>
-    <message>
-        <source>%1 is read-only. Unlock the stick or choose another location.</source>
-        <translation>%1 ist schreibgeschützt. Stick entsperren oder einen anderen Ort wählen.</translation>
-    </message>
-    <message>
-        <source>Written: %1</source>
-        <translation>Geschrieben: %1</translation>
-    </message>
-    <message>
-        <source>%1 · read-only</source>
-        <translation>%1 · schreibgeschützt</translation>
-    </message>
-    <message>
-        <source>Written: %1. You can remove the stick now.</source>
-        <translation>Geschrieben: %1. Der Stick kann jetzt abgezogen werden.</translation>
-    </message>
-    <message>
-        <source>%1 Also missing: %2.</source>
-        <comment>%1: whole sentences, %2: files</comment>
-        <translation>%1 Außerdem fehlen: %2.</translation>
-    </message>
-    <message>
-        <source>Written: %1 of %2 files. %3</source>
-        <comment>%3: whole sentences</comment>
-        <translation>Geschrieben: %1 von %2 Dateien. %3</translation>
-    </message>
-    <message>
-        <source>%1 files in %2</source>
-        <comment>number, folder</comment>
-        <translation>%1 Dateien in %2</translation>
-    </message>
-    <message>
-        <source>Some files are not shown</source>
-        <translation>Einige Dateien fehlen hier</translation>
-    </message>
-    <message>
-        <source>%1 · no answer</source>
-        <translation>%1 · keine Antwort</translation>
-    </message>
-</context>
-<context>
-    <name>campanel::panel::CutterMap</name>
-    <message>
-        <source>L_min: the jaws just fill the window</source>
-        <translation>L_min: die Backen füllen das Fenster gerade</translation>
-    </message>
-    <message>
-        <source>h/c: the knife turns evenly</source>
-        <translation>h/c: das Messer dreht gleichmäßig</translation>
-    </message>
-    <message>
-        <source>%1 · %2</source>
-        <comment>%1: bag length, %2: rate</comment>
-        <translation>%1 · %2</translation>
-    </message>
-    <message>
-        <source>Up to %1; limited by: %2.</source>
-        <comment>%1: rate, %2: name of the limit</comment>
-        <translation>Bis %1; begrenzt durch: %2.</translation>
-    </message>
-    <message>
-        <source>No rate is possible; limited by: %1.</source>
-        <comment>name of the limit</comment>
-        <translation>Keine Taktzahl ist möglich; begrenzt durch: %1.</translation>
-    </message>
-    <message>
-        <source>L_crit: the longest ramps stop the knife</source>
-        <translation>L_krit: die längsten Rampen halten das Messer an</translation>
-    </message>
-</context>
-<context>
-    <name>campanel::panel::TorqueWatch</name>
-    <message>
-        <source>The drive reports no torque.</source>
-        <translation>Der Antrieb meldet kein Moment.</translation>
-    </message>
-    <message>
-        <source>Inertia and rated torque are missing in Settings, Machine.</source>
-        <translation>Trägheit und Nennmoment fehlen unter Einstellungen, Maschine.</translation>
-    </message>
-    <message>
-        <source>The inertia is missing in Settings, Machine.</source>
-        <translation>Die Trägheit fehlt unter Einstellungen, Maschine.</translation>
-    </message>
-    <message>
-        <source>The rated torque is missing in Settings, Machine.</source>
-        <translation>Das Nennmoment fehlt unter Einstellungen, Maschine.</translation>
-    </message>
-    <message>
-        <source>The program was made for other machine data.</source>
-        <translation>Das Programm wurde für andere Maschinendaten erstellt.</translation>
-    </message>
-    <message>
-        <source>Torque %1 %, predicted --. %2</source>
-        <comment>%1: of rated, %2: sentence</comment>
-        <translation>Moment %1 %, vorhergesagt --. %2</translation>
-    </message>
-    <message>
-        <source>Torque %1 % of rated, predicted %2 %, largest difference %3 %</source>
-        <translation>Moment %1 % vom Nennmoment, vorhergesagt %2 %, größte Differenz %3 %</translation>
-    </message>
-    <message>
-        <source>Torque %1 %, predicted %2 %, max. diff. %3 %</source>
-        <translation>Moment %1 %, vorhergesagt %2 %, max. Diff. %3 %</translation>
-    </message>
-</context>
-<context>
-    <name>SegmentSentences</name>
-    <message>
-        <source>%1 %2</source>
-        <comment>%1: number, %2: unit</comment>
-        <translation>%1 %2</translation>
-    </message>
-    <message>
-        <source>Segment %1 begins at %2, which is out of range; the nearest possible value is %3.</source>
-        <translation>Abschnitt %1 beginnt bei %2, außerhalb des Bereichs; der nächste mögliche Wert ist %3.</translation>
-    </message>
-    <message>
-        <source>Segment %1 has a boundary speed of %2; the nearest possible value is %3.</source>
-        <translation>Abschnitt %1 hat eine Randgeschwindigkeit von %2; der nächste mögliche Wert ist %3.</translation>
-    </message>
-    <message>
-        <source>Segment %1 has a boundary acceleration of %2; the nearest possible value is %3.</source>
-        <translation>Abschnitt %1 hat eine Randbeschleunigung von %2; der nächste mögliche Wert ist %3.</translation>
-    </message>
-    <message>
-        <source>Segment %1 ends at %2, which is out of range; the nearest possible value is %3.</source>
-        <translation>Abschnitt %1 endet bei %2, außerhalb des Bereichs; der nächste mögliche Wert ist %3.</translation>
-    </message>
-    <message>
-        <source>The cam has %1 segments; the nearest possible number is %2.</source>
-        <translation>Die Kurve hat %1 Abschnitte; die nächste mögliche Zahl ist %2.</translation>
-    </message>
-    <message>
-        <source>Segment %1 is only %2 wide; the minimum is %3.</source>
-        <translation>Abschnitt %1 ist nur %2 breit; das Minimum ist %3.</translation>
-    </message>
-    <message>
-        <source>Segment %1 begins at %2 and overlaps the segment before it, which ends at %3. Begin it at %3.</source>
-        <translation>Abschnitt %1 beginnt bei %2 und überlappt den vorigen, der bei %3 endet. Beginn auf %3 setzen.</translation>
-    </message>
-    <message>
-        <source>Segment %1 begins at %2 and leaves a gap: the segment before it ends at %3. Begin it at %3.</source>
-        <translation>Abschnitt %1 beginnt bei %2 und lässt eine Lücke: der vorige endet bei %3. Beginn auf %3 setzen.</translation>
-    </message>
-    <message>
-        <source>The first segment begins at %1; the cycle begins at %2.</source>
-        <translation>Der erste Abschnitt beginnt bei %1; der Zyklus beginnt bei %2.</translation>
-    </message>
-    <message>
-        <source>The last segment ends at %1; the cycle ends at %2.</source>
-        <translation>Der letzte Abschnitt endet bei %1; der Zyklus endet bei %2.</translation>
-    </message>
-    <message>
-        <source>The motion of segment %1 is unknown. Choose another motion.</source>
-        <translation>Die Bewegung von Abschnitt %1 ist unbekannt. Andere Bewegung wählen.</translation>
-    </message>
-    <message>
-        <source>Segment %1: %2 is %3; the nearest possible value is %4.</source>
-        <translation>Abschnitt %1: %2 ist %3; der nächste mögliche Wert ist %4.</translation>
-    </message>
-    <message>
-        <source>Speed jumps by %1 at the end of the cycle; the axis can follow %2. Make the segments continuous.</source>
-        <translation>Die Geschwindigkeit springt am Ende des Zyklus um %1; die Achse kann %2 folgen. Abschnitte stetig machen.</translation>
-    </message>
-    <message>
-        <source>Speed jumps by %1 where segment %2 begins; the axis can follow %3. Make the segments continuous.</source>
-        <translation>Die Geschwindigkeit springt am Anfang von Abschnitt %2 um %1; die Achse kann %3 folgen. Abschnitte stetig machen.</translation>
-    </message>
-    <message>
-        <source>Where segment %1 begins: speed jumps by %2 mm/°, acceleration by %3 mm/°².</source>
-        <translation>Am Anfang von Abschnitt %1 springt die Geschwindigkeit um %2 mm/°, die Beschleunigung um %3 mm/°².</translation>
-    </message>
-    <message>
-        <source>The segments are continuous.</source>
-        <translation>Die Abschnitte sind stetig.</translation>
-    </message>
-    <message>
-        <source>At the end of the cycle: speed jumps by %1 mm/°, acceleration by %2 mm/°².</source>
-        <translation>Am Ende des Zyklus springt die Geschwindigkeit um %1 mm/°, die Beschleunigung um %2 mm/°².</translation>
-    </message>
-</context>
-<context>
-    <name>campanel::panel::SegmentModel</name>
-    <message>
-        <source>%1 – %2°</source>
-        <translation>%1 – %2°</translation>
-    </message>
-    <message>
-        <source>%1 mm</source>
-        <translation>%1 mm</translation>
-    </message>
-    <message>
-        <source>Ends at</source>
-        <translation>Endet bei</translation>
-    </message>
-    <message>
-        <source>End position</source>
-        <translation>Endposition</translation>
-    </message>
-    <message>
-        <source>Start speed</source>
-        <translation>Anfangsgeschw.</translation>
-    </message>
-    <message>
-        <source>Start acceleration</source>
-        <translation>Anfangsbeschl.</translation>
-    </message>
-    <message>
-        <source>End speed</source>
-        <translation>Endgeschw.</translation>
-    </message>
-    <message>
-        <source>End acceleration</source>
-        <translation>Endbeschl.</translation>
-    </message>
-</context>
-<context>
-    <name>StopWords</name>
-    <message>
-        <source>Waiting for products</source>
-        <translation>Warten auf Produkte</translation>
-    </message>
-    <message>
-        <source>Material</source>
-        <translation>Material</translation>
-    </message>
-    <message>
-        <source>Film change</source>
-        <translation>Folienwechsel</translation>
-    </message>
-    <message>
-        <source>Film torn</source>
-        <translation>Folie gerissen</translation>
-    </message>
-    <message>
-        <source>No product</source>
-        <translation>Kein Produkt</translation>
-    </message>
-    <message>
-        <source>Product jam</source>
-        <translation>Produktstau</translation>
-    </message>
-    <message>
-        <source>Machine</source>
-        <translation>Maschine</translation>
-    </message>
-    <message>
-        <source>Film jam</source>
-        <translation>Folienstau</translation>
-    </message>
-    <message>
-        <source>Knife, jaws</source>
-        <translation>Messer, Backen</translation>
-    </message>
-    <message>
-        <source>Sensor</source>
-        <translation>Sensor</translation>
-    </message>
-    <message>
-        <source>Adjustment</source>
-        <translation>Einstellung</translation>
-    </message>
-    <message>
-        <source>Quality</source>
-        <translation>Qualität</translation>
-    </message>
-    <message>
-        <source>Seal</source>
-        <translation>Siegelnaht</translation>
-    </message>
-    <message>
-        <source>Bag length</source>
-        <translation>Beutellänge</translation>
-    </message>
-    <message>
-        <source>Print</source>
-        <translation>Druck</translation>
-    </message>
-    <message>
-        <source>Changeover</source>
-        <translation>Umrüsten</translation>
-    </message>
-    <message>
-        <source>Cleaning</source>
-        <translation>Reinigung</translation>
-    </message>
-    <message>
-        <source>Maintenance</source>
-        <translation>Wartung</translation>
-    </message>
-    <message>
-        <source>Break</source>
-        <translation>Pause</translation>
-    </message>
-    <message>
-        <source>No order</source>
-        <translation>Kein Auftrag</translation>
-    </message>
-    <message>
-        <source>Waiting</source>
-        <translation>Warten</translation>
-    </message>
-    <message>
-        <source>No reason</source>
-        <translation>Ohne Grund</translation>
-    </message>
-    <message>
-        <source>%1 (%2)</source>
-        <comment>title and code of an alarm</comment>
-        <translation>%1 (%2)</translation>
-    </message>
-    <message>
-        <source>%1 · %2</source>
-        <comment>group and reason</comment>
-        <translation>%1 · %2</translation>
-    </message>
-    <message>
-        <source>%1 s</source>
-        <translation>%1 s</translation>
-    </message>
-    <message>
-        <source>%1 min</source>
-        <translation>%1 min</translation>
-    </message>
-    <message>
-        <source>%1 h %2 min</source>
-        <translation>%1 h %2 min</translation>
-    </message>
-    <message>
-        <source>Short stops (up to %1)</source>
-        <translation>Kurze Stillstände (bis %1)</translation>
-    </message>
-    <message>
-        <source>%1 · %2×</source>
-        <comment>duration, number of stops</comment>
-        <translation>%1 · %2×</translation>
-    </message>
-</context>
-<context>
-    <name>campanel::panel::ReasonEditor</name>
-    <message>
-        <source>Enter a name.</source>
-        <translation>Geben Sie einen Namen ein.</translation>
-    </message>
-    <message>
-        <source>The name is longer than %1 letters.</source>
-        <translation>Der Name ist länger als %1 Zeichen.</translation>
-    </message>
-    <message>
-        <source>The name cannot contain a slash.</source>
-        <translation>Der Name darf keinen Schrägstrich enthalten.</translation>
-    </message>
-    <message>
-        <source>This name is already in the list.</source>
-        <translation>Dieser Name ist schon in der Liste.</translation>
     </message>
 </context>
 <context>
@@ -6914,377 +6882,119 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
     </message>
 </context>
 <context>
-    <name>campanel::panel::StopSetup</name>
+    <name>campanel::panel::SimulatedFaults</name>
     <message>
-        <source>Question after</source>
-        <translation>Frage nach</translation>
+        <source>Late responses</source>
+        <translation>Späte Antworten</translation>
     </message>
     <message>
-        <source>s</source>
-        <translation>s</translation>
+        <source>Responses arrive 1.5 timeouts late, after the next request.</source>
+        <translation>Antworten kommen 1,5 Wartezeiten zu spät, nach der nächsten Anfrage.</translation>
     </message>
     <message>
-        <source>pieces/min</source>
-        <translation>Stück/min</translation>
+        <source>Lost frames</source>
+        <translation>Verlorene Telegramme</translation>
     </message>
     <message>
-        <source>%1 pieces/min</source>
-        <translation>%1 Stück/min</translation>
+        <source>Requests and responses that never arrive.</source>
+        <translation>Anfragen und Antworten, die nie ankommen.</translation>
     </message>
     <message>
-        <source>every day</source>
-        <translation>täglich</translation>
+        <source>Corrupted responses</source>
+        <translation>Verfälschte Antworten</translation>
     </message>
     <message>
-        <source>standard list</source>
-        <translation>Standardliste</translation>
+        <source>Flipped bits and truncated responses.</source>
+        <translation>Gekippte Bits und abgeschnittene Antworten.</translation>
     </message>
     <message>
-        <source>own list (%1)</source>
-        <translation>eigene Liste (%1)</translation>
+        <source>Noise</source>
+        <translation>Rauschen</translation>
     </message>
     <message>
-        <source>by recipe</source>
-        <translation>nach Rezept</translation>
+        <source>Random bytes after the responses.</source>
+        <translation>Zufällige Bytes nach den Antworten.</translation>
     </message>
     <message>
-        <source>Ideal rate (0: by recipe)</source>
-        <translation>Ideale Taktrate (0: laut Rezept)</translation>
+        <source>A second master</source>
+        <translation>Zweiter Master</translation>
     </message>
-</context>
-<context>
-    <name>campanel::panel::Stops</name>
     <message>
-        <source>Since %1, %2</source>
-        <comment>time, duration</comment>
-        <translation>Seit %1, %2</translation>
+        <source>Its valid responses arrive in place of the panel&apos;s.</source>
+        <translation>Seine gültigen Antworten kommen an Stelle der eigenen.</translation>
     </message>
-</context>
-<context>
-    <name>campanel::panel::LogFilterEditor</name>
     <message>
-        <source>%1 to %2</source>
-        <translation>%1 bis %2</translation>
+        <source>Responses of other devices</source>
+        <translation>Antworten anderer Geräte</translation>
     </message>
     <message>
-        <source>from %1</source>
-        <translation>ab %1</translation>
+        <source>Wrong unit, wrong function, wrong length.</source>
+        <translation>Falsches Gerät, falsche Funktion, falsche Länge.</translation>
     </message>
     <message>
-        <source>until %1</source>
-        <translation>bis %1</translation>
+        <source>Busy controller</source>
+        <translation>Steuerung beschäftigt</translation>
     </message>
     <message>
-        <source>“%1”</source>
-        <translation>„%1“</translation>
+        <source>The controller refuses three requests in a row.</source>
+        <translation>Die Steuerung lehnt drei Anfragen nacheinander ab.</translation>
     </message>
-</context>
-<context>
-    <name>campanel::panel::AlarmHistory</name>
     <message>
-        <source>alarms</source>
-        <translation>Alarme</translation>
+        <source>Silence</source>
+        <translation>Stille</translation>
     </message>
-</context>
-<context>
-    <name>campanel::panel::SystemClock</name>
     <message>
-        <source>Asking the operating system …</source>
-        <translation>Das Betriebssystem wird gefragt …</translation>
+        <source>No data passes for two seconds.</source>
+        <translation>Zwei Sekunden lang keine Daten.</translation>
     </message>
     <message>
-        <source>systemd-timedated does not respond. Set the clock in the operating system.</source>
-        <translation>systemd-timedated antwortet nicht. Stellen Sie die Uhr im Betriebssystem.</translation>
+        <source>Unplugged adapter</source>
+        <translation>Adapter abgezogen</translation>
     </message>
     <message>
-        <source>The clock is set by hand.</source>
-        <translation>Die Uhr wird von Hand gestellt.</translation>
+        <source>The port disappears for two seconds.</source>
+        <translation>Die Schnittstelle verschwindet zwei Sekunden lang.</translation>
     </message>
     <message>
-        <source>The clock follows a time server.</source>
-        <translation>Die Uhr folgt einem Zeitserver.</translation>
+        <source>Restarts of the controller</source>
+        <translation>Neustarts der Steuerung</translation>
     </message>
     <message>
-        <source>No time server has responded yet. Check the network.</source>
-        <translation>Noch kein Zeitserver hat geantwortet. Prüfen Sie das Netzwerk.</translation>
+        <source>Silence, then power-on with the saved program. The machine stops.</source>
+        <translation>Stille, dann Einschalten mit dem gespeicherten Programm. Die Maschine hält an.</translation>
     </message>
-</context>
-<context>
-    <name>campanel::panel::SystemNetwork</name>
     <message>
-        <source>Setting the address of %1. This takes up to a minute.</source>
-        <translation>Die Adresse von %1 wird eingestellt. Das dauert bis zu einer Minute.</translation>
+        <source>Another register map</source>
+        <translation>Anderer Registerplan</translation>
     </message>
     <message>
-        <source>Asking the operating system …</source>
-        <translation>Das Betriebssystem wird gefragt …</translation>
+        <source>Takes effect when the panel reconnects, after another fault.</source>
+        <translation>Wirkt beim nächsten Verbinden, nach einem anderen Fehler.</translation>
     </message>
     <message>
-        <source>NetworkManager does not respond. Set the network in the operating system.</source>
-        <translation>NetworkManager antwortet nicht. Stellen Sie das Netzwerk im Betriebssystem ein.</translation>
+        <source>No faults: the connection works without errors.</source>
+        <translation>Keine Fehler: die Verbindung arbeitet fehlerfrei.</translation>
     </message>
     <message>
-        <source>NetworkManager manages no network port. Set the network in the operating system.</source>
-        <translation>NetworkManager verwaltet keinen Netzwerkanschluss. Stellen Sie das Netzwerk im Betriebssystem ein.</translation>
+        <source>Active: %1</source>
+        <translation>Aktiv: %1</translation>
     </message>
     <message>
-        <source>%1 is not connected. Plug in the network cable.</source>
-        <translation>%1 ist nicht verbunden. Stecken Sie das Netzkabel ein.</translation>
+        <source>, </source>
+        <comment>between names</comment>
+        <translation>, </translation>
     </message>
     <message>
-        <source>%1 has no address yet.</source>
-        <translation>%1 hat noch keine Adresse.</translation>
+        <source>The simulated controller refused the fault: %1</source>
+        <translation>Die simulierte Steuerung hat den Fehler abgelehnt: %1</translation>
     </message>
     <message>
-        <source>%1 has the address %2.</source>
-        <translation>%1 hat die Adresse %2.</translation>
+        <source>Faults are available for the simulated controller only.</source>
+        <translation>Fehler gibt es nur bei der simulierten Steuerung.</translation>
     </message>
     <message>
-        <source>%1 did not get this address; the previous one is restored. Check the cable, and that no other device has the address.</source>
-        <translation>%1 hat diese Adresse nicht bekommen; die vorige gilt wieder. Prüfen Sie das Kabel, und ob ein anderes Gerät die Adresse hat.</translation>
-    </message>
-    <message>
-        <source>No DHCP server responded; the previous address is restored. Check the cable, or enter a fixed address.</source>
-        <translation>Kein DHCP-Server hat geantwortet; die vorige Adresse gilt wieder. Prüfen Sie das Kabel, oder geben Sie eine feste Adresse ein.</translation>
-    </message>
-    <message>
-        <source>The previous address was not restored: %1. Set the network in the operating system.</source>
-        <translation>Die vorige Adresse wurde nicht wiederhergestellt: %1. Stellen Sie das Netzwerk im Betriebssystem ein.</translation>
-    </message>
-</context>
-<context>
-    <name>campanel::panel::SystemService</name>
-    <message>
-        <source>The operating system does not allow the panel to do this. Install polkit and the rule of the CamPanel package.</source>
-        <translation>Das Betriebssystem erlaubt dies dem Panel nicht. Installieren Sie polkit und die Regel des CamPanel-Pakets.</translation>
-    </message>
-    <message>
-        <source>Not set: %1</source>
-        <translation>Nicht gestellt: %1</translation>
-    </message>
-</context>
-<context>
-    <name>campanel::panel::RecipeCodes</name>
-    <message>
-        <source>Any reel</source>
-        <translation>Jede Rolle</translation>
-    </message>
-    <message>
-        <source>The code is too long. Enter at most %1 letters and digits.</source>
-        <translation>Der Code ist zu lang. Höchstens %1 Buchstaben und Ziffern eingeben.</translation>
-    </message>
-    <message>
-        <source>The code has characters that cannot be printed. Enter letters and digits.</source>
-        <translation>Der Code hat Zeichen, die nicht druckbar sind. Buchstaben und Ziffern eingeben.</translation>
-    </message>
-    <message>
-        <source>This is the code of the recipe %1. Enter another code.</source>
-        <translation>Dies ist der Code des Rezepts %1. Anderen Code eingeben.</translation>
-    </message>
-    <message>
-        <source>This is the code of the film reel of %1. Enter another code.</source>
-        <translation>Dies ist der Code der Folienrolle von %1. Anderen Code eingeben.</translation>
-    </message>
-</context>
-<context>
-    <name>campanel::panel::Scan</name>
-    <message>
-        <source>Time between keys</source>
-        <translation>Zeit zwischen Tasten</translation>
-    </message>
-    <message>
-        <source>The prefix is not possible. Enter up to 8 letters, digits or signs of ASCII without spaces.</source>
-        <translation>Dieses Präfix ist nicht möglich. Bis zu 8 Buchstaben, Ziffern oder Zeichen in ASCII ohne Leerzeichen eingeben.</translation>
-    </message>
-    <message>
-        <source>The code was not read completely. Scan again.</source>
-        <translation>Der Code wurde nicht vollständig gelesen. Erneut scannen.</translation>
-    </message>
-    <message>
-        <source>No recipe has the code %1. Enter the code with its recipe on the Recipes page.</source>
-        <translation>Kein Rezept hat den Code %1. Den Code auf der Seite Rezepte beim Rezept eingeben.</translation>
-    </message>
-    <message>
-        <source>%1 and %2 have the same code %3. Give one of them another code.</source>
-        <translation>%1 und %2 haben denselben Code %3. Einem davon einen anderen Code geben.</translation>
-    </message>
-    <message>
-        <source>Complete the first start, then scan again.</source>
-        <translation>Zuerst den ersten Start abschließen, dann erneut scannen.</translation>
-    </message>
-    <message>
-        <source>The recipes are still being read. Scan again.</source>
-        <translation>Die Rezepte werden noch gelesen. Erneut scannen.</translation>
-    </message>
-    <message>
-        <source>A download is running. Scan again when the download has ended.</source>
-        <translation>Eine Übertragung läuft. Nach ihrem Ende erneut scannen.</translation>
-    </message>
-    <message>
-        <source>Film reel %1 is the right one for this recipe.</source>
-        <translation>Folienrolle %1 ist die richtige für dieses Rezept.</translation>
-    </message>
-    <message>
-        <source>Film reel %1 is loaded. The next recipe is compared with it.</source>
-        <translation>Folienrolle %1 ist eingelegt. Das nächste Rezept wird damit verglichen.</translation>
-    </message>
-</context>
-<context>
-    <name>campanel::panel::FilmCheck</name>
-    <message>
-        <source>Wrong film reel: %1 was scanned, the recipe needs %2. Load and scan the right reel.</source>
-        <translation>Falsche Folienrolle: %1 wurde gescannt, das Rezept braucht %2. Richtige Rolle einlegen und scannen.</translation>
-    </message>
-    <message>
-        <source>Unknown code %1: no recipe and no film reel has it. Load and scan the film reel %2.</source>
-        <translation>Unbekannter Code %1: kein Rezept und keine Folienrolle hat ihn. Folienrolle %2 einlegen und scannen.</translation>
-    </message>
-</context>
-<context>
-    <name>PackageSentences</name>
-    <message>
-        <source>%1 cannot be read: %2.</source>
-        <translation>%1 kann nicht gelesen werden: %2.</translation>
-    </message>
-    <message>
-        <source>%1 is not a Debian package.</source>
-        <translation>%1 ist kein Debian-Paket.</translation>
-    </message>
-    <message>
-        <source>%1 has no signature. Copy the file %1.sig beside it.</source>
-        <translation>%1 hat keine Signatur. Kopieren Sie die Datei %1.sig daneben.</translation>
-    </message>
-    <message>
-        <source>%1 is signed by %2, whose key this machine does not have. Install the key first.</source>
-        <translation>%1 ist von %2 signiert, dessen Schlüssel diese Maschine nicht hat. Installieren Sie zuerst den Schlüssel.</translation>
-    </message>
-    <message>
-        <source>%1 is signed by %2, whose key was withdrawn. Ask for a package signed with a valid key.</source>
-        <translation>%1 ist von %2 signiert, dessen Schlüssel zurückgezogen wurde. Fordern Sie ein Paket mit einem gültigen Schlüssel an.</translation>
-    </message>
-    <message>
-        <source>The signature of %1 is not valid. Ask for a new copy of both files.</source>
-        <translation>Die Signatur von %1 ist ungültig. Fordern Sie beide Dateien neu an.</translation>
-    </message>
-    <message>
-        <source>The signature of %1 has a newer form than this CamPanel knows. Install a version in between first.</source>
-        <translation>Die Signatur von %1 hat eine neuere Form, als dieses CamPanel kennt. Installieren Sie zuerst eine Version dazwischen.</translation>
-    </message>
-    <message>
-        <source>%1 is damaged or was changed after it was signed. Copy the file again.</source>
-        <translation>%1 ist beschädigt oder wurde nach dem Signieren geändert. Kopieren Sie die Datei neu.</translation>
-    </message>
-    <message>
-        <source>This is the package %1, not CamPanel.</source>
-        <translation>Dies ist das Paket %1, nicht CamPanel.</translation>
-    </message>
-    <message>
-        <source>This package is for computers of type %1; this panel has %2.</source>
-        <translation>Dieses Paket ist für Rechner vom Typ %1; dieses Panel hat %2.</translation>
-    </message>
-    <message>
-        <source>Version %1 is older than the installed version %2.</source>
-        <translation>Version %1 ist älter als die installierte Version %2.</translation>
-    </message>
-    <message>
-        <source>Version %1 is installed.</source>
-        <translation>Version %1 ist installiert.</translation>
-    </message>
-    <message>
-        <source>not readable</source>
-        <translation>nicht lesbar</translation>
-    </message>
-    <message>
-        <source>no package</source>
-        <translation>kein Paket</translation>
-    </message>
-    <message>
-        <source>no signature</source>
-        <translation>keine Signatur</translation>
-    </message>
-    <message>
-        <source>unknown key</source>
-        <translation>unbekannter Schlüssel</translation>
-    </message>
-    <message>
-        <source>withdrawn key</source>
-        <translation>zurückgezogener Schlüssel</translation>
-    </message>
-    <message>
-        <source>wrong signature</source>
-        <translation>falsche Signatur</translation>
-    </message>
-    <message>
-        <source>unknown form of signature</source>
-        <translation>unbekannte Form der Signatur</translation>
-    </message>
-    <message>
-        <source>damaged</source>
-        <translation>beschädigt</translation>
-    </message>
-    <message>
-        <source>another program</source>
-        <translation>anderes Programm</translation>
-    </message>
-    <message>
-        <source>for another type of computer</source>
-        <translation>für anderen Rechnertyp</translation>
-    </message>
-    <message>
-        <source>older version</source>
-        <translation>ältere Version</translation>
-    </message>
-    <message>
-        <source>installed</source>
-        <translation>installiert</translation>
-    </message>
-    <message>
-        <source>The package is not signed by a key of this machine.</source>
-        <translation>Das Paket ist mit keinem Schlüssel dieser Maschine signiert.</translation>
-    </message>
-    <message>
-        <source>The package is not a newer CamPanel for this machine.</source>
-        <translation>Das Paket ist kein neueres CamPanel für diese Maschine.</translation>
-    </message>
-    <message>
-        <source>The package needs other packages, which the stick cannot bring: %1. Install them by the package manager first.</source>
-        <translation>Das Paket braucht weitere Pakete, die der Stick nicht bringen kann: %1. Installieren Sie diese zuerst mit der Paketverwaltung.</translation>
-    </message>
-    <message>
-        <source>The package of the installed version %1 is missing, so there would be no way back. Copy it and its signature to the stick as well.</source>
-        <translation>Das Paket der installierten Version %1 fehlt, es gäbe also keinen Weg zurück. Kopieren Sie es mit seiner Signatur ebenfalls auf den Stick.</translation>
-    </message>
-    <message>
-        <source>%1 MB of free space are needed on this panel.</source>
-        <translation>Auf diesem Panel werden %1 MB freier Platz gebraucht.</translation>
-    </message>
-    <message>
-        <source>Another installation is under way on this panel. Wait until it has ended.</source>
-        <translation>Auf diesem Panel läuft eine andere Installation. Warten Sie, bis sie beendet ist.</translation>
-    </message>
-    <message>
-        <source>A program of the panel&apos;s user did not end. Switch the panel off and on, then try again.</source>
-        <translation>Ein Programm des Panel-Benutzers hat sich nicht beendet. Schalten Sie das Panel aus und wieder ein, und versuchen Sie es erneut.</translation>
-    </message>
-    <message>
-        <source>The panel&apos;s data could not be copied. Read journalctl -u campanel-update.</source>
-        <translation>Die Daten des Panels konnten nicht kopiert werden. Lesen Sie journalctl -u campanel-update.</translation>
-    </message>
-    <message>
-        <source>The earlier version is not kept on this panel any more.</source>
-        <translation>Die frühere Version ist auf diesem Panel nicht mehr vorhanden.</translation>
-    </message>
-    <message>
-        <source>The new version did not open its window.</source>
-        <translation>Die neue Version hat ihr Fenster nicht geöffnet.</translation>
-    </message>
-    <message>
-        <source>The new version could not be installed.</source>
-        <translation>Die neue Version ließ sich nicht installieren.</translation>
-    </message>
-    <message>
-        <source>The files could not be read.</source>
-        <translation>Die Dateien ließen sich nicht lesen.</translation>
+        <source>The simulated controller is not running. Connect it, then try again.</source>
+        <translation>Die simulierte Steuerung läuft nicht. Verbinden und erneut versuchen.</translation>
     </message>
 </context>
 <context>
@@ -7383,7 +7093,179 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
     </message>
 </context>
 <context>
-    <name>campanel::panel::ScreenRotation</name>
+    <name>campanel::panel::StartPermit</name>
+    <message>
+        <source>Start only with this panel&apos;s permit</source>
+        <translation>Start nur mit Freigabe dieses Panels</translation>
+    </message>
+    <message>
+        <source>This controller does not have this setting. Update its firmware.</source>
+        <translation>Diese Steuerung hat diese Einstellung nicht. Ihre Firmware aktualisieren.</translation>
+    </message>
+    <message>
+        <source>On: the controller refuses a start that the panel would block, for example with a wrong film reel.</source>
+        <translation>Ein: Die Steuerung verweigert einen Start, den das Panel sperren würde, zum Beispiel bei falscher Folienrolle.</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::StopSetup</name>
+    <message>
+        <source>Question after</source>
+        <translation>Frage nach</translation>
+    </message>
+    <message>
+        <source>s</source>
+        <translation>s</translation>
+    </message>
+    <message>
+        <source>pieces/min</source>
+        <translation>Stück/min</translation>
+    </message>
+    <message>
+        <source>%1 pieces/min</source>
+        <translation>%1 Stück/min</translation>
+    </message>
+    <message>
+        <source>every day</source>
+        <translation>täglich</translation>
+    </message>
+    <message>
+        <source>standard list</source>
+        <translation>Standardliste</translation>
+    </message>
+    <message>
+        <source>own list (%1)</source>
+        <translation>eigene Liste (%1)</translation>
+    </message>
+    <message>
+        <source>by recipe</source>
+        <translation>nach Rezept</translation>
+    </message>
+    <message>
+        <source>Ideal rate (0: by recipe)</source>
+        <translation>Ideale Taktrate (0: laut Rezept)</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::Stops</name>
+    <message>
+        <source>Since %1, %2</source>
+        <comment>time, duration</comment>
+        <translation>Seit %1, %2</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::SystemClock</name>
+    <message>
+        <source>Asking the operating system …</source>
+        <translation>Das Betriebssystem wird gefragt …</translation>
+    </message>
+    <message>
+        <source>systemd-timedated does not respond. Set the clock in the operating system.</source>
+        <translation>systemd-timedated antwortet nicht. Stellen Sie die Uhr im Betriebssystem.</translation>
+    </message>
+    <message>
+        <source>The clock is set by hand.</source>
+        <translation>Die Uhr wird von Hand gestellt.</translation>
+    </message>
+    <message>
+        <source>The clock follows a time server.</source>
+        <translation>Die Uhr folgt einem Zeitserver.</translation>
+    </message>
+    <message>
+        <source>No time server has responded yet. Check the network.</source>
+        <translation>Noch kein Zeitserver hat geantwortet. Prüfen Sie das Netzwerk.</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::SystemNetwork</name>
+    <message>
+        <source>Setting the address of %1. This takes up to a minute.</source>
+        <translation>Die Adresse von %1 wird eingestellt. Das dauert bis zu einer Minute.</translation>
+    </message>
+    <message>
+        <source>Asking the operating system …</source>
+        <translation>Das Betriebssystem wird gefragt …</translation>
+    </message>
+    <message>
+        <source>NetworkManager does not respond. Set the network in the operating system.</source>
+        <translation>NetworkManager antwortet nicht. Stellen Sie das Netzwerk im Betriebssystem ein.</translation>
+    </message>
+    <message>
+        <source>NetworkManager manages no network port. Set the network in the operating system.</source>
+        <translation>NetworkManager verwaltet keinen Netzwerkanschluss. Stellen Sie das Netzwerk im Betriebssystem ein.</translation>
+    </message>
+    <message>
+        <source>%1 is not connected. Plug in the network cable.</source>
+        <translation>%1 ist nicht verbunden. Stecken Sie das Netzkabel ein.</translation>
+    </message>
+    <message>
+        <source>%1 has no address yet.</source>
+        <translation>%1 hat noch keine Adresse.</translation>
+    </message>
+    <message>
+        <source>%1 has the address %2.</source>
+        <translation>%1 hat die Adresse %2.</translation>
+    </message>
+    <message>
+        <source>%1 did not get this address; the previous one is restored. Check the cable, and that no other device has the address.</source>
+        <translation>%1 hat diese Adresse nicht bekommen; die vorige gilt wieder. Prüfen Sie das Kabel, und ob ein anderes Gerät die Adresse hat.</translation>
+    </message>
+    <message>
+        <source>No DHCP server responded; the previous address is restored. Check the cable, or enter a fixed address.</source>
+        <translation>Kein DHCP-Server hat geantwortet; die vorige Adresse gilt wieder. Prüfen Sie das Kabel, oder geben Sie eine feste Adresse ein.</translation>
+    </message>
+    <message>
+        <source>The previous address was not restored: %1. Set the network in the operating system.</source>
+        <translation>Die vorige Adresse wurde nicht wiederhergestellt: %1. Stellen Sie das Netzwerk im Betriebssystem ein.</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::SystemService</name>
+    <message>
+        <source>The operating system does not allow the panel to do this. Install polkit and the rule of the CamPanel package.</source>
+        <translation>Das Betriebssystem erlaubt dies dem Panel nicht. Installieren Sie polkit und die Regel des CamPanel-Pakets.</translation>
+    </message>
+    <message>
+        <source>Not set: %1</source>
+        <translation>Nicht gestellt: %1</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::TorqueWatch</name>
+    <message>
+        <source>The drive reports no torque.</source>
+        <translation>Der Antrieb meldet kein Moment.</translation>
+    </message>
+    <message>
+        <source>Inertia and rated torque are missing in Settings, Machine.</source>
+        <translation>Trägheit und Nennmoment fehlen unter Einstellungen, Maschine.</translation>
+    </message>
+    <message>
+        <source>The inertia is missing in Settings, Machine.</source>
+        <translation>Die Trägheit fehlt unter Einstellungen, Maschine.</translation>
+    </message>
+    <message>
+        <source>The rated torque is missing in Settings, Machine.</source>
+        <translation>Das Nennmoment fehlt unter Einstellungen, Maschine.</translation>
+    </message>
+    <message>
+        <source>The program was made for other machine data.</source>
+        <translation>Das Programm wurde für andere Maschinendaten erstellt.</translation>
+    </message>
+    <message>
+        <source>Torque %1 %, predicted --. %2</source>
+        <comment>%1: of rated, %2: sentence</comment>
+        <translation>Moment %1 %, vorhergesagt --. %2</translation>
+    </message>
+    <message>
+        <source>Torque %1 % of rated, predicted %2 %, largest difference %3 %</source>
+        <translation>Moment %1 % vom Nennmoment, vorhergesagt %2 %, größte Differenz %3 %</translation>
+    </message>
+    <message>
+        <source>Torque %1 %, predicted %2 %, max. diff. %3 %</source>
+        <translation>Moment %1 %, vorhergesagt %2 %, max. Diff. %3 %</translation>
+    </message>
 </context>
 <context>
     <name>campanel::panel::TouchCalibration</name>
@@ -7418,6 +7300,119 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
     <message>
         <source>The earlier calibration of the touchscreen did not return. %1</source>
         <translation>Die frühere Kalibrierung des Touchscreens kam nicht zurück. %1</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::Trends</name>
+    <message>
+        <source>bags</source>
+        <translation>Beutel</translation>
+    </message>
+    <message>
+        <source>trends</source>
+        <translation>Trends</translation>
+    </message>
+    <message>
+        <source>Single bags are left out: more than %1. Show a shorter time.</source>
+        <translation>Einzelne Beutel fehlen: mehr als %1. Einen kürzeren Zeitraum anzeigen.</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::Value</name>
+    <message>
+        <source>Enter a number.</source>
+        <translation>Eine Zahl eingeben.</translation>
+    </message>
+    <message>
+        <source>The minimum is %1.</source>
+        <translation>Das Minimum ist %1.</translation>
+    </message>
+    <message>
+        <source>The maximum is %1.</source>
+        <translation>Das Maximum ist %1.</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::Versions</name>
+    <message>
+        <source>%1, version %2</source>
+        <comment>recipe, number</comment>
+        <translation>%1, Version %2</translation>
+    </message>
+    <message>
+        <source>firmware %1, register map %2.%3, serial number %4</source>
+        <translation>Firmware %1, Registerplan %2.%3, Seriennummer %4</translation>
+    </message>
+    <message>
+        <source>not known yet: measured from the second day on</source>
+        <translation>noch nicht bekannt: gemessen ab dem zweiten Tag</translation>
+    </message>
+    <message>
+        <source>%1 MB a day</source>
+        <translation>%1 MB am Tag</translation>
+    </message>
+    <message>
+        <source>%1; the disk lasts more than 100 years</source>
+        <comment>growth</comment>
+        <translation>%1; die Festplatte reicht mehr als 100 Jahre</translation>
+    </message>
+    <message>
+        <source>%1; the disk lasts %2 years</source>
+        <comment>growth, number</comment>
+        <translation>%1; die Festplatte reicht %2 Jahre</translation>
+    </message>
+    <message>
+        <source>The disk lasts for less than five years. Free some disk space, or use a larger disk.</source>
+        <translation>Die Festplatte reicht für weniger als fünf Jahre. Speicherplatz freigeben oder eine größere Festplatte verwenden.</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>unbekannt</translation>
+    </message>
+    <message>
+        <source>%1, CRC-32 %2</source>
+        <comment>number, number</comment>
+        <translation>%1, CRC-32 %2</translation>
+    </message>
+    <message>
+        <source>%1 GB free</source>
+        <translation>%1 GB frei</translation>
+    </message>
+    <message>
+        <source>Panel</source>
+        <translation>Panel</translation>
+    </message>
+    <message>
+        <source>Gateway</source>
+        <translation>Gateway</translation>
+    </message>
+    <message>
+        <source>unknown: not connected</source>
+        <translation>unbekannt: nicht verbunden</translation>
+    </message>
+    <message>
+        <source>Controller</source>
+        <translation>Steuerung</translation>
+    </message>
+    <message>
+        <source>Active program</source>
+        <translation>Aktives Programm</translation>
+    </message>
+    <message>
+        <source>Generation</source>
+        <translation>Generation</translation>
+    </message>
+    <message>
+        <source>Open recipe</source>
+        <translation>Geöffnetes Rezept</translation>
+    </message>
+    <message>
+        <source>Disk</source>
+        <translation>Festplatte</translation>
+    </message>
+    <message>
+        <source>Growth</source>
+        <translation>Zuwachs</translation>
     </message>
 </context>
 </TS>

@@ -2,14 +2,6 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="zh_CN">
 <context>
-    <name>Language</name>
-    <message>
-        <source>English</source>
-        <extracomment>The name of the language in the language itself; without it the file is not used.</extracomment>
-        <translation>简体中文</translation>
-    </message>
-</context>
-<context>
     <name>AccessSentences</name>
     <message>
         <source>View only</source>
@@ -1041,6 +1033,61 @@
     </message>
 </context>
 <context>
+    <name>Availability</name>
+    <message>
+        <source>Program type and machine data can only be changed at standstill. Stop the machine first.</source>
+        <translation>程序类型和机器数据只能在静止时更改。请先停机。</translation>
+    </message>
+    <message>
+        <source>Start the machine: this step continues while the machine runs.</source>
+        <translation>请启动机器：此步骤在机器运行时继续。</translation>
+    </message>
+    <message>
+        <source>The machine is moving. Stop it first: diagnosis and search interrupt the connection.</source>
+        <translation>机器正在运动。请先停机：诊断和搜索会中断连接。</translation>
+    </message>
+    <message>
+        <source>The machine is moving. Stop it before changing the screen.</source>
+        <translation>机器正在运动。更改屏幕设置前请先停机。</translation>
+    </message>
+    <message>
+        <source>The machine is moving. Stop it before calibrating the touchscreen.</source>
+        <translation>机器正在运动。校准触摸屏前请先停机。</translation>
+    </message>
+    <message>
+        <source>The machine is moving. Stop it before the update; the panel will restart.</source>
+        <translation>机器正在运动。更新前请先停机；面板将重启。</translation>
+    </message>
+    <message>
+        <source>The machine is moving. Stop it before restoring; the panel will restart.</source>
+        <translation>机器正在运动。请先停机：恢复后面板将重新启动。</translation>
+    </message>
+    <message>
+        <source>The controller&apos;s state is unknown.</source>
+        <translation>控制器的状态未知。</translation>
+    </message>
+    <message>
+        <source>The machine is running. Stop it first.</source>
+        <translation>机器正在运行。请先停机。</translation>
+    </message>
+    <message>
+        <source>The machine is stopping. Wait for standstill.</source>
+        <translation>机器正在停止。请等它停稳。</translation>
+    </message>
+    <message>
+        <source>The axis is homing. Wait for standstill.</source>
+        <translation>轴正在回零。请等它停稳。</translation>
+    </message>
+    <message>
+        <source>The controller is in fault. Reset the fault first.</source>
+        <translation>控制器处于故障状态。请先复位故障。</translation>
+    </message>
+    <message>
+        <source>There is no connection to the controller.</source>
+        <translation>没有连接到控制器。</translation>
+    </message>
+</context>
+<context>
     <name>BackupErrorText</name>
     <message>
         <source>The file %1 cannot be read: %2. Nothing was changed.</source>
@@ -1100,61 +1147,6 @@
     <message>
         <source>The ends of the cam differ by %1 mm; the table closes the cam.</source>
         <translation>凸轮两端相差 %1 mm，程序表会将其闭合。</translation>
-    </message>
-</context>
-<context>
-    <name>Availability</name>
-    <message>
-        <source>Program type and machine data can only be changed at standstill. Stop the machine first.</source>
-        <translation>程序类型和机器数据只能在静止时更改。请先停机。</translation>
-    </message>
-    <message>
-        <source>Start the machine: this step continues while the machine runs.</source>
-        <translation>请启动机器：此步骤在机器运行时继续。</translation>
-    </message>
-    <message>
-        <source>The machine is moving. Stop it first: diagnosis and search interrupt the connection.</source>
-        <translation>机器正在运动。请先停机：诊断和搜索会中断连接。</translation>
-    </message>
-    <message>
-        <source>The machine is moving. Stop it before changing the screen.</source>
-        <translation>机器正在运动。更改屏幕设置前请先停机。</translation>
-    </message>
-    <message>
-        <source>The machine is moving. Stop it before calibrating the touchscreen.</source>
-        <translation>机器正在运动。校准触摸屏前请先停机。</translation>
-    </message>
-    <message>
-        <source>The machine is moving. Stop it before the update; the panel will restart.</source>
-        <translation>机器正在运动。更新前请先停机；面板将重启。</translation>
-    </message>
-    <message>
-        <source>The machine is moving. Stop it before restoring; the panel will restart.</source>
-        <translation>机器正在运动。请先停机：恢复后面板将重新启动。</translation>
-    </message>
-    <message>
-        <source>The controller&apos;s state is unknown.</source>
-        <translation>控制器的状态未知。</translation>
-    </message>
-    <message>
-        <source>The machine is running. Stop it first.</source>
-        <translation>机器正在运行。请先停机。</translation>
-    </message>
-    <message>
-        <source>The machine is stopping. Wait for standstill.</source>
-        <translation>机器正在停止。请等它停稳。</translation>
-    </message>
-    <message>
-        <source>The axis is homing. Wait for standstill.</source>
-        <translation>轴正在回零。请等它停稳。</translation>
-    </message>
-    <message>
-        <source>The controller is in fault. Reset the fault first.</source>
-        <translation>控制器处于故障状态。请先复位故障。</translation>
-    </message>
-    <message>
-        <source>There is no connection to the controller.</source>
-        <translation>没有连接到控制器。</translation>
     </message>
 </context>
 <context>
@@ -1284,26 +1276,6 @@
         <translation>控制器不允许这样访问 %1。</translation>
     </message>
     <message>
-        <source>Start</source>
-        <translation>启动</translation>
-    </message>
-    <message>
-        <source>Stop</source>
-        <translation>停止</translation>
-    </message>
-    <message>
-        <source>Home</source>
-        <translation>回零</translation>
-    </message>
-    <message>
-        <source>Reset fault</source>
-        <translation>故障复位</translation>
-    </message>
-    <message>
-        <source>Save</source>
-        <translation>保存</translation>
-    </message>
-    <message>
         <source>Command</source>
         <translation>命令</translation>
     </message>
@@ -1426,10 +1398,6 @@
         <translation>自 %1 起没有连接：%2 上无应答。请检查电缆和控制器电源；面板会自动重新连接。</translation>
     </message>
     <message>
-        <source>Measure marks</source>
-        <translation>测量色标</translation>
-    </message>
-    <message>
         <source>No controller is selected. Select one on the Settings page, under Connection.</source>
         <translation>未选择控制器。请在“设置”页的“通信”中选择。</translation>
     </message>
@@ -1473,272 +1441,8 @@
         <translation>%1 秒</translation>
     </message>
     <message>
-        <source>No program</source>
-        <translation>无程序</translation>
-    </message>
-    <message>
-        <source>Ready</source>
-        <translation>就绪</translation>
-    </message>
-    <message>
-        <source>Running</source>
-        <translation>运行</translation>
-    </message>
-    <message>
-        <source>Stopping</source>
-        <translation>正在停止</translation>
-    </message>
-    <message>
-        <source>Jogging</source>
-        <translation>点动</translation>
-    </message>
-    <message>
-        <source>Homing</source>
-        <translation>回零中</translation>
-    </message>
-    <message>
-        <source>Fault</source>
-        <translation>故障</translation>
-    </message>
-    <message>
-        <source>The controller does not support this command. Update its firmware.</source>
-        <translation>控制器不支持此命令。请升级其固件。</translation>
-    </message>
-    <message>
-        <source>The controller has no program. Download a recipe first.</source>
-        <translation>控制器没有程序。请先下载配方。</translation>
-    </message>
-    <message>
-        <source>The machine is already moving. Stop it first.</source>
-        <translation>机器已在运动。请先停机。</translation>
-    </message>
-    <message>
-        <source>The machine is not running.</source>
-        <translation>机器没有运行。</translation>
-    </message>
-    <message>
-        <source>The controller is in fault. Reset the fault first.</source>
-        <translation>控制器处于故障状态。请先复位故障。</translation>
-    </message>
-    <message>
-        <source>This is only possible at standstill. Stop the machine first.</source>
-        <translation>此操作只能在静止时进行。请先停机。</translation>
-    </message>
-    <message>
-        <source>The controller has no checked table. Download again.</source>
-        <translation>控制器没有通过检查的数据表。请重新下载。</translation>
-    </message>
-    <message>
-        <source>Another download interfered. Download again.</source>
-        <translation>期间有另一次下载。请重新下载。</translation>
-    </message>
-    <message>
-        <source>The controller received different data. Download again.</source>
-        <translation>控制器收到的数据不同。请重新下载。</translation>
-    </message>
-    <message>
-        <source>No change is pending.</source>
-        <translation>没有等待生效的更改。</translation>
-    </message>
-    <message>
-        <source>Writing to the controller&apos;s flash failed; the saved program is unchanged. Save again.</source>
-        <translation>控制器闪存写入失败，已保存的程序没有改变。请重新保存。</translation>
-    </message>
-    <message>
-        <source>There is no fault to reset.</source>
-        <translation>没有需要复位的故障。</translation>
-    </message>
-    <message>
-        <source>The controller does not accept this value. Update the older of panel and controller.</source>
-        <translation>控制器不接受此值。请升级面板与控制器中较旧的一方。</translation>
-    </message>
-    <message>
-        <source>The cause of the fault still exists. Remove it first.</source>
-        <translation>故障原因仍然存在。请先排除。</translation>
-    </message>
-    <message>
-        <source>The controller receives no heartbeat from the panel. Check the cable.</source>
-        <translation>控制器收不到面板的心跳。请检查电缆。</translation>
-    </message>
-    <message>
         <source>The controller reports reason %1, which this panel does not know. Update the panel.</source>
         <translation>控制器报告了本面板无法识别的原因（%1）。请更新面板。</translation>
-    </message>
-    <message>
-        <source>Parts of the table are missing. Download again.</source>
-        <translation>数据表不完整。请重新下载。</translation>
-    </message>
-    <message>
-        <source>Panel and controller do not match. Update the older device.</source>
-        <translation>面板与控制器不匹配。请升级较旧的一方。</translation>
-    </message>
-    <message>
-        <source>Value %1 in the table header is outside the controller&apos;s limits. Correct the recipe.</source>
-        <translation>数据表头的第 %1 个值超出控制器的限值。请更正配方。</translation>
-    </message>
-    <message>
-        <source>Row %1 of the table is outside the range of the controller&apos;s timer. Lower the rate.</source>
-        <translation>数据表第 %1 行超出控制器定时器的范围。请降低速率。</translation>
-    </message>
-    <message>
-        <source>The table&apos;s rows do not match its total pulses and time. Download again.</source>
-        <translation>数据表各行之和与总脉冲数和总时间不符。请重新下载。</translation>
-    </message>
-    <message>
-        <source>An earlier change is waiting for the end of the cycle. Cancel it first.</source>
-        <translation>之前的更改仍在等待周期结束。请先取消该更改。</translation>
-    </message>
-    <message>
-        <source>The controller has not finished checking or saving a table. Download again.</source>
-        <translation>控制器尚未完成表格的检查或保存。请重新下载。</translation>
-    </message>
-    <message>
-        <source>At standstill</source>
-        <translation>静止</translation>
-    </message>
-    <message>
-        <source>Approach</source>
-        <translation>快进</translation>
-    </message>
-    <message>
-        <source>Probe</source>
-        <translation>探测</translation>
-    </message>
-    <message>
-        <source>Press</source>
-        <translation>压装</translation>
-    </message>
-    <message>
-        <source>Hold</source>
-        <translation>保压</translation>
-    </message>
-    <message>
-        <source>Return</source>
-        <translation>返回</translation>
-    </message>
-    <message>
-        <source>OK</source>
-        <translation>合格</translation>
-    </message>
-    <message>
-        <source>Stop position outside tolerance</source>
-        <translation>终点位置超差</translation>
-    </message>
-    <message>
-        <source>Force too low</source>
-        <translation>压装力过小</translation>
-    </message>
-    <message>
-        <source>Force too high</source>
-        <translation>压装力过大</translation>
-    </message>
-    <message>
-        <source>Contact too early</source>
-        <translation>过早接触工件</translation>
-    </message>
-    <message>
-        <source>No contact</source>
-        <translation>未接触到工件</translation>
-    </message>
-    <message>
-        <source>Max. force reached</source>
-        <translation>达到最大力</translation>
-    </message>
-    <message>
-        <source>Stopped</source>
-        <translation>中途停止</translation>
-    </message>
-    <message>
-        <source>Machine data can only be changed at standstill. Stop the machine first.</source>
-        <translation>机器数据只能在静止时更改。请先停机。</translation>
-    </message>
-    <message>
-        <source>There are too many bags between mark sensor and knife. Set a longer bag, move the sensor closer, or switch off mark tracking under Maintenance.</source>
-        <translation>色标传感器与切刀之间的袋数过多。请设定更长的袋长、移近传感器，或在“维护”中关闭色标跟踪。</translation>
-    </message>
-    <message>
-        <source>The mark window is wider than half a bag. Reduce it under Maintenance.</source>
-        <translation>色标窗口宽于半个袋长。请在“维护”中缩小窗口。</translation>
-    </message>
-    <message>
-        <source>The sync window is too long to correct the film. Change k1 to k4.</source>
-        <translation>同步区过长，没有时间修正薄膜。请更改 k1 至 k4。</translation>
-    </message>
-    <message>
-        <source>The product eye is too close or too far to decide in time. Check its distance under Maintenance.</source>
-        <translation>产品光电离切刀过近或过远，来不及判断。请在“维护”中检查其距离。</translation>
-    </message>
-    <message>
-        <source>Mark tracking off</source>
-        <translation>色标跟踪关闭</translation>
-    </message>
-    <message>
-        <source>Searching for marks</source>
-        <translation>正在寻找色标</translation>
-    </message>
-    <message>
-        <source>Aligning cuts with marks</source>
-        <translation>正在将切断对准色标</translation>
-    </message>
-    <message>
-        <source>Tracking marks</source>
-        <translation>正在跟踪色标</translation>
-    </message>
-    <message>
-        <source>Product in the knife&apos;s path</source>
-        <translation>产品挡住切刀</translation>
-    </message>
-    <message>
-        <source>Product longer than the bag</source>
-        <translation>产品长于袋长</translation>
-    </message>
-    <message>
-        <source>Product missing</source>
-        <translation>缺少产品</translation>
-    </message>
-    <message>
-        <source>Film or infeed would exceed the controller&apos;s speed limit. Lower the rate.</source>
-        <translation>薄膜或进料的速度将超过控制器的限值。请降低速率。</translation>
-    </message>
-    <message>
-        <source>The speed of an axis would change too abruptly. Stop the machine, then download; or raise the largest speed steps under Maintenance.</source>
-        <translation>轴的速度突变过大。请先停机再下载，或在“维护”中增大最大速度阶跃。</translation>
-    </message>
-    <message>
-        <source>Another device on the line writes parts of commands. Check the connected devices.</source>
-        <translation>线路上有另一设备分段写入命令。请检查所连接的设备。</translation>
-    </message>
-    <message>
-        <source>The lead of cam switch %1 is longer than a cycle. Shorten it under Maintenance, or lower the rate.</source>
-        <translation>凸轮开关 %1 的提前时间超过一个周期。请在“维护”中缩短提前时间，或降低速率。</translation>
-    </message>
-    <message>
-        <source>The emergency stop is pressed. Release it, then wait two seconds.</source>
-        <translation>急停已按下。请松开急停，然后等待两秒。</translation>
-    </message>
-    <message>
-        <source>The drive reported an alarm. Remove its cause, then reset the fault.</source>
-        <translation>驱动器曾报警。请排除原因，然后复位故障。</translation>
-    </message>
-    <message>
-        <source>The panel does not permit the start: the machine is not warm. Wait until it is warm.</source>
-        <translation>面板不允许启动：机器尚未预热。请等待预热完成。</translation>
-    </message>
-    <message>
-        <source>The panel does not permit the start with this film reel. Load and scan the right reel.</source>
-        <translation>面板不允许用此膜卷启动。请装上并扫描正确的膜卷。</translation>
-    </message>
-    <message>
-        <source>The panel does not permit the start with this program. Download the recipe again.</source>
-        <translation>面板不允许用此程序启动。请重新下载配方。</translation>
-    </message>
-    <message>
-        <source>The panel does not permit motion while the machine is cleaned. End the cleaning first.</source>
-        <translation>清洁机器时面板不允许运动。请先结束清洁。</translation>
-    </message>
-    <message>
-        <source>The panel does not permit the start. Read the reason at its Start button.</source>
-        <translation>面板不允许启动。请查看其启动键处的原因。</translation>
     </message>
 </context>
 <context>
@@ -1770,10 +1474,6 @@
     <message>
         <source>Displacement law</source>
         <translation>位移规律</translation>
-    </message>
-    <message>
-        <source>Knots</source>
-        <translation>型值点</translation>
     </message>
 </context>
 <context>
@@ -2104,10 +1804,6 @@ RMS %2</source>
         <translation>主轴角和从轴位置的数对</translation>
     </message>
     <message>
-        <source>the header master_deg,slave_mm</source>
-        <translation>表头 master_deg,slave_mm</translation>
-    </message>
-    <message>
         <source>%1 values, as in the header</source>
         <translation>与表头一致的 %1 个值</translation>
     </message>
@@ -2260,46 +1956,6 @@ RMS %2</source>
         <translation>端口已移除</translation>
     </message>
     <message>
-        <source>illegal function</source>
-        <translation>非法功能</translation>
-    </message>
-    <message>
-        <source>illegal register address</source>
-        <translation>非法寄存器地址</translation>
-    </message>
-    <message>
-        <source>illegal value</source>
-        <translation>非法值</translation>
-    </message>
-    <message>
-        <source>device failure</source>
-        <translation>设备故障</translation>
-    </message>
-    <message>
-        <source>acknowledged, in progress</source>
-        <translation>已确认，正在处理</translation>
-    </message>
-    <message>
-        <source>device busy</source>
-        <translation>设备忙</translation>
-    </message>
-    <message>
-        <source>memory parity error</source>
-        <translation>存储器奇偶校验错误</translation>
-    </message>
-    <message>
-        <source>gateway path unavailable</source>
-        <translation>网关路径不可用</translation>
-    </message>
-    <message>
-        <source>no response from the device behind the gateway</source>
-        <translation>网关之后的设备无应答</translation>
-    </message>
-    <message>
-        <source>unknown</source>
-        <translation>未知</translation>
-    </message>
-    <message>
         <source>Status request, heartbeat %1</source>
         <translation>请求状态，心跳 %1</translation>
     </message>
@@ -2364,6 +2020,14 @@ RMS %2</source>
     </message>
 </context>
 <context>
+    <name>Language</name>
+    <message>
+        <source>English</source>
+        <extracomment>The name of the language in the language itself; without it the file is not used.</extracomment>
+        <translation>简体中文</translation>
+    </message>
+</context>
+<context>
     <name>LastRecipe</name>
     <message>
         <source>%1 The last good copy is used.</source>
@@ -2372,47 +2036,6 @@ RMS %2</source>
     <message>
         <source>%1 There is no good copy; the default recipe is used.</source>
         <translation>%1 没有完好的副本，已使用默认配方。</translation>
-    </message>
-</context>
-<context>
-    <name>campanel::panel::RampControl</name>
-    <message>
-        <source>Peak acceleration</source>
-        <translation>峰值加速度</translation>
-    </message>
-    <message>
-        <source>RMS acceleration</source>
-        <translation>均方根加速度</translation>
-    </message>
-    <message>
-        <source>Peak speed</source>
-        <translation>峰值转速</translation>
-    </message>
-    <message>
-        <source>Highest rate</source>
-        <translation>最高速率</translation>
-    </message>
-    <message>
-        <source>%1 m/s²</source>
-        <translation>%1 m/s²</translation>
-    </message>
-    <message>
-        <source>%1 r/min</source>
-        <translation>%1 r/min</translation>
-    </message>
-    <message>
-        <source>%1 %</source>
-        <translation>%1 %</translation>
-    </message>
-    <message>
-        <source>Ratios: %1 %</source>
-        <comment>position between slow and gentle</comment>
-        <translation>比例：%1 %</translation>
-    </message>
-    <message>
-        <source>Ratios: %1</source>
-        <comment>set by hand, gentle, cool or slow</comment>
-        <translation>比例：%1</translation>
     </message>
 </context>
 <context>
@@ -2479,54 +2102,797 @@ RMS %2</source>
     </message>
 </context>
 <context>
-    <name>RecipeComparison</name>
+    <name>PackageSentences</name>
     <message>
-        <source>Recipe</source>
-        <translation>配方</translation>
+        <source>%1 cannot be read: %2.</source>
+        <translation>无法读取 %1：%2。</translation>
     </message>
     <message>
-        <source>Program type</source>
-        <translation>程序类型</translation>
+        <source>%1 is not a Debian package.</source>
+        <translation>%1 不是 Debian 软件包。</translation>
     </message>
     <message>
-        <source>Pinned values</source>
-        <translation>固定输入</translation>
+        <source>%1 has no signature. Copy the file %1.sig beside it.</source>
+        <translation>%1 没有签名。请把文件 %1.sig 复制到同一位置。</translation>
     </message>
     <message>
-        <source>Law parameter 1</source>
-        <translation>规律参数 1</translation>
+        <source>%1 is signed by %2, whose key this machine does not have. Install the key first.</source>
+        <translation>%1 由 %2 签名，但本机没有其密钥。请先安装密钥。</translation>
     </message>
     <message>
-        <source>Law parameter 2</source>
-        <translation>规律参数 2</translation>
+        <source>%1 is signed by %2, whose key was withdrawn. Ask for a package signed with a valid key.</source>
+        <translation>%1 由 %2 签名，但其密钥已作废。请索取用有效密钥签名的软件包。</translation>
+    </message>
+    <message>
+        <source>The signature of %1 is not valid. Ask for a new copy of both files.</source>
+        <translation>%1 的签名无效。请重新索取这两个文件。</translation>
+    </message>
+    <message>
+        <source>The signature of %1 has a newer form than this CamPanel knows. Install a version in between first.</source>
+        <translation>%1 的签名格式比本版 CamPanel 支持的更新。请先安装中间版本。</translation>
+    </message>
+    <message>
+        <source>%1 is damaged or was changed after it was signed. Copy the file again.</source>
+        <translation>%1 已损坏，或签名后被修改。请重新复制该文件。</translation>
+    </message>
+    <message>
+        <source>This is the package %1, not CamPanel.</source>
+        <translation>这是软件包 %1，不是 CamPanel。</translation>
+    </message>
+    <message>
+        <source>This package is for computers of type %1; this panel has %2.</source>
+        <translation>此软件包适用于 %1 型计算机；本面板为 %2。</translation>
+    </message>
+    <message>
+        <source>Version %1 is older than the installed version %2.</source>
+        <translation>版本 %1 比已安装的版本 %2 旧。</translation>
+    </message>
+    <message>
+        <source>Version %1 is installed.</source>
+        <translation>版本 %1 已安装。</translation>
+    </message>
+    <message>
+        <source>not readable</source>
+        <translation>无法读取</translation>
+    </message>
+    <message>
+        <source>no package</source>
+        <translation>不是软件包</translation>
+    </message>
+    <message>
+        <source>no signature</source>
+        <translation>没有签名</translation>
+    </message>
+    <message>
+        <source>unknown key</source>
+        <translation>未知密钥</translation>
+    </message>
+    <message>
+        <source>withdrawn key</source>
+        <translation>密钥已作废</translation>
+    </message>
+    <message>
+        <source>wrong signature</source>
+        <translation>签名错误</translation>
+    </message>
+    <message>
+        <source>unknown form of signature</source>
+        <translation>未知签名格式</translation>
+    </message>
+    <message>
+        <source>damaged</source>
+        <translation>已损坏</translation>
+    </message>
+    <message>
+        <source>another program</source>
+        <translation>其他程序</translation>
+    </message>
+    <message>
+        <source>for another type of computer</source>
+        <translation>适用于其他类型的计算机</translation>
+    </message>
+    <message>
+        <source>older version</source>
+        <translation>旧版本</translation>
+    </message>
+    <message>
+        <source>installed</source>
+        <translation>已安装</translation>
+    </message>
+    <message>
+        <source>The package is not signed by a key of this machine.</source>
+        <translation>此软件包未用本机信任的密钥签名。</translation>
+    </message>
+    <message>
+        <source>The package is not a newer CamPanel for this machine.</source>
+        <translation>此软件包不是适用于本机的更新版 CamPanel。</translation>
+    </message>
+    <message>
+        <source>The package needs other packages, which the stick cannot bring: %1. Install them by the package manager first.</source>
+        <translation>此软件包需要其他软件包，无法由 U 盘提供：%1。请先用软件包管理器安装。</translation>
+    </message>
+    <message>
+        <source>The package of the installed version %1 is missing, so there would be no way back. Copy it and its signature to the stick as well.</source>
+        <translation>缺少已安装版本 %1 的软件包，更新后将无法恢复。请把它及其签名也复制到 U 盘。</translation>
+    </message>
+    <message>
+        <source>%1 MB of free space are needed on this panel.</source>
+        <translation>本面板需要 %1 MB 可用空间。</translation>
+    </message>
+    <message>
+        <source>Another installation is under way on this panel. Wait until it has ended.</source>
+        <translation>本面板上正在进行另一项安装。请等待其结束。</translation>
+    </message>
+    <message>
+        <source>A program of the panel&apos;s user did not end. Switch the panel off and on, then try again.</source>
+        <translation>面板用户的一个程序未能结束。请关闭面板电源再打开，然后重试。</translation>
+    </message>
+    <message>
+        <source>The panel&apos;s data could not be copied. Read journalctl -u campanel-update.</source>
+        <translation>面板数据无法复制。请查看 journalctl -u campanel-update。</translation>
+    </message>
+    <message>
+        <source>The earlier version is not kept on this panel any more.</source>
+        <translation>本面板上已不再保留旧版本。</translation>
+    </message>
+    <message>
+        <source>The new version did not open its window.</source>
+        <translation>新版本未能打开窗口。</translation>
+    </message>
+    <message>
+        <source>The new version could not be installed.</source>
+        <translation>无法安装新版本。</translation>
+    </message>
+    <message>
+        <source>The files could not be read.</source>
+        <translation>无法读取文件。</translation>
+    </message>
+</context>
+<context>
+    <name>Protocol</name>
+    <message>
+        <source>No program</source>
+        <translation>无程序</translation>
+    </message>
+    <message>
+        <source>Ready</source>
+        <translation>就绪</translation>
+    </message>
+    <message>
+        <source>Running</source>
+        <translation>运行</translation>
+    </message>
+    <message>
+        <source>Stopping</source>
+        <translation>正在停止</translation>
+    </message>
+    <message>
+        <source>Jogging</source>
+        <translation>点动</translation>
+    </message>
+    <message>
+        <source>Homing</source>
+        <translation>回零中</translation>
+    </message>
+    <message>
+        <source>Fault</source>
+        <translation>故障</translation>
+    </message>
+    <message>
+        <source>At standstill</source>
+        <translation>静止</translation>
+    </message>
+    <message>
+        <source>Approach</source>
+        <translation>快进</translation>
+    </message>
+    <message>
+        <source>Probe</source>
+        <translation>探测</translation>
+    </message>
+    <message>
+        <source>Press</source>
+        <translation>压装</translation>
+    </message>
+    <message>
+        <source>Hold</source>
+        <translation>保压</translation>
+    </message>
+    <message>
+        <source>Return</source>
+        <translation>返回</translation>
+    </message>
+    <message>
+        <source>OK</source>
+        <translation>合格</translation>
+    </message>
+    <message>
+        <source>Stop position outside tolerance</source>
+        <translation>终点位置超差</translation>
+    </message>
+    <message>
+        <source>Force too low</source>
+        <translation>压装力过小</translation>
+    </message>
+    <message>
+        <source>Force too high</source>
+        <translation>压装力过大</translation>
+    </message>
+    <message>
+        <source>Contact too early</source>
+        <translation>过早接触工件</translation>
+    </message>
+    <message>
+        <source>No contact</source>
+        <translation>未接触到工件</translation>
+    </message>
+    <message>
+        <source>Max. force reached</source>
+        <translation>达到最大力</translation>
+    </message>
+    <message>
+        <source>Stopped</source>
+        <translation>中途停止</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>启动</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>停止</translation>
+    </message>
+    <message>
+        <source>Home</source>
+        <translation>回零</translation>
+    </message>
+    <message>
+        <source>Reset fault</source>
+        <translation>故障复位</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>保存</translation>
+    </message>
+    <message>
+        <source>Measure marks</source>
+        <translation>测量色标</translation>
+    </message>
+    <message>
+        <source>The lead of cam switch %1 is longer than a cycle. Shorten it under Maintenance, or lower the rate.</source>
+        <translation>凸轮开关 %1 的提前时间超过一个周期。请在“维护”中缩短提前时间，或降低速率。</translation>
+    </message>
+    <message>
+        <source>The controller does not support this command. Update its firmware.</source>
+        <translation>控制器不支持此命令。请升级其固件。</translation>
+    </message>
+    <message>
+        <source>The controller has no program. Download a recipe first.</source>
+        <translation>控制器没有程序。请先下载配方。</translation>
+    </message>
+    <message>
+        <source>The machine is already moving. Stop it first.</source>
+        <translation>机器已在运动。请先停机。</translation>
+    </message>
+    <message>
+        <source>The machine is not running.</source>
+        <translation>机器没有运行。</translation>
+    </message>
+    <message>
+        <source>The controller is in fault. Reset the fault first.</source>
+        <translation>控制器处于故障状态。请先复位故障。</translation>
+    </message>
+    <message>
+        <source>This is only possible at standstill. Stop the machine first.</source>
+        <translation>此操作只能在静止时进行。请先停机。</translation>
+    </message>
+    <message>
+        <source>The controller has no checked table. Download again.</source>
+        <translation>控制器没有通过检查的数据表。请重新下载。</translation>
+    </message>
+    <message>
+        <source>Another download interfered. Download again.</source>
+        <translation>期间有另一次下载。请重新下载。</translation>
+    </message>
+    <message>
+        <source>The controller received different data. Download again.</source>
+        <translation>控制器收到的数据不同。请重新下载。</translation>
+    </message>
+    <message>
+        <source>Machine data can only be changed at standstill. Stop the machine first.</source>
+        <translation>机器数据只能在静止时更改。请先停机。</translation>
+    </message>
+    <message>
+        <source>No change is pending.</source>
+        <translation>没有等待生效的更改。</translation>
+    </message>
+    <message>
+        <source>Writing to the controller&apos;s flash failed; the saved program is unchanged. Save again.</source>
+        <translation>控制器闪存写入失败，已保存的程序没有改变。请重新保存。</translation>
+    </message>
+    <message>
+        <source>There is no fault to reset.</source>
+        <translation>没有需要复位的故障。</translation>
+    </message>
+    <message>
+        <source>The controller does not accept this value. Update the older of panel and controller.</source>
+        <translation>控制器不接受此值。请升级面板与控制器中较旧的一方。</translation>
+    </message>
+    <message>
+        <source>The cause of the fault still exists. Remove it first.</source>
+        <translation>故障原因仍然存在。请先排除。</translation>
+    </message>
+    <message>
+        <source>The controller receives no heartbeat from the panel. Check the cable.</source>
+        <translation>控制器收不到面板的心跳。请检查电缆。</translation>
+    </message>
+    <message>
+        <source>There are too many bags between mark sensor and knife. Set a longer bag, move the sensor closer, or switch off mark tracking under Maintenance.</source>
+        <translation>色标传感器与切刀之间的袋数过多。请设定更长的袋长、移近传感器，或在“维护”中关闭色标跟踪。</translation>
+    </message>
+    <message>
+        <source>The mark window is wider than half a bag. Reduce it under Maintenance.</source>
+        <translation>色标窗口宽于半个袋长。请在“维护”中缩小窗口。</translation>
+    </message>
+    <message>
+        <source>The sync window is too long to correct the film. Change k1 to k4.</source>
+        <translation>同步区过长，没有时间修正薄膜。请更改 k1 至 k4。</translation>
+    </message>
+    <message>
+        <source>The product eye is too close or too far to decide in time. Check its distance under Maintenance.</source>
+        <translation>产品光电离切刀过近或过远，来不及判断。请在“维护”中检查其距离。</translation>
+    </message>
+    <message>
+        <source>Film or infeed would exceed the controller&apos;s speed limit. Lower the rate.</source>
+        <translation>薄膜或进料的速度将超过控制器的限值。请降低速率。</translation>
+    </message>
+    <message>
+        <source>Another device on the line writes parts of commands. Check the connected devices.</source>
+        <translation>线路上有另一设备分段写入命令。请检查所连接的设备。</translation>
+    </message>
+    <message>
+        <source>The speed of an axis would change too abruptly. Stop the machine, then download; or raise the largest speed steps under Maintenance.</source>
+        <translation>轴的速度突变过大。请先停机再下载，或在“维护”中增大最大速度阶跃。</translation>
+    </message>
+    <message>
+        <source>Parts of the table are missing. Download again.</source>
+        <translation>数据表不完整。请重新下载。</translation>
+    </message>
+    <message>
+        <source>Panel and controller do not match. Update the older device.</source>
+        <translation>面板与控制器不匹配。请升级较旧的一方。</translation>
+    </message>
+    <message>
+        <source>Value %1 in the table header is outside the controller&apos;s limits. Correct the recipe.</source>
+        <translation>数据表头的第 %1 个值超出控制器的限值。请更正配方。</translation>
+    </message>
+    <message>
+        <source>Row %1 of the table is outside the range of the controller&apos;s timer. Lower the rate.</source>
+        <translation>数据表第 %1 行超出控制器定时器的范围。请降低速率。</translation>
+    </message>
+    <message>
+        <source>The table&apos;s rows do not match its total pulses and time. Download again.</source>
+        <translation>数据表各行之和与总脉冲数和总时间不符。请重新下载。</translation>
+    </message>
+    <message>
+        <source>An earlier change is waiting for the end of the cycle. Cancel it first.</source>
+        <translation>之前的更改仍在等待周期结束。请先取消该更改。</translation>
+    </message>
+    <message>
+        <source>The controller has not finished checking or saving a table. Download again.</source>
+        <translation>控制器尚未完成表格的检查或保存。请重新下载。</translation>
+    </message>
+    <message>
+        <source>Mark tracking off</source>
+        <translation>色标跟踪关闭</translation>
+    </message>
+    <message>
+        <source>Searching for marks</source>
+        <translation>正在寻找色标</translation>
+    </message>
+    <message>
+        <source>Aligning cuts with marks</source>
+        <translation>正在将切断对准色标</translation>
+    </message>
+    <message>
+        <source>Tracking marks</source>
+        <translation>正在跟踪色标</translation>
+    </message>
+    <message>
+        <source>Product in the knife&apos;s path</source>
+        <translation>产品挡住切刀</translation>
+    </message>
+    <message>
+        <source>Product longer than the bag</source>
+        <translation>产品长于袋长</translation>
+    </message>
+    <message>
+        <source>Product missing</source>
+        <translation>缺少产品</translation>
+    </message>
+    <message>
+        <source>illegal function</source>
+        <translation>非法功能</translation>
+    </message>
+    <message>
+        <source>illegal register address</source>
+        <translation>非法寄存器地址</translation>
+    </message>
+    <message>
+        <source>illegal value</source>
+        <translation>非法值</translation>
+    </message>
+    <message>
+        <source>device failure</source>
+        <translation>设备故障</translation>
+    </message>
+    <message>
+        <source>acknowledged, in progress</source>
+        <translation>已确认，正在处理</translation>
+    </message>
+    <message>
+        <source>device busy</source>
+        <translation>设备忙</translation>
+    </message>
+    <message>
+        <source>memory parity error</source>
+        <translation>存储器奇偶校验错误</translation>
+    </message>
+    <message>
+        <source>gateway path unavailable</source>
+        <translation>网关路径不可用</translation>
+    </message>
+    <message>
+        <source>no response from the device behind the gateway</source>
+        <translation>网关之后的设备无应答</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>未知</translation>
+    </message>
+    <message>
+        <source>Off</source>
+        <translation>关</translation>
+    </message>
+    <message>
+        <source>By angle</source>
+        <translation>按角度</translation>
+    </message>
+    <message>
+        <source>Rejected bags</source>
+        <translation>剔除袋</translation>
+    </message>
+    <message>
+        <source>Always on</source>
+        <translation>常开</translation>
+    </message>
+    <message>
+        <source>While running</source>
+        <translation>运行时</translation>
+    </message>
+    <message>
+        <source>Drive alarm</source>
+        <translation>驱动器报警</translation>
+    </message>
+    <message>
+        <source>Emergency stop</source>
+        <translation>急停</translation>
+    </message>
+    <message>
+        <source>Limit switch, forward</source>
+        <translation>正向限位开关</translation>
+    </message>
+    <message>
+        <source>Limit switch, reverse</source>
+        <translation>反向限位开关</translation>
+    </message>
+    <message>
+        <source>Index mark</source>
+        <translation>零位标记</translation>
+    </message>
+    <message>
+        <source>Mark sensor</source>
+        <translation>色标传感器</translation>
+    </message>
+    <message>
+        <source>Product eye</source>
+        <translation>产品光电</translation>
+    </message>
+    <message>
+        <source>Cam switch %1</source>
+        <translation>凸轮开关 %1</translation>
+    </message>
+    <message>
+        <source>Drive enable</source>
+        <translation>驱动器使能</translation>
+    </message>
+    <message>
+        <source>following</source>
+        <translation>跟随</translation>
+    </message>
+    <message>
+        <source>decelerating</source>
+        <translation>减速中</translation>
+    </message>
+    <message>
+        <source>at standstill</source>
+        <translation>停止</translation>
+    </message>
+    <message>
+        <source>accelerating</source>
+        <translation>加速中</translation>
+    </message>
+    <message>
+        <source>The emergency stop is pressed. Release it, then wait two seconds.</source>
+        <translation>急停已按下。请松开急停，然后等待两秒。</translation>
+    </message>
+    <message>
+        <source>The drive reported an alarm. Remove its cause, then reset the fault.</source>
+        <translation>驱动器曾报警。请排除原因，然后复位故障。</translation>
+    </message>
+    <message>
+        <source>The panel does not permit the start: the machine is not warm. Wait until it is warm.</source>
+        <translation>面板不允许启动：机器尚未预热。请等待预热完成。</translation>
+    </message>
+    <message>
+        <source>The panel does not permit the start with this film reel. Load and scan the right reel.</source>
+        <translation>面板不允许用此膜卷启动。请装上并扫描正确的膜卷。</translation>
+    </message>
+    <message>
+        <source>The panel does not permit the start with this program. Download the recipe again.</source>
+        <translation>面板不允许用此程序启动。请重新下载配方。</translation>
+    </message>
+    <message>
+        <source>The panel does not permit motion while the machine is cleaned. End the cleaning first.</source>
+        <translation>清洁机器时面板不允许运动。请先结束清洁。</translation>
+    </message>
+    <message>
+        <source>The panel does not permit the start. Read the reason at its Start button.</source>
+        <translation>面板不允许启动。请查看其启动键处的原因。</translation>
+    </message>
+</context>
+<context>
+    <name>Recipe</name>
+    <message>
+        <source>In a given time</source>
+        <translation>给定时间</translation>
+    </message>
+    <message>
+        <source>As fast as possible</source>
+        <translation>尽可能快</translation>
+    </message>
+    <message>
+        <source>Over a distance</source>
+        <translation>给定距离</translation>
+    </message>
+    <message>
+        <source>Cam points</source>
+        <translation>凸轮点</translation>
+    </message>
+    <message>
+        <source>Intervals</source>
+        <translation>区间</translation>
+    </message>
+    <message>
+        <source>Natural</source>
+        <translation>自然</translation>
+    </message>
+    <message>
+        <source>Clamped</source>
+        <translation>固支</translation>
+    </message>
+    <message>
+        <source>Periodic</source>
+        <translation>周期</translation>
+    </message>
+    <message>
+        <source>Trapezoid</source>
+        <translation>梯形</translation>
+    </message>
+    <message>
+        <source>S curve</source>
+        <translation>S 形曲线</translation>
+    </message>
+    <message>
+        <source>Set by hand</source>
+        <translation>手动设定</translation>
+    </message>
+    <message>
+        <source>Gentle</source>
+        <translation>平缓</translation>
+    </message>
+    <message>
+        <source>Cool</source>
+        <translation>低热</translation>
+    </message>
+    <message>
+        <source>Slow</source>
+        <translation>低速</translation>
+    </message>
+    <message>
+        <source>Between</source>
+        <translation>之间</translation>
+    </message>
+    <message>
+        <source>Law</source>
+        <translation>运动规律</translation>
+    </message>
+    <message>
+        <source>Execution</source>
+        <translation>执行方式</translation>
+    </message>
+    <message>
+        <source>Shape of the ramp</source>
+        <translation>加速曲线形状</translation>
+    </message>
+    <message>
+        <source>Duration</source>
+        <translation>时长</translation>
+    </message>
+    <message>
+        <source>Ratios</source>
+        <translation>比例</translation>
+    </message>
+    <message>
+        <source>Spline ends</source>
+        <translation>样条端点条件</translation>
+    </message>
+    <message>
+        <source>Rotary cutter</source>
+        <translation>旋转切刀</translation>
+    </message>
+    <message>
+        <source>Position move</source>
+        <translation>位置运动</translation>
+    </message>
+    <message>
+        <source>Speed move</source>
+        <translation>速度运动</translation>
+    </message>
+    <message>
+        <source>Point cam</source>
+        <translation>型值点凸轮</translation>
+    </message>
+    <message>
+        <source>Press</source>
+        <translation>压装</translation>
+    </message>
+    <message>
+        <source>Segment cam</source>
+        <translation>分段凸轮</translation>
     </message>
     <message>
         <source>Knots</source>
         <translation>型值点</translation>
     </message>
     <message>
-        <source>Code</source>
-        <translation>条码</translation>
+        <source>Segments</source>
+        <translation>运动段</translation>
     </message>
     <message>
-        <source>Film reel</source>
-        <translation>膜卷</translation>
+        <source>Exponent k</source>
+        <translation>指数 k</translation>
     </message>
     <message>
-        <source>none</source>
-        <translation>无</translation>
+        <source>Cubic (paper)</source>
+        <translation>三次（论文）</translation>
     </message>
     <message>
-        <source>Confirmed advance</source>
-        <translation>已确认的净进给</translation>
+        <source>As a displacement law, acceleration jumps to its peak (6) at both ends; as a speed law, jerk does.</source>
+        <translation>用作位移规律时，加速度在两端突变到峰值（6）；用作速度规律时，跃度在两端突变到峰值。</translation>
     </message>
     <message>
-        <source>%1 mm per cycle</source>
-        <translation>每周期 %1 mm</translation>
+        <source>Quintic 3-4-5</source>
+        <translation>五次 3-4-5</translation>
     </message>
-</context>
-<context>
-    <name>RecipeWords</name>
+    <message>
+        <source>Speed and acceleration are zero at both ends, with a short polynomial.</source>
+        <translation>多项式简短，两端速度和加速度均为零。</translation>
+    </message>
+    <message>
+        <source>Polynomial 4-5-6-7</source>
+        <translation>多项式 4-5-6-7</translation>
+    </message>
+    <message>
+        <source>Speed, acceleration and jerk are zero at both ends, which excites little vibration.</source>
+        <translation>两端速度、加速度和跃度均为零，激起的振动很小。</translation>
+    </message>
+    <message>
+        <source>This law has the highest peak speed (2.19) and peak acceleration (7.51) of the displacement laws without parameters.</source>
+        <translation>在无参数的位移规律中，峰值速度（2.19）和峰值加速度（7.51）最高。</translation>
+    </message>
+    <message>
+        <source>Harmonic</source>
+        <translation>简谐</translation>
+    </message>
+    <message>
+        <source>Half a cosine wave gives a low peak speed (1.57) and a low peak acceleration (4.93).</source>
+        <translation>由半个余弦波构成，峰值速度低（1.57），峰值加速度低（4.93）。</translation>
+    </message>
+    <message>
+        <source>As a displacement law, full acceleration at start and end causes jolts.</source>
+        <translation>用作位移规律时，起止瞬间即为最大加速度，引起冲击。</translation>
+    </message>
+    <message>
+        <source>Cycloidal</source>
+        <translation>摆线</translation>
+    </message>
+    <message>
+        <source>Acceleration is one full sine wave: smooth, and zero at both ends.</source>
+        <translation>加速度为一个完整的正弦波，全程光滑，两端为零。</translation>
+    </message>
+    <message>
+        <source>Peak speed (2) and peak acceleration (6.28) are high, and jerk jumps at both ends.</source>
+        <translation>峰值速度（2）和峰值加速度（6.28）较高，跃度在两端突变。</translation>
+    </message>
+    <message>
+        <source>Modified sine</source>
+        <translation>修正正弦</translation>
+    </message>
+    <message>
+        <source>Jerk jumps at both ends and has the highest finite peak (69.5) of the laws without parameters.</source>
+        <translation>跃度在两端突变，其有限峰值（69.5）在无参数规律中最高。</translation>
+    </message>
+    <message>
+        <source>Modified trapezoid</source>
+        <translation>修正梯形</translation>
+    </message>
+    <message>
+        <source>This law has the lowest peak acceleration (4.89) of the laws without parameters and acceleration jumps.</source>
+        <translation>在加速度无突变的无参数规律中，峰值加速度最低（4.89）。</translation>
+    </message>
+    <message>
+        <source>Peak speed (2) and peak jerk (61.4) are high, and jerk jumps at both ends.</source>
+        <translation>峰值速度（2）和峰值跃度（61.4）较高，跃度在两端突变。</translation>
+    </message>
+    <message>
+        <source>Parabolic</source>
+        <translation>抛物线</translation>
+    </message>
+    <message>
+        <source>This law has the lowest possible peak acceleration (4) from rest to rest.</source>
+        <translation>从静止到静止的运动所能达到的最低峰值加速度（4）。</translation>
+    </message>
+    <message>
+        <source>At the same peak acceleration, no law has a lower peak speed; the ramp fraction trades one for the other.</source>
+        <translation>峰值加速度相同时，没有规律的峰值速度更低；用斜坡比例在二者之间取舍。</translation>
+    </message>
+    <message>
+        <source>Seven-segment S</source>
+        <translation>七段 S 形</translation>
+    </message>
+    <message>
+        <source>Acceleration does not jump; the peaks of acceleration and jerk can be set.</source>
+        <translation>加速度无突变，加速度和跃度的峰值均可设定。</translation>
+    </message>
+    <message>
+        <source>Exponential</source>
+        <translation>指数</translation>
+    </message>
+    <message>
+        <source>Acceleration is highest at low speed, where the motor has the most torque, and lowest near the end speed.</source>
+        <translation>低速时电机转矩最充裕，加速度最大；接近终了速度时加速度最小。</translation>
+    </message>
+    <message>
+        <source>Acceleration jumps at both ends; a larger k increases the jump at the low speed.</source>
+        <translation>加速度在两端突变；k 越大，低速端的突变越大。</translation>
+    </message>
+    <message>
+        <source>Half modified sine</source>
+        <translation>半修正正弦</translation>
+    </message>
+    <message>
+        <source>Acceleration is zero at both ends and peaks at only 1.57 times its mean.</source>
+        <translation>两端加速度为零，峰值仅为平均值的 1.57 倍。</translation>
+    </message>
+    <message>
+        <source>Ramp fraction r</source>
+        <translation>斜坡比例 r</translation>
+    </message>
+    <message>
+        <source>Jerk share q</source>
+        <translation>跃度比例 q</translation>
+    </message>
     <message>
         <source>Bag length</source>
         <translation>袋长</translation>
@@ -2572,36 +2938,72 @@ RMS %2</source>
         <translation>刀尖半径 R</translation>
     </message>
     <message>
+        <source>Distance from the shaft&apos;s center to the knife edge: half of the diameter measured at the edge. All knife speeds refer to the edge.</source>
+        <translation>从轴心到刀刃的距离：在刀刃处测得直径的一半。切刀的所有速度均指刀刃处。</translation>
+    </message>
+    <message>
         <source>Knives N</source>
         <translation>刀数 N</translation>
+    </message>
+    <message>
+        <source>Number of knives on the shaft, evenly spaced. Each bag turns the shaft by one knife.</source>
+        <translation>轴上均匀分布的切刀数。每个袋使轴转过一把刀。</translation>
     </message>
     <message>
         <source>Pulses per motor rev. K</source>
         <translation>电机每转脉冲 K</translation>
     </message>
     <message>
+        <source>Pulses per motor revolution, as set in the servo drive&apos;s electronic gear. A wrong value makes all bags too long or too short.</source>
+        <translation>电机每转的脉冲数，按伺服驱动器的电子齿轮比设定。数值错误会使所有袋过长或过短。</translation>
+    </message>
+    <message>
         <source>Gear Z, motor revs</source>
         <translation>传动比 Z，电机转数</translation>
+    </message>
+    <message>
+        <source>Motor revolutions for the knife shaft revolutions below, see the gear&apos;s nameplate: 7 and 3 for a gear of 7:3.</source>
+        <translation>对应下方刀轴转数的电机转数，见减速机铭牌：7:3 的减速机填 7 和 3。</translation>
     </message>
     <message>
         <source>Gear Z, knife revs</source>
         <translation>传动比 Z，刀轴转数</translation>
     </message>
     <message>
+        <source>Knife shaft revolutions for the motor revolutions above.</source>
+        <translation>对应上方电机转数的刀轴转数。</translation>
+    </message>
+    <message>
         <source>Max. motor speed</source>
         <translation>最高电机转速</translation>
+    </message>
+    <message>
+        <source>Maximum motor speed, see the motor&apos;s nameplate. No recipe exceeds this speed.</source>
+        <translation>电机最高转速，见电机铭牌。任何配方都不会超过此转速。</translation>
     </message>
     <message>
         <source>Max. acceleration</source>
         <translation>最大加速度</translation>
     </message>
     <message>
+        <source>Maximum acceleration without vibration or loss of position. Start with a low value, and raise it as the following error allows.</source>
+        <translation>不引起振动、不丢失位置的最大加速度。先取小值，跟随误差允许时再提高。</translation>
+    </message>
+    <message>
         <source>Max. pulse frequency</source>
         <translation>最高脉冲频率</translation>
     </message>
     <message>
+        <source>Maximum pulse frequency of the drive&apos;s input, see its manual. The controller has its own limit.</source>
+        <translation>驱动器输入的最高脉冲频率，见其手册。控制器另有自身的限值。</translation>
+    </message>
+    <message>
         <source>Max. rate</source>
         <translation>最高速率</translation>
+    </message>
+    <message>
+        <source>Maximum rate that sealing time and infeed allow, independent of the knife.</source>
+        <translation>封口时间和进料允许的最高速率，与切刀能力无关。</translation>
     </message>
     <message>
         <source>Timer clock</source>
@@ -2616,120 +3018,36 @@ RMS %2</source>
         <translation>控制器行数</translation>
     </message>
     <message>
-        <source>bags/min</source>
-        <translation>袋/分</translation>
-    </message>
-    <message>
-        <source>r/min</source>
-        <translation>r/min</translation>
-    </message>
-    <message>
-        <source>pulses</source>
-        <translation>脉冲</translation>
-    </message>
-    <message>
-        <source>Cubic (paper)</source>
-        <translation>三次（论文）</translation>
-    </message>
-    <message>
-        <source>Quintic 3-4-5</source>
-        <translation>五次 3-4-5</translation>
-    </message>
-    <message>
-        <source>Polynomial 4-5-6-7</source>
-        <translation>多项式 4-5-6-7</translation>
-    </message>
-    <message>
-        <source>Harmonic</source>
-        <translation>简谐</translation>
-    </message>
-    <message>
-        <source>Cycloidal</source>
-        <translation>摆线</translation>
-    </message>
-    <message>
-        <source>Modified sine</source>
-        <translation>修正正弦</translation>
-    </message>
-    <message>
-        <source>Modified trapezoid</source>
-        <translation>修正梯形</translation>
-    </message>
-    <message>
-        <source>Parabolic</source>
-        <translation>抛物线</translation>
-    </message>
-    <message>
-        <source>Trapezoid</source>
-        <translation>梯形</translation>
-    </message>
-    <message>
-        <source>Seven-segment S</source>
-        <translation>七段 S 形</translation>
-    </message>
-    <message>
-        <source>Exponential</source>
-        <translation>指数</translation>
-    </message>
-    <message>
-        <source>Half modified sine</source>
-        <translation>半修正正弦</translation>
-    </message>
-    <message>
-        <source>Ramp fraction r</source>
-        <translation>斜坡比例 r</translation>
-    </message>
-    <message>
-        <source>Jerk share q</source>
-        <translation>跃度比例 q</translation>
-    </message>
-    <message>
-        <source>Exponent k</source>
-        <translation>指数 k</translation>
-    </message>
-    <message>
-        <source>motor speed</source>
-        <translation>电机转速</translation>
-    </message>
-    <message>
-        <source>acceleration</source>
-        <translation>加速度</translation>
-    </message>
-    <message>
-        <source>pulse frequency</source>
-        <translation>脉冲频率</translation>
-    </message>
-    <message>
-        <source>knife stroke</source>
-        <translation>切刀行程</translation>
-    </message>
-    <message>
-        <source>table rows</source>
-        <translation>数据表行数</translation>
-    </message>
-    <message>
-        <source>max. rate</source>
-        <translation>最高速率</translation>
-    </message>
-    <message>
-        <source>knife speed</source>
-        <translation>刀速</translation>
-    </message>
-    <message>
         <source>Feed per motor rev.</source>
         <translation>电机每转进给</translation>
+    </message>
+    <message>
+        <source>Travel of the axis per motor revolution, including gear and spindle.</source>
+        <translation>电机每转的轴位移，含减速机和丝杠。</translation>
     </message>
     <message>
         <source>Max. motor torque</source>
         <translation>电机最大转矩</translation>
     </message>
     <message>
+        <source>Peak torque of the motor, see the motor&apos;s nameplate. 0: unknown, no limit.</source>
+        <translation>电机峰值转矩，见电机铭牌。0 表示未知，不限制。</translation>
+    </message>
+    <message>
         <source>Inertia at the motor</source>
         <translation>折算到电机的惯量</translation>
     </message>
     <message>
+        <source>Total inertia of motor, gear and load at the motor. CamPanel uses the inertia to estimate the torque of a motion. 0: unknown.</source>
+        <translation>折算到电机的电机、减速机和负载总惯量，用于估算运动所需转矩。0 表示未知。</translation>
+    </message>
+    <message>
         <source>Friction at the motor</source>
         <translation>折算到电机的摩擦转矩</translation>
+    </message>
+    <message>
+        <source>Friction torque at the motor while the axis turns slowly and steadily.</source>
+        <translation>轴缓慢匀速转动时折算到电机的摩擦转矩。</translation>
     </message>
     <message>
         <source>Distance</source>
@@ -2828,280 +3146,20 @@ RMS %2</source>
         <translation>终点最大力</translation>
     </message>
     <message>
-        <source>As a speed law, acceleration is zero at both ends and peaks at only 1.5 times its mean.</source>
-        <translation>用作速度规律时，两端加速度为零，峰值仅为平均值的 1.5 倍。</translation>
-    </message>
-    <message>
-        <source>Speed and acceleration are zero at both ends, with a short polynomial.</source>
-        <translation>多项式简短，两端速度和加速度均为零。</translation>
-    </message>
-    <message>
-        <source>Speed, acceleration and jerk are zero at both ends, which excites little vibration.</source>
-        <translation>两端速度、加速度和跃度均为零，激起的振动很小。</translation>
-    </message>
-    <message>
-        <source>Half a cosine wave gives a low peak speed (1.57) and a low peak acceleration (4.93).</source>
-        <translation>由半个余弦波构成，峰值速度低（1.57），峰值加速度低（4.93）。</translation>
-    </message>
-    <message>
-        <source>Acceleration is one full sine wave: smooth, and zero at both ends.</source>
-        <translation>加速度为一个完整的正弦波，全程光滑，两端为零。</translation>
-    </message>
-    <message>
-        <source>Low peak speed (1.76), moderate peak acceleration (5.53) and continuous acceleration suit large inertia.</source>
-        <translation>峰值速度低（1.76），峰值加速度适中（5.53），加速度无突变，适合大惯量负载。</translation>
-    </message>
-    <message>
-        <source>This law has the lowest peak acceleration (4.89) of the laws without parameters and acceleration jumps.</source>
-        <translation>在加速度无突变的无参数规律中，峰值加速度最低（4.89）。</translation>
-    </message>
-    <message>
-        <source>This law has the lowest possible peak acceleration (4) from rest to rest.</source>
-        <translation>从静止到静止的运动所能达到的最低峰值加速度（4）。</translation>
-    </message>
-    <message>
-        <source>At the same peak acceleration, no law has a lower peak speed; the ramp fraction trades one for the other.</source>
-        <translation>峰值加速度相同时，没有规律的峰值速度更低；用斜坡比例在二者之间取舍。</translation>
-    </message>
-    <message>
-        <source>Acceleration does not jump; the peaks of acceleration and jerk can be set.</source>
-        <translation>加速度无突变，加速度和跃度的峰值均可设定。</translation>
-    </message>
-    <message>
-        <source>Acceleration is highest at low speed, where the motor has the most torque, and lowest near the end speed.</source>
-        <translation>低速时电机转矩最充裕，加速度最大；接近终了速度时加速度最小。</translation>
-    </message>
-    <message>
-        <source>Acceleration is zero at both ends and peaks at only 1.57 times its mean.</source>
-        <translation>两端加速度为零，峰值仅为平均值的 1.57 倍。</translation>
-    </message>
-    <message>
-        <source>As a displacement law, acceleration jumps to its peak (6) at both ends; as a speed law, jerk does.</source>
-        <translation>用作位移规律时，加速度在两端突变到峰值（6）；用作速度规律时，跃度在两端突变到峰值。</translation>
-    </message>
-    <message>
-        <source>Jerk jumps at both ends; a trapezoid with ramps above 22.29 % of the move needs less peak acceleration.</source>
-        <translation>跃度在两端突变；斜坡超过行程时间 22.29 % 的梯形规律所需的峰值加速度更低。</translation>
-    </message>
-    <message>
-        <source>This law has the highest peak speed (2.19) and peak acceleration (7.51) of the displacement laws without parameters.</source>
-        <translation>在无参数的位移规律中，峰值速度（2.19）和峰值加速度（7.51）最高。</translation>
-    </message>
-    <message>
-        <source>As a displacement law, full acceleration at start and end causes jolts.</source>
-        <translation>用作位移规律时，起止瞬间即为最大加速度，引起冲击。</translation>
-    </message>
-    <message>
-        <source>Peak speed (2) and peak acceleration (6.28) are high, and jerk jumps at both ends.</source>
-        <translation>峰值速度（2）和峰值加速度（6.28）较高，跃度在两端突变。</translation>
-    </message>
-    <message>
-        <source>Jerk jumps at both ends and has the highest finite peak (69.5) of the laws without parameters.</source>
-        <translation>跃度在两端突变，其有限峰值（69.5）在无参数规律中最高。</translation>
-    </message>
-    <message>
-        <source>Peak speed (2) and peak jerk (61.4) are high, and jerk jumps at both ends.</source>
-        <translation>峰值速度（2）和峰值跃度（61.4）较高，跃度在两端突变。</translation>
-    </message>
-    <message>
-        <source>As a displacement law, acceleration jumps at both ends and in the middle, and peak speed (2) is high.</source>
-        <translation>用作位移规律时，加速度在两端和中点突变，峰值速度（2）较高。</translation>
-    </message>
-    <message>
-        <source>As a displacement law, acceleration jumps at both ends of both ramps, so jerk is unbounded.</source>
-        <translation>用作位移规律时，加速度在两段斜坡的两端突变，跃度无界。</translation>
-    </message>
-    <message>
-        <source>Jerk jumps at every joint of the segments; a smaller jerk share means a higher jerk.</source>
-        <translation>跃度在各段衔接处突变；跃度比例越小，跃度越大。</translation>
-    </message>
-    <message>
-        <source>Acceleration jumps at both ends; a larger k increases the jump at the low speed.</source>
-        <translation>加速度在两端突变；k 越大，低速端的突变越大。</translation>
-    </message>
-    <message>
-        <source>The law is not symmetric: from rest, the travel is 0.568 of end speed times time; jerk jumps at both ends.</source>
-        <translation>规律不对称：从静止起步的行程为终了速度与时间乘积的 0.568 倍；跃度在两端突变。</translation>
-    </message>
-    <message>
-        <source>Rotary cutter</source>
-        <translation>旋转切刀</translation>
-    </message>
-    <message>
-        <source>Position move</source>
-        <translation>位置运动</translation>
-    </message>
-    <message>
-        <source>Speed move</source>
-        <translation>速度运动</translation>
-    </message>
-    <message>
-        <source>Point cam</source>
-        <translation>型值点凸轮</translation>
-    </message>
-    <message>
-        <source>Press</source>
-        <translation>压装</translation>
-    </message>
-    <message>
-        <source>Law</source>
-        <translation>运动规律</translation>
-    </message>
-    <message>
-        <source>Duration</source>
-        <translation>时长</translation>
-    </message>
-    <message>
-        <source>Execution</source>
-        <translation>执行方式</translation>
-    </message>
-    <message>
-        <source>Spline ends</source>
-        <translation>样条端点条件</translation>
-    </message>
-    <message>
-        <source>Shape of the ramp</source>
-        <translation>加速曲线形状</translation>
-    </message>
-    <message>
-        <source>In a given time</source>
-        <translation>给定时间</translation>
-    </message>
-    <message>
-        <source>As fast as possible</source>
-        <translation>尽可能快</translation>
-    </message>
-    <message>
-        <source>Over a distance</source>
-        <translation>给定距离</translation>
-    </message>
-    <message>
-        <source>Cam points</source>
-        <translation>凸轮点</translation>
-    </message>
-    <message>
-        <source>Intervals</source>
-        <translation>区间</translation>
-    </message>
-    <message>
-        <source>Natural</source>
-        <translation>自然</translation>
-    </message>
-    <message>
-        <source>Clamped</source>
-        <translation>固支</translation>
-    </message>
-    <message>
-        <source>Periodic</source>
-        <translation>周期</translation>
-    </message>
-    <message>
-        <source>S curve</source>
-        <translation>S 形曲线</translation>
-    </message>
-    <message>
-        <source>motor torque</source>
-        <translation>电机转矩</translation>
-    </message>
-    <message>
-        <source>Distance from the shaft&apos;s center to the knife edge: half of the diameter measured at the edge. All knife speeds refer to the edge.</source>
-        <translation>从轴心到刀刃的距离：在刀刃处测得直径的一半。切刀的所有速度均指刀刃处。</translation>
-    </message>
-    <message>
-        <source>Number of knives on the shaft, evenly spaced. Each bag turns the shaft by one knife.</source>
-        <translation>轴上均匀分布的切刀数。每个袋使轴转过一把刀。</translation>
-    </message>
-    <message>
-        <source>Pulses per motor revolution, as set in the servo drive&apos;s electronic gear. A wrong value makes all bags too long or too short.</source>
-        <translation>电机每转的脉冲数，按伺服驱动器的电子齿轮比设定。数值错误会使所有袋过长或过短。</translation>
-    </message>
-    <message>
-        <source>Motor revolutions for the knife shaft revolutions below, see the gear&apos;s nameplate: 7 and 3 for a gear of 7:3.</source>
-        <translation>对应下方刀轴转数的电机转数，见减速机铭牌：7:3 的减速机填 7 和 3。</translation>
-    </message>
-    <message>
-        <source>Knife shaft revolutions for the motor revolutions above.</source>
-        <translation>对应上方电机转数的刀轴转数。</translation>
-    </message>
-    <message>
-        <source>Maximum motor speed, see the motor&apos;s nameplate. No recipe exceeds this speed.</source>
-        <translation>电机最高转速，见电机铭牌。任何配方都不会超过此转速。</translation>
-    </message>
-    <message>
-        <source>Maximum acceleration without vibration or loss of position. Start with a low value, and raise it as the following error allows.</source>
-        <translation>不引起振动、不丢失位置的最大加速度。先取小值，跟随误差允许时再提高。</translation>
-    </message>
-    <message>
-        <source>Maximum pulse frequency of the drive&apos;s input, see its manual. The controller has its own limit.</source>
-        <translation>驱动器输入的最高脉冲频率，见其手册。控制器另有自身的限值。</translation>
-    </message>
-    <message>
-        <source>Maximum rate that sealing time and infeed allow, independent of the knife.</source>
-        <translation>封口时间和进料允许的最高速率，与切刀能力无关。</translation>
-    </message>
-    <message>
-        <source>Travel of the axis per motor revolution, including gear and spindle.</source>
-        <translation>电机每转的轴位移，含减速机和丝杠。</translation>
-    </message>
-    <message>
-        <source>Peak torque of the motor, see the motor&apos;s nameplate. 0: unknown, no limit.</source>
-        <translation>电机峰值转矩，见电机铭牌。0 表示未知，不限制。</translation>
-    </message>
-    <message>
-        <source>Total inertia of motor, gear and load at the motor. CamPanel uses the inertia to estimate the torque of a motion. 0: unknown.</source>
-        <translation>折算到电机的电机、减速机和负载总惯量，用于估算运动所需转矩。0 表示未知。</translation>
-    </message>
-    <message>
-        <source>Friction torque at the motor while the axis turns slowly and steadily.</source>
-        <translation>轴缓慢匀速转动时折算到电机的摩擦转矩。</translation>
-    </message>
-    <message>
         <source>Jaw contact angle</source>
         <translation>封刀接触角</translation>
-    </message>
-    <message>
-        <source>Min. seal time</source>
-        <translation>最短封口时间</translation>
-    </message>
-    <message>
-        <source>sync window</source>
-        <translation>同步区</translation>
-    </message>
-    <message>
-        <source>seal time</source>
-        <translation>封口时间</translation>
     </message>
     <message>
         <source>Angle of the knife shaft over which the sealing jaws touch the film: their arc divided by the knife radius. 0 is a thin knife, without checks of window and seal time.</source>
         <translation>封刀接触薄膜时刀轴转过的角度：封刀弧长除以刀半径。0 表示薄刀，不检查同步区和封口时间。</translation>
     </message>
     <message>
+        <source>Min. seal time</source>
+        <translation>最短封口时间</translation>
+    </message>
+    <message>
         <source>Minimum time of the jaws on the film, see the film&apos;s data sheet. The panel limits the rate accordingly. The controller does not store this value. 0: no minimum.</source>
         <translation>封刀接触薄膜的最短时间，见薄膜数据表。面板据此限制速率。控制器不存储该值。0 表示无要求。</translation>
-    </message>
-    <message>
-        <source>Ratios</source>
-        <translation>比例</translation>
-    </message>
-    <message>
-        <source>Set by hand</source>
-        <translation>手动设定</translation>
-    </message>
-    <message>
-        <source>Gentle</source>
-        <translation>平缓</translation>
-    </message>
-    <message>
-        <source>Cool</source>
-        <translation>低热</translation>
-    </message>
-    <message>
-        <source>Slow</source>
-        <translation>低速</translation>
-    </message>
-    <message>
-        <source>Between</source>
-        <translation>之间</translation>
     </message>
     <message>
         <source>Ramps, slow to gentle</source>
@@ -3112,24 +3170,64 @@ RMS %2</source>
         <translation>电机额定转矩</translation>
     </message>
     <message>
-        <source>Natural frequency</source>
-        <translation>固有频率</translation>
-    </message>
-    <message>
-        <source>Damping ratio</source>
-        <translation>阻尼比</translation>
-    </message>
-    <message>
         <source>Continuous torque of the motor, see the motor&apos;s nameplate. The RMS torque of a cycle stays below it. 0: unknown, no limit.</source>
         <translation>电机连续转矩，见电机铭牌。一个周期的均方根转矩不超过该值。0 表示未知，不限制。</translation>
+    </message>
+    <message>
+        <source>Natural frequency</source>
+        <translation>固有频率</translation>
     </message>
     <message>
         <source>Lowest natural frequency of the shaft behind the motor, from a measurement or the drive&apos;s analysis. 0: unknown.</source>
         <translation>电机后轴系的最低固有频率，由测量或驱动器分析得到。0 表示未知。</translation>
     </message>
     <message>
+        <source>Damping ratio</source>
+        <translation>阻尼比</translation>
+    </message>
+    <message>
         <source>Damping of this vibration as a share of critical damping. 0.05 is usual for a shaft with gear.</source>
         <translation>该振动的阻尼与临界阻尼之比。带减速机的轴通常为 0.05。</translation>
+    </message>
+    <message>
+        <source>knife speed</source>
+        <translation>刀速</translation>
+    </message>
+    <message>
+        <source>knife stroke</source>
+        <translation>切刀行程</translation>
+    </message>
+    <message>
+        <source>motor speed</source>
+        <translation>电机转速</translation>
+    </message>
+    <message>
+        <source>acceleration</source>
+        <translation>加速度</translation>
+    </message>
+    <message>
+        <source>pulse frequency</source>
+        <translation>脉冲频率</translation>
+    </message>
+    <message>
+        <source>max. rate</source>
+        <translation>最高速率</translation>
+    </message>
+    <message>
+        <source>table rows</source>
+        <translation>数据表行数</translation>
+    </message>
+    <message>
+        <source>motor torque</source>
+        <translation>电机转矩</translation>
+    </message>
+    <message>
+        <source>sync window</source>
+        <translation>同步区</translation>
+    </message>
+    <message>
+        <source>seal time</source>
+        <translation>封口时间</translation>
     </message>
     <message>
         <source>RMS torque</source>
@@ -3138,30 +3236,6 @@ RMS %2</source>
     <message>
         <source>natural frequency</source>
         <translation>固有频率</translation>
-    </message>
-    <message>
-        <source>Segment cam</source>
-        <translation>分段凸轮</translation>
-    </message>
-    <message>
-        <source>Segments</source>
-        <translation>运动段</translation>
-    </message>
-    <message>
-        <source>Knots</source>
-        <translation>型值点</translation>
-    </message>
-    <message>
-        <source>%1 segments</source>
-        <translation>%1 个运动段</translation>
-    </message>
-    <message>
-        <source>1 segment</source>
-        <translation>1 个运动段</translation>
-    </message>
-    <message>
-        <source>%1 knots</source>
-        <translation>%1 个型值点</translation>
     </message>
     <message>
         <source>Dwell</source>
@@ -3178,6 +3252,104 @@ RMS %2</source>
     <message>
         <source>Polynomial 5, with speeds and accelerations</source>
         <translation>五次多项式，可设速度和加速度</translation>
+    </message>
+    <message>
+        <source>As a speed law, acceleration is zero at both ends and peaks at only 1.5 times its mean.</source>
+        <translation>用作速度规律时，两端加速度为零，峰值仅为平均值的 1.5 倍。</translation>
+    </message>
+    <message>
+        <source>Jerk jumps at both ends; a trapezoid with ramps above 22.29 % of the move needs less peak acceleration.</source>
+        <translation>跃度在两端突变；斜坡超过行程时间 22.29 % 的梯形规律所需的峰值加速度更低。</translation>
+    </message>
+    <message>
+        <source>Low peak speed (1.76), moderate peak acceleration (5.53) and continuous acceleration suit large inertia.</source>
+        <translation>峰值速度低（1.76），峰值加速度适中（5.53），加速度无突变，适合大惯量负载。</translation>
+    </message>
+    <message>
+        <source>As a displacement law, acceleration jumps at both ends and in the middle, and peak speed (2) is high.</source>
+        <translation>用作位移规律时，加速度在两端和中点突变，峰值速度（2）较高。</translation>
+    </message>
+    <message>
+        <source>As a displacement law, acceleration jumps at both ends of both ramps, so jerk is unbounded.</source>
+        <translation>用作位移规律时，加速度在两段斜坡的两端突变，跃度无界。</translation>
+    </message>
+    <message>
+        <source>Jerk jumps at every joint of the segments; a smaller jerk share means a higher jerk.</source>
+        <translation>跃度在各段衔接处突变；跃度比例越小，跃度越大。</translation>
+    </message>
+    <message>
+        <source>The law is not symmetric: from rest, the travel is 0.568 of end speed times time; jerk jumps at both ends.</source>
+        <translation>规律不对称：从静止起步的行程为终了速度与时间乘积的 0.568 倍；跃度在两端突变。</translation>
+    </message>
+</context>
+<context>
+    <name>RecipeComparison</name>
+    <message>
+        <source>Recipe</source>
+        <translation>配方</translation>
+    </message>
+    <message>
+        <source>Program type</source>
+        <translation>程序类型</translation>
+    </message>
+    <message>
+        <source>Pinned values</source>
+        <translation>固定输入</translation>
+    </message>
+    <message>
+        <source>Law parameter 1</source>
+        <translation>规律参数 1</translation>
+    </message>
+    <message>
+        <source>Law parameter 2</source>
+        <translation>规律参数 2</translation>
+    </message>
+    <message>
+        <source>Code</source>
+        <translation>条码</translation>
+    </message>
+    <message>
+        <source>Film reel</source>
+        <translation>膜卷</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>Confirmed advance</source>
+        <translation>已确认的净进给</translation>
+    </message>
+    <message>
+        <source>%1 mm per cycle</source>
+        <translation>每周期 %1 mm</translation>
+    </message>
+</context>
+<context>
+    <name>RecipeWords</name>
+    <message>
+        <source>bags/min</source>
+        <translation>袋/分</translation>
+    </message>
+    <message>
+        <source>r/min</source>
+        <translation>r/min</translation>
+    </message>
+    <message>
+        <source>pulses</source>
+        <translation>脉冲</translation>
+    </message>
+    <message>
+        <source>%1 segments</source>
+        <translation>%1 个运动段</translation>
+    </message>
+    <message>
+        <source>1 segment</source>
+        <translation>1 个运动段</translation>
+    </message>
+    <message>
+        <source>%1 knots</source>
+        <translation>%1 个型值点</translation>
     </message>
 </context>
 <context>
@@ -3516,6 +3688,204 @@ RMS %2</source>
     </message>
 </context>
 <context>
+    <name>SegmentSentences</name>
+    <message>
+        <source>%1 %2</source>
+        <comment>%1: number, %2: unit</comment>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>Segment %1 begins at %2, which is out of range; the nearest possible value is %3.</source>
+        <translation>第 %1 段起点 %2 超出范围；最接近的可用值为 %3。</translation>
+    </message>
+    <message>
+        <source>Segment %1 has a boundary speed of %2; the nearest possible value is %3.</source>
+        <translation>第 %1 段的边界速度为 %2；最接近的可用值为 %3。</translation>
+    </message>
+    <message>
+        <source>Segment %1 has a boundary acceleration of %2; the nearest possible value is %3.</source>
+        <translation>第 %1 段的边界加速度为 %2；最接近的可用值为 %3。</translation>
+    </message>
+    <message>
+        <source>Segment %1 ends at %2, which is out of range; the nearest possible value is %3.</source>
+        <translation>第 %1 段终点 %2 超出范围；最接近的可用值为 %3。</translation>
+    </message>
+    <message>
+        <source>The cam has %1 segments; the nearest possible number is %2.</source>
+        <translation>凸轮有 %1 段；最接近的可用段数为 %2。</translation>
+    </message>
+    <message>
+        <source>Segment %1 is only %2 wide; the minimum is %3.</source>
+        <translation>第 %1 段宽度仅 %2；最小为 %3。</translation>
+    </message>
+    <message>
+        <source>Segment %1 begins at %2 and overlaps the segment before it, which ends at %3. Begin it at %3.</source>
+        <translation>第 %1 段起点为 %2，与前一段重叠，前一段终点为 %3。请将起点设为 %3。</translation>
+    </message>
+    <message>
+        <source>Segment %1 begins at %2 and leaves a gap: the segment before it ends at %3. Begin it at %3.</source>
+        <translation>第 %1 段起点为 %2，留有间隙：前一段终点为 %3。请将起点设为 %3。</translation>
+    </message>
+    <message>
+        <source>The first segment begins at %1; the cycle begins at %2.</source>
+        <translation>第一段起点为 %1；周期起点为 %2。</translation>
+    </message>
+    <message>
+        <source>The last segment ends at %1; the cycle ends at %2.</source>
+        <translation>最后一段终点为 %1；周期终点为 %2。</translation>
+    </message>
+    <message>
+        <source>The motion of segment %1 is unknown. Choose another motion.</source>
+        <translation>第 %1 段的运动规律未知。请选择其他运动规律。</translation>
+    </message>
+    <message>
+        <source>Segment %1: %2 is %3; the nearest possible value is %4.</source>
+        <translation>第 %1 段：%2 为 %3；最接近的可用值为 %4。</translation>
+    </message>
+    <message>
+        <source>Speed jumps by %1 at the end of the cycle; the axis can follow %2. Make the segments continuous.</source>
+        <translation>周期末速度突变 %1；轴可跟随 %2。请使各段连续。</translation>
+    </message>
+    <message>
+        <source>Speed jumps by %1 where segment %2 begins; the axis can follow %3. Make the segments continuous.</source>
+        <translation>第 %2 段起点速度突变 %1；轴可跟随 %3。请使各段连续。</translation>
+    </message>
+    <message>
+        <source>Where segment %1 begins: speed jumps by %2 mm/°, acceleration by %3 mm/°².</source>
+        <translation>第 %1 段起点：速度突变 %2 mm/°，加速度突变 %3 mm/°²。</translation>
+    </message>
+    <message>
+        <source>The segments are continuous.</source>
+        <translation>各段连续。</translation>
+    </message>
+    <message>
+        <source>At the end of the cycle: speed jumps by %1 mm/°, acceleration by %2 mm/°².</source>
+        <translation>周期衔接处：速度突变 %1 mm/°，加速度突变 %2 mm/°²。</translation>
+    </message>
+</context>
+<context>
+    <name>StopWords</name>
+    <message>
+        <source>Waiting for products</source>
+        <translation>等待产品</translation>
+    </message>
+    <message>
+        <source>Material</source>
+        <translation>材料</translation>
+    </message>
+    <message>
+        <source>Film change</source>
+        <translation>换膜卷</translation>
+    </message>
+    <message>
+        <source>Film torn</source>
+        <translation>膜断裂</translation>
+    </message>
+    <message>
+        <source>No product</source>
+        <translation>缺产品</translation>
+    </message>
+    <message>
+        <source>Product jam</source>
+        <translation>产品卡料</translation>
+    </message>
+    <message>
+        <source>Machine</source>
+        <translation>机器</translation>
+    </message>
+    <message>
+        <source>Film jam</source>
+        <translation>薄膜卡住</translation>
+    </message>
+    <message>
+        <source>Knife, jaws</source>
+        <translation>切刀、封刀</translation>
+    </message>
+    <message>
+        <source>Sensor</source>
+        <translation>传感器</translation>
+    </message>
+    <message>
+        <source>Adjustment</source>
+        <translation>调整</translation>
+    </message>
+    <message>
+        <source>Quality</source>
+        <translation>质量</translation>
+    </message>
+    <message>
+        <source>Seal</source>
+        <translation>封口</translation>
+    </message>
+    <message>
+        <source>Bag length</source>
+        <translation>袋长</translation>
+    </message>
+    <message>
+        <source>Print</source>
+        <translation>印刷</translation>
+    </message>
+    <message>
+        <source>Changeover</source>
+        <translation>换产</translation>
+    </message>
+    <message>
+        <source>Cleaning</source>
+        <translation>清洁</translation>
+    </message>
+    <message>
+        <source>Maintenance</source>
+        <translation>维护</translation>
+    </message>
+    <message>
+        <source>Break</source>
+        <translation>休息</translation>
+    </message>
+    <message>
+        <source>No order</source>
+        <translation>无订单</translation>
+    </message>
+    <message>
+        <source>Waiting</source>
+        <translation>等待</translation>
+    </message>
+    <message>
+        <source>No reason</source>
+        <translation>无原因</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <comment>title and code of an alarm</comment>
+        <translation>%1（%2）</translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
+        <comment>group and reason</comment>
+        <translation>%1 · %2</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 秒</translation>
+    </message>
+    <message>
+        <source>%1 min</source>
+        <translation>%1 分</translation>
+    </message>
+    <message>
+        <source>%1 h %2 min</source>
+        <translation>%1 小时 %2 分</translation>
+    </message>
+    <message>
+        <source>Short stops (up to %1)</source>
+        <translation>短停机（%1 以内）</translation>
+    </message>
+    <message>
+        <source>%1 · %2×</source>
+        <comment>duration, number of stops</comment>
+        <translation>%1 · %2 次</translation>
+    </message>
+</context>
+<context>
     <name>StoreErrorText</name>
     <message>
         <source>the folder cannot be created</source>
@@ -3837,6 +4207,13 @@ RMS %2</source>
     </message>
 </context>
 <context>
+    <name>campanel::panel::AlarmHistory</name>
+    <message>
+        <source>alarms</source>
+        <translation>报警</translation>
+    </message>
+</context>
+<context>
     <name>campanel::panel::Audit</name>
     <message>
         <source>Checking the audit trail …</source>
@@ -3966,6 +4343,65 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail an
 It replaces recipes, machine data, users with their PINs, alarms, audit trail, bags, trends and settings of this panel. The present state is saved as a backup on this panel, then the panel restarts.</source>
         <translation>文件有效：%1。
 本面板的配方、机器数据、用户及其 PIN、报警、审计记录、袋记录、趋势和设置将被替换。当前状态先备份到本面板，然后面板重新启动。</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::CamFiles</name>
+    <message>
+        <source>A new file %1 will be written.</source>
+        <translation>将写入新文件 %1。</translation>
+    </message>
+    <message>
+        <source>%1 · %2 · %3</source>
+        <comment>number of knots or segments, date, place</comment>
+        <translation>%1 · %2 · %3</translation>
+    </message>
+    <message>
+        <source>cannot be used · %1 · %2</source>
+        <comment>date, place</comment>
+        <translation>无法使用 · %1 · %2</translation>
+    </message>
+    <message>
+        <source>Line %1: %2 Correct the file; the panel reads it again automatically.</source>
+        <comment>%2: whole sentence</comment>
+        <translation>第 %1 行：%2请更正文件，面板会自动重新读取。</translation>
+    </message>
+    <message>
+        <source>%1 Correct the file; the panel reads it again automatically.</source>
+        <comment>%1: whole sentence</comment>
+        <translation>%1请更正文件，面板会自动重新读取。</translation>
+    </message>
+    <message>
+        <source>%1, slave %2 to %3 mm, will replace those of the recipe. Undo restores them.</source>
+        <comment>%1: number of knots or segments</comment>
+        <translation>%1，从轴 %2 至 %3 mm，将取代配方中的原有内容。可用“撤销”恢复。</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::CamSwitches</name>
+    <message>
+        <source>Cam switch %1: mode</source>
+        <translation>凸轮开关 %1：方式</translation>
+    </message>
+    <message>
+        <source>Cam switch %1: on angle</source>
+        <translation>凸轮开关 %1：接通角度</translation>
+    </message>
+    <message>
+        <source>Cam switch %1: off angle</source>
+        <translation>凸轮开关 %1：断开角度</translation>
+    </message>
+    <message>
+        <source>Cam switch %1: lead time</source>
+        <translation>凸轮开关 %1：提前时间</translation>
+    </message>
+    <message>
+        <source>Cam switch %1: on in every n-th cycle</source>
+        <translation>凸轮开关 %1：每 n 个周期接通一次</translation>
+    </message>
+    <message>
+        <source>Drive enable</source>
+        <translation>驱动器使能</translation>
     </message>
 </context>
 <context>
@@ -4131,71 +4567,129 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
     </message>
 </context>
 <context>
-    <name>campanel::panel::ProgramDownload</name>
+    <name>campanel::panel::Controller</name>
     <message>
-        <source>Not possible: the machine cannot execute this recipe.</source>
-        <translation>无法下载：机器不能执行此配方。</translation>
+        <source>Unknown state</source>
+        <translation>状态未知</translation>
     </message>
     <message>
-        <source>Not possible: this controller cannot execute this kind of program.</source>
-        <translation>无法下载：该控制器不能执行这类程序。</translation>
+        <source>Searching</source>
+        <translation>正在查找</translation>
     </message>
     <message>
-        <source>Controller: unknown</source>
-        <translation>控制器：未知</translation>
+        <source>Connecting</source>
+        <translation>正在连接</translation>
     </message>
     <message>
-        <source>Controller: reading the program …</source>
-        <translation>控制器：正在读取程序…</translation>
+        <source>No connection</source>
+        <translation>无连接</translation>
     </message>
     <message>
-        <source>The controller has no program</source>
-        <translation>控制器没有程序</translation>
+        <source>Wrong device</source>
+        <translation>设备不符</translation>
     </message>
     <message>
-        <source>Active in controller: generation %1</source>
-        <translation>控制器当前：第 %1 代</translation>
+        <source>Port problem</source>
+        <translation>端口问题</translation>
     </message>
     <message>
-        <source>Active in controller: generation %1 · identical</source>
-        <translation>控制器当前：第 %1 代 · 相同</translation>
+        <source>Connection restored. The controller has restarted meanwhile.</source>
+        <translation>连接已恢复。期间控制器曾重新启动。</translation>
     </message>
     <message>
-        <source>Active in controller: generation %1 · 1 value differs</source>
-        <translation>控制器当前：第 %1 代 · 1 个值不同</translation>
+        <source>Connection restored. The controller has a different program now.</source>
+        <translation>连接已恢复。控制器的程序已更换。</translation>
     </message>
     <message>
-        <source>Active in controller: generation %1 · %2 values differ</source>
-        <translation>控制器当前：第 %1 代 · %2 个值不同</translation>
+        <source>Connection restored. Before: %1. Now: %2.</source>
+        <comment>states of the machine</comment>
+        <translation>连接已恢复。之前：%1。现在：%2。</translation>
     </message>
     <message>
-        <source>No connection. Last known program in the controller: generation %1</source>
-        <translation>没有连接。控制器中最后已知的程序：第 %1 代</translation>
+        <source>Connection restored: Stop was sent, and the controller accepted the command.</source>
+        <translation>连接已恢复：停止命令已发送，控制器已接受。</translation>
     </message>
     <message>
-        <source>The controller already has this program.</source>
-        <translation>控制器中已有此程序。</translation>
+        <source>Stop was withdrawn and will not be sent.</source>
+        <translation>停止命令已撤回，不会再发送。</translation>
     </message>
     <message>
-        <source>The new recipe is used from the next start.</source>
-        <translation>新配方从下次启动起使用。</translation>
+        <source>Stop was not sent: a different machine is connected now.</source>
+        <translation>停止命令未发送：现在连接的是另一台机器。</translation>
     </message>
     <message>
-        <source>Downloaded. The machine is running this recipe.</source>
-        <translation>已下载。机器正按此配方运行。</translation>
+        <source>Connection restored: Stop was sent, but the machine was no longer running.</source>
+        <translation>连接已恢复：停止命令已发送，但机器已不在运行。</translation>
     </message>
     <message>
-        <source>Downloaded. Press Start to run this recipe.</source>
-        <translation>已下载。按“启动”运行此配方。</translation>
+        <source>Stop was sent. Waiting for the response.</source>
+        <translation>停止命令已发送，正在等待应答。</translation>
     </message>
     <message>
-        <source>Downloaded. The controller has this recipe.</source>
-        <translation>已下载。控制器中已有此配方。</translation>
+        <source>Stop is not sent yet. The panel sends Stop as soon as the connection is restored.</source>
+        <translation>停止命令尚未发送。连接恢复后立即发送。</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::CutterMap</name>
+    <message>
+        <source>L_min: the jaws just fill the window</source>
+        <translation>L_min：封刀刚好占满窗口</translation>
     </message>
     <message>
-        <source>%1 Confirm the advance, or close the cam.</source>
-        <comment>%1: whole sentence</comment>
-        <translation>%1请确认净进给，或闭合凸轮。</translation>
+        <source>h/c: the knife turns evenly</source>
+        <translation>h/c：切刀匀速转动</translation>
+    </message>
+    <message>
+        <source>L_crit: the longest ramps stop the knife</source>
+        <translation>L_crit：最长斜坡使切刀停顿</translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
+        <comment>%1: bag length, %2: rate</comment>
+        <translation>%1 · %2</translation>
+    </message>
+    <message>
+        <source>Up to %1; limited by: %2.</source>
+        <comment>%1: rate, %2: name of the limit</comment>
+        <translation>最快 %1，受限于%2。</translation>
+    </message>
+    <message>
+        <source>No rate is possible; limited by: %1.</source>
+        <comment>name of the limit</comment>
+        <translation>任何速率都不可行，受限于%1。</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::DatabaseService</name>
+    <message>
+        <source>%1 Until then, new data are lost at a restart.</source>
+        <comment>%1: whole sentences</comment>
+        <translation>%1在此之前，新数据在重启后丢失。</translation>
+    </message>
+    <message>
+        <source>The panel&apos;s database was damaged. The last good copy is used; the damaged file is kept as %1.</source>
+        <translation>面板的数据库曾损坏，现使用最近的完好副本；损坏的文件保留为 %1。</translation>
+    </message>
+    <message>
+        <source>The panel&apos;s database was damaged and there was no copy. A new, empty database was created; the damaged file is kept as %1.</source>
+        <translation>面板的数据库已损坏且没有副本，已新建空数据库；损坏的文件保留为 %1。</translation>
+    </message>
+    <message>
+        <source>The backup has been restored. The previous data are kept in %1.</source>
+        <translation>备份已恢复。之前的内容保存在 %1。</translation>
+    </message>
+    <message>
+        <source>The restore could not be completed: %1. The panel tries again at the next start.</source>
+        <translation>恢复未能完成：%1。下次启动时将再次尝试。</translation>
+    </message>
+    <message>
+        <source>The panel&apos;s database was missing or empty and was replaced by the last good copy. Data saved after the last start are lost.</source>
+        <translation>面板的数据库丢失或为空，已用最近的完好副本代替。上次启动之后保存的数据已丢失。</translation>
+    </message>
+    <message>
+        <source>The panel&apos;s database was missing or empty, and there was no good copy. A new, empty database was created; restore a backup.</source>
+        <translation>面板的数据库丢失或为空，且没有完好的副本。已新建空数据库；请恢复备份。</translation>
     </message>
 </context>
 <context>
@@ -4793,6 +5287,59 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
     </message>
 </context>
 <context>
+    <name>campanel::panel::FileExchange</name>
+    <message>
+        <source>%1 is read-only. Unlock the stick or choose another location.</source>
+        <translation>%1 为只读。请解除 U 盘的写保护，或选择其他位置。</translation>
+    </message>
+    <message>
+        <source>Written: %1</source>
+        <translation>已写入：%1</translation>
+    </message>
+    <message>
+        <source>%1 · read-only</source>
+        <translation>%1 · 只读</translation>
+    </message>
+    <message>
+        <source>Written: %1. You can remove the stick now.</source>
+        <translation>已写入：%1。现在可以拔出 U 盘。</translation>
+    </message>
+    <message>
+        <source>%1 Also missing: %2.</source>
+        <comment>%1: whole sentences, %2: files</comment>
+        <translation>%1 另外缺少：%2。</translation>
+    </message>
+    <message>
+        <source>Written: %1 of %2 files. %3</source>
+        <comment>%3: whole sentences</comment>
+        <translation>已写入 %1 个文件，共 %2 个。%3</translation>
+    </message>
+    <message>
+        <source>%1 files in %2</source>
+        <comment>number, folder</comment>
+        <translation>%2 中的 %1 个文件</translation>
+    </message>
+    <message>
+        <source>Some files are not shown</source>
+        <translation>部分文件未显示</translation>
+    </message>
+    <message>
+        <source>%1 · no answer</source>
+        <translation>%1 · 无响应</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::FilmCheck</name>
+    <message>
+        <source>Wrong film reel: %1 was scanned, the recipe needs %2. Load and scan the right reel.</source>
+        <translation>膜卷错误：扫描到 %1，配方需要 %2。请装上正确的膜卷并扫描。</translation>
+    </message>
+    <message>
+        <source>Unknown code %1: no recipe and no film reel has it. Load and scan the film reel %2.</source>
+        <translation>未知条码 %1：没有配方或膜卷使用它。请装上膜卷 %2 并扫描。</translation>
+    </message>
+</context>
+<context>
     <name>campanel::panel::FrameList</name>
     <message>
         <source>Sent at %1</source>
@@ -4887,53 +5434,6 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
     </message>
 </context>
 <context>
-    <name>campanel::panel::CamSwitches</name>
-    <message>
-        <source>Cam switch %1: mode</source>
-        <translation>凸轮开关 %1：方式</translation>
-    </message>
-    <message>
-        <source>Cam switch %1: on angle</source>
-        <translation>凸轮开关 %1：接通角度</translation>
-    </message>
-    <message>
-        <source>Cam switch %1: off angle</source>
-        <translation>凸轮开关 %1：断开角度</translation>
-    </message>
-    <message>
-        <source>Cam switch %1: lead time</source>
-        <translation>凸轮开关 %1：提前时间</translation>
-    </message>
-    <message>
-        <source>Cam switch %1: on in every n-th cycle</source>
-        <translation>凸轮开关 %1：每 n 个周期接通一次</translation>
-    </message>
-    <message>
-        <source>Drive enable</source>
-        <translation>驱动器使能</translation>
-    </message>
-    <message>
-        <source>Off</source>
-        <translation>关</translation>
-    </message>
-    <message>
-        <source>Always on</source>
-        <translation>常开</translation>
-    </message>
-    <message>
-        <source>While running</source>
-        <translation>运行时</translation>
-    </message>
-    <message>
-        <source>By angle</source>
-        <translation>按角度</translation>
-    </message>
-    <message>
-        <source>Rejected bags</source>
-        <translation>剔除袋</translation>
-    </message>
-</context>
-<context>
     <name>campanel::panel::IoList</name>
     <message>
         <source>%1 pulses</source>
@@ -5017,22 +5517,6 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
         <translation>%1 mm</translation>
     </message>
     <message>
-        <source>following</source>
-        <translation>跟随</translation>
-    </message>
-    <message>
-        <source>decelerating</source>
-        <translation>减速中</translation>
-    </message>
-    <message>
-        <source>at standstill</source>
-        <translation>停止</translation>
-    </message>
-    <message>
-        <source>accelerating</source>
-        <translation>加速中</translation>
-    </message>
-    <message>
         <source>Pulses to the film</source>
         <translation>送往薄膜轴的脉冲</translation>
     </message>
@@ -5045,22 +5529,6 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
         <translation>薄膜：发送减编码器</translation>
     </message>
     <message>
-        <source>Drive alarm</source>
-        <translation>驱动器报警</translation>
-    </message>
-    <message>
-        <source>Emergency stop</source>
-        <translation>急停</translation>
-    </message>
-    <message>
-        <source>Limit switch, forward</source>
-        <translation>正向限位开关</translation>
-    </message>
-    <message>
-        <source>Limit switch, reverse</source>
-        <translation>反向限位开关</translation>
-    </message>
-    <message>
         <source>Torque of the axis, of rated</source>
         <translation>轴转矩，占额定</translation>
     </message>
@@ -5071,14 +5539,6 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
     <message>
         <source>Infeed, sent minus encoder</source>
         <translation>进料：发出减编码器</translation>
-    </message>
-    <message>
-        <source>Drive enable</source>
-        <translation>驱动器使能</translation>
-    </message>
-    <message>
-        <source>Cam switch %1</source>
-        <translation>凸轮开关 %1</translation>
     </message>
     <message>
         <source>%1 %</source>
@@ -5138,38 +5598,6 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
     </message>
 </context>
 <context>
-    <name>campanel::panel::CamFiles</name>
-    <message>
-        <source>A new file %1 will be written.</source>
-        <translation>将写入新文件 %1。</translation>
-    </message>
-    <message>
-        <source>%1 · %2 · %3</source>
-        <comment>number of knots or segments, date, place</comment>
-        <translation>%1 · %2 · %3</translation>
-    </message>
-    <message>
-        <source>cannot be used · %1 · %2</source>
-        <comment>date, place</comment>
-        <translation>无法使用 · %1 · %2</translation>
-    </message>
-    <message>
-        <source>Line %1: %2 Correct the file; the panel reads it again automatically.</source>
-        <comment>%2: whole sentence</comment>
-        <translation>第 %1 行：%2请更正文件，面板会自动重新读取。</translation>
-    </message>
-    <message>
-        <source>%1 Correct the file; the panel reads it again automatically.</source>
-        <comment>%1: whole sentence</comment>
-        <translation>%1请更正文件，面板会自动重新读取。</translation>
-    </message>
-    <message>
-        <source>%1, slave %2 to %3 mm, will replace those of the recipe. Undo restores them.</source>
-        <comment>%1: number of knots or segments</comment>
-        <translation>%1，从轴 %2 至 %3 mm，将取代配方中的原有内容。可用“撤销”恢复。</translation>
-    </message>
-</context>
-<context>
     <name>campanel::panel::KnotModel</name>
     <message>
         <source>Knot %1, master</source>
@@ -5186,122 +5614,6 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
     <message>
         <source>At the end of the cycle: speed jumps by %1 mm/°, acceleration by %2 mm/°².</source>
         <translation>周期衔接处：速度突变 %1 mm/°，加速度突变 %2 mm/°²。</translation>
-    </message>
-</context>
-<context>
-    <name>campanel::panel::SimulatedFaults</name>
-    <message>
-        <source>Late responses</source>
-        <translation>应答延迟</translation>
-    </message>
-    <message>
-        <source>Responses arrive 1.5 timeouts late, after the next request.</source>
-        <translation>应答延迟 1.5 个超时时间，与下一个请求相遇。</translation>
-    </message>
-    <message>
-        <source>Lost frames</source>
-        <translation>报文丢失</translation>
-    </message>
-    <message>
-        <source>Requests and responses that never arrive.</source>
-        <translation>丢失的请求和应答。</translation>
-    </message>
-    <message>
-        <source>Corrupted responses</source>
-        <translation>应答损坏</translation>
-    </message>
-    <message>
-        <source>Flipped bits and truncated responses.</source>
-        <translation>位翻转，或应答被截断。</translation>
-    </message>
-    <message>
-        <source>Noise</source>
-        <translation>噪声</translation>
-    </message>
-    <message>
-        <source>Random bytes after the responses.</source>
-        <translation>应答之后的随机字节。</translation>
-    </message>
-    <message>
-        <source>A second master</source>
-        <translation>第二主站</translation>
-    </message>
-    <message>
-        <source>Its valid responses arrive in place of the panel&apos;s.</source>
-        <translation>其有效应答出现在面板等待应答的位置。</translation>
-    </message>
-    <message>
-        <source>Responses of other devices</source>
-        <translation>其他设备的应答</translation>
-    </message>
-    <message>
-        <source>Wrong unit, wrong function, wrong length.</source>
-        <translation>站号、功能码或长度错误。</translation>
-    </message>
-    <message>
-        <source>Busy controller</source>
-        <translation>控制器忙</translation>
-    </message>
-    <message>
-        <source>The controller refuses three requests in a row.</source>
-        <translation>控制器连续拒绝三次请求。</translation>
-    </message>
-    <message>
-        <source>Silence</source>
-        <translation>静默</translation>
-    </message>
-    <message>
-        <source>No data passes for two seconds.</source>
-        <translation>两秒内没有任何数据通过。</translation>
-    </message>
-    <message>
-        <source>Unplugged adapter</source>
-        <translation>适配器拔出</translation>
-    </message>
-    <message>
-        <source>The port disappears for two seconds.</source>
-        <translation>端口消失两秒。</translation>
-    </message>
-    <message>
-        <source>Restarts of the controller</source>
-        <translation>控制器重启</translation>
-    </message>
-    <message>
-        <source>Silence, then power-on with the saved program. The machine stops.</source>
-        <translation>先静默，再以已保存的程序上电。机器停止。</translation>
-    </message>
-    <message>
-        <source>Another register map</source>
-        <translation>另一种寄存器表</translation>
-    </message>
-    <message>
-        <source>Takes effect when the panel reconnects, after another fault.</source>
-        <translation>其他故障后，面板重新连接时生效。</translation>
-    </message>
-    <message>
-        <source>No faults: the connection works without errors.</source>
-        <translation>没有故障：通信正常。</translation>
-    </message>
-    <message>
-        <source>Active: %1</source>
-        <translation>已启用：%1</translation>
-    </message>
-    <message>
-        <source>, </source>
-        <comment>between names</comment>
-        <translation>、</translation>
-    </message>
-    <message>
-        <source>The simulated controller refused the fault: %1</source>
-        <translation>仿真控制器拒绝了该故障：%1</translation>
-    </message>
-    <message>
-        <source>Faults are available for the simulated controller only.</source>
-        <translation>故障模拟仅适用于仿真控制器。</translation>
-    </message>
-    <message>
-        <source>The simulated controller is not running. Connect it, then try again.</source>
-        <translation>仿真控制器未运行。请连接后重试。</translation>
     </message>
 </context>
 <context>
@@ -5462,67 +5774,22 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
     </message>
 </context>
 <context>
-    <name>campanel::panel::Controller</name>
+    <name>campanel::panel::LogFilterEditor</name>
     <message>
-        <source>Unknown state</source>
-        <translation>状态未知</translation>
+        <source>%1 to %2</source>
+        <translation>%1 至 %2</translation>
     </message>
     <message>
-        <source>Searching</source>
-        <translation>正在查找</translation>
+        <source>from %1</source>
+        <translation>自 %1 起</translation>
     </message>
     <message>
-        <source>Connecting</source>
-        <translation>正在连接</translation>
+        <source>until %1</source>
+        <translation>至 %1</translation>
     </message>
     <message>
-        <source>No connection</source>
-        <translation>无连接</translation>
-    </message>
-    <message>
-        <source>Wrong device</source>
-        <translation>设备不符</translation>
-    </message>
-    <message>
-        <source>Port problem</source>
-        <translation>端口问题</translation>
-    </message>
-    <message>
-        <source>Connection restored. The controller has restarted meanwhile.</source>
-        <translation>连接已恢复。期间控制器曾重新启动。</translation>
-    </message>
-    <message>
-        <source>Connection restored. The controller has a different program now.</source>
-        <translation>连接已恢复。控制器的程序已更换。</translation>
-    </message>
-    <message>
-        <source>Connection restored. Before: %1. Now: %2.</source>
-        <comment>states of the machine</comment>
-        <translation>连接已恢复。之前：%1。现在：%2。</translation>
-    </message>
-    <message>
-        <source>Connection restored: Stop was sent, and the controller accepted the command.</source>
-        <translation>连接已恢复：停止命令已发送，控制器已接受。</translation>
-    </message>
-    <message>
-        <source>Stop was withdrawn and will not be sent.</source>
-        <translation>停止命令已撤回，不会再发送。</translation>
-    </message>
-    <message>
-        <source>Stop was not sent: a different machine is connected now.</source>
-        <translation>停止命令未发送：现在连接的是另一台机器。</translation>
-    </message>
-    <message>
-        <source>Connection restored: Stop was sent, but the machine was no longer running.</source>
-        <translation>连接已恢复：停止命令已发送，但机器已不在运行。</translation>
-    </message>
-    <message>
-        <source>Stop was sent. Waiting for the response.</source>
-        <translation>停止命令已发送，正在等待应答。</translation>
-    </message>
-    <message>
-        <source>Stop is not sent yet. The panel sends Stop as soon as the connection is restored.</source>
-        <translation>停止命令尚未发送。连接恢复后立即发送。</translation>
+        <source>“%1”</source>
+        <translation>“%1”</translation>
     </message>
 </context>
 <context>
@@ -5820,6 +6087,74 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
     </message>
 </context>
 <context>
+    <name>campanel::panel::ProgramDownload</name>
+    <message>
+        <source>Not possible: the machine cannot execute this recipe.</source>
+        <translation>无法下载：机器不能执行此配方。</translation>
+    </message>
+    <message>
+        <source>Not possible: this controller cannot execute this kind of program.</source>
+        <translation>无法下载：该控制器不能执行这类程序。</translation>
+    </message>
+    <message>
+        <source>Controller: unknown</source>
+        <translation>控制器：未知</translation>
+    </message>
+    <message>
+        <source>Controller: reading the program …</source>
+        <translation>控制器：正在读取程序…</translation>
+    </message>
+    <message>
+        <source>The controller has no program</source>
+        <translation>控制器没有程序</translation>
+    </message>
+    <message>
+        <source>Active in controller: generation %1</source>
+        <translation>控制器当前：第 %1 代</translation>
+    </message>
+    <message>
+        <source>Active in controller: generation %1 · identical</source>
+        <translation>控制器当前：第 %1 代 · 相同</translation>
+    </message>
+    <message>
+        <source>Active in controller: generation %1 · 1 value differs</source>
+        <translation>控制器当前：第 %1 代 · 1 个值不同</translation>
+    </message>
+    <message>
+        <source>Active in controller: generation %1 · %2 values differ</source>
+        <translation>控制器当前：第 %1 代 · %2 个值不同</translation>
+    </message>
+    <message>
+        <source>No connection. Last known program in the controller: generation %1</source>
+        <translation>没有连接。控制器中最后已知的程序：第 %1 代</translation>
+    </message>
+    <message>
+        <source>The controller already has this program.</source>
+        <translation>控制器中已有此程序。</translation>
+    </message>
+    <message>
+        <source>The new recipe is used from the next start.</source>
+        <translation>新配方从下次启动起使用。</translation>
+    </message>
+    <message>
+        <source>Downloaded. The machine is running this recipe.</source>
+        <translation>已下载。机器正按此配方运行。</translation>
+    </message>
+    <message>
+        <source>Downloaded. Press Start to run this recipe.</source>
+        <translation>已下载。按“启动”运行此配方。</translation>
+    </message>
+    <message>
+        <source>Downloaded. The controller has this recipe.</source>
+        <translation>已下载。控制器中已有此配方。</translation>
+    </message>
+    <message>
+        <source>%1 Confirm the advance, or close the cam.</source>
+        <comment>%1: whole sentence</comment>
+        <translation>%1请确认净进给，或闭合凸轮。</translation>
+    </message>
+</context>
+<context>
     <name>campanel::panel::ProgramProof</name>
     <message>
         <source>The controller has no program. Download a recipe first.</source>
@@ -5927,6 +6262,89 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
     </message>
 </context>
 <context>
+    <name>campanel::panel::RampControl</name>
+    <message>
+        <source>Peak acceleration</source>
+        <translation>峰值加速度</translation>
+    </message>
+    <message>
+        <source>RMS acceleration</source>
+        <translation>均方根加速度</translation>
+    </message>
+    <message>
+        <source>Peak speed</source>
+        <translation>峰值转速</translation>
+    </message>
+    <message>
+        <source>Highest rate</source>
+        <translation>最高速率</translation>
+    </message>
+    <message>
+        <source>%1 m/s²</source>
+        <translation>%1 m/s²</translation>
+    </message>
+    <message>
+        <source>%1 r/min</source>
+        <translation>%1 r/min</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Ratios: %1 %</source>
+        <comment>position between slow and gentle</comment>
+        <translation>比例：%1 %</translation>
+    </message>
+    <message>
+        <source>Ratios: %1</source>
+        <comment>set by hand, gentle, cool or slow</comment>
+        <translation>比例：%1</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::ReasonEditor</name>
+    <message>
+        <source>Enter a name.</source>
+        <translation>请输入名称。</translation>
+    </message>
+    <message>
+        <source>The name is longer than %1 letters.</source>
+        <translation>名称超过 %1 个字符。</translation>
+    </message>
+    <message>
+        <source>The name cannot contain a slash.</source>
+        <translation>名称不能包含斜杠。</translation>
+    </message>
+    <message>
+        <source>This name is already in the list.</source>
+        <translation>列表中已有此名称。</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::RecipeCodes</name>
+    <message>
+        <source>Any reel</source>
+        <translation>任意膜卷</translation>
+    </message>
+    <message>
+        <source>The code is too long. Enter at most %1 letters and digits.</source>
+        <translation>条码太长。请输入不超过 %1 个字母和数字。</translation>
+    </message>
+    <message>
+        <source>The code has characters that cannot be printed. Enter letters and digits.</source>
+        <translation>条码含有不可打印的字符。请输入字母和数字。</translation>
+    </message>
+    <message>
+        <source>This is the code of the recipe %1. Enter another code.</source>
+        <translation>这是配方 %1 的条码。请输入其他条码。</translation>
+    </message>
+    <message>
+        <source>This is the code of the film reel of %1. Enter another code.</source>
+        <translation>这是 %1 的膜卷条码。请输入其他条码。</translation>
+    </message>
+</context>
+<context>
     <name>campanel::panel::RecipeFiles</name>
     <message>
         <source>%1 · %2 · %3</source>
@@ -5978,10 +6396,6 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
         <source>%1 by %2</source>
         <comment>date, person</comment>
         <translation>%1，%2</translation>
-    </message>
-    <message>
-        <source>Knots</source>
-        <translation>型值点</translation>
     </message>
     <message>
         <source>%1 · version %2, %3</source>
@@ -6119,38 +6533,6 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
     </message>
 </context>
 <context>
-    <name>campanel::panel::DatabaseService</name>
-    <message>
-        <source>%1 Until then, new data are lost at a restart.</source>
-        <comment>%1: whole sentences</comment>
-        <translation>%1在此之前，新数据在重启后丢失。</translation>
-    </message>
-    <message>
-        <source>The panel&apos;s database was damaged. The last good copy is used; the damaged file is kept as %1.</source>
-        <translation>面板的数据库曾损坏，现使用最近的完好副本；损坏的文件保留为 %1。</translation>
-    </message>
-    <message>
-        <source>The panel&apos;s database was damaged and there was no copy. A new, empty database was created; the damaged file is kept as %1.</source>
-        <translation>面板的数据库已损坏且没有副本，已新建空数据库；损坏的文件保留为 %1。</translation>
-    </message>
-    <message>
-        <source>The backup has been restored. The previous data are kept in %1.</source>
-        <translation>备份已恢复。之前的内容保存在 %1。</translation>
-    </message>
-    <message>
-        <source>The restore could not be completed: %1. The panel tries again at the next start.</source>
-        <translation>恢复未能完成：%1。下次启动时将再次尝试。</translation>
-    </message>
-    <message>
-        <source>The panel&apos;s database was missing or empty and was replaced by the last good copy. Data saved after the last start are lost.</source>
-        <translation>面板的数据库丢失或为空，已用最近的完好副本代替。上次启动之后保存的数据已丢失。</translation>
-    </message>
-    <message>
-        <source>The panel&apos;s database was missing or empty, and there was no good copy. A new, empty database was created; restore a backup.</source>
-        <translation>面板的数据库丢失或为空，且没有完好的副本。已新建空数据库；请恢复备份。</translation>
-    </message>
-</context>
-<context>
     <name>campanel::panel::RegisterInspector</name>
     <message>
         <source>All groups</source>
@@ -6189,6 +6571,80 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
     <message>
         <source>New files will be written to %1.</source>
         <translation>新文件将写入 %1。</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::Scan</name>
+    <message>
+        <source>Time between keys</source>
+        <translation>按键间隔</translation>
+    </message>
+    <message>
+        <source>The prefix is not possible. Enter up to 8 letters, digits or signs of ASCII without spaces.</source>
+        <translation>前缀无效。请输入不超过 8 个 ASCII 字母、数字或符号，不含空格。</translation>
+    </message>
+    <message>
+        <source>The code was not read completely. Scan again.</source>
+        <translation>条码未读完整。请重新扫描。</translation>
+    </message>
+    <message>
+        <source>No recipe has the code %1. Enter the code with its recipe on the Recipes page.</source>
+        <translation>没有配方使用条码 %1。请在“配方”页面为配方输入该条码。</translation>
+    </message>
+    <message>
+        <source>%1 and %2 have the same code %3. Give one of them another code.</source>
+        <translation>%1 和 %2 的条码同为 %3。请为其中一个更换条码。</translation>
+    </message>
+    <message>
+        <source>Complete the first start, then scan again.</source>
+        <translation>请先完成首次启动，然后重新扫描。</translation>
+    </message>
+    <message>
+        <source>The recipes are still being read. Scan again.</source>
+        <translation>正在读取配方。请重新扫描。</translation>
+    </message>
+    <message>
+        <source>A download is running. Scan again when the download has ended.</source>
+        <translation>正在下载。请在下载结束后重新扫描。</translation>
+    </message>
+    <message>
+        <source>Film reel %1 is the right one for this recipe.</source>
+        <translation>膜卷 %1 与此配方相符。</translation>
+    </message>
+    <message>
+        <source>Film reel %1 is loaded. The next recipe is compared with it.</source>
+        <translation>膜卷 %1 已装入，将与下一个配方比对。</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::SegmentModel</name>
+    <message>
+        <source>%1 – %2°</source>
+        <translation>%1 – %2°</translation>
+    </message>
+    <message>
+        <source>Ends at</source>
+        <translation>终点</translation>
+    </message>
+    <message>
+        <source>End position</source>
+        <translation>终点位置</translation>
+    </message>
+    <message>
+        <source>Start speed</source>
+        <translation>起点速度</translation>
+    </message>
+    <message>
+        <source>Start acceleration</source>
+        <translation>起点加速度</translation>
+    </message>
+    <message>
+        <source>End speed</source>
+        <translation>终点速度</translation>
+    </message>
+    <message>
+        <source>End acceleration</source>
+        <translation>终点加速度</translation>
     </message>
 </context>
 <context>
@@ -6284,494 +6740,6 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
     <message>
         <source>The settings file was damaged or missing and has no good copy. No controller is selected: select one on the Settings page, under Connection.</source>
         <translation>设置文件已损坏或丢失，且没有完好的副本。未选择控制器：请在“设置”页的“通信”中选择。</translation>
-    </message>
-</context>
-<context>
-    <name>campanel::panel::StartPermit</name>
-    <message>
-        <source>Start only with this panel&apos;s permit</source>
-        <translation>仅在本面板允许时启动</translation>
-    </message>
-    <message>
-        <source>This controller does not have this setting. Update its firmware.</source>
-        <translation>此控制器没有该设置。请更新其固件。</translation>
-    </message>
-    <message>
-        <source>On: the controller refuses a start that the panel would block, for example with a wrong film reel.</source>
-        <translation>开：控制器拒绝面板会禁止的启动，例如膜卷不对时。</translation>
-    </message>
-</context>
-<context>
-    <name>campanel::panel::Trends</name>
-    <message>
-        <source>bags</source>
-        <translation>袋记录</translation>
-    </message>
-    <message>
-        <source>trends</source>
-        <translation>趋势</translation>
-    </message>
-    <message>
-        <source>Single bags are left out: more than %1. Show a shorter time.</source>
-        <translation>单个袋的数据未导出：超过 %1 个。请显示较短的时间段。</translation>
-    </message>
-</context>
-<context>
-    <name>campanel::panel::Value</name>
-    <message>
-        <source>Enter a number.</source>
-        <translation>请输入数字。</translation>
-    </message>
-    <message>
-        <source>The minimum is %1.</source>
-        <translation>最小值为 %1。</translation>
-    </message>
-    <message>
-        <source>The maximum is %1.</source>
-        <translation>最大值为 %1。</translation>
-    </message>
-</context>
-<context>
-    <name>campanel::panel::Versions</name>
-    <message>
-        <source>%1, version %2</source>
-        <comment>recipe, number</comment>
-        <translation>%1，版本 %2</translation>
-    </message>
-    <message>
-        <source>firmware %1, register map %2.%3, serial number %4</source>
-        <translation>固件 %1，寄存器表 %2.%3，序列号 %4</translation>
-    </message>
-    <message>
-        <source>not known yet: measured from the second day on</source>
-        <translation>尚未知：从第二天起测量</translation>
-    </message>
-    <message>
-        <source>%1 MB a day</source>
-        <translation>每天 %1 MB</translation>
-    </message>
-    <message>
-        <source>%1; the disk lasts more than 100 years</source>
-        <comment>growth</comment>
-        <translation>%1；磁盘可用 100 年以上</translation>
-    </message>
-    <message>
-        <source>%1; the disk lasts %2 years</source>
-        <comment>growth, number</comment>
-        <translation>%1；磁盘可用 %2 年</translation>
-    </message>
-    <message>
-        <source>The disk lasts for less than five years. Free some disk space, or use a larger disk.</source>
-        <translation>磁盘空间不足五年使用。请腾出磁盘空间，或更换更大的磁盘。</translation>
-    </message>
-    <message>
-        <source>unknown</source>
-        <translation>未知</translation>
-    </message>
-    <message>
-        <source>%1, CRC-32 %2</source>
-        <comment>number, number</comment>
-        <translation>%1，CRC-32 %2</translation>
-    </message>
-    <message>
-        <source>%1 GB free</source>
-        <translation>可用 %1 GB</translation>
-    </message>
-    <message>
-        <source>Panel</source>
-        <translation>面板</translation>
-    </message>
-    <message>
-        <source>Gateway</source>
-        <translation>网关</translation>
-    </message>
-    <message>
-        <source>unknown: not connected</source>
-        <translation>未知：未连接</translation>
-    </message>
-    <message>
-        <source>Controller</source>
-        <translation>控制器</translation>
-    </message>
-    <message>
-        <source>Active program</source>
-        <translation>运行中的程序</translation>
-    </message>
-    <message>
-        <source>Generation</source>
-        <translation>代次</translation>
-    </message>
-    <message>
-        <source>Open recipe</source>
-        <translation>打开的配方</translation>
-    </message>
-    <message>
-        <source>Disk</source>
-        <translation>磁盘</translation>
-    </message>
-    <message>
-        <source>Growth</source>
-        <translation>数据增长</translation>
-    </message>
-</context>
-<context>
-    <name>campanel::panel::FileExchange</name>
-    <message>
-        <source>%1 is read-only. Unlock the stick or choose another location.</source>
-        <translation>%1 为只读。请解除 U 盘的写保护，或选择其他位置。</translation>
-    </message>
-    <message>
-        <source>Written: %1</source>
-        <translation>已写入：%1</translation>
-    </message>
-    <message>
-        <source>%1 · read-only</source>
-        <translation>%1 · 只读</translation>
-    </message>
-    <message>
-        <source>Written: %1. You can remove the stick now.</source>
-        <translation>已写入：%1。现在可以拔出 U 盘。</translation>
-    </message>
-    <message>
-        <source>%1 Also missing: %2.</source>
-        <comment>%1: whole sentences, %2: files</comment>
-        <translation>%1 另外缺少：%2。</translation>
-    </message>
-    <message>
-        <source>Written: %1 of %2 files. %3</source>
-        <comment>%3: whole sentences</comment>
-        <translation>已写入 %1 个文件，共 %2 个。%3</translation>
-    </message>
-    <message>
-        <source>%1 files in %2</source>
-        <comment>number, folder</comment>
-        <translation>%2 中的 %1 个文件</translation>
-    </message>
-    <message>
-        <source>Some files are not shown</source>
-        <translation>部分文件未显示</translation>
-    </message>
-    <message>
-        <source>%1 · no answer</source>
-        <translation>%1 · 无响应</translation>
-    </message>
-</context>
-<context>
-    <name>campanel::panel::CutterMap</name>
-    <message>
-        <source>L_min: the jaws just fill the window</source>
-        <translation>L_min：封刀刚好占满窗口</translation>
-    </message>
-    <message>
-        <source>h/c: the knife turns evenly</source>
-        <translation>h/c：切刀匀速转动</translation>
-    </message>
-    <message>
-        <source>L_crit: the longest ramps stop the knife</source>
-        <translation>L_crit：最长斜坡使切刀停顿</translation>
-    </message>
-    <message>
-        <source>%1 · %2</source>
-        <comment>%1: bag length, %2: rate</comment>
-        <translation>%1 · %2</translation>
-    </message>
-    <message>
-        <source>Up to %1; limited by: %2.</source>
-        <comment>%1: rate, %2: name of the limit</comment>
-        <translation>最快 %1，受限于%2。</translation>
-    </message>
-    <message>
-        <source>No rate is possible; limited by: %1.</source>
-        <comment>name of the limit</comment>
-        <translation>任何速率都不可行，受限于%1。</translation>
-    </message>
-</context>
-<context>
-    <name>campanel::panel::TorqueWatch</name>
-    <message>
-        <source>The drive reports no torque.</source>
-        <translation>驱动器不报告转矩。</translation>
-    </message>
-    <message>
-        <source>Inertia and rated torque are missing in Settings, Machine.</source>
-        <translation>“设置”的“机器”中缺少惯量和额定转矩。</translation>
-    </message>
-    <message>
-        <source>The inertia is missing in Settings, Machine.</source>
-        <translation>“设置”的“机器”中缺少惯量。</translation>
-    </message>
-    <message>
-        <source>The rated torque is missing in Settings, Machine.</source>
-        <translation>“设置”的“机器”中缺少额定转矩。</translation>
-    </message>
-    <message>
-        <source>The program was made for other machine data.</source>
-        <translation>该程序是按其他机器数据生成的。</translation>
-    </message>
-    <message>
-        <source>Torque %1 %, predicted --. %2</source>
-        <comment>%1: of rated, %2: sentence</comment>
-        <translation>转矩 %1 %，预测 --。%2</translation>
-    </message>
-    <message>
-        <source>Torque %1 % of rated, predicted %2 %, largest difference %3 %</source>
-        <translation>转矩为额定的 %1 %，预测 %2 %，最大偏差 %3 %</translation>
-    </message>
-    <message>
-        <source>Torque %1 %, predicted %2 %, max. diff. %3 %</source>
-        <translation>转矩 %1 %，预测 %2 %，最大偏差 %3 %</translation>
-    </message>
-</context>
-<context>
-    <name>SegmentSentences</name>
-    <message>
-        <source>%1 %2</source>
-        <comment>%1: number, %2: unit</comment>
-        <translation>%1 %2</translation>
-    </message>
-    <message>
-        <source>Segment %1 begins at %2, which is out of range; the nearest possible value is %3.</source>
-        <translation>第 %1 段起点 %2 超出范围；最接近的可用值为 %3。</translation>
-    </message>
-    <message>
-        <source>Segment %1 has a boundary speed of %2; the nearest possible value is %3.</source>
-        <translation>第 %1 段的边界速度为 %2；最接近的可用值为 %3。</translation>
-    </message>
-    <message>
-        <source>Segment %1 has a boundary acceleration of %2; the nearest possible value is %3.</source>
-        <translation>第 %1 段的边界加速度为 %2；最接近的可用值为 %3。</translation>
-    </message>
-    <message>
-        <source>Segment %1 ends at %2, which is out of range; the nearest possible value is %3.</source>
-        <translation>第 %1 段终点 %2 超出范围；最接近的可用值为 %3。</translation>
-    </message>
-    <message>
-        <source>The cam has %1 segments; the nearest possible number is %2.</source>
-        <translation>凸轮有 %1 段；最接近的可用段数为 %2。</translation>
-    </message>
-    <message>
-        <source>Segment %1 is only %2 wide; the minimum is %3.</source>
-        <translation>第 %1 段宽度仅 %2；最小为 %3。</translation>
-    </message>
-    <message>
-        <source>Segment %1 begins at %2 and overlaps the segment before it, which ends at %3. Begin it at %3.</source>
-        <translation>第 %1 段起点为 %2，与前一段重叠，前一段终点为 %3。请将起点设为 %3。</translation>
-    </message>
-    <message>
-        <source>Segment %1 begins at %2 and leaves a gap: the segment before it ends at %3. Begin it at %3.</source>
-        <translation>第 %1 段起点为 %2，留有间隙：前一段终点为 %3。请将起点设为 %3。</translation>
-    </message>
-    <message>
-        <source>The first segment begins at %1; the cycle begins at %2.</source>
-        <translation>第一段起点为 %1；周期起点为 %2。</translation>
-    </message>
-    <message>
-        <source>The last segment ends at %1; the cycle ends at %2.</source>
-        <translation>最后一段终点为 %1；周期终点为 %2。</translation>
-    </message>
-    <message>
-        <source>The motion of segment %1 is unknown. Choose another motion.</source>
-        <translation>第 %1 段的运动规律未知。请选择其他运动规律。</translation>
-    </message>
-    <message>
-        <source>Segment %1: %2 is %3; the nearest possible value is %4.</source>
-        <translation>第 %1 段：%2 为 %3；最接近的可用值为 %4。</translation>
-    </message>
-    <message>
-        <source>Speed jumps by %1 at the end of the cycle; the axis can follow %2. Make the segments continuous.</source>
-        <translation>周期末速度突变 %1；轴可跟随 %2。请使各段连续。</translation>
-    </message>
-    <message>
-        <source>Speed jumps by %1 where segment %2 begins; the axis can follow %3. Make the segments continuous.</source>
-        <translation>第 %2 段起点速度突变 %1；轴可跟随 %3。请使各段连续。</translation>
-    </message>
-    <message>
-        <source>Where segment %1 begins: speed jumps by %2 mm/°, acceleration by %3 mm/°².</source>
-        <translation>第 %1 段起点：速度突变 %2 mm/°，加速度突变 %3 mm/°²。</translation>
-    </message>
-    <message>
-        <source>The segments are continuous.</source>
-        <translation>各段连续。</translation>
-    </message>
-    <message>
-        <source>At the end of the cycle: speed jumps by %1 mm/°, acceleration by %2 mm/°².</source>
-        <translation>周期衔接处：速度突变 %1 mm/°，加速度突变 %2 mm/°²。</translation>
-    </message>
-</context>
-<context>
-    <name>campanel::panel::SegmentModel</name>
-    <message>
-        <source>%1 – %2°</source>
-        <translation>%1 – %2°</translation>
-    </message>
-    <message>
-        <source>%1 mm</source>
-        <translation>%1 mm</translation>
-    </message>
-    <message>
-        <source>Ends at</source>
-        <translation>终点</translation>
-    </message>
-    <message>
-        <source>End position</source>
-        <translation>终点位置</translation>
-    </message>
-    <message>
-        <source>Start speed</source>
-        <translation>起点速度</translation>
-    </message>
-    <message>
-        <source>Start acceleration</source>
-        <translation>起点加速度</translation>
-    </message>
-    <message>
-        <source>End speed</source>
-        <translation>终点速度</translation>
-    </message>
-    <message>
-        <source>End acceleration</source>
-        <translation>终点加速度</translation>
-    </message>
-</context>
-<context>
-    <name>StopWords</name>
-    <message>
-        <source>Waiting for products</source>
-        <translation>等待产品</translation>
-    </message>
-    <message>
-        <source>Material</source>
-        <translation>材料</translation>
-    </message>
-    <message>
-        <source>Film change</source>
-        <translation>换膜卷</translation>
-    </message>
-    <message>
-        <source>Film torn</source>
-        <translation>膜断裂</translation>
-    </message>
-    <message>
-        <source>No product</source>
-        <translation>缺产品</translation>
-    </message>
-    <message>
-        <source>Product jam</source>
-        <translation>产品卡料</translation>
-    </message>
-    <message>
-        <source>Machine</source>
-        <translation>机器</translation>
-    </message>
-    <message>
-        <source>Film jam</source>
-        <translation>薄膜卡住</translation>
-    </message>
-    <message>
-        <source>Knife, jaws</source>
-        <translation>切刀、封刀</translation>
-    </message>
-    <message>
-        <source>Sensor</source>
-        <translation>传感器</translation>
-    </message>
-    <message>
-        <source>Adjustment</source>
-        <translation>调整</translation>
-    </message>
-    <message>
-        <source>Quality</source>
-        <translation>质量</translation>
-    </message>
-    <message>
-        <source>Seal</source>
-        <translation>封口</translation>
-    </message>
-    <message>
-        <source>Bag length</source>
-        <translation>袋长</translation>
-    </message>
-    <message>
-        <source>Print</source>
-        <translation>印刷</translation>
-    </message>
-    <message>
-        <source>Changeover</source>
-        <translation>换产</translation>
-    </message>
-    <message>
-        <source>Cleaning</source>
-        <translation>清洁</translation>
-    </message>
-    <message>
-        <source>Maintenance</source>
-        <translation>维护</translation>
-    </message>
-    <message>
-        <source>Break</source>
-        <translation>休息</translation>
-    </message>
-    <message>
-        <source>No order</source>
-        <translation>无订单</translation>
-    </message>
-    <message>
-        <source>Waiting</source>
-        <translation>等待</translation>
-    </message>
-    <message>
-        <source>No reason</source>
-        <translation>无原因</translation>
-    </message>
-    <message>
-        <source>%1 (%2)</source>
-        <comment>title and code of an alarm</comment>
-        <translation>%1（%2）</translation>
-    </message>
-    <message>
-        <source>%1 · %2</source>
-        <comment>group and reason</comment>
-        <translation>%1 · %2</translation>
-    </message>
-    <message>
-        <source>%1 s</source>
-        <translation>%1 秒</translation>
-    </message>
-    <message>
-        <source>%1 min</source>
-        <translation>%1 分</translation>
-    </message>
-    <message>
-        <source>%1 h %2 min</source>
-        <translation>%1 小时 %2 分</translation>
-    </message>
-    <message>
-        <source>Short stops (up to %1)</source>
-        <translation>短停机（%1 以内）</translation>
-    </message>
-    <message>
-        <source>%1 · %2×</source>
-        <comment>duration, number of stops</comment>
-        <translation>%1 · %2 次</translation>
-    </message>
-</context>
-<context>
-    <name>campanel::panel::ReasonEditor</name>
-    <message>
-        <source>Enter a name.</source>
-        <translation>请输入名称。</translation>
-    </message>
-    <message>
-        <source>The name is longer than %1 letters.</source>
-        <translation>名称超过 %1 个字符。</translation>
-    </message>
-    <message>
-        <source>The name cannot contain a slash.</source>
-        <translation>名称不能包含斜杠。</translation>
-    </message>
-    <message>
-        <source>This name is already in the list.</source>
-        <translation>列表中已有此名称。</translation>
     </message>
 </context>
 <context>
@@ -6911,377 +6879,119 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
     </message>
 </context>
 <context>
-    <name>campanel::panel::StopSetup</name>
+    <name>campanel::panel::SimulatedFaults</name>
     <message>
-        <source>Question after</source>
-        <translation>询问原因的时间</translation>
+        <source>Late responses</source>
+        <translation>应答延迟</translation>
     </message>
     <message>
-        <source>s</source>
-        <translation>秒</translation>
+        <source>Responses arrive 1.5 timeouts late, after the next request.</source>
+        <translation>应答延迟 1.5 个超时时间，与下一个请求相遇。</translation>
     </message>
     <message>
-        <source>pieces/min</source>
-        <translation>件/分</translation>
+        <source>Lost frames</source>
+        <translation>报文丢失</translation>
     </message>
     <message>
-        <source>%1 pieces/min</source>
-        <translation>%1 件/分</translation>
+        <source>Requests and responses that never arrive.</source>
+        <translation>丢失的请求和应答。</translation>
     </message>
     <message>
-        <source>by recipe</source>
-        <translation>按配方</translation>
+        <source>Corrupted responses</source>
+        <translation>应答损坏</translation>
     </message>
     <message>
-        <source>every day</source>
-        <translation>每天</translation>
+        <source>Flipped bits and truncated responses.</source>
+        <translation>位翻转，或应答被截断。</translation>
     </message>
     <message>
-        <source>standard list</source>
-        <translation>标准列表</translation>
+        <source>Noise</source>
+        <translation>噪声</translation>
     </message>
     <message>
-        <source>own list (%1)</source>
-        <translation>自定义列表（%1）</translation>
+        <source>Random bytes after the responses.</source>
+        <translation>应答之后的随机字节。</translation>
     </message>
     <message>
-        <source>Ideal rate (0: by recipe)</source>
-        <translation>理想速率（0：按配方）</translation>
+        <source>A second master</source>
+        <translation>第二主站</translation>
     </message>
-</context>
-<context>
-    <name>campanel::panel::Stops</name>
     <message>
-        <source>Since %1, %2</source>
-        <comment>time, duration</comment>
-        <translation>自 %1 起，%2</translation>
+        <source>Its valid responses arrive in place of the panel&apos;s.</source>
+        <translation>其有效应答出现在面板等待应答的位置。</translation>
     </message>
-</context>
-<context>
-    <name>campanel::panel::LogFilterEditor</name>
     <message>
-        <source>%1 to %2</source>
-        <translation>%1 至 %2</translation>
+        <source>Responses of other devices</source>
+        <translation>其他设备的应答</translation>
     </message>
     <message>
-        <source>from %1</source>
-        <translation>自 %1 起</translation>
+        <source>Wrong unit, wrong function, wrong length.</source>
+        <translation>站号、功能码或长度错误。</translation>
     </message>
     <message>
-        <source>until %1</source>
-        <translation>至 %1</translation>
+        <source>Busy controller</source>
+        <translation>控制器忙</translation>
     </message>
     <message>
-        <source>“%1”</source>
-        <translation>“%1”</translation>
+        <source>The controller refuses three requests in a row.</source>
+        <translation>控制器连续拒绝三次请求。</translation>
     </message>
-</context>
-<context>
-    <name>campanel::panel::AlarmHistory</name>
     <message>
-        <source>alarms</source>
-        <translation>报警</translation>
+        <source>Silence</source>
+        <translation>静默</translation>
     </message>
-</context>
-<context>
-    <name>campanel::panel::SystemClock</name>
     <message>
-        <source>Asking the operating system …</source>
-        <translation>正在询问操作系统 …</translation>
+        <source>No data passes for two seconds.</source>
+        <translation>两秒内没有任何数据通过。</translation>
     </message>
     <message>
-        <source>systemd-timedated does not respond. Set the clock in the operating system.</source>
-        <translation>systemd-timedated 没有响应。请在操作系统中设置时钟。</translation>
+        <source>Unplugged adapter</source>
+        <translation>适配器拔出</translation>
     </message>
     <message>
-        <source>The clock is set by hand.</source>
-        <translation>时钟由人工设置。</translation>
+        <source>The port disappears for two seconds.</source>
+        <translation>端口消失两秒。</translation>
     </message>
     <message>
-        <source>The clock follows a time server.</source>
-        <translation>时钟与时间服务器同步。</translation>
+        <source>Restarts of the controller</source>
+        <translation>控制器重启</translation>
     </message>
     <message>
-        <source>No time server has responded yet. Check the network.</source>
-        <translation>时间服务器尚未响应。请检查网络。</translation>
+        <source>Silence, then power-on with the saved program. The machine stops.</source>
+        <translation>先静默，再以已保存的程序上电。机器停止。</translation>
     </message>
-</context>
-<context>
-    <name>campanel::panel::SystemNetwork</name>
     <message>
-        <source>Setting the address of %1. This takes up to a minute.</source>
-        <translation>正在设置 %1 的地址，最多需要一分钟。</translation>
+        <source>Another register map</source>
+        <translation>另一种寄存器表</translation>
     </message>
     <message>
-        <source>Asking the operating system …</source>
-        <translation>正在询问操作系统 …</translation>
+        <source>Takes effect when the panel reconnects, after another fault.</source>
+        <translation>其他故障后，面板重新连接时生效。</translation>
     </message>
     <message>
-        <source>NetworkManager does not respond. Set the network in the operating system.</source>
-        <translation>NetworkManager 没有响应。请在操作系统中设置网络。</translation>
+        <source>No faults: the connection works without errors.</source>
+        <translation>没有故障：通信正常。</translation>
     </message>
     <message>
-        <source>NetworkManager manages no network port. Set the network in the operating system.</source>
-        <translation>NetworkManager 没有管理任何网口。请在操作系统中设置网络。</translation>
+        <source>Active: %1</source>
+        <translation>已启用：%1</translation>
     </message>
     <message>
-        <source>%1 is not connected. Plug in the network cable.</source>
-        <translation>%1 未连接。请插上网线。</translation>
+        <source>, </source>
+        <comment>between names</comment>
+        <translation>、</translation>
     </message>
     <message>
-        <source>%1 has no address yet.</source>
-        <translation>%1 还没有地址。</translation>
+        <source>The simulated controller refused the fault: %1</source>
+        <translation>仿真控制器拒绝了该故障：%1</translation>
     </message>
     <message>
-        <source>%1 has the address %2.</source>
-        <translation>%1 的地址为 %2。</translation>
+        <source>Faults are available for the simulated controller only.</source>
+        <translation>故障模拟仅适用于仿真控制器。</translation>
     </message>
     <message>
-        <source>%1 did not get this address; the previous one is restored. Check the cable, and that no other device has the address.</source>
-        <translation>%1 未能取得该地址，已恢复原地址。请检查网线，并确认没有其他设备使用该地址。</translation>
-    </message>
-    <message>
-        <source>No DHCP server responded; the previous address is restored. Check the cable, or enter a fixed address.</source>
-        <translation>没有 DHCP 服务器响应，已恢复原地址。请检查网线，或输入固定地址。</translation>
-    </message>
-    <message>
-        <source>The previous address was not restored: %1. Set the network in the operating system.</source>
-        <translation>未能恢复原地址：%1。请在操作系统中设置网络。</translation>
-    </message>
-</context>
-<context>
-    <name>campanel::panel::SystemService</name>
-    <message>
-        <source>The operating system does not allow the panel to do this. Install polkit and the rule of the CamPanel package.</source>
-        <translation>操作系统不允许面板执行此操作。请安装 polkit 和 CamPanel 软件包的规则。</translation>
-    </message>
-    <message>
-        <source>Not set: %1</source>
-        <translation>未设置：%1</translation>
-    </message>
-</context>
-<context>
-    <name>campanel::panel::RecipeCodes</name>
-    <message>
-        <source>Any reel</source>
-        <translation>任意膜卷</translation>
-    </message>
-    <message>
-        <source>The code is too long. Enter at most %1 letters and digits.</source>
-        <translation>条码太长。请输入不超过 %1 个字母和数字。</translation>
-    </message>
-    <message>
-        <source>The code has characters that cannot be printed. Enter letters and digits.</source>
-        <translation>条码含有不可打印的字符。请输入字母和数字。</translation>
-    </message>
-    <message>
-        <source>This is the code of the recipe %1. Enter another code.</source>
-        <translation>这是配方 %1 的条码。请输入其他条码。</translation>
-    </message>
-    <message>
-        <source>This is the code of the film reel of %1. Enter another code.</source>
-        <translation>这是 %1 的膜卷条码。请输入其他条码。</translation>
-    </message>
-</context>
-<context>
-    <name>campanel::panel::Scan</name>
-    <message>
-        <source>Time between keys</source>
-        <translation>按键间隔</translation>
-    </message>
-    <message>
-        <source>The prefix is not possible. Enter up to 8 letters, digits or signs of ASCII without spaces.</source>
-        <translation>前缀无效。请输入不超过 8 个 ASCII 字母、数字或符号，不含空格。</translation>
-    </message>
-    <message>
-        <source>The code was not read completely. Scan again.</source>
-        <translation>条码未读完整。请重新扫描。</translation>
-    </message>
-    <message>
-        <source>No recipe has the code %1. Enter the code with its recipe on the Recipes page.</source>
-        <translation>没有配方使用条码 %1。请在“配方”页面为配方输入该条码。</translation>
-    </message>
-    <message>
-        <source>%1 and %2 have the same code %3. Give one of them another code.</source>
-        <translation>%1 和 %2 的条码同为 %3。请为其中一个更换条码。</translation>
-    </message>
-    <message>
-        <source>Complete the first start, then scan again.</source>
-        <translation>请先完成首次启动，然后重新扫描。</translation>
-    </message>
-    <message>
-        <source>The recipes are still being read. Scan again.</source>
-        <translation>正在读取配方。请重新扫描。</translation>
-    </message>
-    <message>
-        <source>A download is running. Scan again when the download has ended.</source>
-        <translation>正在下载。请在下载结束后重新扫描。</translation>
-    </message>
-    <message>
-        <source>Film reel %1 is the right one for this recipe.</source>
-        <translation>膜卷 %1 与此配方相符。</translation>
-    </message>
-    <message>
-        <source>Film reel %1 is loaded. The next recipe is compared with it.</source>
-        <translation>膜卷 %1 已装入，将与下一个配方比对。</translation>
-    </message>
-</context>
-<context>
-    <name>campanel::panel::FilmCheck</name>
-    <message>
-        <source>Wrong film reel: %1 was scanned, the recipe needs %2. Load and scan the right reel.</source>
-        <translation>膜卷错误：扫描到 %1，配方需要 %2。请装上正确的膜卷并扫描。</translation>
-    </message>
-    <message>
-        <source>Unknown code %1: no recipe and no film reel has it. Load and scan the film reel %2.</source>
-        <translation>未知条码 %1：没有配方或膜卷使用它。请装上膜卷 %2 并扫描。</translation>
-    </message>
-</context>
-<context>
-    <name>PackageSentences</name>
-    <message>
-        <source>%1 cannot be read: %2.</source>
-        <translation>无法读取 %1：%2。</translation>
-    </message>
-    <message>
-        <source>%1 is not a Debian package.</source>
-        <translation>%1 不是 Debian 软件包。</translation>
-    </message>
-    <message>
-        <source>%1 has no signature. Copy the file %1.sig beside it.</source>
-        <translation>%1 没有签名。请把文件 %1.sig 复制到同一位置。</translation>
-    </message>
-    <message>
-        <source>%1 is signed by %2, whose key this machine does not have. Install the key first.</source>
-        <translation>%1 由 %2 签名，但本机没有其密钥。请先安装密钥。</translation>
-    </message>
-    <message>
-        <source>%1 is signed by %2, whose key was withdrawn. Ask for a package signed with a valid key.</source>
-        <translation>%1 由 %2 签名，但其密钥已作废。请索取用有效密钥签名的软件包。</translation>
-    </message>
-    <message>
-        <source>The signature of %1 is not valid. Ask for a new copy of both files.</source>
-        <translation>%1 的签名无效。请重新索取这两个文件。</translation>
-    </message>
-    <message>
-        <source>The signature of %1 has a newer form than this CamPanel knows. Install a version in between first.</source>
-        <translation>%1 的签名格式比本版 CamPanel 支持的更新。请先安装中间版本。</translation>
-    </message>
-    <message>
-        <source>%1 is damaged or was changed after it was signed. Copy the file again.</source>
-        <translation>%1 已损坏，或签名后被修改。请重新复制该文件。</translation>
-    </message>
-    <message>
-        <source>This is the package %1, not CamPanel.</source>
-        <translation>这是软件包 %1，不是 CamPanel。</translation>
-    </message>
-    <message>
-        <source>This package is for computers of type %1; this panel has %2.</source>
-        <translation>此软件包适用于 %1 型计算机；本面板为 %2。</translation>
-    </message>
-    <message>
-        <source>Version %1 is older than the installed version %2.</source>
-        <translation>版本 %1 比已安装的版本 %2 旧。</translation>
-    </message>
-    <message>
-        <source>Version %1 is installed.</source>
-        <translation>版本 %1 已安装。</translation>
-    </message>
-    <message>
-        <source>not readable</source>
-        <translation>无法读取</translation>
-    </message>
-    <message>
-        <source>no package</source>
-        <translation>不是软件包</translation>
-    </message>
-    <message>
-        <source>no signature</source>
-        <translation>没有签名</translation>
-    </message>
-    <message>
-        <source>unknown key</source>
-        <translation>未知密钥</translation>
-    </message>
-    <message>
-        <source>withdrawn key</source>
-        <translation>密钥已作废</translation>
-    </message>
-    <message>
-        <source>wrong signature</source>
-        <translation>签名错误</translation>
-    </message>
-    <message>
-        <source>unknown form of signature</source>
-        <translation>未知签名格式</translation>
-    </message>
-    <message>
-        <source>damaged</source>
-        <translation>已损坏</translation>
-    </message>
-    <message>
-        <source>another program</source>
-        <translation>其他程序</translation>
-    </message>
-    <message>
-        <source>for another type of computer</source>
-        <translation>适用于其他类型的计算机</translation>
-    </message>
-    <message>
-        <source>older version</source>
-        <translation>旧版本</translation>
-    </message>
-    <message>
-        <source>installed</source>
-        <translation>已安装</translation>
-    </message>
-    <message>
-        <source>The package is not signed by a key of this machine.</source>
-        <translation>此软件包未用本机信任的密钥签名。</translation>
-    </message>
-    <message>
-        <source>The package is not a newer CamPanel for this machine.</source>
-        <translation>此软件包不是适用于本机的更新版 CamPanel。</translation>
-    </message>
-    <message>
-        <source>The package needs other packages, which the stick cannot bring: %1. Install them by the package manager first.</source>
-        <translation>此软件包需要其他软件包，无法由 U 盘提供：%1。请先用软件包管理器安装。</translation>
-    </message>
-    <message>
-        <source>The package of the installed version %1 is missing, so there would be no way back. Copy it and its signature to the stick as well.</source>
-        <translation>缺少已安装版本 %1 的软件包，更新后将无法恢复。请把它及其签名也复制到 U 盘。</translation>
-    </message>
-    <message>
-        <source>%1 MB of free space are needed on this panel.</source>
-        <translation>本面板需要 %1 MB 可用空间。</translation>
-    </message>
-    <message>
-        <source>Another installation is under way on this panel. Wait until it has ended.</source>
-        <translation>本面板上正在进行另一项安装。请等待其结束。</translation>
-    </message>
-    <message>
-        <source>A program of the panel&apos;s user did not end. Switch the panel off and on, then try again.</source>
-        <translation>面板用户的一个程序未能结束。请关闭面板电源再打开，然后重试。</translation>
-    </message>
-    <message>
-        <source>The panel&apos;s data could not be copied. Read journalctl -u campanel-update.</source>
-        <translation>面板数据无法复制。请查看 journalctl -u campanel-update。</translation>
-    </message>
-    <message>
-        <source>The earlier version is not kept on this panel any more.</source>
-        <translation>本面板上已不再保留旧版本。</translation>
-    </message>
-    <message>
-        <source>The new version did not open its window.</source>
-        <translation>新版本未能打开窗口。</translation>
-    </message>
-    <message>
-        <source>The new version could not be installed.</source>
-        <translation>无法安装新版本。</translation>
-    </message>
-    <message>
-        <source>The files could not be read.</source>
-        <translation>无法读取文件。</translation>
+        <source>The simulated controller is not running. Connect it, then try again.</source>
+        <translation>仿真控制器未运行。请连接后重试。</translation>
     </message>
 </context>
 <context>
@@ -7380,7 +7090,179 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
     </message>
 </context>
 <context>
-    <name>campanel::panel::ScreenRotation</name>
+    <name>campanel::panel::StartPermit</name>
+    <message>
+        <source>Start only with this panel&apos;s permit</source>
+        <translation>仅在本面板允许时启动</translation>
+    </message>
+    <message>
+        <source>This controller does not have this setting. Update its firmware.</source>
+        <translation>此控制器没有该设置。请更新其固件。</translation>
+    </message>
+    <message>
+        <source>On: the controller refuses a start that the panel would block, for example with a wrong film reel.</source>
+        <translation>开：控制器拒绝面板会禁止的启动，例如膜卷不对时。</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::StopSetup</name>
+    <message>
+        <source>Question after</source>
+        <translation>询问原因的时间</translation>
+    </message>
+    <message>
+        <source>s</source>
+        <translation>秒</translation>
+    </message>
+    <message>
+        <source>pieces/min</source>
+        <translation>件/分</translation>
+    </message>
+    <message>
+        <source>%1 pieces/min</source>
+        <translation>%1 件/分</translation>
+    </message>
+    <message>
+        <source>by recipe</source>
+        <translation>按配方</translation>
+    </message>
+    <message>
+        <source>every day</source>
+        <translation>每天</translation>
+    </message>
+    <message>
+        <source>standard list</source>
+        <translation>标准列表</translation>
+    </message>
+    <message>
+        <source>own list (%1)</source>
+        <translation>自定义列表（%1）</translation>
+    </message>
+    <message>
+        <source>Ideal rate (0: by recipe)</source>
+        <translation>理想速率（0：按配方）</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::Stops</name>
+    <message>
+        <source>Since %1, %2</source>
+        <comment>time, duration</comment>
+        <translation>自 %1 起，%2</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::SystemClock</name>
+    <message>
+        <source>Asking the operating system …</source>
+        <translation>正在询问操作系统 …</translation>
+    </message>
+    <message>
+        <source>systemd-timedated does not respond. Set the clock in the operating system.</source>
+        <translation>systemd-timedated 没有响应。请在操作系统中设置时钟。</translation>
+    </message>
+    <message>
+        <source>The clock is set by hand.</source>
+        <translation>时钟由人工设置。</translation>
+    </message>
+    <message>
+        <source>The clock follows a time server.</source>
+        <translation>时钟与时间服务器同步。</translation>
+    </message>
+    <message>
+        <source>No time server has responded yet. Check the network.</source>
+        <translation>时间服务器尚未响应。请检查网络。</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::SystemNetwork</name>
+    <message>
+        <source>Setting the address of %1. This takes up to a minute.</source>
+        <translation>正在设置 %1 的地址，最多需要一分钟。</translation>
+    </message>
+    <message>
+        <source>Asking the operating system …</source>
+        <translation>正在询问操作系统 …</translation>
+    </message>
+    <message>
+        <source>NetworkManager does not respond. Set the network in the operating system.</source>
+        <translation>NetworkManager 没有响应。请在操作系统中设置网络。</translation>
+    </message>
+    <message>
+        <source>NetworkManager manages no network port. Set the network in the operating system.</source>
+        <translation>NetworkManager 没有管理任何网口。请在操作系统中设置网络。</translation>
+    </message>
+    <message>
+        <source>%1 is not connected. Plug in the network cable.</source>
+        <translation>%1 未连接。请插上网线。</translation>
+    </message>
+    <message>
+        <source>%1 has no address yet.</source>
+        <translation>%1 还没有地址。</translation>
+    </message>
+    <message>
+        <source>%1 has the address %2.</source>
+        <translation>%1 的地址为 %2。</translation>
+    </message>
+    <message>
+        <source>%1 did not get this address; the previous one is restored. Check the cable, and that no other device has the address.</source>
+        <translation>%1 未能取得该地址，已恢复原地址。请检查网线，并确认没有其他设备使用该地址。</translation>
+    </message>
+    <message>
+        <source>No DHCP server responded; the previous address is restored. Check the cable, or enter a fixed address.</source>
+        <translation>没有 DHCP 服务器响应，已恢复原地址。请检查网线，或输入固定地址。</translation>
+    </message>
+    <message>
+        <source>The previous address was not restored: %1. Set the network in the operating system.</source>
+        <translation>未能恢复原地址：%1。请在操作系统中设置网络。</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::SystemService</name>
+    <message>
+        <source>The operating system does not allow the panel to do this. Install polkit and the rule of the CamPanel package.</source>
+        <translation>操作系统不允许面板执行此操作。请安装 polkit 和 CamPanel 软件包的规则。</translation>
+    </message>
+    <message>
+        <source>Not set: %1</source>
+        <translation>未设置：%1</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::TorqueWatch</name>
+    <message>
+        <source>The drive reports no torque.</source>
+        <translation>驱动器不报告转矩。</translation>
+    </message>
+    <message>
+        <source>Inertia and rated torque are missing in Settings, Machine.</source>
+        <translation>“设置”的“机器”中缺少惯量和额定转矩。</translation>
+    </message>
+    <message>
+        <source>The inertia is missing in Settings, Machine.</source>
+        <translation>“设置”的“机器”中缺少惯量。</translation>
+    </message>
+    <message>
+        <source>The rated torque is missing in Settings, Machine.</source>
+        <translation>“设置”的“机器”中缺少额定转矩。</translation>
+    </message>
+    <message>
+        <source>The program was made for other machine data.</source>
+        <translation>该程序是按其他机器数据生成的。</translation>
+    </message>
+    <message>
+        <source>Torque %1 %, predicted --. %2</source>
+        <comment>%1: of rated, %2: sentence</comment>
+        <translation>转矩 %1 %，预测 --。%2</translation>
+    </message>
+    <message>
+        <source>Torque %1 % of rated, predicted %2 %, largest difference %3 %</source>
+        <translation>转矩为额定的 %1 %，预测 %2 %，最大偏差 %3 %</translation>
+    </message>
+    <message>
+        <source>Torque %1 %, predicted %2 %, max. diff. %3 %</source>
+        <translation>转矩 %1 %，预测 %2 %，最大偏差 %3 %</translation>
+    </message>
 </context>
 <context>
     <name>campanel::panel::TouchCalibration</name>
@@ -7415,6 +7297,119 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
     <message>
         <source>The earlier calibration of the touchscreen did not return. %1</source>
         <translation>未能恢复触摸屏的原校准。%1</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::Trends</name>
+    <message>
+        <source>bags</source>
+        <translation>袋记录</translation>
+    </message>
+    <message>
+        <source>trends</source>
+        <translation>趋势</translation>
+    </message>
+    <message>
+        <source>Single bags are left out: more than %1. Show a shorter time.</source>
+        <translation>单个袋的数据未导出：超过 %1 个。请显示较短的时间段。</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::Value</name>
+    <message>
+        <source>Enter a number.</source>
+        <translation>请输入数字。</translation>
+    </message>
+    <message>
+        <source>The minimum is %1.</source>
+        <translation>最小值为 %1。</translation>
+    </message>
+    <message>
+        <source>The maximum is %1.</source>
+        <translation>最大值为 %1。</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::Versions</name>
+    <message>
+        <source>%1, version %2</source>
+        <comment>recipe, number</comment>
+        <translation>%1，版本 %2</translation>
+    </message>
+    <message>
+        <source>firmware %1, register map %2.%3, serial number %4</source>
+        <translation>固件 %1，寄存器表 %2.%3，序列号 %4</translation>
+    </message>
+    <message>
+        <source>not known yet: measured from the second day on</source>
+        <translation>尚未知：从第二天起测量</translation>
+    </message>
+    <message>
+        <source>%1 MB a day</source>
+        <translation>每天 %1 MB</translation>
+    </message>
+    <message>
+        <source>%1; the disk lasts more than 100 years</source>
+        <comment>growth</comment>
+        <translation>%1；磁盘可用 100 年以上</translation>
+    </message>
+    <message>
+        <source>%1; the disk lasts %2 years</source>
+        <comment>growth, number</comment>
+        <translation>%1；磁盘可用 %2 年</translation>
+    </message>
+    <message>
+        <source>The disk lasts for less than five years. Free some disk space, or use a larger disk.</source>
+        <translation>磁盘空间不足五年使用。请腾出磁盘空间，或更换更大的磁盘。</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>未知</translation>
+    </message>
+    <message>
+        <source>%1, CRC-32 %2</source>
+        <comment>number, number</comment>
+        <translation>%1，CRC-32 %2</translation>
+    </message>
+    <message>
+        <source>%1 GB free</source>
+        <translation>可用 %1 GB</translation>
+    </message>
+    <message>
+        <source>Panel</source>
+        <translation>面板</translation>
+    </message>
+    <message>
+        <source>Gateway</source>
+        <translation>网关</translation>
+    </message>
+    <message>
+        <source>unknown: not connected</source>
+        <translation>未知：未连接</translation>
+    </message>
+    <message>
+        <source>Controller</source>
+        <translation>控制器</translation>
+    </message>
+    <message>
+        <source>Active program</source>
+        <translation>运行中的程序</translation>
+    </message>
+    <message>
+        <source>Generation</source>
+        <translation>代次</translation>
+    </message>
+    <message>
+        <source>Open recipe</source>
+        <translation>打开的配方</translation>
+    </message>
+    <message>
+        <source>Disk</source>
+        <translation>磁盘</translation>
+    </message>
+    <message>
+        <source>Growth</source>
+        <translation>数据增长</translation>
     </message>
 </context>
 </TS>

@@ -3,6 +3,7 @@
 #include "app/program/program_kinds.h"
 
 #include "profile/laws/laws.h"
+#include "text/marked.h"
 
 #include <algorithm>
 #include <array>
@@ -41,42 +42,56 @@ using profile::RotaryCutterProgram;
 using profile::SegmentCamProgram;
 using profile::SpeedMoveProgram;
 
-template <typename E> constexpr ChoiceOption option(std::string_view key, E value)
+template <typename E> constexpr ChoiceOption option(std::string_view key, E value, std::string_view name)
 {
-    return {key, static_cast<std::uint16_t>(value)};
+    return {key, static_cast<std::uint16_t>(value), name};
 }
 
 using profile::Execution;
 using profile::MoveDuration;
 using profile::RampShape;
 using profile::SplineEnds;
-constexpr std::array positionDurations{option("given_time", MoveDuration::GivenTime),
-                                       option("fastest", MoveDuration::Fastest)};
-constexpr std::array speedDurations{option("given_time", MoveDuration::GivenTime),
-                                    option("fastest", MoveDuration::Fastest),
-                                    option("over_distance", MoveDuration::OverDistance)};
-constexpr std::array executions{option("cam_points", Execution::CamPoints),
-                                option("intervals", Execution::Intervals)};
-constexpr std::array ends{option("natural", SplineEnds::Natural), option("clamped", SplineEnds::Clamped),
-                          option("periodic", SplineEnds::Periodic)};
-constexpr std::array shapes{option("trapezoid", RampShape::Trapezoid), option("s_curve", RampShape::SCurve)};
+constexpr ChoiceOption givenTime =
+    option("given_time", MoveDuration::GivenTime, CAMPANEL_TEXT("Recipe", "In a given time"));
+constexpr ChoiceOption fastest =
+    option("fastest", MoveDuration::Fastest, CAMPANEL_TEXT("Recipe", "As fast as possible"));
+constexpr std::array positionDurations{givenTime, fastest};
+constexpr std::array speedDurations{
+    givenTime, fastest,
+    option("over_distance", MoveDuration::OverDistance, CAMPANEL_TEXT("Recipe", "Over a distance"))};
+constexpr std::array executions{
+    option("cam_points", Execution::CamPoints, CAMPANEL_TEXT("Recipe", "Cam points")),
+    option("intervals", Execution::Intervals, CAMPANEL_TEXT("Recipe", "Intervals"))};
+constexpr std::array ends{option("natural", SplineEnds::Natural, CAMPANEL_TEXT("Recipe", "Natural")),
+                          option("clamped", SplineEnds::Clamped, CAMPANEL_TEXT("Recipe", "Clamped")),
+                          option("periodic", SplineEnds::Periodic, CAMPANEL_TEXT("Recipe", "Periodic"))};
+constexpr std::array shapes{option("trapezoid", RampShape::Trapezoid, CAMPANEL_TEXT("Recipe", "Trapezoid")),
+                            option("s_curve", RampShape::SCurve, CAMPANEL_TEXT("Recipe", "S curve"))};
 
 using profile::RatioMode;
-constexpr std::array ratioModes{option("hand", RatioMode::ByHand), option("gentle", RatioMode::Gentle),
-                                option("cool", RatioMode::Cool), option("slow", RatioMode::Slow),
-                                option("between", RatioMode::Between)};
+constexpr std::array ratioModes{option("hand", RatioMode::ByHand, CAMPANEL_TEXT("Recipe", "Set by hand")),
+                                option("gentle", RatioMode::Gentle, CAMPANEL_TEXT("Recipe", "Gentle")),
+                                option("cool", RatioMode::Cool, CAMPANEL_TEXT("Recipe", "Cool")),
+                                option("slow", RatioMode::Slow, CAMPANEL_TEXT("Recipe", "Slow")),
+                                option("between", RatioMode::Between, CAMPANEL_TEXT("Recipe", "Between"))};
 
-constexpr std::array cutterChoices{ChoiceInfo{Choice::Law, "speed_law", {}},
-                                   ChoiceInfo{Choice::Ratios, "ratios", ratioModes}};
-constexpr std::array positionChoices{ChoiceInfo{Choice::Law, "law", {}},
-                                     ChoiceInfo{Choice::Duration, "duration", positionDurations},
-                                     ChoiceInfo{Choice::Execution, "execution", executions}};
-constexpr std::array speedChoices{ChoiceInfo{Choice::Law, "law", {}},
-                                  ChoiceInfo{Choice::Duration, "duration", speedDurations},
-                                  ChoiceInfo{Choice::Execution, "execution", executions}};
-constexpr std::array camChoices{ChoiceInfo{Choice::SplineEnds, "ends", ends},
-                                ChoiceInfo{Choice::MasterRampShape, "master_ramp_shape", shapes}};
-constexpr std::array segmentChoices{ChoiceInfo{Choice::MasterRampShape, "master_ramp_shape", shapes}};
+constexpr std::string_view lawName = CAMPANEL_TEXT("Recipe", "Law");
+constexpr ChoiceInfo lawChoice{Choice::Law, "law", lawName, {}};
+constexpr ChoiceInfo executionChoice{Choice::Execution, "execution", CAMPANEL_TEXT("Recipe", "Execution"),
+                                     executions};
+constexpr ChoiceInfo rampChoice{Choice::MasterRampShape, "master_ramp_shape",
+                                CAMPANEL_TEXT("Recipe", "Shape of the ramp"), shapes};
+constexpr std::string_view durationName = CAMPANEL_TEXT("Recipe", "Duration");
+constexpr std::array cutterChoices{
+    ChoiceInfo{Choice::Law, "speed_law", lawName, {}},
+    ChoiceInfo{Choice::Ratios, "ratios", CAMPANEL_TEXT("Recipe", "Ratios"), ratioModes}};
+constexpr std::array positionChoices{
+    lawChoice, ChoiceInfo{Choice::Duration, "duration", durationName, positionDurations}, executionChoice};
+constexpr std::array speedChoices{
+    lawChoice, ChoiceInfo{Choice::Duration, "duration", durationName, speedDurations}, executionChoice};
+constexpr std::array camChoices{
+    ChoiceInfo{Choice::SplineEnds, "ends", CAMPANEL_TEXT("Recipe", "Spline ends"), ends}, rampChoice};
+constexpr std::array segmentChoices{rampChoice};
 
 constexpr std::array cutterFields{
     Field::BagLength,   Field::Rate,        Field::BaseSpeed, Field::FilmSpeed, Field::K1,
@@ -139,17 +154,21 @@ void paperPress(profile::Machine& machine)
 }
 
 constexpr std::array<KindInfo, 6> kindTable{{
-    {ProgramKind::RotaryCutter, "rotary_cutter", cutterFields, cutterMachine, cutterChoices, "program.",
-     stepTable, EndBehavior::Repeat, "Biscuit 250", newProgram<RotaryCutterProgram>, paperCutter},
-    {ProgramKind::PositionMove, "position_move", positionFields, axisMachine, positionChoices,
-     "position_move.", camPointsOrIntervals, EndBehavior::Stop, "Position move",
+    {ProgramKind::RotaryCutter, "rotary_cutter", CAMPANEL_TEXT("Recipe", "Rotary cutter"), cutterFields,
+     cutterMachine, cutterChoices, "program.", stepTable, EndBehavior::Repeat, "Biscuit 250",
+     newProgram<RotaryCutterProgram>, paperCutter},
+    {ProgramKind::PositionMove, "position_move", CAMPANEL_TEXT("Recipe", "Position move"), positionFields,
+     axisMachine, positionChoices, "position_move.", camPointsOrIntervals, EndBehavior::Stop, "Position move",
      newProgram<PositionMoveProgram>, paperAxis},
-    {ProgramKind::SpeedMove, "speed_move", speedFields, axisMachine, speedChoices, "speed_move.",
-     camPointsOrIntervals, EndBehavior::HoldSpeed, "Speed move", newProgram<SpeedMoveProgram>, paperAxis},
-    {ProgramKind::PointCam, "point_cam", camFields, axisMachine, camChoices, "cam.", camPoints,
-     EndBehavior::Repeat, "Point cam", newProgram<PointCamProgram>, paperAxis, &knotList},
+    {ProgramKind::SpeedMove, "speed_move", CAMPANEL_TEXT("Recipe", "Speed move"), speedFields, axisMachine,
+     speedChoices, "speed_move.", camPointsOrIntervals, EndBehavior::HoldSpeed, "Speed move",
+     newProgram<SpeedMoveProgram>, paperAxis},
+    {ProgramKind::PointCam, "point_cam", CAMPANEL_TEXT("Recipe", "Point cam"), camFields, axisMachine,
+     camChoices, "cam.", camPoints, EndBehavior::Repeat, "Point cam", newProgram<PointCamProgram>, paperAxis,
+     &knotList},
     {ProgramKind::Press,
      "press",
+     CAMPANEL_TEXT("Recipe", "Press"),
      pressFields,
      pressMachine,
      {},
@@ -159,8 +178,9 @@ constexpr std::array<KindInfo, 6> kindTable{{
      "Press",
      newProgram<PressProgram>,
      paperPress},
-    {ProgramKind::SegmentCam, "segment_cam", camFields, axisMachine, segmentChoices, "cam.", camPoints,
-     EndBehavior::Repeat, "Segment cam", newProgram<SegmentCamProgram>, paperAxis, &segmentList},
+    {ProgramKind::SegmentCam, "segment_cam", CAMPANEL_TEXT("Recipe", "Segment cam"), camFields, axisMachine,
+     segmentChoices, "cam.", camPoints, EndBehavior::Repeat, "Segment cam", newProgram<SegmentCamProgram>,
+     paperAxis, &segmentList},
 }};
 
 // Calls visit(choice, member) for every choice of the program.
@@ -222,7 +242,7 @@ ChoiceInfo choiceInfo(ProgramKind kind, Choice choice)
 {
     const auto choices = kindInfo(kind).choices;
     const auto found = std::ranges::find(choices, choice, &ChoiceInfo::choice);
-    return found == choices.end() ? ChoiceInfo{choice, {}, {}} : *found;
+    return found == choices.end() ? ChoiceInfo{choice, {}, {}, {}} : *found;
 }
 
 bool isLawOf(ProgramKind kind, const profile::Law& law)

@@ -20,17 +20,20 @@ enum class Choice : std::uint8_t { Law, Duration, Execution, SplineEnds, MasterR
 struct ChoiceOption {
     std::string_view key; // in the recipe file
     std::uint16_t code = 0;
+    std::string_view name;
 };
 
 struct ChoiceInfo {
     Choice choice = Choice::Law;
-    std::string_view id;                   // key in the recipe file
+    std::string_view id; // key in the recipe file
+    std::string_view name;
     std::span<const ChoiceOption> options; // empty for the law, whose options are the table of laws
 };
 
 struct KindInfo {
     profile::ProgramKind kind = profile::ProgramKind::RotaryCutter;
     std::string_view key; // in the recipe file
+    std::string_view name;
     std::span<const profile::Field> programFields;
     std::span<const profile::Field> machineFields; // entered by a person
     std::span<const ChoiceInfo> choices;

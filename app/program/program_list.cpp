@@ -8,6 +8,7 @@
 #include "profile/cam/point_cam_edit.h"
 #include "profile/segments/segment_edit.h"
 #include "profile/segments/segments_csv.h"
+#include "text/marked.h"
 
 #include <algorithm>
 #include <cmath>
@@ -169,6 +170,7 @@ std::pair<double, double> slaveRangeOfSegments(const Program& program)
 
 constinit const ListInfo knotList{
     "knots",
+    CAMPANEL_TEXT("Recipe", "Knots"),
     "cam.knot_count",
     [](const Program& program) { return knotsOf(program).size(); },
     [](const Program& a, const Program& b) { return knotsOf(a) == knotsOf(b); },
@@ -187,6 +189,7 @@ constinit const ListInfo knotList{
 
 constinit const ListInfo segmentList{
     "segments",
+    CAMPANEL_TEXT("Recipe", "Segments"),
     "cam.segment_count",
     [](const Program& program) { return segmentsOf(program).size(); },
     [](const Program& a, const Program& b) { return segmentsOf(a) == segmentsOf(b); },

@@ -22,6 +22,7 @@ namespace campanel::program {
 // Access to the list of a program, which must be of the kind.
 struct ListInfo {
     std::string_view key; // in the recipe file
+    std::string_view name;
     std::string_view countRegister;
     std::size_t (*size)(const profile::Program& program) = nullptr;
     bool (*isEqual)(const profile::Program& one, const profile::Program& other) = nullptr;

@@ -2,6 +2,9 @@
 // The ids of link errors, and the names of exceptions.
 #include "modbus/line/link_error.h"
 
+#include "text/marked.h"
+
+#include <algorithm>
 #include <array>
 
 namespace campanel::modbus {
@@ -26,28 +29,23 @@ std::string describe(const LinkError& error)
 
 std::string_view exceptionName(int code)
 {
-    switch (code) {
-    case 1:
-        return "illegal function";
-    case 2:
-        return "illegal register address";
-    case 3:
-        return "illegal value";
-    case 4:
-        return "device failure";
-    case 5:
-        return "acknowledged, in progress";
-    case 6:
-        return "device busy";
-    case 8:
-        return "memory parity error";
-    case 10:
-        return "gateway path unavailable";
-    case 11:
-        return "no response from the device behind the gateway";
-    default:
-        return "unknown";
-    }
+    struct Row {
+        int code;
+        std::string_view name;
+    };
+    static constexpr std::array rows{
+        Row{1, CAMPANEL_TEXT("Protocol", "illegal function")},
+        Row{2, CAMPANEL_TEXT("Protocol", "illegal register address")},
+        Row{3, CAMPANEL_TEXT("Protocol", "illegal value")},
+        Row{4, CAMPANEL_TEXT("Protocol", "device failure")},
+        Row{5, CAMPANEL_TEXT("Protocol", "acknowledged, in progress")},
+        Row{6, CAMPANEL_TEXT("Protocol", "device busy")},
+        Row{8, CAMPANEL_TEXT("Protocol", "memory parity error")},
+        Row{10, CAMPANEL_TEXT("Protocol", "gateway path unavailable")},
+        Row{11, CAMPANEL_TEXT("Protocol", "no response from the device behind the gateway")},
+    };
+    const auto row = std::ranges::find(rows, code, &Row::code);
+    return row == rows.end() ? CAMPANEL_TEXT("Protocol", "unknown") : row->name;
 }
 
 bool portIsLost(const LinkError& error)

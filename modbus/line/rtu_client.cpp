@@ -27,19 +27,6 @@ constexpr milliseconds busyPause{5};
 constexpr milliseconds busyDevicePause{100};
 constexpr int attemptsWhileConnecting = 6;
 
-std::string commandName(Command code)
-{
-    for (const EnumInfo& info : enumerations()) {
-        if (info.name != "Command")
-            continue;
-        for (const EnumValue& value : info.values) {
-            if (value.value == static_cast<std::uint16_t>(code))
-                return std::string(value.name);
-        }
-    }
-    return "command " + std::to_string(static_cast<unsigned>(code));
-}
-
 // Returns the next counter, never 0: that is the value after a restart, and the controller would treat the
 // command as an old one.
 std::uint16_t counterAfter(std::uint16_t counter)
@@ -243,7 +230,7 @@ tl::expected<std::vector<std::uint16_t>, LinkError> RtuClient::readProven(std::u
 
 tl::expected<CommandResult, LinkError> RtuClient::begin(Command code, CommandArguments arguments)
 {
-    const std::string request = commandName(code);
+    const std::string request = enumName(code);
     static const std::uint16_t commandAddress = registerNamed("command.counter").address;
     static const std::uint16_t resultAddress = registerNamed("result.counter").address;
     if (!m_commandCounter) {
@@ -294,7 +281,7 @@ tl::expected<CommandResult, LinkError> RtuClient::command(Command code, CommandA
 tl::expected<CommandResult, LinkError> RtuClient::resolve(Command code, std::uint16_t counter,
                                                           FindResult find)
 {
-    const std::string request = commandName(code);
+    const std::string request = enumName(code);
     for (int attempt = 0; attempt < resolveAttempts; ++attempt) {
         const auto found = (this->*find)(counter);
         if (found && *found)
@@ -320,7 +307,7 @@ tl::expected<std::optional<CommandResult>, LinkError> RtuClient::findResult(std:
             return found;
         if (Clock::now() >= deadline)
             return tl::unexpected(
-                error(LinkErrorKind::OutcomeUnknown, commandName((*found)->code), {}, counter));
+                error(LinkErrorKind::OutcomeUnknown, enumName((*found)->code), {}, counter));
         std::this_thread::sleep_for(busyPause);
     }
 }

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// The faults and warnings of the controller: each bit with its name and sentence. A bit needs an alarm in
+// The faults and warnings of the controller: each bit with its name and sentence, the cause of its alarm in
 // app/panel/words/alarm_catalogue.cpp.
 #pragma once
 
 #include "modbus/map/enum_value.h"
+#include "text/marked.h"
 
 #include <array>
 
@@ -23,18 +24,26 @@ enum class FaultBit : std::uint16_t {
 
 inline constexpr std::array faultBits{
     entry(FaultBit::FollowingError, "FollowingError",
-          "The axis lags more than parameter.following_error_limit."),
-    entry(FaultBit::ActiveTableDamaged, "ActiveTableDamaged", "The active table no longer has its CRC-32."),
+          CAMPANEL_TEXT("AlarmCatalogue", "The axis cannot follow its setpoint."),
+          "The following error is above parameter.following_error_limit."),
+    entry(FaultBit::ActiveTableDamaged, "ActiveTableDamaged",
+          CAMPANEL_TEXT("AlarmCatalogue", "The table in the controller is damaged."), "Its CRC-32 is wrong."),
     entry(FaultBit::DriveNotFollowing, "DriveNotFollowing",
-          "No index mark of the axis found within two revolutions of homing."),
+          CAMPANEL_TEXT("AlarmCatalogue", "No index mark was found while homing."),
+          "The search covers two revolutions."),
     entry(FaultBit::ForceLimit, "ForceLimit",
-          "The press reached its largest force; it stopped and returned."),
-    entry(FaultBit::TouchedTooEarly, "TouchedTooEarly", "The press felt the work piece during the approach."),
+          CAMPANEL_TEXT("AlarmCatalogue", "The press reached the maximum force, stopped and returned.")),
+    entry(FaultBit::TouchedTooEarly, "TouchedTooEarly",
+          CAMPANEL_TEXT("AlarmCatalogue", "The press touched an object during the approach.")),
     entry(FaultBit::NeverTouched, "NeverTouched",
-          "The press did not feel the work piece where it should be."),
+          CAMPANEL_TEXT("AlarmCatalogue", "The press did not detect a workpiece."),
+          "There was no contact before the end of the probe stage."),
     entry(FaultBit::MasterTooFast, "MasterTooFast",
-          "The cam asked for more pulses in one update than the output stage gives."),
-    entry(FaultBit::DriveAlarm, "DriveAlarm", "The drive reported an alarm by its output."),
+          CAMPANEL_TEXT("AlarmCatalogue",
+                        "The axis cannot follow the master: the pulse frequency is too high."),
+          "The cam needed more pulses in one update than the output stage generates."),
+    entry(FaultBit::DriveAlarm, "DriveAlarm",
+          CAMPANEL_TEXT("AlarmCatalogue", "The drive of the axis reports an alarm.")),
 };
 
 // The bits of status.warning.
@@ -53,25 +62,41 @@ enum class WarningBit : std::uint16_t {
 };
 
 inline constexpr std::array warningBits{
-    entry(WarningBit::HeartbeatLost, "HeartbeatLost",
-          "The panel has not been heard for parameter.heartbeat_timeout."),
-    entry(WarningBit::NotHomed, "NotHomed", "Where the axis stands is not known since power-up; home first."),
+    entry(
+        WarningBit::HeartbeatLost, "HeartbeatLost",
+        CAMPANEL_TEXT("AlarmCatalogue", "The controller received no heartbeat from the panel for some time."),
+        "The time is parameter.heartbeat_timeout."),
+    entry(WarningBit::NotHomed, "NotHomed",
+          CAMPANEL_TEXT("AlarmCatalogue", "The controller does not know the position of the axis."),
+          "Not homed since power-up."),
     entry(WarningBit::FlashSlotInvalid, "FlashSlotInvalid",
-          "A flash slot had a wrong CRC-32 at power-up; the other was used."),
-    entry(WarningBit::ClockNotSet, "ClockNotSet", "The clock has not been set since power-up."),
+          CAMPANEL_TEXT("AlarmCatalogue", "One of the two saved copies in the controller is damaged."),
+          "It had a wrong CRC-32 at power-up; the other one was used."),
+    entry(WarningBit::ClockNotSet, "ClockNotSet",
+          CAMPANEL_TEXT("AlarmCatalogue", "The controller has had no time of day since power-on.")),
     entry(WarningBit::MarksLost, "MarksLost",
-          "The run was ended: parameter.mark_missing_limit marks in a row did not come."),
-    entry(WarningBit::MarkPitchWrong, "MarkPitchWrong",
-          "The run was ended: the marks are not one bag length apart."),
+          CAMPANEL_TEXT("AlarmCatalogue", "The controller lost the marks on the film and stopped the run."),
+          "parameter.mark_missing_limit consecutive marks were missing."),
+    entry(
+        WarningBit::MarkPitchWrong, "MarkPitchWrong",
+        CAMPANEL_TEXT("AlarmCatalogue",
+                      "The mark distance on the film differs from the bag length, so the run was stopped.")),
     entry(WarningBit::CorrectionAtLimit, "CorrectionAtLimit",
-          "The run was ended: five bags in a row needed more correction than the limits allow."),
+          CAMPANEL_TEXT("AlarmCatalogue",
+                        "The correction limits were too small to follow the marks, so the run was stopped."),
+          "Five consecutive bags needed more correction than the limits allow."),
     entry(WarningBit::ProductTooLong, "ProductTooLong",
-          "The run was ended: a product with its clearance is longer than the bag."),
+          CAMPANEL_TEXT("AlarmCatalogue", "A product is longer than the bag, so the run was stopped."),
+          "The length includes its clearance."),
     entry(WarningBit::TooManySkips, "TooManySkips",
-          "The run was ended: parameter.skip_limit cuts in a row were skipped for a product across."),
-    entry(WarningBit::EmergencyStop, "EmergencyStop",
-          "The emergency stop is pressed, or was within the last two seconds. It has ended any motion; no "
-          "safety depends on that."),
+          CAMPANEL_TEXT("AlarmCatalogue",
+                        "Products blocked the knife several times in a row, so the run was stopped."),
+          "parameter.skip_limit consecutive cuts were skipped."),
+    entry(
+        WarningBit::EmergencyStop, "EmergencyStop",
+        CAMPANEL_TEXT("AlarmCatalogue", "The emergency stop of the machine is pressed."),
+        "The bit stays set for two seconds after the release. It has ended any motion; no safety depends on "
+        "that."),
 };
 
 } // namespace campanel::modbus

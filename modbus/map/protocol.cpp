@@ -2,25 +2,30 @@
 // The text of every enumeration value; generated documents and the C header are printed from here.
 #include "modbus/map/protocol.h"
 
+#include "text/marked.h"
+
 #include <algorithm>
+#include <cctype>
 
 namespace campanel::modbus {
 namespace {
 
 constexpr std::array states{
-    entry(State::Idle, "Idle", "No active program."),
-    entry(State::Ready, "Ready", "An active program, standing still."),
-    entry(State::Running, "Running", "Executing the active table."),
-    entry(State::Stopping, "Stopping", "Ramping down, to the end of the cycle or at once."),
-    entry(State::Jogging, "Jogging", "Moving while a jog bit is held."),
-    entry(State::Homing, "Homing",
-          "Looking for the index mark of the axis: of the knife shaft, or of the motor where there is no "
-          "knife."),
-    entry(State::Fault, "Fault", "Stopped by a fault; see status.fault, then reset."),
+    entry(State::Idle, "Idle", CAMPANEL_TEXT("Protocol", "No program")),
+    entry(State::Ready, "Ready", CAMPANEL_TEXT("Protocol", "Ready"),
+          "A program is active, the axes stand still."),
+    entry(State::Running, "Running", CAMPANEL_TEXT("Protocol", "Running"), "Executes the active table."),
+    entry(State::Stopping, "Stopping", CAMPANEL_TEXT("Protocol", "Stopping"),
+          "Ramps down, to the end of the cycle or at once."),
+    entry(State::Jogging, "Jogging", CAMPANEL_TEXT("Protocol", "Jogging"), "Moves while a jog bit is set."),
+    entry(State::Homing, "Homing", CAMPANEL_TEXT("Protocol", "Homing"),
+          "Searches for the index mark of the knife shaft, or of the motor on a machine without a knife."),
+    entry(State::Fault, "Fault", CAMPANEL_TEXT("Protocol", "Fault"),
+          "Stopped by a fault; see status.fault, then reset."),
 };
 
 constexpr std::array programKinds{
-    entry(ProgramKind::None, "None", "Nothing."),
+    entry(ProgramKind::None, "None", "No program."),
     entry(ProgramKind::RotaryCutter, "RotaryCutter", "Rotary cutter cam."),
     entry(ProgramKind::PositionMove, "PositionMove", "Move over a distance, from rest to rest."),
     entry(ProgramKind::SpeedMove, "SpeedMove", "Move from one speed to another, which is then held."),
@@ -31,43 +36,36 @@ constexpr std::array programKinds{
 static_assert(programKinds.back().value == static_cast<std::uint16_t>(lastProgramKind));
 
 constexpr std::array tableLayouts{
-    entry(TableLayout::None, "None", "Nothing."),
+    entry(TableLayout::None, "None", "No table."),
     entry(TableLayout::StepTable, "StepTable",
-          "Rows of three registers: pulses (u16), ticks (u32). Pulse j = 1 .. pulses comes floor(j * ticks / "
-          "pulses) "
-          "ticks after the row's start, the last one at its end; a row without pulses is a pause."),
+          "Rows of three registers: pulses (u16), ticks (u32). Pulse j = 1 .. pulses follows floor(j * ticks "
+          "/ pulses) ticks after the start of the row, the last pulse at its end; a row without pulses is a "
+          "pause."),
     entry(
         TableLayout::CamPoints, "CamPoints",
-        "Rows of four registers, one for each end of the equal intervals of the master: position (i32, "
-        "1/256 pulse "
-        "from the first row) and slope (i32, 1/256 pulse per interval); in between a cubic with these "
-        "slopes. After "
-        "the rows of a point cam cam.knot_count knots of four registers: master (u32, 0.0001 degrees), slave "
-        "(i32, 0.001 mm). After those of a segment cam cam.segment_count segments of 17 registers: end (u32, "
-        "0.0001 degrees), slave at the end (i32, 0.001 mm), motion (u16: 0 dwell, 101 constant speed, 103 "
-        "and 105 polynomials of the third and fifth degree, else the code of a law), speed and acceleration "
-        "at the start, then at the end (i32, 0.000001 mm/degree and 0.0000001 mm/degree^2), two parameters "
-        "of the law (u32, 0.000001)."),
+        "Rows of four registers, one for each end of the equal intervals of the master: position (i32, 1/256 "
+        "pulse from the first row) and slope (i32, 1/256 pulse per interval); between them a cubic with "
+        "these slopes. After the rows of a point cam there are cam.knot_count knots of four registers: "
+        "master (u32, 0.0001 degrees), slave (i32, 0.001 mm). After the rows of a segment cam there are "
+        "cam.segment_count segments of 17 registers: end (u32, 0.0001 degrees), slave at the end (i32, 0.001 "
+        "mm), motion (u16: 0 dwell, 101 constant speed, 103 and 105 polynomials of the third and fifth "
+        "degree, otherwise the code of a law), speed and acceleration at the start, then at the end (i32, "
+        "0.000001 mm/degree and 0.0000001 mm/degree^2), two parameters of the law (u32, 0.000001)."),
     entry(TableLayout::Intervals, "Intervals",
-          "Rows of eight registers, constant acceleration each: distance (u32, pulses), first and last speed "
-          "(u32, "
-          "pulses/s), acceleration (u32, pulses/s^2), as the accumulators of the engine take them: at 2^23 "
-          "iterations per second, in units of 2^-interval.fraction_bits."),
-    entry(
-        TableLayout::PressStages, "PressStages",
-        "Five rows of eight registers: speed (u32, Hz), end position (i32, pulses), force (u32, N), time "
-        "(u32, ms): "
-        "approach, probe, press, hold, return. The time of a stage that moves is its ramp, that of the hold "
-        "its length. "
-        "The force of approach and probe is the one by which the work piece is felt, that of press the "
-        "largest "
-        "allowed in any stage."),
+          "Rows of eight registers with constant acceleration: distance (u32, pulses), first and last speed "
+          "(u32, pulses/s), acceleration (u32, pulses/s^2), in the units of the engine's accumulators: 2^23 "
+          "iterations per second, scaled by 2^-interval.fraction_bits."),
+    entry(TableLayout::PressStages, "PressStages",
+          "Five rows of eight registers: speed (u32, Hz), end position (i32, pulses), force (u32, N), time "
+          "(u32, ms): approach, probe, press, hold, return. The time of a moving stage is its ramp, the time "
+          "of the hold stage its duration. The force of approach and probe is the threshold for contact with "
+          "the work piece, the force of press the maximum of all stages."),
 };
 
 constexpr std::array endBehaviors{
-    entry(EndBehavior::Repeat, "Repeat", "The table begins again."),
+    entry(EndBehavior::Repeat, "Repeat", "The table repeats."),
     entry(EndBehavior::Stop, "Stop", "The axis stands still; Start runs the table once more."),
-    entry(EndBehavior::HoldSpeed, "HoldSpeed", "The last speed is held until a stop."),
+    entry(EndBehavior::HoldSpeed, "HoldSpeed", "The axis keeps its last speed until a stop."),
 };
 
 constexpr std::array rampShapes{
@@ -76,9 +74,9 @@ constexpr std::array rampShapes{
 };
 
 constexpr std::array moveDurations{
-    entry(MoveDuration::GivenTime, "GivenTime", "The time is given."),
+    entry(MoveDuration::GivenTime, "GivenTime", "Given time."),
     entry(MoveDuration::Fastest, "Fastest", "As fast as the limits of the machine allow."),
-    entry(MoveDuration::OverDistance, "OverDistance", "The distance of a change of speed is given."),
+    entry(MoveDuration::OverDistance, "OverDistance", "Given distance of a change of speed."),
 };
 
 // The codes are those of profile::LawId.
@@ -101,175 +99,257 @@ constexpr std::array laws{
 constexpr std::array splineEnds{
     entry(SplineEnds::Natural, "Natural", "No curvature at the ends."),
     entry(SplineEnds::Clamped, "Clamped", "No speed at the ends."),
-    entry(SplineEnds::Periodic, "Periodic", "Speed and acceleration continue where the cycle closes."),
+    entry(SplineEnds::Periodic, "Periodic", "Speed and acceleration are continuous where the cycle closes."),
 };
 
 constexpr std::array pressStages{
-    entry(PressStage::Standing, "Standing", "No stroke under way."),
-    entry(PressStage::Approach, "Approach", "Fast to a position near the work piece."),
-    entry(PressStage::Probe, "Probe", "Slowly until the work piece is felt."),
-    entry(PressStage::Press, "Press", "The counted pulses to the stop position."),
-    entry(PressStage::Hold, "Hold", "Standing at the stop position under force."),
-    entry(PressStage::Return, "Return", "Back to the upper position."),
+    entry(PressStage::Standing, "Standing", CAMPANEL_TEXT("Protocol", "At standstill"),
+          "No stroke in progress."),
+    entry(PressStage::Approach, "Approach", CAMPANEL_TEXT("Protocol", "Approach"),
+          "Fast to a position near the work piece."),
+    entry(PressStage::Probe, "Probe", CAMPANEL_TEXT("Protocol", "Probe"),
+          "Slowly until contact with the work piece."),
+    entry(PressStage::Press, "Press", CAMPANEL_TEXT("Protocol", "Press"),
+          "Counted pulses to the stop position."),
+    entry(PressStage::Hold, "Hold", CAMPANEL_TEXT("Protocol", "Hold"),
+          "Stands at the stop position under force."),
+    entry(PressStage::Return, "Return", CAMPANEL_TEXT("Protocol", "Return"), "Back to the upper position."),
 };
 
 constexpr std::array strokeResults{
-    entry(StrokeResult::None, "None", "No stroke has ended since power-up."),
-    entry(StrokeResult::Ok, "Ok", "Stop position and force within their windows."),
+    entry(StrokeResult::None, "None", {}, "No stroke has ended since power-up."),
+    entry(StrokeResult::Ok, "Ok", CAMPANEL_TEXT("Protocol", "OK"),
+          "Stop position and force are within their windows."),
     entry(StrokeResult::PositionOutside, "PositionOutside",
-          "Stopped farther from the position than the tolerance."),
-    entry(StrokeResult::ForceTooLow, "ForceTooLow", "Less force at the stop than the window allows."),
-    entry(StrokeResult::ForceTooHigh, "ForceTooHigh", "More force at the stop than the window allows."),
-    entry(StrokeResult::TouchedTooEarly, "TouchedTooEarly", "The work piece was felt during the approach."),
-    entry(StrokeResult::NeverTouched, "NeverTouched",
-          "The work piece was not felt where it should have been."),
-    entry(StrokeResult::ForceLimit, "ForceLimit", "The largest force was reached: stopped and returned."),
-    entry(StrokeResult::Stopped, "Stopped", "Ended by a stop."),
+          CAMPANEL_TEXT("Protocol", "Stop position outside tolerance")),
+    entry(StrokeResult::ForceTooLow, "ForceTooLow", CAMPANEL_TEXT("Protocol", "Force too low"),
+          "The force at the stop is below the window."),
+    entry(StrokeResult::ForceTooHigh, "ForceTooHigh", CAMPANEL_TEXT("Protocol", "Force too high"),
+          "The force at the stop is above the window."),
+    entry(StrokeResult::TouchedTooEarly, "TouchedTooEarly", CAMPANEL_TEXT("Protocol", "Contact too early"),
+          "The press touched the work piece during the approach."),
+    entry(StrokeResult::NeverTouched, "NeverTouched", CAMPANEL_TEXT("Protocol", "No contact"),
+          "The press did not touch the work piece before the end of the probe stage."),
+    entry(StrokeResult::ForceLimit, "ForceLimit", CAMPANEL_TEXT("Protocol", "Max. force reached"),
+          "The press stopped and returned."),
+    entry(StrokeResult::Stopped, "Stopped", CAMPANEL_TEXT("Protocol", "Stopped"), "Ended by a stop."),
 };
 
 constexpr std::array stagedStates{
-    entry(StagedState::Empty, "Empty", "The shadow bank holds nothing."),
-    entry(StagedState::Receiving, "Receiving", "A transfer is under way or was interrupted."),
-    entry(StagedState::Sealed, "Sealed", "Complete and checked; may be applied."),
+    entry(StagedState::Empty, "Empty", "The shadow bank is empty."),
+    entry(StagedState::Receiving, "Receiving", "A transfer is in progress or was interrupted."),
+    entry(StagedState::Sealed, "Sealed", "Complete and checked; can be applied."),
     entry(StagedState::Armed, "Armed", "Becomes active at the next cycle boundary."),
 };
 
 constexpr std::array commands{
-    entry(Command::None, "None", "No command yet."),
-    entry(Command::Start, "Start", "Run the active table, ramping up from standstill."),
-    entry(Command::StopAtCycleEnd, "StopAtCycleEnd",
-          "Ramp down so that the motion ends at a cycle boundary."),
-    entry(Command::StopNow, "StopNow", "Ramp down at once; the cam phase is kept."),
-    entry(Command::Home, "Home",
-          "Turn slowly to the index mark of the axis and call it zero; a press: call the place where it "
-          "stands its upper position."),
-    entry(Command::ResetFault, "ResetFault", "Leave Fault when its cause is gone."),
-    entry(Command::ApplyStaged, "ApplyStaged",
+    entry(Command::None, "None", {}, "No command yet."),
+    entry(Command::Start, "Start", CAMPANEL_TEXT("Protocol", "Start"),
+          "Runs the active table, ramping up from standstill."),
+    entry(Command::StopAtCycleEnd, "StopAtCycleEnd", CAMPANEL_TEXT("Protocol", "Stop"),
+          "Ramps down so that the motion ends at a cycle boundary."),
+    entry(Command::StopNow, "StopNow", CAMPANEL_TEXT("Protocol", "Stop"),
+          "Ramps down at once; the cam phase is kept."),
+    entry(Command::Home, "Home", CAMPANEL_TEXT("Protocol", "Home"),
+          "Turns slowly to the index mark of the axis and sets this position to zero; a press takes its "
+          "present position as the upper position."),
+    entry(Command::ResetFault, "ResetFault", CAMPANEL_TEXT("Protocol", "Reset fault"),
+          "Leaves Fault when its cause is gone."),
+    entry(Command::ApplyStaged, "ApplyStaged", {},
           "argument0 = ApplyMode, argument1 = transfer session, argument2 = CRC-32 of the staged bytes."),
-    entry(Command::CancelApply, "CancelApply",
-          "Disarm: the staged bank stays sealed, the active one active."),
-    entry(Command::DiscardStaged, "DiscardStaged", "Empty the shadow bank."),
-    entry(Command::SaveToFlash, "SaveToFlash",
-          "Write active bank and parameters to the older flash slot; argument2 = active CRC-32."),
-    entry(Command::SetClock, "SetClock", "argument2 = seconds since 1970-01-01 UTC."),
-    entry(Command::TeachMarks, "TeachMarks",
-          "argument0 = marks, 2..100: measure the distances between the next marks whatever they are; see "
-          "packer.teach_marks."),
+    entry(Command::CancelApply, "CancelApply", {},
+          "Disarms: the staged bank stays sealed, the active bank stays active."),
+    entry(Command::DiscardStaged, "DiscardStaged", {}, "Empties the shadow bank."),
+    entry(Command::SaveToFlash, "SaveToFlash", CAMPANEL_TEXT("Protocol", "Save"),
+          "Writes active bank and parameters to the older flash slot; argument2 = active CRC-32."),
+    entry(Command::SetClock, "SetClock", {}, "argument2 = seconds since 1970-01-01 UTC."),
+    entry(Command::TeachMarks, "TeachMarks", CAMPANEL_TEXT("Protocol", "Measure marks"),
+          "argument0 = number of marks, 2 to 100: measures the distances between the next marks of any "
+          "length; see packer.teach_marks."),
 };
 
 constexpr std::array applyModes{
-    entry(ApplyMode::WhenStopped, "WhenStopped", "Swap at once; refused unless standing still."),
-    entry(ApplyMode::NextCycle, "NextCycle", "Swap at the next cycle boundary, at once when standing still."),
+    entry(ApplyMode::WhenStopped, "WhenStopped", "Swaps at once; refused unless the axes stand still."),
+    entry(ApplyMode::NextCycle, "NextCycle", "Swaps at the next cycle boundary, at once at standstill."),
 };
 
 constexpr std::array commandStatuses{
     entry(CommandStatus::None, "None", "No command received since power-up."),
-    entry(CommandStatus::Done, "Done", "Accepted and carried out, or started where it takes time."),
-    entry(CommandStatus::Refused, "Refused", "Not carried out; result.reason says why."),
-    entry(CommandStatus::Busy, "Busy",
-          "Being carried out in pieces; read the result again until it is another one."),
+    entry(CommandStatus::Done, "Done", "Executed, or started if it takes time."),
+    entry(CommandStatus::Refused, "Refused", "Not executed; result.reason says why."),
+    entry(CommandStatus::Busy, "Busy", "In progress; read the result again until it changes."),
 };
 
+// The wire has one number for each switch.
+constexpr std::string_view switchLeadTooLong = CAMPANEL_TEXT(
+    "Protocol",
+    "The lead of cam switch %1 is longer than a cycle. Shorten it under Maintenance, or lower the rate.");
+
 constexpr std::array refusals{
-    entry(Refusal::None, "None", "Not refused."),
-    entry(Refusal::UnknownCommand, "UnknownCommand", "The controller does not know this command."),
-    entry(Refusal::NoActiveProgram, "NoActiveProgram", "No program is active; download one first."),
-    entry(Refusal::AlreadyRunning, "AlreadyRunning", "The machine is already moving."),
-    entry(Refusal::NotRunning, "NotRunning", "The machine is not running."),
-    entry(Refusal::InFault, "InFault", "The controller is in fault; reset the fault first."),
-    entry(Refusal::NotStandstill, "NotStandstill", "Only allowed at standstill; stop the machine first."),
-    entry(Refusal::NothingSealed, "NothingSealed", "No sealed program is staged."),
-    entry(Refusal::WrongSession, "WrongSession", "The staged program belongs to another transfer session."),
-    entry(Refusal::WrongChecksum, "WrongChecksum", "The CRC-32 named is not that of the bytes held."),
-    entry(Refusal::MachineDataDiffers, "MachineDataDiffers",
-          "Kind, knife radius, number of knives, gear, feed or pulses per revolution differ; they change "
-          "only at standstill."),
-    entry(Refusal::NotArmed, "NotArmed", "No change is armed."),
+    entry(Refusal::None, "None", {}, "Not refused."),
+    entry(Refusal::UnknownCommand, "UnknownCommand",
+          CAMPANEL_TEXT("Protocol", "The controller does not support this command. Update its firmware.")),
+    entry(Refusal::NoActiveProgram, "NoActiveProgram",
+          CAMPANEL_TEXT("Protocol", "The controller has no program. Download a recipe first.")),
+    entry(Refusal::AlreadyRunning, "AlreadyRunning",
+          CAMPANEL_TEXT("Protocol", "The machine is already moving. Stop it first.")),
+    entry(Refusal::NotRunning, "NotRunning", CAMPANEL_TEXT("Protocol", "The machine is not running.")),
+    entry(Refusal::InFault, "InFault",
+          CAMPANEL_TEXT("Protocol", "The controller is in fault. Reset the fault first.")),
+    entry(Refusal::NotStandstill, "NotStandstill",
+          CAMPANEL_TEXT("Protocol", "This is only possible at standstill. Stop the machine first.")),
+    entry(Refusal::NothingSealed, "NothingSealed",
+          CAMPANEL_TEXT("Protocol", "The controller has no checked table. Download again."),
+          "No sealed program is staged."),
+    entry(Refusal::WrongSession, "WrongSession",
+          CAMPANEL_TEXT("Protocol", "Another download interfered. Download again."),
+          "The staged program belongs to another transfer session."),
+    entry(Refusal::WrongChecksum, "WrongChecksum",
+          CAMPANEL_TEXT("Protocol", "The controller received different data. Download again."),
+          "argument2 is not the CRC-32 of the stored bytes."),
+    entry(
+        Refusal::MachineDataDiffers, "MachineDataDiffers",
+        CAMPANEL_TEXT("Protocol", "Machine data can only be changed at standstill. Stop the machine first."),
+        "These are kind, knife radius, number of knives, gear, feed and pulses per revolution."),
+    entry(Refusal::NotArmed, "NotArmed", CAMPANEL_TEXT("Protocol", "No change is pending.")),
     entry(Refusal::FlashFailed, "FlashFailed",
-          "The flash could not be written; the saved program is unchanged."),
-    entry(Refusal::NoFault, "NoFault", "There is no fault to reset."),
-    entry(Refusal::BadArgument, "BadArgument", "An argument is outside its range."),
-    entry(Refusal::FaultPersists, "FaultPersists", "The cause of the fault is still there."),
-    entry(Refusal::HeartbeatLost, "HeartbeatLost", "No panel heartbeat; reconnect first."),
+          CAMPANEL_TEXT(
+              "Protocol",
+              "Writing to the controller's flash failed; the saved program is unchanged. Save again.")),
+    entry(Refusal::NoFault, "NoFault", CAMPANEL_TEXT("Protocol", "There is no fault to reset.")),
+    entry(
+        Refusal::BadArgument, "BadArgument",
+        CAMPANEL_TEXT("Protocol",
+                      "The controller does not accept this value. Update the older of panel and controller."),
+        "An argument is outside its range."),
+    entry(Refusal::FaultPersists, "FaultPersists",
+          CAMPANEL_TEXT("Protocol", "The cause of the fault still exists. Remove it first.")),
+    entry(Refusal::HeartbeatLost, "HeartbeatLost",
+          CAMPANEL_TEXT("Protocol", "The controller receives no heartbeat from the panel. Check the cable.")),
     entry(Refusal::SensorTooFar, "SensorTooFar",
-          "More bags between mark sensor and knife than the controller remembers; a longer bag or a nearer "
-          "sensor."),
+          CAMPANEL_TEXT("Protocol",
+                        "There are too many bags between mark sensor and knife. Set a longer bag, "
+                        "move the sensor closer, or switch off mark tracking under Maintenance.")),
     entry(Refusal::MarkWindowTooWide, "MarkWindowTooWide",
-          "parameter.mark_window reaches a quarter of the bag length; marks could be confused."),
+          CAMPANEL_TEXT("Protocol", "The mark window is wider than half a bag. Reduce it under Maintenance."),
+          "parameter.mark_window must be less than a quarter of the bag length."),
     entry(Refusal::NoRoomToCorrect, "NoRoomToCorrect",
-          "Knife and film move together for more than nine tenths of the cycle, or the cut is outside that."),
+          CAMPANEL_TEXT("Protocol", "The sync window is too long to correct the film. Change k1 to k4."),
+          "Knife and film move together for more than nine tenths of the cycle, or the cut is outside this "
+          "part."),
     entry(Refusal::EyeTooNear, "EyeTooNear",
-          "The product eye must be far enough before the film to decide in time, some two products, and at "
-          "most eight."),
+          CAMPANEL_TEXT("Protocol", "The product eye is too close or too far to decide in time. Check its "
+                                    "distance under Maintenance."),
+          "The minimum is about two products, the maximum eight."),
     entry(Refusal::FeedTooFast, "FeedTooFast",
-          "Film or infeed would need more pulses a second, corrections included, than the output stage "
-          "gives."),
+          CAMPANEL_TEXT("Protocol",
+                        "Film or infeed would exceed the controller's speed limit. Lower the rate."),
+          "With corrections they would need more pulses per second than the output stage generates."),
     entry(Refusal::CommandIncomplete, "CommandIncomplete",
-          "Counter and code of a command come in one frame. Write them together."),
+          CAMPANEL_TEXT("Protocol",
+                        "Another device on the line writes parts of commands. Check the connected devices."),
+          "Write counter and code of a command in one frame."),
     entry(Refusal::StepTooLarge, "StepTooLarge",
-          "Even at the smallest share of full speed an axis would change its speed by more than its largest "
-          "step; the program is changed at standstill."),
-    entry(Refusal::Switch1LeadTooLong, "Switch1LeadTooLong",
-          "The lead of cam switch 1 is longer than a cycle at the program's full speed."),
-    entry(Refusal::Switch2LeadTooLong, "Switch2LeadTooLong",
-          "The lead of cam switch 2 is longer than a cycle at the program's full speed."),
-    entry(Refusal::Switch3LeadTooLong, "Switch3LeadTooLong",
-          "The lead of cam switch 3 is longer than a cycle at the program's full speed."),
-    entry(Refusal::Switch4LeadTooLong, "Switch4LeadTooLong",
-          "The lead of cam switch 4 is longer than a cycle at the program's full speed."),
-    entry(Refusal::Switch5LeadTooLong, "Switch5LeadTooLong",
-          "The lead of cam switch 5 is longer than a cycle at the program's full speed."),
-    entry(Refusal::Switch6LeadTooLong, "Switch6LeadTooLong",
-          "The lead of cam switch 6 is longer than a cycle at the program's full speed."),
-    entry(Refusal::Switch7LeadTooLong, "Switch7LeadTooLong",
-          "The lead of cam switch 7 is longer than a cycle at the program's full speed."),
-    entry(Refusal::Switch8LeadTooLong, "Switch8LeadTooLong",
-          "The lead of cam switch 8 is longer than a cycle at the program's full speed."),
+          CAMPANEL_TEXT("Protocol", "The speed of an axis would change too abruptly. Stop the machine, then "
+                                    "download; or raise the largest speed steps under Maintenance."),
+          "The speed step is above its maximum even at the lowest share of full speed."),
+    entry(Refusal::Switch1LeadTooLong, "Switch1LeadTooLong", switchLeadTooLong, {}, "1"),
+    entry(Refusal::Switch2LeadTooLong, "Switch2LeadTooLong", switchLeadTooLong, {}, "2"),
+    entry(Refusal::Switch3LeadTooLong, "Switch3LeadTooLong", switchLeadTooLong, {}, "3"),
+    entry(Refusal::Switch4LeadTooLong, "Switch4LeadTooLong", switchLeadTooLong, {}, "4"),
+    entry(Refusal::Switch5LeadTooLong, "Switch5LeadTooLong", switchLeadTooLong, {}, "5"),
+    entry(Refusal::Switch6LeadTooLong, "Switch6LeadTooLong", switchLeadTooLong, {}, "6"),
+    entry(Refusal::Switch7LeadTooLong, "Switch7LeadTooLong", switchLeadTooLong, {}, "7"),
+    entry(Refusal::Switch8LeadTooLong, "Switch8LeadTooLong", switchLeadTooLong, {}, "8"),
     entry(Refusal::EmergencyStop, "EmergencyStop",
-          "The emergency stop is pressed, or was within the last two seconds."),
+          CAMPANEL_TEXT("Protocol", "The emergency stop is pressed. Release it, then wait two seconds.")),
     entry(Refusal::DriveAlarm, "DriveAlarm",
-          "The fault is an alarm of the drive; remove its cause, then reset the fault."),
-    entry(Refusal::NotWarm, "NotWarm", "exchange.permit lacks Warm."),
-    entry(Refusal::WrongFilm, "WrongFilm", "exchange.permit lacks Film."),
-    entry(Refusal::WrongRecipe, "WrongRecipe", "exchange.permit lacks Recipe."),
-    entry(Refusal::NotClean, "NotClean", "exchange.permit lacks Clean."),
-    entry(Refusal::PanelDisagrees, "PanelDisagrees", "exchange.permit lacks PanelAgrees."),
+          CAMPANEL_TEXT("Protocol", "The drive reported an alarm. Remove its cause, then reset the fault.")),
+    entry(
+        Refusal::NotWarm, "NotWarm",
+        CAMPANEL_TEXT("Protocol",
+                      "The panel does not permit the start: the machine is not warm. Wait until it is warm."),
+        "exchange.permit lacks Warm."),
+    entry(Refusal::WrongFilm, "WrongFilm",
+          CAMPANEL_TEXT(
+              "Protocol",
+              "The panel does not permit the start with this film reel. Load and scan the right reel."),
+          "exchange.permit lacks Film."),
+    entry(Refusal::WrongRecipe, "WrongRecipe",
+          CAMPANEL_TEXT("Protocol",
+                        "The panel does not permit the start with this program. Download the recipe again."),
+          "exchange.permit lacks Recipe."),
+    entry(Refusal::NotClean, "NotClean",
+          CAMPANEL_TEXT(
+              "Protocol",
+              "The panel does not permit motion while the machine is cleaned. End the cleaning first."),
+          "exchange.permit lacks Clean."),
+    entry(Refusal::PanelDisagrees, "PanelDisagrees",
+          CAMPANEL_TEXT("Protocol",
+                        "The panel does not permit the start. Read the reason at its Start button."),
+          "exchange.permit lacks PanelAgrees."),
 };
 static_assert(refusals.back().value == static_cast<std::uint16_t>(Refusal::NotWarm) +
                                            static_cast<std::uint16_t>(PermitBit::PanelAgrees));
 
 constexpr std::array transferOperations{
     entry(TransferOperation::None, "None", "No transfer since power-up."),
-    entry(TransferOperation::Begin, "Begin", "data = ProgramKind, registers in all, map major version."),
+    entry(TransferOperation::Begin, "Begin",
+          "data = ProgramKind, total number of registers, map major version."),
     entry(TransferOperation::Block, "Block",
           "transfer.length registers of data at block * identity.block_registers."),
-    entry(TransferOperation::Seal, "Seal", "Check every row, compute the CRC-32."),
+    entry(TransferOperation::Seal, "Seal", "Checks every row and computes the CRC-32."),
 };
 
 constexpr std::array transferResults{
-    entry(TransferResult::None, "None", "No transfer since power-up."),
-    entry(TransferResult::Accepted, "Accepted", "Done."),
-    entry(TransferResult::WrongSession, "WrongSession", "The transfer under way has another session id."),
-    entry(TransferResult::NotReceiving, "NotReceiving", "No transfer has begun."),
-    entry(TransferResult::BadBlock, "BadBlock", "Block number outside the announced length."),
-    entry(TransferResult::BadLength, "BadLength", "Length is zero, too long, or not that of the block."),
+    entry(TransferResult::None, "None", {}, "No transfer since power-up."),
+    entry(TransferResult::Accepted, "Accepted", {}, "Done."),
+    entry(TransferResult::WrongSession, "WrongSession",
+          CAMPANEL_TEXT("Protocol", "Another download interfered. Download again."),
+          "The current transfer has another session id."),
+    entry(TransferResult::NotReceiving, "NotReceiving",
+          CAMPANEL_TEXT("Protocol", "Another download interfered. Download again."),
+          "No transfer has begun."),
+    entry(TransferResult::BadBlock, "BadBlock",
+          CAMPANEL_TEXT("Protocol", "Parts of the table are missing. Download again."),
+          "The block number is outside the announced length."),
+    entry(TransferResult::BadLength, "BadLength",
+          CAMPANEL_TEXT("Protocol", "Parts of the table are missing. Download again."),
+          "The length is zero, too long, or not that of the block."),
     entry(TransferResult::WrongMapVersion, "WrongMapVersion",
+          CAMPANEL_TEXT("Protocol", "Panel and controller do not match. Update the older device."),
           "The panel was built for another register map."),
-    entry(TransferResult::KindNotSupported, "KindNotSupported", "This program kind cannot be executed here."),
+    entry(TransferResult::KindNotSupported, "KindNotSupported",
+          CAMPANEL_TEXT("Protocol", "Panel and controller do not match. Update the older device."),
+          "The controller cannot execute this kind of program."),
     entry(TransferResult::BlocksMissing, "BlocksMissing",
+          CAMPANEL_TEXT("Protocol", "Parts of the table are missing. Download again."),
           "Sealing needs every block; see transfer_result.next_missing."),
-    entry(TransferResult::BadHeader, "BadHeader", "A header field is outside its range."),
-    entry(TransferResult::BadRow, "BadRow",
-          "Row transfer_result.detail is outside what the controller can execute."),
-    entry(TransferResult::BadSum, "BadSum", "The rows do not add up to the header's pulses or ticks."),
-    entry(TransferResult::StateRefuses, "StateRefuses", "An armed change must be cancelled first."),
+    entry(
+        TransferResult::BadHeader, "BadHeader",
+        CAMPANEL_TEXT("Protocol",
+                      "Value %1 in the table header is outside the controller's limits. Correct the recipe."),
+        {}, "transfer_result.detail"),
+    entry(
+        TransferResult::BadRow, "BadRow",
+        CAMPANEL_TEXT("Protocol",
+                      "Row %1 of the table is outside the range of the controller's timer. Lower the rate."),
+        {}, "transfer_result.detail"),
+    entry(TransferResult::BadSum, "BadSum",
+          CAMPANEL_TEXT("Protocol",
+                        "The table's rows do not match its total pulses and time. Download again.")),
+    entry(
+        TransferResult::StateRefuses, "StateRefuses",
+        CAMPANEL_TEXT("Protocol", "An earlier change is waiting for the end of the cycle. Cancel it first.")),
     entry(TransferResult::Busy, "Busy",
-          "Being checked in pieces, or the bank is being saved; send the same again."),
+          CAMPANEL_TEXT("Protocol",
+                        "The controller has not finished checking or saving a table. Download again."),
+          "Send the same request again."),
 };
 
 constexpr std::array jogBits{
-    entry(JogBit::Forward, "Forward", "Jog forward while set and the heartbeat advances."),
-    entry(JogBit::Reverse, "Reverse", "Jog backward while set and the heartbeat advances."),
+    entry(JogBit::Forward, "Forward", "Jogs forward while set and the heartbeat advances."),
+    entry(JogBit::Reverse, "Reverse", "Jogs in reverse while set and the heartbeat advances."),
 };
 
 constexpr std::array permitBits{
@@ -284,23 +364,24 @@ constexpr std::array permitBits{
 static_assert(permitBits.size() == permitCount);
 
 constexpr std::array heartbeatLostActions{
-    entry(HeartbeatLostAction::RunOn, "RunOn", "Warn and run on."),
-    entry(HeartbeatLostAction::StopAtCycleEnd, "StopAtCycleEnd", "Warn and stop at the end of the cycle."),
+    entry(HeartbeatLostAction::RunOn, "RunOn", "Warns and keeps running."),
+    entry(HeartbeatLostAction::StopAtCycleEnd, "StopAtCycleEnd", "Warns and stops at the end of the cycle."),
 };
 
 constexpr std::array switchModes{
-    entry(SwitchMode::Off, "Off", "Never on."),
-    entry(SwitchMode::Cycles, "Cycles", "On from the on angle to the off angle of every n-th cycle."),
-    entry(SwitchMode::RejectedBags, "RejectedBags",
-          "The same, once for each bag to reject: on when the bag cut last is one. The on angle, less the "
-          "lead, must be behind the cut."),
+    entry(SwitchMode::Off, "Off", CAMPANEL_TEXT("Protocol", "Off"), "Never on."),
+    entry(SwitchMode::Cycles, "Cycles", CAMPANEL_TEXT("Protocol", "By angle"),
+          "On from the on angle to the off angle of every n-th cycle."),
+    entry(SwitchMode::RejectedBags, "RejectedBags", CAMPANEL_TEXT("Protocol", "Rejected bags"),
+          "As by angle, once for each rejected bag: on if the last cut bag is rejected. The on angle minus "
+          "the lead must be after the cut."),
 };
 
 constexpr std::array driveEnables{
-    entry(DriveEnable::Off, "Off", "The drives are never enabled."),
-    entry(DriveEnable::On, "On", "Always."),
-    entry(DriveEnable::WhileRunning, "WhileRunning",
-          "While an axis moves by the controller, and half a second longer."),
+    entry(DriveEnable::Off, "Off", CAMPANEL_TEXT("Protocol", "Off"), "The drives are never enabled."),
+    entry(DriveEnable::On, "On", CAMPANEL_TEXT("Protocol", "Always on")),
+    entry(DriveEnable::WhileRunning, "WhileRunning", CAMPANEL_TEXT("Protocol", "While running"),
+          "Enabled while the controller moves an axis, and for half a second after."),
 };
 
 constexpr std::array ioBits{
@@ -311,61 +392,78 @@ constexpr std::array ioBits{
 };
 
 constexpr std::array inputBits{
-    entry(InputBit::DriveAlarm, "DriveAlarm", "The drive reports an alarm: a fault at once."),
-    entry(InputBit::EmergencyStop, "EmergencyStop",
-          "The emergency stop is pressed: ends a motion and refuses others. No safety depends on it."),
-    entry(InputBit::LimitForward, "LimitForward", "Forward limit switch reached. Only reported."),
-    entry(InputBit::LimitReverse, "LimitReverse", "Reverse limit switch reached. Only reported."),
-    entry(InputBit::IndexMark, "IndexMark", "The axis stands on its index mark."),
-    entry(InputBit::MarkSensor, "MarkSensor", "A printed mark is under its sensor."),
-    entry(InputBit::ProductEye, "ProductEye", "A product covers the eye."),
+    entry(InputBit::DriveAlarm, "DriveAlarm", CAMPANEL_TEXT("Protocol", "Drive alarm"),
+          "The drive reports an alarm; the controller goes into fault at once."),
+    entry(InputBit::EmergencyStop, "EmergencyStop", CAMPANEL_TEXT("Protocol", "Emergency stop"),
+          "It is pressed: ends a motion and refuses others. No safety depends on it."),
+    entry(InputBit::LimitForward, "LimitForward", CAMPANEL_TEXT("Protocol", "Limit switch, forward"),
+          "It is reached. Only reported."),
+    entry(InputBit::LimitReverse, "LimitReverse", CAMPANEL_TEXT("Protocol", "Limit switch, reverse"),
+          "It is reached. Only reported."),
+    entry(InputBit::IndexMark, "IndexMark", CAMPANEL_TEXT("Protocol", "Index mark"), "The axis is on it."),
+    entry(InputBit::MarkSensor, "MarkSensor", CAMPANEL_TEXT("Protocol", "Mark sensor"),
+          "A printed mark is under it."),
+    entry(InputBit::ProductEye, "ProductEye", CAMPANEL_TEXT("Protocol", "Product eye"),
+          "A product covers it."),
 };
 
+constexpr std::string_view camSwitch = CAMPANEL_TEXT("Protocol", "Cam switch %1");
+
 constexpr std::array outputBits{
-    entry(OutputBit::Switch1, "Switch1", "Cam switch 1."),
-    entry(OutputBit::Switch2, "Switch2", "Cam switch 2."),
-    entry(OutputBit::Switch3, "Switch3", "Cam switch 3."),
-    entry(OutputBit::Switch4, "Switch4", "Cam switch 4."),
-    entry(OutputBit::Switch5, "Switch5", "Cam switch 5."),
-    entry(OutputBit::Switch6, "Switch6", "Cam switch 6."),
-    entry(OutputBit::Switch7, "Switch7", "Cam switch 7."),
-    entry(OutputBit::Switch8, "Switch8", "Cam switch 8."),
-    entry(OutputBit::DriveEnable, "DriveEnable", "Enables the drives; see parameter.drive_enable."),
+    entry(OutputBit::Switch1, "Switch1", camSwitch, {}, "1"),
+    entry(OutputBit::Switch2, "Switch2", camSwitch, {}, "2"),
+    entry(OutputBit::Switch3, "Switch3", camSwitch, {}, "3"),
+    entry(OutputBit::Switch4, "Switch4", camSwitch, {}, "4"),
+    entry(OutputBit::Switch5, "Switch5", camSwitch, {}, "5"),
+    entry(OutputBit::Switch6, "Switch6", camSwitch, {}, "6"),
+    entry(OutputBit::Switch7, "Switch7", camSwitch, {}, "7"),
+    entry(OutputBit::Switch8, "Switch8", camSwitch, {}, "8"),
+    entry(OutputBit::DriveEnable, "DriveEnable", CAMPANEL_TEXT("Protocol", "Drive enable"),
+          "See parameter.drive_enable."),
 };
 
 constexpr std::array markStates{
-    entry(MarkState::Off, "Off", "The marks are not followed, or nothing runs yet."),
-    entry(MarkState::Searching, "Searching", "Waiting for two marks one bag length apart."),
-    entry(MarkState::Aligning, "Aligning",
-          "The film is being shifted until the cuts meet the marks; these bags are off."),
-    entry(MarkState::Tracking, "Tracking", "The cuts follow the marks."),
+    entry(MarkState::Off, "Off", CAMPANEL_TEXT("Protocol", "Mark tracking off"),
+          "Also before the first run."),
+    entry(MarkState::Searching, "Searching", CAMPANEL_TEXT("Protocol", "Searching for marks"),
+          "Waits for two marks one bag length apart."),
+    entry(MarkState::Aligning, "Aligning", CAMPANEL_TEXT("Protocol", "Aligning cuts with marks"),
+          "Shifts the film; these bags are off."),
+    entry(MarkState::Tracking, "Tracking", CAMPANEL_TEXT("Protocol", "Tracking marks")),
 };
 
 constexpr std::array gateStates{
-    entry(GateState::Running, "Running", "It follows."),
-    entry(GateState::Slowing, "Slowing", "It comes to stand at the boundary of its cycle."),
-    entry(GateState::Standing, "Standing", "It waits for whole cycles; a knife is open then."),
-    entry(GateState::Gaining, "Gaining", "It sets off to be back in phase at bank.sync_start."),
+    entry(GateState::Running, "Running", CAMPANEL_TEXT("Protocol", "following"),
+          "The axis follows its master."),
+    entry(GateState::Slowing, "Slowing", CAMPANEL_TEXT("Protocol", "decelerating"),
+          "The axis stops at the end of the cycle."),
+    entry(GateState::Standing, "Standing", CAMPANEL_TEXT("Protocol", "at standstill"),
+          "The axis waits for whole cycles; a knife is open."),
+    entry(GateState::CatchingUp, "CatchingUp", CAMPANEL_TEXT("Protocol", "accelerating"),
+          "The axis is in phase again at bank.sync_start."),
 };
 
 constexpr std::array skipCauses{
-    entry(SkipCause::None, "None", "Nothing was left out."),
-    entry(SkipCause::ProductAcross, "ProductAcross", "A product lay across the knife's path."),
-    entry(SkipCause::ProductTooLong, "ProductTooLong", "A product longer than the bag lay across it."),
-    entry(SkipCause::NoProduct, "NoProduct", "No product came: no film was used."),
+    entry(SkipCause::None, "None", {}, "No cut was skipped."),
+    entry(SkipCause::ProductAcross, "ProductAcross",
+          CAMPANEL_TEXT("Protocol", "Product in the knife's path")),
+    entry(SkipCause::ProductTooLong, "ProductTooLong",
+          CAMPANEL_TEXT("Protocol", "Product longer than the bag"), "It is in the knife's path."),
+    entry(SkipCause::NoProduct, "NoProduct", CAMPANEL_TEXT("Protocol", "Product missing"),
+          "No film was used."),
 };
 
 constexpr std::array bagBits{
-    entry(BagBit::Tracked, "Tracked", "Its cut followed a mark."),
-    entry(BagBit::MarkMissed, "MarkMissed", "That mark was not seen but reckoned."),
-    entry(BagBit::ProductAcross, "ProductAcross", "Longer by the cuts skipped for a product across."),
+    entry(BagBit::Tracked, "Tracked", "The cut followed a mark."),
+    entry(BagBit::MarkMissed, "MarkMissed", "Mark position estimated."),
+    entry(BagBit::ProductAcross, "ProductAcross",
+          "Longer by the cuts skipped for a product in the knife's path."),
     entry(BagBit::Empty, "Empty", "Cut without a product."),
     entry(BagBit::ChangeOver, "ChangeOver",
-          "The program was changed in it; its set length lies between theirs."),
-    entry(
-        BagBit::StartUp, "StartUp",
-        "Start-up scrap: one of its cuts was made before the film was in register, after power-up, a jog or "
-        "for another length."),
+          "The program changed in this bag; its set length is between the lengths of both programs."),
+    entry(BagBit::StartUp, "StartUp",
+          "Start-up scrap: one of its cuts was made before the film was in register, after power-up, a jog "
+          "or a change of length."),
 };
 
 constexpr std::array<EnumInfo, 31> infos{{
@@ -409,15 +507,43 @@ std::span<const EnumInfo> enumerations()
     return infos;
 }
 
-std::string_view enumText(std::string_view enumName, std::uint16_t value)
+std::span<const EnumValue> valuesOf(std::string_view enumName)
 {
-    for (const EnumInfo& info : enumerations()) {
-        if (info.name != enumName)
-            continue;
-        const auto found = std::ranges::find(info.values, value, &EnumValue::value);
-        return found == info.values.end() ? std::string_view{} : found->text;
+    const auto info = std::ranges::find(infos, enumName, &EnumInfo::name);
+    return info == infos.end() ? std::span<const EnumValue>() : info->values;
+}
+
+const EnumValue* findValue(std::string_view enumName, std::int64_t value)
+{
+    const auto values = valuesOf(enumName);
+    const auto row = std::ranges::find(values, value, &EnumValue::value);
+    return row == values.end() ? nullptr : &*row;
+}
+
+std::string enumName(std::string_view enumName, std::int64_t value)
+{
+    const EnumValue* row = findValue(enumName, value);
+    return row ? std::string(row->name) : std::to_string(value);
+}
+
+std::string meaning(const EnumValue& value)
+{
+    std::string text(value.text);
+    if (const std::size_t place = text.find("%1"); place != std::string::npos)
+        text.replace(place, 2, value.number);
+    if (!text.empty() && !text.ends_with('.')) { // a label
+        text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
+        text += '.';
     }
-    return {};
+    if (!text.empty() && !value.detail.empty())
+        text += ' ';
+    return text.append(value.detail);
+}
+
+std::string enumText(std::string_view enumName, std::int64_t value)
+{
+    const EnumValue* row = findValue(enumName, value);
+    return row ? meaning(*row) : std::string();
 }
 
 } // namespace campanel::modbus

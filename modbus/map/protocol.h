@@ -8,6 +8,7 @@
 #include <array>
 #include <cstdint>
 #include <span>
+#include <string>
 #include <string_view>
 
 namespace campanel::modbus {
@@ -151,7 +152,7 @@ enum class TransferResult : std::uint16_t {
 
 enum class MarkState : std::uint16_t { Off = 0, Searching, Aligning, Tracking };
 
-enum class GateState : std::uint16_t { Running = 0, Slowing, Standing, Gaining };
+enum class GateState : std::uint16_t { Running = 0, Slowing, Standing, CatchingUp };
 
 enum class SkipCause : std::uint16_t { None = 0, ProductAcross, ProductTooLong, NoProduct };
 
@@ -216,7 +217,73 @@ struct EnumInfo {
 // Returns all enumerations above, for the generated C header, document and JSON.
 [[nodiscard]] std::span<const EnumInfo> enumerations();
 
-// Returns the text of one value ("Refused while in fault ..."), empty when the value is unknown.
-[[nodiscard]] std::string_view enumText(std::string_view enumName, std::uint16_t value);
+// The names of the enumerations whose texts the panel shows.
+constexpr std::string_view nameOf(State)
+{
+    return "State";
+}
+constexpr std::string_view nameOf(PressStage)
+{
+    return "PressStage";
+}
+constexpr std::string_view nameOf(StrokeResult)
+{
+    return "StrokeResult";
+}
+constexpr std::string_view nameOf(Command)
+{
+    return "Command";
+}
+constexpr std::string_view nameOf(Refusal)
+{
+    return "Refusal";
+}
+constexpr std::string_view nameOf(TransferResult)
+{
+    return "TransferResult";
+}
+constexpr std::string_view nameOf(MarkState)
+{
+    return "MarkState";
+}
+constexpr std::string_view nameOf(GateState)
+{
+    return "GateState";
+}
+constexpr std::string_view nameOf(InputBit)
+{
+    return "InputBit";
+}
+constexpr std::string_view nameOf(OutputBit)
+{
+    return "OutputBit";
+}
+constexpr std::string_view nameOf(SkipCause)
+{
+    return "SkipCause";
+}
+
+// Returns the row of a value, or null.
+[[nodiscard]] const EnumValue* findValue(std::string_view enumName, std::int64_t value);
+template <typename E> [[nodiscard]] const EnumValue* findValue(E value)
+{
+    return findValue(nameOf(value), static_cast<std::int64_t>(value));
+}
+
+// Returns the rows of an enumeration; none for an unknown one.
+[[nodiscard]] std::span<const EnumValue> valuesOf(std::string_view enumName);
+
+// Returns the name of a value, or its number where it is unknown.
+[[nodiscard]] std::string enumName(std::string_view enumName, std::int64_t value);
+
+template <typename E> [[nodiscard]] std::string enumName(E value)
+{
+    return enumName(nameOf(value), static_cast<std::int64_t>(value));
+}
+
+// Returns what the register document says of a value: text and detail.
+[[nodiscard]] std::string meaning(const EnumValue& value);
+// Returns the same by the number of the value, empty where it is unknown.
+[[nodiscard]] std::string enumText(std::string_view enumName, std::int64_t value);
 
 } // namespace campanel::modbus

@@ -56,18 +56,6 @@ const RegisterInfo* rowAt(const Run& run, std::uint16_t address, ProgramKind kin
     return found == rows.end() ? nullptr : &*found;
 }
 
-std::string enumName(std::string_view enumName, std::int64_t value)
-{
-    for (const EnumInfo& info : enumerations()) {
-        if (info.name != enumName)
-            continue;
-        const auto found = std::ranges::find(info.values, value, &EnumValue::value);
-        if (found != info.values.end())
-            return std::string(found->name);
-    }
-    return std::to_string(value);
-}
-
 std::string bitNames(std::string_view enumOfBits, std::int64_t bits)
 {
     std::string names;
@@ -150,7 +138,8 @@ std::vector<NamedValue> namedValues(std::uint16_t address, std::span<const std::
         layout = static_cast<TableLayout>(*own);
     std::vector<NamedValue> values;
     for (std::size_t i = 0; i < registers.size(); i += values.back().count) {
-        const auto at = static_cast<std::uint16_t>(address + i); // a damaged frame may go beyond the last address
+        const auto at =
+            static_cast<std::uint16_t>(address + i); // a damaged frame may go beyond the last address
         values.push_back(named(run, i, rowAt(run, at, kind, layout)));
     }
     return values;

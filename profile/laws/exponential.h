@@ -3,6 +3,7 @@
 #pragma once
 
 #include "profile/model/law.h"
+#include "text/marked.h"
 
 #include <array>
 #include <cmath>
@@ -11,7 +12,7 @@
 namespace campanel::profile::detail {
 
 inline constexpr std::array exponentialParameters{
-    LawParameterInfo{"k", "Exponential constant k", 0.1, 20, 3, 2}};
+    LawParameterInfo{"k", CAMPANEL_TEXT("Recipe", "Exponent k"), 0.1, 20, 3, 2}};
 
 inline LawPoint exponentialAt(double x, const LawParameters& parameters)
 {

@@ -15,6 +15,9 @@ namespace campanel::profile {
 [[nodiscard]] const Law* findLaw(std::string_view key);
 [[nodiscard]] const Law* findLaw(LawId id);
 
+// Returns the parameter with this id, or null.
+[[nodiscard]] const LawParameterInfo* findLawParameter(std::string_view id);
+
 [[nodiscard]] LawParameters defaultParameters(const Law& law);
 
 } // namespace campanel::profile

@@ -4,14 +4,15 @@
 #pragma once
 
 #include "profile/laws/half.h"
+#include "text/marked.h"
 
 #include <array>
 
 namespace campanel::profile::detail {
 
 inline constexpr std::array sCurveParameters{
-    LawParameterInfo{"ramp_fraction", "Ramp fraction r", 0.01, 0.5, 0.25, 3},
-    LawParameterInfo{"jerk_share", "Jerk share q of a ramp", 0.01, 0.5, 0.25, 3}};
+    LawParameterInfo{"ramp_fraction", CAMPANEL_TEXT("Recipe", "Ramp fraction r"), 0.01, 0.5, 0.25, 3},
+    LawParameterInfo{"jerk_share", CAMPANEL_TEXT("Recipe", "Jerk share q"), 0.01, 0.5, 0.25, 3}};
 
 inline LawPeaks sCurvePeaks(const LawParameters& parameters)
 {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "profile/laws/half.h"
+#include "text/marked.h"
 
 #include <array>
 #include <limits>
@@ -10,7 +11,7 @@
 namespace campanel::profile::detail {
 
 inline constexpr std::array trapezoidParameters{
-    LawParameterInfo{"ramp_fraction", "Ramp fraction r", 0.01, 0.5, 0.25, 3}};
+    LawParameterInfo{"ramp_fraction", CAMPANEL_TEXT("Recipe", "Ramp fraction r"), 0.01, 0.5, 0.25, 3}};
 
 inline LawPoint trapezoidAt(double x, const LawParameters& parameters)
 {

@@ -63,6 +63,8 @@ enum class Limit : std::uint8_t {
 
 // Returns the stable id of a limit, for logs and machine-readable output.
 [[nodiscard]] std::string_view limitId(Limit limit);
+// Returns "acceleration", for the end of a sentence; empty for a limit that is never named so.
+[[nodiscard]] std::string_view limitName(Limit limit);
 
 // A value of one input that, changed alone, makes the whole recipe feasible; the nearest one on the field's
 // grid. With `ratios` the synchronous window is widened: k1..k4 change together, and the field with them.

@@ -4,6 +4,7 @@
 
 #include "profile/laws/laws.h"
 #include "profile/model/bounds.h"
+#include "text/marked.h"
 
 #include <algorithm>
 #include <array>
@@ -17,11 +18,13 @@ constexpr int curveDerivatives = 5;
 std::vector<SegmentMotionInfo> motionTable()
 {
     std::vector<SegmentMotionInfo> table{
-        {SegmentMotion::Dwell, "dwell", "Dwell", nullptr, 0},
-        {SegmentMotion::ConstantSpeed, "constant_speed", "Constant speed", nullptr, 0},
-        {SegmentMotion::Polynomial3, "polynomial_3", "Polynomial 3, with speeds", nullptr, 1},
-        {SegmentMotion::Polynomial5, "polynomial_5", "Polynomial 5, with speeds and accelerations", nullptr,
-         2}};
+        {SegmentMotion::Dwell, "dwell", CAMPANEL_TEXT("Recipe", "Dwell"), nullptr, 0},
+        {SegmentMotion::ConstantSpeed, "constant_speed", CAMPANEL_TEXT("Recipe", "Constant speed"), nullptr,
+         0},
+        {SegmentMotion::Polynomial3, "polynomial_3", CAMPANEL_TEXT("Recipe", "Polynomial 3, with speeds"),
+         nullptr, 1},
+        {SegmentMotion::Polynomial5, "polynomial_5",
+         CAMPANEL_TEXT("Recipe", "Polynomial 5, with speeds and accelerations"), nullptr, 2}};
     for (const Law& law : laws()) {
         if (law.isDisplacementLaw && law.isSymmetric) // backward it is the same law
             table.push_back({segmentMotion(law.id), law.key, law.name, &law, 0});

@@ -370,6 +370,156 @@ Und %2 weitere.</translation>
     </message>
 </context>
 <context>
+    <name>CamFilesSheet</name>
+    <message>
+        <source>There is no CSV file on a USB stick or in %1. Plug a stick in; the panel finds it automatically.</source>
+        <translation>Weder auf einem USB-Stick noch in %1 ist eine CSV-Datei. Stecken Sie einen Stick ein; das Panel findet ihn von selbst.</translation>
+    </message>
+    <message>
+        <source>Choose the location of the new file.</source>
+        <translation>Wählen Sie den Ort der neuen Datei.</translation>
+    </message>
+    <message>
+        <source>Choose a file to view its content.</source>
+        <translation>Wählen Sie eine Datei, um ihren Inhalt zu sehen.</translation>
+    </message>
+    <message>
+        <source>Segments as CSV</source>
+        <translation>Abschnitte als CSV</translation>
+    </message>
+    <message>
+        <source>Knots as CSV</source>
+        <translation>Stützpunkte als CSV</translation>
+    </message>
+    <message>
+        <source>Import CSV</source>
+        <translation>CSV importieren</translation>
+    </message>
+    <message>
+        <source>Export CSV</source>
+        <translation>CSV exportieren</translation>
+    </message>
+    <message>
+        <source>Write file</source>
+        <translation>Datei schreiben</translation>
+    </message>
+    <message>
+        <source>Import</source>
+        <translation>Importieren</translation>
+    </message>
+    <message>
+        <source>Writing …</source>
+        <translation>Wird geschrieben …</translation>
+    </message>
+</context>
+<context>
+    <name>CamSheet</name>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>Previous</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Weiter</translation>
+    </message>
+</context>
+<context>
+    <name>CleaningMode</name>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>Clean the screen now. The panel ignores touches until the time is over; Stop still works.</source>
+        <translation>Den Bildschirm jetzt reinigen. Das Panel beachtet bis zum Ablauf der Zeit keine Berührung; Stopp geht weiter.</translation>
+    </message>
+</context>
+<context>
+    <name>ClockSheet</name>
+    <message>
+        <source>Clock</source>
+        <translation>Uhr</translation>
+    </message>
+    <message>
+        <source>Time server</source>
+        <translation>Zeitserver</translation>
+    </message>
+    <message>
+        <source>Off</source>
+        <translation>Aus</translation>
+    </message>
+    <message>
+        <source>On</source>
+        <translation>Ein</translation>
+    </message>
+    <message>
+        <source>Time zone</source>
+        <translation>Zeitzone</translation>
+    </message>
+    <message>
+        <source>− 1 d</source>
+        <translation>− 1 Tag</translation>
+    </message>
+    <message>
+        <source>+ 1 d</source>
+        <translation>+ 1 Tag</translation>
+    </message>
+    <message>
+        <source>− 1 h</source>
+        <translation>− 1 h</translation>
+    </message>
+    <message>
+        <source>+ 1 h</source>
+        <translation>+ 1 h</translation>
+    </message>
+    <message>
+        <source>− 10 min</source>
+        <translation>− 10 min</translation>
+    </message>
+    <message>
+        <source>+ 10 min</source>
+        <translation>+ 10 min</translation>
+    </message>
+    <message>
+        <source>− 1 min</source>
+        <translation>− 1 min</translation>
+    </message>
+    <message>
+        <source>+ 1 min</source>
+        <translation>+ 1 min</translation>
+    </message>
+</context>
+<context>
+    <name>CodeSheet</name>
+    <message>
+        <source>Film reel of %1: scan the code or enter it</source>
+        <translation>Folienrolle von %1: Code scannen oder eingeben</translation>
+    </message>
+    <message>
+        <source>Code of %1: scan or enter it (empty: the name)</source>
+        <translation>Code von %1: scannen oder eingeben (leer: der Name)</translation>
+    </message>
+</context>
+<context>
+    <name>CodesSheet</name>
+    <message>
+        <source>Codes of %1</source>
+        <translation>Codes von %1</translation>
+    </message>
+    <message>
+        <source>Code that selects the recipe</source>
+        <translation>Code, der das Rezept wählt</translation>
+    </message>
+    <message>
+        <source>Code of the film reel</source>
+        <translation>Code der Folienrolle</translation>
+    </message>
+</context>
+<context>
     <name>CommandColumn</name>
     <message>
         <source>hold</source>
@@ -529,6 +679,21 @@ Und %2 weitere.</translation>
     <message>
         <source>Sync window</source>
         <translation>Synchronbereich</translation>
+    </message>
+</context>
+<context>
+    <name>DigitPad</name>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>OK</source>
+        <translation>OK</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Löschen</translation>
     </message>
 </context>
 <context>
@@ -850,6 +1015,28 @@ Und %2 weitere.</translation>
     </message>
 </context>
 <context>
+    <name>FilmReasonSheet</name>
+    <message>
+        <source>Why is another film reel used?</source>
+        <translation>Warum wird eine andere Folienrolle verwendet?</translation>
+    </message>
+    <message>
+        <source>Enter the reason for the audit trail.</source>
+        <translation>Grund für das Änderungsprotokoll eingeben.</translation>
+    </message>
+</context>
+<context>
+    <name>FilmSheet</name>
+    <message>
+        <source>Start is blocked</source>
+        <translation>Start ist gesperrt</translation>
+    </message>
+    <message>
+        <source>Override …</source>
+        <translation>Übersteuern …</translation>
+    </message>
+</context>
+<context>
     <name>FirstController</name>
     <message>
         <source>Simulated controller</source>
@@ -962,6 +1149,17 @@ Und %2 weitere.</translation>
     <message>
         <source>Next</source>
         <translation>Weiter</translation>
+    </message>
+</context>
+<context>
+    <name>FolderInUse</name>
+    <message>
+        <source>Another CamPanel uses the data in %1. Close the other one: this panel then starts.</source>
+        <translation>Ein anderes CamPanel verwendet die Daten in %1. Das andere schließen: dann startet dieses Panel.</translation>
+    </message>
+    <message>
+        <source>Close this window</source>
+        <translation>Dieses Fenster schließen</translation>
     </message>
 </context>
 <context>
@@ -1228,64 +1426,6 @@ Und %2 weitere.</translation>
     </message>
 </context>
 <context>
-    <name>CamFilesSheet</name>
-    <message>
-        <source>There is no CSV file on a USB stick or in %1. Plug a stick in; the panel finds it automatically.</source>
-        <translation>Weder auf einem USB-Stick noch in %1 ist eine CSV-Datei. Stecken Sie einen Stick ein; das Panel findet ihn von selbst.</translation>
-    </message>
-    <message>
-        <source>Choose the location of the new file.</source>
-        <translation>Wählen Sie den Ort der neuen Datei.</translation>
-    </message>
-    <message>
-        <source>Choose a file to view its content.</source>
-        <translation>Wählen Sie eine Datei, um ihren Inhalt zu sehen.</translation>
-    </message>
-    <message>
-        <source>Segments as CSV</source>
-        <translation>Abschnitte als CSV</translation>
-    </message>
-    <message>
-        <source>Knots as CSV</source>
-        <translation>Stützpunkte als CSV</translation>
-    </message>
-    <message>
-        <source>Import CSV</source>
-        <translation>CSV importieren</translation>
-    </message>
-    <message>
-        <source>Export CSV</source>
-        <translation>CSV exportieren</translation>
-    </message>
-    <message>
-        <source>Write file</source>
-        <translation>Datei schreiben</translation>
-    </message>
-    <message>
-        <source>Import</source>
-        <translation>Importieren</translation>
-    </message>
-    <message>
-        <source>Writing …</source>
-        <translation>Wird geschrieben …</translation>
-    </message>
-</context>
-<context>
-    <name>CamSheet</name>
-    <message>
-        <source>%1 of %2</source>
-        <translation>%1 von %2</translation>
-    </message>
-    <message>
-        <source>Previous</source>
-        <translation>Zurück</translation>
-    </message>
-    <message>
-        <source>Next</source>
-        <translation>Weiter</translation>
-    </message>
-</context>
-<context>
     <name>KnotSheet</name>
     <message>
         <source>Add after</source>
@@ -1335,45 +1475,96 @@ Und %2 weitere.</translation>
     </message>
 </context>
 <context>
-    <name>SkippedCutsCard</name>
+    <name>LogFilterDialogs</name>
     <message>
-        <source>Skipped cuts</source>
-        <translation>Schnitte aus</translation>
-    </message>
-    <message>
-        <source>Bags without product</source>
-        <translation>Beutel ohne Produkt</translation>
-    </message>
-    <message>
-        <source>Film saved</source>
-        <translation>Gesparte Folie</translation>
-    </message>
-    <message>
-        <source>%1 m</source>
-        <translation>%1 m</translation>
-    </message>
-    <message>
-        <source>Last: %1</source>
-        <translation>Zuletzt: %1</translation>
+        <source>Word</source>
+        <translation>Wort</translation>
     </message>
 </context>
 <context>
-    <name>SimulatedFaultsSection</name>
+    <name>LogFilterSheet</name>
     <message>
-        <source>Off</source>
-        <translation>Aus</translation>
+        <source>Filter</source>
+        <translation>Filter</translation>
     </message>
     <message>
-        <source>Sometimes</source>
-        <translation>Manchmal</translation>
+        <source>no limit</source>
+        <translation>unbegrenzt</translation>
     </message>
     <message>
-        <source>Often</source>
-        <translation>Oft</translation>
+        <source>From</source>
+        <translation>Von</translation>
     </message>
     <message>
-        <source>All off</source>
-        <translation>Alle aus</translation>
+        <source>To</source>
+        <translation>Bis</translation>
+    </message>
+    <message>
+        <source>Word</source>
+        <translation>Wort</translation>
+    </message>
+    <message>
+        <source>any</source>
+        <translation>beliebig</translation>
+    </message>
+    <message>
+        <source>− 7 d</source>
+        <translation>− 7 d</translation>
+    </message>
+    <message>
+        <source>− 1 d</source>
+        <translation>− 1 d</translation>
+    </message>
+    <message>
+        <source>+ 1 d</source>
+        <translation>+ 1 d</translation>
+    </message>
+    <message>
+        <source>+ 7 d</source>
+        <translation>+ 7 d</translation>
+    </message>
+    <message>
+        <source>− 1 h</source>
+        <translation>− 1 h</translation>
+    </message>
+    <message>
+        <source>− 10 min</source>
+        <translation>− 10 min</translation>
+    </message>
+    <message>
+        <source>+ 10 min</source>
+        <translation>+ 10 min</translation>
+    </message>
+    <message>
+        <source>+ 1 h</source>
+        <translation>+ 1 h</translation>
+    </message>
+    <message>
+        <source>This day only</source>
+        <translation>Nur dieser Tag</translation>
+    </message>
+    <message>
+        <source>No limit</source>
+        <translation>Unbegrenzt</translation>
+    </message>
+    <message>
+        <source>Clear filter</source>
+        <translation>Filter löschen</translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <translation>Anzeigen</translation>
+    </message>
+</context>
+<context>
+    <name>LogFilterStrip</name>
+    <message>
+        <source>Only: %1</source>
+        <translation>Nur: %1</translation>
+    </message>
+    <message>
+        <source>Show all</source>
+        <translation>Alle anzeigen</translation>
     </message>
 </context>
 <context>
@@ -1404,6 +1595,13 @@ Und %2 weitere.</translation>
     </message>
 </context>
 <context>
+    <name>MachineDrawing</name>
+    <message>
+        <source>Drawing of the machine</source>
+        <translation>Zeichnung der Maschine</translation>
+    </message>
+</context>
+<context>
     <name>MachineSection</name>
     <message>
         <source>Machine</source>
@@ -1428,6 +1626,81 @@ Und %2 weitere.</translation>
     <message>
         <source>Save</source>
         <translation>Speichern</translation>
+    </message>
+</context>
+<context>
+    <name>MaintenancePage</name>
+    <message>
+        <source>Diagnostics</source>
+        <translation>Diagnose</translation>
+    </message>
+    <message>
+        <source>Statistics</source>
+        <translation>Statistik</translation>
+    </message>
+    <message>
+        <source>Registers</source>
+        <translation>Register</translation>
+    </message>
+    <message>
+        <source>Frames</source>
+        <translation>Telegramme</translation>
+    </message>
+    <message>
+        <source>Faults</source>
+        <translation>Fehler</translation>
+    </message>
+    <message>
+        <source>Packing</source>
+        <translation>Packung</translation>
+    </message>
+    <message>
+        <source>Backup</source>
+        <translation>Sicherung</translation>
+    </message>
+    <message>
+        <source>Jog</source>
+        <translation>Tippen</translation>
+    </message>
+    <message>
+        <source>Homing</source>
+        <translation>Referenzfahrt</translation>
+    </message>
+    <message>
+        <source>I/O</source>
+        <translation>E/A</translation>
+    </message>
+    <message>
+        <source>Dry run</source>
+        <translation>Trockenlauf</translation>
+    </message>
+    <message>
+        <source>Connection to the controller</source>
+        <translation>Verbindung zur Steuerung</translation>
+    </message>
+    <message>
+        <source>Link</source>
+        <translation>Leitung</translation>
+    </message>
+    <message>
+        <source>Panel</source>
+        <translation>Panel</translation>
+    </message>
+    <message>
+        <source>Machine</source>
+        <translation>Maschine</translation>
+    </message>
+    <message>
+        <source>Panel data</source>
+        <translation>Panel-Daten</translation>
+    </message>
+    <message>
+        <source>Maintenance</source>
+        <translation>Wartung</translation>
+    </message>
+    <message>
+        <source>Scanner</source>
+        <translation>Scanner</translation>
     </message>
 </context>
 <context>
@@ -1518,13 +1791,6 @@ Und %2 weitere.</translation>
     <message>
         <source>Master</source>
         <translation>Leitachse</translation>
-    </message>
-</context>
-<context>
-    <name>MachineDrawing</name>
-    <message>
-        <source>Drawing of the machine</source>
-        <translation>Zeichnung der Maschine</translation>
     </message>
 </context>
 <context>
@@ -1649,6 +1915,33 @@ Und %2 weitere.</translation>
     </message>
 </context>
 <context>
+    <name>NetworkSheet</name>
+    <message>
+        <source>Network</source>
+        <translation>Netzwerk</translation>
+    </message>
+    <message>
+        <source>Network port</source>
+        <translation>Netzwerkanschluss</translation>
+    </message>
+    <message>
+        <source>By DHCP</source>
+        <translation>Per DHCP</translation>
+    </message>
+    <message>
+        <source>Fixed</source>
+        <translation>Fest</translation>
+    </message>
+    <message>
+        <source>Apply</source>
+        <translation>Anwenden</translation>
+    </message>
+    <message>
+        <source>In use</source>
+        <translation>In Gebrauch</translation>
+    </message>
+</context>
+<context>
     <name>NewPinSheet</name>
     <message>
         <source>The two PINs differ. Enter the new PIN again.</source>
@@ -1768,6 +2061,36 @@ Und %2 weitere.</translation>
     </message>
 </context>
 <context>
+    <name>OeeCard</name>
+    <message>
+        <source>OEE</source>
+        <translation>OEE</translation>
+    </message>
+    <message>
+        <source>Availability</source>
+        <translation>Verfügbarkeit</translation>
+    </message>
+    <message>
+        <source>Performance</source>
+        <translation>Leistung</translation>
+    </message>
+    <message>
+        <source>Quality</source>
+        <translation>Qualität</translation>
+    </message>
+</context>
+<context>
+    <name>OfferSheet</name>
+    <message>
+        <source>Searching …</source>
+        <translation>Suche läuft …</translation>
+    </message>
+    <message>
+        <source>Choose a file to view its content.</source>
+        <translation>Eine Datei wählen, um ihren Inhalt zu sehen.</translation>
+    </message>
+</context>
+<context>
     <name>PackingSection</name>
     <message>
         <source>Measure marks</source>
@@ -1776,24 +2099,6 @@ Und %2 weitere.</translation>
     <message>
         <source>Sensor to knife …</source>
         <translation>Sensor bis Messer …</translation>
-    </message>
-</context>
-<context>
-    <name>ParameterList</name>
-    <message>
-        <source>Changes take effect at once. Press Save to keep the values after power-off.</source>
-        <translation>Änderungen wirken sofort. Speichern drücken, damit die Werte beim Ausschalten bleiben.</translation>
-    </message>
-    <message>
-        <source>Save</source>
-        <translation>Speichern</translation>
-    </message>
-</context>
-<context>
-    <name>ParameterRow</name>
-    <message>
-        <source>Apply %1</source>
-        <translation>%1 übernehmen</translation>
     </message>
 </context>
 <context>
@@ -1876,6 +2181,24 @@ Und %2 weitere.</translation>
     <message>
         <source>More pages</source>
         <translation>Weitere Seiten</translation>
+    </message>
+</context>
+<context>
+    <name>ParameterList</name>
+    <message>
+        <source>Changes take effect at once. Press Save to keep the values after power-off.</source>
+        <translation>Änderungen wirken sofort. Speichern drücken, damit die Werte beim Ausschalten bleiben.</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Speichern</translation>
+    </message>
+</context>
+<context>
+    <name>ParameterRow</name>
+    <message>
+        <source>Apply %1</source>
+        <translation>%1 übernehmen</translation>
     </message>
 </context>
 <context>
@@ -1988,6 +2311,87 @@ Und %2 weitere.</translation>
     <message>
         <source>Ratios</source>
         <translation>Verhältnisse</translation>
+    </message>
+</context>
+<context>
+    <name>ReasonGrid</name>
+    <message>
+        <source>more …</source>
+        <translation>mehr …</translation>
+    </message>
+    <message>
+        <source>planned</source>
+        <translation>geplant</translation>
+    </message>
+</context>
+<context>
+    <name>ReasonList</name>
+    <message>
+        <source>Reasons by time</source>
+        <translation>Gründe nach Dauer</translation>
+    </message>
+    <message>
+        <source>%1 (planned)</source>
+        <translation>%1 (geplant)</translation>
+    </message>
+    <message>
+        <source>No stop in this shift.</source>
+        <translation>Kein Stillstand in dieser Schicht.</translation>
+    </message>
+</context>
+<context>
+    <name>ReasonsSheet</name>
+    <message>
+        <source>Reasons: %1</source>
+        <translation>Gründe: %1</translation>
+    </message>
+    <message>
+        <source>Reasons of a stop</source>
+        <translation>Stillstandsgründe</translation>
+    </message>
+    <message>
+        <source>Planned stops are not counted as losses. Earlier stops keep their reason.</source>
+        <translation>Geplante Stillstände zählen nicht als Verlust. Frühere Stillstände behalten ihren Grund.</translation>
+    </message>
+    <message>
+        <source>planned</source>
+        <translation>geplant</translation>
+    </message>
+    <message>
+        <source>more …</source>
+        <translation>mehr …</translation>
+    </message>
+    <message>
+        <source>This group has no reasons yet.</source>
+        <translation>Diese Gruppe hat noch keine Gründe.</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Öffnen</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Hinzufügen</translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation>Umbenennen</translation>
+    </message>
+    <message>
+        <source>Planned</source>
+        <translation>Geplant</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Standard list</source>
+        <translation>Standardliste</translation>
     </message>
 </context>
 <context>
@@ -2227,6 +2631,33 @@ Und %2 weitere.</translation>
     </message>
 </context>
 <context>
+    <name>RegimeSheet</name>
+    <message>
+        <source>Regime map</source>
+        <translation>Kennfeld</translation>
+    </message>
+    <message>
+        <source>bags/min</source>
+        <translation>Beutel/min</translation>
+    </message>
+    <message>
+        <source>not possible</source>
+        <translation>nicht möglich</translation>
+    </message>
+    <message>
+        <source>lengths of the paper</source>
+        <translation>Längen des Aufsatzes</translation>
+    </message>
+    <message>
+        <source>Drag the dot to another length and rate.</source>
+        <translation>Den Punkt auf eine andere Länge und Taktzahl ziehen.</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Rückgängig</translation>
+    </message>
+</context>
+<context>
     <name>RegistersSection</name>
     <message>
         <source>Group</source>
@@ -2259,17 +2690,6 @@ Und %2 weitere.</translation>
     <message>
         <source>Clear the filter</source>
         <translation>Filter löschen</translation>
-    </message>
-</context>
-<context>
-    <name>OfferSheet</name>
-    <message>
-        <source>Searching …</source>
-        <translation>Suche läuft …</translation>
-    </message>
-    <message>
-        <source>Choose a file to view its content.</source>
-        <translation>Eine Datei wählen, um ihren Inhalt zu sehen.</translation>
     </message>
 </context>
 <context>
@@ -2379,78 +2799,111 @@ Und %2 weitere.</translation>
     </message>
 </context>
 <context>
-    <name>MaintenancePage</name>
+    <name>ScannedEditsSheet</name>
     <message>
-        <source>Diagnostics</source>
-        <translation>Diagnose</translation>
+        <source>%1 is not saved</source>
+        <translation>%1 ist nicht gespeichert</translation>
     </message>
     <message>
-        <source>Statistics</source>
-        <translation>Statistik</translation>
+        <source>The recipe was edited. Opening the scanned recipe %1 without saving discards the edits.</source>
+        <translation>Das Rezept wurde bearbeitet. Das gescannte Rezept %1 ohne Speichern zu öffnen verwirft die Änderungen.</translation>
     </message>
     <message>
-        <source>Registers</source>
-        <translation>Register</translation>
+        <source>Discard edits</source>
+        <translation>Änderungen verwerfen</translation>
     </message>
     <message>
-        <source>Frames</source>
-        <translation>Telegramme</translation>
+        <source>Save as version %1</source>
+        <translation>Als Version %1 speichern</translation>
+    </message>
+</context>
+<context>
+    <name>ScannerSection</name>
+    <message>
+        <source>Prefix</source>
+        <translation>Präfix</translation>
     </message>
     <message>
-        <source>Faults</source>
-        <translation>Fehler</translation>
+        <source>no scanner</source>
+        <translation>kein Scanner</translation>
     </message>
     <message>
-        <source>Packing</source>
-        <translation>Packung</translation>
+        <source>Suffix</source>
+        <translation>Suffix</translation>
     </message>
     <message>
-        <source>Backup</source>
-        <translation>Sicherung</translation>
+        <source>Tab key</source>
+        <translation>Tabulatortaste</translation>
     </message>
     <message>
-        <source>Jog</source>
-        <translation>Tippen</translation>
+        <source>Enter key</source>
+        <translation>Eingabetaste</translation>
     </message>
     <message>
-        <source>Homing</source>
-        <translation>Referenzfahrt</translation>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
     </message>
     <message>
-        <source>I/O</source>
-        <translation>E/A</translation>
+        <source>Last code</source>
+        <translation>Letzter Code</translation>
     </message>
     <message>
-        <source>Dry run</source>
-        <translation>Trockenlauf</translation>
+        <source>Scan a code to test the scanner. While this section is open, a code opens no recipe.</source>
+        <translation>Einen Code scannen, um den Scanner zu prüfen. Solange dieser Abschnitt offen ist, öffnet ein Code kein Rezept.</translation>
     </message>
     <message>
-        <source>Connection to the controller</source>
-        <translation>Verbindung zur Steuerung</translation>
+        <source>Set the scanner to send a prefix that nobody types before each code, such as ~~, and enter the same prefix here.</source>
+        <translation>Den Scanner so einstellen, dass er vor jedem Code ein Präfix sendet, das niemand tippt, etwa ~~, und hier dasselbe eingeben.</translation>
     </message>
     <message>
-        <source>Link</source>
-        <translation>Leitung</translation>
+        <source>Prefix of the scanner</source>
+        <translation>Präfix des Scanners</translation>
     </message>
     <message>
-        <source>Panel</source>
-        <translation>Panel</translation>
+        <source>Suffix of the scanner</source>
+        <translation>Suffix des Scanners</translation>
+    </message>
+</context>
+<context>
+    <name>SegmentMotionSheet</name>
+    <message>
+        <source>Motion of segment %1</source>
+        <translation>Bewegung von Abschnitt %1</translation>
+    </message>
+</context>
+<context>
+    <name>SegmentSheet</name>
+    <message>
+        <source>%1 · jump at the start</source>
+        <translation>%1 · Sprung am Anfang</translation>
     </message>
     <message>
-        <source>Machine</source>
-        <translation>Maschine</translation>
+        <source>Motion</source>
+        <translation>Bewegung</translation>
     </message>
     <message>
-        <source>Panel data</source>
-        <translation>Panel-Daten</translation>
+        <source>Add dwell</source>
+        <translation>Rast einfügen</translation>
     </message>
     <message>
-        <source>Maintenance</source>
-        <translation>Wartung</translation>
+        <source>Split</source>
+        <translation>Teilen</translation>
     </message>
     <message>
-        <source>Scanner</source>
-        <translation>Scanner</translation>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Make continuous</source>
+        <translation>Stetig machen</translation>
+    </message>
+    <message>
+        <source>CSV files</source>
+        <translation>CSV-Dateien</translation>
+    </message>
+    <message>
+        <source>Segment %1</source>
+        <translation>Abschnitt %1</translation>
     </message>
 </context>
 <context>
@@ -2497,6 +2950,13 @@ Und %2 weitere.</translation>
     </message>
 </context>
 <context>
+    <name>Sheet</name>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+</context>
+<context>
     <name>ShelvedList</name>
     <message>
         <source>%1 · %2 · by %3</source>
@@ -2516,6 +2976,87 @@ Und %2 weitere.</translation>
     </message>
 </context>
 <context>
+    <name>ShiftsSheet</name>
+    <message>
+        <source>Shifts</source>
+        <translation>Schichten</translation>
+    </message>
+    <message>
+        <source>A shift lasts until the next one starts. It belongs to the day on which it starts.</source>
+        <translation>Eine Schicht dauert bis zum Beginn der nächsten. Sie gehört zu dem Tag, an dem sie beginnt.</translation>
+    </message>
+    <message>
+        <source>− 1 h</source>
+        <translation>− 1 h</translation>
+    </message>
+    <message>
+        <source>+ 1 h</source>
+        <translation>+ 1 h</translation>
+    </message>
+    <message>
+        <source>− 15 min</source>
+        <translation>− 15 min</translation>
+    </message>
+    <message>
+        <source>+ 15 min</source>
+        <translation>+ 15 min</translation>
+    </message>
+    <message>
+        <source>Add a shift</source>
+        <translation>Schicht hinzufügen</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Working days</source>
+        <translation>Arbeitstage</translation>
+    </message>
+</context>
+<context>
+    <name>SimulatedFaultsSection</name>
+    <message>
+        <source>Off</source>
+        <translation>Aus</translation>
+    </message>
+    <message>
+        <source>Sometimes</source>
+        <translation>Manchmal</translation>
+    </message>
+    <message>
+        <source>Often</source>
+        <translation>Oft</translation>
+    </message>
+    <message>
+        <source>All off</source>
+        <translation>Alle aus</translation>
+    </message>
+</context>
+<context>
+    <name>SkippedCutsCard</name>
+    <message>
+        <source>Skipped cuts</source>
+        <translation>Schnitte aus</translation>
+    </message>
+    <message>
+        <source>Bags without product</source>
+        <translation>Beutel ohne Produkt</translation>
+    </message>
+    <message>
+        <source>Film saved</source>
+        <translation>Gesparte Folie</translation>
+    </message>
+    <message>
+        <source>%1 m</source>
+        <translation>%1 m</translation>
+    </message>
+    <message>
+        <source>Last: %1</source>
+        <translation>Zuletzt: %1</translation>
+    </message>
+</context>
+<context>
     <name>SpeedCard</name>
     <message>
         <source>following error %1 mm</source>
@@ -2532,6 +3073,164 @@ Und %2 weitere.</translation>
     <message>
         <source>error %1 mm</source>
         <translation>Fehler %1 mm</translation>
+    </message>
+</context>
+<context>
+    <name>StateBar</name>
+    <message>
+        <source>Running</source>
+        <translation>Läuft</translation>
+    </message>
+    <message>
+        <source>Stopped</source>
+        <translation>Steht</translation>
+    </message>
+    <message>
+        <source>Waiting</source>
+        <translation>Warten</translation>
+    </message>
+    <message>
+        <source>Manual</source>
+        <translation>Handbetrieb</translation>
+    </message>
+    <message>
+        <source>Fault</source>
+        <translation>Störung</translation>
+    </message>
+</context>
+<context>
+    <name>StopListRow</name>
+    <message>
+        <source>%1 · %2</source>
+        <translation>%1 · %2</translation>
+    </message>
+</context>
+<context>
+    <name>StopListSheet</name>
+    <message>
+        <source>Reason of the stop</source>
+        <translation>Grund des Stillstands</translation>
+    </message>
+    <message>
+        <source>Stops</source>
+        <translation>Stillstände</translation>
+    </message>
+    <message>
+        <source>No stop in this shift.</source>
+        <translation>Kein Stillstand in dieser Schicht.</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Zurück</translation>
+    </message>
+</context>
+<context>
+    <name>StopQuestion</name>
+    <message>
+        <source>Why is the machine stopped?</source>
+        <translation>Warum steht die Maschine?</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>Stops</source>
+        <translation>Stillstände</translation>
+    </message>
+    <message>
+        <source>Later</source>
+        <translation>Später</translation>
+    </message>
+</context>
+<context>
+    <name>StopsPage</name>
+    <message>
+        <source>Now</source>
+        <translation>Jetzt</translation>
+    </message>
+    <message>
+        <source>Trends</source>
+        <translation>Trends</translation>
+    </message>
+    <message>
+        <source>Stops: %1</source>
+        <translation>Stillstände: %1</translation>
+    </message>
+    <message>
+        <source>%1 without a reason</source>
+        <translation>%1 ohne Grund</translation>
+    </message>
+    <message>
+        <source>CSV</source>
+        <translation>CSV</translation>
+    </message>
+    <message>
+        <source>PDF</source>
+        <translation>PDF</translation>
+    </message>
+    <message>
+        <source>Nothing was recorded in this shift.</source>
+        <translation>In dieser Schicht wurde nichts aufgezeichnet.</translation>
+    </message>
+    <message>
+        <source>Stops as CSV</source>
+        <translation>Stillstände als CSV</translation>
+    </message>
+    <message>
+        <source>Shift report as PDF</source>
+        <translation>Schichtbericht als PDF</translation>
+    </message>
+    <message>
+        <source>Previous shift</source>
+        <translation>Vorige Schicht</translation>
+    </message>
+    <message>
+        <source>Next shift</source>
+        <translation>Nächste Schicht</translation>
+    </message>
+</context>
+<context>
+    <name>StopsSection</name>
+    <message>
+        <source>Stops and shifts</source>
+        <translation>Stillstände und Schichten</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>Ideal rate</source>
+        <translation>Ideale Taktrate</translation>
+    </message>
+    <message>
+        <source>Shifts start at</source>
+        <translation>Schichten beginnen um</translation>
+    </message>
+    <message>
+        <source>Working days</source>
+        <translation>Arbeitstage</translation>
+    </message>
+    <message>
+        <source>Reasons of a stop</source>
+        <translation>Stillstandsgründe</translation>
+    </message>
+    <message>
+        <source>Name of the reason</source>
+        <translation>Name des Grundes</translation>
+    </message>
+    <message>
+        <source>Standard list</source>
+        <translation>Standardliste</translation>
+    </message>
+    <message>
+        <source>Replace the own list by the standard list? Stops keep their reasons.</source>
+        <translation>Die eigene Liste durch die Standardliste ersetzen? Stillstände behalten ihre Gründe.</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>Ersetzen</translation>
     </message>
 </context>
 <context>
@@ -2700,6 +3399,29 @@ Und %2 weitere.</translation>
     </message>
 </context>
 <context>
+    <name>TouchCrosses</name>
+    <message>
+        <source>Touch the center of the cross.</source>
+        <translation>Die Mitte des Kreuzes berühren.</translation>
+    </message>
+    <message>
+        <source>Cross %1 of %2</source>
+        <translation>Kreuz %1 von %2</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Try again</source>
+        <translation>Erneut versuchen</translation>
+    </message>
+</context>
+<context>
     <name>TrendCard</name>
     <message>
         <source>Trend curves</source>
@@ -2854,6 +3576,56 @@ Uhr nicht gestellt</translation>
     </message>
 </context>
 <context>
+    <name>TrialCover</name>
+    <message>
+        <source>Keep this rotation?</source>
+        <translation>Diese Drehung behalten?</translation>
+    </message>
+    <message>
+        <source>Without an answer the earlier one returns in %1 s.</source>
+        <translation>Ohne Antwort gilt in %1 s wieder die frühere.</translation>
+    </message>
+    <message>
+        <source>Go back</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>Keep</source>
+        <translation>Behalten</translation>
+    </message>
+    <message>
+        <source>Keep this calibration of the touchscreen?</source>
+        <translation>Diese Kalibrierung des Touchscreens behalten?</translation>
+    </message>
+</context>
+<context>
+    <name>UpdateSheet</name>
+    <message>
+        <source>Installed: CamPanel %1</source>
+        <translation>Installiert: CamPanel %1</translation>
+    </message>
+    <message>
+        <source>Choose a version.</source>
+        <translation>Wählen Sie eine Version.</translation>
+    </message>
+    <message>
+        <source>There is no package of CamPanel on a USB stick. Plug a stick in; the panel finds it automatically.</source>
+        <translation>Auf keinem USB-Stick ist ein Paket von CamPanel. Stecken Sie einen Stick ein; das Panel findet ihn selbst.</translation>
+    </message>
+    <message>
+        <source>The version before the last update is kept on this panel.</source>
+        <translation>Die Version vor der letzten Aktualisierung ist auf diesem Panel vorhanden.</translation>
+    </message>
+    <message>
+        <source>Back to %1</source>
+        <translation>Zurück zu %1</translation>
+    </message>
+    <message>
+        <source>Update</source>
+        <translation>Aktualisierung</translation>
+    </message>
+</context>
+<context>
     <name>UserSheet</name>
     <message>
         <source>Yes, remove</source>
@@ -2968,100 +3740,6 @@ Uhr nicht gestellt</translation>
     </message>
 </context>
 <context>
-    <name>VersionsSection</name>
-    <message>
-        <source>Versions and disk</source>
-        <translation>Versionen und Festplatte</translation>
-    </message>
-</context>
-<context>
-    <name>CleaningMode</name>
-    <message>
-        <source>%1 s</source>
-        <translation>%1 s</translation>
-    </message>
-    <message>
-        <source>Clean the screen now. The panel ignores touches until the time is over; Stop still works.</source>
-        <translation>Den Bildschirm jetzt reinigen. Das Panel beachtet bis zum Ablauf der Zeit keine Berührung; Stopp geht weiter.</translation>
-    </message>
-</context>
-<context>
-    <name>RegimeSheet</name>
-    <message>
-        <source>Regime map</source>
-        <translation>Kennfeld</translation>
-    </message>
-    <message>
-        <source>bags/min</source>
-        <translation>Beutel/min</translation>
-    </message>
-    <message>
-        <source>not possible</source>
-        <translation>nicht möglich</translation>
-    </message>
-    <message>
-        <source>lengths of the paper</source>
-        <translation>Längen des Aufsatzes</translation>
-    </message>
-    <message>
-        <source>Drag the dot to another length and rate.</source>
-        <translation>Den Punkt auf eine andere Länge und Taktzahl ziehen.</translation>
-    </message>
-    <message>
-        <source>Undo</source>
-        <translation>Rückgängig</translation>
-    </message>
-</context>
-<context>
-    <name>SegmentMotionSheet</name>
-    <message>
-        <source>Motion of segment %1</source>
-        <translation>Bewegung von Abschnitt %1</translation>
-    </message>
-</context>
-<context>
-    <name>SegmentSheet</name>
-    <message>
-        <source>%1 · jump at the start</source>
-        <translation>%1 · Sprung am Anfang</translation>
-    </message>
-    <message>
-        <source>Motion</source>
-        <translation>Bewegung</translation>
-    </message>
-    <message>
-        <source>Add dwell</source>
-        <translation>Rast einfügen</translation>
-    </message>
-    <message>
-        <source>Split</source>
-        <translation>Teilen</translation>
-    </message>
-    <message>
-        <source>Remove</source>
-        <translation>Entfernen</translation>
-    </message>
-    <message>
-        <source>Make continuous</source>
-        <translation>Stetig machen</translation>
-    </message>
-    <message>
-        <source>CSV files</source>
-        <translation>CSV-Dateien</translation>
-    </message>
-    <message>
-        <source>Segment %1</source>
-        <translation>Abschnitt %1</translation>
-    </message>
-</context>
-<context>
-    <name>Sheet</name>
-    <message>
-        <source>Close</source>
-        <translation>Schließen</translation>
-    </message>
-</context>
-<context>
     <name>VerdictBar</name>
     <message>
         <source>Undo</source>
@@ -3073,459 +3751,10 @@ Uhr nicht gestellt</translation>
     </message>
 </context>
 <context>
-    <name>FolderInUse</name>
+    <name>VersionsSection</name>
     <message>
-        <source>Another CamPanel uses the data in %1. Close the other one: this panel then starts.</source>
-        <translation>Ein anderes CamPanel verwendet die Daten in %1. Das andere schließen: dann startet dieses Panel.</translation>
-    </message>
-    <message>
-        <source>Close this window</source>
-        <translation>Dieses Fenster schließen</translation>
-    </message>
-</context>
-<context>
-    <name>OeeCard</name>
-    <message>
-        <source>OEE</source>
-        <translation>OEE</translation>
-    </message>
-    <message>
-        <source>Availability</source>
-        <translation>Verfügbarkeit</translation>
-    </message>
-    <message>
-        <source>Performance</source>
-        <translation>Leistung</translation>
-    </message>
-    <message>
-        <source>Quality</source>
-        <translation>Qualität</translation>
-    </message>
-</context>
-<context>
-    <name>ReasonGrid</name>
-    <message>
-        <source>more …</source>
-        <translation>mehr …</translation>
-    </message>
-    <message>
-        <source>planned</source>
-        <translation>geplant</translation>
-    </message>
-</context>
-<context>
-    <name>ReasonList</name>
-    <message>
-        <source>Reasons by time</source>
-        <translation>Gründe nach Dauer</translation>
-    </message>
-    <message>
-        <source>%1 (planned)</source>
-        <translation>%1 (geplant)</translation>
-    </message>
-    <message>
-        <source>No stop in this shift.</source>
-        <translation>Kein Stillstand in dieser Schicht.</translation>
-    </message>
-</context>
-<context>
-    <name>ReasonsSheet</name>
-    <message>
-        <source>Reasons: %1</source>
-        <translation>Gründe: %1</translation>
-    </message>
-    <message>
-        <source>Reasons of a stop</source>
-        <translation>Stillstandsgründe</translation>
-    </message>
-    <message>
-        <source>Planned stops are not counted as losses. Earlier stops keep their reason.</source>
-        <translation>Geplante Stillstände zählen nicht als Verlust. Frühere Stillstände behalten ihren Grund.</translation>
-    </message>
-    <message>
-        <source>planned</source>
-        <translation>geplant</translation>
-    </message>
-    <message>
-        <source>more …</source>
-        <translation>mehr …</translation>
-    </message>
-    <message>
-        <source>This group has no reasons yet.</source>
-        <translation>Diese Gruppe hat noch keine Gründe.</translation>
-    </message>
-    <message>
-        <source>Back</source>
-        <translation>Zurück</translation>
-    </message>
-    <message>
-        <source>Open</source>
-        <translation>Öffnen</translation>
-    </message>
-    <message>
-        <source>Add</source>
-        <translation>Hinzufügen</translation>
-    </message>
-    <message>
-        <source>Rename</source>
-        <translation>Umbenennen</translation>
-    </message>
-    <message>
-        <source>Planned</source>
-        <translation>Geplant</translation>
-    </message>
-    <message>
-        <source>Remove</source>
-        <translation>Entfernen</translation>
-    </message>
-    <message>
-        <source>Standard list</source>
-        <translation>Standardliste</translation>
-    </message>
-</context>
-<context>
-    <name>ShiftsSheet</name>
-    <message>
-        <source>Shifts</source>
-        <translation>Schichten</translation>
-    </message>
-    <message>
-        <source>A shift lasts until the next one starts. It belongs to the day on which it starts.</source>
-        <translation>Eine Schicht dauert bis zum Beginn der nächsten. Sie gehört zu dem Tag, an dem sie beginnt.</translation>
-    </message>
-    <message>
-        <source>− 1 h</source>
-        <translation>− 1 h</translation>
-    </message>
-    <message>
-        <source>+ 1 h</source>
-        <translation>+ 1 h</translation>
-    </message>
-    <message>
-        <source>− 15 min</source>
-        <translation>− 15 min</translation>
-    </message>
-    <message>
-        <source>+ 15 min</source>
-        <translation>+ 15 min</translation>
-    </message>
-    <message>
-        <source>Add a shift</source>
-        <translation>Schicht hinzufügen</translation>
-    </message>
-    <message>
-        <source>Remove</source>
-        <translation>Entfernen</translation>
-    </message>
-    <message>
-        <source>Working days</source>
-        <translation>Arbeitstage</translation>
-    </message>
-</context>
-<context>
-    <name>StateBar</name>
-    <message>
-        <source>Running</source>
-        <translation>Läuft</translation>
-    </message>
-    <message>
-        <source>Stopped</source>
-        <translation>Steht</translation>
-    </message>
-    <message>
-        <source>Waiting</source>
-        <translation>Warten</translation>
-    </message>
-    <message>
-        <source>Manual</source>
-        <translation>Handbetrieb</translation>
-    </message>
-    <message>
-        <source>Fault</source>
-        <translation>Störung</translation>
-    </message>
-</context>
-<context>
-    <name>StopListRow</name>
-    <message>
-        <source>%1 · %2</source>
-        <translation>%1 · %2</translation>
-    </message>
-</context>
-<context>
-    <name>StopListSheet</name>
-    <message>
-        <source>Reason of the stop</source>
-        <translation>Grund des Stillstands</translation>
-    </message>
-    <message>
-        <source>Stops</source>
-        <translation>Stillstände</translation>
-    </message>
-    <message>
-        <source>No stop in this shift.</source>
-        <translation>Kein Stillstand in dieser Schicht.</translation>
-    </message>
-    <message>
-        <source>Back</source>
-        <translation>Zurück</translation>
-    </message>
-</context>
-<context>
-    <name>StopQuestion</name>
-    <message>
-        <source>Why is the machine stopped?</source>
-        <translation>Warum steht die Maschine?</translation>
-    </message>
-    <message>
-        <source>Back</source>
-        <translation>Zurück</translation>
-    </message>
-    <message>
-        <source>Stops</source>
-        <translation>Stillstände</translation>
-    </message>
-    <message>
-        <source>Later</source>
-        <translation>Später</translation>
-    </message>
-</context>
-<context>
-    <name>StopsPage</name>
-    <message>
-        <source>Now</source>
-        <translation>Jetzt</translation>
-    </message>
-    <message>
-        <source>Trends</source>
-        <translation>Trends</translation>
-    </message>
-    <message>
-        <source>Stops: %1</source>
-        <translation>Stillstände: %1</translation>
-    </message>
-    <message>
-        <source>%1 without a reason</source>
-        <translation>%1 ohne Grund</translation>
-    </message>
-    <message>
-        <source>CSV</source>
-        <translation>CSV</translation>
-    </message>
-    <message>
-        <source>PDF</source>
-        <translation>PDF</translation>
-    </message>
-    <message>
-        <source>Nothing was recorded in this shift.</source>
-        <translation>In dieser Schicht wurde nichts aufgezeichnet.</translation>
-    </message>
-    <message>
-        <source>Stops as CSV</source>
-        <translation>Stillstände als CSV</translation>
-    </message>
-    <message>
-        <source>Shift report as PDF</source>
-        <translation>Schichtbericht als PDF</translation>
-    </message>
-    <message>
-        <source>Previous shift</source>
-        <translation>Vorige Schicht</translation>
-    </message>
-    <message>
-        <source>Next shift</source>
-        <translation>Nächste Schicht</translation>
-    </message>
-</context>
-<context>
-    <name>StopsSection</name>
-    <message>
-        <source>Stops and shifts</source>
-        <translation>Stillstände und Schichten</translation>
-    </message>
-    <message>
-        <source>%1 s</source>
-        <translation>%1 s</translation>
-    </message>
-    <message>
-        <source>Ideal rate</source>
-        <translation>Ideale Taktrate</translation>
-    </message>
-    <message>
-        <source>Shifts start at</source>
-        <translation>Schichten beginnen um</translation>
-    </message>
-    <message>
-        <source>Working days</source>
-        <translation>Arbeitstage</translation>
-    </message>
-    <message>
-        <source>Reasons of a stop</source>
-        <translation>Stillstandsgründe</translation>
-    </message>
-    <message>
-        <source>Name of the reason</source>
-        <translation>Name des Grundes</translation>
-    </message>
-    <message>
-        <source>Standard list</source>
-        <translation>Standardliste</translation>
-    </message>
-    <message>
-        <source>Replace the own list by the standard list? Stops keep their reasons.</source>
-        <translation>Die eigene Liste durch die Standardliste ersetzen? Stillstände behalten ihre Gründe.</translation>
-    </message>
-    <message>
-        <source>Replace</source>
-        <translation>Ersetzen</translation>
-    </message>
-</context>
-<context>
-    <name>LogFilterSheet</name>
-    <message>
-        <source>Filter</source>
-        <translation>Filter</translation>
-    </message>
-    <message>
-        <source>no limit</source>
-        <translation>unbegrenzt</translation>
-    </message>
-    <message>
-        <source>From</source>
-        <translation>Von</translation>
-    </message>
-    <message>
-        <source>To</source>
-        <translation>Bis</translation>
-    </message>
-    <message>
-        <source>Word</source>
-        <translation>Wort</translation>
-    </message>
-    <message>
-        <source>any</source>
-        <translation>beliebig</translation>
-    </message>
-    <message>
-        <source>− 7 d</source>
-        <translation>− 7 d</translation>
-    </message>
-    <message>
-        <source>− 1 d</source>
-        <translation>− 1 d</translation>
-    </message>
-    <message>
-        <source>+ 1 d</source>
-        <translation>+ 1 d</translation>
-    </message>
-    <message>
-        <source>+ 7 d</source>
-        <translation>+ 7 d</translation>
-    </message>
-    <message>
-        <source>− 1 h</source>
-        <translation>− 1 h</translation>
-    </message>
-    <message>
-        <source>− 10 min</source>
-        <translation>− 10 min</translation>
-    </message>
-    <message>
-        <source>+ 10 min</source>
-        <translation>+ 10 min</translation>
-    </message>
-    <message>
-        <source>+ 1 h</source>
-        <translation>+ 1 h</translation>
-    </message>
-    <message>
-        <source>This day only</source>
-        <translation>Nur dieser Tag</translation>
-    </message>
-    <message>
-        <source>No limit</source>
-        <translation>Unbegrenzt</translation>
-    </message>
-    <message>
-        <source>Clear filter</source>
-        <translation>Filter löschen</translation>
-    </message>
-    <message>
-        <source>Show</source>
-        <translation>Anzeigen</translation>
-    </message>
-</context>
-<context>
-    <name>LogFilterStrip</name>
-    <message>
-        <source>Only: %1</source>
-        <translation>Nur: %1</translation>
-    </message>
-    <message>
-        <source>Show all</source>
-        <translation>Alle anzeigen</translation>
-    </message>
-</context>
-<context>
-    <name>LogFilterDialogs</name>
-    <message>
-        <source>Word</source>
-        <translation>Wort</translation>
-    </message>
-</context>
-<context>
-    <name>ClockSheet</name>
-    <message>
-        <source>Clock</source>
-        <translation>Uhr</translation>
-    </message>
-    <message>
-        <source>Time server</source>
-        <translation>Zeitserver</translation>
-    </message>
-    <message>
-        <source>Off</source>
-        <translation>Aus</translation>
-    </message>
-    <message>
-        <source>On</source>
-        <translation>Ein</translation>
-    </message>
-    <message>
-        <source>Time zone</source>
-        <translation>Zeitzone</translation>
-    </message>
-    <message>
-        <source>− 1 d</source>
-        <translation>− 1 Tag</translation>
-    </message>
-    <message>
-        <source>+ 1 d</source>
-        <translation>+ 1 Tag</translation>
-    </message>
-    <message>
-        <source>− 1 h</source>
-        <translation>− 1 h</translation>
-    </message>
-    <message>
-        <source>+ 1 h</source>
-        <translation>+ 1 h</translation>
-    </message>
-    <message>
-        <source>− 10 min</source>
-        <translation>− 10 min</translation>
-    </message>
-    <message>
-        <source>+ 10 min</source>
-        <translation>+ 10 min</translation>
-    </message>
-    <message>
-        <source>− 1 min</source>
-        <translation>− 1 min</translation>
-    </message>
-    <message>
-        <source>+ 1 min</source>
-        <translation>+ 1 min</translation>
+        <source>Versions and disk</source>
+        <translation>Versionen und Festplatte</translation>
     </message>
 </context>
 <context>
@@ -3533,235 +3762,6 @@ Uhr nicht gestellt</translation>
     <message>
         <source>Time zone</source>
         <translation>Zeitzone</translation>
-    </message>
-</context>
-<context>
-    <name>CodesSheet</name>
-    <message>
-        <source>Codes of %1</source>
-        <translation>Codes von %1</translation>
-    </message>
-    <message>
-        <source>Code that selects the recipe</source>
-        <translation>Code, der das Rezept wählt</translation>
-    </message>
-    <message>
-        <source>Code of the film reel</source>
-        <translation>Code der Folienrolle</translation>
-    </message>
-</context>
-<context>
-    <name>CodeSheet</name>
-    <message>
-        <source>Film reel of %1: scan the code or enter it</source>
-        <translation>Folienrolle von %1: Code scannen oder eingeben</translation>
-    </message>
-    <message>
-        <source>Code of %1: scan or enter it (empty: the name)</source>
-        <translation>Code von %1: scannen oder eingeben (leer: der Name)</translation>
-    </message>
-</context>
-<context>
-    <name>ScannedEditsSheet</name>
-    <message>
-        <source>%1 is not saved</source>
-        <translation>%1 ist nicht gespeichert</translation>
-    </message>
-    <message>
-        <source>The recipe was edited. Opening the scanned recipe %1 without saving discards the edits.</source>
-        <translation>Das Rezept wurde bearbeitet. Das gescannte Rezept %1 ohne Speichern zu öffnen verwirft die Änderungen.</translation>
-    </message>
-    <message>
-        <source>Discard edits</source>
-        <translation>Änderungen verwerfen</translation>
-    </message>
-    <message>
-        <source>Save as version %1</source>
-        <translation>Als Version %1 speichern</translation>
-    </message>
-</context>
-<context>
-    <name>ScannerSection</name>
-    <message>
-        <source>Prefix</source>
-        <translation>Präfix</translation>
-    </message>
-    <message>
-        <source>no scanner</source>
-        <translation>kein Scanner</translation>
-    </message>
-    <message>
-        <source>Suffix</source>
-        <translation>Suffix</translation>
-    </message>
-    <message>
-        <source>Tab key</source>
-        <translation>Tabulatortaste</translation>
-    </message>
-    <message>
-        <source>Enter key</source>
-        <translation>Eingabetaste</translation>
-    </message>
-    <message>
-        <source>%1 ms</source>
-        <translation>%1 ms</translation>
-    </message>
-    <message>
-        <source>Last code</source>
-        <translation>Letzter Code</translation>
-    </message>
-    <message>
-        <source>Scan a code to test the scanner. While this section is open, a code opens no recipe.</source>
-        <translation>Einen Code scannen, um den Scanner zu prüfen. Solange dieser Abschnitt offen ist, öffnet ein Code kein Rezept.</translation>
-    </message>
-    <message>
-        <source>Set the scanner to send a prefix that nobody types before each code, such as ~~, and enter the same prefix here.</source>
-        <translation>Den Scanner so einstellen, dass er vor jedem Code ein Präfix sendet, das niemand tippt, etwa ~~, und hier dasselbe eingeben.</translation>
-    </message>
-    <message>
-        <source>Prefix of the scanner</source>
-        <translation>Präfix des Scanners</translation>
-    </message>
-    <message>
-        <source>Suffix of the scanner</source>
-        <translation>Suffix des Scanners</translation>
-    </message>
-</context>
-<context>
-    <name>FilmSheet</name>
-    <message>
-        <source>Start is blocked</source>
-        <translation>Start ist gesperrt</translation>
-    </message>
-    <message>
-        <source>Override …</source>
-        <translation>Übersteuern …</translation>
-    </message>
-</context>
-<context>
-    <name>FilmReasonSheet</name>
-    <message>
-        <source>Why is another film reel used?</source>
-        <translation>Warum wird eine andere Folienrolle verwendet?</translation>
-    </message>
-    <message>
-        <source>Enter the reason for the audit trail.</source>
-        <translation>Grund für das Änderungsprotokoll eingeben.</translation>
-    </message>
-</context>
-<context>
-    <name>NetworkSheet</name>
-    <message>
-        <source>Network</source>
-        <translation>Netzwerk</translation>
-    </message>
-    <message>
-        <source>Network port</source>
-        <translation>Netzwerkanschluss</translation>
-    </message>
-    <message>
-        <source>By DHCP</source>
-        <translation>Per DHCP</translation>
-    </message>
-    <message>
-        <source>Fixed</source>
-        <translation>Fest</translation>
-    </message>
-    <message>
-        <source>Apply</source>
-        <translation>Anwenden</translation>
-    </message>
-    <message>
-        <source>In use</source>
-        <translation>In Gebrauch</translation>
-    </message>
-</context>
-<context>
-    <name>DigitPad</name>
-    <message>
-        <source>Cancel</source>
-        <translation>Abbrechen</translation>
-    </message>
-    <message>
-        <source>OK</source>
-        <translation>OK</translation>
-    </message>
-    <message>
-        <source>Delete</source>
-        <translation>Löschen</translation>
-    </message>
-</context>
-<context>
-    <name>UpdateSheet</name>
-    <message>
-        <source>Installed: CamPanel %1</source>
-        <translation>Installiert: CamPanel %1</translation>
-    </message>
-    <message>
-        <source>Choose a version.</source>
-        <translation>Wählen Sie eine Version.</translation>
-    </message>
-    <message>
-        <source>There is no package of CamPanel on a USB stick. Plug a stick in; the panel finds it automatically.</source>
-        <translation>Auf keinem USB-Stick ist ein Paket von CamPanel. Stecken Sie einen Stick ein; das Panel findet ihn selbst.</translation>
-    </message>
-    <message>
-        <source>The version before the last update is kept on this panel.</source>
-        <translation>Die Version vor der letzten Aktualisierung ist auf diesem Panel vorhanden.</translation>
-    </message>
-    <message>
-        <source>Back to %1</source>
-        <translation>Zurück zu %1</translation>
-    </message>
-    <message>
-        <source>Update</source>
-        <translation>Aktualisierung</translation>
-    </message>
-</context>
-<context>
-    <name>TrialCover</name>
-    <message>
-        <source>Keep this rotation?</source>
-        <translation>Diese Drehung behalten?</translation>
-    </message>
-    <message>
-        <source>Without an answer the earlier one returns in %1 s.</source>
-        <translation>Ohne Antwort gilt in %1 s wieder die frühere.</translation>
-    </message>
-    <message>
-        <source>Go back</source>
-        <translation>Zurück</translation>
-    </message>
-    <message>
-        <source>Keep</source>
-        <translation>Behalten</translation>
-    </message>
-    <message>
-        <source>Keep this calibration of the touchscreen?</source>
-        <translation>Diese Kalibrierung des Touchscreens behalten?</translation>
-    </message>
-</context>
-<context>
-    <name>TouchCrosses</name>
-    <message>
-        <source>Touch the center of the cross.</source>
-        <translation>Die Mitte des Kreuzes berühren.</translation>
-    </message>
-    <message>
-        <source>Cross %1 of %2</source>
-        <translation>Kreuz %1 von %2</translation>
-    </message>
-    <message>
-        <source>Cancel</source>
-        <translation>Abbrechen</translation>
-    </message>
-    <message>
-        <source>Close</source>
-        <translation>Schließen</translation>
-    </message>
-    <message>
-        <source>Try again</source>
-        <translation>Erneut versuchen</translation>
     </message>
 </context>
 </TS>

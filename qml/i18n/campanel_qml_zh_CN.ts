@@ -370,6 +370,156 @@ And %2 more.</source>
     </message>
 </context>
 <context>
+    <name>CamFilesSheet</name>
+    <message>
+        <source>There is no CSV file on a USB stick or in %1. Plug a stick in; the panel finds it automatically.</source>
+        <translation>U 盘和 %1 中都没有 CSV 文件。请插入 U 盘，面板会自动找到。</translation>
+    </message>
+    <message>
+        <source>Choose the location of the new file.</source>
+        <translation>请选择新文件的位置。</translation>
+    </message>
+    <message>
+        <source>Choose a file to view its content.</source>
+        <translation>请选择文件以查看其内容。</translation>
+    </message>
+    <message>
+        <source>Segments as CSV</source>
+        <translation>运动段 CSV 文件</translation>
+    </message>
+    <message>
+        <source>Knots as CSV</source>
+        <translation>型值点 CSV 文件</translation>
+    </message>
+    <message>
+        <source>Import CSV</source>
+        <translation>导入 CSV</translation>
+    </message>
+    <message>
+        <source>Export CSV</source>
+        <translation>导出 CSV</translation>
+    </message>
+    <message>
+        <source>Write file</source>
+        <translation>写入文件</translation>
+    </message>
+    <message>
+        <source>Import</source>
+        <translation>导入</translation>
+    </message>
+    <message>
+        <source>Writing …</source>
+        <translation>正在写入…</translation>
+    </message>
+</context>
+<context>
+    <name>CamSheet</name>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 / %2</translation>
+    </message>
+    <message>
+        <source>Previous</source>
+        <translation>上一个</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>下一个</translation>
+    </message>
+</context>
+<context>
+    <name>CleaningMode</name>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 秒</translation>
+    </message>
+    <message>
+        <source>Clean the screen now. The panel ignores touches until the time is over; Stop still works.</source>
+        <translation>现在请清洁屏幕。计时结束前触摸无效，“停止”仍有效。</translation>
+    </message>
+</context>
+<context>
+    <name>ClockSheet</name>
+    <message>
+        <source>Clock</source>
+        <translation>时钟</translation>
+    </message>
+    <message>
+        <source>Time server</source>
+        <translation>时间服务器</translation>
+    </message>
+    <message>
+        <source>Off</source>
+        <translation>关</translation>
+    </message>
+    <message>
+        <source>On</source>
+        <translation>开</translation>
+    </message>
+    <message>
+        <source>Time zone</source>
+        <translation>时区</translation>
+    </message>
+    <message>
+        <source>− 1 d</source>
+        <translation>− 1 天</translation>
+    </message>
+    <message>
+        <source>+ 1 d</source>
+        <translation>+ 1 天</translation>
+    </message>
+    <message>
+        <source>− 1 h</source>
+        <translation>− 1 小时</translation>
+    </message>
+    <message>
+        <source>+ 1 h</source>
+        <translation>+ 1 小时</translation>
+    </message>
+    <message>
+        <source>− 10 min</source>
+        <translation>− 10 分</translation>
+    </message>
+    <message>
+        <source>+ 10 min</source>
+        <translation>+ 10 分</translation>
+    </message>
+    <message>
+        <source>− 1 min</source>
+        <translation>− 1 分</translation>
+    </message>
+    <message>
+        <source>+ 1 min</source>
+        <translation>+ 1 分</translation>
+    </message>
+</context>
+<context>
+    <name>CodeSheet</name>
+    <message>
+        <source>Film reel of %1: scan the code or enter it</source>
+        <translation>%1 的膜卷：扫描或输入条码</translation>
+    </message>
+    <message>
+        <source>Code of %1: scan or enter it (empty: the name)</source>
+        <translation>%1 的条码：扫描或输入；留空则用名称</translation>
+    </message>
+</context>
+<context>
+    <name>CodesSheet</name>
+    <message>
+        <source>Codes of %1</source>
+        <translation>%1 的条码</translation>
+    </message>
+    <message>
+        <source>Code that selects the recipe</source>
+        <translation>选择配方的条码</translation>
+    </message>
+    <message>
+        <source>Code of the film reel</source>
+        <translation>膜卷条码</translation>
+    </message>
+</context>
+<context>
     <name>CommandColumn</name>
     <message>
         <source>hold</source>
@@ -529,6 +679,21 @@ And %2 more.</source>
     <message>
         <source>Sync window</source>
         <translation>同步区</translation>
+    </message>
+</context>
+<context>
+    <name>DigitPad</name>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>OK</source>
+        <translation>确定</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>删除</translation>
     </message>
 </context>
 <context>
@@ -850,6 +1015,28 @@ And %2 more.</source>
     </message>
 </context>
 <context>
+    <name>FilmReasonSheet</name>
+    <message>
+        <source>Why is another film reel used?</source>
+        <translation>为何使用其他膜卷？</translation>
+    </message>
+    <message>
+        <source>Enter the reason for the audit trail.</source>
+        <translation>请输入原因，用于审计追踪。</translation>
+    </message>
+</context>
+<context>
+    <name>FilmSheet</name>
+    <message>
+        <source>Start is blocked</source>
+        <translation>启动被禁止</translation>
+    </message>
+    <message>
+        <source>Override …</source>
+        <translation>放行…</translation>
+    </message>
+</context>
+<context>
     <name>FirstController</name>
     <message>
         <source>Simulated controller</source>
@@ -962,6 +1149,17 @@ And %2 more.</source>
     <message>
         <source>Next</source>
         <translation>下一步</translation>
+    </message>
+</context>
+<context>
+    <name>FolderInUse</name>
+    <message>
+        <source>Another CamPanel uses the data in %1. Close the other one: this panel then starts.</source>
+        <translation>另一个 CamPanel 正在使用 %1 中的数据。关闭另一个后，本面板即启动。</translation>
+    </message>
+    <message>
+        <source>Close this window</source>
+        <translation>关闭本窗口</translation>
     </message>
 </context>
 <context>
@@ -1228,64 +1426,6 @@ And %2 more.</source>
     </message>
 </context>
 <context>
-    <name>CamFilesSheet</name>
-    <message>
-        <source>There is no CSV file on a USB stick or in %1. Plug a stick in; the panel finds it automatically.</source>
-        <translation>U 盘和 %1 中都没有 CSV 文件。请插入 U 盘，面板会自动找到。</translation>
-    </message>
-    <message>
-        <source>Choose the location of the new file.</source>
-        <translation>请选择新文件的位置。</translation>
-    </message>
-    <message>
-        <source>Choose a file to view its content.</source>
-        <translation>请选择文件以查看其内容。</translation>
-    </message>
-    <message>
-        <source>Segments as CSV</source>
-        <translation>运动段 CSV 文件</translation>
-    </message>
-    <message>
-        <source>Knots as CSV</source>
-        <translation>型值点 CSV 文件</translation>
-    </message>
-    <message>
-        <source>Import CSV</source>
-        <translation>导入 CSV</translation>
-    </message>
-    <message>
-        <source>Export CSV</source>
-        <translation>导出 CSV</translation>
-    </message>
-    <message>
-        <source>Write file</source>
-        <translation>写入文件</translation>
-    </message>
-    <message>
-        <source>Import</source>
-        <translation>导入</translation>
-    </message>
-    <message>
-        <source>Writing …</source>
-        <translation>正在写入…</translation>
-    </message>
-</context>
-<context>
-    <name>CamSheet</name>
-    <message>
-        <source>%1 of %2</source>
-        <translation>%1 / %2</translation>
-    </message>
-    <message>
-        <source>Previous</source>
-        <translation>上一个</translation>
-    </message>
-    <message>
-        <source>Next</source>
-        <translation>下一个</translation>
-    </message>
-</context>
-<context>
     <name>KnotSheet</name>
     <message>
         <source>Add after</source>
@@ -1335,45 +1475,96 @@ And %2 more.</source>
     </message>
 </context>
 <context>
-    <name>SkippedCutsCard</name>
+    <name>LogFilterDialogs</name>
     <message>
-        <source>Skipped cuts</source>
-        <translation>略过的切断</translation>
-    </message>
-    <message>
-        <source>Bags without product</source>
-        <translation>无产品的袋</translation>
-    </message>
-    <message>
-        <source>Film saved</source>
-        <translation>节省薄膜</translation>
-    </message>
-    <message>
-        <source>%1 m</source>
-        <translation>%1 m</translation>
-    </message>
-    <message>
-        <source>Last: %1</source>
-        <translation>最近一次：%1</translation>
+        <source>Word</source>
+        <translation>文字</translation>
     </message>
 </context>
 <context>
-    <name>SimulatedFaultsSection</name>
+    <name>LogFilterSheet</name>
     <message>
-        <source>Off</source>
-        <translation>关</translation>
+        <source>Filter</source>
+        <translation>筛选</translation>
     </message>
     <message>
-        <source>Sometimes</source>
-        <translation>偶尔</translation>
+        <source>no limit</source>
+        <translation>不限</translation>
     </message>
     <message>
-        <source>Often</source>
-        <translation>经常</translation>
+        <source>From</source>
+        <translation>从</translation>
     </message>
     <message>
-        <source>All off</source>
-        <translation>全部关闭</translation>
+        <source>To</source>
+        <translation>到</translation>
+    </message>
+    <message>
+        <source>Word</source>
+        <translation>文字</translation>
+    </message>
+    <message>
+        <source>any</source>
+        <translation>任意</translation>
+    </message>
+    <message>
+        <source>− 7 d</source>
+        <translation>− 7 天</translation>
+    </message>
+    <message>
+        <source>− 1 d</source>
+        <translation>− 1 天</translation>
+    </message>
+    <message>
+        <source>+ 1 d</source>
+        <translation>+ 1 天</translation>
+    </message>
+    <message>
+        <source>+ 7 d</source>
+        <translation>+ 7 天</translation>
+    </message>
+    <message>
+        <source>− 1 h</source>
+        <translation>− 1 小时</translation>
+    </message>
+    <message>
+        <source>− 10 min</source>
+        <translation>− 10 分</translation>
+    </message>
+    <message>
+        <source>+ 10 min</source>
+        <translation>+ 10 分</translation>
+    </message>
+    <message>
+        <source>+ 1 h</source>
+        <translation>+ 1 小时</translation>
+    </message>
+    <message>
+        <source>This day only</source>
+        <translation>仅这一天</translation>
+    </message>
+    <message>
+        <source>No limit</source>
+        <translation>不限</translation>
+    </message>
+    <message>
+        <source>Clear filter</source>
+        <translation>清除筛选</translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <translation>显示</translation>
+    </message>
+</context>
+<context>
+    <name>LogFilterStrip</name>
+    <message>
+        <source>Only: %1</source>
+        <translation>仅：%1</translation>
+    </message>
+    <message>
+        <source>Show all</source>
+        <translation>显示全部</translation>
     </message>
 </context>
 <context>
@@ -1404,6 +1595,13 @@ And %2 more.</source>
     </message>
 </context>
 <context>
+    <name>MachineDrawing</name>
+    <message>
+        <source>Drawing of the machine</source>
+        <translation>机器示意图</translation>
+    </message>
+</context>
+<context>
     <name>MachineSection</name>
     <message>
         <source>Machine</source>
@@ -1428,6 +1626,81 @@ And %2 more.</source>
     <message>
         <source>Save</source>
         <translation>保存</translation>
+    </message>
+</context>
+<context>
+    <name>MaintenancePage</name>
+    <message>
+        <source>Diagnostics</source>
+        <translation>通信诊断</translation>
+    </message>
+    <message>
+        <source>Statistics</source>
+        <translation>通信统计</translation>
+    </message>
+    <message>
+        <source>Registers</source>
+        <translation>寄存器</translation>
+    </message>
+    <message>
+        <source>Frames</source>
+        <translation>报文</translation>
+    </message>
+    <message>
+        <source>Faults</source>
+        <translation>故障模拟</translation>
+    </message>
+    <message>
+        <source>Packing</source>
+        <translation>包装</translation>
+    </message>
+    <message>
+        <source>Backup</source>
+        <translation>备份</translation>
+    </message>
+    <message>
+        <source>Jog</source>
+        <translation>点动</translation>
+    </message>
+    <message>
+        <source>Homing</source>
+        <translation>回零</translation>
+    </message>
+    <message>
+        <source>I/O</source>
+        <translation>输入输出</translation>
+    </message>
+    <message>
+        <source>Dry run</source>
+        <translation>空运行</translation>
+    </message>
+    <message>
+        <source>Connection to the controller</source>
+        <translation>与控制器的通信</translation>
+    </message>
+    <message>
+        <source>Link</source>
+        <translation>通信</translation>
+    </message>
+    <message>
+        <source>Panel</source>
+        <translation>面板</translation>
+    </message>
+    <message>
+        <source>Machine</source>
+        <translation>机器</translation>
+    </message>
+    <message>
+        <source>Panel data</source>
+        <translation>面板数据</translation>
+    </message>
+    <message>
+        <source>Maintenance</source>
+        <translation>维护</translation>
+    </message>
+    <message>
+        <source>Scanner</source>
+        <translation>扫码枪</translation>
     </message>
 </context>
 <context>
@@ -1518,13 +1791,6 @@ And %2 more.</source>
     <message>
         <source>Master</source>
         <translation>主轴</translation>
-    </message>
-</context>
-<context>
-    <name>MachineDrawing</name>
-    <message>
-        <source>Drawing of the machine</source>
-        <translation>机器示意图</translation>
     </message>
 </context>
 <context>
@@ -1649,6 +1915,33 @@ And %2 more.</source>
     </message>
 </context>
 <context>
+    <name>NetworkSheet</name>
+    <message>
+        <source>Network</source>
+        <translation>网络</translation>
+    </message>
+    <message>
+        <source>Network port</source>
+        <translation>网口</translation>
+    </message>
+    <message>
+        <source>By DHCP</source>
+        <translation>DHCP 自动</translation>
+    </message>
+    <message>
+        <source>Fixed</source>
+        <translation>固定</translation>
+    </message>
+    <message>
+        <source>Apply</source>
+        <translation>应用</translation>
+    </message>
+    <message>
+        <source>In use</source>
+        <translation>使用中</translation>
+    </message>
+</context>
+<context>
     <name>NewPinSheet</name>
     <message>
         <source>The two PINs differ. Enter the new PIN again.</source>
@@ -1768,6 +2061,36 @@ And %2 more.</source>
     </message>
 </context>
 <context>
+    <name>OeeCard</name>
+    <message>
+        <source>OEE</source>
+        <translation>OEE</translation>
+    </message>
+    <message>
+        <source>Availability</source>
+        <translation>时间开动率</translation>
+    </message>
+    <message>
+        <source>Performance</source>
+        <translation>性能开动率</translation>
+    </message>
+    <message>
+        <source>Quality</source>
+        <translation>合格品率</translation>
+    </message>
+</context>
+<context>
+    <name>OfferSheet</name>
+    <message>
+        <source>Searching …</source>
+        <translation>正在查找…</translation>
+    </message>
+    <message>
+        <source>Choose a file to view its content.</source>
+        <translation>请选择文件以查看其内容。</translation>
+    </message>
+</context>
+<context>
     <name>PackingSection</name>
     <message>
         <source>Measure marks</source>
@@ -1776,24 +2099,6 @@ And %2 more.</source>
     <message>
         <source>Sensor to knife …</source>
         <translation>传感器到切刀…</translation>
-    </message>
-</context>
-<context>
-    <name>ParameterList</name>
-    <message>
-        <source>Changes take effect at once. Press Save to keep the values after power-off.</source>
-        <translation>更改立即生效。按“保存”后断电不丢失。</translation>
-    </message>
-    <message>
-        <source>Save</source>
-        <translation>保存</translation>
-    </message>
-</context>
-<context>
-    <name>ParameterRow</name>
-    <message>
-        <source>Apply %1</source>
-        <translation>采用 %1</translation>
     </message>
 </context>
 <context>
@@ -1876,6 +2181,24 @@ And %2 more.</source>
     <message>
         <source>More pages</source>
         <translation>更多页面</translation>
+    </message>
+</context>
+<context>
+    <name>ParameterList</name>
+    <message>
+        <source>Changes take effect at once. Press Save to keep the values after power-off.</source>
+        <translation>更改立即生效。按“保存”后断电不丢失。</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>保存</translation>
+    </message>
+</context>
+<context>
+    <name>ParameterRow</name>
+    <message>
+        <source>Apply %1</source>
+        <translation>采用 %1</translation>
     </message>
 </context>
 <context>
@@ -1988,6 +2311,87 @@ And %2 more.</source>
     <message>
         <source>Ratios</source>
         <translation>比例</translation>
+    </message>
+</context>
+<context>
+    <name>ReasonGrid</name>
+    <message>
+        <source>more …</source>
+        <translation>更多 …</translation>
+    </message>
+    <message>
+        <source>planned</source>
+        <translation>计划</translation>
+    </message>
+</context>
+<context>
+    <name>ReasonList</name>
+    <message>
+        <source>Reasons by time</source>
+        <translation>按时间排列的原因</translation>
+    </message>
+    <message>
+        <source>%1 (planned)</source>
+        <translation>%1（计划）</translation>
+    </message>
+    <message>
+        <source>No stop in this shift.</source>
+        <translation>本班次无停机。</translation>
+    </message>
+</context>
+<context>
+    <name>ReasonsSheet</name>
+    <message>
+        <source>Reasons: %1</source>
+        <translation>原因：%1</translation>
+    </message>
+    <message>
+        <source>Reasons of a stop</source>
+        <translation>停机原因</translation>
+    </message>
+    <message>
+        <source>Planned stops are not counted as losses. Earlier stops keep their reason.</source>
+        <translation>计划停机不计为损失。以前的停机保留其原因。</translation>
+    </message>
+    <message>
+        <source>planned</source>
+        <translation>计划</translation>
+    </message>
+    <message>
+        <source>more …</source>
+        <translation>更多 …</translation>
+    </message>
+    <message>
+        <source>This group has no reasons yet.</source>
+        <translation>此组尚无原因。</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>返回</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>打开</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>添加</translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation>重命名</translation>
+    </message>
+    <message>
+        <source>Planned</source>
+        <translation>计划</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>删除</translation>
+    </message>
+    <message>
+        <source>Standard list</source>
+        <translation>标准列表</translation>
     </message>
 </context>
 <context>
@@ -2227,6 +2631,33 @@ And %2 more.</source>
     </message>
 </context>
 <context>
+    <name>RegimeSheet</name>
+    <message>
+        <source>Regime map</source>
+        <translation>可行域图</translation>
+    </message>
+    <message>
+        <source>bags/min</source>
+        <translation>袋/分</translation>
+    </message>
+    <message>
+        <source>not possible</source>
+        <translation>不可行</translation>
+    </message>
+    <message>
+        <source>lengths of the paper</source>
+        <translation>论文中的袋长</translation>
+    </message>
+    <message>
+        <source>Drag the dot to another length and rate.</source>
+        <translation>拖动圆点以更改袋长和速率。</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>撤销</translation>
+    </message>
+</context>
+<context>
     <name>RegistersSection</name>
     <message>
         <source>Group</source>
@@ -2259,17 +2690,6 @@ And %2 more.</source>
     <message>
         <source>Clear the filter</source>
         <translation>清除筛选</translation>
-    </message>
-</context>
-<context>
-    <name>OfferSheet</name>
-    <message>
-        <source>Searching …</source>
-        <translation>正在查找…</translation>
-    </message>
-    <message>
-        <source>Choose a file to view its content.</source>
-        <translation>请选择文件以查看其内容。</translation>
     </message>
 </context>
 <context>
@@ -2379,78 +2799,111 @@ And %2 more.</source>
     </message>
 </context>
 <context>
-    <name>MaintenancePage</name>
+    <name>ScannedEditsSheet</name>
     <message>
-        <source>Diagnostics</source>
-        <translation>通信诊断</translation>
+        <source>%1 is not saved</source>
+        <translation>%1 尚未保存</translation>
     </message>
     <message>
-        <source>Statistics</source>
-        <translation>通信统计</translation>
+        <source>The recipe was edited. Opening the scanned recipe %1 without saving discards the edits.</source>
+        <translation>配方已修改。不保存而打开扫描到的配方 %1 将丢失修改。</translation>
     </message>
     <message>
-        <source>Registers</source>
-        <translation>寄存器</translation>
+        <source>Discard edits</source>
+        <translation>放弃修改</translation>
     </message>
     <message>
-        <source>Frames</source>
-        <translation>报文</translation>
+        <source>Save as version %1</source>
+        <translation>保存为第 %1 版</translation>
+    </message>
+</context>
+<context>
+    <name>ScannerSection</name>
+    <message>
+        <source>Prefix</source>
+        <translation>前缀</translation>
     </message>
     <message>
-        <source>Faults</source>
-        <translation>故障模拟</translation>
+        <source>no scanner</source>
+        <translation>无扫码枪</translation>
     </message>
     <message>
-        <source>Packing</source>
-        <translation>包装</translation>
+        <source>Suffix</source>
+        <translation>后缀</translation>
     </message>
     <message>
-        <source>Backup</source>
-        <translation>备份</translation>
+        <source>Tab key</source>
+        <translation>Tab 键</translation>
     </message>
     <message>
-        <source>Jog</source>
-        <translation>点动</translation>
+        <source>Enter key</source>
+        <translation>回车键</translation>
     </message>
     <message>
-        <source>Homing</source>
-        <translation>回零</translation>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
     </message>
     <message>
-        <source>I/O</source>
-        <translation>输入输出</translation>
+        <source>Last code</source>
+        <translation>上次条码</translation>
     </message>
     <message>
-        <source>Dry run</source>
-        <translation>空运行</translation>
+        <source>Scan a code to test the scanner. While this section is open, a code opens no recipe.</source>
+        <translation>扫描条码以测试扫码枪。此页打开时，条码不会打开配方。</translation>
     </message>
     <message>
-        <source>Connection to the controller</source>
-        <translation>与控制器的通信</translation>
+        <source>Set the scanner to send a prefix that nobody types before each code, such as ~~, and enter the same prefix here.</source>
+        <translation>请将扫码枪设为在每个条码前发送无人会输入的前缀（如 ~~），并在此输入相同前缀。</translation>
     </message>
     <message>
-        <source>Link</source>
-        <translation>通信</translation>
+        <source>Prefix of the scanner</source>
+        <translation>扫码枪前缀</translation>
     </message>
     <message>
-        <source>Panel</source>
-        <translation>面板</translation>
+        <source>Suffix of the scanner</source>
+        <translation>扫码枪后缀</translation>
+    </message>
+</context>
+<context>
+    <name>SegmentMotionSheet</name>
+    <message>
+        <source>Motion of segment %1</source>
+        <translation>第 %1 段的运动规律</translation>
+    </message>
+</context>
+<context>
+    <name>SegmentSheet</name>
+    <message>
+        <source>%1 · jump at the start</source>
+        <translation>%1 · 起点突变</translation>
     </message>
     <message>
-        <source>Machine</source>
-        <translation>机器</translation>
+        <source>Motion</source>
+        <translation>运动规律</translation>
     </message>
     <message>
-        <source>Panel data</source>
-        <translation>面板数据</translation>
+        <source>Add dwell</source>
+        <translation>添加休止</translation>
     </message>
     <message>
-        <source>Maintenance</source>
-        <translation>维护</translation>
+        <source>Split</source>
+        <translation>拆分</translation>
     </message>
     <message>
-        <source>Scanner</source>
-        <translation>扫码枪</translation>
+        <source>Remove</source>
+        <translation>删除</translation>
+    </message>
+    <message>
+        <source>Make continuous</source>
+        <translation>使其连续</translation>
+    </message>
+    <message>
+        <source>CSV files</source>
+        <translation>CSV 文件</translation>
+    </message>
+    <message>
+        <source>Segment %1</source>
+        <translation>运动段 %1</translation>
     </message>
 </context>
 <context>
@@ -2497,6 +2950,13 @@ And %2 more.</source>
     </message>
 </context>
 <context>
+    <name>Sheet</name>
+    <message>
+        <source>Close</source>
+        <translation>关闭</translation>
+    </message>
+</context>
+<context>
     <name>ShelvedList</name>
     <message>
         <source>%1 · %2 · by %3</source>
@@ -2516,6 +2976,87 @@ And %2 more.</source>
     </message>
 </context>
 <context>
+    <name>ShiftsSheet</name>
+    <message>
+        <source>Shifts</source>
+        <translation>班次</translation>
+    </message>
+    <message>
+        <source>A shift lasts until the next one starts. It belongs to the day on which it starts.</source>
+        <translation>班次持续到下一班次开始，属于其开始的那一天。</translation>
+    </message>
+    <message>
+        <source>− 1 h</source>
+        <translation>− 1 小时</translation>
+    </message>
+    <message>
+        <source>+ 1 h</source>
+        <translation>+ 1 小时</translation>
+    </message>
+    <message>
+        <source>− 15 min</source>
+        <translation>− 15 分</translation>
+    </message>
+    <message>
+        <source>+ 15 min</source>
+        <translation>+ 15 分</translation>
+    </message>
+    <message>
+        <source>Add a shift</source>
+        <translation>添加班次</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>删除</translation>
+    </message>
+    <message>
+        <source>Working days</source>
+        <translation>工作日</translation>
+    </message>
+</context>
+<context>
+    <name>SimulatedFaultsSection</name>
+    <message>
+        <source>Off</source>
+        <translation>关</translation>
+    </message>
+    <message>
+        <source>Sometimes</source>
+        <translation>偶尔</translation>
+    </message>
+    <message>
+        <source>Often</source>
+        <translation>经常</translation>
+    </message>
+    <message>
+        <source>All off</source>
+        <translation>全部关闭</translation>
+    </message>
+</context>
+<context>
+    <name>SkippedCutsCard</name>
+    <message>
+        <source>Skipped cuts</source>
+        <translation>略过的切断</translation>
+    </message>
+    <message>
+        <source>Bags without product</source>
+        <translation>无产品的袋</translation>
+    </message>
+    <message>
+        <source>Film saved</source>
+        <translation>节省薄膜</translation>
+    </message>
+    <message>
+        <source>%1 m</source>
+        <translation>%1 m</translation>
+    </message>
+    <message>
+        <source>Last: %1</source>
+        <translation>最近一次：%1</translation>
+    </message>
+</context>
+<context>
     <name>SpeedCard</name>
     <message>
         <source>following error %1 mm</source>
@@ -2532,6 +3073,164 @@ And %2 more.</source>
     <message>
         <source>error %1 mm</source>
         <translation>误差 %1 mm</translation>
+    </message>
+</context>
+<context>
+    <name>StateBar</name>
+    <message>
+        <source>Running</source>
+        <translation>运行</translation>
+    </message>
+    <message>
+        <source>Stopped</source>
+        <translation>停机</translation>
+    </message>
+    <message>
+        <source>Waiting</source>
+        <translation>等待</translation>
+    </message>
+    <message>
+        <source>Manual</source>
+        <translation>手动</translation>
+    </message>
+    <message>
+        <source>Fault</source>
+        <translation>故障</translation>
+    </message>
+</context>
+<context>
+    <name>StopListRow</name>
+    <message>
+        <source>%1 · %2</source>
+        <translation>%1 · %2</translation>
+    </message>
+</context>
+<context>
+    <name>StopListSheet</name>
+    <message>
+        <source>Reason of the stop</source>
+        <translation>停机原因</translation>
+    </message>
+    <message>
+        <source>Stops</source>
+        <translation>停机</translation>
+    </message>
+    <message>
+        <source>No stop in this shift.</source>
+        <translation>本班次无停机。</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>返回</translation>
+    </message>
+</context>
+<context>
+    <name>StopQuestion</name>
+    <message>
+        <source>Why is the machine stopped?</source>
+        <translation>机器为何停机？</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>返回</translation>
+    </message>
+    <message>
+        <source>Stops</source>
+        <translation>停机</translation>
+    </message>
+    <message>
+        <source>Later</source>
+        <translation>以后</translation>
+    </message>
+</context>
+<context>
+    <name>StopsPage</name>
+    <message>
+        <source>Now</source>
+        <translation>现在</translation>
+    </message>
+    <message>
+        <source>Trends</source>
+        <translation>趋势</translation>
+    </message>
+    <message>
+        <source>Stops: %1</source>
+        <translation>停机：%1</translation>
+    </message>
+    <message>
+        <source>%1 without a reason</source>
+        <translation>%1 次无原因</translation>
+    </message>
+    <message>
+        <source>CSV</source>
+        <translation>CSV</translation>
+    </message>
+    <message>
+        <source>PDF</source>
+        <translation>PDF</translation>
+    </message>
+    <message>
+        <source>Nothing was recorded in this shift.</source>
+        <translation>本班次无记录。</translation>
+    </message>
+    <message>
+        <source>Stops as CSV</source>
+        <translation>停机 CSV</translation>
+    </message>
+    <message>
+        <source>Shift report as PDF</source>
+        <translation>班次报告 PDF</translation>
+    </message>
+    <message>
+        <source>Previous shift</source>
+        <translation>上一班次</translation>
+    </message>
+    <message>
+        <source>Next shift</source>
+        <translation>下一班次</translation>
+    </message>
+</context>
+<context>
+    <name>StopsSection</name>
+    <message>
+        <source>Stops and shifts</source>
+        <translation>停机与班次</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 秒</translation>
+    </message>
+    <message>
+        <source>Ideal rate</source>
+        <translation>理想速率</translation>
+    </message>
+    <message>
+        <source>Shifts start at</source>
+        <translation>班次开始</translation>
+    </message>
+    <message>
+        <source>Working days</source>
+        <translation>工作日</translation>
+    </message>
+    <message>
+        <source>Reasons of a stop</source>
+        <translation>停机原因</translation>
+    </message>
+    <message>
+        <source>Name of the reason</source>
+        <translation>原因名称</translation>
+    </message>
+    <message>
+        <source>Standard list</source>
+        <translation>标准列表</translation>
+    </message>
+    <message>
+        <source>Replace the own list by the standard list? Stops keep their reasons.</source>
+        <translation>用标准列表替换自定义列表？停机保留其原因。</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>替换</translation>
     </message>
 </context>
 <context>
@@ -2700,6 +3399,29 @@ And %2 more.</source>
     </message>
 </context>
 <context>
+    <name>TouchCrosses</name>
+    <message>
+        <source>Touch the center of the cross.</source>
+        <translation>请点击十字中心。</translation>
+    </message>
+    <message>
+        <source>Cross %1 of %2</source>
+        <translation>第 %1 个十字，共 %2 个</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>关闭</translation>
+    </message>
+    <message>
+        <source>Try again</source>
+        <translation>重试</translation>
+    </message>
+</context>
+<context>
     <name>TrendCard</name>
     <message>
         <source>Trend curves</source>
@@ -2854,6 +3576,56 @@ clock not set</source>
     </message>
 </context>
 <context>
+    <name>TrialCover</name>
+    <message>
+        <source>Keep this rotation?</source>
+        <translation>保留此旋转方向？</translation>
+    </message>
+    <message>
+        <source>Without an answer the earlier one returns in %1 s.</source>
+        <translation>若不选择，%1 秒后恢复原设置。</translation>
+    </message>
+    <message>
+        <source>Go back</source>
+        <translation>恢复</translation>
+    </message>
+    <message>
+        <source>Keep</source>
+        <translation>保留</translation>
+    </message>
+    <message>
+        <source>Keep this calibration of the touchscreen?</source>
+        <translation>保留此触摸屏校准？</translation>
+    </message>
+</context>
+<context>
+    <name>UpdateSheet</name>
+    <message>
+        <source>Installed: CamPanel %1</source>
+        <translation>已安装：CamPanel %1</translation>
+    </message>
+    <message>
+        <source>Choose a version.</source>
+        <translation>请选择一个版本。</translation>
+    </message>
+    <message>
+        <source>There is no package of CamPanel on a USB stick. Plug a stick in; the panel finds it automatically.</source>
+        <translation>U 盘上没有 CamPanel 软件包。插入 U 盘后，面板会自动找到。</translation>
+    </message>
+    <message>
+        <source>The version before the last update is kept on this panel.</source>
+        <translation>本面板保留了上次更新前的版本。</translation>
+    </message>
+    <message>
+        <source>Back to %1</source>
+        <translation>恢复到 %1</translation>
+    </message>
+    <message>
+        <source>Update</source>
+        <translation>更新</translation>
+    </message>
+</context>
+<context>
     <name>UserSheet</name>
     <message>
         <source>Yes, remove</source>
@@ -2968,100 +3740,6 @@ clock not set</source>
     </message>
 </context>
 <context>
-    <name>VersionsSection</name>
-    <message>
-        <source>Versions and disk</source>
-        <translation>版本与磁盘</translation>
-    </message>
-</context>
-<context>
-    <name>CleaningMode</name>
-    <message>
-        <source>%1 s</source>
-        <translation>%1 秒</translation>
-    </message>
-    <message>
-        <source>Clean the screen now. The panel ignores touches until the time is over; Stop still works.</source>
-        <translation>现在请清洁屏幕。计时结束前触摸无效，“停止”仍有效。</translation>
-    </message>
-</context>
-<context>
-    <name>RegimeSheet</name>
-    <message>
-        <source>Regime map</source>
-        <translation>可行域图</translation>
-    </message>
-    <message>
-        <source>bags/min</source>
-        <translation>袋/分</translation>
-    </message>
-    <message>
-        <source>not possible</source>
-        <translation>不可行</translation>
-    </message>
-    <message>
-        <source>lengths of the paper</source>
-        <translation>论文中的袋长</translation>
-    </message>
-    <message>
-        <source>Drag the dot to another length and rate.</source>
-        <translation>拖动圆点以更改袋长和速率。</translation>
-    </message>
-    <message>
-        <source>Undo</source>
-        <translation>撤销</translation>
-    </message>
-</context>
-<context>
-    <name>SegmentMotionSheet</name>
-    <message>
-        <source>Motion of segment %1</source>
-        <translation>第 %1 段的运动规律</translation>
-    </message>
-</context>
-<context>
-    <name>SegmentSheet</name>
-    <message>
-        <source>%1 · jump at the start</source>
-        <translation>%1 · 起点突变</translation>
-    </message>
-    <message>
-        <source>Motion</source>
-        <translation>运动规律</translation>
-    </message>
-    <message>
-        <source>Add dwell</source>
-        <translation>添加休止</translation>
-    </message>
-    <message>
-        <source>Split</source>
-        <translation>拆分</translation>
-    </message>
-    <message>
-        <source>Remove</source>
-        <translation>删除</translation>
-    </message>
-    <message>
-        <source>Make continuous</source>
-        <translation>使其连续</translation>
-    </message>
-    <message>
-        <source>CSV files</source>
-        <translation>CSV 文件</translation>
-    </message>
-    <message>
-        <source>Segment %1</source>
-        <translation>运动段 %1</translation>
-    </message>
-</context>
-<context>
-    <name>Sheet</name>
-    <message>
-        <source>Close</source>
-        <translation>关闭</translation>
-    </message>
-</context>
-<context>
     <name>VerdictBar</name>
     <message>
         <source>Undo</source>
@@ -3073,459 +3751,10 @@ clock not set</source>
     </message>
 </context>
 <context>
-    <name>FolderInUse</name>
+    <name>VersionsSection</name>
     <message>
-        <source>Another CamPanel uses the data in %1. Close the other one: this panel then starts.</source>
-        <translation>另一个 CamPanel 正在使用 %1 中的数据。关闭另一个后，本面板即启动。</translation>
-    </message>
-    <message>
-        <source>Close this window</source>
-        <translation>关闭本窗口</translation>
-    </message>
-</context>
-<context>
-    <name>OeeCard</name>
-    <message>
-        <source>OEE</source>
-        <translation>OEE</translation>
-    </message>
-    <message>
-        <source>Availability</source>
-        <translation>时间开动率</translation>
-    </message>
-    <message>
-        <source>Performance</source>
-        <translation>性能开动率</translation>
-    </message>
-    <message>
-        <source>Quality</source>
-        <translation>合格品率</translation>
-    </message>
-</context>
-<context>
-    <name>ReasonGrid</name>
-    <message>
-        <source>more …</source>
-        <translation>更多 …</translation>
-    </message>
-    <message>
-        <source>planned</source>
-        <translation>计划</translation>
-    </message>
-</context>
-<context>
-    <name>ReasonList</name>
-    <message>
-        <source>Reasons by time</source>
-        <translation>按时间排列的原因</translation>
-    </message>
-    <message>
-        <source>%1 (planned)</source>
-        <translation>%1（计划）</translation>
-    </message>
-    <message>
-        <source>No stop in this shift.</source>
-        <translation>本班次无停机。</translation>
-    </message>
-</context>
-<context>
-    <name>ReasonsSheet</name>
-    <message>
-        <source>Reasons: %1</source>
-        <translation>原因：%1</translation>
-    </message>
-    <message>
-        <source>Reasons of a stop</source>
-        <translation>停机原因</translation>
-    </message>
-    <message>
-        <source>Planned stops are not counted as losses. Earlier stops keep their reason.</source>
-        <translation>计划停机不计为损失。以前的停机保留其原因。</translation>
-    </message>
-    <message>
-        <source>planned</source>
-        <translation>计划</translation>
-    </message>
-    <message>
-        <source>more …</source>
-        <translation>更多 …</translation>
-    </message>
-    <message>
-        <source>This group has no reasons yet.</source>
-        <translation>此组尚无原因。</translation>
-    </message>
-    <message>
-        <source>Back</source>
-        <translation>返回</translation>
-    </message>
-    <message>
-        <source>Open</source>
-        <translation>打开</translation>
-    </message>
-    <message>
-        <source>Add</source>
-        <translation>添加</translation>
-    </message>
-    <message>
-        <source>Rename</source>
-        <translation>重命名</translation>
-    </message>
-    <message>
-        <source>Planned</source>
-        <translation>计划</translation>
-    </message>
-    <message>
-        <source>Remove</source>
-        <translation>删除</translation>
-    </message>
-    <message>
-        <source>Standard list</source>
-        <translation>标准列表</translation>
-    </message>
-</context>
-<context>
-    <name>ShiftsSheet</name>
-    <message>
-        <source>Shifts</source>
-        <translation>班次</translation>
-    </message>
-    <message>
-        <source>A shift lasts until the next one starts. It belongs to the day on which it starts.</source>
-        <translation>班次持续到下一班次开始，属于其开始的那一天。</translation>
-    </message>
-    <message>
-        <source>− 1 h</source>
-        <translation>− 1 小时</translation>
-    </message>
-    <message>
-        <source>+ 1 h</source>
-        <translation>+ 1 小时</translation>
-    </message>
-    <message>
-        <source>− 15 min</source>
-        <translation>− 15 分</translation>
-    </message>
-    <message>
-        <source>+ 15 min</source>
-        <translation>+ 15 分</translation>
-    </message>
-    <message>
-        <source>Add a shift</source>
-        <translation>添加班次</translation>
-    </message>
-    <message>
-        <source>Remove</source>
-        <translation>删除</translation>
-    </message>
-    <message>
-        <source>Working days</source>
-        <translation>工作日</translation>
-    </message>
-</context>
-<context>
-    <name>StateBar</name>
-    <message>
-        <source>Running</source>
-        <translation>运行</translation>
-    </message>
-    <message>
-        <source>Stopped</source>
-        <translation>停机</translation>
-    </message>
-    <message>
-        <source>Waiting</source>
-        <translation>等待</translation>
-    </message>
-    <message>
-        <source>Manual</source>
-        <translation>手动</translation>
-    </message>
-    <message>
-        <source>Fault</source>
-        <translation>故障</translation>
-    </message>
-</context>
-<context>
-    <name>StopListRow</name>
-    <message>
-        <source>%1 · %2</source>
-        <translation>%1 · %2</translation>
-    </message>
-</context>
-<context>
-    <name>StopListSheet</name>
-    <message>
-        <source>Reason of the stop</source>
-        <translation>停机原因</translation>
-    </message>
-    <message>
-        <source>Stops</source>
-        <translation>停机</translation>
-    </message>
-    <message>
-        <source>No stop in this shift.</source>
-        <translation>本班次无停机。</translation>
-    </message>
-    <message>
-        <source>Back</source>
-        <translation>返回</translation>
-    </message>
-</context>
-<context>
-    <name>StopQuestion</name>
-    <message>
-        <source>Why is the machine stopped?</source>
-        <translation>机器为何停机？</translation>
-    </message>
-    <message>
-        <source>Back</source>
-        <translation>返回</translation>
-    </message>
-    <message>
-        <source>Stops</source>
-        <translation>停机</translation>
-    </message>
-    <message>
-        <source>Later</source>
-        <translation>以后</translation>
-    </message>
-</context>
-<context>
-    <name>StopsPage</name>
-    <message>
-        <source>Now</source>
-        <translation>现在</translation>
-    </message>
-    <message>
-        <source>Trends</source>
-        <translation>趋势</translation>
-    </message>
-    <message>
-        <source>Stops: %1</source>
-        <translation>停机：%1</translation>
-    </message>
-    <message>
-        <source>%1 without a reason</source>
-        <translation>%1 次无原因</translation>
-    </message>
-    <message>
-        <source>CSV</source>
-        <translation>CSV</translation>
-    </message>
-    <message>
-        <source>PDF</source>
-        <translation>PDF</translation>
-    </message>
-    <message>
-        <source>Nothing was recorded in this shift.</source>
-        <translation>本班次无记录。</translation>
-    </message>
-    <message>
-        <source>Stops as CSV</source>
-        <translation>停机 CSV</translation>
-    </message>
-    <message>
-        <source>Shift report as PDF</source>
-        <translation>班次报告 PDF</translation>
-    </message>
-    <message>
-        <source>Previous shift</source>
-        <translation>上一班次</translation>
-    </message>
-    <message>
-        <source>Next shift</source>
-        <translation>下一班次</translation>
-    </message>
-</context>
-<context>
-    <name>StopsSection</name>
-    <message>
-        <source>Stops and shifts</source>
-        <translation>停机与班次</translation>
-    </message>
-    <message>
-        <source>%1 s</source>
-        <translation>%1 秒</translation>
-    </message>
-    <message>
-        <source>Ideal rate</source>
-        <translation>理想速率</translation>
-    </message>
-    <message>
-        <source>Shifts start at</source>
-        <translation>班次开始</translation>
-    </message>
-    <message>
-        <source>Working days</source>
-        <translation>工作日</translation>
-    </message>
-    <message>
-        <source>Reasons of a stop</source>
-        <translation>停机原因</translation>
-    </message>
-    <message>
-        <source>Name of the reason</source>
-        <translation>原因名称</translation>
-    </message>
-    <message>
-        <source>Standard list</source>
-        <translation>标准列表</translation>
-    </message>
-    <message>
-        <source>Replace the own list by the standard list? Stops keep their reasons.</source>
-        <translation>用标准列表替换自定义列表？停机保留其原因。</translation>
-    </message>
-    <message>
-        <source>Replace</source>
-        <translation>替换</translation>
-    </message>
-</context>
-<context>
-    <name>LogFilterSheet</name>
-    <message>
-        <source>Filter</source>
-        <translation>筛选</translation>
-    </message>
-    <message>
-        <source>no limit</source>
-        <translation>不限</translation>
-    </message>
-    <message>
-        <source>From</source>
-        <translation>从</translation>
-    </message>
-    <message>
-        <source>To</source>
-        <translation>到</translation>
-    </message>
-    <message>
-        <source>Word</source>
-        <translation>文字</translation>
-    </message>
-    <message>
-        <source>any</source>
-        <translation>任意</translation>
-    </message>
-    <message>
-        <source>− 7 d</source>
-        <translation>− 7 天</translation>
-    </message>
-    <message>
-        <source>− 1 d</source>
-        <translation>− 1 天</translation>
-    </message>
-    <message>
-        <source>+ 1 d</source>
-        <translation>+ 1 天</translation>
-    </message>
-    <message>
-        <source>+ 7 d</source>
-        <translation>+ 7 天</translation>
-    </message>
-    <message>
-        <source>− 1 h</source>
-        <translation>− 1 小时</translation>
-    </message>
-    <message>
-        <source>− 10 min</source>
-        <translation>− 10 分</translation>
-    </message>
-    <message>
-        <source>+ 10 min</source>
-        <translation>+ 10 分</translation>
-    </message>
-    <message>
-        <source>+ 1 h</source>
-        <translation>+ 1 小时</translation>
-    </message>
-    <message>
-        <source>This day only</source>
-        <translation>仅这一天</translation>
-    </message>
-    <message>
-        <source>No limit</source>
-        <translation>不限</translation>
-    </message>
-    <message>
-        <source>Clear filter</source>
-        <translation>清除筛选</translation>
-    </message>
-    <message>
-        <source>Show</source>
-        <translation>显示</translation>
-    </message>
-</context>
-<context>
-    <name>LogFilterStrip</name>
-    <message>
-        <source>Only: %1</source>
-        <translation>仅：%1</translation>
-    </message>
-    <message>
-        <source>Show all</source>
-        <translation>显示全部</translation>
-    </message>
-</context>
-<context>
-    <name>LogFilterDialogs</name>
-    <message>
-        <source>Word</source>
-        <translation>文字</translation>
-    </message>
-</context>
-<context>
-    <name>ClockSheet</name>
-    <message>
-        <source>Clock</source>
-        <translation>时钟</translation>
-    </message>
-    <message>
-        <source>Time server</source>
-        <translation>时间服务器</translation>
-    </message>
-    <message>
-        <source>Off</source>
-        <translation>关</translation>
-    </message>
-    <message>
-        <source>On</source>
-        <translation>开</translation>
-    </message>
-    <message>
-        <source>Time zone</source>
-        <translation>时区</translation>
-    </message>
-    <message>
-        <source>− 1 d</source>
-        <translation>− 1 天</translation>
-    </message>
-    <message>
-        <source>+ 1 d</source>
-        <translation>+ 1 天</translation>
-    </message>
-    <message>
-        <source>− 1 h</source>
-        <translation>− 1 小时</translation>
-    </message>
-    <message>
-        <source>+ 1 h</source>
-        <translation>+ 1 小时</translation>
-    </message>
-    <message>
-        <source>− 10 min</source>
-        <translation>− 10 分</translation>
-    </message>
-    <message>
-        <source>+ 10 min</source>
-        <translation>+ 10 分</translation>
-    </message>
-    <message>
-        <source>− 1 min</source>
-        <translation>− 1 分</translation>
-    </message>
-    <message>
-        <source>+ 1 min</source>
-        <translation>+ 1 分</translation>
+        <source>Versions and disk</source>
+        <translation>版本与磁盘</translation>
     </message>
 </context>
 <context>
@@ -3533,235 +3762,6 @@ clock not set</source>
     <message>
         <source>Time zone</source>
         <translation>时区</translation>
-    </message>
-</context>
-<context>
-    <name>CodesSheet</name>
-    <message>
-        <source>Codes of %1</source>
-        <translation>%1 的条码</translation>
-    </message>
-    <message>
-        <source>Code that selects the recipe</source>
-        <translation>选择配方的条码</translation>
-    </message>
-    <message>
-        <source>Code of the film reel</source>
-        <translation>膜卷条码</translation>
-    </message>
-</context>
-<context>
-    <name>CodeSheet</name>
-    <message>
-        <source>Film reel of %1: scan the code or enter it</source>
-        <translation>%1 的膜卷：扫描或输入条码</translation>
-    </message>
-    <message>
-        <source>Code of %1: scan or enter it (empty: the name)</source>
-        <translation>%1 的条码：扫描或输入；留空则用名称</translation>
-    </message>
-</context>
-<context>
-    <name>ScannedEditsSheet</name>
-    <message>
-        <source>%1 is not saved</source>
-        <translation>%1 尚未保存</translation>
-    </message>
-    <message>
-        <source>The recipe was edited. Opening the scanned recipe %1 without saving discards the edits.</source>
-        <translation>配方已修改。不保存而打开扫描到的配方 %1 将丢失修改。</translation>
-    </message>
-    <message>
-        <source>Discard edits</source>
-        <translation>放弃修改</translation>
-    </message>
-    <message>
-        <source>Save as version %1</source>
-        <translation>保存为第 %1 版</translation>
-    </message>
-</context>
-<context>
-    <name>ScannerSection</name>
-    <message>
-        <source>Prefix</source>
-        <translation>前缀</translation>
-    </message>
-    <message>
-        <source>no scanner</source>
-        <translation>无扫码枪</translation>
-    </message>
-    <message>
-        <source>Suffix</source>
-        <translation>后缀</translation>
-    </message>
-    <message>
-        <source>Tab key</source>
-        <translation>Tab 键</translation>
-    </message>
-    <message>
-        <source>Enter key</source>
-        <translation>回车键</translation>
-    </message>
-    <message>
-        <source>%1 ms</source>
-        <translation>%1 ms</translation>
-    </message>
-    <message>
-        <source>Last code</source>
-        <translation>上次条码</translation>
-    </message>
-    <message>
-        <source>Scan a code to test the scanner. While this section is open, a code opens no recipe.</source>
-        <translation>扫描条码以测试扫码枪。此页打开时，条码不会打开配方。</translation>
-    </message>
-    <message>
-        <source>Set the scanner to send a prefix that nobody types before each code, such as ~~, and enter the same prefix here.</source>
-        <translation>请将扫码枪设为在每个条码前发送无人会输入的前缀（如 ~~），并在此输入相同前缀。</translation>
-    </message>
-    <message>
-        <source>Prefix of the scanner</source>
-        <translation>扫码枪前缀</translation>
-    </message>
-    <message>
-        <source>Suffix of the scanner</source>
-        <translation>扫码枪后缀</translation>
-    </message>
-</context>
-<context>
-    <name>FilmSheet</name>
-    <message>
-        <source>Start is blocked</source>
-        <translation>启动被禁止</translation>
-    </message>
-    <message>
-        <source>Override …</source>
-        <translation>放行…</translation>
-    </message>
-</context>
-<context>
-    <name>FilmReasonSheet</name>
-    <message>
-        <source>Why is another film reel used?</source>
-        <translation>为何使用其他膜卷？</translation>
-    </message>
-    <message>
-        <source>Enter the reason for the audit trail.</source>
-        <translation>请输入原因，用于审计追踪。</translation>
-    </message>
-</context>
-<context>
-    <name>NetworkSheet</name>
-    <message>
-        <source>Network</source>
-        <translation>网络</translation>
-    </message>
-    <message>
-        <source>Network port</source>
-        <translation>网口</translation>
-    </message>
-    <message>
-        <source>By DHCP</source>
-        <translation>DHCP 自动</translation>
-    </message>
-    <message>
-        <source>Fixed</source>
-        <translation>固定</translation>
-    </message>
-    <message>
-        <source>Apply</source>
-        <translation>应用</translation>
-    </message>
-    <message>
-        <source>In use</source>
-        <translation>使用中</translation>
-    </message>
-</context>
-<context>
-    <name>DigitPad</name>
-    <message>
-        <source>Cancel</source>
-        <translation>取消</translation>
-    </message>
-    <message>
-        <source>OK</source>
-        <translation>确定</translation>
-    </message>
-    <message>
-        <source>Delete</source>
-        <translation>删除</translation>
-    </message>
-</context>
-<context>
-    <name>UpdateSheet</name>
-    <message>
-        <source>Installed: CamPanel %1</source>
-        <translation>已安装：CamPanel %1</translation>
-    </message>
-    <message>
-        <source>Choose a version.</source>
-        <translation>请选择一个版本。</translation>
-    </message>
-    <message>
-        <source>There is no package of CamPanel on a USB stick. Plug a stick in; the panel finds it automatically.</source>
-        <translation>U 盘上没有 CamPanel 软件包。插入 U 盘后，面板会自动找到。</translation>
-    </message>
-    <message>
-        <source>The version before the last update is kept on this panel.</source>
-        <translation>本面板保留了上次更新前的版本。</translation>
-    </message>
-    <message>
-        <source>Back to %1</source>
-        <translation>恢复到 %1</translation>
-    </message>
-    <message>
-        <source>Update</source>
-        <translation>更新</translation>
-    </message>
-</context>
-<context>
-    <name>TrialCover</name>
-    <message>
-        <source>Keep this rotation?</source>
-        <translation>保留此旋转方向？</translation>
-    </message>
-    <message>
-        <source>Without an answer the earlier one returns in %1 s.</source>
-        <translation>若不选择，%1 秒后恢复原设置。</translation>
-    </message>
-    <message>
-        <source>Go back</source>
-        <translation>恢复</translation>
-    </message>
-    <message>
-        <source>Keep</source>
-        <translation>保留</translation>
-    </message>
-    <message>
-        <source>Keep this calibration of the touchscreen?</source>
-        <translation>保留此触摸屏校准？</translation>
-    </message>
-</context>
-<context>
-    <name>TouchCrosses</name>
-    <message>
-        <source>Touch the center of the cross.</source>
-        <translation>请点击十字中心。</translation>
-    </message>
-    <message>
-        <source>Cross %1 of %2</source>
-        <translation>第 %1 个十字，共 %2 个</translation>
-    </message>
-    <message>
-        <source>Cancel</source>
-        <translation>取消</translation>
-    </message>
-    <message>
-        <source>Close</source>
-        <translation>关闭</translation>
-    </message>
-    <message>
-        <source>Try again</source>
-        <translation>重试</translation>
     </message>
 </context>
 </TS>

@@ -151,7 +151,7 @@ void TestPackingParts::gateStandsAtTheBoundary()
     QCOMPARE(ctl_gate_piece(&gate), 1000u);
     QCOMPARE(ctl_gate_advance(&gate, 1000), 0u);
     ctl_gate_answer(&gate, false);
-    QCOMPARE(gate.state, CTL_GATE_STATE_GAINING);
+    QCOMPARE(gate.state, CTL_GATE_STATE_CATCHING_UP);
     QCOMPARE(ctl_gate_advance(&gate, 800), 400u);
     // 600 + 800 + 200 + 1000 + 800 of the driver are 3400: two cycles and 400 were skipped.
     QCOMPARE(gate.state, CTL_GATE_STATE_RUNNING);

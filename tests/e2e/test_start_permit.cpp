@@ -92,19 +92,19 @@ private slots:
         downloadWithFilm(*panel, u"PE 30"_s);
         turnOn(*panel);
         panel->panel().scan().takeCode(u"PP 40"_s);
-        QVERIFY(!panel->machine().canStart());
+        QVERIFY(!panel->controller().canStart());
         QCOMPARE(sentStart(*panel), modbus::Refusal::WrongFilm);
-        QCOMPARE(panel->machine().state(), Controller::State::Ready);
+        QCOMPARE(panel->controller().state(), Controller::State::Ready);
         panel->panel().scan().takeCode(u"PE 30"_s);
-        QTRY_VERIFY_WITH_TIMEOUT(panel->machine().canStart(), timeoutMs);
+        QTRY_VERIFY_WITH_TIMEOUT(panel->controller().canStart(), timeoutMs);
         QCOMPARE(sentStart(*panel), modbus::Refusal::None);
-        QTRY_COMPARE_WITH_TIMEOUT(panel->machine().state(), Controller::State::Running, timeoutMs);
+        QTRY_COMPARE_WITH_TIMEOUT(panel->controller().state(), Controller::State::Running, timeoutMs);
         // The wrong reel in the middle of a run does not end it.
         panel->panel().scan().takeCode(u"PP 40"_s);
-        QTRY_VERIFY_WITH_TIMEOUT(panel->machine().bags().count > 0, timeoutMs);
-        QCOMPARE(panel->machine().state(), Controller::State::Running);
-        panel->machine().stop();
-        QTRY_COMPARE_WITH_TIMEOUT(panel->machine().state(), Controller::State::Ready, timeoutMs);
+        QTRY_VERIFY_WITH_TIMEOUT(panel->controller().bags().count > 0, timeoutMs);
+        QCOMPARE(panel->controller().state(), Controller::State::Running);
+        panel->controller().stop();
+        QTRY_COMPARE_WITH_TIMEOUT(panel->controller().state(), Controller::State::Ready, timeoutMs);
         QCOMPARE(sentStart(*panel), modbus::Refusal::WrongFilm);
         QCOMPARE(panel->complaints(), QStringList());
         panel.reset();

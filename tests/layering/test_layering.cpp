@@ -50,7 +50,7 @@ const QList<House>& houses()
     static const QList<House> all{
         {u"profile"_s,
          {},
-         {standardCpp, expected},
+         {standardCpp, expected, u"text/marked\\.h"_s},
          {{u"model"_s},
           {u"laws"_s},
           {u"cutter"_s},
@@ -59,7 +59,7 @@ const QList<House>& houses()
           {u"press"_s, u"segments"_s}}},
         {u"modbus"_s,
          {},
-         {standardCpp, posix, expected, u"(modbus/)?modbus(-[a-z]+)?\\.h"_s},
+         {standardCpp, posix, expected, u"(modbus/)?modbus(-[a-z]+)?\\.h"_s, u"text/marked\\.h"_s},
          {{u"map"_s}, {u"line"_s}, {u"download"_s}}},
         {u"controller/core"_s,
          u"controller/core/"_s,
@@ -122,6 +122,7 @@ const QList<Rule>& includeRules()
     static const QList<Rule> rules =
         roomRules() +
         QList<Rule>{
+            {u"text"_s, {}},
             {u"examples"_s, {standardCpp, u"(profile|modbus)/.*"_s}},
             {u"controller/sim"_s,
              {standardCpp, standardC,
@@ -131,7 +132,9 @@ const QList<Rule>& includeRules()
               u"(board|ctl_core|(machine|versatilepb)/[a-z_]+|base/ctl_(crc|port|words)|engine/ctl_step)\\.h"_s}},
             {u"controller/host"_s, {standardCpp, standardC, posix, expected, controllerHost}},
             {u"app/link"_s, {standardCpp, posix, expected, qtAny, u"modbus/.*"_s, u"app/link/.*"_s}},
-            {u"app/program"_s, {standardCpp, expected, u"profile/.*"_s, u"modbus/.*"_s, u"app/program/.*"_s}},
+            {u"app/program"_s,
+             {standardCpp, expected, u"profile/.*"_s, u"modbus/.*"_s, u"text/marked\\.h"_s,
+              u"app/program/.*"_s}},
             {u"app/plant"_s, {standardCpp, qtAny, u"app/plant/.*"_s}},
             {u"app/plot"_s,
              {standardCpp, qtAny, u"qwt[a-z_]*\\.h"_s, u"qrencode\\.h"_s, u"profile/.*"_s, u"app/plot/.*"_s}},
@@ -296,9 +299,9 @@ class TestLayering : public QObject {
 private slots:
     void everyIncludeIsAllowed()
     {
-        const QStringList files =
-            filesBelow({u"profile"_s, u"modbus"_s, u"controller"_s, u"app"_s, u"examples"_s, u"gateway"_s},
-                       {u"*.h"_s, u"*.cpp"_s, u"*.c"_s, u"*.hpp"_s});
+        const QStringList files = filesBelow(
+            {u"text"_s, u"profile"_s, u"modbus"_s, u"controller"_s, u"app"_s, u"examples"_s, u"gateway"_s},
+            {u"*.h"_s, u"*.cpp"_s, u"*.c"_s, u"*.hpp"_s});
         QVERIFY(files.size() > 20);
         QStringList all;
         for (const QString& file : files)

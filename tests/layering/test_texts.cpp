@@ -95,6 +95,34 @@ QStringList searchedValuesBelow(const QStringList& folders, const QStringList& p
     return found;
 }
 
+// Returns the enumerations whose rows have the texts: those of the protocol that the panel shows, and those
+// of recipes.
+QStringList enumerationsWithTexts()
+{
+    static const QRegularExpression shown(uR"(constexpr std::string_view nameOf\((\w+)\))"_s);
+    QFile file(QDir(campanel::test::sourcePath(".")).filePath(u"modbus/map/protocol.h"_s));
+    QStringList names{u"FaultBit"_s, u"WarningBit"_s, u"Field"_s, u"LawId"_s, u"ProgramKind"_s, u"Choice"_s};
+    if (file.open(QIODevice::ReadOnly)) {
+        for (const QRegularExpressionMatch& match : shown.globalMatch(QString::fromUtf8(file.readAll())))
+            names << match.captured(1);
+    }
+    return names;
+}
+
+// Returns each text of a switch over one of these enumerations, as "path: case".
+QStringList textsBesideRows(const QString& text, const QString& path)
+{
+    QStringList names = enumerationsWithTexts();
+    std::ranges::replace(names, u"State"_s, u"modbus::State"_s); // other classes have a State too
+    const QRegularExpression pattern(
+        uR"(case (?:\w+::)*(?:%1)::\w+:(?:\s*case (?:\w+::)+\w+:)*\s*return (?:\w+::)*tr(?:anslate)?\()"_s
+            .arg(names.join(u'|')));
+    QStringList found;
+    for (const QRegularExpressionMatch& match : pattern.globalMatch(text))
+        found << path + u": "_s + match.captured().simplified();
+    return found;
+}
+
 } // namespace
 
 class TestTexts : public QObject {
@@ -119,6 +147,48 @@ private slots:
         const QStringList found = searchedValuesBelow({u"qml"_s}, {u"*.qml"_s}, false, files);
         QVERIFY(files > 100);
         QVERIFY2(found.isEmpty(), qPrintable(u"use Theme.fill(text, [a, b]):\n  "_s + found.join(u"\n  "_s)));
+    }
+
+    // The text of a value stands in its row, in modbus/map, profile or app/program.
+    void noSwitchSaysTheTextOfARow()
+    {
+        QVERIFY(enumerationsWithTexts().size() > 12);
+        QStringList found;
+        int files = 0;
+        const QDir root(campanel::test::sourcePath("."));
+        QDirIterator it(root.filePath(u"app"_s), {u"*.cpp"_s, u"*.h"_s}, QDir::Files,
+                        QDirIterator::Subdirectories);
+        while (it.hasNext()) {
+            QFile file(it.next());
+            QVERIFY(file.open(QIODevice::ReadOnly));
+            found +=
+                textsBesideRows(QString::fromUtf8(file.readAll()), root.relativeFilePath(file.fileName()));
+            ++files;
+        }
+        QVERIFY(files > 400);
+        QVERIFY2(found.isEmpty(), qPrintable(u"put the text into the row:\n  "_s + found.join(u"\n  "_s)));
+    }
+
+    void plantedTextBesideARowIsFound_data()
+    {
+        QTest::addColumn<QString>("text");
+        QTest::addColumn<bool>("isFound");
+        QTest::addRow("a refusal") << u"case Refusal::InFault:\n        return tr(\"In fault.\");"_s << true;
+        QTest::addRow("a state") << u"case modbus::State::Idle: return tr(\"Idle\");"_s << true;
+        QTest::addRow("two stages of a press")
+            << u"case PressStage::Press:\n case PressStage::Hold:\n return Words::tr(\"Down\");"_s << true;
+        QTest::addRow("a field")
+            << u"case profile::Field::Rate:\n return QCoreApplication::translate(\"\", \"Rate\");"_s << true;
+        QTest::addRow("a state of another class")
+            << u"case State::Sealing: return tr(\"Sealing\");"_s << false;
+        QTest::addRow("a key") << u"case Command::Start: return u\"command.start\"_s;"_s << false;
+    }
+
+    void plantedTextBesideARowIsFound()
+    {
+        QFETCH(QString, text);
+        QFETCH(bool, isFound);
+        QCOMPARE(!textsBesideRows(text, u"planted"_s).isEmpty(), isFound);
     }
 
     void plantedChainIsFound_data()

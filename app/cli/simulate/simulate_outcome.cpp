@@ -11,7 +11,6 @@ using namespace Qt::StringLiterals;
 namespace campanel::cli {
 namespace {
 
-using modbus::Refusal;
 using modbus::WarningBit;
 
 QString actionFor(WarningBit bit)
@@ -32,24 +31,6 @@ QString actionFor(WarningBit bit)
     }
 }
 
-QString actionFor(Refusal reason)
-{
-    switch (reason) {
-    case Refusal::SensorTooFar:
-        return u"Set a longer bag or a smaller parameter.mark_distance, or run without marks: --no-tracking."_s;
-    case Refusal::MarkWindowTooWide:
-        return u"Lower parameter.mark_window or set a longer bag."_s;
-    case Refusal::NoRoomToCorrect:
-        return u"Change --k for a shorter sync window."_s;
-    case Refusal::EyeTooNear:
-        return u"Change parameter.eye_distance."_s;
-    case Refusal::FeedTooFast:
-        return u"Lower the rate, parameter.film_pulses or parameter.flight_pulses."_s;
-    default:
-        return {};
-    }
-}
-
 // Returns the names of all bits set.
 QStringList wordsOf(std::string_view enumeration, std::uint32_t bits)
 {
@@ -57,7 +38,7 @@ QStringList wordsOf(std::string_view enumeration, std::uint32_t bits)
     for (std::uint16_t bit = 0; bit < controller::alarmBits; ++bit) {
         if ((bits >> bit & 1u) == 0)
             continue;
-        words << fromView(modbus::enumText(enumeration, bit));
+        words << QString::fromStdString(modbus::enumText(enumeration, bit));
         if (enumeration == "WarningBit")
             words << actionFor(static_cast<WarningBit>(bit));
     }
@@ -72,13 +53,13 @@ QString sentenceOf(const controller::PackingResult& result)
         return {};
     case controller::PackingEnd::BadBank:
         return u"The controller does not accept the program: "_s +
-               fromView(modbus::enumText("TransferResult", code));
+               QString::fromStdString(modbus::enumText("TransferResult", code));
     case controller::PackingEnd::BadParameter:
         return u"The controller does not accept the parameter at 0x%1."_s.arg(result.detail, 4, 16,
                                                                               QChar(u'0'));
     case controller::PackingEnd::Refused:
-        return u"The controller refuses to start: %1 %2"_s.arg(fromView(modbus::enumText("Refusal", code)),
-                                                               actionFor(static_cast<Refusal>(code)));
+        return u"The controller refuses to start: "_s +
+               QString::fromStdString(modbus::enumText("Refusal", code));
     case controller::PackingEnd::Alarm:
         return u"After %1 bags: "_s.arg(result.bags) + wordsOf("WarningBit", result.detail).join(u' ');
     case controller::PackingEnd::Fault:

@@ -131,7 +131,7 @@ void Controller::noteReturn(const modbus::StatusBlock& status)
     else if (before->state && status.state && before->state != status.state)
         m_returnMessage =
             tr("Connection restored. Before: %1. Now: %2.", "states of the machine")
-                .arg(ControllerSentences::state(*before->state), ControllerSentences::state(*status.state));
+                .arg(ControllerSentences::text(*before->state), ControllerSentences::text(*status.state));
     if (!m_returnMessage.isEmpty())
         showMessage(m_returnMessage);
 }

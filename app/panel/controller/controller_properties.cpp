@@ -117,7 +117,7 @@ Controller::State Controller::state() const
 QString Controller::stateText() const
 {
     if (state() != State::Unknown)
-        return ControllerSentences::state(*m_status->state);
+        return ControllerSentences::text(*m_status->state);
     if (isConnected() && m_status)
         return tr("Unknown state");
     switch (connection()) {
@@ -148,11 +148,8 @@ bool Controller::faulted() const
 
 QStringList Controller::stageNames() const
 {
-    using modbus::PressStage;
-    QStringList names;
-    for (const PressStage stage :
-         {PressStage::Approach, PressStage::Probe, PressStage::Press, PressStage::Hold, PressStage::Return})
-        names << ControllerSentences::pressStage(stage);
+    QStringList names = ControllerSentences::texts("PressStage");
+    names.removeFirst(); // at standstill
     return names;
 }
 

@@ -159,12 +159,12 @@ PackingLine::MarkState PackingLine::markState() const
 
 QString PackingLine::markStateText() const
 {
-    return m_status && m_status->markState ? ControllerSentences::markState(*m_status->markState) : QString();
+    return m_status && m_status->markState ? ControllerSentences::text(*m_status->markState) : QString();
 }
 
 QString PackingLine::lastSkipText() const
 {
-    return m_status ? ControllerSentences::skipCause(m_status->lastSkip) : QString();
+    return m_status ? ControllerSentences::text(m_status->lastSkip) : QString();
 }
 
 QString PackingLine::gateText() const

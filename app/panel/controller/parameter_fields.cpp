@@ -5,6 +5,7 @@
 #include "app/panel/kit/format.h"
 #include "app/panel/kit/numbers.h"
 #include "app/panel/words/connection_sentences.h"
+#include "app/panel/words/controller_sentences.h"
 #include "app/panel/words/register_words.h"
 
 #include <algorithm>
@@ -165,21 +166,19 @@ QString ParameterFields::unitOf(const Field& field)
     return QString::fromUtf8(field.info().unit.data(), static_cast<qsizetype>(field.info().unit.size()));
 }
 
-QStringList ParameterFields::choices(const Field&) const
-{
-    return {tr("Off"), tr("On")};
-}
-
 QStringList ParameterFields::choicesOf(const Field& field) const
 {
-    return field.hasChoices ? choices(field) : QStringList();
+    if (!field.hasChoices)
+        return {};
+    const QStringList texts = ControllerSentences::texts(field.info().enumName);
+    return texts.isEmpty() ? QStringList{tr("Off"), tr("On")} : texts;
 }
 
 // Returns the text with its unit, or that of the choice.
 QString ParameterFields::text(const Field& field, double value) const
 {
     if (field.hasChoices)
-        return std::isfinite(value) ? choices(field).value(static_cast<int>(value)) : Format::unknownText();
+        return std::isfinite(value) ? choicesOf(field).value(static_cast<int>(value)) : Format::unknownText();
     const QString number = Format().compact(value, 0, RegisterWords::decimals(field.info()));
     return field.info().unit.empty() ? number : number + u' ' + unitOf(field);
 }

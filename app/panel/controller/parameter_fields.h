@@ -87,8 +87,6 @@ protected:
     void notifyChange();
 
     [[nodiscard]] virtual QString label(const Field& field) const = 0;
-    // Returns the texts of the choices; Off and On unless overridden.
-    [[nodiscard]] virtual QStringList choices(const Field& field) const;
     // Returns the text below the label.
     [[nodiscard]] virtual QString note(const Field& field) const;
     [[nodiscard]] QString range(const Field& field) const;

@@ -10,7 +10,7 @@ namespace campanel::panel {
 
 QString StrokeRow::resultText() const
 {
-    return ControllerSentences::strokeResult(status.result);
+    return ControllerSentences::text(status.result);
 }
 
 QString StrokeRow::stopErrorText() const

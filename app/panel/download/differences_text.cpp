@@ -29,7 +29,7 @@ QString optionText(profile::ProgramKind kind, program::Choice choice, double cod
 {
     for (const program::ChoiceOption& option : program::choiceInfo(kind, choice).options) {
         if (option.code == static_cast<std::uint16_t>(code))
-            return RecipeWords::optionName(option.key);
+            return RecipeWords::inWords(option.name);
     }
     return {};
 }
@@ -65,8 +65,8 @@ DifferenceRow DifferencesText::row(const program::Difference& difference, profil
     if (name == "bank.kind")
         return {tr("Program type"), kindText(difference.a), kindText(difference.b)};
     if (name == "bank.layout")
-        return {RecipeWords::choiceName(program::Choice::Execution), layoutText(difference.a),
-                layoutText(difference.b)};
+        return {RecipeWords::choiceName(profile::ProgramKind::PositionMove, program::Choice::Execution),
+                layoutText(difference.a), layoutText(difference.b)};
     if (name == "program.pinned")
         return {tr("Pinned values"), pinnedText(static_cast<std::uint16_t>(difference.a)),
                 pinnedText(static_cast<std::uint16_t>(difference.b))};
@@ -76,7 +76,7 @@ DifferenceRow DifferencesText::row(const program::Difference& difference, profil
                 lawText(difference.a), lawText(difference.b)};
     for (const program::RegisterChoice& each : program::registerChoices) {
         if (each.suffix == suffix)
-            return {RecipeWords::choiceName(each.choice), optionText(kind, each.choice, difference.a),
+            return {RecipeWords::choiceName(kind, each.choice), optionText(kind, each.choice, difference.a),
                     optionText(kind, each.choice, difference.b)};
     }
     const QString parameter = suffix == "law_parameter2" ? tr("Law parameter 2") : tr("Law parameter 1");
@@ -94,7 +94,9 @@ QString DifferencesText::kindText(double code)
 QString DifferencesText::layoutText(double code)
 {
     const bool isIntervals = static_cast<int>(code) == static_cast<int>(modbus::TableLayout::Intervals);
-    return RecipeWords::optionName(isIntervals ? "intervals" : "cam_points");
+    const auto execution = isIntervals ? profile::Execution::Intervals : profile::Execution::CamPoints;
+    return optionText(profile::ProgramKind::PositionMove, program::Choice::Execution,
+                      static_cast<double>(execution));
 }
 
 QList<DifferenceRow> DifferencesText::rows(const ControllerProgram& active,

@@ -68,7 +68,7 @@ FieldView EditorViews::field(Field field) const
     if (isRatio(field))
         narrowRatio(field, view);
     view.explanation =
-        view.derived && m_solution.cutter() ? explanation(field) : RecipeWords::machineHelp(field);
+        view.derived && m_solution.cutter() ? explanation(field) : RecipeWords::inWords(info.help);
     return view;
 }
 
@@ -102,7 +102,7 @@ FieldView EditorViews::lawParameter(std::size_t index) const
     if (!view.visible)
         return view;
     const profile::LawParameterInfo& info = law->parameters[index];
-    view.label = RecipeWords::lawParameterName(info.id);
+    view.label = RecipeWords::inWords(info.name);
     view.minimum = info.min;
     view.maximum = info.max;
     view.defaultValue = info.defaultValue;

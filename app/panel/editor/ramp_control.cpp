@@ -23,7 +23,7 @@ QString ratioModeName(profile::RatioMode mode)
         program::choiceInfo(profile::ProgramKind::RotaryCutter, program::Choice::Ratios).options;
     const auto option =
         std::ranges::find(options, static_cast<std::uint16_t>(mode), &program::ChoiceOption::code);
-    return option == options.end() ? QString() : RecipeWords::optionName(option->key);
+    return option == options.end() ? QString() : RecipeWords::inWords(option->name);
 }
 
 } // namespace

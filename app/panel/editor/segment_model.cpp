@@ -138,7 +138,7 @@ void SegmentModel::showFields()
         }
         if (i >= firstParameter) {
             const profile::LawParameterInfo& parameter = motion->law->parameters[i - firstParameter];
-            view.label = RecipeWords::lawParameterName(parameter.id);
+            view.label = RecipeWords::inWords(parameter.name);
             view.minimum = parameter.min;
             view.maximum = parameter.max;
             view.defaultValue = parameter.defaultValue;

@@ -243,7 +243,7 @@ void Recipes::showFigures()
         rows << FigureRow{RecipeWords::listName(recipe.kind()),
                           Format().number(static_cast<double>(kind.list->size(recipe.program)), 0)};
     if (program::lawParameters(recipe.program))
-        rows << FigureRow{RecipeWords::choiceName(program::Choice::Law),
+        rows << FigureRow{RecipeWords::choiceName(recipe.kind(), program::Choice::Law),
                           RecipeWords::lawName(static_cast<profile::LawId>(
                               program::choice(recipe.program, program::Choice::Law)))};
     addMotor(rows, chosen->recipe);

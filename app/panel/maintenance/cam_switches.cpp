@@ -84,11 +84,4 @@ QString CamSwitches::label(const Field& field) const
     return words(RegisterWords::name(field.info()));
 }
 
-QStringList CamSwitches::choices(const Field& field) const
-{
-    if (field.info().name == driveEnable)
-        return {tr("Off"), tr("Always on"), tr("While running")};
-    return {tr("Off"), tr("By angle"), tr("Rejected bags")};
-}
-
 } // namespace campanel::panel

@@ -31,7 +31,6 @@ signals:
 
 protected:
     [[nodiscard]] QString label(const Field& field) const override;
-    [[nodiscard]] QStringList choices(const Field& field) const override;
 
 private:
     int m_current = 1;

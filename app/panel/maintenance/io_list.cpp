@@ -4,11 +4,10 @@
 #include "app/panel/controller/controller.h"
 #include "app/panel/kit/format.h"
 #include "app/panel/words/alarm_catalogue.h"
+#include "app/panel/words/controller_sentences.h"
 
 #include <algorithm>
-#include <string_view>
 #include <utility>
-#include <vector>
 
 using namespace std::chrono_literals;
 
@@ -21,15 +20,6 @@ constexpr auto lampPeriod = 300ms;
 
 using modbus::FaultBit;
 using modbus::WarningBit;
-
-template <class Bit> std::vector<Bit> bitsOf(std::string_view enumeration)
-{
-    std::vector<Bit> bits;
-    const auto found = std::ranges::find(modbus::enumerations(), enumeration, &modbus::EnumInfo::name);
-    for (const modbus::EnumValue& value : found->values)
-        bits.push_back(static_cast<Bit>(value.value));
-    return bits;
-}
 
 IoList::Lamp lampOf(bool isOn)
 {
@@ -140,17 +130,7 @@ void IoList::addLine(QList<Row>& rows)
          << Row{Side::Input, tr("Encoder of the film"),
                 tr("%1 mm").arg(format.grouped(line.filmTravelMm(), 1)), Lamp::None};
     const auto gate = [](modbus::GateState state) {
-        switch (state) {
-        case modbus::GateState::Running:
-            return tr("following");
-        case modbus::GateState::Slowing:
-            return tr("decelerating");
-        case modbus::GateState::Standing:
-            return tr("at standstill");
-        case modbus::GateState::Gaining:
-            return tr("accelerating");
-        }
-        return Format::unknownText();
+        return modbus::findValue(state) ? ControllerSentences::text(state) : Format::unknownText();
     };
     const auto& packer = *line.status();
     rows << Row{Side::Output, tr("Pulses to the film"), gate(packer.filmGate),
@@ -167,17 +147,17 @@ void IoList::addPins(QList<Row>& rows, const modbus::IoStatus& pins) const
     using modbus::InputBit;
     using modbus::OutputBit;
     const Format format;
-    const auto add = [&rows](Side side, const QString& name, std::optional<bool> level, Lamp lit = Lamp::On) {
-        if (level)
-            rows << Row{side, name, {}, *level ? lit : Lamp::Off};
+    const auto add = [&](Side side, auto bit, Lamp lit = Lamp::On) {
+        if (const std::optional<bool> level = pins.level(bit))
+            rows << Row{side, ControllerSentences::text(bit), {}, *level ? lit : Lamp::Off};
     };
     const auto addNumber = [&rows](Side side, const QString& name, const QString& value) {
         rows << Row{side, name, value, Lamp::None};
     };
-    add(Side::Input, tr("Drive alarm"), pins.level(InputBit::DriveAlarm), Lamp::Bad);
-    add(Side::Input, tr("Emergency stop"), pins.level(InputBit::EmergencyStop), Lamp::Bad);
-    add(Side::Input, tr("Limit switch, forward"), pins.level(InputBit::LimitForward));
-    add(Side::Input, tr("Limit switch, reverse"), pins.level(InputBit::LimitReverse));
+    add(Side::Input, InputBit::DriveAlarm, Lamp::Bad);
+    add(Side::Input, InputBit::EmergencyStop, Lamp::Bad);
+    add(Side::Input, InputBit::LimitForward);
+    add(Side::Input, InputBit::LimitReverse);
     if (pins.torquePercent)
         addNumber(Side::Input, tr("Torque of the axis, of rated"),
                   tr("%1 %", "percent").arg(format.number(*pins.torquePercent, 1)));
@@ -187,19 +167,21 @@ void IoList::addPins(QList<Row>& rows, const modbus::IoStatus& pins) const
         addNumber(Side::Output, tr("Infeed, sent minus encoder"),
                   tr("%1 mm").arg(format.number(*pins.infeedFollowingErrorMm, 2)));
     }
-    add(Side::Output, tr("Drive enable"), pins.level(OutputBit::DriveEnable));
+    add(Side::Output, OutputBit::DriveEnable);
     for (int i = 0; i < modbus::switchCount; ++i)
-        add(Side::Output, tr("Cam switch %1").arg(i + 1), pins.level(static_cast<OutputBit>(i)));
+        add(Side::Output, static_cast<OutputBit>(i));
 }
 
 void IoList::addBits(QList<Row>& rows, const modbus::StatusBlock& status) const
 {
-    for (const auto bit : bitsOf<FaultBit>("FaultBit"))
-        rows << Row{
-            Side::Fault, AlarmCatalogue::of(bit).title(), {}, status.has(bit) ? Lamp::Bad : Lamp::Off};
-    for (const auto bit : bitsOf<WarningBit>("WarningBit"))
-        rows << Row{
-            Side::Warning, AlarmCatalogue::of(bit).title(), {}, status.has(bit) ? Lamp::Bad : Lamp::Off};
+    const auto add = [&](Side side, const auto& bits, auto which) {
+        for (const modbus::EnumValue& row : bits) {
+            const auto bit = static_cast<decltype(which)>(row.value);
+            rows << Row{side, AlarmCatalogue::of(bit).title(), {}, status.has(bit) ? Lamp::Bad : Lamp::Off};
+        }
+    };
+    add(Side::Fault, modbus::faultBits, FaultBit());
+    add(Side::Warning, modbus::warningBits, WarningBit());
 }
 
 } // namespace campanel::panel

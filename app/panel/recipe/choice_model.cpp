@@ -25,12 +25,12 @@ QList<ChoiceRow> ChoiceRow::rows(const program::Recipe& recipe,
     for (const program::ChoiceInfo& info : program::kindInfo(recipe.kind()).choices) {
         if (info.choice == program::Choice::Law || info.choice == program::Choice::Ratios)
             continue; // they have views of their own
-        ChoiceRow row{info.choice, RecipeWords::choiceName(info.choice), {}, {}, 0};
+        ChoiceRow row{info.choice, RecipeWords::inWords(info.name), {}, {}, 0};
         const std::uint16_t current = program::choice(recipe.program, info.choice);
         for (const program::ChoiceOption& option : info.options) {
             if (option.code != current && !isExecuted(info.choice, option.code, controller))
                 continue;
-            row.options << RecipeWords::optionName(option.key);
+            row.options << RecipeWords::inWords(option.name);
             row.codes << option.code;
         }
         row.option = static_cast<int>(row.codes.indexOf(current));

@@ -40,7 +40,7 @@ QString RecipeComparison::choiceText(const Recipe& recipe, program::Choice choic
         return RecipeWords::lawName(static_cast<profile::LawId>(code));
     const auto options = program::choiceInfo(recipe.kind(), choice).options;
     const auto option = std::ranges::find(options, code, &program::ChoiceOption::code);
-    return option == options.end() ? Format::unknownText() : RecipeWords::optionName(option->key);
+    return option == options.end() ? Format::unknownText() : RecipeWords::inWords(option->name);
 }
 
 QString RecipeComparison::codeText(const std::string& code)
@@ -80,7 +80,7 @@ QList<DifferenceRow> RecipeComparison::rows(const Recipe& before, const Recipe& 
                     RefusalSentences::valueWithUnit(field, program::value(b, field)));
     }
     for (const program::ChoiceInfo& each : kind.choices)
-        compare(RecipeWords::choiceName(each.choice), choiceText(a, each.choice), choiceText(b, each.choice));
+        compare(RecipeWords::inWords(each.name), choiceText(a, each.choice), choiceText(b, each.choice));
     const profile::LawParameters* left = program::lawParameters(a.program);
     const profile::LawParameters* right = program::lawParameters(b.program);
     for (std::size_t i = 0; left && right && i < left->size(); ++i)

@@ -8,25 +8,6 @@ using namespace Qt::StringLiterals;
 
 namespace campanel::panel {
 
-namespace {
-
-QString stateName(const std::optional<modbus::State>& state)
-{
-    if (!state)
-        return {};
-    for (const modbus::EnumInfo& each : modbus::enumerations()) {
-        if (each.name != "State")
-            continue;
-        for (const modbus::EnumValue& value : each.values) {
-            if (value.value == static_cast<std::uint16_t>(*state))
-                return QString::fromUtf8(value.name.data(), static_cast<qsizetype>(value.name.size()));
-        }
-    }
-    return {};
-}
-
-} // namespace
-
 bool StatusTrace::add(const link::StatusSample& sample)
 {
     const bool wasFaulted = !m_latest.empty() && m_latest.back().status.faultBits != 0;
@@ -52,7 +33,8 @@ QByteArray StatusTrace::csv(const std::deque<link::StatusSample>& samples, link:
         const modbus::StatusBlock& status = sample.status;
         position.note(status);
         const auto since = std::chrono::duration_cast<std::chrono::milliseconds>(sample.receivedAt - moment);
-        csv.utc(timeOfDay.toMSecsSinceEpoch() + since.count()).text(stateName(status.state));
+        csv.utc(timeOfDay.toMSecsSinceEpoch() + since.count());
+        status.state ? csv.text(QString::fromStdString(modbus::enumName(*status.state))) : csv.empty();
         csv.whole(status.faultBits).whole(status.warningBits).whole(status.generation);
         csv.whole(status.cycleCount).number(status.masterAngleDeg, 3).number(status.masterSpeedPercent, 2);
         csv.whole(status.commandedFrequencyHz).whole(status.actualFrequencyHz);

@@ -17,35 +17,48 @@ constexpr auto fault = AlarmSeverity::Fault;
 constexpr bool stops = true;
 constexpr bool runsOn = false;
 
+using modbus::FaultBit;
+using modbus::WarningBit;
+
+// Returns the text of the bit's row.
+constexpr const char* causeOf(FaultBit bit)
+{
+    return modbus::faultBits[static_cast<std::size_t>(bit)].text.data();
+}
+
+constexpr const char* causeOf(WarningBit bit)
+{
+    return modbus::warningBits[static_cast<std::size_t>(bit)].text.data();
+}
+
 // lupdate reads no macros but this one, so it is spelled out each time.
 constexpr std::array kinds{
     AlarmKind{"C-01", fault, stops, QT_TRANSLATE_NOOP("AlarmCatalogue", "Following error too large"),
-              QT_TRANSLATE_NOOP("AlarmCatalogue", "The axis cannot follow its setpoint."),
+              causeOf(FaultBit::FollowingError),
               QT_TRANSLATE_NOOP("AlarmCatalogue", "Check for a jam, then reset the fault and home.")},
     AlarmKind{"C-02", fault, stops, QT_TRANSLATE_NOOP("AlarmCatalogue", "Table damaged"),
-              QT_TRANSLATE_NOOP("AlarmCatalogue", "The table in the controller is damaged."),
+              causeOf(FaultBit::ActiveTableDamaged),
               QT_TRANSLATE_NOOP("AlarmCatalogue", "Reset the fault and download the recipe again.")},
     AlarmKind{"C-03", fault, stops, QT_TRANSLATE_NOOP("AlarmCatalogue", "No index mark"),
-              QT_TRANSLATE_NOOP("AlarmCatalogue", "No index mark was found while homing."),
+              causeOf(FaultBit::DriveNotFollowing),
               QT_TRANSLATE_NOOP("AlarmCatalogue", "Check drive and index sensor, then reset the fault.")},
     AlarmKind{
         "C-04", fault, stops, QT_TRANSLATE_NOOP("AlarmCatalogue", "Max. force reached"),
-        QT_TRANSLATE_NOOP("AlarmCatalogue", "The press reached the maximum force, stopped and returned."),
+        causeOf(FaultBit::ForceLimit),
         QT_TRANSLATE_NOOP("AlarmCatalogue", "Check for a jam or a wrong workpiece, then reset the fault.")},
     AlarmKind{"C-05", fault, stops, QT_TRANSLATE_NOOP("AlarmCatalogue", "Contact too early"),
-              QT_TRANSLATE_NOOP("AlarmCatalogue", "The press touched an object during the approach."),
+              causeOf(FaultBit::TouchedTooEarly),
               QT_TRANSLATE_NOOP("AlarmCatalogue",
                                 "Check the workpiece and the approach position, then reset the fault.")},
     AlarmKind{"C-06", fault, stops, QT_TRANSLATE_NOOP("AlarmCatalogue", "No workpiece"),
-              QT_TRANSLATE_NOOP("AlarmCatalogue", "The press did not detect a workpiece."),
+              causeOf(FaultBit::NeverTouched),
               QT_TRANSLATE_NOOP("AlarmCatalogue",
                                 "Insert a workpiece or check the probe position, then reset the fault.")},
     AlarmKind{"C-07", fault, stops, QT_TRANSLATE_NOOP("AlarmCatalogue", "Master too fast"),
-              QT_TRANSLATE_NOOP("AlarmCatalogue",
-                                "The axis cannot follow the master: the pulse frequency is too high."),
+              causeOf(FaultBit::MasterTooFast),
               QT_TRANSLATE_NOOP("AlarmCatalogue", "Lower the master speed, then reset the fault.")},
     AlarmKind{"C-08", fault, stops, QT_TRANSLATE_NOOP("AlarmCatalogue", "Drive alarm"),
-              QT_TRANSLATE_NOOP("AlarmCatalogue", "The drive of the axis reports an alarm."),
+              causeOf(FaultBit::DriveAlarm),
               QT_TRANSLATE_NOOP("AlarmCatalogue",
                                 "Read the code on the drive and remove its cause, then reset the fault.")},
     AlarmKind{
@@ -54,50 +67,41 @@ constexpr std::array kinds{
         QT_TRANSLATE_NOOP("AlarmCatalogue",
                           "Update the panel. Until then check the machine before you reset the fault.")},
     AlarmKind{"W-01", warning, runsOn, QT_TRANSLATE_NOOP("AlarmCatalogue", "No panel heartbeat"),
-              QT_TRANSLATE_NOOP("AlarmCatalogue",
-                                "The controller received no heartbeat from the panel for some time."),
-              QT_TRANSLATE_NOOP("AlarmCatalogue", "Check the cable.")},
+              causeOf(WarningBit::HeartbeatLost), QT_TRANSLATE_NOOP("AlarmCatalogue", "Check the cable.")},
     AlarmKind{"W-02", notice, runsOn, QT_TRANSLATE_NOOP("AlarmCatalogue", "Not homed"),
-              QT_TRANSLATE_NOOP("AlarmCatalogue", "The controller does not know the position of the axis."),
+              causeOf(WarningBit::NotHomed),
               QT_TRANSLATE_NOOP("AlarmCatalogue", "No action required: Start homes the axis first.")},
-    AlarmKind{
-        "W-03", warning, runsOn, QT_TRANSLATE_NOOP("AlarmCatalogue", "Saved copy damaged"),
-        QT_TRANSLATE_NOOP("AlarmCatalogue", "One of the two saved copies in the controller is damaged."),
-        QT_TRANSLATE_NOOP("AlarmCatalogue", "Save the program again.")},
+    AlarmKind{"W-03", warning, runsOn, QT_TRANSLATE_NOOP("AlarmCatalogue", "Saved copy damaged"),
+              causeOf(WarningBit::FlashSlotInvalid),
+              QT_TRANSLATE_NOOP("AlarmCatalogue", "Save the program again.")},
     AlarmKind{"W-04", notice, runsOn, QT_TRANSLATE_NOOP("AlarmCatalogue", "Clock not set"),
-              QT_TRANSLATE_NOOP("AlarmCatalogue", "The controller has had no time of day since power-on."),
+              causeOf(WarningBit::ClockNotSet),
               QT_TRANSLATE_NOOP("AlarmCatalogue",
                                 "No action required: the panel sets the clock when it connects.")},
     AlarmKind{"W-05", warning, stops, QT_TRANSLATE_NOOP("AlarmCatalogue", "Emergency stop pressed"),
-              QT_TRANSLATE_NOOP("AlarmCatalogue", "The emergency stop of the machine is pressed."),
+              causeOf(WarningBit::EmergencyStop),
               QT_TRANSLATE_NOOP("AlarmCatalogue",
                                 "Make sure that the machine is safe, then release the emergency stop.")},
     AlarmKind{"W-99", warning, runsOn, QT_TRANSLATE_NOOP("AlarmCatalogue", "Unknown warning"),
               QT_TRANSLATE_NOOP("AlarmCatalogue",
                                 "The controller reports a warning that this panel does not know."),
               QT_TRANSLATE_NOOP("AlarmCatalogue", "Update the panel.")},
-    AlarmKind{
-        "M-01", warning, stops, QT_TRANSLATE_NOOP("AlarmCatalogue", "Marks lost"),
-        QT_TRANSLATE_NOOP("AlarmCatalogue", "The controller lost the marks on the film and stopped the run."),
-        QT_TRANSLATE_NOOP("AlarmCatalogue", "Check film and mark sensor, then start again.")},
+    AlarmKind{"M-01", warning, stops, QT_TRANSLATE_NOOP("AlarmCatalogue", "Marks lost"),
+              causeOf(WarningBit::MarksLost),
+              QT_TRANSLATE_NOOP("AlarmCatalogue", "Check film and mark sensor, then start again.")},
     AlarmKind{
         "M-02", warning, stops, QT_TRANSLATE_NOOP("AlarmCatalogue", "Wrong mark distance"),
-        QT_TRANSLATE_NOOP(
-            "AlarmCatalogue",
-            "The mark distance on the film differs from the bag length, so the run was stopped."),
+        causeOf(WarningBit::MarkPitchWrong),
         QT_TRANSLATE_NOOP("AlarmCatalogue", "Load the right film or measure its marks under Maintenance.")},
     AlarmKind{"M-03", warning, stops, QT_TRANSLATE_NOOP("AlarmCatalogue", "Correction limit reached"),
-              QT_TRANSLATE_NOOP(
-                  "AlarmCatalogue",
-                  "The correction limits were too small to follow the marks, so the run was stopped."),
+              causeOf(WarningBit::CorrectionAtLimit),
               QT_TRANSLATE_NOOP("AlarmCatalogue", "Check the film for tension and slip, then start again.")},
     AlarmKind{
         "M-04", warning, stops, QT_TRANSLATE_NOOP("AlarmCatalogue", "Product too long"),
-        QT_TRANSLATE_NOOP("AlarmCatalogue", "A product is longer than the bag, so the run was stopped."),
+        causeOf(WarningBit::ProductTooLong),
         QT_TRANSLATE_NOOP("AlarmCatalogue", "Remove the product or set a longer bag, then start again.")},
     AlarmKind{"M-05", warning, stops, QT_TRANSLATE_NOOP("AlarmCatalogue", "Too many skipped cuts"),
-              QT_TRANSLATE_NOOP("AlarmCatalogue",
-                                "Products blocked the knife several times in a row, so the run was stopped."),
+              causeOf(WarningBit::TooManySkips),
               QT_TRANSLATE_NOOP("AlarmCatalogue", "Align the products, then start again.")},
     AlarmKind{
         "L-01", warning, runsOn, QT_TRANSLATE_NOOP("AlarmCatalogue", "Port missing"),

@@ -176,28 +176,8 @@ QString ConnectionSentences::exception(const QString& port, int code)
 
 QString ConnectionSentences::commandName(modbus::Command command)
 {
-    switch (command) {
-    case modbus::Command::Start:
-        return tr("Start");
-    case modbus::Command::StopAtCycleEnd:
-    case modbus::Command::StopNow:
-        return tr("Stop");
-    case modbus::Command::Home:
-        return tr("Home");
-    case modbus::Command::ResetFault:
-        return tr("Reset fault");
-    case modbus::Command::SaveToFlash:
-        return tr("Save");
-    case modbus::Command::TeachMarks:
-        return tr("Measure marks");
-    case modbus::Command::None:
-    case modbus::Command::ApplyStaged:
-    case modbus::Command::CancelApply:
-    case modbus::Command::DiscardStaged:
-    case modbus::Command::SetClock:
-        break;
-    }
-    return tr("Command");
+    const QString name = ControllerSentences::text(command);
+    return name.isEmpty() ? tr("Command") : name;
 }
 
 QString ConnectionSentences::refused(modbus::Command command, modbus::Refusal reason)

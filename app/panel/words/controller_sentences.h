@@ -14,19 +14,24 @@ class ControllerSentences {
     Q_DECLARE_TR_FUNCTIONS(ControllerSentences)
 
 public:
-    [[nodiscard]] static QString state(modbus::State state);
+    // Returns the text of the value's row in the language; empty where the panel shows none.
+    template <typename E> [[nodiscard]] static QString text(E value)
+    {
+        return textOf(modbus::findValue(value));
+    }
+    // Returns the texts of all values of an enumeration.
+    [[nodiscard]] static QStringList texts(std::string_view enumName);
+    // Translates a text that modbus/ marks.
+    [[nodiscard]] static QString inLanguage(std::string_view text);
     // Returns two sentences of the alarm catalogue for each alarm: description and action. Faults come first.
     [[nodiscard]] static QStringList alarms(const modbus::StatusBlock& status);
     [[nodiscard]] static QString refusal(modbus::Refusal reason);
     // Returns what a running machine does at a change of program; rate 0: the program has no bags.
     [[nodiscard]] static QString programChange(const program::ProgramChange& change, double rateBagsPerMin);
-    [[nodiscard]] static QString pressStage(modbus::PressStage stage);
-    [[nodiscard]] static QString strokeResult(modbus::StrokeResult result);
-    [[nodiscard]] static QString markState(modbus::MarkState state);
-    [[nodiscard]] static QString skipCause(modbus::SkipCause cause);
     [[nodiscard]] static QString transferResult(const modbus::TransferAnswer& answer);
 
 private:
+    [[nodiscard]] static QString textOf(const modbus::EnumValue* row);
     // Returns the same where no product waits under a cut.
     [[nodiscard]] static QString undisturbedChange(const program::ProgramChange& change,
                                                    double rateBagsPerMin);

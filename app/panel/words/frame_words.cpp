@@ -34,7 +34,7 @@ QString state(const DecodedFrame& frame)
 {
     const modbus::NamedValue* value = valueNamed(frame, "status.state");
     const bool isKnown = value && value->raw <= static_cast<int>(modbus::State::Fault);
-    return isKnown ? ControllerSentences::state(static_cast<modbus::State>(value->raw))
+    return isKnown ? ControllerSentences::text(static_cast<modbus::State>(value->raw))
                    : valueOf(frame, "status.state");
 }
 
@@ -89,28 +89,7 @@ QString FrameWords::verdict(FrameVerdict verdict)
 
 QString FrameWords::exception(int code)
 {
-    switch (code) {
-    case 1:
-        return tr("illegal function");
-    case 2:
-        return tr("illegal register address");
-    case 3:
-        return tr("illegal value");
-    case 4:
-        return tr("device failure");
-    case 5:
-        return tr("acknowledged, in progress");
-    case 6:
-        return tr("device busy");
-    case 8:
-        return tr("memory parity error");
-    case 10:
-        return tr("gateway path unavailable");
-    case 11:
-        return tr("no response from the device behind the gateway");
-    default:
-        return tr("unknown");
-    }
+    return ControllerSentences::inLanguage(modbus::exceptionName(code));
 }
 
 QString FrameWords::question(const DecodedFrame& frame)

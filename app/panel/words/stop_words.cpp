@@ -48,7 +48,7 @@ QString StopWords::state(StateInterval::State state)
 {
     return state == StateInterval::State::Suspended
                ? tr("Waiting")
-               : ControllerSentences::state(static_cast<modbus::State>(state));
+               : ControllerSentences::text(static_cast<modbus::State>(state));
 }
 
 QString StopWords::reasonPart(const QString& part)

@@ -110,7 +110,7 @@ QStringList TableText::cells(std::size_t row, double startS) const
     }
     const profile::PressRow& stage = std::get<profile::PressTable>(m_image.table).rows[row];
     return {number,
-            ControllerSentences::pressStage(static_cast<modbus::PressStage>(row + 1)),
+            ControllerSentences::text(static_cast<modbus::PressStage>(row + 1)),
             format.number(stage.speedHz, 0),
             format.number(stage.endPulses, 0),
             format.number(stage.forceN, 0),

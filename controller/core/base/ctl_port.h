@@ -16,7 +16,7 @@ typedef enum { CTL_AXIS_FILM, CTL_AXIS_INFEED } ctl_axis;
 typedef enum { CTL_FLASH_DONE, CTL_FLASH_BUSY, CTL_FLASH_FAILED } ctl_flash_progress;
 
 typedef struct {
-    void* context; /* given back to every callback */
+    void* context; /* passed to every callback */
 
     /* Pulses of the main axis, their ticks in timer ticks since power-up, modulo 2^32. They lie in the slice
      * that is being computed, in the order of time, in several calls; the board lets all axes move later by
@@ -26,15 +26,15 @@ typedef struct {
     int64_t (*encoder)(void* context);
     /* True once after the index mark was passed forward; gives the encoder position latched there. */
     bool (*index)(void* context, int64_t* encoder_at_mark);
-    /* Scale at the ram of a press, 1/256 pulse of the command, zero where the encoder's is; NULL: there is
-     * the encoder only. */
+    /* Scale at the ram of a press, 1/256 pulse of the command, with the zero of the encoder; NULL: encoder
+     * only. */
     int64_t (*scale)(void* context);
-    /* Force of a press now, N; NULL on a machine without. */
+    /* Present force of a press, N; NULL if there is no press. */
     int32_t (*force)(void* context);
 
-    /* Film and infeed of a packing machine; all NULL on a machine without. The axis runs evenly from one
-     * position to the other in the slice that is being computed: for a rate generator as they are, for a
-     * pulse timer by ctl_train_line(). Positions since power-up, 1/256 pulse of the command. */
+    /* Film and infeed of a packing machine; all NULL if there is none. The axis runs evenly from one position
+     * to the other in the slice that is being computed: for a rate generator as they are, for a pulse timer
+     * by ctl_train_line(). Positions since power-up, 1/256 pulse of the command. */
     void (*feed)(void* context, ctl_axis axis, int64_t from, int64_t to);
     int64_t (*film)(void* context);
     int64_t (*infeed)(void* context);
@@ -44,21 +44,20 @@ typedef struct {
      * whether it covers the eye from now on. */
     bool (*eye)(void* context, int64_t* infeed_at_edge, bool* covered);
 
-    /* Levels of the input pins now, bits CTL_INPUT_BIT_..., 1: what the bit says; NULL on a machine without.
-     */
+    /* Present levels of the input pins, bits CTL_INPUT_BIT_..., 1: true; NULL if there are none. */
     uint16_t (*inputs)(void* context);
-    /* The output pins from now on, bits CTL_OUTPUT_BIT_...; NULL on a machine without. */
+    /* Sets the output pins, bits CTL_OUTPUT_BIT_...; NULL if there are none. */
     void (*outputs)(void* context, uint16_t levels);
 
-    /* Torque of the axis, 0.1 % of the drive's rated torque; NULL when the drive does not give it. */
+    /* Torque of the axis, 0.1 % of the drive's rated torque; NULL if the drive does not report it. */
     int32_t (*torque)(void* context);
 
     /* Flash that keeps its bytes over power loss; slot 0 or 1, erased bytes read 0xFF. False: it failed. */
     bool (*flash_read)(void* context, uint32_t slot, uint32_t offset, uint8_t* bytes, uint32_t size);
     bool (*flash_erase)(void* context, uint32_t slot);
     bool (*flash_write)(void* context, uint32_t slot, uint32_t offset, const uint8_t* bytes, uint32_t size);
-    /* Flash that erases and writes by itself: erase and write begin only. Returns CTL_FLASH_BUSY until that
-     * is done, then CTL_FLASH_DONE, or CTL_FLASH_FAILED. NULL: they end before they return. */
+    /* For a flash that erases and writes in the background. Returns CTL_FLASH_BUSY until it is done, then
+     * CTL_FLASH_DONE or CTL_FLASH_FAILED. NULL: erase and write return when they are done. */
     ctl_flash_progress (*flash_progress)(void* context);
 } ctl_port;
 
@@ -69,17 +68,17 @@ typedef struct {
     uint64_t unique_id;      /* of this board */
     uint32_t timer_clock_hz; /* clock of the pulse timer */
     uint16_t timer_bits;     /* its width, at most 16 */
-    uint32_t max_pulse_hz;   /* highest pulse frequency of the output stage */
-    uint32_t slice_us;       /* longest step of the control, 0: CTL_SLICE_US */
+    uint32_t max_pulse_hz;   /* maximum pulse frequency of the output stage */
+    uint32_t slice_us;       /* maximum step of the control, 0: CTL_SLICE_US */
 
     /* The bounds of a slow processor or a small memory; 0: none. */
-    uint16_t bank_registers;     /* that a bank may have, header included */
+    uint16_t bank_registers;     /* maximum of a bank, header included */
     uint16_t row_capacity;       /* rows of a step table */
     uint16_t table_layouts;      /* bit n: table layout n can be executed */
-    uint16_t max_rows_per_slice; /* rows of a step table that one slice may meet, at least 2 */
-    uint16_t work_registers;     /* registers that one slice checks, sums up or saves of long work */
+    uint16_t max_rows_per_slice; /* maximum rows of a step table in one slice, at least 2 */
+    uint16_t work_registers;     /* registers that one slice checks, sums up or saves */
 
-    uint16_t map_minor; /* the registers of later minor versions of the map do not exist; 0: all do */
+    uint16_t map_minor; /* registers of later minor versions of the map do not exist; 0: all do */
 } ctl_config;
 
 #endif

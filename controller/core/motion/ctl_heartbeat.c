@@ -40,7 +40,7 @@ uint32_t ctl_heartbeat_missing(const ctl_heartbeat* heartbeat, const ctl_board* 
 bool ctl_heartbeat_slice(ctl_heartbeat* heartbeat, const ctl_board* board, uint16_t keys)
 {
     heartbeat->keys = keys;
-    /* A jog that died does not come back by itself: the key must be let go first. */
+    /* A stopped jog does not resume: the key must be released first. */
     if (keys == 0)
         heartbeat->jog_blocked = false;
     else if (!heartbeat->heard || older_than(heartbeat, board, CTL_JOG_HOLD_US) ||

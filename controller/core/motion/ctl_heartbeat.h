@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-/* The panel's heartbeat, and the jog keys that are held as long as it goes on. */
+/* The panel's heartbeat, and the jog keys, which count only while it advances. */
 #ifndef CTL_HEARTBEAT_H
 #define CTL_HEARTBEAT_H
 
@@ -13,7 +13,7 @@ extern "C" {
 #define CTL_JOG_HOLD_US 200000u
 
 typedef struct {
-    bool heard; /* a heartbeat came since power-up */
+    bool heard; /* a heartbeat was received since power-up */
     uint16_t last;
     uint64_t advanced_us;
     uint16_t permit;  /* bits CTL_PERMIT_BIT_... that came with it */
@@ -21,16 +21,16 @@ typedef struct {
     bool jog_blocked; /* until the keys were seen released */
 } ctl_heartbeat;
 
-/* A heartbeat came. */
+/* Handles a heartbeat. */
 void ctl_heartbeat_receive(ctl_heartbeat* heartbeat, const ctl_board* board, uint16_t value);
-/* Begins a slice with these keys held; returns true when it is lost and nothing may go on unattended. */
+/* Starts a slice with these keys pressed; returns true when the heartbeat is lost and motion must stop. */
 bool ctl_heartbeat_slice(ctl_heartbeat* heartbeat, const ctl_board* board, uint16_t keys);
 bool ctl_heartbeat_lost(const ctl_heartbeat* heartbeat, const ctl_board* board);
-/* It is lost, and the panel wants its loss to stop the machine. */
+/* Returns true when the heartbeat is lost and configured to stop the machine. */
 bool ctl_heartbeat_stops(const ctl_heartbeat* heartbeat, const ctl_board* board);
-/* Which of these bits are missing of the permit: none while no permit is needed. */
+/* Returns which of these bits the permit lacks: none while no permit is needed. */
 uint32_t ctl_heartbeat_missing(const ctl_heartbeat* heartbeat, const ctl_board* board, uint32_t bits);
-/* 1, -1 or 0: the direction in which the axis may jog now. */
+/* Returns the direction in which the axis may jog now: 1, -1 or 0. */
 int32_t ctl_jog_request(const ctl_heartbeat* heartbeat);
 
 #ifdef __cplusplus

@@ -23,14 +23,14 @@ typedef struct {
 } ctl_io;
 
 void ctl_io_init(ctl_io* io, const ctl_board* board);
-/* Begins a slice: reads the inputs, ends a motion when the emergency stop is pressed, enables the drives. */
+/* Starts a slice: reads the inputs, ends a motion when the emergency stop is pressed, enables the drives. */
 void ctl_io_begin(ctl_io* io, ctl_motion* motion);
-/* Ends a slice: the cam switches follow what has moved. */
+/* Ends a slice: updates the cam switches. */
 void ctl_io_slice(ctl_io* io, const ctl_motion* motion);
 bool ctl_io_drive_alarm(const ctl_io* io);
-/* Pressed now or just before: a contact that bounces is one warning. */
+/* Returns true when it is pressed now or was shortly before: a bouncing contact is one warning. */
 bool ctl_io_emergency_stop(const ctl_io* io, const ctl_board* board);
-/* The registers of the group `io`. */
+/* Writes the registers of the group `io`. */
 void ctl_io_registers(const ctl_io* io, const ctl_motion* motion, uint16_t* registers);
 
 #ifdef __cplusplus

@@ -269,7 +269,7 @@ uint16_t ctl_motion_reset_fault(ctl_motion* motion)
         return CTL_REFUSAL_NO_FAULT;
     if (motion->actual_hz != 0 || (motion->banks->has_active && !ctl_active_bank_intact(motion->banks)))
         return CTL_REFUSAL_FAULT_PERSISTS;
-    /* The axis stands where it stands: what it did not follow is written off, homing finds it again. */
+    /* The axis keeps its position: the following error is cleared, homing finds the mark again. */
     motion->commanded = motion->actual;
     motion->fault = 0;
     motion->banks->check_position = 0;

@@ -52,13 +52,13 @@ typedef struct {
     ctl_table table;         /* valid while there is an active bank */
     int32_t direction;       /* of the master, 1 or -1 */
     ctl_press press;         /* instead of it when that is a press's */
-    uint32_t cycle_count;    /* cycles completed since power-up; strokes of a press however they ended */
+    uint32_t cycle_count;    /* cycles completed since power-up; all strokes of a press */
     uint64_t stop_remaining; /* master ticks to the boundary where the motion ends */
-    uint32_t stop_limit;     /* ramp speed that a stopping master does not exceed */
+    uint32_t stop_limit;     /* maximum ramp speed of a stopping master */
     bool change_planned;     /* running with an armed program: */
-    bool change_opens;       /* the knife is to stand open for it */
-    uint32_t change_speed;   /* the ramp's speed with which it may take over */
-    uint64_t change_ticks;   /* master ticks to the boundary where it does */
+    bool change_opens;       /* the knife is open for it */
+    uint32_t change_speed;   /* speed of the ramp at which it may take over */
+    uint64_t change_ticks;   /* master ticks to the boundary of the change */
     ctl_change_plan change;
     uint32_t manual_hz;
     int32_t manual_direction; /* 1 or -1 */
@@ -72,9 +72,9 @@ typedef struct {
 } ctl_motion;
 
 void ctl_motion_init(ctl_motion* motion);
-/* Moves on by the timer ticks that passed since the last call. */
+/* Advances by the timer ticks since the last call. */
 void ctl_motion_slice(ctl_motion* motion, uint32_t ticks);
-/* Pulses stop at once. */
+/* Stops all pulses at once. */
 void ctl_motion_fault(ctl_motion* motion, uint16_t fault_bit);
 
 /* Set the axis off. Only the gate in ctl_start.c calls them. */
@@ -84,35 +84,35 @@ void ctl_motion_home(ctl_motion* motion);
 uint16_t ctl_motion_stop_at_cycle_end(ctl_motion* motion);
 uint16_t ctl_motion_stop_now(ctl_motion* motion);
 uint16_t ctl_motion_reset_fault(ctl_motion* motion);
-/* Running: returns CTL_REFUSAL_..., the reason why the staged program cannot take over. */
+/* While running: returns CTL_REFUSAL_..., the reason why the staged program cannot take over. */
 uint16_t ctl_motion_change_refusal(const ctl_motion* motion);
-/* Stops what moves by itself: nobody watches. */
+/* Stops unattended motion (jog, homing). */
 void ctl_motion_stop_unattended(ctl_motion* motion);
 
-/* At standstill: the staged program becomes the active one. */
+/* At standstill: activates the staged program. */
 void ctl_motion_change_program(ctl_motion* motion);
 bool ctl_motion_standstill(const ctl_motion* motion);
-/* The table moves the axis. */
+/* Returns true while the axis follows its table. */
 bool ctl_motion_in_cycle(const ctl_motion* motion);
 
 uint16_t ctl_motion_master_angle(const ctl_motion* motion); /* 0.01 degrees */
 uint16_t ctl_motion_master_speed(const ctl_motion* motion); /* 0.01 % of the table's speed, unsigned */
 int64_t ctl_motion_commanded_hz(const ctl_motion* motion);
 
-/* Force of a press, N; 0 on a machine without. */
+/* Returns the force of a press, N; 0 without a press. */
 int32_t ctl_motion_press_force(const ctl_motion* motion);
 
 /* Between the files of this module. */
-/* The packing line, if there is one, lets a program be changed for `bank` now. */
+/* Returns true when the packing line, if any, allows a change to `bank` now. */
 bool ctl_motion_may_change(const ctl_motion* motion, const ctl_bank* bank);
 bool ctl_motion_is_press(const ctl_motion* motion);
-/* A press: where it stands is its upper position. */
+/* Sets the present position of a press as its upper position. */
 void ctl_motion_take_top(ctl_motion* motion);
-/* A press: the largest force is reached, so that nothing may move it down. */
+/* Returns true when a press is at its maximum force, so that it must not move down. */
 bool ctl_motion_force_forbids(const ctl_motion* motion);
-/* The ramp of the active bank, at standstill. */
+/* Sets the ramp of the active bank, at standstill. */
 void ctl_motion_set_ramp(ctl_motion* motion);
-/* Master ticks to the next boundary of its cycle, not 0. */
+/* Returns the master ticks to the next boundary of its cycle, not 0. */
 uint32_t ctl_motion_to_boundary(const ctl_motion* motion);
 void ctl_motion_begin_stroke(ctl_motion* motion);
 void ctl_motion_slice_stroke(ctl_motion* motion, const ctl_pace* pace);

@@ -54,7 +54,7 @@ void ctl_switches_bag(ctl_switches* switches, bool rejected)
         switches->each[i].rejects = rejected;
 }
 
-/* A part of the cycle in 1 / 2^32 of it, the part being shorter than the cycle. A division would cost more
+/* Returns a part of the cycle, shorter than the cycle, in 1 / 2^32. A division would cost more
  * than all else that a switch does in a slice; this is off by at most 2^-24 ticks per tick. */
 static uint32_t share_of_cycle(const ctl_switches* switches, uint32_t ticks)
 {
@@ -84,7 +84,7 @@ static uint32_t present_lead(const ctl_switches* switches, const ctl_switch* one
     return ticks >= switches->present.cycle ? UINT32_MAX : share_of_cycle(switches, (uint32_t)ticks);
 }
 
-/* It is on in the cycle of this number; asked once, where it would switch on. */
+/* Returns true when the switch is on in the cycle of this number; called once, at its on angle. */
 static bool may_switch_on(ctl_switch* one, const ctl_board* board, uint32_t which, uint32_t number)
 {
     if (one->mode == CTL_SWITCH_MODE_REJECTED_BAGS) {
@@ -95,7 +95,7 @@ static bool may_switch_on(ctl_switch* one, const ctl_board* board, uint32_t whic
     return one->mode == CTL_SWITCH_MODE_CYCLES && number % parameter(board, which, EVERY) == 0;
 }
 
-/* Nothing moves any more: all are off. A bag that was being rejected is still to be. */
+/* Switches all off at standstill. A bag that was being rejected is still to be rejected. */
 static void end(ctl_switches* switches)
 {
     switches->follows = false;
@@ -106,7 +106,7 @@ static void end(ctl_switches* switches)
     }
 }
 
-/* The cycle begins to be followed where it stands. */
+/* Starts to follow the cycle at its present position. */
 static void begin(ctl_switches* switches, const ctl_board* board, const ctl_switch_cycle* cycle,
                   uint32_t angle)
 {

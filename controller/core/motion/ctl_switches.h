@@ -25,9 +25,9 @@ typedef struct {
 
 typedef struct {
     bool on;
-    bool rejects;  /* the bag cut last is to be rejected, and was not yet */
+    bool rejects;  /* the last bag is to be rejected, and was not yet */
     uint32_t lead; /* how far ahead of the cycle the switch is */
-    uint32_t hold; /* both edges came at once: stays on for so much of the cycle */
+    uint32_t hold; /* both edges came at once: stays on for this part of the cycle */
     uint16_t mode; /* the parameters that it follows */
     uint16_t on_angle;
     uint16_t off_angle;
@@ -49,12 +49,12 @@ typedef struct {
     uint64_t inverse;         /* of present.cycle, 2^CTL_SWITCH_INVERSE_BITS / ticks */
 } ctl_switches;
 
-/* Follows the cycle to where it is now; NULL: nothing moves, all are off. Returns the levels, bit n: switch
+/* Follows the cycle to its present position; NULL: no motion, all are off. Returns the levels, bit n: switch
  * n + 1. */
 uint16_t ctl_switches_slice(ctl_switches* switches, const ctl_board* board, const ctl_switch_cycle* cycle);
-/* A bag was cut. */
+/* Handles a cut. */
 void ctl_switches_bag(ctl_switches* switches, bool rejected);
-/* The program has a cycle that switches can follow: it repeats. */
+/* Returns true when the program has a cycle that switches can follow: it repeats. */
 bool ctl_switches_serve(const ctl_bank* bank);
 /* Returns CTL_REFUSAL_..., the reason why `bank` cannot be run with the present parameters. */
 uint16_t ctl_switches_refusal(const ctl_board* board, const ctl_bank* bank);

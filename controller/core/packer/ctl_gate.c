@@ -76,7 +76,7 @@ void ctl_gate_answer(ctl_gate* gate, bool wait)
         if (wait)
             gate->dwell += gate->cycle;
         else
-            begin(gate, CTL_GATE_STATE_GAINING);
+            begin(gate, CTL_GATE_STATE_CATCHING_UP);
         return;
     }
     gate->answered = true;
@@ -102,7 +102,7 @@ static void end_state(ctl_gate* gate)
         gate->dwell = gate->release - gate->engage;
         gate->phase = 0;
         begin(gate, CTL_GATE_STATE_STANDING);
-    } else if (gate->state == CTL_GATE_STATE_GAINING) {
+    } else if (gate->state == CTL_GATE_STATE_CATCHING_UP) {
         gate->answered = false;
         begin(gate, CTL_GATE_STATE_RUNNING);
     }

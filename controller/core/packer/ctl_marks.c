@@ -6,7 +6,7 @@
 #include <stddef.h>
 
 #define GAIN_ONE 1000
-/* Searching: so many distances in a row that are no bag length mean that the film does not fit. */
+/* Searching: this number of consecutive distances that are not a bag length means a wrong film. */
 #define MAX_WRONG_GAPS 8u
 
 static int64_t size_of(int64_t value)
@@ -60,7 +60,7 @@ static void shift_waiting(ctl_marks* marks, int64_t by)
         marks->waiting[(marks->first + i) % CTL_WAITING_MARKS].at += by;
 }
 
-/* Two marks a bag length apart: those that went by unseen before them are reckoned back to the knife. */
+/* Handles two marks one bag length apart: estimates the unseen marks between them and the knife. */
 static void found(ctl_marks* marks, int64_t film)
 {
     const int64_t cut = film + marks->settings.distance;
@@ -97,7 +97,7 @@ static void search(ctl_marks* marks, int64_t film)
     marks->candidate = film;
 }
 
-/* The last mark was none, because this one is nearer to where it was expected. */
+/* Handles a false last mark: this one is nearer to the expected position. */
 static void take_back(ctl_marks* marks, int64_t film)
 {
     const int64_t from = size_of(film - marks->expected_before);

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /* The printed marks between their sensor and the knife, in positions of the film axis (1/256 pulse). Each
- * mark gives the place of one cut. What a mark's error says is divided: a share (the phase gain) is taken for
- * film that slipped against its motor, and shifts all marks that wait; a share (the length gain) changes the
- * distance expected to the next. An error that no slip explains is a change of the print or of the film's
- * stretch: it is believed at once, and the marks before it stay where they are; unless another mark comes
- * nearer to where one was expected, then the first was none. */
+ * mark sets the position of one cut. The error of a mark is divided: a share (the phase gain) counts as slip
+ * of the film against its motor and shifts all waiting marks; a share (the length gain) changes the expected
+ * distance to the next mark. An error too large for slip is a change of the print or of the film's stretch:
+ * it is applied at once and the waiting marks are unchanged. If another mark is seen nearer to the expected
+ * position, the first one was a false mark. */
 #ifndef CTL_MARKS_H
 #define CTL_MARKS_H
 
@@ -19,8 +19,8 @@ extern "C" {
 
 typedef struct {
     int64_t nominal;        /* between two marks: the bag length */
-    int64_t distance;       /* from the sensor to where the mark's cut is at the knife */
-    int64_t window;         /* to both sides of where a mark is expected */
+    int64_t distance;       /* from the sensor to the position at which the mark's cut is at the knife */
+    int64_t window;         /* around the expected position of a mark, plus and minus */
     int64_t jump;           /* an error larger than this is not slip */
     int64_t max_difference; /* of the distance between marks from the nominal one */
     uint32_t phase_gain;    /* 0.001 */
@@ -29,9 +29,9 @@ typedef struct {
 } ctl_mark_settings;
 
 typedef struct {
-    int64_t at;    /* film position at which its cut is to be made */
-    int64_t pitch; /* from the mark before */
-    bool seen;     /* otherwise reckoned from the marks before it */
+    int64_t at;    /* film position of its cut */
+    int64_t pitch; /* from the previous mark */
+    bool seen;     /* otherwise estimated from the previous marks */
 } ctl_mark;
 
 typedef struct {
@@ -47,19 +47,19 @@ typedef struct {
     ctl_mark_settings settings;
     uint16_t state; /* CTL_MARK_STATE_... */
     int64_t expected;
-    int64_t last;  /* the mark before that, as it was seen */
+    int64_t last;  /* the previous mark, as seen */
     int64_t pitch; /* filtered distance from mark to mark */
     int64_t error; /* of the last mark */
-    bool jumped;   /* which no slip explained; before it there were: */
+    bool jumped;   /* too large for slip; the values before it: */
     int64_t expected_before;
     int64_t last_before;
     int64_t pitch_before;
     bool has_candidate;
-    int64_t candidate; /* searching: the mark before; where the search began when there is none */
+    int64_t candidate; /* searching: the previous mark, or the start of the search */
     uint32_t wrong_gaps;
     uint32_t missing_in_row;
-    uint32_t false_in_row;               /* since the last mark that was right */
-    uint16_t alarm;                      /* CTL_WARNING_BIT_MARKS_LOST or _MARK_PITCH_WRONG; 0 when neither */
+    uint32_t false_in_row;               /* since the last valid mark */
+    uint16_t alarm;                      /* CTL_WARNING_BIT_MARKS_LOST or _MARK_PITCH_WRONG; 0: neither */
     ctl_mark waiting[CTL_WAITING_MARKS]; /* as a ring, from the knife to the sensor */
     uint32_t first;
     uint32_t count;
@@ -69,20 +69,20 @@ typedef struct {
     uint32_t unexpected;
 } ctl_marks;
 
-/* Begin to search at this film position. Counts since power-up stay. */
+/* Starts a search at this film position. The counts since power-up are kept. */
 void ctl_marks_search(ctl_marks* marks, const ctl_mark_settings* settings, int64_t film);
-/* A mark passed the sensor. */
+/* Handles a mark at the sensor. */
 void ctl_marks_see(ctl_marks* marks, int64_t film);
-/* The film stands there now: what should have been seen by then is missing. */
+/* Handles a film position: expected marks that were not seen by then are missing. */
 void ctl_marks_pass(ctl_marks* marks, int64_t film);
-/* Marks whose cut lies before `film` are done with. */
+/* Removes marks whose cut is before `film`. */
 void ctl_marks_drop(ctl_marks* marks, int64_t film);
-/* The waiting mark nearest to `film` within `reach`; NULL when there is none. */
+/* Returns the waiting mark nearest to `film` within `reach`, or NULL. */
 const ctl_mark* ctl_marks_near(const ctl_marks* marks, int64_t film, int64_t reach);
 const ctl_mark* ctl_marks_waiting(const ctl_marks* marks, uint32_t index);
 
 void ctl_marks_teach(ctl_marks* marks, uint16_t wanted);
-/* Mean distance of the marks measured, and the variance of that; 0 before there are two and three marks. */
+/* Return the mean distance of the measured marks, and its variance; 0 before two and three marks. */
 int64_t ctl_marks_taught_pitch(const ctl_marks* marks);
 uint64_t ctl_marks_taught_variance(const ctl_marks* marks);
 

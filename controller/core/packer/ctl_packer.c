@@ -8,7 +8,7 @@
 
 #define FULL_CIRCLE 36000u /* 0.01 degrees */
 #define RATIO_BITS 20u
-/* An error of a mark that slip explains. */
+/* The maximum error of a mark that counts as slip. */
 #define JUMP_UM 600
 /* In tenths of a cycle: the sealing window at most, and each ramp beside it at least. */
 #define WIDEST_WINDOW 9u
@@ -19,7 +19,7 @@
 #define FIRST_TIME 5u
 #define MAX_FLIGHTS_TO_EYE 8u
 #define MAX_TAUGHT 100u
-/* In so many the infeed makes up for where it was left. */
+/* The infeed is corrected to its place within this number of cycles. */
 #define INFEED_CYCLES 4u
 
 static uint16_t parameter(const ctl_packer* packer, uint32_t address)
@@ -87,7 +87,7 @@ static bool no_room(const ctl_bank* bank)
            engage < cycle / SHORTEST_RAMP || release - engage > cycle / 10u * WIDEST_WINDOW;
 }
 
-/* Returns the pulses a second at full speed of an axis that feeds so many in 1/256 a cycle. */
+/* Returns the pulses per second at full speed of an axis that feeds `feed` / 256 pulses per cycle. */
 static uint64_t full_speed_hz(const ctl_packer* packer, const ctl_bank* bank, uint64_t feed)
 {
     return feed / CTL_FINE * packer->board->config.timer_clock_hz / ctl_bank_cycle_ticks(bank);
@@ -239,8 +239,8 @@ static int64_t infeed_ahead(const ctl_packer* packer)
     return (int64_t)((uint64_t)packer->flight * packer->cut / packer->cycle) - packer->flight / 2;
 }
 
-/* The infeed stands anywhere: within the first cycles it comes to where the product belongs that needs the
- * smallest correction; at a start none goes back. */
+/* The position of the infeed is arbitrary: in the first cycles it is corrected to the nearest product place;
+ * at a start only forward. */
 static void align_infeed(ctl_packer* packer, int64_t start, bool forward)
 {
     const int64_t ahead = infeed_ahead(packer);
@@ -268,7 +268,7 @@ static void leave_register(ctl_packer* packer, int64_t bag_before)
         packer->marks.state = CTL_MARK_STATE_OFF;
 }
 
-/* Knife, film and infeed at the start of a cycle. The film lies where it lay, with its marks and products. */
+/* Knife, film and infeed at the start of a cycle. Film position and tracked marks are kept. */
 static void begin_cycle(ctl_packer* packer, const ctl_bank* bank)
 {
     const int64_t bag_before = packer->bag;
@@ -384,7 +384,7 @@ void ctl_packer_follow_marks(ctl_packer* packer)
     }
 }
 
-/* Film added to each bag while the marks are not followed. */
+/* Returns the film added to each bag while mark tracking is off. */
 static int64_t trim(const ctl_packer* packer)
 {
     const int64_t trim_um = (int16_t)parameter(packer, CTL_REG_PARAMETER_LENGTH_TRIM);

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-/* Film, infeed and knife of a packing machine as one line. The master drives the infeed; the film follows the
- * infeed through a gate that waits for missing products, the knife follows the film through a gate that waits
- * while a product lies across its path. Behind the sealing window of each cut the next one is planned: where
- * its mark wants it, within limits; and it is asked whether a product is in the way. */
+/* Film, infeed and knife of a packing machine as one line. The master drives the infeed. The film follows the
+ * infeed through a gate that waits for missing products. The knife follows the film through a gate that waits
+ * while a product is in its path. After the sealing window of each cut the next cut is planned: at its mark,
+ * within limits, and only if no product is in the way. */
 #ifndef CTL_PACKER_H
 #define CTL_PACKER_H
 
@@ -23,42 +23,42 @@ extern "C" {
 
 /* All in 1/256 pulse of the film motor, at the knife. */
 typedef struct {
-    int64_t command; /* of the film motor when the cut is due */
-    int64_t lag;     /* by which its position is expected to differ from that at the cut */
+    int64_t command; /* of the film motor at the time of the cut */
+    int64_t lag;     /* expected difference of its position at the cut */
     bool tracked;    /* it follows a mark */
-    bool seen;       /* which was seen, not reckoned */
+    bool seen;       /* the mark was seen, not estimated */
 } ctl_cut;
 
 typedef struct {
     int64_t at;      /* film position of the last cut */
-    int64_t mark_at; /* and of its mark; the same when it had none */
-    int64_t pitch;   /* from the mark before to it */
+    int64_t mark_at; /* and of its mark; the same without a mark */
+    int64_t pitch;   /* from the previous mark to it */
     int64_t error;
     bool tracked;
     bool seen;
     bool had_products;
-    bool changed;    /* the program was changed since the cut before */
-    bool scrap;      /* that or this one was not in register */
+    bool changed;    /* the program changed since the previous cut */
+    bool scrap;      /* this or the previous cut was not in register */
     uint32_t bags;   /* bag lengths since then */
-    int64_t command; /* of the film motor when it was due, 1/256 pulse */
-    int64_t set_um;  /* length that the bag before it was to have */
+    int64_t command; /* of the film motor at the time of the cut, 1/256 pulse */
+    int64_t set_um;  /* set length of the previous bag */
 } ctl_last_cut;
 
 /* The master that drives the line. */
 typedef struct {
     const ctl_ramp* ramp;
     bool running;        /* otherwise it is stopping */
-    uint64_t stop_ticks; /* of the master until it stands, when it stops at a boundary */
-    bool changes;        /* at the end of its cycle the program is changed */
-    bool opens;          /* the knife is to stand open for that */
+    uint64_t stop_ticks; /* of the master until standstill, for a stop at a boundary */
+    bool changes;        /* the program changes at the end of its cycle */
+    bool opens;          /* the knife is open for this */
 } ctl_drive;
 
 typedef struct {
     const ctl_board* board;
-    const ctl_bank* bank; /* NULL: the machine has no film axis or the program no knife */
-    bool broken_off;      /* jogged, homed or in fault: the next run begins a new cycle */
+    const ctl_bank* bank; /* NULL: no film axis, or a program without a knife */
+    bool broken_off;      /* jogged, homed or in fault: the next run starts a new cycle */
     bool cut_before;      /* last_cut is the one before the next */
-    bool in_register;     /* a cut has followed its mark since the film was in doubt */
+    bool in_register;     /* a cut has followed its mark since the last loss of register */
     uint32_t cycle;       /* ticks */
     uint32_t engage;
     uint32_t release;
@@ -104,62 +104,64 @@ typedef struct {
 void ctl_packer_init(ctl_packer* packer, const ctl_board* board);
 /* Returns CTL_REFUSAL_..., the reason why the active program `bank` cannot be run with these parameters. */
 uint16_t ctl_packer_refusal(const ctl_packer* packer, const ctl_bank* bank);
-/* Prepares a run of the active program `bank` with this ramp: what was broken off begins anew, the alarms are
- * taken back, the next cut is made where it belongs at the speed of the ramp. */
+/* Prepares a run of the active program `bank` with this ramp: clears interrupted cycles and alarms, plans the
+ * next cut for the speed of the ramp. */
 void ctl_packer_run(ctl_packer* packer, const ctl_bank* bank, const ctl_ramp* ramp);
 void ctl_packer_break_off(ctl_packer* packer);
-/* At the boundary of a cycle another program of the same machine became active, which runs with this ramp. */
+/* Continues with another program of the same machine, which became active at the boundary of a cycle, with
+ * this ramp. */
 void ctl_packer_change_bank(ctl_packer* packer, const ctl_bank* bank, const ctl_ramp* ramp);
 bool ctl_packer_active(const ctl_packer* packer);
-/* Infeed, film and knife are in the same phase, so that a program may be changed at the boundary: the knife
- * may stand open there, and must when a product lies under the first cut of `bank`. */
+/* Returns true when infeed, film and knife are in the same phase, so that a program may be changed at the
+ * boundary. The knife may be open there, and must be if a product is under the first cut of `bank`. */
 bool ctl_packer_may_change(const ctl_packer* packer, const ctl_bank* bank, bool standstill);
-/* Pulses a second of film and infeed at full speed of `bank`. */
+/* Pulses per second of film and infeed at full speed of `bank`. */
 typedef struct {
     int64_t film;
     int64_t infeed;
 } ctl_line_speed;
 ctl_line_speed ctl_packer_full_speed(const ctl_packer* packer, const ctl_bank* bank);
-/* Running: a product lies under the first cut of `bank`, so that it may take over only while the knife stands
- * open. */
+/* While running: returns true when a product is under the first cut of `bank`, so that it may take over only
+ * while the knife is open. */
 bool ctl_packer_must_open(const ctl_packer* packer, const ctl_bank* bank);
-/* A correction of the film or the infeed is under way. */
+/* Returns true during a correction of the film or the infeed. */
 bool ctl_packer_correcting(const ctl_packer* packer);
-/* Ticks from the start of the master's cycle. */
+/* Returns the ticks since the start of the master's cycle. */
 uint32_t ctl_packer_position(const ctl_packer* packer);
-/* The master moves on by *ticks, at most to the end of its cycle; returns the knife's ticks, *ticks becomes
- * what was used. */
+/* Advances the master by *ticks, at most to the end of its cycle; sets *ticks to the ticks used and returns
+ * the knife's ticks. */
 uint32_t ctl_packer_advance(ctl_packer* packer, const ctl_drive* drive, uint32_t* ticks);
-/* Ends a slice: pulses of film and infeed, sensors, alarms. Returns true when an alarm wants the cycle that
- * is under way to be the last. */
+/* Ends a slice: pulses of film and infeed, sensors, alarms. Returns true when an alarm ends the run after the
+ * present cycle. */
 bool ctl_packer_slice(ctl_packer* packer, bool in_cycle);
 
-/* The knife closed when the film motor stood there, 1/256 pulse. */
+/* Handles a cut at this position of the film motor, 1/256 pulse. */
 void ctl_packer_on_cut(ctl_packer* packer, int64_t film, const ctl_ramp* ramp);
 void ctl_packer_on_bag(ctl_packer* packer, uint32_t length_um);
-/* The bag that ended with the last cut is to be rejected: it has no product or more than one, is scrap of a
- * start or a change of program, or its cut did not follow a mark although marks are followed. */
+/* Returns true when the bag that ended with the last cut is to be rejected: it has no product or more than
+ * one, is scrap of a start or a change of program, or its cut did not follow a mark although mark tracking is
+ * on. */
 bool ctl_packer_rejects(const ctl_packer* packer);
 
-/* Begins to measure the distance of so many marks; returns CTL_REFUSAL_... */
+/* Starts to measure the distances of `marks` marks; returns CTL_REFUSAL_... */
 uint16_t ctl_packer_teach(ctl_packer* packer, const ctl_bank* bank, uint16_t marks);
-/* The length that the last bag measured was to have, of a program with bags of `bag_um`. */
+/* Returns the set length of the last measured bag of a program with bags of `bag_um`. */
 int64_t ctl_packer_set_um(const ctl_packer* packer, uint32_t bag_um);
-/* Lengths on the film in micrometres, and back. */
+/* Converts lengths on the film to micrometers, and back. */
 int64_t ctl_packer_um(const ctl_packer* packer, int64_t film);
 int64_t ctl_packer_film(const ctl_packer* packer, int64_t um);
-/* The registers of the group `packer`. */
+/* Writes the registers of the group `packer`. */
 void ctl_packer_registers(const ctl_packer* packer, uint16_t* registers);
 
 /* Between the files of this module. */
 bool ctl_packer_tracks(const ctl_packer* packer);
-/* The film's cycle begins and the knife stands open: its first cut was not asked about yet. */
+/* Asks about the first cut at the start of the film's cycle, when the knife is open. */
 void ctl_packer_ask_first_cut(ctl_packer* packer);
-/* The lag of the film at a cut at this speed of the ramp. */
+/* Returns the lag of the film at a cut at this speed of the ramp. */
 int64_t ctl_packer_lag(const ctl_packer* packer, uint32_t speed, const ctl_ramp* ramp);
-/* Search, follow or leave the marks as the parameters say now. */
+/* Starts or stops mark tracking according to the present parameters. */
 void ctl_packer_follow_marks(ctl_packer* packer);
-/* Film of a cycle without its correction, and what a correction of the length may change of it. */
+/* Return the film length of a cycle without its correction, and the maximum correction of this length. */
 int64_t ctl_packer_cycle_length(const ctl_packer* packer);
 int64_t ctl_packer_length_limit(const ctl_packer* packer);
 

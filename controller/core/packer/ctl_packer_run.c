@@ -6,7 +6,7 @@
 
 #include <stddef.h>
 
-/* The cuts may be shifted by so much of the bag length until they meet the marks. */
+/* The maximum shift of a cut, as a share of the bag length, until the cuts meet the marks. */
 #define ALIGNING_SHARE 10
 #define LIMITED_IN_ROW 5u
 
@@ -138,7 +138,7 @@ static void count_skip(ctl_packer* packer)
         raise_alarm(packer, CTL_WARNING_BIT_TOO_MANY_SKIPS);
 }
 
-/* A product lies where the knife would close next if it set off now; or a change of program needs it open. */
+/* Returns true when a product is in the path of the next cut, or a change of program needs the knife open. */
 static bool knife_must_wait(ctl_packer* packer, const ctl_drive* drive)
 {
     if (drive->opens) {
@@ -171,7 +171,7 @@ void ctl_packer_ask_first_cut(ctl_packer* packer)
     ctl_gate_stand(&packer->knife_gate);
 }
 
-/* The product that would come next on the film is missing: the film waits for the one after it. */
+/* Returns true when the next product is missing: the film waits for the one after it. */
 static bool film_must_wait(ctl_packer* packer)
 {
     if (ctl_parameter16(packer->board, CTL_REG_PARAMETER_EMPTY_BAG) == 0 ||
@@ -182,7 +182,7 @@ static bool film_must_wait(ctl_packer* packer)
     return true;
 }
 
-/* The film moves on by so many ticks of its phase; returns the knife's. */
+/* Advances the film by `ticks` of its phase; returns the ticks of the knife. */
 static uint32_t move_film(ctl_packer* packer, const ctl_drive* drive, uint32_t ticks)
 {
     uint32_t knife = 0;
@@ -311,7 +311,7 @@ void ctl_packer_on_cut(ctl_packer* packer, int64_t film, const ctl_ramp* ramp)
     packer->cut_before = true;
 }
 
-/* Bits of CTL_BAG_BIT_... of the bag that ended with the last cut. */
+/* Returns the bits CTL_BAG_BIT_... of the bag that ended with the last cut. */
 static uint32_t bag_bits(const ctl_packer* packer)
 {
     const ctl_last_cut* last = &packer->last_cut;

@@ -25,7 +25,7 @@ static uint16_t saturated16(int64_t value)
 {
     if (value > INT16_MAX)
         value = INT16_MAX;
-    if (value < -INT16_MAX) /* the last one means that there is nothing */
+    if (value < -INT16_MAX) /* -32768 means none */
         value = -INT16_MAX;
     return (uint16_t)(value & 0xFFFF);
 }
@@ -79,14 +79,14 @@ static void put_counts(const ctl_packer* packer, uint16_t* registers)
            sizeof packer->records);
 }
 
-/* Distance to the knife in 0.1 mm; its last bit says that something is special about it. */
+/* Returns a distance to the knife in 0.1 mm; bit 0 is a flag. */
 static uint16_t view(const ctl_packer* packer, int64_t at, bool special)
 {
     const int64_t tenths = ctl_packer_um(packer, at - packer->film_actual) / VIEW_UM;
     return (uint16_t)((saturated16(tenths) & 0xFFFEu) | (special ? 1u : 0u));
 }
 
-/* The next cuts: the one planned, then those that the waiting marks or the bag length give. */
+/* Writes the next cuts: the planned one, then those of the waiting marks or the bag length. */
 static void put_cuts(const ctl_packer* packer, uint16_t* registers)
 {
     const int64_t clearance =

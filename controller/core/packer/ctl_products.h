@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-/* The products: seen by the eye over the infeed, laid on the film, and lying before the knife until their
- * cut. Infeed and film positions in 1/256 pulse of their motors; where a product lies is told by the film
+/* The products: seen by the eye over the infeed, placed on the film, and before the knife until their cut.
+ * Infeed and film positions in 1/256 pulse of their motors; the position of a product is the pair of film
  * positions at which its edges pass the knife. */
 #ifndef CTL_PRODUCTS_H
 #define CTL_PRODUCTS_H
@@ -22,10 +22,10 @@ typedef struct {
     int64_t distance; /* film from there to the knife: whole bags and a half */
 } ctl_product_settings;
 
-/* One that was seen and is not laid yet. */
+/* A product that was seen and is not on the film yet. */
 typedef struct {
-    int64_t number; /* of the infeed's cycle in which it is laid */
-    int64_t behind; /* film by which its middle lies behind its place */
+    int64_t number; /* of the infeed's cycle in which it is placed */
+    int64_t behind; /* film length from its place to its middle */
     int64_t length; /* film */
 } ctl_coming;
 
@@ -37,30 +37,31 @@ typedef struct {
 typedef struct {
     ctl_product_settings settings;
     bool covered;         /* the eye now */
-    int64_t lead;         /* infeed position at which it was covered */
-    int64_t watched_from; /* infeed positions before this were never seen */
-    int64_t next;         /* number of the next one to be laid */
+    int64_t lead;         /* infeed position at which the eye was covered */
+    int64_t watched_from; /* infeed positions before this were not observed */
+    int64_t next;         /* number of the next product to be placed */
     ctl_coming coming[CTL_PRODUCTS];
     uint32_t coming_count;
     ctl_product laid[CTL_PRODUCTS]; /* from the knife to where they are laid */
     uint32_t laid_count;
-    uint32_t total;  /* laid since power-up */
-    int64_t longest; /* film length of the longest one seen since the settings were made */
+    uint32_t total;  /* placed since power-up */
+    int64_t longest; /* maximum length of a product on the film since the settings changed */
 } ctl_products;
 
-/* The infeed stands at `infeed`. When its geometry is another one than before, and at first, what is under
- * way between eye and film is not known; what lies on the film lies there. */
+/* Applies the settings at the infeed position `infeed`. After a change of geometry, and at first, the
+ * products between eye and film are unknown; the products on the film are kept. */
 void ctl_products_set(ctl_products* products, const ctl_product_settings* settings, int64_t infeed);
-/* An edge passed the eye at that infeed position. */
+/* Handles an edge of a product at the eye. */
 void ctl_products_edge(ctl_products* products, int64_t infeed, bool covered);
-/* Product `number` is known not to come: its place went by under the eye, and nothing was there. */
+/* Returns true when product `number` is missing: its place passed the eye without a product. */
 bool ctl_products_missing(const ctl_products* products, int64_t number, int64_t infeed);
-/* The infeed has come to `infeed`, the film from `film_before` to `film`: lays what is due. */
+/* Places the products that are due on the film, for an infeed at `infeed` and a film that moved from
+ * `film_before` to `film`. */
 void ctl_products_lay(ctl_products* products, int64_t infeed_before, int64_t infeed, int64_t film_before,
                       int64_t film);
-/* A product lies across a cut made at this film position, or nearer to it than the clearance. */
+/* Returns true when a product is across a cut at this film position, or nearer to it than the clearance. */
 bool ctl_products_across(const ctl_products* products, int64_t cut, int64_t clearance);
-/* Forgets what is past the knife; returns the products of the bag that ends at `cut`. */
+/* Removes the products past the knife; returns the number of products of the bag that ends at `cut`. */
 uint32_t ctl_products_cut(ctl_products* products, int64_t cut);
 
 #ifdef __cplusplus

@@ -117,7 +117,7 @@ private slots:
     {
         const Result result = call(u"simulate --marks-missing 1 --format json"_s);
         QCOMPARE(result.code, int{Refused});
-        QVERIFY(result.json()[u"end"_s].toString().contains(u"marks in a row did not come"_s));
+        QVERIFY(result.json()[u"end"_s].toString().contains(u"consecutive marks were missing"_s));
         QCOMPARE(result.json()[u"alarms"_s][u"MarksLost"_s].toInt(), 1);
         QVERIFY(result.json()[u"bags"_s].toInt() < 20);
         const Result goesOn = call(u"simulate --marks-missing 1 --format json --bags 100 --go-on"_s);

@@ -8,8 +8,10 @@
 
 #include <QDir>
 #include <QFile>
+#include <QProcess>
 #include <QRegularExpression>
 #include <QSignalSpy>
+#include <QTemporaryDir>
 #include <QTest>
 #include <QTranslator>
 #include <QXmlStreamReader>
@@ -32,7 +34,7 @@ QStringList placesIn(const QString& text)
     return places;
 }
 
-// Returns "context: text" of a file, sorted.
+// Returns "context: text" of a file, sorted; a text with a comment for the translator is followed by it.
 QStringList sourcesIn(const QString& path)
 {
     QFile file(path);
@@ -48,9 +50,45 @@ QStringList sourcesIn(const QString& path)
             context = xml.readElementText();
         else if (xml.name() == QLatin1String("source"))
             sources += context + ": " + xml.readElementText();
+        else if (xml.name() == QLatin1String("comment"))
+            sources.last() += " (" + xml.readElementText() + ")";
     }
     sources.sort();
     return sources;
+}
+
+const QStringList folders{QStringLiteral("app/i18n"), QStringLiteral("qml/i18n")};
+
+// Copies the files of every language into the folder and returns their paths there.
+QStringList copiesIn(const QString& folder)
+{
+    QStringList paths;
+    for (const QString& part : folders) {
+        const QDir texts(campanel::test::sourcePath(qPrintable(part)));
+        QDir().mkpath(folder + '/' + part);
+        for (const QString& name : texts.entryList({"*.ts"})) {
+            paths << folder + '/' + part + '/' + name;
+            QFile::copy(texts.filePath(name), paths.last());
+        }
+    }
+    return paths;
+}
+
+bool replaceIn(const QString& path, const QByteArray& text, const QByteArray& other)
+{
+    QFile file(path);
+    if (!file.open(QIODevice::ReadOnly))
+        return false;
+    const QByteArray before = file.readAll();
+    file.close();
+    return before.count(text) == 1 && file.open(QIODevice::WriteOnly) &&
+           file.write(QByteArray(before).replace(text, other)) > 0;
+}
+
+bool updateTranslations(const QString& folder)
+{
+    const QString script = campanel::test::sourcePath("app/i18n/update_translations");
+    return QProcess::execute(script, {QStringLiteral(CAMPANEL_LUPDATE), folder}) == 0;
 }
 
 } // namespace
@@ -62,8 +100,8 @@ private slots:
     void everyTextIsTranslatedWithItsPlaces_data()
     {
         QTest::addColumn<QString>("path");
-        for (const char* folder : {"app/i18n", "qml/i18n"}) {
-            const QDir texts(campanel::test::sourcePath(folder));
+        for (const QString& folder : folders) {
+            const QDir texts(campanel::test::sourcePath(qPrintable(folder)));
             for (const QString& name : texts.entryList({"*.ts"}))
                 QTest::newRow(qPrintable(name)) << texts.filePath(name);
         }
@@ -97,8 +135,8 @@ private slots:
 
     void everyLanguageHasTheSameTexts()
     {
-        for (const char* folder : {"app/i18n", "qml/i18n"}) {
-            const QDir texts(campanel::test::sourcePath(folder));
+        for (const QString& folder : folders) {
+            const QDir texts(campanel::test::sourcePath(qPrintable(folder)));
             const QStringList names = texts.entryList({"*.ts"});
             QVERIFY(names.size() >= 2);
             const QStringList first = sourcesIn(texts.filePath(names.first()));
@@ -107,13 +145,38 @@ private slots:
         }
     }
 
+    // Fails on a text of the sources that the files do not have, and on a text that no source has any more.
+    void theFilesHaveTheTextsOfTheSources()
+    {
+        const QTemporaryDir folder;
+        const QStringList paths = copiesIn(folder.path());
+        QVERIFY(paths.size() >= 4);
+        QList<QStringList> before;
+        for (const QString& path : paths)
+            before << sourcesIn(path);
+        QVERIFY(updateTranslations(folder.path()));
+        for (qsizetype i = 0; i < paths.size(); ++i)
+            QCOMPARE(sourcesIn(paths[i]), before[i]);
+    }
+
+    void aMissingAndASuperfluousTextAreFound()
+    {
+        const QTemporaryDir folder;
+        const QString path = copiesIn(folder.path()).first();
+        const QStringList whole = sourcesIn(path);
+        QVERIFY(replaceIn(path, "<source>Cubic (paper)</source>", "<source>Planted</source>"));
+        QVERIFY(sourcesIn(path) != whole);
+        QVERIFY(updateTranslations(folder.path()));
+        QCOMPARE(sourcesIn(path), whole);
+    }
+
     void everyLawIsTranslated()
     {
         QTranslator translator;
         QVERIFY(translator.load(campanel::test::languageFile("zh_CN")));
         for (const profile::Law& law : profile::laws()) {
             for (const std::string_view text : {law.name, law.strength, law.weakness})
-                QVERIFY2(!translator.translate("RecipeWords", text.data()).isEmpty(), text.data());
+                QVERIFY2(!translator.translate("Recipe", text.data()).isEmpty(), text.data());
         }
     }
 
