@@ -48,8 +48,8 @@ public:
     // expired, nothing moves before a None.
     virtual void setJog(campanel::link::JogDirection direction) = 0;
 
-    // Sets what the panel permits (modbus::PermitBit) from the next exchange on, before any command but a
-    // Stop.
+    // Sets what the panel permits (modbus::PermitBit), from the next exchange on and before any command but a
+    // Stop. It is valid for `permitCounts` and must be repeated before that.
     virtual void setPermit(std::uint16_t bits) = 0;
 
     // Reads the whole active bank back and compares it with `bank`, the downloaded one. With an empty `bank`,

@@ -109,6 +109,15 @@ struct JogRequest {
 // The validity of one setJog(). Repeat it several times within this time.
 inline constexpr std::chrono::milliseconds jogCounts{200};
 
+// The permit of the panel (modbus::PermitBit), valid until this time.
+struct PermitRequest {
+    std::uint16_t bits = 0;
+    SteadyTime until;
+};
+
+// The validity of one setPermit(): a panel that hangs permits nothing.
+inline constexpr std::chrono::milliseconds permitCounts{2000};
+
 enum class CommandEnd {
     Done,
     Refused, // by the controller, see `reason`

@@ -178,11 +178,17 @@ void LinkWorker::exchange()
     stepAfter(hasWork ? 0ms : std::max(0ms, std::chrono::ceil<std::chrono::milliseconds>(pollDue)));
 }
 
+std::uint16_t LinkWorker::permitAt(SteadyTime now) const
+{
+    return now < m_permit.until ? m_permit.bits : std::uint16_t{0};
+}
+
 // Returns true when the controller must get jog keys or permit before anything but a Stop.
 bool LinkWorker::isPollUrgent() const
 {
-    return m_jog.isPollDue(steady_clock::now(), m_lastPollAt) ||
-           (m_permitHeard != m_permit && m_report.identity->hasRegister("exchange.permit"));
+    const SteadyTime now = steady_clock::now();
+    return m_jog.isPollDue(now, m_lastPollAt) ||
+           (m_permitHeard != permitAt(now) && m_report.identity->hasRegister("exchange.permit"));
 }
 
 // Detects another controller or firmware, which makes all earlier data invalid; reconnecting identifies it.
@@ -311,10 +317,11 @@ void LinkWorker::advanceDownload()
 void LinkWorker::pollStatus()
 {
     m_lastPollAt = steady_clock::now();
-    const auto status = m_client->exchangeStatus(++m_heartbeat, m_jog.bits(m_lastPollAt), m_permit);
+    const std::uint16_t permit = permitAt(m_lastPollAt);
+    const auto status = m_client->exchangeStatus(++m_heartbeat, m_jog.bits(m_lastPollAt), permit);
     if (status) {
         m_jog.noteAnswer();
-        m_permitHeard = m_permit;
+        m_permitHeard = permit;
         noteStatus(*status);
         return;
     }

@@ -35,7 +35,7 @@ public:
     void cancelDownload();
     void withdrawStop();
     void setJog(const campanel::link::JogRequest& request);
-    void setPermit(std::uint16_t bits);
+    void setPermit(const campanel::link::PermitRequest& request);
     void readRegisters(const campanel::link::ReadRequest& request);
     void compareProgram(const std::vector<std::uint16_t>& bank);
     void cancelComparison();
@@ -75,6 +75,7 @@ private:
     void holdStop(const CommandRequest& request, std::optional<std::uint16_t> counter);
     void endHeldStop(CommandEnd end);
     void sendHeldStop();
+    [[nodiscard]] std::uint16_t permitAt(SteadyTime now) const;
     [[nodiscard]] bool isPollUrgent() const;
     [[nodiscard]] bool isResultDue() const { return m_begun && m_lastPollAt > m_begun->askedAt; }
     void askForResult();
@@ -116,7 +117,7 @@ private:
     std::optional<HeldStop> m_heldStop;
     std::optional<BegunCommand> m_begun;
     HeldJog m_jog;
-    std::uint16_t m_permit = 0;
+    PermitRequest m_permit;
     std::optional<std::uint16_t> m_permitHeard; // confirmed by the controller of this connection
     std::uint64_t m_controllerId = 0;           // controller of the held Stop
     RegisterReads m_reads;

@@ -54,9 +54,9 @@ void LinkWorker::setJog(const JogRequest& request)
         stepAfter(0ms);
 }
 
-void LinkWorker::setPermit(std::uint16_t bits)
+void LinkWorker::setPermit(const PermitRequest& request)
 {
-    m_permit = bits;
+    m_permit = request;
     if (m_report.state == LinkState::Connected && isPollUrgent())
         stepAfter(0ms);
 }

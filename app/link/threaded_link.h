@@ -26,7 +26,10 @@ public:
     {
         post(&LinkWorker::setJog, JogRequest{direction, std::chrono::steady_clock::now() + jogCounts});
     }
-    void setPermit(std::uint16_t bits) override { post(&LinkWorker::setPermit, bits); }
+    void setPermit(std::uint16_t bits) override
+    {
+        post(&LinkWorker::setPermit, PermitRequest{bits, std::chrono::steady_clock::now() + permitCounts});
+    }
     void compareProgram(const std::vector<std::uint16_t>& bank) override
     {
         post(&LinkWorker::compareProgram, bank);

@@ -65,7 +65,8 @@ struct FramePair {
 }
 
 inline constexpr int statusRegisters = 40;
-inline constexpr FramePair statusFrames = writeReadFrames(3, statusRegisters);
+// With the permit; a controller before map 1.5 gets one register less.
+inline constexpr FramePair statusFrames = writeReadFrames(4, statusRegisters);
 inline constexpr FramePair commandFrames = writeReadFrames(6, 4);
 
 // Returns the frames of a write of `data` payload registers into the transfer window, answered by the

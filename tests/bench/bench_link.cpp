@@ -82,6 +82,7 @@ void measureAt(std::uint32_t baud, double statusFloor, Figures& figures)
     settings.line.baud = baud;
     modbus::RtuClient client(settings);
     openAt(client);
+    static_cast<void>(valueOrThrow(client.identify())); // from then on with the permit
 
     const std::string at = " at " + std::to_string(baud);
     const double wireStatus =

@@ -46,6 +46,17 @@ class TestOptions : public QObject {
     Q_OBJECT
 
 private slots:
+    // The oldest map that it can be is the first whose later registers are marked with their version.
+    void mapMinorIsOneThatItKnows()
+    {
+        QCOMPARE(parse({})->mapMinor, std::uint16_t{0});
+        QCOMPARE(parse({"--map-minor", "4"})->mapMinor, std::uint16_t{4});
+        QVERIFY(parse({"--map-minor", std::to_string(CTL_MAP_MINOR)}).has_value());
+        for (const std::string& wrong :
+             {std::string("3"), std::to_string(CTL_MAP_MINOR + 1), std::string("x")})
+            QVERIFY2(!parse({"--map-minor", wrong}).has_value(), wrong.c_str());
+    }
+
     void eachNumberReachesItsOwnMember_data()
     {
         QTest::addColumn<int>("index");

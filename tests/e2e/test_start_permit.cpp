@@ -58,7 +58,8 @@ void turnOn(PanelWindow& panel)
 {
     panel.tap("nav_settings");
     panel.tap("section2");
-    QTRY_VERIFY_WITH_TIMEOUT(panel.touchDriver().find(u"startPermit0choice1"_s), timeoutMs);
+    QTRY_COMPARE_WITH_TIMEOUT(panel.machine().startPermit()->value("parameter.permit_needed"), 0.0,
+                              timeoutMs);
     panel.touchDriver().settle();
     panel.tap("startPermit0choice1");
     QTRY_VERIFY2_WITH_TIMEOUT(panel.controller().startPermit()->unsaved(), qPrintable(panel.texts()), timeoutMs);

@@ -126,7 +126,7 @@ const QList<Rule>& includeRules()
             {u"examples"_s, {standardCpp, u"(profile|modbus)/.*"_s}},
             {u"controller/sim"_s,
              {standardCpp, standardC,
-              u"(base/ctl_(bank|port|words)|engine/ctl_(press|step)|bank/ctl_check|packer/ctl_feed|link/ctl_map|ctl_core)\\.h"_s}},
+              u"(base/ctl_(bank|port|words)|engine/ctl_(press|step)|bank/ctl_check|packer/ctl_feed|link/ctl_map|motion/ctl_start|ctl_core)\\.h"_s}},
             {u"controller/board"_s,
              {standardC,
               u"(board|ctl_core|(machine|versatilepb)/[a-z_]+|base/ctl_(crc|port|words)|engine/ctl_step)\\.h"_s}},

@@ -232,11 +232,11 @@ void CodecTest::wireTimes_data()
     QTest::addColumn<int>("stopBits");
     QTest::addColumn<double>("silenceUs");
     QTest::addColumn<double>("statusUs");
-    // 104 characters, and the silence twice.
-    QTest::newRow("115200 8N1") << 115200u << 'N' << 1 << 1750.0 << 12527.778;
-    QTest::newRow("9600 8N1") << 9600u << 'N' << 1 << 3645.833 << 115625.0;
-    QTest::newRow("19200 8E1") << 19200u << 'E' << 1 << 2005.208 << 63593.75;
-    QTest::newRow("38400 8N2") << 38400u << 'N' << 2 << 1750.0 << 33291.667;
+    // 106 characters, and the silence twice.
+    QTest::newRow("115200 8N1") << 115200u << 'N' << 1 << 1750.0 << 12701.389;
+    QTest::newRow("9600 8N1") << 9600u << 'N' << 1 << 3645.833 << 117708.333;
+    QTest::newRow("19200 8E1") << 19200u << 'E' << 1 << 2005.208 << 64739.583;
+    QTest::newRow("38400 8N2") << 38400u << 'N' << 2 << 1750.0 << 33864.583;
 }
 
 void CodecTest::wireTimes()

@@ -84,7 +84,9 @@ private slots:
         const auto frames = m_client->record().frames.since(0);
         QCOMPARE(frames.size(), std::size_t{2});
         QVERIFY(frames[0].isSent());
-        QCOMPARE(frames[0].length, std::uint16_t{statusFrames.requestBytes});
+        QCOMPARE(
+            frames[0].length,
+            std::uint16_t{writeReadFrames(3, statusRegisters).requestBytes}); // no permit: not identified
         const QString question = sentenceOf(frames[0]);
         QVERIFY2(question.contains("read and write, wants 40 registers from 0x0100 (status.tag)"),
                  qPrintable(question));

@@ -47,7 +47,9 @@ Controller::Controller(link::Link& link, Settings& settings, QObject* parent)
     connect(this, &Controller::programChanged, &m_torque, &TorqueWatch::noteProgram);
     connect(&m_packing, &PackingLine::bagRecorded, this, &Controller::takeBag);
     connect(&settings, &Settings::changed, this, &Controller::bagChanged);
-    connect(this, &Controller::commandsChanged, this, [this] { m_link.setPermit(permit()); });
+    const auto sendPermit = [this] { m_link.setPermit(permit()); };
+    connect(this, &Controller::commandsChanged, this, sendPermit);
+    connect(&m_qualityTimer, &QTimer::timeout, this, sendPermit); // it is valid for a short time only
     connect(&m_direction, &MasterDirection::failed, this, &Controller::showMessage);
     connect(&m_ageTimer, &QTimer::timeout, this, &Controller::updateAge);
     m_ageTimer.start(agePeriod);
@@ -230,10 +232,12 @@ void Controller::start()
     if (!m_access.require(Level::Operator))
         return;
     const QString reason = startBlockedReason();
-    if (reason.isEmpty())
-        send(modbus::Command::Start);
-    else
+    if (!reason.isEmpty()) {
         showMessage(reason);
+        return;
+    }
+    m_link.setPermit(permit());
+    send(modbus::Command::Start);
 }
 
 void Controller::stop()

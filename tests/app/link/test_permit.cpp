@@ -87,6 +87,24 @@ private slots:
         }
     }
 
+    void aPanelThatHangsPermitsNothing()
+    {
+        const ControllerProcess controller;
+        Panel panel(test::portSettings(controller.port()));
+        QTRY_VERIFY_WITH_TIMEOUT(panel.isConnected(), timeoutMs);
+        const auto permit = [&panel] {
+            panel.reads.clear();
+            panel.link.readRegisters({0, modbus::registerNamed("exchange.permit").address, 1});
+            const bool isRead = QTest::qWaitFor([&panel] { return !panel.reads.isEmpty(); }, timeoutMs);
+            return isRead && panel.reads.first().end == link::ReadEnd::Done
+                       ? int{panel.reads.first().registers.front()}
+                       : -1;
+        };
+        panel.link.setPermit(modbus::allPermits);
+        QTRY_COMPARE_WITH_TIMEOUT(permit(), int{modbus::allPermits}, timeoutMs);
+        QTRY_COMPARE_WITH_TIMEOUT(permit(), 0, timeoutMs); // it was not repeated
+    }
+
     void anOlderControllerGetsThreeRegisters_data()
     {
         QTest::addColumn<int>("minor");
