@@ -7095,16 +7095,16 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
 <context>
     <name>campanel::panel::StartPermit</name>
     <message>
-        <source>Start only with this panel&apos;s permit</source>
-        <translation>Start nur mit Freigabe dieses Panels</translation>
+        <source>Start only with permit</source>
+        <translation>Start nur mit Freigabe</translation>
     </message>
     <message>
-        <source>This controller does not have this setting. Update its firmware.</source>
-        <translation>Diese Steuerung hat diese Einstellung nicht. Ihre Firmware aktualisieren.</translation>
+        <source>Not in this controller. Update its firmware.</source>
+        <translation>Nicht in dieser Steuerung. Ihre Firmware aktualisieren.</translation>
     </message>
     <message>
-        <source>On: the controller refuses a start that the panel would block, for example with a wrong film reel.</source>
-        <translation>Ein: Die Steuerung verweigert einen Start, den das Panel sperren würde, zum Beispiel bei falscher Folienrolle.</translation>
+        <source>On: no start that the panel blocks.</source>
+        <translation>Ein: kein Start, den das Panel sperrt.</translation>
     </message>
 </context>
 <context>

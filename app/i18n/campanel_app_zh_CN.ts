@@ -7092,16 +7092,16 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
 <context>
     <name>campanel::panel::StartPermit</name>
     <message>
-        <source>Start only with this panel&apos;s permit</source>
-        <translation>仅在本面板允许时启动</translation>
+        <source>Start only with permit</source>
+        <translation>仅凭许可启动</translation>
     </message>
     <message>
-        <source>This controller does not have this setting. Update its firmware.</source>
-        <translation>此控制器没有该设置。请更新其固件。</translation>
+        <source>Not in this controller. Update its firmware.</source>
+        <translation>此控制器没有该设置。请更新固件。</translation>
     </message>
     <message>
-        <source>On: the controller refuses a start that the panel would block, for example with a wrong film reel.</source>
-        <translation>开：控制器拒绝面板会禁止的启动，例如膜卷不对时。</translation>
+        <source>On: no start that the panel blocks.</source>
+        <translation>开：面板禁止时不能启动。</translation>
     </message>
 </context>
 <context>

@@ -1624,8 +1624,12 @@ Und %2 weitere.</translation>
         <translation>Gründe, ideale Taktrate</translation>
     </message>
     <message>
-        <source>Save</source>
-        <translation>Speichern</translation>
+        <source>Start</source>
+        <translation>Start</translation>
+    </message>
+    <message>
+        <source>Panel&apos;s permit</source>
+        <translation>Freigabe des Panels</translation>
     </message>
 </context>
 <context>
@@ -2226,6 +2230,13 @@ Und %2 weitere.</translation>
     <message>
         <source>2 stop bits</source>
         <translation>2 Stoppbits</translation>
+    </message>
+</context>
+<context>
+    <name>PermitSection</name>
+    <message>
+        <source>Start permit</source>
+        <translation>Startfreigabe</translation>
     </message>
 </context>
 <context>

@@ -1624,8 +1624,12 @@ And %2 more.</source>
         <translation>停机与班次</translation>
     </message>
     <message>
-        <source>Save</source>
-        <translation>保存</translation>
+        <source>Start</source>
+        <translation>启动</translation>
+    </message>
+    <message>
+        <source>Panel&apos;s permit</source>
+        <translation>面板许可</translation>
     </message>
 </context>
 <context>
@@ -2226,6 +2230,13 @@ And %2 more.</source>
     <message>
         <source>2 stop bits</source>
         <translation>2 位停止位</translation>
+    </message>
+</context>
+<context>
+    <name>PermitSection</name>
+    <message>
+        <source>Start permit</source>
+        <translation>启动许可</translation>
     </message>
 </context>
 <context>

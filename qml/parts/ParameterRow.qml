@@ -91,7 +91,7 @@ T.AbstractButton {
             id: keys
             anchors { right: parent.right; verticalCenter: parent.verticalCenter }
             visible: row.toggle
-            width: Math.round(parent.width * 0.15 * Math.max(2, row.choices.length))
+            width: Math.round(Math.max(parent.width * 0.15, Theme.size.touch) * Math.max(2, row.choices.length))
             choices: row.choices.map((text, key) => ({ key: key, text: text, name: row.objectName + "choice" + key }))
             current: row.choice
             onChosen: key => row.chosen(key)

@@ -16,12 +16,6 @@ SettingsSection {
 
     title: qsTr("Machine")
 
-    Component.onCompleted: Controller.startPermit.readIfUncertain()
-    Connections {
-        target: Controller
-        function onConnectionChanged(): void { Controller.startPermit.readIfUncertain() }
-    }
-
     Flickable {
         id: list
         anchors { left: parent.left; top: parent.top; bottom: parent.bottom; topMargin: section.bodyTop }
@@ -54,30 +48,6 @@ SettingsSection {
                 onClicked: (section.page as SettingsPage).open("StopsSection.qml")
             }
             Repeater {
-                model: Controller.startPermit
-                ParameterRow {
-                    objectName: "startPermit" + index
-                    width: column.width
-                    height: Math.max(section.rowHeight, 1.5 * Theme.size.touch)
-                    onChosen: choice => Controller.startPermit.setChoice(index, choice)
-                }
-            }
-            Label {
-                objectName: "startPermitText"
-                width: column.width
-                visible: text.length > 0
-                wrapMode: Text.WordWrap
-                text: Controller.startPermit.outcomeText
-                color: Controller.startPermit.failed ? Theme.color.fault : Theme.color.ink
-            }
-            Button {
-                objectName: "startPermitSave"
-                visible: Controller.startPermit.unsaved
-                glyph: Theme.icon.save
-                text: qsTr("Save")
-                onClicked: Controller.startPermit.save()
-            }
-            Repeater {
                 model: Editor.machineFields
                 FieldTile {
                     required property var modelData
@@ -92,6 +62,14 @@ SettingsSection {
                     }
                     onExplainRequested: field => section.page.explainRequested(field)
                 }
+            }
+            SettingRow {
+                objectName: "openPermit"
+                width: column.width
+                height: section.rowHeight
+                label: qsTr("Start")
+                value: qsTr("Panel's permit")
+                onClicked: (section.page as SettingsPage).open("PermitSection.qml")
             }
         }
     }

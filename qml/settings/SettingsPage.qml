@@ -22,7 +22,8 @@ Page {
         { name: "section3", text: qsTr("About"), note: qsTr("versions, disk, safety"), source: "AboutSection.qml" },
         { source: "SystemSection.qml", within: 0 },
         { source: "StopsSection.qml", within: 2 },
-        { source: "VersionsSection.qml", within: 4 }
+        { source: "VersionsSection.qml", within: 4 },
+        { source: "PermitSection.qml", within: 2 }
     ]
     readonly property var menu: sections.filter(row => row.within === undefined)
     readonly property int shown: sections[section].within ?? section // in the menu

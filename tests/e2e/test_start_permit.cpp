@@ -58,6 +58,7 @@ void turnOn(PanelWindow& panel)
 {
     panel.tap("nav_settings");
     panel.tap("section2");
+    panel.tap("openPermit");
     QTRY_COMPARE_WITH_TIMEOUT(panel.machine().startPermit()->value("parameter.permit_needed"), 0.0,
                               timeoutMs);
     panel.touchDriver().settle();
@@ -131,10 +132,11 @@ private slots:
         downloadWithFilm(panel, u"PE 30"_s);
         panel.tap("nav_settings");
         panel.tap("section2");
-        QTRY_VERIFY2_WITH_TIMEOUT(
-            panel.texts().contains(u"This controller does not have this setting. Update its firmware."_s),
-            qPrintable(panel.texts()), timeoutMs);
+        panel.touchDriver().settle();
         QVERIFY(panel.touchDriver().find(u"field_knifeRadius"_s));
+        panel.tap("openPermit");
+        QTRY_VERIFY2_WITH_TIMEOUT(panel.texts().contains(u"Not in this controller. Update its firmware."_s),
+                                  qPrintable(panel.texts()), timeoutMs);
         panel.panel().scan().takeCode(u"PP 40"_s);
         QVERIFY(!panel.controller().canStart());
         QCOMPARE(sentStart(panel), modbus::Refusal::None);

@@ -362,6 +362,7 @@ const QList<Screen>& allScreens()
              window.tap(QStringLiteral("portButton"));
          }},
         taps("settings-machine", {settings, QStringLiteral("section2")}),
+        taps("settings-permit", {settings, QStringLiteral("section2"), QStringLiteral("openPermit")}),
         taps("settings-start-key", {settings, QStringLiteral("section0"), QStringLiteral("holdToStart")}),
         taps("keypad-machine",
              {settings, QStringLiteral("section2"), QStringLiteral("field_maxAcceleration")}),

@@ -31,7 +31,7 @@ void StartPermit::turnOn()
 
 QString StartPermit::words(const QString& name)
 {
-    return name == QLatin1String(permitNeeded) ? tr("Start only with this panel's permit") : QString();
+    return name == QLatin1String(permitNeeded) ? tr("Start only with permit") : QString();
 }
 
 QString StartPermit::label(const Field&) const
@@ -41,10 +41,8 @@ QString StartPermit::label(const Field&) const
 
 QString StartPermit::note(const Field& field) const
 {
-    return field.parameter->isMissing()
-               ? tr("This controller does not have this setting. Update its firmware.")
-               : tr("On: the controller refuses a start that the panel would block, for example with a wrong "
-                    "film reel.");
+    return field.parameter->isMissing() ? tr("Not in this controller. Update its firmware.")
+                                        : tr("On: no start that the panel blocks.");
 }
 
 } // namespace campanel::panel
