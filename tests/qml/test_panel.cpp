@@ -410,8 +410,9 @@ private slots:
 
     void aSectionWithinAnotherHasAWayBack()
     {
-        for (const auto& [section, opened] :
-             {std::pair{"section0", "sectionSystem"}, {"section2", "openStops"}}) {
+        for (const auto& [section, opened] : {std::pair{"section0", "sectionSystem"},
+                                              {"section2", "openStops"},
+                                              {"section2", "openPermit"}}) {
             tap("nav_settings");
             tap(section);
             QVERIFY(!m_window->find(QStringLiteral("sectionBack")));
