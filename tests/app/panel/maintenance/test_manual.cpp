@@ -105,6 +105,25 @@ private slots:
         jog.release(-1);
     }
 
+    void theEmergencyStopBlocksJogAndHome()
+    {
+        PanelRig rig;
+        rig.connectIdle();
+        rig.link.status.warningBits = modbus::RegisterInfo::bitOf(modbus::WarningBit::EmergencyStop);
+        rig.link.status.state = modbus::State::Ready;
+        rig.link.status.activeCrc = 1;
+        rig.link.sendStatus(rig.now);
+        const QString sentence =
+            QStringLiteral("The emergency stop is pressed. Release it, then wait two seconds.");
+        QCOMPARE(rig.maintenance.jog()->text(), sentence);
+        QVERIFY(!rig.maintenance.jog()->possible());
+        QCOMPARE(rig.maintenance.homing()->blockedReason(), sentence);
+        QCOMPARE(rig.machine.startBlockedReason(), sentence);
+        rig.link.status.warningBits = 0;
+        rig.link.sendStatus(rig.now);
+        QVERIFY(rig.maintenance.jog()->possible());
+    }
+
     void whateverComesInBetweenEndsItUntilTheKeyIsLetGo_data()
     {
         QTest::addColumn<int>("what");
