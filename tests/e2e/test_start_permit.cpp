@@ -59,7 +59,7 @@ void turnOn(PanelWindow& panel)
     panel.tap("nav_settings");
     panel.tap("section2");
     panel.tap("openPermit");
-    QTRY_COMPARE_WITH_TIMEOUT(panel.machine().startPermit()->value("parameter.permit_needed"), 0.0,
+    QTRY_COMPARE_WITH_TIMEOUT(panel.controller().startPermit()->value("parameter.permit_needed"), 0.0,
                               timeoutMs);
     panel.touchDriver().settle();
     panel.tap("startPermit0choice1");
