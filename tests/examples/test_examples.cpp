@@ -57,7 +57,7 @@ private slots:
         const test::ControllerProcess controller;
         const Ended asked = runExample("campanel-example-status", {controller.port()});
         QVERIFY2(asked.code == 0, asked.complaint.constData());
-        QVERIFY2(asked.out.contains("No active program."), asked.out.constData());
+        QVERIFY2(asked.out.contains("No program."), asked.out.constData());
     }
 
     void statusWithoutController()

@@ -103,6 +103,7 @@ const QList<Harmless>& harmless()
           u"ScreenRotation::screen="_s,
           u"TouchCalibration::cross="_s,
           u"Settings::refreshPorts"_s,
+          u"StartPermit::readIfUncertain"_s,
           u"ShiftView::watched="_s,
           u"ShiftView::showPrevious"_s,
           u"ShiftView::showNext"_s,

@@ -6,7 +6,7 @@
 _Static_assert(CTL_REFUSAL_PANEL_DISAGREES - CTL_REFUSAL_NOT_WARM == CTL_PERMIT_BIT_LAST,
                "each bit of a permit has its refusal, in the same order");
 
-/* What the panel has to say to it; `permits`: the bits that are needed where a permit is. */
+/* Returns the refusal for want of the panel's heartbeat or permit; `permits`: the bits that this motion needs. */
 static uint16_t panel_refusal(const ctl_heartbeat* heartbeat, const ctl_board* board, uint32_t permits)
 {
     const bool needs_panel = ctl_parameter16(board, CTL_REG_PARAMETER_PERMIT_NEEDED) != 0;

@@ -9,7 +9,7 @@
 extern "C" {
 #endif
 
-/* Each returns CTL_REFUSAL_..., the first reason against it; CTL_REFUSAL_NONE: the axis sets off. */
+/* Each returns the first reason against it, CTL_REFUSAL_...; with CTL_REFUSAL_NONE the axis has been started. */
 uint16_t ctl_start(ctl_motion* motion, const ctl_io* io);
 uint16_t ctl_start_home(ctl_motion* motion, const ctl_io* io);
 
