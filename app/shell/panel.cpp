@@ -4,7 +4,7 @@
 
 #include "app/shell/fonts.h"
 
-#include "app/panel/kit/engine_instances.h"
+#include "app/panel/kit/singleton.h"
 #include "app/plant/socket_path.h"
 #include "app/report/commissioning_pdf.h"
 #include "app/store/database/setup_marker.h"

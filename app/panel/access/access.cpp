@@ -2,7 +2,6 @@
 #include "app/panel/access/access.h"
 
 #include "app/panel/controller/controller.h"
-#include "app/panel/kit/engine_instances.h"
 #include "app/panel/kit/language_notifier.h"
 #include "app/panel/records/database_service.h"
 #include "app/panel/settings/settings.h"
@@ -53,11 +52,6 @@ Access::Access(DatabaseService& records, Controller& controller, Settings& setti
 Access::~Access()
 {
     m_pool.waitForDone();
-}
-
-Access* Access::create(QQmlEngine* qmlEngine, QJSEngine*)
-{
-    return attachedInstance<Access>(qmlEngine);
 }
 
 void Access::open()

@@ -5,6 +5,7 @@
 
 #include "app/link/link_values.h"
 #include "app/panel/kit/access_check.h"
+#include "app/panel/kit/singleton.h"
 #include "app/store/users/user_store.h"
 
 #include <QObject>
@@ -16,16 +17,13 @@
 #include <functional>
 #include <optional>
 
-class QJSEngine;
-class QQmlEngine;
-
 namespace campanel::panel {
 
 class Controller;
 class DatabaseService;
 class Settings;
 
-class Access : public QObject {
+class Access : public QObject, public Singleton<Access> {
     Q_OBJECT
     QML_ELEMENT
     QML_SINGLETON
@@ -72,8 +70,6 @@ public:
     // All arguments must outlive the object.
     Access(DatabaseService& records, Controller& controller, Settings& settings, QObject* parent);
     ~Access() override;
-
-    static Access* create(QQmlEngine* qmlEngine, QJSEngine* jsEngine);
 
     // Reads the users; until then nobody has more rights than an operator. Before open() nothing is
     // restricted.

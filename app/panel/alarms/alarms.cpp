@@ -2,7 +2,6 @@
 #include "app/panel/alarms/alarms.h"
 
 #include "app/panel/controller/controller.h"
-#include "app/panel/kit/engine_instances.h"
 #include "app/panel/kit/language_notifier.h"
 #include "app/panel/records/database_service.h"
 #include "app/store/database/clock_mark.h"
@@ -75,11 +74,6 @@ Alarms::~Alarms()
                 return AlarmLog::write(database, changes);
             },
             [](const tl::expected<void, StoreError>&) {});
-}
-
-Alarms* Alarms::create(QQmlEngine* qmlEngine, QJSEngine*)
-{
-    return attachedInstance<Alarms>(qmlEngine);
 }
 
 AlarmBook::Now Alarms::now() const

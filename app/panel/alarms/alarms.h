@@ -7,6 +7,7 @@
 #include "app/panel/alarms/alarm_history.h"
 #include "app/panel/alarms/alarm_lists.h"
 #include "app/panel/alarms/alarm_watch.h"
+#include "app/panel/kit/singleton.h"
 
 #include "app/store/logs/audit_log.h"
 
@@ -17,12 +18,9 @@
 
 #include <functional>
 
-class QJSEngine;
-class QQmlEngine;
-
 namespace campanel::panel {
 
-class Alarms : public QObject {
+class Alarms : public QObject, public Singleton<Alarms> {
     Q_OBJECT
     QML_ELEMENT
     QML_SINGLETON
@@ -55,8 +53,6 @@ public:
            QObject* parent);
     // Writes the pending changes.
     ~Alarms() override;
-
-    static Alarms* create(QQmlEngine* qmlEngine, QJSEngine* jsEngine);
 
     void setWallClock(const WallClock& clock)
     {

@@ -2,7 +2,6 @@
 #include "app/panel/audit/audit.h"
 
 #include "app/panel/audit/audit_trail.h"
-#include "app/panel/kit/engine_instances.h"
 #include "app/panel/kit/language_notifier.h"
 #include "app/panel/kit/report_files.h"
 #include "app/panel/records/database_service.h"
@@ -41,11 +40,6 @@ Audit::Audit(DatabaseService& records, AuditTrail& trail, ReportFiles& files, QO
             setFilter({m_filter.who, m_filter.area, logFilter()});
     });
     connect(LanguageNotifier::ofApplication(), &LanguageNotifier::languageChanged, this, &Audit::retranslate);
-}
-
-Audit* Audit::create(QQmlEngine* qmlEngine, QJSEngine*)
-{
-    return attachedInstance<Audit>(qmlEngine);
 }
 
 void Audit::open()

@@ -6,6 +6,7 @@
 #include "app/panel/audit/audit_words.h"
 #include "app/panel/kit/log_filter_editor.h"
 #include "app/panel/kit/row_model.h"
+#include "app/panel/kit/singleton.h"
 #include "app/panel/words/alarm_words.h"
 #include "app/store/logs/audit_log.h"
 
@@ -15,9 +16,6 @@
 #include <QtQml/qqmlregistration.h>
 
 #include <optional>
-
-class QJSEngine;
-class QQmlEngine;
 
 namespace campanel::panel {
 
@@ -54,7 +52,7 @@ public:
 
 using AuditRows = RowModel<AuditListRow, &AuditListRow::sequence>;
 
-class Audit : public QObject {
+class Audit : public QObject, public Singleton<Audit> {
     Q_OBJECT
     QML_ELEMENT
     QML_SINGLETON
@@ -82,8 +80,6 @@ public:
 
     // All arguments must outlive the object.
     Audit(DatabaseService& records, AuditTrail& trail, ReportFiles& files, QObject* parent);
-
-    static Audit* create(QQmlEngine* qmlEngine, QJSEngine* jsEngine);
 
     // Reads the newest rows and checks the chain; call it when the page opens.
     Q_INVOKABLE void open();

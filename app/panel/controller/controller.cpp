@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/panel/controller/controller.h"
 
-#include "app/panel/kit/engine_instances.h"
 #include "app/panel/kit/language_notifier.h"
 #include "app/panel/settings/settings.h"
 #include "app/panel/words/connection_sentences.h"
@@ -57,11 +56,6 @@ Controller::Controller(link::Link& link, Settings& settings, QObject* parent)
     m_qualityTimer.start(qualityPeriod);
     connect(LanguageNotifier::ofApplication(), &LanguageNotifier::languageChanged, this,
             &Controller::retranslate);
-}
-
-Controller* Controller::create(QQmlEngine* qmlEngine, QJSEngine*)
-{
-    return attachedInstance<Controller>(qmlEngine);
 }
 
 void Controller::open()

@@ -6,7 +6,6 @@
 #include "app/link/link.h"
 #include "app/panel/controller/actual_trace.h"
 #include "app/panel/controller/availability.h"
-#include "app/panel/controller/availability.h"
 #include "app/panel/controller/axis_position.h"
 #include "app/panel/controller/bag_statistics.h"
 #include "app/panel/controller/controller_values.h"
@@ -19,6 +18,7 @@
 #include "app/panel/controller/torque_watch.h"
 #include "app/panel/kit/access_check.h"
 #include "app/panel/kit/numbers.h"
+#include "app/panel/kit/singleton.h"
 #include "app/panel/recipe/controller_program.h"
 
 #include <QDateTime>
@@ -38,14 +38,11 @@
 #include <optional>
 #include <string_view>
 
-class QJSEngine;
-class QQmlEngine;
-
 namespace campanel::panel {
 
 class Settings;
 
-class Controller : public QObject {
+class Controller : public QObject, public Singleton<Controller> {
     Q_OBJECT
     QML_ELEMENT
     QML_SINGLETON
@@ -101,8 +98,6 @@ public:
 
     // Link and settings must outlive the object. Connects only after open().
     Controller(link::Link& link, Settings& settings, QObject* parent);
-
-    static Controller* create(QQmlEngine* qmlEngine, QJSEngine* jsEngine);
 
     // Connects with the settings, now and whenever they change.
     void open();

@@ -2,7 +2,6 @@
 #include "app/panel/display/display.h"
 
 #include "app/panel/controller/controller.h"
-#include "app/panel/kit/engine_instances.h"
 #include "app/panel/settings/settings.h"
 
 #include <QCoreApplication>
@@ -36,11 +35,6 @@ Display::Display(Controller& controller, Settings& settings, QObject* parent)
             setDark(false);
     });
     QCoreApplication::instance()->installEventFilter(this);
-}
-
-Display* Display::create(QQmlEngine* qmlEngine, QJSEngine*)
-{
-    return attachedInstance<Display>(qmlEngine);
 }
 
 void Display::setBacklight(const std::optional<Backlight>& backlight)

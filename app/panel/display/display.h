@@ -5,6 +5,7 @@
 #pragma once
 
 #include "app/panel/display/backlight.h"
+#include "app/panel/kit/singleton.h"
 
 #include "app/link/link_values.h"
 
@@ -12,15 +13,12 @@
 #include <QTimer>
 #include <QtQml/qqmlregistration.h>
 
-class QJSEngine;
-class QQmlEngine;
-
 namespace campanel::panel {
 
 class Controller;
 class Settings;
 
-class Display : public QObject {
+class Display : public QObject, public Singleton<Display> {
     Q_OBJECT
     QML_ELEMENT
     QML_SINGLETON
@@ -41,8 +39,6 @@ public:
 
     // Stores its values in the settings file. Settings and machine must outlive the object.
     Display(Controller& controller, Settings& settings, QObject* parent);
-
-    static Display* create(QQmlEngine* qmlEngine, QJSEngine* jsEngine);
 
     // Replaces the backlight of this computer, for tests and captures.
     void setBacklight(const std::optional<Backlight>& backlight);

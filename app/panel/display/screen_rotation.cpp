@@ -2,7 +2,6 @@
 #include "app/panel/display/screen_rotation.h"
 
 #include "app/panel/controller/controller.h"
-#include "app/panel/kit/engine_instances.h"
 #include "app/panel/settings/settings.h"
 
 using namespace std::chrono_literals;
@@ -29,11 +28,6 @@ ScreenRotation::ScreenRotation(Controller& controller, Settings& settings, QObje
             goBack(); // now, not in the middle of a run
         emit changed();
     });
-}
-
-ScreenRotation* ScreenRotation::create(QQmlEngine* qmlEngine, QJSEngine*)
-{
-    return attachedInstance<ScreenRotation>(qmlEngine);
 }
 
 void ScreenRotation::setScreen(QSize screen)

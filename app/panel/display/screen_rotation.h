@@ -3,6 +3,8 @@
 // Service, at standstill. A tried rotation goes back unless a person keeps it.
 #pragma once
 
+#include "app/panel/kit/singleton.h"
+
 #include <QList>
 #include <QObject>
 #include <QSize>
@@ -11,15 +13,12 @@
 
 #include <optional>
 
-class QJSEngine;
-class QQmlEngine;
-
 namespace campanel::panel {
 
 class Controller;
 class Settings;
 
-class ScreenRotation : public QObject {
+class ScreenRotation : public QObject, public Singleton<ScreenRotation> {
     Q_OBJECT
     QML_ELEMENT
     QML_SINGLETON
@@ -39,8 +38,6 @@ public:
 
     // Stores its value in the settings file. Settings and machine must outlive the object.
     ScreenRotation(Controller& controller, Settings& settings, QObject* parent);
-
-    static ScreenRotation* create(QQmlEngine* qmlEngine, QJSEngine* jsEngine);
 
     [[nodiscard]] QSize screen() const { return m_screen; }
     void setScreen(QSize screen);

@@ -2,7 +2,6 @@
 #include "app/panel/display/touch_calibration.h"
 
 #include "app/panel/controller/controller.h"
-#include "app/panel/kit/engine_instances.h"
 
 #include <QDBusError>
 #include <QDBusPendingReply>
@@ -40,11 +39,6 @@ TouchCalibration::TouchCalibration(Controller& controller, QObject* parent)
             cancel();
         emit changed();
     });
-}
-
-TouchCalibration* TouchCalibration::create(QQmlEngine* qmlEngine, QJSEngine*)
-{
-    return attachedInstance<TouchCalibration>(qmlEngine);
 }
 
 void TouchCalibration::ask()

@@ -5,19 +5,17 @@
 #pragma once
 
 #include "app/panel/display/touch_files.h"
+#include "app/panel/kit/singleton.h"
 #include "app/panel/settings/system_service.h"
 
 #include <QPointF>
 #include <QTimer>
 
-class QJSEngine;
-class QQmlEngine;
-
 namespace campanel::panel {
 
 class Controller;
 
-class TouchCalibration : public campanel::panel::SystemService {
+class TouchCalibration : public campanel::panel::SystemService, public Singleton<TouchCalibration> {
     Q_OBJECT
     QML_ELEMENT
     QML_SINGLETON
@@ -47,8 +45,6 @@ public:
 
     // The controller must outlive the object.
     TouchCalibration(Controller& controller, QObject* parent);
-
-    static TouchCalibration* create(QQmlEngine* qmlEngine, QJSEngine* jsEngine);
 
     // Sets the folders of the kiosk; nothing can be calibrated before.
     void setPlaces(const TouchPlaces& places) { m_places = places; }

@@ -3,7 +3,6 @@
 
 #include "app/panel/controller/controller.h"
 #include "app/panel/editor/editor_views.h"
-#include "app/panel/kit/engine_instances.h"
 #include "app/panel/kit/language_notifier.h"
 #include "app/panel/recipe/controller_program.h"
 #include "app/panel/recipe/recipe_edit.h"
@@ -125,11 +124,6 @@ Editor::Editor(Controller& controller, const QString& folder, QObject* parent)
             &Editor::retranslate);
     m_identity = controller.identity();
     recompute();
-}
-
-Editor* Editor::create(QQmlEngine* qmlEngine, QJSEngine*)
-{
-    return attachedInstance<Editor>(qmlEngine);
 }
 
 void Editor::connectFields()

@@ -10,6 +10,7 @@
 #include "app/panel/editor/knot_model.h"
 #include "app/panel/editor/ramp_control.h"
 #include "app/panel/editor/segment_model.h"
+#include "app/panel/kit/singleton.h"
 #include "app/panel/recipe/choice_model.h"
 #include "app/panel/recipe/law_model.h"
 #include "app/panel/recipe/solution.h"
@@ -30,12 +31,9 @@
 #include <map>
 #include <optional>
 
-class QJSEngine;
-class QQmlEngine;
-
 namespace campanel::panel {
 
-class Editor : public QObject {
+class Editor : public QObject, public Singleton<Editor> {
     Q_OBJECT
     QML_ELEMENT
     QML_SINGLETON
@@ -96,8 +94,6 @@ public:
     // The controller must outlive the object.
     Editor(Controller& controller, const QString& folder, QObject* parent);
     ~Editor() override;
-
-    static Editor* create(QQmlEngine* qmlEngine, QJSEngine* jsEngine);
 
     [[nodiscard]] EditorField* bagLength() { return item(profile::Field::BagLength); }
     [[nodiscard]] EditorField* rate() { return item(profile::Field::Rate); }

@@ -3,7 +3,6 @@
 
 #include "app/panel/controller/controller.h"
 #include "app/panel/editor/editor.h"
-#include "app/panel/kit/engine_instances.h"
 #include "app/panel/words/refusal_sentences.h"
 #include "profile/cutter/jaw.h"
 
@@ -43,11 +42,6 @@ Explanations::Explanations(const Sources& sources, QObject* parent)
     , m_trends(sources.trends)
     , m_stops(sources.stops)
 {
-}
-
-Explanations* Explanations::create(QQmlEngine* qmlEngine, QJSEngine*)
-{
-    return attachedInstance<Explanations>(qmlEngine);
 }
 
 Explanation Explanations::of(int quantity) const

@@ -5,13 +5,11 @@
 
 #include "app/panel/explain/explanation.h"
 #include "app/panel/kit/format.h"
+#include "app/panel/kit/singleton.h"
 
 #include <QObject>
 #include <QVariant>
 #include <QtQml/qqmlregistration.h>
-
-class QJSEngine;
-class QQmlEngine;
 
 namespace campanel::panel {
 
@@ -21,7 +19,7 @@ class Controller;
 class Stops;
 class Trends;
 
-class Explanations : public QObject {
+class Explanations : public QObject, public Singleton<Explanations> {
     Q_OBJECT
     QML_ELEMENT
     QML_SINGLETON
@@ -76,8 +74,6 @@ public:
 
     // All arguments must outlive the object.
     Explanations(const Sources& sources, QObject* parent);
-
-    static Explanations* create(QQmlEngine* qmlEngine, QJSEngine* jsEngine);
 
     // Explains a value of Topic. Packing line and press use the controller's values; FastestRate, the peaks,
     // SyncWindow and SealTime use the recipe in the editor; Availability to Oee use the displayed shift.

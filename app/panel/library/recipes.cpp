@@ -3,7 +3,6 @@
 
 #include "app/panel/controller/controller.h"
 #include "app/panel/editor/editor.h"
-#include "app/panel/kit/engine_instances.h"
 #include "app/panel/kit/format.h"
 #include "app/panel/kit/language_notifier.h"
 #include "app/panel/library/recipe_audit.h"
@@ -68,11 +67,6 @@ Recipes::Recipes(Controller& controller, Editor& editor, DatabaseService& record
 Recipes::~Recipes()
 {
     m_editor.setNewestVersion([](const std::string&) { return 0; });
-}
-
-Recipes* Recipes::create(QQmlEngine* qmlEngine, QJSEngine*)
-{
-    return attachedInstance<Recipes>(qmlEngine);
 }
 
 template <typename Job, typename Done> void Recipes::work(Job job, Done done)

@@ -7,6 +7,7 @@
 #include "app/panel/kit/figure_model.h"
 #include "app/panel/kit/offer_model.h"
 #include "app/panel/kit/report_files.h"
+#include "app/panel/kit/singleton.h"
 #include "app/panel/library/recipe_codes.h"
 #include "app/panel/library/recipe_files.h"
 #include "app/panel/library/recipe_list.h"
@@ -21,16 +22,13 @@
 #include <functional>
 #include <optional>
 
-class QJSEngine;
-class QQmlEngine;
-
 namespace campanel::panel {
 
 class Editor;
 class Controller;
 class DatabaseService;
 
-class Recipes : public QObject {
+class Recipes : public QObject, public Singleton<Recipes> {
     Q_OBJECT
     QML_ELEMENT
     QML_SINGLETON
@@ -75,8 +73,6 @@ public:
     Recipes(Controller& controller, Editor& editor, DatabaseService& records, const QString& folder,
             QObject* parent);
     ~Recipes() override;
-
-    static Recipes* create(QQmlEngine* qmlEngine, QJSEngine* jsEngine);
 
     void setWallClock(WallClock clock) { m_wallClock = std::move(clock); }
     // Sets the function that returns true while the clock of the computer is not set.

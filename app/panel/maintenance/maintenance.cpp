@@ -2,7 +2,6 @@
 #include "app/panel/maintenance/maintenance.h"
 
 #include "app/panel/controller/controller.h"
-#include "app/panel/kit/engine_instances.h"
 #include "app/panel/kit/language_notifier.h"
 #include "app/panel/settings/settings.h"
 
@@ -28,11 +27,6 @@ Maintenance::Maintenance(Controller& controller, Settings& settings, const QStri
     m_files.guardBy(controller.accessCheck());
     connect(LanguageNotifier::ofApplication(), &LanguageNotifier::languageChanged, this,
             &Maintenance::retranslate);
-}
-
-Maintenance* Maintenance::create(QQmlEngine* qmlEngine, QJSEngine*)
-{
-    return attachedInstance<Maintenance>(qmlEngine);
 }
 
 void Maintenance::retranslate()

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "app/panel/kit/report_files.h"
+#include "app/panel/kit/singleton.h"
 #include "app/panel/maintenance/cam_switches.h"
 #include "app/panel/maintenance/dry_run.h"
 #include "app/panel/maintenance/frame_list.h"
@@ -18,12 +19,9 @@
 #include <QObject>
 #include <QtQml/qqmlregistration.h>
 
-class QJSEngine;
-class QQmlEngine;
-
 namespace campanel::panel {
 
-class Maintenance : public QObject {
+class Maintenance : public QObject, public Singleton<Maintenance> {
     Q_OBJECT
     QML_ELEMENT
     QML_SINGLETON
@@ -44,8 +42,6 @@ class Maintenance : public QObject {
 public:
     // Machine and settings must outlive the object. Reports are stored in a folder below `folder`.
     Maintenance(Controller& controller, Settings& settings, const QString& folder, QObject* parent);
-
-    static Maintenance* create(QQmlEngine* qmlEngine, QJSEngine* jsEngine);
 
     [[nodiscard]] LinkDoctor* doctor() { return &m_doctor; }
     [[nodiscard]] LineFigures* figures() { return &m_figures; }

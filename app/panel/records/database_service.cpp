@@ -4,7 +4,6 @@
 #include "app/store/files/files.h"
 #include "app/store/files/store_logging.h"
 
-#include "app/panel/kit/engine_instances.h"
 #include "app/panel/kit/language_notifier.h"
 
 #include <QDateTime>
@@ -26,11 +25,6 @@ DatabaseService::DatabaseService(const QString& folder, QObject* parent)
 }
 
 DatabaseService::~DatabaseService() = default;
-
-DatabaseService* DatabaseService::create(QQmlEngine* qmlEngine, QJSEngine*)
-{
-    return attachedInstance<DatabaseService>(qmlEngine);
-}
 
 void DatabaseService::takeOpening(const store::StoreThread::Report& report)
 {

@@ -3,6 +3,7 @@
 // thread; nothing here waits for the disk.
 #pragma once
 
+#include "app/panel/kit/singleton.h"
 #include "app/store/backup/restore.h"
 #include "app/store/store_thread.h"
 
@@ -12,12 +13,9 @@
 
 #include <optional>
 
-class QJSEngine;
-class QQmlEngine;
-
 namespace campanel::panel {
 
-class DatabaseService : public QObject {
+class DatabaseService : public QObject, public Singleton<DatabaseService> {
     Q_OBJECT
     QML_ELEMENT
     QML_SINGLETON
@@ -31,8 +29,6 @@ public:
 
     // Opens the database; until then nothing is read or stored.
     void open() { m_store.open(); }
-
-    static DatabaseService* create(QQmlEngine* qmlEngine, QJSEngine* jsEngine);
 
     [[nodiscard]] QString notice() const;
     Q_INVOKABLE void dismissNotice();

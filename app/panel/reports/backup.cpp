@@ -5,7 +5,6 @@
 #include "app/panel/audit/audit_trail.h"
 #include "app/panel/controller/controller.h"
 #include "app/panel/editor/editor.h"
-#include "app/panel/kit/engine_instances.h"
 #include "app/panel/kit/format.h"
 #include "app/panel/kit/language_notifier.h"
 #include "app/panel/records/database_service.h"
@@ -67,11 +66,6 @@ Backup::Backup(const Parts& parts, const QString& folder, QObject* parent)
         QDir(home.filePath(old)).removeRecursively();
     connect(LanguageNotifier::ofApplication(), &LanguageNotifier::languageChanged, this,
             &Backup::retranslate);
-}
-
-Backup* Backup::create(QQmlEngine* qmlEngine, QJSEngine*)
-{
-    return attachedInstance<Backup>(qmlEngine);
 }
 
 void Backup::setScanner(Scanner scanner)

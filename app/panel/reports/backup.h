@@ -7,6 +7,7 @@
 #include "app/panel/kit/file_exchange.h"
 #include "app/panel/kit/offer_model.h"
 #include "app/panel/kit/report_files.h"
+#include "app/panel/kit/singleton.h"
 #include "app/store/backup/restore.h"
 
 #include <QDateTime>
@@ -16,9 +17,6 @@
 
 #include <functional>
 #include <memory>
-
-class QJSEngine;
-class QQmlEngine;
 
 namespace campanel::panel {
 
@@ -30,7 +28,7 @@ class DatabaseService;
 class Settings;
 class Trends;
 
-class Backup : public campanel::panel::FileExchange {
+class Backup : public campanel::panel::FileExchange, public Singleton<Backup> {
     Q_OBJECT
     QML_ELEMENT
     QML_SINGLETON
@@ -57,8 +55,6 @@ public:
 
     // Stores its own files in a folder below `folder`, which also holds the database.
     Backup(const Parts& parts, const QString& folder, QObject* parent);
-
-    static Backup* create(QQmlEngine* qmlEngine, QJSEngine* jsEngine);
 
     // Replaces the search of this computer's disks, for tests and captures.
     void setScanner(Scanner scanner);

@@ -4,7 +4,6 @@
 #include "app/panel/access/access.h"
 #include "app/panel/controller/controller.h"
 #include "app/panel/editor/editor.h"
-#include "app/panel/kit/engine_instances.h"
 #include "app/panel/kit/format.h"
 #include "app/panel/words/recipe_words.h"
 
@@ -42,11 +41,6 @@ Commissioning::Commissioning(Controller& controller, Editor& editor, Access& acc
     , m_wallClock([] { return QDateTime::currentDateTime(); })
     , m_printer([](const ReportData&) { return QByteArray(); })
 {
-}
-
-Commissioning* Commissioning::create(QQmlEngine* qmlEngine, QJSEngine*)
-{
-    return attachedInstance<Commissioning>(qmlEngine);
 }
 
 void Commissioning::offer()

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "app/panel/kit/report_files.h"
+#include "app/panel/kit/singleton.h"
 
 #include <QDateTime>
 #include <QList>
@@ -15,9 +16,6 @@
 #include <QtQml/qqmlregistration.h>
 
 #include <functional>
-
-class QJSEngine;
-class QQmlEngine;
 
 namespace campanel::panel {
 
@@ -60,7 +58,7 @@ struct ReportData {
     QString limitLabel;
 };
 
-class Commissioning : public QObject {
+class Commissioning : public QObject, public Singleton<Commissioning> {
     Q_OBJECT
     QML_ELEMENT
     QML_SINGLETON
@@ -72,8 +70,6 @@ public:
     // All arguments must outlive the object.
     Commissioning(Controller& controller, Editor& editor, Access& access, ReportFiles& files,
                   QObject* parent);
-
-    static Commissioning* create(QQmlEngine* qmlEngine, QJSEngine* jsEngine);
 
     void setPrinter(Printer printer) { m_printer = std::move(printer); }
     void setWallClock(WallClock clock) { m_wallClock = std::move(clock); }

@@ -3,7 +3,6 @@
 
 #include "app/panel/controller/controller.h"
 #include "app/panel/editor/editor.h"
-#include "app/panel/kit/engine_instances.h"
 #include "app/panel/kit/format.h"
 #include "app/panel/maintenance/figures_csv.h"
 #include "app/panel/maintenance/frame_list.h"
@@ -99,11 +98,6 @@ ServiceBundle::ServiceBundle(const Parts& parts, QObject* parent)
                         recordFault();
                 }
             });
-}
-
-ServiceBundle* ServiceBundle::create(QQmlEngine* qmlEngine, QJSEngine*)
-{
-    return attachedInstance<ServiceBundle>(qmlEngine);
 }
 
 void ServiceBundle::setBusy(bool isBusy)

@@ -7,6 +7,7 @@
 #pragma once
 
 #include "app/panel/kit/report_files.h"
+#include "app/panel/kit/singleton.h"
 #include "app/panel/reports/status_trace.h"
 #include "app/store/backup/archive.h"
 #include "app/store/files/csv.h"
@@ -19,9 +20,6 @@
 #include <optional>
 #include <utility>
 
-class QJSEngine;
-class QQmlEngine;
-
 namespace campanel::panel {
 
 class Editor;
@@ -30,7 +28,7 @@ class LineFigures;
 class Controller;
 class DatabaseService;
 
-class ServiceBundle : public QObject {
+class ServiceBundle : public QObject, public Singleton<ServiceBundle> {
     Q_OBJECT
     QML_ELEMENT
     QML_SINGLETON
@@ -52,8 +50,6 @@ public:
 
     // All arguments must outlive the object.
     ServiceBundle(const Parts& parts, QObject* parent);
-
-    static ServiceBundle* create(QQmlEngine* qmlEngine, QJSEngine* jsEngine);
 
     void setWallClock(WallClock clock) { m_wallClock = std::move(clock); }
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/panel/reports/shift_report.h"
 
-#include "app/panel/kit/engine_instances.h"
 #include "app/panel/kit/format.h"
 #include "app/panel/stops/stops.h"
 
@@ -32,11 +31,6 @@ ShiftReport::ShiftReport(Stops& stops, ReportFiles& files, QObject* parent)
     , m_files(files)
     , m_printer([](const ReportData&) { return QByteArray(); })
 {
-}
-
-ShiftReport* ShiftReport::create(QQmlEngine* qmlEngine, QJSEngine*)
-{
-    return attachedInstance<ShiftReport>(qmlEngine);
 }
 
 void ShiftReport::offer()

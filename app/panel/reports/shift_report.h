@@ -2,6 +2,7 @@
 // `ShiftReport` in QML: the displayed shift as a PDF: effectiveness, reasons, stops.
 #pragma once
 
+#include "app/panel/kit/singleton.h"
 #include "app/panel/reports/commissioning.h"
 
 namespace campanel::panel {
@@ -9,7 +10,7 @@ namespace campanel::panel {
 class ShiftView;
 class Stops;
 
-class ShiftReport : public QObject {
+class ShiftReport : public QObject, public Singleton<ShiftReport> {
     Q_OBJECT
     QML_ELEMENT
     QML_SINGLETON
@@ -17,8 +18,6 @@ class ShiftReport : public QObject {
 public:
     // All arguments must outlive the object.
     ShiftReport(Stops& stops, ReportFiles& files, QObject* parent);
-
-    static ShiftReport* create(QQmlEngine* qmlEngine, QJSEngine* jsEngine);
 
     void setPrinter(Commissioning::Printer printer) { m_printer = std::move(printer); }
 

@@ -3,7 +3,6 @@
 
 #include "app/panel/controller/controller.h"
 #include "app/panel/editor/editor.h"
-#include "app/panel/kit/engine_instances.h"
 #include "app/panel/kit/language_notifier.h"
 #include "app/panel/library/recipes.h"
 #include "app/panel/settings/settings.h"
@@ -34,11 +33,6 @@ Scan::Scan(const Parts& parts, const QString& folder, QObject* parent)
     });
     updateSettings();
     QCoreApplication::instance()->installEventFilter(this);
-}
-
-Scan* Scan::create(QQmlEngine* qmlEngine, QJSEngine*)
-{
-    return attachedInstance<Scan>(qmlEngine);
 }
 
 void Scan::updateSettings()

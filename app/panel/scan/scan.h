@@ -3,6 +3,7 @@
 // is then shown; it is downloaded by a person. The keys of a code reach no field.
 #pragma once
 
+#include "app/panel/kit/singleton.h"
 #include "app/panel/kit/value.h"
 #include "app/panel/scan/code_reader.h"
 #include "app/panel/scan/film_check.h"
@@ -17,9 +18,7 @@
 #include <memory>
 #include <vector>
 
-class QJSEngine;
 class QKeyEvent;
-class QQmlEngine;
 
 namespace campanel::panel {
 
@@ -28,7 +27,7 @@ class Editor;
 class Recipes;
 class Settings;
 
-class Scan : public QObject {
+class Scan : public QObject, public Singleton<Scan> {
     Q_OBJECT
     QML_ELEMENT
     QML_SINGLETON
@@ -54,8 +53,6 @@ public:
     // All parts must outlive the object. The scanned film reel is kept in `folder`. Filters the keys of the
     // application.
     Scan(const Parts& parts, const QString& folder, QObject* parent);
-
-    static Scan* create(QQmlEngine* qmlEngine, QJSEngine* jsEngine);
 
     [[nodiscard]] FilmCheck* film() { return &m_film; }
     [[nodiscard]] bool isEnabled() const { return !m_keys.prefix.isEmpty(); }

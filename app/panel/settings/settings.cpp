@@ -2,7 +2,6 @@
 #include "app/panel/settings/settings.h"
 
 #include "app/link/port_finder.h"
-#include "app/panel/kit/engine_instances.h"
 #include "app/panel/kit/format.h"
 
 #include <QLocale>
@@ -188,11 +187,6 @@ void Settings::endFirstStart()
     m_file.set(firstStartKey, firstStartDone);
     m_isFirstStart = false;
     emit firstStartChanged();
-}
-
-Settings* Settings::create(QQmlEngine* qmlEngine, QJSEngine*)
-{
-    return attachedInstance<Settings>(qmlEngine);
 }
 
 QStringList Settings::languageNames() const

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "app/link/link_values.h"
+#include "app/panel/kit/singleton.h"
 #include "app/panel/kit/value.h"
 #include "app/panel/settings/languages.h"
 #include "app/panel/settings/port_model.h"
@@ -15,9 +16,6 @@
 #include <QStringList>
 #include <QVariantMap>
 #include <QtQml/qqmlregistration.h>
-
-class QJSEngine;
-class QQmlEngine;
 
 namespace campanel::panel {
 
@@ -33,7 +31,7 @@ struct ConnectionChoice {
     bool operator==(const ConnectionChoice&) const = default;
 };
 
-class Settings : public QObject {
+class Settings : public QObject, public Singleton<Settings> {
     Q_OBJECT
     QML_ELEMENT
     QML_SINGLETON
@@ -93,8 +91,6 @@ public:
 
     [[nodiscard]] QString notice() const;
     Q_INVOKABLE void dismissNotice();
-
-    static Settings* create(QQmlEngine* qmlEngine, QJSEngine* jsEngine);
 
     // Returns the values of all settings; a draft of the connection is not among them.
     [[nodiscard]] const SettingValues& values() const { return m_values; }

@@ -3,8 +3,6 @@
 
 #include "app/panel/kit/format.h"
 
-#include "app/panel/kit/engine_instances.h"
-
 #include <QDBusError>
 #include <QDBusPendingReply>
 #include <QDateTime>
@@ -42,11 +40,6 @@ QString onOff(bool isOn)
 SystemClock::SystemClock(AccessCheck& check, QObject* parent)
     : SystemService(check, timedateInterface, parent)
 {
-}
-
-SystemClock* SystemClock::create(QQmlEngine* qmlEngine, QJSEngine*)
-{
-    return attachedInstance<SystemClock>(qmlEngine);
 }
 
 void SystemClock::ask()

@@ -4,16 +4,14 @@
 // nothing can be set, and `stateText` says so. Nothing waits for the bus.
 #pragma once
 
+#include "app/panel/kit/singleton.h"
 #include "app/panel/settings/system_service.h"
 
 #include <QStringList>
 
-class QJSEngine;
-class QQmlEngine;
-
 namespace campanel::panel {
 
-class SystemClock : public campanel::panel::SystemService {
+class SystemClock : public campanel::panel::SystemService, public Singleton<SystemClock> {
     Q_OBJECT
     QML_ELEMENT
     QML_SINGLETON
@@ -28,8 +26,6 @@ class SystemClock : public campanel::panel::SystemService {
 public:
     // The check must outlive the object.
     SystemClock(AccessCheck& check, QObject* parent);
-
-    static SystemClock* create(QQmlEngine* qmlEngine, QJSEngine* jsEngine);
 
     [[nodiscard]] bool canUseTimeServer() const { return available() && m_canUseTimeServer; }
     [[nodiscard]] bool usesTimeServer() const { return m_usesTimeServer; }

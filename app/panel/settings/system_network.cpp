@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/panel/settings/system_network.h"
 
-#include "app/panel/kit/engine_instances.h"
-
 #include <QDBusArgument>
 #include <QDBusError>
 #include <QDBusMetaType>
@@ -75,11 +73,6 @@ SystemNetwork::SystemNetwork(AccessCheck& check, QObject* parent)
     qDBusRegisterMetaType<VariantMaps>();
     qDBusRegisterMetaType<QList<uint>>();
     qDBusRegisterMetaType<QList<QDBusObjectPath>>();
-}
-
-SystemNetwork* SystemNetwork::create(QQmlEngine* qmlEngine, QJSEngine*)
-{
-    return attachedInstance<SystemNetwork>(qmlEngine);
 }
 
 // Reading ------------------------------------------------------------------------------------------------

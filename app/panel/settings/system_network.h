@@ -4,6 +4,7 @@
 // a checkpoint meanwhile: when the port does not get the address, or the panel ends, the old one is restored.
 #pragma once
 
+#include "app/panel/kit/singleton.h"
 #include "app/panel/settings/network_address.h"
 #include "app/panel/settings/system_service.h"
 
@@ -15,16 +16,13 @@
 #include <optional>
 #include <utility>
 
-class QJSEngine;
-class QQmlEngine;
-
 namespace campanel::panel {
 
 // The properties of an object of NetworkManager by interface, and the settings of a connection by group.
 using NetworkGroups = QMap<QString, QVariantMap>;
 using NetworkObjects = QMap<QDBusObjectPath, NetworkGroups>;
 
-class SystemNetwork : public campanel::panel::SystemService {
+class SystemNetwork : public campanel::panel::SystemService, public Singleton<SystemNetwork> {
     Q_OBJECT
     QML_ELEMENT
     QML_SINGLETON
@@ -46,8 +44,6 @@ class SystemNetwork : public campanel::panel::SystemService {
 public:
     // The check must outlive the object.
     SystemNetwork(AccessCheck& check, QObject* parent);
-
-    static SystemNetwork* create(QQmlEngine* qmlEngine, QJSEngine* jsEngine);
 
     // The time that a port has to get its address, for tests.
     void setPatienceMs(int fixedMs, int dhcpMs) { m_patienceMs = {fixedMs, dhcpMs}; }

@@ -2,7 +2,6 @@
 #include "app/panel/stops/stops.h"
 
 #include "app/panel/controller/controller.h"
-#include "app/panel/kit/engine_instances.h"
 #include "app/panel/kit/format.h"
 #include "app/panel/kit/language_notifier.h"
 #include "app/panel/records/database_service.h"
@@ -69,11 +68,6 @@ Stops::~Stops()
         m_records.store().run(
             nullptr, [changes](store::Database& database) { return StopLog::write(database, changes); },
             [](const tl::expected<void, StoreError>&) {});
-}
-
-Stops* Stops::create(QQmlEngine* qmlEngine, QJSEngine*)
-{
-    return attachedInstance<Stops>(qmlEngine);
 }
 
 void Stops::setWallClock(const MachineWatch::WallClock& clock)

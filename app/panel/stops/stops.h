@@ -3,6 +3,7 @@
 // in the main database; nothing here waits for the disk.
 #pragma once
 
+#include "app/panel/kit/singleton.h"
 #include "app/panel/stops/machine_watch.h"
 #include "app/panel/stops/shift_view.h"
 #include "app/panel/stops/stop_setup.h"
@@ -12,12 +13,9 @@
 #include <QTimer>
 #include <QtQml/qqmlregistration.h>
 
-class QJSEngine;
-class QQmlEngine;
-
 namespace campanel::panel {
 
-class Stops : public QObject {
+class Stops : public QObject, public Singleton<Stops> {
     Q_OBJECT
     QML_ELEMENT
     QML_SINGLETON
@@ -43,8 +41,6 @@ public:
           QObject* parent);
     // Writes the pending changes.
     ~Stops() override;
-
-    static Stops* create(QQmlEngine* qmlEngine, QJSEngine* jsEngine);
 
     void setWallClock(const MachineWatch::WallClock& clock);
     void setClockState(std::function<store::ClockState()> state) { m_watch.setClockState(std::move(state)); }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/panel/trends/trends.h"
 
-#include "app/panel/kit/engine_instances.h"
 #include "app/panel/kit/report_files.h"
 #include "app/panel/records/database_service.h"
 #include "app/store/logs/trend_export.h"
@@ -113,11 +112,6 @@ Trends::~Trends()
 {
     m_isWriting = false;
     write(); // the store completes all jobs before its end
-}
-
-Trends* Trends::create(QQmlEngine* qmlEngine, QJSEngine*)
-{
-    return attachedInstance<Trends>(qmlEngine);
 }
 
 void Trends::setWallClock(const TrendRecorder::WallClock& clock)

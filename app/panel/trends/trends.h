@@ -4,6 +4,7 @@
 // answer.
 #pragma once
 
+#include "app/panel/kit/singleton.h"
 #include "app/panel/trends/trend_recorder.h"
 #include "app/store/logs/trend_window.h"
 #include "app/store/store_thread.h"
@@ -13,15 +14,12 @@
 #include <QVariant>
 #include <QtQml/qqmlregistration.h>
 
-class QJSEngine;
-class QQmlEngine;
-
 namespace campanel::panel {
 
 class DatabaseService;
 class ReportFiles;
 
-class Trends : public QObject {
+class Trends : public QObject, public Singleton<Trends> {
     Q_OBJECT
     QML_ELEMENT
     QML_SINGLETON
@@ -68,8 +66,6 @@ public:
 
     // Opens the database; earlier requests wait for it.
     void open() { m_store.open(); }
-
-    static Trends* create(QQmlEngine* qmlEngine, QJSEngine* jsEngine);
 
     // Writes the measured data to the database before the next request of store().
     void flush();

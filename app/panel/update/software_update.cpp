@@ -2,7 +2,6 @@
 #include "app/panel/update/software_update.h"
 
 #include "app/panel/controller/controller.h"
-#include "app/panel/kit/engine_instances.h"
 #include "app/panel/kit/format.h"
 #include "app/panel/kit/language_notifier.h"
 #include "app/panel/words/package_sentences.h"
@@ -44,11 +43,6 @@ SoftwareUpdate::SoftwareUpdate(Controller& controller, const QString& folder, QO
     connect(&controller, &Controller::stateChanged, this, &SoftwareUpdate::showRows);
     connect(LanguageNotifier::ofApplication(), &LanguageNotifier::languageChanged, this,
             &SoftwareUpdate::retranslate);
-}
-
-SoftwareUpdate* SoftwareUpdate::create(QQmlEngine* qmlEngine, QJSEngine*)
-{
-    return attachedInstance<SoftwareUpdate>(qmlEngine);
 }
 
 void SoftwareUpdate::open()

@@ -6,6 +6,7 @@
 
 #include "app/panel/kit/file_exchange.h"
 #include "app/panel/kit/offer_model.h"
+#include "app/panel/kit/singleton.h"
 #include "app/panel/settings/system_service.h"
 #include "app/panel/update/update_state.h"
 #include "app/store/update/package_offers.h"
@@ -15,14 +16,11 @@
 
 #include <chrono>
 
-class QJSEngine;
-class QQmlEngine;
-
 namespace campanel::panel {
 
 class Controller;
 
-class SoftwareUpdate : public campanel::panel::FileExchange {
+class SoftwareUpdate : public campanel::panel::FileExchange, public Singleton<SoftwareUpdate> {
     Q_OBJECT
     QML_ELEMENT
     QML_SINGLETON
@@ -49,8 +47,6 @@ public:
 
     // The controller must outlive the object. Packages may also lie in a folder below `folder`.
     SoftwareUpdate(Controller& controller, const QString& folder, QObject* parent);
-
-    static SoftwareUpdate* create(QQmlEngine* qmlEngine, QJSEngine* jsEngine);
 
     void setPlaces(const UpdatePlaces& places) { m_places = places; }
     // Replace the system bus, the search of this computer's disks, dpkg and the pace, for tests and captures.

@@ -3,7 +3,6 @@
 
 #include "app/panel/controller/controller.h"
 #include "app/panel/editor/editor.h"
-#include "app/panel/kit/engine_instances.h"
 #include "app/panel/kit/format.h"
 #include "app/panel/kit/language_notifier.h"
 #include "app/panel/records/database_service.h"
@@ -54,11 +53,6 @@ Versions::Versions(Controller& controller, Editor& editor, DatabaseService& reco
     connect(&m_editor, &Editor::recipeChanged, this, &Versions::update);
     connect(LanguageNotifier::ofApplication(), &LanguageNotifier::languageChanged, this, &Versions::update);
     update();
-}
-
-Versions* Versions::create(QQmlEngine* qmlEngine, QJSEngine*)
-{
-    return attachedInstance<Versions>(qmlEngine);
 }
 
 void Versions::open()

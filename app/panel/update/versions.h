@@ -4,6 +4,7 @@
 #pragma once
 
 #include "app/panel/kit/figure_model.h"
+#include "app/panel/kit/singleton.h"
 #include "app/store/files/system_record.h"
 #include "app/store/logs/audit_log.h"
 
@@ -14,16 +15,13 @@
 
 #include <functional>
 
-class QJSEngine;
-class QQmlEngine;
-
 namespace campanel::panel {
 
 class Controller;
 class DatabaseService;
 class Editor;
 
-class Versions : public QObject {
+class Versions : public QObject, public Singleton<Versions> {
     Q_OBJECT
     QML_ELEMENT
     QML_SINGLETON
@@ -39,8 +37,6 @@ public:
     // All arguments must outlive the object. `folder` has the panel's data.
     Versions(Controller& controller, Editor& editor, DatabaseService& records, const QString& folder,
              QObject* parent);
-
-    static Versions* create(QQmlEngine* qmlEngine, QJSEngine* jsEngine);
 
     // Replace the disk and the clock, for tests and captures.
     void setFreeBytes(FreeBytes freeBytes) { m_freeBytes = std::move(freeBytes); }

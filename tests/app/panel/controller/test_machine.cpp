@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The panel's view of the controller: nothing before there is data, its age, the trace, the bags, commands.
 #include "app/panel/display/display.h"
-#include "app/panel/kit/engine_instances.h"
+#include "app/panel/kit/singleton.h"
 #include "tests/app/panel/panel_rig.h"
 #include "tests/support/test_program.h"
 

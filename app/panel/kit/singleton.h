@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Assigns a QML engine the objects behind the singletons of this module (Machine, Editor ...). Each engine
+// Assigns a QML engine the objects behind the singletons of this module (Controller, Editor ...). Each engine
 // has its own objects, so that tests run side by side and nothing is global.
 #pragma once
 
@@ -21,13 +21,16 @@ template <typename... Types> void attachToEngine(QQmlEngine& engine, Types&... i
     (engine.setProperty(instanceKey<Types>(), QVariant::fromValue(&instances)), ...);
 }
 
-template <typename Type> [[nodiscard]] Type* attachedInstance(const QQmlEngine* engine)
-{
-    auto* instance = engine->property(instanceKey<Type>()).template value<Type*>();
-    if (!instance)
-        qFatal("%s was used before attachToEngine() gave it to the engine", instanceKey<Type>());
-    QJSEngine::setObjectOwnership(instance, QJSEngine::CppOwnership);
-    return instance;
-}
+// The base of a type with QML_SINGLETON: QML gets the object that was assigned to its engine.
+template <typename Type> struct Singleton {
+    static Type* create(QQmlEngine* engine, QJSEngine* /*engine*/)
+    {
+        auto* instance = engine->property(instanceKey<Type>()).template value<Type*>();
+        if (!instance)
+            qFatal("%s was used before attachToEngine() gave it to the engine", instanceKey<Type>());
+        QJSEngine::setObjectOwnership(instance, QJSEngine::CppOwnership);
+        return instance;
+    }
+};
 
 } // namespace campanel::panel
