@@ -83,7 +83,7 @@ static uint64_t next_random(uint64_t* seed)
     return *seed;
 }
 
-/* Of every width, so that each way through a division is gone. */
+/* Returns a number of any width, so that each way through a division is tried. */
 static void try_random(uint32_t pairs)
 {
     uint64_t seed = 88172645463325252u;

@@ -102,7 +102,7 @@ void TestCoreSource::includesOnlyItselfAndTheLanguage()
         QStringList());
 }
 
-// What a start needs is asked in one place: whatever wants to start calls ctl_start().
+// One place asks what a start needs: whatever wants to start calls ctl_start().
 void TestCoreSource::setsAnAxisOffInTheGateAlone()
 {
     QStringList others;

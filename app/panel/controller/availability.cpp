@@ -70,7 +70,7 @@ static_assert(std::ranges::all_of(actionRows, [](const Row& row) {
     return &row == &actionRows[static_cast<std::size_t>(row.action)];
 }));
 
-// What blocks an action in a state, unless its row says more; in the order of State.
+// These sentences say what blocks an action in a state, unless its row says more; in the order of State.
 constexpr std::array sentencesOfStates{
     QT_TRANSLATE_NOOP("Availability", "The controller's state is unknown."),
     "",

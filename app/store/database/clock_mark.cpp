@@ -7,8 +7,8 @@ namespace campanel::store {
 
 tl::expected<qint64, StoreError> newestRecordMs(Database& database)
 {
-    // Of the rows after the proof only those count that are later than it; both are found by the index of
-    // times.
+    // A row of the trail counts when it was written after the proof and is later; the index of times finds
+    // it.
     auto found = database.execute(
         uR"(WITH proof AS (SELECT coalesce(max(time_ms), 0) AS ms, coalesce(max(audit_sequence), 0) AS sequence
                 FROM clock_proof)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the state of machine and connection blocks, for every action in every state.
+// The table of what the state of machine and connection blocks is tried for every action in every state.
 #include "tests/app/panel/panel_rig.h"
 #include "tests/support/test_program.h"
 
