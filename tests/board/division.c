@@ -83,7 +83,7 @@ static uint64_t next_random(uint64_t* seed)
     return *seed;
 }
 
-/* Returns a number of any width, so that each way through a division is tried. */
+/* Tries numbers of any width, so that each way through a division is taken. */
 static void try_random(uint32_t pairs)
 {
     uint64_t seed = 88172645463325252u;
