@@ -133,6 +133,7 @@ public:
     // Create, copy and rename with wantedName, which must have no problem. A new recipe and a copy are
     // opened.
     Q_INVOKABLE void create(int kind);
+    using Singleton<Recipes>::create; // that of QML, which the one above would hide
     Q_INVOKABLE void copy(); // the chosen recipe
     Q_INVOKABLE void saveAs();
     Q_INVOKABLE void rename();
