@@ -35,14 +35,16 @@ constexpr auto silenceUntilLost = 1000ms;
 
 CommandEnd endAfter(const modbus::LinkError& error)
 {
-    switch (error.kind) {
-    case modbus::LinkErrorKind::CommandLost:
-        return CommandEnd::NotReceived;
-    case modbus::LinkErrorKind::NotOpen:
+    if (modbus::portIsLost(error))
         return CommandEnd::NotSent;
-    default:
-        return CommandEnd::OutcomeUnknown;
-    }
+    return error.kind == modbus::LinkErrorKind::OutcomeUnknown ? CommandEnd::OutcomeUnknown
+                                                               : CommandEnd::NotReceived;
+}
+
+// Returns true when the controller would refuse the command again.
+bool isFinal(const modbus::LinkError& error)
+{
+    return error.kind == modbus::LinkErrorKind::Exception && !modbus::isBusy(error);
 }
 
 bool isStanding(std::optional<modbus::State> state)
@@ -233,12 +235,8 @@ void LinkWorker::sendCommand(const CommandRequest& request)
 {
     endBegun(std::nullopt);
     const auto result = m_client->begin(request.command, request.arguments);
-    if (!result && result.error().kind == modbus::LinkErrorKind::OutcomeUnknown &&
-        priorityOf(request.command) == Priority::Stop) {
-        // The Stop is kept: its result is requested, and it is sent again if the controller has not received
-        // it.
-        holdStop(request, static_cast<std::uint16_t>(result.error().code));
-        report(m_report.state, m_report.error);
+    if (!result && priorityOf(request.command) == Priority::Stop && !isFinal(result.error())) {
+        keepStop(request, result.error());
         return;
     }
     if (result && result->status == modbus::CommandStatus::Busy) {

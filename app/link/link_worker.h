@@ -53,7 +53,7 @@ private:
     struct HeldStop {
         CommandRequest request;
         std::optional<std::uint16_t> counter; // counter of the sent command
-        bool isPollNext = false;              // the last search for its result failed
+        bool isPollNext = false;              // the last attempt failed
     };
 
     // A command that the controller carries out in pieces; statuses go on meanwhile.
@@ -73,6 +73,7 @@ private:
     void carryOut(const Request& request);
     void sendCommand(const CommandRequest& request);
     void holdStop(const CommandRequest& request, std::optional<std::uint16_t> counter);
+    void keepStop(const CommandRequest& request, const modbus::LinkError& error);
     void endHeldStop(CommandEnd end);
     void sendHeldStop();
     [[nodiscard]] std::uint16_t permitAt(SteadyTime now) const;

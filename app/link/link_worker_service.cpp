@@ -27,6 +27,19 @@ void LinkWorker::holdStop(const CommandRequest& request, std::optional<std::uint
     m_heldStop = HeldStop{request, counter, false};
 }
 
+// Keeps a Stop whose exchange failed: it is sent again unless it is in doubt; its result is asked for then.
+// Another exchange goes before it, so that a lost line is detected.
+void LinkWorker::keepStop(const CommandRequest& request, const modbus::LinkError& error)
+{
+    const bool isInDoubt = error.kind == modbus::LinkErrorKind::OutcomeUnknown;
+    holdStop(request, isInDoubt ? std::optional(static_cast<std::uint16_t>(error.code)) : std::nullopt);
+    m_heldStop->isPollNext = !isInDoubt;
+    if (modbus::portIsLost(error))
+        lose(error);
+    else
+        report(m_report.state, m_report.error);
+}
+
 void LinkWorker::endHeldStop(CommandEnd end)
 {
     if (!m_heldStop)

@@ -48,6 +48,13 @@ std::string_view exceptionName(int code)
     return row == rows.end() ? CAMPANEL_TEXT("Protocol", "unknown") : row->name;
 }
 
+bool isBusy(const LinkError& error)
+{
+    constexpr int acknowledged = 5;
+    constexpr int busy = 6;
+    return error.kind == LinkErrorKind::Exception && (error.code == acknowledged || error.code == busy);
+}
+
 bool portIsLost(const LinkError& error)
 {
     return error.kind == LinkErrorKind::PortGone || error.kind == LinkErrorKind::NotOpen;

@@ -54,6 +54,9 @@ struct LinkError {
 // Returns "illegal register address"; "unknown" for codes without a name.
 [[nodiscard]] std::string_view exceptionName(int code);
 
+// Returns true when the device says that it is busy (Modbus exceptions 5 and 6).
+[[nodiscard]] bool isBusy(const LinkError& error);
+
 // Returns true when the port must be closed and searched again.
 [[nodiscard]] bool portIsLost(const LinkError& error);
 

@@ -34,14 +34,11 @@ std::uint16_t counterAfter(std::uint16_t counter)
     return counter == 0xFFFF ? std::uint16_t{1} : static_cast<std::uint16_t>(counter + 1u);
 }
 
-// Returns true for errors that say nothing against the device: it is busy (Modbus exceptions 5 and 6), or the
-// line puts bytes behind the answers and is not known for it yet.
+// Returns true for errors that say nothing against the device: it is busy, or the line puts bytes behind the
+// answers and is not known for it yet.
 bool isPassing(const LinkError& error)
 {
-    return (error.kind == LinkErrorKind::Exception &&
-            (error.code == MODBUS_EXCEPTION_ACKNOWLEDGE ||
-             error.code == MODBUS_EXCEPTION_SLAVE_OR_SERVER_BUSY)) ||
-           (error.kind == LinkErrorKind::BadFrame && error.code > 0);
+    return isBusy(error) || (error.kind == LinkErrorKind::BadFrame && error.code > 0);
 }
 
 // Repeats a question of a connection that begins while its errors pass.

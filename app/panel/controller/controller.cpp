@@ -92,7 +92,7 @@ void Controller::takeReport(const link::LinkReport& report)
     m_report = report;
     if (!isConnected())
         doubtParameters();
-    m_hasStopWaited = m_hasStopWaited || report.pendingStop;
+    m_hasStopWaited = m_hasStopWaited || (report.pendingStop && !isConnected());
     if (wasConnected && !isConnected())
         noteLoss();
     if (otherController || leftController)

@@ -158,6 +158,70 @@ private slots:
         QVERIFY(!scripted.report.pendingStop);
     }
 
+    void undeliveredStopIsSentAgain_data()
+    {
+        QTest::addColumn<QList<int>>("faults");
+        const auto row = [](const char* name, std::initializer_list<Fault> faults) {
+            QList<int> numbers;
+            for (const Fault fault : faults)
+                numbers << static_cast<int>(fault);
+            QTest::newRow(name) << numbers;
+        };
+        row("lost once", {Fault::LostRequest});
+        row("lost three times",
+            {Fault::LostRequest, Fault::None, Fault::LostRequest, Fault::None, Fault::LostRequest});
+        row("the controller is busy", {Fault::Busy});
+        row("busy twice", {Fault::Busy, Fault::None, Fault::Busy});
+    }
+
+    // The controller says that it has not received the Stop: nothing is in doubt, so it is sent again.
+    void undeliveredStopIsSentAgain()
+    {
+        QFETCH(QList<int>, faults);
+        Scripted scripted;
+        QTRY_VERIFY_WITH_TIMEOUT(scripted.isConnected(), timeoutMs);
+        std::vector<Fault> script;
+        for (const int fault : faults)
+            script.push_back(static_cast<Fault>(fault));
+        scripted.slave.script(script);
+        scripted.worker.request({9, Command::StopNow, {}});
+        QTRY_COMPARE_WITH_TIMEOUT(scripted.outcomes.size(), 1, timeoutMs);
+        QCOMPARE(scripted.outcomes[0].id, 9u);
+        QCOMPARE(scripted.outcomes[0].end, CommandEnd::Done);
+        QCOMPARE(scripted.slave.commandsExecuted(), 1);
+        QVERIFY(!scripted.report.pendingStop);
+    }
+
+    // Only a Stop is sent again: a person decides about another start.
+    void undeliveredStartIsNot()
+    {
+        Scripted scripted;
+        QTRY_VERIFY_WITH_TIMEOUT(scripted.isConnected(), timeoutMs);
+        scripted.slave.script({Fault::LostRequest});
+        scripted.worker.request({9, Command::Start, {}});
+        QTRY_COMPARE_WITH_TIMEOUT(scripted.outcomes.size(), 1, timeoutMs);
+        QCOMPARE(scripted.outcomes[0].end, CommandEnd::NotReceived);
+        scripted.slave.script({Fault::Exception2});
+        scripted.worker.request({10, Command::Start, {}});
+        QTRY_COMPARE_WITH_TIMEOUT(scripted.outcomes.size(), 2, timeoutMs);
+        QCOMPARE(scripted.outcomes[1].end, CommandEnd::NotReceived);
+        const int statuses = scripted.statuses;
+        QTRY_VERIFY_WITH_TIMEOUT(scripted.statuses > statuses + 2, timeoutMs);
+        QCOMPARE(scripted.slave.commandsExecuted(), 0);
+    }
+
+    // A controller without this command would refuse each repetition.
+    void refusedStopIsNotSentAgain()
+    {
+        Scripted scripted;
+        QTRY_VERIFY_WITH_TIMEOUT(scripted.isConnected(), timeoutMs);
+        scripted.slave.script({Fault::Exception2});
+        scripted.worker.request({9, Command::StopNow, {}});
+        QTRY_COMPARE_WITH_TIMEOUT(scripted.outcomes.size(), 1, timeoutMs);
+        QCOMPARE(scripted.outcomes[0].end, CommandEnd::NotReceived);
+        QCOMPARE(scripted.slave.commandsExecuted(), 0);
+    }
+
     // A board writes its flash for as long as two seconds.
     void stopDoesNotWaitForASave()
     {
