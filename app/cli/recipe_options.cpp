@@ -35,8 +35,7 @@ constexpr std::array shortOptions{
 // Returns true for the fields with their own form: --k and --gear.
 bool hasOwnForm(Field field)
 {
-    return (field >= Field::K1 && field <= Field::K4) || field == Field::GearNumerator ||
-           field == Field::GearDenominator;
+    return profile::isRatio(field) || field == Field::GearNumerator || field == Field::GearDenominator;
 }
 
 QString fromText(std::string_view text)
@@ -171,7 +170,7 @@ Outcome applyFields(const Invocation& call, program::Recipe& recipe)
         if (profile::info(field).decimals == 0 && std::floor(value->first()) != value->first())
             return notANumber(name, call.value(name), u"a whole number"_s);
         setValue(recipe, field, value->first());
-        if (std::ranges::find(program::pinnableFields, field) != program::pinnableFields.end())
+        if (profile::isCycleField(field))
             given.push_back(field);
     }
     return recipe.isCutter() ? pinGiven(given, recipe) : Outcome{};

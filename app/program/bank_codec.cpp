@@ -140,8 +140,8 @@ constexpr std::string_view pinnedRegister = "program.pinned";
 std::uint16_t pinnedBits(const profile::RotaryCutterProgram& program)
 {
     unsigned bits = 0;
-    for (std::size_t i = 0; i < pinnableFields.size(); ++i) {
-        if (profile::isPinned(program, pinnableFields[i]))
+    for (std::size_t i = 0; i < profile::cycleFields.size(); ++i) {
+        if (profile::isPinned(program, profile::cycleFields[i]))
             bits |= 1u << i;
     }
     return static_cast<std::uint16_t>(bits);
@@ -151,9 +151,9 @@ std::uint16_t pinnedBits(const profile::RotaryCutterProgram& program)
 bool setPinned(profile::RotaryCutterProgram& program, unsigned bits)
 {
     std::size_t pinned = 0;
-    for (std::size_t i = 0; i < pinnableFields.size(); ++i) {
+    for (std::size_t i = 0; i < profile::cycleFields.size(); ++i) {
         if ((bits & (1u << i)) != 0 && pinned++ < program.pinned.size())
-            program.pinned[pinned - 1] = pinnableFields[i];
+            program.pinned[pinned - 1] = profile::cycleFields[i];
     }
     return pinned == program.pinned.size();
 }
@@ -176,12 +176,10 @@ void writeInputs(HeaderWriter& header, const Recipe& recipe)
 {
     const KindInfo& kind = kindInfo(recipe.kind());
     header.put("bank.kind", recipe.kind());
-    for (const RegisterField& entry : registerFields) {
-        if (const auto* info = registerOf(kind, entry.suffix))
-            header.put(*info, value(recipe, entry.field) * registerUnits(entry.field));
-    }
-    for (const RegisterChoice& entry : registerChoices) {
-        if (const auto* info = registerOf(kind, entry.suffix))
+    for (const RegisterField& entry : registerFields(kind))
+        header.put(*entry.info, value(recipe, entry.field) * entry.perUnit);
+    for (const ChoiceInfo& entry : kind.choices) {
+        if (const auto* info = registerOf(kind, entry.registerName))
             header.put(*info, choice(recipe.program, entry.choice));
     }
     if (const auto* parameters = lawParameters(recipe.program)) {
@@ -220,12 +218,10 @@ bool decodeBank(std::span<const std::uint16_t> header, std::span<const std::uint
 {
     const KindInfo& kind = kindInfo(recipe.kind());
     const modbus::RegisterReader reader(header, 0);
-    for (const RegisterField& entry : registerFields) {
-        if (const auto* info = registerOf(kind, entry.suffix))
-            setValue(recipe, entry.field, reader.physical(*info) / registerUnits(entry.field));
-    }
-    for (const RegisterChoice& entry : registerChoices) {
-        if (const auto* info = registerOf(kind, entry.suffix))
+    for (const RegisterField& entry : registerFields(kind))
+        setValue(recipe, entry.field, reader.physical(*entry.info) / entry.perUnit);
+    for (const ChoiceInfo& entry : kind.choices) {
+        if (const auto* info = registerOf(kind, entry.registerName))
             setChoice(recipe.program, entry.choice, static_cast<std::uint16_t>(reader.raw(*info)));
     }
     const bool isIntervals = reader.u16("bank.layout") == static_cast<std::uint16_t>(TableLayout::Intervals);

@@ -41,8 +41,9 @@ std::vector<Difference> differences(std::span<const std::uint16_t> a, std::span<
             return;
         Difference difference;
         difference.info = &info;
-        const auto known = std::ranges::find(registerFields, suffixOf(info.name), &RegisterField::suffix);
-        if (known != registerFields.end())
+        const auto known =
+            std::ranges::find(profile::fields, suffixOf(info.name), &profile::FieldInfo::registerName);
+        if (known != profile::fields.end())
             difference.field = known->field;
         if (info.type == modbus::RegisterType::Text) {
             difference.textA = readA.text(info);

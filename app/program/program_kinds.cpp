@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <type_traits>
+#include <variant>
 
 namespace campanel::program {
 namespace {
@@ -76,51 +77,33 @@ constexpr std::array ratioModes{option("hand", RatioMode::ByHand, CAMPANEL_TEXT(
                                 option("between", RatioMode::Between, CAMPANEL_TEXT("Recipe", "Between"))};
 
 constexpr std::string_view lawName = CAMPANEL_TEXT("Recipe", "Law");
-constexpr ChoiceInfo lawChoice{Choice::Law, "law", lawName, {}};
-constexpr ChoiceInfo executionChoice{Choice::Execution, "execution", CAMPANEL_TEXT("Recipe", "Execution"),
-                                     executions};
-constexpr ChoiceInfo rampChoice{Choice::MasterRampShape, "master_ramp_shape",
-                                CAMPANEL_TEXT("Recipe", "Shape of the ramp"), shapes};
+constexpr ChoiceInfo lawChoice{Choice::Law, "law", "law", "curve", lawName, {}};
+constexpr ChoiceInfo executionChoice{
+    Choice::Execution, "execution", "", "curve", CAMPANEL_TEXT("Recipe", "Execution"), executions};
+constexpr ChoiceInfo rampChoice{Choice::MasterRampShape,
+                                "master_ramp_shape",
+                                "ramp_shape",
+                                "master",
+                                CAMPANEL_TEXT("Recipe", "Shape of the ramp"),
+                                shapes};
 constexpr std::string_view durationName = CAMPANEL_TEXT("Recipe", "Duration");
 constexpr std::array cutterChoices{
-    ChoiceInfo{Choice::Law, "speed_law", lawName, {}},
-    ChoiceInfo{Choice::Ratios, "ratios", CAMPANEL_TEXT("Recipe", "Ratios"), ratioModes}};
+    ChoiceInfo{Choice::Law, "speed_law", "law", "curve", lawName, {}},
+    ChoiceInfo{Choice::Ratios, "ratios", "", "", CAMPANEL_TEXT("Recipe", "Ratios"), ratioModes}};
 constexpr std::array positionChoices{
-    lawChoice, ChoiceInfo{Choice::Duration, "duration", durationName, positionDurations}, executionChoice};
+    lawChoice, ChoiceInfo{Choice::Duration, "duration", "duration", "move", durationName, positionDurations},
+    executionChoice};
 constexpr std::array speedChoices{
-    lawChoice, ChoiceInfo{Choice::Duration, "duration", durationName, speedDurations}, executionChoice};
+    lawChoice, ChoiceInfo{Choice::Duration, "duration", "duration", "move", durationName, speedDurations},
+    executionChoice};
 constexpr std::array camChoices{
-    ChoiceInfo{Choice::SplineEnds, "ends", CAMPANEL_TEXT("Recipe", "Spline ends"), ends}, rampChoice};
+    ChoiceInfo{Choice::SplineEnds, "ends", "ends", "curve", CAMPANEL_TEXT("Recipe", "Spline ends"), ends},
+    rampChoice};
 constexpr std::array segmentChoices{rampChoice};
 
-constexpr std::array cutterFields{
-    Field::BagLength,   Field::Rate,        Field::BaseSpeed, Field::FilmSpeed, Field::K1,
-    Field::K2,          Field::K3,          Field::K4,        Field::SyncRatio, Field::SlicesPerRamp,
-    Field::MinSealTime, Field::RampPosition};
-constexpr std::array cutterMachine{Field::KnifeRadius, Field::Knives, Field::PulsesPerMotorRev,
-                                   Field::GearNumerator, Field::GearDenominator, Field::MaxMotorRpm,
-                                   Field::MaxKnifeAcceleration, Field::MaxPulseFrequency, Field::MaxRate,
-                                   // Optional: the motor, and the shaft behind it.
-                                   Field::MaxTorque, Field::RatedTorque, Field::Inertia, Field::Friction,
-                                   Field::NaturalFrequency, Field::DampingRatio, Field::ContactAngle};
-
-constexpr std::array axisMachine{Field::FeedPerMotorRev,  Field::PulsesPerMotorRev, Field::MaxMotorRpm,
-                                 Field::MaxAcceleration,  Field::MaxPulseFrequency, Field::MaxTorque,
-                                 Field::Inertia,          Field::Friction,          Field::RatedTorque,
-                                 Field::NaturalFrequency, Field::DampingRatio};
-constexpr std::array positionFields{Field::Distance, Field::MoveTime, Field::CamPoints};
-constexpr std::array speedFields{Field::StartSpeed, Field::EndSpeed, Field::MoveTime, Field::Distance,
-                                 Field::CamPoints};
-
-constexpr std::array camFields{Field::MasterRate, Field::MasterRamp, Field::MasterRatio, Field::MasterScale,
-                               Field::SlaveScale, Field::Phase,      Field::CamPoints};
-
-constexpr std::array pressFields{
-    Field::ApproachPosition,  Field::ApproachSpeed, Field::ProbeSpeed,  Field::ProbeForce,  Field::ProbeEnd,
-    Field::PressSpeed,        Field::PressPosition, Field::HoldTime,    Field::ReturnSpeed, Field::MaxForce,
-    Field::PositionTolerance, Field::MinStopForce,  Field::MaxStopForce};
-constexpr std::array pressMachine{Field::FeedPerMotorRev, Field::PulsesPerMotorRev, Field::MaxMotorRpm,
-                                  Field::MaxAcceleration, Field::MaxPulseFrequency};
+using profile::machineFields;
+using profile::memberFields;
+namespace machine_use = profile::machine_use;
 
 using modbus::EndBehavior;
 using modbus::TableLayout;
@@ -154,23 +137,23 @@ void paperPress(profile::Machine& machine)
 }
 
 constexpr std::array<KindInfo, 6> kindTable{{
-    {ProgramKind::RotaryCutter, "rotary_cutter", CAMPANEL_TEXT("Recipe", "Rotary cutter"), cutterFields,
-     cutterMachine, cutterChoices, "program.", stepTable, EndBehavior::Repeat, "Biscuit 250",
-     newProgram<RotaryCutterProgram>, paperCutter},
-    {ProgramKind::PositionMove, "position_move", CAMPANEL_TEXT("Recipe", "Position move"), positionFields,
-     axisMachine, positionChoices, "position_move.", camPointsOrIntervals, EndBehavior::Stop, "Position move",
-     newProgram<PositionMoveProgram>, paperAxis},
-    {ProgramKind::SpeedMove, "speed_move", CAMPANEL_TEXT("Recipe", "Speed move"), speedFields, axisMachine,
-     speedChoices, "speed_move.", camPointsOrIntervals, EndBehavior::HoldSpeed, "Speed move",
-     newProgram<SpeedMoveProgram>, paperAxis},
-    {ProgramKind::PointCam, "point_cam", CAMPANEL_TEXT("Recipe", "Point cam"), camFields, axisMachine,
-     camChoices, "cam.", camPoints, EndBehavior::Repeat, "Point cam", newProgram<PointCamProgram>, paperAxis,
-     &knotList},
+    {ProgramKind::RotaryCutter, "rotary_cutter", CAMPANEL_TEXT("Recipe", "Rotary cutter"),
+     memberFields<RotaryCutterProgram>, machineFields<machine_use::knife>, cutterChoices, "program.",
+     stepTable, EndBehavior::Repeat, "Biscuit 250", newProgram<RotaryCutterProgram>, paperCutter},
+    {ProgramKind::PositionMove, "position_move", CAMPANEL_TEXT("Recipe", "Position move"),
+     memberFields<PositionMoveProgram>, machineFields<machine_use::axis>, positionChoices, "position_move.",
+     camPointsOrIntervals, EndBehavior::Stop, "Position move", newProgram<PositionMoveProgram>, paperAxis},
+    {ProgramKind::SpeedMove, "speed_move", CAMPANEL_TEXT("Recipe", "Speed move"),
+     memberFields<SpeedMoveProgram>, machineFields<machine_use::axis>, speedChoices, "speed_move.",
+     camPointsOrIntervals, EndBehavior::HoldSpeed, "Speed move", newProgram<SpeedMoveProgram>, paperAxis},
+    {ProgramKind::PointCam, "point_cam", CAMPANEL_TEXT("Recipe", "Point cam"), memberFields<PointCamProgram>,
+     machineFields<machine_use::axis>, camChoices, "cam.", camPoints, EndBehavior::Repeat, "Point cam",
+     newProgram<PointCamProgram>, paperAxis, &knotList},
     {ProgramKind::Press,
      "press",
      CAMPANEL_TEXT("Recipe", "Press"),
-     pressFields,
-     pressMachine,
+     memberFields<PressProgram>,
+     machineFields<machine_use::press>,
      {},
      "press.",
      pressStages,
@@ -178,46 +161,43 @@ constexpr std::array<KindInfo, 6> kindTable{{
      "Press",
      newProgram<PressProgram>,
      paperPress},
-    {ProgramKind::SegmentCam, "segment_cam", CAMPANEL_TEXT("Recipe", "Segment cam"), camFields, axisMachine,
-     segmentChoices, "cam.", camPoints, EndBehavior::Repeat, "Segment cam", newProgram<SegmentCamProgram>,
-     paperAxis, &segmentList},
+    {ProgramKind::SegmentCam, "segment_cam", CAMPANEL_TEXT("Recipe", "Segment cam"),
+     memberFields<SegmentCamProgram>, machineFields<machine_use::axis>, segmentChoices, "cam.", camPoints,
+     EndBehavior::Repeat, "Segment cam", newProgram<SegmentCamProgram>, paperAxis, &segmentList},
 }};
 
 // Calls visit(choice, member) for every choice of the program.
-template <typename Visitor> void visitChoices(RotaryCutterProgram& program, Visitor visit)
+template <typename P, typename Visitor> void visitChoices(P& program, Visitor visit)
 {
-    visit(Choice::Law, program.speedLaw);
-    visit(Choice::Ratios, program.ratioMode);
+    if constexpr (requires { program.speedLaw; })
+        visit(Choice::Law, program.speedLaw);
+    if constexpr (requires { program.law; })
+        visit(Choice::Law, program.law);
+    if constexpr (requires { program.ratioMode; })
+        visit(Choice::Ratios, program.ratioMode);
+    if constexpr (requires { program.duration; })
+        visit(Choice::Duration, program.duration);
+    if constexpr (requires { program.execution; })
+        visit(Choice::Execution, program.execution);
+    if constexpr (requires { program.ends; })
+        visit(Choice::SplineEnds, program.ends);
+    if constexpr (requires { program.masterRamp; })
+        visit(Choice::MasterRampShape, program.masterRamp);
 }
 
-template <typename Move, typename Visitor> void visitMove(Move& program, Visitor visit)
+// Returns the parameters of the law of any program, constant or not; null without a law.
+auto findLawParameters(auto& program)
 {
-    visit(Choice::Law, program.law);
-    visit(Choice::Duration, program.duration);
-    visit(Choice::Execution, program.execution);
-}
-
-template <typename Visitor> void visitChoices(PositionMoveProgram& program, Visitor visit)
-{
-    visitMove(program, visit);
-}
-
-template <typename Visitor> void visitChoices(SpeedMoveProgram& program, Visitor visit)
-{
-    visitMove(program, visit);
-}
-
-template <typename Visitor> void visitChoices(PointCamProgram& program, Visitor visit)
-{
-    visit(Choice::SplineEnds, program.ends);
-    visit(Choice::MasterRampShape, program.masterRamp);
-}
-
-template <typename Visitor> void visitChoices(PressProgram&, Visitor) {}
-
-template <typename Visitor> void visitChoices(SegmentCamProgram& program, Visitor visit)
-{
-    visit(Choice::MasterRampShape, program.masterRamp);
+    return std::visit(
+        [](auto& inputs) -> decltype(&std::get<PositionMoveProgram>(program).lawParameters) {
+            if constexpr (requires { inputs.speedLawParameters; })
+                return &inputs.speedLawParameters;
+            else if constexpr (requires { inputs.lawParameters; })
+                return &inputs.lawParameters;
+            else
+                return nullptr;
+        },
+        program);
 }
 
 } // namespace
@@ -242,7 +222,7 @@ ChoiceInfo choiceInfo(ProgramKind kind, Choice choice)
 {
     const auto choices = kindInfo(kind).choices;
     const auto found = std::ranges::find(choices, choice, &ChoiceInfo::choice);
-    return found == choices.end() ? ChoiceInfo{choice, {}, {}, {}} : *found;
+    return found == choices.end() ? ChoiceInfo{choice, {}, {}, {}, {}, {}} : *found;
 }
 
 bool isLawOf(ProgramKind kind, const profile::Law& law)
@@ -263,15 +243,14 @@ void setValue(Program& program, Field field, double value)
 std::uint16_t choice(const Program& program, Choice wanted)
 {
     std::uint16_t code = 0;
-    Program copy = program; // the visitor is shared with setChoice()
     std::visit(
-        [&](auto& inputs) {
+        [&](const auto& inputs) {
             visitChoices(inputs, [&](Choice each, auto& member) {
                 if (each == wanted)
                     code = static_cast<std::uint16_t>(member);
             });
         },
-        copy);
+        program);
     return code;
 }
 
@@ -289,18 +268,12 @@ void setChoice(Program& program, Choice wanted, std::uint16_t code)
 
 profile::LawParameters* lawParameters(Program& program)
 {
-    if (auto* cutter = std::get_if<RotaryCutterProgram>(&program))
-        return &cutter->speedLawParameters;
-    if (auto* move = std::get_if<PositionMoveProgram>(&program))
-        return &move->lawParameters;
-    if (auto* move = std::get_if<SpeedMoveProgram>(&program))
-        return &move->lawParameters;
-    return nullptr;
+    return findLawParameters(program);
 }
 
 const profile::LawParameters* lawParameters(const Program& program)
 {
-    return lawParameters(const_cast<Program&>(program)); // read-only
+    return findLawParameters(program);
 }
 
 bool isRead(const Program& program, Field field)
@@ -315,7 +288,7 @@ bool isRead(const Program& program, Field field)
     if (const auto* cutter = std::get_if<RotaryCutterProgram>(&program)) {
         if (field == Field::RampPosition)
             return cutter->ratioMode == RatioMode::Between;
-        return field > Field::FilmSpeed || profile::isPinned(*cutter, field);
+        return !profile::isCycleField(field) || profile::isPinned(*cutter, field);
     }
     return true;
 }

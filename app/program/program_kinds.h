@@ -25,7 +25,9 @@ struct ChoiceOption {
 
 struct ChoiceInfo {
     Choice choice = Choice::Law;
-    std::string_view id; // key in the recipe file
+    std::string_view id;           // key in the recipe file
+    std::string_view registerName; // as of a field; empty: not sent, or the layout of the table says it
+    std::string_view group;        // as of a field
     std::string_view name;
     std::span<const ChoiceOption> options; // empty for the law, whose options are the table of laws
 };

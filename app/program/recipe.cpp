@@ -10,11 +10,17 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <string>
+#include <variant>
+#include <vector>
 
 namespace campanel::program {
+
 const modbus::RegisterInfo* registerOf(const KindInfo& kind, std::string_view suffix)
 {
+    if (suffix.empty())
+        return nullptr;
     const auto* found = modbus::findRegister(std::string(kind.registerPrefix).append(suffix));
     const auto code = static_cast<modbus::ProgramKind>(kind.kind);
     const bool isOfKind = found != nullptr && found->appliesTo(code, kind.layouts.front());
@@ -31,6 +37,30 @@ Recipe defaultRecipe(profile::ProgramKind kind)
     return recipe;
 }
 
+namespace {
+
+std::vector<RegisterField> findRegisterFields(const KindInfo& kind)
+{
+    std::vector<RegisterField> found;
+    for (const profile::FieldInfo& field : profile::fields) {
+        if (const auto* info = registerOf(kind, field.registerName))
+            found.push_back({field.field, info, field.unit == "s" && info->unit == "ms" ? 1000.0 : 1.0});
+    }
+    return found;
+}
+
+} // namespace
+
+std::span<const RegisterField> registerFields(const KindInfo& kind)
+{
+    static const auto found = [] {
+        std::vector<std::vector<RegisterField>> fields;
+        std::ranges::transform(kinds(), std::back_inserter(fields), findRegisterFields);
+        return fields;
+    }();
+    return found[static_cast<std::size_t>(kind.kind) - 1];
+}
+
 bool isProgramField(const Recipe& recipe, profile::Field field)
 {
     const auto fields = kindInfo(recipe.kind()).programFields;
@@ -39,9 +69,18 @@ bool isProgramField(const Recipe& recipe, profile::Field field)
 
 bool isInController(const Recipe& recipe, profile::Field field)
 {
-    const auto entry = std::ranges::find(registerFields, field, &RegisterField::field);
-    return isProgramField(recipe, field) && entry != registerFields.end() &&
-           registerOf(kindInfo(recipe.kind()), entry->suffix) != nullptr;
+    const auto registers = registerFields(kindInfo(recipe.kind()));
+    return isProgramField(recipe, field) &&
+           std::ranges::find(registers, field, &RegisterField::field) != registers.end();
+}
+
+bool isCount(const Recipe& recipe, profile::Field field)
+{
+    const auto isCountOf = [field]<typename P>(const P&) {
+        const profile::Member<P>* member = profile::memberOf<P>(field);
+        return member != nullptr && member->isCount();
+    };
+    return isProgramField(recipe, field) ? std::visit(isCountOf, recipe.program) : isCountOf(recipe.machine);
 }
 
 double value(const Recipe& recipe, profile::Field field)
@@ -62,18 +101,13 @@ Recipe quantised(const Recipe& recipe)
 {
     Recipe result = recipe;
     const KindInfo& kind = kindInfo(recipe.kind());
-    for (const RegisterField& entry : registerFields) {
-        const modbus::RegisterInfo* info = registerOf(kind, entry.suffix);
-        if (info == nullptr)
-            continue;
-        const bool isCycleValue = std::ranges::find(pinnableFields, entry.field) != pinnableFields.end();
-        if (isCycleValue && !isRead(recipe.program, entry.field)) {
+    for (const RegisterField& entry : registerFields(kind)) {
+        if (profile::isCycleField(entry.field) && !isRead(recipe.program, entry.field)) {
             setValue(result, entry.field, 0.0);
             continue;
         }
-        const double unit = registerUnits(entry.field);
-        if (const auto rounded = modbus::quantise(*info, value(recipe, entry.field) * unit))
-            setValue(result, entry.field, *rounded / unit);
+        if (const auto rounded = modbus::quantise(*entry.info, value(recipe, entry.field) * entry.perUnit))
+            setValue(result, entry.field, *rounded / entry.perUnit);
     }
     if (profile::LawParameters* parameters = lawParameters(result.program)) {
         for (std::size_t i = 0; i < parameters->size(); ++i) {

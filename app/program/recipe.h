@@ -9,7 +9,6 @@
 
 #include "modbus/map/blocks.h"
 
-#include <array>
 #include <cstddef>
 #include <string>
 
@@ -58,14 +57,12 @@ struct Recipe {
 // Returns a new recipe of this kind with the machine of the paper that the kind comes from.
 [[nodiscard]] Recipe defaultRecipe(profile::ProgramKind kind);
 
-// The four inputs of which two are pinned; in the order of the bits of program.pinned.
-inline constexpr std::array pinnableFields{profile::Field::BagLength, profile::Field::Rate,
-                                           profile::Field::BaseSpeed, profile::Field::FilmSpeed};
-
 // Access inputs and machine data of any kind; `field` must be among those of the recipe's kind.
 [[nodiscard]] bool isProgramField(const Recipe& recipe, profile::Field field);
 // Returns true for an input that the controller stores with the program.
 [[nodiscard]] bool isInController(const Recipe& recipe, profile::Field field);
+// Returns true for a count; other fields without decimals are measures entered as whole numbers.
+[[nodiscard]] bool isCount(const Recipe& recipe, profile::Field field);
 [[nodiscard]] double value(const Recipe& recipe, profile::Field field);
 void setValue(Recipe& recipe, profile::Field field, double value);
 

@@ -283,20 +283,9 @@ AxisMotion solveCycle(const CamMaster& master, const Machine& machine, MotionPro
 
 std::optional<Refusal> findInvalidMaster(const CamMaster& master, const Machine& machine)
 {
-    if (auto refusal = findInvalidAxis(machine))
+    if (auto refusal = findInvalidMachine(machine, machine_use::axis))
         return refusal;
-    const std::array values{std::pair{Field::MasterRate, master.masterRateRevPerMin},
-                            std::pair{Field::MasterRamp, master.masterRampS},
-                            std::pair{Field::MasterRatio, master.masterRatio},
-                            std::pair{Field::MasterScale, master.masterScale},
-                            std::pair{Field::SlaveScale, master.slaveScale},
-                            std::pair{Field::Phase, master.phaseDeg},
-                            std::pair{Field::CamPoints, static_cast<double>(master.camPoints)}};
-    for (const auto& [field, value] : values) {
-        if (!inRange(field, value))
-            return outOfRange(field, value);
-    }
-    return std::nullopt;
+    return findOutOfRange(master, [](const auto&) { return true; });
 }
 
 std::optional<Refusal> findNoMotion(const CamMaster& master, bool isFlat)

@@ -24,8 +24,6 @@
 namespace campanel::profile::detail {
 namespace {
 
-constexpr std::array cycleFields{Field::BagLength, Field::Rate, Field::BaseSpeed, Field::FilmSpeed};
-
 // Returns the cycle times at which the acceleration's peak equals +-limit for a fixed `kept`. With D = limit
 // * shortest ramp / Cv and both signs of D: v_b - v_a = D T.
 std::vector<double> accelerationTimes(const CycleShape& shape, FieldValue kept, double d)
@@ -117,6 +115,16 @@ std::vector<double> candidates(const RotaryCutterProgram& program, const Machine
 
 // A program whose ratios follow each value that is tried.
 struct FollowingProgram : RotaryCutterProgram {};
+
+double value(const FollowingProgram& program, Field field)
+{
+    return profile::value<RotaryCutterProgram>(program, field);
+}
+
+void setValue(FollowingProgram& program, Field field, double value)
+{
+    profile::setValue<RotaryCutterProgram>(program, field, value);
+}
 
 bool isFeasible(const FollowingProgram& program, const Machine& machine)
 {

@@ -12,7 +12,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace campanel::profile {
 namespace {
@@ -47,82 +46,6 @@ MotionProfile cycleMotion(const RotaryCutterProgram& program, const CycleNumbers
 
 } // namespace
 
-double value(const RotaryCutterProgram& program, Field field)
-{
-    switch (field) {
-    case Field::BagLength:
-        return program.bagLengthMm;
-    case Field::Rate:
-        return program.rateBagsPerMin;
-    case Field::BaseSpeed:
-        return program.baseSpeedMmPerS;
-    case Field::FilmSpeed:
-        return program.filmSpeedMmPerS;
-    case Field::K1:
-        return program.k[0];
-    case Field::K2:
-        return program.k[1];
-    case Field::K3:
-        return program.k[2];
-    case Field::K4:
-        return program.k[3];
-    case Field::SyncRatio:
-        return program.syncRatio;
-    case Field::SlicesPerRamp:
-        return program.slicesPerRamp;
-    case Field::MinSealTime:
-        return program.minSealTimeMs;
-    case Field::RampPosition:
-        return program.rampPositionPercent;
-    default:
-        return std::numeric_limits<double>::quiet_NaN();
-    }
-}
-
-void setValue(RotaryCutterProgram& program, Field field, double value)
-{
-    switch (field) {
-    case Field::BagLength:
-        program.bagLengthMm = value;
-        break;
-    case Field::Rate:
-        program.rateBagsPerMin = value;
-        break;
-    case Field::BaseSpeed:
-        program.baseSpeedMmPerS = value;
-        break;
-    case Field::FilmSpeed:
-        program.filmSpeedMmPerS = value;
-        break;
-    case Field::K1:
-        program.k[0] = value;
-        break;
-    case Field::K2:
-        program.k[1] = value;
-        break;
-    case Field::K3:
-        program.k[2] = value;
-        break;
-    case Field::K4:
-        program.k[3] = value;
-        break;
-    case Field::SyncRatio:
-        program.syncRatio = value;
-        break;
-    case Field::SlicesPerRamp:
-        program.slicesPerRamp = wholeOf(value);
-        break;
-    case Field::MinSealTime:
-        program.minSealTimeMs = value;
-        break;
-    case Field::RampPosition:
-        program.rampPositionPercent = value;
-        break;
-    default:
-        break;
-    }
-}
-
 bool isPinned(const RotaryCutterProgram& program, Field field)
 {
     return program.pinned[0] == field || program.pinned[1] == field;
@@ -136,7 +59,7 @@ tl::expected<CycleNumbers, Refusal> detail::solveValid(const RotaryCutterProgram
     if (values.baseSpeedMmPerS < -zeroSpeedToleranceMmPerS || values.cycleTimeS <= 0)
         return tl::unexpected(strokeCannotClose(shape, values.bagLengthMm));
     values.baseSpeedMmPerS = maxOf(values.baseSpeedMmPerS, 0.0);
-    for (const Field field : {Field::Rate, Field::FilmSpeed, Field::BaseSpeed, Field::BagLength}) {
+    for (const Field field : cycleFields) {
         if (!isPinned(program, field) && !inRange(field, values.of(field)))
             return tl::unexpected(outOfRange(field, values.of(field)));
     }

@@ -3,12 +3,12 @@
 // again. Two of bag length, rate, v_a and v_b are given ("pinned"); the other two follow.
 #pragma once
 
-#include "profile/model/fields.h"
 #include "profile/model/law.h"
 #include "profile/model/machine.h"
 #include "profile/model/motion_profile.h"
 #include "profile/model/refusal.h"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -34,8 +34,8 @@ struct RotaryCutterProgram {
     double baseSpeedMmPerS = info(Field::BaseSpeed).defaultValue; // v_a
     double filmSpeedMmPerS = info(Field::FilmSpeed).defaultValue; // v_b
     // The ends of the segments as T/k: k1 > k2 > k3 > k4 > 1.
-    std::array<double, 4> k{info(Field::K1).defaultValue, info(Field::K2).defaultValue,
-                            info(Field::K3).defaultValue, info(Field::K4).defaultValue};
+    Ratios k{info(Field::K1).defaultValue, info(Field::K2).defaultValue, info(Field::K3).defaultValue,
+             info(Field::K4).defaultValue};
     LawId speedLaw = LawId::Cubic;
     LawParameters speedLawParameters{};
     double syncRatio = 1; // v_b = syncRatio * L / T
@@ -45,9 +45,32 @@ struct RotaryCutterProgram {
     double rampPositionPercent = info(Field::RampPosition).defaultValue; // only for Between
 };
 
-[[nodiscard]] double value(const RotaryCutterProgram& program,
-                           Field field);                                // field must be one of the program's
-void setValue(RotaryCutterProgram& program, Field field, double value); // counts are rounded
+template <>
+inline constexpr std::array membersOf<RotaryCutterProgram>{
+    Member<RotaryCutterProgram>{Field::BagLength, &RotaryCutterProgram::bagLengthMm},
+    Member<RotaryCutterProgram>{Field::Rate, &RotaryCutterProgram::rateBagsPerMin},
+    Member<RotaryCutterProgram>{Field::BaseSpeed, &RotaryCutterProgram::baseSpeedMmPerS},
+    Member<RotaryCutterProgram>{Field::FilmSpeed, &RotaryCutterProgram::filmSpeedMmPerS},
+    Member<RotaryCutterProgram>{Field::K1, &RotaryCutterProgram::k},
+    Member<RotaryCutterProgram>{Field::K2, &RotaryCutterProgram::k},
+    Member<RotaryCutterProgram>{Field::K3, &RotaryCutterProgram::k},
+    Member<RotaryCutterProgram>{Field::K4, &RotaryCutterProgram::k},
+    Member<RotaryCutterProgram>{Field::SyncRatio, &RotaryCutterProgram::syncRatio},
+    Member<RotaryCutterProgram>{Field::SlicesPerRamp, &RotaryCutterProgram::slicesPerRamp},
+    Member<RotaryCutterProgram>{Field::MinSealTime, &RotaryCutterProgram::minSealTimeMs},
+    Member<RotaryCutterProgram>{Field::RampPosition, &RotaryCutterProgram::rampPositionPercent},
+};
+
+// The four values of a cycle, of which two are pinned; in the order of the bits of program.pinned.
+inline constexpr std::array cycleFields{Field::BagLength, Field::Rate, Field::BaseSpeed, Field::FilmSpeed};
+[[nodiscard]] constexpr bool isCycleField(Field field)
+{
+    return std::ranges::find(cycleFields, field) != cycleFields.end();
+}
+[[nodiscard]] constexpr bool isRatio(Field field)
+{
+    return field >= Field::K1 && field <= Field::K4;
+}
 [[nodiscard]] bool isPinned(const RotaryCutterProgram& program, Field field);
 
 // All numbers of one cycle.

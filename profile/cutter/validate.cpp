@@ -10,22 +10,6 @@ namespace campanel::profile::detail {
 namespace {
 
 constexpr std::array ratioFields{Field::K1, Field::K2, Field::K3, Field::K4};
-constexpr std::array machineFields{
-    Field::KnifeRadius,     Field::Knives,           Field::PulsesPerMotorRev,    Field::GearNumerator,
-    Field::GearDenominator, Field::MaxMotorRpm,      Field::MaxKnifeAcceleration, Field::MaxPulseFrequency,
-    Field::MaxRate,         Field::ContactAngle,     Field::TimerClock,           Field::TimerBits,
-    Field::RowCapacity,     Field::MaxTorque,        Field::RatedTorque,          Field::Inertia,
-    Field::Friction,        Field::NaturalFrequency, Field::DampingRatio};
-constexpr std::array axisFields{Field::PulsesPerMotorRev, Field::FeedPerMotorRev,   Field::MaxMotorRpm,
-                                Field::MaxAcceleration,   Field::MaxTorque,         Field::Inertia,
-                                Field::Friction,          Field::MaxPulseFrequency, Field::TimerClock,
-                                Field::RatedTorque,       Field::NaturalFrequency,  Field::DampingRatio};
-
-bool isCycleValue(Field field)
-{
-    return field == Field::BagLength || field == Field::Rate || field == Field::BaseSpeed ||
-           field == Field::FilmSpeed;
-}
 
 // Refuses a timer that overflows before the shortest interval between pulses.
 std::optional<Refusal> findNarrowTimer(const Machine& machine)
@@ -98,36 +82,24 @@ std::optional<Refusal> findInvalidLaw(LawId id, const LawParameters& parameters,
     return std::nullopt;
 }
 
-std::optional<Refusal> findInvalidAxis(const Machine& machine)
-{
-    for (const Field field : axisFields) {
-        if (!inRange(field, value(machine, field)))
-            return outOfRange(field, value(machine, field));
-    }
-    return std::nullopt;
-}
-
 std::optional<Refusal> findInvalid(const RotaryCutterProgram& program, const Machine& machine)
 {
-    if (!isCycleValue(program.pinned[0]) || !isCycleValue(program.pinned[1]) ||
+    if (!isCycleField(program.pinned[0]) || !isCycleField(program.pinned[1]) ||
         program.pinned[0] == program.pinned[1]) {
         Refusal refusal;
         refusal.limit = Limit::PinnedPair;
         refusal.field = program.pinned[1];
         return refusal;
     }
-    for (const Field field : machineFields) {
-        if (!inRange(field, value(machine, field)))
-            return outOfRange(field, value(machine, field));
-    }
+    if (auto refusal = findInvalidMachine(machine, machine_use::knife))
+        return refusal;
     if (auto refusal = findNarrowTimer(machine))
         return refusal;
-    for (const Field field :
-         {program.pinned[0], program.pinned[1], Field::K1, Field::K2, Field::K3, Field::K4, Field::SyncRatio,
-          Field::SlicesPerRamp, Field::MinSealTime, Field::RampPosition}) {
-        if (!inRange(field, value(program, field)))
-            return outOfRange(field, value(program, field));
-    }
+    const auto isGiven = [&program](const Member<RotaryCutterProgram>& member) {
+        return !isCycleField(member.field) || isPinned(program, member.field);
+    };
+    if (auto refusal = findOutOfRange(program, isGiven))
+        return refusal;
     if (auto refusal = findInvalidLaw(program.speedLaw, program.speedLawParameters, LawUse::Speed))
         return refusal;
     return findWrongOrder(program);

@@ -14,9 +14,6 @@ namespace campanel::profile::detail {
 // Returns true when the ratios descend from k1 to k4.
 [[nodiscard]] bool hasDescendingRatios(const RotaryCutterProgram& program);
 
-// Returns the first fault of the data of an axis other than the knife axis.
-[[nodiscard]] std::optional<Refusal> findInvalidAxis(const Machine& machine);
-
 enum class LawUse : std::uint8_t { Speed, Displacement };
 
 // Returns the refusal of a law that does not exist or does not serve that use, or of a parameter outside its
@@ -24,5 +21,23 @@ enum class LawUse : std::uint8_t { Speed, Displacement };
 [[nodiscard]] std::optional<Refusal> findInvalidLaw(LawId id, const LawParameters& parameters, LawUse use);
 
 [[nodiscard]] Refusal outOfRange(Field field, double value);
+
+// Returns the refusal of the first number that is outside its range; `isRead(member)` is false for one that
+// the program does not use.
+template <typename P, typename IsRead>
+[[nodiscard]] std::optional<Refusal> findOutOfRange(const P& inputs, IsRead isRead)
+{
+    for (const Member<P>& member : membersOf<P>) {
+        if (isRead(member) && !inRange(member.field, member.get(inputs)))
+            return outOfRange(member.field, member.get(inputs));
+    }
+    return std::nullopt;
+}
+
+// Returns the first fault of the machine's data; `use` is one of machine_use, an axis also for a press.
+[[nodiscard]] inline std::optional<Refusal> findInvalidMachine(const Machine& machine, unsigned use)
+{
+    return findOutOfRange(machine, [use](const Member<Machine>& member) { return (member.uses & use) != 0; });
+}
 
 } // namespace campanel::profile::detail

@@ -3,8 +3,9 @@
 // size.
 #pragma once
 
-#include "profile/model/fields.h"
+#include "profile/model/members.h"
 
+#include <algorithm>
 #include <cstdint>
 
 namespace campanel::profile {
@@ -44,8 +45,53 @@ struct Machine {
     bool operator==(const Machine&) const = default;
 };
 
-[[nodiscard]] double value(const Machine& machine, Field field); // field must be one of the machine's
-void setValue(Machine& machine, Field field, double value);      // integers are rounded
+// Who has a number of the machine. A person enters it unless it comes from the controller.
+namespace machine_use {
+inline constexpr unsigned knife = 1;
+inline constexpr unsigned axis = 2; // of a move or a cam
+inline constexpr unsigned press = 4;
+inline constexpr unsigned fromController = 8;
+inline constexpr unsigned motor = knife | axis;
+inline constexpr unsigned all = knife | axis | press;
+} // namespace machine_use
+
+template <>
+inline constexpr std::array membersOf<Machine>{
+    Member<Machine>{Field::KnifeRadius, &Machine::knifeRadiusMm, machine_use::knife},
+    Member<Machine>{Field::Knives, &Machine::knives, machine_use::knife},
+    Member<Machine>{Field::FeedPerMotorRev, &Machine::feedMmPerMotorRev,
+                    machine_use::axis | machine_use::press},
+    Member<Machine>{Field::PulsesPerMotorRev, &Machine::pulsesPerMotorRev, machine_use::all},
+    Member<Machine>{Field::GearNumerator, &Machine::gearNumerator, machine_use::knife},
+    Member<Machine>{Field::GearDenominator, &Machine::gearDenominator, machine_use::knife},
+    Member<Machine>{Field::MaxMotorRpm, &Machine::maxMotorRpm, machine_use::all},
+    Member<Machine>{Field::MaxKnifeAcceleration, &Machine::maxKnifeAccelerationMmPerS2, machine_use::knife},
+    Member<Machine>{Field::MaxAcceleration, &Machine::maxAccelerationMmPerS2,
+                    machine_use::axis | machine_use::press},
+    Member<Machine>{Field::MaxPulseFrequency, &Machine::maxPulseFrequencyHz, machine_use::all},
+    Member<Machine>{Field::MaxRate, &Machine::maxRateBagsPerMin, machine_use::knife},
+    Member<Machine>{Field::MaxTorque, &Machine::maxTorqueNm, machine_use::motor},
+    Member<Machine>{Field::RatedTorque, &Machine::ratedTorqueNm, machine_use::motor},
+    Member<Machine>{Field::Inertia, &Machine::inertiaKgCm2, machine_use::motor},
+    Member<Machine>{Field::Friction, &Machine::frictionNm, machine_use::motor},
+    Member<Machine>{Field::NaturalFrequency, &Machine::naturalFrequencyHz, machine_use::motor},
+    Member<Machine>{Field::DampingRatio, &Machine::dampingRatio, machine_use::motor},
+    Member<Machine>{Field::ContactAngle, &Machine::contactAngleDeg, machine_use::knife},
+    Member<Machine>{Field::TimerClock, &Machine::timerClockHz,
+                    machine_use::motor | machine_use::fromController},
+    Member<Machine>{Field::TimerBits, &Machine::timerBits, machine_use::knife | machine_use::fromController},
+    Member<Machine>{Field::RowCapacity, &Machine::rowCapacity,
+                    machine_use::knife | machine_use::fromController},
+};
+
+// The numbers that a person enters for this use.
+template <unsigned use>
+inline constexpr auto machineFields = [] {
+    constexpr auto isEntered = [](const Member<Machine>& member) {
+        return (member.uses & use) != 0 && (member.uses & machine_use::fromController) == 0;
+    };
+    return fieldsOf<Machine, std::ranges::count_if(membersOf<Machine>, isEntered)>(isEntered);
+}();
 
 // The pulses of one cycle as an exact rational: whole + remainder / divisor, remainder < divisor.
 struct PulsesPerCycle {

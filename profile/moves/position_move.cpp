@@ -22,20 +22,15 @@ bool isFastest(const PositionMoveProgram& program)
     return program.duration == MoveDuration::Fastest;
 }
 
-bool isInput(Field field)
-{
-    return field == Field::Distance || field == Field::MoveTime || field == Field::CamPoints;
-}
-
 std::optional<Refusal> findInvalidPositionInput(const PositionMoveProgram& program, const Machine& machine)
 {
-    if (auto refusal = detail::findInvalidAxis(machine))
+    if (auto refusal = detail::findInvalidMachine(machine, machine_use::axis))
         return refusal;
-    for (const Field field : {Field::Distance, Field::MoveTime, Field::CamPoints}) {
-        const bool isRead = field != Field::MoveTime || !isFastest(program);
-        if (isRead && !inRange(field, value(program, field)))
-            return detail::outOfRange(field, value(program, field));
-    }
+    const auto isRead = [&program](const Member<PositionMoveProgram>& member) {
+        return member.field != Field::MoveTime || !isFastest(program);
+    };
+    if (auto refusal = detail::findOutOfRange(program, isRead))
+        return refusal;
     if (auto refusal =
             detail::findInvalidLaw(program.law, program.lawParameters, detail::LawUse::Displacement))
         return refusal;
@@ -123,8 +118,9 @@ std::vector<Suggestion> positionSuggestions(const PositionMoveProgram& program, 
         mendable = {refusal.field};
     std::vector<Suggestion> found;
     for (const Field field : mendable) {
-        const auto suggestion = isInput(field) ? nearestPositionInput(program, machine, field)
-                                               : detail::nearestInRange(program, machine, refusal);
+        const auto suggestion = memberOf<PositionMoveProgram>(field)
+                                    ? nearestPositionInput(program, machine, field)
+                                    : detail::nearestInRange(program, machine, refusal);
         if (suggestion)
             found.push_back(*suggestion);
     }

@@ -64,13 +64,13 @@ bool isRead(const SpeedMoveProgram& program, Field field)
 
 std::optional<Refusal> findInvalidSpeedInput(const SpeedMoveProgram& program, const Machine& machine)
 {
-    if (auto refusal = detail::findInvalidAxis(machine))
+    if (auto refusal = detail::findInvalidMachine(machine, machine_use::axis))
         return refusal;
-    for (const Field field :
-         {Field::StartSpeed, Field::EndSpeed, Field::MoveTime, Field::Distance, Field::CamPoints}) {
-        if (isRead(program, field) && !inRange(field, value(program, field)))
-            return detail::outOfRange(field, value(program, field));
-    }
+    const auto isUsed = [&program](const Member<SpeedMoveProgram>& member) {
+        return isRead(program, member.field);
+    };
+    if (auto refusal = detail::findOutOfRange(program, isUsed))
+        return refusal;
     if (auto refusal = detail::findInvalidLaw(program.law, program.lawParameters, detail::LawUse::Speed))
         return refusal;
     if (program.startSpeedMmPerS == program.endSpeedMmPerS)

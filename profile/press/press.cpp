@@ -18,9 +18,6 @@
 namespace campanel::profile {
 namespace {
 
-constexpr Field firstInput = Field::ApproachPosition;
-constexpr Field lastInput = Field::MaxStopForce;
-
 // Returns the machine without torque. The recipe of a press has no torque, inertia or friction, because the
 // work piece determines the torque. The maximum acceleration limits its ramps.
 Machine withoutTorque(Machine machine)
@@ -75,13 +72,10 @@ std::optional<Refusal> findWrongForce(const PressProgram& program)
 
 std::optional<Refusal> findInvalidPress(const PressProgram& program, const Machine& machine)
 {
-    if (auto refusal = detail::findInvalidAxis(machine))
+    if (auto refusal = detail::findInvalidMachine(machine, machine_use::axis))
         return refusal;
-    for (Field field = firstInput; field <= lastInput;
-         field = static_cast<Field>(static_cast<int>(field) + 1)) {
-        if (!inRange(field, value(program, field)))
-            return detail::outOfRange(field, value(program, field));
-    }
+    if (auto refusal = detail::findOutOfRange(program, [](const auto&) { return true; }))
+        return refusal;
     if (auto refusal = findWrongStage(program, machine))
         return refusal;
     return findWrongForce(program);

@@ -4,8 +4,8 @@
 #pragma once
 
 #include "profile/cutter/rotary_cutter.h"
-#include "profile/model/fields.h"
 #include "profile/model/law.h"
+#include "profile/model/members.h"
 
 #include <cstdint>
 #include <type_traits>
@@ -45,6 +45,13 @@ struct PositionMoveProgram {
     Execution execution = Execution::CamPoints;
 };
 
+template <>
+inline constexpr std::array membersOf<PositionMoveProgram>{
+    Member<PositionMoveProgram>{Field::Distance, &PositionMoveProgram::distanceMm},
+    Member<PositionMoveProgram>{Field::MoveTime, &PositionMoveProgram::timeS},
+    Member<PositionMoveProgram>{Field::CamPoints, &PositionMoveProgram::camPoints},
+};
+
 // A change from one speed to another by a speed law; the last speed is held until a stop.
 struct SpeedMoveProgram {
     double startSpeedMmPerS = 0;
@@ -56,6 +63,15 @@ struct SpeedMoveProgram {
     LawParameters lawParameters{};
     int camPoints = static_cast<int>(info(Field::CamPoints).defaultValue);
     Execution execution = Execution::CamPoints;
+};
+
+template <>
+inline constexpr std::array membersOf<SpeedMoveProgram>{
+    Member<SpeedMoveProgram>{Field::StartSpeed, &SpeedMoveProgram::startSpeedMmPerS},
+    Member<SpeedMoveProgram>{Field::EndSpeed, &SpeedMoveProgram::endSpeedMmPerS},
+    Member<SpeedMoveProgram>{Field::MoveTime, &SpeedMoveProgram::timeS},
+    Member<SpeedMoveProgram>{Field::Distance, &SpeedMoveProgram::distanceMm},
+    Member<SpeedMoveProgram>{Field::CamPoints, &SpeedMoveProgram::camPoints},
 };
 
 // The end conditions of the spline. Stable codes.
@@ -95,10 +111,24 @@ struct CamMaster {
     double confirmedAdvanceMm = 0;
 };
 
+template <typename Cam>
+inline constexpr std::array camMembers{
+    Member<Cam>{Field::MasterRate, &Cam::masterRateRevPerMin},
+    Member<Cam>{Field::MasterRamp, &Cam::masterRampS},
+    Member<Cam>{Field::MasterRatio, &Cam::masterRatio},
+    Member<Cam>{Field::MasterScale, &Cam::masterScale},
+    Member<Cam>{Field::SlaveScale, &Cam::slaveScale},
+    Member<Cam>{Field::Phase, &Cam::phaseDeg},
+    Member<Cam>{Field::CamPoints, &Cam::camPoints},
+};
+template <> inline constexpr auto membersOf<CamMaster> = camMembers<CamMaster>;
+
 struct PointCamProgram : CamMaster {
     std::vector<Knot> knots = defaultKnots(); // 5..100, ascending
     SplineEnds ends = SplineEnds::Periodic;
 };
+
+template <> inline constexpr auto membersOf<PointCamProgram> = camMembers<PointCamProgram>;
 
 // The motion of a segment of a cam. Stable codes; a displacement law has the code of its LawId.
 enum class SegmentMotion : std::uint16_t {
@@ -147,6 +177,8 @@ struct SegmentCamProgram : CamMaster {
     std::vector<CamSegment> segments = defaultSegments(); // 1..40, one after the other
 };
 
+template <> inline constexpr auto membersOf<SegmentCamProgram> = camMembers<SegmentCamProgram>;
+
 struct PressProgram {
     double approachPositionMm = info(Field::ApproachPosition).defaultValue; // B
     double approachSpeedMmPerS = info(Field::ApproachSpeed).defaultValue;   // A to B
@@ -165,17 +197,22 @@ struct PressProgram {
     double maxStopForceN = info(Field::MaxStopForce).defaultValue;
 };
 
-// Access by field. Another program's field gives NaN and has no effect. Counts are rounded.
-[[nodiscard]] double value(const PositionMoveProgram& program, Field field);
-[[nodiscard]] double value(const SpeedMoveProgram& program, Field field);
-[[nodiscard]] double value(const PointCamProgram& program, Field field);
-[[nodiscard]] double value(const PressProgram& program, Field field);
-[[nodiscard]] double value(const SegmentCamProgram& program, Field field);
-void setValue(PositionMoveProgram& program, Field field, double value);
-void setValue(SpeedMoveProgram& program, Field field, double value);
-void setValue(PointCamProgram& program, Field field, double value);
-void setValue(PressProgram& program, Field field, double value);
-void setValue(SegmentCamProgram& program, Field field, double value);
+template <>
+inline constexpr std::array membersOf<PressProgram>{
+    Member<PressProgram>{Field::ApproachPosition, &PressProgram::approachPositionMm},
+    Member<PressProgram>{Field::ApproachSpeed, &PressProgram::approachSpeedMmPerS},
+    Member<PressProgram>{Field::ProbeSpeed, &PressProgram::probeSpeedMmPerS},
+    Member<PressProgram>{Field::ProbeForce, &PressProgram::probeForceN},
+    Member<PressProgram>{Field::ProbeEnd, &PressProgram::probeEndMm},
+    Member<PressProgram>{Field::PressSpeed, &PressProgram::pressSpeedMmPerS},
+    Member<PressProgram>{Field::PressPosition, &PressProgram::pressPositionMm},
+    Member<PressProgram>{Field::HoldTime, &PressProgram::holdTimeS},
+    Member<PressProgram>{Field::ReturnSpeed, &PressProgram::returnSpeedMmPerS},
+    Member<PressProgram>{Field::MaxForce, &PressProgram::maxForceN},
+    Member<PressProgram>{Field::PositionTolerance, &PressProgram::positionToleranceMm},
+    Member<PressProgram>{Field::MinStopForce, &PressProgram::minStopForceN},
+    Member<PressProgram>{Field::MaxStopForce, &PressProgram::maxStopForceN},
+};
 
 using Program = std::variant<RotaryCutterProgram, PositionMoveProgram, SpeedMoveProgram, PointCamProgram,
                              PressProgram, SegmentCamProgram>;

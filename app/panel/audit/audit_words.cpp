@@ -8,7 +8,6 @@
 #include "app/panel/settings/settings.h"
 #include "app/panel/words/access_sentences.h"
 #include "app/panel/words/recipe_words.h"
-#include "app/program/register_fields.h"
 
 #include <QDateTime>
 #include <QLocale>
@@ -180,8 +179,8 @@ QString AuditWords::object(const store::AuditEntry& entry)
 {
     if (entry.what == u"program.value") {
         const std::string suffix = entry.object.section(u'.', 1).toStdString();
-        for (const program::RegisterField& each : program::registerFields) {
-            if (each.suffix == suffix)
+        for (const profile::FieldInfo& each : profile::fields) {
+            if (!suffix.empty() && each.registerName == suffix)
                 return RecipeWords::fieldName(each.field);
         }
     }
@@ -219,9 +218,11 @@ QStringList AuditWords::keysWith(const QString& word)
         if (row.label)
             add(shortKeyOf(row), Settings::tr(row.label));
     }
-    for (const program::RegisterField& each : program::registerFields)
-        add(u"program."_s + QString::fromStdString(std::string(each.suffix)),
-            RecipeWords::fieldName(each.field));
+    for (const profile::FieldInfo& each : profile::fields) {
+        if (!each.registerName.empty())
+            add(u"program."_s + QString::fromStdString(std::string(each.registerName)),
+                RecipeWords::fieldName(each.field));
+    }
     for (const modbus::RegisterInfo& each : modbus::registers()) {
         const QString name = QString::fromUtf8(each.name.data(), static_cast<qsizetype>(each.name.size()));
         add(name, PackingFields::words(name));

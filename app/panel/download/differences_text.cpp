@@ -4,7 +4,6 @@
 #include "app/panel/recipe/recipe_edit.h"
 #include "app/panel/words/recipe_words.h"
 #include "app/panel/words/refusal_sentences.h"
-#include "app/program/register_fields.h"
 
 namespace campanel::panel {
 
@@ -39,9 +38,9 @@ QString optionText(profile::ProgramKind kind, program::Choice choice, double cod
 QString DifferencesText::pinnedText(std::uint16_t bits)
 {
     QStringList names;
-    for (std::size_t i = 0; i < program::pinnableFields.size(); ++i) {
+    for (std::size_t i = 0; i < profile::cycleFields.size(); ++i) {
         if (bits >> i & 1)
-            names << RecipeWords::fieldName(program::pinnableFields[i]);
+            names << RecipeWords::fieldName(profile::cycleFields[i]);
     }
     return names.join(QStringLiteral(" + "));
 }
@@ -74,8 +73,8 @@ DifferenceRow DifferencesText::row(const program::Difference& difference, profil
     if (suffix == "law")
         return {kind == profile::ProgramKind::PositionMove ? tr("Displacement law") : tr("Speed law"),
                 lawText(difference.a), lawText(difference.b)};
-    for (const program::RegisterChoice& each : program::registerChoices) {
-        if (each.suffix == suffix)
+    for (const program::ChoiceInfo& each : program::kindInfo(kind).choices) {
+        if (each.registerName == suffix)
             return {RecipeWords::choiceName(kind, each.choice), optionText(kind, each.choice, difference.a),
                     optionText(kind, each.choice, difference.b)};
     }

@@ -46,10 +46,9 @@ QString fieldId(Field field)
     }
 }
 
-// Returns the level for a field: bag length and rate are for operators, all others for technicians.
 Level levelFor(Field field)
 {
-    return field == Field::BagLength || field == Field::Rate ? Level::Operator : Level::Technician;
+    return profile::info(field).isForOperators ? Level::Operator : Level::Technician;
 }
 
 // Returns the level for the change from one recipe to the other: an operator's only when bag length and rate,
@@ -61,7 +60,7 @@ Level levelBetween(const program::Recipe& before, const program::Recipe& after)
     if (!before.isCutter() || !after.isCutter())
         return sameRecipe(before, same) ? Level::Operator : Level::Technician;
     same.cutter().pinned = before.cutter().pinned;
-    for (const Field field : program::pinnableFields)
+    for (const Field field : profile::cycleFields)
         program::setValue(same, field, program::value(before, field));
     // Ratios that follow are no change of their own.
     if (same.cutter().ratioMode != profile::RatioMode::ByHand)
@@ -132,7 +131,7 @@ void Editor::connectFields()
         const Field field = info.field;
         auto* item = new EditorField(fieldId(field), this);
         item->setNeededLevel(levelFor(field));
-        item->setGroup(inputGroup(field));
+        item->setGroup(QString::fromLatin1(info.group));
         m_fields[static_cast<std::size_t>(field)] = item;
         connect(item, &EditorField::setRequested, this, [this, field](double value) {
             edit(levelFor(field), [&](program::Recipe& recipe) {

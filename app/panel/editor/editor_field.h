@@ -28,7 +28,7 @@ class EditorField : public campanel::panel::Value {
     QML_UNCREATABLE("Fields belong to the Editor")
 
     Q_PROPERTY(QString fieldId READ fieldId CONSTANT FINAL)
-    // The group of a program's input, empty for other numbers; see input_groups.h.
+    // The group of a program's input, empty for other numbers; see profile::FieldInfo.
     Q_PROPERTY(QString group READ group CONSTANT FINAL)
     // The level needed to change it, as Access.level.
     Q_PROPERTY(int neededLevel READ neededLevel CONSTANT FINAL)

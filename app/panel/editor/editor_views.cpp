@@ -21,11 +21,6 @@ namespace {
 
 using profile::Field;
 
-bool isRatio(Field field)
-{
-    return field >= Field::K1 && field <= Field::K4;
-}
-
 profile::LawId lawOf(const program::Recipe& recipe)
 {
     return static_cast<profile::LawId>(program::choice(recipe.program, program::Choice::Law));
@@ -57,7 +52,7 @@ FieldView EditorViews::field(Field field) const
     view.maximum = info.max;
     view.defaultValue = info.defaultValue;
     view.decimals = info.decimals;
-    view.pinnable = isPinnable(field);
+    view.pinnable = profile::isCycleField(field);
     view.pinned = view.pinnable && profile::isPinned(m_recipe.cutter(), field);
     view.derived = view.pinnable && !view.pinned;
     if (!view.derived || m_solution.solved)
@@ -65,7 +60,7 @@ FieldView EditorViews::field(Field field) const
     view.text = RecipeWords::valueText(field, view.value);
     if (m_active && m_active->recipe.kind() == m_recipe.kind() && program::isInController(m_recipe, field))
         view.activeText = RecipeWords::valueText(field, program::value(m_active->recipe, field));
-    if (isRatio(field))
+    if (profile::isRatio(field))
         narrowRatio(field, view);
     view.explanation =
         view.derived && m_solution.cutter() ? explanation(field) : RecipeWords::inWords(info.help);

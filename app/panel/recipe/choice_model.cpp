@@ -25,7 +25,10 @@ QList<ChoiceRow> ChoiceRow::rows(const program::Recipe& recipe,
     for (const program::ChoiceInfo& info : program::kindInfo(recipe.kind()).choices) {
         if (info.choice == program::Choice::Law || info.choice == program::Choice::Ratios)
             continue; // they have views of their own
-        ChoiceRow row{info.choice, RecipeWords::inWords(info.name), {}, {}, 0};
+        ChoiceRow row;
+        row.choice = info.choice;
+        row.name = RecipeWords::inWords(info.name);
+        row.group = QString::fromLatin1(info.group);
         const std::uint16_t current = program::choice(recipe.program, info.choice);
         for (const program::ChoiceOption& option : info.options) {
             if (option.code != current && !isExecuted(info.choice, option.code, controller))

@@ -4,7 +4,6 @@
 
 #include "app/link/link_values.h"
 #include "app/panel/kit/row_model.h"
-#include "app/panel/recipe/input_groups.h"
 #include "app/program/recipe.h"
 
 #include <QStringList>
@@ -20,11 +19,12 @@ struct ChoiceRow {
     Q_PROPERTY(QString valueText READ valueText)
     Q_PROPERTY(QStringList options MEMBER options)
     Q_PROPERTY(int option MEMBER option)
-    Q_PROPERTY(QString group READ group)
+    Q_PROPERTY(QString group MEMBER group)
 
 public:
     program::Choice choice = program::Choice::Law;
     QString name;
+    QString group;
     QStringList options;
     QList<std::uint16_t> codes; // of the options
     int option = 0;
@@ -32,7 +32,6 @@ public:
     // Returns the choices of the recipe. What the controller cannot execute is no option, unless selected.
     [[nodiscard]] static QList<ChoiceRow> rows(const program::Recipe& recipe,
                                                const std::optional<modbus::Identity>& controller);
-    [[nodiscard]] QString group() const { return inputGroup(choice); }
     [[nodiscard]] QString valueText() const { return options.value(option); }
     // Sets an option in the recipe, if there is one with this index.
     void apply(int index, program::Recipe& recipe) const;

@@ -26,7 +26,7 @@ Recipe RecipeComparison::solved(Recipe recipe)
 QString RecipeComparison::pinnedText(const Recipe& recipe)
 {
     QStringList names;
-    for (const profile::Field field : program::pinnableFields) {
+    for (const profile::Field field : profile::cycleFields) {
         if (profile::isPinned(recipe.cutter(), field))
             names << RecipeWords::fieldName(field);
     }
@@ -100,9 +100,8 @@ QString RecipeComparison::summary(const Recipe& recipe)
     if (program::kindInfo(numbers.kind()).list)
         texts << RecipeWords::listSize(numbers.program);
     for (const profile::Field field : program::kindInfo(numbers.kind()).programFields) {
-        const bool isShown = numbers.isCutter()
-                                 ? field == profile::Field::BagLength || field == profile::Field::Rate
-                                 : program::isRead(numbers.program, field);
+        const bool isShown = numbers.isCutter() ? profile::info(field).isForOperators
+                                                : program::isRead(numbers.program, field);
         if (isShown && texts.size() < 2)
             texts << RefusalSentences::valueWithUnit(field, program::value(numbers, field));
     }

@@ -16,8 +16,6 @@ using profile::Field;
 // The minimum share of a cycle between two ends of segments after a drag.
 constexpr double minGap = 0.01;
 
-using program::pinnableFields;
-
 Field counterpart(Field field)
 {
     switch (field) {
@@ -42,23 +40,18 @@ void pin(profile::RotaryCutterProgram& program, Field field)
 
 } // namespace
 
-bool isPinnable(Field field)
-{
-    return std::ranges::find(pinnableFields, field) != pinnableFields.end();
-}
-
 void enterField(Recipe& recipe, Field field, double value)
 {
     program::setValue(recipe, field, value);
-    if (field >= Field::K1 && field <= Field::K4)
+    if (profile::isRatio(field))
         recipe.cutter().ratioMode = profile::RatioMode::ByHand;
-    if (isPinnable(field))
+    if (profile::isCycleField(field))
         pin(recipe.cutter(), field);
 }
 
 void togglePin(Recipe& recipe, Field field)
 {
-    if (!isPinnable(field))
+    if (!profile::isCycleField(field))
         return;
     auto& pinned = recipe.cutter().pinned;
     if (!profile::isPinned(recipe.cutter(), field)) {
@@ -68,7 +61,7 @@ void togglePin(Recipe& recipe, Field field)
     Field successor = counterpart(field);
     if (profile::isPinned(recipe.cutter(), successor)) {
         const auto isFree = [&](Field candidate) { return !profile::isPinned(recipe.cutter(), candidate); };
-        successor = *std::ranges::find_if(pinnableFields, isFree);
+        successor = *std::ranges::find_if(profile::cycleFields, isFree);
     }
     const Field kept = pinned[0] == field ? pinned[1] : pinned[0];
     pinned = {kept, successor};

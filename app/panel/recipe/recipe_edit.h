@@ -11,8 +11,6 @@ namespace campanel::panel {
 
 using program::Recipe;
 
-[[nodiscard]] bool isPinnable(profile::Field field);
-
 // Enters a value. A derived one of the four becomes pinned, and the pinned one with the oldest edit becomes
 // derived.
 void enterField(Recipe& recipe, profile::Field field, double value);

@@ -16,7 +16,7 @@ QString RecipeWords::inWords(std::string_view text)
 
 QString RecipeWords::valueText(Field field, double value)
 {
-    if (value == 0 && profile::isUnknownAtZero(field))
+    if (value == 0 && profile::info(field).isUnknownAtZero)
         return Format::unknownText();
     const int decimals = profile::info(field).decimals;
     const Format format;

@@ -22,18 +22,10 @@ using profile::Field;
 using program::Choice;
 using program::Recipe;
 
-// Returns true for counts; other fields without decimals are measures entered as whole numbers.
-bool isWhole(Field field)
-{
-    constexpr std::array counts{Field::SlicesPerRamp, Field::Knives,          Field::PulsesPerMotorRev,
-                                Field::GearNumerator, Field::GearDenominator, Field::CamPoints};
-    return std::ranges::find(counts, field) != counts.end();
-}
-
 QJsonValue numberJson(const Recipe& recipe, Field field)
 {
     const double value = program::value(recipe, field);
-    return isWhole(field) ? QJsonValue(static_cast<qint64>(value)) : QJsonValue(value);
+    return program::isCount(recipe, field) ? QJsonValue(static_cast<qint64>(value)) : QJsonValue(value);
 }
 
 QString lawId(const Recipe& recipe)
@@ -77,8 +69,7 @@ void readPinned(ObjectReader& reader, Recipe& recipe)
     std::vector<Field> fields;
     for (const QJsonValue& key : pinned) {
         const auto field = profile::fieldById(key.toString().toStdString());
-        if (field && std::ranges::find(program::pinnableFields, *field) != program::pinnableFields.end() &&
-            std::ranges::find(fields, *field) == fields.end())
+        if (field && profile::isCycleField(*field) && std::ranges::find(fields, *field) == fields.end())
             fields.push_back(*field);
     }
     if (pinned.size() != 2 || fields.size() != 2)
@@ -229,13 +220,14 @@ void readProgram(const QJsonObject& object, Recipe& recipe, std::optional<FileEr
     }
     for (const Field field : kind->programFields) {
         const bool needed =
-            recipe.isCutter() && field <= Field::FilmSpeed && program::isRead(recipe.program, field);
+            recipe.isCutter() && profile::isCycleField(field) && program::isRead(recipe.program, field);
         // Derived values are not read from the file.
         if (recipe.isCutter() && !program::isRead(recipe.program, field))
             reader.take(idOf(field));
         else if (needed || reader.has(idOf(field)))
-            program::setValue(recipe, field,
-                              reader.number(idOf(field), isWhole(field), profile::info(field)));
+            program::setValue(
+                recipe, field,
+                reader.number(idOf(field), program::isCount(recipe, field), profile::info(field)));
     }
     if (auto* cam = std::get_if<profile::PointCamProgram>(&recipe.program))
         readCamKnots(reader, *cam);
@@ -250,8 +242,9 @@ void readMachine(const QJsonObject& object, Recipe& recipe, std::optional<FileEr
     ObjectReader reader(object, u"machine."_s, failure);
     for (const Field field : program::kindInfo(recipe.kind()).machineFields) {
         if (reader.has(idOf(field)))
-            program::setValue(recipe, field,
-                              reader.number(idOf(field), isWhole(field), profile::info(field)));
+            program::setValue(
+                recipe, field,
+                reader.number(idOf(field), program::isCount(recipe, field), profile::info(field)));
     }
     reader.refuseUnknownKeys();
 }

@@ -106,18 +106,18 @@ void ProgramTest::everyPairOfInputsIsKept()
 {
     const auto reference = profile::solve(Recipe{}.cutter(), Recipe{}.machine);
     QVERIFY(reference.has_value());
-    for (std::size_t first = 0; first < pinnableFields.size(); ++first) {
-        for (std::size_t second = first + 1; second < pinnableFields.size(); ++second) {
+    for (std::size_t first = 0; first < profile::cycleFields.size(); ++first) {
+        for (std::size_t second = first + 1; second < profile::cycleFields.size(); ++second) {
             Recipe recipe;
             // In descending order: the order of pinning must not matter.
-            recipe.cutter().pinned = {pinnableFields[second], pinnableFields[first]};
+            recipe.cutter().pinned = {profile::cycleFields[second], profile::cycleFields[first]};
             recipe.cutter().baseSpeedMmPerS = reference->cycle.baseSpeedMmPerS;
             const auto image = buildProgram(recipe);
             QVERIFY2(image.has_value(), image ? "" : describe(image.error()).c_str());
             const auto shown = decodeProgram(image->registers, {}, recipe.machine);
             QVERIFY(shown.has_value());
-            QVERIFY(profile::isPinned(shown->cutter(), pinnableFields[first]));
-            QVERIFY(profile::isPinned(shown->cutter(), pinnableFields[second]));
+            QVERIFY(profile::isPinned(shown->cutter(), profile::cycleFields[first]));
+            QVERIFY(profile::isPinned(shown->cutter(), profile::cycleFields[second]));
             QVERIFY(std::abs(shown->cutter().bagLengthMm - 250.0) < 0.01);
             QVERIFY(buildProgram(*shown)->registers == image->registers);
         }
@@ -271,11 +271,9 @@ void ProgramTest::controllerLimitsTheMachine()
 void ProgramTest::everyRegisterFieldExists()
 {
     for (const KindInfo& kind : kinds()) {
-        for (const RegisterField& entry : registerFields) {
-            const modbus::RegisterInfo* info = registerOf(kind, entry.suffix);
-            if (info == nullptr)
-                continue;
-            const double unit = registerUnits(entry.field);
+        for (const RegisterField& entry : registerFields(kind)) {
+            const modbus::RegisterInfo* info = entry.info;
+            const double unit = entry.perUnit;
             const profile::FieldInfo& field = profile::info(entry.field);
             // The register holds every value on the field's grid exactly.
             QVERIFY2(info->scale <= field.resolution() * unit * 1.000001, info->name.data());
@@ -284,10 +282,9 @@ void ProgramTest::everyRegisterFieldExists()
         }
         // Every input has a register, or is in the recipe's file alone.
         for (const Field field : kind.programFields) {
-            const bool isKept = std::ranges::any_of(registerFields, [&](const RegisterField& entry) {
-                return entry.field == field && registerOf(kind, entry.suffix) != nullptr;
-            });
-            const bool isInFileAlone = std::ranges::find(fileFields, field) != fileFields.end();
+            const auto registers = registerFields(kind);
+            const bool isKept = std::ranges::find(registers, field, &RegisterField::field) != registers.end();
+            const bool isInFileAlone = field == Field::MinSealTime || field == Field::RampPosition;
             QVERIFY2(isKept != isInFileAlone, profile::info(field).id.data());
         }
     }

@@ -82,7 +82,7 @@ private slots:
             for (const QVariant& each : list) {
                 const auto* field = each.value<EditorField*>();
                 const auto known = profile::fieldById(field->fieldId().toStdString());
-                const bool mayBeUnknown = known && profile::isUnknownAtZero(*known);
+                const bool mayBeUnknown = known && profile::info(*known).isUnknownAtZero;
                 QVERIFY2(!field->label().isEmpty() && (mayBeUnknown || field->text() != "--"),
                          qPrintable(field->fieldId()));
             }
