@@ -2168,10 +2168,6 @@ Und %2 weitere.</translation>
         <translation>Gesparte Folie</translation>
     </message>
     <message>
-        <source>%1 m</source>
-        <translation>%1 m</translation>
-    </message>
-    <message>
         <source>Following error of the knife</source>
         <translation>Schleppfehler des Messers</translation>
     </message>
@@ -3057,10 +3053,6 @@ Und %2 weitere.</translation>
     <message>
         <source>Film saved</source>
         <translation>Gesparte Folie</translation>
-    </message>
-    <message>
-        <source>%1 m</source>
-        <translation>%1 m</translation>
     </message>
     <message>
         <source>Last: %1</source>

@@ -2168,10 +2168,6 @@ And %2 more.</source>
         <translation>节省薄膜</translation>
     </message>
     <message>
-        <source>%1 m</source>
-        <translation>%1 m</translation>
-    </message>
-    <message>
         <source>Following error of the knife</source>
         <translation>切刀跟随误差</translation>
     </message>
@@ -3057,10 +3053,6 @@ And %2 more.</source>
     <message>
         <source>Film saved</source>
         <translation>节省薄膜</translation>
-    </message>
-    <message>
-        <source>%1 m</source>
-        <translation>%1 m</translation>
     </message>
     <message>
         <source>Last: %1</source>

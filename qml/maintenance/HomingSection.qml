@@ -70,7 +70,7 @@ MaintenanceSection {
         readonly property real cell: (width - spacing) / 2
         anchors { left: parent.left; right: key.left; rightMargin: Theme.size.padding; bottom: parent.bottom }
         spacing: Theme.size.spacing
-        ValueTile {
+        PositionTile {
             objectName: "homingPosition"
             width: speed.cell
             stale: !Controller.fresh

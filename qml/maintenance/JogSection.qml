@@ -41,7 +41,7 @@ MaintenanceSection {
         readonly property real cell: (width - 2 * spacing) / 3
         anchors { left: parent.left; right: parent.right; top: parent.top }
         spacing: Theme.size.spacing
-        ValueTile {
+        PositionTile {
             objectName: "jogPosition"
             width: values.cell
             stale: !Controller.fresh
@@ -50,7 +50,7 @@ MaintenanceSection {
                 : isNaN(Controller.live.positionMm) ? qsTr("%1 pulses").arg(Theme.count(section.jog.positionPulses, 0))
                 : qsTr("%1 mm").arg(Theme.number(Controller.live.positionMm, 2))
         }
-        ValueTile {
+        PositionTile {
             objectName: "jogState"
             width: values.cell
             stale: !Controller.fresh

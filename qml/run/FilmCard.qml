@@ -37,12 +37,13 @@ Card {
     Label {
         id: markError
         objectName: "markError"
+        readonly property string value: "packer.mark_error"
         visible: card.follows && !gate.visible
         anchors { right: more.left; rightMargin: Theme.size.padding; left: state.right; leftMargin: Theme.size.padding; verticalCenter: state.verticalCenter }
         horizontalAlignment: Text.AlignRight
         fontSizeMode: Text.HorizontalFit
         minimumPixelSize: Theme.size.caption - 2
-        text: qsTr("mark error %1 mm").arg(Theme.signedNumber(card.line.markErrorMm, 2))
+        text: qsTr("mark error %1 mm").arg(Theme.signedNumber(Controller.telemetry[markError.value], 2))
         color: card.fresh ? Theme.color.ink : Theme.color.disabledInk
         font.pixelSize: Theme.size.caption
     }

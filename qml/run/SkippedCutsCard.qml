@@ -15,27 +15,10 @@ Card {
     signal tapped()
     signal explainRequested(var quantities)
 
-    component Figure: Item {
-        id: figure
-        required property string label
-        required property string value
+    component Figure: ValueTile {
         width: parent ? parent.width : 0
-        height: amount.implicitHeight
-        Label {
-            anchors { left: parent.left; right: amount.left; rightMargin: Theme.size.accent; verticalCenter: parent.verticalCenter }
-            text: figure.label
-            fontSizeMode: Text.HorizontalFit
-            minimumPixelSize: Theme.size.caption - 3
-            color: Theme.color.secondaryInk
-            font.pixelSize: Theme.size.caption
-        }
-        Label {
-            id: amount
-            anchors.right: parent.right
-            text: figure.value
-            color: card.inkColor
-            font { pixelSize: Theme.size.title; bold: true }
-        }
+        labelSize: Theme.size.caption
+        amountSize: Theme.size.title
     }
 
     Column {
@@ -44,17 +27,17 @@ Card {
         Figure {
             objectName: "skippedCuts"
             label: qsTr("Skipped cuts")
-            value: Theme.count(card.line.cutsSkipped, 0)
+            value: "packer.cuts_skipped"
         }
         Figure {
             objectName: "emptyBags"
             label: qsTr("Bags without product")
-            value: Theme.count(card.line.emptyBags, 0)
+            value: "packer.empty_bags"
         }
         Figure {
             objectName: "filmSaved"
             label: qsTr("Film saved")
-            value: isNaN(card.line.filmSavedM) ? Theme.unknownText : qsTr("%1 m").arg(Theme.number(card.line.filmSavedM, 1))
+            value: "packer.film_saved"
         }
         Label {
             objectName: "lastSkip"

@@ -11,6 +11,7 @@
 #include "app/panel/controller/controller_values.h"
 #include "app/panel/controller/master_direction.h"
 #include "app/panel/controller/packing_line.h"
+#include "app/panel/controller/telemetry.h"
 #include "app/panel/controller/parameter.h"
 #include "app/panel/controller/start_permit.h"
 #include "app/panel/controller/status_rate.h"
@@ -73,6 +74,8 @@ class Controller : public QObject, public Singleton<Controller> {
     Q_PROPERTY(campanel::panel::MasterDirection* direction READ direction CONSTANT FINAL)
     // The packing line, only for a rotary cutter.
     Q_PROPERTY(campanel::panel::PackingLine* packing READ packing CONSTANT FINAL)
+    // The numbers of its registers by their names.
+    Q_PROPERTY(campanel::panel::Telemetry* telemetry READ telemetry CONSTANT FINAL)
     // The torque of the axis, of any program but a press's.
     Q_PROPERTY(campanel::panel::TorqueWatch* torque READ torque CONSTANT FINAL)
     // The figures of a press.
@@ -128,6 +131,7 @@ public:
     [[nodiscard]] QList<QPointF> actualTrace() const { return m_trace.points(); }
     [[nodiscard]] MasterDirection* direction() { return &m_direction; }
     [[nodiscard]] PackingLine* packing() { return &m_packing; }
+    [[nodiscard]] Telemetry* telemetry() { return &m_telemetry; }
     [[nodiscard]] TorqueWatch* torque() { return &m_torque; }
     [[nodiscard]] QStringList stageNames() const;
     [[nodiscard]] StrokeModel* strokes() { return &m_strokes; }
@@ -241,6 +245,7 @@ private:
     std::map<std::string_view, Parameter*> m_parameters; // children
     QString m_commandMessage;
     MasterDirection m_direction{*this};
+    Telemetry m_telemetry{this};
     PackingLine m_packing{*this};
     TorqueWatch m_torque{*this};
     StartPermit m_startPermit{*this, this};

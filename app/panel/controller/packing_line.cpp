@@ -83,6 +83,7 @@ void PackingLine::readSetup()
 void PackingLine::forget()
 {
     m_status.reset();
+    m_controller.telemetry()->forget();
     m_film.reset();
     m_lastReportedBag.reset();
     emit changed();
@@ -113,6 +114,7 @@ void PackingLine::takeRead(const link::ReadOutcome& outcome)
     if (outcome.end != link::ReadEnd::Done || outcome.registers.size() != modbus::packerRegisters)
         return;
     m_status = modbus::decodePacker(outcome.registers);
+    m_controller.telemetry()->take(modbus::packerAddress, outcome.registers);
     if (m_lastReportedBag.value_or(0) > m_status->bagNumber)
         m_film.reset(); // the controller was restarted
     m_film.note(static_cast<std::int32_t>(m_status->filmPositionUm));

@@ -5,7 +5,6 @@
 
 #include "app/link/link.h"
 #include "app/panel/controller/parameter.h"
-#include "app/panel/kit/numbers.h"
 #include "app/panel/kit/wide_counter.h"
 
 #include <QList>
@@ -33,20 +32,7 @@ class PackingLine : public QObject {
 
     Q_PROPERTY(MarkState markState READ markState NOTIFY changed FINAL)
     Q_PROPERTY(QString markStateText READ markStateText NOTIFY changed FINAL)
-    Q_PROPERTY(double markErrorMm READ markErrorMm NOTIFY changed FINAL)
-    Q_PROPERTY(double markPitchMm READ markPitchMm NOTIFY changed FINAL)
-    Q_PROPERTY(double phaseCorrectionMm READ phaseCorrectionMm NOTIFY changed FINAL)
-    Q_PROPERTY(double lengthCorrectionMm READ lengthCorrectionMm NOTIFY changed FINAL)
-    Q_PROPERTY(double filmFollowingErrorMm READ filmFollowingErrorMm NOTIFY changed FINAL)
-    Q_PROPERTY(double marks READ marks NOTIFY changed FINAL)
-    Q_PROPERTY(double marksMissing READ marksMissing NOTIFY changed FINAL)
-    Q_PROPERTY(double marksFalse READ marksFalse NOTIFY changed FINAL)
-    Q_PROPERTY(double products READ products NOTIFY changed FINAL)
-    Q_PROPERTY(double cutsSkipped READ cutsSkipped NOTIFY changed FINAL)
-    Q_PROPERTY(double emptyBags READ emptyBags NOTIFY changed FINAL)
-    Q_PROPERTY(double filmSavedM READ filmSavedM NOTIFY changed FINAL)
     Q_PROPERTY(QString lastSkipText READ lastSkipText NOTIFY changed FINAL)
-    Q_PROPERTY(double correctionsLimited READ correctionsLimited NOTIFY changed FINAL)
     // The state of knife and film when they do not simply run: "Knife waits", ...; else empty.
     Q_PROPERTY(QString gateText READ gateText NOTIFY changed FINAL)
     // The film as a picture. Distances to the knife are in mm, with the film motor at filmPositionMm; lists
@@ -68,7 +54,7 @@ public:
     enum class MarkState { Unknown, Off, Searching, Aligning, Tracking };
     Q_ENUM(MarkState)
 
-    // `machine` must outlive the object.
+    // The controller must outlive the object.
     explicit PackingLine(Controller& controller);
 
     [[nodiscard]] bool present() const { return known() || recordsBags(); }
@@ -76,32 +62,7 @@ public:
     [[nodiscard]] bool fresh() const;
     [[nodiscard]] MarkState markState() const;
     [[nodiscard]] QString markStateText() const;
-    [[nodiscard]] double markErrorMm() const { return number(&modbus::PackerStatus::markErrorMm); }
-    [[nodiscard]] double markPitchMm() const { return number(&modbus::PackerStatus::markPitchMm); }
-    [[nodiscard]] double phaseCorrectionMm() const
-    {
-        return number(&modbus::PackerStatus::phaseCorrectionMm);
-    }
-    [[nodiscard]] double lengthCorrectionMm() const
-    {
-        return number(&modbus::PackerStatus::lengthCorrectionMm);
-    }
-    [[nodiscard]] double filmFollowingErrorMm() const
-    {
-        return number(&modbus::PackerStatus::filmFollowingErrorMm);
-    }
-    [[nodiscard]] double marks() const { return number(&modbus::PackerStatus::marks); }
-    [[nodiscard]] double marksMissing() const { return number(&modbus::PackerStatus::marksMissing); }
-    [[nodiscard]] double marksFalse() const { return number(&modbus::PackerStatus::marksFalse); }
-    [[nodiscard]] double products() const { return number(&modbus::PackerStatus::products); }
-    [[nodiscard]] double cutsSkipped() const { return number(&modbus::PackerStatus::cutsSkipped); }
-    [[nodiscard]] double emptyBags() const { return number(&modbus::PackerStatus::emptyBags); }
-    [[nodiscard]] double filmSavedM() const { return number(&modbus::PackerStatus::filmSavedM); }
     [[nodiscard]] QString lastSkipText() const;
-    [[nodiscard]] double correctionsLimited() const
-    {
-        return number(&modbus::PackerStatus::correctionsLimited);
-    }
     [[nodiscard]] QString gateText() const;
     [[nodiscard]] int teachMarks() const { return m_status ? m_status->teachMarks : 0; }
     [[nodiscard]] double teachPitchMm() const;
@@ -144,10 +105,6 @@ private:
     void takeRead(const link::ReadOutcome& outcome);
     void reportBags();
     void forget();
-    template <typename T> [[nodiscard]] double number(T modbus::PackerStatus::*member) const
-    {
-        return m_status ? static_cast<double>((*m_status).*member) : unknown;
-    }
 
     Controller& m_controller;
     Parameter& m_sensor;

@@ -189,11 +189,10 @@ Explanation Explanations::bags(Topic quantity) const
 Explanation Explanations::packing(Topic quantity) const
 {
     const Format format;
-    const PackingLine& line = *m_controller.packing();
     Explanation explanation;
     if (quantity == MarkError) {
         explanation.title = tr("Mark error");
-        explanation.value = format.number(line.markErrorMm(), 2);
+        explanation.value = format.number(m_controller.telemetry()->number("packer.mark_error"), 2);
         explanation.unit = tr("mm");
         explanation.meaning =
             tr("Mark error of the last cut with a mark, measured by the controller. Mark tracking "
@@ -201,7 +200,7 @@ Explanation Explanations::packing(Topic quantity) const
         explanation.formula = tr("position of the cut − position required by its mark");
         return explanation;
     }
-    const double saved = line.filmSavedM();
+    const double saved = m_controller.telemetry()->number("packer.film_saved");
     explanation.title = tr("Film saved");
     explanation.value = format.number(saved, 1);
     explanation.unit = tr("m");

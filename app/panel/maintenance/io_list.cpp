@@ -121,24 +121,24 @@ void IoList::addLine(QList<Row>& rows)
     if (!line.known())
         return;
     const Format format;
-    const double marks = line.marks() + line.marksFalse();
+    const auto& packer = *line.status();
+    const double marks = packer.marks + packer.marksFalse;
+    const double products = packer.products;
     rows << Row{Side::Input, tr("Mark sensor"), tr("%1 marks").arg(format.grouped(marks, 0)),
                 lampOf(std::exchange(m_marks, marks) < marks)}
-         << Row{Side::Input, tr("Product eye"),
-                tr("%1 products placed").arg(format.grouped(line.products(), 0)),
-                lampOf(std::exchange(m_products, line.products()) < line.products())}
+         << Row{Side::Input, tr("Product eye"), tr("%1 products placed").arg(format.grouped(products, 0)),
+                lampOf(std::exchange(m_products, products) < products)}
          << Row{Side::Input, tr("Encoder of the film"),
                 tr("%1 mm").arg(format.grouped(line.filmTravelMm(), 1)), Lamp::None};
     const auto gate = [](modbus::GateState state) {
         return modbus::findValue(state) ? ControllerSentences::text(state) : Format::unknownText();
     };
-    const auto& packer = *line.status();
     rows << Row{Side::Output, tr("Pulses to the film"), gate(packer.filmGate),
                 lampOf(packer.filmGate != modbus::GateState::Standing && line.filmSpeedMmPerS() != 0)}
          << Row{Side::Output, tr("Knife synchronous with film"), gate(packer.knifeGate),
                 lampOf(packer.knifeGate == modbus::GateState::Running)}
          << Row{Side::Output, tr("Film, sent minus encoder"),
-                tr("%1 mm").arg(format.number(line.filmFollowingErrorMm(), 2)), Lamp::None};
+                tr("%1 mm").arg(format.number(packer.filmFollowingErrorMm, 2)), Lamp::None};
 }
 
 // Adds what this machine has of the pins. A drive alarm and an emergency stop need attention.

@@ -159,7 +159,7 @@ MetricValue PlantValues::valueOfPacking(Metric metric) const
     const PackingLine& packing = *m_controller.packing();
     if (metric == Metric::ProdDefectiveCount)
         return m_defective ? MetricValue(*m_defective) : MetricValue();
-    return packing.fresh() ? real(packing.filmSavedM()) : MetricValue();
+    return packing.fresh() ? real(m_controller.telemetry()->number("packer.film_saved")) : MetricValue();
 }
 
 std::int64_t PlantValues::ageMs(Metric metric) const

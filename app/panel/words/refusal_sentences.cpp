@@ -31,8 +31,12 @@ QString RefusalSentences::valueWithUnit(profile::Field field, double value, std:
     const profile::FieldInfo& info = profile::info(field);
     const QString number = Format().grouped(
         value, beside ? Format::decimalsToTell(value, *beside, info.decimals) : info.decimals);
-    return info.unit.empty() ? number
-                             : tr("%1 %2", "%1: number, %2: unit").arg(number, RecipeWords::unit(info.unit));
+    return withUnit(number, info.unit);
+}
+
+QString RefusalSentences::withUnit(const QString& number, std::string_view unit)
+{
+    return unit.empty() ? number : tr("%1 %2", "%1: number, %2: unit").arg(number, RecipeWords::unit(unit));
 }
 
 QString RefusalSentences::suggestion(const profile::Suggestion& suggestion)

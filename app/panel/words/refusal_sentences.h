@@ -30,6 +30,8 @@ public:
     // Returns "60.0 mm", as exact as needed to differ from the value beside it in the sentence.
     [[nodiscard]] static QString valueWithUnit(profile::Field field, double value,
                                                std::optional<double> beside = {});
+    // Returns "60.0 mm", or the number alone without a unit.
+    [[nodiscard]] static QString withUnit(const QString& number, std::string_view unit);
 
 private:
     [[nodiscard]] static QString limitBroken(const profile::Refusal& refusal);

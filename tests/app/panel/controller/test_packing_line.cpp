@@ -14,6 +14,7 @@ namespace test_packing_line {
 using namespace campanel;
 using namespace campanel::test;
 using panel::PackingLine;
+using panel::Telemetry;
 
 namespace {
 
@@ -117,7 +118,7 @@ private slots:
         QCOMPARE(rig.link.reads[0].count, modbus::packerRegisters);
         QVERIFY(rig.line().present());
         QVERIFY(!rig.line().known());
-        QVERIFY(std::isnan(rig.line().markErrorMm()));
+        QVERIFY(std::isnan(rig.machine.telemetry()->number("packer.mark_error")));
         QVERIFY(rig.line().cuts().isEmpty());
     }
 
@@ -155,6 +156,81 @@ private slots:
         QVERIFY(!rig.line().known());
         rig.answerNext();
         QVERIFY(rig.line().known());
+    }
+
+    void numbersByTheNamesOfTheirRegisters()
+    {
+        Rig rig;
+        const Telemetry& telemetry = *rig.machine.telemetry();
+        int numbers = 0;
+        for (const modbus::RegisterInfo& info : modbus::registers()) {
+            const bool isNumber = info.name.starts_with("packer.") && info.enumName.empty() &&
+                                  info.type != modbus::RegisterType::Block;
+            if (!isNumber)
+                continue;
+            ++numbers;
+            QVERIFY2(std::isnan(telemetry.number(info.name.data())), info.name.data());
+            if (info.count == 2)
+                rig.film.putWide(info.name.data(), 70'000u + info.address);
+            else
+                rig.film.put(info.name.data(), 0x10000u - info.address);
+        }
+        QCOMPARE(numbers, 22);
+        rig.answer();
+        for (const modbus::RegisterInfo& info : modbus::registers()) {
+            if (!telemetry.contains(QString::fromLatin1(info.name)))
+                continue;
+            const double raw = info.count == 2                          ? 70'000 + info.address
+                               : info.type == modbus::RegisterType::I16 ? -info.address
+                                                                        : 0x10000 - info.address;
+            QVERIFY2(std::abs(telemetry.number(info.name.data()) - raw * info.scale) < 1e-9,
+                     info.name.data());
+        }
+        rig.connect();
+        link::LinkReport other;
+        other.state = link::LinkState::Searching;
+        emit rig.link.reported(other);
+        QVERIFY(std::isnan(telemetry.number("packer.marks")));
+    }
+
+    void onlyAChangedNumberIsNotified()
+    {
+        Rig rig;
+        const Telemetry& telemetry = *rig.machine.telemetry();
+        const auto notified = [&](const char* name) {
+            const QMetaObject& type = *telemetry.metaObject();
+            return type.property(type.indexOfProperty(name)).notifySignal();
+        };
+        rig.answer();
+        QSignalSpy marks(&telemetry, notified("packer.marks"));
+        QSignalSpy products(&telemetry, notified("packer.products"));
+        rig.film.putWide("packer.marks", 7);
+        rig.answerNext();
+        QCOMPARE(marks.size(), 1);
+        QCOMPARE(products.size(), 0);
+    }
+
+    void numbersAsAPersonReadsThem_data()
+    {
+        QTest::addColumn<QString>("name");
+        QTest::addColumn<double>("value");
+        QTest::addColumn<QString>("text");
+        QTest::newRow("signed") << "packer.mark_error" << -0.124 << "−0.12 mm";
+        QTest::newRow("with its sign") << "packer.mark_error" << 0.126 << "+0.13 mm";
+        QTest::newRow("a measure") << "packer.mark_pitch" << 251.0 << "251.00 mm";
+        QTest::newRow("meters") << "packer.film_saved" << 1.54 << "1.5 m";
+        QTest::newRow("a count") << "packer.cuts_skipped" << 12345.0 << "12,345";
+        QTest::newRow("unknown") << "packer.marks" << panel::unknown << "--";
+        QTest::newRow("no register") << "packer.mark_eror" << 1.0 << "--";
+    }
+
+    void numbersAsAPersonReadsThem()
+    {
+        QFETCH(QString, name);
+        QFETCH(double, value);
+        QFETCH(QString, text);
+        Rig rig;
+        QCOMPARE(rig.machine.telemetry()->text(name, value), text);
     }
 
     void whatLiesOnTheFilm()
