@@ -6,6 +6,7 @@
 #include <QPainter>
 
 #include <qwt_plot_curve.h>
+#include <qwt_weeding_curve_fitter.h>
 
 #include <algorithm>
 #include <cmath>
@@ -30,6 +31,9 @@ struct Span {
     }
 };
 
+// A point that is so near to the line between its neighbors is not drawn: painting costs by the point.
+constexpr double invisiblePx = 0.05;
+
 Span spanOf(const QPolygonF& a, const QPolygonF& b)
 {
     Span span;
@@ -51,7 +55,9 @@ void paintLine(QPainter& painter, const QPolygonF& points, const LineStyle& styl
     }
     QwtPlotCurve curve;
     curve.setSamples(points);
-    curve.setPen(QPen(style.color, style.width, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    curve.setPen(QPen(style.color, style.width, Qt::SolidLine, Qt::RoundCap, Qt::BevelJoin));
+    curve.setCurveFitter(new QwtWeedingCurveFitter(invisiblePx)); // the curve owns it
+    curve.setCurveAttribute(QwtPlotCurve::Fitted);
     const QRectF canvas(QPointF(xMap.p1(), yMap.p2()), QPointF(xMap.p2(), yMap.p1()));
     painter.save();
     painter.setRenderHint(QPainter::Antialiasing);

@@ -206,7 +206,7 @@ void RegimePicture::paintBand(QPainter& painter, const Band& band) const
 
     QwtPlotCurve curve;
     curve.setSamples(band.top);
-    curve.setPen(QPen(colorOf(band.limit), style.lineWidth, Qt::SolidLine, Qt::FlatCap, Qt::RoundJoin));
+    curve.setPen(QPen(colorOf(band.limit), style.lineWidth, Qt::SolidLine, Qt::FlatCap, Qt::BevelJoin));
     curve.draw(&painter, m_lengthMap, m_rateMap, m_canvas);
 
     const double height = QFontMetricsF(style.font).height();
