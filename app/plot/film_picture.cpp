@@ -13,7 +13,8 @@ constexpr double maxBags = 12; // visible; more cannot be distinguished
 constexpr double bagsWithoutSensor = 4;
 constexpr double bagsBehindSensor = 1.1; // visible, for the expected mark
 constexpr double shareAfterKnife = 0.1;  // of the width
-constexpr double anyBagMm = 250;         // for the scale while the bag length is unknown
+constexpr double periodS = 0.1;
+constexpr double anyBagMm = 250; // for the scale while the bag length is unknown
 
 double steadySeconds()
 {
@@ -37,7 +38,10 @@ void FilmPicture::noteFilm()
 {
     m_isReportNew = true;
     polish();
-    updateAll();
+    // Film that moves is painted by advance().
+    const bool isMoving = m_isLive && !m_isStale && m_speedMmPerS != 0;
+    if (!isMoving || isDue())
+        updateAll();
 }
 
 void FilmPicture::takeReport()
@@ -50,10 +54,18 @@ void FilmPicture::takeReport()
         m_motion.report(m_positionMm, m_speedMmPerS, m_clock());
 }
 
-void FilmPicture::advance()
+// An eye that reads the film needs no more pictures, and each costs half a millisecond.
+bool FilmPicture::isDue() const
 {
-    if (isVisible() && !m_isStale && travelledMm() != m_paintedMm)
+    return m_clock() - m_paintedS >= periodS;
+}
+
+bool FilmPicture::advance()
+{
+    const bool isPainted = isVisible() && !m_isStale && isDue() && travelledMm() != m_paintedMm;
+    if (isPainted)
         updateAll();
+    return isPainted;
 }
 
 void FilmPicture::geometryChange(const QRectF& newGeometry, const QRectF& oldGeometry)

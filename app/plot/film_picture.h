@@ -65,8 +65,9 @@ public:
     void setClock(std::function<double()> clock) { m_clock = std::move(clock); }
     // Returns the present place of an object reported at this distance, px from the left.
     [[nodiscard]] double xOf(double distanceMm) const;
-    // Paints the film again when it has moved since it was painted.
-    Q_INVOKABLE void advance();
+    // Paints the film again when it has moved since it was painted, ten times a second at most. Returns
+    // whether.
+    Q_INVOKABLE bool advance();
 
 signals:
     void filmChanged();
@@ -96,6 +97,7 @@ private:
     [[nodiscard]] double pxPerMm() const;
     [[nodiscard]] double knifeX() const;
     [[nodiscard]] double travelledMm() const;
+    [[nodiscard]] bool isDue() const;
     void paintFilm(QPainter& painter, const Rows& rows) const;
     void paintScale(QPainter& painter, const Rows& rows) const;
     void paintProducts(QPainter& painter, const Rows& rows) const;
@@ -137,6 +139,7 @@ private:
     std::function<double()> m_clock;
     FilmMotion m_motion;
     double m_paintedMm = 0; // travelledMm() in the present picture
+    double m_paintedS = -std::numeric_limits<double>::infinity();
     bool m_isReportNew = false;
 };
 

@@ -60,6 +60,7 @@ void FilmPicture::paint(QPainter* painter)
         return;
     takeReport();
     m_paintedMm = travelledMm();
+    m_paintedS = m_clock();
     painter->setRenderHint(QPainter::Antialiasing);
     painter->setFont(m_textFont);
     paintFilm(*painter, places);

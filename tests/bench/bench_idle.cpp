@@ -140,7 +140,7 @@ Figures measureIdle()
     const Costliest running = panel.measure();
     return {{"processor while the machine waits (page " + idle.page + ")", idle.percent, 1, "%", "of a core",
              true},
-            {"processor while the machine runs (page " + running.page + ")", running.percent, 8, "%",
+            {"processor while the machine runs (page " + running.page + ")", running.percent, 6, "%",
              "of a core", true}};
 }
 

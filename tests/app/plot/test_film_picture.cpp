@@ -171,6 +171,28 @@ private slots:
         QVERIFY(std::abs(rig.picture.xOf(500) - before - 250 * pxPerMm) < 1e-6);
     }
 
+    // Statuses come 33 times a second, reports six times.
+    void itIsPaintedTenTimesASecond()
+    {
+        Rig rig;
+        rig.set("cuts", {{400, 0}});
+        rig.report(1000, 500);
+        const double startS = rig.timeS;
+        int paints = 0;
+        for (double passedS = 0.03; passedS < 10; passedS += 0.03) {
+            rig.timeS = startS + passedS;
+            if (std::fmod(passedS, 0.16) < 0.03)
+                rig.picture.setProperty("position", 1000 + 500 * passedS);
+            if (!rig.picture.advance())
+                continue;
+            ++paints;
+            rig.paint();
+        }
+        QVERIFY2(paints <= 100 && paints >= 75, qPrintable(QString::number(paints)));
+        rig.report(6000, 0); // at standstill a report is painted at once
+        QVERIFY(!rig.picture.advance());
+    }
+
     void aReportThatDiffersALittleDoesNotJump()
     {
         Rig rig;
