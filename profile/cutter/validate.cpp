@@ -9,8 +9,6 @@
 namespace campanel::profile::detail {
 namespace {
 
-constexpr std::array ratioFields{Field::K1, Field::K2, Field::K3, Field::K4};
-
 // Refuses a timer that overflows before the shortest interval between pulses.
 std::optional<Refusal> findNarrowTimer(const Machine& machine)
 {
@@ -29,7 +27,7 @@ std::optional<Refusal> findWrongOrder(const RotaryCutterProgram& program)
             continue;
         Refusal refusal;
         refusal.limit = Limit::RatioOrder;
-        refusal.field = ratioFields[i + 1];
+        refusal.field = static_cast<Field>(static_cast<std::size_t>(Field::K1) + i + 1);
         refusal.actual = program.k[i + 1];
         refusal.allowed = program.k[i];
         return refusal;

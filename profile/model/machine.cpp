@@ -21,6 +21,16 @@ double gearRatio(const Machine& machine)
 
 } // namespace
 
+bool isSameScale(const Machine& left, const Machine& right, std::span<const Field> used)
+{
+    return std::ranges::all_of(membersOf<Machine>, [&](const Member<Machine>& member) {
+        const bool isCompared =
+            (member.uses & machine_use::scale) != 0 && std::ranges::find(used, member.field) != used.end();
+        const double step = info(member.field).resolution();
+        return !isCompared || std::abs(member.get(left) - member.get(right)) < step / 2;
+    });
+}
+
 PulsesPerCycle pulsesPerCycle(const Machine& machine)
 {
     const std::int64_t numerator = std::int64_t{machine.pulsesPerMotorRev} * machine.gearNumerator;

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <span>
 
 namespace campanel::profile {
 
@@ -51,19 +52,22 @@ inline constexpr unsigned knife = 1;
 inline constexpr unsigned axis = 2; // of a move or a cam
 inline constexpr unsigned press = 4;
 inline constexpr unsigned fromController = 8;
+inline constexpr unsigned scale = 16; // it ties pulses to travel
 inline constexpr unsigned motor = knife | axis;
 inline constexpr unsigned all = knife | axis | press;
 } // namespace machine_use
 
 template <>
 inline constexpr std::array membersOf<Machine>{
-    Member<Machine>{Field::KnifeRadius, &Machine::knifeRadiusMm, machine_use::knife},
-    Member<Machine>{Field::Knives, &Machine::knives, machine_use::knife},
+    Member<Machine>{Field::KnifeRadius, &Machine::knifeRadiusMm, machine_use::knife | machine_use::scale},
+    Member<Machine>{Field::Knives, &Machine::knives, machine_use::knife | machine_use::scale},
     Member<Machine>{Field::FeedPerMotorRev, &Machine::feedMmPerMotorRev,
-                    machine_use::axis | machine_use::press},
-    Member<Machine>{Field::PulsesPerMotorRev, &Machine::pulsesPerMotorRev, machine_use::all},
-    Member<Machine>{Field::GearNumerator, &Machine::gearNumerator, machine_use::knife},
-    Member<Machine>{Field::GearDenominator, &Machine::gearDenominator, machine_use::knife},
+                    machine_use::axis | machine_use::press | machine_use::scale},
+    Member<Machine>{Field::PulsesPerMotorRev, &Machine::pulsesPerMotorRev,
+                    machine_use::all | machine_use::scale},
+    Member<Machine>{Field::GearNumerator, &Machine::gearNumerator, machine_use::knife | machine_use::scale},
+    Member<Machine>{Field::GearDenominator, &Machine::gearDenominator,
+                    machine_use::knife | machine_use::scale},
     Member<Machine>{Field::MaxMotorRpm, &Machine::maxMotorRpm, machine_use::all},
     Member<Machine>{Field::MaxKnifeAcceleration, &Machine::maxKnifeAccelerationMmPerS2, machine_use::knife},
     Member<Machine>{Field::MaxAcceleration, &Machine::maxAccelerationMmPerS2,
@@ -92,6 +96,9 @@ inline constexpr auto machineFields = [] {
     };
     return fieldsOf<Machine, std::ranges::count_if(membersOf<Machine>, isEntered)>(isEntered);
 }();
+
+// Returns true when a pulse is the same travel on both machines, compared by those of `used` that say so.
+[[nodiscard]] bool isSameScale(const Machine& left, const Machine& right, std::span<const Field> used);
 
 // The pulses of one cycle as an exact rational: whole + remainder / divisor, remainder < divisor.
 struct PulsesPerCycle {

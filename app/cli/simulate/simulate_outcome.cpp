@@ -2,6 +2,7 @@
 // Explains why a simulated run ended before its last bag, and what to do.
 #include "app/cli/report.h"
 #include "app/cli/simulate/simulate_figures.h"
+#include "app/panel/words/alarm_catalogue.h"
 #include "modbus/map/protocol.h"
 
 #include <QStringList>
@@ -10,26 +11,6 @@ using namespace Qt::StringLiterals;
 
 namespace campanel::cli {
 namespace {
-
-using modbus::WarningBit;
-
-QString actionFor(WarningBit bit)
-{
-    switch (bit) {
-    case WarningBit::MarksLost:
-        return u"Check film and mark sensor, or run without marks: --no-tracking."_s;
-    case WarningBit::MarkPitchWrong:
-        return u"Use a film printed for this bag length, or set the bag length of the film."_s;
-    case WarningBit::CorrectionAtLimit:
-        return u"Check the film's tension and slip, or raise parameter.length_limit or parameter.phase_limit."_s;
-    case WarningBit::ProductTooLong:
-        return u"Use shorter products or a longer bag, or lower parameter.cut_clearance."_s;
-    case WarningBit::TooManySkips:
-        return u"Align the products, or raise parameter.skip_limit."_s;
-    default:
-        return {};
-    }
-}
 
 // Returns the names of all bits set.
 QStringList wordsOf(std::string_view enumeration, std::uint32_t bits)
@@ -40,7 +21,7 @@ QStringList wordsOf(std::string_view enumeration, std::uint32_t bits)
             continue;
         words << QString::fromStdString(modbus::enumText(enumeration, bit));
         if (enumeration == "WarningBit")
-            words << actionFor(static_cast<WarningBit>(bit));
+            words << panel::AlarmCatalogue::of(static_cast<modbus::WarningBit>(bit)).action();
     }
     return words;
 }

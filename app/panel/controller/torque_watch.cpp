@@ -16,16 +16,10 @@ namespace campanel::panel {
 
 namespace {
 
-using profile::Field;
 
 constexpr auto readPeriod = 300ms; // faster numbers cannot be read
 constexpr double fullSpeedPercent = 99.99;
 constexpr double cycleEndDeg = 359.99;
-
-// The data of an axis that its program contains.
-constexpr std::array axisFields{Field::KnifeRadius,       Field::Knives,
-                                Field::GearNumerator,     Field::GearDenominator,
-                                Field::PulsesPerMotorRev, Field::FeedPerMotorRev};
 
 bool hasTorque(const ControllerProgram& program)
 {
@@ -104,15 +98,9 @@ void TorqueWatch::prepare()
 bool TorqueWatch::isSameAxis() const
 {
     const auto& program = m_controller.program();
-    if (!program || !m_machineData)
-        return false;
-    const auto fields = program::kindInfo(program->recipe.kind()).machineFields;
-    return std::ranges::all_of(axisFields, [&](Field field) {
-        const bool isRead = std::ranges::find(fields, field) != fields.end();
-        const double step = profile::info(field).resolution();
-        return !isRead || std::abs(profile::value(*m_machineData, field) -
-                                   profile::value(program->recipe.machine, field)) < step / 2;
-    });
+    return program && m_machineData &&
+           profile::isSameScale(*m_machineData, program->recipe.machine,
+                                program::kindInfo(program->recipe.kind()).machineFields);
 }
 
 bool TorqueWatch::isAtFullSpeed() const

@@ -59,17 +59,9 @@ bool ProgramDownload::changesMachineData() const
         return false;
     const program::Recipe& active = m_controller.program()->recipe;
     const program::Recipe& wanted = m_offer->recipe;
-    using profile::Field;
-    const auto isChanged = [&](Field field) {
-        return program::value(active, field) != program::value(wanted, field);
-    };
-    if (active.kind() != wanted.kind() || isChanged(Field::PulsesPerMotorRev))
-        return true;
-    if (!wanted.isCutter())
-        return isChanged(Field::FeedPerMotorRev);
-    constexpr std::array shaft{Field::KnifeRadius, Field::Knives, Field::GearNumerator,
-                               Field::GearDenominator};
-    return std::ranges::any_of(shaft, isChanged);
+    return active.kind() != wanted.kind() ||
+           !profile::isSameScale(active.machine, wanted.machine,
+                                 program::kindInfo(wanted.kind()).machineFields);
 }
 
 QString ProgramDownload::blockedReason() const
