@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A sheet with a list and one selected entry; each choice is {key, text, note}.
+// A sheet with a list and one selected entry; each choice is {key, text, note}. A choice closes it.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme
@@ -11,7 +11,15 @@ Sheet {
     required property var current
     property string emptyText
     property alias delegate: list.delegate
+    property bool stays                    // open after a choice
     signal chosen(var key)
+
+    function choose(key: var): void {
+        const closes = !picker.stays
+        picker.chosen(key)
+        if (closes)
+            picker.closed()
+    }
 
     panelHeight: Theme.size.touch + Theme.size.padding + Math.max(1, picker.choices.length) * (Theme.size.touch + Theme.size.spacing)
     panelWidth: width * 0.62
@@ -37,7 +45,7 @@ Sheet {
             text: modelData.text
             note: modelData.note ?? ""
             holds: modelData.key === picker.current
-            onClicked: picker.chosen(modelData.key)
+            onClicked: picker.choose(modelData.key)
         }
     }
     ScrollMark { view: list }

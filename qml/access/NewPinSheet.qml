@@ -12,14 +12,16 @@ DigitPanel {
     readonly property int minDigits: Access.minPinDigits(sheet.level)
     property string first                  // first entry
     property string refusal
-    signal entered(string pin)
+    signal entered(string pin)             // and closed()
 
     function take(pin: string): void {
         const isSecond = sheet.first.length > 0
         sheet.refusal = isSecond ? (pin === sheet.first ? "" : qsTr("The two PINs differ. Enter the new PIN again.")) : Access.pinRefusal(pin, sheet.level)
-        if (isSecond && sheet.refusal.length === 0)
-            sheet.entered(pin)
         sheet.first = isSecond || sheet.refusal.length > 0 ? "" : pin
+        if (isSecond && sheet.refusal.length === 0) {
+            sheet.entered(pin)
+            sheet.closed()
+        }
     }
 
     sentence: qsTr("%1 to 8 digits. A forgotten PIN cannot be read; a user of the level Service can set a new PIN.").arg(sheet.minDigits)

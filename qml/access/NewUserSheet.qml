@@ -9,12 +9,12 @@ import CamPanel.Panel
 Sheet {
     id: sheet
 
-    property int level: Access.protectedByPins ? Access.Operator : Access.Service
-    property string name: Access.freeName(level)
+    required property int level
+    required property string name
     readonly property var levels: Access.levels
     readonly property string refusal: Access.nameRefusal(sheet.name)
-    signal nameRequested()
-    signal pinRequested()
+    signal nameRequested(int level, string name)
+    signal pinRequested(int level, string name)
 
     title: qsTr("New user")
     panelHeight: Theme.size.touch * (Access.protectedByPins ? 6.6 : 5)
@@ -41,7 +41,7 @@ Sheet {
                 label: qsTr("Name")
                 value: sheet.name.length > 0 ? sheet.name : Theme.unknownText
                 glyph: Theme.icon.edit
-                onClicked: sheet.nameRequested()
+                onClicked: sheet.nameRequested(sheet.level, sheet.name)
             }
             Repeater {
                 model: Access.protectedByPins ? sheet.levels : []
@@ -78,7 +78,7 @@ Sheet {
             kind: Button.Primary
             text: qsTr("Next: PIN")
             enabled: sheet.refusal.length === 0
-            onClicked: sheet.pinRequested()
+            onClicked: sheet.pinRequested(sheet.level, sheet.name)
         }
     ]
 }

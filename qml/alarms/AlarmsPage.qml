@@ -71,7 +71,7 @@ Page {
             emptyGlyph: Theme.icon.good
             onOpened: row => {
                 Alarms.showLive(row)
-                page.sheetRequested(detailSheet)
+                Frame.open("Alarms/AlarmSheet", {})
             }
         }
         AlarmList {
@@ -83,7 +83,7 @@ Page {
                 : Alarms.history.filter.active ? qsTr("No alarm matches the filter.") : qsTr("No alarm since the start of this log.")
             onOpened: row => {
                 Alarms.showHistory(row)
-                page.sheetRequested(detailSheet)
+                Frame.open("Alarms/AlarmSheet", {})
             }
         }
         ShelvedList {
@@ -98,23 +98,11 @@ Page {
     }
     Connections {
         target: Alarms.history
-        function onExportReady() { page.sheetRequested(csvSheet) }
+        function onExportReady() { Frame.open("Parts/ReportFilesSheet", { title: qsTr("Alarms as CSV"), note: Alarms.history.filter.summary }) }
     }
     LogFilterDialogs {
         id: filterDialogs
-        page: page
         filter: Alarms.history.filter
         idLabel: qsTr("Alarm number")
-    }
-    Component {
-        id: csvSheet
-        ReportFilesSheet {
-            title: qsTr("Alarms as CSV")
-            note: Alarms.history.filter.summary
-        }
-    }
-    Component {
-        id: detailSheet
-        AlarmSheet {}
     }
 }

@@ -11,7 +11,6 @@ Sheet {
     id: sheet
 
     property string mode: "list"           // or "who", "area", "detail"
-    signal exportRequested()
     signal filterRequested()
 
     readonly property var choices: sheet.mode === "who" ? Audit.names : Audit.areas
@@ -68,7 +67,7 @@ Sheet {
                     if (!Access.ask(Access.Operator))
                         return
                     Audit.exportCsv()
-                    sheet.exportRequested()
+                    Frame.open("Parts/ReportFilesSheet", { title: qsTr("Audit trail as CSV"), note: Audit.filter.summary })
                 }
             }
         }

@@ -15,8 +15,6 @@ Sheet {
     readonly property bool asks: Editor.programDownload.state === ProgramDownload.State.Unconfirmed
     readonly property bool failed: Editor.programDownload.state === ProgramDownload.State.Failed
 
-    signal proofRequested()
-
     title: qsTr("Download to the controller")
     panelHeight: Math.max(2, list.count + 1) * head.implicitHeight + 3 * Theme.size.touch + 2 * Theme.size.padding
     panelWidth: width * 0.86
@@ -83,7 +81,7 @@ Sheet {
             objectName: "downloadProof"
             visible: !Editor.programDownload.canDownload && !sheet.busy && !sheet.asks && Controller.active.isPresent
             text: qsTr("Compare")
-            onClicked: sheet.proofRequested()
+            onClicked: Frame.open("Download/ProofSheet", {})
         },
         Button {
             visible: Editor.programDownload.canSave && !sheet.busy && !sheet.asks

@@ -11,7 +11,6 @@ OfferSheet {
     id: sheet
 
     property bool exports
-    signal taken()
 
     title: Editor.kind === Editor.Kind.SegmentCam ? qsTr("Segments as CSV") : qsTr("Knots as CSV")
     exchange: Editor.cam.files
@@ -27,7 +26,7 @@ OfferSheet {
             Editor.cam.files.write(row)
         } else {
             Editor.cam.files.take(row)
-            sheet.taken()
+            Frame.open(Editor.kind === Editor.Kind.SegmentCam ? "Editor/SegmentSheet" : "Editor/KnotSheet", {})
         }
     }
 

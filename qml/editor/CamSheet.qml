@@ -16,9 +16,6 @@ Sheet {
     default property alias numbers: column.data
     property alias tools: tools.data
 
-    signal editRequested(var fields, int index, Item source)
-    signal filesRequested()
-
     // Returns the width of a tool of which a row has so many.
     function toolWidth(count: int): real { return Math.floor((tools.width - (count - 1) * tools.spacing) / count) }
 

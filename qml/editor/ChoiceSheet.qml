@@ -12,8 +12,5 @@ ListPicker {
     required property var options            // list of string
 
     choices: options.map((text, index) => ({ key: index, text: text }))
-    onChosen: key => {
-        Editor.setChoice(sheet.row, key)
-        sheet.closed()
-    }
+    onChosen: key => Editor.setChoice(sheet.row, key)
 }

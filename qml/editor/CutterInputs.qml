@@ -10,10 +10,6 @@ import CamPanel.Panel
 Item {
     id: inputs
 
-    signal editRequested(var fields, int index, Item source)
-    signal explainRequested(EditorField field)
-    signal lawRequested()
-    signal ratiosRequested()
     signal moreRequested()
 
     readonly property var ratios: [Editor.cutter.k1, Editor.cutter.k2, Editor.cutter.k3, Editor.cutter.k4]
@@ -35,8 +31,6 @@ Item {
                 compact: inputs.columns > 1
                 width: (grid.width - (inputs.columns - 1) * grid.spacing) / inputs.columns
                 height: inputs.rowHeight
-                onEditRequested: (field, source) => inputs.editRequested([field], 0, source)
-                onExplainRequested: field => inputs.explainRequested(field)
             }
         }
     }
@@ -47,7 +41,7 @@ Item {
         height: inputs.rowHeight
         fields: inputs.ratios
         caption: Editor.cutter.ramps.stateText
-        onEditRequested: inputs.ratiosRequested()
+        onClicked: Frame.open("Editor/RatioSheet", {})
     }
     SettingRow {
         objectName: "lawButton"
@@ -55,7 +49,7 @@ Item {
         height: inputs.rowHeight
         label: qsTr("Speed law")
         value: Editor.lawName
-        onClicked: inputs.lawRequested()
+        onClicked: Frame.open("Editor/LawPicker", {})
     }
     Button {
         id: moreButton

@@ -11,12 +11,6 @@ import CamPanel.Panel
 Item {
     id: inputs
 
-    signal editRequested(var fields, int index, Item source)
-    signal explainRequested(EditorField field)
-    signal lawRequested()
-    signal knotsRequested()
-    signal segmentsRequested()
-    signal choiceRequested(int row, string name, var options, int option)
     signal moreRequested()
 
     readonly property int columns: Theme.size.fieldColumns
@@ -63,7 +57,7 @@ Item {
                 width: body.width
                 label: Editor.lawTitle
                 value: Editor.lawName
-                onClicked: inputs.lawRequested()
+                onClicked: Frame.open("Editor/LawPicker", {})
             }
             SettingRow {
                 objectName: "knotsButton"
@@ -71,7 +65,7 @@ Item {
                 width: body.width
                 label: qsTr("Knots")
                 value: Editor.cam.knots.count
-                onClicked: inputs.knotsRequested()
+                onClicked: Frame.open("Editor/KnotSheet", {})
             }
             SettingRow {
                 objectName: "segmentsButton"
@@ -79,7 +73,7 @@ Item {
                 width: body.width
                 label: qsTr("Segments")
                 value: Editor.cam.segments.count
-                onClicked: inputs.segmentsRequested()
+                onClicked: Frame.open("Editor/SegmentSheet", {})
             }
             Repeater {
                 model: inputs.visible ? Editor.choices : null
@@ -95,7 +89,7 @@ Item {
                     width: body.width
                     label: name
                     value: valueText
-                    onClicked: inputs.choiceRequested(index, name, options, option)
+                    onClicked: Frame.open("Editor/ChoiceSheet", { title: name, row: index, options: options, current: option })
                 }
             }
             Grid {
@@ -114,8 +108,6 @@ Item {
                         compact: inputs.columns > 1
                         width: inputs.cell
                         height: Theme.size.touch
-                        onEditRequested: (field, source) => inputs.editRequested([field], 0, source)
-                        onExplainRequested: field => inputs.explainRequested(field)
                     }
                 }
             }

@@ -35,7 +35,6 @@ CamSheet {
             enabled: field.maximum > field.minimum
             width: parent?.width ?? 0
             height: Theme.size.touch + 2 * Theme.size.spacing  // its label may need two lines
-            onEditRequested: (field, source) => sheet.editRequested([field], 0, source)
         }
     }
     tools: [
@@ -63,7 +62,7 @@ CamSheet {
             objectName: "knotFilesButton"
             width: sheet.toolWidth(2)
             text: qsTr("CSV files")
-            onClicked: sheet.filesRequested()
+            onClicked: Frame.open("Editor/CamFilesSheet", {})
         }
     ]
 }

@@ -10,8 +10,6 @@ import CamPanel.Panel
 Sheet {
     id: sheet
 
-    signal editRequested(var fields, int index, Item source)
-
     title: Editor.lawTitle
     note: sheet.isByHand ? qsTr("The figures are those of the ratios set by hand; the law that is gentlest with its own ramps is first")
         : sheet.isCutter ? qsTr("The gentlest law is first, each with the ramps that suit it; hold a law to compare its curves in grey")
@@ -82,7 +80,6 @@ Sheet {
                 compact: false
                 width: (parameters.width - parameters.spacing) / 2
                 height: parameters.height
-                onEditRequested: (field, source) => sheet.editRequested([field], 0, source)
             }
         }
     }

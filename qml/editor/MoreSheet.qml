@@ -10,20 +10,8 @@ import CamPanel.Panel
 Sheet {
     id: sheet
 
-    required property bool showPosition
-    required property bool showJerk
-    required property bool showTorque
-    required property bool compare
-    signal positionToggled(bool on)
-    signal jerkToggled(bool on)
-    signal torqueToggled(bool on)
-    signal compareToggled(bool on)
-    signal tableRequested()
-    signal proofRequested()
-    signal mapRequested()
+    required property MotionPage page
     signal kindRequested()
-    signal editRequested(var fields, int index, Item source)
-    signal explainRequested(EditorField field)
 
     readonly property real half: Math.floor((body.width - body.spacing) / 2)
     readonly property bool isCutter: Editor.kind === Editor.Kind.RotaryCutter
@@ -52,31 +40,31 @@ Sheet {
                 objectName: "positionSwitch"
                 visible: Editor.handles === null   // the handles of a cam are on this curve
                 text: qsTr("Position curve")
-                note: sheet.showPosition ? qsTr("shown") : qsTr("hidden")
-                holds: sheet.showPosition
-                onClicked: sheet.positionToggled(!sheet.showPosition)
+                note: sheet.page.showPosition ? qsTr("shown") : qsTr("hidden")
+                holds: sheet.page.showPosition
+                onClicked: sheet.page.showPosition = !sheet.page.showPosition
             }
             Switch {
                 objectName: "jerkSwitch"
                 text: qsTr("Jerk curve")
-                note: sheet.showJerk ? qsTr("shown") : qsTr("hidden")
-                holds: sheet.showJerk
-                onClicked: sheet.jerkToggled(!sheet.showJerk)
+                note: sheet.page.showJerk ? qsTr("shown") : qsTr("hidden")
+                holds: sheet.page.showJerk
+                onClicked: sheet.page.showJerk = !sheet.page.showJerk
             }
             Switch {
                 objectName: "torqueSwitch"
                 visible: Editor.kind !== Editor.Kind.Press   // the work piece decides the torque of a press
                 enabled: Editor.plot.hasTorque
                 text: qsTr("Torque curve")
-                note: !Editor.plot.hasTorque ? qsTr("needs the inertia, see Settings, Machine") : sheet.showTorque ? qsTr("shown") : qsTr("hidden")
-                holds: sheet.showTorque && Editor.plot.hasTorque
-                onClicked: sheet.torqueToggled(!sheet.showTorque)
+                note: !Editor.plot.hasTorque ? qsTr("needs the inertia, see Settings, Machine") : sheet.page.showTorque ? qsTr("shown") : qsTr("hidden")
+                holds: sheet.page.showTorque && Editor.plot.hasTorque
+                onClicked: sheet.page.showTorque = !sheet.page.showTorque
             }
             Switch {
                 text: qsTr("Compare with controller")
-                note: sheet.compare ? qsTr("controller in grey") : qsTr("hidden")
-                holds: sheet.compare
-                onClicked: sheet.compareToggled(!sheet.compare)
+                note: sheet.page.compare ? qsTr("controller in grey") : qsTr("hidden")
+                holds: sheet.page.compare
+                onClicked: sheet.page.compare = !sheet.page.compare
             }
             SettingRow {
                 objectName: "mapButton"
@@ -84,14 +72,14 @@ Sheet {
                 width: sheet.half
                 label: qsTr("Fastest rate over length")
                 value: qsTr("Regime map")
-                onClicked: sheet.mapRequested()
+                onClicked: Frame.open("Editor/RegimeSheet", {})
             }
             SettingRow {
                 objectName: "tableButton"
                 width: sheet.half
                 label: qsTr("Rows, pulses, errors")
                 value: Editor.table.name.length > 0 ? Editor.table.name : qsTr("Table")
-                onClicked: sheet.tableRequested()
+                onClicked: Frame.open("Editor/TableSheet", {})
             }
             SettingRow {
                 objectName: "kindButton"
@@ -105,7 +93,7 @@ Sheet {
                 width: sheet.half
                 label: qsTr("Edited, active, saved")
                 value: qsTr("Compare")
-                onClicked: sheet.proofRequested()
+                onClicked: Frame.open("Download/ProofSheet", {})
             }
             FieldTile {
                 objectName: "field_" + field.fieldId
@@ -113,15 +101,12 @@ Sheet {
                 field: Editor.cutter.minSealTime
                 compact: false
                 width: sheet.half
-                onEditRequested: (field, source) => sheet.editRequested([field], 0, source)
-                onExplainRequested: field => sheet.explainRequested(field)
             }
             FieldTile {
                 visible: sheet.isCutter
                 field: Editor.cutter.syncRatio
                 compact: false
                 width: sheet.half
-                onEditRequested: (field, source) => sheet.editRequested([field], 0, source)
             }
             FieldTile {
                 objectName: "field_" + field.fieldId
@@ -129,7 +114,6 @@ Sheet {
                 field: Editor.cutter.rampSlices
                 compact: false
                 width: sheet.half
-                onEditRequested: (field, source) => sheet.editRequested([field], 0, source)
             }
             Button {
                 width: sheet.half

@@ -4,12 +4,11 @@ pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme
 import CamPanel.Controls
+import CamPanel.Parts
 import CamPanel.Panel
 
 Button {
     id: step
-
-    signal downloadRequested()
 
     readonly property bool busy: Editor.programDownload.state === ProgramDownload.State.Transferring
         || Editor.programDownload.state === ProgramDownload.State.Sealing || Editor.programDownload.state === ProgramDownload.State.Armed
@@ -26,5 +25,5 @@ Button {
         : settled ? qsTr("Saved") : qsTr("Download")
     note: busy ? Theme.number(100 * Editor.programDownload.progress, 0) + " %" : saves ? qsTr("keep after power-off")
         : settled ? qsTr("in the controller") : !Controller.fresh ? qsTr("no connection") : suggests ? "" : Controller.state === Controller.State.Running ? qsTr("next cycle") : qsTr("to the controller")
-    onClicked: step.suggests ? Editor.applySuggestion() : step.saves ? Editor.saveToFlash() : step.downloadRequested()
+    onClicked: step.suggests ? Editor.applySuggestion() : step.saves ? Editor.saveToFlash() : Frame.open("Download/DownloadSheet", {})
 }

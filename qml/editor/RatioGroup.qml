@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The four ratios in one touch target, with their origin above; a tap opens what edits them, the nearest one first.
+// The four ratios in one touch target, with their origin above; a tap is near one of them.
 pragma ComponentBehavior: Bound
 import QtQuick
 import QtQuick.Templates as T
@@ -14,10 +14,9 @@ T.AbstractButton {
 
     required property var fields           // list of EditorField
     property string caption                // the origin of the ratios
-    signal editRequested(int index)
+    readonly property int nearest: Math.max(0, Math.min(3, Math.floor(4 * group.pressX / group.width))) // to the finger
 
     implicitHeight: Theme.size.touch
-    onClicked: group.editRequested(Math.max(0, Math.min(3, Math.floor(4 * group.pressX / group.width))))
 
     background: Rectangle {
         radius: Theme.size.radius

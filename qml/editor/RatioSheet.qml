@@ -11,9 +11,6 @@ import CamPanel.Parts
 Sheet {
     id: sheet
 
-    signal editRequested(var fields, int index, Item source)
-    signal explainRequested(var quantities)
-
     readonly property var ratios: [Editor.cutter.k1, Editor.cutter.k2, Editor.cutter.k3, Editor.cutter.k4]
 
     objectName: "ratioSheet"
@@ -106,8 +103,7 @@ Sheet {
                     }
                 }
                 Explained {
-                    quantities: []
-                    onPressAndHold: sheet.explainRequested(Explanations.ofVerdict())
+                    explained: () => Explanations.ofVerdict()
                 }
             }
             RatioGroup {
@@ -115,7 +111,7 @@ Sheet {
                 objectName: "ratioNumbers"
                 width: parent.width
                 fields: sheet.ratios
-                onEditRequested: index => sheet.editRequested(sheet.ratios, index, group)
+                onClicked: Frame.edit(sheet.ratios, group.nearest, group)
             }
             Row {
                 width: parent.width

@@ -2,12 +2,11 @@
 // The motions that the selected segment of a cam may have, beside its curve.
 pragma ComponentBehavior: Bound
 import QtQuick
+import CamPanel.Parts
 import CamPanel.Panel
 
 ShapePicker {
     id: sheet
-
-    signal picked()
 
     beside: true
     panelWidth: besideWidth
@@ -17,6 +16,6 @@ ShapePicker {
     choices: [...Editor.cam.segments.motions].map((motion, index) => ({ key: index, text: motion.name, shape: motion.shape }))
     onChosen: key => {
         Editor.cam.segments.setMotion(key)
-        sheet.picked()
+        Frame.open("Editor/SegmentSheet", {})
     }
 }

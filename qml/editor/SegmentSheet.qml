@@ -9,8 +9,6 @@ import CamPanel.Panel
 CamSheet {
     id: sheet
 
-    signal motionRequested()
-
     handles: Editor.cam.segments
     remark: Editor.cam.segments.jointText
 
@@ -33,7 +31,7 @@ CamSheet {
         width: parent?.width ?? 0
         label: qsTr("Motion")
         value: Editor.cam.segments.motionName
-        onClicked: sheet.motionRequested()
+        onClicked: Frame.open("Editor/SegmentMotionSheet", {})
     }
     Repeater {
         model: Editor.cam.segments.fields
@@ -43,7 +41,6 @@ CamSheet {
             field: modelData as EditorField
             compact: false
             width: parent?.width ?? 0
-            onEditRequested: (field, source) => sheet.editRequested([field], 0, source)
         }
     }
     tools: [
@@ -79,7 +76,7 @@ CamSheet {
             objectName: "segmentFilesButton"
             width: sheet.toolWidth(2)
             text: qsTr("CSV files")
-            onClicked: sheet.filesRequested()
+            onClicked: Frame.open("Editor/CamFilesSheet", {})
         }
     ]
 }

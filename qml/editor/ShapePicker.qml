@@ -20,7 +20,7 @@ ListPicker {
         text: modelData.text
         note: modelData.note ?? ""
         holds: modelData.key === picker.current
-        onClicked: picker.chosen(modelData.key)
+        onClicked: picker.choose(modelData.key)
         CurveThumbnail {
             id: drawing
             x: Theme.size.padding

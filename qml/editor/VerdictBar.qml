@@ -11,8 +11,6 @@ Card {
     id: bar
 
     property bool textsVisible: true
-    signal downloadRequested()
-    signal explainRequested(var quantities)
 
     readonly property bool good: Editor.severity === Editor.Severity.Good
     readonly property color verdictColor: good ? Theme.color.good
@@ -54,12 +52,7 @@ Card {
         objectName: "verdictNumbers"
         Accessible.name: Editor.verdict
         anchors.rightMargin: bar.width - tools.x   // it fills the bar beside the tools
-        quantities: []
-        onPressAndHold: {
-            const told = Explanations.ofVerdict()
-            if (told.length > 0)
-                bar.explainRequested(told)
-        }
+        explained: () => Explanations.ofVerdict()
     }
     Row {
         id: tools
@@ -95,8 +88,6 @@ Card {
             note: Editor.cutter.ramps.offerRate
             onClicked: Editor.cutter.ramps.takeOffer()
         }
-        NextStepButton {
-            onDownloadRequested: bar.downloadRequested()
-        }
+        NextStepButton {}
     }
 }

@@ -6,7 +6,7 @@ import CamPanel.Theme
 import CamPanel.Controls
 import CamPanel.Panel
 
-FirstStep {
+Item {
     id: step
 
     readonly property var languages: Settings.languages

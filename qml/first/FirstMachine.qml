@@ -7,7 +7,7 @@ import CamPanel.Controls
 import CamPanel.Parts
 import CamPanel.Panel
 
-FirstStep {
+Item {
     id: step
 
     property int chosen
@@ -31,11 +31,7 @@ FirstStep {
             compact: false
             width: list.width - 2 * Theme.size.accent
             height: step.rowHeight
-            onEditRequested: (field, source) => {
-                step.chosen = index
-                step.page.editRequested([field], 0, source)
-            }
-            onExplainRequested: field => step.page.explainRequested(field)
+            onClicked: step.chosen = index
         }
     }
     ScrollMark {

@@ -4,15 +4,11 @@ pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme
 import CamPanel.Controls
-import CamPanel.Parts
 import CamPanel.Access
 import CamPanel.Panel
 
-FirstStep {
-    id: step
-
-    property string userName
-    property int userLevel: Access.Service
+Item {
+    NewUser { id: users }
 
     Column {
         width: parent.width
@@ -36,39 +32,7 @@ FirstStep {
             objectName: "firstSetPin"
             visible: !Access.protectedByPins
             text: qsTr("Set the first PIN")
-            onClicked: {
-                step.userName = Access.freeName(step.userLevel)
-                step.page.sheetRequested(userSheet)
-            }
-        }
-    }
-    Component {
-        id: userSheet
-        NewUserSheet {
-            name: step.userName
-            onNameRequested: step.page.sheetRequested(nameSheet)
-            onPinRequested: step.page.sheetRequested(pinSheet)
-        }
-    }
-    Component {
-        id: nameSheet
-        TextSheet {
-            title: qsTr("Name of the user")
-            text: step.userName
-            problem: Access.nameRefusal(step.userName)
-            onEdited: text => step.userName = text
-            onAccepted: step.page.sheetRequested(userSheet)
-        }
-    }
-    Component {
-        id: pinSheet
-        NewPinSheet {
-            title: qsTr("PIN of %1").arg(step.userName)
-            level: Access.Service
-            onEntered: pin => {
-                Access.addUser(step.userName, step.userLevel, pin)
-                closed()
-            }
+            onClicked: users.add()
         }
     }
 }

@@ -7,7 +7,7 @@ import CamPanel.Controls
 import CamPanel.Parts
 import CamPanel.Panel
 
-FirstStep {
+Item {
     id: step
 
     readonly property real half: (width - Theme.size.spacing) / 2
@@ -24,7 +24,10 @@ FirstStep {
             value: Editor.recipeName
             onClicked: {
                 Recipes.wantedName = Editor.recipeName
-                step.page.sheetRequested(nameSheet)
+                Frame.open("Parts/TextSheet", {
+                    title: qsTr("Name of the recipe"), text: Editor.recipeName, problem: Qt.binding(() => Recipes.nameProblem),
+                    onEdited: text => Recipes.wantedName = text, onAccepted: () => Recipes.rename()
+                })
             }
         }
         Row {
@@ -34,16 +37,12 @@ FirstStep {
                 field: Editor.cutter.bagLength
                 compact: false
                 width: step.half
-                onEditRequested: (field, source) => step.page.editRequested([field], 0, source)
-                onExplainRequested: field => step.page.explainRequested(field)
             }
             FieldTile {
                 objectName: "first_rate"
                 field: Editor.cutter.rate
                 compact: false
                 width: step.half
-                onEditRequested: (field, source) => step.page.editRequested([field], 0, source)
-                onExplainRequested: field => step.page.explainRequested(field)
             }
         }
         Label {
@@ -63,19 +62,6 @@ FirstStep {
             wrapMode: Text.WordWrap
             text: qsTr("Next: Download, then Start.")
             color: Theme.color.secondaryInk
-        }
-    }
-    Component {
-        id: nameSheet
-        TextSheet {
-            title: qsTr("Name of the recipe")
-            text: Recipes.wantedName
-            problem: Recipes.nameProblem
-            onEdited: text => Recipes.wantedName = text
-            onAccepted: {
-                Recipes.rename()
-                closed()
-            }
         }
     }
 }

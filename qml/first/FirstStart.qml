@@ -11,7 +11,6 @@ Page {
     id: page
 
     property int step
-    signal finished()
 
     readonly property var steps: [
         { title: qsTr("Language"), source: "FirstLanguage.qml" },
@@ -30,7 +29,9 @@ Page {
         if (Editor.edited)
             Recipes.save()
         Controller.startPermit.turnOn()
-        page.finished()
+        Frame.openPage("motion")
+        if (Editor.programDownload.canDownload)
+            Frame.open("Download/DownloadSheet", {})
         Settings.endFirstStart() // closes this page
     }
 
@@ -59,7 +60,6 @@ Page {
             id: loader
             anchors { left: parent.left; right: parent.right; top: heading.bottom; bottom: backKey.top; margins: Theme.size.padding; topMargin: Theme.size.spacing }
             source: page.steps[page.step].source
-            onLoaded: (item as FirstStep).page = page
         }
         Button {
             id: backKey

@@ -6,6 +6,7 @@ pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme
 import CamPanel.Controls
+import CamPanel.Parts
 import CamPanel.Panel
 
 Item {
@@ -15,7 +16,6 @@ Item {
     property bool above                    // over a sheet, a keypad or the first start: only answers to a touch
     property string answerBelow            // the sentence on the page when something opened above it
     property string putAside
-    signal alarmsRequested()
 
     // A link needs some time to connect; only a longer failure causes a banner.
     readonly property bool isComing: Controller.connection === Controller.Connection.Searching
@@ -92,7 +92,7 @@ Item {
             buttonText: host.stopShown ? qsTr("Withdraw") : qsTr("OK")
             wayText: host.alarmShown && host.alarms.length > 1 ? qsTr("Show") : ""
             onAccepted: host.accept()
-            onWayChosen: host.alarmsRequested()
+            onWayChosen: Frame.openPage("alarms")
         }
     }
 }

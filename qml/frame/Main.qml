@@ -9,7 +9,7 @@ Window {
     id: window
 
     property alias page: frame.page
-    readonly property Frame frame: frame
+    readonly property PanelFrame frame: frame
     readonly property QtObject theme: Theme
 
     title: "CamPanel"
@@ -26,7 +26,7 @@ Window {
         height: isAcross ? window.width : window.height
         rotation: ScreenRotation.degrees
 
-        Frame {
+        PanelFrame {
             id: frame
             anchors.fill: parent
         }

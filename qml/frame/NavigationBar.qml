@@ -5,14 +5,13 @@ pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme
 import CamPanel.Controls
+import CamPanel.Parts
 import CamPanel.Panel
 
 Rectangle {
     id: bar
 
     required property string current
-    signal chosen(string page)
-    signal moreChosen()
 
     // The pages from top to bottom; `page` is the name in the frame.
     readonly property var pages: [
@@ -58,7 +57,7 @@ Rectangle {
                 checked: isMore ? bar.pagesBehind.some(behind => behind.page === bar.current) : bar.current === modelData.page || (modelData.page === "trends" && bar.current === "stops")
                 calls: modelData.page === "alarms" ? Alarms.unacknowledged : 0
                 callColor: Alarms.callingSeverity === Alarms.Severity.Fault ? Theme.color.fault : Theme.color.warning
-                onClicked: isMore ? bar.moreChosen() : bar.chosen(modelData.page)
+                onClicked: isMore ? Frame.open("Frame/PagesSheet", { pages: bar.pagesBehind, current: bar.current }) : Frame.openPage(modelData.page)
             }
         }
     }

@@ -3,6 +3,7 @@
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Controls
+import CamPanel.Parts
 
 ListPicker {
     id: sheet
@@ -11,4 +12,5 @@ ListPicker {
 
     title: qsTr("More pages")
     choices: sheet.pages.map(each => ({ key: each.page, text: each.text }))
+    onChosen: page => Frame.openPage(page)
 }

@@ -202,6 +202,10 @@
         <source>No entry matches the filter.</source>
         <translation>Kein Eintrag entspricht dem Filter.</translation>
     </message>
+    <message>
+        <source>Audit trail as CSV</source>
+        <translation>Protokoll als CSV</translation>
+    </message>
 </context>
 <context>
     <name>BackupSection</name>
@@ -1088,14 +1092,6 @@ Und %2 weitere.</translation>
         <source>Set the first PIN</source>
         <translation>Erste PIN setzen</translation>
     </message>
-    <message>
-        <source>Name of the user</source>
-        <translation>Name des Benutzers</translation>
-    </message>
-    <message>
-        <source>PIN of %1</source>
-        <translation>PIN von %1</translation>
-    </message>
 </context>
 <context>
     <name>FirstRecipe</name>
@@ -1175,13 +1171,6 @@ Und %2 weitere.</translation>
     <message>
         <source>at the stop: %1 mm, %2 to %3 N</source>
         <translation>am Ende: %1 mm, %2 bis %3 N</translation>
-    </message>
-</context>
-<context>
-    <name>Frame</name>
-    <message>
-        <source>Your PIN is too short</source>
-        <translation>Ihre PIN ist zu kurz</translation>
     </message>
 </context>
 <context>
@@ -1973,6 +1962,17 @@ Und %2 weitere.</translation>
     </message>
 </context>
 <context>
+    <name>NewUser</name>
+    <message>
+        <source>Name of the user</source>
+        <translation>Name des Benutzers</translation>
+    </message>
+    <message>
+        <source>PIN of %1</source>
+        <translation>PIN von %1</translation>
+    </message>
+</context>
+<context>
     <name>NewUserSheet</name>
     <message>
         <source>New user</source>
@@ -2181,6 +2181,13 @@ Und %2 weitere.</translation>
     <message>
         <source>More pages</source>
         <translation>Weitere Seiten</translation>
+    </message>
+</context>
+<context>
+    <name>PanelFrame</name>
+    <message>
+        <source>Your PIN is too short</source>
+        <translation>Ihre PIN ist zu kurz</translation>
     </message>
 </context>
 <context>
@@ -3706,14 +3713,6 @@ Uhr nicht gestellt</translation>
         <translation>Neue PIN</translation>
     </message>
     <message>
-        <source>Name of the user</source>
-        <translation>Name des Benutzers</translation>
-    </message>
-    <message>
-        <source>PIN of %1</source>
-        <translation>PIN von %1</translation>
-    </message>
-    <message>
         <source>Operate</source>
         <translation>Bedienen</translation>
     </message>
@@ -3724,10 +3723,6 @@ Uhr nicht gestellt</translation>
     <message>
         <source>operators must log in</source>
         <translation>Bediener müssen sich anmelden</translation>
-    </message>
-    <message>
-        <source>Audit trail as CSV</source>
-        <translation>Protokoll als CSV</translation>
     </message>
     <message>
         <source>First user</source>

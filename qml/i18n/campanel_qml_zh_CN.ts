@@ -202,6 +202,10 @@
         <source>No entry matches the filter.</source>
         <translation>没有符合筛选条件的记录。</translation>
     </message>
+    <message>
+        <source>Audit trail as CSV</source>
+        <translation>审计记录 CSV</translation>
+    </message>
 </context>
 <context>
     <name>BackupSection</name>
@@ -1088,14 +1092,6 @@ And %2 more.</source>
         <source>Set the first PIN</source>
         <translation>设置第一个 PIN</translation>
     </message>
-    <message>
-        <source>Name of the user</source>
-        <translation>用户名</translation>
-    </message>
-    <message>
-        <source>PIN of %1</source>
-        <translation>%1 的 PIN</translation>
-    </message>
 </context>
 <context>
     <name>FirstRecipe</name>
@@ -1175,13 +1171,6 @@ And %2 more.</source>
     <message>
         <source>at the stop: %1 mm, %2 to %3 N</source>
         <translation>终点要求：%1 mm，%2 至 %3 N</translation>
-    </message>
-</context>
-<context>
-    <name>Frame</name>
-    <message>
-        <source>Your PIN is too short</source>
-        <translation>您的 PIN 太短</translation>
     </message>
 </context>
 <context>
@@ -1973,6 +1962,17 @@ And %2 more.</source>
     </message>
 </context>
 <context>
+    <name>NewUser</name>
+    <message>
+        <source>Name of the user</source>
+        <translation>用户名</translation>
+    </message>
+    <message>
+        <source>PIN of %1</source>
+        <translation>%1 的 PIN</translation>
+    </message>
+</context>
+<context>
     <name>NewUserSheet</name>
     <message>
         <source>New user</source>
@@ -2181,6 +2181,13 @@ And %2 more.</source>
     <message>
         <source>More pages</source>
         <translation>更多页面</translation>
+    </message>
+</context>
+<context>
+    <name>PanelFrame</name>
+    <message>
+        <source>Your PIN is too short</source>
+        <translation>您的 PIN 太短</translation>
     </message>
 </context>
 <context>
@@ -3706,14 +3713,6 @@ clock not set</source>
         <translation>新 PIN</translation>
     </message>
     <message>
-        <source>Name of the user</source>
-        <translation>用户名称</translation>
-    </message>
-    <message>
-        <source>PIN of %1</source>
-        <translation>%1 的 PIN</translation>
-    </message>
-    <message>
         <source>Operate</source>
         <translation>操作</translation>
     </message>
@@ -3724,10 +3723,6 @@ clock not set</source>
     <message>
         <source>operators must log in</source>
         <translation>操作员也须登录</translation>
-    </message>
-    <message>
-        <source>Audit trail as CSV</source>
-        <translation>审计记录 CSV</translation>
     </message>
     <message>
         <source>First user</source>

@@ -13,10 +13,7 @@ TextSheet {
     text: Recipes.codes.wanted
     problem: Recipes.codes.problem
     onEdited: text => Recipes.codes.wanted = text
-    onAccepted: {
-        Recipes.codes.store()
-        closed()
-    }
+    onAccepted: Recipes.codes.store()
 
     Connections {
         target: Scan

@@ -4,13 +4,12 @@ pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme
 import CamPanel.Controls
+import CamPanel.Parts
 import CamPanel.Panel
 import CamPanel.Plot
 
 Sheet {
     id: sheet
-
-    signal codeRequested()
 
     title: qsTr("Codes of %1").arg(Recipes.chosenName)
     panelWidth: width * 0.86
@@ -20,7 +19,7 @@ Sheet {
         if (!Access.ask(Access.Technician))
             return
         Recipes.codes.enter(code)
-        sheet.codeRequested()
+        Frame.open("Library/CodeSheet", {})
     }
 
     Column {

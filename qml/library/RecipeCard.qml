@@ -4,6 +4,7 @@ pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme
 import CamPanel.Controls
+import CamPanel.Parts
 import CamPanel.Panel
 
 Card {
@@ -13,10 +14,8 @@ Card {
     signal copyRequested()
     signal renameRequested()
     signal versionsRequested()
-    signal compareRequested()
     signal exportRequested()
     signal removeRequested()
-    signal codesRequested()
 
     readonly property real third: Math.floor((keys.width - 2 * keys.spacing) / 3)
     readonly property int figureHeight: Math.round(1.5 * Theme.size.body)
@@ -123,7 +122,7 @@ Card {
                 objectName: "recipeCompare"
                 text: qsTr("Compare")
                 enabled: Recipes.total > 1
-                onClicked: card.compareRequested()
+                onClicked: Frame.open("Library/RecipeComparisonSheet", { versions: false })
             }
             Key {
                 objectName: "recipeRemove"
@@ -135,7 +134,7 @@ Card {
                 objectName: "recipeCodes"
                 visible: Scan.enabled
                 text: qsTr("Codes …")
-                onClicked: card.codesRequested()
+                onClicked: Frame.open("Library/CodesSheet", {})
             }
             Key {
                 objectName: "recipeExport"

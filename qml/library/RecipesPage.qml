@@ -5,40 +5,78 @@ import QtQuick
 import CamPanel.Theme
 import CamPanel.Controls
 import CamPanel.Parts
-import CamPanel.Download
-import CamPanel.Editor
 import CamPanel.Panel
 
 Page {
     id: page
 
-    property int newKind: 1
-    property int wantedVersion: -1         // version to open after the decision on the edits, -1: the chosen recipe
-
-    // Unsaved edits would be lost, so the user decides.
     function offerExport(all: bool): void {
         if (!Access.ask(Access.Operator))
             return
         Recipes.offerExport(all)
-        page.sheetRequested(exportSheet)
+        Frame.open("Parts/ReportFilesSheet", { title: qsTr("Export as JSON"), files: Recipes.exports })
     }
+    // Opens that version, -1: the chosen recipe. Unsaved edits would be lost, so the user decides.
     function open(version: int): void {
-        page.wantedVersion = version
-        if (Editor.edited)
-            page.sheetRequested(unsavedSheet)
-        else
-            page.reallyOpen()
+        if (!Editor.edited) {
+            page.reallyOpen(version)
+            return
+        }
+        Frame.open("Parts/ConfirmSheet", {
+            title: qsTr("%1 is not saved").arg(Editor.recipeName),
+            question: qsTr("The recipe was edited. Opening another recipe without saving discards the edits."),
+            ways: [{ key: "discard", text: qsTr("Discard edits"), primary: false },
+                { key: "save", text: qsTr("Save as version %1").arg(Recipes.nextVersion), primary: true }],
+            onChosen: key => {
+                if (key === "save")
+                    Recipes.save()
+                page.reallyOpen(version)
+            }
+        })
     }
-    function reallyOpen(): void {
-        if (page.wantedVersion >= 0)
-            Recipes.openVersion(page.wantedVersion)
+    function reallyOpen(version: int): void {
+        if (version >= 0)
+            Recipes.openVersion(version)
         else
             Recipes.open()
-        page.sheetRequested(downloadSheet)
+        Frame.open("Download/DownloadSheet", {})
     }
-    function name(sheet: Component, suggestion: string): void {
+    function name(title: string, suggestion: string, named: var): void {
         Recipes.wantedName = suggestion
-        page.sheetRequested(sheet)
+        Frame.open("Parts/TextSheet", {
+            title: title, text: suggestion, problem: Qt.binding(() => Recipes.nameProblem),
+            onEdited: text => Recipes.wantedName = text, onAccepted: () => named()
+        })
+    }
+    function search(): void {
+        Frame.open("Parts/TextSheet", {
+            title: qsTr("Search for a recipe"), text: Recipes.search, onEdited: text => Recipes.search = text,
+            note: Qt.binding(() => Recipes.list.count === 1 ? qsTr("1 recipe") : qsTr("%1 recipes").arg(Recipes.list.count))
+        })
+    }
+    function create(): void {
+        Frame.open("Editor/KindSheet", {
+            note: qsTr("A new recipe of this kind, with the data of this machine"), current: 0,
+            onChosen: kind => page.name(qsTr("Name of the new recipe"), "", () => Recipes.create(kind))
+        })
+    }
+    function importFile(): void {
+        Recipes.files.scan()
+        Frame.open("Parts/OfferSheet", {
+            title: qsTr("Import a recipe"), exchange: Recipes.files, offers: Recipes.files.files, actionText: qsTr("Import"),
+            emptyText: qsTr("There is no recipe file on a USB stick or in %1. Plug a stick in; the panel finds it automatically.").arg(Recipes.files.ownFolder),
+            onAccepted: row => {
+                Recipes.files.take(row)
+                Frame.close()
+            }
+        })
+    }
+    function remove(): void {
+        Frame.open("Parts/ConfirmSheet", {
+            title: qsTr("Delete %1?").arg(Recipes.chosenName),
+            question: qsTr("The recipe leaves the list; its versions are kept. Saving a recipe under this name restores them."),
+            ways: [{ key: "remove", text: qsTr("Delete"), primary: true }], onChosen: () => Recipes.remove()
+        })
     }
 
     Row {
@@ -50,19 +88,19 @@ Page {
             width: tools.width - newButton.width - importButton.width - exportButton.width - 3 * tools.spacing
             label: qsTr("Search")
             value: Recipes.search.length > 0 ? Recipes.search : qsTr("all %1 recipes").arg(Recipes.total)
-            onClicked: page.sheetRequested(searchSheet)
+            onClicked: page.search()
         }
         Button {
             id: newButton
             objectName: "recipeNew"
             text: qsTr("New …")
-            onClicked: page.sheetRequested(kindSheet)
+            onClicked: page.create()
         }
         Button {
             id: importButton
             objectName: "recipeImport"
             text: qsTr("Import …")
-            onClicked: page.sheetRequested(importSheet)
+            onClicked: page.importFile()
         }
         Button {
             id: exportButton
@@ -108,13 +146,13 @@ Page {
                 visible: state.isOffer
                 kind: Button.Primary
                 text: qsTr("View …")
-                onClicked: page.sheetRequested(importSheet)
+                onClicked: page.importFile()
             }
             Button {
                 objectName: "recipeSaveAs"
                 visible: Recipes.message.length === 0 && Editor.edited
                 text: qsTr("Save as …")
-                onClicked: page.name(saveAsSheet, Editor.recipeName)
+                onClicked: page.name(qsTr("Save under another name"), Editor.recipeName, () => Recipes.saveAs())
             }
             Button {
                 objectName: "recipeSave"
@@ -160,139 +198,11 @@ Page {
     RecipeCard {
         anchors { left: left.right; leftMargin: Theme.size.gap; right: parent.right; top: left.top; bottom: left.bottom }
         visible: Recipes.chosenName.length > 0
-        onOpenRequested: Recipes.chosenIsOpen && !Editor.edited ? page.sheetRequested(downloadSheet) : page.open(-1)
-        onCopyRequested: page.name(copySheet, qsTr("%1 copy").arg(Recipes.chosenName))
-        onRenameRequested: page.name(renameSheet, Recipes.chosenName)
-        onVersionsRequested: page.sheetRequested(versionsSheet)
-        onCompareRequested: page.sheetRequested(compareSheet)
-        onRemoveRequested: page.sheetRequested(removeSheet)
-        onCodesRequested: page.sheetRequested(codesSheet)
+        onOpenRequested: Recipes.chosenIsOpen && !Editor.edited ? Frame.open("Download/DownloadSheet", {}) : page.open(-1)
+        onCopyRequested: page.name(qsTr("Name of the copy"), qsTr("%1 copy").arg(Recipes.chosenName), () => Recipes.copy())
+        onRenameRequested: page.name(qsTr("New name of %1").arg(Recipes.chosenName), Recipes.chosenName, () => Recipes.rename())
+        onVersionsRequested: Frame.open("Library/RecipeComparisonSheet", { versions: true, onVersionOpened: row => page.open(row) })
+        onRemoveRequested: page.remove()
         onExportRequested: page.offerExport(false)
-    }
-
-    component NameSheet: TextSheet {
-        id: naming
-        signal named()
-        text: Recipes.wantedName
-        problem: Recipes.nameProblem
-        onEdited: text => Recipes.wantedName = text
-        onAccepted: {
-            naming.named()
-            naming.closed()
-        }
-    }
-
-    Component {
-        id: searchSheet
-        TextSheet {
-            title: qsTr("Search for a recipe")
-            note: Recipes.list.count === 1 ? qsTr("1 recipe") : qsTr("%1 recipes").arg(Recipes.list.count)
-            text: Recipes.search
-            onEdited: text => Recipes.search = text
-            onAccepted: closed()
-        }
-    }
-    Component {
-        id: kindSheet
-        KindSheet {
-            note: qsTr("A new recipe of this kind, with the data of this machine")
-            current: 0
-            onChosen: key => {
-                page.newKind = key
-                page.name(newSheet, "")
-            }
-        }
-    }
-    Component {
-        id: newSheet
-        NameSheet {
-            title: qsTr("Name of the new recipe")
-            onNamed: Recipes.create(page.newKind)
-        }
-    }
-    Component {
-        id: copySheet
-        NameSheet {
-            title: qsTr("Name of the copy")
-            onNamed: Recipes.copy()
-        }
-    }
-    Component {
-        id: saveAsSheet
-        NameSheet {
-            title: qsTr("Save under another name")
-            onNamed: Recipes.saveAs()
-        }
-    }
-    Component {
-        id: renameSheet
-        NameSheet {
-            title: qsTr("New name of %1").arg(Recipes.chosenName)
-            onNamed: Recipes.rename()
-        }
-    }
-    Component { id: codesSheet; CodesSheet { onCodeRequested: page.sheetRequested(codeSheet) } }
-    Component { id: codeSheet; CodeSheet {} }
-    Component {
-        id: versionsSheet
-        RecipeComparisonSheet {
-            versions: true
-            onVersionOpened: row => page.open(row)
-        }
-    }
-    Component {
-        id: compareSheet
-        RecipeComparisonSheet { versions: false }
-    }
-    Component {
-        id: importSheet
-        OfferSheet {
-            id: imports
-            title: qsTr("Import a recipe")
-            exchange: Recipes.files
-            offers: Recipes.files.files
-            emptyText: qsTr("There is no recipe file on a USB stick or in %1. Plug a stick in; the panel finds it automatically.").arg(Recipes.files.ownFolder)
-            actionText: qsTr("Import")
-            Component.onCompleted: Recipes.files.scan()
-            onAccepted: row => {
-                Recipes.files.take(row)
-                imports.closed()
-            }
-        }
-    }
-    Component {
-        id: exportSheet
-        ReportFilesSheet {
-            title: qsTr("Export as JSON")
-            files: Recipes.exports
-        }
-    }
-    Component {
-        id: removeSheet
-        ConfirmSheet {
-            title: qsTr("Delete %1?").arg(Recipes.chosenName)
-            question: qsTr("The recipe leaves the list; its versions are kept. Saving a recipe under this name restores them.")
-            ways: [{ key: "remove", text: qsTr("Delete"), primary: true }]
-            onChosen: Recipes.remove()
-        }
-    }
-    Component {
-        id: unsavedSheet
-        ConfirmSheet {
-            title: qsTr("%1 is not saved").arg(Editor.recipeName)
-            question: qsTr("The recipe was edited. Opening another recipe without saving discards the edits.")
-            ways: [{ key: "discard", text: qsTr("Discard edits"), primary: false },
-                { key: "save", text: qsTr("Save as version %1").arg(Recipes.nextVersion), primary: true }]
-            onChosen: key => {
-                if (key === "save")
-                    Recipes.save()
-                page.reallyOpen()
-            }
-        }
-    }
-    Component { id: proofSheet; ProofSheet {} }
-    Component {
-        id: downloadSheet
-        DownloadSheet { onProofRequested: page.sheetRequested(proofSheet) }
     }
 }

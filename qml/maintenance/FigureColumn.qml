@@ -13,7 +13,6 @@ Item {
     required property string title
     required property RowModel figures
     property var quantities: []            // computed ones, of Explanations; empty: no explanation
-    signal explainRequested(var quantities)
 
     readonly property int rowHeight: Math.round(Theme.size.caption * 1.5)
 
@@ -61,6 +60,5 @@ Item {
         Accessible.name: column.title
         enabled: column.quantities.length > 0
         quantities: column.quantities
-        onExplainRequested: quantities => column.explainRequested(quantities)
     }
 }

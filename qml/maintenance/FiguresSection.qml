@@ -26,7 +26,6 @@ MaintenanceSection {
             title: qsTr("Communication")
             figures: section.figures.exchanges
             quantities: [Explanations.WireShare]
-            onExplainRequested: quantities => section.page.numbersExplainRequested(quantities)
         }
         FigureColumn {
             width: columns.columnWidth
@@ -39,7 +38,6 @@ MaintenanceSection {
             title: qsTr("Response time")
             figures: section.figures.times
             quantities: [Explanations.AnswersHalf, Explanations.Answers95, Explanations.Answers99, Explanations.AnswersLongest, Explanations.AnswerAllowance]
-            onExplainRequested: quantities => section.page.numbersExplainRequested(quantities)
         }
     }
     Flow {
@@ -113,12 +111,8 @@ MaintenanceSection {
                 if (!Access.ask(Access.Operator))
                     return
                 section.figures.exportCsv()
-                section.page.sheetRequested(exportSheet)
+                Frame.open("Parts/ReportFilesSheet", { title: qsTr("Statistics as CSV") })
             }
         }
-    }
-    Component {
-        id: exportSheet
-        ReportFilesSheet { title: qsTr("Statistics as CSV") }
     }
 }

@@ -50,7 +50,7 @@ MaintenanceSection {
                 if (!Access.ask(Access.Operator))
                     return
                 section.frames.exportText()
-                section.page.sheetRequested(exportSheet)
+                Frame.open("Parts/ReportFilesSheet", { title: qsTr("Frames as text") })
             }
         }
     }
@@ -79,7 +79,7 @@ MaintenanceSection {
                 const row = list.indexAt(point.position.x, point.position.y)
                 section.frames.showDetail(row)
                 if (row >= 0)
-                    section.page.sheetRequested(detailSheet)
+                    Frame.open("Maintenance/FrameSheet", {})
             }
         }
     }
@@ -91,13 +91,5 @@ MaintenanceSection {
         wrapMode: Text.WordWrap
         text: qsTr("No frames of this kind.")
         color: Theme.color.secondaryInk
-    }
-    Component {
-        id: detailSheet
-        FrameSheet {}
-    }
-    Component {
-        id: exportSheet
-        ReportFilesSheet { title: qsTr("Frames as text") }
     }
 }

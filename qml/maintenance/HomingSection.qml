@@ -85,7 +85,7 @@ MaintenanceSection {
             value: section.homing.speed.text
             onClicked: {
                 if (Access.ask(Access.Technician))
-                    section.page.sheetRequested(speedKeypad)
+                    Frame.open("Parts/ValueKeypad", { value: section.homing.speed.value })
             }
         }
     }
@@ -99,9 +99,5 @@ MaintenanceSection {
         ready: section.homing.possible
         baseColor: Theme.color.touch
         onClicked: section.homing.home()
-    }
-    Component {
-        id: speedKeypad
-        ValueKeypad { value: section.homing.speed.value }
     }
 }

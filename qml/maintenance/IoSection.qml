@@ -120,27 +120,16 @@ MaintenanceSection {
             anchors { left: back.right; leftMargin: Theme.size.spacing; right: parent.right; top: parent.top }
             label: qsTr("Output")
             value: section.nameOf(section.switches.current)
-            onClicked: section.page.sheetRequested(picker)
+            onClicked: Frame.open("Controls/ListPicker", {
+                title: qsTr("Output"), current: section.switches.current, onChosen: key => section.switches.choose(key),
+                choices: Array.from({ length: section.switches.drives }, (none, i) => i > 0 ? i : section.switches.drives)
+                    .map(key => ({ key: key, text: section.nameOf(key) }))
+            })
         }
         ParameterList {
             anchors { left: parent.left; right: parent.right; top: chosen.bottom; topMargin: Theme.size.spacing; bottom: parent.bottom }
             fields: section.switches
-            page: section.page
             name: "camSwitch"
-        }
-    }
-
-    Component {
-        id: picker
-        ListPicker {
-            title: qsTr("Output")
-            choices: Array.from({ length: section.switches.drives }, (none, i) => i > 0 ? i : section.switches.drives)
-                .map(key => ({ key: key, text: section.nameOf(key) }))
-            current: section.switches.current
-            onChosen: key => {
-                section.switches.choose(key)
-                closed()
-            }
         }
     }
 }

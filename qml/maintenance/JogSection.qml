@@ -13,7 +13,7 @@ MaintenanceSection {
 
     readonly property Jog jog: Maintenance.jog
     readonly property bool cutter: Controller.active.kind === Editor.Kind.RotaryCutter && !isNaN(Controller.live.knifeAngleDeg)
-    readonly property bool covered: section.page !== null && section.page.covered
+    readonly property bool covered: Frame.covered
     readonly property bool inFront: Window.active
 
     onShownChanged: shown => {
@@ -64,7 +64,7 @@ MaintenanceSection {
             value: section.jog.speed.text
             onClicked: {
                 if (Access.ask(Access.Technician))
-                    section.page.sheetRequested(speedKeypad)
+                    Frame.open("Parts/ValueKeypad", { value: section.jog.speed.value })
             }
         }
     }
@@ -114,9 +114,5 @@ MaintenanceSection {
             text: qsTr("Forward")
             note: section.jog.forwardNote
         }
-    }
-    Component {
-        id: speedKeypad
-        ValueKeypad { value: section.jog.speed.value }
     }
 }

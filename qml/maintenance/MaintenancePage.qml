@@ -49,7 +49,10 @@ Page {
         current: page.group
         onChosen: key => {
             if (page.oneGroupKey)
-                page.sheetRequested(groupSheet)
+                Frame.open("Controls/ListPicker", {
+                    title: qsTr("Maintenance"), current: page.group, onChosen: key => page.group = key,
+                    choices: [{ key: 0, text: qsTr("Connection to the controller") }, { key: 1, text: qsTr("Machine") }, { key: 2, text: qsTr("Panel data") }]
+                })
             else
                 page.group = key
         }
@@ -67,19 +70,6 @@ Page {
         Loader {
             anchors { fill: parent; margins: Theme.size.padding }
             source: page.shown.source
-            onLoaded: (item as MaintenanceSection).page = page
-        }
-    }
-    Component {
-        id: groupSheet
-        ListPicker {
-            title: qsTr("Maintenance")
-            choices: [{ key: 0, text: qsTr("Connection to the controller") }, { key: 1, text: qsTr("Machine") }, { key: 2, text: qsTr("Panel data") }]
-            current: page.group
-            onChosen: key => {
-                page.group = key
-                closed()
-            }
         }
     }
 }

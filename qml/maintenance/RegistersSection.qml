@@ -29,14 +29,20 @@ MaintenanceSection {
             width: (filters.width - 2 * filters.spacing - clearButton.width) / 2
             label: qsTr("Group")
             value: section.inspector.groupText
-            onClicked: section.page.sheetRequested(groupSheet)
+            onClicked: Frame.open("Controls/ListPicker", {
+                title: qsTr("Group of registers"), choices: section.inspector.groups, current: section.inspector.group,
+                onChosen: key => section.inspector.group = key
+            })
         }
         SettingRow {
             objectName: "registerName"
             width: (filters.width - 2 * filters.spacing - clearButton.width) / 2
             label: qsTr("Name contains")
             value: section.inspector.nameFilter.length > 0 ? section.inspector.nameFilter : qsTr("any")
-            onClicked: section.page.sheetRequested(nameSheet)
+            onClicked: Frame.open("Controls/NameKeypad", {
+                title: qsTr("Name contains"), note: Qt.binding(() => qsTr("%1 registers").arg(section.inspector.registers.count)),
+                text: Qt.binding(() => section.inspector.nameFilter), onEdited: text => section.inspector.nameFilter = text
+            })
         }
         Button {
             id: clearButton
@@ -101,34 +107,8 @@ MaintenanceSection {
             text: qsTr("Write …")
             onClicked: {
                 if (Access.ask(Access.Service))
-                    section.page.sheetRequested(valueSheet)
+                    Frame.open("Parts/ValueKeypad", { value: section.inspector.value })
             }
         }
-    }
-
-    Component {
-        id: groupSheet
-        ListPicker {
-            title: qsTr("Group of registers")
-            choices: section.inspector.groups
-            current: section.inspector.group
-            onChosen: key => {
-                section.inspector.group = key
-                closed()
-            }
-        }
-    }
-    Component {
-        id: nameSheet
-        NameKeypad {
-            title: qsTr("Name contains")
-            note: qsTr("%1 registers").arg(section.inspector.registers.count)
-            text: section.inspector.nameFilter
-            onEdited: text => section.inspector.nameFilter = text
-        }
-    }
-    Component {
-        id: valueSheet
-        ValueKeypad { value: section.inspector.value }
     }
 }

@@ -63,7 +63,7 @@ MaintenanceSection {
                     if (!Access.ask(Access.Technician))
                         return
                     section.setup.wizard.restart()
-                    section.page.sheetRequested(wizardSheet)
+                    Frame.open("Packing/MarkWizardSheet", {})
                 }
             }
         }
@@ -71,12 +71,6 @@ MaintenanceSection {
     ParameterList {
         anchors { left: parent.left; right: parent.right; top: marks.bottom; topMargin: Theme.size.spacing; bottom: parent.bottom }
         fields: section.setup.fields
-        page: section.page
         name: "packing"
-    }
-
-    Component {
-        id: wizardSheet
-        MarkWizardSheet {}
     }
 }

@@ -9,8 +9,6 @@ Field {
     id: tile
 
     required property EditorField field
-    signal editRequested(EditorField field, Item source)
-    signal explainRequested(EditorField field)
 
     label: field.label
     value: field.text
@@ -18,6 +16,6 @@ Field {
     pinned: field.pinned
     derived: field.derived
     visible: field.visible
-    onClicked: tile.editRequested(tile.field, tile)
-    onExplain: tile.explainRequested(tile.field)
+    onClicked: Frame.edit([tile.field], 0, tile)
+    onExplain: Frame.open("Explain/ExplanationSheet", { field: tile.field })
 }

@@ -10,7 +10,6 @@ Item {
     id: parameters
 
     required property ParameterFields fields
-    required property Page page
     required property string name          // the objects of the rows begin with it
 
     ListView {
@@ -28,7 +27,7 @@ Item {
                 if (toggle || !Access.ask(Access.Technician))
                     return
                 parameters.fields.select(index)
-                parameters.page.sheetRequested(valueSheet)
+                Frame.open("Parts/ValueKeypad", { value: parameters.fields.value })
             }
             onChosen: choice => parameters.fields.setChoice(index, choice)
             onSuggestionTaken: parameters.fields.takeSuggestion(index)
@@ -59,10 +58,5 @@ Item {
             enabled: parameters.fields.unsaved
             onClicked: parameters.fields.save()
         }
-    }
-
-    Component {
-        id: valueSheet
-        ValueKeypad { value: parameters.fields.value }
     }
 }

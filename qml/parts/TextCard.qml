@@ -13,7 +13,6 @@ Card {
     required property string caption
     property color captionColor: Theme.color.secondaryInk
     property var quantities: []            // the quantity of the text, of Explanations; empty: no explanation
-    signal explainRequested(var quantities)
 
     Readout {
         anchors { left: parent.left; right: parent.right; verticalCenter: parent.verticalCenter; leftMargin: Theme.size.padding; rightMargin: Theme.size.padding; verticalCenterOffset: -Theme.size.padding }
@@ -31,6 +30,5 @@ Card {
     Explained {
         enabled: card.quantities.length > 0
         quantities: card.quantities
-        onExplainRequested: quantities => card.explainRequested(quantities)
     }
 }

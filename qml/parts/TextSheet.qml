@@ -9,14 +9,17 @@ Sheet {
     id: sheet
 
     property string text                   // initial text
-    property string problem                // empty: valid
+    property var check: text => ""         // function: why that text is not valid
+    property string problem: sheet.check.call(sheet, input.text) // empty: valid
     property bool acceptable: problem.length === 0
     signal edited(string text)
-    signal accepted()
+    signal accepted(string text)
 
     function accept(): void {
-        if (sheet.acceptable)
-            sheet.accepted()
+        if (!sheet.acceptable)
+            return
+        sheet.accepted(input.text)
+        sheet.closed()
     }
 
     function fill(text: string): void {

@@ -13,16 +13,32 @@ MaintenanceSection {
 
     readonly property real keyWidth: Math.max(backupRow.naturalKeyWidth, restoreRow.naturalKeyWidth, reportRow.naturalKeyWidth, bundleRow.naturalKeyWidth)
 
+    function chooseBackup(): void {
+        if (!Access.ask(Access.Service))
+            return
+        Backup.scan()
+        Frame.open("Parts/OfferSheet", {
+            title: qsTr("Restore a backup"), exchange: Backup, offers: Backup.found, workText: qsTr("Checking …"), actionText: qsTr("Check and restore"),
+            emptyText: qsTr("There is no backup on a USB stick or on this panel. Plug a stick in; the panel finds it automatically."),
+            onAccepted: row => Backup.check(row)
+        })
+    }
+
     Connections {
         target: Backup
         enabled: section.visible
-        function onOffered() { section.page.sheetRequested(backupPlaces) }
-        function onChecked() { section.page.sheetRequested(restoreQuestion) }
+        function onOffered() { Frame.open("Parts/ReportFilesSheet", { title: qsTr("Location of the backup"), files: Backup.places }) }
+        function onChecked() {
+            Frame.open("Parts/ConfirmSheet", {
+                title: qsTr("Restore this backup?"), panelHeight: 6 * Theme.size.touch, question: Backup.question,
+                ways: [{ key: "restore", text: qsTr("Restore"), primary: true }], onChosen: () => Backup.restore()
+            })
+        }
     }
     Connections {
         target: ServiceBundle
         enabled: section.visible
-        function onOffered() { section.page.sheetRequested(bundlePlaces) }
+        function onOffered() { Frame.open("Parts/ReportFilesSheet", { title: qsTr("Location of the service bundle") }) }
     }
     Column {
         id: rows
@@ -50,7 +66,7 @@ MaintenanceSection {
             glyph: Theme.icon.undo
             keyWidth: section.keyWidth
             usable: !Backup.busy
-            onClicked: if (Access.ask(Access.Service)) section.page.sheetRequested(restoreSheet)
+            onClicked: section.chooseBackup()
         }
         TaskRow {
             id: reportRow
@@ -65,7 +81,7 @@ MaintenanceSection {
                 if (!Access.ask(Access.Operator))
                     return
                 Commissioning.offer()
-                section.page.sheetRequested(reportPlaces)
+                Frame.open("Parts/ReportFilesSheet", { title: qsTr("Location of the report") })
             }
         }
         TaskRow {
@@ -90,43 +106,5 @@ MaintenanceSection {
         minimumPixelSize: Theme.size.caption - 3
         text: Backup.busy ? qsTr("Working …") : Backup.message
         color: Backup.failed ? Theme.color.fault : Theme.color.secondaryInk
-    }
-    Component {
-        id: backupPlaces
-        ReportFilesSheet {
-            title: qsTr("Location of the backup")
-            files: Backup.places
-        }
-    }
-    Component {
-        id: reportPlaces
-        ReportFilesSheet { title: qsTr("Location of the report") }
-    }
-    Component {
-        id: bundlePlaces
-        ReportFilesSheet { title: qsTr("Location of the service bundle") }
-    }
-    Component {
-        id: restoreSheet
-        OfferSheet {
-            title: qsTr("Restore a backup")
-            exchange: Backup
-            offers: Backup.found
-            emptyText: qsTr("There is no backup on a USB stick or on this panel. Plug a stick in; the panel finds it automatically.")
-            workText: qsTr("Checking …")
-            actionText: qsTr("Check and restore")
-            Component.onCompleted: Backup.scan()
-            onAccepted: row => Backup.check(row)
-        }
-    }
-    Component {
-        id: restoreQuestion
-        ConfirmSheet {
-            title: qsTr("Restore this backup?")
-            panelHeight: 6 * Theme.size.touch
-            question: Backup.question
-            ways: [{ key: "restore", text: qsTr("Restore"), primary: true }]
-            onChosen: Backup.restore()
-        }
     }
 }

@@ -11,8 +11,6 @@ import CamPanel.Plot
 Card {
     id: card
 
-    signal explainRequested(var quantities)
-
     readonly property bool measured: !isNaN(Controller.bags.lengthMm)
     readonly property color figureColor: Controller.fresh ? Theme.color.secondaryInk : Theme.color.disabledInk
 
@@ -96,6 +94,5 @@ Card {
         objectName: "bagNumbers"
         Accessible.name: qsTr("Bag length")
         quantities: [Explanations.BagMean, Explanations.BagScatter, Explanations.BagDeviation]
-        onExplainRequested: quantities => card.explainRequested(quantities)
     }
 }

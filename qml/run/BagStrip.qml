@@ -12,8 +12,6 @@ import CamPanel.Plot
 Card {
     id: card
 
-    signal explainRequested(var quantities)
-
     readonly property bool measured: !isNaN(Controller.bags.meanMm)
     readonly property color figureColor: Controller.fresh ? Theme.color.secondaryInk : Theme.color.disabledInk
     readonly property var deviations: Controller.bags.series
@@ -105,6 +103,5 @@ Card {
         objectName: "bagNumbers"
         Accessible.name: qsTr("Bag length")
         quantities: [Explanations.BagMean, Explanations.BagScatter, Explanations.BagsWithin, Explanations.BagDeviation]
-        onExplainRequested: quantities => card.explainRequested(quantities)
     }
 }

@@ -15,8 +15,6 @@ Card {
     readonly property bool fresh: Controller.fresh && line.fresh
     readonly property bool follows: line.markState === PackingLine.Tracking
     readonly property bool marksUsed: line.markState !== PackingLine.Off && line.markState !== PackingLine.Unknown
-    signal tapped()
-    signal explainRequested(var quantities)
 
     IconLabel {
         id: sign
@@ -111,7 +109,6 @@ Card {
         objectName: "filmCard"
         Accessible.name: qsTr("Film")
         quantities: [Explanations.MarkError]
-        onExplainRequested: quantities => card.explainRequested(quantities)
-        onClicked: card.tapped()
+        onClicked: Frame.open("Run/PackingSheet", {})
     }
 }

@@ -11,7 +11,6 @@ Item {
 
     readonly property int gap: Theme.size.gap
     property real bottomInset
-    signal explainRequested(var quantities)
     readonly property bool isCam: Controller.active.followsMaster
     readonly property real upper: Math.round((height - gap) * (isCam ? 0.4 : 0.28))
     readonly property real start: isCam ? dial.width + gap : 0
@@ -73,6 +72,5 @@ Item {
     SpeedCard {
         anchors { left: parent.left; right: parent.right; top: parent.top; topMargin: view.upper + view.gap + (view.isCam ? direction.height + view.gap : 0); bottom: parent.bottom; bottomMargin: view.bottomInset }
         title: qsTr("Axis speed mm/s")
-        onExplainRequested: quantities => view.explainRequested(quantities)
     }
 }

@@ -11,7 +11,6 @@ Item {
 
     readonly property int gap: Theme.size.gap
     property real bottomInset
-    signal explainRequested(var quantities)
     readonly property real upper: Math.round((height - gap) * 0.48)
 
     DialCard {
@@ -29,7 +28,6 @@ Item {
         caption: isNaN(Controller.live.sealTimeMs) ? qsTr("bags/min")
             : qsTr("bags/min · seal %1 ms").arg(Theme.number(Controller.live.sealTimeMs, 0))
         quantities: isNaN(Controller.live.sealTimeMs) ? [Explanations.Rate] : [Explanations.Rate, Explanations.LiveSealTime]
-        onExplainRequested: quantities => view.explainRequested(quantities)
     }
     NumberCard {
         anchors { left: rate.left; right: rate.right; top: rate.bottom; topMargin: view.gap }
@@ -41,11 +39,9 @@ Item {
     BagCard {
         anchors { left: rate.right; leftMargin: view.gap; right: parent.right }
         height: view.upper
-        onExplainRequested: quantities => view.explainRequested(quantities)
     }
     SpeedCard {
         anchors { left: parent.left; right: parent.right; top: dial.bottom; topMargin: view.gap; bottom: parent.bottom; bottomMargin: view.bottomInset }
         title: qsTr("Knife speed mm/s")
-        onExplainRequested: quantities => view.explainRequested(quantities)
     }
 }

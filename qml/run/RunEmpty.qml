@@ -4,13 +4,13 @@ pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme
 import CamPanel.Controls
+import CamPanel.Parts
 import CamPanel.Panel
 
 Item {
     id: view
 
     property real bottomInset
-    signal pageRequested(string page)
     readonly property bool connected: Controller.connection === Controller.Connection.Connected
 
     Card {
@@ -42,7 +42,7 @@ Item {
                 kind: Button.Primary
                 glyph: Theme.icon.motion
                 text: qsTr("Open Motion")
-                onClicked: view.pageRequested("motion")
+                onClicked: Frame.openPage("motion")
             }
         }
     }

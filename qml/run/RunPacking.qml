@@ -13,9 +13,6 @@ Item {
     readonly property int gap: Theme.size.gap
     property real bottomInset
     readonly property real room: height - bottomInset - 2 * gap
-    readonly property Component details: PackingSheet {}
-    signal sheetRequested(sheet: Component)
-    signal explainRequested(var quantities)
 
     NumberCard {
         id: rate
@@ -33,31 +30,24 @@ Item {
         }
         captionColor: Controller.fresh ? Theme.color.secondaryInk : Theme.color.disabledInk
         quantities: isNaN(Controller.live.sealTimeMs) ? [Explanations.Rate] : [Explanations.Rate, Explanations.LiveSealTime]
-        onExplainRequested: quantities => view.explainRequested(quantities)
     }
     BagStrip {
         anchors { left: rate.right; leftMargin: view.gap; right: parent.right }
         height: rate.height
-        onExplainRequested: quantities => view.explainRequested(quantities)
     }
     FilmCard {
         id: film
         anchors { left: parent.left; right: parent.right; top: rate.bottom; topMargin: view.gap }
         height: Math.round(view.room * 0.36)
-        onTapped: view.sheetRequested(view.details)
-        onExplainRequested: quantities => view.explainRequested(quantities)
     }
     SpeedCard {
         anchors { left: parent.left; right: skippedCuts.left; rightMargin: view.gap; top: film.bottom; topMargin: view.gap; bottom: skippedCuts.bottom }
         compact: Theme.size.name === "small"
         title: qsTr("Knife speed mm/s")
-        onExplainRequested: quantities => view.explainRequested(quantities)
     }
     SkippedCutsCard {
         id: skippedCuts
         anchors { right: parent.right; top: film.bottom; topMargin: view.gap; bottom: parent.bottom; bottomMargin: view.bottomInset }
         width: Math.round((view.width - view.gap) * 0.36)
-        onTapped: view.sheetRequested(view.details)
-        onExplainRequested: quantities => view.explainRequested(quantities)
     }
 }

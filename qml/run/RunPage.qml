@@ -26,18 +26,6 @@ Page {
         active: Stops.asking
         source: "StopQuestion.qml"
     }
-    Connections {
-        target: question.item
-        ignoreUnknownSignals: true
-        function onPageRequested(name: string) { page.pageRequested(name) }
-    }
-    Connections {
-        target: loader.item
-        ignoreUnknownSignals: true
-        function onExplainRequested(quantities: var) { page.numbersExplainRequested(quantities) }
-        function onSheetRequested(sheet: Component) { page.sheetRequested(sheet) }
-        function onPageRequested(name: string) { page.pageRequested(name) }
-    }
     Binding {
         target: Controller.torque
         property: "watched"

@@ -11,7 +11,6 @@ Item {
 
     readonly property int gap: Theme.size.gap
     property real bottomInset
-    signal explainRequested(var quantities)
     readonly property real upper: Math.round((height - gap) * 0.26)
     readonly property real cell: (width - 2 * gap) / 3
 
@@ -41,7 +40,6 @@ Item {
         text: Controller.strokes.rows.count > 0 ? Theme.count(Controller.strokes.goodCount, 0) + " / " + Theme.count(Controller.strokes.rows.count, 0) : Theme.unknownText
         caption: qsTr("good / last strokes")
         quantities: [Explanations.GoodStrokes]
-        onExplainRequested: quantities => view.explainRequested(quantities)
     }
     StageStrip {
         id: stages

@@ -12,8 +12,6 @@ Card {
 
     readonly property PackingLine line: Controller.packing
     readonly property color inkColor: Controller.fresh && line.fresh ? Theme.color.ink : Theme.color.disabledInk
-    signal tapped()
-    signal explainRequested(var quantities)
 
     component Figure: ValueTile {
         width: parent ? parent.width : 0
@@ -57,7 +55,6 @@ Card {
         objectName: "skippedCutsCard"
         Accessible.name: qsTr("Skipped cuts")
         quantities: [Explanations.FilmSaved]
-        onExplainRequested: quantities => card.explainRequested(quantities)
-        onClicked: card.tapped()
+        onClicked: Frame.open("Run/PackingSheet", {})
     }
 }

@@ -10,8 +10,6 @@ import CamPanel.Panel
 Card {
     id: card
 
-    signal explainRequested(var quantities)
-
     required property string title
     property bool compact                  // little space for texts
     readonly property color traceColor: Controller.fresh ? Theme.color.touch : Theme.color.disabledInk
@@ -102,6 +100,5 @@ Card {
         objectName: "speedNumbers"
         Accessible.name: card.title
         quantities: [Explanations.FollowingError, Explanations.Torque]
-        onExplainRequested: quantities => card.explainRequested(quantities)
     }
 }

@@ -10,8 +10,6 @@ import CamPanel.Panel
 Card {
     id: question
 
-    signal pageRequested(string page)
-
     objectName: "stopQuestion"
     border { width: Theme.size.outline; color: Theme.color.touch }
     MouseArea { anchors.fill: parent }
@@ -51,7 +49,7 @@ Card {
             visible: Stops.keys.groupText.length === 0
             glyph: Theme.icon.pause
             text: qsTr("Stops")
-            onClicked: question.pageRequested("stops")
+            onClicked: Frame.openPage("stops")
         }
         Button {
             objectName: "stopQuestionLater"

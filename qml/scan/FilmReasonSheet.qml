@@ -5,15 +5,7 @@ import CamPanel.Parts
 import CamPanel.Panel
 
 TextSheet {
-    id: sheet
-
-    property string reason
-
     title: qsTr("Why is another film reel used?")
-    problem: reason.trim().length === 0 ? qsTr("Enter the reason for the audit trail.") : ""
-    onEdited: text => sheet.reason = text
-    onAccepted: {
-        Scan.film.overrideCheck(sheet.reason)
-        closed()
-    }
+    check: text => text.trim().length === 0 ? qsTr("Enter the reason for the audit trail.") : ""
+    onAccepted: text => Scan.film.overrideCheck(text)
 }

@@ -8,12 +8,10 @@ import CamPanel.Panel
 ConfirmSheet {
     id: sheet
 
-    signal reasonRequested()
-
     title: qsTr("Start is blocked")
     question: Scan.film.blockedReason
     ways: [{ key: "override", text: qsTr("Override …"), primary: false }]
-    onChosen: if (Access.ask(Access.Technician)) sheet.reasonRequested()
+    onChosen: if (Access.ask(Access.Technician)) Frame.open("Scan/FilmReasonSheet", {})
 
     Connections {
         target: Scan.film

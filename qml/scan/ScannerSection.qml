@@ -11,7 +11,6 @@ MaintenanceSection {
     id: section
 
     readonly property real half: (width - Theme.size.spacing) / 2
-    property string wantedPrefix
     property bool shows
 
     onShownChanged: shown => {
@@ -37,8 +36,9 @@ MaintenanceSection {
             onClicked: {
                 if (!Access.ask(Access.Service))
                     return
-                section.wantedPrefix = Scan.prefix
-                section.page.sheetRequested(prefixSheet)
+                Frame.open("Parts/TextSheet", {
+                    title: qsTr("Prefix of the scanner"), text: Scan.prefix, check: text => Scan.prefixProblem(text), onAccepted: text => Scan.setPrefix(text)
+                })
             }
         }
         SettingRow {
@@ -46,14 +46,21 @@ MaintenanceSection {
             width: section.half
             label: qsTr("Suffix")
             value: Scan.endsByTab ? qsTr("Tab key") : qsTr("Enter key")
-            onClicked: if (Access.ask(Access.Service)) section.page.sheetRequested(suffixSheet)
+            onClicked: {
+                if (!Access.ask(Access.Service))
+                    return
+                Frame.open("Controls/ListPicker", {
+                    title: qsTr("Suffix of the scanner"), choices: [{ key: false, text: qsTr("Enter key") }, { key: true, text: qsTr("Tab key") }],
+                    current: Scan.endsByTab, onChosen: key => Scan.endsByTab = key
+                })
+            }
         }
         SettingRow {
             objectName: "scannerKeyTime"
             width: section.half
             label: Scan.keyTime.label
             value: qsTr("%1 ms").arg(Scan.keyTime.text)
-            onClicked: if (Access.ask(Access.Service)) section.page.sheetRequested(timeSheet)
+            onClicked: if (Access.ask(Access.Service)) Frame.open("Parts/ValueKeypad", { value: Scan.keyTime })
         }
         SettingRow {
             objectName: "scannerLast"
@@ -74,35 +81,5 @@ MaintenanceSection {
         text: Scan.enabled ? qsTr("Scan a code to test the scanner. While this section is open, a code opens no recipe.")
             : qsTr("Set the scanner to send a prefix that nobody types before each code, such as ~~, and enter the same prefix here.")
         color: Theme.color.secondaryInk
-    }
-
-    Component {
-        id: prefixSheet
-        TextSheet {
-            title: qsTr("Prefix of the scanner")
-            text: section.wantedPrefix
-            problem: Scan.prefixProblem(section.wantedPrefix)
-            onEdited: text => section.wantedPrefix = text
-            onAccepted: {
-                Scan.setPrefix(section.wantedPrefix)
-                closed()
-            }
-        }
-    }
-    Component {
-        id: suffixSheet
-        ListPicker {
-            title: qsTr("Suffix of the scanner")
-            choices: [{ key: false, text: qsTr("Enter key") }, { key: true, text: qsTr("Tab key") }]
-            current: Scan.endsByTab
-            onChosen: key => {
-                Scan.endsByTab = key
-                closed()
-            }
-        }
-    }
-    Component {
-        id: timeSheet
-        ValueKeypad { value: Scan.keyTime }
     }
 }

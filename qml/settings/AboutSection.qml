@@ -51,7 +51,7 @@ SettingsSection {
         anchors { left: parent.left; right: parent.right; bottom: updateRow.visible ? updateRow.top : updateState.top; bottomMargin: Theme.size.spacing }
         label: qsTr("Versions and disk")
         value: Versions.warning.length > 0 ? qsTr("The disk is too small") : qsTr("panel, gateway, controller, program")
-        onClicked: (section.page as SettingsPage).open("VersionsSection.qml")
+        onClicked: section.settings.open("VersionsSection.qml")
     }
     SettingRow {
         id: updateRow
@@ -64,7 +64,7 @@ SettingsSection {
         Component.onDestruction: SoftwareUpdate.watched = false
         onClicked: {
             if (Access.ask(Access.Service))
-                section.page.sheetRequested(updateSheet)
+                Frame.open("Settings/UpdateSheet", {})
         }
     }
     Label {
@@ -81,23 +81,14 @@ SettingsSection {
     Connections {
         target: SoftwareUpdate
         function onChosen() {
-            section.page.sheetRequested(updateQuestion)
-        }
-    }
-    Component {
-        id: updateSheet
-        UpdateSheet {}
-    }
-    Component {
-        id: updateQuestion
-        ConfirmSheet {
-            title: SoftwareUpdate.actionText
-            question: SoftwareUpdate.question
-            ways: [{ key: "update", text: SoftwareUpdate.actionText, primary: true }]
-            onChosen: {
-                SoftwareUpdate.confirm()
-                section.page.sheetRequested(updateSheet)
-            }
+            Frame.open("Parts/ConfirmSheet", {
+                title: SoftwareUpdate.actionText, question: SoftwareUpdate.question,
+                ways: [{ key: "update", text: SoftwareUpdate.actionText, primary: true }],
+                onChosen: () => {
+                    SoftwareUpdate.confirm()
+                    Frame.open("Settings/UpdateSheet", {})
+                }
+            })
         }
     }
 }

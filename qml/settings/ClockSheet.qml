@@ -4,12 +4,11 @@ pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme
 import CamPanel.Controls
+import CamPanel.Parts
 import CamPanel.Panel
 
 Sheet {
     id: sheet
-
-    signal zoneRequested()
 
     title: qsTr("Clock")
     note: SystemClock.stateText
@@ -55,7 +54,7 @@ Sheet {
             enabled: SystemClock.available && !SystemClock.busy
             label: qsTr("Time zone")
             value: SystemClock.available ? SystemClock.zone : "--"
-            onClicked: sheet.zoneRequested()
+            onClicked: Frame.open("Settings/ZonePicker", {})
         }
         Label {
             objectName: "clockProblem"

@@ -42,26 +42,29 @@ SettingsSection {
                 value: Settings.portName.length > 0 ? Settings.portName : qsTr("Choose")
                 onClicked: {
                     Settings.refreshPorts()
-                    section.page.sheetRequested(portSheet)
+                    Frame.open("Settings/PortPicker", {})
                 }
             }
             SettingRow {
                 width: section.half
                 label: qsTr("Baud rate")
                 value: Settings.baud
-                onClicked: section.page.sheetRequested(baudSheet)
+                onClicked: Frame.open("Controls/ListPicker", {
+                    title: qsTr("Baud rate"), choices: section.bauds.map(baud => ({ key: baud, text: baud.toString() })),
+                    current: Settings.baud, onChosen: key => Settings.baud = key
+                })
             }
             SettingRow {
                 width: section.half
                 label: qsTr("Parity and stop bits")
                 value: Theme.fill(qsTr("%1, %2"), [section.parityNames[Settings.parity], Settings.stopBits])
-                onClicked: section.page.sheetRequested(paritySheet)
+                onClicked: Frame.open("Settings/ParityPicker", {})
             }
             SettingRow {
                 width: section.half
                 label: qsTr("Unit number")
                 value: Settings.unit
-                onClicked: section.page.sheetRequested(unitSheet)
+                onClicked: Frame.open("Parts/ValueKeypad", { value: Settings.unitNumber })
             }
         }
         Label {
@@ -95,30 +98,5 @@ SettingsSection {
         text: Settings.connectionDirty ? qsTr("Connect") : qsTr("In use")
         enabled: Settings.connectionDirty && (Settings.simulated || Settings.portName.length > 0)
         onClicked: Settings.applyConnection()
-    }
-
-    Component {
-        id: portSheet
-        PortPicker {}
-    }
-    Component {
-        id: baudSheet
-        ListPicker {
-            title: qsTr("Baud rate")
-            choices: section.bauds.map(baud => ({ key: baud, text: baud.toString() }))
-            current: Settings.baud
-            onChosen: key => {
-                Settings.baud = key
-                closed()
-            }
-        }
-    }
-    Component {
-        id: paritySheet
-        ParityPicker {}
-    }
-    Component {
-        id: unitSheet
-        ValueKeypad { value: Settings.unitNumber }
     }
 }

@@ -4,6 +4,7 @@ pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme
 import CamPanel.Controls
+import CamPanel.Parts
 import CamPanel.Panel
 
 SettingsSection {
@@ -40,7 +41,10 @@ SettingsSection {
                 height: gloves.height
                 label: section.labels.language
                 value: section.languageNames[section.languages.indexOf(Settings.language)] ?? ""
-                onClicked: section.page.sheetRequested(languagePicker)
+                onClicked: Frame.open("Controls/ListPicker", {
+                    title: section.labels.language, choices: section.languages.map((key, i) => ({ key: key, text: section.languageNames[i] })),
+                    current: Settings.language, onChosen: key => Settings.language = key
+                })
             }
             Column {
                 id: gloves
@@ -84,7 +88,7 @@ SettingsSection {
                 id: system
                 objectName: "sectionSystem"
                 text: qsTr("Screen, clock, network")
-                onClicked: (section.page as SettingsPage).open("SystemSection.qml")
+                onClicked: section.settings.open("SystemSection.qml")
             }
             SettingRow {
                 objectName: "holdToStart"
@@ -93,8 +97,14 @@ SettingsSection {
                 label: qsTr("Start key")
                 value: Settings.startIsHeld ? qsTr("hold") : qsTr("tap")
                 onClicked: {
-                    if (Access.ask(Access.Technician))
-                        section.page.sheetRequested(holdPicker)
+                    if (!Access.ask(Access.Technician))
+                        return
+                    Frame.open("Controls/ListPicker", {
+                        title: qsTr("Start key"), current: Settings.holdToStart, onChosen: key => Settings.holdToStart = key,
+                        choices: [{ key: "auto", text: qsTr("Automatic"), note: qsTr("hold with a real controller") },
+                            { key: "on", text: qsTr("Hold for 0.5 s"), note: qsTr("an accidental touch does not start the machine") },
+                            { key: "off", text: qsTr("One touch"), note: "" }]
+                    })
                 }
             }
         }
@@ -104,33 +114,6 @@ SettingsSection {
             wrapMode: Text.WordWrap
             text: qsTr("Use light in a bright hall, dark in the night shift, high contrast for a dirty screen. Glove mode enlarges all keys by a quarter; numbers and units follow the language.")
             color: Theme.color.secondaryInk
-        }
-    }
-
-    Component {
-        id: languagePicker
-        ListPicker {
-            title: section.labels.language
-            choices: section.languages.map((key, i) => ({ key: key, text: section.languageNames[i] }))
-            current: Settings.language
-            onChosen: key => {
-                Settings.language = key
-                closed()
-            }
-        }
-    }
-    Component {
-        id: holdPicker
-        ListPicker {
-            title: qsTr("Start key")
-            choices: [{ key: "auto", text: qsTr("Automatic"), note: qsTr("hold with a real controller") },
-                { key: "on", text: qsTr("Hold for 0.5 s"), note: qsTr("an accidental touch does not start the machine") },
-                { key: "off", text: qsTr("One touch"), note: "" }]
-            current: Settings.holdToStart
-            onChosen: key => {
-                Settings.holdToStart = key
-                closed()
-            }
         }
     }
 }

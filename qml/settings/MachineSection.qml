@@ -36,7 +36,7 @@ SettingsSection {
                 value: qsTr("±%1 mm").arg(Theme.number(Settings.bagToleranceMm, 2))
                 onClicked: {
                     if (Access.ask(Access.Technician))
-                        section.page.sheetRequested(toleranceKeypad)
+                        Frame.open("Parts/ValueKeypad", { value: Settings.bagTolerance })
                 }
             }
             SettingRow {
@@ -45,7 +45,7 @@ SettingsSection {
                 height: section.rowHeight
                 label: qsTr("Reasons, ideal rate")
                 value: qsTr("Stops and shifts")
-                onClicked: (section.page as SettingsPage).open("StopsSection.qml")
+                onClicked: section.settings.open("StopsSection.qml")
             }
             Repeater {
                 model: Editor.machineFields
@@ -56,11 +56,7 @@ SettingsSection {
                     compact: false
                     width: column.width
                     height: section.rowHeight
-                    onEditRequested: (field, source) => {
-                        section.chosen = field
-                        section.page.editRequested([field], 0, source)
-                    }
-                    onExplainRequested: field => section.page.explainRequested(field)
+                    onClicked: section.chosen = field
                 }
             }
             SettingRow {
@@ -69,7 +65,7 @@ SettingsSection {
                 height: section.rowHeight
                 label: qsTr("Start")
                 value: qsTr("Panel's permit")
-                onClicked: (section.page as SettingsPage).open("PermitSection.qml")
+                onClicked: section.settings.open("PermitSection.qml")
             }
         }
     }
@@ -77,10 +73,6 @@ SettingsSection {
         anchors { left: list.right; leftMargin: Theme.size.padding; right: parent.right; top: list.top }
         height: Math.min(parent.height - section.bodyTop, width)
         fieldId: section.chosen?.fieldId ?? ""
-    }
-    Component {
-        id: toleranceKeypad
-        ValueKeypad { value: Settings.bagTolerance }
     }
     ScrollMark {
         view: list

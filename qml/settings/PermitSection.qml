@@ -20,6 +20,5 @@ SettingsSection {
         anchors { fill: parent; topMargin: section.bodyTop }
         name: "startPermit"
         fields: Controller.startPermit
-        page: section.page
     }
 }

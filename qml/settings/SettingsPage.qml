@@ -57,7 +57,7 @@ Page {
         Loader {
             anchors { fill: parent; margins: Theme.size.padding }
             source: page.sections[page.section].source
-            onLoaded: (item as SettingsSection).page = page
+            onLoaded: (item as SettingsSection).settings = page
         }
     }
 }

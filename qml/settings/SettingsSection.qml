@@ -1,18 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// The base of a section of the Settings page: a title, access to the page for keypad and sheets, and for a section within another
-// one the way back.
+// The base of a section of the Settings page: a title, and for a section within another one the way back.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme
 import CamPanel.Controls
-import CamPanel.Parts
 
 Item {
     id: section
 
     required property string title
-    property Page page
-    readonly property SettingsPage settings: page as SettingsPage
+    property SettingsPage settings
     readonly property bool within: settings !== null && settings.shown !== settings.section
     readonly property real bodyTop: heading.height + Theme.size.spacing
 

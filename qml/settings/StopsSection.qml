@@ -5,7 +5,6 @@ import QtQuick
 import CamPanel.Theme
 import CamPanel.Controls
 import CamPanel.Parts
-import CamPanel.Stops
 import CamPanel.Panel
 
 SettingsSection {
@@ -13,12 +12,33 @@ SettingsSection {
 
     readonly property real half: (width - Theme.size.spacing) / 2
     readonly property StopSetup setup: Stops.setup
-    property int row                       // of the reason that is named; -1: a new one
-    property string name
 
-    function open(sheet: Component): void {
-        if (Access.ask(Access.Service))
-            section.page.sheetRequested(sheet)
+    function openReasons(): void {
+        Frame.open("Stops/ReasonsSheet", { onNameRequested: (row, text) => section.enterName(row, text), onStandardRequested: () => section.askForStandard() })
+    }
+    // Names that reason, -1: a new one.
+    function enterName(row: int, text: string): void {
+        const reasons = section.setup.reasons
+        Frame.open("Parts/TextSheet", {
+            title: qsTr("Name of the reason"), text: text, check: name => reasons.problemOf(row, name),
+            onAccepted: name => {
+                if (row < 0)
+                    reasons.add(name)
+                else
+                    reasons.rename(row, name)
+                section.openReasons()
+            }
+        })
+    }
+    function askForStandard(): void {
+        Frame.open("Parts/ConfirmSheet", {
+            title: qsTr("Standard list"), question: qsTr("Replace the own list by the standard list? Stops keep their reasons."),
+            ways: [{ key: "restore", text: qsTr("Replace"), primary: true }],
+            onChosen: () => {
+                section.setup.reasons.restoreStandard()
+                section.openReasons()
+            }
+        })
     }
 
     title: qsTr("Stops and shifts")
@@ -32,28 +52,28 @@ SettingsSection {
             width: section.half
             label: section.setup.askAfter.label
             value: qsTr("%1 s").arg(section.setup.askAfter.text)
-            onClicked: section.open(askKeypad)
+            onClicked: if (Access.ask(Access.Service)) Frame.open("Parts/ValueKeypad", { value: section.setup.askAfter })
         }
         SettingRow {
             objectName: "stopsIdealRate"
             width: section.half
             label: qsTr("Ideal rate")
             value: section.setup.idealRateText
-            onClicked: section.open(idealKeypad)
+            onClicked: if (Access.ask(Access.Service)) Frame.open("Parts/ValueKeypad", { value: section.setup.idealRate })
         }
         SettingRow {
             objectName: "stopsShifts"
             width: section.half
             label: qsTr("Shifts start at")
             value: section.setup.shiftsText
-            onClicked: section.open(shiftsSheet)
+            onClicked: if (Access.ask(Access.Service)) Frame.open("Stops/ShiftsSheet", {})
         }
         SettingRow {
             objectName: "stopsDays"
             width: section.half
             label: qsTr("Working days")
             value: section.setup.daysText
-            onClicked: section.open(shiftsSheet)
+            onClicked: if (Access.ask(Access.Service)) Frame.open("Stops/ShiftsSheet", {})
         }
         SettingRow {
             objectName: "stopsReasons"
@@ -62,58 +82,8 @@ SettingsSection {
             value: section.setup.reasonsText
             onClicked: {
                 section.setup.reasons.closeGroup()
-                section.open(reasonsSheet)
-            }
-        }
-    }
-    Component {
-        id: askKeypad
-        ValueKeypad { value: section.setup.askAfter }
-    }
-    Component {
-        id: idealKeypad
-        ValueKeypad { value: section.setup.idealRate }
-    }
-    Component {
-        id: shiftsSheet
-        ShiftsSheet {}
-    }
-    Component {
-        id: reasonsSheet
-        ReasonsSheet {
-            onNameRequested: (row, text) => {
-                section.row = row
-                section.name = text
-                section.page.sheetRequested(nameSheet)
-            }
-            onStandardRequested: section.page.sheetRequested(standardSheet)
-        }
-    }
-    Component {
-        id: nameSheet
-        TextSheet {
-            title: qsTr("Name of the reason")
-            text: section.name
-            problem: section.setup.reasons.problemOf(section.row, section.name)
-            onEdited: text => section.name = text
-            onAccepted: {
-                if (section.row < 0)
-                    section.setup.reasons.add(section.name)
-                else
-                    section.setup.reasons.rename(section.row, section.name)
-                section.page.sheetRequested(reasonsSheet)
-            }
-        }
-    }
-    Component {
-        id: standardSheet
-        ConfirmSheet {
-            title: qsTr("Standard list")
-            question: qsTr("Replace the own list by the standard list? Stops keep their reasons.")
-            ways: [{ key: "restore", text: qsTr("Replace"), primary: true }]
-            onChosen: {
-                section.setup.reasons.restoreStandard()
-                section.page.sheetRequested(reasonsSheet)
+                if (Access.ask(Access.Service))
+                    section.openReasons()
             }
         }
     }

@@ -13,7 +13,27 @@ SettingsSection {
     readonly property var brightnesses: Display.brightnessChoices
     readonly property var waits: Display.darkChoices
     readonly property var rotations: ScreenRotation.choices
-    property int field                     // of the network that is entered
+
+    function openNetwork(): void {
+        Frame.open("Settings/NetworkSheet", {
+            onPortRequested: () => section.choosePort(),
+            onFieldRequested: field => Frame.open("Settings/AddressPad", { field: field, onClosed: () => section.openNetwork() })
+        })
+    }
+    function choosePort(): void {
+        Frame.open("Controls/ListPicker", {
+            title: qsTr("Network port"), choices: SystemNetwork.ports, current: SystemNetwork.port,
+            onChosen: key => SystemNetwork.port = key, onClosed: () => section.openNetwork()
+        })
+    }
+    function openTouchscreen(): void {
+        const calibrate = { key: "calibrate", text: qsTr("Calibrate"), note: qsTr("touch four crosses; the panel restarts") }
+        const remove = { key: "remove", text: qsTr("Remove calibration"), note: qsTr("as before the first one; the panel restarts") }
+        Frame.open("Controls/ListPicker", {
+            title: qsTr("Touchscreen"), choices: TouchCalibration.calibrated ? [calibrate, remove] : [calibrate], current: null,
+            onChosen: key => key === "remove" ? TouchCalibration.remove() : TouchCalibration.begin()
+        })
+    }
 
     title: qsTr("Screen and system")
 
@@ -81,7 +101,7 @@ SettingsSection {
                 value: Theme.fill(qsTr("%1, %2"), [facts.clockText, facts.zoneText])
                 onClicked: {
                     if (Access.ask(Access.Service))
-                        section.page.sheetRequested(clockSheet)
+                        Frame.open("Settings/ClockSheet", {})
                 }
             }
             SettingRow {
@@ -92,7 +112,7 @@ SettingsSection {
                 onClicked: {
                     if (Access.ask(Access.Service)) {
                         SystemNetwork.discard()
-                        section.page.sheetRequested(networkSheet)
+                        section.openNetwork()
                     }
                 }
             }
@@ -107,8 +127,12 @@ SettingsSection {
                     label: qsTr("Screen rotation")
                     value: qsTr("%1°").arg(ScreenRotation.degrees)
                     onClicked: {
-                        if (Access.ask(Access.Service))
-                            section.page.sheetRequested(rotationPicker)
+                        if (!Access.ask(Access.Service))
+                            return
+                        Frame.open("Controls/ListPicker", {
+                            title: qsTr("Screen rotation"), choices: section.rotations.map(degrees => ({ key: degrees, text: qsTr("%1°").arg(degrees) })),
+                            current: ScreenRotation.degrees, onChosen: key => ScreenRotation.tryOut(key)
+                        })
                     }
                 }
                 SettingRow {
@@ -121,7 +145,7 @@ SettingsSection {
                     Component.onDestruction: TouchCalibration.watched = false
                     onClicked: {
                         if (Access.ask(Access.Service))
-                            section.page.sheetRequested(touchPicker)
+                            section.openTouchscreen()
                     }
                 }
             }
@@ -141,72 +165,4 @@ SettingsSection {
         }
     }
     ScrollMark { view: scroll }
-
-    Component {
-        id: clockSheet
-        ClockSheet { onZoneRequested: section.page.sheetRequested(zonePicker) }
-    }
-    Component {
-        id: zonePicker
-        ZonePicker { onClosed: section.page.sheetRequested(clockSheet) }
-    }
-    Component {
-        id: networkSheet
-        NetworkSheet {
-            onPortRequested: section.page.sheetRequested(portPicker)
-            onFieldRequested: field => {
-                section.field = field
-                section.page.sheetRequested(addressPad)
-            }
-        }
-    }
-    Component {
-        id: portPicker
-        ListPicker {
-            title: qsTr("Network port")
-            choices: SystemNetwork.ports
-            current: SystemNetwork.port
-            onChosen: key => {
-                SystemNetwork.port = key
-                closed()
-            }
-            onClosed: section.page.sheetRequested(networkSheet)
-        }
-    }
-    Component {
-        id: rotationPicker
-        ListPicker {
-            title: qsTr("Screen rotation")
-            choices: section.rotations.map(degrees => ({ key: degrees, text: qsTr("%1°").arg(degrees) }))
-            current: ScreenRotation.degrees
-            onChosen: key => {
-                closed()
-                ScreenRotation.tryOut(key)
-            }
-        }
-    }
-    Component {
-        id: touchPicker
-        ListPicker {
-            readonly property var calibrate: ({ key: "calibrate", text: qsTr("Calibrate"), note: qsTr("touch four crosses; the panel restarts") })
-            readonly property var remove: ({ key: "remove", text: qsTr("Remove calibration"), note: qsTr("as before the first one; the panel restarts") })
-            title: qsTr("Touchscreen")
-            choices: TouchCalibration.calibrated ? [calibrate, remove] : [calibrate]
-            current: null
-            onChosen: key => {
-                closed()
-                if (key === "remove")
-                    TouchCalibration.remove()
-                else
-                    TouchCalibration.begin()
-            }
-        }
-    }
-    Component {
-        id: addressPad
-        AddressPad {
-            field: section.field
-            onClosed: section.page.sheetRequested(networkSheet)
-        }
-    }
 }

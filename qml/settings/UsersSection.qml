@@ -6,7 +6,6 @@ import CamPanel.Theme
 import CamPanel.Controls
 import CamPanel.Parts
 import CamPanel.Access
-import CamPanel.Audit
 import CamPanel.Panel
 
 SettingsSection {
@@ -14,26 +13,32 @@ SettingsSection {
 
     readonly property real half: (width - Theme.size.spacing) / 2
     readonly property var people: Access.users
-    property int userId
-    property int newLevel
-    property string newName
+    readonly property var minutes: Settings.autoLogoutChoices
 
     title: qsTr("Users")
     Component.onCompleted: Access.clearMessage()
 
-    function addUser(): void {
-        if (Access.ask(Access.Service)) {
-            section.newName = ""
-            section.page.sheetRequested(newUserSheet)
-        }
-    }
     function openUser(id: int): void {
-        if (Access.ask(Access.Service)) {
-            section.userId = id
-            section.page.sheetRequested(userSheet)
-        }
+        if (Access.ask(Access.Service))
+            Frame.open("Access/UserSheet", { userId: id, onPinRequested: () => section.enterPin(id) })
+    }
+    function enterPin(id: int): void {
+        Frame.open("Access/NewPinSheet", {
+            title: qsTr("New PIN"), level: section.people.find(each => each.id === id)?.level ?? Access.Service,
+            onEntered: pin => Access.changePin(id, pin)
+        })
+    }
+    function openAudit(): void {
+        Frame.open("Audit/AuditSheet", { onFilterRequested: () => filterDialogs.open() })
     }
 
+    NewUser { id: newUser }
+    LogFilterDialogs {
+        id: filterDialogs
+        filter: Audit.filter
+        idLabel: qsTr("Row or register")
+        onClosed: section.openAudit()
+    }
     Item {
         id: now
         anchors { left: parent.left; right: parent.right; top: parent.top; topMargin: section.bodyTop }
@@ -117,7 +122,10 @@ SettingsSection {
             width: section.half
             label: qsTr("Automatic logout after")
             value: qsTr("%1 min").arg(Settings.autoLogoutMinutes)
-            onClicked: section.page.sheetRequested(logoutPicker)
+            onClicked: Frame.open("Controls/ListPicker", {
+                title: qsTr("Logout without touch after"), choices: section.minutes.map(key => ({ key: key, text: qsTr("%1 min").arg(key) })),
+                current: Settings.autoLogoutMinutes, onChosen: key => Settings.autoLogoutMinutes = key
+            })
         }
         SettingRow {
             objectName: "withoutLogin"
@@ -125,14 +133,18 @@ SettingsSection {
             width: section.half
             label: qsTr("Without login")
             value: Settings.operatorsLogIn ? qsTr("view and stop") : qsTr("operate")
-            onClicked: section.page.sheetRequested(withoutLoginPicker)
+            onClicked: Frame.open("Controls/ListPicker", {
+                title: qsTr("Without login"), current: Settings.operatorsLogIn, onChosen: key => Settings.operatorsLogIn = key,
+                choices: [{ key: false, text: qsTr("Operate"), note: Access.permissionText(Access.Operator) },
+                    { key: true, text: qsTr("View and stop"), note: qsTr("operators must log in") }]
+            })
         }
         SettingRow {
             objectName: "auditButton"
             width: section.half
             label: qsTr("Record of changes")
             value: qsTr("Audit trail")
-            onClicked: section.page.sheetRequested(auditSheet)
+            onClicked: section.openAudit()
         }
         Button {
             objectName: "userAdd"
@@ -140,115 +152,7 @@ SettingsSection {
             kind: Access.protectedByPins ? Button.Normal : Button.Primary
             glyph: Theme.icon.addUser
             text: Access.protectedByPins ? qsTr("Add a user") : qsTr("First user")
-            onClicked: section.addUser()
-        }
-    }
-
-    Component {
-        id: userSheet
-        UserSheet {
-            userId: section.userId
-            onPinRequested: section.page.sheetRequested(changePinSheet)
-        }
-    }
-    Component {
-        id: changePinSheet
-        NewPinSheet {
-            title: qsTr("New PIN")
-            level: section.people.find(each => each.id === section.userId)?.level ?? Access.Service
-            onEntered: pin => {
-                Access.changePin(section.userId, pin)
-                closed()
-            }
-        }
-    }
-    Component {
-        id: newUserSheet
-        NewUserSheet {
-            onNameRequested: {
-                section.newLevel = level
-                section.newName = name
-                section.page.sheetRequested(nameSheet)
-            }
-            onPinRequested: {
-                section.newLevel = level
-                section.newName = name
-                section.page.sheetRequested(newPinSheet)
-            }
-            Component.onCompleted: {
-                if (section.newName.length === 0)
-                    return
-                level = section.newLevel
-                name = section.newName
-            }
-        }
-    }
-    Component {
-        id: nameSheet
-        TextSheet {
-            title: qsTr("Name of the user")
-            text: section.newName
-            problem: Access.nameRefusal(section.newName)
-            onEdited: text => section.newName = text
-            onAccepted: section.page.sheetRequested(newUserSheet)
-        }
-    }
-    Component {
-        id: newPinSheet
-        NewPinSheet {
-            title: qsTr("PIN of %1").arg(section.newName)
-            level: section.newLevel
-            onEntered: pin => {
-                Access.addUser(section.newName, section.newLevel, pin)
-                closed()
-            }
-        }
-    }
-    Component {
-        id: logoutPicker
-        ListPicker {
-            readonly property var minutes: Settings.autoLogoutChoices
-            title: qsTr("Logout without touch after")
-            choices: minutes.map(key => ({ key: key, text: qsTr("%1 min").arg(key) }))
-            current: Settings.autoLogoutMinutes
-            onChosen: key => {
-                Settings.autoLogoutMinutes = key
-                closed()
-            }
-        }
-    }
-    Component {
-        id: withoutLoginPicker
-        ListPicker {
-            title: qsTr("Without login")
-            choices: [{ key: false, text: qsTr("Operate"), note: Access.permissionText(Access.Operator) },
-                { key: true, text: qsTr("View and stop"), note: qsTr("operators must log in") }]
-            current: Settings.operatorsLogIn
-            onChosen: key => {
-                Settings.operatorsLogIn = key
-                closed()
-            }
-        }
-    }
-    Component {
-        id: auditSheet
-        AuditSheet {
-            onExportRequested: section.page.sheetRequested(exportSheet)
-            onFilterRequested: filterDialogs.open()
-        }
-    }
-    LogFilterDialogs {
-        id: filterDialogs
-        page: section.page
-        filter: Audit.filter
-        idLabel: qsTr("Row or register")
-        back: auditSheet
-    }
-    Component {
-        id: exportSheet
-        ReportFilesSheet {
-            title: qsTr("Audit trail as CSV")
-            note: Audit.filter.summary
+            onClicked: if (Access.ask(Access.Service)) newUser.add()
         }
     }
 }

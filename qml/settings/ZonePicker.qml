@@ -3,6 +3,7 @@
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Controls
+import CamPanel.Parts
 import CamPanel.Panel
 
 ListPicker {
@@ -14,12 +15,12 @@ ListPicker {
     title: picker.region.length > 0 ? picker.region : qsTr("Time zone")
     choices: picker.region.length > 0 ? SystemClock.zonesOf(picker.region) : picker.regions.map(key => ({ key: key, text: key }))
     current: picker.region.length > 0 ? SystemClock.zone : SystemClock.zone.split("/")[0]
+    stays: picker.region.length === 0
     onChosen: key => {
-        if (picker.region.length > 0) {
+        if (picker.region.length > 0)
             SystemClock.setZone(key)
-            picker.closed()
-        } else {
+        else
             picker.region = key
-        }
     }
+    onClosed: Frame.open("Settings/ClockSheet", {})
 }

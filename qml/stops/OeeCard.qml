@@ -10,8 +10,6 @@ import CamPanel.Panel
 Card {
     id: card
 
-    signal explainRequested(var quantities)
-
     component Figure: Item {
         id: figure
         required property string label
@@ -39,7 +37,6 @@ Card {
         }
         Explained {
             quantities: [figure.topic]
-            onExplainRequested: quantities => card.explainRequested(quantities)
         }
     }
 

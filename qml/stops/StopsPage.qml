@@ -19,7 +19,7 @@ Page {
     }
     Connections {
         target: Stops.shift
-        function onExportReady() { page.sheetRequested(csvSheet) }
+        function onExportReady() { Frame.open("Parts/ReportFilesSheet", { title: qsTr("Stops as CSV") }) }
     }
     Row {
         id: head
@@ -79,7 +79,7 @@ Page {
             objectName: "shiftTrends"
             glyph: Theme.icon.trends
             text: qsTr("Trends")
-            onClicked: page.pageRequested("trends")
+            onClicked: Frame.openPage("trends")
         }
     }
     StateBar {
@@ -94,7 +94,6 @@ Page {
         id: figures
         anchors { right: parent.right; top: bar.bottom; topMargin: Theme.size.spacing; bottom: actions.top; bottomMargin: Theme.size.spacing }
         width: Math.round(parent.width * 0.42)
-        onExplainRequested: quantities => page.numbersExplainRequested(quantities)
     }
     Row {
         id: actions
@@ -106,7 +105,7 @@ Page {
             enabled: page.known
             text: qsTr("Stops: %1").arg(Stops.shift.stops.count)
             note: Stops.shift.openStops > 0 ? qsTr("%1 without a reason").arg(Stops.shift.openStops) : ""
-            onClicked: page.sheetRequested(listSheet)
+            onClicked: Frame.open("Stops/StopListSheet", {})
         }
         Button {
             objectName: "shiftCsv"
@@ -124,7 +123,7 @@ Page {
                 if (!Access.ask(Access.Operator))
                     return
                 ShiftReport.offer()
-                page.sheetRequested(pdfSheet)
+                Frame.open("Parts/ReportFilesSheet", { title: qsTr("Shift report as PDF") })
             }
         }
     }
@@ -137,17 +136,5 @@ Page {
         text: Stops.shift.content === ShiftView.Nothing ? qsTr("Nothing was recorded in this shift.") : Stops.shift.timesText
         color: Theme.color.secondaryInk
         font.pixelSize: Theme.size.caption
-    }
-    Component {
-        id: listSheet
-        StopListSheet {}
-    }
-    Component {
-        id: csvSheet
-        ReportFilesSheet { title: qsTr("Stops as CSV") }
-    }
-    Component {
-        id: pdfSheet
-        ReportFilesSheet { title: qsTr("Shift report as PDF") }
     }
 }

@@ -5,6 +5,7 @@ pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme
 import CamPanel.Controls
+import CamPanel.Parts
 import CamPanel.Panel
 import CamPanel.Plot
 
@@ -15,7 +16,6 @@ Card {
     property int revision
     readonly property bool empty: Trends.content !== Trends.Shown
     readonly property TrendWords words: TrendWords {}
-    signal explanationsRequested(string title, var explanations)
 
     function momentOf(timeMs: real): string { return plot.momentText(timeMs) }
     function figure(quantity: int, value: real): string {
@@ -32,7 +32,7 @@ Card {
     function explain(lane: int): void {
         const explanations = isNaN(card.cursor) ? Explanations.ofTrend(lane) : Explanations.ofTrendCursor(lane, plot.valuesAt(lane, card.cursor))
         if (explanations.length > 0)
-            card.explanationsRequested(card.words.titles[Trends.chosen[lane]], explanations)
+            Frame.open("Explain/NumbersSheet", { heading: card.words.titles[Trends.chosen[lane]], told: explanations })
     }
     // Returns the figures; `at` is the revision of the curves that a binding depends on.
     function valuesOf(lane: int, quantity: int, at: int): string {

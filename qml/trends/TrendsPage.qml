@@ -26,7 +26,7 @@ Page {
     }
     Connections {
         target: Trends
-        function onExportReady() { page.sheetRequested(exportSheet) }
+        function onExportReady() { Frame.open("Parts/ReportFilesSheet", { title: qsTr("Bags and trends as CSV") }) }
     }
     Segmented {
         id: spanRow
@@ -42,12 +42,11 @@ Page {
         anchors { right: parent.right; top: parent.top }
         glyph: Theme.icon.pause
         text: qsTr("Stops")
-        onClicked: page.pageRequested("stops")
+        onClicked: Frame.openPage("stops")
     }
     TrendCard {
         id: card
         objectName: "trendCard"
-        onExplanationsRequested: (title, explanations) => page.explanationsRequested(title, explanations)
         anchors { left: parent.left; right: parent.right; top: spanRow.bottom; bottom: actions.top; topMargin: Theme.size.spacing; bottomMargin: Theme.size.spacing }
     }
     Row {
@@ -58,7 +57,7 @@ Page {
             objectName: "trendCurves"
             glyph: Theme.icon.view
             text: qsTr("Curves")
-            onClicked: page.sheetRequested(curvesSheet)
+            onClicked: Frame.open("Trends/TrendCurvesSheet", {})
         }
         Button {
             objectName: "trendExport"
@@ -100,13 +99,5 @@ Page {
             enabled: !Trends.live
             onClicked: Trends.showNow()
         }
-    }
-    Component {
-        id: curvesSheet
-        TrendCurvesSheet {}
-    }
-    Component {
-        id: exportSheet
-        ReportFilesSheet { title: qsTr("Bags and trends as CSV") }
     }
 }

@@ -24,15 +24,6 @@ Rectangle {
     })
     readonly property list<string> pageNames: Object.keys(sources)
     readonly property Page openPageItem: pages.count > 0 ? (pages.itemAt(frame.pageNames.indexOf(frame.page)) as Loader)?.item as Page : null
-    // What is not on the screen at the start is named by its file: naming its type would load it at once.
-    readonly property url explanation: "../Explain/ExplanationSheet.qml"
-    readonly property url numbersExplained: "../Explain/NumbersSheet.qml"
-    readonly property url scannedEdits: "../Scan/ScannedEditsSheet.qml"
-    readonly property url wrongFilm: "../Scan/FilmSheet.qml"
-    readonly property url filmReason: "../Scan/FilmReasonSheet.qml"
-    readonly property url download: "../Download/DownloadSheet.qml"
-    readonly property url proof: "../Download/ProofSheet.qml"
-    readonly property url morePages: "PagesSheet.qml"
     // The cover of everything but the command column, by its file; empty: none.
     readonly property string cover: Display.wipeSeconds > 0 ? "CleaningMode.qml" : TouchCalibration.open ? "TouchCrosses.qml"
         : ScreenRotation.secondsLeft > 0 || TouchCalibration.secondsLeft > 0 ? "TrialCover.qml" : ""
@@ -49,23 +40,16 @@ Rectangle {
         frame.closeAll()
         frame.page = name
     }
-    function openSheet(sheet: Component, values: var): void {
+    // Opens a sheet by its file: naming its type would load it at the start. What is named on... answers a signal.
+    function openSheet(name: string, values: var): void {
         frame.closeAll()
-        frame.sheet = sheet.createObject(sheetHost, Object.assign({ width: Qt.binding(() => sheetHost.width), height: Qt.binding(() => sheetHost.height) }, values))
-        const opened = frame.sheet
+        const properties = { width: Qt.binding(() => sheetHost.width), height: Qt.binding(() => sheetHost.height) }
+        const handlers = Object.keys(values).filter(key => /^on[A-Z]/.test(key))
+        Object.keys(values).filter(key => !handlers.includes(key)).forEach(key => properties[key] = values[key])
+        const opened = Qt.createComponent("../" + name + ".qml").createObject(sheetHost, properties)
+        handlers.forEach(key => opened[key[2].toLowerCase() + key.slice(3)].connect(values[key]))
         opened.closed.connect(() => frame.closeSheet(opened))
-    }
-    function openDownload(): void {
-        frame.openSheet(Qt.createComponent(frame.download), {})
-        frame.sheet.proofRequested.connect(() => frame.openSheet(Qt.createComponent(frame.proof), {}))
-    }
-    function openWrongFilm(): void {
-        frame.openSheet(Qt.createComponent(frame.wrongFilm), {})
-        frame.sheet.reasonRequested.connect(() => frame.openSheet(Qt.createComponent(frame.filmReason), {}))
-    }
-    function openMorePages(): void {
-        frame.openSheet(Qt.createComponent(frame.morePages), { pages: navigation.pagesBehind, current: frame.page })
-        frame.sheet.chosen.connect(page => frame.openPage(page))
+        frame.sheet = opened
     }
     // Another sheet may be open by then.
     function closeSheet(sheet: var): void {
@@ -109,10 +93,22 @@ Rectangle {
     }
 
     Connections {
+        target: Frame
+        function onOpen(sheet: string, values: var) { frame.openSheet(sheet, values) }
+        function onClose() { frame.closeSheet(frame.sheet) }
+        function onOpenPage(name: string) { frame.openPage(name) }
+        function onEdit(fields: var, index: int, source: Item) { frame.edit(fields, index, source) }
+    }
+    Binding {
+        target: Frame
+        property: "covered"
+        value: frame.sheet !== null || keypadLoader.active || loginLoader.active
+    }
+    Connections {
         target: Scan
-        function onEditsFound() { frame.openSheet(Qt.createComponent(frame.scannedEdits), {}) }
-        function onRecipeOpened() { frame.openDownload() }
-        function onWrongFilmScanned() { frame.openWrongFilm() }
+        function onEditsFound() { Frame.open("Scan/ScannedEditsSheet", {}) }
+        function onRecipeOpened() { Frame.open("Download/DownloadSheet", {}) }
+        function onWrongFilmScanned() { Frame.open("Scan/FilmSheet", {}) }
     }
 
     color: Theme.color.ground
@@ -142,15 +138,6 @@ Rectangle {
                     Component.onCompleted: opened = wanted
                     source: opened ? frame.sources[modelData] : ""
                     visible: wanted
-                    Connections {
-                        target: loader.item as Page
-                        function onEditRequested(fields: var, index: int, source: Item) { frame.edit(fields, index, source) }
-                        function onExplainRequested(field: EditorField) { frame.openSheet(Qt.createComponent(frame.explanation), { field: field }) }
-                        function onNumbersExplainRequested(quantities: var) { frame.openSheet(Qt.createComponent(frame.numbersExplained), { quantities: quantities }) }
-                        function onExplanationsRequested(title: string, explanations: var) { frame.openSheet(Qt.createComponent(frame.numbersExplained), { heading: title, told: explanations }) }
-                        function onSheetRequested(sheet: Component) { frame.openSheet(sheet, {}) }
-                        function onPageRequested(name: string) { frame.openPage(name) }
-                    }
                     Binding {
                         target: loader.item
                         property: "bottomInset"
@@ -161,11 +148,6 @@ Rectangle {
                         property: "leftInset"
                         value: Math.max(0, frame.besideRight - pageArea.x - Theme.size.gap)
                     }
-                    Binding {
-                        target: loader.item
-                        property: "covered"
-                        value: frame.sheet !== null || keypadLoader.active || loginLoader.active
-                    }
                 }
             }
         }
@@ -175,8 +157,6 @@ Rectangle {
         visible: !frame.covered
         anchors { left: parent.left; top: parent.top; bottom: parent.bottom }
         current: frame.page
-        onChosen: page => frame.openPage(page)
-        onMoreChosen: frame.openMorePages()
     }
     TopBar {
         id: topBar
@@ -208,18 +188,6 @@ Rectangle {
             active: Settings.firstStart && frame.showsPages
             source: "../First/FirstStart.qml"
             transform: Translate { x: frame.shift }
-            Connections {
-                target: firstStart.item
-                ignoreUnknownSignals: true
-                function onEditRequested(fields: var, index: int, source: Item) { frame.edit(fields, index, source) }
-                function onExplainRequested(field: EditorField) { frame.openSheet(Qt.createComponent(frame.explanation), { field: field }) }
-                function onSheetRequested(sheet: Component) { frame.openSheet(sheet, {}) }
-                function onFinished() {
-                    frame.openPage("motion")
-                    if (Editor.programDownload.canDownload)
-                        frame.openSheet((frame.openPageItem as Page).firstSheet, {})
-                }
-            }
         }
         Item {
             id: sheetHost
@@ -247,10 +215,7 @@ Rectangle {
                 target: loginLoader.item
                 ignoreUnknownSignals: true
                 function onClosed() { loginLoader.active = false }
-                function onEntered(pin: string) {
-                    Access.changePin(frame.userOfShortPin, pin)
-                    loginLoader.active = false
-                }
+                function onEntered(pin: string) { Access.changePin(frame.userOfShortPin, pin) }
             }
             Connections {
                 target: Access
@@ -267,14 +232,13 @@ Rectangle {
         id: banner
         readonly property real leftEdge: above ? frame.keypad?.besideRight ?? 0 : pageArea.x + (frame.openPageItem?.bannerLeft ?? 0)
         readonly property real free: (frame.keypad?.free ?? overlay.width) - leftEdge
-        above: frame.sheet !== null || keypadLoader.active || loginLoader.active || firstStart.active
+        above: Frame.covered || firstStart.active
         x: leftEdge + Theme.size.gap
         y: above ? overlay.y + Theme.size.gap : parent.height - height - Theme.size.gap - (frame.openPageItem?.bannerBottom ?? 0)
         width: (above ? free : pageArea.x + pageArea.width - leftEdge) - 2 * Theme.size.gap
         // A narrow banner is higher.
         height: width < 0.75 * pageArea.width ? Math.round(1.5 * Theme.size.actionBar) : Theme.size.actionBar
         visible: shown && !frame.covered
-        onAlarmsRequested: frame.openPage("alarms")
     }
     CommandColumn {
         id: commands
@@ -282,7 +246,7 @@ Rectangle {
         anchors { right: parent.right; rightMargin: Theme.size.gap; top: topBar.bottom; bottom: parent.bottom; topMargin: Theme.size.gap; bottomMargin: Theme.size.gap }
         onStartRefused: {
             if (Scan.film.blockedReason.length > 0 && Controller.startBlockedReason === Scan.film.blockedReason)
-                frame.openWrongFilm()
+                Frame.open("Scan/FilmSheet", {})
             else
                 banner.refuseStart()
         }
