@@ -6579,10 +6579,6 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
 <context>
     <name>campanel::panel::Scan</name>
     <message>
-        <source>Time between keys</source>
-        <translation>Zeit zwischen Tasten</translation>
-    </message>
-    <message>
         <source>The prefix is not possible. Enter up to 8 letters, digits or signs of ASCII without spaces.</source>
         <translation>Dieses Präfix ist nicht möglich. Bis zu 8 Buchstaben, Ziffern oder Zeichen in ASCII ohne Leerzeichen eingeben.</translation>
     </message>
@@ -6665,10 +6661,6 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
         <translation>Gerätenummer</translation>
     </message>
     <message>
-        <source>Bag tolerance ±</source>
-        <translation>Beuteltoleranz ±</translation>
-    </message>
-    <message>
         <source>Permission denied: add the user to the group &quot;%1&quot;.</source>
         <translation>Keine Berechtigung: Benutzer der Gruppe „%1“ hinzufügen.</translation>
     </message>
@@ -6743,6 +6735,138 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
     <message>
         <source>The settings file was damaged or missing and has no good copy. No controller is selected: select one on the Settings page, under Connection.</source>
         <translation>Die Einstellungsdatei war beschädigt oder fehlte, ohne gute Kopie. Keine Steuerung gewählt: auf der Seite Einstellungen unter Verbindung wählen.</translation>
+    </message>
+    <message>
+        <source>On</source>
+        <translation>Ein</translation>
+    </message>
+    <message>
+        <source>Off</source>
+        <translation>Aus</translation>
+    </message>
+    <message>
+        <source>Baud rate</source>
+        <translation>Baudrate</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Hell</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>Dunkel</translation>
+    </message>
+    <message>
+        <source>High contrast</source>
+        <translation>Hoher Kontrast</translation>
+    </message>
+    <message>
+        <source>Brightness</source>
+        <translation>Helligkeit</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Screen off after minutes without touch, at standstill</source>
+        <translation>Bildschirm aus nach Minuten ohne Berührung, im Stillstand</translation>
+    </message>
+    <message>
+        <source>Never</source>
+        <translation>Nie</translation>
+    </message>
+    <message>
+        <source>Bag tolerance</source>
+        <translation>Beuteltoleranz</translation>
+    </message>
+    <message>
+        <source>±%1 mm</source>
+        <translation>±%1 mm</translation>
+    </message>
+    <message>
+        <source>Automatic logout after</source>
+        <translation>Abmelden nach</translation>
+    </message>
+    <message>
+        <source>%1 min</source>
+        <translation>%1 min</translation>
+    </message>
+    <message>
+        <source>Without login</source>
+        <translation>Ohne Anmeldung</translation>
+    </message>
+    <message>
+        <source>Start key</source>
+        <translation>Starttaste</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Selbsttätig</translation>
+    </message>
+    <message>
+        <source>hold with a real controller</source>
+        <translation>halten bei echter Steuerung</translation>
+    </message>
+    <message>
+        <source>Hold for 0.5 s</source>
+        <translation>0,5 s halten</translation>
+    </message>
+    <message>
+        <source>an accidental touch does not start the machine</source>
+        <translation>eine zufällige Berührung startet die Maschine nicht</translation>
+    </message>
+    <message>
+        <source>One touch</source>
+        <translation>Eine Berührung</translation>
+    </message>
+    <message>
+        <source>Suffix</source>
+        <translation>Suffix</translation>
+    </message>
+    <message>
+        <source>Enter key</source>
+        <translation>Eingabetaste</translation>
+    </message>
+    <message>
+        <source>Tab key</source>
+        <translation>Tabulatortaste</translation>
+    </message>
+    <message>
+        <source>Time between keys</source>
+        <translation>Zeit zwischen Tasten</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
+    <message>
+        <source>Question after</source>
+        <translation>Frage nach</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>s</source>
+        <translation>s</translation>
+    </message>
+    <message>
+        <source>Ideal rate</source>
+        <translation>Ideale Taktrate</translation>
+    </message>
+    <message>
+        <source>by recipe</source>
+        <translation>nach Rezept</translation>
+    </message>
+    <message>
+        <source>%1 pieces/min</source>
+        <translation>%1 Stück/min</translation>
+    </message>
+    <message>
+        <source>pieces/min</source>
+        <translation>Stück/min</translation>
     </message>
 </context>
 <context>
@@ -7110,22 +7234,6 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
 <context>
     <name>campanel::panel::StopSetup</name>
     <message>
-        <source>Question after</source>
-        <translation>Frage nach</translation>
-    </message>
-    <message>
-        <source>s</source>
-        <translation>s</translation>
-    </message>
-    <message>
-        <source>pieces/min</source>
-        <translation>Stück/min</translation>
-    </message>
-    <message>
-        <source>%1 pieces/min</source>
-        <translation>%1 Stück/min</translation>
-    </message>
-    <message>
         <source>every day</source>
         <translation>täglich</translation>
     </message>
@@ -7136,14 +7244,6 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
     <message>
         <source>own list (%1)</source>
         <translation>eigene Liste (%1)</translation>
-    </message>
-    <message>
-        <source>by recipe</source>
-        <translation>nach Rezept</translation>
-    </message>
-    <message>
-        <source>Ideal rate (0: by recipe)</source>
-        <translation>Ideale Taktrate (0: laut Rezept)</translation>
     </message>
 </context>
 <context>

@@ -6576,10 +6576,6 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
 <context>
     <name>campanel::panel::Scan</name>
     <message>
-        <source>Time between keys</source>
-        <translation>按键间隔</translation>
-    </message>
-    <message>
         <source>The prefix is not possible. Enter up to 8 letters, digits or signs of ASCII without spaces.</source>
         <translation>前缀无效。请输入不超过 8 个 ASCII 字母、数字或符号，不含空格。</translation>
     </message>
@@ -6662,10 +6658,6 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
         <translation>站号</translation>
     </message>
     <message>
-        <source>Bag tolerance ±</source>
-        <translation>袋长公差 ±</translation>
-    </message>
-    <message>
         <source>Permission denied: add the user to the group &quot;%1&quot;.</source>
         <translation>无权限：请将用户加入“%1”组。</translation>
     </message>
@@ -6740,6 +6732,138 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
     <message>
         <source>The settings file was damaged or missing and has no good copy. No controller is selected: select one on the Settings page, under Connection.</source>
         <translation>设置文件已损坏或丢失，且没有完好的副本。未选择控制器：请在“设置”页的“通信”中选择。</translation>
+    </message>
+    <message>
+        <source>On</source>
+        <translation>开</translation>
+    </message>
+    <message>
+        <source>Off</source>
+        <translation>关</translation>
+    </message>
+    <message>
+        <source>Baud rate</source>
+        <translation>波特率</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>浅色</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>深色</translation>
+    </message>
+    <message>
+        <source>High contrast</source>
+        <translation>高对比度</translation>
+    </message>
+    <message>
+        <source>Brightness</source>
+        <translation>亮度</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Screen off after minutes without touch, at standstill</source>
+        <translation>静止且无触摸多少分钟后熄屏</translation>
+    </message>
+    <message>
+        <source>Never</source>
+        <translation>从不</translation>
+    </message>
+    <message>
+        <source>Bag tolerance</source>
+        <translation>袋长公差</translation>
+    </message>
+    <message>
+        <source>±%1 mm</source>
+        <translation>±%1 mm</translation>
+    </message>
+    <message>
+        <source>Automatic logout after</source>
+        <translation>自动退出时间</translation>
+    </message>
+    <message>
+        <source>%1 min</source>
+        <translation>%1 分钟</translation>
+    </message>
+    <message>
+        <source>Without login</source>
+        <translation>未登录时</translation>
+    </message>
+    <message>
+        <source>Start key</source>
+        <translation>启动键</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>自动</translation>
+    </message>
+    <message>
+        <source>hold with a real controller</source>
+        <translation>连接真实控制器时需按住</translation>
+    </message>
+    <message>
+        <source>Hold for 0.5 s</source>
+        <translation>按住 0.5 秒</translation>
+    </message>
+    <message>
+        <source>an accidental touch does not start the machine</source>
+        <translation>误触不会启动机器</translation>
+    </message>
+    <message>
+        <source>One touch</source>
+        <translation>一触即启动</translation>
+    </message>
+    <message>
+        <source>Suffix</source>
+        <translation>后缀</translation>
+    </message>
+    <message>
+        <source>Enter key</source>
+        <translation>回车键</translation>
+    </message>
+    <message>
+        <source>Tab key</source>
+        <translation>Tab 键</translation>
+    </message>
+    <message>
+        <source>Time between keys</source>
+        <translation>按键间隔</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
+    <message>
+        <source>Question after</source>
+        <translation>询问原因的时间</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 秒</translation>
+    </message>
+    <message>
+        <source>s</source>
+        <translation>秒</translation>
+    </message>
+    <message>
+        <source>Ideal rate</source>
+        <translation>理想速率</translation>
+    </message>
+    <message>
+        <source>by recipe</source>
+        <translation>按配方</translation>
+    </message>
+    <message>
+        <source>%1 pieces/min</source>
+        <translation>%1 件/分</translation>
+    </message>
+    <message>
+        <source>pieces/min</source>
+        <translation>件/分</translation>
     </message>
 </context>
 <context>
@@ -7107,26 +7231,6 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
 <context>
     <name>campanel::panel::StopSetup</name>
     <message>
-        <source>Question after</source>
-        <translation>询问原因的时间</translation>
-    </message>
-    <message>
-        <source>s</source>
-        <translation>秒</translation>
-    </message>
-    <message>
-        <source>pieces/min</source>
-        <translation>件/分</translation>
-    </message>
-    <message>
-        <source>%1 pieces/min</source>
-        <translation>%1 件/分</translation>
-    </message>
-    <message>
-        <source>by recipe</source>
-        <translation>按配方</translation>
-    </message>
-    <message>
         <source>every day</source>
         <translation>每天</translation>
     </message>
@@ -7137,10 +7241,6 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
     <message>
         <source>own list (%1)</source>
         <translation>自定义列表（%1）</translation>
-    </message>
-    <message>
-        <source>Ideal rate (0: by recipe)</source>
-        <translation>理想速率（0：按配方）</translation>
     </message>
 </context>
 <context>

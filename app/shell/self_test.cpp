@@ -70,11 +70,11 @@ int selfTest()
     {
         link::ThreadedLink link(nullptr);
         Panel panel(link, {folder.filePath(QStringLiteral("settings.ini")), folder.path()});
-        languages = panel.settings().languages();
+        languages = panel::languageCodes(panel.settings().installedLanguages());
         if (panel.load({1024, 600})) {
             files = compileAll(panel.engine());
             for (const QString& language : std::as_const(languages)) {
-                panel.settings().setLanguage(language);
+                panel.settings().set("display.language", language);
                 opened = openAll(panel.window());
             }
         }

@@ -9,8 +9,8 @@ import CamPanel.Panel
 Item {
     id: step
 
-    readonly property var languages: Settings.languages
-    readonly property var names: Settings.languageNames
+    readonly property SettingField language: Settings.setting("display.language")
+    readonly property var languages: language.choices
 
     Column {
         width: parent.width
@@ -24,13 +24,12 @@ Item {
         Repeater {
             model: step.languages
             ChoiceRow {
-                required property int index
-                required property string modelData
-                objectName: "firstLanguage_" + modelData
+                required property var modelData
+                objectName: "firstLanguage_" + modelData.key
                 width: parent.width
-                text: step.names[index]
-                holds: Settings.language === modelData
-                onClicked: Settings.language = modelData
+                text: modelData.text
+                holds: step.language.key === modelData.key
+                onClicked: step.language.choose(modelData.key)
             }
         }
     }

@@ -46,9 +46,9 @@ Window {
         enabled: !frame.showsPages
         function onFrameSwapped() { nextTurn.start() }
     }
-    Binding { target: Theme; property: "name"; value: Settings.theme }
-    Binding { target: Theme; property: "gloves"; value: Settings.gloves }
-    Binding { target: Theme; property: "language"; value: Settings.language }
+    Binding { target: Theme; property: "name"; value: Settings.setting("display.theme").key }
+    Binding { target: Theme; property: "gloves"; value: Settings.setting("display.gloves").key }
+    Binding { target: Theme; property: "language"; value: Settings.setting("display.language").key }
     Binding { target: Theme; property: "window"; value: Qt.size(turned.width, turned.height) }
     Binding { target: ScreenRotation; property: "screen"; value: Qt.size(window.width, window.height) }
     Binding {

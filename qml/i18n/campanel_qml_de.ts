@@ -600,20 +600,12 @@ Und %2 weitere.</translation>
         <translation>Wählen</translation>
     </message>
     <message>
-        <source>Baud rate</source>
-        <translation>Baudrate</translation>
-    </message>
-    <message>
         <source>Parity and stop bits</source>
         <translation>Parität und Stoppbits</translation>
     </message>
     <message>
         <source>%1, %2</source>
         <translation>%1, %2</translation>
-    </message>
-    <message>
-        <source>Unit number</source>
-        <translation>Gerätenummer</translation>
     </message>
     <message>
         <source>The simulated controller runs on this computer and moves no machine. It serves for training and for testing recipes.</source>
@@ -718,10 +710,6 @@ Und %2 weitere.</translation>
 <context>
     <name>DisplaySection</name>
     <message>
-        <source>Start key</source>
-        <translation>Starttaste</translation>
-    </message>
-    <message>
         <source>tap</source>
         <translation>tippen</translation>
     </message>
@@ -730,52 +718,12 @@ Und %2 weitere.</translation>
         <translation>halten</translation>
     </message>
     <message>
-        <source>Automatic</source>
-        <translation>Selbsttätig</translation>
-    </message>
-    <message>
-        <source>hold with a real controller</source>
-        <translation>halten bei echter Steuerung</translation>
-    </message>
-    <message>
-        <source>Hold for 0.5 s</source>
-        <translation>0,5 s halten</translation>
-    </message>
-    <message>
-        <source>an accidental touch does not start the machine</source>
-        <translation>eine zufällige Berührung startet die Maschine nicht</translation>
-    </message>
-    <message>
-        <source>One touch</source>
-        <translation>Eine Berührung</translation>
-    </message>
-    <message>
         <source>Screen, clock, network</source>
         <translation>Bildschirm, Uhr, Netzwerk</translation>
     </message>
     <message>
-        <source>Light</source>
-        <translation>Hell</translation>
-    </message>
-    <message>
-        <source>Dark</source>
-        <translation>Dunkel</translation>
-    </message>
-    <message>
         <source>Display</source>
         <translation>Anzeige</translation>
-    </message>
-    <message>
-        <source>High contrast</source>
-        <translation>Hoher Kontrast</translation>
-    </message>
-    <message>
-        <source>Off</source>
-        <translation>Aus</translation>
-    </message>
-    <message>
-        <source>On</source>
-        <translation>Ein</translation>
     </message>
     <message>
         <source>Use light in a bright hall, dark in the night shift, high contrast for a dirty screen. Glove mode enlarges all keys by a quarter; numbers and units follow the language.</source>
@@ -1597,14 +1545,6 @@ Und %2 weitere.</translation>
         <translation>Maschine</translation>
     </message>
     <message>
-        <source>Bag tolerance</source>
-        <translation>Beuteltoleranz</translation>
-    </message>
-    <message>
-        <source>±%1 mm</source>
-        <translation>±%1 mm</translation>
-    </message>
-    <message>
         <source>Stops and shifts</source>
         <translation>Stillstände und Schichten</translation>
     </message>
@@ -1619,6 +1559,10 @@ Und %2 weitere.</translation>
     <message>
         <source>Panel&apos;s permit</source>
         <translation>Freigabe des Panels</translation>
+    </message>
+    <message>
+        <source>Bag tolerance ±</source>
+        <translation>Beuteltoleranz ±</translation>
     </message>
 </context>
 <context>
@@ -2842,22 +2786,6 @@ Und %2 weitere.</translation>
         <translation>kein Scanner</translation>
     </message>
     <message>
-        <source>Suffix</source>
-        <translation>Suffix</translation>
-    </message>
-    <message>
-        <source>Tab key</source>
-        <translation>Tabulatortaste</translation>
-    </message>
-    <message>
-        <source>Enter key</source>
-        <translation>Eingabetaste</translation>
-    </message>
-    <message>
-        <source>%1 ms</source>
-        <translation>%1 ms</translation>
-    </message>
-    <message>
         <source>Last code</source>
         <translation>Letzter Code</translation>
     </message>
@@ -3207,14 +3135,6 @@ Und %2 weitere.</translation>
         <translation>Stillstände und Schichten</translation>
     </message>
     <message>
-        <source>%1 s</source>
-        <translation>%1 s</translation>
-    </message>
-    <message>
-        <source>Ideal rate</source>
-        <translation>Ideale Taktrate</translation>
-    </message>
-    <message>
         <source>Shifts start at</source>
         <translation>Schichten beginnen um</translation>
     </message>
@@ -3242,6 +3162,10 @@ Und %2 weitere.</translation>
         <source>Replace</source>
         <translation>Ersetzen</translation>
     </message>
+    <message>
+        <source>Ideal rate (0: by recipe)</source>
+        <translation>Ideale Taktrate (0: laut Rezept)</translation>
+    </message>
 </context>
 <context>
     <name>StrokeCard</name>
@@ -3267,22 +3191,6 @@ Und %2 weitere.</translation>
     <message>
         <source>Screen and system</source>
         <translation>Bildschirm und System</translation>
-    </message>
-    <message>
-        <source>Brightness</source>
-        <translation>Helligkeit</translation>
-    </message>
-    <message>
-        <source>%1 %</source>
-        <translation>%1 %</translation>
-    </message>
-    <message>
-        <source>Screen off after minutes without touch, at standstill</source>
-        <translation>Bildschirm aus nach Minuten ohne Berührung, im Stillstand</translation>
-    </message>
-    <message>
-        <source>Never</source>
-        <translation>Nie</translation>
     </message>
     <message>
         <source>Clean</source>
@@ -3679,18 +3587,6 @@ Uhr nicht gestellt</translation>
     <message>
         <source>Add a user</source>
         <translation>Benutzer anlegen</translation>
-    </message>
-    <message>
-        <source>Automatic logout after</source>
-        <translation>Abmelden nach</translation>
-    </message>
-    <message>
-        <source>%1 min</source>
-        <translation>%1 min</translation>
-    </message>
-    <message>
-        <source>Without login</source>
-        <translation>Ohne Anmeldung</translation>
     </message>
     <message>
         <source>view and stop</source>

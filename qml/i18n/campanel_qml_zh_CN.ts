@@ -600,20 +600,12 @@ And %2 more.</source>
         <translation>请选择</translation>
     </message>
     <message>
-        <source>Baud rate</source>
-        <translation>波特率</translation>
-    </message>
-    <message>
         <source>Parity and stop bits</source>
         <translation>校验位和停止位</translation>
     </message>
     <message>
         <source>%1, %2</source>
         <translation>%1，%2</translation>
-    </message>
-    <message>
-        <source>Unit number</source>
-        <translation>站号</translation>
     </message>
     <message>
         <source>The simulated controller runs on this computer and moves no machine. It serves for training and for testing recipes.</source>
@@ -718,10 +710,6 @@ And %2 more.</source>
 <context>
     <name>DisplaySection</name>
     <message>
-        <source>Start key</source>
-        <translation>启动键</translation>
-    </message>
-    <message>
         <source>tap</source>
         <translation>点按</translation>
     </message>
@@ -730,52 +718,12 @@ And %2 more.</source>
         <translation>按住</translation>
     </message>
     <message>
-        <source>Automatic</source>
-        <translation>自动</translation>
-    </message>
-    <message>
-        <source>hold with a real controller</source>
-        <translation>连接真实控制器时需按住</translation>
-    </message>
-    <message>
-        <source>Hold for 0.5 s</source>
-        <translation>按住 0.5 秒</translation>
-    </message>
-    <message>
-        <source>an accidental touch does not start the machine</source>
-        <translation>误触不会启动机器</translation>
-    </message>
-    <message>
-        <source>One touch</source>
-        <translation>一触即启动</translation>
-    </message>
-    <message>
         <source>Screen, clock, network</source>
         <translation>屏幕、时钟、网络</translation>
     </message>
     <message>
-        <source>Light</source>
-        <translation>浅色</translation>
-    </message>
-    <message>
-        <source>Dark</source>
-        <translation>深色</translation>
-    </message>
-    <message>
         <source>Display</source>
         <translation>显示</translation>
-    </message>
-    <message>
-        <source>High contrast</source>
-        <translation>高对比度</translation>
-    </message>
-    <message>
-        <source>Off</source>
-        <translation>关</translation>
-    </message>
-    <message>
-        <source>On</source>
-        <translation>开</translation>
     </message>
     <message>
         <source>Use light in a bright hall, dark in the night shift, high contrast for a dirty screen. Glove mode enlarges all keys by a quarter; numbers and units follow the language.</source>
@@ -1597,14 +1545,6 @@ And %2 more.</source>
         <translation>机器</translation>
     </message>
     <message>
-        <source>Bag tolerance</source>
-        <translation>袋长公差</translation>
-    </message>
-    <message>
-        <source>±%1 mm</source>
-        <translation>±%1 mm</translation>
-    </message>
-    <message>
         <source>Reasons, ideal rate</source>
         <translation>原因、理想速率</translation>
     </message>
@@ -1619,6 +1559,10 @@ And %2 more.</source>
     <message>
         <source>Panel&apos;s permit</source>
         <translation>面板许可</translation>
+    </message>
+    <message>
+        <source>Bag tolerance ±</source>
+        <translation>袋长公差 ±</translation>
     </message>
 </context>
 <context>
@@ -2842,22 +2786,6 @@ And %2 more.</source>
         <translation>无扫码枪</translation>
     </message>
     <message>
-        <source>Suffix</source>
-        <translation>后缀</translation>
-    </message>
-    <message>
-        <source>Tab key</source>
-        <translation>Tab 键</translation>
-    </message>
-    <message>
-        <source>Enter key</source>
-        <translation>回车键</translation>
-    </message>
-    <message>
-        <source>%1 ms</source>
-        <translation>%1 ms</translation>
-    </message>
-    <message>
         <source>Last code</source>
         <translation>上次条码</translation>
     </message>
@@ -3207,14 +3135,6 @@ And %2 more.</source>
         <translation>停机与班次</translation>
     </message>
     <message>
-        <source>%1 s</source>
-        <translation>%1 秒</translation>
-    </message>
-    <message>
-        <source>Ideal rate</source>
-        <translation>理想速率</translation>
-    </message>
-    <message>
         <source>Shifts start at</source>
         <translation>班次开始</translation>
     </message>
@@ -3242,6 +3162,10 @@ And %2 more.</source>
         <source>Replace</source>
         <translation>替换</translation>
     </message>
+    <message>
+        <source>Ideal rate (0: by recipe)</source>
+        <translation>理想速率（0：按配方）</translation>
+    </message>
 </context>
 <context>
     <name>StrokeCard</name>
@@ -3267,22 +3191,6 @@ And %2 more.</source>
     <message>
         <source>Screen and system</source>
         <translation>屏幕与系统</translation>
-    </message>
-    <message>
-        <source>Brightness</source>
-        <translation>亮度</translation>
-    </message>
-    <message>
-        <source>%1 %</source>
-        <translation>%1 %</translation>
-    </message>
-    <message>
-        <source>Screen off after minutes without touch, at standstill</source>
-        <translation>静止且无触摸多少分钟后熄屏</translation>
-    </message>
-    <message>
-        <source>Never</source>
-        <translation>从不</translation>
     </message>
     <message>
         <source>Clean</source>
@@ -3679,18 +3587,6 @@ clock not set</source>
     <message>
         <source>Add a user</source>
         <translation>添加用户</translation>
-    </message>
-    <message>
-        <source>Automatic logout after</source>
-        <translation>自动退出时间</translation>
-    </message>
-    <message>
-        <source>%1 min</source>
-        <translation>%1 分钟</translation>
-    </message>
-    <message>
-        <source>Without login</source>
-        <translation>未登录时</translation>
     </message>
     <message>
         <source>view and stop</source>

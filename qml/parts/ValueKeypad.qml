@@ -10,6 +10,7 @@ Item {
     id: entry
 
     required property Value value
+    property string label: value.label
     signal closed()
 
     MouseArea {
@@ -21,7 +22,7 @@ Item {
         anchors { right: parent.right; verticalCenter: parent.verticalCenter }
         width: 4 * Theme.size.commandKey + 2 * Theme.size.accent
         height: Math.min(parent.height, preferredHeight)
-        label: entry.value.label
+        label: entry.label
         unit: entry.value.unit
         currentText: entry.value.text
         minimum: entry.value.minimum

@@ -41,26 +41,16 @@ MaintenanceSection {
                 })
             }
         }
-        SettingRow {
+        SettingTile {
             objectName: "scannerSuffix"
             width: section.half
-            label: qsTr("Suffix")
-            value: Scan.endsByTab ? qsTr("Tab key") : qsTr("Enter key")
-            onClicked: {
-                if (!Access.ask(Access.Service))
-                    return
-                Frame.open("Controls/ListPicker", {
-                    title: qsTr("Suffix of the scanner"), choices: [{ key: false, text: qsTr("Enter key") }, { key: true, text: qsTr("Tab key") }],
-                    current: Scan.endsByTab, onChosen: key => Scan.endsByTab = key
-                })
-            }
+            name: "scanner.suffix"
+            heading: qsTr("Suffix of the scanner")
         }
-        SettingRow {
+        SettingTile {
             objectName: "scannerKeyTime"
             width: section.half
-            label: Scan.keyTime.label
-            value: qsTr("%1 ms").arg(Scan.keyTime.text)
-            onClicked: if (Access.ask(Access.Service)) Frame.open("Parts/ValueKeypad", { value: Scan.keyTime })
+            name: "scanner.key_time_ms"
         }
         SettingRow {
             objectName: "scannerLast"

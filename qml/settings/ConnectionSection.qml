@@ -13,8 +13,6 @@ SettingsSection {
     readonly property var parityNames: ({ N: qsTr("None"), E: qsTr("Even"), O: qsTr("Odd") })
     readonly property real half: (width - Theme.size.spacing) / 2
 
-    readonly property var bauds: Settings.bauds
-
     title: qsTr("Connection")
 
     Column {
@@ -45,14 +43,9 @@ SettingsSection {
                     Frame.open("Settings/PortPicker", {})
                 }
             }
-            SettingRow {
+            SettingTile {
                 width: section.half
-                label: qsTr("Baud rate")
-                value: Settings.baud
-                onClicked: Frame.open("Controls/ListPicker", {
-                    title: qsTr("Baud rate"), choices: section.bauds.map(baud => ({ key: baud, text: baud.toString() })),
-                    current: Settings.baud, onChosen: key => Settings.baud = key
-                })
+                name: "connection.baud"
             }
             SettingRow {
                 width: section.half
@@ -60,11 +53,9 @@ SettingsSection {
                 value: Theme.fill(qsTr("%1, %2"), [section.parityNames[Settings.parity], Settings.stopBits])
                 onClicked: Frame.open("Settings/ParityPicker", {})
             }
-            SettingRow {
+            SettingTile {
                 width: section.half
-                label: qsTr("Unit number")
-                value: Settings.unit
-                onClicked: Frame.open("Parts/ValueKeypad", { value: Settings.unitNumber })
+                name: "connection.unit"
             }
         }
         Label {

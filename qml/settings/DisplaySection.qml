@@ -10,17 +10,6 @@ import CamPanel.Panel
 SettingsSection {
     id: section
 
-    readonly property var themeChoices: ({
-        light: { key: "light", text: qsTr("Light"), glyph: Theme.icon.light },
-        dark: { key: "dark", text: qsTr("Dark"), glyph: Theme.icon.dark },
-        contrast: { key: "contrast", text: qsTr("High contrast"), glyph: Theme.icon.contrast }
-    })
-
-    readonly property var labels: Settings.labels
-    readonly property var languages: Settings.languages
-    readonly property var languageNames: Settings.languageNames
-    readonly property var themes: Settings.themes
-
     // Taller keys if there is space.
     readonly property real keyHeight: Math.max(Theme.size.touch, Math.min(1.5 * Theme.size.touch, (height - bodyTop) / 4))
 
@@ -35,16 +24,11 @@ SettingsSection {
             readonly property real half: (width - spacing) / 2
             width: parent.width
             spacing: Theme.size.gap
-            SettingRow {
+            SettingTile {
                 objectName: "languageChoice"
                 width: upper.half
                 height: gloves.height
-                label: section.labels.language
-                value: section.languageNames[section.languages.indexOf(Settings.language)] ?? ""
-                onClicked: Frame.open("Controls/ListPicker", {
-                    title: section.labels.language, choices: section.languages.map((key, i) => ({ key: key, text: section.languageNames[i] })),
-                    current: Settings.language, onChosen: key => Settings.language = key
-                })
+                name: "display.language"
             }
             Column {
                 id: gloves
@@ -54,31 +38,31 @@ SettingsSection {
                     width: parent.width
                     fontSizeMode: Text.HorizontalFit
                     minimumPixelSize: Theme.size.caption - 2
-                    text: section.labels.gloves
+                    text: glovesKeys.field.label
                     color: Theme.color.secondaryInk
                 }
-                Segmented {
+                SettingKeys {
+                    id: glovesKeys
                     objectName: "glovesChoice"
                     width: parent.width
                     height: section.keyHeight
-                    choices: [{ key: false, text: qsTr("Off"), name: "glovesOff" }, { key: true, text: qsTr("On"), name: "glovesOn" }]
-                    current: Settings.gloves
-                    onChosen: key => Settings.gloves = key
+                    name: "display.gloves"
+                    keyName: "gloves"
                 }
             }
         }
         Item { width: 1; height: Theme.size.spacing }
         Label {
-            text: section.labels.theme
+            text: themeKeys.field.label
             color: Theme.color.secondaryInk
         }
-        Segmented {
+        SettingKeys {
+            id: themeKeys
             objectName: "themeChoice"
             width: parent.width
             height: section.keyHeight
-            choices: section.themes.map(key => section.themeChoices[key])
-            current: Settings.theme
-            onChosen: key => Settings.theme = key
+            name: "display.theme"
+            glyphs: ({ light: Theme.icon.light, dark: Theme.icon.dark, contrast: Theme.icon.contrast })
         }
         Item { width: 1; height: Theme.size.spacing }
         Row {
@@ -90,22 +74,12 @@ SettingsSection {
                 text: qsTr("Screen, clock, network")
                 onClicked: section.settings.open("SystemSection.qml")
             }
-            SettingRow {
+            SettingTile {
                 objectName: "holdToStart"
                 width: parent.width - system.width - parent.spacing
                 height: system.height
-                label: qsTr("Start key")
+                name: "access.hold_to_start"
                 value: Settings.startIsHeld ? qsTr("hold") : qsTr("tap")
-                onClicked: {
-                    if (!Access.ask(Access.Technician))
-                        return
-                    Frame.open("Controls/ListPicker", {
-                        title: qsTr("Start key"), current: Settings.holdToStart, onChosen: key => Settings.holdToStart = key,
-                        choices: [{ key: "auto", text: qsTr("Automatic"), note: qsTr("hold with a real controller") },
-                            { key: "on", text: qsTr("Hold for 0.5 s"), note: qsTr("an accidental touch does not start the machine") },
-                            { key: "off", text: qsTr("One touch"), note: "" }]
-                    })
-                }
             }
         }
         Label {

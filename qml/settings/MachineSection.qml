@@ -27,17 +27,13 @@ SettingsSection {
             id: column
             width: list.width - 2 * Theme.size.accent
             spacing: Theme.size.spacing
-            SettingRow {
+            SettingTile {
                 objectName: "bagTolerance"
                 visible: Editor.kind === Editor.Kind.RotaryCutter
                 width: column.width
                 height: section.rowHeight
-                label: qsTr("Bag tolerance")
-                value: qsTr("±%1 mm").arg(Theme.number(Settings.bagToleranceMm, 2))
-                onClicked: {
-                    if (Access.ask(Access.Technician))
-                        Frame.open("Parts/ValueKeypad", { value: Settings.bagTolerance })
-                }
+                name: "bags.tolerance_mm"
+                heading: qsTr("Bag tolerance ±")
             }
             SettingRow {
                 objectName: "openStops"

@@ -47,19 +47,16 @@ SettingsSection {
         y: section.bodyTop
         columns: 2
         spacing: Theme.size.spacing
-        SettingRow {
+        SettingTile {
             objectName: "stopsAskAfter"
             width: section.half
-            label: section.setup.askAfter.label
-            value: qsTr("%1 s").arg(section.setup.askAfter.text)
-            onClicked: if (Access.ask(Access.Service)) Frame.open("Parts/ValueKeypad", { value: section.setup.askAfter })
+            name: "stops.ask_after_seconds"
         }
-        SettingRow {
+        SettingTile {
             objectName: "stopsIdealRate"
             width: section.half
-            label: qsTr("Ideal rate")
-            value: section.setup.idealRateText
-            onClicked: if (Access.ask(Access.Service)) Frame.open("Parts/ValueKeypad", { value: section.setup.idealRate })
+            name: "stops.ideal_rate"
+            heading: qsTr("Ideal rate (0: by recipe)")
         }
         SettingRow {
             objectName: "stopsShifts"

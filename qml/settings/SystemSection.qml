@@ -10,8 +10,6 @@ import CamPanel.Parts
 SettingsSection {
     id: section
 
-    readonly property var brightnesses: Display.brightnessChoices
-    readonly property var waits: Display.darkChoices
     readonly property var rotations: ScreenRotation.choices
 
     function openNetwork(): void {
@@ -61,31 +59,31 @@ SettingsSection {
             spacing: Theme.size.spacing
             Caption {
                 visible: Display.adjustable
-                text: qsTr("Brightness")
+                text: brightness.field.label
             }
-            Segmented {
+            SettingKeys {
+                id: brightness
                 visible: Display.adjustable
                 objectName: "brightnessChoice"
                 width: parent.width
-                choices: section.brightnesses.map(percent => ({ key: percent, text: qsTr("%1 %").arg(percent), name: "brightness" + percent }))
-                current: Display.brightness
-                onChosen: key => Display.brightness = key
+                name: "display.brightness"
+                keyName: "brightness"
             }
             Caption {
                 wrapMode: Text.Wrap
                 fontSizeMode: Text.FixedSize
-                text: qsTr("Screen off after minutes without touch, at standstill")
+                text: dark.field.label
             }
             Row {
                 id: darkRow
                 width: parent.width
                 spacing: Theme.size.gap
-                Segmented {
+                SettingKeys {
+                    id: dark
                     objectName: "darkChoice"
                     width: darkRow.width - wipeKey.width - darkRow.spacing
-                    choices: section.waits.map(minutes => ({ key: minutes, text: minutes === 0 ? qsTr("Never") : String(minutes), name: "dark" + minutes }))
-                    current: Display.darkAfterMinutes
-                    onChosen: key => Display.darkAfterMinutes = key
+                    name: "display.dark_after_minutes"
+                    keyName: "dark"
                 }
                 Button {
                     id: wipeKey

@@ -13,7 +13,6 @@ SettingsSection {
 
     readonly property real half: (width - Theme.size.spacing) / 2
     readonly property var people: Access.users
-    readonly property var minutes: Settings.autoLogoutChoices
 
     title: qsTr("Users")
     Component.onCompleted: Access.clearMessage()
@@ -116,28 +115,21 @@ SettingsSection {
         anchors { left: parent.left; right: parent.right; bottom: parent.bottom }
         columns: 2
         spacing: Theme.size.spacing
-        SettingRow {
+        SettingTile {
             objectName: "autoLogout"
             visible: Access.protectedByPins
             width: section.half
-            label: qsTr("Automatic logout after")
-            value: qsTr("%1 min").arg(Settings.autoLogoutMinutes)
-            onClicked: Frame.open("Controls/ListPicker", {
-                title: qsTr("Logout without touch after"), choices: section.minutes.map(key => ({ key: key, text: qsTr("%1 min").arg(key) })),
-                current: Settings.autoLogoutMinutes, onChosen: key => Settings.autoLogoutMinutes = key
-            })
+            name: "access.auto_logout_minutes"
+            heading: qsTr("Logout without touch after")
         }
-        SettingRow {
+        SettingTile {
             objectName: "withoutLogin"
             visible: Access.protectedByPins
             width: section.half
-            label: qsTr("Without login")
-            value: Settings.operatorsLogIn ? qsTr("view and stop") : qsTr("operate")
-            onClicked: Frame.open("Controls/ListPicker", {
-                title: qsTr("Without login"), current: Settings.operatorsLogIn, onChosen: key => Settings.operatorsLogIn = key,
-                choices: [{ key: false, text: qsTr("Operate"), note: Access.permissionText(Access.Operator) },
-                    { key: true, text: qsTr("View and stop"), note: qsTr("operators must log in") }]
-            })
+            name: "access.operators_log_in"
+            value: field.key ? qsTr("view and stop") : qsTr("operate")
+            choices: [{ key: false, text: qsTr("Operate"), note: Access.permissionText(Access.Operator) },
+                { key: true, text: qsTr("View and stop"), note: qsTr("operators must log in") }]
         }
         SettingRow {
             objectName: "auditButton"

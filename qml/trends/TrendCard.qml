@@ -14,6 +14,7 @@ Card {
 
     property real cursor: NaN
     property int revision
+    readonly property real toleranceMm: Settings.setting("bags.tolerance_mm").key
     readonly property bool empty: Trends.content !== Trends.Shown
     readonly property TrendWords words: TrendWords {}
 
@@ -52,7 +53,7 @@ Card {
         lanes: Trends.chosen.length
         fromMs: Trends.fromMs
         toMs: Trends.toMs
-        tolerances: Array.from(Trends.chosen, quantity => quantity === Trends.Deviation ? Settings.bagToleranceMm : NaN)
+        tolerances: Array.from(Trends.chosen, quantity => quantity === Trends.Deviation ? card.toleranceMm : NaN)
         laneColors: Array.from(Trends.chosen, quantity => card.words.colors[quantity])
         cursorMs: card.cursor
         headerHeight: Theme.size.caption * 1.7

@@ -332,7 +332,8 @@ private slots:
         enter(panel, "field_bagLength", QStringLiteral("270"));
         panel.tap("field_rate");
         panel.tapDigits(QStringLiteral("4"));
-        panel.settings().setLanguage(QStringLiteral("zh_CN")); // by another person, in another way
+        panel.settings().set("display.language",
+                             QStringLiteral("zh_CN")); // by another person, in another way
         panel.touchDriver().settle();
         panel.tapDigits(QStringLiteral("5"));
         panel.tap("keypadAccept");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Names in texts of QML, each found where it stands for something: a sheet that is opened by its file, with
-// its properties and signals, and a page. A misspelt one fails here and not on the screen.
+// its properties and signals, a page, a setting. A misspelt one fails here and not on the screen.
 #include "source_files.h"
 #include "tests/support/test_program.h"
 
@@ -136,6 +136,17 @@ QStringList wrongIn(const QStringList& call, const QMap<QString, QString>& files
     return wrong;
 }
 
+// Returns the names of settings, as `SettingTile`, `SettingKeys` and `Settings.setting()` have them.
+QStringList settingsIn(const QString& text)
+{
+    static const QRegularExpression name(
+        uR"(\bSetting(?:Tile|Keys) \{[^{}]*?\bname: \x22([^\x22]*)\x22|Settings\.setting\(\x22([^\x22]*)\x22\))"_s);
+    QStringList names;
+    for (const QRegularExpressionMatch& match : name.globalMatch(text))
+        names << match.captured(match.lastCapturedIndex());
+    return names;
+}
+
 } // namespace
 
 class TestNames : public QObject {
@@ -194,6 +205,23 @@ private slots:
                     QVERIFY2(pages.contains(name), qPrintable(path + u": "_s + name));
             }
         }
+    }
+
+    void everySettingHasItsRow()
+    {
+        const QString table = textOf(u"app/panel/settings/setting_table.h"_s);
+        int named = 0;
+        for (const QString& path : filesBelow({u"qml"_s}, {u"*.qml"_s})) {
+            for (const QString& name : settingsIn(textOf(path))) {
+                QVERIFY2(table.contains(u".name = \"%1\""_s.arg(name)), qPrintable(path + u": "_s + name));
+                ++named;
+            }
+        }
+        QVERIFY(named > 15);
+        QCOMPARE(settingsIn(u"    SettingTile {\n        width: 3\n        name: \"display.teme\"\n    }\n"
+                            "value: Settings.setting(\"display.glove\").key"_s),
+                 QStringList({u"display.teme"_s, u"display.glove"_s}));
+        QVERIFY(!table.contains(u".name = \"display.teme\""_s));
     }
 
     void plantedNameIsFound_data()

@@ -451,7 +451,7 @@ const QList<Screen>& allScreens()
         {QStringLiteral("run-hold-to-start"),
          [run](TestWindow& window) {
              window.link().show(Situation::Stopped);
-             window.panel().settings().setHoldToStart(QStringLiteral("on"));
+             window.panel().settings().set("access.hold_to_start", QStringLiteral("on"));
              window.tap(run);
              window.settle();
          }},
@@ -695,7 +695,7 @@ void enterScreen(TestWindow& window, const Screen& screen)
     while (editor.canUndo())
         editor.undo();
     window.panel().settings().setSimulated(true);
-    window.panel().settings().setHoldToStart(QStringLiteral("auto"));
+    window.panel().settings().set("access.hold_to_start", QStringLiteral("auto"));
     window.panel().maintenance().doctor()->cancel();
     window.panel().maintenance().inspector()->setGroup({});
     window.panel().maintenance().inspector()->setNameFilter({});

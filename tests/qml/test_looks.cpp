@@ -49,7 +49,7 @@ private slots:
     // colors.
     void highContrastHoldsForEveryColorThatIsReadOrFollowed()
     {
-        m_window->panel().settings().setTheme(QStringLiteral("contrast"));
+        m_window->panel().settings().set("display.theme", QStringLiteral("contrast"));
         const QObject* colors = part("color");
         for (const char* behind : {"ground", "surface", "inset", "touchTint"}) {
             const auto below = colors->property(behind).value<QColor>();
@@ -75,7 +75,7 @@ private slots:
         const double stop = m_window->find(QStringLiteral("stopKey"))->width();
         tap("nav_settings");
         tap("glovesOn");
-        QVERIFY(m_window->panel().settings().gloves());
+        QVERIFY(m_window->panel().settings().values().isTrue("display.gloves"));
         QVERIFY(std::abs(part("size")->property("touch").toDouble() / touch - 1.25) < 0.01);
         QVERIFY(std::abs(part("size")->property("commandKey").toDouble() / command - 1.25) < 0.01);
         QVERIFY(std::abs(m_window->find(QStringLiteral("stopKey"))->width() / stop - 1.25) < 0.01);
@@ -86,7 +86,7 @@ private slots:
     void lastPagesAreBehindMoreWhereGlovesNeedTheRoom()
     {
         QVERIFY(!m_window->find(QStringLiteral("nav_more")));
-        m_window->panel().settings().setGloves(true);
+        m_window->panel().settings().set("display.gloves", panel::settingText(true));
         m_window->settle();
         QVERIFY(!m_window->find(QStringLiteral("nav_maintenance")));
         tap("nav_more");
@@ -102,14 +102,14 @@ private slots:
     {
         tap("nav_maintenance");
         tap("maintenanceMachine");
-        m_window->panel().settings().setGloves(true);
+        m_window->panel().settings().set("display.gloves", panel::settingText(true));
         m_window->settle();
         QVERIFY(!m_window->find(QStringLiteral("maintenancePanel")));
         QCOMPARE(textOf("maintenanceGroup"), QStringLiteral("Machine"));
         tap("maintenanceGroup");
         tap("choice_2");
         QVERIFY(m_window->find(QStringLiteral("maintenanceBackup")));
-        m_window->panel().settings().setGloves(false);
+        m_window->panel().settings().set("display.gloves", panel::settingText(false));
         m_window->settle();
         QCOMPARE(textOf("maintenancePanel"), QStringLiteral("Panel"));
         QVERIFY(!m_window->find(QStringLiteral("maintenanceGroup")));
@@ -183,7 +183,7 @@ private slots:
     void everyControlHasAnAccessibleName()
     {
         QCOMPARE(accessibleNameOf("startKey"), QStringLiteral("Start"));
-        m_window->panel().settings().setLanguage(QStringLiteral("zh_CN"));
+        m_window->panel().settings().set("display.language", QStringLiteral("zh_CN"));
         m_window->settle();
         QCOMPARE(accessibleNameOf("startKey"), QStringLiteral("启动"));
         const looks::ScreenLimits anySize;

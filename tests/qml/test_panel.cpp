@@ -455,11 +455,11 @@ private slots:
     void languageChangesAtOnce()
     {
         QCOMPARE(textOf("stopKey"), QStringLiteral("Stop"));
-        m_window->panel().settings().setLanguage(QStringLiteral("zh_CN"));
+        m_window->panel().settings().set("display.language", QStringLiteral("zh_CN"));
         m_window->settle();
         QCOMPARE(textOf("stopKey"), QString::fromUtf8("停止"));
         QCOMPARE(textOf("stateText"), QString::fromUtf8("运行"));
-        m_window->panel().settings().setLanguage(QStringLiteral("en"));
+        m_window->panel().settings().set("display.language", QStringLiteral("en"));
         m_window->settle();
         QCOMPARE(textOf("stateText"), QStringLiteral("Running"));
     }
@@ -551,7 +551,7 @@ private slots:
         const QString key = QStringLiteral("startKey");
         m_window->link().show(campanel::looks::DemoLink::Situation::Stopped);
         m_window->settle();
-        m_window->panel().settings().setHoldToStart(QStringLiteral("on"));
+        m_window->panel().settings().set("access.hold_to_start", QStringLiteral("on"));
         int starts = 0;
         QObject::connect(&m_window->link(), &campanel::link::Link::commandEnded, m_window->root().window(),
                          [&](const campanel::link::CommandOutcome& outcome) {

@@ -293,7 +293,7 @@ private slots:
         show(Situation::Fault);
         tap("nav_alarms");
         tap("liveAlarm0");
-        m_window->panel().settings().setLanguage(QStringLiteral("zh_CN"));
+        m_window->panel().settings().set("display.language", QStringLiteral("zh_CN"));
         m_window->settle();
         QCOMPARE(textOf("alarmAction"), QStringLiteral("请检查是否卡阻，然后复位故障并回零。"));
         QCOMPARE(textOf("urgentAlarm"), QStringLiteral("跟随误差过大"));

@@ -88,7 +88,7 @@ private slots:
     void thereAndBack()
     {
         openSection();
-        m_window->panel().settings().setTheme(u"dark"_s);
+        m_window->panel().settings().set("display.theme", u"dark"_s);
         const QString recipe = editor().recipeName();
         panel::Access& access = m_window->panel().access();
         access.addUser(u"Anna"_s, panel::Access::Service, u"258036"_s);
@@ -96,7 +96,7 @@ private slots:
         m_window->settle();
         makeBackup();
         // Everything changes: recipe, a user, a setting.
-        m_window->panel().settings().setTheme(u"light"_s);
+        m_window->panel().settings().set("display.theme", u"light"_s);
         editor().setRecipeName(u"Another"_s);
         access.addUser(u"Bert"_s, panel::Access::Operator, u"741852"_s);
         QTRY_COMPARE(access.users().size(), 2);
@@ -123,7 +123,7 @@ private slots:
         shell::Panel next(link, {copy.filePath(u"settings.ini"_s), copy.path()});
         next.records().open();
         next.access().open();
-        QCOMPARE(next.settings().theme(), u"dark"_s);
+        QCOMPARE(next.settings().values().text("display.theme"), u"dark"_s);
         QCOMPARE(next.editor().recipeName(), recipe);
         QVERIFY2(next.records().notice().startsWith(u"The backup has been restored."),
                  qPrintable(next.records().notice()));

@@ -48,7 +48,7 @@ class TestPanelCams : public test::PanelTest {
     void open(const QSize& size, bool gloves, int kind)
     {
         m_window = std::make_unique<looks::TestWindow>(looks::Variant{u"en"_s, u"light"_s, size, gloves});
-        m_window->panel().settings().setGloves(gloves);
+        m_window->panel().settings().set("display.gloves", panel::settingText(gloves));
         editor().newProgram(kind);
         tap("nav_motion");
         tap(kind == 4 ? "knotsButton" : "segmentsButton");

@@ -76,7 +76,7 @@ private slots:
         QFETCH(int, groups);
         m_window = std::make_unique<campanel::looks::TestWindow>(
             Variant{QStringLiteral("en"), QStringLiteral("light"), size, gloves});
-        m_window->panel().settings().setGloves(gloves);
+        m_window->panel().settings().set("display.gloves", campanel::panel::settingText(gloves));
         editor().newProgram(kind);
         tap("nav_motion");
         QStringList reached = inputsInSight();

@@ -38,9 +38,9 @@ const QList<Harmless>& harmless()
          {u"Access::refusalText"_s, u"Access::permissionText"_s, u"Access::pinRefusal"_s,
           u"Access::minPinDigits"_s, u"Access::nameRefusal"_s, u"Access::freeName"_s, u"Explanations::of"_s,
           u"Explanations::ofVerdict"_s, u"Explanations::ofTrend"_s, u"Explanations::ofTrendCursor"_s,
-          u"ReasonEditor::problemOf"_s, u"Scan::prefixProblem"_s, u"SoftwareUpdate::actionOf"_s,
-          u"SystemClock::zonesOf"_s, u"SystemNetwork::label"_s, u"SystemNetwork::hint"_s,
-          u"SystemNetwork::refusalOf"_s, u"Value::check"_s}},
+          u"ReasonEditor::problemOf"_s, u"Scan::prefixProblem"_s, u"Settings::setting"_s,
+          u"SoftwareUpdate::actionOf"_s, u"SystemClock::zonesOf"_s, u"SystemNetwork::label"_s,
+          u"SystemNetwork::hint"_s, u"SystemNetwork::refusalOf"_s, u"Value::check"_s}},
         {"a sentence that was read",
          {u"Controller::dismissMessage"_s, u"DatabaseService::dismissNotice"_s, u"Editor::dismissNotice"_s,
           u"Recipes::dismissMessage"_s, u"Scan::dismissNotice"_s, u"Settings::dismissNotice"_s,
@@ -118,9 +118,7 @@ const QList<Harmless>& harmless()
           u"Trends::zoom"_s,
           u"Trends::showWindow"_s,
           u"Trends::showNow"_s}},
-        {"how this screen looks: everybody reads it in his language, by his light",
-         {u"Settings::language="_s, u"Settings::theme="_s, u"Settings::gloves="_s, u"Display::brightness="_s,
-          u"Display::darkAfterMinutes="_s, u"Display::wipe"_s}},
+        {"cleaning the screen", {u"Display::wipe"_s}},
         {"gathers what may be written; ReportFiles::write asks",
          {u"AlarmHistory::exportCsv"_s, u"Audit::exportCsv"_s, u"Commissioning::offer"_s,
           u"FrameList::exportText"_s, u"LineFigures::exportCsv"_s, u"Recipes::offerExport"_s,
@@ -303,6 +301,8 @@ class TestPanelPermissions : public test::PanelTest {
         auto& engine = m_window->panel().engine();
         for (const QByteArray& key : engine.dynamicPropertyNames())
             reached.visit(engine.property(key));
+        for (const panel::SettingRow& row : panel::settingTable)
+            reached.visit(m_window->panel().settings().setting(QString::fromLatin1(row.name)));
         for (QObject* object : reached.objects()) {
             for (const QMetaObject* type = object->metaObject(); type != &QObject::staticMetaObject;
                  type = type->superClass()) {
@@ -347,6 +347,18 @@ private slots:
                                              names.join(u"\n  "_s)));
         QVERIFY(m_refused.size() > 60);
         QVERIFY(m_refused.contains(u"Alarms::acknowledge"_s));
+    }
+
+    // How this screen looks: everybody reads it in his language, by his light.
+    void everybodySetsOnlyTheScreen()
+    {
+        QStringList names;
+        for (const panel::SettingRow& row : panel::settingTable) {
+            if (!row.key.empty() && row.level == panel::Level::Viewer)
+                names << QString::fromLatin1(row.name);
+        }
+        QCOMPARE(names, QStringList({u"display.language"_s, u"display.theme"_s, u"display.gloves"_s,
+                                     u"display.brightness"_s, u"display.dark_after_minutes"_s}));
     }
 
     // Each class of the panel with functions or properties for QML was among them.

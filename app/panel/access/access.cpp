@@ -90,7 +90,8 @@ panel::Level Access::currentLevel() const
         return panel::Level::Service;
     if (m_user)
         return static_cast<panel::Level>(m_user->level);
-    return m_settings.operatorsLogIn() ? panel::Level::Viewer : panel::Level::Operator;
+    return m_settings.values().isTrue("access.operators_log_in") ? panel::Level::Viewer
+                                                                 : panel::Level::Operator;
 }
 
 void Access::update()
@@ -234,7 +235,8 @@ void Access::logOut()
 
 void Access::checkClock()
 {
-    if (!m_user || m_controller.now() - m_touchedAt < std::chrono::minutes(m_settings.autoLogoutMinutes()))
+    if (!m_user || m_controller.now() - m_touchedAt <
+                       std::chrono::minutes(m_settings.values().whole("access.auto_logout_minutes")))
         return;
     leave(u"user.auto_logout"_s);
     emit leftAlone();

@@ -28,6 +28,10 @@ Display::Display(Controller& controller, Settings& settings, QObject* parent)
 {
     if (settings.isStored("display.brightness")) // else the system's brightness stays
         light(brightness());
+    connect(&settings, &Settings::changed, this, [this] {
+        if (!m_isDark && m_settings.isStored("display.brightness"))
+            light(brightness());
+    });
     m_timer.callOnTimeout(this, &Display::tick);
     m_timer.start(1s);
     connect(&controller, &Controller::stateChanged, this, [this] {
@@ -48,34 +52,9 @@ int Display::brightness() const
     return m_settings.values().whole("display.brightness");
 }
 
-QList<int> Display::brightnessChoices() const
-{
-    return numbersOf("display.brightness");
-}
-
 int Display::darkAfterMinutes() const
 {
     return m_settings.values().whole("display.dark_after_minutes");
-}
-
-QList<int> Display::darkChoices() const
-{
-    return numbersOf("display.dark_after_minutes");
-}
-
-void Display::setBrightness(int percent)
-{
-    if (!brightnessChoices().contains(percent))
-        return;
-    m_settings.set("display.brightness", settingText(percent));
-    light(percent);
-    emit changed();
-}
-
-void Display::setDarkAfterMinutes(int minutes)
-{
-    m_settings.set("display.dark_after_minutes", settingText(minutes));
-    emit changed();
 }
 
 void Display::light(int percent)

@@ -24,12 +24,6 @@ class Display : public QObject, public Singleton<Display> {
     QML_SINGLETON
     // True when this computer has an adjustable backlight.
     Q_PROPERTY(bool adjustable READ adjustable NOTIFY changed FINAL)
-    // The brightness in percent, rounded to the next of `brightnessChoices`.
-    Q_PROPERTY(int brightness READ brightness WRITE setBrightness NOTIFY changed FINAL)
-    Q_PROPERTY(QList<int> brightnessChoices READ brightnessChoices CONSTANT FINAL)
-    // The minutes without a touch until the screen turns off; 0: never.
-    Q_PROPERTY(int darkAfterMinutes READ darkAfterMinutes WRITE setDarkAfterMinutes NOTIFY changed FINAL)
-    Q_PROPERTY(QList<int> darkChoices READ darkChoices CONSTANT FINAL)
     Q_PROPERTY(bool dark READ dark NOTIFY darkChanged FINAL)
     // The remaining seconds without touch input; 0: touch input is active.
     Q_PROPERTY(int wipeSeconds READ wipeSeconds NOTIFY wipeChanged FINAL)
@@ -44,12 +38,6 @@ public:
     void setBacklight(const std::optional<Backlight>& backlight);
 
     [[nodiscard]] bool adjustable() const { return m_backlight.has_value(); }
-    [[nodiscard]] int brightness() const;
-    void setBrightness(int percent);
-    [[nodiscard]] QList<int> brightnessChoices() const;
-    [[nodiscard]] int darkAfterMinutes() const;
-    void setDarkAfterMinutes(int minutes);
-    [[nodiscard]] QList<int> darkChoices() const;
     [[nodiscard]] bool dark() const { return m_isDark; }
     [[nodiscard]] int wipeSeconds() const { return m_wipeSeconds; }
 
@@ -66,6 +54,8 @@ protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
+    [[nodiscard]] int brightness() const;
+    [[nodiscard]] int darkAfterMinutes() const;
     void setDark(bool isDark);
     void light(int percent);
     [[nodiscard]] bool mayBeDark() const;

@@ -24,9 +24,6 @@ Scan::Scan(const Parts& parts, const QString& folder, QObject* parent)
     m_timer.setSingleShot(true);
     m_timer.callOnTimeout(this, [this] { carryOut(m_reader.expire(m_parts.controller.now())); });
     connect(&parts.settings, &Settings::changed, this, &Scan::updateSettings);
-    connect(&m_keyTime, &Value::setRequested, this, [this](double timeMs) {
-        m_parts.settings.set("scanner.key_time_ms", settingText(static_cast<int>(std::lround(timeMs))));
-    });
     connect(LanguageNotifier::ofApplication(), &LanguageNotifier::languageChanged, this, [this] {
         dismissNotice(); // it is in the previous language
         updateSettings();
@@ -37,23 +34,15 @@ Scan::Scan(const Parts& parts, const QString& folder, QObject* parent)
 
 void Scan::updateSettings()
 {
-    constexpr Setting time("scanner.key_time_ms");
     const SettingValues& values = m_parts.settings.values();
     const ScannerKeys keys{values.text("scanner.prefix"), values.text("scanner.suffix") == u"tab",
-                           std::chrono::milliseconds(values.whole(time))};
-    m_keyTime.show({tr("Time between keys"), u"ms"_s, QString::number(values.whole(time)), time->minimum,
-                    time->maximum, SettingValues().number(time), 0});
+                           std::chrono::milliseconds(values.whole("scanner.key_time_ms"))};
     if (keys == m_keys)
         return;
     m_keys = keys;
     m_reader.setKeys(keys);
     release(static_cast<int>(m_held.size()));
     emit settingsChanged();
-}
-
-void Scan::setEndsByTab(bool endsByTab)
-{
-    m_parts.settings.set("scanner.suffix", endsByTab ? u"tab"_s : u"enter"_s);
 }
 
 QString Scan::prefixProblem(const QString& prefix) const

@@ -36,8 +36,6 @@ class Scan : public QObject, public Singleton<Scan> {
     // True when a scanner is set up.
     Q_PROPERTY(bool enabled READ isEnabled NOTIFY settingsChanged FINAL)
     Q_PROPERTY(QString prefix READ prefix NOTIFY settingsChanged FINAL)
-    Q_PROPERTY(bool endsByTab READ endsByTab WRITE setEndsByTab NOTIFY settingsChanged FINAL)
-    Q_PROPERTY(campanel::panel::Value* keyTime READ keyTime CONSTANT FINAL)
     // The answer to a code that opens nothing; empty: none.
     Q_PROPERTY(QString notice READ notice NOTIFY noticeChanged FINAL)
     Q_PROPERTY(QString lastCode READ lastCode NOTIFY codeRead FINAL)
@@ -57,9 +55,6 @@ public:
     [[nodiscard]] FilmCheck* film() { return &m_film; }
     [[nodiscard]] bool isEnabled() const { return !m_keys.prefix.isEmpty(); }
     [[nodiscard]] QString prefix() const { return m_keys.prefix; }
-    [[nodiscard]] bool endsByTab() const { return m_keys.endsByTab; }
-    void setEndsByTab(bool endsByTab);
-    [[nodiscard]] Value* keyTime() { return &m_keyTime; }
     [[nodiscard]] QString notice() const { return m_notice; }
     [[nodiscard]] QString lastCode() const { return m_lastCode; }
 
@@ -109,7 +104,6 @@ private:
     Parts m_parts;
     FilmCheck m_film;
     ScannerKeys m_keys;
-    Value m_keyTime;
     CodeReader m_reader;
     std::vector<HeldKey> m_held;
     QSet<int> m_takenKeys; // pressed and not let go

@@ -32,6 +32,12 @@ enum class SettingForm {
     Reasons,  // reasons of a stop, one per line; empty: the standard ones
 };
 
+// The text of a value, and a remark below it in a list.
+struct SettingWord {
+    const char* text = nullptr;
+    const char* note = nullptr;
+};
+
 struct SettingRow {
     std::string_view name;     // "section.key"; the key in campanel.toml
     std::string_view key = {}; // in the settings file; empty: it cannot be set on the panel
@@ -41,8 +47,14 @@ struct SettingRow {
     double maximum = 0;
     std::string_view standard = {}; // the default, as the settings file has it
     Level level = Level::Viewer;    // the lowest level that may change it
-    const char* label = nullptr;    // on the page and in the audit trail; nullptr: it is not audited
+    const char* label = nullptr;    // in the audit trail; nullptr: it is not audited
     const char* help = nullptr;     // in campanel.toml and its man page; nullptr: it has no key there
+    const char* title = nullptr;    // on the page; nullptr: the label
+    // The texts of the choices in their order, or that of a number's 0; without: On and Off, or the value.
+    std::array<SettingWord, 3> words = {};
+    const char* shown = nullptr; // a number on the page: "%1 min"
+    const char* unit = nullptr;  // of a number that is entered
+    int decimals = 0;            // of a number
 };
 
 // In the order of campanel.toml.
@@ -65,7 +77,8 @@ inline constexpr std::array settingTable{
                .choices = "9600 19200 38400 57600 115200",
                .standard = "115200",
                .level = Level::Technician,
-               .help = "Baud rate."},
+               .help = "Baud rate.",
+               .title = QT_TRANSLATE_NOOP("campanel::panel::Settings", "Baud rate")},
     SettingRow{.name = "connection.parity",
                .key = "connection/parity",
                .form = SettingForm::Word,
@@ -89,7 +102,8 @@ inline constexpr std::array settingTable{
                .maximum = 247,
                .standard = "1",
                .level = Level::Technician,
-               .help = "Modbus unit number of the controller."},
+               .help = "Modbus unit number of the controller.",
+               .title = QT_TRANSLATE_NOOP("campanel::panel::Settings", "Unit number")},
     SettingRow{.name = "display.language",
                .key = "language",
                .form = SettingForm::Language,
@@ -103,7 +117,10 @@ inline constexpr std::array settingTable{
                .choices = "light dark contrast",
                .standard = "light",
                .label = QT_TRANSLATE_NOOP("campanel::panel::Settings", "Theme"),
-               .help = "Colors."},
+               .help = "Colors.",
+               .words = {{{QT_TRANSLATE_NOOP("campanel::panel::Settings", "Light")},
+                          {QT_TRANSLATE_NOOP("campanel::panel::Settings", "Dark")},
+                          {QT_TRANSLATE_NOOP("campanel::panel::Settings", "High contrast")}}}},
     SettingRow{.name = "display.gloves",
                .key = "gloves",
                .standard = "false",
@@ -128,12 +145,17 @@ inline constexpr std::array settingTable{
                .key = "display/brightness",
                .form = SettingForm::Choice,
                .choices = "25 50 75 100",
-               .standard = "100"},
+               .standard = "100",
+               .title = QT_TRANSLATE_NOOP("campanel::panel::Settings", "Brightness"),
+               .shown = QT_TRANSLATE_NOOP("campanel::panel::Settings", "%1 %")},
     SettingRow{.name = "display.dark_after_minutes",
                .key = "display/dark_after_minutes",
                .form = SettingForm::Choice,
                .choices = "0 5 30",
-               .standard = "0"},
+               .standard = "0",
+               .title = QT_TRANSLATE_NOOP("campanel::panel::Settings",
+                                          "Screen off after minutes without touch, at standstill"),
+               .words = {{{QT_TRANSLATE_NOOP("campanel::panel::Settings", "Never")}}}},
     SettingRow{.name = "bags.tolerance_mm",
                .key = "bag_tolerance_mm",
                .form = SettingForm::Decimal,
@@ -142,7 +164,11 @@ inline constexpr std::array settingTable{
                .standard = "0.5",
                .level = Level::Technician,
                .label = QT_TRANSLATE_NOOP("campanel::panel::Settings", "bag tolerance, mm"),
-               .help = "Largest deviation of a bag's length that is shown as good, in mm."},
+               .help = "Largest deviation of a bag's length that is shown as good, in mm.",
+               .title = QT_TRANSLATE_NOOP("campanel::panel::Settings", "Bag tolerance"),
+               .shown = QT_TRANSLATE_NOOP("campanel::panel::Settings", "±%1 mm"),
+               .unit = "mm",
+               .decimals = 2},
     SettingRow{.name = "access.auto_logout_minutes",
                .key = "access/auto_logout_minutes",
                .form = SettingForm::Choice,
@@ -150,13 +176,16 @@ inline constexpr std::array settingTable{
                .standard = "5",
                .level = Level::Service,
                .label = QT_TRANSLATE_NOOP("campanel::panel::Settings", "minutes until logout"),
-               .help = "Minutes without a touch until the user is logged out."},
+               .help = "Minutes without a touch until the user is logged out.",
+               .title = QT_TRANSLATE_NOOP("campanel::panel::Settings", "Automatic logout after"),
+               .shown = QT_TRANSLATE_NOOP("campanel::panel::Settings", "%1 min")},
     SettingRow{.name = "access.operators_log_in",
                .key = "access/operators_log_in",
                .standard = "false",
                .level = Level::Service,
                .label = QT_TRANSLATE_NOOP("campanel::panel::Settings", "operator login required"),
-               .help = "Operators must log in. Without a login a person can only view and stop."},
+               .help = "Operators must log in. Without a login a person can only view and stop.",
+               .title = QT_TRANSLATE_NOOP("campanel::panel::Settings", "Without login")},
     SettingRow{.name = "access.hold_to_start",
                .key = "access/hold_to_start",
                .form = SettingForm::Word,
@@ -165,7 +194,14 @@ inline constexpr std::array settingTable{
                .level = Level::Technician,
                .label = QT_TRANSLATE_NOOP("campanel::panel::Settings", "hold to start"),
                .help = "Start acts only after its key was held for half a second. auto: with a real "
-                       "controller."},
+                       "controller.",
+               .title = QT_TRANSLATE_NOOP("campanel::panel::Settings", "Start key"),
+               .words = {{{QT_TRANSLATE_NOOP("campanel::panel::Settings", "Automatic"),
+                           QT_TRANSLATE_NOOP("campanel::panel::Settings", "hold with a real controller")},
+                          {QT_TRANSLATE_NOOP("campanel::panel::Settings", "Hold for 0.5 s"),
+                           QT_TRANSLATE_NOOP("campanel::panel::Settings",
+                                             "an accidental touch does not start the machine")},
+                          {QT_TRANSLATE_NOOP("campanel::panel::Settings", "One touch")}}}},
     SettingRow{.name = "scanner.prefix",
                .key = "scanner/prefix",
                .form = SettingForm::Prefix,
@@ -180,7 +216,10 @@ inline constexpr std::array settingTable{
                .standard = "enter",
                .level = Level::Service,
                .label = QT_TRANSLATE_NOOP("campanel::panel::Settings", "scanner suffix"),
-               .help = "Key that the scanner sends after each code."},
+               .help = "Key that the scanner sends after each code.",
+               .title = QT_TRANSLATE_NOOP("campanel::panel::Settings", "Suffix"),
+               .words = {{{QT_TRANSLATE_NOOP("campanel::panel::Settings", "Enter key")},
+                          {QT_TRANSLATE_NOOP("campanel::panel::Settings", "Tab key")}}}},
     SettingRow{.name = "scanner.key_time_ms",
                .key = "scanner/key_time_ms",
                .form = SettingForm::Whole,
@@ -189,7 +228,10 @@ inline constexpr std::array settingTable{
                .standard = "100",
                .level = Level::Service,
                .label = QT_TRANSLATE_NOOP("campanel::panel::Settings", "time between scanned keys, ms"),
-               .help = "Longest time between two keys of a code, in ms."},
+               .help = "Longest time between two keys of a code, in ms.",
+               .title = QT_TRANSLATE_NOOP("campanel::panel::Settings", "Time between keys"),
+               .shown = QT_TRANSLATE_NOOP("campanel::panel::Settings", "%1 ms"),
+               .unit = "ms"},
     SettingRow{.name = "stops.ask_after_seconds",
                .key = "stops/ask_after_seconds",
                .form = SettingForm::Whole,
@@ -199,7 +241,10 @@ inline constexpr std::array settingTable{
                .level = Level::Service,
                .label =
                    QT_TRANSLATE_NOOP("campanel::panel::Settings", "seconds of a stop until its question"),
-               .help = "Seconds that the machine stands until the Run page asks for the reason."},
+               .help = "Seconds that the machine stands until the Run page asks for the reason.",
+               .title = QT_TRANSLATE_NOOP("campanel::panel::Settings", "Question after"),
+               .shown = QT_TRANSLATE_NOOP("campanel::panel::Settings", "%1 s"),
+               .unit = QT_TRANSLATE_NOOP("campanel::panel::Settings", "s")},
     SettingRow{.name = "stops.ideal_rate",
                .key = "stops/ideal_rate",
                .form = SettingForm::Decimal,
@@ -209,7 +254,12 @@ inline constexpr std::array settingTable{
                .level = Level::Service,
                .label = QT_TRANSLATE_NOOP("campanel::panel::Settings", "ideal rate, pieces/min"),
                .help = "Ideal rate of the machine for its performance, in pieces per minute. 0: the fastest "
-                       "rate of the recipe."},
+                       "rate of the recipe.",
+               .title = QT_TRANSLATE_NOOP("campanel::panel::Settings", "Ideal rate"),
+               .words = {{{QT_TRANSLATE_NOOP("campanel::panel::Settings", "by recipe")}}},
+               .shown = QT_TRANSLATE_NOOP("campanel::panel::Settings", "%1 pieces/min"),
+               .unit = QT_TRANSLATE_NOOP("campanel::panel::Settings", "pieces/min"),
+               .decimals = 1},
     SettingRow{.name = "stops.shift_starts",
                .key = "stops/shift_starts",
                .form = SettingForm::Times,

@@ -2,14 +2,12 @@
 #include "app/panel/settings/settings.h"
 
 #include "app/link/port_finder.h"
-#include "app/panel/kit/format.h"
 
 #include <QLocale>
 #include <QSettings>
 #include <QStandardPaths>
 
 #include <algorithm>
-#include <cmath>
 #include <ranges>
 
 using namespace Qt::StringLiterals;
@@ -22,9 +20,9 @@ const QString firstStartKey = u"first_start"_s;
 const QString firstStartBegun = u"begun"_s;
 const QString firstStartDone = u"done"_s;
 
-bool isOfConnection(const SettingRow& row)
+bool isOfConnection(Setting setting)
 {
-    return row.name.starts_with("connection.");
+    return setting->name.starts_with("connection.");
 }
 
 ConnectionChoice connectionOf(const SettingValues& values)
@@ -86,14 +84,10 @@ Settings::Settings(const QString& storage, QObject* parent, const SettingValues&
     QLocale::setDefault(QLocale(language()));
     // Queued until the texts of the new language are available.
     connect(this, &Settings::languageChanged, this, &Settings::textsChanged, Qt::QueuedConnection);
-    connect(this, &Settings::languageChanged, this, &Settings::updateValues, Qt::QueuedConnection);
-    connect(this, &Settings::changed, this, &Settings::updateValues);
-    connect(this, &Settings::connectionChanged, this, &Settings::updateValues);
+    connect(this, &Settings::languageChanged, this, &Settings::updateFields, Qt::QueuedConnection);
+    connect(this, &Settings::changed, this, &Settings::updateFields);
+    connect(this, &Settings::connectionChanged, this, &Settings::updateFields);
     connect(this, &Settings::connectionApplied, this, &Settings::changed);
-    connect(&m_bagTolerance, &Value::setRequested, this, &Settings::setBagToleranceMm);
-    connect(&m_unitNumber, &Value::setRequested, this,
-            [this](double unit) { setUnit(static_cast<int>(std::lround(unit))); });
-    updateValues();
 }
 
 // Reads the stored values over the defaults. A damaged connection never selects the simulated controller.
@@ -189,22 +183,25 @@ void Settings::endFirstStart()
     emit firstStartChanged();
 }
 
-QStringList Settings::languageNames() const
+SettingField* Settings::setting(const QString& name)
 {
-    QStringList names;
-    for (const Language& language : m_languages)
-        names += language.name;
-    return names;
-}
-
-QVariantMap Settings::labels() const
-{
-    QVariantMap labels;
-    for (const SettingRow& row : settingTable) {
-        if (row.label)
-            labels.insert(shortKeyOf(row), tr(row.label));
+    const auto row = std::ranges::find_if(settingTable, [&](const SettingRow& each) {
+        return QLatin1StringView(each.name.data(), static_cast<qsizetype>(each.name.size())) == name;
+    });
+    if (row == settingTable.end())
+        return nullptr;
+    SettingField*& field = m_fields[row->name];
+    if (!field) {
+        field = new SettingField(*row, this);
+        connect(field, &SettingField::chosen, this, [this, row](const QString& text) {
+            if (isOfConnection(*row))
+                edit(*row, text);
+            else
+                set(*row, text);
+        });
+        updateField(*field);
     }
-    return labels;
+    return field;
 }
 
 bool Settings::isStored(Setting setting) const
@@ -226,8 +223,7 @@ void Settings::set(Setting setting, const QString& text)
 void Settings::overrideValue(Setting setting, const QString& text)
 {
     const QString before = language();
-    if (!m_values.set(setting, text))
-        return;
+    m_values.set(setting, text);
     if (language() != before) {
         QLocale::setDefault(QLocale(language()));
         emit languageChanged();
@@ -235,26 +231,23 @@ void Settings::overrideValue(Setting setting, const QString& text)
     emit changed();
 }
 
-void Settings::updateValues()
+void Settings::updateFields()
 {
-    constexpr int decimals = 2;
-    const Format format;
-    constexpr Setting tolerance("bags.tolerance_mm");
-    constexpr Setting unit("connection.unit");
-    m_bagTolerance.show({tr("Bag tolerance ±"), u"mm"_s, format.number(bagToleranceMm(), decimals),
-                         tolerance->minimum, tolerance->maximum, m_standard.number(tolerance), decimals});
-    m_unitNumber.show({tr("Unit number"),
-                       {},
-                       QString::number(m_draft.unit),
-                       unit->minimum,
-                       unit->maximum,
-                       unit->minimum,
-                       0});
+    for (SettingField* field : m_fields)
+        updateField(*field);
+}
+
+void Settings::updateField(SettingField& field) const
+{
+    const Setting setting = field.setting();
+    const SettingValues& values = isOfConnection(setting) ? valuesOf(m_draft) : m_values;
+    field.show(viewOf(setting, values.text(setting), m_standard, m_languages));
 }
 
 bool Settings::startIsHeld() const
 {
-    return holdToStart() == u"on"_s || (holdToStart() == u"auto"_s && !connection().simulated);
+    const QString hold = m_values.text("access.hold_to_start");
+    return hold == u"on"_s || (hold == u"auto"_s && !connection().simulated);
 }
 
 void Settings::edit(Setting setting, const QString& text)

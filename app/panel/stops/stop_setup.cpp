@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/panel/stops/stop_setup.h"
 
-#include "app/panel/kit/format.h"
 #include "app/panel/kit/language_notifier.h"
 #include "app/panel/settings/settings.h"
 
 #include <algorithm>
-#include <cmath>
 
 using namespace Qt::StringLiterals;
 
@@ -37,25 +35,11 @@ StopSetup::StopSetup(Settings& settings)
 {
     connect(&settings, &Settings::changed, this, &StopSetup::update);
     connect(LanguageNotifier::ofApplication(), &LanguageNotifier::languageChanged, this, &StopSetup::update);
-    connect(&m_askAfter, &Value::setRequested, this, [this](double seconds) {
-        m_settings.set("stops.ask_after_seconds", settingText(static_cast<int>(std::lround(seconds))));
-    });
-    connect(&m_idealRate, &Value::setRequested, this,
-            [this](double rate) { m_settings.set("stops.ideal_rate", settingText(rate)); });
     update();
 }
 
 void StopSetup::update()
 {
-    constexpr Setting ask("stops.ask_after_seconds");
-    constexpr Setting ideal("stops.ideal_rate");
-    const Format format;
-    const SettingValues& values = m_settings.values();
-    m_askAfter.show({tr("Question after"), tr("s"), values.text(ask), ask->minimum, ask->maximum,
-                     SettingValues().number(ask), 0});
-    m_idealRate.show({tr("Ideal rate (0: by recipe)"), tr("pieces/min"),
-                      format.number(values.number(ideal), 1), ideal->minimum, ideal->maximum,
-                      SettingValues().number(ideal), 1});
     const QList<QTime> starts = times();
     QList<ShiftStartRow> rows;
     for (qsizetype i = 0; i < starts.size(); ++i)
@@ -69,12 +53,6 @@ void StopSetup::update()
 QList<QTime> StopSetup::times() const
 {
     return shiftStartsIn(m_settings.values().text("stops.shift_starts"));
-}
-
-QString StopSetup::idealRateText() const
-{
-    const double rate = m_settings.values().number("stops.ideal_rate");
-    return rate > 0 ? tr("%1 pieces/min").arg(Format().number(rate, 1)) : tr("by recipe");
 }
 
 QString StopSetup::shiftsText() const

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// `Stops.setup` in QML: when a stop is asked about, the ideal rate, the shifts, and the list of reasons.
+// `Stops.setup` in QML: the shifts, the working days, and the list of reasons.
 // Everything is a setting that the level Service may change.
 #pragma once
 
 #include "app/panel/kit/row_model.h"
-#include "app/panel/kit/value.h"
 #include "app/panel/stops/reason_editor.h"
 
 #include <QObject>
@@ -40,9 +39,6 @@ class StopSetup : public QObject {
     Q_OBJECT
     QML_ELEMENT
     QML_UNCREATABLE("The setup belongs to Stops")
-    Q_PROPERTY(campanel::panel::Value* askAfter READ askAfter CONSTANT FINAL)
-    Q_PROPERTY(campanel::panel::Value* idealRate READ idealRate CONSTANT FINAL)
-    Q_PROPERTY(QString idealRateText READ idealRateText NOTIFY changed FINAL)
     Q_PROPERTY(QString shiftsText READ shiftsText NOTIFY changed FINAL)
     Q_PROPERTY(QString daysText READ daysText NOTIFY changed FINAL)
     Q_PROPERTY(QString reasonsText READ reasonsText NOTIFY changed FINAL)
@@ -57,9 +53,6 @@ public:
     // The settings must outlive the object.
     explicit StopSetup(Settings& settings);
 
-    [[nodiscard]] Value* askAfter() { return &m_askAfter; }
-    [[nodiscard]] Value* idealRate() { return &m_idealRate; }
-    [[nodiscard]] QString idealRateText() const;
     [[nodiscard]] QString shiftsText() const;
     [[nodiscard]] QString daysText() const;
     [[nodiscard]] QString reasonsText() const;
@@ -86,8 +79,6 @@ private:
     [[nodiscard]] QList<QTime> times() const;
 
     Settings& m_settings;
-    Value m_askAfter;
-    Value m_idealRate;
     RowModel<ShiftStartRow, &ShiftStartRow::number> m_starts{this};
     ReasonEditor m_reasons;
 };

@@ -159,12 +159,12 @@ screen = "linuxfb"
         QCOMPARE(settings.connection(),
                  (panel::ConnectionChoice{false, u"/dev/campanel-serial"_s, 9600, u"E"_s, 2, 247}));
         QCOMPARE(settings.language(), u"zh_CN"_s);
-        QCOMPARE(settings.theme(), u"contrast"_s);
-        QVERIFY(settings.gloves());
+        QCOMPARE(settings.values().text("display.theme"), u"contrast"_s);
+        QVERIFY(settings.values().isTrue("display.gloves"));
         QCOMPARE(settings.bagToleranceMm(), 2.0);
-        QCOMPARE(settings.autoLogoutMinutes(), 30);
-        QVERIFY(settings.operatorsLogIn());
-        QCOMPARE(settings.holdToStart(), u"on"_s);
+        QCOMPARE(settings.values().whole("access.auto_logout_minutes"), 30);
+        QVERIFY(settings.values().isTrue("access.operators_log_in"));
+        QCOMPARE(settings.values().text("access.hold_to_start"), u"on"_s);
         QCOMPARE(panel::sizeIn(read.values.text("display.size")), QSize(1280, 800));
         QVERIFY(read.values.isTrue("display.fullscreen"));
         QCOMPARE(read.values.whole("stops.ask_after_seconds"), 90);
@@ -298,9 +298,10 @@ screen = "linuxfb"
 
     void textsAndCommentsTakeEveryLetter()
     {
-        const ReadConfiguration read = configurationFrom(
-            "[connection] # caf\xc3\xa9's\nport = \"/dev/\xc3\xa9%41\\\"#[}\" # [} \xe4\xb8\xb2\xe5\x8f\xa3\n",
-            name);
+        const ReadConfiguration read =
+            configurationFrom("[connection] # caf\xc3\xa9's\nport = \"/dev/\xc3\xa9%41\\\"#[}\" # [} "
+                              "\xe4\xb8\xb2\xe5\x8f\xa3\n",
+                              name);
         QCOMPARE(read.complaints, QStringList());
         QCOMPARE(read.values.text("connection.port"), u"/dev/\u00e9%41\"#[}"_s);
     }
@@ -413,22 +414,22 @@ screen = "linuxfb"
         {
             Settings settings(storage, nullptr, standard);
             QCOMPARE(settings.language(), u"zh_CN"_s);
-            QCOMPARE(settings.theme(), u"dark"_s);
-            QVERIFY(settings.gloves());
+            QCOMPARE(settings.values().text("display.theme"), u"dark"_s);
+            QVERIFY(settings.values().isTrue("display.gloves"));
             QCOMPARE(settings.bagToleranceMm(), 1.5);
-            QCOMPARE(settings.bagTolerance()->defaultValue(), 1.5);
-            QCOMPARE(settings.autoLogoutMinutes(), 10);
-            QVERIFY(settings.operatorsLogIn());
+            QCOMPARE(settings.setting(u"bags.tolerance_mm"_s)->defaultValue(), 1.5);
+            QCOMPARE(settings.values().whole("access.auto_logout_minutes"), 10);
+            QVERIFY(settings.values().isTrue("access.operators_log_in"));
             QCOMPARE(settings.connection(),
                      (panel::ConnectionChoice{false, u"/dev/ttyS1"_s, 19200, u"E"_s, 2, 9}));
-            settings.setTheme(u"light"_s);
-            settings.setGloves(false);
-            settings.setUnit(11);
+            settings.set("display.theme", u"light"_s);
+            settings.set("display.gloves", panel::settingText(false));
+            settings.edit("connection.unit", panel::settingText(11));
             settings.applyConnection();
         }
         const Settings again(storage, nullptr, standard);
-        QCOMPARE(again.theme(), u"light"_s);
-        QVERIFY(!again.gloves());
+        QCOMPARE(again.values().text("display.theme"), u"light"_s);
+        QVERIFY(!again.values().isTrue("display.gloves"));
         QCOMPARE(again.connection().unit, 11);
         QCOMPARE(again.connection().baud, 19200);
         QCOMPARE(again.language(), u"zh_CN"_s); // no other one was set

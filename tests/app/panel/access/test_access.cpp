@@ -180,12 +180,12 @@ private slots:
         QVERIFY(rig.link.faults.isEmpty());
         rig.settings.setSimulated(!rig.settings.simulated());
         QVERIFY(!rig.settings.connectionDirty());
-        rig.settings.setBagToleranceMm(1.25);
+        rig.settings.set("bags.tolerance_mm", panel::settingText(1.25));
         QVERIFY(rig.settings.bagToleranceMm() != 1.25);
-        rig.settings.setAutoLogoutMinutes(30);
-        QCOMPARE(rig.settings.autoLogoutMinutes(), 5);
-        rig.settings.setTheme(u"dark"_s); // allowed for everybody
-        QCOMPARE(rig.settings.theme(), u"dark"_s);
+        rig.settings.set("access.auto_logout_minutes", panel::settingText(30));
+        QCOMPARE(rig.settings.values().whole("access.auto_logout_minutes"), 5);
+        rig.settings.set("display.theme", u"dark"_s); // allowed for everybody
+        QCOMPARE(rig.settings.values().text("display.theme"), u"dark"_s);
         rig.access.addUser(u"Eve"_s, Access::Service, u"864200"_s);
         rig.access.removeUser(rig.idOf(u"Bo"_s));
         rig.settle();
@@ -215,7 +215,7 @@ private slots:
         AccessRig rig;
         rig.connectRunning();
         rig.add(u"Anna"_s, Access::Service, u"258036"_s);
-        rig.settings.setOperatorsLogIn(true);
+        rig.settings.set("access.operators_log_in", panel::settingText(true));
         rig.access.logOut();
         QCOMPARE(rig.access.level(), Access::Viewer);
         rig.machine.home();
@@ -394,7 +394,7 @@ private slots:
         AccessRig rig;
         rig.addAnnaAndBo();
         rig.logIn(u"Anna"_s, u"258036"_s);
-        rig.settings.setAutoLogoutMinutes(2);
+        rig.settings.set("access.auto_logout_minutes", panel::settingText(2));
         QSignalSpy alone(&rig.access, &Access::leftAlone);
         rig.now += 119s;
         rig.access.checkClock();

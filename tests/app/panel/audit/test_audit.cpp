@@ -172,8 +172,8 @@ private slots:
     void settingsAndUsersAreWritten()
     {
         AccessRig rig;
-        rig.settings.setTheme(u"dark"_s);
-        rig.settings.setBagToleranceMm(1.25);
+        rig.settings.set("display.theme", u"dark"_s);
+        rig.settings.set("bags.tolerance_mm", panel::settingText(1.25));
         rig.settings.set("stops.shift_starts", u"05:00 17:00"_s);
         rig.settings.set("stops.working_days", u"12345"_s);
         rig.settings.set("stops.reasons", u"Foil\nplanned:Break"_s);
@@ -297,8 +297,8 @@ private slots:
     void aBrokenChainIsTold()
     {
         AccessRig rig;
-        rig.settings.setTheme(u"dark"_s);
-        rig.settings.setTheme(u"light"_s);
+        rig.settings.set("display.theme", u"dark"_s);
+        rig.settings.set("display.theme", u"light"_s);
         rig.settle();
         rig.records.store().run(
             &rig.records,
@@ -315,7 +315,7 @@ private slots:
     void theTrailIsTakenAwayAsCsv()
     {
         AccessRig rig;
-        rig.settings.setTheme(u"dark"_s);
+        rig.settings.set("display.theme", u"dark"_s);
         AuditEntry noted;
         noted.what = u"setting.change"_s;
         noted.object = u"a \"quoted\", name"_s;

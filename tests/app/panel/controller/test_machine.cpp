@@ -325,7 +325,7 @@ private slots:
         PanelRig rig;
         rig.settings.setSimulated(false);
         rig.settings.setPortName("/dev/ttyUSB7");
-        rig.settings.setBaud(19200);
+        rig.settings.edit("connection.baud", panel::settingText(19200));
         rig.settings.setParity("E");
         QVERIFY(rig.settings.connectionDirty());
         rig.machine.open();
@@ -365,11 +365,11 @@ private slots:
         file.write("language=tlh\ntheme=pink\n[connection]\nbaud=1\nparity=X\nunit=9999\nstop_bits=-3\n");
         file.close();
         const panel::Settings settings(path, nullptr);
-        QVERIFY(settings.languages().contains(settings.language()));
-        QCOMPARE(settings.theme(), "light");
-        QCOMPARE(settings.baud(), 115200);
+        QVERIFY(panel::languageCodes(settings.installedLanguages()).contains(settings.language()));
+        QCOMPARE(settings.values().text("display.theme"), "light");
+        QCOMPARE(settings.connection().baud, 115200);
         QCOMPARE(settings.parity(), "N");
-        QCOMPARE(settings.unit(), 247);
+        QCOMPARE(settings.connection().unit, 247);
         QCOMPARE(settings.stopBits(), 1);
     }
 
@@ -381,13 +381,13 @@ private slots:
         const panel::ConnectionChoice real{false, "/dev/ttyUSB7", 19200, "E", 2, 9};
         {
             panel::Settings settings(path, nullptr);
-            settings.setTheme("dark");
+            settings.set("display.theme", "dark");
             settings.setSimulated(false);
             settings.setPortName(real.portName);
-            settings.setBaud(real.baud);
+            settings.edit("connection.baud", panel::settingText(real.baud));
             settings.setParity(real.parity);
             settings.setStopBits(real.stopBits);
-            settings.setUnit(real.unit);
+            settings.edit("connection.unit", panel::settingText(real.unit));
             settings.applyConnection();
             QCOMPARE(settings.notice(), QString());
         }
@@ -395,7 +395,7 @@ private slots:
         QTest::ignoreMessage(QtWarningMsg, QRegularExpression("settings file .* damaged .* last good copy"));
         panel::Settings mended(path, nullptr);
         QCOMPARE(mended.connection(), real);
-        QCOMPARE(mended.theme(), "dark");
+        QCOMPARE(mended.values().text("display.theme"), "dark");
         QVERIFY2(mended.notice().contains("last good copy"), qPrintable(mended.notice()));
         mended.dismissNotice();
         QCOMPARE(mended.notice(), QString());
@@ -431,13 +431,13 @@ private slots:
     void everyKeyOfTheSettingsIsKnown()
     {
         PanelRig rig;
-        rig.settings.setLanguage("zh_CN");
-        rig.settings.setTheme("dark");
-        rig.settings.setGloves(true);
-        rig.settings.setBagToleranceMm(1.5);
-        rig.settings.setAutoLogoutMinutes(30);
-        rig.settings.setOperatorsLogIn(true);
-        rig.settings.setHoldToStart("on");
+        rig.settings.set("display.language", "zh_CN");
+        rig.settings.set("display.theme", "dark");
+        rig.settings.set("display.gloves", panel::settingText(true));
+        rig.settings.set("bags.tolerance_mm", panel::settingText(1.5));
+        rig.settings.set("access.auto_logout_minutes", panel::settingText(30));
+        rig.settings.set("access.operators_log_in", panel::settingText(true));
+        rig.settings.set("access.hold_to_start", "on");
         rig.settings.set("scanner.prefix", "~~");
         rig.settings.set("scanner.suffix", "tab");
         rig.settings.set("scanner.key_time_ms", "50");
@@ -450,8 +450,8 @@ private slots:
         rig.settings.beginFirstStart();
         rig.settings.applyConnection();
         panel::Display display(rig.machine, rig.settings, nullptr);
-        display.setBrightness(50);
-        display.setDarkAfterMinutes(30);
+        rig.settings.set("display.brightness", panel::settingText(50));
+        rig.settings.set("display.dark_after_minutes", panel::settingText(30));
         const QByteArray written = rig.settings.contents();
         const QString path = rig.folder.filePath("earlier.ini");
         QFile file(path);

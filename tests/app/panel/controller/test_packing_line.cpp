@@ -322,7 +322,7 @@ private slots:
     void aBagOfTwoLengthsSpoilsNothing()
     {
         Rig rig;
-        rig.settings.setBagToleranceMm(0.15);
+        rig.settings.set("bags.tolerance_mm", panel::settingText(0.15));
         rig.film.addBag(1, 0);
         rig.answer();
         rig.film.addBag(2, 20); // begun under another program
@@ -356,16 +356,16 @@ private slots:
             panel::Settings settings(path, nullptr);
             QCOMPARE(settings.bagToleranceMm(), 0.5);
             QSignalSpy changed(&settings, &panel::Settings::changed);
-            settings.setBagToleranceMm(0.2);
-            settings.setBagToleranceMm(0.2);
+            settings.set("bags.tolerance_mm", panel::settingText(0.2));
+            settings.set("bags.tolerance_mm", panel::settingText(0.2));
             QCOMPARE(changed.size(), 1);
         }
         panel::Settings settings(path, nullptr);
         QCOMPARE(settings.bagToleranceMm(), 0.2);
-        settings.setBagToleranceMm(NAN);
+        settings.set("bags.tolerance_mm", panel::settingText(NAN));
         QCOMPARE(settings.bagToleranceMm(), 0.2);
-        settings.setBagToleranceMm(100);
-        QCOMPARE(settings.bagToleranceMm(), settings.bagTolerance()->maximum());
+        settings.set("bags.tolerance_mm", panel::settingText(100));
+        QCOMPARE(settings.bagToleranceMm(), settings.setting("bags.tolerance_mm")->maximum());
     }
 };
 

@@ -82,13 +82,13 @@ private slots:
     {
         DisplayRig rig;
         QVERIFY(rig.display.adjustable());
-        rig.display.setBrightness(50);
+        rig.settings.set("display.brightness", panel::settingText(50));
         QCOMPARE(rig.level(), QByteArray("125"));
-        rig.display.setBrightness(51); // none of the choices
-        QCOMPARE(rig.display.brightness(), 50);
+        rig.settings.set("display.brightness", panel::settingText(51)); // none of the choices
+        QCOMPARE(rig.settings.values().whole("display.brightness"), 50);
         panel::Settings stored(rig.folder.filePath(u"settings.ini"_s), nullptr);
         const Display again(rig.machine, stored, nullptr);
-        QCOMPARE(again.brightness(), 50);
+        QCOMPARE(stored.values().whole("display.brightness"), 50);
     }
 
     void withoutABacklightItSaysSo()
@@ -98,7 +98,7 @@ private slots:
         rig.write(u"max_brightness"_s, "many");
         QVERIFY(!Backlight::find(rig.folder.filePath(u"backlight"_s)));
         QVERIFY(QDir(rig.device).removeRecursively());
-        rig.display.setBrightness(75); // removed while the panel runs
+        rig.settings.set("display.brightness", panel::settingText(75)); // removed while the panel runs
         QVERIFY(!rig.display.adjustable());
     }
 
@@ -106,7 +106,7 @@ private slots:
     {
         DisplayRig rig;
         rig.connectRunning();
-        rig.display.setDarkAfterMinutes(5);
+        rig.settings.set("display.dark_after_minutes", panel::settingText(5));
         rig.pass(60min);
         QVERIFY(!rig.display.dark());
         rig.link.status.state = modbus::State::Ready;
@@ -127,7 +127,7 @@ private slots:
     {
         DisplayRig rig;
         Touched page;
-        rig.display.setDarkAfterMinutes(5);
+        rig.settings.set("display.dark_after_minutes", panel::settingText(5));
         rig.pass(5min);
         QVERIFY(rig.display.dark());
         page.tap();

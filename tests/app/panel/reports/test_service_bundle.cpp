@@ -89,7 +89,7 @@ private slots:
     {
         BundleRig rig;
         rig.connectRunning();
-        rig.settings.setTheme(u"dark"_s); // creates an audit entry
+        rig.settings.set("display.theme", u"dark"_s); // creates an audit entry
         store::AlarmRow old;
         old.id = 1;
         old.code = u"M-01"_s;

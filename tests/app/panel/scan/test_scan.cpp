@@ -201,12 +201,12 @@ private slots:
         }
         rig.scan.setPrefix(u"~~"_s);
         QVERIFY(rig.scan.isEnabled());
-        rig.scan.setEndsByTab(true);
-        QVERIFY(rig.scan.endsByTab());
-        rig.scan.keyTime()->set(5);
-        QCOMPARE(rig.scan.keyTime()->text(), u"100"_s);
-        rig.scan.keyTime()->set(50);
-        QCOMPARE(rig.scan.keyTime()->text(), u"50"_s);
+        rig.settings.set("scanner.suffix", u"tab"_s);
+        QCOMPARE(rig.settings.values().text("scanner.suffix"), u"tab"_s);
+        rig.settings.setting(u"scanner.key_time_ms"_s)->set(5);
+        QCOMPARE(rig.settings.setting(u"scanner.key_time_ms"_s)->text(), u"100"_s);
+        rig.settings.setting(u"scanner.key_time_ms"_s)->set(50);
+        QCOMPARE(rig.settings.setting(u"scanner.key_time_ms"_s)->text(), u"50"_s);
         rig.machine.accessCheck().setLevel(Level::Technician);
         rig.settings.guardBy(rig.machine.accessCheck());
         rig.scan.setPrefix({});

@@ -121,8 +121,8 @@ private slots:
         file.close();
         panel::Settings settings(path, nullptr);
         QCOMPARE(settings.language(), "en");
-        settings.setGloves(true);                          // writes the file
-        QCOMPARE(settings.file().value("language"), "it"); // used again when its file is back
+        settings.set("display.gloves", panel::settingText(true)); // writes the file
+        QCOMPARE(settings.file().value("language"), "it");        // used again when its file is back
         QLocale::setDefault(QLocale("en"));
     }
 };

@@ -117,16 +117,18 @@ private slots:
         rig.setup.moveStart(0, 15);
         rig.setup.toggleDay(1);
         rig.reasons.remove(0);
-        rig.setup.askAfter()->set(10);
-        rig.setup.idealRate()->set(10);
+        rig.panel.settings.setting(QStringLiteral("stops.ask_after_seconds"))->set(10);
+        rig.panel.settings.setting(QStringLiteral("stops.ideal_rate"))->set(10);
         QCOMPARE(rig.text("starts"), QStringLiteral("06:00 14:00 22:00"));
         QCOMPARE(rig.setup.workingDays().size(), 7);
         QCOMPARE(rig.reasons.rows()->count(), 8);
-        QCOMPARE(rig.setup.askAfter()->text(), QStringLiteral("60"));
+        QCOMPARE(rig.panel.settings.setting(QStringLiteral("stops.ask_after_seconds"))->text(),
+                 QStringLiteral("60"));
         rig.panel.machine.accessCheck().setLevel(panel::Level::Service);
-        rig.setup.askAfter()->set(10);
-        QCOMPARE(rig.setup.askAfter()->text(), QStringLiteral("10"));
-        QVERIFY(!rig.setup.askAfter()->check(0).isEmpty());
+        rig.panel.settings.setting(QStringLiteral("stops.ask_after_seconds"))->set(10);
+        QCOMPARE(rig.panel.settings.setting(QStringLiteral("stops.ask_after_seconds"))->text(),
+                 QStringLiteral("10"));
+        QVERIFY(!rig.panel.settings.setting(QStringLiteral("stops.ask_after_seconds"))->check(0).isEmpty());
     }
 
     void everyReasonOfTheStandardListHasWords()

@@ -75,7 +75,7 @@ private slots:
     void theBuildersIdealRateGoesFirst()
     {
         StopRig rig;
-        rig.stops->setup()->idealRate()->set(77.5);
+        rig.panel.settings.setting(QStringLiteral("stops.ideal_rate"))->set(77.5);
         run(rig);
         QCOMPARE(rig.logged().intervals.first().idealPerMin, 77.5);
     }
@@ -236,7 +236,7 @@ private slots:
     void aShiftHasItsFigures()
     {
         StopRig rig;
-        rig.stops->setup()->idealRate()->set(120);
+        rig.panel.settings.setting(QStringLiteral("stops.ideal_rate"))->set(120);
         run(rig);
         for (int i = 0; i < 100; ++i) {
             ++rig.panel.link.status.bagCount;

@@ -99,7 +99,7 @@ private slots:
     void everyBagIsKeptWithWhatIsKnownOfIt()
     {
         Rig rig;
-        rig.settings.setBagToleranceMm(0.2);
+        rig.settings.set("bags.tolerance_mm", panel::settingText(0.2));
         rig.connectRunning();
         rig.show();
         QCOMPARE(rig.trends.content(), Trends::NothingYet);

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+// One setting by its name in campanel.toml: label and value; a tap opens its choices or the keypad, for the level of its row.
+pragma ComponentBehavior: Bound
+import QtQuick
+import CamPanel.Controls
+import CamPanel.Panel
+
+SettingRow {
+    id: tile
+
+    required property string name
+    readonly property SettingField field: Settings.setting(name)
+    property var choices: field.choices    // {key, text, note} each
+    property string heading: field.label   // of what a tap opens
+
+    label: field.label
+    value: field.shown
+    onClicked: {
+        if (!Access.ask(tile.field.neededLevel))
+            return
+        if (tile.choices.length > 0)
+            Frame.open("Controls/ListPicker", { title: tile.heading, choices: tile.choices, current: tile.field.key, onChosen: key => tile.field.choose(key) })
+        else
+            Frame.open("Parts/ValueKeypad", { value: tile.field, label: tile.heading })
+    }
+}
