@@ -12,7 +12,8 @@ Item {
 
     signal moreRequested()
 
-    readonly property var ratios: [Editor.cutter.k1, Editor.cutter.k2, Editor.cutter.k3, Editor.cutter.k4]
+    readonly property list<string> fields: ["bag_length_mm", "rate_bags_per_min", "base_speed_mm_per_s", "film_speed_mm_per_s"]
+    readonly property var ratios: Array.from(["k1", "k2", "k3", "k4"], name => Editor.field(name))
     readonly property int columns: Theme.size.fieldColumns
     readonly property int rows: 4 / columns + 2
     readonly property real rowHeight: (height - (rows - 1) * Theme.size.spacing) / rows
@@ -23,11 +24,10 @@ Item {
         columns: inputs.columns
         spacing: Theme.size.spacing
         Repeater {
-            model: [Editor.cutter.bagLength, Editor.cutter.rate, Editor.cutter.baseSpeed, Editor.cutter.filmSpeed]
+            model: inputs.fields
             FieldTile {
-                required property var modelData
-                objectName: "field_" + field.fieldId
-                field: modelData as EditorField
+                required property string modelData
+                field: modelData
                 compact: inputs.columns > 1
                 width: (grid.width - (inputs.columns - 1) * grid.spacing) / inputs.columns
                 height: inputs.rowHeight

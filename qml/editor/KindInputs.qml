@@ -102,9 +102,8 @@ Item {
                     model: inputs.visible ? Editor.fields : []
                     FieldTile {
                         required property var modelData
-                        objectName: "field_" + field.fieldId
-                        field: modelData as EditorField
-                        visible: field.visible && inputs.has(field.group)
+                        item: modelData as EditorField
+                        visible: item.visible && inputs.has(item.group)
                         compact: inputs.columns > 1
                         width: inputs.cell
                         height: Theme.size.touch

@@ -29,10 +29,9 @@ CamSheet {
         model: [Editor.cam.knots.master, Editor.cam.knots.slave]
         FieldTile {
             required property var modelData
-            objectName: "field_" + field.fieldId
-            field: modelData as EditorField
+            item: modelData as EditorField
             compact: false
-            enabled: field.maximum > field.minimum
+            enabled: item.maximum > item.minimum
             width: parent?.width ?? 0
             height: Theme.size.touch + 2 * Theme.size.spacing  // its label may need two lines
         }

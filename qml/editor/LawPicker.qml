@@ -76,7 +76,7 @@ Sheet {
             model: [Editor.lawParameter1, Editor.lawParameter2]
             FieldTile {
                 required property var modelData
-                field: modelData as EditorField
+                item: modelData as EditorField
                 compact: false
                 width: (parameters.width - parameters.spacing) / 2
                 height: parameters.height

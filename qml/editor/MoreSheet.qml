@@ -96,22 +96,20 @@ Sheet {
                 onClicked: Frame.open("Download/ProofSheet", {})
             }
             FieldTile {
-                objectName: "field_" + field.fieldId
                 visible: sheet.isCutter
-                field: Editor.cutter.minSealTime
+                field: "min_seal_time_ms"
                 compact: false
                 width: sheet.half
             }
             FieldTile {
                 visible: sheet.isCutter
-                field: Editor.cutter.syncRatio
+                field: "sync_ratio"
                 compact: false
                 width: sheet.half
             }
             FieldTile {
-                objectName: "field_" + field.fieldId
                 visible: sheet.isCutter
-                field: Editor.cutter.rampSlices
+                field: "slices_per_ramp"
                 compact: false
                 width: sheet.half
             }

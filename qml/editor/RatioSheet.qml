@@ -11,7 +11,7 @@ import CamPanel.Parts
 Sheet {
     id: sheet
 
-    readonly property var ratios: [Editor.cutter.k1, Editor.cutter.k2, Editor.cutter.k3, Editor.cutter.k4]
+    readonly property var ratios: Array.from(["k1", "k2", "k3", "k4"], name => Editor.field(name))
 
     objectName: "ratioSheet"
     beside: true

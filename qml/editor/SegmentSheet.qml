@@ -37,8 +37,7 @@ CamSheet {
         model: Editor.cam.segments.fields
         FieldTile {
             required property var modelData
-            objectName: "field_" + field.fieldId
-            field: modelData as EditorField
+            item: modelData as EditorField
             compact: false
             width: parent?.width ?? 0
         }

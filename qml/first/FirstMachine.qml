@@ -26,8 +26,8 @@ Item {
         delegate: FieldTile {
             required property int index
             required property var modelData
-            objectName: "first_" + field.fieldId
-            field: modelData as EditorField
+            objectName: "first_" + item.fieldId
+            item: modelData as EditorField
             compact: false
             width: list.width - 2 * Theme.size.accent
             height: step.rowHeight

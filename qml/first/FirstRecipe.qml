@@ -34,13 +34,13 @@ Item {
             spacing: Theme.size.spacing
             FieldTile {
                 objectName: "first_bagLength"
-                field: Editor.cutter.bagLength
+                field: "bag_length_mm"
                 compact: false
                 width: step.half
             }
             FieldTile {
                 objectName: "first_rate"
-                field: Editor.cutter.rate
+                field: "rate_bags_per_min"
                 compact: false
                 width: step.half
             }

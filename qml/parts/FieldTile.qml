@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// One number of the recipe or the machine; a tap edits it, a held finger explains it.
+// One number of the recipe or the machine by its name in recipe files, or an item of a list; a tap edits it, a held finger
+// explains it.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Controls
@@ -8,14 +9,16 @@ import CamPanel.Panel
 Field {
     id: tile
 
-    required property EditorField field
+    property string field
+    property EditorField item: Editor.field(field)
 
-    label: field.label
-    value: field.text
-    unit: field.unit
-    pinned: field.pinned
-    derived: field.derived
-    visible: field.visible
-    onClicked: Frame.edit([tile.field], 0, tile)
-    onExplain: Frame.open("Explain/ExplanationSheet", { field: tile.field })
+    objectName: "field_" + item.fieldId
+    label: item.label
+    value: item.text
+    unit: item.unit
+    pinned: item.pinned
+    derived: item.derived
+    visible: item.visible
+    onClicked: Frame.edit([tile.item], 0, tile)
+    onExplain: Frame.open("Explain/ExplanationSheet", { field: tile.item })
 }

@@ -47,12 +47,11 @@ SettingsSection {
                 model: Editor.machineFields
                 FieldTile {
                     required property var modelData
-                    objectName: "field_" + field.fieldId
-                    field: modelData as EditorField
+                    item: modelData as EditorField
                     compact: false
                     width: column.width
                     height: section.rowHeight
-                    onClicked: section.chosen = field
+                    onClicked: section.chosen = item
                 }
             }
             SettingRow {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Names in texts of QML, each found where it stands for something: a sheet that is opened by its file, with
-// its properties and signals, a page, a setting. A misspelt one fails here and not on the screen.
+// its properties and signals, a page, a setting, a field. A misspelt one fails here and not on the screen.
 #include "source_files.h"
 #include "tests/support/test_program.h"
 
@@ -147,6 +147,17 @@ QStringList settingsIn(const QString& text)
     return names;
 }
 
+// Returns the names of recipe fields, as `FieldTile` and `Editor.field()` have them, also in lists.
+QStringList fieldsIn(const QString& text)
+{
+    static const QRegularExpression name(
+        uR"(\bfields?: (\x22[^\x22]*\x22|\[\x22[^]]*\])|Editor\.field\((\x22[^\x22]*\x22)\)|(\[\x22[^]]*\]), \w+ => Editor\.field\b)"_s);
+    QStringList names;
+    for (const QRegularExpressionMatch& match : name.globalMatch(text))
+        names += textsIn(match.captured(match.lastCapturedIndex()));
+    return names;
+}
+
 } // namespace
 
 class TestNames : public QObject {
@@ -222,6 +233,24 @@ private slots:
                             "value: Settings.setting(\"display.glove\").key"_s),
                  QStringList({u"display.teme"_s, u"display.glove"_s}));
         QVERIFY(!table.contains(u".name = \"display.teme\""_s));
+    }
+
+    void everyFieldHasItsRow()
+    {
+        const QString rows = textOf(u"profile/model/fields.h"_s);
+        int named = 0;
+        for (const QString& path : filesBelow({u"qml"_s}, {u"*.qml"_s})) {
+            for (const QString& name : fieldsIn(textOf(path))) {
+                QVERIFY2(rows.contains(u"\"%1\""_s.arg(name)), qPrintable(path + u": "_s + name));
+                ++named;
+            }
+        }
+        QVERIFY(named > 15);
+        QCOMPARE(
+            fieldsIn(
+                u"field: \"bag_lenght\"; fields: [\"k1\", \"k5\"]\nEditor.field(\"k6\"), Array.from([\"k7\"], name => Editor.field(name))"_s),
+            QStringList({u"bag_lenght"_s, u"k1"_s, u"k5"_s, u"k6"_s, u"k7"_s}));
+        QVERIFY(!rows.contains(u"\"bag_lenght\""_s));
     }
 
     void plantedNameIsFound_data()

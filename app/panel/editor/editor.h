@@ -38,7 +38,7 @@ class Editor : public QObject, public Singleton<Editor> {
     QML_ELEMENT
     QML_SINGLETON
 
-    Q_PROPERTY(campanel::panel::CutterFields cutter READ cutter CONSTANT FINAL)
+    Q_PROPERTY(campanel::panel::CutterParts cutter READ cutter CONSTANT FINAL)
     Q_PROPERTY(campanel::panel::EditorPlot plot READ plot NOTIFY solutionChanged FINAL)
     Q_PROPERTY(campanel::panel::ProgramDownload* programDownload READ programDownload CONSTANT FINAL)
     Q_PROPERTY(campanel::panel::EditorField* lawParameter1 READ lawParameter1 CONSTANT FINAL)
@@ -102,16 +102,16 @@ public:
     [[nodiscard]] EditorField* k1() { return item(profile::Field::K1); }
     [[nodiscard]] EditorField* k2() { return item(profile::Field::K2); }
     [[nodiscard]] EditorField* k3() { return item(profile::Field::K3); }
-    [[nodiscard]] EditorField* k4() { return item(profile::Field::K4); }
-    [[nodiscard]] EditorField* syncRatio() { return item(profile::Field::SyncRatio); }
     [[nodiscard]] EditorField* rampSlices() { return item(profile::Field::SlicesPerRamp); }
     [[nodiscard]] EditorField* minSealTime() { return item(profile::Field::MinSealTime); }
-    [[nodiscard]] CutterFields cutter();
+    [[nodiscard]] CutterParts cutter();
     [[nodiscard]] EditorPlot plot() const;
     [[nodiscard]] ProgramDownload* programDownload() { return &m_download; }
     [[nodiscard]] EditorField* lawParameter1() { return &m_lawParameter1; }
     [[nodiscard]] EditorField* lawParameter2() { return &m_lawParameter2; }
 
+    // Returns the field with that name in recipe files, for QML.
+    [[nodiscard]] Q_INVOKABLE campanel::panel::EditorField* field(const QString& name);
     [[nodiscard]] EditorField* item(profile::Field field)
     {
         return m_fields[static_cast<std::size_t>(field)];

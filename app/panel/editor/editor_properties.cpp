@@ -42,10 +42,15 @@ QString Editor::suggestionText() const
     return suggestion() ? RefusalSentences::suggestion(*suggestion()) : QString();
 }
 
-CutterFields Editor::cutter()
+CutterParts Editor::cutter()
 {
-    return {bagLength(), rate(),      baseSpeed(),  filmSpeed(),   k1(),    k2(), k3(),
-            k4(),        syncRatio(), rampSlices(), minSealTime(), ramps(), map()};
+    return {ramps(), map()};
+}
+
+EditorField* Editor::field(const QString& name)
+{
+    const std::optional<profile::Field> field = profile::fieldById(name.toStdString());
+    return field ? item(*field) : nullptr;
 }
 
 EditorPlot Editor::plot() const

@@ -18,36 +18,14 @@
 
 namespace campanel::panel {
 
-// `Editor.cutter` in QML: the fields of a rotary cutter by name, its ratios and its regime map.
-struct CutterFields {
+// `Editor.cutter` in QML: the ratios of a rotary cutter and its regime map.
+struct CutterParts {
     Q_GADGET
-    QML_VALUE_TYPE(cutterFields)
-    Q_PROPERTY(campanel::panel::EditorField* bagLength MEMBER bagLength CONSTANT FINAL)
-    Q_PROPERTY(campanel::panel::EditorField* rate MEMBER rate CONSTANT FINAL)
-    Q_PROPERTY(campanel::panel::EditorField* baseSpeed MEMBER baseSpeed CONSTANT FINAL)
-    Q_PROPERTY(campanel::panel::EditorField* filmSpeed MEMBER filmSpeed CONSTANT FINAL)
-    Q_PROPERTY(campanel::panel::EditorField* k1 MEMBER k1 CONSTANT FINAL)
-    Q_PROPERTY(campanel::panel::EditorField* k2 MEMBER k2 CONSTANT FINAL)
-    Q_PROPERTY(campanel::panel::EditorField* k3 MEMBER k3 CONSTANT FINAL)
-    Q_PROPERTY(campanel::panel::EditorField* k4 MEMBER k4 CONSTANT FINAL)
-    Q_PROPERTY(campanel::panel::EditorField* syncRatio MEMBER syncRatio CONSTANT FINAL)
-    Q_PROPERTY(campanel::panel::EditorField* rampSlices MEMBER rampSlices CONSTANT FINAL)
-    Q_PROPERTY(campanel::panel::EditorField* minSealTime MEMBER minSealTime CONSTANT FINAL)
+    QML_VALUE_TYPE(cutterParts)
     Q_PROPERTY(campanel::panel::RampControl* ramps MEMBER ramps CONSTANT FINAL)
     Q_PROPERTY(campanel::panel::CutterMap* map MEMBER map CONSTANT FINAL)
 
 public:
-    EditorField* bagLength = nullptr;
-    EditorField* rate = nullptr;
-    EditorField* baseSpeed = nullptr;
-    EditorField* filmSpeed = nullptr;
-    EditorField* k1 = nullptr;
-    EditorField* k2 = nullptr;
-    EditorField* k3 = nullptr;
-    EditorField* k4 = nullptr;
-    EditorField* syncRatio = nullptr;
-    EditorField* rampSlices = nullptr;
-    EditorField* minSealTime = nullptr;
     RampControl* ramps = nullptr;
     CutterMap* map = nullptr;
 };
