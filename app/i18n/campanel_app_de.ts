@@ -4271,26 +4271,6 @@ eff. %2</translation>
     </message>
 </context>
 <context>
-    <name>campanel::panel::AxisSpeed</name>
-    <message>
-        <source>Jog speed</source>
-        <translation>Tippgeschw.</translation>
-    </message>
-    <message>
-        <source>Homing speed</source>
-        <translation>Referenzgeschw.</translation>
-    </message>
-    <message>
-        <source>%1 Hz</source>
-        <translation>%1 Hz</translation>
-    </message>
-    <message>
-        <source>%1 · %2 mm/s</source>
-        <comment>1,000 Hz · 3.1 mm/s</comment>
-        <translation>%1 · %2 mm/s</translation>
-    </message>
-</context>
-<context>
     <name>campanel::panel::Backup</name>
     <message>
         <source>The database could not be opened: a backup would be empty. Correct this first, then restart the panel.</source>
@@ -6063,6 +6043,22 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
     <message>
         <source>The mark distance is %1 mm (± %2 mm), the recipe cuts %3 mm.</source>
         <translation>Der Markenabstand ist %1 mm (± %2 mm), das Rezept schneidet %3 mm.</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::ParameterField</name>
+    <message>
+        <source>%1 · %2 mm/s</source>
+        <comment>1,000 Hz · 3.1 mm/s</comment>
+        <translation>%1 · %2 mm/s</translation>
+    </message>
+    <message>
+        <source>Jog speed</source>
+        <translation>Tippgeschw.</translation>
+    </message>
+    <message>
+        <source>Homing speed</source>
+        <translation>Referenzgeschw.</translation>
     </message>
 </context>
 <context>

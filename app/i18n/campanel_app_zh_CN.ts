@@ -4269,26 +4269,6 @@ RMS %2</source>
     </message>
 </context>
 <context>
-    <name>campanel::panel::AxisSpeed</name>
-    <message>
-        <source>Jog speed</source>
-        <translation>点动速度</translation>
-    </message>
-    <message>
-        <source>Homing speed</source>
-        <translation>回零速度</translation>
-    </message>
-    <message>
-        <source>%1 Hz</source>
-        <translation>%1 Hz</translation>
-    </message>
-    <message>
-        <source>%1 · %2 mm/s</source>
-        <comment>1,000 Hz · 3.1 mm/s</comment>
-        <translation>%1 · %2 mm/s</translation>
-    </message>
-</context>
-<context>
     <name>campanel::panel::Backup</name>
     <message>
         <source>The database could not be opened: a backup would be empty. Correct this first, then restart the panel.</source>
@@ -6061,6 +6041,22 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
     <message>
         <source>The mark distance is %1 mm (± %2 mm), the recipe cuts %3 mm.</source>
         <translation>色标间距 %1 mm（± %2 mm），配方袋长 %3 mm。</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::ParameterField</name>
+    <message>
+        <source>%1 · %2 mm/s</source>
+        <comment>1,000 Hz · 3.1 mm/s</comment>
+        <translation>%1 · %2 mm/s</translation>
+    </message>
+    <message>
+        <source>Jog speed</source>
+        <translation>点动速度</translation>
+    </message>
+    <message>
+        <source>Homing speed</source>
+        <translation>回零速度</translation>
     </message>
 </context>
 <context>

@@ -13,16 +13,6 @@ MaintenanceSection {
     readonly property Homing homing: Maintenance.homing
     readonly property bool good: section.homing.place === Homing.Place.Homed || section.homing.place === Homing.Place.NotNeeded
 
-    onShownChanged: shown => {
-        if (shown)
-            section.homing.speed.read()
-    }
-    Connections {
-        target: Controller
-        enabled: section.visible
-        function onConnectionChanged() { section.homing.speed.read() }
-    }
-
     Row {
         id: state
         anchors { left: parent.left; right: key.left; rightMargin: Theme.size.padding; top: parent.top }
@@ -60,9 +50,9 @@ MaintenanceSection {
         objectName: "homingResult"
         anchors { left: parent.left; right: key.left; rightMargin: Theme.size.padding; bottom: speed.top; bottomMargin: Theme.size.spacing }
         wrapMode: Text.WordWrap
-        text: section.homing.speed.failure.length > 0 ? section.homing.speed.failure
+        text: speedTile.field.failure.length > 0 ? speedTile.field.failure
             : !section.homing.possible ? section.homing.blockedReason : section.homing.resultText
-        color: section.homing.failed || !section.homing.possible || section.homing.speed.failure.length > 0 ? Theme.color.warning : Theme.color.good
+        color: section.homing.failed || !section.homing.possible || speedTile.field.failure.length > 0 ? Theme.color.warning : Theme.color.good
         font.weight: Font.DemiBold
     }
     Row {
@@ -77,16 +67,12 @@ MaintenanceSection {
             label: qsTr("Position since homing")
             value: !section.good || isNaN(Controller.live.positionMm) ? Theme.unknownText : qsTr("%1 mm").arg(Theme.number(Controller.live.positionMm, 2))
         }
-        SettingRow {
+        ParameterTile {
+            id: speedTile
             objectName: "homingSpeed"
             visible: section.homing.moves
             width: speed.cell
-            label: section.homing.speed.value.label
-            value: section.homing.speed.text
-            onClicked: {
-                if (Access.ask(Access.Technician))
-                    Frame.open("Parts/ValueKeypad", { value: section.homing.speed.value })
-            }
+            name: "parameter.home_frequency"
         }
     }
     CommandKey {

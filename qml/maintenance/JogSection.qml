@@ -17,9 +17,7 @@ MaintenanceSection {
     readonly property bool inFront: Window.active
 
     onShownChanged: shown => {
-        if (shown)
-            section.jog.speed.read()
-        else
+        if (!shown)
             section.jog.letGo()
     }
     onCoveredChanged: {
@@ -29,11 +27,6 @@ MaintenanceSection {
     onInFrontChanged: {
         if (!inFront)
             section.jog.letGo()
-    }
-    Connections {
-        target: Controller
-        enabled: section.visible
-        function onConnectionChanged() { section.jog.speed.read() }
     }
 
     Row {
@@ -57,15 +50,11 @@ MaintenanceSection {
             label: Controller.fresh ? qsTr("%1 Hz now").arg(Theme.count(Controller.live.pulseFrequencyHz, 0)) : qsTr("State")
             value: Controller.stateText
         }
-        SettingRow {
+        ParameterTile {
+            id: speed
             objectName: "jogSpeed"
             width: values.cell
-            label: section.jog.speed.value.label
-            value: section.jog.speed.text
-            onClicked: {
-                if (Access.ask(Access.Technician))
-                    Frame.open("Parts/ValueKeypad", { value: section.jog.speed.value })
-            }
+            name: "parameter.jog_frequency"
         }
     }
     Row {
@@ -86,8 +75,8 @@ MaintenanceSection {
             wrapMode: Text.WordWrap
             fontSizeMode: Text.Fit
             minimumPixelSize: Theme.size.caption - 2
-            text: section.jog.speed.failure.length > 0 ? section.jog.speed.failure : section.jog.text
-            color: section.jog.blocked || section.jog.speed.failure.length > 0 ? Theme.color.warning : Theme.color.ink
+            text: speed.field.failure.length > 0 ? speed.field.failure : section.jog.text
+            color: section.jog.blocked || speed.field.failure.length > 0 ? Theme.color.warning : Theme.color.ink
         }
     }
     Row {

@@ -125,7 +125,9 @@ private slots:
         for (const char* name : {"nav_maintenance", "maintenanceMachine", "maintenanceJog"})
             panel.tap(name);
         panel::Jog& jog = *panel.maintenance().jog();
-        QTRY_COMPARE_WITH_TIMEOUT(jog.speed()->frequencyHz(), 1000.0, timeoutMs);
+        QTRY_COMPARE_WITH_TIMEOUT(
+            panel.controller().parameterField(QStringLiteral("parameter.jog_frequency"))->value(), 1000.0,
+            timeoutMs);
         panel.touchDriver().touch(QStringLiteral("jogForward"));
         QTRY_VERIFY_WITH_TIMEOUT(jog.positionPulses() > 500, timeoutMs); // longer than the validity of a key
         QCOMPARE(panel.controller().state(), Controller::State::Jogging);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Names in texts of QML, each found where it stands for something: a sheet that is opened by its file, with
-// its properties and signals, a page, a setting, a field. A misspelt one fails here and not on the screen.
+// its properties and signals, a page, a setting, a field, a parameter. A misspelt one fails here and not on
+// the screen.
 #include "source_files.h"
 #include "tests/support/test_program.h"
 
@@ -147,6 +148,17 @@ QStringList settingsIn(const QString& text)
     return names;
 }
 
+// Returns the names of parameters, as `ParameterTile` and `Controller.parameterField()` have them.
+QStringList parametersIn(const QString& text)
+{
+    static const QRegularExpression name(
+        uR"(\bParameterTile \{[^{}]*?\bname: \x22([^\x22]*)\x22|Controller\.parameterField\(\x22([^\x22]*)\x22\))"_s);
+    QStringList names;
+    for (const QRegularExpressionMatch& match : name.globalMatch(text))
+        names << match.captured(match.lastCapturedIndex());
+    return names;
+}
+
 // Returns the names of recipe fields, as `FieldTile` and `Editor.field()` have them, also in lists.
 QStringList fieldsIn(const QString& text)
 {
@@ -251,6 +263,26 @@ private slots:
                 u"field: \"bag_lenght\"; fields: [\"k1\", \"k5\"]\nEditor.field(\"k6\"), Array.from([\"k7\"], name => Editor.field(name))"_s),
             QStringList({u"bag_lenght"_s, u"k1"_s, u"k5"_s, u"k6"_s, u"k7"_s}));
         QVERIFY(!rows.contains(u"\"bag_lenght\""_s));
+    }
+
+    void everyParameterHasItsRow()
+    {
+        const QString table = textOf(u"app/panel/controller/parameter_table.h"_s);
+        const QString map = textOf(u"modbus/map/register_map.cpp"_s);
+        int named = 0;
+        for (const QString& path : filesBelow({u"qml"_s}, {u"*.qml"_s})) {
+            for (const QString& name : parametersIn(textOf(path))) {
+                QVERIFY2(table.contains(u"\"%1\""_s.arg(name)) && map.contains(u"\"%1\""_s.arg(name)),
+                         qPrintable(path + u": "_s + name));
+                ++named;
+            }
+        }
+        QVERIFY(named >= 2);
+        QCOMPARE(
+            parametersIn(
+                u"ParameterTile {\n    name: \"parameter.jog\"\n}\nController.parameterField(\"parameter.gog\")"_s),
+            QStringList({u"parameter.jog"_s, u"parameter.gog"_s}));
+        QVERIFY(!table.contains(u"\"parameter.gog\""_s));
     }
 
     void plantedNameIsFound_data()

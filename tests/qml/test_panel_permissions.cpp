@@ -49,6 +49,7 @@ const QList<Harmless>& harmless()
           u"ReasonEditor::problemOf"_s,
           u"Scan::prefixProblem"_s,
           u"Settings::setting"_s,
+          u"Controller::parameterField"_s,
           u"SoftwareUpdate::actionOf"_s,
           u"SystemClock::zonesOf"_s,
           u"SystemNetwork::label"_s,
@@ -68,7 +69,7 @@ const QList<Harmless>& harmless()
           u"Audit::check"_s,
           u"Audit::who="_s,
           u"Audit::area="_s,
-          u"AxisSpeed::read"_s,
+          u"ParameterField::read"_s,
           u"CamHandles::selected="_s,
           u"CamSwitches::choose"_s,
           u"CutterMap::watched="_s,
@@ -317,6 +318,8 @@ class TestPanelPermissions : public test::PanelTest {
             reached.visit(engine.property(key));
         for (const panel::SettingRow& row : panel::settingTable)
             reached.visit(m_window->panel().settings().setting(QString::fromLatin1(row.name)));
+        for (const panel::ParameterRow& row : panel::parameterTable)
+            reached.visit(m_window->panel().controller().parameterField(QString::fromLatin1(row.name)));
         for (QObject* object : reached.objects()) {
             for (const QMetaObject* type = object->metaObject(); type != &QObject::staticMetaObject;
                  type = type->superClass()) {

@@ -7,6 +7,7 @@
 #include "app/panel/words/controller_sentences.h"
 #include "app/panel/words/register_words.h"
 
+#include <algorithm>
 #include <utility>
 
 using namespace std::chrono_literals;
@@ -294,6 +295,17 @@ Parameter& Controller::parameter(std::string_view name)
     if (!parameter)
         parameter = new Parameter(*this, *info);
     return *parameter;
+}
+
+ParameterField* Controller::parameterField(const QString& name)
+{
+    const auto row = std::ranges::find(parameterTable, name.toStdString(), &ParameterRow::name);
+    if (row == parameterTable.end())
+        return nullptr;
+    ParameterField*& field = m_parameterFields[row->name];
+    if (!field)
+        field = new ParameterField(*this, *row);
+    return field;
 }
 
 bool Controller::writeParameter(const modbus::RegisterInfo& info, double value, const Parameter::Reply& reply)

@@ -11,11 +11,11 @@
 #include "app/panel/controller/controller_values.h"
 #include "app/panel/controller/master_direction.h"
 #include "app/panel/controller/packing_line.h"
-#include "app/panel/controller/telemetry.h"
-#include "app/panel/controller/parameter.h"
+#include "app/panel/controller/parameter_field.h"
 #include "app/panel/controller/start_permit.h"
 #include "app/panel/controller/status_rate.h"
 #include "app/panel/controller/stroke_model.h"
+#include "app/panel/controller/telemetry.h"
 #include "app/panel/controller/torque_watch.h"
 #include "app/panel/kit/access_check.h"
 #include "app/panel/kit/numbers.h"
@@ -178,6 +178,8 @@ public:
     void send(modbus::Command command, const modbus::CommandArguments& arguments = {});
     // Returns the parameter with a name of the register table.
     [[nodiscard]] Parameter& parameter(std::string_view name);
+    // Returns the parameter with that name of the table, for QML.
+    [[nodiscard]] Q_INVOKABLE campanel::panel::ParameterField* parameterField(const QString& name);
     // Writes a parameter; for technicians. Returns false, without a reply, when the access check refuses.
     bool writeParameter(const modbus::RegisterInfo& info, double value, const Parameter::Reply& reply);
 
@@ -242,7 +244,8 @@ private:
     bool m_hasStopWaited = false;                    // the last Stop had to wait for the line
     quint32 m_lastRequestId = 0;
     std::optional<link::SteadyTime> m_stopPressedAt;
-    std::map<std::string_view, Parameter*> m_parameters; // children
+    std::map<std::string_view, Parameter*> m_parameters;           // children
+    std::map<std::string_view, ParameterField*> m_parameterFields; // children
     QString m_commandMessage;
     MasterDirection m_direction{*this};
     Telemetry m_telemetry{this};

@@ -19,7 +19,6 @@ Kind kindOf(const Controller& controller)
 Homing::Homing(Controller& controller, QObject* parent)
     : QObject(parent)
     , m_controller(controller)
-    , m_speed(controller, AxisSpeed::Use::Home, this)
 {
     for (const auto trigger :
          {&Controller::stateChanged, &Controller::freshChanged, &Controller::connectionChanged})

@@ -3,7 +3,6 @@
 // last time.
 #pragma once
 
-#include "app/panel/controller/axis_speed.h"
 
 #include <QObject>
 #include <QtQml/qqmlregistration.h>
@@ -31,7 +30,6 @@ class Homing : public QObject {
     Q_PROPERTY(bool failed READ failed NOTIFY changed FINAL)
     // True when homing moves the axis; on a press nothing moves.
     Q_PROPERTY(bool moves READ moves NOTIFY changed FINAL)
-    Q_PROPERTY(campanel::panel::AxisSpeed* speed READ speed CONSTANT FINAL)
 
 public:
     enum class Place { Unknown, Homed, NotHomed, NotNeeded };
@@ -51,7 +49,6 @@ public:
     [[nodiscard]] QString resultText() const;
     [[nodiscard]] bool failed() const;
     [[nodiscard]] bool moves() const;
-    [[nodiscard]] AxisSpeed* speed() { return &m_speed; }
 
     // Calls Controller::home(), when nothing blocks it.
     Q_INVOKABLE void home();
@@ -69,7 +66,6 @@ private:
     void end(Result result);
 
     Controller& m_controller;
-    AxisSpeed m_speed;
     Result m_result = Result::None;
     bool m_wasStopping = false;
 };

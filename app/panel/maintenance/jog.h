@@ -4,7 +4,6 @@
 // released first.
 #pragma once
 
-#include "app/panel/controller/axis_speed.h"
 
 #include <QObject>
 #include <QTimer>
@@ -28,7 +27,6 @@ class Jog : public QObject {
     Q_PROPERTY(QString forwardNote READ forwardNote NOTIFY changed FINAL)
     Q_PROPERTY(QString reverseNote READ reverseNote NOTIFY changed FINAL)
     Q_PROPERTY(double positionPulses READ positionPulses NOTIFY positionChanged FINAL)
-    Q_PROPERTY(campanel::panel::AxisSpeed* speed READ speed CONSTANT FINAL)
 
 public:
     // The reason for the end of a jog.
@@ -44,7 +42,6 @@ public:
     [[nodiscard]] QString forwardNote() const;
     [[nodiscard]] QString reverseNote() const;
     [[nodiscard]] double positionPulses() const;
-    [[nodiscard]] AxisSpeed* speed() { return &m_speed; }
 
     // Handle a finger on a key, down and up; direction 1 or -1. For technicians.
     Q_INVOKABLE void press(int direction);
@@ -70,7 +67,6 @@ private:
     void reportEnd();
 
     Controller& m_controller;
-    AxisSpeed m_speed;
     QTimer m_repeatTimer;
     QTimer m_patienceTimer; // limits the wait for a controller that does not move
     QTimer m_settleTimer;   // until the axis stands still

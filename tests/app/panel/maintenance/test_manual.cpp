@@ -302,18 +302,18 @@ private slots:
     {
         PanelRig rig;
         rig.connectIdle();
-        panel::AxisSpeed& speed = *rig.maintenance.jog()->speed();
-        QCOMPARE(speed.text(), QStringLiteral("--"));
+        panel::ParameterField& speed = *rig.machine.parameterField("parameter.jog_frequency");
+        QCOMPARE(speed.shown(), QStringLiteral("--"));
         speed.read();
         QCOMPARE(rig.link.parameters.last().name, std::string("parameter.jog_frequency"));
         emit rig.link.parameterEnded({rig.link.parameters.last().id, "parameter.jog_frequency",
                                       link::ParameterEnd::Done, 1000, std::nullopt});
-        QCOMPARE(speed.text(), QStringLiteral("1000 Hz"));
-        speed.value()->set(2500);
+        QCOMPARE(speed.shown(), QStringLiteral("1000 Hz"));
+        speed.set(2500);
         QCOMPARE(rig.link.parameters.last().value, 2500.0);
         emit rig.link.parameterEnded({rig.link.parameters.last().id, "parameter.jog_frequency",
                                       link::ParameterEnd::OutcomeUnknown, std::nullopt, std::nullopt});
-        QVERIFY(std::isnan(speed.frequencyHz()));
+        QVERIFY(std::isnan(speed.value()));
         QVERIFY(!speed.failure().isEmpty());
     }
 

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/panel/controller/parameter_field.h"
+
+#include "app/panel/controller/controller.h"
+#include "app/panel/kit/format.h"
+#include "app/panel/kit/language_notifier.h"
+#include "app/panel/words/connection_sentences.h"
+#include "app/panel/words/register_words.h"
+
+namespace campanel::panel {
+
+ParameterField::ParameterField(Controller& controller, const ParameterRow& row)
+    : Value(&controller)
+    , m_controller(controller)
+    , m_row(row)
+    , m_parameter(controller.parameter(row.name))
+{
+    connect(&m_parameter, &Parameter::changed, this, &ParameterField::update);
+    connect(LanguageNotifier::ofApplication(), &LanguageNotifier::languageChanged, this,
+            &ParameterField::update);
+    connect(this, &Value::setRequested, this, &ParameterField::write);
+    connect(&controller, &Controller::programChanged, this, &ParameterField::shownChanged);
+    update();
+}
+
+QString ParameterField::shown() const
+{
+    const std::optional<double> value = m_parameter.value();
+    if (!value)
+        return Format::unknownText();
+    const Format format;
+    const QString number =
+        format.grouped(*value, RegisterWords::decimals(m_parameter.info())) + QLatin1Char(' ') + unit();
+    const auto& program = m_controller.program();
+    if (m_parameter.info().unit != "Hz" || !program || program->pulsesPerMm <= 0)
+        return number;
+    return tr("%1 · %2 mm/s", "1,000 Hz · 3.1 mm/s")
+        .arg(number, format.number(*value / program->pulsesPerMm, 1));
+}
+
+void ParameterField::update()
+{
+    const modbus::RegisterInfo& info = m_parameter.info();
+    const int decimals = RegisterWords::decimals(info);
+    show({tr(m_row.label), QString::fromUtf8(info.unit.data(), static_cast<qsizetype>(info.unit.size())),
+          Format().number(value(), decimals), info.minimum, info.maximum, info.defaultValue, decimals});
+    emit shownChanged();
+}
+
+void ParameterField::write(double value)
+{
+    m_failure.clear();
+    m_parameter.write(value, {this, [this](const link::ParameterOutcome& outcome) {
+                                  m_failure = ConnectionSentences::parameter(label(), outcome);
+                                  emit shownChanged();
+                              }});
+    emit shownChanged();
+}
+
+} // namespace campanel::panel
