@@ -65,10 +65,8 @@ std::vector<double> filterMs(const QString& folder)
     hour.fromMs = 1'700'000'000'000 + 500'000'000;
     hour.toMs = hour.fromMs + 3'600'000;
     for (const store::LogFilter& filter : {word, id, hour}) {
-        store::AuditFilter audit;
-        audit.log = filter;
-        timed([&] { return store::AlarmLog::page(**database, 0, store::AlarmLog::pageRows, filter); });
-        timed([&] { return store::readAudit(**database, audit, std::nullopt, 100); });
+        timed([&] { return store::alarmTable().page(**database, 0, store::logPageRows, filter); });
+        timed([&] { return store::auditTable().page(**database, 0, 100, filter); });
     }
     return times;
 }

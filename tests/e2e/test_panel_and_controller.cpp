@@ -179,7 +179,7 @@ void TestPanelAndController::aScanChangesOver()
     panel.panel().records().store().run(
         &panel.panel(),
         [](store::Database& database) {
-            return store::readAudit(database, {{}, QStringLiteral("film")}, {}, 10);
+            return store::auditTable().page(database, 0, 10, {.area = QStringLiteral("film")});
         },
         [&films](const auto& rows) {
             for (const store::AuditRow& row : rows.value())

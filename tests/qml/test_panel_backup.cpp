@@ -128,8 +128,8 @@ private slots:
         QVERIFY2(next.records().notice().startsWith(u"The backup has been restored."),
                  qPrintable(next.records().notice()));
         QTRY_COMPARE(next.access().users().size(), 1);
-        const auto rows = inStore(
-            next, [](store::Database& database) { return store::readAudit(database, {}, std::nullopt, 1); });
+        const auto rows =
+            inStore(next, [](store::Database& database) { return store::auditTable().page(database, 0, 1); });
         QCOMPARE(rows->first().entry.what, u"backup.restored"_s);
         QCOMPARE(rows->first().entry.who, u"Anna"_s);
         QVERIFY(!rows->first().entry.before.isEmpty());

@@ -2,7 +2,7 @@
 #include "app/panel/alarms/alarm_history.h"
 
 #include "app/panel/records/database_service.h"
-#include "app/store/logs/log_export.h"
+#include "app/store/logs/alarm_log.h"
 
 #include <QPointer>
 
@@ -74,7 +74,7 @@ void AlarmHistory::read()
     m_records.store().run(
         this,
         [before, filter = m_readFilter](store::Database& database) {
-            return AlarmLog::page(database, before, AlarmLog::pageRows, filter);
+            return store::alarmTable().page(database, before, store::logPageRows, filter);
         },
         [this, round = m_round](const tl::expected<QList<AlarmRow>, store::StoreError>& page) {
             if (round != m_round)
@@ -88,7 +88,7 @@ void AlarmHistory::read()
 void AlarmHistory::takePage(const QList<AlarmRow>& page)
 {
     m_isReading = false;
-    m_isAtEnd = page.size() < AlarmLog::pageRows;
+    m_isAtEnd = page.size() < store::logPageRows;
     m_rows.setHasMore(!m_isAtEnd);
     QList<AlarmListRow> rows;
     for (const AlarmRow& row : page)
@@ -133,7 +133,7 @@ void AlarmHistory::applyRow(const AlarmRow& row)
         m_rows.setRow(at, {row, m_today});
         return;
     }
-    if (at > 0 || (m_rows.count() == 0 && !m_isAtEnd) || !AlarmLog::includes(m_readFilter, row))
+    if (at > 0 || (m_rows.count() == 0 && !m_isAtEnd) || !store::alarmTable().includes(m_readFilter, row))
         return; // already deleted, on a page that was not read yet, or filtered
     m_rows.insert(0, {{row, m_today}});
     m_rows.remove(AlarmLog::capacity, m_rows.count() - AlarmLog::capacity);
@@ -147,15 +147,15 @@ void AlarmHistory::exportCsv(ReportFiles* files)
     m_records.store().run(
         this,
         [filter = logFilter(), dialect = store::spreadsheetDialect()](store::Database& database) {
-            return store::alarmsCsv(database, filter, dialect);
+            return store::alarmTable().csv(database, filter, dialect);
         },
-        [this, files = QPointer(files)](const tl::expected<QByteArray, store::StoreError>& csv) {
+        [this, files = QPointer(files)](const tl::expected<store::LogCsv, store::StoreError>& csv) {
             m_isExporting = false;
             emit changed();
             if (!csv) {
                 m_records.reportError(csv.error());
             } else if (files) {
-                files->offer({{tr("alarms"), u"csv"_s, [text = *csv] { return text; }}});
+                files->offer({{tr("alarms"), u"csv"_s, [text = csv->bytes] { return text; }}});
                 emit exportReady();
             }
         });

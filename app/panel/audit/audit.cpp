@@ -6,7 +6,6 @@
 #include "app/panel/kit/report_files.h"
 #include "app/panel/records/database_service.h"
 #include "app/panel/words/access_sentences.h"
-#include "app/store/logs/log_export.h"
 
 #include <QVariantMap>
 
@@ -36,8 +35,8 @@ Audit::Audit(DatabaseService& records, AuditTrail& trail, ReportFiles& files, QO
     connect(&m_rows, &AuditRows::moreRequested, this, &Audit::read);
     connect(&trail, &AuditTrail::appended, this, &Audit::takeAppended);
     connect(&m_editor, &LogFilterEditor::changed, this, [this] {
-        if (m_filter.log != logFilter())
-            setFilter({m_filter.who, m_filter.area, logFilter()});
+        if (m_filter != logFilter())
+            setFilter(logFilter());
     });
     connect(LanguageNotifier::ofApplication(), &LanguageNotifier::languageChanged, this, &Audit::retranslate);
 }
@@ -58,10 +57,12 @@ store::LogFilter Audit::logFilter() const
 {
     store::LogFilter filter = m_editor.filter();
     filter.keysOfWord = AuditWords::keysWith(filter.word);
+    filter.who = m_filter.who;
+    filter.area = m_filter.area;
     return filter;
 }
 
-void Audit::setFilter(const store::AuditFilter& filter)
+void Audit::setFilter(const store::LogFilter& filter)
 {
     m_filter = filter;
     m_rows.clear();
@@ -74,23 +75,25 @@ void Audit::setFilter(const store::AuditFilter& filter)
 
 void Audit::setWho(const QString& who)
 {
-    setFilter({who.isEmpty() ? std::nullopt : std::optional(who), m_filter.area, m_filter.log});
+    m_filter.who = who.isEmpty() ? std::nullopt : std::optional(who);
+    setFilter(m_filter);
 }
 
 void Audit::setArea(const QString& area)
 {
-    setFilter({m_filter.who, area, m_filter.log});
+    m_filter.area = area;
+    setFilter(m_filter);
 }
 
 void Audit::read()
 {
     m_isReading = true;
     m_rows.setHasMore(false);
-    const auto before = m_rows.count() == 0 ? std::nullopt : std::optional(m_rows.rows().last().sequence());
+    const qint64 before = m_rows.count() == 0 ? 0 : m_rows.rows().last().sequence();
     m_records.store().run(
         this,
         [filter = m_filter, before](store::Database& database) {
-            return store::readAudit(database, filter, before, page);
+            return store::auditTable().page(database, before, page, filter);
         },
         [this](const Rows& rows) { takeRows(rows); });
     emit changed();
@@ -121,7 +124,7 @@ void Audit::takeRows(const Rows& rows)
 void Audit::takeAppended(const store::AuditRow& row)
 {
     const bool isNewer = m_rows.count() == 0 || m_rows.row(0).sequence() < row.sequence;
-    if (!m_isOpened || m_isReading || !isNewer || !store::includes(m_filter, row))
+    if (!m_isOpened || m_isReading || !isNewer || !store::auditTable().includes(m_filter, row))
         return;
     m_rows.insert(0, {{row}});
     emit changed();
@@ -181,12 +184,12 @@ void Audit::exportCsv()
     m_records.store().run(
         this,
         [filter = m_filter, dialect = store::spreadsheetDialect()](store::Database& database) {
-            return store::auditCsv(database, filter, maxExported, dialect);
+            return store::auditTable().csv(database, filter, dialect, maxExported);
         },
-        [this](const tl::expected<store::AuditExport, store::StoreError>& made) {
+        [this](const tl::expected<store::LogCsv, store::StoreError>& made) {
             m_isExporting = false;
             if (made)
-                m_files.offer({{tr("audit trail"), u"csv"_s, [text = made->csv] { return text; }}},
+                m_files.offer({{tr("audit trail"), u"csv"_s, [text = made->bytes] { return text; }}},
                               made->isCut ? tr("Only the newest %1 rows are exported. Set a time by the "
                                                "filter for older ones.")
                                                 .arg(maxExported)
@@ -258,7 +261,7 @@ QVariantList Audit::detail() const
 
 void Audit::retranslate()
 {
-    m_filter.log = logFilter(); // the same word in other texts
+    m_filter = logFilter(); // the same word in other texts
     m_rows.refresh();
     emit changed();
     emit detailChanged();

@@ -113,7 +113,7 @@ private:
     using Rows = tl::expected<QList<store::AuditRow>, store::StoreError>;
 
     void retranslate();
-    void setFilter(const store::AuditFilter& filter);
+    void setFilter(const store::LogFilter& filter);
     [[nodiscard]] store::LogFilter logFilter() const;
     void read();
     void takeRows(const Rows& rows);
@@ -124,7 +124,7 @@ private:
     ReportFiles& m_files;
     AuditRows m_rows{this};
     LogFilterEditor m_editor{this};
-    store::AuditFilter m_filter;
+    store::LogFilter m_filter;
     QStringList m_names;
     bool m_isOpened = false;
     bool m_isReading = false;

@@ -36,7 +36,7 @@ QString snapshotName()
 // Returns number and hash of the newest row, which the restored trail will contain.
 QString newestRowOf(store::Database& database)
 {
-    const auto rows = store::readAudit(database, {}, std::nullopt, 1);
+    const auto rows = store::auditTable().page(database, 0, 1);
     if (!rows || rows->isEmpty())
         return {};
     return u"%1 %2"_s.arg(rows->first().sequence).arg(QString::fromLatin1(rows->first().hash.toHex()));

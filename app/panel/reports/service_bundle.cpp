@@ -10,7 +10,8 @@
 #include "app/panel/records/database_service.h"
 #include "app/program/program_image.h"
 #include "app/program/table_columns.h"
-#include "app/store/logs/log_export.h"
+#include "app/store/logs/alarm_log.h"
+#include "app/store/logs/audit_log.h"
 #include "app/store/recipes/recipe_json.h"
 
 #include <QCoreApplication>
@@ -213,14 +214,13 @@ void ServiceBundle::gather(const link::FiguresReport& figures)
     m_parts.records.store().run(
         this,
         [sinceMs](store::Database& database) -> tl::expected<Entries, store::StoreError> {
-            const auto alarms = store::alarmsSince(database, sinceMs);
+            const store::LogFilter since{.fromMs = sinceMs};
+            const auto alarms = store::alarmTable().csv(database, since);
             if (!alarms)
                 return tl::unexpected(alarms.error());
-            const auto audit = store::auditSince(database, sinceMs);
-            if (!audit)
-                return tl::unexpected(audit.error());
-            return Entries{{u"alarms.csv"_s, store::alarmsCsv(*alarms), {}},
-                           {u"audit.csv"_s, store::auditCsv(*audit), {}}};
+            return store::auditTable().csv(database, since).map([&alarms](const store::LogCsv& audit) {
+                return Entries{{u"alarms.csv"_s, alarms->bytes, {}}, {u"audit.csv"_s, audit.bytes, {}}};
+            });
         },
         [this, entries](const tl::expected<Entries, store::StoreError>& logs) {
             // The bundle is useful without the logs; the panel reports elsewhere that they cannot be read.

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/store/database/database.h"
 
-#include "app/store/database/names.h"
-#include "app/store/database/schema.h"
-
 #include <QSqlDriver>
 #include <QSqlError>
 #include <QUuid>
@@ -57,17 +54,6 @@ StoreError::Kind kindOf(int code)
 }
 
 } // namespace
-
-const DatabaseFile& mainDatabase()
-{
-    static const DatabaseFile file{u"campanel.sqlite"_s, &migrations, true, &completeNames};
-    return file;
-}
-
-int schemaVersion()
-{
-    return static_cast<int>(migrations().size());
-}
 
 Database::Database(QString path, const DatabaseFile& file)
     : m_path(std::move(path))
@@ -206,7 +192,7 @@ tl::expected<void, StoreError> Database::makeSteps(int from, int to)
     return {};
 }
 
-Database::Result Database::execute(const QString& statement, std::initializer_list<QVariant> values)
+Database::Result Database::execute(const QString& statement, const QVariantList& values)
 {
     QSqlQuery query(m_database);
     query.setForwardOnly(true);

@@ -15,7 +15,6 @@
 #include <tl/expected.hpp>
 
 #include <functional>
-#include <initializer_list>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -33,7 +32,7 @@ struct Renamed {
 
 struct DatabaseFile {
     QString name;
-    const std::vector<QStringList>& (*steps)() = nullptr; // steps of its schema, see schema.h
+    const std::vector<QStringList>& (*steps)() = nullptr; // steps of its schema
     // True when every confirmed transaction must be on the disk before its function returns. The whole file
     // is then checked at opening, and damaged files are never deleted. When false, a power cut may lose the
     // last transactions (never the file), damage is found when it is read, and only one damaged file is kept.
@@ -42,10 +41,10 @@ struct DatabaseFile {
     tl::expected<QList<Renamed>, StoreError> (*complete)(Database&) = nullptr;
 };
 
-// Returns campanel.sqlite.
+// Returns campanel.sqlite; see logs/main_schema.cpp.
 [[nodiscard]] const DatabaseFile& mainDatabase();
 
-// Returns the newest schema of the main database that this version supports; see schema.h.
+// Returns the newest schema of the main database that this version supports.
 [[nodiscard]] int schemaVersion();
 
 class Database {
@@ -90,12 +89,15 @@ public:
     using Result = tl::expected<QSqlQuery, StoreError>;
     // Executes one statement with its values in the order of its question marks; an invalid QVariant is NULL.
     // Iterate over an executed query with next().
-    [[nodiscard]] Result execute(const QString& statement, std::initializer_list<QVariant> values = {});
+    [[nodiscard]] Result execute(const QString& statement, const QVariantList& values = {});
     // Checks why next() of a query ended: the last row, or an error.
     [[nodiscard]] tl::expected<void, StoreError> stepped(const QSqlQuery& query) const;
     // Executes all of `work` or nothing and returns its error.
     [[nodiscard]] tl::expected<void, StoreError>
     transaction(const std::function<tl::expected<void, StoreError>()>& work);
+
+    // Returns the version of the file's schema; one that was opened read-only may have an older one.
+    [[nodiscard]] tl::expected<int, StoreError> version();
 
     // Copies the present state to a file beside the database, which replaces a missing or damaged database.
     // An existing copy with more data than this database is kept under another name.
@@ -107,7 +109,6 @@ private:
     openAsFound(const QString& path, const DatabaseFile& file);
     [[nodiscard]] tl::expected<void, StoreError> connect();
     [[nodiscard]] tl::expected<void, StoreError> configure();
-    [[nodiscard]] tl::expected<int, StoreError> version();
     [[nodiscard]] tl::expected<void, StoreError> migrate();
     // Executes the steps of the schema from one version to another.
     [[nodiscard]] tl::expected<void, StoreError> makeSteps(int from, int to);

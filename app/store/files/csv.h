@@ -8,8 +8,11 @@
 #include <QByteArray>
 #include <QLocale>
 #include <QString>
+#include <QStringList>
 
+#include <functional>
 #include <optional>
+#include <vector>
 
 namespace campanel::store {
 
@@ -50,6 +53,45 @@ public:
 private:
     profile::CsvWriter m_csv;
     qint64 m_rows = -1;
+};
+
+// A column of a CSV file: its heading, and its field of a row. A column of several fields has their names
+// with commas between them.
+template <typename Row> struct CsvColumn {
+    QString heading;
+    std::function<void(CsvWriter&, const Row&)> write;
+};
+
+template <typename Row> using CsvColumns = std::vector<CsvColumn<Row>>;
+
+// A CSV file of rows with these columns.
+template <typename Row> class CsvTable {
+public:
+    explicit CsvTable(CsvColumns<Row> columns, const CsvDialect& dialect = {})
+        : m_columns(std::move(columns))
+        , m_csv(headerOf(m_columns), dialect)
+    {
+    }
+
+    void add(const Row& row)
+    {
+        for (const CsvColumn<Row>& column : m_columns)
+            column.write(m_csv, row);
+        m_csv.endLine();
+    }
+    [[nodiscard]] QByteArray bytes() const { return m_csv.bytes(); }
+
+private:
+    [[nodiscard]] static QString headerOf(const CsvColumns<Row>& columns)
+    {
+        QStringList headings;
+        for (const CsvColumn<Row>& column : columns)
+            headings << column.heading;
+        return headings.join(QLatin1Char(','));
+    }
+
+    CsvColumns<Row> m_columns;
+    CsvWriter m_csv;
 };
 
 } // namespace campanel::store

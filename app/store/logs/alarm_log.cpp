@@ -3,8 +3,6 @@
 
 #include "app/store/database/clock_mark.h"
 
-#include <limits>
-
 using namespace Qt::StringLiterals;
 
 namespace campanel::store {
@@ -13,32 +11,17 @@ namespace {
 
 using Done = tl::expected<void, StoreError>;
 
-QVariant timeOrNull(qint64 ms)
+void csvEnd(CsvWriter& csv, const QVariant& value)
 {
-    return ms > 0 ? QVariant(ms) : QVariant();
-}
-
-// Returns an empty text instead of a null string, which would be stored as NULL.
-QString text(const QString& text)
-{
-    return text.isNull() ? u""_s : text;
+    const QStringList names{u"active"_s, u"returned"_s, u"unknown"_s};
+    csv.text(names.value(value.toInt(), names.last()));
 }
 
 Done writeRow(Database& database, const AlarmRow& row)
 {
-    const auto done = database.execute(
-        u"INSERT INTO alarm (id, code, raised_ms, ending, returned_ms, wants_acknowledgement, "
-        u"acknowledged_ms, "
-        "acknowledged_by, count, shelved, detail, clock_doubtful) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, "
-        "?) "
-        "ON CONFLICT (id) DO UPDATE SET ending = excluded.ending, returned_ms = excluded.returned_ms, "
-        "wants_acknowledgement = excluded.wants_acknowledgement, acknowledged_ms = excluded.acknowledged_ms, "
-        "acknowledged_by = excluded.acknowledged_by, count = excluded.count, shelved = excluded.shelved, "
-        "detail = excluded.detail"_s,
-        {row.id, row.code, row.raisedMs, static_cast<int>(row.end), timeOrNull(row.returnedMs),
-         row.wantsAcknowledgement, timeOrNull(row.acknowledgedMs), text(row.acknowledgedBy), row.count,
-         row.isShelved, text(row.detail.left(AlarmLog::detailLength)), row.isClockDoubtful});
-    return done ? Done() : tl::unexpected(done.error());
+    AlarmRow limited = row;
+    limited.detail.truncate(AlarmLog::detailLength);
+    return alarmTable().write(database, limited);
 }
 
 Done acknowledge(Database& database, const AlarmChanges::Acknowledgement& given)
@@ -46,7 +29,7 @@ Done acknowledge(Database& database, const AlarmChanges::Acknowledgement& given)
     const auto done = database.execute(
         u"UPDATE alarm SET acknowledged_ms = ?, acknowledged_by = ? WHERE code = ? AND id <= ? "
         "AND acknowledged_ms IS NULL AND wants_acknowledgement = 1"_s,
-        {given.atMs, text(given.by), given.code, given.upToId});
+        {given.atMs, given.by, given.code, given.upToId});
     return done ? Done() : tl::unexpected(done.error());
 }
 
@@ -55,10 +38,8 @@ Done writeShelves(Database& database, const QList<AlarmShelf>& shelves)
     if (const auto done = database.execute(u"DELETE FROM alarm_shelf"_s); !done)
         return tl::unexpected(done.error());
     for (const AlarmShelf& shelf : shelves) {
-        const auto done = database.execute(u"INSERT INTO alarm_shelf VALUES (?, ?, ?, ?)"_s,
-                                           {shelf.code, shelf.sinceMs, shelf.untilMs, text(shelf.by)});
-        if (!done)
-            return tl::unexpected(done.error());
+        if (const Done done = alarmShelfTable().insert(database, shelf); !done)
+            return done;
     }
     return {};
 }
@@ -70,25 +51,59 @@ Done forgetOldest(Database& database)
     return done ? Done() : tl::unexpected(done.error());
 }
 
-AlarmRow alarmRowOf(const QSqlQuery& query)
+} // namespace
+
+const Table<AlarmRow>& alarmTable()
 {
-    AlarmRow row;
-    row.id = query.value(0).toLongLong();
-    row.code = query.value(1).toString();
-    row.raisedMs = query.value(2).toLongLong();
-    row.end = static_cast<AlarmRow::End>(query.value(3).toInt());
-    row.returnedMs = query.value(4).toLongLong();
-    row.wantsAcknowledgement = query.value(5).toBool();
-    row.acknowledgedMs = query.value(6).toLongLong();
-    row.acknowledgedBy = query.value(7).toString();
-    row.count = query.value(8).toInt();
-    row.isShelved = query.value(9).toBool();
-    row.detail = query.value(10).toString();
-    row.isClockDoubtful = query.value(11).toBool();
-    return row;
+    using Row = AlarmRow;
+    static const Table<Row> table{
+        u"alarm"_s,
+        3,
+        {{.name = u"id"_s, .member = &Row::id},
+         {.name = u"code"_s, .member = &Row::code, .sought = Sought::Code | Sought::Key, .isFinal = true},
+         {.name = u"raised_ms"_s,
+          .member = &Row::raisedMs,
+          .heading = u"raised_utc"_s,
+          .form = csvUtc,
+          .sought = Sought::Time,
+          .isFinal = true},
+         {.name = u"ending"_s, .member = &Row::end, .heading = u"end"_s, .form = csvEnd},
+         {.name = u"returned_ms"_s,
+          .member = &Row::returnedMs,
+          .heading = u"returned_utc"_s,
+          .form = csvUtc,
+          .isOptional = true},
+         {.name = u"wants_acknowledgement"_s, .member = &Row::wantsAcknowledgement, .form = nullptr},
+         {.name = u"acknowledged_ms"_s,
+          .member = &Row::acknowledgedMs,
+          .heading = u"acknowledged_utc"_s,
+          .form = csvUtc,
+          .isOptional = true},
+         {.name = u"acknowledged_by"_s, .member = &Row::acknowledgedBy, .sought = Sought::Word},
+         {.name = u"count"_s, .member = &Row::count},
+         {.name = u"shelved"_s, .member = &Row::isShelved},
+         {.name = u"detail"_s, .member = &Row::detail, .sought = Sought::Word},
+         {.name = u"clock_doubtful"_s,
+          .member = &Row::isClockDoubtful,
+          .heading = u"clock"_s,
+          .form = csvClock,
+          .isFinal = true,
+          .since = 6}}};
+    return table;
 }
 
-} // namespace
+const Table<AlarmShelf>& alarmShelfTable()
+{
+    using Row = AlarmShelf;
+    static const Table<Row> table{u"alarm_shelf"_s,
+                                  3,
+                                  {{.name = u"code"_s, .member = &Row::code},
+                                   {.name = u"since_ms"_s, .member = &Row::sinceMs},
+                                   {.name = u"until_ms"_s, .member = &Row::untilMs},
+                                   {.name = u"shelved_by"_s, .member = &Row::by}},
+                                  u" WITHOUT ROWID"_s};
+    return table;
+}
 
 tl::expected<AlarmLog::Start, StoreError> AlarmLog::begin(Database& database)
 {
@@ -108,12 +123,10 @@ tl::expected<AlarmLog::Start, StoreError> AlarmLog::begin(Database& database)
     if (!newest)
         return tl::unexpected(newest.error());
     start.newestMs = *newest;
-    auto shelved = database.execute(u"SELECT code, since_ms, until_ms, shelved_by FROM alarm_shelf"_s);
-    if (!shelved)
-        return tl::unexpected(shelved.error());
-    while (shelved->next())
-        start.shelves.append({shelved->value(0).toString(), shelved->value(1).toLongLong(),
-                              shelved->value(2).toLongLong(), shelved->value(3).toString()});
+    const auto shelves = alarmShelfTable().read(database);
+    if (!shelves)
+        return tl::unexpected(shelves.error());
+    start.shelves = *shelves;
     return start;
 }
 
@@ -134,38 +147,6 @@ tl::expected<void, StoreError> AlarmLog::write(Database& database, const AlarmCh
         }
         return changes.rows.isEmpty() ? Done() : forgetOldest(database);
     });
-}
-
-tl::expected<QList<AlarmRow>, StoreError> AlarmLog::page(Database& database, qint64 beforeId, int rows,
-                                                         const LogFilter& filter)
-{
-    const auto range = rangeOf(database, filter, u"alarm"_s, u"id"_s, u"raised_ms"_s);
-    if (!range)
-        return tl::unexpected(range.error());
-    const QString id = text(bareId(filter.id));
-    const QString word = likePattern(filter.word);
-    // The sign + keeps the order of the ids: the range was found by the index of times already.
-    auto found = database.execute(
-        u"SELECT id, code, raised_ms, ending, returned_ms, wants_acknowledgement, acknowledged_ms, "
-        "acknowledged_by, count, shelved, detail, clock_doubtful FROM alarm "
-        "WHERE id < ? AND id BETWEEN ? AND ? AND +raised_ms >= ? AND +raised_ms < ? "
-        "AND (? = '' OR instr(replace(code, '-', ''), ?) > 0) "
-        "AND (? = '' OR code IN (SELECT value FROM json_each(?)) OR detail LIKE ? ESCAPE '\\' "
-        "OR acknowledged_by LIKE ? ESCAPE '\\') ORDER BY id DESC LIMIT ?"_s,
-        {beforeId > 0 ? beforeId : std::numeric_limits<qint64>::max(), range->firstId, range->lastId,
-         filter.fromMs, spanEndMs(filter), id, id, word, keysJson(filter), word, word, rows});
-    if (!found)
-        return tl::unexpected(found.error());
-    QList<AlarmRow> page;
-    while (found->next())
-        page.append(alarmRowOf(*found));
-    return page;
-}
-
-bool AlarmLog::includes(const LogFilter& filter, const AlarmRow& row)
-{
-    return filter.includesTime(row.raisedMs) && bareId(row.code).contains(bareId(filter.id)) &&
-           filter.includesWord({row.code}, {row.detail, row.acknowledgedBy});
 }
 
 } // namespace campanel::store

@@ -3,7 +3,7 @@
 // alarms. Times are milliseconds since 1970 UTC. Call it in the thread that owns the database.
 #pragma once
 
-#include "app/store/logs/log_filter.h"
+#include "app/store/logs/table.h"
 
 #include <QList>
 #include <QString>
@@ -40,6 +40,9 @@ struct AlarmShelf {
     bool operator==(const AlarmShelf&) const = default;
 };
 
+[[nodiscard]] const Table<AlarmRow>& alarmTable();
+[[nodiscard]] const Table<AlarmShelf>& alarmShelfTable();
+
 // The changes of one transaction.
 struct AlarmChanges {
     struct Acknowledgement {
@@ -59,7 +62,6 @@ struct AlarmChanges {
 class AlarmLog {
 public:
     static constexpr qint64 capacity = 100'000;
-    static constexpr int pageRows = 200;
     static constexpr int detailLength = 300;
 
     struct Start {
@@ -73,11 +75,6 @@ public:
     // Writes all changes or none, then deletes the oldest rows beyond the capacity.
     [[nodiscard]] static tl::expected<void, StoreError> write(Database& database,
                                                               const AlarmChanges& changes);
-    // Returns the rows of the filter before `beforeId`, newest first; 0: the newest ones.
-    [[nodiscard]] static tl::expected<QList<AlarmRow>, StoreError>
-    page(Database& database, qint64 beforeId, int rows = pageRows, const LogFilter& filter = {});
-    // Returns true for the rows that page() returns.
-    [[nodiscard]] static bool includes(const LogFilter& filter, const AlarmRow& row);
 };
 
 } // namespace campanel::store

@@ -15,10 +15,6 @@ namespace campanel::store {
 
 namespace {
 
-// The first version of the schema that marks rows of a clock that was not set.
-constexpr int markedSince = 6;
-constexpr qint64 newestOfAll = std::numeric_limits<qint64>::max();
-
 const QString trimmedKey = u"audit.trimmed"_s;
 
 // A link of the chain: a row, and its hash.
@@ -41,33 +37,13 @@ void addText(QByteArray& bytes, const QString& text)
     bytes.append(utf8);
 }
 
-// Returns an empty text instead of a null string, which would be stored as NULL.
-QString stored(const QString& text)
+// Returns a member of the entry of a row.
+template <typename Type> auto ofEntry(Type AuditEntry::*member)
 {
-    return text.isNull() ? u""_s : text;
-}
-
-// Returns the columns; a file that was opened read-only may have an older schema.
-tl::expected<QString, StoreError> columns(Database& database)
-{
-    auto version = database.execute(u"PRAGMA user_version"_s);
-    if (!version)
-        return tl::unexpected(version.error());
-    const bool isMarked = version->next() && version->value(0).toInt() >= markedSince;
-    return u"SELECT sequence, time_ms, who, level, what, object, before, after, read_back, outcome, "
-           u"previous, "
-           "hash, %1 FROM audit "_s.arg(isMarked ? u"clock_doubtful"_s : u"0"_s);
-}
-
-AuditRow auditRowOf(const QSqlQuery& row)
-{
-    return {row.value(0).toLongLong(),
-            {row.value(1).toLongLong(), row.value(2).toString(), row.value(3).toInt(),
-             row.value(4).toString(), row.value(5).toString(), row.value(6).toString(),
-             row.value(7).toString(), row.value(8).toString(), row.value(9).toString(),
-             row.value(12).toBool()},
-            row.value(10).toByteArray(),
-            row.value(11).toByteArray()};
+    return [member](auto& row) -> auto&
+    {
+        return row.entry.*member;
+    };
 }
 
 QString anchorPath(const Database& database)
@@ -126,16 +102,7 @@ tl::expected<AuditRow, StoreError> add(Database& database, const Link& last, con
 {
     AuditRow row{last.sequence + 1, entry, last.hash, {}};
     row.hash = auditHash(row.sequence, row.entry, row.previous);
-    const auto added = database.execute(
-        u"INSERT INTO audit (sequence, time_ms, who, level, what, object, before, after, "
-        "read_back, outcome, previous, hash, clock_doubtful) "
-        "VALUES (?,?,?,?,?,?,?,?,?,?,?,?,?)"_s,
-        {row.sequence, entry.timeMs, stored(entry.who), entry.level, stored(entry.what), stored(entry.object),
-         stored(entry.before), stored(entry.after), stored(entry.readBack), stored(entry.outcome),
-         row.previous, row.hash, entry.isClockDoubtful});
-    if (!added)
-        return tl::unexpected(added.error());
-    return row;
+    return auditTable().insert(database, row).map([&row] { return row; });
 }
 
 AuditEntry ownEntry(const AuditEntry& like, const QString& what)
@@ -144,7 +111,6 @@ AuditEntry ownEntry(const AuditEntry& like, const QString& what)
     entry.timeMs = like.timeMs;
     entry.isClockDoubtful = like.isClockDoubtful;
     entry.what = what;
-    entry.outcome = u"done"_s;
     return entry;
 }
 
@@ -171,14 +137,6 @@ tl::expected<Link, StoreError> noteLoss(Database& database, const Link& last, co
     return add(database, last, loss).map([](const AuditRow& row) { return Link{row.sequence, row.hash}; });
 }
 
-// Returns the row whose number the id is; 0: the id is no number of a row.
-qint64 sequenceOf(const LogFilter& filter)
-{
-    const QString id = filter.id.trimmed();
-    const qint64 sequence = id.toLongLong();
-    return QString::number(sequence) == id ? sequence : 0;
-}
-
 // Makes space for new rows.
 tl::expected<Link, StoreError> trim(Database& database, const Link& last, const AuditEntry& before,
                                     const AuditBounds& bounds)
@@ -203,9 +161,7 @@ tl::expected<Link, StoreError> trim(Database& database, const Link& last, const 
           {u"INSERT INTO audit_start (sequence, hash) SELECT sequence, hash FROM audit WHERE sequence = ?"_s,
            {until}},
           {u"DELETE FROM audit WHERE sequence <= ?"_s, {until}}}) {
-        const auto done =
-            values.isEmpty() ? database.execute(statement) : database.execute(statement, {values.first()});
-        if (!done)
+        if (const auto done = database.execute(statement, values); !done)
             return tl::unexpected(done.error());
     }
     AuditEntry trimmed = ownEntry(before, trimmedKey);
@@ -218,6 +174,46 @@ tl::expected<Link, StoreError> trim(Database& database, const Link& last, const 
 }
 
 } // namespace
+
+const Table<AuditRow>& auditTable()
+{
+    using Row = AuditRow;
+    using Entry = AuditEntry;
+    static const Table<Row> table{
+        u"audit"_s,
+        4,
+        {{.name = u"sequence"_s, .member = &Row::sequence, .sought = Sought::Number},
+         {.name = u"time_ms"_s,
+          .member = ofEntry(&Entry::timeMs),
+          .heading = u"time_utc"_s,
+          .form = csvUtc,
+          .sought = Sought::Time},
+         {.name = u"who"_s, .member = ofEntry(&Entry::who), .sought = Sought::Person | Sought::Word},
+         {.name = u"level"_s, .member = ofEntry(&Entry::level)},
+         {.name = u"what"_s,
+          .member = ofEntry(&Entry::what),
+          .sought = Sought::Area | Sought::Name | Sought::Key},
+         {.name = u"object"_s,
+          .member = ofEntry(&Entry::object),
+          .sought = Sought::Name | Sought::Word | Sought::Key},
+         {.name = u"before"_s, .member = ofEntry(&Entry::before), .form = csvValue, .sought = Sought::Word},
+         {.name = u"after"_s, .member = ofEntry(&Entry::after), .form = csvValue, .sought = Sought::Word},
+         {.name = u"read_back"_s,
+          .member = ofEntry(&Entry::readBack),
+          .form = csvValue,
+          .sought = Sought::Word},
+         {.name = u"outcome"_s,
+          .member = ofEntry(&Entry::outcome),
+          .sought = Sought::Word | Sought::FirstKey},
+         {.name = u"previous"_s, .member = &Row::previous},
+         {.name = u"hash"_s, .member = &Row::hash},
+         {.name = u"clock_doubtful"_s,
+          .member = ofEntry(&Entry::isClockDoubtful),
+          .heading = u"clock"_s,
+          .form = csvClock,
+          .since = 6}}};
+    return table;
+}
 
 QByteArray auditHash(qint64 sequence, const AuditEntry& entry, const QByteArray& previous)
 {
@@ -257,75 +253,6 @@ tl::expected<AuditRow, StoreError> appendAudit(Database& database, const AuditEn
     if (const auto noted = setAnchor(database, {row.sequence, row.hash}); !noted)
         return tl::unexpected(noted.error());
     return row;
-}
-
-tl::expected<QList<AuditRow>, StoreError> readAudit(Database& database, const AuditFilter& filter,
-                                                    std::optional<qint64> before, int maxRows)
-{
-    const LogFilter& log = filter.log;
-    const auto range = rangeOf(database, log, u"audit"_s, u"sequence"_s, u"time_ms"_s);
-    const auto select = columns(database);
-    if (!range || !select)
-        return tl::unexpected(range ? select.error() : range.error());
-    const QString id = likePattern(log.id.trimmed());
-    const QString word = likePattern(log.word);
-    const QString keys = keysJson(log);
-    // The sign + keeps the order of the rows: the range was found by the index of times already.
-    auto found = database.execute(
-        *select +
-            u"WHERE sequence < ? AND sequence BETWEEN ? AND ? AND +time_ms >= ? AND +time_ms < ? "
-            "AND (? OR who = ?) AND (? = '' OR what GLOB ? || '.*') "
-            "AND (? = '' OR sequence = ? OR object LIKE ? ESCAPE '\\' OR what LIKE ? ESCAPE '\\') "
-            "AND (? = '' OR who LIKE ? ESCAPE '\\' OR object LIKE ? ESCAPE '\\' "
-            "OR before LIKE ? ESCAPE '\\' OR after LIKE ? ESCAPE '\\' OR read_back LIKE ? ESCAPE '\\' "
-            "OR outcome LIKE ? ESCAPE '\\' OR what IN (SELECT value FROM json_each(?)) "
-            "OR object IN (SELECT value FROM json_each(?)) "
-            "OR substr(outcome, 1, instr(outcome || ' ', ' ') - 1) IN (SELECT value FROM json_each(?))) "
-            "ORDER BY sequence DESC LIMIT ?"_s,
-        {before.value_or(newestOfAll),
-         range->firstId,
-         range->lastId,
-         log.fromMs,
-         spanEndMs(log),
-         !filter.who,
-         stored(filter.who.value_or(QString())),
-         stored(filter.area),
-         stored(filter.area),
-         id,
-         sequenceOf(log),
-         id,
-         id,
-         word,
-         word,
-         word,
-         word,
-         word,
-         word,
-         word,
-         keys,
-         keys,
-         keys,
-         maxRows});
-    if (!found)
-        return tl::unexpected(found.error());
-    QList<AuditRow> rows;
-    while (found->next())
-        rows << auditRowOf(*found);
-    return rows;
-}
-
-bool includes(const AuditFilter& filter, const AuditRow& row)
-{
-    const AuditEntry& entry = row.entry;
-    const QString id = filter.log.id.trimmed();
-    return (!filter.who || *filter.who == entry.who) &&
-           (filter.area.isEmpty() || entry.what.startsWith(filter.area + u'.')) &&
-           filter.log.includesTime(entry.timeMs) &&
-           (id.isEmpty() || sequenceOf(filter.log) == row.sequence || containsPart(entry.object, id) ||
-            containsPart(entry.what, id)) &&
-           filter.log.includesWord(
-               {entry.what, entry.object, entry.outcome.section(u' ', 0, 0)},
-               {entry.who, entry.object, entry.before, entry.after, entry.readBack, entry.outcome});
 }
 
 tl::expected<QStringList, StoreError> auditNames(Database& database)
@@ -392,22 +319,20 @@ tl::expected<void, StoreError> ChainCheck::advance(Database& database, int rows)
         if (const auto begun = begin(database); !begun)
             return begun;
     }
-    const auto select = columns(database);
-    if (!select)
-        return tl::unexpected(select.error());
     // The first part starts with the oldest row, even before the expected start of the chain.
-    auto found = database.execute(*select + u"WHERE sequence >= ? ORDER BY sequence LIMIT ?"_s,
-                                  {m_rows == 0 ? std::numeric_limits<qint64>::min() : m_next, rows});
+    const auto found = auditTable().read(database, u"WHERE sequence >= ? ORDER BY sequence LIMIT ?"_s,
+                                         {m_rows == 0 ? std::numeric_limits<qint64>::min() : m_next, rows});
     if (!found)
         return tl::unexpected(found.error());
     const auto known = anchor(database);
-    int seen = 0;
-    for (; !m_isOver && found->next(); ++seen) {
-        check(auditRowOf(*found));
+    for (const AuditRow& row : *found) {
+        if (m_isOver)
+            break;
+        check(row);
         if (!m_isOver && known && known->sequence == m_next - 1 && known->hash != m_previous)
             end(Fault::Altered, known->sequence);
     }
-    if (m_isOver || seen == rows)
+    if (m_isOver || found->size() == rows)
         return {};
     if (m_start > 0 && !m_isStartTold)
         end(Fault::Missing, m_trimmedUntil + 1);

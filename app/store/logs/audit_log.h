@@ -6,7 +6,7 @@
 // elsewhere, protects against that.
 #pragma once
 
-#include "app/store/logs/log_filter.h"
+#include "app/store/logs/table.h"
 
 #include <QByteArray>
 #include <QList>
@@ -17,15 +17,15 @@ namespace campanel::store {
 
 struct AuditEntry {
     qint64 timeMs = 0; // since 1970 UTC
-    QString who;       // empty: nobody was logged in
+    QString who{};     // empty: nobody was logged in
     int level = 0;     // 0 view, 1 Operator, 2 Technician, 3 Service
-    QString what;      // stable key: "parameter.write", "user.login" ...
-    QString object;    // the changed register, setting or user
-    QString before;    // empty: unknown, or none
-    QString after;
-    QString readBack;             // value in the controller afterwards; empty: not read
-    QString outcome;              // "done", or a stable key of the failure
-    bool isClockDoubtful = false; // written while the clock was not set
+    QString what{};    // stable key: "parameter.write", "user.login" ...
+    QString object{};  // the changed register, setting or user
+    QString before{};  // empty: unknown, or none
+    QString after{};
+    QString readBack{};                       // value in the controller afterwards; empty: not read
+    QString outcome = QStringLiteral("done"); // or a stable key of the failure
+    bool isClockDoubtful = false;             // written while the clock was not set
 
     bool operator==(const AuditEntry&) const = default;
 };
@@ -38,6 +38,8 @@ struct AuditRow {
 
     bool operator==(const AuditRow&) const = default;
 };
+
+[[nodiscard]] const Table<AuditRow>& auditTable();
 
 // Returns the SHA-256 of the entry and the previous hash. Sequence, time and level are eight bytes each,
 // big-endian. The texts follow in their order, as four bytes of length and UTF-8, then the number 1 when the
@@ -61,18 +63,6 @@ struct AuditBounds {
 [[nodiscard]] tl::expected<AuditRow, StoreError> appendAudit(Database& database, const AuditEntry& entry,
                                                              const AuditBounds& bounds = {});
 
-struct AuditFilter {
-    std::optional<QString> who;
-    QString area; // first part of `what`, "parameter"; empty: all
-    LogFilter log{};
-
-    bool operator==(const AuditFilter&) const = default;
-};
-// Returns rows, newest first, starting before `before`.
-[[nodiscard]] tl::expected<QList<AuditRow>, StoreError>
-readAudit(Database& database, const AuditFilter& filter, std::optional<qint64> before, int maxRows);
-// Returns true for the rows that readAudit() returns.
-[[nodiscard]] bool includes(const AuditFilter& filter, const AuditRow& row);
 // Returns all names in the trail, sorted.
 [[nodiscard]] tl::expected<QStringList, StoreError> auditNames(Database& database);
 

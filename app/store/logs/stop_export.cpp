@@ -11,6 +11,13 @@ namespace {
 
 constexpr double msPerSecond = 1000;
 
+// A stop with all its intervals.
+struct Stop {
+    StateInterval first;
+    qint64 durationMs = 0;
+    StopRow answer;
+};
+
 double secondsOf(qint64 durationMs)
 {
     return static_cast<double>(durationMs) / msPerSecond;
@@ -43,48 +50,61 @@ QString nameOf(StateInterval::State state)
 
 QByteArray statesCsv(const StopLog::Span& span, const CsvDialect& dialect)
 {
-    CsvWriter csv(u"begin_utc,begin_local,duration_s,state,stop,program,version,ideal_per_min,pieces,"
-                  "out_of_tolerance,start_up_scrap,skipped_cuts,clock",
-                  dialect);
-    for (const StateInterval& each : span.intervals) {
-        csv.utcAndLocal(each.beginMs).number(secondsOf(each.durationMs), 3).text(nameOf(each.state));
-        each.stop == 0 ? csv.empty() : csv.whole(each.stop);
-        csv.text(each.program).whole(each.version);
-        each.idealPerMin > 0 ? csv.number(each.idealPerMin, 3) : csv.empty();
-        csv.whole(each.pieces).whole(each.outOfTolerance).whole(each.startUpScrap).whole(each.skipped);
-        csv.clock(each.isClockDoubtful).endLine();
-    }
-    return csv.bytes();
+    using Csv = CsvWriter;
+    using Row = StateInterval;
+    CsvTable<Row> file(
+        {{u"begin_utc,begin_local"_s, [](Csv& csv, const Row& row) { csv.utcAndLocal(row.beginMs); }},
+         {u"duration_s"_s, [](Csv& csv, const Row& row) { csv.number(secondsOf(row.durationMs), 3); }},
+         {u"state"_s, [](Csv& csv, const Row& row) { csv.text(nameOf(row.state)); }},
+         {u"stop"_s, [](Csv& csv, const Row& row) { row.stop == 0 ? csv.empty() : csv.whole(row.stop); }},
+         {u"program"_s, [](Csv& csv, const Row& row) { csv.text(row.program); }},
+         {u"version"_s, [](Csv& csv, const Row& row) { csv.whole(row.version); }},
+         {u"ideal_per_min"_s,
+          [](Csv& csv, const Row& row) {
+              row.idealPerMin > 0 ? csv.number(row.idealPerMin, 3) : csv.empty();
+          }},
+         {u"pieces"_s, [](Csv& csv, const Row& row) { csv.whole(row.pieces); }},
+         {u"out_of_tolerance"_s, [](Csv& csv, const Row& row) { csv.whole(row.outOfTolerance); }},
+         {u"start_up_scrap"_s, [](Csv& csv, const Row& row) { csv.whole(row.startUpScrap); }},
+         {u"skipped_cuts"_s, [](Csv& csv, const Row& row) { csv.whole(row.skipped); }},
+         {u"clock"_s, [](Csv& csv, const Row& row) { csv.clock(row.isClockDoubtful); }}},
+        dialect);
+    for (const StateInterval& each : span.intervals)
+        file.add(each);
+    return file.bytes();
 }
 
 QByteArray stopsCsv(const StopLog::Span& span, const CsvDialect& dialect)
 {
-    struct Part {
-        const StateInterval* first = nullptr;
-        qint64 durationMs = 0;
-    };
-    QMap<qint64, Part> parts;
+    QMap<qint64, Stop> stops;
     for (const StateInterval& each : span.intervals) {
         if (each.stop == 0)
             continue;
-        Part& part = parts[each.stop];
-        if (!part.first)
-            part.first = &each;
-        part.durationMs += each.durationMs;
+        Stop& stop = stops[each.stop];
+        if (stop.first.stop == 0)
+            stop.first = each;
+        stop.durationMs += each.durationMs;
     }
-    QMap<qint64, StopRow> reasons;
-    for (const StopRow& each : span.stops)
-        reasons.insert(each.id, each);
-    CsvWriter csv(
-        u"stop,begin_utc,begin_local,duration_s,state,reason,planned,answered_by,answered_utc,clock",
+    for (const StopRow& each : span.stops) {
+        if (const auto stop = stops.find(each.id); stop != stops.end())
+            stop->answer = each;
+    }
+    using Csv = CsvWriter;
+    CsvTable<Stop> file(
+        {{u"stop"_s, [](Csv& csv, const Stop& stop) { csv.whole(stop.first.stop); }},
+         {u"begin_utc,begin_local"_s,
+          [](Csv& csv, const Stop& stop) { csv.utcAndLocal(stop.first.beginMs); }},
+         {u"duration_s"_s, [](Csv& csv, const Stop& stop) { csv.number(secondsOf(stop.durationMs), 3); }},
+         {u"state"_s, [](Csv& csv, const Stop& stop) { csv.text(nameOf(stop.first.state)); }},
+         {u"reason"_s, [](Csv& csv, const Stop& stop) { csv.text(stop.answer.reason); }},
+         {u"planned"_s, [](Csv& csv, const Stop& stop) { csv.yesOrNo(stop.answer.isPlanned); }},
+         {u"answered_by"_s, [](Csv& csv, const Stop& stop) { csv.text(stop.answer.by); }},
+         {u"answered_utc"_s, [](Csv& csv, const Stop& stop) { csv.utc(stop.answer.answeredMs); }},
+         {u"clock"_s, [](Csv& csv, const Stop& stop) { csv.clock(stop.first.isClockDoubtful); }}},
         dialect);
-    for (auto it = parts.cbegin(); it != parts.cend(); ++it) {
-        const StopRow reason = reasons.value(it.key());
-        csv.whole(it.key()).utcAndLocal(it->first->beginMs).number(secondsOf(it->durationMs), 3);
-        csv.text(nameOf(it->first->state)).text(reason.reason).yesOrNo(reason.isPlanned).text(reason.by);
-        csv.utc(reason.answeredMs).clock(it->first->isClockDoubtful).endLine();
-    }
-    return csv.bytes();
+    for (const Stop& stop : stops)
+        file.add(stop);
+    return file.bytes();
 }
 
 } // namespace campanel::store

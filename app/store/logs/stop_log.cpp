@@ -11,38 +11,6 @@ namespace {
 
 using Written = tl::expected<void, StoreError>;
 
-const QString intervalColumns =
-    u"id, stop, state, begin_ms, duration_ms, program, version, ideal_per_min, cycles, pieces, "
-    "out_of_tolerance, start_up_scrap, skipped, clock_doubtful"_s;
-
-// Returns an empty text instead of a null string, which would be stored as NULL.
-QString notNull(const QString& text)
-{
-    return text.isNull() ? u""_s : text;
-}
-
-Written writeInterval(Database& database, const StateInterval& interval)
-{
-    const auto done = database.execute(
-        u"INSERT INTO state_interval (%1) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?) "
-        "ON CONFLICT (id) DO UPDATE SET duration_ms = excluded.duration_ms, cycles = excluded.cycles, "
-        "pieces = excluded.pieces, out_of_tolerance = excluded.out_of_tolerance, "
-        "start_up_scrap = excluded.start_up_scrap, skipped = excluded.skipped "
-        "WHERE excluded.duration_ms >= state_interval.duration_ms"_s.arg(intervalColumns),
-        {interval.id, interval.stop, static_cast<int>(interval.state), interval.beginMs, interval.durationMs,
-         notNull(interval.program), interval.version, interval.idealPerMin, interval.cycles, interval.pieces,
-         interval.outOfTolerance, interval.startUpScrap, interval.skipped, interval.isClockDoubtful});
-    return done ? Written() : tl::unexpected(done.error());
-}
-
-Written writeStop(Database& database, const StopRow& stop)
-{
-    const auto done = database.execute(
-        u"INSERT OR REPLACE INTO stop (id, reason, planned, answered_by, answered_ms) VALUES (?, ?, ?, ?, ?)"_s,
-        {stop.id, notNull(stop.reason), stop.isPlanned, notNull(stop.by), stop.answeredMs});
-    return done ? Written() : tl::unexpected(done.error());
-}
-
 Written forgetOldestIntervals(Database& database, qint64 capacity)
 {
     const auto gone = database.execute(
@@ -57,33 +25,43 @@ Written forgetOldestIntervals(Database& database, qint64 capacity)
     return stops ? Written() : tl::unexpected(stops.error());
 }
 
-StateInterval intervalOf(const QSqlQuery& query)
-{
-    StateInterval interval;
-    interval.id = query.value(0).toLongLong();
-    interval.stop = query.value(1).toLongLong();
-    interval.state = static_cast<StateInterval::State>(query.value(2).toInt());
-    interval.beginMs = query.value(3).toLongLong();
-    interval.durationMs = query.value(4).toLongLong();
-    interval.program = query.value(5).toString();
-    interval.version = query.value(6).toInt();
-    interval.idealPerMin = query.value(7).toDouble();
-    interval.cycles = query.value(8).toLongLong();
-    interval.pieces = query.value(9).toLongLong();
-    interval.outOfTolerance = query.value(10).toLongLong();
-    interval.startUpScrap = query.value(11).toLongLong();
-    interval.skipped = query.value(12).toLongLong();
-    interval.isClockDoubtful = query.value(13).toBool();
-    return interval;
-}
-
-StopRow stopOf(const QSqlQuery& query)
-{
-    return {query.value(0).toLongLong(), query.value(1).toString(), query.value(2).toBool(),
-            query.value(3).toString(), query.value(4).toLongLong()};
-}
-
 } // namespace
+
+const Table<StateInterval>& stateTable()
+{
+    using Row = StateInterval;
+    static const Table<Row> table{
+        u"state_interval"_s,
+        5,
+        {{.name = u"id"_s, .member = &Row::id},
+         {.name = u"stop"_s, .member = &Row::stop, .isFinal = true},
+         {.name = u"state"_s, .member = &Row::state, .isFinal = true},
+         {.name = u"begin_ms"_s, .member = &Row::beginMs, .isFinal = true},
+         {.name = u"duration_ms"_s, .member = &Row::durationMs},
+         {.name = u"program"_s, .member = &Row::program, .isFinal = true},
+         {.name = u"version"_s, .member = &Row::version, .isFinal = true},
+         {.name = u"ideal_per_min"_s, .member = &Row::idealPerMin, .isFinal = true},
+         {.name = u"cycles"_s, .member = &Row::cycles},
+         {.name = u"pieces"_s, .member = &Row::pieces},
+         {.name = u"out_of_tolerance"_s, .member = &Row::outOfTolerance},
+         {.name = u"start_up_scrap"_s, .member = &Row::startUpScrap},
+         {.name = u"skipped"_s, .member = &Row::skipped},
+         {.name = u"clock_doubtful"_s, .member = &Row::isClockDoubtful, .isFinal = true, .since = 7}}};
+    return table;
+}
+
+const Table<StopRow>& stopTable()
+{
+    using Row = StopRow;
+    static const Table<Row> table{u"stop"_s,
+                                  5,
+                                  {{.name = u"id"_s, .member = &Row::id},
+                                   {.name = u"reason"_s, .member = &Row::reason},
+                                   {.name = u"planned"_s, .member = &Row::isPlanned},
+                                   {.name = u"answered_by"_s, .member = &Row::by},
+                                   {.name = u"answered_ms"_s, .member = &Row::answeredMs}}};
+    return table;
+}
 
 tl::expected<StopLog::Start, StoreError> StopLog::begin(Database& database)
 {
@@ -92,14 +70,12 @@ tl::expected<StopLog::Start, StoreError> StopLog::begin(Database& database)
     if (!newestMs)
         return tl::unexpected(newestMs.error());
     start.newestMs = *newestMs;
-    auto newest =
-        database.execute(u"SELECT %1 FROM state_interval ORDER BY id DESC LIMIT 1"_s.arg(intervalColumns));
+    const auto newest = stateTable().read(database, u"ORDER BY id DESC LIMIT 1"_s);
     if (!newest)
         return tl::unexpected(newest.error());
-    if (!newest->next())
+    if (newest->isEmpty())
         return start;
-    start.last = intervalOf(*newest);
-    newest->finish();
+    start.last = newest->first();
     const auto found = stop(database, start.last->stop);
     if (!found)
         return tl::unexpected(found.error());
@@ -122,11 +98,13 @@ tl::expected<void, StoreError> StopLog::write(Database& database, const StopChan
 {
     return database.transaction([&]() -> Written {
         for (const StateInterval& interval : changes.intervals) {
-            if (const Written done = writeInterval(database, interval); !done)
+            const Written done = stateTable().write(
+                database, interval, u"WHERE excluded.duration_ms >= state_interval.duration_ms"_s);
+            if (!done)
                 return done;
         }
         for (const StopRow& stop : changes.stops) {
-            if (const Written done = writeStop(database, stop); !done)
+            if (const Written done = stopTable().write(database, stop); !done)
                 return done;
         }
         return changes.intervals.isEmpty() ? Written() : forgetOldestIntervals(database, capacity);
@@ -135,34 +113,24 @@ tl::expected<void, StoreError> StopLog::write(Database& database, const StopChan
 
 tl::expected<StopLog::Span, StoreError> StopLog::between(Database& database, qint64 fromMs, qint64 toMs)
 {
-    Span span;
-    auto intervals = database.execute(
-        u"SELECT %1 FROM state_interval WHERE begin_ms >= ? AND begin_ms < ? ORDER BY id"_s.arg(
-            intervalColumns),
-        {fromMs, toMs});
+    const auto intervals =
+        stateTable().read(database, u"WHERE begin_ms >= ? AND begin_ms < ? ORDER BY id"_s, {fromMs, toMs});
     if (!intervals)
         return tl::unexpected(intervals.error());
-    while (intervals->next())
-        span.intervals << intervalOf(*intervals);
-    intervals->finish();
-    auto stops = database.execute(
-        u"SELECT id, reason, planned, answered_by, answered_ms FROM stop WHERE id IN "
-        "(SELECT stop FROM state_interval WHERE begin_ms >= ? AND begin_ms < ?) ORDER BY id"_s,
+    const auto stops = stopTable().read(
+        database,
+        u"WHERE id IN (SELECT stop FROM state_interval WHERE begin_ms >= ? AND begin_ms < ?) ORDER BY id"_s,
         {fromMs, toMs});
     if (!stops)
         return tl::unexpected(stops.error());
-    while (stops->next())
-        span.stops << stopOf(*stops);
-    return span;
+    return Span{*intervals, *stops};
 }
 
 tl::expected<std::optional<StopRow>, StoreError> StopLog::stop(Database& database, qint64 id)
 {
-    auto found = database.execute(
-        u"SELECT id, reason, planned, answered_by, answered_ms FROM stop WHERE id = ?"_s, {id});
-    if (!found)
-        return tl::unexpected(found.error());
-    return found->next() ? std::optional(stopOf(*found)) : std::nullopt;
+    return stopTable().read(database, u"WHERE id = ?"_s, {id}).map([](const QList<StopRow>& found) {
+        return found.isEmpty() ? std::nullopt : std::optional(found.first());
+    });
 }
 
 } // namespace campanel::store

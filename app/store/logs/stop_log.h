@@ -4,7 +4,7 @@
 // database.
 #pragma once
 
-#include "app/store/database/database.h"
+#include "app/store/logs/table.h"
 
 #include <QList>
 #include <QString>
@@ -53,6 +53,9 @@ struct StopRow {
 
     bool operator==(const StopRow&) const = default;
 };
+
+[[nodiscard]] const Table<StateInterval>& stateTable();
+[[nodiscard]] const Table<StopRow>& stopTable();
 
 // The changes of one transaction.
 struct StopChanges {

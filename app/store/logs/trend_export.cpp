@@ -51,34 +51,52 @@ tl::expected<QByteArray, StoreError> bagsCsv(Database& database, qint64 fromMs, 
         return tl::unexpected(counted.error());
     if (*counted == 0 || *counted > maxRows)
         return QByteArray();
-    CsvWriter csv(u"each_bag_utc,each_bag_local,program,version,lengths,length_mm,deviation_mm,mark_error_mm,"
-                  "following_error_mm,rate_bags_per_min,flags,clock",
-                  dialect);
-    const auto read = log.forEach(fromMs, toMs, [&csv](const Bag& bag) {
-        csv.utcAndLocal(bag.timeMs).text(bag.programName).whole(bag.programVersion).whole(bag.lengths);
-        csv.number(bag.lengthMm(), 3).number(bag.deviationMm, 3).number(bag.markErrorMm, 3);
-        csv.number(bag.followingErrorMm, 3).number(bag.rateBagsPerMin, 3).text(flags(bag.flags));
-        csv.clock(bag.flags & Bag::ClockNotSet).endLine();
-    });
+    using Csv = CsvWriter;
+    CsvTable<Bag> file(
+        {{u"each_bag_utc,each_bag_local"_s, [](Csv& csv, const Bag& bag) { csv.utcAndLocal(bag.timeMs); }},
+         {u"program"_s, [](Csv& csv, const Bag& bag) { csv.text(bag.programName); }},
+         {u"version"_s, [](Csv& csv, const Bag& bag) { csv.whole(bag.programVersion); }},
+         {u"lengths"_s, [](Csv& csv, const Bag& bag) { csv.whole(bag.lengths); }},
+         {u"length_mm"_s, [](Csv& csv, const Bag& bag) { csv.number(bag.lengthMm(), 3); }},
+         {u"deviation_mm"_s, [](Csv& csv, const Bag& bag) { csv.number(bag.deviationMm, 3); }},
+         {u"mark_error_mm"_s, [](Csv& csv, const Bag& bag) { csv.number(bag.markErrorMm, 3); }},
+         {u"following_error_mm"_s, [](Csv& csv, const Bag& bag) { csv.number(bag.followingErrorMm, 3); }},
+         {u"rate_bags_per_min"_s, [](Csv& csv, const Bag& bag) { csv.number(bag.rateBagsPerMin, 3); }},
+         {u"flags"_s, [](Csv& csv, const Bag& bag) { csv.text(flags(bag.flags)); }},
+         {u"clock"_s, [](Csv& csv, const Bag& bag) { csv.clock(bag.flags & Bag::ClockNotSet); }}},
+        dialect);
+    const auto read = log.forEach(fromMs, toMs, [&file](const Bag& bag) { file.add(bag); });
     if (!read)
         return tl::unexpected(read.error());
-    return csv.bytes();
+    return file.bytes();
 }
 
 QByteArray trendsCsv(const TrendWindow& window, qint64 fromMs, qint64 toMs, const CsvDialect& dialect)
 {
-    CsvWriter csv(u"stretch_begin_utc,stretch_begin_local,stretch_s,quantity,count,mean,min,max", dialect);
+    struct Stretch {
+        qint64 startMs;
+        qint64 lengthMs;
+        TrendQuantity quantity;
+        TrendBucket bucket;
+    };
+    using Csv = CsvWriter;
+    CsvTable<Stretch> file(
+        {{u"stretch_begin_utc,stretch_begin_local"_s,
+          [](Csv& csv, const Stretch& row) { csv.utcAndLocal(row.startMs); }},
+         {u"stretch_s"_s, [](Csv& csv, const Stretch& row) { csv.whole(row.lengthMs / 1000); }},
+         {u"quantity"_s, [](Csv& csv, const Stretch& row) { csv.text(nameOf(row.quantity)); }},
+         {u"count"_s, [](Csv& csv, const Stretch& row) { csv.whole(row.bucket.count); }},
+         {u"mean"_s, [](Csv& csv, const Stretch& row) { csv.number(row.bucket.mean(), 3); }},
+         {u"min"_s, [](Csv& csv, const Stretch& row) { csv.number(row.bucket.lowest(), 3); }},
+         {u"max"_s, [](Csv& csv, const Stretch& row) { csv.number(row.bucket.highest(), 3); }}},
+        dialect);
     for (const TrendCurve& curve : window.curves) {
         for (const TrendColumn& column : curve.columns) {
-            if (column.startMs + window.columnMs <= fromMs || column.startMs >= toMs)
-                continue;
-            const TrendBucket& bucket = column.bucket;
-            csv.utcAndLocal(column.startMs).whole(window.columnMs / 1000).text(nameOf(curve.quantity));
-            csv.whole(bucket.count).number(bucket.mean(), 3).number(bucket.lowest(), 3);
-            csv.number(bucket.highest(), 3).endLine();
+            if (column.startMs + window.columnMs > fromMs && column.startMs < toMs)
+                file.add({column.startMs, window.columnMs, curve.quantity, column.bucket});
         }
     }
-    return csv.bytes();
+    return file.bytes();
 }
 
 } // namespace campanel::store

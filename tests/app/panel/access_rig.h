@@ -87,8 +87,7 @@ struct AccessRig : PanelRig {
         QList<store::AuditEntry> found;
         bool isRead = false;
         records.store().run(
-            &records,
-            [](store::Database& database) { return store::readAudit(database, {}, std::nullopt, 1000); },
+            &records, [](store::Database& database) { return store::auditTable().page(database, 0, 1000); },
             [&](const auto& rows) {
                 for (const store::AuditRow& row : *rows)
                     found.prepend(row.entry);

@@ -76,7 +76,7 @@ struct AlarmRig {
         records->store().run(
             &untilRead,
             [](store::Database& database) {
-                return store::AlarmLog::page(database, 0).value_or(QList<store::AlarmRow>());
+                return store::alarmTable().page(database, 0).value_or(QList<store::AlarmRow>());
             },
             [&](const QList<store::AlarmRow>& read) {
                 rows = read;

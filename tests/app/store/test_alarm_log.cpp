@@ -40,9 +40,9 @@ bool write(Database& database, const QList<AlarmRow>& rows)
     return AlarmLog::write(database, changes).has_value();
 }
 
-QList<AlarmRow> page(Database& database, qint64 before = 0, int rows = AlarmLog::pageRows)
+QList<AlarmRow> page(Database& database, qint64 before = 0, int rows = logPageRows)
 {
-    return AlarmLog::page(database, before, rows).value_or(QList<AlarmRow>());
+    return alarmTable().page(database, before, rows).value_or(QList<AlarmRow>());
 }
 
 int number(Database& database, const QString& statement)
@@ -154,7 +154,7 @@ private slots:
         qint64 expected = 1000;
         for (int i = 0; i < 5; ++i) {
             const QList<AlarmRow> found = page(*database, before);
-            QCOMPARE(found.size(), AlarmLog::pageRows);
+            QCOMPARE(found.size(), logPageRows);
             for (const AlarmRow& alarm : found)
                 QCOMPARE(alarm.id, expected--);
             before = found.last().id;
@@ -174,7 +174,7 @@ private slots:
         const auto start = AlarmLog::begin(*database);
         const QList<AlarmRow> newest = page(*database);
         const QList<AlarmRow> middle = page(*database, AlarmLog::capacity / 2);
-        QVERIFY(start && newest.size() == AlarmLog::pageRows && middle.size() == AlarmLog::pageRows);
+        QVERIFY(start && newest.size() == logPageRows && middle.size() == logPageRows);
         QCOMPARE(newest[0].end, AlarmRow::End::Unknown);
     }
 

@@ -75,17 +75,17 @@ private slots:
     {
         Trail trail;
         trail.open();
-        const auto page = readAudit(*trail.database, {}, std::nullopt, 3);
+        const auto page = auditTable().page(*trail.database, 0, 3);
         QVERIFY(page);
         QCOMPARE(page->size(), 3);
         QCOMPARE(page->first().sequence, qint64{rows});
         QCOMPARE(page->first().entry, entryNumber(rows));
-        const auto next = readAudit(*trail.database, {}, page->last().sequence, 100);
+        const auto next = auditTable().page(*trail.database, page->last().sequence, 100);
         QCOMPARE(next->size(), rows - 3);
         QCOMPARE(next->last().sequence, qint64{1});
-        QCOMPARE(readAudit(*trail.database, {u"Anna"_s, {}}, std::nullopt, 100)->size(), rows / 2);
-        QCOMPARE(readAudit(*trail.database, {{}, u"parameter"_s}, std::nullopt, 100)->size(), 2);
-        QCOMPARE(readAudit(*trail.database, {{}, u"para"_s}, std::nullopt, 100)->size(), 0);
+        QCOMPARE(auditTable().page(*trail.database, 0, 100, {.who = u"Anna"_s})->size(), rows / 2);
+        QCOMPARE(auditTable().page(*trail.database, 0, 100, {.area = u"parameter"_s})->size(), 2);
+        QCOMPARE(auditTable().page(*trail.database, 0, 100, {.area = u"para"_s})->size(), 0);
         QCOMPARE(*auditNames(*trail.database), QStringList({u"Anna"_s, u"李伟"_s}));
     }
 
@@ -177,7 +177,7 @@ private slots:
         QCOMPARE(trail.check().brokenSequence(), qint64{6});
         trail.open();
         QVERIFY(appendAudit(*trail.database, entryNumber(9)));
-        const auto page = readAudit(*trail.database, {}, std::nullopt, 2);
+        const auto page = auditTable().page(*trail.database, 0, 2);
         QCOMPARE(page->first().sequence, qint64{7});
         QCOMPARE(page->last().entry.what, u"audit.loss"_s);
         QCOMPARE(page->last().entry.object, u"6..8"_s);
@@ -198,8 +198,7 @@ private slots:
             QCOMPARE(trail.check().fault(), Fault::EndUnknown);
             QCOMPARE(trail.check().brokenSequence(), qint64{6});
             QVERIFY(appendAudit(*trail.database, entryNumber(9)));
-            QCOMPARE(readAudit(*trail.database, {}, qint64{7}, 1)->first().entry.what,
-                     u"audit.end_unknown"_s);
+            QCOMPARE(auditTable().page(*trail.database, 7, 1)->first().entry.what, u"audit.end_unknown"_s);
             QCOMPARE(trail.check().fault(), Fault::None);
             QCOMPARE(trail.check().losses(), qint64{1});
         }
@@ -248,7 +247,7 @@ private slots:
     void oldestRowsGiveWay()
     {
         Trail trail(57, {20, 5, 0, 20});
-        const auto kept = readAudit(*trail.database, {}, std::nullopt, 1000);
+        const auto kept = auditTable().page(*trail.database, 0, 1000);
         QVERIFY(kept->size() <= 21);
         QVERIFY(kept->size() > 14);
         QVERIFY(kept->last().sequence > 1);
@@ -278,7 +277,7 @@ private slots:
             entry.isClockDoubtful = isClockDoubtful;
             return appendAudit(*trail.database, entry, bounds).has_value();
         };
-        const auto kept = [&trail] { return readAudit(*trail.database, {}, std::nullopt, 1000)->size(); };
+        const auto kept = [&trail] { return auditTable().page(*trail.database, 0, 1000)->size(); };
         for (qint64 day = 1; day <= 34; ++day)
             QVERIFY(append(day));
         QCOMPARE(kept(), 34); // the fifth row is 29 days old

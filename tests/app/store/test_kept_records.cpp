@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Records of every kind as an earlier panel left them: kept_records.sql is the dump of its database,
 // kept_records.csv its exports, one after the other. Both stay as they are.
-#include "app/store/logs/log_export.h"
+#include "app/store/logs/alarm_log.h"
+#include "app/store/logs/audit_log.h"
 #include "app/store/logs/stop_export.h"
 #include "app/store/logs/trend_export.h"
 #include "app/store/logs/trend_schema.h"
@@ -110,7 +111,7 @@ QByteArray exportsOf(Database& database, const CsvDialect& dialect)
     if (!added)
         return {};
     const auto window = *readTrends(*trends, {start, start + 60'000, {TrendQuantity::MarkError}, 400});
-    return *alarmsCsv(database, {}, dialect) + auditCsv(database, {}, 100, dialect)->csv +
+    return alarmTable().csv(database, {}, dialect)->bytes + auditTable().csv(database, {}, dialect)->bytes +
            statesCsv(span, dialect) + stopsCsv(span, dialect) +
            *bagsCsv(*trends, 0, start + 1000, 10, dialect) +
            trendsCsv(window, start, start + 60'000, dialect);
@@ -148,10 +149,10 @@ private slots:
         const auto database = Database::open(folder.path());
         QVERIFY2(database, database ? "" : qPrintable(database.error().detail));
         QCOMPARE((*database)->opening().migratedFrom, 0);
-        const auto found = *AlarmLog::page(**database, 0);
+        const auto found = *alarmTable().page(**database, 0);
         QCOMPARE(found, (QList<AlarmRow>{alarms().rows[2], alarms().rows[1], alarms().rows[0]}));
         QCOMPARE(AlarmLog::begin(**database)->shelves, *alarms().shelves);
-        const auto trail = *readAudit(**database, {}, std::nullopt, 10);
+        const auto trail = *auditTable().page(**database, 0, 10);
         QCOMPARE(trail.size(), 2);
         QCOMPARE(trail[0].entry, auditEntries()[1]);
         QCOMPARE(trail[1].entry, auditEntries()[0]);
@@ -161,6 +162,42 @@ private slots:
         const auto span = *StopLog::between(**database, 0, start + 1'000'000);
         QCOMPARE(span.intervals, states().intervals);
         QCOMPARE(span.stops, states().stops);
+    }
+
+    // One row of the list is all that a new column needs.
+    void aColumnOfALaterVersionIsAddedToTheTable()
+    {
+        struct Row {
+            qint64 id = 0;
+            QString text{};
+            double more = 0;
+        };
+        const Table<Row> table{u"thing"_s,
+                               1,
+                               {{.name = u"id"_s, .member = &Row::id},
+                                {.name = u"text"_s, .member = &Row::text, .sought = Sought::Word},
+                                {.name = u"more"_s, .member = &Row::more, .since = 2}}};
+        std::vector<QStringList> steps{{u"CREATE INDEX thing_text ON thing (text)"_s}};
+        table.addSteps(steps);
+        QCOMPARE(steps.size(), std::size_t{2});
+        QCOMPARE(steps[0], (QStringList{u"CREATE TABLE thing ( id INTEGER PRIMARY KEY, text TEXT NOT NULL)"_s,
+                                        u"CREATE INDEX thing_text ON thing (text)"_s}));
+        QCOMPARE(steps[1], QStringList{u"ALTER TABLE thing ADD COLUMN more REAL NOT NULL DEFAULT 0"_s});
+        const auto database = Database::inMemory();
+        for (const QString& statement : steps[0])
+            QVERIFY(database->execute(statement));
+        QVERIFY(database->execute(u"INSERT INTO thing VALUES (1, 'old')"_s));
+        QVERIFY(database->execute(steps[1].first()));
+        QVERIFY(table.write(*database, {2, u"new"_s, 1.5}));
+        QVERIFY(table.write(*database, {2, u"newer"_s, 2.5}));
+        const auto rows = *table.page(*database);
+        QCOMPARE(rows.size(), 2);
+        QCOMPARE(rows[0].text, u"newer"_s);
+        QCOMPARE(rows[0].more, 2.5);
+        QCOMPARE(rows[1].more, 0.);
+        QVERIFY(table.includes({.word = u"OLD"_s}, rows[1]) && !table.includes({.word = u"OLD"_s}, rows[0]));
+        QCOMPARE(table.csv(*database, {.word = u"OLD"_s})->bytes, QByteArray("id,text,more\n1,old,0\n"));
+        QVERIFY(table.csv(*database, {})->bytes.contains("\n2,newer,2.5\n"));
     }
 
     void theDumpIsExportedAsBefore()

@@ -76,7 +76,7 @@ class TestKilled : public QObject {
 
         // The writer can be killed between its first confirmation, a recipe, and these.
         if (m_confirmed.contains("alarm")) {
-            const auto alarms = store::AlarmLog::page(database, 0, 1);
+            const auto alarms = store::alarmTable().page(database, 0, 1);
             QVERIFY(alarms && alarms->size() == 1);
             QVERIFY(alarms->first().id >= m_confirmed["alarm"]);
         }

@@ -2,7 +2,8 @@
 // The filter of the logs: spans of time, ids and words, in SQL and for rows that are added later; the mark of
 // a clock that was not set.
 #include "app/store/database/clock_mark.h"
-#include "app/store/logs/log_export.h"
+#include "app/store/logs/alarm_log.h"
+#include "app/store/logs/audit_log.h"
 #include "app/store/logs/stop_log.h"
 #include "app/store/recipes/recipe_library.h"
 #include "tests/support/earlier_schema.h"
@@ -127,18 +128,18 @@ private slots:
         const QTemporaryDir folder;
         const auto database = exampleLog(folder);
         QList<qint64> found;
-        const auto matching = AlarmLog::page(*database, 0, 100, filter);
+        const auto matching = alarmTable().page(*database, 0, 100, filter);
         for (const AlarmRow& row : *matching)
             found << row.id;
         QCOMPARE(found, ids);
         QList<qint64> included;
-        const auto all = AlarmLog::page(*database, 0);
+        const auto all = alarmTable().page(*database, 0);
         for (const AlarmRow& row : *all) {
-            if (AlarmLog::includes(filter, row))
+            if (alarmTable().includes(filter, row))
                 included << row.id;
         }
         QCOMPARE(included, ids);
-        QCOMPARE(alarmsCsv(*database, filter, {})->count('\n'), 1 + ids.size());
+        QCOMPARE(alarmTable().csv(*database, filter)->bytes.count('\n'), 1 + ids.size());
     }
 
     void alarmsByPages()
@@ -149,7 +150,7 @@ private slots:
         QList<qint64> found;
         qint64 before = 0;
         while (true) {
-            const auto page = *AlarmLog::page(*database, before, 1, filter);
+            const auto page = *alarmTable().page(*database, before, 1, filter);
             if (page.isEmpty())
                 break;
             before = page.first().id;
@@ -189,27 +190,25 @@ private slots:
               entry(1500, u"parameter.write"_s, u"parameter.mark_window"_s, u"125"_s, u"refused 7"_s),
               entry(2500, u"command.start"_s, {})})
             QVERIFY(appendAudit(*database, each));
-        AuditFilter wanted;
-        wanted.log = filter;
         QList<qint64> found;
-        const auto matching = readAudit(*database, wanted, std::nullopt, 100);
+        const auto matching = auditTable().page(*database, 0, 100, filter);
         for (const AuditRow& row : *matching)
             found << row.sequence;
         QCOMPARE(found, rows);
         QList<qint64> included;
-        const auto all = readAudit(*database, {}, std::nullopt, 100);
+        const auto all = auditTable().page(*database, 0, 100);
         for (const AuditRow& row : *all) {
-            if (includes(wanted, row))
+            if (auditTable().includes(filter, row))
                 included << row.sequence;
         }
         QCOMPARE(included, rows);
-        QCOMPARE(auditCsv(*database, wanted, 100, {})->csv.count('\n'), 1 + rows.size());
-        QCOMPARE(auditCsv(*database, wanted, 100, {})->csv.count("Z,"),
+        QCOMPARE(auditTable().csv(*database, filter, {}, 100)->bytes.count('\n'), 1 + rows.size());
+        QCOMPARE(auditTable().csv(*database, filter, {}, 100)->bytes.count("Z,"),
                  rows.size()); // UTC as in the other files
-        const auto two = auditCsv(*database, wanted, 2, {});
-        QCOMPARE(two->csv.count('\n'), 1 + std::min<qsizetype>(2, rows.size()));
+        const auto two = auditTable().csv(*database, filter, {}, 2);
+        QCOMPARE(two->bytes.count('\n'), 1 + std::min<qsizetype>(2, rows.size()));
         QCOMPARE(two->isCut, rows.size() > 2);
-        QVERIFY(!auditCsv(*database, wanted, rows.size(), {})->isCut);
+        QVERIFY(!auditTable().csv(*database, filter, {}, rows.size())->isCut);
     }
 
     // Random logs with clocks that jump: SQL and the test of a single row agree.
@@ -238,11 +237,11 @@ private slots:
                 filter.keysOfWord << u"M-01"_s;
             QList<qint64> wanted;
             for (auto row = changes.rows.crbegin(); row != changes.rows.crend(); ++row) {
-                if (AlarmLog::includes(filter, *row))
+                if (alarmTable().includes(filter, *row))
                     wanted << row->id;
             }
             QList<qint64> found;
-            const auto matching = AlarmLog::page(*database, 0, 1000, filter);
+            const auto matching = alarmTable().page(*database, 0, 1000, filter);
             for (const AlarmRow& row : *matching)
                 found << row.id;
             QCOMPARE(found, wanted);
@@ -291,7 +290,7 @@ private slots:
 
         QVERIFY(noteClockProven(*database, now));
         QCOMPARE(*newestRecordMs(*database), now);
-        const auto rows = *AlarmLog::page(*database, 0);
+        const auto rows = *alarmTable().page(*database, 0);
         QVERIFY(rows[0].isClockDoubtful && !rows[1].isClockDoubtful);
         const auto intervals = StopLog::between(*database, 0, ahead + day)->intervals;
         QVERIFY(!intervals[0].isClockDoubtful && intervals[1].isClockDoubtful);
@@ -317,9 +316,9 @@ private slots:
         QVERIFY(AlarmLog::write(*database, changes));
         QCOMPARE(*newestRecordMs(*database), 4000); // without the marked one
         QCOMPARE(AlarmLog::begin(*database)->newestMs, 4000);
-        const auto page = *AlarmLog::page(*database, 0);
+        const auto page = *alarmTable().page(*database, 0);
         QVERIFY(!page[0].isClockDoubtful && page[1].isClockDoubtful);
-        const QByteArray alarms = alarmsCsv(page);
+        const QByteArray alarms = alarmTable().csv(*database, {})->bytes;
         QVERIFY(alarms.contains(",,set\n") && alarms.contains(",,not set\n"));
 
         AuditEntry first = entry(7000, u"user.login"_s, u"Anna"_s);
@@ -327,9 +326,9 @@ private slots:
         QVERIFY(appendAudit(*database, first));
         QVERIFY(appendAudit(*database, entry(8000, u"user.logout"_s, u"Anna"_s)));
         QCOMPARE(*newestRecordMs(*database), 8000);
-        const auto rows = *readAudit(*database, {}, std::nullopt, 10);
+        const auto rows = *auditTable().page(*database, 0, 10);
         QVERIFY(!rows[0].entry.isClockDoubtful && rows[1].entry.isClockDoubtful);
-        QVERIFY(auditCsv(rows).contains(",not set\n"));
+        QVERIFY(auditTable().csv(*database, {})->bytes.contains(",not set\n"));
         QCOMPARE(verifyChain(*database)->fault(), ChainCheck::Fault::None);
         QVERIFY(database->execute(u"UPDATE audit SET clock_doubtful = 0 WHERE sequence = 1"_s));
         QCOMPARE(verifyChain(*database)->fault(), ChainCheck::Fault::Altered);
@@ -347,7 +346,7 @@ private slots:
         {
             const auto old = Database::openReadOnly(path);
             QVERIFY(old);
-            QCOMPARE(readAudit(**old, {}, std::nullopt, 10)->size(), 1);
+            QCOMPARE(auditTable().page(**old, 0, 10)->size(), 1);
             QCOMPARE(verifyChain(**old)->rows(), 1);
         }
         const auto database = *Database::open(folder.path());

@@ -226,7 +226,7 @@ private slots:
         rig.records->store().run(
             this,
             [](store::Database& database) {
-                return store::AlarmLog::page(database, 0, changes).value_or(QList<AlarmRow>());
+                return store::alarmTable().page(database, 0, changes).value_or(QList<AlarmRow>());
             },
             [&](const QList<AlarmRow>& all) {
                 rows = all.size();
@@ -573,17 +573,16 @@ private slots:
         QVERIFY(history.loading());
         QTRY_VERIFY(!history.loading());
         qInfo("100 000 alarms shown after %lld ms, the opening of the database with it", timer.elapsed());
-        QCOMPARE(history.rows()->count(), store::AlarmLog::pageRows);
+        QCOMPARE(history.rows()->count(), store::logPageRows);
         QCOMPARE(history.rows()->row(0).alarm.id, store::AlarmLog::capacity);
         QVERIFY(history.rows()->canFetchMore({}));
         history.rows()->fetchMore({});
         QVERIFY(!history.rows()->canFetchMore({}));
-        QTRY_COMPARE(history.rows()->count(), 2 * store::AlarmLog::pageRows);
-        QCOMPARE(history.rows()->rows().last().id(),
-                 store::AlarmLog::capacity - 2 * store::AlarmLog::pageRows + 1);
+        QTRY_COMPARE(history.rows()->count(), 2 * store::logPageRows);
+        QCOMPARE(history.rows()->rows().last().id(), store::AlarmLog::capacity - 2 * store::logPageRows + 1);
 
         rig.setFaults(jam);
-        QTRY_COMPARE(history.rows()->count(), 2 * store::AlarmLog::pageRows + 1);
+        QTRY_COMPARE(history.rows()->count(), 2 * store::logPageRows + 1);
         QCOMPARE(history.rows()->row(0).alarm.code, "C-01");
         QCOMPARE(history.rows()->row(0).alarm.id, store::AlarmLog::capacity + 1);
         QCOMPARE(history.rows()->row(0).alarm.end, AlarmRow::End::Active);

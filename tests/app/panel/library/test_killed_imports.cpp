@@ -21,7 +21,7 @@ class TestKilledImports : public QObject {
 
     static constexpr int kills = 24;
     static constexpr int timeoutMs = 20'000;
-    static constexpr int longestMs = 30; // an import takes some milliseconds
+    static constexpr int longestMs = 30;     // an import takes some milliseconds
     static constexpr int exampleVersion = 1; // of the recipe in each new library
 
     QTemporaryDir m_folder;
@@ -81,7 +81,7 @@ class TestKilledImports : public QObject {
         const auto chain = store::verifyChain(database);
         QVERIFY(chain);
         QCOMPARE(chain->fault(), store::ChainCheck::Fault::None);
-        const auto rows = store::readAudit(database, {}, std::nullopt, 100);
+        const auto rows = store::auditTable().page(database, 0, 100);
         QVERIFY(rows);
         const QString confirmed = QStringLiteral("version %1, signed by Plant").arg(m_imported);
         QVERIFY(m_imported == exampleVersion ||

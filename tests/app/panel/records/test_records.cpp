@@ -56,7 +56,7 @@ private slots:
             QTRY_VERIFY(records.notice().contains(QStringLiteral("last good copy")));
         }
         const auto database = store::Database::open(folder.path());
-        const auto rows = store::readAudit(**database, {}, std::nullopt, 10);
+        const auto rows = store::auditTable().page(**database, 0, 10);
         QVERIFY(rows);
         QCOMPARE(rows->size(), 1);
         QCOMPARE(rows->first().entry.what, QStringLiteral("memory.from_copy"));

@@ -1,14 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
-// Times are milliseconds since 1970 UTC.
-#include "app/store/database/schema.h"
+// The tables of the main database, as the steps from each version to the next. A released step is never
+// changed: a new one follows it. The tables of the logs come from their columns; see table.h. Times are
+// milliseconds since 1970 UTC.
+#include "app/store/database/names.h"
+#include "app/store/logs/alarm_log.h"
+#include "app/store/logs/audit_log.h"
+#include "app/store/logs/stop_log.h"
 
 using namespace Qt::StringLiterals;
 
 namespace campanel::store {
 
-const std::vector<QStringList>& migrations()
+namespace {
+
+std::vector<QStringList> stepsBesideTheLogs()
 {
-    static const std::vector<QStringList> steps{
+    return {
         {
             // The present versions are the highest of each recipe; a deleted recipe keeps its history.
             uR"(CREATE TABLE recipe (
@@ -33,28 +40,10 @@ const std::vector<QStringList>& migrations()
                     json BLOB NOT NULL) WITHOUT ROWID)"_s,
         },
         {
-            // Alarms: one row per occurrence, ids in their order; see AlarmRow. The indices contain only the
-            // few open rows.
-            uR"(CREATE TABLE alarm (
-                    id INTEGER PRIMARY KEY,
-                    code TEXT NOT NULL,
-                    raised_ms INTEGER NOT NULL,
-                    ending INTEGER NOT NULL,
-                    returned_ms INTEGER,
-                    wants_acknowledgement INTEGER NOT NULL,
-                    acknowledged_ms INTEGER,
-                    acknowledged_by TEXT NOT NULL,
-                    count INTEGER NOT NULL,
-                    shelved INTEGER NOT NULL,
-                    detail TEXT NOT NULL))"_s,
+            // The tables of alarms. The indices contain only the few open rows.
             uR"(CREATE INDEX alarm_active ON alarm (ending) WHERE ending = 0)"_s,
             uR"(CREATE INDEX alarm_unacknowledged ON alarm (code, id)
                     WHERE acknowledged_ms IS NULL AND wants_acknowledgement = 1)"_s,
-            uR"(CREATE TABLE alarm_shelf (
-                    code TEXT PRIMARY KEY,
-                    since_ms INTEGER NOT NULL,
-                    until_ms INTEGER NOT NULL,
-                    shelved_by TEXT NOT NULL) WITHOUT ROWID)"_s,
         },
         {
             // Users with their PINs, and the audit trail. A removed user stays as a name without a PIN.
@@ -68,58 +57,21 @@ const std::vector<QStringList>& migrations()
                     locked_until_ms INTEGER NOT NULL DEFAULT 0,
                     deleted INTEGER NOT NULL DEFAULT 0))"_s,
             u"CREATE UNIQUE INDEX user_name ON user (name) WHERE deleted = 0"_s,
-            uR"(CREATE TABLE audit (
-                    sequence INTEGER PRIMARY KEY,
-                    time_ms INTEGER NOT NULL,
-                    who TEXT NOT NULL,
-                    level INTEGER NOT NULL,
-                    what TEXT NOT NULL,
-                    object TEXT NOT NULL,
-                    before TEXT NOT NULL,
-                    after TEXT NOT NULL,
-                    read_back TEXT NOT NULL,
-                    outcome TEXT NOT NULL,
-                    previous BLOB NOT NULL,
-                    hash BLOB NOT NULL))"_s,
             u"CREATE TABLE audit_start (sequence INTEGER NOT NULL, hash BLOB NOT NULL)"_s,
         },
         {
-            // The machine's states, and the reasons of its stops; see StateInterval. The id of a stop is that
-            // of its first interval.
-            uR"(CREATE TABLE state_interval (
-                    id INTEGER PRIMARY KEY,
-                    stop INTEGER NOT NULL,
-                    state INTEGER NOT NULL,
-                    begin_ms INTEGER NOT NULL,
-                    duration_ms INTEGER NOT NULL,
-                    program TEXT NOT NULL,
-                    version INTEGER NOT NULL,
-                    ideal_per_min REAL NOT NULL,
-                    cycles INTEGER NOT NULL,
-                    pieces INTEGER NOT NULL,
-                    out_of_tolerance INTEGER NOT NULL,
-                    start_up_scrap INTEGER NOT NULL,
-                    skipped INTEGER NOT NULL))"_s,
+            // The tables of the machine's states and the reasons of its stops.
             u"CREATE INDEX state_interval_begin ON state_interval (begin_ms)"_s,
             u"CREATE INDEX state_interval_stop ON state_interval (stop)"_s,
-            uR"(CREATE TABLE stop (
-                    id INTEGER PRIMARY KEY,
-                    reason TEXT NOT NULL,
-                    planned INTEGER NOT NULL,
-                    answered_by TEXT NOT NULL,
-                    answered_ms INTEGER NOT NULL))"_s,
         },
         {
             // The mark of rows that were written while the clock was not set, and the indices by which a span
             // of time is found.
-            u"ALTER TABLE alarm ADD COLUMN clock_doubtful INTEGER NOT NULL DEFAULT 0"_s,
-            u"ALTER TABLE audit ADD COLUMN clock_doubtful INTEGER NOT NULL DEFAULT 0"_s,
             u"CREATE INDEX alarm_raised ON alarm (raised_ms)"_s,
             u"CREATE INDEX audit_time ON audit (time_ms)"_s,
         },
         {
             // The same mark of states and versions of recipes.
-            u"ALTER TABLE state_interval ADD COLUMN clock_doubtful INTEGER NOT NULL DEFAULT 0"_s,
             u"ALTER TABLE recipe_version ADD COLUMN clock_doubtful INTEGER NOT NULL DEFAULT 0"_s,
         },
         {
@@ -136,7 +88,33 @@ const std::vector<QStringList>& migrations()
             u"CREATE TABLE clock_proof (time_ms INTEGER NOT NULL, audit_sequence INTEGER NOT NULL)"_s,
         },
     };
-    return steps;
+}
+
+const std::vector<QStringList>& steps()
+{
+    static const std::vector<QStringList> all = [] {
+        std::vector<QStringList> made = stepsBesideTheLogs();
+        alarmTable().addSteps(made);
+        alarmShelfTable().addSteps(made);
+        auditTable().addSteps(made);
+        stateTable().addSteps(made);
+        stopTable().addSteps(made);
+        return made;
+    }();
+    return all;
+}
+
+} // namespace
+
+const DatabaseFile& mainDatabase()
+{
+    static const DatabaseFile file{u"campanel.sqlite"_s, &steps, true, &completeNames};
+    return file;
+}
+
+int schemaVersion()
+{
+    return static_cast<int>(steps().size());
 }
 
 } // namespace campanel::store
