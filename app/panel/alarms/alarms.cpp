@@ -188,12 +188,7 @@ void Alarms::note(const QString& what, const QString& codes, const QString& afte
 {
     noteChange();
     publish();
-    store::AuditEntry entry;
-    entry.what = what;
-    entry.object = codes;
-    entry.after = after;
-    entry.outcome = u"done"_s;
-    emit noted(entry);
+    emit noted({.what = what, .object = codes, .after = after});
 }
 
 void Alarms::acknowledge(int row)

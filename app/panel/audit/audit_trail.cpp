@@ -185,33 +185,31 @@ void AuditTrail::open()
     watchManual();
     watchLine();
     connect(&m_watched.access, &Access::happened, this, [this](const Access::Event& event) {
-        store::AuditEntry made = entry(event.what, event.object);
-        made.before = event.before;
-        made.after = event.after;
-        made.outcome = event.outcome;
-        append(made);
+        note({.what = event.what,
+              .object = event.object,
+              .before = event.before,
+              .after = event.after,
+              .outcome = event.outcome});
     });
 }
 
-store::AuditEntry AuditTrail::entry(const QString& what, const QString& object) const
+store::AuditEntry AuditTrail::signedNow(store::AuditEntry entry) const
 {
-    store::AuditEntry made;
-    made.timeMs = m_wallClock();
-    made.who = m_watched.access.userName();
-    made.level = m_watched.access.level();
-    made.what = what;
-    made.object = object;
-    made.outcome = u"done"_s;
-    return made;
+    entry.timeMs = m_wallClock();
+    entry.who = m_watched.access.userName();
+    entry.level = m_watched.access.level();
+    return entry;
 }
 
-void AuditTrail::note(store::AuditEntry noted)
+void AuditTrail::note(const store::AuditEntry& noted)
 {
-    const store::AuditEntry now = entry(noted.what, noted.object);
-    noted.timeMs = now.timeMs;
-    noted.who = now.who;
-    noted.level = now.level;
-    append(noted);
+    append(signedNow(noted));
+}
+
+QString AuditTrail::activeProgram() const
+{
+    const auto& program = m_watched.controller.program();
+    return program ? QString::fromStdString(program->recipe.name) : QString();
 }
 
 void AuditTrail::noteOutside(store::AuditEntry noted)
@@ -256,10 +254,8 @@ void AuditTrail::watchCommands()
 
 void AuditTrail::noteSending(const link::CommandRequest& request)
 {
-    store::AuditEntry sent = entry(commandKey(request.command), {});
-    if (const auto& program = m_watched.controller.program())
-        sent.object = QString::fromStdString(program->recipe.name);
-    m_commands.insert(request.id, sent);
+    m_commands.insert(request.id,
+                      signedNow({.what = commandKey(request.command), .object = activeProgram()}));
 }
 
 // Records jogging and homing: jogging is not a command, and the result of homing comes long after its
@@ -267,26 +263,19 @@ void AuditTrail::noteSending(const link::CommandRequest& request)
 void AuditTrail::watchManual()
 {
     connect(m_watched.maintenance.jog(), &Jog::begun, this, [this](int direction, double position) {
-        noteManual(direction > 0 ? u"command.jog_forward"_s : u"command.jog_reverse"_s, pulsesText(position),
-                   {}, u"done"_s);
+        note({.what = direction > 0 ? u"command.jog_forward"_s : u"command.jog_reverse"_s,
+              .object = activeProgram(),
+              .before = pulsesText(position)});
     });
     connect(m_watched.maintenance.jog(), &Jog::ended, this, [this](int, Jog::End end, double position) {
-        noteManual(u"command.jog_end"_s, {}, pulsesText(position), outcomeKey(end));
+        note({.what = u"command.jog_end"_s,
+              .object = activeProgram(),
+              .after = pulsesText(position),
+              .outcome = outcomeKey(end)});
     });
-    connect(m_watched.maintenance.homing(), &Homing::ended, this,
-            [this](Homing::Result result) { noteManual(u"command.home_end"_s, {}, {}, outcomeKey(result)); });
-}
-
-void AuditTrail::noteManual(const QString& what, const QString& before, const QString& after,
-                            const QString& outcome)
-{
-    store::AuditEntry made = entry(what, {});
-    if (const auto& program = m_watched.controller.program())
-        made.object = QString::fromStdString(program->recipe.name);
-    made.before = before;
-    made.after = after;
-    made.outcome = outcome;
-    append(made);
+    connect(m_watched.maintenance.homing(), &Homing::ended, this, [this](Homing::Result result) {
+        note({.what = u"command.home_end"_s, .object = activeProgram(), .outcome = outcomeKey(result)});
+    });
 }
 
 void AuditTrail::watchParameters()
@@ -300,9 +289,7 @@ void AuditTrail::watchParameters()
 // parameter end in their order.
 void AuditTrail::noteWriting(const QString& name, double value)
 {
-    store::AuditEntry writing = entry(u"parameter.write"_s, name);
-    writing.after = numberText(value);
-    m_writes << writing;
+    m_writes << signedNow({.what = u"parameter.write"_s, .object = name, .after = numberText(value)});
     m_watched.controller.link().exchange({0, name.toStdString(), std::nullopt},
                                          {this, [this, name](const link::ParameterOutcome& outcome) {
                                               const auto written = findWrite(name);
@@ -338,11 +325,11 @@ void AuditTrail::noteWizard()
     m_wizardStep = step;
     if (wizard.step() != MarkWizard::Step::Done && wizard.step() != MarkWizard::Step::Failed)
         return;
-    store::AuditEntry result = entry(u"wizard.marks"_s, u"parameter.mark_distance"_s);
-    result.before = wizard.oldText();
-    result.after = wizard.newText();
-    result.outcome = wizard.step() == MarkWizard::Step::Done ? u"done"_s : u"off_target"_s;
-    append(result);
+    note({.what = u"wizard.marks"_s,
+          .object = u"parameter.mark_distance"_s,
+          .before = wizard.oldText(),
+          .after = wizard.newText(),
+          .outcome = wizard.step() == MarkWizard::Step::Done ? u"done"_s : u"off_target"_s});
 }
 
 void AuditTrail::watchDownloads()
@@ -358,8 +345,9 @@ void AuditTrail::beginDownload(const program::ProgramImage& image)
     proveDownload(true);
     Download download;
     download.crc = image.crc;
-    store::AuditEntry whole = entry(u"program.download"_s, QString::fromStdString(image.recipe.name));
-    whole.after = programText(image.recipe, image.crc);
+    store::AuditEntry whole = signedNow({.what = u"program.download"_s,
+                                         .object = QString::fromStdString(image.recipe.name),
+                                         .after = programText(image.recipe, image.crc)});
     const auto& active = m_watched.controller.program();
     const auto& status = m_watched.controller.status();
     if (active)
@@ -369,12 +357,12 @@ void AuditTrail::beginDownload(const program::ProgramImage& image)
         for (const program::Difference& difference :
              program::differences(active->registers, image.registers)) {
             const auto name = difference.info->name;
-            store::AuditEntry value = entry(
-                u"program.value"_s, QString::fromLatin1(name.data(), static_cast<qsizetype>(name.size())));
             const bool isText = !difference.textA.empty() || !difference.textB.empty();
-            value.before = isText ? QString::fromStdString(difference.textA) : numberText(difference.a);
-            value.after = isText ? QString::fromStdString(difference.textB) : numberText(difference.b);
-            download.entries << value;
+            download.entries << signedNow(
+                {.what = u"program.value"_s,
+                 .object = QString::fromLatin1(name.data(), static_cast<qsizetype>(name.size())),
+                 .before = isText ? QString::fromStdString(difference.textA) : numberText(difference.a),
+                 .after = isText ? QString::fromStdString(difference.textB) : numberText(difference.b)});
         }
     }
     m_download = download;
@@ -429,30 +417,28 @@ void AuditTrail::noteSettings()
     for (qsizetype i = 0; i < now.size(); ++i) {
         if (m_settings[i] == now[i].text)
             continue;
-        store::AuditEntry changed = entry(u"setting.change"_s, now[i].object);
-        changed.before = std::exchange(m_settings[i], now[i].text);
-        changed.after = now[i].text;
-        append(changed);
+        note({.what = u"setting.change"_s,
+              .object = now[i].object,
+              .before = std::exchange(m_settings[i], now[i].text),
+              .after = now[i].text});
     }
 }
 
 void AuditTrail::noteExport(const QStringList& paths, const QString& problem)
 {
-    store::AuditEntry made = entry(u"export.write"_s, paths.value(0));
-    if (paths.size() > 1)
-        made.after = u"%1 files"_s.arg(paths.size());
-    if (!problem.isEmpty())
-        made.outcome = u"failed"_s;
-    append(made);
+    note({.what = u"export.write"_s,
+          .object = paths.value(0),
+          .after = paths.size() > 1 ? u"%1 files"_s.arg(paths.size()) : QString(),
+          .outcome = problem.isEmpty() ? u"done"_s : u"failed"_s});
 }
 
 void AuditTrail::watchLine()
 {
     connect(m_watched.maintenance.doctor(), &LinkDoctor::begun, this, [this](bool isSearch) {
-        append(entry(isSearch ? u"line.search"_s : u"line.diagnose"_s, u"connection"_s));
+        note({.what = isSearch ? u"line.search"_s : u"line.diagnose"_s, .object = u"connection"_s});
     });
     connect(m_watched.maintenance.figures(), &LineFigures::wasReset, this,
-            [this] { append(entry(u"line.reset"_s, {})); });
+            [this] { note({.what = u"line.reset"_s}); });
 }
 
 void AuditTrail::watchSimulation()
@@ -462,10 +448,10 @@ void AuditTrail::watchSimulation()
         const QString now = faults.rulesInForce().join(u"; "_s);
         if (now == m_faults)
             return;
-        store::AuditEntry changed = entry(u"setting.change"_s, u"simulated_faults"_s);
-        changed.before = std::exchange(m_faults, now);
-        changed.after = now;
-        append(changed);
+        note({.what = u"setting.change"_s,
+              .object = u"simulated_faults"_s,
+              .before = std::exchange(m_faults, now),
+              .after = now});
     });
 }
 

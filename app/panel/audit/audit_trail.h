@@ -48,7 +48,7 @@ public:
     // Starts recording.
     void open();
     // Adds an entry that is not watched here; sets its time, user and level.
-    void note(store::AuditEntry entry);
+    void note(const store::AuditEntry& entry);
     // Adds an entry for files that were taken out.
     void noteExport(const QStringList& paths, const QString& problem);
     // Adds an entry that no person at the panel has caused; sets its time.
@@ -67,7 +67,10 @@ private:
         std::uint32_t crc = 0;
     };
 
-    [[nodiscard]] store::AuditEntry entry(const QString& what, const QString& object) const;
+    // Returns the entry with the present time, user and level.
+    [[nodiscard]] store::AuditEntry signedNow(store::AuditEntry entry) const;
+    // Returns the name of the controller's program; empty while it is unknown.
+    [[nodiscard]] QString activeProgram() const;
     void append(const store::AuditEntry& entry);
     void watchCommands();
     void watchParameters();
@@ -85,7 +88,6 @@ private:
     void noteWizard();
     void watchManual();
     void watchLine();
-    void noteManual(const QString& what, const QString& before, const QString& after, const QString& outcome);
 
     DatabaseService& m_records;
     Watched m_watched;

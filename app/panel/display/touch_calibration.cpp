@@ -231,13 +231,11 @@ void TouchCalibration::tick()
 
 void TouchCalibration::note(const TouchTrial& trial, const QString& outcome)
 {
-    store::AuditEntry entry;
-    entry.what = u"setting.change"_s;
-    entry.object = u"touchscreen"_s;
-    entry.before = trial.before;
-    entry.after = trial.after;
-    entry.outcome = outcome;
-    emit noted(entry);
+    emit noted({.what = u"setting.change"_s,
+                .object = u"touchscreen"_s,
+                .before = trial.before,
+                .after = trial.after,
+                .outcome = outcome});
 }
 
 } // namespace campanel::panel

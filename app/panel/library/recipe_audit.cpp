@@ -54,13 +54,11 @@ QString version(const store::RecipeVersion& of, const QStringList& values)
 store::AuditEntry recipeSaved(const std::optional<store::RecipeVersion>& before,
                               const store::RecipeVersion& kept, const QString& signer)
 {
-    store::AuditEntry entry;
-    entry.what = before ? u"recipe.save"_s : u"recipe.new"_s;
-    entry.object = QString::fromStdString(kept.recipe.name);
-    entry.readBack = u"version %1"_s.arg(kept.version);
+    store::AuditEntry entry{.what = before ? u"recipe.save"_s : u"recipe.new"_s,
+                            .object = QString::fromStdString(kept.recipe.name),
+                            .readBack = u"version %1"_s.arg(kept.version)};
     if (!signer.isEmpty())
         entry.readBack += u", signed by "_s + signer;
-    entry.outcome = u"done"_s;
     QStringList old;
     QStringList wanted;
     if (before) {

@@ -463,13 +463,7 @@ void Recipes::restore()
 
 void Recipes::note(const QString& what, const QString& name, const QString& before, const QString& after)
 {
-    store::AuditEntry entry;
-    entry.what = what;
-    entry.object = name;
-    entry.before = before;
-    entry.after = after;
-    entry.outcome = u"done"_s;
-    emit noted(entry);
+    emit noted({.what = what, .object = name, .before = before, .after = after});
 }
 
 void Recipes::say(const QString& text)

@@ -103,12 +103,10 @@ void PlantFeed::endMinute()
 
 void PlantFeed::addRow(const QString& object, const QString& value)
 {
-    store::AuditEntry entry;
-    entry.what = u"network.command"_s;
-    entry.object = store::oneLine(object);
-    entry.after = store::oneLine(value);
-    entry.outcome = u"refused"_s;
-    m_trail.noteOutside(entry);
+    m_trail.noteOutside({.what = u"network.command"_s,
+                         .object = store::oneLine(object),
+                         .after = store::oneLine(value),
+                         .outcome = u"refused"_s});
 }
 
 } // namespace campanel::panel

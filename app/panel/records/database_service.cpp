@@ -59,28 +59,23 @@ void DatabaseService::makeCopy()
 void DatabaseService::noteReplacement(const store::Database::Opening& opening)
 {
     qCWarning(storeLog, "%s", qPrintable(store::oneLine(replacementText(opening), store::maxLineLength)));
-    store::AuditEntry entry;
-    entry.what = opening.fromCopy ? u"memory.from_copy"_s : u"memory.lost"_s;
-    entry.object = opening.damagedKeptAs;
-    append(entry);
+    append({.what = opening.fromCopy ? u"memory.from_copy"_s : u"memory.lost"_s,
+            .object = opening.damagedKeptAs});
 }
 
 // Writes the names that the database had to change; see Opening::renamed.
 void DatabaseService::noteRenamed(const store::Database::Opening& opening)
 {
-    for (const store::Renamed& renamed : opening.renamed) {
-        store::AuditEntry entry;
-        entry.what = renamed.table + u".rename"_s;
-        entry.object = entry.before = renamed.before;
-        entry.after = renamed.after;
-        append(entry);
-    }
+    for (const store::Renamed& renamed : opening.renamed)
+        append({.what = renamed.table + u".rename"_s,
+                .object = renamed.before,
+                .before = renamed.before,
+                .after = renamed.after});
 }
 
 void DatabaseService::append(store::AuditEntry entry)
 {
     entry.timeMs = QDateTime::currentMSecsSinceEpoch();
-    entry.outcome = u"done"_s;
     m_store.run(
         this, [entry](store::Database& database) { return store::appendAudit(database, entry); },
         [this](const tl::expected<store::AuditRow, store::StoreError>& row) {

@@ -54,11 +54,9 @@ Backup::Backup(const Parts& parts, const QString& folder, QObject* parent)
 {
     m_places.guardBy(parts.controller.accessCheck());
     connect(&m_places, &ReportFiles::written, this, [this](const QStringList& paths, const QString& problem) {
-        store::AuditEntry entry;
-        entry.what = u"backup.make"_s;
-        entry.object = paths.value(0);
-        entry.outcome = problem.isEmpty() ? u"done"_s : u"failed"_s;
-        m_parts.trail.note(entry);
+        m_parts.trail.note({.what = u"backup.make"_s,
+                            .object = paths.value(0),
+                            .outcome = problem.isEmpty() ? u"done"_s : u"failed"_s});
     });
     // Files left by a panel that was killed.
     QDir home(folder);
@@ -257,26 +255,21 @@ void Backup::restore()
     if (const QString reason = m_parts.controller.blockedReason(Action::RestoreBackup); !reason.isEmpty())
         return showMessage(reason, true);
     // The old trail gets an entry too, so that it documents its end.
-    store::AuditEntry entry;
-    entry.what = u"backup.restore"_s;
-    entry.object = QFileInfo(m_checked->path).fileName();
-    entry.after = m_checked->manifest.made.toString(Qt::ISODate);
-    entry.outcome = u"done"_s;
-    m_parts.trail.note(entry);
+    m_parts.trail.note({.what = u"backup.restore"_s,
+                        .object = QFileInfo(m_checked->path).fileName(),
+                        .after = m_checked->manifest.made.toString(Qt::ISODate)});
     snapshot([this](const Snapshot& present) { seal(present); });
 }
 
 void Backup::seal(const Snapshot& present)
 {
-    store::AuditEntry entry;
-    entry.timeMs = m_wallClock().toMSecsSinceEpoch();
-    entry.who = m_parts.access.userName();
-    entry.level = m_parts.access.level();
-    entry.what = u"backup.restored"_s;
-    entry.object = QFileInfo(m_checked->path).fileName();
-    entry.before = present.newestRow;
-    entry.after = m_checked->manifest.made.toString(Qt::ISODate);
-    entry.outcome = u"done"_s;
+    const store::AuditEntry entry{.timeMs = m_wallClock().toMSecsSinceEpoch(),
+                                  .who = m_parts.access.userName(),
+                                  .level = m_parts.access.level(),
+                                  .what = u"backup.restored"_s,
+                                  .object = QFileInfo(m_checked->path).fileName(),
+                                  .before = present.newestRow,
+                                  .after = m_checked->manifest.made.toString(Qt::ISODate)};
     const QString name =
         tr("CamPanel before restore %1", "name of a file").arg(m_wallClock().toString(u"yyyy-MM-dd HH-mm"_s));
     run(

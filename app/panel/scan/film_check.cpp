@@ -153,14 +153,12 @@ void FilmCheck::overrideCheck(const QString& reason)
 // The value before is the code of the needed reel.
 void FilmCheck::note(const QString& what, const QString& after, const QString& outcome)
 {
-    store::AuditEntry entry;
-    entry.what = what;
-    entry.object =
-        QString::fromStdString(m_controller.program() ? m_controller.program()->name : std::string());
-    entry.before = neededCode();
-    entry.after = after;
-    entry.outcome = outcome;
-    emit noted(entry);
+    const auto& program = m_controller.program();
+    emit noted({.what = what,
+                .object = QString::fromStdString(program ? program->name : std::string()),
+                .before = neededCode(),
+                .after = after,
+                .outcome = outcome});
 }
 
 } // namespace campanel::panel

@@ -93,13 +93,11 @@ void SystemService::finish(const Change& change, const QString& problem)
 {
     m_isBusy = false;
     m_problem = problem;
-    store::AuditEntry entry;
-    entry.what = u"setting.change"_s;
-    entry.object = change.object;
-    entry.before = change.before;
-    entry.after = change.after;
-    entry.outcome = problem.isEmpty() ? u"done"_s : u"failed"_s;
-    emit noted(entry);
+    emit noted({.what = u"setting.change"_s,
+                .object = change.object,
+                .before = change.before,
+                .after = change.after,
+                .outcome = problem.isEmpty() ? u"done"_s : u"failed"_s});
     emit changed();
     refresh();
 }

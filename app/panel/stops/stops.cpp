@@ -162,13 +162,10 @@ void Stops::noteReplaced(const StopRow& before, const StopRow& answer)
 {
     if (before.id == 0 || before.reason.isEmpty() || before.reason == answer.reason)
         return;
-    store::AuditEntry entry;
-    entry.what = u"stop.reason"_s;
-    entry.object = QDateTime::fromMSecsSinceEpoch(before.answeredMs).toUTC().toString(Qt::ISODate);
-    entry.before = before.reason;
-    entry.after = answer.reason;
-    entry.outcome = u"done"_s;
-    emit noted(entry);
+    emit noted({.what = u"stop.reason"_s,
+                .object = QDateTime::fromMSecsSinceEpoch(before.answeredMs).toUTC().toString(Qt::ISODate),
+                .before = before.reason,
+                .after = answer.reason});
 }
 
 QString Stops::reasonText() const

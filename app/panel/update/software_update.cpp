@@ -230,14 +230,12 @@ void SoftwareUpdate::confirm()
     if (!require() || !m_chosen)
         return;
     const Step step = *std::exchange(m_chosen, std::nullopt);
-    store::AuditEntry entry;
-    entry.what = step.request.package.isEmpty() ? u"update.back"_s : u"update.start"_s;
-    entry.object =
-        step.request.package.isEmpty() ? u"campanel"_s : QFileInfo(step.request.package).fileName();
-    entry.before = m_seen.installed->version;
-    entry.after = step.version;
-    entry.outcome = u"requested"_s;
-    emit noted(entry);
+    const bool isBack = step.request.package.isEmpty();
+    emit noted({.what = isBack ? u"update.back"_s : u"update.start"_s,
+                .object = isBack ? u"campanel"_s : QFileInfo(step.request.package).fileName(),
+                .before = m_seen.installed->version,
+                .after = step.version,
+                .outcome = u"requested"_s});
     showMessage(tr("Preparing … The panel closes soon and comes back."), false);
     begin(); // until the panel is ended, or the unit has refused
     run([places = m_places, request = step.request] { return writeRequest(places, request); },
@@ -287,13 +285,12 @@ void SoftwareUpdate::lookAgain()
 
 void SoftwareUpdate::take(const UpdateOutcome& outcome)
 {
-    store::AuditEntry entry;
-    entry.what = u"update.end"_s;
-    entry.object = u"campanel"_s;
-    entry.before = outcome.from;
-    entry.after = outcome.result == u"done" ? outcome.to : outcome.from;
-    entry.outcome = outcome.result == u"done" || outcome.result == u"refused" ? outcome.result : u"failed"_s;
-    emit ended(entry);
+    const bool isDone = outcome.result == u"done";
+    emit ended({.what = u"update.end"_s,
+                .object = u"campanel"_s,
+                .before = outcome.from,
+                .after = isDone ? outcome.to : outcome.from,
+                .outcome = isDone || outcome.result == u"refused" ? outcome.result : u"failed"_s});
     run(
         [places = m_places, outcome] {
             noteReported(places, outcome);

@@ -93,14 +93,10 @@ void Versions::noteSoftware(const QString& part, const QString& version)
 {
     if (!m_record || version.isEmpty() || m_record->software.value(part) == version)
         return;
-    store::AuditEntry entry;
-    entry.what = u"update.version"_s;
-    entry.object = part + u"_software"_s;
-    entry.before = m_record->software.value(part);
-    entry.after = version;
-    entry.outcome = u"done"_s;
-    m_record->software[part] = version;
-    emit noted(entry);
+    emit noted({.what = u"update.version"_s,
+                .object = part + u"_software"_s,
+                .before = std::exchange(m_record->software[part], version),
+                .after = version});
     m_records.store().run(
         this,
         [folder = m_folder, record = *m_record](store::Database&) {
