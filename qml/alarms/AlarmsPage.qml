@@ -50,8 +50,8 @@ Page {
             objectName: "alarmsCsv"
             width: (parent.width - parent.spacing) / 2
             text: qsTr("CSV")
-            enabled: Alarms.history.rows.count > 0 && !Alarms.history.exporting
-            onClicked: if (Access.ask(Access.Operator)) Alarms.history.exportCsv(Maintenance.files)
+            enabled: Alarms.history.rows.count > 0 && !Alarms.history.csv.busy
+            onClicked: if (Access.ask(Access.Operator)) Alarms.history.csv.make(Maintenance.files)
         }
     }
     LogFilterStrip {
@@ -97,8 +97,8 @@ Page {
         value: page.visible && page.section === 1
     }
     Connections {
-        target: Alarms.history
-        function onExportReady() { Frame.open("Parts/ReportFilesSheet", { title: qsTr("Alarms as CSV"), note: Alarms.history.filter.summary }) }
+        target: Alarms.history.csv
+        function onReady() { Frame.open("Parts/ReportFilesSheet", { title: qsTr("Alarms as CSV"), note: Alarms.history.filter.summary }) }
     }
     LogFilterDialogs {
         id: filterDialogs

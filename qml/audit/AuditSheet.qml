@@ -62,26 +62,26 @@ Sheet {
                 width: filters.quarter
                 glyph: Theme.icon.save
                 text: qsTr("CSV")
-                enabled: Audit.rows.count > 0 && !Audit.busy
+                enabled: Audit.log.rows.count > 0 && !Audit.log.csv.busy
                 onClicked: {
                     if (!Access.ask(Access.Operator))
                         return
-                    Audit.exportCsv()
-                    Frame.open("Parts/ReportFilesSheet", { title: qsTr("Audit trail as CSV"), note: Audit.filter.summary })
+                    Audit.log.csv.make(Maintenance.files)
+                    Frame.open("Parts/ReportFilesSheet", { title: qsTr("Audit trail as CSV"), note: Audit.log.filter.summary })
                 }
             }
         }
         LogFilterStrip {
             id: strip
             anchors { left: parent.left; right: parent.right; top: filters.bottom; topMargin: Theme.size.spacing }
-            filter: Audit.filter
+            filter: Audit.log.filter
         }
         Label {
             objectName: "auditEmpty"
             anchors { left: parent.left; right: parent.right; top: strip.visible ? strip.bottom : filters.bottom; topMargin: Theme.size.padding }
-            visible: Audit.rows.count === 0 && !Audit.busy
+            visible: Audit.log.rows.count === 0 && !Audit.log.loading
             wrapMode: Text.WordWrap
-            text: Audit.filter.active ? qsTr("No entry matches the filter.")
+            text: Audit.log.filter.active ? qsTr("No entry matches the filter.")
                 : qsTr("There are no entries of this kind. Commands, downloads, parameters, settings and logins are recorded here.")
             color: Theme.color.secondaryInk
         }
@@ -92,7 +92,7 @@ Sheet {
             clip: true
             spacing: Theme.size.outline
             boundsBehavior: Flickable.StopAtBounds
-            model: Audit.rows
+            model: Audit.log.rows
             delegate: AuditRow {
                 required property int index
                 objectName: "audit" + index

@@ -34,7 +34,7 @@ SettingsSection {
     NewUser { id: newUser }
     LogFilterDialogs {
         id: filterDialogs
-        filter: Audit.filter
+        filter: Audit.log.filter
         idLabel: qsTr("Row or register")
         onClosed: section.openAudit()
     }

@@ -18,8 +18,8 @@ Page {
         value: page.visible && !Display.dark
     }
     Connections {
-        target: Stops.shift
-        function onExportReady() { Frame.open("Parts/ReportFilesSheet", { title: qsTr("Stops as CSV") }) }
+        target: Stops.shift.csv
+        function onReady() { Frame.open("Parts/ReportFilesSheet", { title: qsTr("Stops as CSV") }) }
     }
     Row {
         id: head
@@ -111,8 +111,8 @@ Page {
             objectName: "shiftCsv"
             glyph: Theme.icon.save
             text: qsTr("CSV")
-            enabled: page.known && !Stops.shift.exporting
-            onClicked: if (Access.ask(Access.Operator)) Stops.shift.exportCsv()
+            enabled: page.known && !Stops.shift.csv.busy
+            onClicked: if (Access.ask(Access.Operator)) Stops.shift.csv.make(Maintenance.files)
         }
         Button {
             objectName: "shiftPdf"

@@ -25,8 +25,8 @@ Page {
         value: page.visible
     }
     Connections {
-        target: Trends
-        function onExportReady() { Frame.open("Parts/ReportFilesSheet", { title: qsTr("Bags and trends as CSV") }) }
+        target: Trends.csv
+        function onReady() { Frame.open("Parts/ReportFilesSheet", { title: qsTr("Bags and trends as CSV") }) }
     }
     Segmented {
         id: spanRow
@@ -63,8 +63,8 @@ Page {
             objectName: "trendExport"
             glyph: Theme.icon.save
             text: qsTr("CSV")
-            enabled: Trends.content === Trends.Shown && !Trends.exporting
-            onClicked: if (Access.ask(Access.Operator)) Trends.exportCsv()
+            enabled: Trends.content === Trends.Shown && !Trends.csv.busy
+            onClicked: if (Access.ask(Access.Operator)) Trends.csv.make(Maintenance.files)
         }
     }
     Label {

@@ -4,7 +4,6 @@
 #include "bench_pages.h"
 
 #include "app/panel/controller/controller.h"
-#include "app/panel/maintenance/maintenance.h"
 #include "app/panel/records/database_service.h"
 #include "app/panel/settings/settings.h"
 #include "app/panel/trends/trends.h"
@@ -85,8 +84,7 @@ struct Panel {
         : settings(folder + u"/settings.ini"_s, nullptr)
         , machine(link, settings, nullptr)
         , records(folder, nullptr)
-        , maintenance(machine, settings, folder, nullptr)
-        , trends(machine, settings, records, *maintenance.files(), folder, nullptr)
+        , trends(machine, settings, records, folder, nullptr)
         , wallMs(nowMs)
     {
         trends.setWallClock([this] { return wallMs; });
@@ -96,7 +94,6 @@ struct Panel {
     panel::Settings settings;
     panel::Controller machine;
     panel::DatabaseService records;
-    panel::Maintenance maintenance;
     panel::Trends trends;
     qint64 wallMs;
 

@@ -149,13 +149,13 @@ void addRows(store::Database& database)
 void waitForTrail(TestWindow& window)
 {
     panel::Audit& audit = window.panel().audit();
-    waitUntil([&audit] { return !audit.busy() && !audit.checking(); });
+    waitUntil([&audit] { return !audit.log()->loading() && !audit.checking(); });
     window.settle();
 }
 
 void openTrail(TestWindow& window)
 {
-    window.panel().audit().filter()->clear();
+    window.panel().audit().log()->filter()->clear();
     window.tap(u"nav_settings"_s);
     window.tap(u"sectionUsers"_s);
     window.tap(u"auditButton"_s);
@@ -278,7 +278,7 @@ QList<Screen> accessScreens()
                  openTrail(window);
                  window.tap(u"auditFilter"_s);
                  window.tap(u"filterDay"_s);
-                 window.panel().audit().filter()->setWord(u"mark"_s);
+                 window.panel().audit().log()->filter()->setWord(u"mark"_s);
                  window.tap(u"filterShow"_s);
                  waitForTrail(window);
              }},

@@ -53,7 +53,7 @@ TestWindow::TestWindow(const Variant& variant)
     m_panel.backup().setWallClock(wallClock);
     m_panel.commissioning().setWallClock(wallClock);
     m_panel.alarms().setWallClock(wallClock);
-    m_panel.audit().filter()->setWallClock(wallClock);
+    m_panel.audit().log()->filter()->setWallClock(wallClock);
     m_panel.alarms().setPaceMs(0);
     m_panel.systemClock().setBus(m_timeBus.bus());
     m_panel.systemNetwork().setBus(m_networkBus.bus());

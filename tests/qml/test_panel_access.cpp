@@ -182,7 +182,7 @@ private slots:
                  qPrintable(textOf("auditChain")));
         tap("auditArea");
         tap("choice_parameter");
-        QTRY_VERIFY(!m_window->panel().audit().busy());
+        QTRY_VERIFY(!m_window->panel().audit().log()->loading());
         m_window->settle();
         QCOMPARE(m_window->panel().audit().rows()->count(), 2);
         tap("audit1");

@@ -26,7 +26,7 @@ class Alarms : public QObject, public Singleton<Alarms> {
     QML_SINGLETON
 
     Q_PROPERTY(campanel::panel::RowModelBase* live READ live CONSTANT FINAL)
-    Q_PROPERTY(campanel::panel::AlarmHistory* history READ history CONSTANT FINAL)
+    Q_PROPERTY(campanel::panel::PagedLogBase* history READ history CONSTANT FINAL)
     Q_PROPERTY(campanel::panel::RowModelBase* shelved READ shelved CONSTANT FINAL)
     // The selected alarm.
     Q_PROPERTY(campanel::panel::AlarmDetail* detail READ detail CONSTANT FINAL)

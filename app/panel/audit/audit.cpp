@@ -3,8 +3,6 @@
 
 #include "app/panel/audit/audit_trail.h"
 #include "app/panel/kit/language_notifier.h"
-#include "app/panel/kit/report_files.h"
-#include "app/panel/records/database_service.h"
 #include "app/panel/words/access_sentences.h"
 
 #include <QVariantMap>
@@ -17,7 +15,6 @@ namespace campanel::panel {
 
 namespace {
 
-constexpr int page = 100;
 constexpr int checkedAtOnce = 5000; // about ten milliseconds of the database's thread
 
 QVariantMap choice(const QString& key, const QString& text)
@@ -27,106 +24,47 @@ QVariantMap choice(const QString& key, const QString& text)
 
 } // namespace
 
-Audit::Audit(DatabaseService& records, AuditTrail& trail, ReportFiles& files, QObject* parent)
+Audit::Audit(DatabaseService& records, AuditTrail& trail, QObject* parent)
     : QObject(parent)
     , m_records(records)
-    , m_files(files)
+    , m_log(records,
+            {store::auditTable(), [](const store::AuditRow& row) { return AuditListRow{row}; },
+             [this](store::LogFilter& filter) {
+                 filter.keysOfWord = AuditWords::keysWith(filter.word);
+                 if (!m_who.isEmpty())
+                     filter.who = m_who;
+                 filter.area = m_area;
+             },
+             [] { return tr("audit trail"); }},
+            this)
 {
-    connect(&m_rows, &AuditRows::moreRequested, this, &Audit::read);
-    connect(&trail, &AuditTrail::appended, this, &Audit::takeAppended);
-    connect(&m_editor, &LogFilterEditor::changed, this, [this] {
-        if (m_filter != logFilter())
-            setFilter(logFilter());
-    });
+    connect(&trail, &AuditTrail::appended, &m_log, &AuditPages::add);
     connect(LanguageNotifier::ofApplication(), &LanguageNotifier::languageChanged, this, &Audit::retranslate);
 }
 
 void Audit::open()
 {
-    m_isOpened = true;
     m_records.store().run(this, &store::auditNames,
                           [this](const tl::expected<QStringList, store::StoreError>& names) {
                               m_names = names.value_or(QStringList());
                               emit changed();
                           });
-    setFilter(m_filter);
+    m_log.setWatched(false); // reads again
+    m_log.setWatched(true);
     check();
-}
-
-store::LogFilter Audit::logFilter() const
-{
-    store::LogFilter filter = m_editor.filter();
-    filter.keysOfWord = AuditWords::keysWith(filter.word);
-    filter.who = m_filter.who;
-    filter.area = m_filter.area;
-    return filter;
-}
-
-void Audit::setFilter(const store::LogFilter& filter)
-{
-    m_filter = filter;
-    m_rows.clear();
-    m_hasAll = false;
-    m_isReadAgain = m_isReading;
-    if (!m_isReading)
-        read();
-    emit changed();
 }
 
 void Audit::setWho(const QString& who)
 {
-    m_filter.who = who.isEmpty() ? std::nullopt : std::optional(who);
-    setFilter(m_filter);
+    m_who = who;
+    m_log.restart();
+    emit changed();
 }
 
 void Audit::setArea(const QString& area)
 {
-    m_filter.area = area;
-    setFilter(m_filter);
-}
-
-void Audit::read()
-{
-    m_isReading = true;
-    m_rows.setHasMore(false);
-    const qint64 before = m_rows.count() == 0 ? 0 : m_rows.rows().last().sequence();
-    m_records.store().run(
-        this,
-        [filter = m_filter, before](store::Database& database) {
-            return store::auditTable().page(database, before, page, filter);
-        },
-        [this](const Rows& rows) { takeRows(rows); });
-    emit changed();
-}
-
-void Audit::takeRows(const Rows& rows)
-{
-    m_isReading = false;
-    if (std::exchange(m_isReadAgain, false)) {
-        read();
-        return;
-    }
-    if (!rows) {
-        m_hasAll = true;
-        m_records.reportError(rows.error());
-    } else if (rows->isEmpty()) {
-        m_hasAll = true;
-    } else {
-        QList<AuditListRow> read;
-        for (const store::AuditRow& row : *rows)
-            read << AuditListRow{row};
-        m_rows.append(read);
-    }
-    m_rows.setHasMore(!m_hasAll);
-    emit changed();
-}
-
-void Audit::takeAppended(const store::AuditRow& row)
-{
-    const bool isNewer = m_rows.count() == 0 || m_rows.row(0).sequence() < row.sequence;
-    if (!m_isOpened || m_isReading || !isNewer || !store::auditTable().includes(m_filter, row))
-        return;
-    m_rows.insert(0, {{row}});
+    m_area = area;
+    m_log.restart();
     emit changed();
 }
 
@@ -175,34 +113,9 @@ QString Audit::chainText() const
     return m_check ? AuditWords::chain(*m_check) : tr("Not checked yet.");
 }
 
-void Audit::exportCsv()
-{
-    if (m_isExporting)
-        return;
-    m_isExporting = true;
-    emit changed();
-    m_records.store().run(
-        this,
-        [filter = m_filter, dialect = store::spreadsheetDialect()](store::Database& database) {
-            return store::auditTable().csv(database, filter, dialect, maxExported);
-        },
-        [this](const tl::expected<store::LogCsv, store::StoreError>& made) {
-            m_isExporting = false;
-            if (made)
-                m_files.offer({{tr("audit trail"), u"csv"_s, [text = made->bytes] { return text; }}},
-                              made->isCut ? tr("Only the newest %1 rows are exported. Set a time by the "
-                                               "filter for older ones.")
-                                                .arg(maxExported)
-                                          : QString());
-            else
-                m_records.reportError(made.error());
-            emit changed();
-        });
-}
-
 QString Audit::areaText() const
 {
-    return AuditWords::area(m_filter.area);
+    return AuditWords::area(m_area);
 }
 
 QVariantList Audit::names() const
@@ -223,7 +136,7 @@ QVariantList Audit::areas() const
 
 void Audit::select(int row)
 {
-    m_selected = row >= 0 && row < m_rows.count() ? std::optional(m_rows.row(row).row) : std::nullopt;
+    m_selected = row >= 0 && row < rows()->count() ? std::optional(rows()->row(row).row) : std::nullopt;
     emit detailChanged();
 }
 
@@ -261,8 +174,7 @@ QVariantList Audit::detail() const
 
 void Audit::retranslate()
 {
-    m_filter = logFilter(); // the same word in other texts
-    m_rows.refresh();
+    rows()->refresh();
     emit changed();
     emit detailChanged();
     emit chainChanged();

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// `Audit` in QML: the view of the audit trail. The rows as a list, newest first, read page by page; one row
-// in full; the check of the chain; the export to a file.
+// `Audit` in QML: the view of the audit trail: its log with a filter by user and area, one row in full, the
+// check of the chain.
 #pragma once
 
 #include "app/panel/audit/audit_words.h"
-#include "app/panel/kit/log_filter_editor.h"
-#include "app/panel/kit/row_model.h"
 #include "app/panel/kit/singleton.h"
+#include "app/panel/records/paged_log.h"
 #include "app/panel/words/alarm_words.h"
 #include "app/store/logs/audit_log.h"
 
@@ -20,8 +19,6 @@
 namespace campanel::panel {
 
 class AuditTrail;
-class DatabaseService;
-class ReportFiles;
 
 struct AuditListRow {
     Q_GADGET
@@ -51,18 +48,16 @@ public:
 };
 
 using AuditRows = RowModel<AuditListRow, &AuditListRow::sequence>;
+using AuditPages = PagedLog<AuditRows, &AuditListRow::row>;
 
 class Audit : public QObject, public Singleton<Audit> {
     Q_OBJECT
     QML_ELEMENT
     QML_SINGLETON
-    Q_PROPERTY(campanel::panel::RowModelBase* rows READ rows CONSTANT FINAL)
-    Q_PROPERTY(bool busy READ busy NOTIFY changed FINAL)
-    // The filter: a name of `names` and a key of `areas`, empty for all.
+    Q_PROPERTY(campanel::panel::PagedLogBase* log READ log CONSTANT FINAL)
+    // In addition to the filter of the log: a name of `names` and a key of `areas`, empty for all.
     Q_PROPERTY(QString who READ who WRITE setWho NOTIFY changed FINAL)
     Q_PROPERTY(QString area READ area WRITE setArea NOTIFY changed FINAL)
-    // The filter by time, id and word, in addition.
-    Q_PROPERTY(campanel::panel::LogFilterEditor* filter READ filter CONSTANT FINAL)
     Q_PROPERTY(QString areaText READ areaText NOTIFY changed FINAL)
     Q_PROPERTY(QVariantList names READ names NOTIFY changed FINAL) // list of {key, text}
     Q_PROPERTY(QVariantList areas READ areas NOTIFY changed FINAL)
@@ -75,26 +70,20 @@ class Audit : public QObject, public Singleton<Audit> {
     Q_PROPERTY(QString chainText READ chainText NOTIFY chainChanged FINAL)
 
 public:
-    // The maximum number of rows in a CSV file; the newest ones are exported.
-    static constexpr int maxExported = 100'000;
-
     // All arguments must outlive the object.
-    Audit(DatabaseService& records, AuditTrail& trail, ReportFiles& files, QObject* parent);
+    Audit(DatabaseService& records, AuditTrail& trail, QObject* parent);
 
     // Reads the newest rows and checks the chain; call it when the page opens.
     Q_INVOKABLE void open();
     Q_INVOKABLE void select(int row);
     Q_INVOKABLE void check();
-    // Reads the filtered rows and offers them to the report files.
-    Q_INVOKABLE void exportCsv();
 
-    [[nodiscard]] AuditRows* rows() { return &m_rows; } // newest first
-    [[nodiscard]] bool busy() const { return m_isReading || m_isExporting; }
-    [[nodiscard]] QString who() const { return m_filter.who.value_or(QString()); }
+    [[nodiscard]] AuditPages* log() { return &m_log; }
+    [[nodiscard]] AuditRows* rows() { return m_log.rows(); }
+    [[nodiscard]] QString who() const { return m_who; }
     void setWho(const QString& who);
-    [[nodiscard]] QString area() const { return m_filter.area; }
+    [[nodiscard]] QString area() const { return m_area; }
     void setArea(const QString& area);
-    [[nodiscard]] LogFilterEditor* filter() { return &m_editor; }
     [[nodiscard]] QString areaText() const;
     [[nodiscard]] QVariantList names() const;
     [[nodiscard]] QVariantList areas() const;
@@ -110,27 +99,14 @@ signals:
     void chainChanged();
 
 private:
-    using Rows = tl::expected<QList<store::AuditRow>, store::StoreError>;
-
     void retranslate();
-    void setFilter(const store::LogFilter& filter);
-    [[nodiscard]] store::LogFilter logFilter() const;
-    void read();
-    void takeRows(const Rows& rows);
-    void takeAppended(const store::AuditRow& row);
     void checkNext(store::ChainCheck check);
 
     DatabaseService& m_records;
-    ReportFiles& m_files;
-    AuditRows m_rows{this};
-    LogFilterEditor m_editor{this};
-    store::LogFilter m_filter;
+    AuditPages m_log;
+    QString m_who;
+    QString m_area;
     QStringList m_names;
-    bool m_isOpened = false;
-    bool m_isReading = false;
-    bool m_isReadAgain = false; // the filter changed during a read
-    bool m_hasAll = false;
-    bool m_isExporting = false;
     bool m_isChecking = false;
     std::optional<store::AuditRow> m_selected;
     std::optional<store::ChainCheck> m_check; // the last completed check

@@ -25,6 +25,11 @@ ReportFiles::Written writeAll(const QList<ReportFile>& files, const store::Place
 
 } // namespace
 
+ReportFile csvFile(const QString& name, const QByteArray& content)
+{
+    return {name, QStringLiteral("csv"), [packed = qCompress(content)] { return qUncompress(packed); }};
+}
+
 ReportFiles::ReportFiles(const QString& ownFolder, QObject* parent)
     : FileExchange(ownFolder, parent)
     , m_scanner(&store::exchangePlaces)

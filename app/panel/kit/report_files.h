@@ -16,6 +16,9 @@ struct ReportFile {
     store::FileWriter write{};           // for large files, instead of `content`
 };
 
+// Returns a CSV file with this content, which is kept compressed until a place is chosen.
+[[nodiscard]] ReportFile csvFile(const QString& name, const QByteArray& content);
+
 class ReportFiles : public campanel::panel::FileExchange {
     Q_OBJECT
     QML_ELEMENT

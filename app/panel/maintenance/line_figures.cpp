@@ -157,11 +157,9 @@ void LineFigures::showStrip()
 void LineFigures::exportCsv()
 {
     const modbus::LinkFigures figures = m_report ? m_report->figures : modbus::LinkFigures();
-    m_files.offer(
-        {{tr("link statistics"), QStringLiteral("csv"),
-          [figures, dialect = store::spreadsheetDialect()] { return figuresCsv(figures, dialect); }},
-         {tr("link 24 hours"), QStringLiteral("csv"),
-          [figures, dialect = store::spreadsheetDialect()] { return stripCsv(figures, dialect); }}});
+    const store::CsvDialect dialect = store::spreadsheetDialect();
+    m_files.offer({csvFile(tr("link statistics"), figuresCsv(figures, dialect)),
+                   csvFile(tr("link 24 hours"), stripCsv(figures, dialect))});
 }
 
 } // namespace campanel::panel

@@ -2,7 +2,6 @@
 #include "app/panel/stops/shift_view.h"
 
 #include "app/panel/kit/format.h"
-#include "app/panel/kit/report_files.h"
 #include "app/panel/records/database_service.h"
 #include "app/panel/settings/settings.h"
 #include "app/panel/stops/stops.h"
@@ -67,12 +66,14 @@ QString ReasonRow::durationText() const
         .arg(StopWords::duration(value.durationMs), QString::number(value.count));
 }
 
-ShiftView::ShiftView(Stops& owner, Settings& settings, DatabaseService& records, ReportFiles& files)
+ShiftView::ShiftView(Stops& owner, Settings& settings, DatabaseService& records)
     : m_owner(owner)
     , m_settings(settings)
     , m_records(records)
-    , m_files(files)
     , m_keys(settings, this)
+    , m_csv(
+          records.store(), [this] { return csvJob(); },
+          [&records](const StoreError& error) { records.reportError(error); }, this)
 {
     m_timer.setInterval(shiftReadPeriod);
     connect(&m_timer, &QTimer::timeout, this, &ShiftView::follow);
@@ -262,28 +263,16 @@ QString ShiftView::selectedText() const
     return {};
 }
 
-void ShiftView::exportCsv()
+CsvExport::Job ShiftView::csvJob()
 {
-    if (std::exchange(m_isExporting, true))
-        return;
-    emit changed();
     m_owner.write();
-    m_records.store().run(
-        this,
-        [shift = m_shift](store::Database& database) {
-            return StopLog::between(database, shift.beginMs, shift.endMs);
-        },
-        [this](const tl::expected<StopLog::Span, StoreError>& span) {
-            m_isExporting = false;
-            emit changed();
-            if (!span)
-                return m_records.reportError(span.error());
-            const QByteArray stops = store::stopsCsv(*span, store::spreadsheetDialect());
-            const QByteArray states = store::statesCsv(*span, store::spreadsheetDialect());
-            m_files.offer({{tr("stops"), u"csv"_s, [stops] { return stops; }},
-                           {tr("states"), u"csv"_s, [states] { return states; }}});
-            emit exportReady();
+    return [shift = m_shift, stops = tr("stops"), states = tr("states")](
+               store::Database& database, const store::CsvDialect& dialect) -> CsvExport::Made {
+        return StopLog::between(database, shift.beginMs, shift.endMs).map([&](const StopLog::Span& span) {
+            return CsvExport::Files{{csvFile(stops, store::stopsCsv(span, dialect)),
+                                     csvFile(states, store::statesCsv(span, dialect))}};
         });
+    };
 }
 
 void ShiftView::retranslate()

@@ -3,6 +3,7 @@
 // it is watched; the present shift is followed.
 #pragma once
 
+#include "app/panel/records/csv_export.h"
 #include "app/panel/stops/reason_keys.h"
 #include "app/panel/stops/stop_rows.h"
 
@@ -14,7 +15,6 @@
 namespace campanel::panel {
 
 class DatabaseService;
-class ReportFiles;
 class Settings;
 class Stops;
 
@@ -46,15 +46,15 @@ class ShiftView : public QObject {
     // The keys with the reason of the selected stop, and its time.
     Q_PROPERTY(campanel::panel::ReasonKeys* keys READ keys CONSTANT FINAL)
     Q_PROPERTY(QString selectedText READ selectedText NOTIFY changed FINAL)
-    // True while a CSV is created; then exportReady() follows.
-    Q_PROPERTY(bool exporting READ exporting NOTIFY changed FINAL)
+    // The stops and the states as CSV files.
+    Q_PROPERTY(campanel::panel::CsvExport* csv READ csv CONSTANT FINAL)
 
 public:
     // The content. Unread: not requested yet. Nothing: nothing is known of this shift.
     enum Content { Unread, Nothing, Shown };
     Q_ENUM(Content)
 
-    ShiftView(Stops& owner, Settings& settings, DatabaseService& records, ReportFiles& files);
+    ShiftView(Stops& owner, Settings& settings, DatabaseService& records);
 
     [[nodiscard]] bool watched() const { return m_isWatched; }
     void setWatched(bool isWatched);
@@ -74,7 +74,7 @@ public:
     [[nodiscard]] StopRows* stops() { return &m_stops; }
     [[nodiscard]] ReasonKeys* keys() { return &m_keys; }
     [[nodiscard]] QString selectedText() const;
-    [[nodiscard]] bool exporting() const { return m_isExporting; }
+    [[nodiscard]] CsvExport* csv() { return &m_csv; }
     [[nodiscard]] const ShiftSummary& summary() const { return m_summary; }
     [[nodiscard]] const Oee& figures() const { return m_oee; }
 
@@ -83,8 +83,6 @@ public:
     Q_INVOKABLE void showPresent();
     // Selects a row of `stops`, for the keys.
     Q_INVOKABLE void select(int row);
-    // Creates and offers CSV files of the stops and of the states.
-    Q_INVOKABLE void exportCsv();
     // Reads the shift again.
     void refresh();
     void retranslate();
@@ -93,7 +91,6 @@ signals:
     void watchedChanged();
     void changed();
     void answered(); // the selected stop
-    void exportReady();
 
 private:
     [[nodiscard]] ShiftCalendar calendar() const;
@@ -101,17 +98,17 @@ private:
     void show(const Shift& shift);
     void follow();
     void take(const store::StopLog::Span& span, const Shift& shift);
+    [[nodiscard]] CsvExport::Job csvJob();
 
     Stops& m_owner;
     Settings& m_settings;
     DatabaseService& m_records;
-    ReportFiles& m_files;
     ReasonKeys m_keys;
+    CsvExport m_csv;
     QTimer m_timer;
     Shift m_shift;
     bool m_isPresent = true;
     bool m_isWatched = false;
-    bool m_isExporting = false;
     Content m_content = Unread;
     ShiftSummary m_summary;
     Oee m_oee;

@@ -29,8 +29,7 @@ constexpr qint64 msPerAskedSecond = 1000;
 
 } // namespace
 
-Stops::Stops(Controller& controller, Settings& settings, DatabaseService& records, ReportFiles& files,
-             QObject* parent)
+Stops::Stops(Controller& controller, Settings& settings, DatabaseService& records, QObject* parent)
     : QObject(parent)
     , m_controller(controller)
     , m_settings(settings)
@@ -38,7 +37,7 @@ Stops::Stops(Controller& controller, Settings& settings, DatabaseService& record
     , m_watch(controller, settings, m_book)
     , m_setup(settings)
     , m_keys(settings, this)
-    , m_shift(*this, settings, records, files)
+    , m_shift(*this, settings, records)
 {
     connect(&m_watch, &MachineWatch::observed, this, &Stops::updatePresent);
     connect(&m_timer, &QTimer::timeout, this, &Stops::check);

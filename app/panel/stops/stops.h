@@ -37,8 +37,7 @@ public:
     static constexpr std::chrono::seconds writePeriod{60};
 
     // All arguments must outlive the object. The log begins when the records are opened.
-    Stops(Controller& controller, Settings& settings, DatabaseService& records, ReportFiles& files,
-          QObject* parent);
+    Stops(Controller& controller, Settings& settings, DatabaseService& records, QObject* parent);
     // Writes the pending changes.
     ~Stops() override;
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/panel/trends/trends.h"
 
-#include "app/panel/kit/report_files.h"
 #include "app/panel/records/database_service.h"
 #include "app/store/logs/trend_export.h"
 #include "app/store/logs/trend_schema.h"
@@ -92,14 +91,15 @@ QVariantMap mapOf(const store::TrendStatistics& statistics)
 
 } // namespace
 
-Trends::Trends(Controller& controller, Settings& settings, DatabaseService& records, ReportFiles& files,
-               const QString& folder, QObject* parent)
+Trends::Trends(Controller& controller, Settings& settings, DatabaseService& records, const QString& folder,
+               QObject* parent)
     : QObject(parent)
     , m_records(records)
-    , m_files(files)
     , m_recorder(controller, settings)
     , m_clock(&QDateTime::currentMSecsSinceEpoch)
     , m_store(folder, store::trendDatabase())
+    , m_csv(
+          m_store, [this] { return csvJob(); }, [this](const StoreError& error) { reportError(error); }, this)
     , m_toMs(m_clock())
 {
     connect(&m_store, &store::StoreThread::opened, this, &Trends::takeOpening);
@@ -306,57 +306,28 @@ void Trends::takeOpening(const store::StoreThread::Report& report)
     refresh();
 }
 
-void Trends::exportCsv()
+CsvExport::Job Trends::csvJob()
 {
-    if (std::exchange(m_isExporting, true))
-        return;
-    emit exportingChanged();
-    struct Files {
-        QByteArray bags; // compressed, until a place is chosen
-        QByteArray trends;
-        bool hasTooManyBags = false;
-        tl::expected<void, StoreError> kept;
-        std::optional<StoreError> error;
+    flush();
+    const QString notice =
+        tr("Single bags are left out: more than %1. Show a shorter time.").arg(maxBagsExported);
+    return [question = question(), bagsName = tr("bags"), trendsName = tr("trends"),
+            notice](store::Database& database, const store::CsvDialect& dialect) -> CsvExport::Made {
+        const auto bags = store::bagsCsv(database, question.fromMs, question.toMs, maxBagsExported, dialect);
+        const auto window = store::readTrends(database, question);
+        if (!bags || !window)
+            return tl::unexpected(bags ? window.error() : bags.error());
+        CsvExport::Files files;
+        if (!bags->isEmpty())
+            files.files << csvFile(bagsName, *bags);
+        else if (store::BagLog(database)
+                     .countBetween(question.fromMs, question.toMs, maxBagsExported + 1)
+                     .value_or(0) > maxBagsExported)
+            files.notice = notice;
+        files.files << csvFile(trendsName,
+                               store::trendsCsv(*window, question.fromMs, question.toMs, dialect));
+        return files;
     };
-    m_store.run(
-        this,
-        [batch = m_recorder.take(), question = question(),
-         dialect = store::spreadsheetDialect()](store::Database& database) {
-            Files files;
-            files.kept = keep(database, batch);
-            const auto bags =
-                store::bagsCsv(database, question.fromMs, question.toMs, maxBagsExported, dialect);
-            const auto window = store::readTrends(database, question);
-            if (!bags || !window)
-                files.error = bags ? window.error() : bags.error();
-            if (bags && !bags->isEmpty())
-                files.bags = qCompress(*bags);
-            else if (bags)
-                files.hasTooManyBags = store::BagLog(database)
-                                           .countBetween(question.fromMs, question.toMs, maxBagsExported + 1)
-                                           .value_or(0) > maxBagsExported;
-            if (window)
-                files.trends = qCompress(store::trendsCsv(*window, question.fromMs, question.toMs, dialect));
-            return files;
-        },
-        [this](const Files& made) {
-            m_isExporting = false;
-            emit exportingChanged();
-            takeKept(made.kept);
-            if (made.error)
-                return reportError(*made.error);
-            QList<ReportFile> files;
-            if (!made.bags.isEmpty())
-                files << ReportFile{tr("bags"), QStringLiteral("csv"),
-                                    [bags = made.bags] { return qUncompress(bags); }};
-            files << ReportFile{tr("trends"), QStringLiteral("csv"),
-                                [trends = made.trends] { return qUncompress(trends); }};
-            m_files.offer(files, made.hasTooManyBags ? tr("Single bags are left out: more than %1. Show a "
-                                                          "shorter time.")
-                                                           .arg(maxBagsExported)
-                                                     : QString());
-            emit exportReady();
-        });
 }
 
 } // namespace campanel::panel

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "app/panel/kit/singleton.h"
+#include "app/panel/records/csv_export.h"
 #include "app/panel/trends/trend_recorder.h"
 #include "app/store/logs/trend_window.h"
 #include "app/store/store_thread.h"
@@ -17,7 +18,6 @@
 namespace campanel::panel {
 
 class DatabaseService;
-class ReportFiles;
 
 class Trends : public QObject, public Singleton<Trends> {
     Q_OBJECT
@@ -42,8 +42,8 @@ class Trends : public QObject, public Singleton<Trends> {
     Q_PROPERTY(Content content READ content NOTIFY shownChanged FINAL)
     // True when a bag of the window was recorded while the clock was not set.
     Q_PROPERTY(bool clockDoubtful READ clockDoubtful NOTIFY shownChanged FINAL)
-    // True while a CSV is created; then exportReady() follows.
-    Q_PROPERTY(bool exporting READ exporting NOTIFY exportingChanged FINAL)
+    // The window as CSV files: each bag unless there are too many, and the columns of the chosen quantities.
+    Q_PROPERTY(campanel::panel::CsvExport* csv READ csv CONSTANT FINAL)
 
 public:
     enum Quantity { BagLength, Deviation, MarkError, FollowingError, Rate, Latency };
@@ -59,8 +59,8 @@ public:
     static constexpr int writePeriodMs = 5000;
 
     // All arguments must outlive the object. `folder` contains the database.
-    Trends(Controller& controller, Settings& settings, DatabaseService& records, ReportFiles& files,
-           const QString& folder, QObject* parent);
+    Trends(Controller& controller, Settings& settings, DatabaseService& records, const QString& folder,
+           QObject* parent);
     // Stores the remaining data.
     ~Trends() override;
 
@@ -90,7 +90,7 @@ public:
     [[nodiscard]] Content content() const { return m_content; }
     [[nodiscard]] bool clockDoubtful() const { return m_isClockDoubtful; }
     [[nodiscard]] qint64 columnMs() const { return m_columnMs; } // per column; 0 before the first answer
-    [[nodiscard]] bool exporting() const { return m_isExporting; }
+    [[nodiscard]] CsvExport* csv() { return &m_csv; }
 
     // Adds or removes the quantity. The last one stays; a fourth one replaces the lowest.
     Q_INVOKABLE void toggle(int quantity);
@@ -101,9 +101,6 @@ public:
     // Displays this window without its future part. A window up to now is live again.
     Q_INVOKABLE void showWindow(double fromMs, double toMs);
     Q_INVOKABLE void showNow();
-    // Creates and offers CSV files of the window: each bag unless there are too many, and the columns of the
-    // chosen quantities.
-    Q_INVOKABLE void exportCsv();
     // Reads the window again, with the new data.
     void refresh();
 
@@ -112,8 +109,6 @@ signals:
     void windowChanged();
     void watchedChanged();
     void shownChanged();
-    void exportingChanged();
-    void exportReady();
 
 private:
     struct Answer {
@@ -130,12 +125,13 @@ private:
     void takeKept(const tl::expected<void, store::StoreError>& kept);
     void reportError(const store::StoreError& error);
     void show(const store::TrendWindow& window);
+    [[nodiscard]] CsvExport::Job csvJob();
 
     DatabaseService& m_records;
-    ReportFiles& m_files;
     TrendRecorder m_recorder;
     TrendRecorder::WallClock m_clock;
     store::StoreThread m_store;
+    CsvExport m_csv;
     QTimer m_writeTimer;
     QTimer m_followTimer;
     QList<int> m_chosen{Deviation, MarkError};
@@ -148,7 +144,6 @@ private:
     bool m_isWanted = false; // another read is needed after it
     bool m_isWriting = false;
     bool m_hasComplained = false; // until the next successful write
-    bool m_isExporting = false;
     QVariant m_curves;
     QVariantList m_statistics;
     Content m_content = Unread;

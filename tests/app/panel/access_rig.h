@@ -17,7 +17,7 @@ struct AccessRig : PanelRig {
     qint64 wallMs = 1'790'000'000'000;
     panel::Access access{records, machine, settings, nullptr};
     panel::AuditTrail trail{records, {machine, editor, settings, maintenance, access}, nullptr};
-    panel::Audit audit{records, trail, *maintenance.files(), nullptr};
+    panel::Audit audit{records, trail, nullptr};
 
     AccessRig()
     {

@@ -25,7 +25,7 @@ struct PanelRig {
     panel::DatabaseService records{folder.path(), nullptr};
     panel::Alarms alarms{machine, editor, records, settings, nullptr};
     panel::Maintenance maintenance{machine, settings, folder.path(), nullptr};
-    panel::Trends trends{machine, settings, records, *maintenance.files(), folder.path(), nullptr};
+    panel::Trends trends{machine, settings, records, folder.path(), nullptr};
 
     PanelRig()
     {

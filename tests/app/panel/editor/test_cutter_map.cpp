@@ -206,7 +206,7 @@ private slots:
     void numbersAreExplained()
     {
         PanelRig rig;
-        panel::Stops stops(rig.machine, rig.settings, rig.records, *rig.maintenance.files(), nullptr);
+        panel::Stops stops(rig.machine, rig.settings, rig.records, nullptr);
         panel::Explanations explanations(
             {rig.machine, rig.editor, *rig.maintenance.figures(), rig.trends, stops}, nullptr);
         QVERIFY(!explanations.ofVerdict().contains(panel::Explanations::SealTime));

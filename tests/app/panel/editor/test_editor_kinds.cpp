@@ -175,7 +175,7 @@ private slots:
     void vibrationIsExplained()
     {
         PanelRig rig;
-        panel::Stops stops(rig.machine, rig.settings, rig.records, *rig.maintenance.files(), nullptr);
+        panel::Stops stops(rig.machine, rig.settings, rig.records, nullptr);
         const panel::Explanations explanations(
             {rig.machine, rig.editor, *rig.maintenance.figures(), rig.trends, stops}, nullptr);
         constexpr int topic = panel::Explanations::ShaftVibration;

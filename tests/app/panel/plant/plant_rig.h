@@ -9,7 +9,7 @@
 namespace campanel::test {
 
 struct PlantRig : AccessRig {
-    panel::Stops stops{machine, settings, records, *maintenance.files(), nullptr};
+    panel::Stops stops{machine, settings, records, nullptr};
     panel::PlantSources sources{machine, alarms, stops};
 
     PlantRig() { settle(); }

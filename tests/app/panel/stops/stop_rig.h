@@ -28,8 +28,7 @@ struct StopRig {
     void start()
     {
         records = std::make_unique<panel::DatabaseService>(folder, nullptr);
-        stops = std::make_unique<panel::Stops>(panel.machine, panel.settings, *records,
-                                               *panel.maintenance.files(), nullptr);
+        stops = std::make_unique<panel::Stops>(panel.machine, panel.settings, *records, nullptr);
         stops->setWallClock([this] { return wallMs; });
         records->open();
         settle();

@@ -278,8 +278,8 @@ private slots:
         rig.pass(90);
         QVERIFY(rig.stops->answer(rig.stops->book().presentStop().id, reason("cleaning")));
         showShift(rig);
-        QSignalSpy ready(rig.stops->shift(), &ShiftView::exportReady);
-        rig.stops->shift()->exportCsv();
+        QSignalSpy ready(rig.stops->shift()->csv(), &panel::CsvExport::ready);
+        rig.stops->shift()->csv()->make(rig.panel.maintenance.files());
         QVERIFY(ready.wait());
         const QString folder = rig.panel.folder.filePath(QStringLiteral("out"));
         QVERIFY(QDir().mkpath(folder));

@@ -227,8 +227,7 @@ private slots:
         QTemporaryDir folder;
         {
             Rig rig;
-            Trends trends(rig.machine, rig.settings, rig.records, *rig.maintenance.files(), folder.path(),
-                          nullptr);
+            Trends trends(rig.machine, rig.settings, rig.records, folder.path(), nullptr);
             trends.setWallClock([&] { return rig.wallMs; });
             trends.open();
             rig.connectRunning();
@@ -236,8 +235,7 @@ private slots:
             rig.passBag(0.1);
         } // without a write in between
         Rig rig;
-        Trends trends(rig.machine, rig.settings, rig.records, *rig.maintenance.files(), folder.path(),
-                      nullptr);
+        Trends trends(rig.machine, rig.settings, rig.records, folder.path(), nullptr);
         trends.setWallClock([&] { return startMs + 10'000; });
         trends.open();
         trends.setWatched(true);
@@ -253,11 +251,11 @@ private slots:
         rig.passBag(0);
         rig.passBag(0.125);
         rig.showPage();
-        QSignalSpy ready(&rig.trends, &Trends::exportReady);
-        rig.trends.exportCsv();
-        QVERIFY(rig.trends.exporting());
+        QSignalSpy ready(rig.trends.csv(), &panel::CsvExport::ready);
+        rig.trends.csv()->make(rig.maintenance.files());
+        QVERIFY(rig.trends.csv()->busy());
         QVERIFY(ready.wait());
-        QVERIFY(!rig.trends.exporting());
+        QVERIFY(!rig.trends.csv()->busy());
         const QString folder = rig.folder.filePath(QStringLiteral("out"));
         panel::ReportFiles& files = *rig.maintenance.files();
         QTRY_VERIFY(!files.busy());
