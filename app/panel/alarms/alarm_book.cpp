@@ -149,6 +149,7 @@ void AlarmBook::updateShelved()
 
 void AlarmBook::begin(const store::AlarmLog::Start& start, store::ClockState clock)
 {
+    m_isBegun = true;
     const auto mark = [&start, clock](AlarmRow& row) {
         row.isClockDoubtful =
             row.isClockDoubtful || store::isTimeDoubtful(row.raisedMs, start.newestMs, clock);

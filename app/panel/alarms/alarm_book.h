@@ -56,6 +56,7 @@ public:
 
     // Starts after the log's last id and shelves; earlier occurrences get the following ids. Called once.
     void begin(const store::AlarmLog::Start& start, store::ClockState clock = store::ClockState::Unproven);
+    [[nodiscard]] bool isBegun() const { return m_isBegun; }
 
     // Returns the alarms that are active or need to be acknowledged, the most urgent first.
     [[nodiscard]] std::vector<AlarmEntry> live() const;
@@ -81,6 +82,7 @@ private:
     std::vector<AlarmEntry> m_entries; // the last occurrence of each kind
     QList<store::AlarmShelf> m_shelves;
     qint64 m_lastId = 0;
+    bool m_isBegun = false;                      // the end of the log is known
     std::map<qint64, store::AlarmRow> m_waiting; // by id
     QList<store::AlarmChanges::Acknowledgement> m_acknowledgements;
     bool m_haveShelvesChanged = false;

@@ -42,6 +42,13 @@ Alarms::Alarms(Controller& controller, Editor& editor, DatabaseService& records,
     , m_controller(controller)
     , m_records(records)
     , m_wallClock([] { return QDateTime::currentDateTime(); })
+    , m_writer(*this, records, m_book,
+               [this](bool isWritten) {
+                   if (isWritten)
+                       m_watch.noteStored();
+                   if (m_book.hasChanges())
+                       noteChange();
+               })
     , m_watch(controller, editor, records, settings, this)
     , m_history(records, this)
     , m_publishTimer(this)
@@ -63,17 +70,6 @@ Alarms::Alarms(Controller& controller, Editor& editor, DatabaseService& records,
         [this](const tl::expected<AlarmLog::Start, StoreError>& start) { begin(start); });
     connect(LanguageNotifier::ofApplication(), &LanguageNotifier::languageChanged, this,
             &Alarms::retranslate);
-}
-
-Alarms::~Alarms()
-{
-    if (m_isBegun && m_book.hasChanges())
-        m_records.store().run(
-            nullptr,
-            [changes = m_book.takeChanges()](store::Database& database) {
-                return AlarmLog::write(database, changes);
-            },
-            [](const tl::expected<void, StoreError>&) {});
 }
 
 AlarmBook::Now Alarms::now() const
@@ -103,7 +99,6 @@ void Alarms::begin(const tl::expected<AlarmLog::Start, StoreError>& start)
         m_records.reportError(start.error());
         return;
     }
-    m_isBegun = true;
     m_newestMs = std::max(m_newestMs, start->newestMs);
     m_book.begin(*start, m_clockState());
     m_book.endShelves(now().utcMs);
@@ -114,8 +109,8 @@ void Alarms::noteChange()
 {
     if (!m_publishTimer.isActive())
         m_publishTimer.start();
-    if (m_isBegun && !m_isWriting && !m_writeTimer.isActive())
-        m_writeTimer.start(m_hasWriteFailed ? std::chrono::milliseconds(writeAgainDelay) : writeDelay);
+    if (m_book.isBegun() && !m_writer.isWriting() && !m_writeTimer.isActive())
+        m_writeTimer.start(m_writer.hasFailed() ? std::chrono::milliseconds(writeAgainDelay) : writeDelay);
 }
 
 void Alarms::publish()
@@ -154,29 +149,8 @@ void Alarms::publish()
 
 void Alarms::write()
 {
-    if (m_isWriting || !m_book.hasChanges())
-        return;
-    m_isWriting = true;
-    const AlarmChanges changes = m_book.takeChanges();
-    m_history.note(changes);
-    m_records.store().run(
-        this, [changes](store::Database& database) { return AlarmLog::write(database, changes); },
-        [this, changes](const tl::expected<void, StoreError>& written) { takeWritten(changes, written); });
-}
-
-void Alarms::takeWritten(const AlarmChanges& changes, const tl::expected<void, StoreError>& written)
-{
-    m_isWriting = false;
-    const bool hadFailed = std::exchange(m_hasWriteFailed, !written);
-    if (written) {
-        m_watch.noteStored();
-    } else {
-        m_book.putBack(changes);
-        if (!hadFailed)
-            m_records.reportError(written.error()); // only one report
-    }
-    if (m_book.hasChanges())
-        noteChange();
+    if (!m_writer.isWriting())
+        m_history.note(m_writer.write());
 }
 
 Alarms::Severity Alarms::urgentSeverity() const

@@ -8,6 +8,7 @@
 #include "app/panel/alarms/alarm_lists.h"
 #include "app/panel/alarms/alarm_watch.h"
 #include "app/panel/kit/singleton.h"
+#include "app/panel/records/buffered_writer.h"
 
 #include "app/store/logs/audit_log.h"
 
@@ -51,8 +52,6 @@ public:
     // All arguments must outlive the object. The log begins when the records are opened.
     Alarms(Controller& controller, Editor& editor, DatabaseService& records, Settings& settings,
            QObject* parent);
-    // Writes the pending changes.
-    ~Alarms() override;
 
     void setWallClock(const WallClock& clock)
     {
@@ -110,8 +109,6 @@ private:
     void note(const QString& what, const QString& codes, const QString& after = {});
     void publish();
     void write();
-    void takeWritten(const store::AlarmChanges& changes,
-                     const tl::expected<void, store::StoreError>& written);
     [[nodiscard]] AlarmBook::Now now() const;
     [[nodiscard]] QDate today() const { return m_wallClock().date(); }
 
@@ -122,6 +119,7 @@ private:
     qint64 m_newestMs = 0; // the latest record with a clock that was set
     QString m_person;
     AlarmBook m_book;
+    BufferedWriter<AlarmBook, store::AlarmLog> m_writer;
     AlarmWatch m_watch;
     AlarmList m_live{this};
     AlarmHistory m_history;
@@ -130,9 +128,6 @@ private:
     QTimer m_publishTimer;
     QTimer m_writeTimer;
     QTimer m_checkTimer;
-    bool m_isBegun = false; // the end of the log is known
-    bool m_isWriting = false;
-    bool m_hasWriteFailed = false; // result of the last write
     int m_active = 0;
     int m_unacknowledged = 0;
     Severity m_callingSeverity = Severity::None;

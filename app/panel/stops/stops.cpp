@@ -16,7 +16,6 @@ using namespace std::chrono_literals;
 
 namespace campanel::panel {
 
-using store::StopChanges;
 using store::StopLog;
 using store::StopRow;
 using store::StoreError;
@@ -34,6 +33,7 @@ Stops::Stops(Controller& controller, Settings& settings, DatabaseService& record
     , m_controller(controller)
     , m_settings(settings)
     , m_records(records)
+    , m_writer(*this, records, m_book)
     , m_watch(controller, settings, m_book)
     , m_setup(settings)
     , m_keys(settings, this)
@@ -60,15 +60,6 @@ Stops::Stops(Controller& controller, Settings& settings, DatabaseService& record
         });
 }
 
-Stops::~Stops()
-{
-    const StopChanges changes = m_book.takeChanges();
-    if (m_book.isBegun() && !changes.isEmpty())
-        m_records.store().run(
-            nullptr, [changes](store::Database& database) { return StopLog::write(database, changes); },
-            [](const tl::expected<void, StoreError>&) {});
-}
-
 void Stops::setWallClock(const MachineWatch::WallClock& clock)
 {
     m_watch.setWallClock(clock);
@@ -80,35 +71,16 @@ void Stops::check()
     m_book.check(m_watch.now());
     updatePresent();
     const auto sinceWrite = m_controller.now() - m_writtenAt;
-    const bool isDue = m_book.hasNews() ? !m_hasFailed || sinceWrite >= retryDelay
+    const bool isDue = m_book.hasNews() ? !m_writer.hasFailed() || sinceWrite >= retryDelay
                                         : m_book.present() && sinceWrite >= writePeriod;
-    if (isDue && m_writes == 0)
+    if (isDue && !m_writer.isWriting())
         write();
 }
 
 void Stops::write()
 {
-    if (!m_book.isBegun())
-        return;
-    const StopChanges changes = m_book.takeChanges();
-    if (changes.isEmpty())
-        return;
-    ++m_writes;
-    m_writtenAt = m_controller.now();
-    m_records.store().run(
-        this, [changes](store::Database& database) { return StopLog::write(database, changes); },
-        [this, changes](const tl::expected<void, StoreError>& written) { takeWritten(changes, written); });
-}
-
-void Stops::takeWritten(const StopChanges& changes, const tl::expected<void, StoreError>& written)
-{
-    --m_writes;
-    const bool hadFailed = std::exchange(m_hasFailed, !written);
-    if (written)
-        return;
-    m_book.putBack(changes);
-    if (!hadFailed)
-        m_records.reportError(written.error()); // only one report
+    if (!m_writer.write().isEmpty())
+        m_writtenAt = m_controller.now();
 }
 
 void Stops::postpone()

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "app/panel/kit/singleton.h"
+#include "app/panel/records/buffered_writer.h"
 #include "app/panel/stops/machine_watch.h"
 #include "app/panel/stops/shift_view.h"
 #include "app/panel/stops/stop_setup.h"
@@ -38,8 +39,6 @@ public:
 
     // All arguments must outlive the object. The log begins when the records are opened.
     Stops(Controller& controller, Settings& settings, DatabaseService& records, QObject* parent);
-    // Writes the pending changes.
-    ~Stops() override;
 
     void setWallClock(const MachineWatch::WallClock& clock);
     void setClockState(std::function<store::ClockState()> state) { m_watch.setClockState(std::move(state)); }
@@ -79,7 +78,6 @@ private:
         bool operator==(const Present&) const = default;
     };
 
-    void takeWritten(const store::StopChanges& changes, const tl::expected<void, store::StoreError>& written);
     void answerEarlier(const store::StopRow& answer);
     void noteReplaced(const store::StopRow& before, const store::StopRow& answer);
     void updatePresent();
@@ -89,6 +87,7 @@ private:
     DatabaseService& m_records;
     QString m_person;
     StateBook m_book;
+    BufferedWriter<StateBook, store::StopLog> m_writer;
     MachineWatch m_watch;
     StopSetup m_setup;
     ReasonKeys m_keys;
@@ -97,8 +96,6 @@ private:
     Present m_present;
     qint64 m_postponed = 0; // stop
     link::SteadyTime m_writtenAt{};
-    int m_writes = 0;         // under way
-    bool m_hasFailed = false; // the last write
 };
 
 } // namespace campanel::panel
