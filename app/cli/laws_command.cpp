@@ -73,13 +73,21 @@ QJsonObject asJson(const Row& row)
             {u"weakness"_s, fromView(row.law.weakness)}};
 }
 
-void addRow(store::CsvWriter& csv, const Row& row)
+const store::CsvColumns<Row>& lawColumns()
 {
-    csv.text(fromView(row.law.key)).text(fromView(row.law.name)).text(usesOf(row.law).join(u"; "_s));
-    csv.text(parametersText(row.law));
-    for (const double value : {row.peaks.cv, row.peaks.ca, row.peaks.cj, row.travel})
-        csv.value(fixed(value));
-    csv.text(fromView(row.law.strength)).text(fromView(row.law.weakness)).endLine();
+    using Csv = store::CsvWriter;
+    static const store::CsvColumns<Row> all{
+        {u"key"_s, [](Csv& csv, const Row& row) { csv.text(fromView(row.law.key)); }},
+        {u"name"_s, [](Csv& csv, const Row& row) { csv.text(fromView(row.law.name)); }},
+        {u"uses"_s, [](Csv& csv, const Row& row) { csv.text(usesOf(row.law).join(u"; "_s)); }},
+        {u"parameters"_s, [](Csv& csv, const Row& row) { csv.text(parametersText(row.law)); }},
+        {u"cv"_s, [](Csv& csv, const Row& row) { csv.value(fixed(row.peaks.cv)); }},
+        {u"ca"_s, [](Csv& csv, const Row& row) { csv.value(fixed(row.peaks.ca)); }},
+        {u"cj"_s, [](Csv& csv, const Row& row) { csv.value(fixed(row.peaks.cj)); }},
+        {u"g_integral"_s, [](Csv& csv, const Row& row) { csv.value(fixed(row.travel)); }},
+        {u"strength"_s, [](Csv& csv, const Row& row) { csv.text(fromView(row.law.strength)); }},
+        {u"weakness"_s, [](Csv& csv, const Row& row) { csv.text(fromView(row.law.weakness)); }}};
+    return all;
 }
 
 QString textLine(const QString& key, const QString& name, const QString& uses, const QStringList& numbers)
@@ -111,12 +119,12 @@ Outcome runLaws(const Invocation& call)
             format = name;
     }
     QJsonArray list;
-    store::CsvWriter csv(u"key,name,uses,parameters,cv,ca,cj,g_integral,strength,weakness", {});
+    store::CsvTable<Row> csv(lawColumns());
     QString text = textLine(u"key"_s, u"name"_s, u"uses"_s, {u"Cv"_s, u"Ca"_s, u"Cj"_s, u"G(1)"_s});
     for (const profile::Law& law : profile::laws()) {
         const Row row(law);
         list.append(asJson(row));
-        addRow(csv, row);
+        csv.add(row);
         text += asText(row);
     }
     if (format == u"json")

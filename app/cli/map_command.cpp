@@ -36,12 +36,15 @@ QString limitOf(const RegimePoint& point)
 
 QByteArray mapCsv(const RegimeMap& map)
 {
-    store::CsvWriter csv(u"bag_length_mm,rate_bags_per_min,limited_by", {});
-    for (const RegimePoint& point : map.points) {
-        csv.significant(point.bagLengthMm).significant(point.rateBagsPerMin);
-        csv.text(limitOf(point)).endLine();
-    }
-    return csv.bytes();
+    using Csv = store::CsvWriter;
+    store::CsvTable<RegimePoint> file(
+        {{u"bag_length_mm"_s, [](Csv& csv, const RegimePoint& point) { csv.significant(point.bagLengthMm); }},
+         {u"rate_bags_per_min"_s,
+          [](Csv& csv, const RegimePoint& point) { csv.significant(point.rateBagsPerMin); }},
+         {u"limited_by"_s, [](Csv& csv, const RegimePoint& point) { csv.text(limitOf(point)); }}});
+    for (const RegimePoint& point : map.points)
+        file.add(point);
+    return file.bytes();
 }
 
 QJsonObject pointObject(const RegimePoint& point)

@@ -63,19 +63,31 @@ QByteArray mapJson()
         .toJson();
 }
 
+QString addressText(const RegisterInfo& row)
+{
+    return QString::fromStdString(modbus::hexAddress(row.address));
+}
+
 QByteArray mapLines(bool isCsv)
 {
-    store::CsvWriter csv(u"address,name,type,registers,writable,scale,unit", {});
+    using Csv = store::CsvWriter;
+    using Row = RegisterInfo;
+    store::CsvTable<Row> csv(
+        {{u"address"_s, [](Csv& line, const Row& row) { line.text(addressText(row)); }},
+         {u"name"_s, [](Csv& line, const Row& row) { line.text(fromView(row.name)); }},
+         {u"type"_s, [](Csv& line, const Row& row) { line.text(fromView(modbus::typeName(row.type))); }},
+         {u"registers"_s, [](Csv& line, const Row& row) { line.whole(row.count); }},
+         {u"writable"_s,
+          [](Csv& line, const Row& row) { line.yesOrNo(row.access == modbus::Access::ReadWrite); }},
+         {u"scale"_s, [](Csv& line, const Row& row) { line.significant(row.scale); }},
+         {u"unit"_s, [](Csv& line, const Row& row) { line.text(fromView(row.unit)); }}});
     QString text;
     for (const auto rows : {modbus::registers(), modbus::bankFields()}) {
         for (const RegisterInfo& row : rows) {
-            const QString address = QString::fromStdString(modbus::hexAddress(row.address));
-            const QString type = fromView(modbus::typeName(row.type));
-            csv.text(address).text(fromView(row.name)).text(type).whole(row.count);
-            csv.yesOrNo(row.access == modbus::Access::ReadWrite).significant(row.scale);
-            csv.text(fromView(row.unit)).endLine();
-            text += u"%1  %2 %3 %4\n"_s.arg(address, fromView(row.name).leftJustified(34),
-                                            type.leftJustified(6), fromView(row.text));
+            csv.add(row);
+            text += u"%1  %2 %3 %4\n"_s.arg(addressText(row), fromView(row.name).leftJustified(34),
+                                            fromView(modbus::typeName(row.type)).leftJustified(6),
+                                            fromView(row.text));
         }
     }
     return isCsv ? csv.bytes() : text.toUtf8();

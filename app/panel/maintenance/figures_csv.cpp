@@ -69,20 +69,25 @@ QByteArray figuresCsv(const modbus::LinkFigures& figures, const store::CsvDialec
 
 QByteArray stripCsv(const modbus::LinkFigures& figures, const store::CsvDialect& dialect)
 {
-    QStringList header{u"minute"_s, u"answers"_s};
-    for (const modbus::LinkErrorKind kind : modbus::countedErrors)
-        header << errorName(kind);
-    header << u"latency_p99_ms"_s << u"latency_max_ms"_s;
-    store::CsvWriter csv(header.join(u','), dialect);
-    for (const modbus::MinuteFigures& minute : figures.strip()) {
-        csv.text(minuteText(minute.minute)).whole(minute.answers);
-        for (const std::uint32_t count : minute.errors)
-            csv.whole(count);
-        for (const std::uint32_t us : {minute.latencyP99Us, minute.latencyMaxUs})
-            minute.answers > 0 ? csv.number(us / usPerMs, 3) : csv.empty();
-        csv.endLine();
-    }
-    return csv.bytes();
+    using Csv = store::CsvWriter;
+    using Minute = modbus::MinuteFigures;
+    const auto latency = [](Csv& csv, const Minute& minute, std::uint32_t us) {
+        minute.answers > 0 ? csv.number(us / usPerMs, 3) : csv.empty();
+    };
+    store::CsvColumns<Minute> columns{
+        {u"minute"_s, [](Csv& csv, const Minute& minute) { csv.text(minuteText(minute.minute)); }},
+        {u"answers"_s, [](Csv& csv, const Minute& minute) { csv.whole(minute.answers); }}};
+    for (std::size_t i = 0; i < modbus::countedErrors.size(); ++i)
+        columns.push_back({errorName(modbus::countedErrors[i]),
+                           [i](Csv& csv, const Minute& minute) { csv.whole(minute.errors[i]); }});
+    columns.push_back({u"latency_p99_ms"_s,
+                       [=](Csv& csv, const Minute& minute) { latency(csv, minute, minute.latencyP99Us); }});
+    columns.push_back({u"latency_max_ms"_s,
+                       [=](Csv& csv, const Minute& minute) { latency(csv, minute, minute.latencyMaxUs); }});
+    store::CsvTable<Minute> file(columns, dialect);
+    for (const Minute& minute : figures.strip())
+        file.add(minute);
+    return file.bytes();
 }
 
 } // namespace campanel::panel

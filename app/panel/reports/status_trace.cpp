@@ -8,6 +8,58 @@ using namespace Qt::StringLiterals;
 
 namespace campanel::panel {
 
+namespace {
+
+struct TraceLine {
+    qint64 timeMs;
+    const modbus::StatusBlock& status;
+    AxisPosition position;
+    std::chrono::duration<double, std::milli> latency;
+};
+
+const store::CsvColumns<TraceLine>& statusColumns()
+{
+    using Csv = store::CsvWriter;
+    static const store::CsvColumns<TraceLine> all{
+        {u"time_utc"_s, [](Csv& csv, const TraceLine& line) { csv.utc(line.timeMs); }},
+        {u"state"_s,
+         [](Csv& csv, const TraceLine& line) {
+             line.status.state ? csv.text(QString::fromStdString(modbus::enumName(*line.status.state)))
+                               : csv.empty();
+         }},
+        {u"fault_bits"_s, [](Csv& csv, const TraceLine& line) { csv.whole(line.status.faultBits); }},
+        {u"warning_bits"_s, [](Csv& csv, const TraceLine& line) { csv.whole(line.status.warningBits); }},
+        {u"generation"_s, [](Csv& csv, const TraceLine& line) { csv.whole(line.status.generation); }},
+        {u"cycle"_s, [](Csv& csv, const TraceLine& line) { csv.whole(line.status.cycleCount); }},
+        {u"master_deg"_s, [](Csv& csv, const TraceLine& line) { csv.number(line.status.masterAngleDeg, 3); }},
+        {u"master_percent"_s,
+         [](Csv& csv, const TraceLine& line) { csv.number(line.status.masterSpeedPercent, 2); }},
+        {u"commanded_hz"_s,
+         [](Csv& csv, const TraceLine& line) { csv.whole(line.status.commandedFrequencyHz); }},
+        {u"actual_hz"_s, [](Csv& csv, const TraceLine& line) { csv.whole(line.status.actualFrequencyHz); }},
+        {u"commanded_pulses"_s,
+         [](Csv& csv, const TraceLine& line) { csv.whole(line.position.commandedPulses().value_or(0)); }},
+        {u"position_pulses"_s,
+         [](Csv& csv, const TraceLine& line) { csv.whole(line.position.actualPulses().value_or(0)); }},
+        {u"following_error_pulses"_s,
+         [](Csv& csv, const TraceLine& line) { csv.whole(line.status.followingErrorPulses); }},
+        {u"knife_deg"_s, [](Csv& csv, const TraceLine& line) { csv.number(line.status.knifeAngleDeg, 3); }},
+        {u"bag"_s, [](Csv& csv, const TraceLine& line) { csv.whole(line.status.bagCount); }},
+        {u"bag_length_mm"_s, [](Csv& csv, const TraceLine& line) { csv.number(line.status.bagLengthMm, 3); }},
+        {u"bag_deviation_mm"_s,
+         [](Csv& csv, const TraceLine& line) { csv.number(line.status.bagDeviationMm, 3); }},
+        {u"force_n"_s,
+         [](Csv& csv, const TraceLine& line) {
+             line.status.press ? csv.whole(line.status.press->forceN) : csv.empty();
+         }},
+        {u"uptime_s"_s, [](Csv& csv, const TraceLine& line) { csv.whole(line.status.uptimeS); }},
+        {u"sample_ms"_s, [](Csv& csv, const TraceLine& line) { csv.whole(line.status.sampleTimeMs); }},
+        {u"latency_ms"_s, [](Csv& csv, const TraceLine& line) { csv.number(line.latency.count(), 3); }}};
+    return all;
+}
+
+} // namespace
+
 bool StatusTrace::add(const link::StatusSample& sample)
 {
     const bool wasFaulted = !m_latest.empty() && m_latest.back().status.faultBits != 0;
@@ -23,29 +75,14 @@ bool StatusTrace::add(const link::StatusSample& sample)
 QByteArray StatusTrace::csv(const std::deque<link::StatusSample>& samples, link::SteadyTime moment,
                             const QDateTime& timeOfDay)
 {
-    store::CsvWriter csv(
-        u"time_utc,state,fault_bits,warning_bits,generation,cycle,master_deg,master_percent,commanded_hz,"
-        "actual_hz,commanded_pulses,position_pulses,following_error_pulses,knife_deg,bag,bag_length_mm,"
-        "bag_deviation_mm,force_n,uptime_s,sample_ms,latency_ms",
-        {});
+    store::CsvTable<TraceLine> file(statusColumns());
     AxisPosition position;
     for (const link::StatusSample& sample : samples) {
-        const modbus::StatusBlock& status = sample.status;
-        position.note(status);
+        position.note(sample.status);
         const auto since = std::chrono::duration_cast<std::chrono::milliseconds>(sample.receivedAt - moment);
-        csv.utc(timeOfDay.toMSecsSinceEpoch() + since.count());
-        status.state ? csv.text(QString::fromStdString(modbus::enumName(*status.state))) : csv.empty();
-        csv.whole(status.faultBits).whole(status.warningBits).whole(status.generation);
-        csv.whole(status.cycleCount).number(status.masterAngleDeg, 3).number(status.masterSpeedPercent, 2);
-        csv.whole(status.commandedFrequencyHz).whole(status.actualFrequencyHz);
-        csv.whole(position.commandedPulses().value_or(0)).whole(position.actualPulses().value_or(0));
-        csv.whole(status.followingErrorPulses).number(status.knifeAngleDeg, 3).whole(status.bagCount);
-        csv.number(status.bagLengthMm, 3).number(status.bagDeviationMm, 3);
-        status.press ? csv.whole(status.press->forceN) : csv.empty();
-        csv.whole(status.uptimeS).whole(status.sampleTimeMs);
-        csv.number(std::chrono::duration<double, std::milli>(sample.latency).count(), 3).endLine();
+        file.add({timeOfDay.toMSecsSinceEpoch() + since.count(), sample.status, position, sample.latency});
     }
-    return csv.bytes();
+    return file.bytes();
 }
 
 } // namespace campanel::panel

@@ -210,6 +210,37 @@ private slots:
         QVERIFY(csv.last().startsWith("2026-01-02T03:04:05.000Z,"));
         QVERIFY(csv[1].startsWith("2026-01-02T03:03:55.000Z,"));
         QCOMPARE(csv[0].count(','), csv[1].count(','));
+
+        modbus::StatusBlock& status = sample.status;
+        status = {};
+        status.state = modbus::State::Running;
+        status.faultBits = 2;
+        status.warningBits = 3;
+        status.generation = 4;
+        status.cycleCount = 5;
+        status.masterAngleDeg = 6.5;
+        status.masterSpeedPercent = 7.25;
+        status.commandedFrequencyHz = 8;
+        status.actualFrequencyHz = 9;
+        status.commandedPositionPulses = 10;
+        status.axisPositionPulses = 11;
+        status.followingErrorPulses = -12;
+        status.knifeAngleDeg = 13.125;
+        status.bagCount = 14;
+        status.bagLengthMm = 15.5;
+        status.bagDeviationMm = -0.25;
+        status.uptimeS = 17;
+        status.sampleTimeMs = 18;
+        sample.latency = 19ms;
+        const auto each = lines(StatusTrace::csv({sample}, sample.receivedAt, timeOfDay));
+        QCOMPARE(
+            each[0],
+            QByteArray("time_utc,state,fault_bits,warning_bits,generation,cycle,master_deg,master_percent,"
+                       "commanded_hz,actual_hz,commanded_pulses,position_pulses,following_error_pulses,"
+                       "knife_deg,bag,bag_length_mm,bag_deviation_mm,force_n,uptime_s,sample_ms,latency_ms"));
+        QCOMPARE(each[1],
+                 QByteArray("2026-01-02T03:04:05.000Z,Running,2,3,4,5,6.500,7.25,8,9,10,11,-12,13.125,14,"
+                            "15.500,-0.250,,17,18,19.000"));
     }
 
     void aSecondRequestWaitsForTheFirst()
