@@ -30,11 +30,31 @@ constexpr qint64 start = 1'790'000'000'000;
 AlarmChanges alarms()
 {
     AlarmChanges changes;
-    changes.rows = {
-        {1, u"C-01"_s, start, AlarmRow::End::Returned, start + 1500, true, start + 900, u"Anna, B"_s, 3, true,
-         u"=axis \"1\""_s, false},
-        {2, u"W-05"_s, start + 2000, AlarmRow::End::Active, 0, false, 0, {}, 1, false, {}, true},
-        {3, u"P-10"_s, start + 3000, AlarmRow::End::Unknown, 0, true, 0, {}, 2, false, u"色标"_s, false}};
+    changes.rows = {{.id = 1,
+                     .code = u"C-01"_s,
+                     .raisedMs = start,
+                     .end = AlarmRow::End::Returned,
+                     .returnedMs = start + 1500,
+                     .wantsAcknowledgement = true,
+                     .acknowledgedMs = start + 900,
+                     .acknowledgedBy = u"Anna, B"_s,
+                     .count = 3,
+                     .isShelved = true,
+                     .detail = u"=axis \"1\""_s},
+                    {.id = 2,
+                     .code = u"W-05"_s,
+                     .raisedMs = start + 2000,
+                     .wantsAcknowledgement = false,
+                     .acknowledgedBy = {},
+                     .detail = {},
+                     .isClockDoubtful = true},
+                    {.id = 3,
+                     .code = u"P-10"_s,
+                     .raisedMs = start + 3000,
+                     .end = AlarmRow::End::Unknown,
+                     .acknowledgedBy = {},
+                     .count = 2,
+                     .detail = u"色标"_s}};
     changes.shelves = {{u"C-01"_s, start, start + 3'600'000, u"Anna, B"_s}};
     return changes;
 }
