@@ -4265,10 +4265,6 @@ eff. %2</translation>
         <source>Hash</source>
         <translation>Hash</translation>
     </message>
-    <message>
-        <source>Only the newest %1 rows are exported. Set a time by the filter for older ones.</source>
-        <translation>Nur die neuesten %1 Zeilen werden exportiert. Für ältere im Filter eine Zeit wählen.</translation>
-    </message>
 </context>
 <context>
     <name>campanel::panel::Backup</name>
@@ -6043,6 +6039,13 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
     <message>
         <source>The mark distance is %1 mm (± %2 mm), the recipe cuts %3 mm.</source>
         <translation>Der Markenabstand ist %1 mm (± %2 mm), das Rezept schneidet %3 mm.</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::PagedLogBase</name>
+    <message>
+        <source>Only the newest %1 rows are exported. Set a time by the filter for older ones.</source>
+        <translation>Nur die neuesten %1 Zeilen werden exportiert. Für ältere im Filter eine Zeit wählen.</translation>
     </message>
 </context>
 <context>

@@ -4263,10 +4263,6 @@ RMS %2</source>
         <source>Hash</source>
         <translation>哈希</translation>
     </message>
-    <message>
-        <source>Only the newest %1 rows are exported. Set a time by the filter for older ones.</source>
-        <translation>只导出最新的 %1 行。要导出更早的行，请在筛选中设置时间。</translation>
-    </message>
 </context>
 <context>
     <name>campanel::panel::Backup</name>
@@ -6041,6 +6037,13 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
     <message>
         <source>The mark distance is %1 mm (± %2 mm), the recipe cuts %3 mm.</source>
         <translation>色标间距 %1 mm（± %2 mm），配方袋长 %3 mm。</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::PagedLogBase</name>
+    <message>
+        <source>Only the newest %1 rows are exported. Set a time by the filter for older ones.</source>
+        <translation>只导出最新的 %1 行。要导出更早的行，请在筛选中设置时间。</translation>
     </message>
 </context>
 <context>

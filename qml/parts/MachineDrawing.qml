@@ -11,8 +11,8 @@ Item {
 
     // Limits and data of the motor belong to the motor, those of the shaft to the gear or to the load.
     readonly property var parts: ({
-        knifeRadius: "radius", knives: "knives", pulses_per_motor_rev: "motor", gear_numerator: "gear", gear_denominator: "gear",
-        max_motor_rpm: "motor", maxAcceleration: "knives", max_pulse_frequency_hz: "motor", max_rate_bags_per_min: "film",
+        knife_radius_mm: "radius", knives: "knives", pulses_per_motor_rev: "motor", gear_numerator: "gear", gear_denominator: "gear",
+        max_motor_rpm: "motor", max_knife_acceleration_mm_per_s2: "knives", max_pulse_frequency_hz: "motor", max_rate_bags_per_min: "film",
         max_torque_nm: "motor", rated_torque_nm: "motor", inertia_kg_cm2: "motor", friction_nm: "motor",
         natural_frequency_hz: cutter.visible ? "gear" : "load", damping_ratio: cutter.visible ? "gear" : "load", contact_angle_deg: "contact",
         feed_mm_per_motor_rev: "feed", max_acceleration_mm_per_s2: "load"

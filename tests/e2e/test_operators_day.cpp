@@ -86,14 +86,14 @@ private slots:
         panel.touchDriver().settle();
         panel.tap("firstNext");
 
-        enter(panel, "first_knifeRadius", QStringLiteral("62"));
+        enter(panel, "first_knife_radius_mm", QStringLiteral("62"));
         panel.tap("firstNext");
         panel.tap("firstName");
         typeText(panel, QStringLiteral("rusk large"));
         panel.tap("textAccept");
         QTRY_COMPARE_WITH_TIMEOUT(panel.editor().recipeName(), QStringLiteral("rusk large"), timeoutMs);
         panel.touchDriver().settle();
-        enter(panel, "first_bagLength", QStringLiteral("260"));
+        enter(panel, "first_bag_length_mm", QStringLiteral("260"));
         panel.tap("firstNext");
         QVERIFY(!panel.settings().firstStart());
         QTRY_VERIFY_WITH_TIMEOUT(!panel.editor().edited(), timeoutMs);
@@ -223,14 +223,14 @@ private slots:
         waitForRecipes(panel, 2);
         QCOMPARE(panel.editor().recipeName(), QStringLiteral("wafer"));
         panel.tap("nav_motion");
-        enter(panel, "field_bagLength", QStringLiteral("240"));
+        enter(panel, "field_bag_length_mm", QStringLiteral("240"));
         panel.download();
         panel.tap("nav_run");
         QTRY_VERIFY_WITH_TIMEOUT(panel.controller().canStart(), timeoutMs);
         panel.start();
         QTRY_COMPARE_WITH_TIMEOUT(panel.controller().state(), Controller::State::Running, timeoutMs);
         panel.tap("nav_motion");
-        enter(panel, "field_bagLength", QStringLiteral("250"));
+        enter(panel, "field_bag_length_mm", QStringLiteral("250"));
         panel.download();
         QTRY_COMPARE_WITH_TIMEOUT(panel.controller().active().bagLengthMm, 250.0, timeoutMs);
         QCOMPARE(panel.controller().state(), Controller::State::Running);
@@ -280,7 +280,7 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT(access.loggedIn(), timeoutMs);
         access.logOut();
         panel.tap("nav_motion");
-        panel.tap("field_baseSpeed");
+        panel.tap("field_base_speed_mm_per_s");
         panel.tap("login_Anna");
         typePin(panel, QStringLiteral("1379"));
         QTRY_VERIFY_WITH_TIMEOUT(access.waits(), timeoutMs);
@@ -295,7 +295,7 @@ private slots:
                                   qPrintable(panel.complaints().join(u'|') + panel.texts()), timeoutMs);
         panel.touchDriver().settle();
         const double before = panel.editor().baseSpeed()->value();
-        enter(panel, "field_baseSpeed", QStringLiteral("500"));
+        enter(panel, "field_base_speed_mm_per_s", QStringLiteral("500"));
         QVERIFY(before != panel.editor().baseSpeed()->value());
         QCOMPARE(panel.complaints(), QStringList());
     }
@@ -329,8 +329,8 @@ private slots:
         PanelWindow panel(controller.port());
         QTRY_COMPARE_WITH_TIMEOUT(panel.controller().state(), Controller::State::Idle, timeoutMs);
         panel.tap("nav_motion");
-        enter(panel, "field_bagLength", QStringLiteral("270"));
-        panel.tap("field_rate");
+        enter(panel, "field_bag_length_mm", QStringLiteral("270"));
+        panel.tap("field_rate_bags_per_min");
         panel.tapDigits(QStringLiteral("4"));
         panel.settings().set("display.language",
                              QStringLiteral("zh_CN")); // by another person, in another way

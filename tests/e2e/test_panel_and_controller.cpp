@@ -100,7 +100,7 @@ private:
     static void enterLength(PanelWindow& panel, const QString& digits)
     {
         panel.tap("nav_motion");
-        panel.tap("field_bagLength");
+        panel.tap("field_bag_length_mm");
         panel.tapDigits(digits);
         panel.tap("keypadAccept");
     }

@@ -133,7 +133,7 @@ private slots:
         panel.tap("nav_settings");
         panel.tap("section2");
         panel.touchDriver().settle();
-        QVERIFY(panel.touchDriver().find(u"field_knifeRadius"_s));
+        QVERIFY(panel.touchDriver().find(u"field_knife_radius_mm"_s));
         panel.tap("openPermit");
         QTRY_VERIFY2_WITH_TIMEOUT(panel.texts().contains(u"Not in this controller. Update its firmware."_s),
                                   qPrintable(panel.texts()), timeoutMs);

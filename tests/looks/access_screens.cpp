@@ -205,7 +205,7 @@ Screen login(const char* name, const QStringList& taps, int wrongPins = 0)
                 addUsers(window);
                 window.panel().access().setWallClock([] { return timeMs(0); });
                 window.tap(u"nav_motion"_s);
-                window.tap(u"field_baseSpeed"_s);
+                window.tap(u"field_base_speed_mm_per_s"_s);
                 window.tap(u"login_Li Wei"_s);
                 for (int i = 0; i < wrongPins; ++i)
                     logIn(window, liWei, u"1111"_s);
@@ -253,7 +253,7 @@ QList<Screen> accessScreens()
                  QLoggingCategory::setFilterRules({});
                  window.panel().records().dismissNotice();
                  window.tap(u"nav_motion"_s);
-                 window.tap(u"field_baseSpeed"_s);
+                 window.tap(u"field_base_speed_mm_per_s"_s);
              }},
             {u"login-short-pin"_s,
              [](TestWindow& window) {

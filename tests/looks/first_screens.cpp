@@ -36,7 +36,7 @@ QList<Screen> firstScreens()
             step("first-pin", 2),
             step("first-pin-user", 2, {QStringLiteral("firstSetPin")}),
             step("first-machine", 3),
-            step("first-machine-keypad", 3, {QStringLiteral("first_knifeRadius")}),
+            step("first-machine-keypad", 3, {QStringLiteral("first_knife_radius_mm")}),
             step("first-recipe", 4),
             step("first-start-refused", 4, {QStringLiteral("startKey")})};
 }

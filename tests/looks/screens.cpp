@@ -269,7 +269,7 @@ const QList<Screen>& allScreens()
     const QString run = QStringLiteral("nav_run");
     const QString motion = QStringLiteral("nav_motion");
     const QString settings = QStringLiteral("nav_settings");
-    const QString length = QStringLiteral("field_bagLength");
+    const QString length = QStringLiteral("field_bag_length_mm");
     static const QList<Screen> screens{
         taps("run", {run}),
         taps("motion", {motion}),
@@ -311,7 +311,7 @@ const QList<Screen>& allScreens()
         {QStringLiteral("explanation"),
          [=](TestWindow& window) {
              window.tap(motion);
-             window.hold(QStringLiteral("field_baseSpeed"));
+             window.hold(QStringLiteral("field_base_speed_mm_per_s"));
          }},
         held("explanation-bags", run, QStringLiteral("bagNumbers")),
         held("explanation-rate", run, QStringLiteral("packingRate")),
@@ -364,8 +364,8 @@ const QList<Screen>& allScreens()
         taps("settings-machine", {settings, QStringLiteral("section2")}),
         taps("settings-permit", {settings, QStringLiteral("section2"), QStringLiteral("openPermit")}),
         taps("settings-start-key", {settings, QStringLiteral("section0"), QStringLiteral("holdToStart")}),
-        taps("keypad-machine",
-             {settings, QStringLiteral("section2"), QStringLiteral("field_maxAcceleration")}),
+        taps("keypad-machine", {settings, QStringLiteral("section2"),
+                                QStringLiteral("field_max_knife_acceleration_mm_per_s2")}),
         {QStringLiteral("settings-system"),
          [=](TestWindow& window) {
              const QString folder =

@@ -46,7 +46,7 @@ private slots:
     void keypadTakesANumber()
     {
         tap("nav_motion");
-        tap("field_bagLength");
+        tap("field_bag_length_mm");
         m_window->type(QStringLiteral("262.5"));
         QCOMPARE(textOf("keypadText"), QStringLiteral("262.5"));
         tap("keypadAccept");
@@ -57,7 +57,7 @@ private slots:
     void keypadRefusesWithTheLimit()
     {
         tap("nav_motion");
-        tap("field_bagLength");
+        tap("field_bag_length_mm");
         m_window->type(QStringLiteral("99999"));
         QVERIFY2(textOf("keypadHint").contains(QStringLiteral("2000")), qPrintable(textOf("keypadHint")));
         QVERIFY(!m_window->find(QStringLiteral("keypadAccept"))->isEnabled());
@@ -68,9 +68,10 @@ private slots:
     void keypadLeavesItsFieldAndStopFree_data()
     {
         QTest::addColumn<QStringList>("way");
-        QTest::newRow("bag length") << QStringList{"nav_motion", "field_bagLength"};
-        QTest::newRow("film speed") << QStringList{"nav_motion", "field_filmSpeed"};
-        QTest::newRow("machine parameter") << QStringList{"nav_settings", "section2", "field_knifeRadius"};
+        QTest::newRow("bag length") << QStringList{"nav_motion", "field_bag_length_mm"};
+        QTest::newRow("film speed") << QStringList{"nav_motion", "field_film_speed_mm_per_s"};
+        QTest::newRow("machine parameter")
+            << QStringList{"nav_settings", "section2", "field_knife_radius_mm"};
     }
     void keypadLeavesItsFieldAndStopFree()
     {
@@ -91,7 +92,7 @@ private slots:
     {
         tap("nav_motion");
         QVERIFY(editor().filmSpeed()->derived());
-        tap("field_filmSpeed");
+        tap("field_film_speed_mm_per_s");
         m_window->type(QStringLiteral("300"));
         tap("keypadAccept");
         QVERIFY(editor().filmSpeed()->pinned());
@@ -105,7 +106,7 @@ private slots:
     void holdingADerivedValueExplainsIt()
     {
         tap("nav_motion");
-        m_window->hold(QStringLiteral("field_baseSpeed"));
+        m_window->hold(QStringLiteral("field_base_speed_mm_per_s"));
         QVERIFY(m_window->find(QStringLiteral("sheetPanel")));
         tap("sheetClose");
         QVERIFY(!m_window->find(QStringLiteral("sheetPanel")));
@@ -133,7 +134,7 @@ private slots:
     {
         QTest::addColumn<int>("kind");
         QTest::addColumn<QString>("shown");
-        QTest::newRow("cutter") << 1 << QStringLiteral("field_bagLength");
+        QTest::newRow("cutter") << 1 << QStringLiteral("field_bag_length_mm");
         QTest::newRow("position move") << 2 << QStringLiteral("field_distance_mm");
         QTest::newRow("speed move") << 3 << QStringLiteral("field_end_speed_mm_per_s");
         QTest::newRow("point cam") << 4 << QStringLiteral("knotsButton");
@@ -392,7 +393,7 @@ private slots:
         QTest::newRow("run") << QStringList{"nav_run"};
         QTest::newRow("settings") << QStringList{"nav_settings"};
         QTest::newRow("search") << QStringList{"nav_maintenance", "doctorSearch"};
-        QTest::newRow("keypad") << QStringList{"nav_motion", "field_rate"};
+        QTest::newRow("keypad") << QStringList{"nav_motion", "field_rate_bags_per_min"};
         QTest::newRow("dialog") << QStringList{"nav_motion", "lawButton"};
         QTest::newRow("dialog from a dialog") << QStringList{"nav_motion", "more", "tableButton"};
     }
@@ -434,7 +435,7 @@ private slots:
         tap("section2");
         QCOMPARE(marked(), QStringList());
         for (const auto& [field, part] :
-             {std::pair{"field_knifeRadius", "radius"}, {"field_knives", "knives"}}) {
+             {std::pair{"field_knife_radius_mm", "radius"}, {"field_knives", "knives"}}) {
             tap(field);
             tap("keypadCancel");
             QCOMPARE(marked(), QStringList(QString::fromLatin1(part)));
@@ -481,7 +482,7 @@ private slots:
         QTest::newRow("Run") << QStringList{start} << false;
         QTest::newRow("Motion") << QStringList{motion, start} << false;
         QTest::newRow("sheet") << QStringList{motion, QStringLiteral("nextStep"), start} << false;
-        QTest::newRow("keypad") << QStringList{motion, QStringLiteral("field_bagLength"), start} << false;
+        QTest::newRow("keypad") << QStringList{motion, QStringLiteral("field_bag_length_mm"), start} << false;
     }
 
     void whatIsRefusedIsSeenWhereverTheFingerWas()

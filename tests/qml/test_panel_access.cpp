@@ -66,10 +66,10 @@ private slots:
     {
         enter("users-logged-out");
         tap("nav_motion");
-        tap("field_bagLength"); // the operator's
+        tap("field_bag_length_mm"); // the operator's
         QVERIFY(!isOn("loginUsers"));
         tap("keypadCancel");
-        tap("field_baseSpeed");
+        tap("field_base_speed_mm_per_s");
         QVERIFY(isOn("loginUsers"));
         QVERIFY(isOn("login_Li Wei"));
         QVERIFY(isOn("login_Anna"));
@@ -91,7 +91,7 @@ private slots:
         QCOMPARE(access().userName(), u"Li Wei"_s);
         QVERIFY(!isOn("loginUsers"));
         QCOMPARE(textOf("userLevel"), u"Technician"_s);
-        tap("field_baseSpeed");
+        tap("field_base_speed_mm_per_s");
         QVERIFY(isOn("keypadAccept"));
     }
 

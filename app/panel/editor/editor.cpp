@@ -24,28 +24,6 @@ namespace {
 
 using profile::Field;
 
-// Returns the name of a field in QML and in tests: short ones for the cutter, else that of the recipe file.
-QString fieldId(Field field)
-{
-    switch (field) {
-    case Field::BagLength:
-        return u"bagLength"_s;
-    case Field::BaseSpeed:
-        return u"baseSpeed"_s;
-    case Field::FilmSpeed:
-        return u"filmSpeed"_s;
-    case Field::Rate:
-        return u"rate"_s;
-    case Field::KnifeRadius:
-        return u"knifeRadius"_s;
-    case Field::MaxKnifeAcceleration:
-        return u"maxAcceleration"_s;
-    default:
-        return QString::fromLatin1(profile::info(field).id.data(),
-                                   static_cast<qsizetype>(profile::info(field).id.size()));
-    }
-}
-
 Level levelFor(Field field)
 {
     return profile::info(field).isForOperators ? Level::Operator : Level::Technician;
@@ -129,7 +107,7 @@ void Editor::connectFields()
 {
     for (const profile::FieldInfo& info : profile::fields) {
         const Field field = info.field;
-        auto* item = new EditorField(fieldId(field), this);
+        auto* item = new EditorField(QString::fromLatin1(info.id), this);
         item->setNeededLevel(levelFor(field));
         item->setGroup(QString::fromLatin1(info.group));
         m_fields[static_cast<std::size_t>(field)] = item;
