@@ -16,6 +16,7 @@ Priority priorityOf(modbus::Command command)
     case modbus::Command::Home:
     case modbus::Command::ResetFault:
     case modbus::Command::CancelApply:
+    case modbus::Command::TryOutput:
         return Priority::Motion;
     case modbus::Command::None:
     case modbus::Command::ApplyStaged:

@@ -14,12 +14,9 @@ struct Pin {
     unsigned bit = 0;
 };
 
-constexpr std::array settablePins{
-    Pin{"drive-alarm", CTL_INPUT_BIT_DRIVE_ALARM},
-    Pin{"emergency-stop", CTL_INPUT_BIT_EMERGENCY_STOP},
-    Pin{"limit-forward", CTL_INPUT_BIT_LIMIT_FORWARD},
-    Pin{"limit-reverse", CTL_INPUT_BIT_LIMIT_REVERSE},
-};
+#define CONTACT(name, bit, address) Pin{name, bit},
+constexpr std::array settablePins{CTL_CONTACTS(CONTACT)};
+#undef CONTACT
 
 std::optional<unsigned> bitOf(std::string_view name)
 {
@@ -28,6 +25,14 @@ std::optional<unsigned> bitOf(std::string_view name)
 }
 
 } // namespace
+
+std::string pinNames()
+{
+    std::string names;
+    for (const Pin& pin : settablePins)
+        names.append(names.empty() ? "" : ", ").append(pin.name);
+    return names;
+}
 
 std::optional<PinStatement> parsePinStatement(std::string_view text)
 {

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <string_view>
 
 namespace campanel::controller {
@@ -13,7 +14,9 @@ struct PinStatement {
     bool isOn = false;
 };
 
-// Parses "NAME on" or "NAME off", NAME being drive-alarm, emergency-stop, limit-forward or limit-reverse.
+// Returns their names, separated by a comma and a space.
+[[nodiscard]] std::string pinNames();
+// Parses "NAME on" or "NAME off".
 [[nodiscard]] std::optional<PinStatement> parsePinStatement(std::string_view text);
 // Parses names separated by commas; returns the bits of InputBit.
 [[nodiscard]] std::optional<std::uint16_t> parsePins(std::string_view names);

@@ -35,8 +35,7 @@ printed is that port's path. Ends on SIGTERM or SIGINT.
   --map-minor N        answer as a controller of register map 1.N, 4 or later: registers since then do not exist
   --speed FACTOR       simulated seconds per second, 0.01..1000 (1)
   --seed N             seed of the machine's disturbances (1)
-  --pins NAME,..       inputs that are on at power-up: drive-alarm, emergency-stop, limit-forward, limit-reverse
-)";
+  --pins NAME,..       inputs that are on at power-up: )";
 
 constexpr const char* helpAfter =
     R"(  --faults FILE        rules for what goes wrong on the line, one a line; see controller/README.md
@@ -200,7 +199,7 @@ tl::expected<Options, Ending> parseOptions(int argc, char** argv)
         if (code == '?')
             return wrong("unknown or incomplete option " + std::string(word));
         if (code == Help)
-            return tl::unexpected(Ending{0, std::string(helpBefore).append(machineHelp()).append(helpAfter)});
+            return tl::unexpected(Ending{0, helpBefore + pinNames() + '\n' + machineHelp() + helpAfter});
         if (code == Version)
             return tl::unexpected(Ending{0, "campanel-controller " CAMPANEL_VERSION "\n"});
         const char* argument = optarg != nullptr ? optarg : "";

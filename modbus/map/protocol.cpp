@@ -166,6 +166,11 @@ constexpr std::array commands{
     entry(Command::TeachMarks, "TeachMarks", CAMPANEL_TEXT("Protocol", "Measure marks"),
           "argument0 = number of marks, 2 to 100: measures the distances between the next marks of any "
           "length; see packer.teach_marks."),
+    entry(
+        Command::TryOutput, "TryOutput", CAMPANEL_TEXT("Protocol", "Try output"),
+        "argument0 = OutputBit, argument1 = 1: switches this output on at standstill, for 500 ms unless the "
+        "command is repeated; 0: switches it off. Any other command, a motion, a fault and the emergency "
+        "stop switch it off too. Since map 1.5."),
 };
 
 constexpr std::array applyModes{
@@ -391,36 +396,11 @@ constexpr std::array ioBits{
     entry(IoBit::Torque, "Torque", "io.torque."),
 };
 
-constexpr std::array inputBits{
-    entry(InputBit::DriveAlarm, "DriveAlarm", CAMPANEL_TEXT("Protocol", "Drive alarm"),
-          "The drive reports an alarm; the controller goes into fault at once."),
-    entry(InputBit::EmergencyStop, "EmergencyStop", CAMPANEL_TEXT("Protocol", "Emergency stop"),
-          "It is pressed: ends a motion and refuses others. No safety depends on it."),
-    entry(InputBit::LimitForward, "LimitForward", CAMPANEL_TEXT("Protocol", "Limit switch, forward"),
-          "It is reached. Only reported."),
-    entry(InputBit::LimitReverse, "LimitReverse", CAMPANEL_TEXT("Protocol", "Limit switch, reverse"),
-          "It is reached. Only reported."),
-    entry(InputBit::IndexMark, "IndexMark", CAMPANEL_TEXT("Protocol", "Index mark"), "The axis is on it."),
-    entry(InputBit::MarkSensor, "MarkSensor", CAMPANEL_TEXT("Protocol", "Mark sensor"),
-          "A printed mark is under it."),
-    entry(InputBit::ProductEye, "ProductEye", CAMPANEL_TEXT("Protocol", "Product eye"),
-          "A product covers it."),
-};
-
-constexpr std::string_view camSwitch = CAMPANEL_TEXT("Protocol", "Cam switch %1");
-
-constexpr std::array outputBits{
-    entry(OutputBit::Switch1, "Switch1", camSwitch, {}, "1"),
-    entry(OutputBit::Switch2, "Switch2", camSwitch, {}, "2"),
-    entry(OutputBit::Switch3, "Switch3", camSwitch, {}, "3"),
-    entry(OutputBit::Switch4, "Switch4", camSwitch, {}, "4"),
-    entry(OutputBit::Switch5, "Switch5", camSwitch, {}, "5"),
-    entry(OutputBit::Switch6, "Switch6", camSwitch, {}, "6"),
-    entry(OutputBit::Switch7, "Switch7", camSwitch, {}, "7"),
-    entry(OutputBit::Switch8, "Switch8", camSwitch, {}, "8"),
-    entry(OutputBit::DriveEnable, "DriveEnable", CAMPANEL_TEXT("Protocol", "Drive enable"),
-          "See parameter.drive_enable."),
-};
+constexpr std::array inputBits = [] {
+    std::array<EnumValue, inputRows.size()> values;
+    std::ranges::transform(inputRows, values.begin(), &InputRow::value);
+    return values;
+}();
 
 constexpr std::array markStates{
     entry(MarkState::Off, "Off", CAMPANEL_TEXT("Protocol", "Mark tracking off"),
@@ -466,7 +446,7 @@ constexpr std::array bagBits{
           "or a change of length."),
 };
 
-constexpr std::array<EnumInfo, 31> infos{{
+constexpr std::array<EnumInfo, 32> infos{{
     {"State", states},
     {"ProgramKind", programKinds},
     {"StagedState", stagedStates},
@@ -494,10 +474,11 @@ constexpr std::array<EnumInfo, 31> infos{{
     {"SkipCause", skipCauses},
     {"BagBit", bagBits},
     {"SwitchMode", switchModes},
-    {"OutputBit", outputBits},
+    {"OutputBit", outputRows},
     {"DriveEnable", driveEnables},
     {"IoBit", ioBits},
     {"InputBit", inputBits},
+    {"Contact", contacts},
 }};
 
 } // namespace

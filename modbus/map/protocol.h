@@ -4,6 +4,7 @@
 #pragma once
 
 #include "modbus/map/alarm_bits.h"
+#include "modbus/map/io_rows.h"
 
 #include <array>
 #include <cstdint>
@@ -81,7 +82,12 @@ enum class Command : std::uint16_t {
     SaveToFlash,
     SetClock,
     TeachMarks,
+    TryOutput,
 };
+
+inline constexpr Command lastCommand = Command::TryOutput;
+// The first minor version of the map with Command::TryOutput.
+inline constexpr std::uint16_t tryOutputMapMinor = 5;
 
 enum class ApplyMode : std::uint16_t { WhenStopped = 0, NextCycle = 1 };
 
@@ -184,30 +190,6 @@ enum class DriveEnable : std::uint16_t { Off = 0, On = 1, WhileRunning = 2 };
 
 // The bits of io.available.
 enum class IoBit : std::uint16_t { Inputs = 0, Outputs = 1, Infeed = 2, Torque = 3 };
-
-// The bits of the input pins.
-enum class InputBit : std::uint16_t {
-    DriveAlarm = 0,
-    EmergencyStop,
-    LimitForward,
-    LimitReverse,
-    IndexMark,
-    MarkSensor,
-    ProductEye
-};
-
-// The bits of the output pins.
-enum class OutputBit : std::uint16_t {
-    Switch1 = 0,
-    Switch2,
-    Switch3,
-    Switch4,
-    Switch5,
-    Switch6,
-    Switch7,
-    Switch8,
-    DriveEnable
-};
 
 struct EnumInfo {
     std::string_view name;

@@ -2,6 +2,7 @@
 // Prints the register table.
 #include "modbus/map/register_document.h"
 
+#include <algorithm>
 #include <cctype>
 #include <cmath>
 #include <iomanip>
@@ -51,6 +52,16 @@ std::string upperSnake(std::string_view name)
         result += c == '.' ? '_' : static_cast<char>(std::toupper(byte));
         afterLower = std::islower(byte) != 0 || std::isdigit(byte) != 0;
     }
+    return result;
+}
+
+// Converts "DriveAlarm" to drive-alarm, as on a command line.
+std::string lowerKebab(std::string_view name)
+{
+    std::string result = upperSnake(name);
+    std::ranges::transform(result, result.begin(), [](unsigned char c) {
+        return c == '_' ? '-' : static_cast<char>(std::tolower(c));
+    });
     return result;
 }
 
@@ -109,6 +120,14 @@ void printLists(std::ostream& out)
             continue;
         const unsigned words = row.type == RegisterType::I16 ? 0 : row.count;
         out << " \\\n    LIMIT(" << upperSnake(row.name) << ", " << words << "u)";
+    }
+    out << "\n/* CONTACT(name, bit, register): the inputs that are contacts; the kind of contact, then its "
+           "filter. */\n"
+           "#define CTL_CONTACTS(CONTACT)";
+    for (const InputRow& row : inputRows) {
+        if (row.source == InputSource::Contact)
+            out << " \\\n    CONTACT(\"" << lowerKebab(row.value.name) << "\", " << row.value.value
+                << "u, CTL_REG_PARAMETER_" << upperSnake(row.value.name) << "_CONTACT)";
     }
     out << "\n";
 }
@@ -234,6 +253,9 @@ void printRules(std::ostream& out)
            "CommandIncomplete. Start homes first if the axis has not been homed since power-up and the "
            "program needs it; a stop ends homing\n"
            "as well.\n\n"
+           "**Outputs.** TryOutput switches one output on at standstill; homing's rules apply to it, without "
+           "a "
+           "program.\n\n"
            "**Permit.** While `parameter.permit_needed` is 1, Start needs every bit of `exchange.permit`, "
            "homing and jogging need Clean.\n"
            "The bits hold with the heartbeat of their frame, until `parameter.heartbeat_timeout` or another "

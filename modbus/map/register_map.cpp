@@ -29,6 +29,14 @@ constexpr double max32 = 4294967295.0;
              100, 0, 0.1, "ms"),                                                                             \
         rw16("parameter.switch" number "_every", (address) + 4, "on in every n-th cycle", {}, 1, 1000, 1)
 
+// The registers of an input that is a contact, by its name in snake case.
+#define CAMPANEL_CONTACT(name, address)                                                                      \
+    since(5,                                                                                                 \
+          rw16("parameter." name "_contact", address, "kind of contact of this input", "Contact", 0, 1, 0)), \
+        since(5, rw16("parameter." name "_filter", (address) + 1,                                            \
+                      "time for which this input must have changed before it counts", {}, 0, 100, 0, 1.0,    \
+                      "ms"))
+
 constexpr std::array registerTable{
     ro16("identity.device_type", 0x0000, "0xCA3D on every CamPanel controller"),
     ro16("identity.map_major", 0x0001,
@@ -116,6 +124,10 @@ constexpr std::array registerTable{
          1),
     since(5, rw16("parameter.permit_needed", 0x00D5, "1: a start needs every bit of exchange.permit", {}, 0,
                   1, 0)),
+    CAMPANEL_CONTACT("drive_alarm", 0x00D6),
+    CAMPANEL_CONTACT("emergency_stop", 0x00D8),
+    CAMPANEL_CONTACT("limit_forward", 0x00DA),
+    CAMPANEL_CONTACT("limit_reverse", 0x00DC),
 
     // Status block: the answer to the periodic FC23 exchange. 40 registers, so that 9600 baud still carries 8
     // a second.
@@ -234,7 +246,7 @@ constexpr std::array registerTable{
                "PermitBit")),
 
     rw16("command.counter", 0x0220, "runs command.code (same frame); a repeated counter is ignored"),
-    rw16("command.code", 0x0221, "the command", "Command", 0, 11, 0),
+    rw16("command.code", 0x0221, "the command", "Command", 0, static_cast<double>(lastCommand), 0),
     rw16("command.argument0", 0x0222, "see the command"),
     rw16("command.argument1", 0x0223, "see the command"),
     rw32("command.argument2", 0x0224, "see the command", 0, max32, 0),

@@ -40,6 +40,9 @@ private slots:
     void driveAlarmIsAFaultAtOnce();
     void limitSwitchesStopNothing();
     void bouncingEmergencyStopIsOneWarning();
+    void contactsMayBeNormallyClosed();
+    void shortChangesAreFiltered();
+    void whatIsOnAtPowerUpCountsAtOnce();
     void drivesAreEnabledAsSet();
     void noPulseIsLostToTheEnable();
     void pinsFollowTheMachine();
@@ -155,6 +158,84 @@ void TestIo::bouncingEmergencyStopIsOneWarning()
     QCOMPARE(rig.core().motion.state, CTL_STATE_READY); // the first touch has ended the run
     QCOMPARE(rig.core().motion.cycle_count, ended);
     rig.start();
+}
+
+// One contact does not change another one's kind; of a sensor there is none.
+void TestIo::contactsMayBeNormallyClosed()
+{
+    MemoryFlash flash;
+    controller::MachineOptions options;
+    options.inputs = 1u << CTL_INPUT_BIT_EMERGENCY_STOP | 1u << CTL_INPUT_BIT_LIMIT_REVERSE;
+    constexpr unsigned contacts = 0x000F;
+    const BankImage bank = camBank(10000, 1, 1'600'000);
+    {
+        Rig rig(options, &flash);
+        rig.install(bank);
+        QCOMPARE(pins(rig, CTL_REG_IO_INPUTS) & contacts, options.inputs);
+        rig.setParameter(CTL_REG_PARAMETER_EMERGENCY_STOP_CONTACT, CTL_CONTACT_NORMALLY_CLOSED);
+        rig.run(1000);
+        QCOMPARE(pins(rig, CTL_REG_IO_INPUTS) & contacts, 1u << CTL_INPUT_BIT_LIMIT_REVERSE);
+        rig.setParameter(CTL_REG_PARAMETER_LIMIT_REVERSE_CONTACT, CTL_CONTACT_NORMALLY_CLOSED);
+        rig.run(3 * second);
+        QCOMPARE(pins(rig, CTL_REG_IO_INPUTS) & contacts, 0u);
+        rig.heartbeat();
+        rig.start();
+        QCOMPARE(rig.command(CTL_COMMAND_SAVE_TO_FLASH, 0, 0, crc32(bank.registers())), CTL_REFUSAL_NONE);
+        machineOf(rig).setInput(CTL_INPUT_BIT_EMERGENCY_STOP, false); // or its wire breaks
+        QVERIFY(rig.runUntilState(CTL_STATE_READY, 2 * second));
+        QCOMPARE(rig.command(CTL_COMMAND_START), CTL_REFUSAL_EMERGENCY_STOP);
+    }
+    Rig again(options, &flash);
+    again.run(1000);
+    QCOMPARE(pins(again, CTL_REG_IO_INPUTS) & contacts, 0u);
+}
+
+void TestIo::shortChangesAreFiltered()
+{
+    Rig rig;
+    rig.install(camBank(10000, 1, 1'600'000));
+    rig.setParameter(CTL_REG_PARAMETER_DRIVE_ALARM_FILTER, 5);
+    rig.setParameter(CTL_REG_PARAMETER_EMERGENCY_STOP_FILTER, 20);
+    const auto pulse = [&rig](unsigned input, std::uint64_t timeUs) {
+        machineOf(rig).setInput(input, true);
+        rig.run(timeUs);
+        const unsigned seen = rig.core().io.inputs & 1u << input;
+        machineOf(rig).setInput(input, false);
+        rig.run(timeUs);
+        return seen != 0;
+    };
+    // Contacts that bounce never add up. The drive itself stops with its alarm.
+    for (int i = 0; i < 20; ++i)
+        QVERIFY(!pulse(CTL_INPUT_BIT_DRIVE_ALARM, 4500));
+    rig.start();
+    for (int i = 0; i < 20; ++i) {
+        QVERIFY(!pulse(CTL_INPUT_BIT_EMERGENCY_STOP, 19'500));
+        rig.heartbeat();
+    }
+    QCOMPARE(rig.core().motion.state, CTL_STATE_RUNNING);
+    QVERIFY(pulse(CTL_INPUT_BIT_LIMIT_FORWARD, 500)); // not filtered
+    QVERIFY(pulse(CTL_INPUT_BIT_EMERGENCY_STOP, 21'000));
+    QVERIFY(rig.runUntilState(CTL_STATE_READY, 2 * second));
+    QVERIFY(pulse(CTL_INPUT_BIT_DRIVE_ALARM, 5500));
+    QCOMPARE(rig.core().motion.state, CTL_STATE_FAULT);
+}
+
+void TestIo::whatIsOnAtPowerUpCountsAtOnce()
+{
+    MemoryFlash flash;
+    const BankImage bank = camBank(10000, 1, 1'600'000);
+    {
+        Rig rig({}, &flash);
+        rig.install(bank);
+        rig.setParameter(CTL_REG_PARAMETER_EMERGENCY_STOP_FILTER, 100);
+        QCOMPARE(rig.command(CTL_COMMAND_SAVE_TO_FLASH, 0, 0, crc32(bank.registers())), CTL_REFUSAL_NONE);
+    }
+    controller::MachineOptions options;
+    options.inputs = 1u << CTL_INPUT_BIT_EMERGENCY_STOP;
+    Rig rig(options, &flash);
+    rig.controller().step();
+    rig.heartbeat();
+    QCOMPARE(rig.command(CTL_COMMAND_START), CTL_REFUSAL_EMERGENCY_STOP);
 }
 
 void TestIo::drivesAreEnabledAsSet()

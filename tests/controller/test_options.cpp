@@ -148,6 +148,7 @@ private slots:
                  1u << CTL_INPUT_BIT_LIMIT_REVERSE | 1u << CTL_INPUT_BIT_DRIVE_ALARM);
         for (const char* wrong : {"", "limit", "drive-alarm,", ",drive-alarm", "index-mark"})
             QVERIFY2(!parse({"--pins", wrong}).has_value(), wrong);
+        QVERIFY(pinNames().starts_with("drive-alarm, emergency-stop, limit-forward, limit-reverse"));
         const auto statement = parsePinStatement("emergency-stop off");
         QVERIFY(statement);
         QCOMPARE(statement->bit, CTL_INPUT_BIT_EMERGENCY_STOP);

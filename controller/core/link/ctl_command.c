@@ -115,6 +115,8 @@ static uint16_t carry_out(ctl_core* core, const uint16_t* request)
     case CTL_COMMAND_TEACH_MARKS:
         return ctl_packer_teach(&core->packer, core->banks.has_active ? ctl_active_bank(&core->banks) : NULL,
                                 request[ARGUMENT0]);
+    case CTL_COMMAND_TRY_OUTPUT:
+        return ctl_try_output(&core->motion, &core->io, request[ARGUMENT0], request[ARGUMENT1]);
     default:
         return CTL_REFUSAL_UNKNOWN_COMMAND;
     }
@@ -181,6 +183,8 @@ void ctl_command(ctl_core* core, bool has_code)
     result[1] = request[CODE];
     core->work.checks = false; /* the command that waits is overtaken, and not carried out */
     core->work.waits = false;
+    if (!has_code || request[CODE] != CTL_COMMAND_TRY_OUTPUT)
+        ctl_io_try(&core->io, &core->board, 0); /* whoever asks for something else has let go */
     if (has_code)
         begin(core, request);
     else /* register by register, in either order, the code of another command may be there */

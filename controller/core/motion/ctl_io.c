@@ -23,11 +23,81 @@ static void put_outputs(ctl_io* io, const ctl_board* board, uint16_t levels)
     io->outputs = levels;
 }
 
+typedef struct {
+    uint16_t mask; /* of its bit */
+    uint16_t kind; /* register, followed by that of the filter time */
+} contact;
+
+#define CONTACT(name, bit, address) {1u << (bit), address},
+static const contact contacts[CTL_CONTACT_COUNT] = {CTL_CONTACTS(CONTACT)};
+
+/* Updates what the parameters say of the contacts. */
+static void set_contacts(ctl_io* io, const ctl_board* board)
+{
+    io->parameter_writes = board->parameter_writes;
+    io->closed = 0;
+    io->filtered = 0;
+    for (uint32_t i = 0; i < CTL_CONTACT_COUNT; ++i) {
+        if (ctl_parameter16(board, contacts[i].kind) == CTL_CONTACT_NORMALLY_CLOSED)
+            io->closed |= contacts[i].mask;
+        if (ctl_parameter16(board, contacts[i].kind + 1u) != 0)
+            io->filtered |= contacts[i].mask;
+    }
+}
+
+/* Returns those of these changes that are still shorter than the filter time of their contact. */
+static uint16_t bounces(ctl_io* io, const ctl_board* board, uint32_t changes)
+{
+    uint16_t shorter = 0;
+    for (uint32_t i = 0; i < CTL_CONTACT_COUNT; ++i) {
+        const uint16_t mask = contacts[i].mask;
+        if ((changes & mask) == 0)
+            continue;
+        if ((io->bounces & mask) == 0)
+            io->changed_us[i] = (uint32_t)board->now_us;
+        if ((uint32_t)board->now_us - io->changed_us[i] <
+            US_PER_MS * ctl_parameter16(board, contacts[i].kind + 1u))
+            shorter |= mask;
+    }
+    return shorter;
+}
+
+/* Reads the pins: 1 is on, whatever the kind of contact. */
+static void read_pins(ctl_io* io, const ctl_board* board, bool filters)
+{
+    if (io->parameter_writes != board->parameter_writes)
+        set_contacts(io, board);
+    const uint32_t levels = (uint32_t)board->port.inputs(board->port.context) ^ io->closed;
+    const uint32_t changes = filters ? (levels ^ io->inputs) & io->filtered : 0u;
+    io->bounces = changes != 0 ? bounces(io, board, changes) : (uint16_t)0;
+    io->inputs = (uint16_t)(levels ^ io->bounces);
+}
+
+/* Nothing has been filtered at power-up: what is on then counts at once. */
 void ctl_io_init(ctl_io* io, const ctl_board* board)
 {
     memset(io, 0, sizeof *io);
+    set_contacts(io, board);
+    if (board->port.inputs != NULL)
+        read_pins(io, board, false);
     if (board->port.outputs != NULL)
         board->port.outputs(board->port.context, 0);
+}
+
+void ctl_io_try(ctl_io* io, const ctl_board* board, uint32_t outputs)
+{
+    io->tried = (uint16_t)outputs;
+    io->tried_until_us = board->now_us + CTL_TRY_HOLD_US;
+}
+
+/* Returns the outputs under test: none once their time is over or anything else happens. */
+static uint32_t tried(ctl_io* io, const ctl_motion* motion)
+{
+    const ctl_board* board = motion->board;
+    if (io->tried != 0 && (board->now_us >= io->tried_until_us || !ctl_motion_standstill(motion) ||
+                           motion->state == CTL_STATE_FAULT || ctl_io_emergency_stop(io, board)))
+        io->tried = 0;
+    return io->tried;
 }
 
 static bool drives_enabled(ctl_io* io, const ctl_motion* motion)
@@ -51,7 +121,7 @@ void ctl_io_begin(ctl_io* io, ctl_motion* motion)
 {
     const ctl_board* board = motion->board;
     if (board->port.inputs != NULL)
-        io->inputs = board->port.inputs(board->port.context);
+        read_pins(io, board, true);
     if ((io->inputs & INPUT(EMERGENCY_STOP)) != 0) {
         io->was_stopped = true;
         io->stopped_us = board->now_us;
@@ -60,7 +130,8 @@ void ctl_io_begin(ctl_io* io, ctl_motion* motion)
     }
     const uint32_t enable = 1u << CTL_OUTPUT_BIT_DRIVE_ENABLE;
     const uint32_t others = io->outputs & ~enable;
-    put_outputs(io, board, (uint16_t)(others | (drives_enabled(io, motion) ? enable : 0u)));
+    const uint32_t enabled = drives_enabled(io, motion) ? enable : tried(io, motion) & enable;
+    put_outputs(io, board, (uint16_t)(others | enabled));
 }
 
 bool ctl_io_drive_alarm(const ctl_io* io)
@@ -95,7 +166,7 @@ void ctl_io_slice(ctl_io* io, const ctl_motion* motion)
     const ctl_switch_cycle cycle = follows ? switch_cycle(motion) : (ctl_switch_cycle){0};
     const uint32_t switches = ctl_switches_slice(&io->switches, motion->board, follows ? &cycle : NULL);
     const uint32_t enable = io->outputs & 1u << CTL_OUTPUT_BIT_DRIVE_ENABLE;
-    put_outputs(io, motion->board, (uint16_t)(enable | switches));
+    put_outputs(io, motion->board, (uint16_t)(enable | switches | tried(io, motion)));
 }
 
 static int64_t infeed_um(const ctl_board* board, int64_t fine)

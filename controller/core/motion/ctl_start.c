@@ -1,12 +1,15 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "motion/ctl_start.h"
 
+#include <stddef.h>
+
 #define ALL_PERMITS ((2u << CTL_PERMIT_BIT_LAST) - 1u)
 
 _Static_assert(CTL_REFUSAL_PANEL_DISAGREES - CTL_REFUSAL_NOT_WARM == CTL_PERMIT_BIT_LAST,
                "each bit of a permit has its refusal, in the same order");
 
-/* Returns the refusal for want of the panel's heartbeat or permit; `permits`: the bits that this motion needs. */
+/* Returns the refusal for want of the panel's heartbeat or permit; `permits`: the bits that this motion
+ * needs. */
 static uint16_t panel_refusal(const ctl_heartbeat* heartbeat, const ctl_board* board, uint32_t permits)
 {
     const bool needs_panel = ctl_parameter16(board, CTL_REG_PARAMETER_PERMIT_NEEDED) != 0;
@@ -20,18 +23,25 @@ static uint16_t panel_refusal(const ctl_heartbeat* heartbeat, const ctl_board* b
     return CTL_REFUSAL_NONE;
 }
 
-static uint16_t refusal_to_move(ctl_motion* motion, const ctl_io* io, uint16_t when_moving, uint32_t permits)
+/* Returns what speaks against anything at all that acts on the machine. */
+static uint16_t refusal_to_act(const ctl_motion* motion, const ctl_io* io, uint16_t when_moving,
+                               uint32_t permits)
 {
     if (motion->state == CTL_STATE_FAULT)
         return (motion->fault & 1u << CTL_FAULT_BIT_DRIVE_ALARM) != 0 ? CTL_REFUSAL_DRIVE_ALARM
                                                                       : CTL_REFUSAL_IN_FAULT;
-    if (!motion->banks->has_active)
-        return CTL_REFUSAL_NO_ACTIVE_PROGRAM;
     if (!ctl_motion_standstill(motion))
         return when_moving;
     if (ctl_io_emergency_stop(io, motion->board))
         return CTL_REFUSAL_EMERGENCY_STOP;
-    const uint16_t refusal = panel_refusal(motion->heartbeat, motion->board, permits);
+    return panel_refusal(motion->heartbeat, motion->board, permits);
+}
+
+static uint16_t refusal_to_move(ctl_motion* motion, const ctl_io* io, uint16_t when_moving, uint32_t permits)
+{
+    if (motion->state != CTL_STATE_FAULT && !motion->banks->has_active)
+        return CTL_REFUSAL_NO_ACTIVE_PROGRAM;
+    const uint16_t refusal = refusal_to_act(motion, io, when_moving, permits);
     if (refusal != CTL_REFUSAL_NONE)
         return refusal;
     if (!ctl_active_bank_intact(motion->banks)) {
@@ -60,5 +70,21 @@ uint16_t ctl_start_home(ctl_motion* motion, const ctl_io* io)
         refusal_to_move(motion, io, CTL_REFUSAL_NOT_STANDSTILL, 1u << CTL_PERMIT_BIT_CLEAN);
     if (refusal == CTL_REFUSAL_NONE)
         ctl_motion_home(motion);
+    return refusal;
+}
+
+static uint16_t refusal_to_try(const ctl_motion* motion, const ctl_io* io, uint16_t output, uint16_t on)
+{
+    if (output > CTL_OUTPUT_BIT_LAST || on > 1u || motion->board->port.outputs == NULL)
+        return CTL_REFUSAL_BAD_ARGUMENT;
+    if (on == 0)
+        return CTL_REFUSAL_NONE;
+    return refusal_to_act(motion, io, CTL_REFUSAL_NOT_STANDSTILL, 1u << CTL_PERMIT_BIT_CLEAN);
+}
+
+uint16_t ctl_try_output(const ctl_motion* motion, ctl_io* io, uint16_t output, uint16_t on)
+{
+    const uint16_t refusal = refusal_to_try(motion, io, output, on);
+    ctl_io_try(io, motion->board, refusal == CTL_REFUSAL_NONE && on != 0 ? 1u << output : 0u);
     return refusal;
 }

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-/* The one gate that every start passes, whoever asks for it. Homing and jogging are no starts. */
+/* The one gate that every start passes, whoever asks for it. Homing, jogging and the test of an output are no
+ * starts. */
 #ifndef CTL_START_H
 #define CTL_START_H
 
@@ -9,9 +10,12 @@
 extern "C" {
 #endif
 
-/* Each returns the first reason against it, CTL_REFUSAL_...; with CTL_REFUSAL_NONE the axis has been started. */
+/* Each returns the first reason against it, CTL_REFUSAL_...; with CTL_REFUSAL_NONE the axis has been started.
+ */
 uint16_t ctl_start(ctl_motion* motion, const ctl_io* io);
 uint16_t ctl_start_home(ctl_motion* motion, const ctl_io* io);
+/* Switches one output on at standstill, for CTL_TRY_HOLD_US, or off; returns CTL_REFUSAL_... */
+uint16_t ctl_try_output(const ctl_motion* motion, ctl_io* io, uint16_t output, uint16_t on);
 
 #ifdef __cplusplus
 }

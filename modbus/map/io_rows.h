@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+// The inputs and outputs of the controller: one row each. The controller's header, its document, the list on
+// the panel, the names of the command line and of the simulated machine are made from these rows.
+#pragma once
+
+#include "modbus/map/enum_value.h"
+#include "text/marked.h"
+
+#include <algorithm>
+#include <array>
+
+namespace campanel::modbus {
+
+// The bits of io.inputs.
+enum class InputBit : std::uint16_t {
+    DriveAlarm = 0,
+    EmergencyStop,
+    LimitForward,
+    LimitReverse,
+    IndexMark,
+    MarkSensor,
+    ProductEye
+};
+
+// The bits of io.outputs. Command TryOutput switches each of them on at standstill.
+enum class OutputBit : std::uint16_t {
+    Switch1 = 0,
+    Switch2,
+    Switch3,
+    Switch4,
+    Switch5,
+    Switch6,
+    Switch7,
+    Switch8,
+    DriveEnable
+};
+
+// The origin of an input's level. A contact has the parameters parameter.NAME_contact and _filter, and a
+// person sets it on the simulated machine; the motion of the machine sets a sensor.
+enum class InputSource { Contact, Sensor };
+
+// The level of the pin that means on.
+enum class Contact : std::uint16_t { NormallyOpen = 0, NormallyClosed = 1 };
+
+inline constexpr std::array contacts{
+    entry(Contact::NormallyOpen, "NormallyOpen", CAMPANEL_TEXT("Protocol", "NO contact"),
+          "Normally open: closed means on."),
+    entry(Contact::NormallyClosed, "NormallyClosed", CAMPANEL_TEXT("Protocol", "NC contact"),
+          "Normally closed: open means on, as a broken wire does."),
+};
+
+struct InputRow {
+    EnumValue value; // its detail is translated too
+    InputSource source = InputSource::Contact;
+    bool needsAttention = false; // when it is on
+};
+
+inline constexpr std::array inputRows{
+    InputRow{entry(InputBit::DriveAlarm, "DriveAlarm", CAMPANEL_TEXT("Protocol", "Drive alarm"),
+                   CAMPANEL_TEXT("Protocol", "The drive reports an alarm. The controller goes into fault.")),
+             InputSource::Contact, true},
+    InputRow{entry(InputBit::EmergencyStop, "EmergencyStop", CAMPANEL_TEXT("Protocol", "Emergency stop"),
+                   CAMPANEL_TEXT("Protocol", "Ends a motion and refuses others. No safety depends on this.")),
+             InputSource::Contact, true},
+    InputRow{entry(InputBit::LimitForward, "LimitForward", CAMPANEL_TEXT("Protocol", "Limit switch, forward"),
+                   CAMPANEL_TEXT("Protocol", "The axis is at its forward limit. Only displayed."))},
+    InputRow{entry(InputBit::LimitReverse, "LimitReverse", CAMPANEL_TEXT("Protocol", "Limit switch, reverse"),
+                   CAMPANEL_TEXT("Protocol", "The axis is at its reverse limit. Only displayed."))},
+    InputRow{entry(InputBit::IndexMark, "IndexMark", CAMPANEL_TEXT("Protocol", "Index mark"),
+                   CAMPANEL_TEXT("Protocol", "The axis is on its index mark.")),
+             InputSource::Sensor},
+    InputRow{entry(InputBit::MarkSensor, "MarkSensor", CAMPANEL_TEXT("Protocol", "Mark sensor"),
+                   CAMPANEL_TEXT("Protocol", "A printed mark is under the sensor.")),
+             InputSource::Sensor},
+    InputRow{entry(InputBit::ProductEye, "ProductEye", CAMPANEL_TEXT("Protocol", "Product eye"),
+                   CAMPANEL_TEXT("Protocol", "A product covers the eye.")),
+             InputSource::Sensor},
+};
+
+constexpr EnumValue camSwitchRow(OutputBit bit, std::string_view name, std::string_view number)
+{
+    return entry(bit, name, CAMPANEL_TEXT("Protocol", "Cam switch %1"),
+                 CAMPANEL_TEXT("Protocol", "On by the angle of the cycle, or for a rejected bag."), number);
+}
+
+inline constexpr std::array outputRows{
+    camSwitchRow(OutputBit::Switch1, "Switch1", "1"),
+    camSwitchRow(OutputBit::Switch2, "Switch2", "2"),
+    camSwitchRow(OutputBit::Switch3, "Switch3", "3"),
+    camSwitchRow(OutputBit::Switch4, "Switch4", "4"),
+    camSwitchRow(OutputBit::Switch5, "Switch5", "5"),
+    camSwitchRow(OutputBit::Switch6, "Switch6", "6"),
+    camSwitchRow(OutputBit::Switch7, "Switch7", "7"),
+    camSwitchRow(OutputBit::Switch8, "Switch8", "8"),
+    entry(OutputBit::DriveEnable, "DriveEnable", CAMPANEL_TEXT("Protocol", "Drive enable"),
+          CAMPANEL_TEXT("Protocol", "Enables the drives of all axes.")),
+};
+
+} // namespace campanel::modbus
