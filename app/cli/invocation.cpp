@@ -51,7 +51,9 @@ Invocation::Invocation(const CommandInfo& command)
         m_parser.addPositionalArgument(u"RECIPE.json"_s, u"Recipe file (default: the default recipe)."_s,
                                        u"[RECIPE.json]"_s);
     if (command.takes & CommandInfo::Names)
-        m_parser.addPositionalArgument(u"NAME"_s, u"Registers to read, with --read."_s, u"[NAME...]"_s);
+        m_parser.addPositionalArgument(
+            u"NAME"_s, u"Registers to read with --read, a parameter and its value, or an output."_s,
+            u"[NAME...]"_s);
     if (command.takes & CommandInfo::TrailFile) {
         m_parser.addPositionalArgument(u"verify"_s, u"Check all rows for changes."_s);
         m_parser.addPositionalArgument(u"FILE"_s, u"Database or backup."_s);

@@ -1,10 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-// campanelctl start, stop, home and save: one command to the controller each.
+// campanelctl start, stop, home, save and output: commands to the controller.
 #include "app/cli/commands.h"
 #include "app/cli/invocation.h"
 #include "app/cli/link_session.h"
+#include "app/cli/report.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <thread>
 
 using namespace Qt::StringLiterals;
+using namespace std::chrono_literals;
 
 namespace campanel::cli {
 namespace {
@@ -26,6 +33,28 @@ Outcome giveWithPermit(const Invocation& call, modbus::Command code, const char*
     return permit ? give(call, code, done, *permit) : tl::unexpected(permit.error());
 }
 
+// Within the 500 ms after which the controller switches the output off.
+constexpr auto tryPeriod = 150ms;
+constexpr double longestTryS = 60;
+constexpr double msPerS = 1000;
+
+QStringList outputNames()
+{
+    QStringList names;
+    for (const modbus::EnumValue& output : modbus::outputRows)
+        names << fromView(output.name);
+    return names;
+}
+
+tl::expected<double, Failure> secondsOf(const Invocation& call)
+{
+    bool isNumber = false;
+    const double seconds = call.value(u"seconds"_s).toDouble(&isNumber);
+    if (!isNumber || !(seconds > 0) || seconds > longestTryS)
+        return fail(ExitCode::Usage, u"--seconds takes a number above 0, up to 60."_s);
+    return seconds;
+}
+
 } // namespace
 
 Outcome runStart(const Invocation& call)
@@ -43,6 +72,39 @@ Outcome runStop(const Invocation& call)
 Outcome runHome(const Invocation& call)
 {
     return giveWithPermit(call, modbus::Command::Home, "Homing.");
+}
+
+Outcome runOutput(const Invocation& call)
+{
+    const QStringList names = call.arguments();
+    const auto row = std::ranges::find_if(modbus::outputRows, [&names](const modbus::EnumValue& output) {
+        return names.value(0).compare(fromView(output.name), Qt::CaseInsensitive) == 0;
+    });
+    if (names.size() != 1 || row == modbus::outputRows.end())
+        return fail(ExitCode::Usage, u"Name one output: %1."_s.arg(outputNames().join(u", "_s)));
+    const auto seconds = secondsOf(call);
+    if (!seconds)
+        return tl::unexpected(seconds.error());
+    const auto permit = permitOf(call);
+    if (!permit)
+        return tl::unexpected(permit.error());
+    auto session = LinkSession::open(call);
+    if (!session)
+        return tl::unexpected(session.error());
+    if (session->identity().mapMinor < modbus::tryOutputMapMinor)
+        return fail(ExitCode::Refused, panel::ConnectionSentences::refused(modbus::Command::TryOutput,
+                                                                           modbus::Refusal::UnknownCommand));
+    session->setPermit(*permit);
+    const auto end =
+        std::chrono::steady_clock::now() + std::chrono::milliseconds(std::llround(msPerS * *seconds));
+    while (std::chrono::steady_clock::now() < end) {
+        if (const Outcome on = session->command(modbus::Command::TryOutput, {row->value, 1, 0}); !on)
+            return on;
+        std::this_thread::sleep_until(std::min(end, std::chrono::steady_clock::now() + tryPeriod));
+    }
+    if (const Outcome off = session->command(modbus::Command::TryOutput, {row->value, 0, 0}); !off)
+        return off;
+    return call.deliver((fromView(row->name) + u" was on for %1 s.\n"_s.arg(*seconds)).toUtf8());
 }
 
 Outcome runSave(const Invocation& call)

@@ -30,6 +30,12 @@ private slots:
                                  << QByteArray("--seconds");
         QTest::newRow("no exchanges")
             << u"link --port /dev/null --exchanges none"_s << int{Usage} << QByteArray("--exchanges");
+        QTest::newRow("no output") << u"output --port /dev/null"_s << int{Usage}
+                                   << QByteArray("Name one output: Switch1, Switch2");
+        QTest::newRow("no such output") << u"output Switch9 --port /dev/null"_s << int{Usage}
+                                        << QByteArray("Name one output: Switch1, Switch2");
+        QTest::newRow("output for too long")
+            << u"output Switch1 --seconds 61 --port /dev/null"_s << int{Usage} << QByteArray("--seconds");
         QTest::newRow("endless") << u"link --port /dev/null --seconds inf"_s << int{Usage}
                                  << QByteArray("--seconds");
         QTest::newRow("negative exchanges")
@@ -63,6 +69,45 @@ private slots:
         QVERIFY2(result.complaint.contains(complaint), result.complaint.constData());
         QCOMPARE(result.complaint.count('\n'), 1);
         QVERIFY(result.out.isEmpty());
+    }
+
+    void anOutputIsOnWhileTheCommandRuns()
+    {
+        const ControllerProcess controller({u"--speed"_s, u"0.1"_s}); // its half second is five
+        const QStringList port{u"--port"_s, controller.port()};
+        const auto isOn = [&port](const QString& output) {
+            const auto outputs = call(QStringList{u"status"_s, u"--format"_s, u"json"_s} + port).json();
+            return outputs[u"io"_s][u"outputs"_s].toArray().contains(output);
+        };
+        const auto isOnAfterKill = [&] {
+            QProcess held;
+            held.start(programPath("campanelctl"),
+                       QStringList{u"output"_s, u"switch3"_s, u"--seconds"_s, u"30"_s} + port);
+            (void)held.waitForFinished(500);
+            held.kill();
+            return held.waitForFinished() && isOn(u"Switch3"_s);
+        };
+        QTRY_VERIFY_WITH_TIMEOUT(isOnAfterKill(), 20'000);
+        QTRY_VERIFY_WITH_TIMEOUT(!isOn(u"Switch3"_s), 20'000); // nobody asks for it any more
+        const Result result = call(QStringList{u"output"_s, u"Switch8"_s, u"--seconds"_s, u"0.4"_s} + port);
+        QVERIFY2(result.code == Ok, result.complaint.constData());
+        QCOMPARE(result.out, "Switch8 was on for 0.4 s.\n");
+        QVERIFY(!isOn(u"Switch8"_s));
+    }
+
+    void anOutputIsRefusedWithItsReason()
+    {
+        const ControllerProcess controller;
+        const QStringList port{u"--port"_s, controller.port()};
+        for (const auto& command : {u"download"_s, u"start"_s})
+            QCOMPARE(call(QStringList{command} + port).code, int{Ok});
+        const Result running = call(QStringList{u"output"_s, u"Switch1"_s} + port);
+        QCOMPARE(running.code, int{Refused});
+        QVERIFY2(running.complaint.contains("only possible at standstill"), running.complaint.constData());
+        const ControllerProcess older({u"--map-minor"_s, u"4"_s});
+        const Result old = call({u"output"_s, u"Switch1"_s, u"--port"_s, older.port()});
+        QCOMPARE(old.code, int{Refused});
+        QVERIFY2(old.complaint.contains("does not support this command"), old.complaint.constData());
     }
 
     void doctorOfAGoodLine()
