@@ -1031,6 +1031,14 @@
         <source>Statistics reset</source>
         <translation>Statistik zurückgesetzt</translation>
     </message>
+    <message>
+        <source>Output tried</source>
+        <translation>Ausgang getestet</translation>
+    </message>
+    <message>
+        <source>Output try ended</source>
+        <translation>Test des Ausgangs beendet</translation>
+    </message>
 </context>
 <context>
     <name>Availability</name>
@@ -1085,6 +1093,10 @@
     <message>
         <source>There is no connection to the controller.</source>
         <translation>Keine Verbindung zur Steuerung.</translation>
+    </message>
+    <message>
+        <source>The axis is jogging. Wait for standstill.</source>
+        <translation>Die Achse wird getippt. Stillstand abwarten.</translation>
     </message>
 </context>
 <context>
@@ -2651,6 +2663,54 @@ eff. %2</translation>
     <message>
         <source>The panel does not permit the start. Read the reason at its Start button.</source>
         <translation>Das Panel gibt den Start nicht frei. Grund an seiner Taste Start lesen.</translation>
+    </message>
+    <message>
+        <source>NO contact</source>
+        <translation>Schließer</translation>
+    </message>
+    <message>
+        <source>NC contact</source>
+        <translation>Öffner</translation>
+    </message>
+    <message>
+        <source>The drive reports an alarm. The controller goes into fault.</source>
+        <translation>Der Antrieb meldet einen Alarm. Die Steuerung geht in Störung.</translation>
+    </message>
+    <message>
+        <source>Ends a motion and refuses others. No safety depends on this.</source>
+        <translation>Beendet eine Bewegung und verweigert weitere. Keine Sicherheit hängt davon ab.</translation>
+    </message>
+    <message>
+        <source>The axis is at its forward limit. Only displayed.</source>
+        <translation>Die Achse ist am Endschalter vorwärts. Nur angezeigt.</translation>
+    </message>
+    <message>
+        <source>The axis is at its reverse limit. Only displayed.</source>
+        <translation>Die Achse ist am Endschalter rückwärts. Nur angezeigt.</translation>
+    </message>
+    <message>
+        <source>The axis is on its index mark.</source>
+        <translation>Die Achse steht auf ihrer Nullmarke.</translation>
+    </message>
+    <message>
+        <source>A printed mark is under the sensor.</source>
+        <translation>Eine Druckmarke ist unter dem Sensor.</translation>
+    </message>
+    <message>
+        <source>A product covers the eye.</source>
+        <translation>Ein Produkt verdeckt die Lichtschranke.</translation>
+    </message>
+    <message>
+        <source>On by the angle of the cycle, or for a rejected bag.</source>
+        <translation>Ein nach dem Winkel des Zyklus oder für einen Ausschussbeutel.</translation>
+    </message>
+    <message>
+        <source>Enables the drives of all axes.</source>
+        <translation>Gibt die Antriebe aller Achsen frei.</translation>
+    </message>
+    <message>
+        <source>Try output</source>
+        <translation>Ausgang testen</translation>
     </message>
 </context>
 <context>
@@ -4381,6 +4441,22 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
         <source>Drive enable</source>
         <translation>Antriebsfreigabe</translation>
     </message>
+    <message>
+        <source>%1: contact</source>
+        <translation>%1: Kontakt</translation>
+    </message>
+    <message>
+        <source>%1: filter time</source>
+        <translation>%1: Filterzeit</translation>
+    </message>
+    <message>
+        <source>Cam switch %1</source>
+        <translation>Nocken %1</translation>
+    </message>
+    <message>
+        <source>Drive</source>
+        <translation>Antrieb</translation>
+    </message>
 </context>
 <context>
     <name>campanel::panel::Commissioning</name>
@@ -5438,10 +5514,6 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
         <translation>%1 N</translation>
     </message>
     <message>
-        <source>Index mark</source>
-        <translation>Nullmarke</translation>
-    </message>
-    <message>
         <source>not found yet</source>
         <translation>noch nicht gefunden</translation>
     </message>
@@ -5471,16 +5543,8 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
         <translation>Gesendet minus Geber</translation>
     </message>
     <message>
-        <source>Mark sensor</source>
-        <translation>Markensensor</translation>
-    </message>
-    <message>
         <source>%1 marks</source>
         <translation>%1 Marken</translation>
-    </message>
-    <message>
-        <source>Product eye</source>
-        <translation>Produktlichtschranke</translation>
     </message>
     <message>
         <source>%1 products placed</source>
@@ -5893,6 +5957,29 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
     </message>
 </context>
 <context>
+    <name>campanel::panel::OutputTry</name>
+    <message>
+        <source>A filled lamp means on. This controller cannot try outputs; update its firmware.</source>
+        <translation>Gefüllte Lampe: ein. Diese Steuerung kann keine Ausgänge testen; ihre Firmware aktualisieren.</translation>
+    </message>
+    <message>
+        <source>%1 is on while you hold the key.</source>
+        <translation>%1 ist ein, solange Sie die Taste halten.</translation>
+    </message>
+    <message>
+        <source>Release the key before you try again.</source>
+        <translation>Taste loslassen, bevor Sie erneut testen.</translation>
+    </message>
+    <message>
+        <source>A filled lamp means on. Hold Try to switch an output on.</source>
+        <translation>Gefüllte Lampe: ein. Testen halten, um einen Ausgang einzuschalten.</translation>
+    </message>
+    <message>
+        <source>A filled lamp means on. Outputs can be tried at standstill.</source>
+        <translation>Gefüllte Lampe: ein. Ausgänge lassen sich im Stillstand testen.</translation>
+    </message>
+</context>
+<context>
     <name>campanel::panel::PackingFields</name>
     <message>
         <source>Knife: max. speed step at a change</source>
@@ -6085,6 +6172,10 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
     <message>
         <source>%1 to %2</source>
         <translation>%1 bis %2</translation>
+    </message>
+    <message>
+        <source>Not in this controller. Update its firmware.</source>
+        <translation>Nicht in dieser Steuerung. Ihre Firmware aktualisieren.</translation>
     </message>
 </context>
 <context>
@@ -7220,10 +7311,6 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
     <message>
         <source>Start only with permit</source>
         <translation>Start nur mit Freigabe</translation>
-    </message>
-    <message>
-        <source>Not in this controller. Update its firmware.</source>
-        <translation>Nicht in dieser Steuerung. Ihre Firmware aktualisieren.</translation>
     </message>
     <message>
         <source>On: no start that the panel blocks.</source>

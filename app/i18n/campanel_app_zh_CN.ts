@@ -1031,6 +1031,14 @@
         <source>Statistics reset</source>
         <translation>统计已清零</translation>
     </message>
+    <message>
+        <source>Output tried</source>
+        <translation>输出已测试</translation>
+    </message>
+    <message>
+        <source>Output try ended</source>
+        <translation>输出测试已结束</translation>
+    </message>
 </context>
 <context>
     <name>Availability</name>
@@ -1085,6 +1093,10 @@
     <message>
         <source>There is no connection to the controller.</source>
         <translation>没有连接到控制器。</translation>
+    </message>
+    <message>
+        <source>The axis is jogging. Wait for standstill.</source>
+        <translation>轴正在点动。请等待停止。</translation>
     </message>
 </context>
 <context>
@@ -2649,6 +2661,54 @@ RMS %2</source>
     <message>
         <source>The panel does not permit the start. Read the reason at its Start button.</source>
         <translation>面板不允许启动。请查看其启动键处的原因。</translation>
+    </message>
+    <message>
+        <source>NO contact</source>
+        <translation>常开</translation>
+    </message>
+    <message>
+        <source>NC contact</source>
+        <translation>常闭</translation>
+    </message>
+    <message>
+        <source>The drive reports an alarm. The controller goes into fault.</source>
+        <translation>驱动器报警，控制器进入故障状态。</translation>
+    </message>
+    <message>
+        <source>Ends a motion and refuses others. No safety depends on this.</source>
+        <translation>结束运动并拒绝其他运动。安全不依赖于此。</translation>
+    </message>
+    <message>
+        <source>The axis is at its forward limit. Only displayed.</source>
+        <translation>轴在正向极限位置。仅显示。</translation>
+    </message>
+    <message>
+        <source>The axis is at its reverse limit. Only displayed.</source>
+        <translation>轴在反向极限位置。仅显示。</translation>
+    </message>
+    <message>
+        <source>The axis is on its index mark.</source>
+        <translation>轴在零位标记上。</translation>
+    </message>
+    <message>
+        <source>A printed mark is under the sensor.</source>
+        <translation>传感器下有色标。</translation>
+    </message>
+    <message>
+        <source>A product covers the eye.</source>
+        <translation>产品挡住光电。</translation>
+    </message>
+    <message>
+        <source>On by the angle of the cycle, or for a rejected bag.</source>
+        <translation>按周期角度接通，或因剔除袋接通。</translation>
+    </message>
+    <message>
+        <source>Enables the drives of all axes.</source>
+        <translation>使能所有轴的驱动器。</translation>
+    </message>
+    <message>
+        <source>Try output</source>
+        <translation>测试输出</translation>
     </message>
 </context>
 <context>
@@ -4379,6 +4439,22 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
         <source>Drive enable</source>
         <translation>驱动器使能</translation>
     </message>
+    <message>
+        <source>%1: contact</source>
+        <translation>%1：触点</translation>
+    </message>
+    <message>
+        <source>%1: filter time</source>
+        <translation>%1：滤波时间</translation>
+    </message>
+    <message>
+        <source>Cam switch %1</source>
+        <translation>凸轮开关 %1</translation>
+    </message>
+    <message>
+        <source>Drive</source>
+        <translation>驱动器</translation>
+    </message>
 </context>
 <context>
     <name>campanel::panel::Commissioning</name>
@@ -5436,10 +5512,6 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
         <translation>%1 N</translation>
     </message>
     <message>
-        <source>Index mark</source>
-        <translation>零位标记</translation>
-    </message>
-    <message>
         <source>not found yet</source>
         <translation>尚未找到</translation>
     </message>
@@ -5469,16 +5541,8 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
         <translation>发送减编码器</translation>
     </message>
     <message>
-        <source>Mark sensor</source>
-        <translation>色标传感器</translation>
-    </message>
-    <message>
         <source>%1 marks</source>
         <translation>%1 个色标</translation>
-    </message>
-    <message>
-        <source>Product eye</source>
-        <translation>产品光电</translation>
     </message>
     <message>
         <source>%1 products placed</source>
@@ -5891,6 +5955,29 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
     </message>
 </context>
 <context>
+    <name>campanel::panel::OutputTry</name>
+    <message>
+        <source>A filled lamp means on. This controller cannot try outputs; update its firmware.</source>
+        <translation>实心指示灯表示接通。此控制器不能测试输出，请更新固件。</translation>
+    </message>
+    <message>
+        <source>%1 is on while you hold the key.</source>
+        <translation>按住按键时，%1 接通。</translation>
+    </message>
+    <message>
+        <source>Release the key before you try again.</source>
+        <translation>请先松开按键，再重新测试。</translation>
+    </message>
+    <message>
+        <source>A filled lamp means on. Hold Try to switch an output on.</source>
+        <translation>实心指示灯表示接通。按住“测试”接通输出。</translation>
+    </message>
+    <message>
+        <source>A filled lamp means on. Outputs can be tried at standstill.</source>
+        <translation>实心指示灯表示接通。停机时可以测试输出。</translation>
+    </message>
+</context>
+<context>
     <name>campanel::panel::PackingFields</name>
     <message>
         <source>Knife: max. speed step at a change</source>
@@ -6083,6 +6170,10 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
     <message>
         <source>%1 to %2</source>
         <translation>%1 到 %2</translation>
+    </message>
+    <message>
+        <source>Not in this controller. Update its firmware.</source>
+        <translation>此控制器没有该设置。请更新固件。</translation>
     </message>
 </context>
 <context>
@@ -7217,10 +7308,6 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
     <message>
         <source>Start only with permit</source>
         <translation>仅凭许可启动</translation>
-    </message>
-    <message>
-        <source>Not in this controller. Update its firmware.</source>
-        <translation>此控制器没有该设置。请更新固件。</translation>
     </message>
     <message>
         <source>On: no start that the panel blocks.</source>

@@ -1180,6 +1180,17 @@ Und %2 weitere.</translation>
     </message>
 </context>
 <context>
+    <name>HoldKey</name>
+    <message>
+        <source>Try %1</source>
+        <translation>%1 testen</translation>
+    </message>
+    <message>
+        <source>Try</source>
+        <translation>Testen</translation>
+    </message>
+</context>
+<context>
     <name>HomingSection</name>
     <message>
         <source>Position since homing</source>
@@ -1213,32 +1224,20 @@ Und %2 weitere.</translation>
         <translation>Keine Daten von der Steuerung: graue Werte sind die zuletzt empfangenen.</translation>
     </message>
     <message>
-        <source>A filled lamp means on. Limit switches are only displayed. The emergency stop ends the motion, but no safety depends on it.</source>
-        <translation>Eine gefüllte Lampe heißt ein. Endschalter werden nur angezeigt. Der Not-Halt beendet die Bewegung, aber keine Sicherheit hängt davon ab.</translation>
-    </message>
-    <message>
         <source>This controller reports the counts of its inputs, not the levels of its pins. A filled lamp means on.</source>
         <translation>Diese Steuerung meldet Zählerstände ihrer Eingänge, nicht die Pegel. Eine gefüllte Lampe heißt ein.</translation>
-    </message>
-    <message>
-        <source>Cam switches</source>
-        <translation>Nockenschalter</translation>
-    </message>
-    <message>
-        <source>Cam switch %1</source>
-        <translation>Nocken %1</translation>
-    </message>
-    <message>
-        <source>Output</source>
-        <translation>Ausgang</translation>
     </message>
     <message>
         <source>Back</source>
         <translation>Zurück</translation>
     </message>
     <message>
-        <source>Drive</source>
-        <translation>Antrieb</translation>
+        <source>Set up</source>
+        <translation>Einrichten</translation>
+    </message>
+    <message>
+        <source>Input or output</source>
+        <translation>Ein- oder Ausgang</translation>
     </message>
 </context>
 <context>

@@ -1180,6 +1180,17 @@ And %2 more.</source>
     </message>
 </context>
 <context>
+    <name>HoldKey</name>
+    <message>
+        <source>Try %1</source>
+        <translation>测试%1</translation>
+    </message>
+    <message>
+        <source>Try</source>
+        <translation>测试</translation>
+    </message>
+</context>
+<context>
     <name>HomingSection</name>
     <message>
         <source>Position since homing</source>
@@ -1213,32 +1224,20 @@ And %2 more.</source>
         <translation>没有收到控制器的数据：灰色为最后收到的值。</translation>
     </message>
     <message>
-        <source>A filled lamp means on. Limit switches are only displayed. The emergency stop ends the motion, but no safety depends on it.</source>
-        <translation>实心灯表示接通。限位开关仅供显示。急停会结束运动，但安全不依赖于此。</translation>
-    </message>
-    <message>
         <source>This controller reports the counts of its inputs, not the levels of its pins. A filled lamp means on.</source>
         <translation>此控制器报告输入的计数，而不是引脚电平。实心灯表示接通。</translation>
-    </message>
-    <message>
-        <source>Cam switches</source>
-        <translation>凸轮开关</translation>
-    </message>
-    <message>
-        <source>Cam switch %1</source>
-        <translation>凸轮开关 %1</translation>
-    </message>
-    <message>
-        <source>Output</source>
-        <translation>输出</translation>
     </message>
     <message>
         <source>Back</source>
         <translation>返回</translation>
     </message>
     <message>
-        <source>Drive</source>
-        <translation>驱动器</translation>
+        <source>Set up</source>
+        <translation>设置</translation>
+    </message>
+    <message>
+        <source>Input or output</source>
+        <translation>输入或输出</translation>
     </message>
 </context>
 <context>

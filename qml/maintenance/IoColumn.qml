@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// One column of the controller's inputs and outputs: lamp, name and value. A lit lamp is full, an unlit one is a ring.
+// One column of the controller's inputs and outputs: lamp, name and value, what a pin does, and of an output the key that
+// tries it. A lit lamp is full, an unlit one is a ring.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme
@@ -13,6 +14,7 @@ Column {
     required property IoList io
     required property int side             // Io.Input ...
     property bool withValues: true
+    property OutputTry trying: null        // of a column with outputs
 
     readonly property int rowHeight: Math.round(Theme.size.caption * 1.7)
 
@@ -32,14 +34,16 @@ Column {
             required property string value
             required property int side
             required property int lamp
+            required property string purpose
+            required property int output
             readonly property bool bad: lamp === Io.Bad
             readonly property color ink: column.io.stale ? Theme.color.disabledInk : bad ? Theme.color.fault : Theme.color.ink
             visible: side === column.side
             width: column.width
-            height: column.rowHeight
+            height: Math.max(texts.height, key.visible ? key.height + Theme.size.spacing : 0)
             Rectangle {
                 id: light
-                anchors.verticalCenter: parent.verticalCenter
+                y: Math.round((column.rowHeight - height) / 2)
                 visible: row.lamp !== Io.None
                 width: Theme.size.mark
                 height: width
@@ -47,19 +51,40 @@ Column {
                 color: row.lamp === Io.Off ? "transparent" : column.io.stale ? Theme.color.disabledInk : row.bad ? Theme.color.fault : Theme.color.touch
                 border { width: Theme.size.outline; color: row.lamp === Io.Off || column.io.stale ? Theme.color.disabledInk : row.bad ? Theme.color.fault : Theme.color.touch }
             }
-            Label {
-                anchors { left: parent.left; leftMargin: Theme.size.mark + Theme.size.spacing; right: amount.left; rightMargin: column.withValues ? Theme.size.spacing : 0 }
-                height: parent.height
-                text: row.name
-                fontSizeMode: Text.HorizontalFit
-                minimumPixelSize: Theme.size.caption - 3
-                color: row.ink
-                font { pixelSize: Theme.size.caption; weight: row.bad ? Font.Bold : Font.Normal }
+            Column {
+                id: texts
+                anchors { left: parent.left; leftMargin: Theme.size.mark + Theme.size.spacing; right: key.visible ? key.left : parent.right; rightMargin: key.visible ? Theme.size.spacing : 0 }
+                Label {
+                    width: parent.width - (column.withValues ? amount.width + Theme.size.spacing : 0)
+                    height: Math.max(column.rowHeight, implicitHeight)
+                    wrapMode: Text.WordWrap
+                    text: row.name
+                    color: row.ink
+                    font { pixelSize: Theme.size.caption; weight: row.bad ? Font.Bold : Font.Normal }
+                }
+                Label {
+                    visible: row.purpose.length > 0
+                    width: parent.width
+                    bottomPadding: Theme.size.spacing / 2
+                    wrapMode: Text.WordWrap
+                    text: row.purpose
+                    color: column.io.stale ? Theme.color.disabledInk : Theme.color.secondaryInk
+                    font.pixelSize: Theme.size.caption
+                }
+            }
+            HoldKey {
+                id: key
+                objectName: "try" + row.output
+                anchors.right: parent.right
+                visible: row.output >= 0 && column.trying !== null && column.trying.offered
+                trying: column.trying
+                output: row.output
+                name: row.name
             }
             Label {
                 id: amount
                 anchors.right: parent.right
-                height: parent.height
+                height: column.rowHeight
                 text: row.value
                 color: row.ink
                 font { pixelSize: Theme.size.caption; weight: Font.Bold }

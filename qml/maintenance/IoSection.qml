@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The controller's inputs and outputs, and its fault and warning bits, live; or the parameters of its cam switches.
+// The controller's inputs and outputs, and its fault and warning bits, live; or the parameters of its cam
+// switches, drives and contacts. Removing the keys from the screen switches a tried output off.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme
@@ -12,15 +13,24 @@ MaintenanceSection {
 
     readonly property IoList io: Maintenance.io
     readonly property CamSwitches switches: Maintenance.switches
+    readonly property OutputTry trying: Maintenance.outputTry
+    readonly property bool covered: section.page !== null && section.page.covered
+    readonly property bool inFront: Window.active
     property bool isSetting
-
-    function nameOf(number: int) : string {
-        return number < section.switches.drives ? qsTr("Cam switch %1").arg(number) : qsTr("Drive")
-    }
 
     onShownChanged: shown => {
         section.io.watched = shown
         section.isSetting = section.isSetting && shown
+        if (!shown)
+            section.trying.letGo()
+    }
+    onCoveredChanged: {
+        if (covered)
+            section.trying.letGo()
+    }
+    onInFrontChanged: {
+        if (!inFront)
+            section.trying.letGo()
     }
 
     Flickable {
@@ -28,11 +38,11 @@ MaintenanceSection {
         objectName: "ioList"
         visible: !section.isSetting
         anchors { left: parent.left; right: parent.right; top: parent.top; bottom: foot.top; bottomMargin: Theme.size.spacing }
-        contentHeight: Math.max(pins.height, bits.height)
+        contentHeight: Math.max(first.height, second.height)
         clip: true
         boundsBehavior: Flickable.StopAtBounds
         Column {
-            id: pins
+            id: first
             width: Math.round((list.width - 3 * Theme.size.padding) * 0.54)
             spacing: Theme.size.spacing
             IoColumn {
@@ -43,24 +53,25 @@ MaintenanceSection {
                 side: Io.Input
             }
             IoColumn {
-                objectName: "ioOutputs"
-                width: parent.width
-                title: qsTr("Outputs")
-                io: section.io
-                side: Io.Output
-            }
-        }
-        Column {
-            id: bits
-            anchors { left: pins.right; leftMargin: 2 * Theme.size.padding; right: parent.right; rightMargin: Theme.size.padding }
-            spacing: Theme.size.spacing
-            IoColumn {
                 objectName: "ioFaults"
                 width: parent.width
                 title: qsTr("Fault bits")
                 io: section.io
                 side: Io.Fault
                 withValues: false
+            }
+        }
+        Column {
+            id: second
+            anchors { left: first.right; leftMargin: 2 * Theme.size.padding; right: parent.right; rightMargin: Theme.size.padding }
+            spacing: Theme.size.spacing
+            IoColumn {
+                objectName: "ioOutputs"
+                width: parent.width
+                title: qsTr("Outputs")
+                io: section.io
+                side: Io.Output
+                trying: section.trying
             }
             IoColumn {
                 objectName: "ioWarnings"
@@ -87,9 +98,9 @@ MaintenanceSection {
             anchors { left: parent.left; right: change.visible ? change.left : parent.right; rightMargin: change.visible ? Theme.size.padding : 0; verticalCenter: parent.verticalCenter }
             wrapMode: Text.WordWrap
             text: section.io.stale ? qsTr("No data from the controller: grey values were received last.")
-                : section.io.hasPins ? qsTr("A filled lamp means on. Limit switches are only displayed. The emergency stop ends the motion, but no safety depends on it.")
+                : section.io.hasPins ? section.trying.text
                 : qsTr("This controller reports the counts of its inputs, not the levels of its pins. A filled lamp means on.")
-            color: section.io.stale ? Theme.color.warning : Theme.color.secondaryInk
+            color: section.io.stale || section.trying.blocked ? Theme.color.warning : Theme.color.secondaryInk
             font.pixelSize: Theme.size.caption
         }
         Button {
@@ -97,7 +108,7 @@ MaintenanceSection {
             objectName: "ioSwitches"
             anchors { right: parent.right; verticalCenter: parent.verticalCenter }
             visible: section.io.hasPins
-            text: qsTr("Cam switches")
+            text: qsTr("Set up")
             onClicked: {
                 section.switches.choose(section.switches.current)
                 section.isSetting = true
@@ -118,12 +129,11 @@ MaintenanceSection {
             id: chosen
             objectName: "ioSwitch"
             anchors { left: back.right; leftMargin: Theme.size.spacing; right: parent.right; top: parent.top }
-            label: qsTr("Output")
-            value: section.nameOf(section.switches.current)
+            label: qsTr("Input or output")
+            value: section.switches.names[section.switches.current - 1]
             onClicked: Frame.open("Controls/ListPicker", {
-                title: qsTr("Output"), current: section.switches.current, onChosen: key => section.switches.choose(key),
-                choices: Array.from({ length: section.switches.drives }, (none, i) => i > 0 ? i : section.switches.drives)
-                    .map(key => ({ key: key, text: section.nameOf(key) }))
+                title: qsTr("Input or output"), current: section.switches.current, onChosen: key => section.switches.choose(key),
+                choices: Array.from(section.switches.names, (name, i) => ({ key: i + 1, text: name }))
             })
         }
         ParameterList {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A panel for test_after_a_crash: panel_to_be_killed FOLDER PORT [KEY]. Stores everything in the folder, taps
-// the key once the machine is connected, and prints "page N state S" at every change. SIGTERM ends it
-// properly.
+// A panel for test_after_a_crash: panel_to_be_killed FOLDER PORT [KEY]... Stores everything in the folder,
+// taps the keys once the machine is connected, holds the one named "hold:KEY", and prints "page N state S" at
+// every change, with " try N" while an output is tried. SIGTERM ends it properly.
 #include "app/link/threaded_link.h"
 #include "app/shell/fonts.h"
 #include "app/shell/termination_signals.h"
@@ -37,14 +37,23 @@ static int panelToBeKilled(int argc, char** argv)
     touch.settle();
     panel.open();
 
-    QString key = arguments.value(3);
+    QStringList keys = arguments.mid(3);
     QByteArray told;
     QTimer timer;
     QObject::connect(&timer, &QTimer::timeout, &panel, [&] {
-        if (!key.isEmpty() && panel.controller().connection() == panel::Controller::Connection::Connected)
-            touch.tap(std::exchange(key, QString()));
-        const QByteArray now = "page " + panel.window().property("page").toString().toLatin1() + " state " +
-                               QByteArray::number(static_cast<int>(panel.controller().state())) + '\n';
+        while (!keys.isEmpty() &&
+               panel.controller().connection() == panel::Controller::Connection::Connected) {
+            QString key = keys.takeFirst();
+            if (key.startsWith(u"hold:"))
+                touch.touch(key.remove(QStringLiteral("hold:")));
+            else
+                touch.tap(key);
+        }
+        QByteArray now = "page " + panel.window().property("page").toString().toLatin1() + " state " +
+                         QByteArray::number(static_cast<int>(panel.controller().state()));
+        if (const int held = panel.maintenance().outputTry()->held(); held >= 0)
+            now += " try " + QByteArray::number(held);
+        now += '\n';
         if (now == told)
             return;
         told = now;

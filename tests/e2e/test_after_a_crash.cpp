@@ -103,6 +103,27 @@ private slots:
         QTRY_COMPARE_WITH_TIMEOUT(last.said(), shown("run", Controller::State::Running), timeoutMs);
     }
 
+    void anOutputUnderAFingerGoesOff()
+    {
+        const test::ControllerProcess controller({"--speed", "0.1"}); // its half second is five
+        const QTemporaryDir folder;
+        const auto isOn = [&controller] {
+            QProcess status;
+            status.start(campanel::test::programPath("campanelctl"),
+                         {"status", "--format", "json", "--port", controller.port()});
+            return status.waitForFinished(timeoutMs) &&
+                   status.readAllStandardOutput().contains("\"Switch3\"");
+        };
+        PanelProcess panel({folder.path(), controller.port(), "nav_maintenance", "maintenanceMachine",
+                            "maintenanceIo", "hold:try2"});
+        QTRY_COMPARE_WITH_TIMEOUT(panel.said(), shown("maintenance", Controller::State::Idle) + " try 2",
+                                  timeoutMs);
+        QTest::qWait(500); // longer than a request
+        panel.kill();
+        QVERIFY(isOn());
+        QTRY_VERIFY_WITH_TIMEOUT(!isOn(), timeoutMs);
+    }
+
     void aDamagedMemoryOfThePageIsNoPage_data()
     {
         QTest::addColumn<QByteArray>("text");

@@ -145,6 +145,33 @@ private slots:
         QCOMPARE(panel.complaints(), QStringList());
     }
 
+    void anOutputIsOnWhileAFingerHoldsTheKey()
+    {
+        ControllerProcess controller({QStringLiteral("--control")});
+        PanelWindow panel(controller.port());
+        QTRY_COMPARE_WITH_TIMEOUT(panel.controller().state(), Controller::State::Idle, timeoutMs);
+        for (const char* name : {"nav_maintenance", "maintenanceMachine", "maintenanceIo"})
+            panel.tap(name);
+        QTRY_COMPARE_WITH_TIMEOUT(lampOf(panel, "Cam switch 3"), panel::IoList::Lamp::Off, timeoutMs);
+        panel.touchDriver().touch(QStringLiteral("try2"));
+        QTRY_COMPARE_WITH_TIMEOUT(lampOf(panel, "Cam switch 3"), panel::IoList::Lamp::On, timeoutMs);
+        QTest::qWait(1000); // longer than the controller leaves it on by itself
+        QCOMPARE(lampOf(panel, "Cam switch 3"), panel::IoList::Lamp::On);
+        QCOMPARE(lampOf(panel, "Cam switch 2"), panel::IoList::Lamp::Off);
+        panel.touchDriver().lift();
+        QTRY_COMPARE_WITH_TIMEOUT(lampOf(panel, "Cam switch 3"), panel::IoList::Lamp::Off, timeoutMs);
+
+        // The emergency stop ends it, and the page says why.
+        panel.touchDriver().touch(QStringLiteral("try2"));
+        QTRY_COMPARE_WITH_TIMEOUT(lampOf(panel, "Cam switch 3"), panel::IoList::Lamp::On, timeoutMs);
+        controller.tell("pin emergency-stop on");
+        QTRY_COMPARE_WITH_TIMEOUT(lampOf(panel, "Cam switch 3"), panel::IoList::Lamp::Off, timeoutMs);
+        QCOMPARE(panel.maintenance().outputTry()->held(), -1);
+        QVERIFY(panel.maintenance().outputTry()->text().contains("The emergency stop is pressed."));
+        panel.touchDriver().lift();
+        QCOMPARE(panel.complaints(), QStringList());
+    }
+
     void aWrongUnitNumberIsFoundAndMended()
     {
         ControllerProcess controller;

@@ -15,7 +15,8 @@ void openMachineSection(TestWindow& window, const char* section, Situation situa
 {
     window.link().show(situation, kind);
     window.checkClock();
-    for (const char* name : {"nav_maintenance", "maintenanceMachine", section})
+    // By way of another section, so that it opens as at first.
+    for (const char* name : {"nav_maintenance", "maintenanceMachine", "maintenanceDryRun", section})
         window.tap(QString::fromLatin1(name));
 }
 
@@ -106,6 +107,20 @@ QList<Screen> maintenanceScreens()
                  window.tap(QStringLiteral("ioSwitches"));
                  window.tap(QStringLiteral("ioSwitch"));
                  window.tap(QStringLiteral("choice_3"));
+             }},
+            {QStringLiteral("io-contact"),
+             [=](TestWindow& window) {
+                 openMachineSection(window, "maintenanceIo", Situation::Running);
+                 window.tap(QStringLiteral("ioSwitches"));
+                 window.panel().maintenance().switches()->choose(11);
+                 window.settle();
+             }},
+            screen("io-standstill", "maintenanceIo", Situation::Stopped),
+            {QStringLiteral("io-held"),
+             [](TestWindow& window) {
+                 openMachineSection(window, "maintenanceIo", Situation::Stopped);
+                 window.find(QStringLiteral("ioList"))->setProperty("contentY", 150);
+                 window.panel().maintenance().outputTry()->press(0);
              }},
             screen("io-fault", "maintenanceIo", Situation::Fault),
             screen("io-press", "maintenanceIo", Situation::Stopped, Kind::Press),

@@ -202,6 +202,7 @@ void TouchDriver::touch(const QString& name)
         m_complaints += QStringLiteral("%1 is not on the screen").arg(name);
         return;
     }
+    scrollIntoSight(*item);
     m_place = item->mapToScene(item->boundingRect().center());
     sendMouse(window(), QEvent::MouseButtonPress, m_place);
 }

@@ -5,6 +5,8 @@
 #include "tests/looks/screens.h"
 #include "tests/support/test_program.h"
 
+#include <QAccessible>
+
 #include <cmath>
 
 namespace test_panel_service {
@@ -23,6 +25,21 @@ class TestPanelMaintenance : public campanel::test::PanelTest {
             if (screen.name == QLatin1String(name))
                 campanel::looks::enterScreen(*m_window, screen);
         }
+    }
+    static QString accessibleName(const QQuickItem* item)
+    {
+        QAccessibleInterface* face = QAccessible::queryAccessibleInterface(const_cast<QQuickItem*>(item));
+        return face ? face->text(QAccessible::Name) : QString();
+    }
+    // Returns the outputs that were asked to be on, and as -1 those to be off.
+    QList<int> tried()
+    {
+        QList<int> outputs;
+        for (const auto& request : link().requests) {
+            if (request.command == campanel::modbus::Command::TryOutput)
+                outputs << (request.arguments.argument1 != 0 ? request.arguments.argument0 : -1);
+        }
+        return outputs;
     }
     void touch(const char* name)
     {
@@ -112,6 +129,70 @@ private slots:
         m_window->lift();
         QCOMPARE(link().jog(), JogDirection::None);
         QCOMPARE(textOf("jogText"), QStringLiteral("The machine is running. Stop it first."));
+    }
+
+    void anOutputIsTriedWhileTheFingerIsDown()
+    {
+        enter("io-standstill");
+        const QQuickItem* key = m_window->find(QStringLiteral("try2"));
+        QVERIFY(key && key->isVisible());
+        QCOMPARE(accessibleName(key), QStringLiteral("Try Cam switch 3"));
+        link().requests.clear();
+        touch("try2");
+        QCOMPARE(tried(), QList{2});
+        QCOMPARE(textOf("ioText"), QStringLiteral("Cam switch 3 is on while you hold the key."));
+        m_window->lift();
+        QCOMPARE(tried().last(), -1);
+        const QPointF on = centerOf(QStringLiteral("try2"));
+        touch("try2");
+        QCOMPARE(tried().last(), 2);
+        m_window->slide(on - QPointF(300, 0));
+        QCOMPARE(tried().last(), -1);
+        const qsizetype before = tried().size();
+        m_window->slide(on);
+        m_window->lift();
+        QCOMPARE(tried().size(), before);
+    }
+
+    void whatTakesTheKeysAwaySwitchesTheOutputOff_data()
+    {
+        QTest::addColumn<int>("what");
+        QTest::newRow("another page") << 0;
+        QTest::newRow("another section") << 1;
+        QTest::newRow("the parameters") << 2;
+        QTest::newRow("the login") << 3;
+    }
+
+    void whatTakesTheKeysAwaySwitchesTheOutputOff()
+    {
+        QFETCH(const int, what);
+        enter("io-standstill");
+        link().requests.clear();
+        touch("try2");
+        QCOMPARE(tried(), QList{2});
+        if (what == 0)
+            QMetaObject::invokeMethod(m_window->frame(), "openPage", Q_ARG(QString, QStringLiteral("run")));
+        else if (what == 1)
+            QMetaObject::invokeMethod(m_window->find(QStringLiteral("maintenanceHoming")), "clicked");
+        else if (what == 2)
+            QMetaObject::invokeMethod(m_window->find(QStringLiteral("ioSwitches")), "clicked");
+        else
+            emit m_window->panel().access().loginRequested(campanel::panel::Access::Technician);
+        m_window->settle();
+        QCOMPARE(m_window->panel().maintenance().outputTry()->held(), -1);
+        QCOMPARE(tried().last(), -1);
+        m_window->lift();
+        m_window->closeDialogs();
+    }
+
+    void aRunningMachineTriesNothingAndThePageSaysWhy()
+    {
+        enter("io");
+        link().requests.clear();
+        touch("try2");
+        QCOMPARE(tried(), QList<int>());
+        QCOMPARE(textOf("ioText"), QStringLiteral("The machine is running. Stop it first."));
+        m_window->lift();
     }
 
     void theDialIsTurned()

@@ -258,8 +258,8 @@ void AuditTrail::noteSending(const link::CommandRequest& request)
                       signedNow({.what = commandKey(request.command), .object = activeProgram()}));
 }
 
-// Records jogging and homing: jogging is not a command, and the result of homing comes long after its
-// command.
+// Records jogging, tried outputs and homing: the first two are held keys, and the result of homing comes long
+// after its command.
 void AuditTrail::watchManual()
 {
     connect(m_watched.maintenance.jog(), &Jog::begun, this, [this](int direction, double position) {
@@ -276,6 +276,16 @@ void AuditTrail::watchManual()
     connect(m_watched.maintenance.homing(), &Homing::ended, this, [this](Homing::Result result) {
         note({.what = u"command.home_end"_s, .object = activeProgram(), .outcome = outcomeKey(result)});
     });
+    connect(m_watched.maintenance.outputTry(), &OutputTry::begun, this, [this](const QString& output) {
+        note({.what = u"command.try_output"_s, .object = activeProgram(), .after = output});
+    });
+    connect(m_watched.maintenance.outputTry(), &OutputTry::ended, this,
+            [this](const QString& output, Jog::End end) {
+                note({.what = u"command.try_output_end"_s,
+                      .object = activeProgram(),
+                      .before = output,
+                      .outcome = outcomeKey(end)});
+            });
 }
 
 void AuditTrail::watchParameters()

@@ -54,6 +54,8 @@ constexpr std::array whatWords{
     Word{"command.jog_forward", QT_TRANSLATE_NOOP("AuditWords", "Jog forward")},
     Word{"command.jog_reverse", QT_TRANSLATE_NOOP("AuditWords", "Jog reverse")},
     Word{"command.jog_end", QT_TRANSLATE_NOOP("AuditWords", "Jog ended")},
+    Word{"command.try_output", QT_TRANSLATE_NOOP("AuditWords", "Output tried")},
+    Word{"command.try_output_end", QT_TRANSLATE_NOOP("AuditWords", "Output try ended")},
     Word{"command.reset", QT_TRANSLATE_NOOP("AuditWords", "Fault reset")},
     Word{"command.save", QT_TRANSLATE_NOOP("AuditWords", "Saved in the controller")},
     Word{"command.teach", QT_TRANSLATE_NOOP("AuditWords", "Marks measured")},

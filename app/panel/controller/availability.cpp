@@ -27,6 +27,7 @@ constexpr unsigned standstill = in(State::Idle) | in(State::Ready);
 
 constexpr bool connected = true;
 constexpr bool anyConnection = false;
+constexpr bool endedByEmergencyStop = true;
 
 struct Row {
     Action action;
@@ -34,12 +35,14 @@ struct Row {
     unsigned blockedIn;                       // states
     const char* sentence{};                   // null: that of the state
     std::optional<modbus::Command> command{}; // the controller's own rules, see command_rules.h
+    bool isEndedByEmergencyStop = false;
 };
 
 constexpr std::array actionRows{
     Row{Action::Start, connected, in(State::Unknown), nullptr, modbus::Command::Start},
     Row{Action::Home, connected, in(State::Unknown), nullptr, modbus::Command::Home},
-    Row{Action::Jog, connected, all & ~standstill & ~in(State::Jogging)},
+    Row{Action::Jog, connected, all & ~standstill & ~in(State::Jogging), nullptr, {}, endedByEmergencyStop},
+    Row{Action::TryOutput, connected, all & ~standstill, nullptr, {}, endedByEmergencyStop},
     Row{Action::Download, connected, 0},
     Row{Action::ChangeMachineData, connected, all & ~standstill,
         QT_TRANSLATE_NOOP(
@@ -77,7 +80,7 @@ constexpr std::array sentencesOfStates{
     "",
     QT_TRANSLATE_NOOP("Availability", "The machine is running. Stop it first."),
     QT_TRANSLATE_NOOP("Availability", "The machine is stopping. Wait for standstill."),
-    "",
+    QT_TRANSLATE_NOOP("Availability", "The axis is jogging. Wait for standstill."),
     QT_TRANSLATE_NOOP("Availability", "The axis is homing. Wait for standstill."),
     QT_TRANSLATE_NOOP("Availability", "The controller is in fault. Reset the fault first."),
 };
@@ -96,7 +99,7 @@ QString Controller::blockedReason(Action action) const
         return translated(QT_TRANSLATE_NOOP("Availability", "There is no connection to the controller."));
     if ((row.blockedIn & in(state())) != 0)
         return translated(row.sentence ? row.sentence : sentencesOfStates[static_cast<std::size_t>(state())]);
-    if (action == Action::Jog && m_status->has(modbus::WarningBit::EmergencyStop))
+    if (row.isEndedByEmergencyStop && m_status->has(modbus::WarningBit::EmergencyStop))
         return ControllerSentences::refusal(modbus::Refusal::EmergencyStop);
     const QString refusal =
         row.command ? ControllerSentences::refusal(expectedRefusal(*m_status, *row.command)) : QString();

@@ -8,6 +8,7 @@ enum class Action {
     Start,
     Home,
     Jog,
+    TryOutput, // at standstill, while a key is held
     Download,
     ChangeMachineData, // a download with another kind of program or other machine data
     Compare,           // the controller's program with the recipe

@@ -190,6 +190,8 @@ QString ParameterFields::range(const Field& field) const
 
 QString ParameterFields::note(const Field& field) const
 {
+    if (field.parameter->isMissing())
+        return tr("Not in this controller. Update its firmware.");
     return field.hasChoices ? QString() : range(field);
 }
 

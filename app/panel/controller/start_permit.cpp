@@ -41,7 +41,7 @@ QString StartPermit::label(const Field&) const
 
 QString StartPermit::note(const Field& field) const
 {
-    return field.parameter->isMissing() ? tr("Not in this controller. Update its firmware.")
+    return field.parameter->isMissing() ? ParameterFields::note(field)
                                         : tr("On: no start that the panel blocks.");
 }
 

@@ -2,11 +2,15 @@
 #include "app/panel/maintenance/cam_switches.h"
 
 #include "app/panel/controller/controller.h"
+#include "app/panel/words/controller_sentences.h"
 #include "app/panel/words/register_words.h"
 
 #include <algorithm>
 #include <array>
+#include <cctype>
+#include <iterator>
 #include <string>
+#include <vector>
 
 namespace campanel::panel {
 
@@ -33,6 +37,32 @@ constexpr std::array switchParameters{
         false},
 };
 
+constexpr std::array contactParameters{
+    SwitchParameter{"_contact", QT_TRANSLATE_NOOP("campanel::panel::CamSwitches", "%1: contact"), true},
+    SwitchParameter{"_filter", QT_TRANSLATE_NOOP("campanel::panel::CamSwitches", "%1: filter time"), false},
+};
+
+std::vector<modbus::InputRow> contactRows()
+{
+    std::vector<modbus::InputRow> rows;
+    std::ranges::copy_if(modbus::inputRows, std::back_inserter(rows), [](const modbus::InputRow& row) {
+        return row.source == modbus::InputSource::Contact;
+    });
+    return rows;
+}
+
+// Converts "DriveAlarm" to parameter.drive_alarm_filter.
+std::string nameOf(const modbus::InputRow& row, const SwitchParameter& parameter)
+{
+    std::string name = "parameter";
+    for (const char c : row.value.name) {
+        if (std::isupper(static_cast<unsigned char>(c)) != 0)
+            name += name == "parameter" ? '.' : '_';
+        name += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    }
+    return name + parameter.suffix;
+}
+
 std::string nameOf(int number, const SwitchParameter& parameter)
 {
     return "parameter.switch" + std::to_string(number) + parameter.suffix;
@@ -50,11 +80,28 @@ int CamSwitches::drives()
     return modbus::switchCount + 1;
 }
 
+QStringList CamSwitches::names() const
+{
+    QStringList names;
+    for (int number = 1; number <= modbus::switchCount; ++number)
+        names << tr("Cam switch %1").arg(number);
+    names << tr("Drive");
+    for (const modbus::InputRow& row : contactRows())
+        names << ControllerSentences::text(static_cast<modbus::InputBit>(row.value.value));
+    return names;
+}
+
 void CamSwitches::choose(int current)
 {
-    m_current = std::clamp(current, 1, drives());
+    const auto inputs = contactRows();
+    m_current = std::clamp(current, 1, drives() + static_cast<int>(inputs.size()));
     std::vector<Field> fields;
-    if (m_current == drives()) {
+    if (m_current > drives()) {
+        const modbus::InputRow& row = inputs[static_cast<std::size_t>(m_current - drives() - 1)];
+        for (const SwitchParameter& parameter : contactParameters)
+            fields.push_back(
+                {&controller().parameter(nameOf(row, parameter)), parameter.words, parameter.hasChoices});
+    } else if (m_current == drives()) {
         fields.push_back({&controller().parameter(driveEnable), nullptr, true});
     } else {
         for (const SwitchParameter& parameter : switchParameters)
@@ -74,6 +121,13 @@ QString CamSwitches::words(const QString& name)
         for (const SwitchParameter& parameter : switchParameters) {
             if (name.toStdString() == nameOf(number, parameter))
                 return tr(parameter.words).arg(number);
+        }
+    }
+    for (const modbus::InputRow& row : contactRows()) {
+        for (const SwitchParameter& parameter : contactParameters) {
+            if (name.toStdString() == nameOf(row, parameter))
+                return tr(parameter.words)
+                    .arg(ControllerSentences::text(static_cast<modbus::InputBit>(row.value.value)));
         }
     }
     return {};

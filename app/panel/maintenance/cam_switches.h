@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// `Maintenance.switches` in QML: the parameters of one cam switch at a time, or those of the drives.
+// `Maintenance.switches` in QML: the parameters of one cam switch at a time, those of the drives, or those of
+// an input that is a contact.
 #pragma once
 
 #include "app/panel/controller/parameter_fields.h"
@@ -10,9 +11,10 @@ class CamSwitches final : public campanel::panel::ParameterFields {
     Q_OBJECT
     QML_ELEMENT
     QML_UNCREATABLE("Cam switches belong to the Maintenance")
-    // The cam switch 1 to 8, or `drives`.
+    // The cam switch 1 to 8, `drives`, or an input behind it.
     Q_PROPERTY(int current READ current NOTIFY currentChanged FINAL)
-    Q_PROPERTY(int drives READ drives CONSTANT FINAL)
+    // The names of what can be chosen, from 1 on.
+    Q_PROPERTY(QStringList names READ names NOTIFY changed FINAL)
 
 public:
     // The controller must outlive the object.
@@ -20,10 +22,11 @@ public:
 
     [[nodiscard]] int current() const { return m_current; }
     [[nodiscard]] static int drives();
-    // Displays the parameters of a switch, and reads them.
+    [[nodiscard]] QStringList names() const;
+    // Displays the parameters of one of `names`, and reads them.
     Q_INVOKABLE void choose(int current);
 
-    // Returns the label of a parameter; empty for one that is not of a switch or the drives.
+    // Returns the label of a parameter; empty for one of something else.
     [[nodiscard]] static QString words(const QString& name);
 
 signals:

@@ -74,8 +74,10 @@ void IoList::showRows()
     if (status) {
         addAxis(rows, *status);
         addLine(rows);
-        if (m_pins.status())
+        if (m_pins.status()) {
             addPins(rows, *m_pins.status());
+            addDrives(rows, *m_pins.status());
+        }
         addBits(rows, *status);
     }
     std::ranges::stable_sort(rows, {}, &Row::side);
@@ -102,9 +104,9 @@ void IoList::addAxis(QList<Row>& rows, const modbus::StatusBlock& status) const
         rows << Row{Side::Input, tr("Force"), tr("%1 N").arg(format.grouped(status.press->forceN, 0)),
                     Lamp::None};
     else
-        rows << Row{Side::Input, tr("Index mark"),
+        rows << Row{Side::Input, ControllerSentences::text(modbus::InputBit::IndexMark),
                     status.has(WarningBit::NotHomed) ? tr("not found yet") : tr("found or not required"),
-                    lampOf(!status.has(WarningBit::NotHomed))};
+                    m_pins.status() ? Lamp::None : lampOf(!status.has(WarningBit::NotHomed))};
     rows << Row{Side::Input, tr("Heartbeat of the panel"),
                 tr("no. %1", "of a heartbeat").arg(status.heartbeat),
                 lampOf(!status.has(WarningBit::HeartbeatLost))}
@@ -124,9 +126,10 @@ void IoList::addLine(QList<Row>& rows)
     const auto& packer = *line.status();
     const double marks = packer.marks + packer.marksFalse;
     const double products = packer.products;
-    rows << Row{Side::Input, tr("Mark sensor"), tr("%1 marks").arg(format.grouped(marks, 0)),
-                lampOf(std::exchange(m_marks, marks) < marks)}
-         << Row{Side::Input, tr("Product eye"), tr("%1 products placed").arg(format.grouped(products, 0)),
+    rows << Row{Side::Input, ControllerSentences::text(modbus::InputBit::MarkSensor),
+                tr("%1 marks").arg(format.grouped(marks, 0)), lampOf(std::exchange(m_marks, marks) < marks)}
+         << Row{Side::Input, ControllerSentences::text(modbus::InputBit::ProductEye),
+                tr("%1 products placed").arg(format.grouped(products, 0)),
                 lampOf(std::exchange(m_products, products) < products)}
          << Row{Side::Input, tr("Encoder of the film"),
                 tr("%1 mm").arg(format.grouped(line.filmTravelMm(), 1)), Lamp::None};
@@ -141,35 +144,54 @@ void IoList::addLine(QList<Row>& rows)
                 tr("%1 mm").arg(format.number(packer.filmFollowingErrorMm, 2)), Lamp::None};
 }
 
-// Adds what this machine has of the pins. A drive alarm and an emergency stop need attention.
+// Adds what this machine has of the pins. The row of a sensor may be there with its count.
 void IoList::addPins(QList<Row>& rows, const modbus::IoStatus& pins) const
 {
-    using modbus::InputBit;
-    using modbus::OutputBit;
+    for (const modbus::InputRow& row : modbus::inputRows) {
+        const auto bit = static_cast<modbus::InputBit>(row.value.value);
+        addPin(rows, {.side = Side::Input, .name = ControllerSentences::text(bit)}, pins.level(bit),
+               ControllerSentences::purpose(bit), row.needsAttention ? Lamp::Bad : Lamp::On);
+    }
+    for (const modbus::EnumValue& row : modbus::outputRows) {
+        const auto bit = static_cast<modbus::OutputBit>(row.value);
+        addPin(rows, {.side = Side::Output, .name = ControllerSentences::text(bit), .output = row.value},
+               pins.level(bit), ControllerSentences::purpose(bit), Lamp::On);
+    }
+}
+
+void IoList::addPin(QList<Row>& rows, const Row& pin, std::optional<bool> level, const QString& purpose,
+                    Lamp lit)
+{
+    if (!level)
+        return;
+    auto row = std::ranges::find(rows, pin.name, &Row::name);
+    if (row == rows.end()) {
+        rows << pin;
+        row = std::prev(rows.end());
+    }
+    row->purpose = purpose;
+    if (*level)
+        row->lamp = lit;
+    else if (row->lamp == Lamp::None) // a sensor that was on for a moment stays lit
+        row->lamp = Lamp::Off;
+}
+
+// Adds what the drives report beside the pins.
+void IoList::addDrives(QList<Row>& rows, const modbus::IoStatus& pins) const
+{
     const Format format;
-    const auto add = [&](Side side, auto bit, Lamp lit = Lamp::On) {
-        if (const std::optional<bool> level = pins.level(bit))
-            rows << Row{side, ControllerSentences::text(bit), {}, *level ? lit : Lamp::Off};
-    };
-    const auto addNumber = [&rows](Side side, const QString& name, const QString& value) {
+    const auto add = [&rows](Side side, const QString& name, const QString& value) {
         rows << Row{side, name, value, Lamp::None};
     };
-    add(Side::Input, InputBit::DriveAlarm, Lamp::Bad);
-    add(Side::Input, InputBit::EmergencyStop, Lamp::Bad);
-    add(Side::Input, InputBit::LimitForward);
-    add(Side::Input, InputBit::LimitReverse);
     if (pins.torquePercent)
-        addNumber(Side::Input, tr("Torque of the axis, of rated"),
-                  tr("%1 %", "percent").arg(format.number(*pins.torquePercent, 1)));
+        add(Side::Input, tr("Torque of the axis, of rated"),
+            tr("%1 %", "percent").arg(format.number(*pins.torquePercent, 1)));
     if (m_pins.infeedTravelMm() && pins.infeedFollowingErrorMm) {
-        addNumber(Side::Input, tr("Encoder of the infeed"),
-                  tr("%1 mm").arg(format.grouped(*m_pins.infeedTravelMm(), 1)));
-        addNumber(Side::Output, tr("Infeed, sent minus encoder"),
-                  tr("%1 mm").arg(format.number(*pins.infeedFollowingErrorMm, 2)));
+        add(Side::Input, tr("Encoder of the infeed"),
+            tr("%1 mm").arg(format.grouped(*m_pins.infeedTravelMm(), 1)));
+        add(Side::Output, tr("Infeed, sent minus encoder"),
+            tr("%1 mm").arg(format.number(*pins.infeedFollowingErrorMm, 2)));
     }
-    add(Side::Output, OutputBit::DriveEnable);
-    for (int i = 0; i < modbus::switchCount; ++i)
-        add(Side::Output, static_cast<OutputBit>(i));
 }
 
 void IoList::addBits(QList<Row>& rows, const modbus::StatusBlock& status) const

@@ -27,14 +27,18 @@ struct IoRow {
     Q_GADGET
     Q_PROPERTY(QString name MEMBER name)
     Q_PROPERTY(QString value MEMBER value)
+    Q_PROPERTY(QString purpose MEMBER purpose)
+    Q_PROPERTY(int output MEMBER output)
     Q_PROPERTY(campanel::panel::Io::Side side MEMBER side)
     Q_PROPERTY(campanel::panel::Io::Lamp lamp MEMBER lamp)
 
 public:
     Io::Side side = Io::Side::Input;
-    QString name;
-    QString value; // empty for a bit, which has only a lamp
+    QString name{};
+    QString value{}; // empty for a bit, which has only a lamp
     Io::Lamp lamp = Io::Lamp::None;
+    QString purpose{}; // what a pin does, in a sentence
+    int output = -1;   // the bit of an output that can be tried
 
     bool operator==(const IoRow&) const = default;
 };
@@ -79,6 +83,9 @@ private:
     void addAxis(QList<Row>& rows, const modbus::StatusBlock& status) const;
     void addLine(QList<Row>& rows);
     void addPins(QList<Row>& rows, const modbus::IoStatus& pins) const;
+    static void addPin(QList<Row>& rows, const Row& pin, std::optional<bool> level, const QString& purpose,
+                       Lamp lit);
+    void addDrives(QList<Row>& rows, const modbus::IoStatus& pins) const;
     void addBits(QList<Row>& rows, const modbus::StatusBlock& status) const;
 
     Controller& m_controller;

@@ -21,6 +21,7 @@ Maintenance::Maintenance(Controller& controller, Settings& settings, const QStri
     , m_jog(controller, this)
     , m_homing(controller, this)
     , m_io(controller, this)
+    , m_outputTry(controller, this)
     , m_switches(controller, this)
     , m_dryRun(this)
 {
@@ -40,6 +41,7 @@ void Maintenance::retranslate()
     m_jog.retranslate();
     m_homing.retranslate();
     m_io.retranslate();
+    m_outputTry.retranslate();
     m_switches.retranslate();
     m_dryRun.retranslate();
 }

@@ -12,6 +12,7 @@
 #include "app/panel/maintenance/jog.h"
 #include "app/panel/maintenance/line_figures.h"
 #include "app/panel/maintenance/link_doctor.h"
+#include "app/panel/maintenance/output_try.h"
 #include "app/panel/maintenance/register_inspector.h"
 #include "app/panel/maintenance/simulated_faults.h"
 #include "app/panel/packing/packing_setup.h"
@@ -34,6 +35,7 @@ class Maintenance : public QObject, public Singleton<Maintenance> {
     Q_PROPERTY(campanel::panel::Jog* jog READ jog CONSTANT FINAL)
     Q_PROPERTY(campanel::panel::Homing* homing READ homing CONSTANT FINAL)
     Q_PROPERTY(campanel::panel::IoList* io READ io CONSTANT FINAL)
+    Q_PROPERTY(campanel::panel::OutputTry* outputTry READ outputTry CONSTANT FINAL)
     Q_PROPERTY(campanel::panel::CamSwitches* switches READ switches CONSTANT FINAL)
     Q_PROPERTY(campanel::panel::DryRun* dryRun READ dryRun CONSTANT FINAL)
     Q_PROPERTY(campanel::panel::SimulatedFaults* simulatedFaults READ simulatedFaults CONSTANT FINAL)
@@ -51,6 +53,7 @@ public:
     [[nodiscard]] Jog* jog() { return &m_jog; }
     [[nodiscard]] Homing* homing() { return &m_homing; }
     [[nodiscard]] IoList* io() { return &m_io; }
+    [[nodiscard]] OutputTry* outputTry() { return &m_outputTry; }
     [[nodiscard]] CamSwitches* switches() { return &m_switches; }
     [[nodiscard]] DryRun* dryRun() { return &m_dryRun; }
     [[nodiscard]] SimulatedFaults* simulatedFaults() { return &m_simulatedFaults; }
@@ -69,6 +72,7 @@ private:
     Jog m_jog;
     Homing m_homing;
     IoList m_io;
+    OutputTry m_outputTry;
     CamSwitches m_switches;
     DryRun m_dryRun;
 };

@@ -19,6 +19,12 @@ public:
     {
         return textOf(modbus::findValue(value));
     }
+    // Returns the sentence of an input or an output, in the language.
+    template <typename Bit> [[nodiscard]] static QString purpose(Bit bit)
+    {
+        const modbus::EnumValue* row = modbus::findValue(bit);
+        return row ? inLanguage(row->detail) : QString();
+    }
     // Returns the texts of all values of an enumeration.
     [[nodiscard]] static QStringList texts(std::string_view enumName);
     // Translates a text that modbus/ marks.

@@ -23,6 +23,7 @@ private slots:
         QTest::addRow("start") << Action::Start << u"R"_s;
         QTest::addRow("home") << Action::Home << u"R"_s;
         QTest::addRow("jog") << Action::Jog << u"IRJ"_s;
+        QTest::addRow("try an output") << Action::TryOutput << u"IR"_s;
         QTest::addRow("download") << Action::Download << u"IRUSJHF"_s;
         QTest::addRow("change machine data") << Action::ChangeMachineData << u"IR"_s;
         QTest::addRow("compare") << Action::Compare << u"IRUSJHF"_s;

@@ -365,6 +365,22 @@ private slots:
         QCOMPARE(valueOf(io, QStringLiteral("Torque of the axis, of rated")), QStringLiteral("−12.3 %"));
         QCOMPARE(valueOf(io, QStringLiteral("Encoder of the infeed")), QStringLiteral("65.5 mm"));
         QCOMPARE(valueOf(io, QStringLiteral("Infeed, sent minus encoder")), QStringLiteral("1.50 mm"));
+        // Each pin once, a sensor with its count.
+        QCOMPARE(lampOf(io, QStringLiteral("Index mark")), IoList::Lamp::Off);
+        QCOMPARE(valueOf(io, QStringLiteral("Index mark")), QStringLiteral("found or not required"));
+        QCOMPARE(lampOf(io, QStringLiteral("Product eye")), IoList::Lamp::Off);
+        qsizetype pinRows = 0;
+        QList<int> outputs;
+        for (const IoList::Row& row : io.rows()->rows()) {
+            pinRows += row.purpose.isEmpty() ? 0 : 1;
+            QVERIFY2(row.purpose.isEmpty() || row.purpose.endsWith(u'.'), qPrintable(row.purpose));
+            if (row.output >= 0)
+                outputs << row.output;
+        }
+        QCOMPARE(pinRows, static_cast<qsizetype>(modbus::inputRows.size() + modbus::outputRows.size()));
+        QCOMPARE(outputs.size(), static_cast<qsizetype>(modbus::outputRows.size()));
+        for (qsizetype i = 0; i < outputs.size(); ++i)
+            QCOMPARE(outputs[i], static_cast<int>(i));
         // What the machine does not have has no row.
         io.retranslate();
         QCOMPARE(rig.link.reads.size(), 2);
@@ -443,6 +459,22 @@ private slots:
         QCOMPARE(switches.rowCount(), 1);
         answerAll(2);
         QCOMPARE(at(0, CamSwitches::ValueRole).toString(), "While running");
+        const auto contacts =
+            std::ranges::count(modbus::inputRows, modbus::InputSource::Contact, &modbus::InputRow::source);
+        QCOMPARE(switches.names().size(), CamSwitches::drives() + contacts);
+        for (const char* name : {"drive_alarm", "emergency_stop", "limit_forward", "limit_reverse"}) {
+            switches.choose(switches.current() + 1);
+            QCOMPARE(switches.rowCount(), 2);
+            QCOMPARE(rig.link.parameters[0].name, "parameter." + std::string(name) + "_contact");
+            QCOMPARE(rig.link.parameters[1].name, "parameter." + std::string(name) + "_filter");
+            answerAll(1);
+            QCOMPARE(at(0, CamSwitches::ValueRole).toString(), "NC contact");
+            QCOMPARE(at(1, CamSwitches::NoteRole).toString(), "0 ms to 100 ms");
+        }
+        QCOMPARE(switches.names()[switches.current() - 1], "Limit switch, reverse");
+        QCOMPARE(at(1, CamSwitches::NameRole).toString(), "Limit switch, reverse: filter time");
+        QCOMPARE(CamSwitches::words(QStringLiteral("parameter.emergency_stop_contact")),
+                 "Emergency stop: contact");
         QCOMPARE(CamSwitches::words(QStringLiteral("parameter.switch8_lead")), "Cam switch 8: lead time");
         QVERIFY(CamSwitches::words(QStringLiteral("parameter.ramp_time")).isEmpty());
     }
