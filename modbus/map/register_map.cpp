@@ -30,12 +30,12 @@ constexpr double max32 = 4294967295.0;
         rw16("parameter.switch" number "_every", (address) + 4, "on in every n-th cycle", {}, 1, 1000, 1)
 
 // The registers of an input that is a contact, by its name in snake case.
-#define CAMPANEL_CONTACT(name, address)                                                                      \
-    since(5,                                                                                                 \
+#define CAMPANEL_CONTACT(minor, name, address)                                                               \
+    since(minor,                                                                                             \
           rw16("parameter." name "_contact", address, "kind of contact of this input", "Contact", 0, 1, 0)), \
-        since(5, rw16("parameter." name "_filter", (address) + 1,                                            \
-                      "time for which this input must have changed before it counts", {}, 0, 100, 0, 1.0,    \
-                      "ms"))
+        since(minor, rw16("parameter." name "_filter", (address) + 1,                                        \
+                          "time for which this input must have changed before it counts", {}, 0, 100, 0,     \
+                          1.0, "ms"))
 
 constexpr std::array registerTable{
     ro16("identity.device_type", 0x0000, "0xCA3D on every CamPanel controller"),
@@ -124,10 +124,10 @@ constexpr std::array registerTable{
          1),
     since(5, rw16("parameter.permit_needed", 0x00D5, "1: a start needs every bit of exchange.permit", {}, 0,
                   1, 0)),
-    CAMPANEL_CONTACT("drive_alarm", 0x00D6),
-    CAMPANEL_CONTACT("emergency_stop", 0x00D8),
-    CAMPANEL_CONTACT("limit_forward", 0x00DA),
-    CAMPANEL_CONTACT("limit_reverse", 0x00DC),
+    CAMPANEL_CONTACT(5, "drive_alarm", 0x00D6),
+    CAMPANEL_CONTACT(5, "emergency_stop", 0x00D8),
+    CAMPANEL_CONTACT(5, "limit_forward", 0x00DA),
+    CAMPANEL_CONTACT(5, "limit_reverse", 0x00DC),
 
     // Status block: the answer to the periodic FC23 exchange. 40 registers, so that 9600 baud still carries 8
     // a second.
