@@ -84,7 +84,7 @@ public:
         m_result.cutsSkipped = packer.skipped;
         m_result.emptyBags = packer.empty;
         m_result.filmSavedM = static_cast<double>(packer.saved_um) / (umPerMm * umPerMm);
-        m_result.correctionsLimited = packer.limited;
+        m_result.correctionsLimited = packer.phase.limited;
         return m_result;
     }
 

@@ -66,6 +66,7 @@ private slots:
     void hasNoGlobals();
     void includesOnlyItselfAndTheLanguage();
     void setsAnAxisOffInTheGateAlone();
+    void shiftsACutAndTriesAnOutputInOnePlaceEach();
 };
 
 void TestCoreSource::isFound()
@@ -112,6 +113,20 @@ void TestCoreSource::setsAnAxisOffInTheGateAlone()
     }
     QCOMPARE(others, QStringList());
     QCOMPARE(findings(u"\\bctl_motion_(start|home)\\("_s).size(), 6); // declared, defined, called
+}
+
+// A cut is shifted by ctl_phase_move(), an output is switched on for a test by the gate.
+void TestCoreSource::shiftsACutAndTriesAnOutputInOnePlaceEach()
+{
+    QStringList callers;
+    for (const QString& line : findings(u"\\b(ctl_feed_correct|ctl_io_try)\\("_s)) {
+        if (!line.contains(u"void "_s))
+            callers << line.section(u':', 0, 0);
+    }
+    callers.sort();
+    // The infeed is shifted by the packer itself; another command switches the output off.
+    QCOMPARE(callers,
+             QStringList({u"ctl_command.c"_s, u"ctl_packer.c"_s, u"ctl_phase.c"_s, u"ctl_start.c"_s}));
 }
 
 CAMPANEL_TEST(TestCoreSource)

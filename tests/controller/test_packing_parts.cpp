@@ -4,6 +4,7 @@
 #include "packer/ctl_feed.h"
 #include "packer/ctl_gate.h"
 #include "packer/ctl_marks.h"
+#include "packer/ctl_phase.h"
 #include "packer/ctl_products.h"
 #include "tests/support/test_program.h"
 
@@ -80,6 +81,9 @@ private slots:
     void gateIsCutInAnyPieces();
     void feedIsExactOverManyCycles();
     void correctionHasNoStep();
+    void shiftIsWithinOneLimit_data();
+    void shiftIsWithinOneLimit();
+    void shiftMovesFilmAndPlan();
     void marksAreFoundAndReckonedBack();
     void errorIsDividedBetweenSlipAndLength();
     void jumpIsBelievedAtOnce();
@@ -192,6 +196,59 @@ void TestPackingParts::feedIsExactOverManyCycles()
                  77 + std::int64_t{1'706'667} * (i + 1) + corrected);
         ctl_feed_reset(&feed, 999'983, feed.start, 1'706'667);
     }
+}
+
+void TestPackingParts::shiftIsWithinOneLimit_data()
+{
+    QTest::addColumn<int>("mode");
+    QTest::addColumn<qint64>("wanted");
+    QTest::addColumn<qint64>("length");
+    QTest::addColumn<qint64>("shift");
+    QTest::addColumn<qint64>("step");
+    QTest::addColumn<bool>("reaches"); // the step
+    const auto row = [](const char* name, ctl_phase_mode mode, qint64 wanted, qint64 length, qint64 shift,
+                        qint64 step, bool reaches) {
+        QTest::newRow(name) << static_cast<int>(mode) << wanted << length << shift << step << reaches;
+    };
+    row("none", CTL_PHASE_LIMITED, 0, 0, 0, 0, true);
+    row("within", CTL_PHASE_LIMITED, 700, 300, 700, 400, true);
+    row("at the limit", CTL_PHASE_LIMITED, 500, 0, 500, 500, true);
+    row("beyond", CTL_PHASE_LIMITED, 501, 0, 500, 500, false);
+    row("beyond, backwards", CTL_PHASE_LIMITED, -9000, 0, -500, -500, false);
+    row("length at its limit", CTL_PHASE_LIMITED, 1400, 5000, 1400, 400, true);
+    row("length against it", CTL_PHASE_LIMITED, 0, -5000, -500, 500, false);
+    row("fast", CTL_PHASE_FAST, 9999, 0, 9999, 9999, false);
+    row("too fast", CTL_PHASE_FAST, 30'000, 0, 10'000, 10'000, false);
+    row("fast and short", CTL_PHASE_FAST_AND_SHORT, 30'000, 0, 5000, 5000, false);
+}
+
+void TestPackingParts::shiftIsWithinOneLimit()
+{
+    QFETCH(int, mode);
+    QFETCH(qint64, wanted);
+    QFETCH(qint64, length);
+    const auto how = static_cast<ctl_phase_mode>(mode);
+    const ctl_phase_limits limits{100'000, 1000, 500};
+    ctl_phase phase{};
+    phase.limited_in_row = 3;
+    QTEST(static_cast<qint64>(ctl_phase_allow(&phase, &limits, how, wanted, length)), "shift");
+    QTEST(static_cast<qint64>(phase.step), "step");
+    QTEST(ctl_phase_reaches(&limits, wanted, length), "reaches");
+    QVERIFY(std::abs(phase.step + phase.length) <= ctl_phase_max(&limits, how));
+    const bool isLimited = phase.step + phase.length != wanted && how == CTL_PHASE_LIMITED;
+    QCOMPARE(phase.limited, isLimited ? 1u : 0u);
+    QCOMPARE(phase.limited_in_row, isLimited ? 4u : 0u);
+}
+
+void TestPackingParts::shiftMovesFilmAndPlan()
+{
+    ctl_feed feed{};
+    ctl_feed_reset(&feed, 1'000'000, 0, 1'000'000);
+    std::int64_t command = 900'000;
+    ctl_phase_move(&feed, &command, -700, 800'000);
+    QCOMPARE(command, 899'300);
+    ctl_feed_advance(&feed, 900'000, 1'000'000);
+    QCOMPARE(ctl_feed_position(&feed), command);
 }
 
 void TestPackingParts::correctionHasNoStep()

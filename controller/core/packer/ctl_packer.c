@@ -298,8 +298,7 @@ static void plan_for_start(ctl_packer* packer, const ctl_ramp* ramp)
     if (phase >= packer->engage || packer->knife_gate.state != CTL_GATE_STATE_RUNNING)
         return;
     const int64_t lag = ctl_packer_lag(packer, ctl_ramp_speed_after(ramp, packer->cut - phase), ramp);
-    ctl_feed_correct(&packer->film, packer->next.lag - lag, packer->engage - phase);
-    packer->next.command += packer->next.lag - lag;
+    ctl_phase_move(&packer->film, &packer->next.command, packer->next.lag - lag, packer->engage - phase);
     packer->next.lag = lag;
 }
 
@@ -311,7 +310,7 @@ void ctl_packer_run(ctl_packer* packer, const ctl_bank* bank, const ctl_ramp* ra
     }
     const bool ended_by_limits = (packer->alarms & 1u << CTL_WARNING_BIT_CORRECTION_AT_LIMIT) != 0;
     packer->alarms = 0;
-    packer->limited_in_row = 0;
+    packer->phase.limited_in_row = 0;
     packer->skips_in_run = 0;
     packer->products.longest = 0;
     if (packer->broken_off || packer->bank != bank)
@@ -339,8 +338,8 @@ static bool plan_onto_mark(ctl_packer* packer, const ctl_ramp* ramp)
     const int64_t limit = packer->bag / FIRST_SHARE;
     if (shift > limit || shift < -limit)
         return false;
-    ctl_feed_correct(&packer->film, shift, packer->engage);
-    packer->next = (ctl_cut){packer->next.command + shift, lag, true, mark->seen};
+    ctl_phase_move(&packer->film, &packer->next.command, shift, packer->engage);
+    packer->next = (ctl_cut){packer->next.command, lag, true, mark->seen};
     return true;
 }
 
@@ -355,7 +354,7 @@ void ctl_packer_change_bank(ctl_packer* packer, const ctl_bank* bank, const ctl_
     read_bank(packer, bank);
     packer->planned = false;
     packer->changed = true;
-    packer->limited_in_row = 0;
+    packer->phase.limited_in_row = 0;
     const bool is_open = packer->knife_gate.state == CTL_GATE_STATE_STANDING;
     ctl_gate_reset(&packer->film_gate, packer->cycle, packer->engage, packer->release);
     ctl_gate_reset(&packer->knife_gate, packer->cycle, packer->engage, packer->release);

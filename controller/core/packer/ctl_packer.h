@@ -13,6 +13,7 @@
 #include "packer/ctl_feed.h"
 #include "packer/ctl_gate.h"
 #include "packer/ctl_marks.h"
+#include "packer/ctl_phase.h"
 #include "packer/ctl_products.h"
 
 #ifdef __cplusplus
@@ -85,16 +86,13 @@ typedef struct {
     bool changed; /* the program, since the last cut */
     ctl_cut next;
     int64_t lag; /* at full speed: film position at a cut minus the command that was meant for it */
-    int64_t phase_correction;
-    int64_t length_correction;
-    uint32_t limited_in_row;
+    ctl_phase phase;
     uint16_t alarms; /* bits CTL_WARNING_BIT_... until the next start */
     ctl_last_cut last_cut;
     uint32_t skips_in_row; /* since the last cut */
     uint32_t skips_in_run; /* since that or the start of the run */
     uint16_t last_skip;
     uint32_t skipped;
-    uint32_t limited;
     uint32_t empty;
     uint64_t saved_um;
     uint32_t bags;

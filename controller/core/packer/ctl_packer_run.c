@@ -6,16 +6,7 @@
 
 #include <stddef.h>
 
-/* The maximum shift of a cut, as a share of the bag length, until the cuts meet the marks. */
-#define ALIGNING_SHARE 10
 #define LIMITED_IN_ROW 5u
-
-static int64_t limited(int64_t value, int64_t limit)
-{
-    if (value > limit)
-        return limit;
-    return value < -limit ? -limit : value;
-}
 
 static uint32_t bag_um(const ctl_packer* packer)
 {
@@ -77,27 +68,28 @@ static void raise_alarm(ctl_packer* packer, uint32_t bit)
     packer->alarms = (uint16_t)(packer->alarms | 1u << bit);
 }
 
+static ctl_phase_limits phase_limits(const ctl_packer* packer)
+{
+    const ctl_phase_limits limits = {packer->bag, ctl_packer_length_limit(packer),
+                                     film_um(packer, CTL_REG_PARAMETER_PHASE_LIMIT)};
+    return limits;
+}
+
 /* Returns the shift of the film by which the next cut, `wanted` away from its mark, meets it, within limits.
  */
 static int64_t allowed_shift(ctl_packer* packer, const ctl_drive* drive, const ctl_mark* mark, int64_t wanted)
 {
-    int64_t phase_limit = film_um(packer, CTL_REG_PARAMETER_PHASE_LIMIT);
-    packer->length_correction = limited(mark->pitch - packer->bag, ctl_packer_length_limit(packer));
-    const int64_t phase = wanted - packer->length_correction;
-    if (packer->marks.state == CTL_MARK_STATE_ALIGNING && phase <= phase_limit && phase >= -phase_limit)
-        packer->marks.state = CTL_MARK_STATE_TRACKING;
-    const bool aligning = packer->marks.state == CTL_MARK_STATE_ALIGNING;
-    if (aligning)
-        phase_limit = packer->bag / (drive->changes ? 2 * ALIGNING_SHARE : ALIGNING_SHARE);
-    packer->phase_correction = limited(phase, phase_limit);
-    const int64_t shift = packer->length_correction + packer->phase_correction;
-    if (shift == wanted || aligning) {
-        packer->limited_in_row = 0;
-        return shift;
+    const ctl_phase_limits limits = phase_limits(packer);
+    const int64_t length = mark->pitch - packer->bag;
+    ctl_phase_mode mode = CTL_PHASE_LIMITED;
+    if (packer->marks.state == CTL_MARK_STATE_ALIGNING) {
+        if (ctl_phase_reaches(&limits, wanted, length))
+            packer->marks.state = CTL_MARK_STATE_TRACKING;
+        else
+            mode = drive->changes ? CTL_PHASE_FAST_AND_SHORT : CTL_PHASE_FAST;
     }
-    packer->limited += 1;
-    packer->limited_in_row += 1;
-    if (packer->limited_in_row >= LIMITED_IN_ROW)
+    const int64_t shift = ctl_phase_allow(&packer->phase, &limits, mode, wanted, length);
+    if (packer->phase.limited_in_row >= LIMITED_IN_ROW)
         raise_alarm(packer, CTL_WARNING_BIT_CORRECTION_AT_LIMIT);
     return shift;
 }
@@ -115,16 +107,16 @@ static void plan_cut(ctl_packer* packer, const ctl_drive* drive)
             ? NULL
             : ctl_marks_near(&packer->marks, even + packer->next.lag, packer->bag / 2);
     int64_t shift = 0;
-    packer->phase_correction = 0;
-    packer->length_correction = 0;
+    ctl_phase_none(&packer->phase);
     if (mark != NULL)
         shift = allowed_shift(packer, drive, mark, mark->at - packer->next.lag - even);
-    packer->next.command = even + shift;
+    packer->next.command = even;
     packer->next.tracked = mark != NULL && packer->marks.state == CTL_MARK_STATE_TRACKING;
     packer->next.seen = mark != NULL && mark->seen;
     const uint64_t before_end = packer->cycle - packer->release;
     if (shift != 0) /* over before a change of program: its half of the way has half the room */
-        ctl_feed_correct(&packer->film, shift, before_end + (drive->changes ? 0u : packer->engage));
+        ctl_phase_move(&packer->film, &packer->next.command, shift,
+                       before_end + (drive->changes ? 0u : packer->engage));
 }
 
 static void count_skip(ctl_packer* packer)
@@ -151,9 +143,9 @@ static bool knife_must_wait(ctl_packer* packer, const ctl_drive* drive)
     int64_t cut = packer->next.command;
     if (!packer->planned) { /* it may still be shifted */
         cut = uncorrected(packer);
-        clearance += packer->marks.state == CTL_MARK_STATE_ALIGNING
-                         ? packer->bag / ALIGNING_SHARE
-                         : ctl_packer_length_limit(packer) + film_um(packer, CTL_REG_PARAMETER_PHASE_LIMIT);
+        const bool aligning = packer->marks.state == CTL_MARK_STATE_ALIGNING;
+        const ctl_phase_limits limits = phase_limits(packer);
+        clearance += ctl_phase_max(&limits, aligning ? CTL_PHASE_FAST : CTL_PHASE_LIMITED);
     }
     if (!ctl_products_across(&packer->products, cut + packer->next.lag, clearance))
         return false;

@@ -51,8 +51,8 @@ static void put_marks(const ctl_packer* packer, uint16_t* registers)
     put(registers, CTL_REG_PACKER_MARK_STATE, marks->state);
     put(registers, CTL_REG_PACKER_MARK_ERROR, film_um16(packer, packer->last_cut.error));
     put(registers, CTL_REG_PACKER_LAST_MARK, film_um16(packer, marks->error));
-    put(registers, CTL_REG_PACKER_PHASE_CORRECTION, film_um16(packer, packer->phase_correction));
-    put(registers, CTL_REG_PACKER_LENGTH_CORRECTION, film_um16(packer, packer->length_correction));
+    put(registers, CTL_REG_PACKER_PHASE_CORRECTION, film_um16(packer, packer->phase.step));
+    put(registers, CTL_REG_PACKER_LENGTH_CORRECTION, film_um16(packer, packer->phase.length));
     put_wide(registers, CTL_REG_PACKER_MARK_PITCH, (uint64_t)ctl_packer_um(packer, marks->pitch));
     put_wide(registers, CTL_REG_PACKER_MARKS, marks->followed);
     put_wide(registers, CTL_REG_PACKER_MARKS_MISSING, marks->missing);
@@ -73,7 +73,7 @@ static void put_counts(const ctl_packer* packer, uint16_t* registers)
     put_wide(registers, CTL_REG_PACKER_FILM_SAVED, packer->saved_um / UM_PER_MM);
     put(registers, CTL_REG_PACKER_LAST_SKIP, packer->last_skip);
     put(registers, CTL_REG_PACKER_SKIPS_IN_A_ROW, (uint16_t)(packer->skips_in_row & 0xFFFFu));
-    put_wide(registers, CTL_REG_PACKER_CORRECTIONS_LIMITED, packer->limited);
+    put_wide(registers, CTL_REG_PACKER_CORRECTIONS_LIMITED, packer->phase.limited);
     put_wide(registers, CTL_REG_PACKER_BAG_NUMBER, packer->bags);
     memcpy(&registers[CTL_REG_PACKER_BAGS - CTL_REG_PACKER_MARK_STATE], packer->records,
            sizeof packer->records);
