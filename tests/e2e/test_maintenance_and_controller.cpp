@@ -172,6 +172,25 @@ private slots:
         QCOMPARE(panel.complaints(), QStringList());
     }
 
+    void anOlderControllerHasTheLampsAndNoKeys()
+    {
+        ControllerProcess controller({QStringLiteral("--map-minor"), QStringLiteral("4")});
+        PanelWindow panel(controller.port());
+        QTRY_COMPARE_WITH_TIMEOUT(panel.controller().state(), Controller::State::Idle, timeoutMs);
+        for (const char* name : {"nav_maintenance", "maintenanceMachine", "maintenanceIo"})
+            panel.tap(name);
+        QTRY_COMPARE_WITH_TIMEOUT(lampOf(panel, "Drive enable"), panel::IoList::Lamp::On, timeoutMs);
+        QVERIFY(!panel.touchDriver().find(QStringLiteral("try2")));
+        QCOMPARE(panel.touchDriver().find(QStringLiteral("ioText"))->property("text").toString(),
+                 "A filled lamp means on. This controller cannot try outputs; update its firmware.");
+        panel.tap("ioSwitches");
+        panel.maintenance().switches()->choose(panel::CamSwitches::drives() + 1);
+        panel::CamSwitches& contact = *panel.maintenance().switches();
+        QTRY_COMPARE_WITH_TIMEOUT(contact.data(contact.index(0), panel::CamSwitches::NoteRole).toString(),
+                                  "Not in this controller. Update its firmware.", timeoutMs);
+        QCOMPARE(panel.complaints(), QStringList());
+    }
+
     void aWrongUnitNumberIsFoundAndMended()
     {
         ControllerProcess controller;
