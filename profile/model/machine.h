@@ -46,7 +46,7 @@ struct Machine {
     bool operator==(const Machine&) const = default;
 };
 
-// Who has a number of the machine. A person enters it unless it comes from the controller.
+// The kinds of machine that have a number. A person enters it unless it comes from the controller.
 namespace machine_use {
 inline constexpr unsigned knife = 1;
 inline constexpr unsigned axis = 2; // of a move or a cam

@@ -14,7 +14,7 @@ MaintenanceSection {
     readonly property IoList io: Maintenance.io
     readonly property CamSwitches switches: Maintenance.switches
     readonly property OutputTry trying: Maintenance.outputTry
-    readonly property bool covered: section.page !== null && section.page.covered
+    readonly property bool covered: Frame.covered
     readonly property bool inFront: Window.active
     property bool isSetting
 

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/panel/controller/telemetry.h"
 
+#include "app/link/link_values.h"
 #include "app/panel/kit/format.h"
 #include "app/panel/kit/numbers.h"
 #include "app/panel/words/refusal_sentences.h"
-#include "modbus/map/codec.h"
-#include "modbus/map/packer_status.h"
 
 #include <algorithm>
 #include <cmath>
@@ -55,6 +54,7 @@ Telemetry::Telemetry(QObject* parent)
     : QQmlPropertyMap(this, parent)
 {
     forget();
+    freeze();
 }
 
 void Telemetry::take(std::uint16_t base, std::span<const std::uint16_t> registers)
@@ -75,6 +75,11 @@ void Telemetry::forget()
 double Telemetry::number(const char* name) const
 {
     return value(QString::fromLatin1(name)).toDouble();
+}
+
+QVariant Telemetry::updateValue(const QString& name, const QVariant& /*input*/)
+{
+    return value(name);
 }
 
 QString Telemetry::text(const QString& name, double value) const

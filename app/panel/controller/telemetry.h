@@ -30,6 +30,10 @@ public:
     // Returns the value with its unit as a person reads it; a signed register with its sign, and "--" for
     // NaN.
     Q_INVOKABLE QString text(const QString& name, double value) const;
+
+protected:
+    // Keeps the controller's number: the screen cannot write it.
+    QVariant updateValue(const QString& name, const QVariant& input) override;
 };
 
 } // namespace campanel::panel

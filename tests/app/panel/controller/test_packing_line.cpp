@@ -210,6 +210,17 @@ private slots:
         QCOMPARE(products.size(), 0);
     }
 
+    void theScreenCannotWriteANumber()
+    {
+        Rig rig;
+        rig.film.putWide("packer.marks", 7);
+        rig.answer();
+        rig.machine.telemetry()->setProperty("packer.marks", 8);
+        rig.machine.telemetry()->setProperty("packer.other", 8);
+        QCOMPARE(rig.machine.telemetry()->number("packer.marks"), 7.0);
+        QVERIFY(!rig.machine.telemetry()->contains(QStringLiteral("packer.other")));
+    }
+
     void numbersAsAPersonReadsThem_data()
     {
         QTest::addColumn<QString>("name");
