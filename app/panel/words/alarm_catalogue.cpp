@@ -194,12 +194,19 @@ const AlarmKind& known(std::string_view id)
     return *std::ranges::find(kinds, id, [](const AlarmKind& kind) { return std::string_view(kind.id); });
 }
 
-// The alarm of each bit of the controller, in the order of the bits.
-constexpr std::array faultIds{"C-01", "C-02", "C-03", "C-04", "C-05", "C-06", "C-07", "C-08"};
-constexpr std::array warningIds{"W-01", "W-02", "W-03", "W-04", "M-01",
-                                "M-02", "M-03", "M-04", "M-05", "W-05"};
-static_assert(faultIds.size() == modbus::faultBits.size());
-static_assert(warningIds.size() == modbus::warningBits.size());
+// Returns the kind whose cause is the text of the bit.
+constexpr auto kindOf(const modbus::EnumValue& bit)
+{
+    return std::ranges::find(kinds, bit.text,
+                             [](const AlarmKind& kind) { return std::string_view(kind.causeSource); });
+}
+
+constexpr bool hasKind(const modbus::EnumValue& bit)
+{
+    return kindOf(bit) != kinds.end();
+}
+static_assert(std::ranges::all_of(modbus::faultBits, hasKind));
+static_assert(std::ranges::all_of(modbus::warningBits, hasKind));
 
 } // namespace
 
@@ -239,13 +246,13 @@ const AlarmKind* AlarmCatalogue::find(const QString& code)
 const AlarmKind& AlarmCatalogue::of(modbus::FaultBit bit)
 {
     const auto index = static_cast<std::size_t>(bit);
-    return index < faultIds.size() ? known(faultIds[index]) : unknownFault();
+    return index < modbus::faultBits.size() ? *kindOf(modbus::faultBits[index]) : unknownFault();
 }
 
 const AlarmKind& AlarmCatalogue::of(modbus::WarningBit bit)
 {
     const auto index = static_cast<std::size_t>(bit);
-    return index < warningIds.size() ? known(warningIds[index]) : unknownWarning();
+    return index < modbus::warningBits.size() ? *kindOf(modbus::warningBits[index]) : unknownWarning();
 }
 
 const AlarmKind& AlarmCatalogue::unknownFault()
