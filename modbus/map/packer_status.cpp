@@ -16,8 +16,6 @@ constexpr std::uint32_t registersPerBag = 4;
 constexpr int minForPitch = 2;
 constexpr int minForScatter = 3;
 
-static_assert(packerAddress + packerRegisters == 0x01A8 && packerRegisters <= readbackRegisters);
-
 class PackerReader : public RegisterReader {
 public:
     explicit PackerReader(std::span<const std::uint16_t> registers)
@@ -92,9 +90,19 @@ void readView(const PackerReader& reader, PackerStatus& status)
 
 } // namespace
 
+std::uint16_t packerRegisters(std::uint16_t minor)
+{
+    unsigned end = packerAddress;
+    for (const RegisterInfo& row : registers()) {
+        if (row.name.starts_with("packer.") && row.minor <= minor)
+            end = static_cast<unsigned>(row.address) + row.count;
+    }
+    return static_cast<std::uint16_t>(end - packerAddress);
+}
+
 PackerStatus decodePacker(std::span<const std::uint16_t> registers)
 {
-    assert(registers.size() == packerRegisters);
+    assert(registers.size() <= packerRegisters());
     const PackerReader reader(registers);
     PackerStatus status;
     const std::uint32_t markState = reader.u32("packer.mark_state");

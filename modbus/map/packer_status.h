@@ -14,7 +14,8 @@
 namespace campanel::modbus {
 
 inline constexpr std::uint16_t packerAddress = 0x0140;
-inline constexpr std::uint16_t packerRegisters = 104;
+// Returns the size of the group in a controller of this minor version of the map.
+[[nodiscard]] std::uint16_t packerRegisters(std::uint16_t minor = mapMinor);
 
 struct BagRecord {
     std::uint32_t number = 0; // counted since power-up
@@ -84,7 +85,7 @@ struct PackerStatus {
     std::vector<FilmProduct> seenProducts;
 };
 
-// Decodes packerRegisters registers from packerAddress on.
+// Decodes the group from packerAddress on, as long as the controller has it.
 [[nodiscard]] PackerStatus decodePacker(std::span<const std::uint16_t> registers);
 
 } // namespace campanel::modbus

@@ -42,13 +42,13 @@ Asked askedBy(std::uint8_t choice)
         std::uint16_t address;
         std::uint16_t count;
     };
-    static constexpr std::array blocks{Block{identityAddress, identityRegisters},
-                                       Block{statusAddress, std::uint16_t{statusRegisters}},
-                                       Block{0x0210, commandResultRegisters},
-                                       Block{0x0318, transferResultRegisters},
-                                       Block{packerAddress, packerRegisters},
-                                       Block{ioAddress, ioRegisters},
-                                       Block{0x2000, 64}};
+    static const std::array blocks{Block{identityAddress, identityRegisters},
+                                   Block{statusAddress, std::uint16_t{statusRegisters}},
+                                   Block{0x0210, commandResultRegisters},
+                                   Block{0x0318, transferResultRegisters},
+                                   Block{packerAddress, packerRegisters()},
+                                   Block{ioAddress, ioRegisters},
+                                   Block{0x2000, 64}};
     const Block& block = blocks[choice % blocks.size()];
     const auto high = [](std::uint16_t value) { return static_cast<std::uint8_t>(value >> 8); };
     const auto low = [](std::uint16_t value) { return static_cast<std::uint8_t>(value & 0xFFu); };

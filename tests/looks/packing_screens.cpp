@@ -27,12 +27,12 @@ public:
     void tell(DemoLink& link) const
     {
         constexpr quint32 packingLine = 1; // id of the reader of this group
-        const link::ReadRequest request{packingLine, modbus::packerAddress, modbus::packerRegisters};
+        const link::ReadRequest request{packingLine, modbus::packerAddress, modbus::packerRegisters()};
         emit link.registersRead({request, link::ReadEnd::Done, m_registers, link.now(), std::nullopt});
     }
 
 private:
-    std::vector<std::uint16_t> m_registers = std::vector<std::uint16_t>(modbus::packerRegisters);
+    std::vector<std::uint16_t> m_registers = std::vector<std::uint16_t>(modbus::packerRegisters());
 };
 
 Packer following()

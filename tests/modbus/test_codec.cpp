@@ -35,6 +35,7 @@ private slots:
     void statusUnknownsAreEmpty();
     void statusKnowns();
     void ioHasWhatIsAvailable();
+    void packerGroupIsOneReading();
     void lastBagNumbersEnd();
     void wireTimes_data();
     void wireTimes();
@@ -212,10 +213,17 @@ void CodecTest::ioHasWhatIsAvailable()
     QVERIFY(!decodeIo(registers).level(InputBit::DriveAlarm));
 }
 
+// A panel reads as many registers of the film as the controller has.
+void CodecTest::packerGroupIsOneReading()
+{
+    QCOMPARE(int{packerRegisters(5)}, 104);
+    QVERIFY(packerRegisters() <= readbackRegisters);
+}
+
 // The number of a bag wraps after its 32 bits; a controller may say any.
 void CodecTest::lastBagNumbersEnd()
 {
-    std::vector<std::uint16_t> registers(packerRegisters);
+    std::vector<std::uint16_t> registers(packerRegisters());
     const std::size_t at = registerNamed("packer.bag_number").address - packerAddress;
     registers[at] = 0xFFFF;
     registers[at + 1] = 0xFFFF;

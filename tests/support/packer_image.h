@@ -38,7 +38,7 @@ public:
     [[nodiscard]] const std::vector<std::uint16_t>& registers() const { return m_registers; }
 
 private:
-    std::vector<std::uint16_t> m_registers = std::vector<std::uint16_t>(modbus::packerRegisters);
+    std::vector<std::uint16_t> m_registers = std::vector<std::uint16_t>(modbus::packerRegisters());
     std::uint32_t m_bag = 0;
 };
 

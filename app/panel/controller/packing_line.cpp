@@ -100,18 +100,24 @@ void PackingLine::ask()
     readSetup();
     m_isAsked = true;
     m_askedAt = m_controller.now();
-    m_controller.link().readRegisters({0, modbus::packerAddress, modbus::packerRegisters});
+    m_controller.link().readRegisters({0, modbus::packerAddress, registers()});
+}
+
+std::uint16_t PackingLine::registers() const
+{
+    const auto& identity = m_controller.identity();
+    return identity ? modbus::packerRegisters(identity->mapMinor) : std::uint16_t{0};
 }
 
 void PackingLine::takeRead(const link::ReadOutcome& outcome)
 {
-    if (outcome.request.address != modbus::packerAddress || outcome.request.count != modbus::packerRegisters)
+    if (outcome.request.address != modbus::packerAddress || outcome.request.count != registers())
         return;
     m_isAsked = false;
     const auto took = m_controller.now() - m_askedAt;
     m_timer.start(std::chrono::duration_cast<std::chrono::milliseconds>(
         std::max<link::SteadyTime::duration>(shortestPeriod, shareOfTheLine * took)));
-    if (outcome.end != link::ReadEnd::Done || outcome.registers.size() != modbus::packerRegisters)
+    if (outcome.end != link::ReadEnd::Done || outcome.registers.size() != outcome.request.count)
         return;
     m_status = modbus::decodePacker(outcome.registers);
     m_controller.telemetry()->take(modbus::packerAddress, outcome.registers);

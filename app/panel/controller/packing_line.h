@@ -102,6 +102,8 @@ private:
     void askWhenIdle();
     void ask();
     void readSetup();
+    // Returns the size of the group in this controller.
+    [[nodiscard]] std::uint16_t registers() const;
     void takeRead(const link::ReadOutcome& outcome);
     void reportBags();
     void forget();

@@ -32,7 +32,7 @@ const std::vector<const RegisterInfo*>& numbers()
             const bool isNumber =
                 info.type != RegisterType::Text && info.type != RegisterType::Block && info.enumName.empty();
             if (isNumber && info.address >= modbus::packerAddress &&
-                info.address < modbus::packerAddress + modbus::packerRegisters)
+                info.address < modbus::packerAddress + modbus::packerRegisters())
                 result.push_back(&info);
         }
         return result;

@@ -15,7 +15,7 @@ _Static_assert(CTL_REG_PACKER_BAGS + CTL_BAG_REGISTERS * CTL_BAG_RECORDS == CTL_
                "the records fill their place in the group");
 _Static_assert(CTL_REG_PACKER_CUTS + CTL_VIEW_CUTS == CTL_REG_PACKER_SEEN_MARKS, "so do the cuts in view");
 _Static_assert(CTL_REG_PACKER_SEEN_MARKS + CTL_VIEW_MARKS == CTL_REG_PACKER_SEEN_PRODUCTS, "so do the marks");
-_Static_assert(CTL_REG_PACKER_SEEN_PRODUCTS + 2u * CTL_VIEW_PRODUCTS ==
+_Static_assert(CTL_REG_PACKER_SEEN_PRODUCTS + 2u * CTL_VIEW_PRODUCTS <=
                    CTL_REG_PACKER_MARK_STATE + CTL_GROUP_PACKER,
                "so do the products");
 _Static_assert(CTL_VIEW_MARKS <= CTL_WAITING_MARKS && CTL_VIEW_PRODUCTS <= CTL_PRODUCTS,
@@ -124,8 +124,8 @@ static void put_view(const ctl_packer* packer, uint16_t* registers)
 void ctl_packer_registers(const ctl_packer* packer, uint16_t* registers)
 {
     memset(registers, 0, CTL_GROUP_PACKER * sizeof registers[0]);
-    for (uint32_t i = CTL_REG_PACKER_CUTS - CTL_REG_PACKER_MARK_STATE; i < CTL_GROUP_PACKER; ++i)
-        registers[i] = NOTHING;
+    for (uint32_t at = CTL_REG_PACKER_CUTS; at < CTL_REG_PACKER_SEEN_PRODUCTS + 2u * CTL_VIEW_PRODUCTS; ++at)
+        put(registers, at, NOTHING);
     if (packer->bank == NULL)
         return;
     put_marks(packer, registers);

@@ -38,7 +38,7 @@ struct PackingRig : test::PanelRig {
 
     void tell()
     {
-        emit link.registersRead({{0, modbus::packerAddress, modbus::packerRegisters},
+        emit link.registersRead({{0, modbus::packerAddress, modbus::packerRegisters()},
                                  link::ReadEnd::Done,
                                  packer.registers(),
                                  now,

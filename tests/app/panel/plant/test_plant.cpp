@@ -116,7 +116,7 @@ private slots:
             rig.machine.packing()->noteConnection(); // asks when nothing is asked
             test::PackerImage packer;
             packer.set("packer.film_gate", static_cast<double>(filmGate));
-            const link::ReadRequest request{0, modbus::packerAddress, modbus::packerRegisters};
+            const link::ReadRequest request{0, modbus::packerAddress, modbus::packerRegisters()};
             emit rig.link.registersRead(
                 {request, link::ReadEnd::Done, packer.registers(), rig.now, std::nullopt});
         };
