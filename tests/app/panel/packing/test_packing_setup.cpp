@@ -38,11 +38,10 @@ struct PackingRig : test::PanelRig {
 
     void tell()
     {
-        emit link.registersRead({{0, modbus::packerAddress, modbus::packerRegisters()},
-                                 link::ReadEnd::Done,
-                                 packer.registers(),
-                                 now,
-                                 {}});
+        const std::uint16_t count = modbus::packerRegisters(machine.identity()->mapMinor);
+        std::vector<std::uint16_t> registers = packer.registers();
+        registers.resize(count);
+        emit link.registersRead({{0, modbus::packerAddress, count}, link::ReadEnd::Done, registers, now, {}});
     }
     void set(const char* name, double value)
     {
