@@ -475,10 +475,10 @@ private slots:
         QQmlComponent component(&engine);
         component.setData(
             "import QtQuick\nimport CamPanel.Panel\nQtObject {\n"
-            "  property double length: Editor.cutter.bagLength.value\n"
+            "  property double length: Editor.field('bag_length_mm').value\n"
             "  property bool running: Controller.state === Controller.State.Running\n"
             "  property bool connected: Controller.connection === Controller.Connection.Connected\n"
-            "  property string language: Settings.language\n"
+            "  property string language: Settings.setting('display.language').key\n"
             "  property int laws: Editor.laws.count\n}",
             QUrl());
         const std::unique_ptr<QObject> object(component.create());
