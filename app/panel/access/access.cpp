@@ -45,8 +45,7 @@ Access::Access(DatabaseService& records, Controller& controller, Settings& setti
     });
     m_waitTimer.setInterval(waitPeriod);
     QCoreApplication::instance()->installEventFilter(this);
-    connect(LanguageNotifier::ofApplication(), &LanguageNotifier::languageChanged, this,
-            &Access::retranslate);
+    LanguageNotifier::follow(this, &Access::clearMessage);
 }
 
 Access::~Access()
@@ -264,13 +263,6 @@ void Access::showMessage(const QString& message, bool isFailed)
 void Access::clearMessage()
 {
     showMessage({}, false);
-}
-
-void Access::retranslate()
-{
-    clearMessage();
-    emit changed();
-    emit chosenChanged();
 }
 
 bool Access::eventFilter(QObject* watched, QEvent* event)

@@ -139,7 +139,6 @@ private:
     using Users = tl::expected<QList<store::User>, store::StoreError>;
     using Change = std::function<tl::expected<void, store::StoreError>(store::Database&)>;
 
-    void retranslate();
     [[nodiscard]] panel::Level currentLevel() const;
     [[nodiscard]] qint64 waitMs() const;
     [[nodiscard]] const store::User* find(qint64 id) const;

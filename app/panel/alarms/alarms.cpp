@@ -68,8 +68,8 @@ Alarms::Alarms(Controller& controller, Editor& editor, DatabaseService& records,
     records.store().run(
         this, [](store::Database& database) { return AlarmLog::begin(database); },
         [this](const tl::expected<AlarmLog::Start, StoreError>& start) { begin(start); });
-    connect(LanguageNotifier::ofApplication(), &LanguageNotifier::languageChanged, this,
-            &Alarms::retranslate);
+    LanguageNotifier::follow(this);
+    LanguageNotifier::follow(&m_detail);
 }
 
 AlarmBook::Now Alarms::now() const
@@ -243,15 +243,6 @@ void Alarms::check()
     m_history.setToday(today());
     if (m_book.endShelves(now().utcMs))
         noteChange();
-}
-
-void Alarms::retranslate()
-{
-    m_live.refresh();
-    m_history.rows()->refresh();
-    m_shelved.refresh();
-    emit m_detail.changed();
-    emit changed();
 }
 
 } // namespace campanel::panel

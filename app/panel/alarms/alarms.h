@@ -99,7 +99,6 @@ signals:
     void noted(const campanel::store::AuditEntry& entry);
 
 private:
-    void retranslate();
     void raise(const AlarmKind& kind, const QString& detail);
     void clear(const AlarmKind& kind, store::AlarmRow::End end);
     void begin(const tl::expected<store::AlarmLog::Start, store::StoreError>& start);

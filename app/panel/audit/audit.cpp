@@ -39,7 +39,7 @@ Audit::Audit(DatabaseService& records, AuditTrail& trail, QObject* parent)
             this)
 {
     connect(&trail, &AuditTrail::appended, &m_log, &AuditPages::add);
-    connect(LanguageNotifier::ofApplication(), &LanguageNotifier::languageChanged, this, &Audit::retranslate);
+    LanguageNotifier::follow(this);
 }
 
 void Audit::open()
@@ -170,14 +170,6 @@ QVariantList Audit::detail() const
     add(tr("Result"), AuditWords::outcome(entry.outcome));
     add(tr("Hash"), QString::fromLatin1(m_selected->hash.toHex().left(16)));
     return lines;
-}
-
-void Audit::retranslate()
-{
-    rows()->refresh();
-    emit changed();
-    emit detailChanged();
-    emit chainChanged();
 }
 
 } // namespace campanel::panel

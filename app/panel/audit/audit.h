@@ -99,7 +99,6 @@ signals:
     void chainChanged();
 
 private:
-    void retranslate();
     void checkNext(store::ChainCheck check);
 
     DatabaseService& m_records;

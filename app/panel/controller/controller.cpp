@@ -55,8 +55,7 @@ Controller::Controller(link::Link& link, Settings& settings, QObject* parent)
     m_ageTimer.start(agePeriod);
     connect(&m_qualityTimer, &QTimer::timeout, this, &Controller::qualityChanged);
     m_qualityTimer.start(qualityPeriod);
-    connect(LanguageNotifier::ofApplication(), &LanguageNotifier::languageChanged, this,
-            &Controller::retranslate);
+    LanguageNotifier::follow(this, [this] { showMessage({}); });
 }
 
 void Controller::open()
@@ -373,18 +372,6 @@ void Controller::showMessage(const QString& text)
         return;
     m_commandMessage = text;
     emit commandMessageChanged();
-}
-
-void Controller::retranslate()
-{
-    emit connectionChanged();
-    emit stateChanged();
-    emit commandsChanged();
-    m_strokes.rows()->refresh();
-    m_direction.retranslate();
-    m_packing.retranslate();
-    m_startPermit.retranslate();
-    m_torque.retranslate();
 }
 
 } // namespace campanel::panel

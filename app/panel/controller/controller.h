@@ -202,7 +202,6 @@ signals:
     void parameterWritten(const campanel::link::ParameterOutcome& outcome);
 
 private:
-    void retranslate();
     void takeReport(const link::LinkReport& report);
     void takeStatus(const link::StatusBatch& batch);
     void takeProgram(const link::ActiveProgram& program);

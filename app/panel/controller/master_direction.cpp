@@ -2,6 +2,7 @@
 #include "app/panel/controller/master_direction.h"
 
 #include "app/panel/controller/controller.h"
+#include "app/panel/kit/language_notifier.h"
 #include "app/panel/words/cam_sentences.h"
 #include "app/panel/words/connection_sentences.h"
 
@@ -25,6 +26,7 @@ MasterDirection::MasterDirection(Controller& controller)
     , m_parameter(controller.parameter("parameter.master_direction"))
 {
     connect(&m_parameter, &Parameter::changed, this, &MasterDirection::changed);
+    LanguageNotifier::follow(this);
 }
 
 std::optional<int> MasterDirection::programSign() const

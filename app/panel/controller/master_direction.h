@@ -49,7 +49,6 @@ public:
     void noteConnection();
     void noteProgram();
     void noteStatus(const link::StatusBatch& batch);
-    void retranslate() { emit changed(); }
 
 signals:
     void changed();

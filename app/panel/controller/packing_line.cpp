@@ -2,6 +2,7 @@
 #include "app/panel/controller/packing_line.h"
 
 #include "app/panel/controller/controller.h"
+#include "app/panel/kit/language_notifier.h"
 #include "app/panel/words/controller_sentences.h"
 
 #include <algorithm>
@@ -31,6 +32,7 @@ PackingLine::PackingLine(Controller& controller)
     connect(&controller.link(), &link::Link::registersRead, this, &PackingLine::takeRead);
     for (Parameter* parameter : {&m_sensor, &m_window})
         connect(parameter, &Parameter::changed, this, &PackingLine::changed);
+    LanguageNotifier::follow(this);
 }
 
 bool PackingLine::recordsBags() const

@@ -91,7 +91,6 @@ public:
     [[nodiscard]] bool recordsBags() const;
     void noteConnection();
     void noteProgram();
-    void retranslate() { emit changed(); }
 
 signals:
     void changed();

@@ -16,8 +16,7 @@ ParameterField::ParameterField(Controller& controller, const ParameterRow& row)
     , m_parameter(controller.parameter(row.name))
 {
     connect(&m_parameter, &Parameter::changed, this, &ParameterField::update);
-    connect(LanguageNotifier::ofApplication(), &LanguageNotifier::languageChanged, this,
-            &ParameterField::update);
+    LanguageNotifier::follow(this, &ParameterField::update);
     connect(this, &Value::setRequested, this, &ParameterField::write);
     connect(&controller, &Controller::programChanged, this, &ParameterField::shownChanged);
     update();

@@ -3,6 +3,7 @@
 
 #include "app/panel/controller/controller.h"
 #include "app/panel/kit/format.h"
+#include "app/panel/kit/language_notifier.h"
 #include "app/panel/kit/numbers.h"
 #include "app/panel/words/connection_sentences.h"
 #include "app/panel/words/controller_sentences.h"
@@ -22,6 +23,10 @@ ParameterFields::ParameterFields(Controller& controller, QObject* parent)
         const Field* field = selected();
         if (m_controller.accessCheck().require(Level::Technician) && field)
             write(*field, value);
+    });
+    LanguageNotifier::follow(this, [this] {
+        m_outcome.clear(); // it is in the previous language
+        notifyChange();
     });
 }
 
@@ -111,12 +116,6 @@ void ParameterFields::notifyChange()
     if (!m_fields.empty())
         emit dataChanged(index(0), index(rowCount() - 1));
     emit changed();
-}
-
-void ParameterFields::retranslate()
-{
-    m_outcome.clear();
-    notifyChange();
 }
 
 void ParameterFields::select(int row)

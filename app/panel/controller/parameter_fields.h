@@ -47,7 +47,6 @@ public:
     [[nodiscard]] double value(const char* name) const;
     // Writes a value; for technicians. Ends in one written().
     void write(const char* name, double value);
-    void retranslate();
 
     Q_INVOKABLE void select(int row);
     Q_INVOKABLE void setChoice(int row, int choice);

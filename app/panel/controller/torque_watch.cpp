@@ -3,6 +3,7 @@
 
 #include "app/panel/controller/controller.h"
 #include "app/panel/kit/format.h"
+#include "app/panel/kit/language_notifier.h"
 #include "app/program/solved_program.h"
 
 #include <algorithm>
@@ -15,7 +16,6 @@ using namespace std::chrono_literals;
 namespace campanel::panel {
 
 namespace {
-
 
 constexpr auto readPeriod = 300ms; // faster numbers cannot be read
 constexpr double fullSpeedPercent = 99.99;
@@ -36,6 +36,7 @@ TorqueWatch::TorqueWatch(Controller& controller)
     m_timer.setInterval(readPeriod);
     connect(&m_timer, &QTimer::timeout, &m_pins, &IoPins::read);
     connect(&m_pins, &IoPins::changed, this, &TorqueWatch::takePins);
+    LanguageNotifier::follow(this);
 }
 
 void TorqueWatch::setWatched(bool isWatched)

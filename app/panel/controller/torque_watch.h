@@ -68,7 +68,6 @@ public:
     void noteConnection();
     void noteProgram();
     void noteStatus();
-    void retranslate() { emit changed(); }
 
 signals:
     void watchedChanged();

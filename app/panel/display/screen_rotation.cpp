@@ -2,6 +2,7 @@
 #include "app/panel/display/screen_rotation.h"
 
 #include "app/panel/controller/controller.h"
+#include "app/panel/kit/language_notifier.h"
 #include "app/panel/settings/settings.h"
 
 using namespace std::chrono_literals;
@@ -22,7 +23,7 @@ ScreenRotation::ScreenRotation(Controller& controller, Settings& settings, QObje
     m_timer.setInterval(1s);
     m_timer.callOnTimeout(this, &ScreenRotation::tick);
     connect(&settings, &Settings::changed, this, &ScreenRotation::changed);
-    connect(&settings, &Settings::textsChanged, this, &ScreenRotation::changed);
+    LanguageNotifier::follow(this);
     connect(&controller, &Controller::stateChanged, this, [this] {
         if (m_controller.isMoving())
             goBack(); // now, not in the middle of a run

@@ -3,6 +3,7 @@
 
 #include "app/panel/controller/controller.h"
 #include "app/panel/download/differences_text.h"
+#include "app/panel/kit/language_notifier.h"
 #include "app/panel/words/cam_sentences.h"
 #include "app/panel/words/connection_sentences.h"
 #include "app/program/cam_advance.h"
@@ -26,6 +27,7 @@ ProgramDownload::ProgramDownload(Controller& controller, QObject* parent)
     connect(&controller, &Controller::programChanged, this, &ProgramDownload::update);
     connect(&controller, &Controller::savedChanged, this, &ProgramDownload::update);
     connect(&controller, &Controller::commandsChanged, this, &ProgramDownload::update);
+    LanguageNotifier::follow(this, &ProgramDownload::update);
 }
 
 void ProgramDownload::offer(std::shared_ptr<const program::ProgramImage> image)

@@ -97,8 +97,7 @@ Editor::Editor(Controller& controller, const QString& folder, QObject* parent)
     });
     connect(&controller, &Controller::connectionChanged, this, &Editor::watchController);
     connect(&controller, &Controller::programChanged, this, &Editor::show);
-    connect(LanguageNotifier::ofApplication(), &LanguageNotifier::languageChanged, this,
-            &Editor::retranslate);
+    connect(LanguageNotifier::ofApplication(), &LanguageNotifier::languageChanged, this, &Editor::show);
     m_identity = controller.identity();
     recompute();
 }
@@ -445,13 +444,6 @@ void Editor::showNotice(const QString& text)
 void Editor::dismissNotice()
 {
     showNotice({});
-}
-
-void Editor::retranslate()
-{
-    show();
-    m_table.setImage(m_solution.image);
-    m_download.update();
 }
 
 } // namespace campanel::panel

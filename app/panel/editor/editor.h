@@ -221,7 +221,6 @@ signals:
     void downloadEnded(const campanel::link::DownloadReport& report);
 
 private:
-    void retranslate();
     void connectFields();
     void connectKnots();
     void connectMap();

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/panel/kit/file_exchange.h"
 
+#include "app/panel/kit/language_notifier.h"
+
 #include <QDir>
 #include <QFileInfo>
 
@@ -18,6 +20,7 @@ FileExchange::FileExchange(QString ownFolder, QObject* parent)
 {
     m_pool->setMaxThreadCount(1);
     m_pool->setExpiryTimeout(-1); // it knows the places that did not answer
+    LanguageNotifier::follow(this, [this] { showMessage({}, false); }); // it is in the previous language
 }
 
 FileExchange::~FileExchange()

@@ -3,8 +3,35 @@
 
 #include <QCoreApplication>
 #include <QEvent>
+#include <QMetaProperty>
+#include <QSet>
 
 namespace campanel::panel {
+
+namespace {
+
+// Returns false also for a signal with an argument: it reports an event.
+bool isNotifiedText(const QMetaProperty& property)
+{
+    const int type = property.typeId();
+    return (type == QMetaType::QString || type == QMetaType::QStringList ||
+            type == QMetaType::QVariantList) &&
+           property.hasNotifySignal() && property.notifySignal().parameterCount() == 0;
+}
+
+void notifyTexts(QObject* object)
+{
+    QSet<int> done;
+    for (int i = 0; i < object->metaObject()->propertyCount(); ++i) {
+        const QMetaProperty property = object->metaObject()->property(i);
+        if (!isNotifiedText(property) || done.contains(property.notifySignalIndex()))
+            continue;
+        done.insert(property.notifySignalIndex());
+        property.notifySignal().invoke(object);
+    }
+}
+
+} // namespace
 
 LanguageNotifier* LanguageNotifier::ofApplication()
 {
@@ -15,6 +42,11 @@ LanguageNotifier* LanguageNotifier::ofApplication()
         application->installEventFilter(notifier);
     }
     return notifier;
+}
+
+void LanguageNotifier::follow(QObject* object)
+{
+    connect(ofApplication(), &LanguageNotifier::languageChanged, object, [object] { notifyTexts(object); });
 }
 
 bool LanguageNotifier::eventFilter(QObject* watched, QEvent* event)

@@ -23,8 +23,7 @@ LogFilterEditor::LogFilterEditor(QObject* parent)
     : QObject(parent)
     , m_wallClock([] { return QDateTime::currentDateTime(); })
 {
-    connect(LanguageNotifier::ofApplication(), &LanguageNotifier::languageChanged, this,
-            &LogFilterEditor::changed);
+    LanguageNotifier::follow(this);
 }
 
 QDateTime LogFilterEditor::moment(Limit limit) const

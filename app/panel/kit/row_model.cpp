@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/panel/kit/row_model.h"
 
+#include "app/panel/kit/language_notifier.h"
+
 #include <QMetaProperty>
 
 #include <cstddef>
@@ -81,6 +83,7 @@ RowModelBase::RowModelBase(const QMetaObject& gadget, QObject* parent)
     : QAbstractListModel(parent)
     , m_gadget(gadget)
 {
+    LanguageNotifier::follow(this, &RowModelBase::refresh);
 }
 
 void RowModelBase::refresh()

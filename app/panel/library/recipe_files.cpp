@@ -2,6 +2,7 @@
 #include "app/panel/library/recipe_files.h"
 
 #include "app/panel/kit/format.h"
+#include "app/panel/kit/language_notifier.h"
 #include "app/panel/recipe/recipe_comparison.h"
 #include "app/store/files/files.h"
 
@@ -34,6 +35,7 @@ RecipeFiles::RecipeFiles(const QString& ownFolder, Consequence consequence, QObj
     m_offerTimer.setSingleShot(true);
     m_offerTimer.setInterval(offerPause);
     connect(&m_offerTimer, &QTimer::timeout, this, &RecipeFiles::search);
+    LanguageNotifier::follow(this, &RecipeFiles::updateRows);
 }
 
 void RecipeFiles::setKeyFolder(const QString& folder)

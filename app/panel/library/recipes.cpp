@@ -60,8 +60,10 @@ Recipes::Recipes(Controller& controller, Editor& editor, DatabaseService& record
         const RecipeVersion* known = named(QString::fromStdString(name));
         return known ? known->version : 0;
     });
-    connect(LanguageNotifier::ofApplication(), &LanguageNotifier::languageChanged, this,
-            &Recipes::retranslate);
+    LanguageNotifier::follow(this, [this] {
+        dismissMessage(); // it is in the previous language
+        show();
+    });
 }
 
 Recipes::~Recipes()
@@ -476,13 +478,6 @@ void Recipes::say(const QString& text)
 void Recipes::dismissMessage()
 {
     say({});
-}
-
-void Recipes::retranslate()
-{
-    dismissMessage(); // the message is in the previous language
-    show();
-    m_files.updateRows();
 }
 
 } // namespace campanel::panel

@@ -134,7 +134,7 @@ public:
     // opened.
     Q_INVOKABLE void create(int kind);
     using Singleton<Recipes>::create; // that of QML, which the one above would hide
-    Q_INVOKABLE void copy(); // the chosen recipe
+    Q_INVOKABLE void copy();          // the chosen recipe
     Q_INVOKABLE void saveAs();
     Q_INVOKABLE void rename();
     Q_INVOKABLE void remove();
@@ -167,7 +167,6 @@ signals:
 private:
     using Versions = QList<store::RecipeVersion>;
 
-    void retranslate();
     // Calls `job` with the library in its thread, then `done` in this one; reports an error.
     template <typename Job, typename Done> void work(Job job, Done done);
     // Saves the recipe, reports it (`recipe` of the result is the given one, under its version) and reads all

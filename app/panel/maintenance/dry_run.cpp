@@ -3,6 +3,7 @@
 
 #include "app/panel/editor/editor.h"
 #include "app/panel/kit/format.h"
+#include "app/panel/kit/language_notifier.h"
 
 #include <cmath>
 #include <numbers>
@@ -32,6 +33,7 @@ DryRun::DryRun(QObject* parent)
 {
     m_timer.setInterval(playPeriod);
     connect(&m_timer, &QTimer::timeout, this, [this] { turn(degPerFrame); });
+    LanguageNotifier::follow(this, &DryRun::update);
 }
 
 void DryRun::follow(const Editor& editor)
@@ -157,11 +159,6 @@ void DryRun::drag(double x, double y)
     const double now = degAt(x, y);
     turn(std::remainder(now - m_fingerDeg, 360));
     m_fingerDeg = now;
-}
-
-void DryRun::retranslate()
-{
-    update();
 }
 
 void DryRun::update()

@@ -74,8 +74,6 @@ public:
     Q_INVOKABLE void grab(double x, double y);
     Q_INVOKABLE void drag(double x, double y);
 
-    void retranslate();
-
 signals:
     void changed();
     void playingChanged();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/panel/maintenance/frame_list.h"
 
+#include "app/panel/kit/language_notifier.h"
 #include "app/panel/words/frame_words.h"
 
 #include <algorithm>
@@ -17,6 +18,10 @@ FrameList::FrameList(link::Link& link, ReportFiles& files, QObject* parent)
     , m_timeOfDay(QDateTime::currentDateTime())
 {
     connect(&link, &link::Link::framesRecorded, this, &FrameList::takeFrames);
+    LanguageNotifier::follow(this, [this] {
+        if (count() > 0)
+            emit dataChanged(index(0), index(count() - 1));
+    });
 }
 
 void FrameList::setTimeOfDay(link::SteadyTime moment, const QDateTime& timeOfDay)
@@ -243,13 +248,6 @@ void FrameList::exportText()
     m_files.offer({{tr("link frames"), u"txt"_s, [records = std::move(records)] {
                         return QByteArray::fromStdString(modbus::framesText(records));
                     }}});
-}
-
-void FrameList::retranslate()
-{
-    if (count() > 0)
-        emit dataChanged(index(0), index(count() - 1));
-    emit detailChanged();
 }
 
 int FrameList::rowCount(const QModelIndex& parent) const

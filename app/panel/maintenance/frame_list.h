@@ -71,8 +71,6 @@ public:
     // Offers the filtered frames as a text file.
     Q_INVOKABLE void exportText();
 
-    void retranslate();
-
     [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
     [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
     [[nodiscard]] QHash<int, QByteArray> roleNames() const override;

@@ -2,6 +2,7 @@
 #include "app/panel/maintenance/homing.h"
 
 #include "app/panel/controller/controller.h"
+#include "app/panel/kit/language_notifier.h"
 
 namespace campanel::panel {
 
@@ -29,6 +30,7 @@ Homing::Homing(Controller& controller, QObject* parent)
         if (outcome.command == modbus::Command::Home && outcome.end == link::CommandEnd::Done && !moves())
             end(Result::Done);
     });
+    LanguageNotifier::follow(this);
 }
 
 bool Homing::moves() const

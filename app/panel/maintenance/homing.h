@@ -3,7 +3,6 @@
 // last time.
 #pragma once
 
-
 #include <QObject>
 #include <QtQml/qqmlregistration.h>
 
@@ -52,8 +51,6 @@ public:
 
     // Calls Controller::home(), when nothing blocks it.
     Q_INVOKABLE void home();
-
-    void retranslate() { emit changed(); }
 
 signals:
     void changed();

@@ -3,6 +3,7 @@
 
 #include "app/panel/controller/controller.h"
 #include "app/panel/kit/format.h"
+#include "app/panel/kit/language_notifier.h"
 #include "app/panel/words/alarm_catalogue.h"
 #include "app/panel/words/controller_sentences.h"
 
@@ -46,6 +47,7 @@ IoList::IoList(Controller& controller, QObject* parent)
             if (watched())
                 refresh();
         });
+    LanguageNotifier::follow(this, &IoList::retranslate);
 }
 
 void IoList::setWatched(bool isWatched)

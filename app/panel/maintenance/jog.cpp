@@ -2,6 +2,7 @@
 #include "app/panel/maintenance/jog.h"
 
 #include "app/panel/controller/controller.h"
+#include "app/panel/kit/language_notifier.h"
 
 #include <limits>
 #include <utility>
@@ -68,6 +69,7 @@ Jog::Jog(Controller& controller, QObject* parent)
     connect(&controller, &Controller::liveChanged, this, &Jog::positionChanged);
     // Any command ends jogging, above all Stop.
     connect(&controller, &Controller::commandSending, this, [this] { finish(End::Stopped); });
+    LanguageNotifier::follow(this);
 }
 
 bool Jog::possible() const

@@ -4,7 +4,6 @@
 // released first.
 #pragma once
 
-
 #include <QObject>
 #include <QTimer>
 #include <QtQml/qqmlregistration.h>
@@ -48,8 +47,6 @@ public:
     Q_INVOKABLE void release(int direction);
     // Stops the jog when the keys leave the screen or the window is not in front.
     Q_INVOKABLE void letGo();
-
-    void retranslate() { emit changed(); }
 
 signals:
     void changed();

@@ -2,6 +2,7 @@
 #include "app/panel/maintenance/line_figures.h"
 
 #include "app/panel/kit/format.h"
+#include "app/panel/kit/language_notifier.h"
 #include "app/panel/kit/numbers.h"
 #include "app/panel/maintenance/figures_csv.h"
 
@@ -26,6 +27,7 @@ LineFigures::LineFigures(link::Link& link, AccessCheck& access, ReportFiles& fil
 {
     connect(&link, &link::Link::figuresReported, this, &LineFigures::takeFigures);
     showRows();
+    LanguageNotifier::follow(this, &LineFigures::showRows);
 }
 
 void LineFigures::setWatched(bool isWatched)

@@ -57,8 +57,6 @@ public:
     // Offers figures and strip as two CSV files.
     Q_INVOKABLE void exportCsv();
 
-    void retranslate() { showRows(); }
-
 signals:
     void watchedChanged();
     void stripChanged();

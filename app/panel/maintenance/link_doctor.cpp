@@ -2,6 +2,7 @@
 #include "app/panel/maintenance/link_doctor.h"
 
 #include "app/panel/controller/controller.h"
+#include "app/panel/kit/language_notifier.h"
 #include "app/panel/settings/settings.h"
 #include "app/panel/words/doctor_sentences.h"
 
@@ -19,6 +20,7 @@ LinkDoctor::LinkDoctor(Controller& controller, Settings& settings, QObject* pare
     connect(&controller.link(), &link::Link::scanReported, this, &LinkDoctor::takeScan);
     connect(&controller, &Controller::stateChanged, this, &LinkDoctor::changed);
     connect(&settings, &Settings::connectionChanged, this, &LinkDoctor::changed);
+    LanguageNotifier::follow(this, &LinkDoctor::showFindings);
 }
 
 QString LinkDoctor::blockedReason() const
@@ -160,12 +162,6 @@ void LinkDoctor::showFindings()
                 finding.isController()};
     }
     m_findings.setRows(rows);
-}
-
-void LinkDoctor::retranslate()
-{
-    showFindings();
-    emit changed();
 }
 
 } // namespace campanel::panel

@@ -59,8 +59,6 @@ public:
     // Uses the connection found, now and in future.
     Q_INVOKABLE void take();
 
-    void retranslate();
-
 signals:
     void changed();
     void begun(bool isSearch); // by a person

@@ -2,7 +2,6 @@
 #include "app/panel/maintenance/maintenance.h"
 
 #include "app/panel/controller/controller.h"
-#include "app/panel/kit/language_notifier.h"
 #include "app/panel/settings/settings.h"
 
 #include <QDir>
@@ -26,24 +25,6 @@ Maintenance::Maintenance(Controller& controller, Settings& settings, const QStri
     , m_dryRun(this)
 {
     m_files.guardBy(controller.accessCheck());
-    connect(LanguageNotifier::ofApplication(), &LanguageNotifier::languageChanged, this,
-            &Maintenance::retranslate);
-}
-
-void Maintenance::retranslate()
-{
-    m_doctor.retranslate();
-    m_simulatedFaults.retranslate();
-    m_figures.retranslate();
-    m_inspector.retranslate();
-    m_frames.retranslate();
-    m_packing.retranslate();
-    m_jog.retranslate();
-    m_homing.retranslate();
-    m_io.retranslate();
-    m_outputTry.retranslate();
-    m_switches.retranslate();
-    m_dryRun.retranslate();
 }
 
 } // namespace campanel::panel

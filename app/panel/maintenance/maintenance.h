@@ -60,8 +60,6 @@ public:
     [[nodiscard]] ReportFiles* files() { return &m_files; }
 
 private:
-    void retranslate();
-
     ReportFiles m_files;
     LinkDoctor m_doctor;
     SimulatedFaults m_simulatedFaults;

@@ -3,6 +3,7 @@
 
 #include "app/panel/controller/controller.h"
 #include "app/panel/kit/format.h"
+#include "app/panel/kit/language_notifier.h"
 #include "app/panel/kit/numbers.h"
 #include "app/panel/words/connection_sentences.h"
 #include "app/panel/words/register_words.h"
@@ -31,6 +32,10 @@ RegisterInspector::RegisterInspector(Controller& controller, QObject* parent)
     connect(&m_value, &Value::setRequested, this, &RegisterInspector::write);
     connect(&controller, &Controller::connectionChanged, this, &RegisterInspector::noteConnection);
     connect(&controller, &Controller::programChanged, this, &RegisterInspector::noteProgram);
+    LanguageNotifier::follow(this, [this] {
+        m_outcome.clear(); // it is in the previous language
+        updateSelected();
+    });
 }
 
 void RegisterInspector::setWatched(bool isWatched)
@@ -211,14 +216,6 @@ void RegisterInspector::takeWritten(const link::ParameterOutcome& outcome)
                 : tr("Written and read back from the controller: %1.").arg(number(outcome.value.value_or(0)));
     }
     readVisible();
-    updateSelected();
-}
-
-void RegisterInspector::retranslate()
-{
-    m_outcome.clear();
-    m_registers.retranslate();
-    emit filterChanged();
     updateSelected();
 }
 

@@ -60,7 +60,6 @@ public:
 
     Q_INVOKABLE void setVisibleRows(int first, int last);
     Q_INVOKABLE void select(int row);
-    void retranslate();
 
 signals:
     void watchedChanged();

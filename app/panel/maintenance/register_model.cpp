@@ -2,6 +2,7 @@
 #include "app/panel/maintenance/register_model.h"
 
 #include "app/panel/kit/format.h"
+#include "app/panel/kit/language_notifier.h"
 #include "app/panel/words/register_words.h"
 
 #include <algorithm>
@@ -14,6 +15,10 @@ RegisterModel::RegisterModel(QObject* parent)
     : QAbstractListModel(parent)
 {
     rebuild();
+    LanguageNotifier::follow(this, [this] {
+        if (count() > 0)
+            emit dataChanged(index(0), index(count() - 1));
+    });
 }
 
 QList<RegisterRow> RegisterModel::allRows() const
@@ -149,12 +154,6 @@ void RegisterModel::markOlderThan(link::SteadyTime time)
         shown.isStale = true;
         emit dataChanged(index(i), index(i), {StaleRole});
     }
-}
-
-void RegisterModel::retranslate()
-{
-    if (count() > 0)
-        emit dataChanged(index(0), index(count() - 1));
 }
 
 int RegisterModel::rowCount(const QModelIndex& parent) const

@@ -57,7 +57,6 @@ public:
     // Clears the readings outside these rows, which would become old unnoticed.
     void keepOnly(int first, int last);
     void markOlderThan(link::SteadyTime time);
-    void retranslate();
 
     [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
     [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/panel/maintenance/simulated_faults.h"
 
+#include "app/panel/kit/language_notifier.h"
+
 #include <QCoreApplication>
 
 #include <algorithm>
@@ -79,6 +81,7 @@ SimulatedFaults::SimulatedFaults(link::Link& link, AccessCheck& accessCheck, QOb
     setLevels(m_wanted);
     connect(&link, &link::Link::reported, this, &SimulatedFaults::takeReport);
     connect(&link, &link::Link::faultsSimulated, this, &SimulatedFaults::takeOutcome);
+    LanguageNotifier::follow(this);
 }
 
 QString LineFaultRow::name() const
@@ -162,12 +165,6 @@ void SimulatedFaults::setLevels(const QList<Level>& levels)
     for (const Level level : levels)
         rows << LineFaultRow{static_cast<int>(rows.size()), level};
     m_rows.setRows(rows);
-}
-
-void SimulatedFaults::retranslate()
-{
-    m_rows.refresh();
-    emit changed();
 }
 
 int SimulatedFaults::activeCount() const

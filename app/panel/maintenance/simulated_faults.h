@@ -53,7 +53,6 @@ public:
     // Requests another level; it becomes valid when the controller accepts it.
     Q_INVOKABLE void setLevel(int row, int level);
     Q_INVOKABLE void clear();
-    void retranslate();
 
     [[nodiscard]] Rows* rows() { return &m_rows; }
     [[nodiscard]] int activeCount() const;

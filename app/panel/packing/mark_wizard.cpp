@@ -7,6 +7,7 @@
 
 #include "app/panel/controller/controller.h"
 #include "app/panel/kit/format.h"
+#include "app/panel/kit/language_notifier.h"
 #include "app/panel/packing/packing_fields.h"
 
 #include <algorithm>
@@ -60,6 +61,7 @@ MarkWizard::MarkWizard(Controller& controller, PackingFields& fields, QObject* p
     connect(this, &MarkWizard::changed, this, &MarkWizard::updateMeasurement);
     updateMeasurement();
     connect(&controller.link(), &link::Link::rulerRead, this, &MarkWizard::takeRuler);
+    LanguageNotifier::follow(this);
 }
 
 void MarkWizard::setStep(Step step)
@@ -370,11 +372,6 @@ QString MarkWizard::text() const
         return m_failure;
     }
     return {};
-}
-
-void MarkWizard::retranslate()
-{
-    emit changed();
 }
 
 } // namespace campanel::panel

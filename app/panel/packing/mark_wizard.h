@@ -73,7 +73,6 @@ public:
     [[nodiscard]] Value* measurement() { return &m_measurement; }
     // Returns mm; NaN while an input is unknown.
     [[nodiscard]] double newDistanceMm() const;
-    void retranslate();
 
 signals:
     void changed();

@@ -3,6 +3,7 @@
 
 #include "app/panel/controller/controller.h"
 #include "app/panel/kit/format.h"
+#include "app/panel/kit/language_notifier.h"
 #include "app/panel/words/connection_sentences.h"
 
 #include <algorithm>
@@ -39,6 +40,7 @@ PackingSetup::PackingSetup(Controller& controller, QObject* parent)
     });
     connect(&m_fields, &PackingFields::changed, this, &PackingSetup::changed);
     connect(&controller.link(), &link::Link::commandEnded, this, &PackingSetup::takeCommand);
+    LanguageNotifier::follow(this, [this] { m_refusal.clear(); });
 }
 
 bool PackingSetup::available() const
@@ -144,14 +146,6 @@ QString PackingSetup::teachText() const
                   "length limit: this film does not match this recipe.")
             .arg(pitch, scatter, bag);
     return tr("The mark distance is %1 mm (± %2 mm), the recipe cuts %3 mm.").arg(pitch, scatter, bag);
-}
-
-void PackingSetup::retranslate()
-{
-    m_refusal.clear();
-    m_fields.retranslate();
-    m_wizard.retranslate();
-    emit changed();
 }
 
 } // namespace campanel::panel

@@ -46,7 +46,6 @@ public:
     Q_INVOKABLE void teach();
     // Reads all values; call it when the page opens.
     Q_INVOKABLE void open();
-    void retranslate();
 
 signals:
     void changed();

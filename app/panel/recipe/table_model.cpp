@@ -1,9 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/panel/recipe/table_model.h"
 
+#include "app/panel/kit/language_notifier.h"
 #include "app/panel/words/table_text.h"
 
 namespace campanel::panel {
+
+TableModel::TableModel(QObject* parent)
+    : QAbstractListModel(parent)
+{
+    LanguageNotifier::follow(this, [this] { setImage(m_image); });
+}
 
 void TableModel::setImage(std::shared_ptr<const program::ProgramImage> image)
 {

@@ -26,7 +26,7 @@ class TableModel : public QAbstractListModel {
 public:
     enum Role { CellsRole = Qt::UserRole + 1 };
 
-    using QAbstractListModel::QAbstractListModel;
+    explicit TableModel(QObject* parent = nullptr);
 
     void setImage(std::shared_ptr<const program::ProgramImage> image);
     [[nodiscard]] int count() const;

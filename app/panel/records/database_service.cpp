@@ -20,8 +20,7 @@ DatabaseService::DatabaseService(const QString& folder, QObject* parent)
     , m_store(folder)
 {
     connect(&m_store, &store::StoreThread::opened, this, &DatabaseService::takeOpening);
-    connect(LanguageNotifier::ofApplication(), &LanguageNotifier::languageChanged, this,
-            &DatabaseService::retranslate);
+    LanguageNotifier::follow(this);
 }
 
 DatabaseService::~DatabaseService() = default;
@@ -138,11 +137,6 @@ void DatabaseService::dismissNotice()
     m_error.reset();
     m_opening.reset();
     m_restore = {};
-    emit noticeChanged();
-}
-
-void DatabaseService::retranslate()
-{
     emit noticeChanged();
 }
 

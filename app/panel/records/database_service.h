@@ -48,7 +48,6 @@ signals:
     void errorReported(const campanel::store::StoreError& error); // emitted by reportError()
 
 private:
-    void retranslate();
     void takeOpening(const store::StoreThread::Report& report);
     void noteRenamed(const store::Database::Opening& opening);
     void append(store::AuditEntry entry);

@@ -62,8 +62,7 @@ Backup::Backup(const Parts& parts, const QString& folder, QObject* parent)
     QDir home(folder);
     for (const QString& old : home.entryList({snapshotName() + u'*'}, QDir::Dirs))
         QDir(home.filePath(old)).removeRecursively();
-    connect(LanguageNotifier::ofApplication(), &LanguageNotifier::languageChanged, this,
-            &Backup::retranslate);
+    LanguageNotifier::follow(this, [this] { takeFound(m_files); });
 }
 
 void Backup::setScanner(Scanner scanner)
@@ -290,12 +289,6 @@ void Backup::seal(const Snapshot& present)
                 showMessage(tr("The restore was not started: %1. Nothing was changed.").arg(ready.error()),
                             true);
         });
-}
-
-void Backup::retranslate()
-{
-    takeFound(m_files);
-    showMessage({}, false); // the message is in the previous language
 }
 
 } // namespace campanel::panel

@@ -98,7 +98,6 @@ private:
         QString newestRow; // number and hash of the newest row of the audit trail
     };
 
-    void retranslate();
     [[nodiscard]] bool require();
     void snapshot(const std::function<void(const Snapshot& taken)>& then);
     void addTrends(const Snapshot& taken, const std::function<void(const Snapshot& taken)>& then);

@@ -24,7 +24,7 @@ Scan::Scan(const Parts& parts, const QString& folder, QObject* parent)
     m_timer.setSingleShot(true);
     m_timer.callOnTimeout(this, [this] { carryOut(m_reader.expire(m_parts.controller.now())); });
     connect(&parts.settings, &Settings::changed, this, &Scan::updateSettings);
-    connect(LanguageNotifier::ofApplication(), &LanguageNotifier::languageChanged, this, [this] {
+    LanguageNotifier::follow(this, [this] {
         dismissNotice(); // it is in the previous language
         updateSettings();
     });

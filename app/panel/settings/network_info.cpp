@@ -2,6 +2,7 @@
 #include "app/panel/settings/network_info.h"
 
 #include "app/panel/kit/format.h"
+#include "app/panel/kit/language_notifier.h"
 
 #include <QNetworkInterface>
 #include <QTimeZone>
@@ -45,6 +46,7 @@ NetworkInfo::NetworkInfo(QObject* parent)
     m_timer.callOnTimeout(this, &NetworkInfo::refresh);
     m_timer.start(1s);
     refresh();
+    LanguageNotifier::follow(this);
 }
 
 void NetworkInfo::fix(const Fixed& facts)

@@ -2,6 +2,7 @@
 #include "app/panel/settings/settings.h"
 
 #include "app/link/port_finder.h"
+#include "app/panel/kit/language_notifier.h"
 
 #include <QLocale>
 #include <QSettings>
@@ -82,9 +83,7 @@ Settings::Settings(const QString& storage, QObject* parent, const SettingValues&
     load();
     m_draft = connection();
     QLocale::setDefault(QLocale(language()));
-    // Queued until the texts of the new language are available.
-    connect(this, &Settings::languageChanged, this, &Settings::textsChanged, Qt::QueuedConnection);
-    connect(this, &Settings::languageChanged, this, &Settings::updateFields, Qt::QueuedConnection);
+    LanguageNotifier::follow(this, &Settings::updateFields);
     connect(this, &Settings::changed, this, &Settings::updateFields);
     connect(this, &Settings::connectionChanged, this, &Settings::updateFields);
     connect(this, &Settings::connectionApplied, this, &Settings::changed);

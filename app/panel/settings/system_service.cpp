@@ -28,8 +28,7 @@ SystemService::SystemService(AccessCheck& check, const QString& service, QObject
 {
     m_timer.setInterval(2s);
     m_timer.callOnTimeout(this, &SystemService::refresh);
-    connect(LanguageNotifier::ofApplication(), &LanguageNotifier::languageChanged, this,
-            &SystemService::changed);
+    LanguageNotifier::follow(this);
 }
 
 void SystemService::setWatched(bool isWatched)

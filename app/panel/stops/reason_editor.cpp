@@ -14,10 +14,7 @@ ReasonEditor::ReasonEditor(Settings& settings)
     : m_settings(settings)
 {
     connect(&settings, &Settings::changed, this, &ReasonEditor::update);
-    connect(LanguageNotifier::ofApplication(), &LanguageNotifier::languageChanged, this, [this] {
-        m_rows.refresh();
-        emit changed();
-    });
+    LanguageNotifier::follow(this);
     update();
 }
 

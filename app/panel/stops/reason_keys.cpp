@@ -13,10 +13,7 @@ ReasonKeys::ReasonKeys(Settings& settings, QObject* parent)
     , m_settings(settings)
 {
     connect(&settings, &Settings::changed, this, &ReasonKeys::update);
-    connect(LanguageNotifier::ofApplication(), &LanguageNotifier::languageChanged, this, [this] {
-        m_rows.refresh();
-        emit changed();
-    });
+    LanguageNotifier::follow(this);
     update();
 }
 

@@ -2,6 +2,7 @@
 #include "app/panel/stops/shift_view.h"
 
 #include "app/panel/kit/format.h"
+#include "app/panel/kit/language_notifier.h"
 #include "app/panel/records/database_service.h"
 #include "app/panel/settings/settings.h"
 #include "app/panel/stops/stops.h"
@@ -85,6 +86,7 @@ ShiftView::ShiftView(Stops& owner, Settings& settings, DatabaseService& records)
         refresh();
         emit answered();
     });
+    LanguageNotifier::follow(this);
 }
 
 ShiftCalendar ShiftView::calendar() const
@@ -273,13 +275,6 @@ CsvExport::Job ShiftView::csvJob()
                                      csvFile(states, store::statesCsv(span, dialect))}};
         });
     };
-}
-
-void ShiftView::retranslate()
-{
-    m_reasons.refresh();
-    m_stops.refresh();
-    emit changed();
 }
 
 } // namespace campanel::panel

@@ -85,7 +85,6 @@ public:
     Q_INVOKABLE void select(int row);
     // Reads the shift again.
     void refresh();
-    void retranslate();
 
 signals:
     void watchedChanged();

@@ -34,7 +34,7 @@ StopSetup::StopSetup(Settings& settings)
     , m_reasons(settings)
 {
     connect(&settings, &Settings::changed, this, &StopSetup::update);
-    connect(LanguageNotifier::ofApplication(), &LanguageNotifier::languageChanged, this, &StopSetup::update);
+    LanguageNotifier::follow(this, &StopSetup::update);
     update();
 }
 

@@ -45,11 +45,7 @@ Stops::Stops(Controller& controller, Settings& settings, DatabaseService& record
     connect(&m_keys, &ReasonKeys::chosen, this,
             [this](const StopReason& reason) { answer(m_book.presentStop().id, reason); });
     connect(&settings, &Settings::changed, this, &Stops::updatePresent);
-    connect(LanguageNotifier::ofApplication(), &LanguageNotifier::languageChanged, this, [this] {
-        updatePresent();
-        emit presentChanged();
-        m_shift.retranslate();
-    });
+    LanguageNotifier::follow(this, &Stops::updatePresent);
     records.store().run(
         this, [](store::Database& database) { return StopLog::begin(database); },
         [this](const tl::expected<StopLog::Start, StoreError>& start) {

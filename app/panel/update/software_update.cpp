@@ -41,8 +41,11 @@ SoftwareUpdate::SoftwareUpdate(Controller& controller, const QString& folder, QO
     m_timer.setSingleShot(true);
     m_timer.callOnTimeout(this, &SoftwareUpdate::lookAgain);
     connect(&controller, &Controller::stateChanged, this, &SoftwareUpdate::showRows);
-    connect(LanguageNotifier::ofApplication(), &LanguageNotifier::languageChanged, this,
-            &SoftwareUpdate::retranslate);
+    LanguageNotifier::follow(this, [this] {
+        showRows();
+        if (m_outcome)
+            m_notice = outcomeText(*m_outcome);
+    });
 }
 
 void SoftwareUpdate::open()
@@ -331,14 +334,6 @@ void SoftwareUpdate::dismissNotice()
 {
     m_outcome.reset();
     m_notice.clear();
-    emit noticeChanged();
-}
-
-void SoftwareUpdate::retranslate()
-{
-    showRows();
-    if (m_outcome)
-        m_notice = outcomeText(*m_outcome);
     emit noticeChanged();
 }
 

@@ -110,7 +110,6 @@ private:
     void take(const UpdateOutcome& outcome);
     [[nodiscard]] static QString outcomeText(const UpdateOutcome& outcome);
     void endWork(const QString& problem);
-    void retranslate();
 
     Controller& m_controller;
     UpdatePlaces m_places;

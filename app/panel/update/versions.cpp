@@ -51,7 +51,7 @@ Versions::Versions(Controller& controller, Editor& editor, DatabaseService& reco
          {&Controller::connectionChanged, &Controller::programChanged, &Controller::stateChanged})
         connect(&m_controller, changed, this, &Versions::update);
     connect(&m_editor, &Editor::recipeChanged, this, &Versions::update);
-    connect(LanguageNotifier::ofApplication(), &LanguageNotifier::languageChanged, this, &Versions::update);
+    LanguageNotifier::follow(this, &Versions::update);
     update();
 }
 

@@ -186,6 +186,8 @@ private slots:
         rig.connectRunning();
         QCOMPARE(rig.machine.stateText(), "Running");
         QCOMPARE(rig.editor.bagLength()->label(), "Bag length");
+        rig.machine.start();
+        QVERIFY(!rig.machine.commandMessage().isEmpty()); // refused: it runs
         QSignalSpy states(&rig.machine, &panel::Controller::stateChanged);
         QSignalSpy languages(panel::LanguageNotifier::ofApplication(),
                              &panel::LanguageNotifier::languageChanged);
@@ -194,6 +196,7 @@ private slots:
         QVERIFY(QCoreApplication::installTranslator(&translator));
         QCOMPARE(rig.machine.stateText(), "运行");
         QCOMPARE(states.size(), 1);
+        QCOMPARE(rig.machine.commandMessage(), QString()); // not in the previous language
         QCOMPARE(languages.size(), 1);
         QCOMPARE(rig.editor.bagLength()->label(), "袋长");
         QCOMPARE(rig.editor.rate()->unit(), "袋/分");
