@@ -2,6 +2,7 @@
 #include "app/panel/maintenance/output_try.h"
 
 #include "app/panel/controller/controller.h"
+#include "app/panel/kit/language_notifier.h"
 #include "app/panel/words/connection_sentences.h"
 #include "app/panel/words/controller_sentences.h"
 
@@ -27,6 +28,7 @@ OutputTry::OutputTry(Controller& controller, QObject* parent)
     , m_controller(controller)
     , m_repeatTimer(this)
 {
+    LanguageNotifier::follow(this);
     m_repeatTimer.setInterval(renewalPeriod);
     m_repeatTimer.setTimerType(Qt::PreciseTimer);
     connect(&m_repeatTimer, &QTimer::timeout, this, [this] {

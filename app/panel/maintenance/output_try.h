@@ -46,8 +46,6 @@ public:
     // Switches the output off when the keys leave the screen or the window is not in front.
     Q_INVOKABLE void letGo();
 
-    void retranslate() { emit changed(); }
-
 signals:
     void changed();
     // Emitted for the audit trail, with the name of the output in the register map.
