@@ -21,7 +21,7 @@ using std::chrono::steady_clock;
 
 // The minimum poll period on a faster line: the screen cannot display more samples.
 constexpr auto shortestPollPeriod = 8ms;
-// What moves on a page is painted once per batch: 25 times a second.
+// A batch paints what moves on a page, 25 times a second.
 constexpr auto shortestBatchPeriod = 40ms;
 // The time at standstill after which the polls slow down.
 constexpr auto timeUntilRest = 1000ms;

@@ -211,7 +211,7 @@ void TestOutputs::whateverElseHappensEndsIt_data()
         QTest::newRow(name) << QString::fromLatin1(name);
 }
 
-// What ends it has ended it for good: nothing comes on again when the reason is gone.
+// A test that has ended stays so: nothing comes on again when the reason is gone.
 void TestOutputs::whateverElseHappensEndsIt()
 {
     QFETCH(QString, name);
