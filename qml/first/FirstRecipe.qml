@@ -33,13 +33,13 @@ Item {
         Row {
             spacing: Theme.size.spacing
             FieldTile {
-                objectName: "first_bagLength"
+                objectName: "first_bag_length_mm"
                 field: "bag_length_mm"
                 compact: false
                 width: step.half
             }
             FieldTile {
-                objectName: "first_rate"
+                objectName: "first_rate_bags_per_min"
                 field: "rate_bags_per_min"
                 compact: false
                 width: step.half
