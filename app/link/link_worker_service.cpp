@@ -27,8 +27,8 @@ void LinkWorker::holdStop(const CommandRequest& request, std::optional<std::uint
     m_heldStop = HeldStop{request, counter, false};
 }
 
-// Keeps a Stop whose exchange failed: it is sent again unless it is in doubt; its result is asked for then.
-// Another exchange goes before it, so that a lost line is detected.
+// Keeps a Stop whose exchange failed. In doubt, the controller is asked for its result first. Otherwise it is
+// sent again, after another exchange that detects a lost line.
 void LinkWorker::keepStop(const CommandRequest& request, const modbus::LinkError& error)
 {
     const bool isInDoubt = error.kind == modbus::LinkErrorKind::OutcomeUnknown;

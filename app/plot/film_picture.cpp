@@ -54,7 +54,7 @@ void FilmPicture::takeReport()
         m_motion.report(m_positionMm, m_speedMmPerS, m_clock());
 }
 
-// An eye that reads the film needs no more pictures, and each costs half a millisecond.
+// Returns true when the last picture is old enough: a person who reads the film sees no more of them.
 bool FilmPicture::isDue() const
 {
     return m_clock() - m_paintedS >= periodS;
