@@ -31,29 +31,18 @@ bool hasTorque(const ControllerProgram& program)
 TorqueWatch::TorqueWatch(Controller& controller)
     : m_controller(controller)
     , m_pins(controller, this)
-    , m_timer(this)
 {
-    m_timer.setInterval(readPeriod);
-    connect(&m_timer, &QTimer::timeout, &m_pins, &IoPins::read);
+    connect(this, &Watched::watchedChanged, this, [this] {
+        m_isPending = false;
+        if (!watched()) {
+            m_last = {};
+            m_readings.clear();
+        }
+        emit changed();
+    });
+    updateEvery(readPeriod, [this] { m_pins.read(); });
     connect(&m_pins, &IoPins::changed, this, &TorqueWatch::takePins);
     LanguageNotifier::follow(this);
-}
-
-void TorqueWatch::setWatched(bool isWatched)
-{
-    if (isWatched == watched())
-        return;
-    m_isPending = false;
-    if (isWatched) {
-        m_timer.start();
-        m_pins.read();
-    } else {
-        m_timer.stop();
-        m_last = {};
-        m_readings.clear();
-    }
-    emit watchedChanged();
-    emit changed();
 }
 
 void TorqueWatch::setMachineData(const std::optional<profile::Machine>& machine)

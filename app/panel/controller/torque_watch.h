@@ -5,14 +5,13 @@
 
 #include "app/panel/controller/io_pins.h"
 #include "app/panel/kit/numbers.h"
+#include "app/panel/kit/watched.h"
 #include "profile/model/machine.h"
 #include "profile/model/motion_profile.h"
 #include "profile/model/torque.h"
 
 #include <QList>
-#include <QObject>
 #include <QPointF>
-#include <QTimer>
 #include <QVariant>
 #include <QtQml/qqmlregistration.h>
 
@@ -20,12 +19,10 @@
 
 namespace campanel::panel {
 
-class TorqueWatch : public QObject {
+class TorqueWatch : public campanel::panel::Watched {
     Q_OBJECT
     QML_ELEMENT
     QML_UNCREATABLE("The torque belongs to the Controller")
-    // True while it is displayed; otherwise nothing is read.
-    Q_PROPERTY(bool watched READ watched WRITE setWatched NOTIFY watchedChanged FINAL)
     // The largest magnitude of measured minus predicted among the last readings at full speed.
     Q_PROPERTY(QString text READ text NOTIFY changed FINAL)
     Q_PROPERTY(QString shortText READ shortText NOTIFY changed FINAL)
@@ -46,8 +43,6 @@ public:
     // The controller must outlive the object.
     explicit TorqueWatch(Controller& controller);
 
-    [[nodiscard]] bool watched() const { return m_timer.isActive(); }
-    void setWatched(bool isWatched);
     [[nodiscard]] double measuredPercent() const;
     [[nodiscard]] double predictedPercent() const { return m_last.predictedPercent; }
     [[nodiscard]] double differencePercent() const;
@@ -70,7 +65,6 @@ public:
     void noteStatus();
 
 signals:
-    void watchedChanged();
     void changed();
 
 private:
@@ -84,7 +78,6 @@ private:
 
     Controller& m_controller;
     IoPins m_pins;
-    QTimer m_timer;
     std::optional<profile::Machine> m_machineData;
     profile::MotionProfile m_motion; // of the active program, forward; empty while unknown
     profile::TorqueLoad m_load;

@@ -37,18 +37,12 @@ program::Recipe withoutDot(program::Recipe recipe, const profile::Machine& machi
 } // namespace
 
 CutterMap::CutterMap(QObject* parent)
-    : QObject(parent)
+    : Watched(parent)
 {
-}
-
-void CutterMap::setWatched(bool isWatched)
-{
-    if (m_isWatched == isWatched)
-        return;
-    m_isWatched = isWatched;
-    updateMap();
-    emit watchedChanged();
-    emit changed();
+    connect(this, &Watched::watchedChanged, this, [this] {
+        updateMap();
+        emit changed();
+    });
 }
 
 void CutterMap::show(const program::Recipe& recipe, const Solution& solution,
@@ -63,7 +57,7 @@ void CutterMap::show(const program::Recipe& recipe, const Solution& solution,
 
 void CutterMap::updateMap()
 {
-    if (!m_isWatched || !m_recipe.isCutter()) {
+    if (!watched() || !m_recipe.isCutter()) {
         m_mapOf.reset();
         setMap(nullptr);
         return;

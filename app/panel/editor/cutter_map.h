@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// `Editor.cutter.map` in QML: the regime map of the edited cutter, and its recipe as a dot that a finger drags. The
-// map is computed only while it is watched.
+// `Editor.cutter.map` in QML: the regime map of the edited cutter, and its recipe as a dot that a finger
+// drags. The map is computed only while it is watched.
 #pragma once
 
+#include "app/panel/kit/watched.h"
 #include "app/panel/recipe/solution.h"
 #include "profile/cutter/regime_map.h"
 
 #include <QList>
-#include <QObject>
 #include <QStringList>
 #include <QVariant>
 #include <QtQml/qqmlregistration.h>
@@ -17,12 +17,11 @@
 
 namespace campanel::panel {
 
-class CutterMap : public QObject {
+class CutterMap : public campanel::panel::Watched {
     Q_OBJECT
     QML_ELEMENT
     QML_UNCREATABLE("The map belongs to the Editor")
 
-    Q_PROPERTY(bool watched READ watched WRITE setWatched NOTIFY watchedChanged FINAL)
     // The map as RegimePlot takes it; invalid when the recipe has none.
     Q_PROPERTY(QVariant map READ map NOTIFY mapChanged FINAL)
     Q_PROPERTY(QStringList limitNames READ limitNames NOTIFY changed FINAL)
@@ -39,8 +38,6 @@ class CutterMap : public QObject {
 public:
     explicit CutterMap(QObject* parent);
 
-    [[nodiscard]] bool watched() const { return m_isWatched; }
-    void setWatched(bool isWatched);
     [[nodiscard]] QVariant map() const;
     [[nodiscard]] QStringList limitNames() const;
     [[nodiscard]] QList<double> paperLengths() const;
@@ -59,7 +56,6 @@ public:
               const std::optional<modbus::Identity>& controller);
 
 signals:
-    void watchedChanged();
     void mapChanged();
     void changed(); // the recipe or the map
     void dragged(double lengthMm, double rateBagsPerMin);
@@ -69,7 +65,6 @@ private:
     void updateMap();
     void setMap(std::shared_ptr<const profile::RegimeMap> map);
 
-    bool m_isWatched = false;
     program::Recipe m_recipe;
     bool m_isKnown = false;                 // the recipe is a cutter with a motion
     profile::Machine m_machine;             // with the controller's limits

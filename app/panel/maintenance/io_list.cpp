@@ -30,13 +30,11 @@ IoList::Lamp lampOf(bool isOn)
 } // namespace
 
 IoList::IoList(Controller& controller, QObject* parent)
-    : QObject(parent)
+    : Watched(parent)
     , m_controller(controller)
-    , m_timer(this)
     , m_pins(controller, this)
 {
-    m_timer.setInterval(lampPeriod);
-    connect(&m_timer, &QTimer::timeout, this, &IoList::refresh);
+    updateEvery(lampPeriod, [this] { refresh(); });
     connect(&m_pins, &IoPins::changed, this, [this] {
         emit hasPinsChanged();
         if (watched())
@@ -48,19 +46,6 @@ IoList::IoList(Controller& controller, QObject* parent)
                 refresh();
         });
     LanguageNotifier::follow(this, &IoList::retranslate);
-}
-
-void IoList::setWatched(bool isWatched)
-{
-    if (isWatched == watched())
-        return;
-    if (isWatched) {
-        m_timer.start();
-        refresh();
-    } else {
-        m_timer.stop();
-    }
-    emit watchedChanged();
 }
 
 void IoList::refresh()

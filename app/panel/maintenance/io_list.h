@@ -6,8 +6,8 @@
 #include "app/link/link_values.h"
 #include "app/panel/controller/io_pins.h"
 #include "app/panel/kit/row_model.h"
+#include "app/panel/kit/watched.h"
 
-#include <QTimer>
 #include <QtQml/qqmlregistration.h>
 
 namespace campanel::panel {
@@ -43,12 +43,10 @@ public:
     bool operator==(const IoRow&) const = default;
 };
 
-class IoList : public QObject {
+class IoList : public campanel::panel::Watched {
     Q_OBJECT
     QML_ELEMENT
     QML_UNCREATABLE("Inputs and outputs belong to Maintenance")
-    // True while the list is displayed; otherwise nothing is updated.
-    Q_PROPERTY(bool watched READ watched WRITE setWatched NOTIFY watchedChanged FINAL)
     // True when all rows are older than a second, or without a connection.
     Q_PROPERTY(bool stale READ stale NOTIFY staleChanged FINAL)
     // True when the controller reports the levels of its pins and has cam switches.
@@ -64,8 +62,6 @@ public:
     // The controller must outlive the object.
     IoList(Controller& controller, QObject* parent);
 
-    [[nodiscard]] bool watched() const { return m_timer.isActive(); }
-    void setWatched(bool isWatched);
     [[nodiscard]] bool stale() const { return m_isStale; }
     [[nodiscard]] bool hasPins() const { return m_pins.present(); }
     [[nodiscard]] Rows* rows() { return &m_rows; }
@@ -73,7 +69,6 @@ public:
     void retranslate() { refresh(); }
 
 signals:
-    void watchedChanged();
     void staleChanged();
     void hasPinsChanged();
 
@@ -89,7 +84,6 @@ private:
     void addBits(QList<Row>& rows, const modbus::StatusBlock& status) const;
 
     Controller& m_controller;
-    QTimer m_timer;
     IoPins m_pins;
     Rows m_rows{this};
     bool m_isStale = true;

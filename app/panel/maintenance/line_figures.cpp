@@ -20,24 +20,18 @@ QString count(std::uint64_t number)
 } // namespace
 
 LineFigures::LineFigures(link::Link& link, AccessCheck& access, ReportFiles& files, QObject* parent)
-    : QObject(parent)
+    : Watched(parent)
     , m_link(link)
     , m_access(access)
     , m_files(files)
 {
     connect(&link, &link::Link::figuresReported, this, &LineFigures::takeFigures);
+    connect(this, &Watched::watchedChanged, this, [this] {
+        if (m_readers == 0)
+            m_link.watchFigures(watched());
+    });
     showRows();
     LanguageNotifier::follow(this, &LineFigures::showRows);
-}
-
-void LineFigures::setWatched(bool isWatched)
-{
-    if (m_isWatched == isWatched)
-        return;
-    m_isWatched = isWatched;
-    if (m_readers == 0)
-        m_link.watchFigures(isWatched);
-    emit watchedChanged();
 }
 
 void LineFigures::readOnce(QObject* context, const std::function<void(const link::FiguresReport&)>& take)
@@ -46,7 +40,7 @@ void LineFigures::readOnce(QObject* context, const std::function<void(const link
     connect(
         &m_link, &link::Link::figuresReported, context,
         [this, take](const link::FiguresReport& report) {
-            if (--m_readers == 0 && !m_isWatched)
+            if (--m_readers == 0 && !watched())
                 m_link.watchFigures(false);
             take(report);
         },

@@ -6,9 +6,9 @@
 #include "app/link/link.h"
 #include "app/panel/kit/figure_model.h"
 #include "app/panel/kit/report_files.h"
+#include "app/panel/kit/watched.h"
 
 #include <QDateTime>
-#include <QObject>
 #include <QtQml/qqmlregistration.h>
 
 #include <functional>
@@ -16,11 +16,10 @@
 
 namespace campanel::panel {
 
-class LineFigures : public QObject {
+class LineFigures : public campanel::panel::Watched {
     Q_OBJECT
     QML_ELEMENT
     QML_UNCREATABLE("The figures belong to Maintenance")
-    Q_PROPERTY(bool watched READ watched WRITE setWatched NOTIFY watchedChanged FINAL)
     Q_PROPERTY(campanel::panel::RowModelBase* exchanges READ exchanges CONSTANT FINAL)
     Q_PROPERTY(campanel::panel::RowModelBase* errors READ errors CONSTANT FINAL)
     Q_PROPERTY(campanel::panel::RowModelBase* times READ times CONSTANT FINAL)
@@ -35,8 +34,6 @@ public:
     // Both arguments must outlive the object.
     LineFigures(link::Link& link, AccessCheck& access, ReportFiles& files, QObject* parent);
 
-    [[nodiscard]] bool watched() const { return m_isWatched; }
-    void setWatched(bool isWatched);
     [[nodiscard]] FigureModel* exchanges() { return &m_exchanges; }
     [[nodiscard]] FigureModel* errors() { return &m_errors; }
     [[nodiscard]] FigureModel* times() { return &m_times; }
@@ -58,7 +55,6 @@ public:
     Q_INVOKABLE void exportCsv();
 
 signals:
-    void watchedChanged();
     void stripChanged();
     void wasReset(); // by a person
 
@@ -82,7 +78,6 @@ private:
     QList<double> m_stripErrors;
     QList<double> m_stripP99Ms;
     QDateTime m_stripEnd;
-    bool m_isWatched = false;
     int m_readers = 0; // pending readOnce() calls
 };
 

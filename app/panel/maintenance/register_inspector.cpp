@@ -23,11 +23,10 @@ constexpr auto staleAfter = 1000ms;
 } // namespace
 
 RegisterInspector::RegisterInspector(Controller& controller, QObject* parent)
-    : QObject(parent)
+    : Watched(parent)
     , m_controller(controller)
 {
-    m_readTimer.setInterval(readPeriod);
-    connect(&m_readTimer, &QTimer::timeout, this, &RegisterInspector::readVisible);
+    updateEvery(readPeriod, [this] { readVisible(); });
     connect(&m_registers, &RegisterModel::modelReset, this, [this] { select(-1); });
     connect(&m_value, &Value::setRequested, this, &RegisterInspector::write);
     connect(&controller, &Controller::connectionChanged, this, &RegisterInspector::noteConnection);
@@ -36,19 +35,6 @@ RegisterInspector::RegisterInspector(Controller& controller, QObject* parent)
         m_outcome.clear(); // it is in the previous language
         updateSelected();
     });
-}
-
-void RegisterInspector::setWatched(bool isWatched)
-{
-    if (m_isWatched == isWatched)
-        return;
-    m_isWatched = isWatched;
-    if (isWatched)
-        m_readTimer.start();
-    else
-        m_readTimer.stop();
-    readVisible();
-    emit watchedChanged();
 }
 
 void RegisterInspector::setGroup(const QString& group)
@@ -96,7 +82,7 @@ void RegisterInspector::setVisibleRows(int first, int last)
 void RegisterInspector::readVisible()
 {
     m_registers.markOlderThan(m_controller.now() - staleAfter);
-    if (!m_isWatched || !m_controller.isConnected() || m_pendingReads > 0)
+    if (!watched() || !m_controller.isConnected() || m_pendingReads > 0)
         return;
     const auto spans = m_registers.spans(m_first, m_last);
     m_pendingReads = static_cast<int>(spans.size());

@@ -4,10 +4,9 @@
 #pragma once
 
 #include "app/panel/kit/value.h"
+#include "app/panel/kit/watched.h"
 #include "app/panel/maintenance/register_model.h"
 
-#include <QObject>
-#include <QTimer>
 #include <QVariantList>
 #include <QtQml/qqmlregistration.h>
 
@@ -15,13 +14,11 @@ namespace campanel::panel {
 
 class Controller;
 
-class RegisterInspector : public QObject {
+class RegisterInspector : public campanel::panel::Watched {
     Q_OBJECT
     QML_ELEMENT
     QML_UNCREATABLE("The inspector belongs to Maintenance")
     Q_PROPERTY(campanel::panel::RegisterModel* registers READ registers CONSTANT FINAL)
-    // True while the registers are displayed; otherwise nothing is read.
-    Q_PROPERTY(bool watched READ watched WRITE setWatched NOTIFY watchedChanged FINAL)
     // The filter: a key of `groups`, "" for all.
     Q_PROPERTY(QString group READ group WRITE setGroup NOTIFY filterChanged FINAL)
     Q_PROPERTY(QString groupText READ groupText NOTIFY filterChanged FINAL)
@@ -42,8 +39,6 @@ public:
     RegisterInspector(Controller& controller, QObject* parent);
 
     [[nodiscard]] RegisterModel* registers() { return &m_registers; }
-    [[nodiscard]] bool watched() const { return m_isWatched; }
-    void setWatched(bool isWatched);
     [[nodiscard]] QString group() const { return m_group; }
     void setGroup(const QString& group);
     [[nodiscard]] QString groupText() const;
@@ -62,7 +57,6 @@ public:
     Q_INVOKABLE void select(int row);
 
 signals:
-    void watchedChanged();
     void filterChanged();
     void selectionChanged();
 
@@ -81,7 +75,6 @@ private:
 
     Controller& m_controller;
     RegisterModel m_registers{this};
-    QTimer m_readTimer;
     int m_pendingReads = 0;
     bool m_isWriting = false;
     Value m_value;
@@ -92,7 +85,6 @@ private:
     QString m_nameFilter;
     QString m_outcome; // result of the last write
     bool m_isFailed = false;
-    bool m_isWatched = false;
 };
 
 } // namespace campanel::panel

@@ -4,7 +4,7 @@
 namespace campanel::panel {
 
 PagedLogBase::PagedLogBase(DatabaseService& records, Complete complete, QObject* parent)
-    : QObject(parent)
+    : Watched(parent)
     , m_records(records)
     , m_complete(std::move(complete))
     , m_csv(
@@ -17,18 +17,11 @@ PagedLogBase::PagedLogBase(DatabaseService& records, Complete complete, QObject*
           },
           [&records](const store::StoreError& error) { records.reportError(error); }, this)
 {
+    connect(this, &Watched::watchedChanged, this, &PagedLogBase::restart);
     connect(&m_editor, &LogFilterEditor::changed, this, [this] {
-        if (m_isWatched && m_filter != wantedFilter())
+        if (watched() && m_filter != wantedFilter())
             restart();
     });
-}
-
-void PagedLogBase::setWatched(bool isWatched)
-{
-    if (m_isWatched == isWatched)
-        return;
-    m_isWatched = isWatched;
-    restart();
 }
 
 store::LogFilter PagedLogBase::wantedFilter() const
@@ -46,7 +39,7 @@ void PagedLogBase::restart()
     m_meanwhile.clear();
     list()->setHasMore(false);
     clear();
-    if (m_isWatched)
+    if (watched())
         read();
     emit changed();
 }

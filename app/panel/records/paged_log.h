@@ -5,6 +5,7 @@
 
 #include "app/panel/kit/log_filter_editor.h"
 #include "app/panel/kit/row_model.h"
+#include "app/panel/kit/watched.h"
 #include "app/panel/records/csv_export.h"
 #include "app/panel/records/database_service.h"
 #include "app/store/logs/table.h"
@@ -14,12 +15,10 @@
 
 namespace campanel::panel {
 
-class PagedLogBase : public QObject {
+class PagedLogBase : public campanel::panel::Watched {
     Q_OBJECT
     QML_NAMED_ELEMENT(PagedLog)
     QML_UNCREATABLE("Logs belong to the objects that record them")
-    // True while the log is displayed; only then it reads and stores rows.
-    Q_PROPERTY(bool watched READ watched WRITE setWatched NOTIFY changed FINAL)
     // True until the first page has arrived.
     Q_PROPERTY(bool loading READ loading NOTIFY changed FINAL)
     Q_PROPERTY(campanel::panel::RowModelBase* rows READ list CONSTANT FINAL)
@@ -30,9 +29,7 @@ public:
     // The maximum number of rows in a CSV file; the newest ones are exported.
     static constexpr int maxExported = 100'000;
 
-    [[nodiscard]] bool watched() const { return m_isWatched; }
-    void setWatched(bool isWatched);
-    [[nodiscard]] bool loading() const { return m_isWatched && !m_isLoaded; }
+    [[nodiscard]] bool loading() const { return watched() && !m_isLoaded; }
     [[nodiscard]] virtual RowModelBase* list() = 0;
     [[nodiscard]] LogFilterEditor* filter() { return &m_editor; }
     [[nodiscard]] CsvExport* csv() { return &m_csv; }
@@ -75,7 +72,6 @@ private:
     store::LogFilter m_filter;
     QList<std::function<void()>> m_meanwhile; // changes while a page is being read
     quint32 m_round = 0;
-    bool m_isWatched = false;
     bool m_isLoaded = false;
     bool m_isReading = false;
     bool m_isAtEnd = false;

@@ -22,29 +22,18 @@ constexpr int patienceMs = 5000;
 } // namespace
 
 SystemService::SystemService(AccessCheck& check, const QString& service, QObject* parent)
-    : QObject(parent)
+    : Watched(parent)
     , m_check(check)
     , m_bus{[] { return QDBusConnection::systemBus(); }, service}
 {
-    m_timer.setInterval(2s);
-    m_timer.callOnTimeout(this, &SystemService::refresh);
+    connect(this, &Watched::watchedChanged, this, [this] {
+        m_problem.clear();
+        if (watched())
+            m_isAsked = m_isAvailable = false; // the service may have come or gone
+        emit changed();
+    });
+    updateEvery(2s, [this] { refresh(); });
     LanguageNotifier::follow(this);
-}
-
-void SystemService::setWatched(bool isWatched)
-{
-    if (m_isWatched == isWatched)
-        return;
-    m_isWatched = isWatched;
-    m_problem.clear();
-    if (isWatched) {
-        m_isAsked = m_isAvailable = false; // the service may have come or gone
-        m_timer.start();
-        refresh();
-    } else {
-        m_timer.stop();
-    }
-    emit changed();
 }
 
 void SystemService::refresh()

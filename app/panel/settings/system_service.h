@@ -4,11 +4,10 @@
 // Nothing waits for the bus.
 #pragma once
 
+#include "app/panel/kit/watched.h"
 #include "app/store/logs/audit_log.h"
 
 #include <QDBusConnection>
-#include <QObject>
-#include <QTimer>
 #include <QVariantList>
 #include <QtQml/qqmlregistration.h>
 
@@ -21,12 +20,10 @@ namespace campanel::panel {
 
 class AccessCheck;
 
-class SystemService : public QObject {
+class SystemService : public campanel::panel::Watched {
     Q_OBJECT
     QML_ELEMENT
     QML_UNCREATABLE("The base of SystemClock and SystemNetwork")
-    // True while it is on the screen; only then the service is asked.
-    Q_PROPERTY(bool watched READ watched WRITE setWatched NOTIFY changed FINAL)
     Q_PROPERTY(bool available READ available NOTIFY changed FINAL)
     Q_PROPERTY(bool busy READ busy NOTIFY changed FINAL)
     // Why the last change failed; empty: it was made.
@@ -55,8 +52,6 @@ public:
     // Replaces the system bus, for tests.
     void setBus(const Bus& bus) { m_bus = bus; }
 
-    [[nodiscard]] bool watched() const { return m_isWatched; }
-    void setWatched(bool isWatched);
     [[nodiscard]] bool available() const { return m_isAvailable; }
     // Returns true when the service has answered, or has failed to.
     [[nodiscard]] bool isAsked() const { return m_isAsked; }
@@ -92,8 +87,6 @@ protected:
 private:
     AccessCheck& m_check;
     Bus m_bus;
-    QTimer m_timer;
-    bool m_isWatched = false;
     bool m_isAsking = false;
     bool m_isAsked = false; // an answer or a failure is there
     bool m_isAvailable = false;

@@ -76,8 +76,7 @@ ShiftView::ShiftView(Stops& owner, Settings& settings, DatabaseService& records)
           records.store(), [this] { return csvJob(); },
           [&records](const StoreError& error) { records.reportError(error); }, this)
 {
-    m_timer.setInterval(shiftReadPeriod);
-    connect(&m_timer, &QTimer::timeout, this, &ShiftView::follow);
+    updateEvery(shiftReadPeriod, [this] { follow(); });
     connect(&settings, &Settings::changed, this, &ShiftView::follow);
     connect(&m_keys, &ReasonKeys::chosen, this, [this](const StopReason& reason) {
         if (m_selected == 0 || !m_owner.answer(m_selected, reason))
@@ -100,24 +99,10 @@ qint64 ShiftView::shortMs() const
     return m_settings.values().whole("stops.ask_after_seconds") * msPerSecond;
 }
 
-void ShiftView::setWatched(bool isWatched)
-{
-    if (m_isWatched == isWatched)
-        return;
-    m_isWatched = isWatched;
-    emit watchedChanged();
-    if (isWatched) {
-        m_timer.start();
-        follow();
-    } else {
-        m_timer.stop();
-    }
-}
-
 // The present shift becomes the next one, and a change of the calendar another one.
 void ShiftView::follow()
 {
-    if (!m_isWatched)
+    if (!watched())
         return;
     show(calendar().at(m_isPresent ? m_owner.nowMs() : m_shift.beginMs));
 }
@@ -154,7 +139,7 @@ void ShiftView::showPresent()
 
 void ShiftView::refresh()
 {
-    if (!m_isWatched)
+    if (!watched())
         return;
     m_owner.write();
     m_records.store().run(

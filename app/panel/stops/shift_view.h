@@ -3,12 +3,11 @@
 // it is watched; the present shift is followed.
 #pragma once
 
+#include "app/panel/kit/watched.h"
 #include "app/panel/records/csv_export.h"
 #include "app/panel/stops/reason_keys.h"
 #include "app/panel/stops/stop_rows.h"
 
-#include <QObject>
-#include <QTimer>
 #include <QVariant>
 #include <QtQml/qqmlregistration.h>
 
@@ -18,12 +17,10 @@ class DatabaseService;
 class Settings;
 class Stops;
 
-class ShiftView : public QObject {
+class ShiftView : public campanel::panel::Watched {
     Q_OBJECT
     QML_ELEMENT
     QML_UNCREATABLE("The shift belongs to Stops")
-    // True while the shift is displayed.
-    Q_PROPERTY(bool watched READ watched WRITE setWatched NOTIFY watchedChanged FINAL)
     // "Thu 15 Jan, 06:00 – 14:00", and what is special about it.
     Q_PROPERTY(QString title READ title NOTIFY changed FINAL)
     Q_PROPERTY(QString note READ note NOTIFY changed FINAL)
@@ -56,8 +53,6 @@ public:
 
     ShiftView(Stops& owner, Settings& settings, DatabaseService& records);
 
-    [[nodiscard]] bool watched() const { return m_isWatched; }
-    void setWatched(bool isWatched);
     [[nodiscard]] QString title() const;
     [[nodiscard]] QString note() const;
     [[nodiscard]] bool isPresent() const { return m_isPresent; }
@@ -87,7 +82,6 @@ public:
     void refresh();
 
 signals:
-    void watchedChanged();
     void changed();
     void answered(); // the selected stop
 
@@ -104,10 +98,8 @@ private:
     DatabaseService& m_records;
     ReasonKeys m_keys;
     CsvExport m_csv;
-    QTimer m_timer;
     Shift m_shift;
     bool m_isPresent = true;
-    bool m_isWatched = false;
     Content m_content = Unread;
     ShiftSummary m_summary;
     Oee m_oee;

@@ -93,7 +93,7 @@ QVariantMap mapOf(const store::TrendStatistics& statistics)
 
 Trends::Trends(Controller& controller, Settings& settings, DatabaseService& records, const QString& folder,
                QObject* parent)
-    : QObject(parent)
+    : Watched(parent)
     , m_records(records)
     , m_recorder(controller, settings)
     , m_clock(&QDateTime::currentMSecsSinceEpoch)
@@ -106,6 +106,12 @@ Trends::Trends(Controller& controller, Settings& settings, DatabaseService& reco
     connect(&m_writeTimer, &QTimer::timeout, this, &Trends::write);
     m_writeTimer.start(writePeriodMs);
     connect(&m_followTimer, &QTimer::timeout, this, &Trends::follow);
+    connect(this, &Watched::watchedChanged, this, [this] {
+        if (!watched())
+            return m_followTimer.stop();
+        setWindow(m_isLive ? m_clock() : m_toMs, m_spanMs, m_isLive);
+        refresh();
+    });
 }
 
 Trends::~Trends()
@@ -119,20 +125,6 @@ void Trends::setWallClock(const TrendRecorder::WallClock& clock)
     m_clock = clock;
     m_recorder.setWallClock(clock);
     follow();
-}
-
-void Trends::setWatched(bool isWatched)
-{
-    if (m_isWatched == isWatched)
-        return;
-    m_isWatched = isWatched;
-    emit watchedChanged();
-    if (isWatched) {
-        setWindow(m_isLive ? m_clock() : m_toMs, m_spanMs, m_isLive);
-        refresh();
-    } else {
-        m_followTimer.stop();
-    }
 }
 
 void Trends::toggle(int quantity)
@@ -183,7 +175,7 @@ void Trends::setWindow(qint64 toMs, qint64 spanMs, bool isLive)
     m_toMs = toMs;
     m_spanMs = spanMs;
     m_isLive = isLive;
-    if (m_isWatched && isLive)
+    if (watched() && isLive)
         m_followTimer.start(
             static_cast<int>(std::clamp(spanMs / stepsInAWindow, shortestStepMs, longestStepMs)));
     else
@@ -209,7 +201,7 @@ store::TrendQuestion Trends::question() const
 // Writes the collected data first, so that the answer contains it.
 void Trends::refresh()
 {
-    if (!m_isWatched)
+    if (!watched())
         return;
     if (m_isAsked) {
         m_isWanted = true;

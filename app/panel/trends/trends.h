@@ -5,12 +5,12 @@
 #pragma once
 
 #include "app/panel/kit/singleton.h"
+#include "app/panel/kit/watched.h"
 #include "app/panel/records/csv_export.h"
 #include "app/panel/trends/trend_recorder.h"
 #include "app/store/logs/trend_window.h"
 #include "app/store/store_thread.h"
 
-#include <QObject>
 #include <QTimer>
 #include <QVariant>
 #include <QtQml/qqmlregistration.h>
@@ -19,7 +19,7 @@ namespace campanel::panel {
 
 class DatabaseService;
 
-class Trends : public QObject, public Singleton<Trends> {
+class Trends : public campanel::panel::Watched, public Singleton<Trends> {
     Q_OBJECT
     QML_ELEMENT
     QML_SINGLETON
@@ -30,8 +30,6 @@ class Trends : public QObject, public Singleton<Trends> {
     Q_PROPERTY(double toMs READ toMs NOTIFY windowChanged FINAL)
     Q_PROPERTY(double spanMs READ spanMs NOTIFY windowChanged FINAL)
     Q_PROPERTY(bool live READ live NOTIFY windowChanged FINAL)
-    // True while the trends are displayed: the window is read again while it moves.
-    Q_PROPERTY(bool watched READ watched WRITE setWatched NOTIFY watchedChanged FINAL)
     // The curves for the plot: std::shared_ptr<const QList<QList<QPointF>>>. Each chosen quantity has the
     // means, the lowest and the highest values over the time in ms, with half a window more on both sides. A
     // point with a NaN as y is a gap.
@@ -83,8 +81,6 @@ public:
     [[nodiscard]] double toMs() const { return static_cast<double>(m_toMs); }
     [[nodiscard]] double spanMs() const { return static_cast<double>(m_spanMs); }
     [[nodiscard]] bool live() const { return m_isLive; }
-    [[nodiscard]] bool watched() const { return m_isWatched; }
-    void setWatched(bool isWatched);
     [[nodiscard]] QVariant curves() const { return m_curves; }
     [[nodiscard]] QVariantList statistics() const { return m_statistics; }
     [[nodiscard]] Content content() const { return m_content; }
@@ -107,7 +103,6 @@ public:
 signals:
     void chosenChanged();
     void windowChanged();
-    void watchedChanged();
     void shownChanged();
 
 private:
@@ -139,7 +134,6 @@ private:
     qint64 m_spanMs = 600'000;
     qint64 m_columnMs = 0;
     bool m_isLive = true;
-    bool m_isWatched = false;
     bool m_isAsked = false;  // an answer is pending
     bool m_isWanted = false; // another read is needed after it
     bool m_isWriting = false;
