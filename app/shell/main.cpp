@@ -120,7 +120,7 @@ int runPanel(const shell::Options& options, const panel::SettingValues& configur
 {
     link::ThreadedLink link(nullptr);
     shell::Panel panel(link, {{}, {}, configuration, keyFolder});
-    panel.setClockState([] { return shell::clockState(); });
+    panel.records().setClockState([] { return shell::clockState(); });
     panel.update().setPlaces(panel::UpdatePlaces::ofService());
     panel.touchCalibration().setPlaces(panel::TouchPlaces::ofService());
     if (options.connection)

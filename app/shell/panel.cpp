@@ -28,8 +28,6 @@ namespace {
 
 Q_LOGGING_CATEGORY(uiLog, "campanel.ui")
 
-constexpr qint64 clockAskedMs = 1000; // between two questions whether the clock is set
-
 QString recipeFolder(const Storage& storage)
 {
     return storage.recipeFolder.isEmpty() ? QStandardPaths::writableLocation(QStandardPaths::AppDataLocation)
@@ -111,7 +109,6 @@ Panel::Panel(link::Link& link, const Storage& storage)
     m_maintenance.dryRun()->follow(m_editor);
     m_recipes.files()->setKeyFolder(storage.keyFolder);
     m_recipes.files()->setGlyphs(&hasGlyph);
-    m_recipes.setAuthor([this] { return m_access.userName(); });
     connect(m_scan.film(), &panel::FilmCheck::noted, &m_trail, &panel::AuditTrail::note);
     connect(&m_plant, &panel::PlantFeed::offerReceived, m_recipes.files(), &panel::RecipeFiles::takeOffer);
     connect(&m_recipes, &panel::Recipes::noted, &m_trail, &panel::AuditTrail::note);
@@ -123,15 +120,11 @@ Panel::Panel(link::Link& link, const Storage& storage)
     connect(&m_systemClock, &panel::SystemClock::noted, &m_trail, &panel::AuditTrail::note);
     connect(&m_systemNetwork, &panel::SystemNetwork::noted, &m_trail, &panel::AuditTrail::note);
     connect(&m_touchCalibration, &panel::TouchCalibration::noted, &m_trail, &panel::AuditTrail::note);
-    connect(&m_systemClock, &panel::SystemClock::moved, this, &Panel::noteClockProven);
+    connect(&m_systemClock, &panel::SystemClock::moved, &m_records, &panel::DatabaseService::noteClockProven);
     connect(&m_update, &panel::SoftwareUpdate::noted, &m_trail, &panel::AuditTrail::note);
     connect(&m_update, &panel::SoftwareUpdate::ended, &m_trail, &panel::AuditTrail::noteOutside);
     connect(&m_versions, &panel::Versions::noted, &m_trail, &panel::AuditTrail::noteOutside);
     connect(&m_plant, &panel::PlantFeed::gatewayChanged, &m_versions, &panel::Versions::setGateway);
-    connect(&m_access, &panel::Access::changed, this, [this] {
-        m_alarms.setPerson(m_access.userName());
-        m_stops.setPerson(m_access.userName());
-    });
     panel::attachToEngine(m_qml->engine, m_access, m_alarms, m_audit, m_backup, m_commissioning, m_display,
                           m_controller, m_editor, m_explanations, m_records, m_recipes, m_maintenance, m_scan,
                           m_bundle, m_rotation, m_settings, m_shiftReport, m_stops, m_systemClock,
@@ -146,41 +139,6 @@ Panel::~Panel()
     m_qml.reset();
     for (QTranslator* translator : {&m_texts, &m_textsOfQt})
         QCoreApplication::removeTranslator(translator);
-}
-
-void Panel::setClockState(const std::function<store::ClockState()>& state)
-{
-    const auto stateNow = [this, state] {
-        // Bags and states come more often than once a second.
-        if (m_clock != store::ClockState::Proven &&
-            (!m_clockAsked.isValid() || m_clockAsked.hasExpired(clockAskedMs))) {
-            m_clock = state();
-            m_clockAsked.start();
-            if (m_clock == store::ClockState::Proven)
-                noteClockProven();
-        }
-        return m_clock;
-    };
-    m_alarms.setClockState(stateNow);
-    m_trail.setClockState(stateNow);
-    m_stops.setClockState(stateNow);
-    m_trends.setClockState(stateNow);
-    m_recipes.setClockState(stateNow);
-}
-
-// Keeps the proof, so that records of a clock that ran ahead mark no later one after a restart either.
-void Panel::noteClockProven()
-{
-    m_clock = store::ClockState::Proven;
-    m_records.store().run(
-        &m_records,
-        [nowMs = QDateTime::currentMSecsSinceEpoch()](store::Database& database) {
-            return store::noteClockProven(database, nowMs);
-        },
-        [this](const tl::expected<void, store::StoreError>& kept) {
-            if (!kept)
-                m_records.reportError(kept.error());
-        });
 }
 
 void Panel::open()

@@ -32,7 +32,6 @@
 #include "app/panel/update/versions.h"
 #include "app/shell/page_memory.h"
 
-#include <QElapsedTimer>
 #include <QImage>
 #include <QObject>
 #include <QQmlComponent>
@@ -67,8 +66,6 @@ public:
     [[nodiscard]] panel::Alarms& alarms() { return m_alarms; }
     [[nodiscard]] panel::SystemClock& systemClock() { return m_systemClock; }
     [[nodiscard]] panel::SystemNetwork& systemNetwork() { return m_systemNetwork; }
-    // Sets how records learn that the clock of this computer was not set; never by default.
-    void setClockState(const std::function<store::ClockState()>& state);
     [[nodiscard]] panel::Recipes& recipes() { return m_recipes; }
     [[nodiscard]] panel::Scan& scan() { return m_scan; }
     [[nodiscard]] panel::Maintenance& maintenance() { return m_maintenance; }
@@ -109,7 +106,6 @@ signals:
 
 private:
     void translate();
-    void noteClockProven();
 
     // The engine with the component of the window, which loads while the other parts are created.
     struct Qml {
@@ -133,8 +129,6 @@ private:
     panel::Access m_access;
     panel::SystemClock m_systemClock;
     panel::SystemNetwork m_systemNetwork;
-    store::ClockState m_clock = store::ClockState::Unproven; // Proven stays until the end
-    QElapsedTimer m_clockAsked;                              // since m_clock was read
     panel::AuditTrail m_trail;
     panel::Audit m_audit;
     panel::Backup m_backup;

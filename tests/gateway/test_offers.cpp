@@ -46,10 +46,9 @@ struct OfferRig : test::PlantRig {
         recipes.files()->setScanner([](const QString&) { return QList<store::RecipeOffer>(); });
         installKey(false);
         recipes.files()->setKeyFolder(folder.filePath(u"keys"_s));
-        recipes.setAuthor([] { return u"Bo"_s; });
         QObject::connect(&feed, &panel::PlantFeed::offerReceived, recipes.files(),
                          &panel::RecipeFiles::takeOffer);
-        machine.accessCheck().setLevel(panel::Level::Operator);
+        machine.accessCheck().setLevel(panel::Level::Operator, u"Bo"_s);
         recipes.save(); // as the first version
         if (!QTest::qWaitFor([this] { return recipes.total() == 1 && recipes.ready(); }))
             qFatal("the library was not read");

@@ -43,7 +43,7 @@ private slots:
     void recordsAreMarkedUntilTheClockIsSet()
     {
         auto& panel = m_window->panel();
-        panel.setClockState([] { return campanel::store::ClockState::Unproven; });
+        panel.records().setClockState([] { return campanel::store::ClockState::Unproven; });
         QList<bool> marks;
         connect(&panel.trail(), &campanel::panel::AuditTrail::appended, this,
                 [&marks](const campanel::store::AuditRow& row) { marks << row.entry.isClockDoubtful; });

@@ -95,7 +95,7 @@ panel::Level Access::currentLevel() const
 
 void Access::update()
 {
-    m_controller.accessCheck().setLevel(currentLevel());
+    m_controller.accessCheck().setLevel(currentLevel(), userName());
     if (m_user && !m_idleTimer.isActive()) {
         m_touchedAt = m_controller.now();
         m_idleTimer.start();

@@ -75,7 +75,12 @@ Alarms::Alarms(Controller& controller, Editor& editor, DatabaseService& records,
 AlarmBook::Now Alarms::now() const
 {
     const qint64 utcMs = m_wallClock().toMSecsSinceEpoch();
-    return {m_controller.now(), utcMs, store::isTimeDoubtful(utcMs, m_newestMs, m_clockState())};
+    return {m_controller.now(), utcMs, store::isTimeDoubtful(utcMs, m_newestMs, m_records.clockState())};
+}
+
+QString Alarms::person() const
+{
+    return m_controller.accessCheck().person();
 }
 
 void Alarms::raise(const AlarmKind& kind, const QString& detail)
@@ -100,7 +105,7 @@ void Alarms::begin(const tl::expected<AlarmLog::Start, StoreError>& start)
         return;
     }
     m_newestMs = std::max(m_newestMs, start->newestMs);
-    m_book.begin(*start, m_clockState());
+    m_book.begin(*start, m_records.clockState());
     m_book.endShelves(now().utcMs);
     noteChange();
 }
@@ -170,7 +175,7 @@ void Alarms::acknowledge(int row)
     if (!m_controller.accessCheck().require(Level::Operator) || row < 0 || row >= m_live.count())
         return;
     const store::AlarmRow alarm = m_live.row(row).alarm;
-    m_book.acknowledge(alarm.code, alarm.id, m_person, now().utcMs);
+    m_book.acknowledge(alarm.code, alarm.id, person(), now().utcMs);
     note(u"alarm.acknowledge"_s, alarm.code);
 }
 
@@ -182,7 +187,7 @@ void Alarms::acknowledgeAll()
     for (const AlarmEntry& entry : m_book.live()) {
         if (!entry.isUnacknowledged())
             continue;
-        m_book.acknowledge(entry.row.code, entry.row.id, m_person, now().utcMs);
+        m_book.acknowledge(entry.row.code, entry.row.id, person(), now().utcMs);
         codes << entry.row.code;
     }
     if (!codes.isEmpty())
@@ -206,8 +211,8 @@ void Alarms::acknowledgeShown()
     if (!m_controller.accessCheck().require(Level::Operator) || !m_detail.calls())
         return;
     const qint64 utcMs = now().utcMs;
-    m_book.acknowledge(m_detail.code(), m_detail.row().id, m_person, utcMs);
-    m_detail.noteAcknowledged(utcMs, m_person);
+    m_book.acknowledge(m_detail.code(), m_detail.row().id, person(), utcMs);
+    m_detail.noteAcknowledged(utcMs, person());
     note(u"alarm.acknowledge"_s, m_detail.code());
 }
 
@@ -216,7 +221,7 @@ void Alarms::shelveShown(int hours)
     if (!m_controller.accessCheck().require(Level::Technician))
         return;
     const qint64 utcMs = now().utcMs;
-    if (m_book.shelve(m_detail.code(), utcMs + hours * msPerHour, m_person, utcMs))
+    if (m_book.shelve(m_detail.code(), utcMs + hours * msPerHour, person(), utcMs))
         note(u"alarm.shelve"_s, m_detail.code(), u"%1 h"_s.arg(hours));
 }
 

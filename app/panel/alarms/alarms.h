@@ -60,10 +60,6 @@ public:
     }
     // Sets how long changes are collected before they are published; 100 ms by default.
     void setPaceMs(int paceMs) { m_publishTimer.setInterval(paceMs); }
-    // Sets the person who acknowledges and shelves; empty: unknown.
-    void setPerson(const QString& person) { m_person = person; }
-    // Sets how it is found out that the clock of this computer was not set since the start; never by default.
-    void setClockState(std::function<store::ClockState()> state) { m_clockState = std::move(state); }
     [[nodiscard]] AlarmWatch& watch() { return m_watch; }
 
     [[nodiscard]] AlarmList* live() { return &m_live; }
@@ -109,14 +105,13 @@ private:
     void publish();
     void write();
     [[nodiscard]] AlarmBook::Now now() const;
+    [[nodiscard]] QString person() const;
     [[nodiscard]] QDate today() const { return m_wallClock().date(); }
 
     Controller& m_controller;
     DatabaseService& m_records;
     WallClock m_wallClock;
-    std::function<store::ClockState()> m_clockState = [] { return store::ClockState::Unproven; };
     qint64 m_newestMs = 0; // the latest record with a clock that was set
-    QString m_person;
     AlarmBook m_book;
     BufferedWriter<AlarmBook, store::AlarmLog> m_writer;
     AlarmWatch m_watch;

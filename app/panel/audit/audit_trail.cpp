@@ -164,10 +164,10 @@ QString pulsesText(double pulses)
 
 } // namespace
 
-AuditTrail::AuditTrail(DatabaseService& records, const Watched& watched, QObject* parent)
+AuditTrail::AuditTrail(DatabaseService& records, const Parts& parts, QObject* parent)
     : QObject(parent)
     , m_records(records)
-    , m_watched(watched)
+    , m_parts(parts)
     , m_wallClock(&QDateTime::currentMSecsSinceEpoch)
 {
     m_proofTimer.setSingleShot(true);
@@ -184,7 +184,7 @@ void AuditTrail::open()
     watchSimulation();
     watchManual();
     watchLine();
-    connect(&m_watched.access, &Access::happened, this, [this](const Access::Event& event) {
+    connect(&m_parts.access, &Access::happened, this, [this](const Access::Event& event) {
         note({.what = event.what,
               .object = event.object,
               .before = event.before,
@@ -196,8 +196,8 @@ void AuditTrail::open()
 store::AuditEntry AuditTrail::signedNow(store::AuditEntry entry) const
 {
     entry.timeMs = m_wallClock();
-    entry.who = m_watched.access.userName();
-    entry.level = m_watched.access.level();
+    entry.who = m_parts.access.userName();
+    entry.level = m_parts.access.level();
     return entry;
 }
 
@@ -208,7 +208,7 @@ void AuditTrail::note(const store::AuditEntry& noted)
 
 QString AuditTrail::activeProgram() const
 {
-    const auto& program = m_watched.controller.program();
+    const auto& program = m_parts.controller.program();
     return program ? QString::fromStdString(program->recipe.name) : QString();
 }
 
@@ -222,7 +222,7 @@ void AuditTrail::append(const store::AuditEntry& entry)
 {
     m_records.store().run(
         this,
-        [entry, clock = m_clockState()](store::Database& database) {
+        [entry, clock = m_records.clockState()](store::Database& database) {
             return store::newestRecordMs(database).and_then([&](qint64 newestMs) {
                 store::AuditEntry marked = entry;
                 marked.isClockDoubtful = store::isTimeDoubtful(entry.timeMs, newestMs, clock);
@@ -239,8 +239,8 @@ void AuditTrail::append(const store::AuditEntry& entry)
 
 void AuditTrail::watchCommands()
 {
-    connect(&m_watched.controller, &Controller::commandSending, this, &AuditTrail::noteSending);
-    connect(&m_watched.controller, &Controller::commandEnded, this,
+    connect(&m_parts.controller, &Controller::commandSending, this, &AuditTrail::noteSending);
+    connect(&m_parts.controller, &Controller::commandEnded, this,
             [this](const link::CommandOutcome& outcome) {
                 const auto sent = m_commands.find(outcome.id);
                 if (sent == m_commands.end())
@@ -262,24 +262,24 @@ void AuditTrail::noteSending(const link::CommandRequest& request)
 // after its command.
 void AuditTrail::watchManual()
 {
-    connect(m_watched.maintenance.jog(), &Jog::begun, this, [this](int direction, double position) {
+    connect(m_parts.maintenance.jog(), &Jog::begun, this, [this](int direction, double position) {
         note({.what = direction > 0 ? u"command.jog_forward"_s : u"command.jog_reverse"_s,
               .object = activeProgram(),
               .before = pulsesText(position)});
     });
-    connect(m_watched.maintenance.jog(), &Jog::ended, this, [this](int, Jog::End end, double position) {
+    connect(m_parts.maintenance.jog(), &Jog::ended, this, [this](int, Jog::End end, double position) {
         note({.what = u"command.jog_end"_s,
               .object = activeProgram(),
               .after = pulsesText(position),
               .outcome = outcomeKey(end)});
     });
-    connect(m_watched.maintenance.homing(), &Homing::ended, this, [this](Homing::Result result) {
+    connect(m_parts.maintenance.homing(), &Homing::ended, this, [this](Homing::Result result) {
         note({.what = u"command.home_end"_s, .object = activeProgram(), .outcome = outcomeKey(result)});
     });
-    connect(m_watched.maintenance.outputTry(), &OutputTry::begun, this, [this](const QString& output) {
+    connect(m_parts.maintenance.outputTry(), &OutputTry::begun, this, [this](const QString& output) {
         note({.what = u"command.try_output"_s, .object = activeProgram(), .after = output});
     });
-    connect(m_watched.maintenance.outputTry(), &OutputTry::ended, this,
+    connect(m_parts.maintenance.outputTry(), &OutputTry::ended, this,
             [this](const QString& output, Jog::End end) {
                 note({.what = u"command.try_output_end"_s,
                       .object = activeProgram(),
@@ -290,9 +290,9 @@ void AuditTrail::watchManual()
 
 void AuditTrail::watchParameters()
 {
-    connect(&m_watched.controller, &Controller::parameterWriting, this, &AuditTrail::noteWriting);
-    connect(&m_watched.controller, &Controller::parameterWritten, this, &AuditTrail::noteWritten);
-    connect(m_watched.maintenance.packing()->wizard(), &MarkWizard::changed, this, &AuditTrail::noteWizard);
+    connect(&m_parts.controller, &Controller::parameterWriting, this, &AuditTrail::noteWriting);
+    connect(&m_parts.controller, &Controller::parameterWritten, this, &AuditTrail::noteWritten);
+    connect(m_parts.maintenance.packing()->wizard(), &MarkWizard::changed, this, &AuditTrail::noteWizard);
 }
 
 // Reads the value just before the new one is written: an earlier reading may be outdated. The writes of one
@@ -300,12 +300,12 @@ void AuditTrail::watchParameters()
 void AuditTrail::noteWriting(const QString& name, double value)
 {
     m_writes << signedNow({.what = u"parameter.write"_s, .object = name, .after = numberText(value)});
-    m_watched.controller.link().exchange({0, name.toStdString(), std::nullopt},
-                                         {this, [this, name](const link::ParameterOutcome& outcome) {
-                                              const auto written = findWrite(name);
-                                              if (outcome.value && written != m_writes.end())
-                                                  written->before = numberText(*outcome.value);
-                                          }});
+    m_parts.controller.link().exchange({0, name.toStdString(), std::nullopt},
+                                       {this, [this, name](const link::ParameterOutcome& outcome) {
+                                            const auto written = findWrite(name);
+                                            if (outcome.value && written != m_writes.end())
+                                                written->before = numberText(*outcome.value);
+                                        }});
 }
 
 QList<store::AuditEntry>::iterator AuditTrail::findWrite(const QString& name)
@@ -328,7 +328,7 @@ void AuditTrail::noteWritten(const link::ParameterOutcome& outcome)
 
 void AuditTrail::noteWizard()
 {
-    const MarkWizard& wizard = *m_watched.maintenance.packing()->wizard();
+    const MarkWizard& wizard = *m_parts.maintenance.packing()->wizard();
     const int step = static_cast<int>(wizard.step());
     if (step == m_wizardStep)
         return;
@@ -344,10 +344,10 @@ void AuditTrail::noteWizard()
 
 void AuditTrail::watchDownloads()
 {
-    connect(&m_watched.editor, &Editor::downloadBegun, this, &AuditTrail::beginDownload);
-    connect(&m_watched.editor, &Editor::downloadEnded, this, &AuditTrail::endDownload);
-    connect(&m_watched.controller, &Controller::savedChanged, this, [this] { proveDownload(false); });
-    connect(&m_watched.controller, &Controller::programChanged, this, [this] { proveDownload(false); });
+    connect(&m_parts.editor, &Editor::downloadBegun, this, &AuditTrail::beginDownload);
+    connect(&m_parts.editor, &Editor::downloadEnded, this, &AuditTrail::endDownload);
+    connect(&m_parts.controller, &Controller::savedChanged, this, [this] { proveDownload(false); });
+    connect(&m_parts.controller, &Controller::programChanged, this, [this] { proveDownload(false); });
 }
 
 void AuditTrail::beginDownload(const program::ProgramImage& image)
@@ -358,8 +358,8 @@ void AuditTrail::beginDownload(const program::ProgramImage& image)
     store::AuditEntry whole = signedNow({.what = u"program.download"_s,
                                          .object = QString::fromStdString(image.recipe.name),
                                          .after = programText(image.recipe, image.crc)});
-    const auto& active = m_watched.controller.program();
-    const auto& status = m_watched.controller.status();
+    const auto& active = m_parts.controller.program();
+    const auto& status = m_parts.controller.status();
     if (active)
         whole.before = programText(active->recipe, status && status->activeCrc ? *status->activeCrc : 0);
     download.entries << whole;
@@ -401,7 +401,7 @@ void AuditTrail::proveDownload(bool isLast)
 {
     if (!m_download || !m_isDownloadProven)
         return;
-    const auto& status = m_watched.controller.status();
+    const auto& status = m_parts.controller.status();
     const bool isTold = status && status->activeCrc == m_download->crc;
     if (!isTold && !isLast)
         return;
@@ -416,14 +416,14 @@ void AuditTrail::proveDownload(bool isLast)
 
 void AuditTrail::watchSettings()
 {
-    for (const AuditedSetting& setting : auditedSettings(m_watched.settings))
+    for (const AuditedSetting& setting : auditedSettings(m_parts.settings))
         m_settings << setting.text;
-    connect(&m_watched.settings, &Settings::changed, this, &AuditTrail::noteSettings);
+    connect(&m_parts.settings, &Settings::changed, this, &AuditTrail::noteSettings);
 }
 
 void AuditTrail::noteSettings()
 {
-    const QList<AuditedSetting> now = auditedSettings(m_watched.settings);
+    const QList<AuditedSetting> now = auditedSettings(m_parts.settings);
     for (qsizetype i = 0; i < now.size(); ++i) {
         if (m_settings[i] == now[i].text)
             continue;
@@ -444,16 +444,16 @@ void AuditTrail::noteExport(const QStringList& paths, const QString& problem)
 
 void AuditTrail::watchLine()
 {
-    connect(m_watched.maintenance.doctor(), &LinkDoctor::begun, this, [this](bool isSearch) {
+    connect(m_parts.maintenance.doctor(), &LinkDoctor::begun, this, [this](bool isSearch) {
         note({.what = isSearch ? u"line.search"_s : u"line.diagnose"_s, .object = u"connection"_s});
     });
-    connect(m_watched.maintenance.figures(), &LineFigures::wasReset, this,
+    connect(m_parts.maintenance.figures(), &LineFigures::wasReset, this,
             [this] { note({.what = u"line.reset"_s}); });
 }
 
 void AuditTrail::watchSimulation()
 {
-    SimulatedFaults& faults = *m_watched.maintenance.simulatedFaults();
+    SimulatedFaults& faults = *m_parts.maintenance.simulatedFaults();
     connect(&faults, &SimulatedFaults::changed, this, [this, &faults] {
         const QString now = faults.rulesInForce().join(u"; "_s);
         if (now == m_faults)

@@ -35,7 +35,7 @@ class AuditTrail : public QObject {
 
 public:
     // The watched objects; all must outlive the trail.
-    struct Watched {
+    struct Parts {
         Controller& controller;
         Editor& editor;
         Settings& settings;
@@ -43,7 +43,7 @@ public:
         Access& access;
     };
 
-    AuditTrail(DatabaseService& records, const Watched& watched, QObject* parent);
+    AuditTrail(DatabaseService& records, const Parts& parts, QObject* parent);
 
     // Starts recording.
     void open();
@@ -54,8 +54,6 @@ public:
     // Adds an entry that no person at the panel has caused; sets its time.
     void noteOutside(store::AuditEntry entry);
     void setWallClock(Access::WallClock clock) { m_wallClock = std::move(clock); }
-    // Sets how it is found out that the clock of this computer was not set since the start; never by default.
-    void setClockState(std::function<store::ClockState()> state) { m_clockState = std::move(state); }
 
 signals:
     // Emitted when the row is on the disk.
@@ -90,9 +88,8 @@ private:
     void watchLine();
 
     DatabaseService& m_records;
-    Watched m_watched;
+    Parts m_parts;
     Access::WallClock m_wallClock;
-    std::function<store::ClockState()> m_clockState = [] { return store::ClockState::Unproven; };
     QHash<quint32, store::AuditEntry> m_commands; // pending, by id
     QList<store::AuditEntry> m_writes;            // under way, oldest first
     std::optional<Download> m_download;

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// The permissions of the person at the panel. Every function that changes something asks this check itself,
-// not only the screen. A refused person is asked to log in. Without PINs the check admits everybody.
+// The person at the panel and what that person may do. Every function that changes something asks this check
+// itself, not only the screen. A refused person is asked to log in. Without PINs the check admits everybody.
 #pragma once
 
 #include <QObject>
+#include <QString>
 
 namespace campanel::panel {
 
@@ -17,7 +18,13 @@ public:
     using QObject::QObject;
 
     [[nodiscard]] Level level() const { return m_level; }
-    void setLevel(Level level) { m_level = level; }
+    // Returns the name; empty: nobody is logged in.
+    [[nodiscard]] QString person() const { return m_person; }
+    void setLevel(Level level, const QString& person = {})
+    {
+        m_level = level;
+        m_person = person;
+    }
     // Returns false and emits refused() when the level is too low.
     [[nodiscard]] bool require(Level needed)
     {
@@ -32,6 +39,7 @@ signals:
 
 private:
     Level m_level = Level::Service;
+    QString m_person;
 };
 
 } // namespace campanel::panel

@@ -40,7 +40,6 @@ Recipes::Recipes(Controller& controller, Editor& editor, DatabaseService& record
     , m_editor(editor)
     , m_records(records)
     , m_wallClock([] { return QDateTime::currentDateTime(); })
-    , m_author([] { return QString(); })
     , m_files(
           QDir(folder).filePath(u"recipes"_s),
           [this](const store::RecipeOffer& offer) { return consequence(offer); }, this)
@@ -69,22 +68,6 @@ Recipes::Recipes(Controller& controller, Editor& editor, DatabaseService& record
 Recipes::~Recipes()
 {
     m_editor.setNewestVersion([](const std::string&) { return 0; });
-}
-
-template <typename Job, typename Done> void Recipes::work(Job job, Done done)
-{
-    m_records.store().run(
-        this,
-        [job = std::move(job)](store::Database& database) {
-            store::RecipeLibrary library(database);
-            return job(library);
-        },
-        [this, done = std::move(done)](const auto& outcome) {
-            if (outcome)
-                done(*outcome);
-            else
-                m_records.reportError(outcome.error());
-        });
 }
 
 void Recipes::begin()
@@ -128,9 +111,9 @@ void Recipes::reload()
 void Recipes::keep(const Recipe& recipe, Origin origin, std::function<void(const RecipeVersion& kept)> done,
                    const QString& signer)
 {
-    const QString by = m_author();
+    const QString by = accessCheck().person();
     const qint64 nowMs = m_wallClock().toMSecsSinceEpoch();
-    const store::ClockState clock = m_clockState();
+    const store::ClockState clock = m_records.clockState();
     work(
         [recipe, origin, by, nowMs, clock](store::RecipeLibrary& library) {
             auto saved = library.save(recipe, by, nowMs, clock);

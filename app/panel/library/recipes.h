@@ -11,6 +11,7 @@
 #include "app/panel/library/recipe_codes.h"
 #include "app/panel/library/recipe_files.h"
 #include "app/panel/library/recipe_list.h"
+#include "app/panel/records/database_service.h"
 #include "app/store/logs/audit_log.h"
 #include "app/store/recipes/recipe_library.h"
 
@@ -26,7 +27,6 @@ namespace campanel::panel {
 
 class Editor;
 class Controller;
-class DatabaseService;
 
 class Recipes : public QObject, public Singleton<Recipes> {
     Q_OBJECT
@@ -67,7 +67,6 @@ class Recipes : public QObject, public Singleton<Recipes> {
 
 public:
     using WallClock = std::function<QDateTime()>;
-    using Author = std::function<QString()>;
 
     // All arguments must outlive the object. Its own files are in a folder below `folder`.
     Recipes(Controller& controller, Editor& editor, DatabaseService& records, const QString& folder,
@@ -75,10 +74,6 @@ public:
     ~Recipes() override;
 
     void setWallClock(WallClock clock) { m_wallClock = std::move(clock); }
-    // Sets the function that returns true while the clock of the computer is not set.
-    void setClockState(std::function<store::ClockState()> state) { m_clockState = std::move(state); }
-    // Sets the function that returns the person at the panel; empty while unknown.
-    void setAuthor(Author author) { m_author = std::move(author); }
 
     // Reads all recipes again after the database was changed elsewhere.
     void reload();
@@ -207,8 +202,6 @@ private:
     Editor& m_editor;
     DatabaseService& m_records;
     WallClock m_wallClock;
-    std::function<store::ClockState()> m_clockState = [] { return store::ClockState::Unproven; };
-    Author m_author;
     Versions m_all; // the newest of each
     QList<store::MachineData> m_machineData;
     QHash<qint64, CurveShape> m_shapes; // of each
@@ -232,5 +225,21 @@ private:
     QString m_deletedName;
     bool m_isReady = false;
 };
+
+template <typename Job, typename Done> void Recipes::work(Job job, Done done)
+{
+    m_records.store().run(
+        this,
+        [job = std::move(job)](store::Database& database) {
+            store::RecipeLibrary library(database);
+            return job(library);
+        },
+        [this, done = std::move(done)](const auto& outcome) {
+            if (outcome)
+                done(*outcome);
+            else
+                m_records.reportError(outcome.error());
+        });
+}
 
 } // namespace campanel::panel

@@ -15,6 +15,12 @@ namespace campanel::panel {
 
 using store::storeLog;
 
+namespace {
+
+constexpr qint64 clockAskedMs = 1000; // between two questions; bags and states come more often
+
+} // namespace
+
 DatabaseService::DatabaseService(const QString& folder, QObject* parent)
     : QObject(parent)
     , m_store(folder)
@@ -50,6 +56,38 @@ void DatabaseService::makeCopy()
         [this](const tl::expected<void, store::StoreError>& copied) {
             if (!copied)
                 reportError(copied.error());
+        });
+}
+
+void DatabaseService::setClockState(const std::function<store::ClockState()>& state)
+{
+    m_askClock = state;
+    m_clockAsked.invalidate();
+}
+
+store::ClockState DatabaseService::clockState()
+{
+    if (m_askClock && m_clock != store::ClockState::Proven &&
+        (!m_clockAsked.isValid() || m_clockAsked.hasExpired(clockAskedMs))) {
+        m_clock = m_askClock();
+        m_clockAsked.start();
+        if (m_clock == store::ClockState::Proven)
+            noteClockProven();
+    }
+    return m_clock;
+}
+
+void DatabaseService::noteClockProven()
+{
+    m_clock = store::ClockState::Proven;
+    m_store.run(
+        this,
+        [nowMs = QDateTime::currentMSecsSinceEpoch()](store::Database& database) {
+            return store::noteClockProven(database, nowMs);
+        },
+        [this](const tl::expected<void, store::StoreError>& kept) {
+            if (!kept)
+                reportError(kept.error());
         });
 }
 

@@ -5,12 +5,15 @@
 
 #include "app/panel/kit/singleton.h"
 #include "app/store/backup/restore.h"
+#include "app/store/database/clock_mark.h"
 #include "app/store/store_thread.h"
 
+#include <QElapsedTimer>
 #include <QObject>
 #include <QString>
 #include <QtQml/qqmlregistration.h>
 
+#include <functional>
 #include <optional>
 
 namespace campanel::panel {
@@ -38,6 +41,12 @@ public:
     void makeCopy();
     // Returns why the database could not be opened; what is read then is only the memory of this run.
     [[nodiscard]] const std::optional<store::StoreError>& openError() const { return m_openError; }
+    // Sets how records learn that the clock of this computer was not set; never by default.
+    void setClockState(const std::function<store::ClockState()>& state);
+    // Returns whether the time of a record made now can be trusted. Proven stays until the end.
+    [[nodiscard]] store::ClockState clockState();
+    // Keeps the proof, so that records of a clock that ran ahead mark no later one after a restart either.
+    void noteClockProven();
     // Sets the notice of a finished restore; it stays until it is dismissed.
     void noteRestore(const store::FinishedRestore& restore);
     // Reports data that could not be stored.
@@ -59,6 +68,9 @@ private:
     std::optional<store::StoreError> m_openError;
     std::optional<store::StoreError> m_error;
     store::FinishedRestore m_restore;
+    std::function<store::ClockState()> m_askClock;
+    QElapsedTimer m_clockAsked; // since m_clock was read
+    store::ClockState m_clock = store::ClockState::Unproven;
 };
 
 } // namespace campanel::panel

@@ -2,6 +2,7 @@
 #include "app/panel/stops/machine_watch.h"
 
 #include "app/panel/controller/controller.h"
+#include "app/panel/records/database_service.h"
 #include "app/panel/settings/settings.h"
 #include "app/panel/words/alarm_catalogue.h"
 #include "app/program/solved_program.h"
@@ -59,9 +60,11 @@ qint64 advanceOf(std::optional<std::uint32_t>& last, std::uint32_t count)
 
 } // namespace
 
-MachineWatch::MachineWatch(Controller& controller, Settings& settings, StateBook& book)
+MachineWatch::MachineWatch(Controller& controller, Settings& settings, DatabaseService& records,
+                           StateBook& book)
     : m_controller(controller)
     , m_settings(settings)
+    , m_records(records)
     , m_book(book)
     , m_clock(&QDateTime::currentMSecsSinceEpoch)
 {
@@ -81,7 +84,7 @@ MachineWatch::MachineWatch(Controller& controller, Settings& settings, StateBook
 StateBook::Now MachineWatch::now() const
 {
     const qint64 utcMs = m_clock();
-    return {m_controller.now(), utcMs, store::isTimeDoubtful(utcMs, m_newestMs, m_clockState())};
+    return {m_controller.now(), utcMs, store::isTimeDoubtful(utcMs, m_newestMs, m_records.clockState())};
 }
 
 void MachineWatch::takeStatus()

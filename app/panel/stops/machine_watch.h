@@ -16,6 +16,7 @@
 namespace campanel::panel {
 
 class Controller;
+class DatabaseService;
 class Settings;
 
 // The reason of a stop that waits for a product.
@@ -31,11 +32,9 @@ public:
     static constexpr std::chrono::seconds suspendedAfter{5};
 
     // All arguments must outlive the object.
-    MachineWatch(Controller& controller, Settings& settings, StateBook& book);
+    MachineWatch(Controller& controller, Settings& settings, DatabaseService& records, StateBook& book);
 
     void setWallClock(WallClock clock) { m_clock = std::move(clock); }
-    // Sets the function that returns true while the clock of the computer is not set.
-    void setClockState(std::function<store::ClockState()> state) { m_clockState = std::move(state); }
     // Sets the time of the newest record: an earlier time cannot be right.
     void setNewestRecord(qint64 utcMs) { m_newestMs = utcMs; }
     [[nodiscard]] StateBook::Now now() const;
@@ -53,9 +52,9 @@ private:
 
     Controller& m_controller;
     Settings& m_settings;
+    DatabaseService& m_records;
     StateBook& m_book;
     WallClock m_clock;
-    std::function<store::ClockState()> m_clockState = [] { return store::ClockState::Unproven; };
     qint64 m_newestMs = 0;
     std::optional<link::SteadyTime> m_waitsSince; // the film
     std::optional<std::uint32_t> m_pieces;        // the controller's count

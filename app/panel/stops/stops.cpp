@@ -34,7 +34,7 @@ Stops::Stops(Controller& controller, Settings& settings, DatabaseService& record
     , m_settings(settings)
     , m_records(records)
     , m_writer(*this, records, m_book)
-    , m_watch(controller, settings, m_book)
+    , m_watch(controller, settings, records, m_book)
     , m_setup(settings)
     , m_keys(settings, this)
     , m_shift(*this, settings, records)
@@ -90,7 +90,7 @@ bool Stops::answer(qint64 stop, const StopReason& reason)
 {
     if (!m_controller.accessCheck().require(Level::Operator) || stop == 0)
         return false;
-    const StopRow answer{stop, reason.key(), reason.isPlanned, m_person, nowMs()};
+    const StopRow answer{stop, reason.key(), reason.isPlanned, m_controller.accessCheck().person(), nowMs()};
     const StopRow before = m_book.presentStop();
     if (!m_book.answer(answer)) {
         answerEarlier(answer);

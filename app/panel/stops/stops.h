@@ -41,9 +41,6 @@ public:
     Stops(Controller& controller, Settings& settings, DatabaseService& records, QObject* parent);
 
     void setWallClock(const MachineWatch::WallClock& clock);
-    void setClockState(std::function<store::ClockState()> state) { m_watch.setClockState(std::move(state)); }
-    // Sets the person who answers; empty: unknown.
-    void setPerson(const QString& person) { m_person = person; }
     [[nodiscard]] qint64 nowMs() const { return m_watch.now().utcMs; }
 
     [[nodiscard]] bool asking() const { return m_present.isAsking; }
@@ -85,7 +82,6 @@ private:
     Controller& m_controller;
     Settings& m_settings;
     DatabaseService& m_records;
-    QString m_person;
     StateBook m_book;
     BufferedWriter<StateBook, store::StopLog> m_writer;
     MachineWatch m_watch;

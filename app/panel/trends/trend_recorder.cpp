@@ -2,6 +2,7 @@
 #include "app/panel/trends/trend_recorder.h"
 
 #include "app/panel/controller/controller.h"
+#include "app/panel/records/database_service.h"
 #include "app/panel/settings/settings.h"
 
 #include <QDateTime>
@@ -25,9 +26,10 @@ bool turns(const modbus::StatusBlock& status)
 
 } // namespace
 
-TrendRecorder::TrendRecorder(Controller& controller, Settings& settings)
+TrendRecorder::TrendRecorder(Controller& controller, Settings& settings, DatabaseService& records)
     : m_controller(controller)
     , m_settings(settings)
+    , m_records(records)
     , m_clock(&QDateTime::currentMSecsSinceEpoch)
 {
     // Connected after the controller, which handles the signal first.
@@ -113,7 +115,7 @@ void TrendRecorder::add(store::Bag bag)
     if (std::exchange(m_isNextOfTwoPrograms, false) || !std::isfinite(bag.setLengthMm))
         return;
     bag.timeMs = m_clock();
-    bag.clock = m_clockState();
+    bag.clock = m_records.clockState();
     bag.programName = m_controller.active().name;
     bag.programVersion =
         std::isfinite(m_controller.active().version) ? static_cast<int>(m_controller.active().version) : 0;

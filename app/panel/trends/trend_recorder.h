@@ -17,6 +17,7 @@
 namespace campanel::panel {
 
 class Controller;
+class DatabaseService;
 class Settings;
 
 class TrendRecorder : public QObject {
@@ -32,12 +33,10 @@ public:
     // Milliseconds since 1970 UTC.
     using WallClock = std::function<qint64()>;
 
-    // Both arguments must outlive the object.
-    TrendRecorder(Controller& controller, Settings& settings);
+    // All arguments must outlive the object.
+    TrendRecorder(Controller& controller, Settings& settings, DatabaseService& records);
 
     void setWallClock(WallClock clock) { m_clock = std::move(clock); }
-    // Sets the function that returns true while the clock of the computer is not set.
-    void setClockState(std::function<store::ClockState()> state) { m_clockState = std::move(state); }
     // Returns the data since the last call. Data older than ten minutes is dropped.
     [[nodiscard]] Batch take();
 
@@ -52,8 +51,8 @@ private:
 
     Controller& m_controller;
     Settings& m_settings;
+    DatabaseService& m_records;
     WallClock m_clock;
-    std::function<store::ClockState()> m_clockState = [] { return store::ClockState::Unproven; };
     QList<store::Bag> m_bags;
     std::map<std::pair<qint64, store::TrendQuantity>, store::TrendBucket> m_parts;
     std::optional<double> m_worstFollowingMm; // since the last bag

@@ -95,7 +95,7 @@ Trends::Trends(Controller& controller, Settings& settings, DatabaseService& reco
                QObject* parent)
     : Watched(parent)
     , m_records(records)
-    , m_recorder(controller, settings)
+    , m_recorder(controller, settings, records)
     , m_clock(&QDateTime::currentMSecsSinceEpoch)
     , m_store(folder, store::trendDatabase())
     , m_csv(

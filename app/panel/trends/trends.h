@@ -70,10 +70,6 @@ public:
 
     // Replaces the computer's time of day, for tests and captures.
     void setWallClock(const TrendRecorder::WallClock& clock);
-    void setClockState(std::function<store::ClockState()> state)
-    {
-        m_recorder.setClockState(std::move(state));
-    }
     [[nodiscard]] store::StoreThread& store() { return m_store; }
 
     [[nodiscard]] QList<int> chosen() const { return m_chosen; }

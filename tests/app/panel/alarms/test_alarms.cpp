@@ -77,7 +77,7 @@ private slots:
         rig.setWarnings(flash);
         QTRY_COMPARE(rig.logged().size(), 3);
         QVERIFY(!rig.logged()[0].isClockDoubtful);
-        rig.alarms->setClockState([] { return store::ClockState::NotSet; });
+        rig.records->setClockState([] { return store::ClockState::NotSet; });
         rig.setWarnings(flash | marksLost);
         QTRY_COMPARE(rig.logged().size(), 4);
         QVERIFY(rig.logged()[0].isClockDoubtful);
@@ -88,7 +88,7 @@ private slots:
         AlarmRig rig;
         rig.open();
         rig.panel.connectIdle();
-        rig.alarms->setPerson(QStringLiteral("Li"));
+        rig.panel.machine.accessCheck().setLevel(panel::Level::Service, QStringLiteral("Li"));
         rig.setFaults(jam);
         QCOMPARE(rig.live(), Lines{"C-01 active calls"});
         QCOMPARE(rig.alarms->active(), 1);

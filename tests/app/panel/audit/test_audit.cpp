@@ -46,7 +46,7 @@ private slots:
         rig.wallMs += 7'200'000;
         rig.trail.note(noted);
         QVERIFY(!rig.entries().last().isClockDoubtful);
-        rig.trail.setClockState([] { return store::ClockState::NotSet; });
+        rig.records.setClockState([] { return store::ClockState::NotSet; });
         rig.trail.note(noted);
         QVERIFY(rig.entries().last().isClockDoubtful);
     }

@@ -24,7 +24,7 @@ struct RecipesRig : PanelRig {
     RecipesRig()
     {
         recipes.setWallClock([] { return QDateTime(QDate(2026, 1, 15), QTime(14, 7)); });
-        recipes.setAuthor([] { return QStringLiteral("Anna"); });
+        machine.accessCheck().setLevel(Level::Service, QStringLiteral("Anna"));
         records.open();
         if (!QTest::qWaitFor([this] { return recipes.total() == 1; }))
             qFatal("the database was not read");
@@ -75,7 +75,7 @@ private slots:
     {
         RecipesRig rig;
         QVERIFY(!rig.recipes.chosenNote().contains(QStringLiteral("clock")));
-        rig.recipes.setClockState([] { return store::ClockState::NotSet; });
+        rig.records.setClockState([] { return store::ClockState::NotSet; });
         rig.editor.bagLength()->set(240);
         rig.recipes.save();
         QTRY_VERIFY(rig.recipes.chosenNote().contains(QStringLiteral("clock not set")));

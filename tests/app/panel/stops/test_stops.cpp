@@ -183,7 +183,7 @@ private slots:
     {
         StopRig rig;
         QSignalSpy noted(rig.stops.get(), &panel::Stops::noted);
-        rig.stops->setPerson(QStringLiteral("Ann"));
+        rig.panel.machine.accessCheck().setLevel(panel::Level::Service, QStringLiteral("Ann"));
         run(rig);
         rig.setState(State::Ready);
         rig.pass(90);
