@@ -4,6 +4,7 @@
 #include "app/store/database/clock_mark.h"
 
 #include <algorithm>
+#include <ranges>
 #include <tuple>
 #include <utility>
 
@@ -35,9 +36,20 @@ bool wantsAcknowledgement(const AlarmEntry& entry)
 
 AlarmEntry* AlarmBook::find(const QString& code)
 {
-    const auto found =
-        std::ranges::find_if(m_entries, [&](const AlarmEntry& entry) { return entry.row.code == code; });
-    return found == m_entries.end() ? nullptr : &*found;
+    const auto found = std::ranges::find_if(m_entries | std::views::reverse,
+                                            [&](const AlarmEntry& entry) { return entry.row.code == code; });
+    return found == m_entries.rend() ? nullptr : &*found;
+}
+
+AlarmEntry& AlarmBook::newEntry(const QString& code)
+{
+    std::erase_if(m_entries, [&](const AlarmEntry& earlier) {
+        return earlier.row.code == code && !earlier.isUnacknowledged();
+    });
+    const auto kept = std::ranges::count(m_entries, code, [](const auto& entry) { return entry.row.code; });
+    if (kept < unacknowledgedRows)
+        return m_entries.emplace_back();
+    return *find(code) = {};
 }
 
 void AlarmBook::note(const AlarmEntry& entry)
@@ -53,8 +65,6 @@ void AlarmBook::raise(const AlarmKind& kind, const QString& detail, const Now& n
         return;
     const bool isSame =
         entry && (now.steady - entry->returnedAt < sameWithin || m_waiting.size() >= waitingRows);
-    if (!entry)
-        entry = &m_entries.emplace_back();
     if (isSame) {
         entry->row.end = AlarmRow::End::Active;
         entry->row.returnedMs = 0;
@@ -62,7 +72,7 @@ void AlarmBook::raise(const AlarmKind& kind, const QString& detail, const Now& n
         entry->row.isShelved = entry->row.isShelved || entry->isShelved;
         entry->row.wantsAcknowledgement = wantsAcknowledgement(*entry);
     } else {
-        *entry = {};
+        entry = &newEntry(code);
         entry->kind = &kind;
         entry->isShelved = isShelved(code);
         entry->row.id = ++m_lastId;
@@ -90,11 +100,12 @@ void AlarmBook::clear(const AlarmKind& kind, const Now& now, AlarmRow::End end)
 
 void AlarmBook::acknowledge(const QString& code, qint64 id, const QString& by, qint64 utcMs)
 {
-    AlarmEntry* entry = find(code);
-    if (entry && entry->row.id <= id && entry->isUnacknowledged()) {
-        entry->row.acknowledgedMs = utcMs;
-        entry->row.acknowledgedBy = by;
-        note(*entry);
+    for (AlarmEntry& entry : m_entries) {
+        if (entry.row.code != code || entry.row.id > id || !entry.isUnacknowledged())
+            continue;
+        entry.row.acknowledgedMs = utcMs;
+        entry.row.acknowledgedBy = by;
+        note(entry);
     }
     m_acknowledgements.append({code, id, utcMs, by});
 }
@@ -168,6 +179,15 @@ void AlarmBook::begin(const store::AlarmLog::Start& start, store::ClockState clo
     for (auto& given : m_acknowledgements)
         given.upToId += start.lastId;
     m_lastId += start.lastId;
+    std::vector<AlarmEntry> before;
+    for (const AlarmRow& row : start.unacknowledged) {
+        const AlarmKind* kind = AlarmCatalogue::find(row.code);
+        const bool isAnswered = // meanwhile
+            std::ranges::count(m_acknowledgements, row.code, &store::AlarmChanges::Acknowledgement::code) > 0;
+        if (kind && !isAnswered && std::ranges::count(before, kind, &AlarmEntry::kind) < unacknowledgedRows)
+            before.insert(before.begin(), {.kind = kind, .row = row});
+    }
+    m_entries.insert(m_entries.begin(), before.begin(), before.end());
     for (const store::AlarmShelf& shelf : start.shelves) {
         if (!isShelved(shelf.code) && isShelvable(shelf.code))
             m_shelves.append(shelf);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The states of all alarms since the start: active or returned, acknowledged or not, shelved. One entry per
-// kind limits the size in a flood of alarms. Changes are collected for the log. Values only: no clock, no
-// thread.
+// The states of all alarms: active or returned, acknowledged or not, shelved. Of each kind it keeps the last
+// occurrence and the earlier ones that nobody has acknowledged, a few, also in a flood of alarms. Changes are
+// collected for the log. Values only: no clock, no thread.
 #pragma once
 
 #include "app/panel/words/alarm_catalogue.h"
@@ -35,6 +35,10 @@ public:
     // The number of rows waiting for the disk at which every repeated alarm counts as the same occurrence.
     static constexpr std::size_t waitingRows = 1000;
 
+    // The number of unacknowledged occurrences of one kind that are listed: the last one and the earliest
+    // ones. Those between them are only in the log, and are acknowledged with the last one.
+    static constexpr int unacknowledgedRows = 10;
+
     struct Now {
         link::SteadyTime steady;
         qint64 utcMs = 0;
@@ -45,7 +49,7 @@ public:
     // Ends an occurrence; does nothing when the alarm is not active.
     void clear(const AlarmKind& kind, const Now& now,
                store::AlarmRow::End end = store::AlarmRow::End::Returned);
-    // Acknowledges this occurrence and the earlier ones.
+    // Acknowledges this occurrence of the kind and the earlier ones.
     void acknowledge(const QString& code, qint64 id, const QString& by, qint64 utcMs);
     // Shelves an alarm. Returns false when it stops the machine: such an alarm cannot be shelved.
     bool shelve(const QString& code, qint64 untilMs, const QString& by, qint64 utcMs);
@@ -54,13 +58,14 @@ public:
     // when there was one.
     bool endShelves(qint64 utcMs);
 
-    // Starts after the log's last id and shelves; earlier occurrences get the following ids. Called once.
+    // Starts after the log's last id, shelves and unacknowledged rows; earlier occurrences get the following
+    // ids. Called once.
     void begin(const store::AlarmLog::Start& start, store::ClockState clock = store::ClockState::Unproven);
     [[nodiscard]] bool isBegun() const { return m_isBegun; }
 
     // Returns the alarms that are active or need to be acknowledged, the most urgent first.
     [[nodiscard]] std::vector<AlarmEntry> live() const;
-    // Returns null when the kind's last occurrence has another id.
+    // Returns null when there is no occurrence with this id any more.
     [[nodiscard]] const AlarmEntry* entryWith(qint64 id) const;
     [[nodiscard]] const QList<store::AlarmShelf>& shelves() const { return m_shelves; }
     [[nodiscard]] bool isShelved(const QString& code) const;
@@ -75,11 +80,13 @@ public:
     }
 
 private:
+    // Returns the kind's last occurrence.
     [[nodiscard]] AlarmEntry* find(const QString& code);
+    [[nodiscard]] AlarmEntry& newEntry(const QString& code);
     void note(const AlarmEntry& entry);
     void updateShelved();
 
-    std::vector<AlarmEntry> m_entries; // the last occurrence of each kind
+    std::vector<AlarmEntry> m_entries; // those of one kind in the order of their ids
     QList<store::AlarmShelf> m_shelves;
     qint64 m_lastId = 0;
     bool m_isBegun = false;                      // the end of the log is known

@@ -185,8 +185,8 @@ void Alarms::acknowledgeAll()
         return;
     QStringList codes;
     for (const AlarmEntry& entry : m_book.live()) {
-        if (!entry.isUnacknowledged())
-            continue;
+        if (!entry.isUnacknowledged() || codes.contains(entry.row.code))
+            continue; // or acknowledged with a later occurrence
         m_book.acknowledge(entry.row.code, entry.row.id, person(), now().utcMs);
         codes << entry.row.code;
     }

@@ -127,6 +127,12 @@ tl::expected<AlarmLog::Start, StoreError> AlarmLog::begin(Database& database)
     if (!shelves)
         return tl::unexpected(shelves.error());
     start.shelves = *shelves;
+    const auto rows = alarmTable().read(
+        database, u"WHERE acknowledged_ms IS NULL AND wants_acknowledgement = 1 ORDER BY id DESC LIMIT ?"_s,
+        {maxUnacknowledged});
+    if (!rows)
+        return tl::unexpected(rows.error());
+    start.unacknowledged = *rows;
     return start;
 }
 

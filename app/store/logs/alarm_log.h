@@ -63,11 +63,13 @@ class AlarmLog {
 public:
     static constexpr qint64 capacity = 100'000;
     static constexpr int detailLength = 300;
+    static constexpr int maxUnacknowledged = 200;
 
     struct Start {
         qint64 lastId = 0;   // 0: none
         qint64 newestMs = 0; // see newestRecordMs()
         QList<AlarmShelf> shelves;
+        QList<AlarmRow> unacknowledged; // the newest first, at most maxUnacknowledged
     };
 
     // Marks alarms that were active when the panel ended as Unknown. Call it once, before the first write().
