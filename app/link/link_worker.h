@@ -127,6 +127,8 @@ private:
     std::unique_ptr<ComparisonJob> m_comparison;
     std::unique_ptr<modbus::LineScan> m_scan;
     modbus::ScanPlan::Depth m_scanDepth = modbus::ScanPlan::Depth::Diagnosis;
+    // Was connected when the scan began: lost only when the first attempt afterwards fails.
+    bool m_isInterruptedByScan = false;
     std::uint16_t m_session = 0;
     std::uint16_t m_heartbeat = 0;
     bool m_wasConnected = false; // since connectTo()

@@ -101,6 +101,7 @@ void LinkWorker::tryToConnect()
 {
     if (m_settings.simulated && m_report.simulator != SimulatorState::Serving)
         return; // its next signal continues
+    const bool isReturning = std::exchange(m_isInterruptedByScan, false);
     if (!m_settings.simulated)
         m_report.portName = findPort(m_settings.port, m_adapter);
     if (!m_client) {
@@ -115,7 +116,7 @@ void LinkWorker::tryToConnect()
             return;
         }
         m_client = std::move(client);
-        report(m_wasConnected ? LinkState::Lost : LinkState::Connecting, m_report.error);
+        report(m_wasConnected && !isReturning ? LinkState::Lost : LinkState::Connecting, m_report.error);
     }
     const auto identity = m_client->identify();
     if (!identity) {

@@ -180,6 +180,7 @@ void LinkWorker::startScan(modbus::ScanPlan::Depth depth)
     for (const PortDescription& port : availablePorts())
         plan.otherPorts.push_back(port.path.toStdString());
     m_scanDepth = depth;
+    m_isInterruptedByScan = m_report.state == LinkState::Connected;
     m_scan = std::make_unique<modbus::LineScan>(std::move(plan));
     disconnect(m_report.error);
     reportScan(true, false);
@@ -207,7 +208,7 @@ void LinkWorker::endScan(bool isCanceled)
 {
     reportScan(false, isCanceled);
     m_scan.reset();
-    report(m_report.state, m_report.error);
+    report(m_isInterruptedByScan ? LinkState::Connecting : m_report.state, m_report.error);
     stepAfter(0ms);
 }
 

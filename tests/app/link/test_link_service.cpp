@@ -322,6 +322,10 @@ private slots:
         ControllerProcess controller;
         Panel panel(portSettings(controller.port()));
         QTRY_VERIFY_WITH_TIMEOUT(panel.isConnected(), timeoutMs);
+        int losses = 0; // a diagnosis interrupts the line, nothing is lost
+        connect(&panel.link, &link::Link::reported, this, [&losses](const link::LinkReport& said) {
+            losses += said.state == link::LinkState::Lost && !said.isScanning ? 1 : 0;
+        });
         panel.link.startScan(Depth::Diagnosis);
         QTRY_VERIFY_WITH_TIMEOUT(panel.scanEnded(), timeoutMs);
         const link::ScanReport last = panel.scans.last();
@@ -331,6 +335,7 @@ private slots:
         QVERIFY(panel.scans.first().isRunning);
         panel.status.reset();
         QTRY_VERIFY_WITH_TIMEOUT(panel.isConnected() && !panel.report.isScanning, timeoutMs); // automatically
+        QCOMPARE(losses, 0);
     }
 
     void wrongUnitIsFoundAndTakenOverInOneCall()
