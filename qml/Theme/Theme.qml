@@ -17,7 +17,8 @@ QtObject {
     property bool gloves: false            // keys for a hand in a glove
 
     readonly property ColorScheme color: name === "dark" ? theme.dark : name === "contrast" ? theme.contrast : theme.light
-    readonly property SizeClass size: theme.window.width >= 1200 && theme.window.height >= 720 ? theme.large
+    readonly property SizeClass size: theme.window.width >= 1800 && theme.window.height >= 1000 ? theme.fullHd
+        : theme.window.width >= 1200 && theme.window.height >= 720 ? theme.large
         : theme.window.width >= 960 && theme.window.height >= 560 ? theme.medium : theme.small
     readonly property IconCodes icon: IconCodes {}
     readonly property string iconFamily: "Material Design Icons"
@@ -36,6 +37,7 @@ QtObject {
     readonly property SizeClass small: SmallScreen {}
     readonly property SizeClass medium: MediumScreen {}
     readonly property SizeClass large: LargeScreen {}
+    readonly property SizeClass fullHd: FullHdScreen {}
 
     readonly property Binding density: Binding {
         target: theme.size

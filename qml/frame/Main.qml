@@ -15,6 +15,12 @@ Window {
     title: "CamPanel"
     color: Theme.color.ground
     visible: false
+    minimumWidth: isOnDesktop ? 800 : 0
+    minimumHeight: isOnDesktop ? 480 : 0
+
+    // Beside other windows: no screen is turned, however the window is resized.
+    property bool hasWindowSystem: ["xcb", "wayland", "wayland-egl", "cocoa", "windows"].includes(Qt.platform.pluginName)
+    readonly property bool isOnDesktop: hasWindowSystem && visibility !== Window.FullScreen
 
     // The platform plugins without a window system do not rotate a window. Touches follow the item.
     Item {
@@ -50,7 +56,7 @@ Window {
     Binding { target: Theme; property: "gloves"; value: Settings.setting("display.gloves").key }
     Binding { target: Theme; property: "language"; value: Settings.setting("display.language").key }
     Binding { target: Theme; property: "window"; value: Qt.size(turned.width, turned.height) }
-    Binding { target: ScreenRotation; property: "screen"; value: Qt.size(window.width, window.height) }
+    Binding { target: ScreenRotation; property: "screen"; value: window.isOnDesktop ? Qt.size(Math.max(window.width, window.height), 0) : Qt.size(window.width, window.height) }
     Binding {
         target: Theme
         property: "screenPixelsPerMm"

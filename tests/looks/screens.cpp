@@ -606,7 +606,7 @@ const QList<Screen>& allScreens()
 
 namespace {
 
-constexpr std::array variantSizes{QSize(800, 480), QSize(1024, 600), QSize(1280, 800)};
+constexpr std::array variantSizes{QSize(800, 480), QSize(1024, 600), QSize(1280, 800), QSize(1920, 1080)};
 
 // The installed languages, and the one with longer texts.
 QStringList languages()

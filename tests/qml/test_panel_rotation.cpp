@@ -99,6 +99,20 @@ private slots:
         QCOMPARE(m_window->frame()->property("page").toString(), u"motion"_s);
     }
 
+    // A person may make a window of a desktop as narrow as the window system lets them.
+    void aWindowOfADesktopDoesNotLieOnItsSide()
+    {
+        QWindow& window = m_window->window();
+        QVERIFY(window.setProperty("hasWindowSystem", true));
+        QCOMPARE(window.minimumSize(), QSize(800, 480));
+        window.resize(820, 1100);
+        QTRY_COMPARE(sizeOfPanel(), QSizeF(820, 1100));
+        m_window->settle();
+        QCOMPARE(rotation().degrees(), 0);
+        touch(centerOf(u"nav_motion"_s));
+        QCOMPARE(m_window->frame()->property("page").toString(), u"motion"_s);
+    }
+
     void thePictureOfTheServiceBundleIsUpright()
     {
         const QImage before = m_window->grab();
