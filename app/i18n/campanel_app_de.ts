@@ -6685,6 +6685,10 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
         <translation>%1 und %2 haben denselben Code %3. Einem davon einen anderen Code geben.</translation>
     </message>
     <message>
+        <source>An entry is open. Confirm or cancel the entry, then scan again.</source>
+        <translation>Eine Eingabe ist offen. Die Eingabe bestätigen oder abbrechen, dann erneut scannen.</translation>
+    </message>
+    <message>
         <source>Complete the first start, then scan again.</source>
         <translation>Zuerst den ersten Start abschließen, dann erneut scannen.</translation>
     </message>

@@ -6682,6 +6682,10 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
         <translation>%1 和 %2 的条码同为 %3。请为其中一个更换条码。</translation>
     </message>
     <message>
+        <source>An entry is open. Confirm or cancel the entry, then scan again.</source>
+        <translation>有未完成的输入。请先确认或取消输入，然后重新扫描。</translation>
+    </message>
+    <message>
         <source>Complete the first start, then scan again.</source>
         <translation>请先完成首次启动，然后重新扫描。</translation>
     </message>

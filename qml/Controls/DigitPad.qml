@@ -10,6 +10,7 @@ Card {
     required property string label
     property string hint
     property bool hintIsFault
+    property string warning                // instead of the hint
     property bool ready: true              // digits may be entered
     property bool secret: true
     property bool pointed                  // with a key for the point
@@ -48,7 +49,6 @@ Card {
     Component.onCompleted: pad.forceActiveFocus()
     Keys.onReturnPressed: pad.finish()
     Keys.onEnterPressed: pad.finish()
-    Keys.onEscapePressed: pad.canceled()
     Keys.onPressed: event => {
         if (event.key === Qt.Key_Backspace)
             pad.backspace()
@@ -72,6 +72,7 @@ Card {
         }
         Row {
             id: dots
+            objectName: "pinDots"
             anchors { right: parent.right; top: parent.top; topMargin: Theme.size.accent }
             height: Theme.size.value
             spacing: Theme.size.accent
@@ -84,15 +85,13 @@ Card {
                 font { pixelSize: Theme.size.title; bold: true }
             }
             Repeater {
-                model: pad.secret ? Math.max(pad.fewest, pad.digits.length) : 0
+                model: pad.secret ? pad.digits.length : 0
                 Rectangle {
-                    required property int index
                     anchors.verticalCenter: parent.verticalCenter
                     width: Theme.size.mark
                     height: width
                     radius: width / 2
-                    color: index < pad.digits.length ? Theme.color.ink : Theme.color.inset
-                    border { width: Theme.size.hairline; color: index < pad.digits.length ? Theme.color.ink : Theme.color.line }
+                    color: Theme.color.ink
                 }
             }
         }
@@ -102,8 +101,8 @@ Card {
             fontSizeMode: Text.Fit
             minimumPixelSize: Theme.size.caption - 5
             wrapMode: Text.WordWrap
-            text: pad.hint
-            color: pad.hintIsFault ? Theme.color.fault : Theme.color.secondaryInk
+            text: pad.warning.length > 0 ? pad.warning : pad.hint
+            color: pad.hintIsFault || pad.warning.length > 0 ? Theme.color.fault : Theme.color.secondaryInk
             font.pixelSize: Theme.size.caption
         }
     }

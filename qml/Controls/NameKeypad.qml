@@ -17,9 +17,7 @@ Sheet {
 
     function type(letter: string): void { keypad.edited(keypad.text + letter) }
 
-    focus: true
     Component.onCompleted: keypad.forceActiveFocus()
-    Keys.onEscapePressed: keypad.closed()
     Keys.onReturnPressed: keypad.closed()
     Keys.onPressed: event => {
         if (event.key === Qt.Key_Backspace)

@@ -16,7 +16,9 @@ Card {
     required property real defaultValue
     required property int decimals
     property string refusal                // reason why typedValue is refused; "" when it is valid
-    signal accepted(real value)
+    property string warning                // instead of the limits while something is typed
+    signal edited()
+    signal accepted()
     signal canceled()
 
     // The height at which keys are 18 mm and the header has room.
@@ -24,11 +26,18 @@ Card {
     readonly property int keyWidth: Math.min(Theme.size.commandKey, Math.floor((width - 2 * Theme.size.accent) / 4))
     readonly property int keyHeight: Math.min(Theme.size.commandKey, Math.floor((height - header.height - Theme.size.spacing - Theme.size.accent) / 4))
     readonly property real typedValue: entry.value
+    readonly property bool pending: !entry.empty
     readonly property bool acceptable: entry.complete && refusal.length === 0
+    property bool insisted                 // somebody wants to confirm what is not valid
+    // A number that more digits can make valid is not refused yet.
+    readonly property bool refused: entry.text.length > 0 && refusal.length > 0 && (insisted || warning.length > 0 || !entry.canBecome(minimum, maximum))
 
-    function finish() {
+    function clear(): void { entry.clear() }
+    function finish(): void {
         if (keypad.acceptable)
-            keypad.accepted(entry.value)
+            keypad.accepted()
+        else
+            keypad.insisted = true
     }
 
     border { width: Theme.size.outline; color: Theme.color.touch }
@@ -36,7 +45,6 @@ Card {
     Component.onCompleted: keypad.forceActiveFocus()
     Keys.onReturnPressed: keypad.finish()
     Keys.onEnterPressed: keypad.finish()
-    Keys.onEscapePressed: keypad.canceled()
     Keys.onPressed: event => entry.type(event.text)
 
     MouseArea { anchors.fill: parent }
@@ -44,6 +52,10 @@ Card {
         id: entry
         decimals: keypad.decimals
         locale: Theme.language
+        onChanged: {
+            keypad.insisted = false
+            keypad.edited()
+        }
     }
     Item {
         id: header
@@ -63,7 +75,7 @@ Card {
             objectName: "keypadText"
             anchors { right: suffix.left; rightMargin: Theme.size.spacing; top: parent.top; topMargin: -Theme.size.accent }
             text: entry.empty ? keypad.currentText : entry.text
-            color: entry.empty ? Theme.color.disabledInk : keypad.refusal.length > 0 ? Theme.color.fault : Theme.color.ink
+            color: entry.empty ? Theme.color.disabledInk : keypad.refused ? Theme.color.fault : Theme.color.ink
             font { pixelSize: Theme.size.value; bold: true }
         }
         Label {
@@ -78,9 +90,10 @@ Card {
             fontSizeMode: Text.Fit
             minimumPixelSize: Theme.size.caption - 3
             wrapMode: Text.WordWrap
-            text: entry.unwantedFraction ? qsTr("Enter a whole number.") : keypad.refusal.length > 0 ? keypad.refusal
+            text: entry.unwantedFraction ? qsTr("Enter a whole number.") : keypad.refused ? keypad.refusal
+                : keypad.warning.length > 0 ? keypad.warning
                 : Theme.fill(qsTr("%1 to %2 · now %3"), [Theme.number(keypad.minimum, keypad.decimals), Theme.number(keypad.maximum, keypad.decimals), keypad.currentText])
-            color: keypad.refusal.length > 0 || entry.unwantedFraction ? Theme.color.fault : Theme.color.secondaryInk
+            color: keypad.refused || entry.unwantedFraction || keypad.warning.length > 0 ? Theme.color.fault : Theme.color.secondaryInk
             font.pixelSize: Theme.size.caption
         }
     }

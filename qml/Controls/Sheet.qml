@@ -4,31 +4,28 @@ pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme
 
-Item {
+Overlay {
     id: sheet
 
     required property string title
     property string note
-    // At the left of the page, the rest of which stays visible and within reach; as far to the right as the keypad.
-    property bool beside
-    readonly property real besideRight: beside ? panel.x + panel.width : 0
     default property alias content: body.data
     property alias header: headerRow.data  // keys beside the title
     property alias footer: footerRow.data
     readonly property real besideWidth: Math.max(Theme.size.sideColumn, Math.min(Theme.size.keypad, width / 2) - Theme.size.navigation - Theme.size.gap)
     property real panelWidth: beside ? besideWidth : width - 2 * Theme.size.gap
     property real panelHeight: height - 2 * Theme.size.gap
-    signal closed()
+
+    besideRight: beside ? panel.x + panel.width : 0
 
     Rectangle {
         anchors.fill: parent
         visible: !sheet.beside
         color: Theme.color.scrim
     }
-    MouseArea {
-        width: sheet.beside ? sheet.besideRight : sheet.width
-        height: sheet.height
-        onClicked: sheet.closed()
+    MouseArea { // not over the navigation
+        anchors { fill: parent; leftMargin: Theme.size.navigation }
+        visible: !sheet.beside
     }
     Card {
         id: panel
@@ -51,11 +48,12 @@ Item {
                 font { pixelSize: Theme.size.title; bold: true }
             }
             Label {
-                visible: sheet.note.length > 0
+                objectName: "sheetNote"
+                visible: text.length > 0
                 width: parent.width
                 wrapMode: Text.WordWrap
-                text: sheet.note
-                color: Theme.color.secondaryInk
+                text: sheet.warning.length > 0 ? sheet.warning : sheet.note
+                color: sheet.warning.length > 0 ? Theme.color.warning : Theme.color.secondaryInk
                 font.pixelSize: Theme.size.caption
             }
         }

@@ -4,6 +4,8 @@
 
 #include <QLocale>
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace campanel::controls {
@@ -60,6 +62,27 @@ double NumberEntry::value() const
     bool isNumber = false;
     const double typed = m_typed.toDouble(&isNumber);
     return isNumber && !hasUnwantedFraction() ? typed : std::numeric_limits<double>::quiet_NaN();
+}
+
+bool NumberEntry::canBecome(double minimum, double maximum) const
+{
+    const double typed = std::abs(m_typed.toDouble());
+    const double step = std::pow(10.0, -m_decimals);
+    // The number grows to less than that of its last digit plus one.
+    const auto reaches = [&](double from, double next) {
+        const double to = std::max(from, next - step);
+        return (to >= minimum && from <= maximum) || (minimum < 0 && -from >= minimum && -to <= maximum);
+    };
+    const auto pointAt = m_typed.indexOf(point);
+    if (pointAt >= 0) // only its decimals grow
+        return reaches(typed, typed + std::pow(10.0, -static_cast<double>(m_typed.size() - pointAt - 1)));
+    double scale = 1;
+    for (auto digits = m_typed.size() - m_typed.count(hyphen); digits <= maximumDigits;
+         ++digits, scale *= 10) {
+        if (reaches(typed * scale, (typed + 1) * scale))
+            return true;
+    }
+    return false;
 }
 
 void NumberEntry::type(const QString& key)

@@ -39,6 +39,8 @@ public:
     // Handles one key: a digit, the decimal point (of the language, '.' or ','), a minus sign (toggles).
     // Ignores keys that do not fit.
     Q_INVOKABLE void type(const QString& key);
+    // Returns true when more digits, or a minus sign, can bring the number between the limits.
+    [[nodiscard]] Q_INVOKABLE bool canBecome(double minimum, double maximum) const;
     Q_INVOKABLE void backspace();
     Q_INVOKABLE void clear();
     Q_INVOKABLE void setValue(double value);

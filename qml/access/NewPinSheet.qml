@@ -11,6 +11,7 @@ DigitPanel {
     required property int level            // level of the user; Service needs more digits
     readonly property int minDigits: Access.minPinDigits(sheet.level)
     property string first                  // first entry
+    property bool holds                    // the name of a user who is not stored before the PIN
     property string refusal
     signal entered(string pin)             // and closed()
 
@@ -24,6 +25,7 @@ DigitPanel {
         }
     }
 
+    pending: sheet.holds || sheet.first.length > 0 || pad.digits.length > 0
     sentence: qsTr("%1 to 8 digits. A forgotten PIN cannot be read; a user of the level Service can set a new PIN.").arg(sheet.minDigits)
     pad {
         fewest: sheet.minDigits

@@ -25,6 +25,8 @@ QtObject {
         })
     }
     function enterPin(level: int, name: string): void {
-        Frame.open("Access/NewPinSheet", { title: qsTr("PIN of %1").arg(name), level: level, onEntered: pin => Access.addUser(name, level, pin) })
+        if (!Access.ask(Access.Service))
+            return
+        Frame.open("Access/NewPinSheet", { title: qsTr("PIN of %1").arg(name), level: level, holds: true, onEntered: pin => Access.addUser(name, level, pin) })
     }
 }

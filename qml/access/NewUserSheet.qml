@@ -16,6 +16,7 @@ Sheet {
     signal nameRequested(int level, string name)
     signal pinRequested(int level, string name)
 
+    pending: sheet.name !== Access.freeName(sheet.level) || sheet.level !== (Access.protectedByPins ? Access.Operator : Access.Service)
     title: qsTr("New user")
     panelHeight: Theme.size.touch * (Access.protectedByPins ? 6.6 : 5)
 

@@ -111,7 +111,7 @@ Sheet {
                 objectName: "ratioNumbers"
                 width: parent.width
                 fields: sheet.ratios
-                onClicked: Frame.edit(sheet.ratios, group.nearest, group)
+                onClicked: Frame.edit(sheet.ratios, group.nearest, group, "")
             }
             Row {
                 width: parent.width

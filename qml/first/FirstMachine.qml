@@ -12,13 +12,14 @@ Item {
 
     property int chosen
     readonly property EditorField field: Editor.machineFields[chosen] as EditorField
+    readonly property bool narrow: width < 5 * Theme.size.touch // beside the keypad
     readonly property real rowHeight: Math.round(1.15 * Theme.size.touch)
 
     ListView {
         id: list
         objectName: "firstMachine"
         anchors { left: parent.left; top: parent.top; bottom: parent.bottom }
-        width: parent.width * 0.45
+        width: parent.width * (step.narrow ? 1 : 0.45)
         clip: true
         spacing: Theme.size.spacing
         boundsBehavior: Flickable.StopAtBounds
@@ -42,10 +43,12 @@ Item {
         id: drawing
         anchors { left: list.right; leftMargin: Theme.size.padding; right: parent.right; top: parent.top }
         height: parent.height * 0.58
+        visible: !step.narrow
         fieldId: step.field?.fieldId ?? ""
     }
     Label {
         anchors { left: drawing.left; right: drawing.right; top: drawing.bottom; topMargin: Theme.size.spacing; bottom: parent.bottom }
+        visible: !step.narrow
         wrapMode: Text.WordWrap
         fontSizeMode: Text.Fit
         minimumPixelSize: Theme.size.caption - 3

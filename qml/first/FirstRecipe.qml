@@ -10,7 +10,8 @@ import CamPanel.Panel
 Item {
     id: step
 
-    readonly property real half: (width - Theme.size.spacing) / 2
+    readonly property bool narrow: width < 5 * Theme.size.touch // beside the keypad
+    readonly property real half: narrow ? width : (width - Theme.size.spacing) / 2
 
     Component.onCompleted: Editor.cutter.ramps.begin()
 
@@ -25,12 +26,13 @@ Item {
             onClicked: {
                 Recipes.wantedName = Editor.recipeName
                 Frame.open("Parts/TextSheet", {
-                    title: qsTr("Name of the recipe"), text: Editor.recipeName, problem: Qt.binding(() => Recipes.nameProblem),
+                    title: qsTr("Name of the recipe"), text: Editor.recipeName, level: Access.Technician, problem: Qt.binding(() => Recipes.nameProblem),
                     onEdited: text => Recipes.wantedName = text, onAccepted: () => Recipes.rename()
                 })
             }
         }
-        Row {
+        Grid {
+            columns: step.narrow ? 1 : 2
             spacing: Theme.size.spacing
             FieldTile {
                 objectName: "first_bag_length_mm"
@@ -58,6 +60,7 @@ Item {
             onClicked: Editor.applySuggestion()
         }
         Label {
+            visible: !step.narrow
             width: parent.width
             wrapMode: Text.WordWrap
             text: qsTr("Next: Download, then Start.")

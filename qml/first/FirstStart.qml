@@ -11,6 +11,7 @@ Page {
     id: page
 
     property int step
+    property real rightInset               // width of a keypad, which covers nothing
 
     readonly property var steps: [
         { title: qsTr("Language"), source: "FirstLanguage.qml" },
@@ -41,7 +42,7 @@ Page {
         MouseArea { anchors.fill: parent }
     }
     Card {
-        anchors { fill: parent; margins: Theme.size.gap }
+        anchors { fill: parent; margins: Theme.size.gap; rightMargin: Theme.size.gap + page.rightInset }
         Label {
             id: count
             anchors { left: parent.left; top: parent.top; margins: Theme.size.padding }
@@ -66,7 +67,7 @@ Page {
             objectName: "firstBack"
             anchors { left: parent.left; bottom: parent.bottom; margins: Theme.size.padding }
             width: 2 * Theme.size.touch
-            visible: page.step > 0
+            visible: page.step > 0 && page.rightInset === 0
             text: qsTr("Back")
             onClicked: page.step -= 1
         }

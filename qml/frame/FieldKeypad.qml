@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The keypad for one field, or for several with a strip of tabs on the left with their values.
+// The keypad for one number, or for several with a strip of tabs on the left with their values.
 pragma ComponentBehavior: Bound
 import QtQuick
 import QtQuick.Templates as T
@@ -10,13 +10,34 @@ import CamPanel.Panel
 Item {
     id: editor
 
-    required property var fields           // list of EditorField
+    required property var fields           // list of Value
     required property int index
-    readonly property EditorField field: fields[index]
+    required property string heading
+    required property string warning
+    readonly property Value field: fields[index]
     readonly property bool several: fields.length > 1
+    readonly property real stripWidth: several ? strip.width + Theme.size.spacing : 0
+    readonly property real minWidth: 4 * Theme.size.touch + 2 * Theme.size.accent + stripWidth
+    property alias pending: pad.pending
+    property alias ready: pad.acceptable
+    signal edited()
     signal closed()
 
-    implicitWidth: Theme.size.keypad + (several ? strip.width + Theme.size.spacing : 0)
+    // Sets the field to a valid number; the keypad is empty then.
+    function take(): void {
+        if (!pad.acceptable || !Access.ask(editor.field.neededLevel))
+            return
+        const number = pad.typedValue
+        pad.clear()
+        editor.field.set(number)
+    }
+    function openTab(index: int): void {
+        editor.take()
+        if (!pad.pending)
+            editor.index = index
+    }
+
+    implicitWidth: Theme.size.keypad + stripWidth
 
     Column {
         id: strip
@@ -31,11 +52,12 @@ Item {
                 Accessible.role: Accessible.Button
                 Accessible.name: tab.field.label
                 required property int index
-                readonly property EditorField field: editor.fields[index]
+                objectName: "keypadTab" + index
+                readonly property Value field: editor.fields[index]
                 readonly property bool holds: index === editor.index
                 width: strip.width
                 height: (strip.height - (editor.fields.length - 1) * strip.spacing) / editor.fields.length
-                onClicked: editor.index = tab.index
+                onClicked: editor.openTab(tab.index)
                 background: Card {
                     color: tab.holds ? Theme.color.touchTint : Theme.color.surface
                     border { width: tab.holds ? Theme.size.outline : Theme.size.hairline; color: tab.holds ? Theme.color.touch : Theme.color.line }
@@ -61,9 +83,9 @@ Item {
         id: pad
         objectName: "keypad"
         anchors { right: parent.right; verticalCenter: parent.verticalCenter }
-        width: Theme.size.keypad
+        width: editor.width - editor.stripWidth
         height: Math.min(parent.height, preferredHeight)
-        label: editor.field.label
+        label: editor.heading.length > 0 ? editor.heading : editor.field.label
         unit: editor.field.unit
         currentText: editor.field.text
         minimum: editor.field.minimum
@@ -71,9 +93,12 @@ Item {
         defaultValue: editor.field.defaultValue
         decimals: editor.field.decimals
         refusal: isNaN(typedValue) ? "" : editor.field.check(typedValue)
-        onAccepted: value => {
-            editor.field.set(value)
-            editor.closed()
+        warning: editor.warning
+        onEdited: editor.edited()
+        onAccepted: {
+            editor.take()
+            if (!pad.pending)
+                editor.closed()
         }
         onCanceled: editor.closed()
     }

@@ -1,29 +1,35 @@
 // SPDX-License-Identifier: Apache-2.0
-// The keypad over the page: beside Stop, or over the sheet that stands beside the page; a touch elsewhere cancels.
+// The keypad over the page: beside Stop, or over the sheet that stands beside the page.
 pragma ComponentBehavior: Bound
 import QtQuick
+import CamPanel.Controls
 
 Overlay {
     id: overlay
 
-    required property var fields           // list of EditorField
+    required property var fields           // list of Value
     required property int index
-    required property Item field
-    required property bool beside          // the sheet of the field leaves the page visible, and so does the keypad
+    required property string heading       // instead of the label of a field; empty: the label
+    required property real leftEdge        // of what stands beside the page
+    // So much for the keypad, the rest for the curve beside it.
+    readonly property real besideWidth: Math.max(keypad.minWidth, Math.min(keypad.implicitWidth, 0.64 * width - leftEdge))
 
-    besideRight: beside ? keypad.width : 0
+    besideRight: beside ? keypad.x + keypad.width : 0
     free: beside ? width : keypad.x
+    pending: keypad.pending
+    ready: keypad.ready
+    onTaken: keypad.take()
 
-    MouseArea {
-        anchors.fill: parent
-        onClicked: overlay.closed()
-    }
     FieldKeypad {
         id: keypad
-        x: overlay.beside ? 0 : overlay.width - width
+        x: overlay.beside ? overlay.leftEdge : overlay.width - width
+        width: overlay.beside ? overlay.besideWidth : implicitWidth
         height: overlay.height
         fields: overlay.fields
         index: overlay.index
+        heading: overlay.heading
+        warning: overlay.warning
+        onEdited: overlay.warned = false
         onClosed: overlay.closed()
     }
 }

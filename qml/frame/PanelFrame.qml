@@ -3,6 +3,7 @@
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme
+import CamPanel.Controls
 import CamPanel.Parts
 import CamPanel.Panel
 
@@ -30,18 +31,23 @@ Rectangle {
     readonly property bool covered: cover.length > 0
     property alias clockRuns: topBar.clockRuns
     property alias now: topBar.now
-    property var sheet: null               // the open dialog
-    property int userOfShortPin            // user who must choose a longer PIN
+    property Overlay sheet: null           // the open dialog
+    readonly property Overlay login: loginLoader.item as Overlay
     readonly property Overlay keypad: keypadLoader.item as Overlay
     readonly property real besideRight: Math.max(frame.sheet?.besideRight ?? 0, frame.keypad?.besideRight ?? 0)
     property real shift                    // offset of the page, so that the keypad does not cover the field
+    property real rightInset               // width of a keypad that the first start makes room for instead
 
     function openPage(name: string): void {
+        if (!outside.settle())
+            return
         frame.closeAll()
         frame.page = name
     }
     // Opens a sheet by its file: naming its type would load it at the start. What is named on... answers a signal.
     function openSheet(name: string, values: var): void {
+        if (!(frame.keypad?.settle() ?? true))
+            return
         frame.closeAll()
         const properties = { width: Qt.binding(() => sheetHost.width), height: Qt.binding(() => sheetHost.height) }
         const handlers = Object.keys(values).filter(key => /^on[A-Z]/.test(key))
@@ -50,9 +56,10 @@ Rectangle {
         handlers.forEach(key => opened[key[2].toLowerCase() + key.slice(3)].connect(values[key]))
         opened.closed.connect(() => frame.closeSheet(opened))
         frame.sheet = opened
+        opened.forceActiveFocus()
     }
     // Another sheet may be open by then.
-    function closeSheet(sheet: var): void {
+    function closeSheet(sheet: Overlay): void {
         if (frame.sheet !== sheet)
             return
         frame.closeKeypad()
@@ -66,30 +73,32 @@ Rectangle {
             frame.sheet.destroy()
         frame.sheet = null
     }
-    // Opens a login for that level above any open dialog.
-    function openLogin(level: int): void {
-        if (loginLoader.active)
-            return
-        loginLoader.setSource("../Access/LoginSheet.qml", { level: level })
-        loginLoader.active = true
-    }
-    // Replaces the login.
-    function openShortPin(user: int): void {
-        frame.userOfShortPin = user
-        loginLoader.setSource("../Access/NewPinSheet.qml", { title: qsTr("Your PIN is too short"), level: Access.Service })
-        loginLoader.active = true
+    // Closes all but what somebody has typed and not confirmed; that asks for a login then.
+    function forgetUser(): void {
+        loginLoader.active = false
+        if (frame.sheet?.secret)
+            frame.closeSheet(frame.sheet)
+        if (!outside.pending)
+            frame.openPage("run")
     }
     function closeKeypad(): void {
         keypadLoader.active = false
         frame.shift = 0
+        frame.rightInset = 0
     }
-    function edit(fields: var, index: int, source: Item): void {
-        if (!Access.ask((fields[index] as EditorField).neededLevel))
+    function edit(fields: var, index: int, source: Item, heading: string): void {
+        if (!(frame.keypad?.settle() ?? true) || !Access.ask((fields[index] as Value).neededLevel))
             return
-        const right = source.mapToItem(overlay, source.width, 0).x - frame.shift
-        keypadLoader.setSource("KeypadOverlay.qml", { fields: fields, index: index, field: source, beside: frame.sheet?.beside ?? false })
+        const right = source ? source.mapToItem(overlay, source.width, 0).x - frame.shift : 0
+        keypadLoader.setSource("KeypadOverlay.qml", {
+            fields: fields, index: index, heading: heading, beside: frame.sheet?.beside ?? false, leftEdge: navigation.width + Theme.size.gap
+        })
         keypadLoader.active = true
-        frame.shift = frame.keypad.besideRight > 0 ? 0 : Math.min(0, frame.keypad.free - Theme.size.spacing - right)
+        frame.keypad.forceActiveFocus()
+        const hidden = Math.min(0, frame.keypad.free - Theme.size.spacing - right)
+        const isFirstStart = firstStart.active && frame.sheet === null
+        frame.rightInset = isFirstStart && (hidden < 0 || frame.rightInset > 0) ? overlay.width - frame.keypad.free : 0
+        frame.shift = isFirstStart || frame.keypad.besideRight > 0 ? 0 : hidden
     }
 
     Connections {
@@ -97,12 +106,22 @@ Rectangle {
         function onOpen(sheet: string, values: var) { frame.openSheet(sheet, values) }
         function onClose() { frame.closeSheet(frame.sheet) }
         function onOpenPage(name: string) { frame.openPage(name) }
-        function onEdit(fields: var, index: int, source: Item) { frame.edit(fields, index, source) }
+        function onEdit(fields: var, index: int, source: Item, heading: string) { frame.edit(fields, index, source, heading) }
     }
     Binding {
         target: Frame
         property: "covered"
         value: frame.sheet !== null || keypadLoader.active || loginLoader.active
+    }
+    // A scanned code opens nothing then.
+    Binding {
+        target: Scan
+        property: "typing"
+        value: outside.pending
+    }
+    Connections {
+        target: Access
+        function onLeftAlone() { frame.forgetUser() }
     }
     Connections {
         target: Scan
@@ -164,14 +183,14 @@ Rectangle {
         // No navigation during the first start.
         anchors { left: firstStart.active ? parent.left : navigation.right; right: parent.right; top: parent.top }
     }
-    // The part of the navigation above the sheets' region is dimmed too and cannot be touched.
+    // The part of the navigation above the sheets' region is dimmed too.
     Rectangle {
         anchors { left: navigation.left; right: navigation.right; top: parent.top; bottom: topBar.bottom }
         visible: frame.sheet !== null || loginLoader.active || firstStart.active
         color: firstStart.active || frame.sheet?.beside && !loginLoader.active ? "transparent" : Theme.color.scrim
         MouseArea {
             anchors.fill: parent
-            onClicked: frame.closeAll()
+            enabled: firstStart.active || loginLoader.active
         }
     }
     // The region of sheets and keypad: everything but the top bar and the command column.
@@ -187,7 +206,11 @@ Rectangle {
             anchors.fill: parent
             active: Settings.firstStart && frame.showsPages
             source: "../First/FirstStart.qml"
-            transform: Translate { x: frame.shift }
+            Binding {
+                target: firstStart.item
+                property: "rightInset"
+                value: frame.rightInset
+            }
         }
         Item {
             id: sheetHost
@@ -206,25 +229,21 @@ Rectangle {
                 function onClosed() { frame.closeKeypad() }
             }
         }
-        Loader {
+        LoginHost {
             id: loginLoader
             objectName: "loginLoader"
             anchors.fill: parent
-            active: false
-            Connections {
-                target: loginLoader.item
-                ignoreUnknownSignals: true
-                function onClosed() { loginLoader.active = false }
-                function onEntered(pin: string) { Access.changePin(frame.userOfShortPin, pin) }
-            }
-            Connections {
-                target: Access
-                function onNewPinWanted(user: int) { frame.openShortPin(user) }
-                function onLoginRequested(level: int) { frame.openLogin(level) }
-                function onLoginSucceeded() { loginLoader.active = false }
-                function onLeftAlone() { frame.openPage("run") }
-            }
+            // Keys reach what was open before the login.
+            onActiveChanged: if (!active) (frame.keypad ?? frame.sheet)?.forceActiveFocus()
         }
+    }
+    OutsideTouch {
+        id: outside
+        anchors.fill: overlay
+        login: frame.login
+        keypad: frame.keypad
+        sheet: frame.sheet
+        navigation: navigation
     }
     // At the lower edge of a page. Over a sheet, a keypad or the first start at the upper edge, away from the confirming
     // keys.
@@ -245,7 +264,7 @@ Rectangle {
         covered: frame.covered
         anchors { right: parent.right; rightMargin: Theme.size.gap; top: topBar.bottom; bottom: parent.bottom; topMargin: Theme.size.gap; bottomMargin: Theme.size.gap }
         onStartRefused: {
-            if (Scan.film.blockedReason.length > 0 && Controller.startBlockedReason === Scan.film.blockedReason)
+            if (Scan.film.blockedReason.length > 0 && Controller.startBlockedReason === Scan.film.blockedReason && outside.settle())
                 Frame.open("Scan/FilmSheet", {})
             else
                 banner.refuseStart()

@@ -1504,6 +1504,13 @@ Und %2 weitere.</translation>
     </message>
 </context>
 <context>
+    <name>LoginHost</name>
+    <message>
+        <source>Your PIN is too short</source>
+        <translation>Ihre PIN ist zu kurz</translation>
+    </message>
+</context>
+<context>
     <name>LoginSheet</name>
     <message>
         <source>Log in</source>
@@ -2038,6 +2045,13 @@ Und %2 weitere.</translation>
     </message>
 </context>
 <context>
+    <name>Overlay</name>
+    <message>
+        <source>The entry is not confirmed. Confirm or cancel the entry first.</source>
+        <translation>Die Eingabe ist nicht bestätigt. Zuerst die Eingabe bestätigen oder abbrechen.</translation>
+    </message>
+</context>
+<context>
     <name>PackingSection</name>
     <message>
         <source>Measure marks</source>
@@ -2124,13 +2138,6 @@ Und %2 weitere.</translation>
     <message>
         <source>More pages</source>
         <translation>Weitere Seiten</translation>
-    </message>
-</context>
-<context>
-    <name>PanelFrame</name>
-    <message>
-        <source>Your PIN is too short</source>
-        <translation>Ihre PIN ist zu kurz</translation>
     </message>
 </context>
 <context>
@@ -2463,6 +2470,10 @@ Und %2 weitere.</translation>
         <translation>alle %1 Rezepte</translation>
     </message>
     <message>
+        <source>End the search</source>
+        <translation>Suche beenden</translation>
+    </message>
+    <message>
         <source>New …</source>
         <translation>Neu …</translation>
     </message>
@@ -2511,16 +2522,8 @@ Und %2 weitere.</translation>
         <translation>%1 Kopie</translation>
     </message>
     <message>
-        <source>Search for a recipe</source>
-        <translation>Rezept suchen</translation>
-    </message>
-    <message>
         <source>1 recipe</source>
         <translation>1 Rezept</translation>
-    </message>
-    <message>
-        <source>%1 recipes</source>
-        <translation>%1 Rezepte</translation>
     </message>
     <message>
         <source>A new recipe of this kind, with the data of this machine</source>
@@ -2803,6 +2806,21 @@ Und %2 weitere.</translation>
     <message>
         <source>Suffix of the scanner</source>
         <translation>Suffix des Scanners</translation>
+    </message>
+</context>
+<context>
+    <name>SearchSheet</name>
+    <message>
+        <source>Search for a recipe</source>
+        <translation>Rezept suchen</translation>
+    </message>
+    <message>
+        <source>1 recipe</source>
+        <translation>1 Rezept</translation>
+    </message>
+    <message>
+        <source>%1 recipes</source>
+        <translation>%1 Rezepte</translation>
     </message>
 </context>
 <context>

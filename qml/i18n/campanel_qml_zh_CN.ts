@@ -1504,6 +1504,13 @@ And %2 more.</source>
     </message>
 </context>
 <context>
+    <name>LoginHost</name>
+    <message>
+        <source>Your PIN is too short</source>
+        <translation>您的 PIN 太短</translation>
+    </message>
+</context>
+<context>
     <name>LoginSheet</name>
     <message>
         <source>Log in</source>
@@ -2038,6 +2045,13 @@ And %2 more.</source>
     </message>
 </context>
 <context>
+    <name>Overlay</name>
+    <message>
+        <source>The entry is not confirmed. Confirm or cancel the entry first.</source>
+        <translation>输入尚未确认。请先确认或取消输入。</translation>
+    </message>
+</context>
+<context>
     <name>PackingSection</name>
     <message>
         <source>Measure marks</source>
@@ -2124,13 +2138,6 @@ And %2 more.</source>
     <message>
         <source>More pages</source>
         <translation>更多页面</translation>
-    </message>
-</context>
-<context>
-    <name>PanelFrame</name>
-    <message>
-        <source>Your PIN is too short</source>
-        <translation>您的 PIN 太短</translation>
     </message>
 </context>
 <context>
@@ -2463,6 +2470,10 @@ And %2 more.</source>
         <translation>全部 %1 个配方</translation>
     </message>
     <message>
+        <source>End the search</source>
+        <translation>结束搜索</translation>
+    </message>
+    <message>
         <source>New …</source>
         <translation>新建…</translation>
     </message>
@@ -2511,16 +2522,8 @@ And %2 more.</source>
         <translation>%1 副本</translation>
     </message>
     <message>
-        <source>Search for a recipe</source>
-        <translation>搜索配方</translation>
-    </message>
-    <message>
         <source>1 recipe</source>
         <translation>1 个配方</translation>
-    </message>
-    <message>
-        <source>%1 recipes</source>
-        <translation>%1 个配方</translation>
     </message>
     <message>
         <source>A new recipe of this kind, with the data of this machine</source>
@@ -2803,6 +2806,21 @@ And %2 more.</source>
     <message>
         <source>Suffix of the scanner</source>
         <translation>扫码枪后缀</translation>
+    </message>
+</context>
+<context>
+    <name>SearchSheet</name>
+    <message>
+        <source>Search for a recipe</source>
+        <translation>搜索配方</translation>
+    </message>
+    <message>
+        <source>1 recipe</source>
+        <translation>1 个配方</translation>
+    </message>
+    <message>
+        <source>%1 recipes</source>
+        <translation>%1 个配方</translation>
     </message>
 </context>
 <context>

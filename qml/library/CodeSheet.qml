@@ -11,6 +11,7 @@ TextSheet {
     title: Recipes.codes.code === RecipeCodes.Film ? qsTr("Film reel of %1: scan the code or enter it").arg(Recipes.chosenName)
         : qsTr("Code of %1: scan or enter it (empty: the name)").arg(Recipes.chosenName)
     text: Recipes.codes.wanted
+    level: Access.Technician
     problem: Recipes.codes.problem
     onEdited: text => Recipes.codes.wanted = text
     onAccepted: Recipes.codes.store()

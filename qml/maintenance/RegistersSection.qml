@@ -105,10 +105,7 @@ MaintenanceSection {
             enabled: section.inspector.canWrite
             kind: Button.Primary
             text: qsTr("Write …")
-            onClicked: {
-                if (Access.ask(Access.Service))
-                    Frame.open("Parts/ValueKeypad", { value: section.inspector.value })
-            }
+            onClicked: Frame.edit([section.inspector.value], 0, null, "")
         }
     }
 }

@@ -5,22 +5,25 @@ import QtQuick
 import CamPanel.Theme
 import CamPanel.Controls
 
-Item {
+Overlay {
     id: panel
 
     required property string title
     property string sentence
     property alias pad: pad
     default property alias content: body.data
-    signal closed()
+
+    pending: pad.digits.length > 0
+    secret: true
 
     Rectangle {
         anchors.fill: parent
         color: Theme.color.scrim
     }
-    MouseArea {
-        anchors.fill: parent
-        onClicked: panel.closed()
+    MouseArea { anchors.fill: parent }
+    Connections {
+        target: pad
+        function onDigitsChanged() { panel.warned = false }
     }
     Card {
         objectName: "sheetPanel"
@@ -55,6 +58,7 @@ Item {
         id: pad
         objectName: "keypad"
         label: panel.title
+        warning: panel.warning
         anchors { right: parent.right; verticalCenter: parent.verticalCenter }
         width: preferredWidth
         height: Math.min(parent.height, preferredHeight)

@@ -19,6 +19,6 @@ Field {
     pinned: item.pinned
     derived: item.derived
     visible: item.visible
-    onClicked: Frame.edit([tile.item], 0, tile)
+    onClicked: Frame.edit([tile.item], 0, tile, "")
     onExplain: Frame.open("Explain/ExplanationSheet", { field: tile.item })
 }

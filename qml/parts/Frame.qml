@@ -13,6 +13,7 @@ QtObject {
     signal open(string sheet, var values)
     signal close()
     signal openPage(string name)
-    // Opens the keypad for fields[index]; `source` stays in sight.
-    signal edit(var fields, int index, Item source)
+    // Opens the keypad for fields[index], a list of Value; `source` stays in sight, null: nothing has to. The heading takes the place of
+    // the label unless it is empty.
+    signal edit(var fields, int index, Item source, string heading)
 }

@@ -24,10 +24,10 @@ Item {
             objectName: parameters.name + index
             width: list.width - 2 * Theme.size.accent
             onClicked: {
-                if (toggle || !Access.ask(Access.Technician))
+                if (toggle)
                     return
                 parameters.fields.select(index)
-                Frame.open("Parts/ValueKeypad", { value: parameters.fields.value })
+                Frame.edit([parameters.fields.value], 0, null, "")
             }
             onChosen: choice => parameters.fields.setChoice(index, choice)
             onSuggestionTaken: parameters.fields.takeSuggestion(index)

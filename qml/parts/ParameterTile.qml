@@ -13,7 +13,7 @@ SettingRow {
 
     label: field.label
     value: field.shown
-    onClicked: if (Access.ask(Access.Technician)) Frame.open("Parts/ValueKeypad", { value: tile.field })
+    onClicked: Frame.edit([tile.field], 0, null, "")
     onVisibleChanged: if (visible) field.read()
     Component.onCompleted: if (visible) field.read()
 

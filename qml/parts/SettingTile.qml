@@ -16,11 +16,9 @@ SettingRow {
     label: field.label
     value: field.shown
     onClicked: {
-        if (!Access.ask(tile.field.neededLevel))
-            return
-        if (tile.choices.length > 0)
+        if (tile.choices.length === 0)
+            Frame.edit([tile.field], 0, tile, tile.heading)
+        else if (Access.ask(tile.field.neededLevel))
             Frame.open("Controls/ListPicker", { title: tile.heading, choices: tile.choices, current: tile.field.key, onChosen: key => tile.field.choose(key) })
-        else
-            Frame.open("Parts/ValueKeypad", { value: tile.field, label: tile.heading })
     }
 }

@@ -4,6 +4,7 @@ pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme
 import CamPanel.Controls
+import CamPanel.Panel
 
 Sheet {
     id: sheet
@@ -12,12 +13,19 @@ Sheet {
     property var check: text => ""         // function: why that text is not valid
     property string problem: sheet.check.call(sheet, input.text) // empty: valid
     property bool acceptable: problem.length === 0
+    property int level: Access.Viewer      // needed to confirm: the user may be logged out meanwhile
+    property alias aside: asideArea.data   // beside the text
+    property string first                  // the text at the opening
+    property bool insisted                 // somebody wants to confirm what is not valid
+    readonly property bool touched: input.text !== first || insisted
     signal edited(string text)
     signal accepted(string text)
 
     function accept(): void {
-        if (!sheet.acceptable)
+        sheet.insisted = !sheet.acceptable
+        if (sheet.insisted || !Access.ask(sheet.level))
             return
+        sheet.first = input.text // nothing is pending any more
         sheet.accepted(input.text)
         sheet.closed()
     }
@@ -26,7 +34,9 @@ Sheet {
         input.text = text
     }
 
+    pending: input.text !== first || keyboard.composing
     Component.onCompleted: {
+        sheet.first = sheet.text
         input.text = sheet.text
         input.selectAll()
         input.forceActiveFocus()
@@ -35,12 +45,12 @@ Sheet {
     Rectangle {
         id: field
         anchors { left: parent.left; top: parent.top }
-        width: keyboard.composing ? Math.round(parent.width / 3) : parent.width
+        width: keyboard.composing || asideArea.children.length > 0 ? Math.round(parent.width / 3) : parent.width
         // Leaves the height of a letter key for this and the problem below.
         height: Math.max(Math.round(1.5 * Theme.size.value), Math.ceil(Theme.size.touch / Theme.size.reach) - problemLabel.height)
         radius: Theme.size.radius
         color: Theme.color.inset
-        border { width: Theme.size.outline; color: sheet.acceptable ? Theme.color.touch : Theme.color.warning }
+        border { width: Theme.size.outline; color: problemLabel.text.length === 0 ? Theme.color.touch : Theme.color.warning }
         TextInput {
             id: input
             objectName: "textInput"
@@ -54,10 +64,19 @@ Sheet {
             selectedTextColor: Theme.color.ink
             font { pixelSize: Theme.size.title; bold: true }
             inputMethodHints: Qt.ImhNoPredictiveText
-            onTextChanged: sheet.edited(text)
+            focus: true
+            onTextChanged: {
+                sheet.warned = false
+                sheet.insisted = false
+                sheet.edited(text)
+            }
             onAccepted: sheet.accept()
-            Keys.onEscapePressed: sheet.closed()
         }
+    }
+    Item {
+        id: asideArea
+        anchors { left: field.right; leftMargin: Theme.size.spacing; right: parent.right; top: field.top; bottom: problemLabel.bottom }
+        visible: !keyboard.composing
     }
     // The candidates of the pinyin letters, beside the field.
     Item {
@@ -95,9 +114,9 @@ Sheet {
         id: problemLabel
         objectName: "textProblem"
         visible: !keyboard.composing
-        anchors { left: parent.left; right: parent.right; top: field.bottom }
+        anchors { left: parent.left; right: field.right; top: field.bottom }
         height: Math.round(1.6 * Theme.size.caption)
-        text: sheet.problem
+        text: sheet.touched ? sheet.problem : ""
         color: Theme.color.warning
         fontSizeMode: Text.HorizontalFit
         minimumPixelSize: Theme.size.caption - 3

@@ -6,6 +6,7 @@ import CamPanel.Panel
 
 TextSheet {
     title: qsTr("Why is another film reel used?")
+    level: Access.Technician
     check: text => text.trim().length === 0 ? qsTr("Enter the reason for the audit trail.") : ""
     onAccepted: text => Scan.film.overrideCheck(text)
 }

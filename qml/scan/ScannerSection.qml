@@ -37,7 +37,7 @@ MaintenanceSection {
                 if (!Access.ask(Access.Service))
                     return
                 Frame.open("Parts/TextSheet", {
-                    title: qsTr("Prefix of the scanner"), text: Scan.prefix, check: text => Scan.prefixProblem(text), onAccepted: text => Scan.setPrefix(text)
+                    title: qsTr("Prefix of the scanner"), text: Scan.prefix, level: Access.Service, check: text => Scan.prefixProblem(text), onAccepted: text => Scan.setPrefix(text)
                 })
             }
         }

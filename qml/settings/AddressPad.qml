@@ -16,6 +16,8 @@ DigitPanel {
 
     title: SystemNetwork.label(field)
     sentence: SystemNetwork.hint(field)
+    pending: pad.digits !== entry.fields[entry.field].text
+    secret: false
     pad {
         secret: false
         pointed: true

@@ -16,6 +16,7 @@ Sheet {
     signal portRequested()
     signal fieldRequested(int field)
 
+    pending: SystemNetwork.editable && SystemNetwork.edited
     title: qsTr("Network")
     note: SystemNetwork.stateText
     Component.onCompleted: SystemNetwork.watched = true

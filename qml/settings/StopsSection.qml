@@ -20,7 +20,7 @@ SettingsSection {
     function enterName(row: int, text: string): void {
         const reasons = section.setup.reasons
         Frame.open("Parts/TextSheet", {
-            title: qsTr("Name of the reason"), text: text, check: name => reasons.problemOf(row, name),
+            title: qsTr("Name of the reason"), text: text, level: Access.Service, check: name => reasons.problemOf(row, name),
             onAccepted: name => {
                 if (row < 0)
                     reasons.add(name)

@@ -51,9 +51,11 @@ QQuickItem* pressedAt(QQuickItem& below, const QPointF& scene)
         if (QQuickItem* found = pressedAt(**child, scene))
             return found;
     }
-    // A PointHandler sees a press and leaves it to what is below.
-    const bool onlySees = std::ranges::any_of(
-        below.children(), [](const QObject* child) { return child->inherits("QQuickPointHandler"); });
+    // A PointHandler and a TouchGate see a press; what is below may get it.
+    const bool onlySees =
+        std::ranges::any_of(below.children(),
+                            [](const QObject* child) { return child->inherits("QQuickPointHandler"); }) ||
+        below.inherits("campanel::controls::TouchGate");
     return below.acceptedMouseButtons() != Qt::NoButton && !onlySees && below.contains(at) ? &below : nullptr;
 }
 

@@ -51,6 +51,37 @@ private slots:
         QCOMPARE(entry.value(), value);
     }
 
+    void moreDigitsBringItBetweenTheLimits_data()
+    {
+        QTest::addColumn<QString>("keys");
+        QTest::addColumn<int>("decimals");
+        QTest::addColumn<double>("minimum");
+        QTest::addColumn<double>("maximum");
+        QTest::addColumn<bool>("can");
+        QTest::newRow("180 begins with 1") << "1" << 1 << 10.0 << 2000.0 << true;
+        QTest::newRow("too large") << "99999" << 1 << 10.0 << 2000.0 << false;
+        QTest::newRow("between two lengths") << "3" << 0 << 10.0 << 29.0 << false;
+        QTest::newRow("only decimals are left") << "5.2" << 1 << 10.0 << 2000.0 << false;
+        QTest::newRow("decimals help") << "0." << 2 << 0.05 << 5.0 << true;
+        QTest::newRow("decimals do not reach") << "9" << 2 << 0.05 << 5.0 << false;
+        QTest::newRow("the minus comes later") << "5" << 0 << -90.0 << -10.0 << true;
+        QTest::newRow("no more decimals") << "0.0" << 1 << 0.1 << 1.0 << false;
+        QTest::newRow("whole") << "4" << 0 << 5.0 << 9.0 << false;
+    }
+    void moreDigitsBringItBetweenTheLimits()
+    {
+        QFETCH(QString, keys);
+        QFETCH(int, decimals);
+        QFETCH(double, minimum);
+        QFETCH(double, maximum);
+        QFETCH(bool, can);
+        NumberEntry entry;
+        entry.setDecimals(decimals);
+        for (const QChar key : keys)
+            entry.type(QString(key));
+        QCOMPARE(entry.canBecome(minimum, maximum), can);
+    }
+
     // A whole number never grows by its decimals.
     void aWholeNumberTakesNoDecimals_data()
     {

@@ -136,7 +136,8 @@ const QList<Harmless>& harmless()
          {u"CutterMap::drag"_s, u"KnotModel::removeSelected"_s, u"RampControl::begin"_s,
           u"RampControl::takeOffer"_s, u"ReasonEditor::add"_s, u"SegmentModel::removeSelected"_s,
           u"StopSetup::removeStart"_s, u"SystemNetwork::apply"_s}},
-        {"a sheet takes the codes; nothing is opened", {u"Scan::beginEntry"_s, u"Scan::endEntry"_s}},
+        {"a sheet takes the codes; nothing is opened",
+         {u"Scan::beginEntry"_s, u"Scan::endEntry"_s, u"Scan::typing="_s}},
         {"the first start, before there are users", {u"Settings::endFirstStart"_s}},
         {"a group opens; a reason goes to Stops::answer(), which asks", {u"ReasonKeys::touch"_s}},
     };

@@ -2,7 +2,6 @@
 // One number of the recipe as a person reads and enters it. The Editor owns it and alone updates it.
 #pragma once
 
-#include "app/panel/kit/access_check.h"
 #include "app/panel/kit/value.h"
 
 #include <limits>
@@ -30,8 +29,6 @@ class EditorField : public campanel::panel::Value {
     Q_PROPERTY(QString fieldId READ fieldId CONSTANT FINAL)
     // The group of a program's input, empty for other numbers; see profile::FieldInfo.
     Q_PROPERTY(QString group READ group CONSTANT FINAL)
-    // The level needed to change it, as Access.level.
-    Q_PROPERTY(int neededLevel READ neededLevel CONSTANT FINAL)
     Q_PROPERTY(double value READ value NOTIFY changed FINAL)
     Q_PROPERTY(QString activeText READ activeText NOTIFY changed FINAL)
     Q_PROPERTY(bool pinnable READ pinnable NOTIFY changed FINAL)
@@ -46,8 +43,6 @@ public:
     [[nodiscard]] QString fieldId() const { return m_fieldId; }
     [[nodiscard]] QString group() const { return m_group; }
     void setGroup(const QString& group) { m_group = group; }
-    [[nodiscard]] int neededLevel() const { return static_cast<int>(m_neededLevel); }
-    void setNeededLevel(Level level) { m_neededLevel = level; }
     [[nodiscard]] double value() const { return m_view.value; }
     [[nodiscard]] QString activeText() const { return m_view.activeText; }
     [[nodiscard]] bool pinnable() const { return m_view.pinnable; }
@@ -67,7 +62,6 @@ signals:
 private:
     QString m_fieldId;
     QString m_group;
-    Level m_neededLevel = Level::Technician;
     FieldView m_view;
 };
 

@@ -3,6 +3,8 @@
 // setRequested().
 #pragma once
 
+#include "app/panel/kit/access_check.h"
+
 #include <QObject>
 #include <QString>
 #include <QtQml/qqmlregistration.h>
@@ -33,6 +35,8 @@ class Value : public QObject {
     Q_PROPERTY(double maximum READ maximum NOTIFY changed FINAL)
     Q_PROPERTY(double defaultValue READ defaultValue NOTIFY changed FINAL)
     Q_PROPERTY(int decimals READ decimals NOTIFY changed FINAL)
+    // The level needed to change it, as Access.level.
+    Q_PROPERTY(int neededLevel READ neededLevel CONSTANT FINAL)
 
 public:
     using QObject::QObject;
@@ -44,6 +48,8 @@ public:
     [[nodiscard]] double maximum() const { return m_view.maximum; }
     [[nodiscard]] double defaultValue() const { return m_view.defaultValue; }
     [[nodiscard]] int decimals() const { return m_view.decimals; }
+    [[nodiscard]] int neededLevel() const { return static_cast<int>(m_neededLevel); }
+    void setNeededLevel(Level level) { m_neededLevel = level; }
 
     // Returns an empty text when the value may be entered, else a sentence with the limit.
     Q_INVOKABLE QString check(double value) const;
@@ -59,6 +65,7 @@ signals:
 
 private:
     ValueView m_view;
+    Level m_neededLevel = Level::Technician;
 };
 
 } // namespace campanel::panel

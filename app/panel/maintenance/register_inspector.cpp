@@ -29,6 +29,7 @@ RegisterInspector::RegisterInspector(Controller& controller, QObject* parent)
     updateEvery(readPeriod, [this] { readVisible(); });
     connect(&m_registers, &RegisterModel::modelReset, this, [this] { select(-1); });
     connect(&m_value, &Value::setRequested, this, &RegisterInspector::write);
+    m_value.setNeededLevel(Level::Service);
     connect(&controller, &Controller::connectionChanged, this, &RegisterInspector::noteConnection);
     connect(&controller, &Controller::programChanged, this, &RegisterInspector::noteProgram);
     LanguageNotifier::follow(this, [this] {

@@ -162,6 +162,8 @@ void Scan::checkFilm(const QString& code)
 // Returns why no recipe can be opened now; empty: one can.
 QString Scan::refusal() const
 {
+    if (m_isTyping)
+        return tr("An entry is open. Confirm or cancel the entry, then scan again.");
     if (m_parts.settings.firstStart())
         return tr("Complete the first start, then scan again.");
     if (!m_parts.recipes.ready())

@@ -39,6 +39,8 @@ class Scan : public QObject, public Singleton<Scan> {
     // The answer to a code that opens nothing; empty: none.
     Q_PROPERTY(QString notice READ notice NOTIFY noticeChanged FINAL)
     Q_PROPERTY(QString lastCode READ lastCode NOTIFY codeRead FINAL)
+    // True while something is typed and not confirmed: a code opens nothing then.
+    Q_PROPERTY(bool typing MEMBER m_isTyping NOTIFY typingChanged FINAL)
 
 public:
     struct Parts {
@@ -82,6 +84,7 @@ signals:
     void recipeOpened();
     // Requests the sentence and the override: a wrong film reel was scanned.
     void wrongFilmScanned();
+    void typingChanged();
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
@@ -111,6 +114,7 @@ private:
     QString m_notice;
     QString m_lastCode;
     int m_entries = 0;
+    bool m_isTyping = false;
     bool m_isReleasing = false;
 };
 

@@ -100,6 +100,7 @@ SettingField::SettingField(Setting setting, QObject* parent)
     : Value(parent)
     , m_setting(setting)
 {
+    setNeededLevel(setting->level);
     connect(this, &Value::setRequested, this, [this](double number) {
         emit chosen(isWhole(m_setting) ? settingText(static_cast<int>(std::lround(number)))
                                        : settingText(number));

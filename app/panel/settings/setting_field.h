@@ -31,8 +31,6 @@ class SettingField : public campanel::panel::Value {
     Q_PROPERTY(QVariant key READ key NOTIFY changed FINAL)
     Q_PROPERTY(QString shown READ shown NOTIFY changed FINAL)
     Q_PROPERTY(QVariantList choices READ choices NOTIFY changed FINAL)
-    // The level needed to change it, as Access.level.
-    Q_PROPERTY(int neededLevel READ neededLevel CONSTANT FINAL)
 
 public:
     SettingField(Setting setting, QObject* parent);
@@ -41,7 +39,6 @@ public:
     [[nodiscard]] QVariant key() const { return m_view.key; }
     [[nodiscard]] QString shown() const { return m_view.shown; }
     [[nodiscard]] QVariantList choices() const { return m_view.choices; }
-    [[nodiscard]] int neededLevel() const { return static_cast<int>(m_setting->level); }
 
     // Requests the value with the key of a choice.
     Q_INVOKABLE void choose(const QString& key) { emit chosen(key); }

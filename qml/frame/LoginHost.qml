@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+// The login above any open dialog, and the longer PIN that may follow it.
+pragma ComponentBehavior: Bound
+import QtQuick
+import CamPanel.Panel
+
+Loader {
+    id: host
+
+    property int userOfShortPin            // user who must choose a longer PIN
+
+    active: false
+
+    function open(level: int): void {
+        if (host.active)
+            return
+        host.setSource("../Access/LoginSheet.qml", { level: level })
+        host.active = true
+    }
+    // Replaces the login.
+    function openShortPin(user: int): void {
+        host.userOfShortPin = user
+        host.setSource("../Access/NewPinSheet.qml", { title: qsTr("Your PIN is too short"), level: Access.Service })
+        host.active = true
+    }
+
+    Connections {
+        target: host.item
+        ignoreUnknownSignals: true
+        function onClosed() { host.active = false }
+        function onEntered(pin: string) { Access.changePin(host.userOfShortPin, pin) }
+    }
+    Connections {
+        target: Access
+        function onNewPinWanted(user: int) { host.openShortPin(user) }
+        function onLoginRequested(level: int) { host.open(level) }
+        function onLoginSucceeded() { host.active = false }
+    }
+}
