@@ -42,16 +42,12 @@ Page {
         Frame.open("Download/DownloadSheet", {})
     }
     function name(title: string, suggestion: string, named: var): void {
+        if (!Access.ask(Access.Technician))
+            return
         Recipes.wantedName = suggestion
         Frame.open("Parts/TextSheet", {
-            title: title, text: suggestion, problem: Qt.binding(() => Recipes.nameProblem),
+            title: title, text: suggestion, level: Access.Technician, problem: Qt.binding(() => Recipes.nameProblem),
             onEdited: text => Recipes.wantedName = text, onAccepted: () => named()
-        })
-    }
-    function search(): void {
-        Frame.open("Parts/TextSheet", {
-            title: qsTr("Search for a recipe"), text: Recipes.search, onEdited: text => Recipes.search = text,
-            note: Qt.binding(() => Recipes.list.count === 1 ? qsTr("1 recipe") : qsTr("%1 recipes").arg(Recipes.list.count))
         })
     }
     function create(): void {
@@ -85,10 +81,18 @@ Page {
         spacing: Theme.size.spacing
         SettingRow {
             objectName: "recipeSearch"
-            width: tools.width - newButton.width - importButton.width - exportButton.width - 3 * tools.spacing
+            width: tools.width - (clearButton.visible ? clearButton.width + tools.spacing : 0) - newButton.width - importButton.width - exportButton.width - 3 * tools.spacing
             label: qsTr("Search")
-            value: Recipes.search.length > 0 ? Recipes.search : qsTr("all %1 recipes").arg(Recipes.total)
-            onClicked: page.search()
+            value: Recipes.search.length > 0 ? Recipes.search : Recipes.total === 1 ? qsTr("1 recipe") : qsTr("all %1 recipes").arg(Recipes.total)
+            onClicked: Frame.open("Library/SearchSheet", {})
+        }
+        Button {
+            id: clearButton
+            objectName: "recipeSearchClear"
+            Accessible.name: qsTr("End the search")
+            visible: Recipes.search.length > 0
+            glyph: Theme.icon.close
+            onClicked: Recipes.search = ""
         }
         Button {
             id: newButton

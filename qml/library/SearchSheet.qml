@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+// The search for a recipe: the recipes that match stay in sight beside the text, and a touch on one ends the search.
+pragma ComponentBehavior: Bound
+import QtQuick
+import CamPanel.Controls
+import CamPanel.Parts
+import CamPanel.Panel
+
+TextSheet {
+    id: sheet
+
+    title: qsTr("Search for a recipe")
+    note: Recipes.list.count === 1 ? qsTr("1 recipe") : qsTr("%1 recipes").arg(Recipes.list.count)
+    text: Recipes.search
+    pending: false                         // each letter takes effect at once
+    onEdited: text => Recipes.search = text
+    aside: ListView {
+        id: list
+        anchors.fill: parent
+        objectName: "foundRecipes"
+        orientation: ListView.Horizontal
+        boundsBehavior: Flickable.StopAtBounds
+        clip: true
+        model: Recipes.list
+        delegate: KeypadKey {
+            required property int index
+            required property string name
+            required property string summary
+            objectName: "found" + index
+            width: Math.round(list.width / 2.3)
+            height: list.height
+            focusPolicy: Qt.NoFocus
+            text: name
+            note: summary
+            onClicked: {
+                Recipes.choose(index)
+                sheet.closed()
+            }
+        }
+    }
+}
