@@ -23,7 +23,7 @@ DigitPanel {
         hint: Access.locked ? "" : Access.chosen === 0 ? qsTr("Choose your name, then enter your PIN.") : Access.waits ? Access.waitText
             : Access.busy ? qsTr("Please wait …") : Access.message.length > 0 ? Access.message : qsTr("Enter your PIN.")
         onAccepted: pin => Access.login(pin)
-        onEdited: Access.clearMessage()
+        onEdited: if (!Access.waits) Access.clearMessage()
     }
     Component.onCompleted: {
         Access.clearMessage()
@@ -49,6 +49,7 @@ DigitPanel {
                 sheet.pad.clear()
                 Access.clearMessage()
                 Access.chosen = modelData.id
+                sheet.pad.forceActiveFocus() // a hardware keyboard types on
             }
         }
     }

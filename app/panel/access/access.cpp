@@ -178,7 +178,7 @@ void Access::takeVerdict(const store::User& user, const Verdict& verdict)
         if (known != m_users.end())
             *known = user;
         emit happened({u"user.login"_s, user.name, {}, {}, u"wrong_pin"_s});
-        showMessage(AccessSentences::wrongPin(store::waitMs(user, m_wallClock())), true);
+        showMessage(AccessSentences::wrongPin(0), true);
         choose(chosen());
         end();
         return;

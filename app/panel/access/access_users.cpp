@@ -86,7 +86,9 @@ QString Access::permissionText(int level) const
 
 QString Access::waitText() const
 {
-    return waits() ? AccessSentences::mustWait(waitMs()) : QString();
+    if (!waits())
+        return {};
+    return m_isFailed ? AccessSentences::wrongPin(waitMs()) : AccessSentences::mustWait(waitMs());
 }
 
 QString Access::pinRefusal(const QString& pin, int level) const
