@@ -102,7 +102,7 @@ Card {
             minimumPixelSize: Theme.size.caption - 5
             wrapMode: Text.WordWrap
             text: pad.warning.length > 0 ? pad.warning : pad.hint
-            color: pad.hintIsFault || pad.warning.length > 0 ? Theme.color.fault : Theme.color.secondaryInk
+            color: pad.warning.length > 0 ? Theme.color.warning : pad.hintIsFault ? Theme.color.fault : Theme.color.secondaryInk
             font.pixelSize: Theme.size.caption
         }
     }

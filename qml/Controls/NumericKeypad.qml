@@ -93,7 +93,7 @@ Card {
             text: entry.unwantedFraction ? qsTr("Enter a whole number.") : keypad.refused ? keypad.refusal
                 : keypad.warning.length > 0 ? keypad.warning
                 : Theme.fill(qsTr("%1 to %2 · now %3"), [Theme.number(keypad.minimum, keypad.decimals), Theme.number(keypad.maximum, keypad.decimals), keypad.currentText])
-            color: keypad.refused || entry.unwantedFraction || keypad.warning.length > 0 ? Theme.color.fault : Theme.color.secondaryInk
+            color: keypad.refused || entry.unwantedFraction ? Theme.color.fault : keypad.warning.length > 0 ? Theme.color.warning : Theme.color.secondaryInk
             font.pixelSize: Theme.size.caption
         }
     }

@@ -20,6 +20,7 @@ Item {
         spacing: Theme.size.spacing
         SettingRow {
             objectName: "firstName"
+            visible: !step.narrow
             width: parent.width
             label: qsTr("Name")
             value: Editor.recipeName

@@ -74,7 +74,7 @@ Page {
         Button {
             objectName: "firstNext"
             anchors { right: parent.right; bottom: parent.bottom; margins: Theme.size.padding }
-            width: Math.max(implicitWidth, 2.4 * Theme.size.touch)
+            width: Math.min(parent.width - 2 * Theme.size.padding, Math.max(implicitWidth, 2.4 * Theme.size.touch))
             kind: Button.Primary
             text: page.isLast ? qsTr("Finish") : qsTr("Next")
             onClicked: page.goOn()

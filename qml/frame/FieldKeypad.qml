@@ -39,6 +39,12 @@ Item {
 
     implicitWidth: Theme.size.keypad + stripWidth
 
+    Rectangle { // nothing looks out between the tabs
+        anchors { left: parent.left; right: pad.left; top: pad.top; bottom: pad.bottom }
+        visible: editor.several
+        color: Theme.color.ground
+        MouseArea { anchors.fill: parent }
+    }
     Column {
         id: strip
         visible: editor.several

@@ -12,7 +12,7 @@ Overlay {
     required property string heading       // instead of the label of a field; empty: the label
     required property real leftEdge        // of what stands beside the page
     // So much for the keypad, the rest for the curve beside it.
-    readonly property real besideWidth: Math.max(keypad.minWidth, Math.min(keypad.implicitWidth, 0.64 * width - leftEdge))
+    readonly property real besideWidth: Math.max(keypad.minWidth, Math.min(keypad.implicitWidth, 0.67 * width - leftEdge))
 
     besideRight: beside ? keypad.x + keypad.width : 0
     free: beside ? width : keypad.x

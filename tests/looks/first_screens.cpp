@@ -38,6 +38,7 @@ QList<Screen> firstScreens()
             step("first-machine", 3),
             step("first-machine-keypad", 3, {QStringLiteral("first_knife_radius_mm")}),
             step("first-recipe", 4),
+            step("first-recipe-keypad", 4, {QStringLiteral("first_rate_bags_per_min")}),
             step("first-start-refused", 4, {QStringLiteral("startKey")})};
 }
 

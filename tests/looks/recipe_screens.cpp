@@ -248,6 +248,11 @@ QList<Screen> recipeScreens()
                  openLibrary(window);
                  window.panel().scan().takeCode(QStringLiteral("4006381333931"));
              }},
+            {QStringLiteral("recipes-name-kept"),
+             [](TestWindow& window) {
+                 openLibrary(window, {QStringLiteral("recipeRename"), QStringLiteral("key_q")});
+                 window.frame()->property("sheet").value<QQuickItem*>()->setProperty("warned", true);
+             }},
             page("recipes-search", {QStringLiteral("recipeSearch"), QStringLiteral("textCapital")}),
             versions("recipes-versions", QStringLiteral("candidate0")),
             page("recipes-compare", {QStringLiteral("recipeCompare"), QStringLiteral("candidate1")}),

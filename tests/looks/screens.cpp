@@ -280,6 +280,13 @@ const QList<Screen>& allScreens()
              window.tap(length);
              window.type(QStringLiteral("99999"));
          }},
+        {QStringLiteral("keypad-kept"),
+         [=](TestWindow& window) {
+             window.tap(motion);
+             window.tap(length);
+             window.type(QStringLiteral("190"));
+             window.frame()->property("keypad").value<QQuickItem*>()->setProperty("warned", true);
+         }},
         {QStringLiteral("keypad-whole"),
          [=](TestWindow& window) {
              window.tap(motion);

@@ -141,6 +141,40 @@ private slots:
             QVERIFY(!isOn(u"keypad"_s));
     }
 
+    // The same by fingers: each of them is refused or acts alone.
+    void aPalmBesideTheKeypadDoesNotHoldUpStop()
+    {
+        const std::unique_ptr<QPointingDevice> screen(QTest::createTouchDevice());
+        QQuickWindow& window = m_window->window();
+        go({u"nav_motion"_s, u"field_bag_length_mm"_s});
+        m_window->type(u"190"_s);
+        const QPoint nothing(centerOf(u"nav_motion"_s).x() * 2 + 3, window.height() - 3);
+        const qsizetype stops = m_window->link().stopRequests();
+        QTest::touchEvent(&window, screen.get()).press(0, nothing);
+        QTest::touchEvent(&window, screen.get()).stationary(0).press(1, centerOf(u"stopKey"_s));
+        QTest::touchEvent(&window, screen.get()).stationary(0).release(1, centerOf(u"stopKey"_s));
+        m_window->settle();
+        QVERIFY(m_window->link().stopRequests() > stops);
+        QTest::touchEvent(&window, screen.get()).release(0, nothing);
+        m_window->settle();
+        QCOMPARE(textOf("keypadText"), u"190"_s);
+        const QPoint rate = centerOf(u"field_rate_bags_per_min"_s);
+        QTest::touchEvent(&window, screen.get()).press(0, rate);
+        QCOMPARE(editor().bagLength()->value(), 190.0);
+        QVERIFY2(isOn(u"keypad"_s), "it stays in place until the finger has acted");
+        QTest::touchEvent(&window, screen.get()).release(0, rate);
+        m_window->settle();
+        QCOMPARE(textOf("keypadText"), editor().rate()->text());
+    }
+
+    void aNameIsAskedForAfterItsLogin()
+    {
+        enter(u"users-logged-out"_s);
+        go({u"nav_recipes"_s, u"recipe0"_s, u"recipeRename"_s});
+        QVERIFY(isOn(u"loginUsers"_s));
+        QVERIFY(!isOn(u"textInput"_s));
+    }
+
     void aTouchOnNothingKeepsTheDigits()
     {
         go({u"nav_motion"_s, u"field_bag_length_mm"_s});
