@@ -6439,16 +6439,6 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
 <context>
     <name>campanel::panel::RecipeFiles</name>
     <message>
-        <source>%1 · %2 · %3</source>
-        <comment>what it is, date, place</comment>
-        <translation>%1 · %2 · %3</translation>
-    </message>
-    <message>
-        <source>%1 · signed by %2 · %3 · %4</source>
-        <comment>what it is, person, date, place</comment>
-        <translation>%1 · signiert von %2 · %3 · %4</translation>
-    </message>
-    <message>
         <source>cannot be used · %1 · %2</source>
         <comment>date, place</comment>
         <translation>nicht verwendbar · %1 · %2</translation>
@@ -6459,11 +6449,6 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
         <translation>%1 Datei korrigieren; das Panel liest sie selbsttätig neu.</translation>
     </message>
     <message>
-        <source>Offered: %1, version %2</source>
-        <comment>recipe, number</comment>
-        <translation>Angeboten: %1, Version %2</translation>
-    </message>
-    <message>
         <source>This panel cannot show all letters of the name; missing: %1. Rename the recipe after importing.</source>
         <translation>Dieses Panel kann nicht alle Buchstaben des Namens anzeigen; es fehlen: %1. Das Rezept nach dem Import umbenennen.</translation>
     </message>
@@ -6471,6 +6456,21 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
         <source>%1 %2</source>
         <comment>whole sentences</comment>
         <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>Offered: %1</source>
+        <comment>recipe and version</comment>
+        <translation>Angeboten: %1</translation>
+    </message>
+    <message>
+        <source>%1, version %2</source>
+        <comment>recipe, number</comment>
+        <translation>%1, Version %2</translation>
+    </message>
+    <message>
+        <source>signed by %1</source>
+        <comment>person</comment>
+        <translation>signiert von %1</translation>
     </message>
 </context>
 <context>
@@ -6623,6 +6623,27 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
     <message>
         <source>The name has characters that nobody can see. Enter the name again.</source>
         <translation>Der Name enthält unsichtbare Zeichen. Den Namen neu eingeben.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n recipes were imported.</source>
+        <translation>
+            <numerusform>%n Rezept wurde importiert.</numerusform>
+            <numerusform>%n Rezepte wurden importiert.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>new</source>
+        <comment>recipe</comment>
+        <translation>neu</translation>
+    </message>
+    <message>
+        <source>is here already</source>
+        <comment>recipe</comment>
+        <translation>schon vorhanden</translation>
+    </message>
+    <message>
+        <source>becomes version %1</source>
+        <translation>wird Version %1</translation>
     </message>
 </context>
 <context>

@@ -6437,16 +6437,6 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
 <context>
     <name>campanel::panel::RecipeFiles</name>
     <message>
-        <source>%1 · %2 · %3</source>
-        <comment>what it is, date, place</comment>
-        <translation>%1 · %2 · %3</translation>
-    </message>
-    <message>
-        <source>%1 · signed by %2 · %3 · %4</source>
-        <comment>what it is, person, date, place</comment>
-        <translation>%1 · %2 签名 · %3 · %4</translation>
-    </message>
-    <message>
         <source>cannot be used · %1 · %2</source>
         <comment>date, place</comment>
         <translation>无法使用 · %1 · %2</translation>
@@ -6457,11 +6447,6 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
         <translation>%1请更正文件，面板会自动重新读取。</translation>
     </message>
     <message>
-        <source>Offered: %1, version %2</source>
-        <comment>recipe, number</comment>
-        <translation>可接收：%1，第 %2 版</translation>
-    </message>
-    <message>
         <source>This panel cannot show all letters of the name; missing: %1. Rename the recipe after importing.</source>
         <translation>本面板无法显示名称中的全部字符；缺少：%1 个。导入后请重命名配方。</translation>
     </message>
@@ -6469,6 +6454,21 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
         <source>%1 %2</source>
         <comment>whole sentences</comment>
         <translation>%1%2</translation>
+    </message>
+    <message>
+        <source>Offered: %1</source>
+        <comment>recipe and version</comment>
+        <translation>收到：%1</translation>
+    </message>
+    <message>
+        <source>%1, version %2</source>
+        <comment>recipe, number</comment>
+        <translation>%1，版本 %2</translation>
+    </message>
+    <message>
+        <source>signed by %1</source>
+        <comment>person</comment>
+        <translation>由 %1 签名</translation>
     </message>
 </context>
 <context>
@@ -6620,6 +6620,26 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
     <message>
         <source>The name has characters that nobody can see. Enter the name again.</source>
         <translation>名称含有不可见字符。请重新输入名称。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n recipes were imported.</source>
+        <translation>
+            <numerusform>已导入 %n 个配方。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>new</source>
+        <comment>recipe</comment>
+        <translation>新配方</translation>
+    </message>
+    <message>
+        <source>is here already</source>
+        <comment>recipe</comment>
+        <translation>已存在</translation>
+    </message>
+    <message>
+        <source>becomes version %1</source>
+        <translation>成为版本 %1</translation>
     </message>
 </context>
 <context>

@@ -2574,10 +2574,6 @@ Und %2 weitere.</translation>
         <translation>Änderungen verwerfen</translation>
     </message>
     <message>
-        <source>Import a recipe</source>
-        <translation>Rezept importieren</translation>
-    </message>
-    <message>
         <source>There is no recipe file on a USB stick or in %1. Plug a stick in; the panel finds it automatically.</source>
         <translation>Keine Rezeptdatei auf einem USB-Stick oder in %1. Stick einstecken; das Panel findet sie selbsttätig.</translation>
     </message>
@@ -2588,6 +2584,14 @@ Und %2 weitere.</translation>
     <message>
         <source>View …</source>
         <translation>Ansehen …</translation>
+    </message>
+    <message>
+        <source>Import recipes</source>
+        <translation>Rezepte importieren</translation>
+    </message>
+    <message>
+        <source>Import all %1</source>
+        <translation>Alle %1 importieren</translation>
     </message>
 </context>
 <context>

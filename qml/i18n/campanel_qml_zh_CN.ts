@@ -2574,10 +2574,6 @@ And %2 more.</source>
         <translation>放弃修改</translation>
     </message>
     <message>
-        <source>Import a recipe</source>
-        <translation>导入配方</translation>
-    </message>
-    <message>
         <source>There is no recipe file on a USB stick or in %1. Plug a stick in; the panel finds it automatically.</source>
         <translation>U 盘和 %1 中都没有配方文件。请插入 U 盘，面板会自动找到。</translation>
     </message>
@@ -2588,6 +2584,14 @@ And %2 more.</source>
     <message>
         <source>View …</source>
         <translation>查看…</translation>
+    </message>
+    <message>
+        <source>Import recipes</source>
+        <translation>导入配方</translation>
+    </message>
+    <message>
+        <source>Import all %1</source>
+        <translation>全部导入 %1 个</translation>
     </message>
 </context>
 <context>

@@ -59,7 +59,12 @@ Page {
     function importFile(): void {
         Recipes.files.scan()
         Frame.open("Parts/OfferSheet", {
-            title: qsTr("Import a recipe"), exchange: Recipes.files, offers: Recipes.files.files, actionText: qsTr("Import"),
+            title: qsTr("Import recipes"), exchange: Recipes.files, offers: Recipes.files.files, actionText: qsTr("Import"),
+            allText: Qt.binding(() => Recipes.files.news > 1 ? qsTr("Import all %1").arg(Recipes.files.news) : ""),
+            onAllAccepted: () => {
+                Recipes.files.takeAll()
+                Frame.close()
+            },
             emptyText: qsTr("There is no recipe file on a USB stick or in %1. Plug a stick in; the panel finds it automatically.").arg(Recipes.files.ownFolder),
             onAccepted: row => {
                 Recipes.files.take(row)

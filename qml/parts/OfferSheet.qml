@@ -13,6 +13,7 @@ Sheet {
     required property FileExchange exchange
     required property RowModel offers
     required property string actionText
+    property string allText  // of a second key that takes all; empty: there is none
     // The texts below the list while nothing is selected.
     property string chooseText: qsTr("Choose a file to view its content.")
     property string emptyText: chooseText
@@ -26,6 +27,7 @@ Sheet {
     property bool works: false
 
     signal accepted(int row)
+    signal allAccepted()
 
     onCountChanged: sheet.chosen = -1 // the rows have moved
 
@@ -76,7 +78,7 @@ Sheet {
     ScrollMark { view: list }
     Label {
         objectName: "offerDetail"
-        anchors { left: parent.left; right: goButton.left; rightMargin: Theme.size.padding; top: goButton.top; bottom: parent.bottom }
+        anchors { left: parent.left; right: allButton.visible ? allButton.left : goButton.left; rightMargin: Theme.size.padding; top: goButton.top; bottom: parent.bottom }
         wrapMode: Text.Wrap
         fontSizeMode: Text.Fit
         minimumPixelSize: Theme.size.caption - 3
@@ -85,6 +87,15 @@ Sheet {
             : isResult ? sheet.exchange.message : sheet.hint
         color: sheet.chosen >= 0 ? (sheet.chosenUsable ? Theme.color.ink : Theme.color.fault)
             : sheet.exchange.failed ? Theme.color.fault : isResult ? Theme.color.ink : Theme.color.secondaryInk
+    }
+    Button {
+        id: allButton
+        objectName: "offerAll"
+        anchors { right: goButton.left; rightMargin: Theme.size.spacing; bottom: parent.bottom }
+        visible: sheet.allText.length > 0
+        enabled: !sheet.exchange.busy
+        text: sheet.allText
+        onClicked: sheet.allAccepted()
     }
     Button {
         id: goButton

@@ -73,6 +73,7 @@ void RecipeFiles::updateRows()
 {
     QList<OfferRow> rows;
     QStringList offered;
+    QList<store::RecipeOffer> news;
     for (const store::RecipeOffer& offer : m_found) {
         if (!offer.recipe) {
             rows << refusedRow(offer);
@@ -80,34 +81,45 @@ void RecipeFiles::updateRows()
         }
         const Effect effect = m_consequence(offer);
         rows << row(offer, effect);
-        if (offer.isFromPlant && !effect.isRefused && !effect.isKnown)
-            offered << offeredText(offer);
+        if (effect.isRefused || effect.isKnown)
+            continue;
+        news << offer;
+        if (offer.isFromPlant)
+            offered << tr("Offered: %1", "recipe and version").arg(nameAndVersion(*offer.recipe));
     }
     m_files.setRows(rows);
     const QString notice = offered.join(QStringLiteral(" · "));
     if (std::exchange(m_notice, notice) != notice)
         emit noticeChanged();
+    // Of one recipe the older version first.
+    std::ranges::stable_sort(news, {}, [](const store::RecipeOffer& offer) { return offer.recipe->version; });
+    m_news = news;
+    emit newsChanged();
 }
 
-QString RecipeFiles::offeredText(const store::RecipeOffer& offer)
+QString RecipeFiles::nameAndVersion(const program::Recipe& recipe)
 {
-    return tr("Offered: %1, version %2", "recipe, number")
-        .arg(QString::fromStdString(offer.recipe->name), QString::number(offer.recipe->version));
+    return tr("%1, version %2", "recipe, number")
+        .arg(QString::fromStdString(recipe.name), QString::number(recipe.version));
 }
 
 OfferRow RecipeFiles::row(const store::RecipeOffer& offer, const Effect& effect) const
 {
     const QString date = Format::minute(offer.changed);
-    const QString summary = RecipeComparison::summary(*offer.recipe);
+    QStringList parts{RecipeComparison::summary(*offer.recipe)};
+    if (offer.signature)
+        parts << tr("signed by %1", "person").arg(offer.signature->signer);
+    if (!offer.isFromPlant)
+        parts << QFileInfo(offer.path).fileName();
+    parts << date << offer.placeName;
+    if (!effect.summary.isEmpty())
+        parts.prepend(effect.summary);
     OfferRow row;
-    row.title = offer.isFromPlant ? offeredText(offer) : QFileInfo(offer.path).fileName();
+    row.title = nameAndVersion(*offer.recipe);
     row.usable = !effect.isRefused;
     const QString hidden = hiddenLetters(offer.recipe->name);
     row.detail = hidden.isEmpty() ? effect.text : tr("%1 %2", "whole sentences").arg(effect.text, hidden);
-    row.note = offer.signature
-                   ? tr("%1 · signed by %2 · %3 · %4", "what it is, person, date, place")
-                         .arg(summary, offer.signature->signer, date, offer.placeName)
-                   : tr("%1 · %2 · %3", "what it is, date, place").arg(summary, date, offer.placeName);
+    row.note = parts.join(QStringLiteral(" · "));
     return row;
 }
 
@@ -141,7 +153,13 @@ OfferRow RecipeFiles::refusedRow(const store::RecipeOffer& offer)
 void RecipeFiles::take(int file)
 {
     if (isAllowed(Level::Operator) && file >= 0 && file < m_found.size() && m_files.rows()[file].usable)
-        emit taken(m_found[file]);
+        emit taken({m_found[file]});
+}
+
+void RecipeFiles::takeAll()
+{
+    if (isAllowed(Level::Operator) && !m_news.isEmpty())
+        emit taken(m_news);
 }
 
 } // namespace campanel::panel

@@ -19,6 +19,8 @@ class RecipeFiles : public campanel::panel::FileExchange {
     // "Offered: Biscuit 250, version 8": the recipes from the plant's network that can be imported and are
     // not in the library yet; empty: none.
     Q_PROPERTY(QString notice READ notice NOTIFY noticeChanged FINAL)
+    // The number of files whose import would change the library.
+    Q_PROPERTY(int news READ news NOTIFY newsChanged FINAL)
 
 public:
     // Searches for files; called in another thread.
@@ -26,6 +28,7 @@ public:
     // The consequence of importing a recipe, whole sentences; or why it is refused.
     struct Effect {
         QString text;
+        QString summary{}; // "new", "becomes version 3", ...; empty when it is refused
         bool isRefused = false;
         bool isKnown = false; // importing it changes nothing
     };
@@ -47,12 +50,16 @@ public:
     [[nodiscard]] OfferModel* files() { return &m_files; }
     [[nodiscard]] QString notice() const { return m_notice; }
 
-    // Imports the recipe of a usable file.
+    [[nodiscard]] int news() const { return static_cast<int>(m_news.size()); }
+
+    // Imports the recipe of a usable file, or of each one that changes the library.
     Q_INVOKABLE void take(int file);
+    Q_INVOKABLE void takeAll();
 
 signals:
-    void taken(const campanel::store::RecipeOffer& offer);
+    void taken(const QList<campanel::store::RecipeOffer>& offers);
     void noticeChanged();
+    void newsChanged();
 
 private:
     [[nodiscard]] std::function<Apply()> searcher() override;
@@ -60,7 +67,7 @@ private:
     [[nodiscard]] static OfferRow refusedRow(const store::RecipeOffer& offer);
     // Returns how many letters of the name would be boxes on the screen, as a sentence; empty: none.
     [[nodiscard]] QString hiddenLetters(const std::string& name) const;
-    [[nodiscard]] static QString offeredText(const store::RecipeOffer& offer);
+    [[nodiscard]] static QString nameAndVersion(const program::Recipe& recipe);
 
     Consequence m_consequence;
     Scanner m_scanner;
@@ -71,6 +78,7 @@ private:
     QString m_notice;
     OfferModel m_files{this};
     QList<store::RecipeOffer> m_found;
+    QList<store::RecipeOffer> m_news;
 };
 
 } // namespace campanel::panel

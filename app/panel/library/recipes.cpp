@@ -16,6 +16,7 @@
 #include <QDir>
 
 #include <algorithm>
+#include <utility>
 
 using namespace Qt::StringLiterals;
 
@@ -25,6 +26,8 @@ using program::Recipe;
 using store::RecipeVersion;
 
 namespace {
+
+constexpr std::chrono::seconds messageTime{8};
 
 QString nameOf(const Recipe& recipe)
 {
@@ -59,6 +62,9 @@ Recipes::Recipes(Controller& controller, Editor& editor, DatabaseService& record
         const RecipeVersion* known = named(QString::fromStdString(name));
         return known ? known->version : 0;
     });
+    m_messageTimer.setSingleShot(true);
+    m_messageTimer.setInterval(messageTime);
+    m_messageTimer.callOnTimeout(this, &Recipes::dismissMessage);
     LanguageNotifier::follow(this, [this] {
         dismissMessage(); // it is in the previous language
         show();
@@ -86,26 +92,36 @@ void Recipes::begin()
 
 void Recipes::reload()
 {
+    if (std::exchange(m_isReading, true)) {
+        m_isReadWanted = true;
+        return;
+    }
     work([](store::RecipeLibrary& library) { return library.machines(); },
          [this](const QList<store::MachineData>& machines) {
              m_machineData = machines;
              for (const store::MachineData& each : machines)
                  m_editor.setMachine(each.recipe.kind(), each.recipe.machine);
          });
-    work([](store::RecipeLibrary& library) { return library.newest(); },
-         [this](const Versions& newest) {
-             m_all = newest;
-             m_shapes.clear();
-             for (const RecipeVersion& each : m_all)
-                 m_shapes.insert(each.recipeId, shapeOf(each.recipe));
-             m_isReady = true;
-             if (!chosenRecipe()) {
-                 const RecipeVersion* open = named(m_editor.recipeName());
-                 m_chosenId = open ? open->recipeId : 0;
-             }
-             show();
-             m_files.updateRows();
-         });
+    m_records.store().run(
+        this, [](store::Database& database) { return store::RecipeLibrary(database).newest(); },
+        [this](const tl::expected<Versions, store::StoreError>& newest) {
+            m_isReading = false;
+            if (std::exchange(m_isReadWanted, false))
+                reload();
+            if (!newest)
+                return m_records.reportError(newest.error());
+            m_all = *newest;
+            m_shapes.clear();
+            for (const RecipeVersion& each : m_all)
+                m_shapes.insert(each.recipeId, shapeOf(each.recipe));
+            m_isReady = true;
+            if (!chosenRecipe()) {
+                const RecipeVersion* open = named(m_editor.recipeName());
+                m_chosenId = open ? open->recipeId : 0;
+            }
+            show();
+            m_files.updateRows();
+        });
 }
 
 void Recipes::keep(const Recipe& recipe, Origin origin, std::function<void(const RecipeVersion& kept)> done,
@@ -131,6 +147,8 @@ void Recipes::keep(const Recipe& recipe, Origin origin, std::function<void(const
             if (const auto at = std::ranges::find(m_all, kept.recipeId, &RecipeVersion::recipeId);
                 at != m_all.end())
                 *at = kept; // whoever asks before the list is read again
+            else
+                m_all << kept;
             if (done)
                 done(kept);
             reload();
@@ -381,7 +399,8 @@ void Recipes::rename()
         },
         [this, before, name](const tl::expected<void, store::StoreError>& renamed) {
             if (!renamed && renamed.error().kind == store::StoreError::Kind::Refused)
-                return say(tr("A deleted recipe has the name %1. Choose another name.").arg(name));
+                return say(tr("A deleted recipe has the name %1. Choose another name.").arg(name),
+                           Lasts::UntilAnswered);
             if (!renamed)
                 return m_records.reportError(renamed.error());
             if (nameOf(m_editor.storedRecipe()) == before) {
@@ -417,9 +436,9 @@ void Recipes::remove()
                 return;
             }
             note(u"recipe.delete"_s, name, {}, {});
-            m_deletedId = id;
             m_deletedName = name;
-            m_message = tr("%1 was deleted; its versions are kept.").arg(name);
+            say(tr("%1 was deleted; its versions are kept.").arg(name), Lasts::UntilAnswered);
+            m_deletedId = id;
             emit messageChanged();
             reload();
         });
@@ -451,9 +470,12 @@ void Recipes::note(const QString& what, const QString& name, const QString& befo
     emit noted({.what = what, .object = name, .before = before, .after = after});
 }
 
-void Recipes::say(const QString& text)
+void Recipes::say(const QString& text, Lasts lasts)
 {
     m_message = text;
+    m_messageTimer.stop();
+    if (lasts == Lasts::SomeSeconds)
+        m_messageTimer.start();
     m_deletedId = 0;
     emit messageChanged();
 }

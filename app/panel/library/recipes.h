@@ -18,8 +18,10 @@
 #include <QDateTime>
 #include <QHash>
 #include <QObject>
+#include <QTimer>
 #include <QtQml/qqmlregistration.h>
 
+#include <chrono>
 #include <functional>
 #include <optional>
 
@@ -74,6 +76,8 @@ public:
     ~Recipes() override;
 
     void setWallClock(WallClock clock) { m_wallClock = std::move(clock); }
+    // Sets how long a message about what was done stays.
+    void setMessageTime(std::chrono::milliseconds time) { m_messageTimer.setInterval(time); }
 
     // Reads all recipes again after the database was changed elsewhere.
     void reload();
@@ -170,7 +174,7 @@ private:
     enum class Origin { Library, Editor };
     void keep(const program::Recipe& recipe, Origin origin,
               std::function<void(const store::RecipeVersion& kept)> done, const QString& signer = {});
-    void import(const store::RecipeOffer& offer);
+    void import(const QList<store::RecipeOffer>& offers);
     void begin();
     // Keeps the open recipe, which outlives the database because it has its own file. When that file is lost
     // or damaged, the library's recipe is opened: no default takes the place of what a person saved.
@@ -187,7 +191,9 @@ private:
     void addMotor(QList<FigureRow>& rows, const program::Recipe& recipe) const;
     void clearComparison();
     void compare(const program::Recipe& before, const program::Recipe& after);
-    void say(const QString& text);
+    // A message about what was done ends by itself.
+    enum class Lasts { SomeSeconds, UntilAnswered };
+    void say(const QString& text, Lasts lasts = Lasts::SomeSeconds);
     void note(const QString& what, const QString& name, const QString& before, const QString& after);
     [[nodiscard]] program::Recipe onThisMachine(program::Recipe recipe) const;
     // Returns the recipe as first version of the wanted name.
@@ -220,6 +226,9 @@ private:
     QString m_shownName; // name of the Editor's recipe at the last update of the list, and its next version
     int m_shownNextVersion = 0;
     QString m_message;
+    QTimer m_messageTimer;
+    bool m_isReading = false;
+    bool m_isReadWanted = false; // again, after a change since
     qint64 m_chosenId = 0;
     qint64 m_deletedId = 0;
     QString m_deletedName;

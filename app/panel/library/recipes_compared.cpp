@@ -154,44 +154,57 @@ void Recipes::offerExport(bool all)
     m_exports.offer(files);
 }
 
-// Imports a file. A signature replaces the technician: an operator may accept what somebody has signed.
-void Recipes::import(const store::RecipeOffer& offer)
+// Imports files. A signature replaces the technician: an operator may accept what somebody has signed.
+void Recipes::import(const QList<store::RecipeOffer>& offers)
 {
-    const QString signer = offer.signature ? offer.signature->signer : QString();
-    if (!m_controller.accessCheck().require(offer.signature ? Level::Operator : Level::Technician))
+    const bool isSigned = std::ranges::all_of(
+        offers, [](const store::RecipeOffer& offer) { return offer.signature.has_value(); });
+    if (!m_controller.accessCheck().require(isSigned ? Level::Operator : Level::Technician))
         return;
-    if (const QString refusal = refusalOf(offer); !refusal.isEmpty()) // of another version since the search
-        return say(refusal);
-    keep(
-        onThisMachine(*offer.recipe), Origin::Library,
-        [this, fileName = offer.isFromPlant ? offer.path
-                                            : QFileInfo(offer.path).fileName()](const RecipeVersion& kept) {
-            m_chosenId = kept.recipeId;
-            say(tr("%1 was imported as %2, version %3.", "file, recipe")
-                    .arg(fileName, QString::fromStdString(kept.recipe.name), QString::number(kept.version)));
-        },
-        signer);
+    const auto imported = std::make_shared<int>(0);
+    for (const store::RecipeOffer& offer : offers) {
+        if (const QString refusal = refusalOf(offer); !refusal.isEmpty()) { // by a version since the search
+            say(refusal, Lasts::UntilAnswered);
+            continue;
+        }
+        const QString fileName = offer.isFromPlant ? offer.path : QFileInfo(offer.path).fileName();
+        keep(
+            onThisMachine(*offer.recipe), Origin::Library,
+            [this, imported, fileName](const RecipeVersion& kept) {
+                m_chosenId = kept.recipeId;
+                if (++*imported > 1)
+                    return say(tr("%n recipes were imported.", "", *imported));
+                say(tr("%1 was imported as %2, version %3.", "file, recipe")
+                        .arg(fileName, QString::fromStdString(kept.recipe.name),
+                             QString::number(kept.version)));
+            },
+            offer.signature ? offer.signature->signer : QString());
+    }
 }
 
 RecipeFiles::Effect Recipes::consequence(const store::RecipeOffer& offer) const
 {
     if (const QString refusal = refusalOf(offer); !refusal.isEmpty())
-        return {refusal, true};
+        return {.text = refusal, .isRefused = true};
     const Recipe& recipe = *offer.recipe;
     const QString name = QString::fromStdString(recipe.name);
     const RecipeVersion* known = named(name);
     if (!known)
-        return {tr("The file becomes the new recipe %1. The data of this machine stay unchanged.").arg(name)};
+        return {
+            .text =
+                tr("The file becomes the new recipe %1. The data of this machine stay unchanged.").arg(name),
+            .summary = tr("new", "recipe")};
     const QList<DifferenceRow> rows = RecipeComparison::rows(known->recipe, recipe);
     if (rows.isEmpty())
-        return {tr("The file is identical to %1, version %2; nothing changes.")
-                    .arg(name, QString::number(known->version)),
-                false, true};
-    QString text = tr("The file becomes version %2 of %1; earlier versions are kept.")
-                       .arg(name, QString::number(std::max(known->version + 1, recipe.version)));
-    if (offer.signature)
-        text = tr("%1 Changes: %2.", "whole sentence, list").arg(text, changes(rows));
-    return {text};
+        return {.text = tr("The file is identical to %1, version %2; nothing changes.")
+                            .arg(name, QString::number(known->version)),
+                .summary = tr("is here already", "recipe"),
+                .isKnown = true};
+    const QString version = QString::number(std::max(known->version + 1, recipe.version));
+    const QString text =
+        tr("The file becomes version %2 of %1; earlier versions are kept.").arg(name, version);
+    return {.text = tr("%1 Changes: %2.", "whole sentence, list").arg(text, changes(rows)),
+            .summary = tr("becomes version %1").arg(version)};
 }
 
 // Returns the first differences, "Bag length 250.0 mm to 260.0 mm".
