@@ -105,7 +105,7 @@
         <translation>Die Achse kann ihrem Sollwert nicht folgen.</translation>
     </message>
     <message>
-        <source>Check for a jam, then reset the fault and home.</source>
+        <source>Check for a jam, reset the fault, then start the reference run.</source>
         <translation>Auf Verklemmung prüfen, Störung quittieren, Referenzfahrt starten.</translation>
     </message>
     <message>
@@ -125,7 +125,7 @@
         <translation>Keine Nullmarke</translation>
     </message>
     <message>
-        <source>No index mark was found while homing.</source>
+        <source>No index mark was found in the reference run.</source>
         <translation>Bei der Referenzfahrt wurde keine Nullmarke gefunden.</translation>
     </message>
     <message>
@@ -217,7 +217,7 @@
         <translation>Kabel prüfen.</translation>
     </message>
     <message>
-        <source>Not homed</source>
+        <source>Not referenced</source>
         <translation>Nicht referenziert</translation>
     </message>
     <message>
@@ -225,7 +225,7 @@
         <translation>Die Steuerung kennt die Position der Achse nicht.</translation>
     </message>
     <message>
-        <source>No action required: Start homes the axis first.</source>
+        <source>No action required: Start begins with the reference run.</source>
         <translation>Nichts zu tun: Start führt zuerst die Referenzfahrt aus.</translation>
     </message>
     <message>
@@ -676,7 +676,7 @@
         <translation>Sofortstopp</translation>
     </message>
     <message>
-        <source>Home</source>
+        <source>Reference run</source>
         <translation>Referenzfahrt</translation>
     </message>
     <message>
@@ -824,7 +824,7 @@
         <translation>Aus Sicherung zurückgespielt</translation>
     </message>
     <message>
-        <source>Homing ended</source>
+        <source>Reference run ended</source>
         <translation>Referenzfahrt beendet</translation>
     </message>
     <message>
@@ -1083,7 +1083,7 @@
         <translation>Die Maschine hält an. Stillstand abwarten.</translation>
     </message>
     <message>
-        <source>The axis is homing. Wait for standstill.</source>
+        <source>The reference run is active. Wait for standstill.</source>
         <translation>Die Referenzfahrt läuft. Stillstand abwarten.</translation>
     </message>
     <message>
@@ -2285,7 +2285,7 @@ eff. %2</translation>
         <translation>Tippen</translation>
     </message>
     <message>
-        <source>Homing</source>
+        <source>Reference run</source>
         <translation>Referenzfahrt</translation>
     </message>
     <message>
@@ -2355,10 +2355,6 @@ eff. %2</translation>
     <message>
         <source>Stop</source>
         <translation>Stopp</translation>
-    </message>
-    <message>
-        <source>Home</source>
-        <translation>Referenzfahrt</translation>
     </message>
     <message>
         <source>Reset fault</source>
@@ -5411,7 +5407,7 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
 <context>
     <name>campanel::panel::Homing</name>
     <message>
-        <source>Homed</source>
+        <source>Referenced</source>
         <translation>Referenziert</translation>
     </message>
     <message>
@@ -5419,7 +5415,7 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
         <translation>Oberste Lage bekannt</translation>
     </message>
     <message>
-        <source>Not homed</source>
+        <source>Not referenced</source>
         <translation>Nicht referenziert</translation>
     </message>
     <message>
@@ -5427,7 +5423,7 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
         <translation>Oberste Lage unbekannt</translation>
     </message>
     <message>
-        <source>No homing required</source>
+        <source>No reference run required</source>
         <translation>Keine Referenzfahrt nötig</translation>
     </message>
     <message>
@@ -5435,15 +5431,15 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
         <translation>Unbekannt</translation>
     </message>
     <message>
-        <source>Keep hands away: the knife turns slowly forward to the index mark of its shaft, brakes and returns to 0°. Start homes automatically when required.</source>
+        <source>Keep hands away: the knife turns slowly forward to the index mark of its shaft, brakes and returns to 0°. Start begins with the reference run when required.</source>
         <translation>Hände weg: das Messer dreht langsam vorwärts zur Nullmarke seiner Welle, bremst und kehrt auf 0° zurück. Start referenziert bei Bedarf selbsttätig.</translation>
     </message>
     <message>
-        <source>The axis turns slowly forward to the index mark of its motor, brakes and returns to position 0. Start homes automatically when required.</source>
+        <source>The axis turns slowly forward to the index mark of its motor, brakes and returns to position 0. Start begins with the reference run when required.</source>
         <translation>Die Achse dreht langsam vorwärts zur Nullmarke ihres Motors, bremst und kehrt auf Position 0 zurück. Start referenziert bei Bedarf selbsttätig.</translation>
     </message>
     <message>
-        <source>Moves start at the present axis position, so homing is not required. Home turns slowly to the motor&apos;s index mark, which becomes position 0.</source>
+        <source>Moves start at the present axis position, so no reference run is required. The reference run turns slowly to the motor&apos;s index mark, which becomes position 0.</source>
         <translation>Bewegungen beginnen an der jetzigen Position; eine Referenzfahrt ist nicht nötig. Sie dreht langsam zur Nullmarke des Motors, die Position 0 wird.</translation>
     </message>
     <message>
@@ -5451,12 +5447,12 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
         <translation>Ohne Bewegung: die jetzige Stößellage wird oberste Lage, Bezug aller Tiefen. Stößel zuerst dorthin tippen; eine falsche oberste Lage macht jeden Hub falsch.</translation>
     </message>
     <message>
-        <source>Homing depends on the program. Download a recipe first.</source>
+        <source>The reference run depends on the program. Download a recipe first.</source>
         <translation>Die Referenzfahrt hängt vom Programm ab. Zuerst ein Rezept laden.</translation>
     </message>
     <message>
-        <source>Home</source>
-        <translation>Referenz</translation>
+        <source>Reference run</source>
+        <translation>Referenz­fahrt</translation>
     </message>
     <message>
         <source>Set as top position</source>
@@ -5467,7 +5463,7 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
         <translation>Die Nullmarke wird gesucht …</translation>
     </message>
     <message>
-        <source>The last homing found the index mark.</source>
+        <source>The last reference run found the index mark.</source>
         <translation>Die letzte Referenzfahrt hat die Nullmarke gefunden.</translation>
     </message>
     <message>
@@ -5475,15 +5471,15 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
         <translation>Die Stößellage wurde als oberste Lage gesetzt.</translation>
     </message>
     <message>
-        <source>The last homing was stopped before its end.</source>
+        <source>The last reference run was stopped before its end.</source>
         <translation>Die letzte Referenzfahrt wurde vor ihrem Ende gestoppt.</translation>
     </message>
     <message>
-        <source>The last homing failed: no index mark within two revolutions, or the axis did not follow. See the alarm.</source>
+        <source>The last reference run failed: no index mark within two revolutions, or the axis did not follow. See the alarm.</source>
         <translation>Die letzte Referenzfahrt schlug fehl: keine Nullmarke in zwei Umdrehungen, oder die Achse folgte nicht. Siehe Alarm.</translation>
     </message>
     <message>
-        <source>The connection was lost during homing: the result is unknown.</source>
+        <source>The connection was lost during the reference run: the result is unknown.</source>
         <translation>Die Verbindung ging während der Referenzfahrt verloren: Ergebnis unbekannt.</translation>
     </message>
 </context>
@@ -5627,7 +5623,7 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
         <translation>Fährt rückwärts, solange die Taste gehalten wird.</translation>
     </message>
     <message>
-        <source>Hold a key to turn the knife. The film stays still, and the next start homes first.</source>
+        <source>Hold a key to turn the knife. The film stays still, and the next start begins with the reference run.</source>
         <translation>Taste halten, um das Messer zu drehen. Die Folie steht; der nächste Start referenziert zuerst.</translation>
     </message>
     <message>
@@ -6147,7 +6143,7 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
         <translation>Tippgeschw.</translation>
     </message>
     <message>
-        <source>Homing speed</source>
+        <source>Reference run speed</source>
         <translation>Referenzgeschw.</translation>
     </message>
 </context>

@@ -105,7 +105,7 @@
         <translation>轴跟不上设定值。</translation>
     </message>
     <message>
-        <source>Check for a jam, then reset the fault and home.</source>
+        <source>Check for a jam, reset the fault, then start the reference run.</source>
         <translation>请检查是否卡阻，然后复位故障并回零。</translation>
     </message>
     <message>
@@ -125,7 +125,7 @@
         <translation>没有零位标记</translation>
     </message>
     <message>
-        <source>No index mark was found while homing.</source>
+        <source>No index mark was found in the reference run.</source>
         <translation>回零时没有找到零位标记。</translation>
     </message>
     <message>
@@ -217,7 +217,7 @@
         <translation>请检查电缆。</translation>
     </message>
     <message>
-        <source>Not homed</source>
+        <source>Not referenced</source>
         <translation>未回零</translation>
     </message>
     <message>
@@ -225,7 +225,7 @@
         <translation>控制器不知道轴的位置。</translation>
     </message>
     <message>
-        <source>No action required: Start homes the axis first.</source>
+        <source>No action required: Start begins with the reference run.</source>
         <translation>无需处理：启动时会先回零。</translation>
     </message>
     <message>
@@ -676,7 +676,7 @@
         <translation>立即停止</translation>
     </message>
     <message>
-        <source>Home</source>
+        <source>Reference run</source>
         <translation>回零</translation>
     </message>
     <message>
@@ -824,7 +824,7 @@
         <translation>从备份恢复</translation>
     </message>
     <message>
-        <source>Homing ended</source>
+        <source>Reference run ended</source>
         <translation>回零结束</translation>
     </message>
     <message>
@@ -1083,7 +1083,7 @@
         <translation>机器正在停止。请等它停稳。</translation>
     </message>
     <message>
-        <source>The axis is homing. Wait for standstill.</source>
+        <source>The reference run is active. Wait for standstill.</source>
         <translation>轴正在回零。请等它停稳。</translation>
     </message>
     <message>
@@ -2283,7 +2283,7 @@ RMS %2</source>
         <translation>点动</translation>
     </message>
     <message>
-        <source>Homing</source>
+        <source>Reference run</source>
         <translation>回零中</translation>
     </message>
     <message>
@@ -2353,10 +2353,6 @@ RMS %2</source>
     <message>
         <source>Stop</source>
         <translation>停止</translation>
-    </message>
-    <message>
-        <source>Home</source>
-        <translation>回零</translation>
     </message>
     <message>
         <source>Reset fault</source>
@@ -5409,7 +5405,7 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
 <context>
     <name>campanel::panel::Homing</name>
     <message>
-        <source>Homed</source>
+        <source>Referenced</source>
         <translation>已回零</translation>
     </message>
     <message>
@@ -5417,7 +5413,7 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
         <translation>上止点已知</translation>
     </message>
     <message>
-        <source>Not homed</source>
+        <source>Not referenced</source>
         <translation>未回零</translation>
     </message>
     <message>
@@ -5425,7 +5421,7 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
         <translation>上止点未知</translation>
     </message>
     <message>
-        <source>No homing required</source>
+        <source>No reference run required</source>
         <translation>无需回零</translation>
     </message>
     <message>
@@ -5433,15 +5429,15 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
         <translation>未知</translation>
     </message>
     <message>
-        <source>Keep hands away: the knife turns slowly forward to the index mark of its shaft, brakes and returns to 0°. Start homes automatically when required.</source>
+        <source>Keep hands away: the knife turns slowly forward to the index mark of its shaft, brakes and returns to 0°. Start begins with the reference run when required.</source>
         <translation>手不要靠近切刀：切刀缓慢正转到刀轴的零位标记，制动后返回 0°。需要时，启动会自动回零。</translation>
     </message>
     <message>
-        <source>The axis turns slowly forward to the index mark of its motor, brakes and returns to position 0. Start homes automatically when required.</source>
+        <source>The axis turns slowly forward to the index mark of its motor, brakes and returns to position 0. Start begins with the reference run when required.</source>
         <translation>轴缓慢正转到电机的零位标记，制动后返回位置 0。需要时，启动会自动回零。</translation>
     </message>
     <message>
-        <source>Moves start at the present axis position, so homing is not required. Home turns slowly to the motor&apos;s index mark, which becomes position 0.</source>
+        <source>Moves start at the present axis position, so no reference run is required. The reference run turns slowly to the motor&apos;s index mark, which becomes position 0.</source>
         <translation>运动从轴的当前位置开始，因此无需回零。“回零”使轴缓慢转到电机的零位标记，该处即为位置 0。</translation>
     </message>
     <message>
@@ -5449,11 +5445,11 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
         <translation>不会产生运动：压头的当前位置将设为上止点，即所有深度的基准。请先将压头点动到该位置；上止点不对，每次压装都会出错。</translation>
     </message>
     <message>
-        <source>Homing depends on the program. Download a recipe first.</source>
+        <source>The reference run depends on the program. Download a recipe first.</source>
         <translation>回零方式取决于程序。请先下载配方。</translation>
     </message>
     <message>
-        <source>Home</source>
+        <source>Reference run</source>
         <translation>回零</translation>
     </message>
     <message>
@@ -5465,7 +5461,7 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
         <translation>正在寻找零位标记…</translation>
     </message>
     <message>
-        <source>The last homing found the index mark.</source>
+        <source>The last reference run found the index mark.</source>
         <translation>上次回零已找到零位标记。</translation>
     </message>
     <message>
@@ -5473,15 +5469,15 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
         <translation>压头位置已设为上止点。</translation>
     </message>
     <message>
-        <source>The last homing was stopped before its end.</source>
+        <source>The last reference run was stopped before its end.</source>
         <translation>上次回零在完成之前被停止。</translation>
     </message>
     <message>
-        <source>The last homing failed: no index mark within two revolutions, or the axis did not follow. See the alarm.</source>
+        <source>The last reference run failed: no index mark within two revolutions, or the axis did not follow. See the alarm.</source>
         <translation>上次回零失败：两转内没有零位标记，或轴没有跟随。请查看报警。</translation>
     </message>
     <message>
-        <source>The connection was lost during homing: the result is unknown.</source>
+        <source>The connection was lost during the reference run: the result is unknown.</source>
         <translation>回零期间连接中断：结果未知。</translation>
     </message>
 </context>
@@ -5625,7 +5621,7 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
         <translation>按住期间反向运动。</translation>
     </message>
     <message>
-        <source>Hold a key to turn the knife. The film stays still, and the next start homes first.</source>
+        <source>Hold a key to turn the knife. The film stays still, and the next start begins with the reference run.</source>
         <translation>按住按键转动切刀。薄膜不动，下次启动会先回零。</translation>
     </message>
     <message>
@@ -6145,7 +6141,7 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
         <translation>点动速度</translation>
     </message>
     <message>
-        <source>Homing speed</source>
+        <source>Reference run speed</source>
         <translation>回零速度</translation>
     </message>
 </context>

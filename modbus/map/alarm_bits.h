@@ -29,7 +29,7 @@ inline constexpr std::array faultBits{
     entry(FaultBit::ActiveTableDamaged, "ActiveTableDamaged",
           CAMPANEL_TEXT("AlarmCatalogue", "The table in the controller is damaged."), "Its CRC-32 is wrong."),
     entry(FaultBit::DriveNotFollowing, "DriveNotFollowing",
-          CAMPANEL_TEXT("AlarmCatalogue", "No index mark was found while homing."),
+          CAMPANEL_TEXT("AlarmCatalogue", "No index mark was found in the reference run."),
           "The search covers two revolutions."),
     entry(FaultBit::ForceLimit, "ForceLimit",
           CAMPANEL_TEXT("AlarmCatalogue", "The press reached the maximum force, stopped and returned.")),

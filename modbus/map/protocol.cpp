@@ -18,7 +18,7 @@ constexpr std::array states{
     entry(State::Stopping, "Stopping", CAMPANEL_TEXT("Protocol", "Stopping"),
           "Ramps down, to the end of the cycle or at once."),
     entry(State::Jogging, "Jogging", CAMPANEL_TEXT("Protocol", "Jogging"), "Moves while a jog bit is set."),
-    entry(State::Homing, "Homing", CAMPANEL_TEXT("Protocol", "Homing"),
+    entry(State::Homing, "Homing", CAMPANEL_TEXT("Protocol", "Reference run"),
           "Searches for the index mark of the knife shaft, or of the motor on a machine without a knife."),
     entry(State::Fault, "Fault", CAMPANEL_TEXT("Protocol", "Fault"),
           "Stopped by a fault; see status.fault, then reset."),
@@ -150,7 +150,7 @@ constexpr std::array commands{
           "Ramps down so that the motion ends at a cycle boundary."),
     entry(Command::StopNow, "StopNow", CAMPANEL_TEXT("Protocol", "Stop"),
           "Ramps down at once; the cam phase is kept."),
-    entry(Command::Home, "Home", CAMPANEL_TEXT("Protocol", "Home"),
+    entry(Command::Home, "Home", CAMPANEL_TEXT("Protocol", "Reference run"),
           "Turns slowly to the index mark of the axis and sets this position to zero; a press takes its "
           "present position as the upper position."),
     entry(Command::ResetFault, "ResetFault", CAMPANEL_TEXT("Protocol", "Reset fault"),

@@ -2,13 +2,10 @@
 // A push button: primary (the next step), normal, quiet (no frame) or chosen by color. A text that is wider than the button gets smaller.
 pragma ComponentBehavior: Bound
 import QtQuick
-import QtQuick.Templates as T
 import CamPanel.Theme
 
-T.AbstractButton {
+TouchButton {
     id: button
-    Accessible.role: Accessible.Button
-    Accessible.name: button.text
 
     enum Kind { Normal, Primary, Quiet }
 

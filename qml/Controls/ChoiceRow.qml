@@ -2,13 +2,10 @@
 // One entry of a list of choices: text, a note below, a tick when it is selected. `leftPadding` is free for a picture.
 pragma ComponentBehavior: Bound
 import QtQuick
-import QtQuick.Templates as T
 import CamPanel.Theme
 
-T.AbstractButton {
+TouchButton {
     id: entry
-    Accessible.role: Accessible.Button
-    Accessible.name: entry.text
 
     property string note
     property bool holds

@@ -1,59 +1,29 @@
 // SPDX-License-Identifier: Apache-2.0
-// A key of the command column: Start (outlined until it can be pressed), Stop (always filled), or one between them. With a hold time it acts
-// once it has been held so long, under a ring that fills; a release or a finger that leaves the key before cancels.
+// A key of the command column: Start (outlined until it can be pressed), Stop (always filled), or one between them.
 pragma ComponentBehavior: Bound
 import QtQuick
-import QtQuick.Templates as T
 import CamPanel.Theme
 
-T.AbstractButton {
+CommandButton {
     id: key
-    Accessible.role: Accessible.Button
-    Accessible.name: key.text
 
     required property string glyph
-    property string note
+    property string note: holdNote
     property bool filled
-    property bool ready: true              // false: drawn as not ready, but a touch still explains the reason
     property bool square: false            // a plain filled square instead of the glyph, unlike an emergency-stop button
     property bool small: false
-    property int holdMs: 0
-    readonly property bool holding: holdMs > 0 && pressed && !acted
-    property bool acted: false             // since the last touch began
-    readonly property bool tooShort: hint.running
-    property color baseColor: Theme.color.good
-    property color pressedColor: Theme.color.good
-    readonly property color inkColor: filled ? Theme.color.stopInk : ready ? baseColor : Theme.color.disabledInk
+    readonly property color inkColor: filled ? Theme.color.stopInk : ready ? Theme.color.touch : Theme.color.secondaryInk
 
-    signal held()
-
+    ringHost: sign
+    ringColor: key.inkColor
     implicitWidth: Theme.size.commandKey
     implicitHeight: Theme.size.commandKey
 
-    onPressedChanged: {
-        if (pressed)
-            acted = false
-        else if (holdMs > 0 && !acted)
-            hint.restart()
-    }
-
-    Timer {
-        interval: key.holdMs
-        running: key.holding
-        onTriggered: {
-            key.acted = true
-            key.held()
-        }
-    }
-    Timer {
-        id: hint
-        interval: 2000
-    }
     background: Rectangle {
         radius: Theme.size.radius
-        color: key.filled ? (key.down ? key.pressedColor : key.baseColor)
+        color: key.filled ? (key.down ? Theme.color.stopPressed : Theme.color.stop)
             : key.down || !key.ready ? Theme.color.inset : Theme.color.surface
-        border { width: key.filled ? 0 : Theme.size.outline; color: key.ready ? key.baseColor : Theme.color.line }
+        border { width: key.filled ? 0 : Theme.size.outline; color: key.ready ? Theme.color.touch : Theme.color.line }
     }
     Item {
         anchors.fill: parent
@@ -72,28 +42,18 @@ T.AbstractButton {
                 }
             }
             IconLabel {
+                id: sign
                 anchors.horizontalCenter: parent.horizontalCenter
                 visible: !key.square
                 code: key.glyph
                 color: key.inkColor
                 font.pixelSize: key.small ? Theme.size.icon : Theme.size.largeIcon
-
-                Repeater {
-                    model: key.holding ? 1 : 0
-                    HoldRing {
-                        anchors.centerIn: parent
-                        width: Theme.size.largeIcon + 2 * Theme.size.spacing
-                        height: width
-                        time: key.holdMs
-                        color: key.inkColor
-                    }
-                }
             }
             Label {
                 anchors.horizontalCenter: parent.horizontalCenter
                 width: key.width - Theme.size.spacing
                 horizontalAlignment: Text.AlignHCenter
-                wrapMode: Text.WordWrap
+                wrapMode: Text.Wrap            // a word only where it is wider than the key
                 text: key.text
                 color: key.inkColor
                 font { pixelSize: key.small ? Theme.size.body : Theme.size.command; bold: true }
@@ -103,7 +63,7 @@ T.AbstractButton {
                 visible: key.note.length > 0
                 width: key.width - Theme.size.spacing
                 horizontalAlignment: Text.AlignHCenter
-                wrapMode: Text.WordWrap
+                wrapMode: key.height > 1.5 * Theme.size.commandKey ? Text.WordWrap : Text.NoWrap
                 fontSizeMode: Text.HorizontalFit
                 minimumPixelSize: Theme.size.caption - 4
                 text: key.note

@@ -2,12 +2,10 @@
 // A number that can be tapped: label, value, unit, and a mark for pinned or derived values.
 pragma ComponentBehavior: Bound
 import QtQuick
-import QtQuick.Templates as T
 import CamPanel.Theme
 
-T.AbstractButton {
+TouchButton {
     id: field
-    Accessible.role: Accessible.Button
     Accessible.name: field.label
 
     required property string label

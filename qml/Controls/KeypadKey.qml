@@ -2,13 +2,10 @@
 // One key of the numeric keypad: the whole cell is the touch target, the drawn key is slightly smaller.
 pragma ComponentBehavior: Bound
 import QtQuick
-import QtQuick.Templates as T
 import CamPanel.Theme
 
-T.AbstractButton {
+TouchButton {
     id: key
-    Accessible.role: Accessible.Button
-    Accessible.name: key.text
 
     property string glyph
     property string note

@@ -3,13 +3,10 @@
 // number.
 pragma ComponentBehavior: Bound
 import QtQuick
-import QtQuick.Templates as T
 import CamPanel.Theme
 
-T.AbstractButton {
+TouchButton {
     id: button
-    Accessible.role: Accessible.Button
-    Accessible.name: button.text
 
     required property string glyph
     property int calls                     // number displayed; 0: none

@@ -3,7 +3,6 @@
 // for the same number of choices keep the keys, also during a touch.
 pragma ComponentBehavior: Bound
 import QtQuick
-import QtQuick.Templates as T
 import CamPanel.Theme
 
 Rectangle {
@@ -23,10 +22,8 @@ Rectangle {
         anchors.fill: parent
         Repeater {
             model: segmented.choices.length
-            T.AbstractButton {
+            TouchButton {
                 id: choice
-                Accessible.role: Accessible.Button
-                Accessible.name: choice.text
                 required property int index
                 readonly property var entry: segmented.choices[index] ?? {}  // empty for a key being removed
                 readonly property bool holds: entry.key === segmented.current

@@ -2,12 +2,10 @@
 // A row that shows a setting and opens its choices when tapped.
 pragma ComponentBehavior: Bound
 import QtQuick
-import QtQuick.Templates as T
 import CamPanel.Theme
 
-T.AbstractButton {
+TouchButton {
     id: row
-    Accessible.role: Accessible.Button
     Accessible.name: row.label
 
     required property string label

@@ -28,6 +28,7 @@ QtObject {
 
     readonly property int shortTime: theme.animated ? 120 : 0
     property int longPressTime: 600
+    readonly property int holdTime: 500    // of a key that commands the machine
     readonly property int clockTime: 1000
     readonly property int lookAgainTime: 2000
 

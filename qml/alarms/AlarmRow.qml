@@ -2,14 +2,12 @@
 // One occurrence of an alarm: severity, title, state, time, count. Alarms that need to be acknowledged stand out.
 pragma ComponentBehavior: Bound
 import QtQuick
-import QtQuick.Templates as T
 import CamPanel.Theme
 import CamPanel.Controls
 import CamPanel.Panel
 
-T.AbstractButton {
+TouchButton {
     id: row
-    Accessible.role: Accessible.Button
     Accessible.name: row.title
 
     required property string code

@@ -2,13 +2,11 @@
 // One row of the audit trail: time and user, object, old and new value.
 pragma ComponentBehavior: Bound
 import QtQuick
-import QtQuick.Templates as T
 import CamPanel.Theme
 import CamPanel.Controls
 
-T.AbstractButton {
+TouchButton {
     id: row
-    Accessible.role: Accessible.Button
     Accessible.name: row.what
 
     required property string time

@@ -2,14 +2,11 @@
 // A knot or segment in the list of its sheet: number and place, below what it does.
 pragma ComponentBehavior: Bound
 import QtQuick
-import QtQuick.Templates as T
 import CamPanel.Theme
 import CamPanel.Controls
 
-T.AbstractButton {
+TouchButton {
     id: entry
-    Accessible.role: Accessible.Button
-    Accessible.name: entry.text
 
     required property int number
     required property string place

@@ -2,12 +2,11 @@
 // One law: its name, its figures in columns, and its strength and weakness below. The header row has the column titles.
 pragma ComponentBehavior: Bound
 import QtQuick
-import QtQuick.Templates as T
 import CamPanel.Theme
 import CamPanel.Controls
 import CamPanel.Plot
 
-T.AbstractButton {
+TouchButton {
     id: row
     Accessible.role: row.header ? Accessible.StaticText : Accessible.Button
     Accessible.name: row.header ? row.headings.join(", ") : row.text

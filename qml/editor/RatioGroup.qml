@@ -2,14 +2,12 @@
 // The four ratios in one touch target, with their origin above; a tap is near one of them.
 pragma ComponentBehavior: Bound
 import QtQuick
-import QtQuick.Templates as T
 import CamPanel.Theme
 import CamPanel.Controls
 import CamPanel.Panel
 
-T.AbstractButton {
+TouchButton {
     id: group
-    Accessible.role: Accessible.Button
     Accessible.name: group.fields.map(field => field.label).join(", ")
 
     required property var fields           // list of EditorField

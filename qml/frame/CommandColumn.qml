@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Start and Stop, on every page and beside every dialog, with a key between them for the necessary first step: reset, home.
+// Three places on every page and beside every dialog: Start, the necessary first step (reset, reference run) or nothing, and
+// Stop. None ever changes its size or place.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme
@@ -14,23 +15,22 @@ Item {
 
     readonly property bool homes: Maintenance.homing.offered
     readonly property bool between: Controller.faulted || homes
+    readonly property real upperHeight: (height - stopKey.height) / 2 - Theme.size.gap
 
     implicitWidth: Theme.size.commandKey
 
     CommandKey {
         objectName: "startKey"
-        anchors { left: parent.left; right: parent.right; top: parent.top; bottom: stopKey.top; bottomMargin: column.between ? 2 * Theme.size.gap + Theme.size.commandKey : Theme.size.gap }
+        anchors { left: parent.left; right: parent.right; top: parent.top }
+        height: column.upperHeight
         glyph: Theme.icon.start
         text: qsTr("Start")
         ready: Controller.canStart && !column.covered
-        note: Controller.connection !== Controller.Connection.Connected ? qsTr("no connection")
-            : holdMs === 0 ? "" : tooShort ? qsTr("hold longer") : qsTr("hold")
-        holdMs: ready && Settings.startIsHeld ? 500 : 0
-        onHeld: Controller.start()
-        onClicked: {
-            if (ready && holdMs === 0)
-                Controller.start()
-            else if (!ready && !acted && !column.covered)
+        note: Controller.connection !== Controller.Connection.Connected ? qsTr("no connection") : ready ? holdNote : ""
+        holdMs: Settings.startIsHeld ? Theme.holdTime : 0
+        onCommanded: Controller.start()
+        onRefused: {
+            if (!column.covered)
                 column.startRefused()
         }
     }
@@ -39,12 +39,12 @@ Item {
         CommandKey {
             objectName: "middleKey"
             anchors { left: column.left; right: column.right; bottom: stopKey.top; bottomMargin: Theme.size.gap }
-            enabled: !column.covered
+            height: column.upperHeight
+            ready: !column.covered
             small: true
-            glyph: column.homes ? Theme.icon.home : Theme.icon.resetFault
+            glyph: column.homes ? Theme.icon.referenceRun : Theme.icon.resetFault
             text: column.homes ? Maintenance.homing.keyText : qsTr("Reset")
-            baseColor: column.homes ? Theme.color.touch : Theme.color.fault
-            onClicked: column.homes ? Maintenance.homing.home() : Controller.resetFault()
+            onCommanded: column.homes ? Maintenance.homing.home() : Controller.resetFault()
         }
     }
     CommandKey {
@@ -53,14 +53,13 @@ Item {
         anchors { left: parent.left; right: parent.right; bottom: parent.bottom }
         // Half of the column, unless the keys above need more.
         height: Math.max(Theme.size.commandKey, Math.min((parent.height - Theme.size.gap) / 2,
-            parent.height - (column.between ? 2 : 1) * (Theme.size.commandKey + Theme.size.gap)))
+            parent.height - 2 * (Theme.size.commandKey + Theme.size.gap)))
+        holdMs: 0
         glyph: Theme.icon.stop
         square: true
         filled: true
         text: qsTr("Stop")
         note: Controller.stopWaits ? qsTr("not sent yet") : Controller.state === Controller.State.Stopping ? qsTr("again: immediate") : ""
-        baseColor: Theme.color.stop
-        pressedColor: Theme.color.stopPressed
         onPressed: Controller.stop()
     }
 }

@@ -2,7 +2,6 @@
 // The keypad for one number, or for several with a strip of tabs on the left with their values.
 pragma ComponentBehavior: Bound
 import QtQuick
-import QtQuick.Templates as T
 import CamPanel.Theme
 import CamPanel.Controls
 import CamPanel.Panel
@@ -53,9 +52,8 @@ Item {
         spacing: Theme.size.spacing
         Repeater {
             model: editor.several ? editor.fields.length : 0
-            T.AbstractButton {
+            TouchButton {
                 id: tab
-                Accessible.role: Accessible.Button
                 Accessible.name: tab.field.label
                 required property int index
                 objectName: "keypadTab" + index

@@ -524,15 +524,18 @@ Und %2 weitere.</translation>
     </message>
 </context>
 <context>
-    <name>CommandColumn</name>
-    <message>
-        <source>hold</source>
-        <translation>halten</translation>
-    </message>
+    <name>CommandButton</name>
     <message>
         <source>hold longer</source>
         <translation>länger halten</translation>
     </message>
+    <message>
+        <source>hold</source>
+        <translation>halten</translation>
+    </message>
+</context>
+<context>
+    <name>CommandColumn</name>
     <message>
         <source>Start</source>
         <translation>Start</translation>
@@ -1193,12 +1196,12 @@ Und %2 weitere.</translation>
 <context>
     <name>HomingSection</name>
     <message>
-        <source>Position since homing</source>
-        <translation>Position seit Referenzfahrt</translation>
-    </message>
-    <message>
         <source>%1 mm</source>
         <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>Position from reference</source>
+        <translation>Position seit Referenzfahrt</translation>
     </message>
 </context>
 <context>
@@ -1606,10 +1609,6 @@ Und %2 weitere.</translation>
         <translation>Tippen</translation>
     </message>
     <message>
-        <source>Homing</source>
-        <translation>Referenzfahrt</translation>
-    </message>
-    <message>
         <source>I/O</source>
         <translation>E/A</translation>
     </message>
@@ -1644,6 +1643,10 @@ Und %2 weitere.</translation>
     <message>
         <source>Scanner</source>
         <translation>Scanner</translation>
+    </message>
+    <message>
+        <source>Reference</source>
+        <translation>Referenz</translation>
     </message>
 </context>
 <context>

@@ -524,15 +524,18 @@ And %2 more.</source>
     </message>
 </context>
 <context>
-    <name>CommandColumn</name>
-    <message>
-        <source>hold</source>
-        <translation>按住</translation>
-    </message>
+    <name>CommandButton</name>
     <message>
         <source>hold longer</source>
         <translation>请按住更久</translation>
     </message>
+    <message>
+        <source>hold</source>
+        <translation>按住</translation>
+    </message>
+</context>
+<context>
+    <name>CommandColumn</name>
     <message>
         <source>Start</source>
         <translation>启动</translation>
@@ -1193,12 +1196,12 @@ And %2 more.</source>
 <context>
     <name>HomingSection</name>
     <message>
-        <source>Position since homing</source>
-        <translation>自回零起的位置</translation>
-    </message>
-    <message>
         <source>%1 mm</source>
         <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>Position from reference</source>
+        <translation>自回零起的位置</translation>
     </message>
 </context>
 <context>
@@ -1606,10 +1609,6 @@ And %2 more.</source>
         <translation>点动</translation>
     </message>
     <message>
-        <source>Homing</source>
-        <translation>回零</translation>
-    </message>
-    <message>
         <source>I/O</source>
         <translation>输入输出</translation>
     </message>
@@ -1644,6 +1643,10 @@ And %2 more.</source>
     <message>
         <source>Scanner</source>
         <translation>扫码枪</translation>
+    </message>
+    <message>
+        <source>Reference</source>
+        <translation>回零</translation>
     </message>
 </context>
 <context>

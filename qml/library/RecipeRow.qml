@@ -2,14 +2,12 @@
 // One recipe of the list: name, figures, time of the last save; open or active.
 pragma ComponentBehavior: Bound
 import QtQuick
-import QtQuick.Templates as T
 import CamPanel.Theme
 import CamPanel.Controls
 import CamPanel.Plot
 
-T.AbstractButton {
+TouchButton {
     id: row
-    Accessible.role: Accessible.Button
     Accessible.name: row.name
 
     required property string name

@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// A key that switches an output on while it is held: from the touch until the finger is lifted or slides off.
+// A key that switches an output on while it is held: from the end of the ring until the finger is lifted or slides off.
 pragma ComponentBehavior: Bound
 import QtQuick
-import QtQuick.Templates as T
 import CamPanel.Theme
 import CamPanel.Controls
+import CamPanel.Parts
 import CamPanel.Panel
 
-T.AbstractButton {
+CommandButton {
     id: key
-    Accessible.role: Accessible.Button
     Accessible.name: qsTr("Try %1").arg(key.name)
 
     required property OutputTry trying
@@ -17,13 +16,16 @@ T.AbstractButton {
     required property string name
     readonly property bool tries: trying !== null && trying.held === output
     readonly property bool possible: trying !== null && trying.possible
+    readonly property bool inFront: Window.active
 
     implicitWidth: Math.max(Theme.size.touch, label.implicitWidth + 2 * Theme.size.padding)
     implicitHeight: Theme.size.touch
     text: qsTr("Try")
 
-    // Sliding back onto the key does not switch on again: that needs a new touch.
-    onPressed: trying.press(output)
+    ready: possible && !Frame.covered
+    onPressed: trying.touch(output)
+    onCommanded: trying.press(output)
+    onInFrontChanged: acted = true
     onPressedChanged: {
         if (!pressed)
             trying.release(output)

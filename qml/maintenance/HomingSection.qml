@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Homing: the state of the axis position, the effect of the key on this machine, and the last result.
+// The reference run: the state of the axis position, the effect of the key on this machine, and the last result.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme
@@ -64,7 +64,7 @@ MaintenanceSection {
             objectName: "homingPosition"
             width: speed.cell
             stale: !Controller.fresh
-            label: qsTr("Position since homing")
+            label: qsTr("Position from reference")
             value: !section.good || isNaN(Controller.live.positionMm) ? Theme.unknownText : qsTr("%1 mm").arg(Theme.number(Controller.live.positionMm, 2))
         }
         ParameterTile {
@@ -80,10 +80,9 @@ MaintenanceSection {
         objectName: "homingKey"
         anchors { right: parent.right; top: parent.top; bottom: parent.bottom }
         width: Math.round(1.6 * Theme.size.commandKey)
-        glyph: Theme.icon.home
+        glyph: Theme.icon.referenceRun
         text: section.homing.keyText
         ready: section.homing.possible
-        baseColor: Theme.color.touch
-        onClicked: section.homing.home()
+        onCommanded: section.homing.home()
     }
 }

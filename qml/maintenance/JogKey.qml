@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// A key that moves the axis while it is held: from the touch until the finger is lifted or slides off.
+// A key that moves the axis while it is held: from the end of the ring until the finger is lifted or slides off.
 pragma ComponentBehavior: Bound
 import QtQuick
-import QtQuick.Templates as T
 import CamPanel.Theme
 import CamPanel.Controls
+import CamPanel.Parts
 import CamPanel.Panel
 
-T.AbstractButton {
+CommandButton {
     id: key
-    Accessible.role: Accessible.Button
-    Accessible.name: key.text
 
     required property Jog jog
     required property int direction        // 1 forward, -1 in reverse
@@ -18,12 +16,16 @@ T.AbstractButton {
     property string note
     readonly property bool moves: jog.held === direction
     readonly property color ink: moves ? Theme.color.touchInk : jog.possible ? Theme.color.touch : Theme.color.disabledInk
+    readonly property bool inFront: Window.active
 
     implicitWidth: Theme.size.commandKey
     implicitHeight: Theme.size.commandKey
 
-    // Sliding back onto the key does not start again: that needs a new touch.
-    onPressed: jog.press(direction)
+    ready: jog.possible && !Frame.covered
+    ringHost: sign
+    onPressed: jog.touch(direction)
+    onCommanded: jog.press(direction)
+    onInFrontChanged: acted = true
     onPressedChanged: {
         if (!pressed)
             jog.release(direction)
@@ -39,6 +41,7 @@ T.AbstractButton {
         Column {
             anchors.centerIn: parent
             IconLabel {
+                id: sign
                 anchors.horizontalCenter: parent.horizontalCenter
                 code: key.glyph
                 color: key.ink

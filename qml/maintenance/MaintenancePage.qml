@@ -22,7 +22,7 @@ Page {
     readonly property var simulatedLine: page.line.concat([{ key: 4, name: "maintenance4", text: qsTr("Faults"), source: "SimulatedFaultsSection.qml" }])
     readonly property var machine: [
         { key: 0, name: "maintenanceJog", text: qsTr("Jog"), source: "JogSection.qml" },
-        { key: 1, name: "maintenanceHoming", text: qsTr("Homing"), source: "HomingSection.qml" },
+        { key: 1, name: "maintenanceHoming", text: qsTr("Reference"), source: "HomingSection.qml" },
         { key: 2, name: "maintenanceIo", text: qsTr("I/O"), source: "IoSection.qml" },
         { key: 3, name: "maintenancePacking", text: qsTr("Packing"), source: "../Packing/PackingSection.qml" },
         { key: 4, name: "maintenanceDryRun", text: qsTr("Dry run"), source: "DryRunSection.qml" }

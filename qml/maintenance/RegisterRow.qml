@@ -2,13 +2,11 @@
 // One register: name, group and address, its value with unit and its raw value.
 pragma ComponentBehavior: Bound
 import QtQuick
-import QtQuick.Templates as T
 import CamPanel.Theme
 import CamPanel.Controls
 
-T.AbstractButton {
+TouchButton {
     id: row
-    Accessible.role: Accessible.Button
     Accessible.name: row.name
 
     required property string name

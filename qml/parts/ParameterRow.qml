@@ -2,13 +2,11 @@
 // One parameter of the controller: name and range, value or choices, and a key to use a suggestion.
 pragma ComponentBehavior: Bound
 import QtQuick
-import QtQuick.Templates as T
 import CamPanel.Theme
 import CamPanel.Controls
 
-T.AbstractButton {
+TouchButton {
     id: row
-    Accessible.role: Accessible.Button
     Accessible.name: row.name
 
     required property int index

@@ -14,6 +14,45 @@ Card {
 
     implicitHeight: Theme.size.touch + 2 * Theme.size.spacing
 
+    // Turns a running axis around, and is held like every such key.
+    component Way: CommandButton {
+        id: key
+        required property int way
+        readonly property bool selected: card.direction.way === way
+        readonly property color ink: !enabled ? Theme.color.disabledInk : selected ? Theme.color.touch : Theme.color.secondaryInk
+        width: Math.round(card.width * 0.28)
+        height: Theme.size.touch
+        ready: !selected
+        onCommanded: card.direction.turn(way)
+        background: Rectangle {
+            radius: Theme.size.radius
+            color: key.selected || key.down ? Theme.color.touchTint : Theme.color.inset
+            border { width: key.selected ? Theme.size.outline : Theme.size.hairline; color: !key.selected ? Theme.color.line : key.enabled ? Theme.color.touch : Theme.color.disabledInk }
+        }
+        Column {
+            anchors.centerIn: parent
+            Label {
+                anchors.horizontalCenter: parent.horizontalCenter
+                width: Math.min(implicitWidth, key.width - Theme.size.accent)
+                fontSizeMode: Text.HorizontalFit
+                minimumPixelSize: Theme.size.caption - 5
+                text: key.text
+                color: key.ink
+                font { pixelSize: Theme.size.body; weight: key.selected ? Font.Bold : Font.DemiBold }
+            }
+            Label {
+                anchors.horizontalCenter: parent.horizontalCenter
+                width: Math.min(implicitWidth, key.width - Theme.size.accent)
+                visible: !key.selected
+                fontSizeMode: Text.HorizontalFit
+                minimumPixelSize: Theme.size.caption - 4
+                text: key.holdNote
+                color: key.ink
+                font.pixelSize: Theme.size.caption
+            }
+        }
+    }
+
     Column {
         anchors { left: parent.left; leftMargin: Theme.size.padding; right: choice.left; rightMargin: Theme.size.spacing; verticalCenter: parent.verticalCenter }
         Label {
@@ -33,14 +72,20 @@ Card {
             font { pixelSize: Theme.size.caption; weight: Font.DemiBold }
         }
     }
-    Segmented {
+    Row {
         id: choice
         objectName: "directionChoice"
-        anchors { right: parent.right; rightMargin: Theme.size.spacing; verticalCenter: parent.verticalCenter }
-        width: Math.round(parent.width * 0.56)
         enabled: card.direction.canChange
-        choices: [{ key: MasterDirection.Forward, text: qsTr("Forward"), name: "directionForward" }, { key: MasterDirection.Backward, text: qsTr("Reverse"), name: "directionBackward" }]
-        current: card.direction.way
-        onChosen: key => card.direction.turn(key)
+        anchors { right: parent.right; rightMargin: Theme.size.spacing; verticalCenter: parent.verticalCenter }
+        Way {
+            objectName: "directionForward"
+            way: MasterDirection.Forward
+            text: qsTr("Forward")
+        }
+        Way {
+            objectName: "directionBackward"
+            way: MasterDirection.Backward
+            text: qsTr("Reverse")
+        }
     }
 }

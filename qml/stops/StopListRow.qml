@@ -2,11 +2,10 @@
 // One stop: begin and duration, reason, who gave it.
 pragma ComponentBehavior: Bound
 import QtQuick
-import QtQuick.Templates as T
 import CamPanel.Theme
 import CamPanel.Controls
 
-T.AbstractButton {
+TouchButton {
     id: row
 
     required property string time
@@ -18,7 +17,6 @@ T.AbstractButton {
     required property bool isOpen
 
     implicitHeight: Theme.size.touch
-    Accessible.role: Accessible.Button
     Accessible.name: row.time
 
     background: Rectangle {

@@ -46,14 +46,14 @@ public:
     [[nodiscard]] const std::vector<modbus::StatusBlock>& statuses() const { return m_statuses; }
 
     void tap(const char* name) { m_touch.tap(QString::fromLatin1(name)); }
-    // Holds the Start key until it acts: with a real controller a tap does not.
-    void start()
+    // Holds a key that commands the machine until it acts: a tap does not.
+    void hold(const char* name)
     {
-        const QString key = QStringLiteral("startKey");
-        m_touch.touch(key);
+        m_touch.touch(QString::fromLatin1(name));
         QTest::qWait(600);
         m_touch.lift();
     }
+    void start() { hold("startKey"); }
     // Downloads the recipe from the Motion page, waits until the controller has it and the sheet has closed.
     void download()
     {

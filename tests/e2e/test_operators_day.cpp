@@ -138,7 +138,7 @@ private slots:
         QVERIFY2(!panel.texts().contains(refusal), qPrintable(panel.texts()));
         QVERIFY2(panel.texts().contains(QStringLiteral("Press Start to run this recipe.")),
                  qPrintable(panel.texts()));
-        QVERIFY(panel.touchDriver().find("middleKey")); // Home, which the controller accepts now
+        QVERIFY(panel.touchDriver().find("middleKey")); // the reference run, which the controller accepts now
         const bool hasPermit = panel.controller().identity()->hasRegister("exchange.permit");
         QCOMPARE(panel.controller().parameter("parameter.permit_needed").value(),
                  hasPermit ? std::optional(1.0) : std::nullopt); // by the first start

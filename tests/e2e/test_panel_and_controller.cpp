@@ -304,7 +304,7 @@ void TestPanelAndController::theMasterIsTurnedRound()
         QObject::connect(&direction, &panel::MasterDirection::changed, &panel.controller(),
                          [&] { hasTurned |= direction.turning(); });
         const std::size_t before = panel.statuses().size();
-        panel.tap("directionBackward");
+        panel.hold("directionBackward");
         QTRY_VERIFY_WITH_TIMEOUT(panel.texts().contains("Changing to reverse"), timeoutMs);
         QCOMPARE(direction.way(), Way::Backward);
         QTRY_VERIFY_WITH_TIMEOUT(panel.texts().contains("runs in reverse"), timeoutMs);
@@ -328,7 +328,7 @@ void TestPanelAndController::theMasterIsTurnedRound()
     QTRY_COMPARE_WITH_TIMEOUT(later.controller().state(), Controller::State::Ready, timeoutMs);
     QTRY_VERIFY_WITH_TIMEOUT(later.texts().contains("starts in reverse"), timeoutMs);
     QCOMPARE(later.statuses().back().commandedPositionPulses, 0); // a closed cam ends where it began
-    later.tap("directionForward");
+    later.hold("directionForward");
     QTRY_VERIFY_WITH_TIMEOUT(later.texts().contains("starts forward"), timeoutMs);
     QCOMPARE(later.complaints(), QStringList());
 }

@@ -55,10 +55,10 @@ private slots:
         QVERIFY(!stops.asking());
         controller.tell("pin drive-alarm off");
         panel.touchDriver().settle();
-        panel.tap("middleKey"); // Reset
+        panel.hold("middleKey"); // Reset
         QTRY_VERIFY_WITH_TIMEOUT(panel.controller().state() != Controller::State::Fault, timeoutMs);
         panel.touchDriver().settle();
-        panel.tap("middleKey"); // Home
+        panel.hold("middleKey"); // the reference run
         QTRY_COMPARE_WITH_TIMEOUT(panel.controller().state(), Controller::State::Homing, timeoutMs);
         QTRY_VERIFY_WITH_TIMEOUT(panel.controller().canStart(), timeoutMs);
         panel.start();

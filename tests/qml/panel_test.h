@@ -19,6 +19,14 @@ protected:
 
     auto& editor() { return m_window->panel().editor(); }
     void tap(const char* name) { m_window->tap(QString::fromLatin1(name)); }
+    // Holds a key for so long; a key that commands the machine acts after half a second.
+    void holdFor(const char* name, int ms)
+    {
+        m_window->touch(QString::fromLatin1(name));
+        QTest::qWait(ms);
+        m_window->lift();
+        m_window->settle();
+    }
     QString textOf(const char* name)
     {
         const QQuickItem* item = m_window->find(QString::fromLatin1(name));

@@ -83,7 +83,8 @@ private slots:
         QCOMPARE(textOf("alarmState"), QStringLiteral("C-01 · Active, not acknowledged"));
         tap("liveAlarm0");
         QCOMPARE(textOf("alarmCause"), QStringLiteral("The axis cannot follow its setpoint."));
-        QCOMPARE(textOf("alarmAction"), QStringLiteral("Check for a jam, then reset the fault and home."));
+        QCOMPARE(textOf("alarmAction"),
+                 QStringLiteral("Check for a jam, reset the fault, then start the reference run."));
         QCOMPARE(textOf("alarmReturned"), QStringLiteral("still active"));
         QVERIFY2(!isShown("alarmShelve1"), "what stops the machine cannot be shelved");
         tap("alarmAcknowledge");

@@ -47,16 +47,24 @@ class TestPanelMaintenance : public campanel::test::PanelTest {
         m_window->settle();
     }
 
+    // Until the ring is full.
+    void press(const char* name)
+    {
+        touch(name);
+        QTest::qWait(600);
+        m_window->settle();
+    }
+
 private slots:
     void theAxisIsAskedToMoveWhileTheFingerIsDown()
     {
         enter("jog");
         QCOMPARE(link().jog(), JogDirection::None);
-        touch("jogForward");
+        press("jogForward");
         QCOMPARE(link().jog(), JogDirection::Forward);
         m_window->lift();
         QCOMPARE(link().jog(), JogDirection::None);
-        touch("jogReverse");
+        press("jogReverse");
         QCOMPARE(link().jog(), JogDirection::Reverse);
         m_window->lift();
         QCOMPARE(link().jog(), JogDirection::None);
@@ -66,7 +74,7 @@ private slots:
     {
         enter("jog");
         const QPointF on = centerOf(QStringLiteral("jogForward"));
-        touch("jogForward");
+        press("jogForward");
         m_window->slide(on - QPointF(0, 400));
         QCOMPARE(link().jog(), JogDirection::None);
         m_window->slide(on);
@@ -88,7 +96,7 @@ private slots:
     {
         QFETCH(const int, what);
         enter("jog");
-        touch("jogForward");
+        press("jogForward");
         QCOMPARE(link().jog(), JogDirection::Forward);
         if (what == 0)
             QMetaObject::invokeMethod(m_window->frame(), "openPage", Q_ARG(QString, QStringLiteral("run")));
@@ -113,7 +121,7 @@ private slots:
         m_window->window().show();
         m_window->window().requestActivate();
         QVERIFY(QTest::qWaitForWindowActive(&m_window->window()));
-        touch("jogForward");
+        press("jogForward");
         QCOMPARE(link().jog(), JogDirection::Forward);
         QQuickWindow other;
         other.show();
@@ -125,7 +133,7 @@ private slots:
     void aRunningMachineDoesNotJogAndThePageSaysWhy()
     {
         enter("jog-blocked");
-        touch("jogForward");
+        press("jogForward");
         m_window->lift();
         QCOMPARE(link().jog(), JogDirection::None);
         QCOMPARE(textOf("jogText"), QStringLiteral("The machine is running. Stop it first."));
@@ -138,13 +146,13 @@ private slots:
         QVERIFY(key && key->isVisible());
         QCOMPARE(accessibleName(key), QStringLiteral("Try Cam switch 3"));
         link().requests.clear();
-        touch("try2");
+        press("try2");
         QCOMPARE(tried(), QList{2});
         QCOMPARE(textOf("ioText"), QStringLiteral("Cam switch 3 is on while you hold the key."));
         m_window->lift();
         QCOMPARE(tried().last(), -1);
         const QPointF on = centerOf(QStringLiteral("try2"));
-        touch("try2");
+        press("try2");
         QCOMPARE(tried().last(), 2);
         m_window->slide(on - QPointF(300, 0));
         QCOMPARE(tried().last(), -1);
@@ -168,7 +176,7 @@ private slots:
         QFETCH(const int, what);
         enter("io-standstill");
         link().requests.clear();
-        touch("try2");
+        press("try2");
         QCOMPARE(tried(), QList{2});
         if (what == 0)
             QMetaObject::invokeMethod(m_window->frame(), "openPage", Q_ARG(QString, QStringLiteral("run")));
@@ -189,7 +197,7 @@ private slots:
     {
         enter("io");
         link().requests.clear();
-        touch("try2");
+        press("try2");
         QCOMPARE(tried(), QList<int>());
         QCOMPARE(textOf("ioText"), QStringLiteral("The machine is running. Stop it first."));
         m_window->lift();

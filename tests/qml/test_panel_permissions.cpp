@@ -31,8 +31,8 @@ const QList<Harmless>& harmless()
 {
     static const QList<Harmless> all{
         {"Stop asks nobody",
-         {u"Controller::stop"_s, u"Jog::release"_s, u"Jog::letGo"_s, u"OutputTry::release"_s,
-          u"OutputTry::letGo"_s}},
+         {u"Controller::stop"_s, u"Jog::touch"_s, u"Jog::release"_s, u"Jog::letGo"_s, u"OutputTry::touch"_s,
+          u"OutputTry::release"_s, u"OutputTry::letGo"_s}},
         {"logging in and out; ask() asks",
          {u"Access::login"_s, u"Access::logOut"_s, u"Access::clearMessage"_s, u"Access::chosen="_s,
           u"Access::ask"_s}},

@@ -81,7 +81,7 @@ constexpr std::array sentencesOfStates{
     QT_TRANSLATE_NOOP("Availability", "The machine is running. Stop it first."),
     QT_TRANSLATE_NOOP("Availability", "The machine is stopping. Wait for standstill."),
     QT_TRANSLATE_NOOP("Availability", "The axis is jogging. Wait for standstill."),
-    QT_TRANSLATE_NOOP("Availability", "The axis is homing. Wait for standstill."),
+    QT_TRANSLATE_NOOP("Availability", "The reference run is active. Wait for standstill."),
     QT_TRANSLATE_NOOP("Availability", "The controller is in fault. Reset the fault first."),
 };
 

@@ -19,7 +19,7 @@ inline constexpr std::array parameterTable{
     ParameterRow{"parameter.jog_frequency",
                  QT_TRANSLATE_NOOP("campanel::panel::ParameterField", "Jog speed")},
     ParameterRow{"parameter.home_frequency",
-                 QT_TRANSLATE_NOOP("campanel::panel::ParameterField", "Homing speed")},
+                 QT_TRANSLATE_NOOP("campanel::panel::ParameterField", "Reference run speed")},
 };
 
 } // namespace campanel::panel

@@ -53,11 +53,11 @@ QString Homing::placeText() const
 {
     switch (place()) {
     case Place::Homed:
-        return moves() ? tr("Homed") : tr("Top position known");
+        return moves() ? tr("Referenced") : tr("Top position known");
     case Place::NotHomed:
-        return moves() ? tr("Not homed") : tr("Top position not known");
+        return moves() ? tr("Not referenced") : tr("Top position not known");
     case Place::NotNeeded:
-        return tr("No homing required");
+        return tr("No reference run required");
     case Place::Unknown:
         break;
     }
@@ -69,25 +69,26 @@ QString Homing::explanation() const
     switch (kindOf(m_controller)) {
     case Kind::RotaryCutter:
         return tr("Keep hands away: the knife turns slowly forward to the index mark of its shaft, brakes "
-                  "and returns to 0°. Start homes automatically when required.");
+                  "and returns to 0°. Start begins with the reference run when required.");
     case Kind::PointCam:
     case Kind::SegmentCam:
         return tr("The axis turns slowly forward to the index mark of its motor, brakes and returns to "
-                  "position 0. Start homes automatically when required.");
+                  "position 0. Start begins with the reference run when required.");
     case Kind::PositionMove:
     case Kind::SpeedMove:
-        return tr("Moves start at the present axis position, so homing is not required. Home turns slowly to "
-                  "the motor's index mark, which becomes position 0.");
+        return tr(
+            "Moves start at the present axis position, so no reference run is required. The reference run "
+            "turns slowly to the motor's index mark, which becomes position 0.");
     case Kind::Press:
         return tr("No motion: the present ram position becomes the top position, the reference of all "
                   "depths. Jog the ram there first; a wrong top position makes every stroke wrong.");
     }
-    return tr("Homing depends on the program. Download a recipe first.");
+    return tr("The reference run depends on the program. Download a recipe first.");
 }
 
 QString Homing::keyText() const
 {
-    return moves() ? tr("Home") : tr("Set as top position");
+    return moves() ? tr("Reference run") : tr("Set as top position");
 }
 
 QString Homing::blockedReason() const
@@ -106,15 +107,16 @@ QString Homing::resultText() const
 {
     switch (m_result) {
     case Result::Done:
-        return moves() ? tr("The last homing found the index mark.")
+        return moves() ? tr("The last reference run found the index mark.")
                        : tr("The ram position was set as top position.");
     case Result::Stopped:
-        return tr("The last homing was stopped before its end.");
+        return tr("The last reference run was stopped before its end.");
     case Result::Failed:
-        return tr("The last homing failed: no index mark within two revolutions, or the axis did not follow. "
+        return tr("The last reference run failed: no index mark within two revolutions, or the axis did not "
+                  "follow. "
                   "See the alarm.");
     case Result::Interrupted:
-        return tr("The connection was lost during homing: the result is unknown.");
+        return tr("The connection was lost during the reference run: the result is unknown.");
     case Result::None:
     case Result::UnderWay:
         break;

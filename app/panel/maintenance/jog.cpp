@@ -68,7 +68,10 @@ Jog::Jog(Controller& controller, QObject* parent)
         connect(&controller, trigger, this, &Jog::check);
     connect(&controller, &Controller::liveChanged, this, &Jog::positionChanged);
     // Any command ends jogging, above all Stop.
-    connect(&controller, &Controller::commandSending, this, [this] { finish(End::Stopped); });
+    connect(&controller, &Controller::commandSending, this, [this] {
+        m_mayBegin = false;
+        finish(End::Stopped);
+    });
     LanguageNotifier::follow(this);
 }
 
@@ -79,7 +82,7 @@ bool Jog::possible() const
 
 bool Jog::blocked() const
 {
-    return !possible() || m_isRefused || (m_pressed != 0 && m_held == 0);
+    return !possible() || m_isRefused || (m_pressed != 0 && m_held == 0 && !m_mayBegin);
 }
 
 double Jog::positionPulses() const
@@ -126,22 +129,32 @@ QString Jog::text() const
         return tr("Moves forward while you hold the key.");
     if (m_held < 0)
         return tr("Moves in reverse while you hold the key.");
-    if (m_pressed != 0)
+    if (m_pressed != 0 && !m_mayBegin)
         return endText();
     if (isCutter(m_controller))
-        return tr("Hold a key to turn the knife. The film stays still, and the next start homes first.");
+        return tr("Hold a key to turn the knife. The film stays still, and the next start begins with the "
+                  "reference run.");
     return isPress(m_controller) ? tr("Hold a key to move the ram.") : tr("Hold a key to move the axis.");
+}
+
+void Jog::touch(int direction)
+{
+    m_mayBegin = m_pressed == 0;
+    m_pressed |= bitOf(direction);
+    if (!m_mayBegin) {
+        finish(End::BothKeys);
+        m_end = End::BothKeys;
+    }
+    emit changed();
 }
 
 void Jog::press(int direction)
 {
-    const bool isFirst = m_pressed == 0;
-    m_pressed |= bitOf(direction);
-    if (!isFirst) {
-        finish(End::BothKeys);
-        m_end = End::BothKeys;
-        emit changed();
-    } else if (m_controller.accessCheck().require(Level::Technician) && possible()) {
+    if ((m_pressed & bitOf(direction)) == 0)
+        touch(direction);
+    if (!std::exchange(m_mayBegin, false))
+        return;
+    if (m_controller.accessCheck().require(Level::Technician) && possible()) {
         begin(direction);
     } else {
         m_end = End::Blocked;
@@ -152,6 +165,7 @@ void Jog::press(int direction)
 void Jog::release(int direction)
 {
     m_pressed &= ~bitOf(direction);
+    m_mayBegin = false;
     if (m_held == direction)
         finish(End::Released);
     emit changed();
@@ -160,6 +174,7 @@ void Jog::release(int direction)
 void Jog::letGo()
 {
     m_pressed = 0;
+    m_mayBegin = false;
     finish(End::LeftScreen);
     emit changed();
 }

@@ -42,7 +42,9 @@ public:
     [[nodiscard]] QString reverseNote() const;
     [[nodiscard]] double positionPulses() const;
 
-    // Handle a finger on a key, down and up; direction 1 or -1. For technicians.
+    // Handle a finger on a key: down, held long enough, and up; direction 1 or -1. For technicians. A second
+    // key or a command ends the jog, also while the first key is not held long enough yet.
+    Q_INVOKABLE void touch(int direction);
     Q_INVOKABLE void press(int direction);
     Q_INVOKABLE void release(int direction);
     // Stops the jog when the keys leave the screen or the window is not in front.
@@ -65,9 +67,10 @@ private:
 
     Controller& m_controller;
     QTimer m_repeatTimer;
-    QTimer m_patienceTimer; // limits the wait for a controller that does not move
-    QTimer m_settleTimer;   // until the axis stands still
-    unsigned m_pressed = 0; // keys under a finger, as bits
+    QTimer m_patienceTimer;  // limits the wait for a controller that does not move
+    QTimer m_settleTimer;    // until the axis stands still
+    unsigned m_pressed = 0;  // keys under a finger, as bits
+    bool m_mayBegin = false; // once the only one is held long enough
     int m_held = 0;
     int m_endedDirection = 0; // ended but not reported yet
     End m_end = End::Released;

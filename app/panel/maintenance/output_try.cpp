@@ -16,6 +16,11 @@ namespace {
 
 constexpr auto renewalPeriod = 150ms; // three times within the time of the controller
 
+unsigned maskOf(int output)
+{
+    return 1U << static_cast<unsigned>(output);
+}
+
 QString nameInMap(int output)
 {
     return QString::fromStdString(modbus::enumName(static_cast<modbus::OutputBit>(output)));
@@ -43,7 +48,10 @@ OutputTry::OutputTry(Controller& controller, QObject* parent)
             emit changed();
         });
     // The controller switches the output off with any other command.
-    connect(&controller, &Controller::commandSending, this, [this] { finish(End::Stopped); });
+    connect(&controller, &Controller::commandSending, this, [this] {
+        m_mayBegin = false;
+        finish(End::Stopped);
+    });
 }
 
 bool OutputTry::offered() const
@@ -66,20 +74,29 @@ QString OutputTry::text() const
     if (m_held >= 0)
         return tr("%1 is on while you hold the key.")
             .arg(ControllerSentences::text(static_cast<modbus::OutputBit>(m_held)));
-    if (m_pressed != 0)
+    if (m_pressed != 0 && !m_mayBegin)
         return tr("Release the key before you try again.");
     return possible() ? tr("A filled lamp means on. Hold Try to switch an output on.")
                       : tr("A filled lamp means on. Outputs can be tried at standstill.");
 }
 
+void OutputTry::touch(int output)
+{
+    m_mayBegin = m_pressed == 0;
+    m_pressed |= maskOf(output);
+    m_reason = m_mayBegin ? m_controller.blockedReason(Action::TryOutput) : QString();
+    if (!m_mayBegin)
+        finish(End::BothKeys);
+    emit changed();
+}
+
 void OutputTry::press(int output)
 {
-    const bool isFirst = m_pressed == 0;
-    m_pressed |= 1U << static_cast<unsigned>(output);
-    m_reason.clear();
-    if (!isFirst) {
-        finish(End::BothKeys);
-    } else if (m_controller.accessCheck().require(Level::Technician)) {
+    if ((m_pressed & maskOf(output)) == 0)
+        touch(output);
+    if (!std::exchange(m_mayBegin, false))
+        return;
+    if (m_controller.accessCheck().require(Level::Technician)) {
         m_reason = m_controller.blockedReason(Action::TryOutput);
         if (m_reason.isEmpty()) {
             m_held = output;
@@ -93,7 +110,8 @@ void OutputTry::press(int output)
 
 void OutputTry::release(int output)
 {
-    m_pressed &= ~(1U << static_cast<unsigned>(output));
+    m_pressed &= ~maskOf(output);
+    m_mayBegin = false;
     if (m_held == output)
         finish(End::Released);
     emit changed();
@@ -102,6 +120,7 @@ void OutputTry::release(int output)
 void OutputTry::letGo()
 {
     m_pressed = 0;
+    m_mayBegin = false;
     m_reason.clear();
     finish(End::LeftScreen);
     emit changed();

@@ -40,7 +40,9 @@ public:
     [[nodiscard]] QString text() const;
     [[nodiscard]] bool blocked() const { return !m_reason.isEmpty(); }
 
-    // Handle a finger on the key of an output, by its bit. For technicians.
+    // Handle a finger on the key of an output, by its bit: down, held long enough, and up. For technicians. A
+    // second key or a command ends the try, also while the first key is not held long enough yet.
+    Q_INVOKABLE void touch(int output);
     Q_INVOKABLE void press(int output);
     Q_INVOKABLE void release(int output);
     // Switches the output off when the keys leave the screen or the window is not in front.
@@ -59,7 +61,8 @@ private:
 
     Controller& m_controller;
     QTimer m_repeatTimer;
-    unsigned m_pressed = 0; // keys under a finger, as bits
+    unsigned m_pressed = 0;  // keys under a finger, as bits
+    bool m_mayBegin = false; // once the only one is held long enough
     int m_held = -1;
     bool m_isAsked = false; // a request is under way
     QString m_reason;

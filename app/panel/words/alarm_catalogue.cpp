@@ -35,7 +35,8 @@ constexpr const char* causeOf(WarningBit bit)
 constexpr std::array kinds{
     AlarmKind{"C-01", fault, stops, QT_TRANSLATE_NOOP("AlarmCatalogue", "Following error too large"),
               causeOf(FaultBit::FollowingError),
-              QT_TRANSLATE_NOOP("AlarmCatalogue", "Check for a jam, then reset the fault and home.")},
+              QT_TRANSLATE_NOOP("AlarmCatalogue",
+                                "Check for a jam, reset the fault, then start the reference run.")},
     AlarmKind{"C-02", fault, stops, QT_TRANSLATE_NOOP("AlarmCatalogue", "Table damaged"),
               causeOf(FaultBit::ActiveTableDamaged),
               QT_TRANSLATE_NOOP("AlarmCatalogue", "Reset the fault and download the recipe again.")},
@@ -68,9 +69,10 @@ constexpr std::array kinds{
                           "Update the panel. Until then check the machine before you reset the fault.")},
     AlarmKind{"W-01", warning, runsOn, QT_TRANSLATE_NOOP("AlarmCatalogue", "No panel heartbeat"),
               causeOf(WarningBit::HeartbeatLost), QT_TRANSLATE_NOOP("AlarmCatalogue", "Check the cable.")},
-    AlarmKind{"W-02", notice, runsOn, QT_TRANSLATE_NOOP("AlarmCatalogue", "Not homed"),
-              causeOf(WarningBit::NotHomed),
-              QT_TRANSLATE_NOOP("AlarmCatalogue", "No action required: Start homes the axis first.")},
+    AlarmKind{
+        "W-02", notice, runsOn, QT_TRANSLATE_NOOP("AlarmCatalogue", "Not referenced"),
+        causeOf(WarningBit::NotHomed),
+        QT_TRANSLATE_NOOP("AlarmCatalogue", "No action required: Start begins with the reference run.")},
     AlarmKind{"W-03", warning, runsOn, QT_TRANSLATE_NOOP("AlarmCatalogue", "Saved copy damaged"),
               causeOf(WarningBit::FlashSlotInvalid),
               QT_TRANSLATE_NOOP("AlarmCatalogue", "Save the program again.")},

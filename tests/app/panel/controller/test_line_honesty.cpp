@@ -137,7 +137,8 @@ void TestLineHonesty::othersAreNeverSentLater()
     QCOMPARE(rig.machine.commandMessage(), "There is no connection to the controller.");
     rig.machine.home();
     emit rig.link.commandEnded(outcomeOf(rig.link.requests.last(), CommandEnd::NotSent));
-    QCOMPARE(rig.machine.commandMessage(), "Home was not sent: there is no connection to the controller.");
+    QCOMPARE(rig.machine.commandMessage(),
+             "Reference run was not sent: there is no connection to the controller.");
     rig.link.becomeConnected();
     rig.link.sendStatus(rig.now);
     QCOMPARE(rig.link.requests.size(), 1);
@@ -220,8 +221,7 @@ void TestLineHonesty::lostLineClaimsNothingOfTheController()
     QCOMPARE(rig.editor.programDownload()->controllerText(),
              "No connection. Last known program in the controller: generation 1");
     QVERIFY(!rig.editor.programDownload()->canDownload());
-    QCOMPARE(rig.editor.programDownload()->text(),
-             "There is no connection to the controller.");
+    QCOMPARE(rig.editor.programDownload()->text(), "There is no connection to the controller.");
     QVERIFY(!rig.editor.programDownload()->canSave());
     QVERIFY(!rig.editor.programDownload()->proof()->canCompare());
 }

@@ -256,7 +256,7 @@ private slots:
         QVERIFY(rig.machine.commandMessage().isEmpty());
         emit rig.link.commandEnded(
             {id, modbus::Command::Home, link::CommandEnd::Refused, modbus::Refusal::NotStandstill, {}});
-        QVERIFY(rig.machine.commandMessage().startsWith("Home was refused"));
+        QVERIFY(rig.machine.commandMessage().startsWith("Reference run was refused"));
         QVERIFY(rig.machine.commandMessage().contains("standstill"));
     }
 

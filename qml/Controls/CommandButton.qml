@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+// The base of the keys that command the machine. Such a key acts once a finger has held it for `holdMs`, under a ring that
+// fills; a release or a finger that leaves the key before cancels. No keyboard reaches it, and a scanner is a keyboard.
+pragma ComponentBehavior: Bound
+import QtQuick
+import CamPanel.Theme
+
+TouchButton {
+    id: key
+
+    property int holdMs: Theme.holdTime    // 0: a tap acts
+    property bool ready: true              // false: a tap says only why
+    property bool acted: true              // the touch has acted or ended
+    property Item ringHost: key            // has the ring in its center
+    property color ringColor: Theme.color.touch
+    readonly property bool holding: ready && holdMs > 0 && pressed && !acted
+    readonly property string holdNote: holdMs === 0 ? "" : hint.running ? qsTr("hold longer") : qsTr("hold")
+
+    signal commanded()
+    signal refused()
+
+    focusPolicy: Qt.NoFocus
+    onPressed: acted = false
+    // A finger that slides back onto the key begins nothing: that needs a new touch.
+    onPressedChanged: {
+        if (pressed || !ready || holdMs === 0)
+            return
+        if (!acted)
+            hint.restart()
+        acted = true
+    }
+    // What takes the readiness away ends the touch.
+    onReadyChanged: {
+        if (!ready && pressed)
+            acted = true
+    }
+    onClicked: {
+        if (!ready && !acted)
+            refused()
+        else if (ready && holdMs === 0)
+            commanded()
+    }
+
+    Timer {
+        interval: key.holdMs
+        running: key.holding
+        onTriggered: {
+            key.acted = true
+            key.commanded()
+        }
+    }
+    Timer {
+        id: hint
+        interval: 2000
+    }
+    Repeater {
+        parent: key.ringHost
+        model: key.holding ? 1 : 0
+        HoldRing {
+            anchors.centerIn: parent
+            width: Theme.size.largeIcon + 2 * Theme.size.spacing
+            height: width
+            time: key.holdMs
+            color: key.ringColor
+        }
+    }
+}

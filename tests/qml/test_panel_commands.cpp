@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: Apache-2.0
+// What commands the machine: by a touch that is too short, by one that is long enough, with another recipe
+// open, and twice on one spot.
+#include "panel_test.h"
+#include "tests/looks/screens.h"
+#include "tests/support/test_program.h"
+
+namespace test_panel_commands {
+
+using namespace campanel;
+using namespace Qt::StringLiterals;
+using Situation = looks::DemoLink::Situation;
+using Kind = looks::DemoLink::Kind;
+using modbus::Command;
+
+class TestPanelCommands : public test::PanelTest {
+    Q_OBJECT
+
+    auto& link() { return m_window->link(); }
+    void enter(Situation situation, const QStringList& way = {}, Kind kind = Kind::RotaryCutter)
+    {
+        m_window->link().show(situation, kind);
+        m_window->checkClock();
+        m_window->settle();
+        for (const QString& name : way)
+            m_window->tap(name);
+        link().requests.clear();
+        link().jogs.clear();
+    }
+    QList<Command> commands()
+    {
+        QList<Command> list;
+        for (const auto& request : link().requests)
+            list << request.command;
+        return list;
+    }
+    QRectF rectOf(const char* name)
+    {
+        const QQuickItem* item = m_window->find(QString::fromLatin1(name));
+        return item ? item->mapRectToScene(item->boundingRect()) : QRectF();
+    }
+    // Waits until the screen has settled for good, as a person who looks at the outcome does.
+    void wait(int ms)
+    {
+        QTest::qWait(ms);
+        m_window->settle();
+    }
+    void click(const QPoint& place)
+    {
+        QTest::mouseClick(&m_window->window(), Qt::LeftButton, Qt::NoModifier, place);
+        m_window->settle();
+    }
+    // Returns the name of the controller's program.
+    QString active()
+    {
+        const auto program = m_window->panel().controller().active();
+        return u"%1 · v%2"_s.arg(program.name).arg(program.version);
+    }
+    // The program in the controller is not kept after power-off.
+    void tellUnsaved()
+    {
+        modbus::StatusBlock status = *m_window->panel().controller().status();
+        status.savedCrc = 0;
+        emit link().statusReceived({{{link().now(), status}}, 0});
+        m_window->settle();
+    }
+
+private slots:
+    void aShortTouchCommandsNothing_data()
+    {
+        QTest::addColumn<Situation>("situation");
+        QTest::addColumn<QStringList>("way");
+        QTest::addColumn<QString>("key");
+        QTest::addColumn<Command>("command");
+        const QStringList machine{u"nav_maintenance"_s, u"maintenanceMachine"_s};
+        QTest::newRow("reference run")
+            << Situation::Fresh << QStringList() << u"middleKey"_s << Command::Home;
+        QTest::newRow("reset") << Situation::Fault << QStringList() << u"middleKey"_s << Command::ResetFault;
+        QTest::newRow("reference run, Maintenance")
+            << Situation::Stopped << machine + QStringList{u"maintenanceHoming"_s} << u"homingKey"_s
+            << Command::Home;
+        QTest::newRow("output") << Situation::Stopped << machine + QStringList{u"maintenanceIo"_s}
+                                << u"try2"_s << Command::TryOutput;
+    }
+
+    void aShortTouchCommandsNothing()
+    {
+        QFETCH(const Situation, situation);
+        QFETCH(const QStringList, way);
+        QFETCH(const QString, key);
+        QFETCH(const Command, command);
+        enter(situation, way);
+        holdFor(qPrintable(key), 60);
+        wait(700);
+        QCOMPARE(commands(), QList<Command>());
+        m_window->touch(key);
+        QTRY_COMPARE(commands().value(0), command);
+        m_window->lift();
+        m_window->settle();
+    }
+
+    void aShortTouchDoesNotJog()
+    {
+        enter(Situation::Stopped, {u"nav_maintenance"_s, u"maintenanceMachine"_s, u"maintenanceJog"_s});
+        holdFor("jogForward", 60);
+        wait(700);
+        QVERIFY(!link().jogs.contains(link::JogDirection::Forward));
+        m_window->touch(u"jogForward"_s);
+        QTRY_COMPARE(link().jog(), link::JogDirection::Forward);
+        m_window->lift();
+        QCOMPARE(link().jog(), link::JogDirection::None);
+    }
+
+    void aStopBeforeTheRingIsFullEndsTheTouch()
+    {
+        enter(Situation::Stopped, {u"nav_maintenance"_s, u"maintenanceMachine"_s, u"maintenanceJog"_s});
+        m_window->touch(u"jogForward"_s);
+        QTest::qWait(100);
+        m_window->panel().controller().stop();
+        wait(900);
+        QVERIFY(!link().jogs.contains(link::JogDirection::Forward));
+        m_window->lift();
+    }
+
+    void theKeysKeepTheirPlaces_data()
+    {
+        QTest::addColumn<QSize>("size");
+        QTest::addColumn<bool>("gloves");
+        for (const QSize size : {QSize(800, 480), QSize(1024, 600), QSize(1280, 800)}) {
+            QTest::addRow("%d x %d", size.width(), size.height()) << size << false;
+            QTest::addRow("%d x %d, gloves", size.width(), size.height()) << size << true;
+        }
+    }
+
+    void theKeysKeepTheirPlaces()
+    {
+        QFETCH(const QSize, size);
+        QFETCH(const bool, gloves);
+        m_window = std::make_unique<looks::TestWindow>(looks::Variant{u"de"_s, u"light"_s, size, gloves});
+        const double least =
+            m_window->theme()->property("size").value<QObject*>()->property("commandKey").toDouble();
+        enter(Situation::Running);
+        QVERIFY(!m_window->find(u"middleKey"_s));
+        const QRectF start = rectOf("startKey");
+        const QRectF stop = rectOf("stopKey");
+        QRectF middle;
+        for (const Situation situation :
+             {Situation::Fresh, Situation::Fault, Situation::Empty, Situation::Lost}) {
+            enter(situation);
+            QCOMPARE(rectOf("startKey"), start);
+            QCOMPARE(rectOf("stopKey"), stop);
+            const QRectF place = rectOf("middleKey");
+            if (place.isNull())
+                continue;
+            QVERIFY(place.height() >= least - 1 && !place.intersects(start) && !place.intersects(stop));
+            QVERIFY(middle.isNull() || middle == place);
+            middle = place;
+        }
+        QVERIFY(!middle.isNull());
+    }
+};
+
+CAMPANEL_TEST(TestPanelCommands)
+
+} // namespace test_panel_commands
+
+#include "test_panel_commands.moc"
