@@ -14,6 +14,7 @@ T.Slider {
     signal held(real value)
     signal released()
 
+    focusPolicy: Qt.TabFocus
     implicitWidth: 3 * Theme.size.touch
     implicitHeight: Theme.size.touch
     leftPadding: Theme.size.handle / 2

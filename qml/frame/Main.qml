@@ -3,6 +3,8 @@
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme
+import CamPanel.Controls
+import CamPanel.Parts
 import CamPanel.Panel
 
 Window {
@@ -35,6 +37,10 @@ Window {
         PanelFrame {
             id: frame
             anchors.fill: parent
+        }
+        FocusRing {
+            anchors.fill: parent
+            region: Frame.covered || Settings.firstStart ? frame.overlay : null
         }
         Rectangle {
             anchors.fill: parent

@@ -29,6 +29,7 @@ Rectangle {
     readonly property string cover: Display.wipeSeconds > 0 ? "CleaningMode.qml" : TouchCalibration.open ? "TouchCrosses.qml"
         : ScreenRotation.secondsLeft > 0 || TouchCalibration.secondsLeft > 0 ? "TrialCover.qml" : ""
     readonly property bool covered: cover.length > 0
+    readonly property Item overlay: overlay
     property alias clockRuns: topBar.clockRuns
     property alias now: topBar.now
     property Overlay sheet: null           // the open dialog

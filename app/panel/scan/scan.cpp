@@ -62,10 +62,12 @@ void Scan::setPrefix(const QString& prefix)
 bool Scan::eventFilter(QObject* watched, QEvent* event)
 {
     // A window passes its keys on to items, as events of their own.
-    if (!isEnabled() || m_isReleasing || !watched->isWindowType())
+    if (m_isReleasing || !watched->isWindowType())
         return QObject::eventFilter(watched, event);
-    if (event->type() == QEvent::KeyPress)
-        return takeKey(watched, *static_cast<QKeyEvent*>(event));
+    if (event->type() == QEvent::KeyPress) {
+        const auto& key = *static_cast<QKeyEvent*>(event);
+        return (isEnabled() && takeKey(watched, key)) || isPressOfBurst(watched, key);
+    }
     if (event->type() == QEvent::KeyRelease)
         return m_takenKeys.remove(static_cast<QKeyEvent*>(event)->key());
     return QObject::eventFilter(watched, event);
@@ -87,6 +89,36 @@ bool Scan::takeKey(QObject* window, const QKeyEvent& event)
     rest.released = 0;
     carryOut(rest);
     return step.isTaken;
+}
+
+// Returns true for a key that would press or leave a button within a burst of typing: a scanner without a
+// prefix sends such keys, a hand does not.
+bool Scan::isPressOfBurst(QObject* window, const QKeyEvent& event)
+{
+    const auto now = m_parts.controller.now();
+    const bool isSoon = m_typedAt && now - *m_typedAt <= m_keys.maxKeyTime;
+    if (!event.text().isEmpty() && event.text()[0].isPrint())
+        m_typedAt = now;
+    const auto* focused = window->property("activeFocusItem").value<QObject*>();
+    if (!isSoon || !focused)
+        return false;
+    bool isTaken = false;
+    switch (event.key()) {
+    case Qt::Key_Space:
+    case Qt::Key_Return:
+    case Qt::Key_Enter:
+        isTaken = focused->inherits("QQuickAbstractButton");
+        break;
+    case Qt::Key_Tab:
+    case Qt::Key_Backtab:
+        isTaken = !focused->inherits("QQuickTextInput");
+        break;
+    default:
+        break;
+    }
+    if (isTaken)
+        m_takenKeys.insert(event.key());
+    return isTaken;
 }
 
 void Scan::carryOut(const CodeReader::Step& step)

@@ -97,6 +97,7 @@ private:
 
     void updateSettings();
     [[nodiscard]] bool takeKey(QObject* window, const QKeyEvent& event);
+    [[nodiscard]] bool isPressOfBurst(QObject* window, const QKeyEvent& event);
     void carryOut(const CodeReader::Step& step);
     void release(int count);
     void checkFilm(const QString& code);
@@ -109,7 +110,8 @@ private:
     ScannerKeys m_keys;
     CodeReader m_reader;
     std::vector<HeldKey> m_held;
-    QSet<int> m_takenKeys; // pressed and not let go
+    QSet<int> m_takenKeys;                     // pressed and not let go
+    std::optional<link::SteadyTime> m_typedAt; // the last printable key
     QTimer m_timer;
     QString m_notice;
     QString m_lastCode;
