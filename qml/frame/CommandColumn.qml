@@ -5,6 +5,7 @@ pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme
 import CamPanel.Controls
+import CamPanel.Parts
 import CamPanel.Panel
 
 Item {
@@ -17,6 +18,20 @@ Item {
     readonly property bool between: Controller.faulted || homes
     readonly property real upperHeight: (height - stopKey.height) / 2 - Theme.size.gap
 
+    readonly property string programs: ProgramNames.active + "\n" + ProgramNames.open
+    property string answered               // the programs that Start was asked about last
+
+    // Asks once when the open recipe is not what would run.
+    function start(): void {
+        if (!ProgramNames.isOtherMotion || column.answered === column.programs)
+            Controller.start()
+        else if (Access.ask(Access.Operator))
+            Frame.open("Frame/StartSheet", { onStarted: () => {
+                column.answered = column.programs
+                Controller.start()
+            } })
+    }
+
     implicitWidth: Theme.size.commandKey
 
     CommandKey {
@@ -28,7 +43,7 @@ Item {
         ready: Controller.canStart && !column.covered
         note: Controller.connection !== Controller.Connection.Connected ? qsTr("no connection") : ready ? holdNote : ""
         holdMs: Settings.startIsHeld ? Theme.holdTime : 0
-        onCommanded: Controller.start()
+        onCommanded: column.start()
         onRefused: {
             if (!column.covered)
                 column.startRefused()

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// The top bar: recipe, state of the controller as text, icon and color, the most urgent alarm, link, clock. For display
+// The top bar: the program that the machine runs and the open recipe when that is another, state of the controller as text, icon and color, the most urgent alarm, link, clock. For display
 // only.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme
 import CamPanel.Controls
+import CamPanel.Parts
 import CamPanel.Panel
 
 Rectangle {
@@ -20,10 +21,6 @@ Rectangle {
         Theme.color.warning, Theme.color.touch, Theme.color.touch, Theme.color.fault]
     readonly property color stateColor: Controller.fresh ? stateColors[Controller.state] : Theme.color.disabledInk
 
-    // The recipe on this panel differs from the controller's.
-    readonly property bool runsAnother: Controller.active.isPresent && (Controller.active.name !== Editor.recipeName
-        || Controller.active.version !== Editor.recipeVersion || Controller.active.kind !== Editor.kind)
-
     implicitHeight: Theme.size.topBar
     color: Theme.color.surface
 
@@ -32,50 +29,32 @@ Rectangle {
         height: Theme.size.hairline
         color: Theme.color.line
     }
-    Row {
+    Column {
         id: recipe
         anchors { left: parent.left; leftMargin: Theme.size.gap + Theme.size.accent; verticalCenter: parent.verticalCenter }
-        readonly property real room: Math.min(bar.width * 0.36, state.x - recipe.x - Theme.size.padding) - (editedMark.visible ? editedMark.width + Theme.size.padding : 0)
-        spacing: Theme.size.padding
-        Column {
-            anchors.verticalCenter: parent.verticalCenter
-            Label {
-                objectName: "recipeTitle"
-                width: Math.min(implicitWidth, recipe.room)
-                elide: Text.ElideRight
-                fontSizeMode: Text.HorizontalFit
-                minimumPixelSize: Theme.size.caption
-                text: Theme.fill(qsTr("%1 · v%2"), [Editor.recipeName, Editor.recipeVersion])
-                font { pixelSize: bar.runsAnother ? Theme.size.body : Theme.size.title; bold: true }
-            }
-            Label {
-                objectName: "activeTitle"
-                visible: bar.runsAnother
-                width: Math.min(implicitWidth, recipe.room)
-                elide: Text.ElideRight
-                fontSizeMode: Text.HorizontalFit
-                minimumPixelSize: 0.6 * Theme.size.caption
-                text: Theme.fill(qsTr("in the controller: %1 · v%2"), [Controller.active.name, Controller.active.version])
-                color: Controller.fresh ? Theme.color.warning : Theme.color.disabledInk
-                font { pixelSize: Theme.size.caption; weight: Font.DemiBold }
-            }
+        readonly property real room: Math.min(bar.width * 0.36, state.x - recipe.x - Theme.size.padding)
+        Label {
+            objectName: "recipeTitle"
+            width: Math.min(implicitWidth, recipe.room)
+            elide: Text.ElideRight
+            fontSizeMode: Text.HorizontalFit
+            minimumPixelSize: Theme.size.caption
+            text: Controller.active.isPresent ? ProgramNames.active
+                : Controller.fresh && Controller.state === Controller.State.Idle ? qsTr("No program") : qsTr("Program unknown")
+            color: Controller.fresh ? Theme.color.ink : Theme.color.disabledInk
+            font { pixelSize: open.visible ? Theme.size.body : Theme.size.title; bold: true }
         }
-        Rectangle {
-            id: editedMark
-            anchors.verticalCenter: parent.verticalCenter
-            visible: Editor.edited
-            width: editedText.implicitWidth + 2 * Theme.size.spacing
-            height: editedText.implicitHeight + Theme.size.accent
-            radius: Theme.size.accent
-            color: Theme.color.surface
-            border { width: Theme.size.hairline; color: Theme.color.warning }
-            Label {
-                id: editedText
-                anchors.centerIn: parent
-                text: qsTr("Edited")
-                color: Theme.color.warning
-                font { pixelSize: Theme.size.caption; weight: Font.DemiBold }
-            }
+        Label {
+            id: open
+            objectName: "openTitle"
+            visible: ProgramNames.isOtherMotion || ProgramNames.isOtherVersion || !Controller.active.isPresent || Editor.edited
+            width: Math.min(implicitWidth, recipe.room)
+            elide: Text.ElideRight
+            fontSizeMode: Text.HorizontalFit
+            minimumPixelSize: 0.6 * Theme.size.caption
+            text: Theme.fill(qsTr("open: %1"), [ProgramNames.open])
+            color: Theme.color.secondaryInk
+            font { pixelSize: Theme.size.caption; weight: Font.DemiBold }
         }
     }
     Row {

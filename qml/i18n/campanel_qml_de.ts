@@ -2211,6 +2211,17 @@ Und %2 weitere.</translation>
     </message>
 </context>
 <context>
+    <name>ProgramNames</name>
+    <message>
+        <source>%1 · v%2</source>
+        <translation>%1 · v%2</translation>
+    </message>
+    <message>
+        <source>%1 · v%2, edited</source>
+        <translation>%1 · v%2, bearbeitet</translation>
+    </message>
+</context>
+<context>
     <name>ProofSheet</name>
     <message>
         <source>Program in the controller</source>
@@ -3038,6 +3049,29 @@ Und %2 weitere.</translation>
     </message>
 </context>
 <context>
+    <name>StartSheet</name>
+    <message>
+        <source>Start</source>
+        <translation>Start</translation>
+    </message>
+    <message>
+        <source>Start runs %1. Download %2 instead?</source>
+        <translation>Start fährt %1. Stattdessen %2 laden?</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Download</source>
+        <translation>Laden</translation>
+    </message>
+    <message>
+        <source>Start %1</source>
+        <translation>%1 starten</translation>
+    </message>
+</context>
+<context>
     <name>StateBar</name>
     <message>
         <source>Running</source>
@@ -3316,14 +3350,6 @@ Und %2 weitere.</translation>
 <context>
     <name>TopBar</name>
     <message>
-        <source>%1 · v%2</source>
-        <translation>%1 · v%2</translation>
-    </message>
-    <message>
-        <source>Edited</source>
-        <translation>Bearbeitet</translation>
-    </message>
-    <message>
         <source>%1 s ago</source>
         <translation>vor %1 s</translation>
     </message>
@@ -3336,8 +3362,16 @@ Und %2 weitere.</translation>
         <translation>%1/s</translation>
     </message>
     <message>
-        <source>in the controller: %1 · v%2</source>
-        <translation>in der Steuerung: %1 · v%2</translation>
+        <source>No program</source>
+        <translation>Kein Programm</translation>
+    </message>
+    <message>
+        <source>Program unknown</source>
+        <translation>Programm unbekannt</translation>
+    </message>
+    <message>
+        <source>open: %1</source>
+        <translation>offen: %1</translation>
     </message>
 </context>
 <context>

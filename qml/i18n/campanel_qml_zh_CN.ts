@@ -2211,6 +2211,17 @@ And %2 more.</source>
     </message>
 </context>
 <context>
+    <name>ProgramNames</name>
+    <message>
+        <source>%1 · v%2</source>
+        <translation>%1 · 第 %2 版</translation>
+    </message>
+    <message>
+        <source>%1 · v%2, edited</source>
+        <translation>%1 · 第 %2 版（已修改）</translation>
+    </message>
+</context>
+<context>
     <name>ProofSheet</name>
     <message>
         <source>Program in the controller</source>
@@ -3038,6 +3049,29 @@ And %2 more.</source>
     </message>
 </context>
 <context>
+    <name>StartSheet</name>
+    <message>
+        <source>Start</source>
+        <translation>启动</translation>
+    </message>
+    <message>
+        <source>Start runs %1. Download %2 instead?</source>
+        <translation>启动将运行 %1。改为下载 %2 吗？</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>Download</source>
+        <translation>下载</translation>
+    </message>
+    <message>
+        <source>Start %1</source>
+        <translation>启动 %1</translation>
+    </message>
+</context>
+<context>
     <name>StateBar</name>
     <message>
         <source>Running</source>
@@ -3316,14 +3350,6 @@ And %2 more.</source>
 <context>
     <name>TopBar</name>
     <message>
-        <source>%1 · v%2</source>
-        <translation>%1 · 第 %2 版</translation>
-    </message>
-    <message>
-        <source>Edited</source>
-        <translation>已修改</translation>
-    </message>
-    <message>
         <source>%1 s ago</source>
         <translation>%1 秒前</translation>
     </message>
@@ -3336,8 +3362,16 @@ And %2 more.</source>
         <translation>%1/秒</translation>
     </message>
     <message>
-        <source>in the controller: %1 · v%2</source>
-        <translation>控制器中：%1 · 第 %2 版</translation>
+        <source>No program</source>
+        <translation>没有程序</translation>
+    </message>
+    <message>
+        <source>Program unknown</source>
+        <translation>程序未知</translation>
+    </message>
+    <message>
+        <source>open: %1</source>
+        <translation>打开：%1</translation>
     </message>
 </context>
 <context>

@@ -345,7 +345,7 @@ private slots:
         panel.tap("section0");
         panel.tap("languageChoice");
         panel.tap("choice_en");
-        QVERIFY2(panel.texts().contains(QStringLiteral("Edited")), qPrintable(panel.texts()));
+        QVERIFY2(panel.texts().contains(QStringLiteral("edited")), qPrintable(panel.texts()));
         panel.tap("nav_motion");
         panel.tap("undo");
         panel.tap("undo");

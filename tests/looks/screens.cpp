@@ -480,6 +480,14 @@ const QList<Screen>& allScreens()
         taps("bag-tolerance", {settings, QStringLiteral("section2"), QStringLiteral("bagTolerance")}),
         situation("run-lost", Situation::Lost, run),
         situation("motion-fault", Situation::Fault, motion),
+        {QStringLiteral("start-question"),
+         [=](TestWindow& window) {
+             window.link().show(Situation::Stopped);
+             window.checkClock();
+             window.tap(run);
+             window.panel().editor().bagLength()->set(240);
+             window.tap(QStringLiteral("startKey"));
+         }},
         {QStringLiteral("download-start-refused"),
          [=](TestWindow& window) {
              window.link().show(Situation::Empty);

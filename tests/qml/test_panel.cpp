@@ -315,9 +315,10 @@ private slots:
 
     void theRecipeOfTheControllerIsNamedWhenItIsAnother()
     {
-        QVERIFY(!m_window->find(QStringLiteral("activeTitle")));
+        QVERIFY(!m_window->find(QStringLiteral("openTitle")));
         show(Kind::Press);
-        QCOMPARE(textOf("activeTitle"), QStringLiteral("in the controller: Bearing 6204 · v1"));
+        QCOMPARE(textOf("recipeTitle"), QStringLiteral("Bearing 6204 · v1"));
+        QVERIFY(m_window->find(QStringLiteral("openTitle")));
     }
 
     void theMasterIsTurnedByATouch()

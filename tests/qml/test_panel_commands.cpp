@@ -158,6 +158,46 @@ private slots:
         }
         QVERIFY(!middle.isNull());
     }
+
+    void theTitleIsWhatTheMachineRuns()
+    {
+        enter(Situation::Running);
+        QCOMPARE(textOf("recipeTitle"), active());
+        QVERIFY(!m_window->find(u"openTitle"_s));
+        enter(Situation::Running, {}, Kind::Press);
+        QCOMPARE(textOf("recipeTitle"), u"Bearing 6204 · v1"_s);
+        QVERIFY2(textOf("openTitle").startsWith(u"open: Biscuit 250"_s), qPrintable(textOf("openTitle")));
+        enter(Situation::Empty);
+        QCOMPARE(textOf("recipeTitle"), u"No program"_s);
+    }
+
+    void startAsksOnceWhenAnotherRecipeIsOpen()
+    {
+        m_window->panel().settings().set("access.hold_to_start", u"on"_s);
+        enter(Situation::Stopped);
+        editor().bagLength()->set(240);
+        const QString open = u"Biscuit 250 · v%1, edited"_s.arg(editor().recipeVersion());
+        m_window->settle();
+        holdFor("startKey", 700);
+        wait(5000);
+        QCOMPARE(commands(), QList<Command>());
+        QCOMPARE(textOf("startQuestion"), u"Start runs %1. Download %2 instead?"_s.arg(active(), open));
+        tap("stopKey");
+        QCOMPARE(commands(), QList<Command>{Command::StopAtCycleEnd});
+        tap("startDownload");
+        QVERIFY(m_window->find(u"downloadStart"_s));
+        tap("downloadCancel");
+        link().requests.clear();
+        holdFor("startKey", 700);
+        QCOMPARE(textOf("startActive"), u"Start %1"_s.arg(active()));
+        holdFor("startActive", 60);
+        QCOMPARE(commands(), QList<Command>());
+        holdFor("startActive", 700);
+        QCOMPARE(commands(), QList<Command>{Command::Start});
+        QVERIFY(!m_window->find(u"startQuestion"_s));
+        holdFor("startKey", 700);
+        QCOMPARE(commands(), (QList<Command>{Command::Start, Command::Start}));
+    }
 };
 
 CAMPANEL_TEST(TestPanelCommands)
