@@ -1158,7 +1158,7 @@
     </message>
     <message>
         <source>The ends of the cam differ by %1 mm; the table closes the cam.</source>
-        <translation>Die Enden der Kurve weichen um %1 mm voneinander ab; die Tabelle schließt die Kurve.</translation>
+        <translation>Die Kurvenenden liegen %1 mm auseinander; die Tabelle schließt sie.</translation>
     </message>
 </context>
 <context>

@@ -50,8 +50,9 @@ TouchButton {
                     id: title
                     anchors.horizontalCenter: parent.horizontalCenter
                     width: Math.min(implicitWidth, button.textRoom)
+                    elide: Text.ElideRight
                     fontSizeMode: Text.HorizontalFit
-                    minimumPixelSize: Theme.size.caption - 3
+                    minimumPixelSize: Theme.size.caption - 5
                     text: button.text
                     color: button.inkColor
                     font { pixelSize: button.textSize; weight: Font.DemiBold }

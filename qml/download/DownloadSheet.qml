@@ -86,7 +86,7 @@ Sheet {
         Button {
             visible: Editor.programDownload.canSave && !sheet.busy && !sheet.asks
             glyph: Theme.icon.save
-            text: qsTr("Save")
+            text: Theme.fill(qsTr("Save %1"), [Controller.active.name])
             onClicked: Editor.saveToFlash()
         },
         Button {

@@ -107,6 +107,13 @@ Sheet {
         height: Theme.size.touch
         spacing: Theme.size.spacing
         Button {
+            objectName: "regimeSuggestion"
+            visible: text.length > 0
+            kind: Button.Primary
+            text: Editor.suggestionText
+            onClicked: Editor.applySuggestion()
+        }
+        Button {
             objectName: "regimeUndo"
             Accessible.name: qsTr("Undo")
             width: Theme.size.touch
@@ -114,13 +121,6 @@ Sheet {
             glyph: Theme.icon.undo
             enabled: Editor.canUndo
             onClicked: Editor.undo()
-        }
-        Button {
-            objectName: "regimeSuggestion"
-            visible: text.length > 0
-            kind: Button.Primary
-            text: Editor.suggestionText
-            onClicked: Editor.applySuggestion()
         }
     }
 }

@@ -12,6 +12,8 @@ Card {
 
     property bool textsVisible: true
 
+    readonly property bool goesBack: Editor.canUndo || Editor.canRedo    // before the first edit the texts have the space
+    readonly property Item firstKey: offer.visible ? offer : goesBack ? back : next
     readonly property bool good: Editor.severity === Editor.Severity.Good
     readonly property color verdictColor: good ? Theme.color.good
         : Editor.severity === Editor.Severity.Warning ? Theme.color.warning : Theme.color.fault
@@ -29,7 +31,7 @@ Card {
         id: verdict
         objectName: "verdict"
         visible: bar.textsVisible
-        anchors { left: mark.right; leftMargin: Theme.size.spacing; right: tools.left; rightMargin: Theme.size.padding; top: parent.top; topMargin: Theme.size.spacing }
+        anchors { left: mark.right; leftMargin: Theme.size.spacing; right: bar.firstKey.left; rightMargin: Theme.size.padding; top: parent.top; topMargin: Theme.size.spacing }
         height: (parent.height - 2 * Theme.size.spacing) * (bar.good ? 0.56 : 1)
         wrapMode: Text.WordWrap
         fontSizeMode: Text.Fit
@@ -51,43 +53,46 @@ Card {
     Explained {
         objectName: "verdictNumbers"
         Accessible.name: Editor.verdict
-        anchors.rightMargin: bar.width - tools.x   // it fills the bar beside the tools
+        anchors.rightMargin: bar.width - bar.firstKey.x   // it fills the bar beside the keys
         explained: () => Explanations.ofVerdict()
     }
-    Row {
-        id: tools
-        readonly property bool goesBack: Editor.canUndo || Editor.canRedo   // before the first edit the texts have the space
+    // A second tap on one spot is the same key: undo, redo and the next step never move.
+    Button {
+        id: offer
+        objectName: "rampOffer"
+        anchors { right: back.left; rightMargin: Theme.size.spacing; verticalCenter: parent.verticalCenter }
+        visible: Editor.cutter.ramps.offerName.length > 0
+        width: Math.min(implicitWidth, Math.max(Theme.size.touch, 8.5 * Theme.size.caption))   // two words
+        text: Editor.cutter.ramps.offerName
+        note: Editor.cutter.ramps.offerRate
+        onClicked: Editor.cutter.ramps.takeOffer()
+    }
+    Button {
+        id: back
+        objectName: "undo"
+        Accessible.name: qsTr("Undo")
+        anchors { right: forth.left; rightMargin: Theme.size.spacing; verticalCenter: parent.verticalCenter }
+        visible: bar.goesBack
+        width: Theme.size.touch
+        kind: Button.Quiet
+        glyph: Theme.icon.undo
+        enabled: Editor.canUndo
+        onClicked: Editor.undo()
+    }
+    Button {
+        id: forth
+        objectName: "redo"
+        Accessible.name: qsTr("Redo")
+        anchors { right: next.left; rightMargin: Theme.size.spacing; verticalCenter: parent.verticalCenter }
+        visible: bar.goesBack
+        width: Theme.size.touch
+        kind: Button.Quiet
+        glyph: Theme.icon.redo
+        enabled: Editor.canRedo
+        onClicked: Editor.redo()
+    }
+    NextStepButton {
+        id: next
         anchors { right: parent.right; rightMargin: Theme.size.spacing; verticalCenter: parent.verticalCenter }
-        spacing: Theme.size.spacing
-        Button {
-            objectName: "undo"
-            Accessible.name: qsTr("Undo")
-            visible: tools.goesBack
-            width: Theme.size.touch
-            kind: Button.Quiet
-            glyph: Theme.icon.undo
-            enabled: Editor.canUndo
-            onClicked: Editor.undo()
-        }
-        Button {
-            objectName: "redo"
-            Accessible.name: qsTr("Redo")
-            visible: tools.goesBack && (Editor.canRedo || !offer.visible)   // an offer has its space
-            width: Theme.size.touch
-            kind: Button.Quiet
-            glyph: Theme.icon.redo
-            enabled: Editor.canRedo
-            onClicked: Editor.redo()
-        }
-        Button {
-            id: offer
-            objectName: "rampOffer"
-            visible: Editor.cutter.ramps.offerName.length > 0
-            width: Math.min(implicitWidth, Math.max(Theme.size.touch, 8.5 * Theme.size.caption))   // two words
-            text: Editor.cutter.ramps.offerName
-            note: Editor.cutter.ramps.offerRate
-            onClicked: Editor.cutter.ramps.takeOffer()
-        }
-        NextStepButton {}
     }
 }

@@ -787,10 +787,6 @@ Und %2 weitere.</translation>
         <translation>Schließen</translation>
     </message>
     <message>
-        <source>Save</source>
-        <translation>Speichern</translation>
-    </message>
-    <message>
         <source>Try again</source>
         <translation>Erneut versuchen</translation>
     </message>
@@ -817,6 +813,10 @@ Und %2 weitere.</translation>
     <message>
         <source>Confirm advance</source>
         <translation>Vorschub bestätigen</translation>
+    </message>
+    <message>
+        <source>Save %1</source>
+        <translation>%1 speichern</translation>
     </message>
 </context>
 <context>
@@ -1951,20 +1951,12 @@ Und %2 weitere.</translation>
         <translation>Wird geladen</translation>
     </message>
     <message>
-        <source>Save</source>
-        <translation>Speichern</translation>
-    </message>
-    <message>
         <source>Saved</source>
         <translation>Gespeichert</translation>
     </message>
     <message>
         <source>Download</source>
         <translation>Laden</translation>
-    </message>
-    <message>
-        <source>keep after power-off</source>
-        <translation>bleibt beim Ausschalten</translation>
     </message>
     <message>
         <source>in the controller</source>
@@ -1981,6 +1973,10 @@ Und %2 weitere.</translation>
     <message>
         <source>no connection</source>
         <translation>keine Verbindung</translation>
+    </message>
+    <message>
+        <source>Save %1</source>
+        <translation>%1 speichern</translation>
     </message>
 </context>
 <context>

@@ -787,10 +787,6 @@ And %2 more.</source>
         <translation>关闭</translation>
     </message>
     <message>
-        <source>Save</source>
-        <translation>保存</translation>
-    </message>
-    <message>
         <source>Try again</source>
         <translation>重试</translation>
     </message>
@@ -817,6 +813,10 @@ And %2 more.</source>
     <message>
         <source>Confirm advance</source>
         <translation>确认净进给</translation>
+    </message>
+    <message>
+        <source>Save %1</source>
+        <translation>保存 %1</translation>
     </message>
 </context>
 <context>
@@ -1951,20 +1951,12 @@ And %2 more.</source>
         <translation>正在下载</translation>
     </message>
     <message>
-        <source>Save</source>
-        <translation>保存</translation>
-    </message>
-    <message>
         <source>Saved</source>
         <translation>已保存</translation>
     </message>
     <message>
         <source>Download</source>
         <translation>下载</translation>
-    </message>
-    <message>
-        <source>keep after power-off</source>
-        <translation>断电保持</translation>
     </message>
     <message>
         <source>in the controller</source>
@@ -1981,6 +1973,10 @@ And %2 more.</source>
     <message>
         <source>no connection</source>
         <translation>没有连接</translation>
+    </message>
+    <message>
+        <source>Save %1</source>
+        <translation>保存 %1</translation>
     </message>
 </context>
 <context>

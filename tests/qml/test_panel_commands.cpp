@@ -198,6 +198,72 @@ private slots:
         holdFor("startKey", 700);
         QCOMPARE(commands(), (QList<Command>{Command::Start, Command::Start}));
     }
+
+    void saveNamesTheProgramThatIsSaved()
+    {
+        enter(Situation::Stopped, {u"nav_motion"_s});
+        tellUnsaved();
+        QCOMPARE(textOf("nextStep"), u"Save Biscuit 250"_s);
+        editor().newProgram(static_cast<int>(Kind::PointCam));
+        m_window->settle();
+        QCOMPARE(textOf("nextStep"), u"Download"_s);
+        editor().undo();
+        editor().bagLength()->set(1500); // refused
+        m_window->settle();
+        QVERIFY(!editor().programDownload()->canDownload());
+        QVERIFY2(!textOf("nextStep").startsWith(u"Save"_s), qPrintable(textOf("nextStep")));
+        const auto place = centerOf(u"nextStep"_s);
+        click(place);
+        wait(5000);
+        QVERIFY(!commands().contains(Command::SaveToFlash));
+    }
+
+    // Also where the ramps of the recipe can be bettered, which is one more key.
+    void twoTapsOnOneSpotAreTheSameKey_data()
+    {
+        QTest::addColumn<double>("length");
+        QTest::addColumn<QList<double>>("rates");
+        QTest::newRow("good") << 240.0 << QList{60.0, 61.0, 62.0};
+        QTest::newRow("other ramps are offered") << 150.0 << QList{318.0, 319.0, 320.0};
+        QTest::newRow("refused") << 250.0 << QList{60.0, 61.0, 390.0};
+    }
+
+    void twoTapsOnOneSpotAreTheSameKey()
+    {
+        QFETCH(const double, length);
+        QFETCH(const QList<double>, rates);
+        enter(Situation::Stopped, {u"nav_motion"_s});
+        editor().bagLength()->set(length);
+        for (const double rate : rates)
+            editor().rate()->set(rate);
+        m_window->settle();
+        const QPoint undo = centerOf(u"undo"_s);
+        for (int i = 0; i < 6; ++i)
+            click(undo);
+        QVERIFY(!editor().canUndo());
+        QVERIFY(editor().canRedo());
+        const QPoint redo = centerOf(u"redo"_s);
+        for (int i = 0; i < 8; ++i)
+            click(redo);
+        QVERIFY(!editor().canRedo());
+        QCOMPARE(editor().bagLength()->value(), length);
+        QCOMPARE(editor().rate()->value(), rates.last());
+    }
+
+    void undoOnTheMapStaysUndo()
+    {
+        enter(Situation::Stopped, {u"nav_motion"_s, u"more"_s, u"mapButton"_s});
+        const double before = editor().rate()->value();
+        editor().rate()->set(390); // not possible: going back to it, a suggestion comes
+        editor().rate()->set(100);
+        m_window->settle();
+        const QPoint undo = centerOf(u"regimeUndo"_s);
+        click(undo);
+        QCOMPARE(editor().rate()->value(), 390.0);
+        QVERIFY(m_window->find(u"regimeSuggestion"_s));
+        click(undo);
+        QCOMPARE(editor().rate()->value(), before);
+    }
 };
 
 CAMPANEL_TEST(TestPanelCommands)
