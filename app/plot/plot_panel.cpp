@@ -55,7 +55,8 @@ void paintLine(QPainter& painter, const QPolygonF& points, const LineStyle& styl
     }
     QwtPlotCurve curve;
     curve.setSamples(points);
-    curve.setPen(QPen(style.color, style.width, Qt::SolidLine, Qt::RoundCap, Qt::BevelJoin));
+    curve.setPen(QPen(style.color, style.width, style.pen,
+                      style.pen == Qt::SolidLine ? Qt::RoundCap : Qt::FlatCap, Qt::BevelJoin));
     curve.setCurveFitter(new QwtWeedingCurveFitter(invisiblePx)); // the curve owns it
     curve.setCurveAttribute(QwtPlotCurve::Fitted);
     const QRectF canvas(QPointF(xMap.p1(), yMap.p2()), QPointF(xMap.p2(), yMap.p1()));
@@ -128,7 +129,8 @@ void PlotPanel::paintCurves(QPainter& painter, const PlotStyle& style, const QCo
     const double margin = style.lineWidth;
     const QRectF frame = m_axis.canvas().adjusted(0, -margin, 0, margin);
     painter.setClipRect(frame);
-    paintLine(painter, m_overlay, {style.overlay, style.overlayLineWidth}, timeMap, m_axis.map());
+    paintLine(painter, m_overlay, {style.overlay, style.overlayLineWidth, Qt::DashLine}, timeMap,
+              m_axis.map());
     paintLine(painter, m_curve, {color, style.lineWidth}, timeMap, m_axis.map());
     // Paints the curve again beyond the limit, clipped to the outside.
     for (const double limit : {m_limit, -m_limit}) {

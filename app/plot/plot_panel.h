@@ -19,6 +19,7 @@ namespace campanel::plot {
 struct LineStyle {
     QColor color;
     double width = 1; // px
+    Qt::PenStyle pen = Qt::SolidLine;
 };
 void paintLine(QPainter& painter, const QPolygonF& points, const LineStyle& style, const QwtScaleMap& xMap,
                const QwtScaleMap& yMap);

@@ -23,7 +23,7 @@ CommandButton {
         radius: Theme.size.radius
         color: key.filled ? (key.down ? Theme.color.stopPressed : Theme.color.stop)
             : key.down || !key.ready ? Theme.color.inset : Theme.color.surface
-        border { width: key.filled ? 0 : Theme.size.outline; color: key.ready ? Theme.color.touch : Theme.color.line }
+        border { width: Theme.size.outline; color: key.filled ? Theme.color.stopEdge : key.ready ? Theme.color.touch : Theme.color.line }
     }
     Item {
         anchors.fill: parent

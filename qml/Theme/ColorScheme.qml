@@ -22,11 +22,13 @@ QtObject {
     required property color fault
     required property color stop
     required property color stopPressed
+    required property color stopEdge
     required property color stopInk
     required property color target        // target curve, ring of the dial
     required property color sync          // the knife's synchronous range
     required property color disabledInk
     required property color scrim
+    // Quantities are told apart by their titles: blue and greys, for red and amber are for the abnormal and green for states.
     required property color acceleration
     required property color frequency
     required property color position

@@ -81,7 +81,7 @@ TouchButton {
                 anchors.right: parent.right
                 visible: text.length > 0
                 text: row.clockNote
-                color: Theme.color.warning
+                color: Theme.color.secondaryInk
                 font.pixelSize: Theme.size.caption
             }
             Label {

@@ -18,7 +18,7 @@ Page {
         // The space of the hidden key stays free, so that a new alarm moves nothing under a finger.
         anchors { left: parent.left; right: parent.right; top: parent.top; rightMargin: page.keysWidth + Theme.size.spacing }
         color: Theme.color.surface
-        choices: [{ key: 0, name: "alarmsLive", text: Alarms.active > 0 ? qsTr("Active: %1").arg(Alarms.active) : qsTr("Active") },
+        choices: [{ key: 0, name: "alarmsLive", text: Alarms.unacknowledged > 0 ? qsTr("Active, %1 new").arg(Alarms.unacknowledged) : qsTr("Active") },
             { key: 1, name: "alarmsHistory", text: qsTr("History") },
             { key: 2, name: "alarmsShelved", text: Alarms.shelved.count > 0 ? qsTr("Shelved: %1").arg(Alarms.shelved.count) : qsTr("Shelved") }]
         current: page.section

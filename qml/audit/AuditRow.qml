@@ -35,7 +35,7 @@ TouchButton {
                 text: row.clockNote.length > 0 ? Theme.fill(qsTr("%1 · %2"), [row.time, row.clockNote]) : row.time
                 fontSizeMode: Text.HorizontalFit
                 minimumPixelSize: Theme.size.caption - 3
-                color: row.clockNote.length > 0 ? Theme.color.warning : Theme.color.secondaryInk
+                color: Theme.color.secondaryInk
                 font.pixelSize: Theme.size.caption
             }
             Label {

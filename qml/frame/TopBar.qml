@@ -18,7 +18,7 @@ Rectangle {
     readonly property list<string> stateIcons: [Theme.icon.unknown, Theme.icon.stop, Theme.icon.good, Theme.icon.run, Theme.icon.stop,
         Theme.icon.moving, Theme.icon.referenceRun, Theme.icon.fault]
     readonly property list<color> stateColors: [Theme.color.secondaryInk, Theme.color.secondaryInk, Theme.color.touch, Theme.color.good,
-        Theme.color.warning, Theme.color.touch, Theme.color.touch, Theme.color.fault]
+        Theme.color.touch, Theme.color.touch, Theme.color.touch, Theme.color.fault]
     readonly property color stateColor: Controller.fresh ? stateColors[Controller.state] : Theme.color.disabledInk
 
     implicitHeight: Theme.size.topBar

@@ -101,10 +101,6 @@
 <context>
     <name>AlarmsPage</name>
     <message>
-        <source>Active: %1</source>
-        <translation>Aktiv: %1</translation>
-    </message>
-    <message>
         <source>Active</source>
         <translation>Aktiv</translation>
     </message>
@@ -155,6 +151,10 @@
     <message>
         <source>Alarms as CSV</source>
         <translation>Alarme als CSV</translation>
+    </message>
+    <message>
+        <source>Active, %1 new</source>
+        <translation>Aktiv, %1 neu</translation>
     </message>
 </context>
 <context>

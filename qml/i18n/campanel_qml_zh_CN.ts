@@ -101,10 +101,6 @@
 <context>
     <name>AlarmsPage</name>
     <message>
-        <source>Active: %1</source>
-        <translation>未恢复：%1</translation>
-    </message>
-    <message>
         <source>Active</source>
         <translation>未恢复</translation>
     </message>
@@ -155,6 +151,10 @@
     <message>
         <source>Alarms as CSV</source>
         <translation>报警导出为 CSV</translation>
+    </message>
+    <message>
+        <source>Active, %1 new</source>
+        <translation>未恢复，新 %1</translation>
     </message>
 </context>
 <context>

@@ -21,8 +21,8 @@ MaintenanceSection {
         IconLabel {
             id: sign
             anchors.verticalCenter: parent.verticalCenter
-            code: section.good ? Theme.icon.check : section.homing.place === Homing.Place.NotHomed ? Theme.icon.alert : Theme.icon.unknown
-            color: section.good ? Theme.color.good : section.homing.place === Homing.Place.NotHomed ? Theme.color.warning : Theme.color.disabledInk
+            code: section.good ? Theme.icon.check : section.homing.place === Homing.Place.NotHomed ? Theme.icon.information : Theme.icon.unknown
+            color: section.good ? Theme.color.good : section.homing.place === Homing.Place.NotHomed ? Theme.color.touch : Theme.color.disabledInk
         }
         Label {
             objectName: "homingPlace"

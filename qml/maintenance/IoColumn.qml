@@ -36,8 +36,9 @@ Column {
             required property int lamp
             required property string purpose
             required property int output
-            readonly property bool bad: lamp === Io.Bad
-            readonly property color ink: column.io.stale ? Theme.color.disabledInk : bad ? Theme.color.fault : Theme.color.ink
+            readonly property bool bad: lamp === Io.Bad || lamp === Io.Warning
+            readonly property color badColor: lamp === Io.Bad ? Theme.color.fault : Theme.color.warning
+            readonly property color ink: column.io.stale ? Theme.color.disabledInk : bad ? badColor : Theme.color.ink
             visible: side === column.side
             width: column.width
             height: Math.max(texts.height, key.visible ? key.height + Theme.size.spacing : 0)
@@ -48,8 +49,8 @@ Column {
                 width: Theme.size.mark
                 height: width
                 radius: width / 2
-                color: row.lamp === Io.Off ? "transparent" : column.io.stale ? Theme.color.disabledInk : row.bad ? Theme.color.fault : Theme.color.touch
-                border { width: Theme.size.outline; color: row.lamp === Io.Off || column.io.stale ? Theme.color.disabledInk : row.bad ? Theme.color.fault : Theme.color.touch }
+                color: row.lamp === Io.Off ? "transparent" : column.io.stale ? Theme.color.disabledInk : row.bad ? row.badColor : Theme.color.touch
+                border { width: Theme.size.outline; color: row.lamp === Io.Off || column.io.stale ? Theme.color.disabledInk : row.bad ? row.badColor : Theme.color.touch }
             }
             Column {
                 id: texts

@@ -20,7 +20,7 @@ CurvePlot {
     style.torqueColor: Theme.color.acceleration
     style.overlayColor: Theme.color.target
     style.traceColor: Theme.color.touch
-    style.limitColor: Theme.color.warning
+    style.limitColor: Theme.color.secondaryInk
     style.violationColor: Theme.color.fault
     style.lineWidth: Theme.size.curve
     style.overlayLineWidth: Theme.size.curve

@@ -55,7 +55,7 @@ Card {
         gridColor: Theme.color.target
         pointColor: Theme.color.touch
         staleColor: Theme.color.target
-        toleranceColor: Theme.color.warning
+        toleranceColor: Theme.color.secondaryInk
         violationColor: Theme.color.fault
         pointSize: Theme.size.accent + Theme.size.hairline
     }

@@ -33,7 +33,7 @@ Card {
         gridColor: Theme.color.line
         secondaryInkColor: Theme.color.secondaryInk
         curveColor: Controller.fresh ? Theme.color.touch : Theme.color.disabledInk
-        gateColor: Theme.color.warning
+        gateColor: Theme.color.secondaryInk
         lineWidth: Theme.size.curve
         axisFont: Theme.captionFont
         Binding {

@@ -61,7 +61,7 @@ Card {
         gridColor: Theme.color.line
         inkColor: Theme.color.ink
         secondaryInkColor: Theme.color.secondaryInk
-        toleranceColor: Theme.color.warning
+        toleranceColor: Theme.color.secondaryInk
         lineWidth: Theme.size.curve
         axisFont: Theme.captionFont
         onWindowWanted: (fromMs, toMs) => Trends.showWindow(fromMs, toMs)

@@ -230,7 +230,35 @@ QQuickItem* childNamed(QQuickItem& below, const QString& name)
     return nullptr;
 }
 
+// Returns true for red and amber, in each theme.
+bool isAlarmColor(const QColor& color)
+{
+    constexpr int amberEnd = 55; // degrees
+    constexpr int redBegin = 340;
+    constexpr int minSaturation = 110; // of 255
+    constexpr int minValue = 90;
+    const int hue = color.hsvHue();
+    return color.hsvSaturation() >= minSaturation && color.value() >= minValue &&
+           (hue <= amberEnd || hue >= redBegin);
+}
+
 } // namespace
+
+QStringList checkCalm(const QImage& picture)
+{
+    constexpr int maxPixels = 200;
+    int found = 0;
+    for (int y = 0; y < picture.height(); ++y) {
+        for (int x = 0; x < picture.width(); ++x)
+            found += isAlarmColor(picture.pixelColor(x, y)) ? 1 : 0;
+    }
+    return found <= maxPixels
+               ? QStringList()
+               : QStringList(QStringLiteral("%1 pixels are red or amber, though nothing is wrong; at "
+                                            "most %2 may be")
+                                 .arg(found)
+                                 .arg(maxPixels));
+}
 
 QStringList checkScreen(QQuickItem& root, const ScreenLimits& limits, const QImage& picture)
 {

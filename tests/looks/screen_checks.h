@@ -21,6 +21,10 @@ struct ScreenLimits {
     double textPx = 0; // what a text without room may shrink to
 };
 
+// Returns a fault when a picture of the faultless machine has more than a few pixels in the colors of alarms:
+// red and amber are for the abnormal alone.
+[[nodiscard]] QStringList checkCalm(const QImage& picture);
+
 // Returns one sentence for each fault below `root`, only for the uppermost layer (keypad, else dialog, else
 // page). `picture` is the drawn screen; texts are compared with the pixels behind them.
 [[nodiscard]] QStringList checkScreen(QQuickItem& root, const ScreenLimits& limits, const QImage& picture);

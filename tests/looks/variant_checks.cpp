@@ -49,8 +49,11 @@ QStringList checkVariant(const Variant& variant, const QList<Screen>& screens)
         return {QStringLiteral("the window cannot be loaded")};
     for (const Screen& screen : screens) {
         enterScreen(window, screen);
-        const QStringList found =
-            checkScreen(window.root(), limitsOf(window, variant), window.grab()) + checkStop(window);
+        const QImage picture = window.grab();
+        QStringList found = checkScreen(window.root(), limitsOf(window, variant), picture);
+        if (calmScreens().contains(screen.name))
+            found += checkCalm(picture);
+        found += checkStop(window);
         for (const QString& fault : found)
             faults += QStringLiteral("%1: %2").arg(screen.name, fault);
     }
@@ -58,6 +61,16 @@ QStringList checkVariant(const Variant& variant, const QList<Screen>& screens)
 }
 
 } // namespace
+
+QStringList calmScreens()
+{
+    QStringList names;
+    for (const char* name :
+         {"run", "run-stopped", "run-position", "run-cam", "motion", "motion-all-curves", "recipes", "trends",
+          "alarms-none", "settings-display", "jog", "homing", "io", "dry-run"})
+        names << QString::fromLatin1(name);
+    return names;
+}
 
 int checkVariants(const QList<Variant>& variants, const QList<Screen>& screens)
 {
@@ -71,8 +84,9 @@ int checkVariants(const QList<Variant>& variants, const QList<Screen>& screens)
         faults += found.size();
     }
     qInstallMessageHandler(before);
-    std::printf("%lld pages and dialogs in %lld variants: %lld faults\n", static_cast<long long>(screens.size()),
-                static_cast<long long>(variants.size()), static_cast<long long>(faults));
+    std::printf("%lld pages and dialogs in %lld variants: %lld faults\n",
+                static_cast<long long>(screens.size()), static_cast<long long>(variants.size()),
+                static_cast<long long>(faults));
     return faults == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }
 

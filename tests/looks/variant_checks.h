@@ -7,6 +7,9 @@
 
 namespace campanel::looks {
 
+// The screens of a machine without a fault: on them nothing is red or amber.
+[[nodiscard]] QStringList calmScreens();
+
 // Returns the exit code for main().
 [[nodiscard]] int checkVariants(const QList<Variant>& variants, const QList<Screen>& screens);
 

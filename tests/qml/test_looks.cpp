@@ -6,6 +6,7 @@
 #include "tests/looks/picture_difference.h"
 #include "tests/looks/screen_checks.h"
 #include "tests/looks/screens.h"
+#include "tests/looks/variant_checks.h"
 #include "tests/support/test_program.h"
 
 #include <QAccessible>
@@ -249,6 +250,23 @@ private slots:
             const looks::Variant plain{variant.language, QStringLiteral("light"), variant.size};
             const bool isRoomy = variant.size.width() == 1920 && variant.language != u"en";
             QVERIFY2(variant.isLong() || isRoomy || tested.contains(plain.name()), qPrintable(plain.name()));
+        }
+    }
+
+    void everyCalmScreenIsThere()
+    {
+        const QStringList calm = looks::calmScreens();
+        QCOMPARE(looks::screensNamed(calm.join(u',')).size(), calm.size());
+    }
+
+    void redAndAmberAreCounted()
+    {
+        QImage picture(200, 100, QImage::Format_RGB32);
+        picture.fill(QColor(0x0A6C9E));
+        QCOMPARE(looks::checkCalm(picture), QStringList());
+        for (const char* alarm : {"#B3261E", "#8F5500", "#F0B03F", "#FF8A8A"}) {
+            QPainter(&picture).fillRect(0, 0, 20, 20, QColor(QLatin1String(alarm)));
+            QCOMPARE(looks::checkCalm(picture).size(), 1);
         }
     }
 

@@ -80,6 +80,7 @@ private slots:
         QCOMPARE(textOf("urgentAlarm"), QStringLiteral("Following error too large"));
         QVERIFY(isShown("banner"));
         tap("nav_alarms");
+        QCOMPARE(textOf("alarmsLive"), QStringLiteral("Active, 1 new")); // the number at the page's key
         QCOMPARE(textOf("alarmState"), QStringLiteral("C-01 · Active, not acknowledged"));
         tap("liveAlarm0");
         QCOMPARE(textOf("alarmCause"), QStringLiteral("The axis cannot follow its setpoint."));

@@ -31,8 +31,6 @@ class Alarms : public QObject, public Singleton<Alarms> {
     Q_PROPERTY(campanel::panel::RowModelBase* shelved READ shelved CONSTANT FINAL)
     // The selected alarm.
     Q_PROPERTY(campanel::panel::AlarmDetail* detail READ detail CONSTANT FINAL)
-    // The number of active alarms without the shelved ones.
-    Q_PROPERTY(int active READ active NOTIFY changed FINAL)
     Q_PROPERTY(int unacknowledged READ unacknowledged NOTIFY changed FINAL)
     // The highest severity that needs to be acknowledged; None when there is none.
     Q_PROPERTY(Severity callingSeverity READ callingSeverity NOTIFY changed FINAL)

@@ -27,6 +27,14 @@ IoList::Lamp lampOf(bool isOn)
     return isOn ? IoList::Lamp::On : IoList::Lamp::Off;
 }
 
+// A condition has one color wherever it is shown.
+IoList::Lamp lampOf(AlarmSeverity severity)
+{
+    return severity == AlarmSeverity::Fault     ? IoList::Lamp::Bad
+           : severity == AlarmSeverity::Warning ? IoList::Lamp::Warning
+                                                : IoList::Lamp::On;
+}
+
 } // namespace
 
 IoList::IoList(Controller& controller, QObject* parent)
@@ -186,7 +194,8 @@ void IoList::addBits(QList<Row>& rows, const modbus::StatusBlock& status) const
     const auto add = [&](Side side, const auto& bits, auto which) {
         for (const modbus::EnumValue& row : bits) {
             const auto bit = static_cast<decltype(which)>(row.value);
-            rows << Row{side, AlarmCatalogue::of(bit).title(), {}, status.has(bit) ? Lamp::Bad : Lamp::Off};
+            const AlarmKind& kind = AlarmCatalogue::of(bit);
+            rows << Row{side, kind.title(), {}, status.has(bit) ? lampOf(kind.severity) : Lamp::Off};
         }
     };
     add(Side::Fault, modbus::faultBits, FaultBit());

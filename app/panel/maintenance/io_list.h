@@ -19,7 +19,7 @@ Q_NAMESPACE
 QML_ELEMENT
 enum class Side { Input, Output, Fault, Warning };
 Q_ENUM_NS(Side)
-enum class Lamp { None, Off, On, Bad }; // Bad: on, and needs attention
+enum class Lamp { None, Off, On, Warning, Bad }; // Warning, Bad: on, in the color of the alarm
 Q_ENUM_NS(Lamp)
 } // namespace Io
 

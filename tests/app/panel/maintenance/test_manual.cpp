@@ -487,9 +487,14 @@ private slots:
         become(rig, State::Fault, 0x3FF);
         IoList& io = *rig.maintenance.io();
         io.setWatched(true);
-        const auto lit = std::ranges::count_if(
-            io.rows()->rows(), [](const IoList::Row& row) { return row.lamp == IoList::Lamp::Bad; });
+        const auto lit = std::ranges::count_if(io.rows()->rows(), [](const IoList::Row& row) {
+            return (row.side == IoList::Side::Fault || row.side == IoList::Side::Warning) &&
+                   row.lamp != IoList::Lamp::Off;
+        });
         QCOMPARE(lit, 8 + 10);
+        QCOMPARE(lampOf(io, QStringLiteral("Following error too large")), IoList::Lamp::Bad);
+        QCOMPARE(lampOf(io, QStringLiteral("No panel heartbeat")), IoList::Lamp::Warning);
+        QCOMPARE(lampOf(io, QStringLiteral("Not referenced")), IoList::Lamp::On); // a notice, as under Alarms
     }
 
     void aTurnOfTheMasterIsOneBag()
