@@ -4272,6 +4272,25 @@ eff. %2</translation>
     </message>
 </context>
 <context>
+    <name>campanel::panel::AlarmWatch</name>
+    <message>
+        <source>Axis: following error %1 pulses, limit %2 pulses</source>
+        <translation>Achse: Schleppfehler %1 Pulse, Grenze %2 Pulse</translation>
+    </message>
+    <message>
+        <source>Axis: following error %1 pulses</source>
+        <translation>Achse: Schleppfehler %1 Pulse</translation>
+    </message>
+    <message>
+        <source>Ram: force %1 N, limit %2 N</source>
+        <translation>Stößel: Kraft %1 N, Grenze %2 N</translation>
+    </message>
+    <message>
+        <source>Ram: contact at %1 mm, approach ends at %2 mm</source>
+        <translation>Stößel: Kontakt bei %1 mm, Anfahren endet bei %2 mm</translation>
+    </message>
+</context>
+<context>
     <name>campanel::panel::Audit</name>
     <message>
         <source>Checking the audit trail …</source>

@@ -4270,6 +4270,25 @@ RMS %2</source>
     </message>
 </context>
 <context>
+    <name>campanel::panel::AlarmWatch</name>
+    <message>
+        <source>Axis: following error %1 pulses, limit %2 pulses</source>
+        <translation>轴：跟随误差 %1 脉冲，极限 %2 脉冲</translation>
+    </message>
+    <message>
+        <source>Axis: following error %1 pulses</source>
+        <translation>轴：跟随误差 %1 脉冲</translation>
+    </message>
+    <message>
+        <source>Ram: force %1 N, limit %2 N</source>
+        <translation>压头：力 %1 N，极限 %2 N</translation>
+    </message>
+    <message>
+        <source>Ram: contact at %1 mm, approach ends at %2 mm</source>
+        <translation>压头：在 %1 mm 处接触，趋近止于 %2 mm</translation>
+    </message>
+</context>
+<context>
     <name>campanel::panel::Audit</name>
     <message>
         <source>Checking the audit trail …</source>

@@ -74,6 +74,18 @@ Sheet {
     }
     ScrollMark { view: view }
     footer: [
+        CommandKey {
+            objectName: "alarmReset"
+            visible: Controller.faulted && sheet.alarm.severity === Alarms.Severity.Fault && sheet.alarm.code.startsWith("C-")
+            width: 2 * Theme.size.touch
+            small: true
+            glyph: Theme.icon.resetFault
+            text: qsTr("Reset")
+            onCommanded: {
+                Controller.resetFault()
+                sheet.closed()
+            }
+        },
         Button {
             objectName: "alarmUnshelve"
             visible: sheet.alarm.shelved

@@ -43,6 +43,16 @@ Item {
         host.startRefused = true
     }
 
+    // Several alarms are a list, one is its sheet.
+    function showAlarms() {
+        if (host.alarms.length > 1) {
+            Frame.openPage("alarms")
+            return
+        }
+        Alarms.showUrgent()
+        Frame.open("Alarms/AlarmSheet", {})
+    }
+
     function accept() {
         if (host.stopShown) {
             Controller.withdrawStop()
@@ -90,9 +100,9 @@ Item {
             text: host.stopShown ? Controller.stopWaitsText : host.alarmShown ? host.mostUrgent : host.answer
             severity: host.stopShown ? Banner.Warning : host.alarmShown ? (Controller.faulted ? Banner.Fault : Banner.Warning) : Banner.Information
             buttonText: host.stopShown ? qsTr("Withdraw") : qsTr("OK")
-            wayText: host.alarmShown && host.alarms.length > 1 ? qsTr("Show") : ""
+            wayText: host.alarmShown && (host.alarms.length > 1 || Controller.faulted && Alarms.urgentCode.length > 0) ? qsTr("Show") : ""
             onAccepted: host.accept()
-            onWayChosen: Frame.openPage("alarms")
+            onWayChosen: host.showAlarms()
         }
     }
 }

@@ -97,6 +97,10 @@
         <source>Acknowledge</source>
         <translation>Quittieren</translation>
     </message>
+    <message>
+        <source>Reset</source>
+        <translation>Quittieren</translation>
+    </message>
 </context>
 <context>
     <name>AlarmsPage</name>

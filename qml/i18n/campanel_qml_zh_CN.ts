@@ -97,6 +97,10 @@
         <source>Acknowledge</source>
         <translation>确认</translation>
     </message>
+    <message>
+        <source>Reset</source>
+        <translation>复位</translation>
+    </message>
 </context>
 <context>
     <name>AlarmsPage</name>

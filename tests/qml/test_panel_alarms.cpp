@@ -107,6 +107,29 @@ private slots:
         QVERIFY2(!alarms().history()->watched(), "nothing is read while nobody looks");
     }
 
+    // One flow: the banner leads to the fault, and its Reset is all that the fault asks for.
+    void aFaultIsResetWhereItIsRead()
+    {
+        using campanel::modbus::Command;
+        show(Situation::Fault);
+        tap("bannerWay");
+        QCOMPARE(textOf("alarmCause"), QStringLiteral("The axis cannot follow its setpoint."));
+        QVERIFY2(textOf("alarmDetail").startsWith(QStringLiteral("Axis: following error ")),
+                 qPrintable(textOf("alarmDetail")));
+        m_window->link().requests.clear();
+        holdFor("alarmReset", 60);
+        QVERIFY(m_window->link().requests.isEmpty());
+        holdFor("alarmReset", 700);
+        QCOMPARE(m_window->link().requests.size(), 1);
+        QCOMPARE(m_window->link().requests.first().command, Command::ResetFault);
+        show(Situation::Stopped);
+        QTest::qWait(1000);
+        QVERIFY(!isShown("navCalls"));
+        QVERIFY(!isShown("banner"));
+        tap("nav_alarms");
+        QCOMPARE(textOf("alarmsEmpty"), QStringLiteral("No alarm is active or waiting for acknowledgment."));
+    }
+
     void historyIsFilteredJumpedAndExported()
     {
         m_window->panel().records().open();

@@ -55,6 +55,7 @@ const QList<Harmless>& harmless()
         {"what is looked at, and a filter of it",
          {u"Watched::watched="_s,
           u"Alarms::showLive"_s,
+          u"Alarms::showUrgent"_s,
           u"Alarms::showHistory"_s,
           u"Audit::open"_s,
           u"Audit::select"_s,

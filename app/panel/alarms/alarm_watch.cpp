@@ -3,10 +3,12 @@
 
 #include "app/panel/controller/controller.h"
 #include "app/panel/editor/editor.h"
+#include "app/panel/kit/format.h"
 #include "app/panel/records/database_service.h"
 #include "app/panel/settings/settings.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 using namespace Qt::StringLiterals;
@@ -84,8 +86,30 @@ void AlarmWatch::setControllerAlarms(const Kinds& now, const QString& bits, Alar
             continue;
         const bool isUnknown =
             &kind == &AlarmCatalogue::unknownFault() || &kind == &AlarmCatalogue::unknownWarning();
-        emit raised(kind, isUnknown ? bits : QString());
+        emit raised(kind, isUnknown ? bits : valuesOf(kind));
     }
+}
+
+QString AlarmWatch::valuesOf(const AlarmKind& kind) const
+{
+    using modbus::FaultBit;
+    const Format format;
+    const LiveValues live = m_controller.live();
+    if (&kind == &AlarmCatalogue::of(FaultBit::FollowingError)) {
+        const auto limit = m_controller.parameter("parameter.following_error_limit").value();
+        const QString pulses = format.grouped(std::abs(m_controller.status()->followingErrorPulses), 0);
+        return limit ? tr("Axis: following error %1 pulses, limit %2 pulses")
+                           .arg(pulses, format.grouped(*limit, 0))
+                     : tr("Axis: following error %1 pulses").arg(pulses);
+    }
+    if (&kind == &AlarmCatalogue::of(FaultBit::ForceLimit))
+        return tr("Ram: force %1 N, limit %2 N")
+            .arg(format.number(live.forceN, 0), format.number(m_controller.active().maxStopForceN, 0));
+    if (&kind == &AlarmCatalogue::of(FaultBit::TouchedTooEarly))
+        return tr("Ram: contact at %1 mm, approach ends at %2 mm")
+            .arg(format.number(live.positionMm, 2),
+                 format.number(m_controller.active().approachPositionMm, 2));
+    return {};
 }
 
 void AlarmWatch::noteLink()

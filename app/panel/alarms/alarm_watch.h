@@ -49,6 +49,8 @@ private:
 
     void noteController();
     void setControllerAlarms(const Kinds& now, const QString& detail, store::AlarmRow::End end);
+    // Returns the values that broke the limit, as far as the controller reports them.
+    [[nodiscard]] QString valuesOf(const AlarmKind& kind) const;
     void noteLink();
     void setLinkAlarm(const AlarmKind* kind);
     void noteRecipe();

@@ -64,6 +64,10 @@ Alarms::Alarms(Controller& controller, Editor& editor, DatabaseService& records,
     m_checkTimer.start(alarmCheckPeriod);
     connect(&m_watch, &AlarmWatch::raised, this, &Alarms::raise);
     connect(&m_watch, &AlarmWatch::cleared, this, &Alarms::clear);
+    connect(&controller, &Controller::commandEnded, this, [this](const link::CommandOutcome& outcome) {
+        if (outcome.command == modbus::Command::ResetFault && outcome.end == link::CommandEnd::Done)
+            acknowledgeFaults();
+    });
     m_watch.begin();
     records.store().run(
         this, [](store::Database& database) { return AlarmLog::begin(database); },
@@ -192,6 +196,28 @@ void Alarms::acknowledgeAll()
     }
     if (!codes.isEmpty())
         note(u"alarm.acknowledge"_s, codes.join(u", "_s));
+}
+
+void Alarms::acknowledgeFaults()
+{
+    QStringList codes;
+    for (const AlarmEntry& entry : m_book.live()) {
+        if (!entry.isUnacknowledged() || entry.kind->severity != AlarmSeverity::Fault ||
+            !entry.row.code.startsWith(u"C-"))
+            continue;
+        m_book.acknowledge(entry.row.code, entry.row.id, m_person, now().utcMs);
+        codes << entry.row.code;
+    }
+    if (!codes.isEmpty())
+        note(u"alarm.acknowledge"_s, codes.join(u", "_s));
+}
+
+void Alarms::showUrgent()
+{
+    const auto& rows = m_live.rows();
+    const auto row = std::ranges::find(rows, urgentCode(), &AlarmListRow::code);
+    if (row != rows.end())
+        m_detail.show(row->alarm, m_book, today());
 }
 
 void Alarms::showLive(int row)

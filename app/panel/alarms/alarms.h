@@ -78,6 +78,8 @@ public:
     // Selects a row of `live` or `history` for `detail`.
     Q_INVOKABLE void showLive(int row);
     Q_INVOKABLE void showHistory(int row);
+    // Selects the most urgent active alarm.
+    Q_INVOKABLE void showUrgent();
     Q_INVOKABLE void acknowledgeShown();
     // Shelves the selected alarm: it is logged but does not call. Does nothing for an alarm that stops the
     // machine.
@@ -100,6 +102,8 @@ private:
     void noteChange();
     // Publishes what a person did, and reports it to the audit trail.
     void note(const QString& what, const QString& codes, const QString& after = {});
+    // Acknowledges the controller's faults: the person who resets them has seen them.
+    void acknowledgeFaults();
     void publish();
     void write();
     [[nodiscard]] AlarmBook::Now now() const;
