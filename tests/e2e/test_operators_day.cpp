@@ -289,7 +289,7 @@ private slots:
         panel.tap("stopKey"); // never needs a login
         QTRY_VERIFY_WITH_TIMEOUT(!access.waits(), timeoutMs);
         panel.touchDriver().settle();
-        QTRY_VERIFY_WITH_TIMEOUT(!panel.texts().contains(QStringLiteral("Locked after")), timeoutMs);
+        QTRY_VERIFY_WITH_TIMEOUT(!panel.texts().contains(QStringLiteral("Try again in")), timeoutMs);
         typePin(panel, QStringLiteral("258036"));
         QTRY_VERIFY2_WITH_TIMEOUT(access.loggedIn(),
                                   qPrintable(panel.complaints().join(u'|') + panel.texts()), timeoutMs);
