@@ -37,14 +37,16 @@ TouchGate {
     }
 
     onTouched: (target, isControl) => {
-        if (outside.isIn(target, outside.topmost) || outside.topmost === outside.sheet && outside.sheet.beside)
+        const layer = outside.topmost
+        if (outside.isIn(target, layer) || layer === outside.sheet && layer.beside)
             return
         if (isControl && outside.opensWayTo(target)) {
             outside.takenKeypad = outside.keypad
             return
         }
         outside.refuse()
-        outside.leave()
+        if (outside.topmost === layer) // else to confirm it needs a login, which has opened
+            outside.leave()
     }
     onLifted: {
         if (outside.takenKeypad && outside.takenKeypad === outside.keypad)

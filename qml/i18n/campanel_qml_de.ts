@@ -2840,6 +2840,14 @@ Und %2 weitere.</translation>
         <source>%1 recipes</source>
         <translation>%1 Rezepte</translation>
     </message>
+    <message>
+        <source>Sorted by name</source>
+        <translation>Nach Name sortiert</translation>
+    </message>
+    <message>
+        <source>Last saved first</source>
+        <translation>Zuletzt gespeicherte zuerst</translation>
+    </message>
 </context>
 <context>
     <name>SegmentMotionSheet</name>

@@ -2840,6 +2840,14 @@ And %2 more.</source>
         <source>%1 recipes</source>
         <translation>%1 个配方</translation>
     </message>
+    <message>
+        <source>Sorted by name</source>
+        <translation>按名称排序</translation>
+    </message>
+    <message>
+        <source>Last saved first</source>
+        <translation>最近保存在前</translation>
+    </message>
 </context>
 <context>
     <name>SegmentMotionSheet</name>

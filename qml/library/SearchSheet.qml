@@ -14,6 +14,13 @@ TextSheet {
     text: Recipes.search
     pending: false                         // each letter takes effect at once
     onEdited: text => Recipes.search = text
+    header: Button {
+        objectName: "recipeOrder"
+        kind: Button.Quiet
+        focusPolicy: Qt.NoFocus
+        text: Recipes.byName ? qsTr("Sorted by name") : qsTr("Last saved first")
+        onClicked: Recipes.byName = !Recipes.byName
+    }
     aside: ListView {
         id: list
         anchors.fill: parent

@@ -129,6 +129,8 @@ QStringList wrongIn(const QStringList& call, const QMap<QString, QString>& files
             continue;
         }
         const Members members = membersOf(files[sheet], files);
+        if (!members.all.contains(u"pending"_s))
+            wrong << sheet + u" is no Overlay: what is typed in it would be lost"_s;
         for (const QString& name : given - members.all)
             wrong << u"%1 has no \"%2\""_s.arg(sheet, name);
         for (const QString& name : members.required - given)
@@ -295,6 +297,9 @@ private slots:
                                   << QStringList{u"no sheet Download/PoofSheet"_s};
         QTest::newRow("of another room")
             << uR"(Frame.open("Editor/ProofSheet", {}))"_s << QStringList{u"no sheet Editor/ProofSheet"_s};
+        QTest::newRow("no sheet")
+            << uR"(Frame.open("Parts/Page", {}))"_s
+            << QStringList{u"Parts/Page is no Overlay: what is typed in it would be lost"_s};
         QTest::newRow("one of two") << uR"(Frame.open(isOne ? "Editor/KnotSheet" : "Editor/KnutSheet", {}))"_s
                                     << QStringList{u"no sheet Editor/KnutSheet"_s};
         QTest::newRow("no text") << u"Frame.open(name, {})"_s

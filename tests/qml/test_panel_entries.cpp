@@ -8,6 +8,8 @@
 
 #include <QCoreApplication>
 
+#include <algorithm>
+
 namespace test_panel_entries {
 
 using namespace campanel;
@@ -107,6 +109,16 @@ private slots:
         enter(u"recipes"_s);
         auto& recipes = m_window->panel().recipes();
         tap("recipeSearch");
+        m_window->type(u"rusk"_s);
+        QCOMPARE(recipes.list()->count(), 1);
+        tap("recipeOrder"); // the keys still reach the text
+        for (int i = 0; i < 4; ++i)
+            tap("textBackspace");
+        QVERIFY(recipes.byName() && recipes.list()->count() > 2);
+        const QList<panel::RecipeRow> rows = recipes.list()->rows();
+        QVERIFY(std::ranges::is_sorted(
+            rows, [](const QString& a, const QString& b) { return a.localeAwareCompare(b) < 0; },
+            &panel::RecipeRow::name));
         m_window->type(u"rusk"_s);
         QCOMPARE(recipes.list()->count(), 1);
         QCOMPARE(textOf("found0"), u"Rusk 310"_s);

@@ -368,6 +368,9 @@ private slots:
         tap("keypadAccept");
         QVERIFY2(isOn(u"loginUsers"_s), "whoever confirms has to log in");
         tap("pinCancel");
+        touch(u"field_knives"_s);
+        QVERIFY2(isOn(u"loginUsers"_s), "a touch on the next field confirms too");
+        tap("pinCancel");
         QCOMPARE(textOf("keypadText"), u"51"_s);
         QCOMPARE(valueOf(u"field knife_radius_mm"_s), before);
     }

@@ -95,6 +95,7 @@ const QList<Harmless>& harmless()
           u"ReasonEditor::closeGroup"_s,
           u"ReasonKeys::close"_s,
           u"Recipes::search="_s,
+          u"Recipes::byName="_s,
           u"Recipes::choose"_s,
           u"Recipes::listVersions"_s,
           u"Recipes::listOthers"_s,

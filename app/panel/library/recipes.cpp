@@ -215,6 +215,10 @@ void Recipes::show()
                           active && active->recipe.name == each.recipe.name,
                           m_shapes.value(each.recipeId)};
     }
+    if (m_isByName)
+        std::ranges::stable_sort(
+            rows, [](const QString& a, const QString& b) { return a.localeAwareCompare(b) < 0; },
+            &RecipeRow::name);
     m_list.setRows(rows);
     showFigures();
     emit listChanged();
@@ -250,6 +254,12 @@ void Recipes::showFigures()
 void Recipes::setSearch(const QString& search)
 {
     m_search = store::keptName(search);
+    show();
+}
+
+void Recipes::setByName(bool isByName)
+{
+    m_isByName = isByName;
     show();
 }
 

@@ -38,6 +38,8 @@ class Recipes : public QObject, public Singleton<Recipes> {
     // The recipes that match the search; the one saved last comes first.
     Q_PROPERTY(campanel::panel::RowModelBase* list READ list CONSTANT FINAL)
     Q_PROPERTY(QString search READ search WRITE setSearch NOTIFY listChanged FINAL)
+    // True: sorted by name.
+    Q_PROPERTY(bool byName READ byName WRITE setByName NOTIFY listChanged FINAL)
     Q_PROPERTY(int total READ total NOTIFY listChanged FINAL)  // without the search
     Q_PROPERTY(bool ready READ ready NOTIFY listChanged FINAL) // the database has been read
 
@@ -85,6 +87,8 @@ public:
     [[nodiscard]] RecipeList* list() { return &m_list; }
     [[nodiscard]] QString search() const { return m_search; }
     void setSearch(const QString& search);
+    [[nodiscard]] bool byName() const { return m_isByName; }
+    void setByName(bool isByName);
     [[nodiscard]] int total() const { return static_cast<int>(m_all.size()); }
     [[nodiscard]] bool ready() const { return m_isReady; }
     [[nodiscard]] int chosen() const;
@@ -222,6 +226,7 @@ private:
     QString m_beforeTitle;
     QString m_afterTitle;
     QString m_search;
+    bool m_isByName = false;
     QString m_wantedName;
     QString m_shownName; // name of the Editor's recipe at the last update of the list, and its next version
     int m_shownNextVersion = 0;
