@@ -1425,14 +1425,6 @@
         <translation>Die Maschine läuft weiter; das neue Rezept beginnt mit dem nächsten Zyklus.</translation>
     </message>
     <message>
-        <source>The film keeps its speed; %1 bags/min after %2.</source>
-        <translation>Die Folie behält ihre Geschwindigkeit; %1 Beutel/min nach %2.</translation>
-    </message>
-    <message>
-        <source>The master keeps its speed; full speed after %1.</source>
-        <translation>Die Leitachse behält ihre Geschwindigkeit; volle Geschwindigkeit nach %1.</translation>
-    </message>
-    <message>
         <source>Slows down to %1 % (bags: %2, %3), then %4 bags/min.</source>
         <translation>Wird auf %1 % langsamer (Beutel: %2, %3), dann %4 Beutel/min.</translation>
     </message>
@@ -1455,6 +1447,36 @@
     <message>
         <source>The controller reports reason %1, which this panel does not know. Update the panel.</source>
         <translation>Die Steuerung meldet Grund %1, den dieses Panel nicht kennt. Panel aktualisieren.</translation>
+    </message>
+    <message>
+        <source>No slowing down. Speeds up to %1 bags/min within %2.</source>
+        <translation>Wird nicht langsamer. Beschleunigt innerhalb von %2 auf %1 Beutel/min.</translation>
+    </message>
+    <message>
+        <source>No slowing down. Speeds up to full speed within %1.</source>
+        <translation>Wird nicht langsamer. Beschleunigt innerhalb von %1 auf volle Geschwindigkeit.</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <comment>numbers of bags</comment>
+        <translation>%1 bis %2</translation>
+    </message>
+    <message>
+        <source>Scrap bags: %1; the first good bag within %2 s.</source>
+        <translation>Ausschussbeutel: %1; der erste gute Beutel innerhalb von %2 s.</translation>
+    </message>
+    <message>
+        <source>%1 Skipped cuts: up to %2, longest bag %3 mm.</source>
+        <comment>%1: whole sentence</comment>
+        <translation>%1 Ausgelassene Schnitte: bis zu %2, längster Beutel %3 mm.</translation>
+    </message>
+    <message>
+        <source>Changing to %1 mm: scrap bags %2, up to %3 s</source>
+        <translation>Wechsel auf %1 mm: Ausschussbeutel %2, bis zu %3 s</translation>
+    </message>
+    <message>
+        <source>Changing to %1 mm: scrap bags %2, long bag %4 mm, up to %3 s</source>
+        <translation>Wechsel auf %1 mm: Ausschussbeutel %2, langer Beutel %4 mm, bis zu %3 s</translation>
     </message>
 </context>
 <context>

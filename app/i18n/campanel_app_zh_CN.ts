@@ -1425,14 +1425,6 @@
         <translation>机器继续运行，新配方从下一周期开始。</translation>
     </message>
     <message>
-        <source>The film keeps its speed; %1 bags/min after %2.</source>
-        <translation>薄膜速度不变；%2后达到 %1 袋/分。</translation>
-    </message>
-    <message>
-        <source>The master keeps its speed; full speed after %1.</source>
-        <translation>主轴速度不变；%1后达到全速。</translation>
-    </message>
-    <message>
         <source>Slows down to %1 % (bags: %2, %3), then %4 bags/min.</source>
         <translation>先降速至 %1 %（%2 袋，%3），然后 %4 袋/分。</translation>
     </message>
@@ -1455,6 +1447,36 @@
     <message>
         <source>The controller reports reason %1, which this panel does not know. Update the panel.</source>
         <translation>控制器报告了本面板无法识别的原因（%1）。请更新面板。</translation>
+    </message>
+    <message>
+        <source>No slowing down. Speeds up to %1 bags/min within %2.</source>
+        <translation>不降速。%2内加速到 %1 袋/分。</translation>
+    </message>
+    <message>
+        <source>No slowing down. Speeds up to full speed within %1.</source>
+        <translation>不降速。%1内加速到全速。</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <comment>numbers of bags</comment>
+        <translation>%1 至 %2</translation>
+    </message>
+    <message>
+        <source>Scrap bags: %1; the first good bag within %2 s.</source>
+        <translation>废袋：%1；%2 s 内出第一个合格袋。</translation>
+    </message>
+    <message>
+        <source>%1 Skipped cuts: up to %2, longest bag %3 mm.</source>
+        <comment>%1: whole sentence</comment>
+        <translation>%1 跳过的切断：最多 %2，最长的袋 %3 mm。</translation>
+    </message>
+    <message>
+        <source>Changing to %1 mm: scrap bags %2, up to %3 s</source>
+        <translation>正在改为 %1 mm：废袋 %2，最长 %3 s</translation>
+    </message>
+    <message>
+        <source>Changing to %1 mm: scrap bags %2, long bag %4 mm, up to %3 s</source>
+        <translation>正在改为 %1 mm：废袋 %2，长袋 %4 mm，最长 %3 s</translation>
     </message>
 </context>
 <context>

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <utility>
 
 namespace campanel::panel {
@@ -13,10 +14,12 @@ namespace campanel::panel {
 namespace {
 
 // In the order of the enum.
-constexpr std::array names{"parameter.knife_step",       "parameter.film_step",     "parameter.infeed_step",
-                           "parameter.film_pulses",      "parameter.film_feed",     "parameter.flight_pulses",
-                           "parameter.length_trim",      "parameter.mark_tracking", "parameter.ramp_time",
-                           "parameter.master_direction", "parameter.anti_cut"};
+constexpr std::array names{
+    "parameter.knife_step",       "parameter.film_step",       "parameter.infeed_step",
+    "parameter.film_pulses",      "parameter.film_feed",       "parameter.flight_pulses",
+    "parameter.length_trim",      "parameter.mark_tracking",   "parameter.ramp_time",
+    "parameter.master_direction", "parameter.anti_cut",        "parameter.phase_limit",
+    "parameter.cut_clearance",    "parameter.product_distance"};
 enum class Index {
     KnifeStep,
     FilmStep,
@@ -29,6 +32,9 @@ enum class Index {
     RampTime,
     Direction,
     AntiCut,
+    PhaseLimit,
+    CutClearance,
+    ProductDistance,
 };
 
 } // namespace
@@ -49,7 +55,7 @@ std::optional<program::ChangeParameters> ChangeForecast::parameters() const
         return std::nullopt;
     using enum Index;
     const auto value = [this](Index index) {
-        return m_parameters[static_cast<std::size_t>(index)]->value().value();
+        return m_parameters[static_cast<std::size_t>(index)]->lastValue();
     };
     const bool hasFilm = m_controller.packing()->present();
     return program::ChangeParameters{
@@ -65,9 +71,28 @@ std::optional<program::ChangeParameters> ChangeForecast::parameters() const
     };
 }
 
+// Products are as long as the longest that the controller sees.
+program::PriceParameters ChangeForecast::priceParameters() const
+{
+    using enum Index;
+    const auto value = [this](Index index) {
+        return m_parameters[static_cast<std::size_t>(index)]->lastValue();
+    };
+    double productMm = 0;
+    for (const QPointF& product : m_controller.packing()->seenProducts())
+        productMm = std::max(productMm, std::abs(product.y() - product.x()));
+    return {.tracksMarks = value(MarkTracking) != 0,
+            .phaseLimitMm = value(PhaseLimit),
+            .productMm = productMm,
+            .clearanceMm = value(CutClearance),
+            .layDistanceMm = value(ProductDistance),
+            .hasAntiCut = value(AntiCut) != 0};
+}
+
 void ChangeForecast::update(const program::ProgramImage* wanted)
 {
     m_isKnown = false;
+    m_price.reset();
     const auto& active = m_controller.program();
     if (wanted == nullptr || !active || m_controller.state() != Controller::State::Running ||
         !program::changesWhileRunning(active->recipe, wanted->recipe))
@@ -80,13 +105,18 @@ void ChangeForecast::update(const program::ProgramImage* wanted)
         return;
     m_isKnown = true;
     m_change = program::programChange(active->recipe, *solved, wanted->recipe, wanted->solved, *known);
-    m_rateBagsPerMin = wanted->recipe.isCutter() ? wanted->cutter().cycle.rateBagsPerMin : 0.0;
+    const bool hasBags = wanted->recipe.isCutter();
+    m_rateBagsPerMin = hasBags ? wanted->cutter().cycle.rateBagsPerMin : 0.0;
+    m_bagLengthMm = hasBags ? wanted->cutter().cycle.bagLengthMm : 0.0;
+    if (m_change && hasBags && m_controller.packing()->known())
+        m_price = program::changePrice(*solved, wanted->solved, *m_change, priceParameters());
 }
 
 QString ChangeForecast::text() const
 {
-    return ControllerSentences::programChange(m_isKnown && m_change ? *m_change : program::ProgramChange{},
-                                              m_rateBagsPerMin);
+    const QString change = ControllerSentences::programChange(
+        m_isKnown && m_change ? *m_change : program::ProgramChange{}, m_rateBagsPerMin);
+    return m_price ? change + u' ' + ControllerSentences::changePrice(*m_price) : change;
 }
 
 QString ChangeForecast::refusal() const

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "app/panel/controller/parameter.h"
-#include "app/program/program_change.h"
+#include "app/program/change_price.h"
 #include "app/program/program_image.h"
 
 #include <QObject>
@@ -27,8 +27,12 @@ public:
     // controller that does not have them.
     void update(const program::ProgramImage* wanted);
 
-    // Returns what the running machine will do, without a forecast that it changes with the next cycle.
+    // Returns what the running machine will do and what that costs, without a forecast that it changes with
+    // the next cycle.
     [[nodiscard]] QString text() const;
+    // Returns what the change costs; empty without a packing line.
+    [[nodiscard]] const std::optional<program::ChangePrice>& price() const { return m_price; }
+    [[nodiscard]] double bagLengthMm() const { return m_bagLengthMm; }
     // Returns the reason why the running machine cannot change; empty when it can or without a forecast.
     [[nodiscard]] QString refusal() const;
 
@@ -37,11 +41,14 @@ signals:
 
 private:
     [[nodiscard]] std::optional<program::ChangeParameters> parameters() const;
+    [[nodiscard]] program::PriceParameters priceParameters() const;
 
     Controller& m_controller;
     std::vector<Parameter*> m_parameters;
     bool m_isKnown = false;
     std::optional<program::ProgramChange> m_change; // known and empty: the steps cannot be kept
+    std::optional<program::ChangePrice> m_price;    // of a packing line
+    double m_bagLengthMm = 0;                       // of the wanted program
     double m_rateBagsPerMin = 0;                    // of the wanted program; 0: it has no bags
 };
 

@@ -72,13 +72,43 @@ QString ControllerSentences::undisturbedChange(const program::ProgramChange& cha
     if (change.shareBefore >= noSlower && change.shareBehind >= noSlower)
         return tr("The machine keeps running; the new recipe starts with the next cycle.");
     if (change.shareBefore >= noSlower)
-        return hasBags ? tr("The film keeps its speed; %1 bags/min after %2.").arg(rate, time)
-                       : tr("The master keeps its speed; full speed after %1.").arg(time);
+        return hasBags ? tr("No slowing down. Speeds up to %1 bags/min within %2.").arg(rate, time)
+                       : tr("No slowing down. Speeds up to full speed within %1.").arg(time);
     const QString percent = format.number(100 * change.shareBefore, change.shareBefore < 0.1 ? 1 : 0);
     const QString count = QString::number(std::max(1L, std::lround(change.cycles)));
     return hasBags
                ? tr("Slows down to %1 % (bags: %2, %3), then %4 bags/min.").arg(percent, count, time, rate)
                : tr("Slows down to %1 % (cycles: %2, %3), then full speed.").arg(percent, count, time);
+}
+
+QString ControllerSentences::scrapRange(const program::ChangePrice& price)
+{
+    const QString most = QString::number(price.maxScrap);
+    return price.minScrap == price.maxScrap
+               ? most
+               : tr("%1 to %2", "numbers of bags").arg(QString::number(price.minScrap), most);
+}
+
+QString ControllerSentences::changePrice(const program::ChangePrice& price)
+{
+    const Format format;
+    const QString scrap = tr("Scrap bags: %1; the first good bag within %2 s.")
+                              .arg(scrapRange(price), format.number(price.maxSeconds, 1));
+    if (price.maxSkipped == 0)
+        return scrap;
+    return tr("%1 Skipped cuts: up to %2, longest bag %3 mm.", "%1: whole sentence")
+        .arg(scrap, QString::number(price.maxSkipped), format.number(price.longestBagMm, 0));
+}
+
+QString ControllerSentences::changeUnderWay(const program::ChangePrice& price, double bagLengthMm)
+{
+    const Format format;
+    const QString length = format.compact(bagLengthMm, 0, 1);
+    const QString seconds = format.number(price.maxSeconds, 0);
+    return price.maxSkipped == 0
+               ? tr("Changing to %1 mm: scrap bags %2, up to %3 s").arg(length, scrapRange(price), seconds)
+               : tr("Changing to %1 mm: scrap bags %2, long bag %4 mm, up to %3 s")
+                     .arg(length, scrapRange(price), seconds, format.number(price.longestBagMm, 0));
 }
 
 QString ControllerSentences::transferResult(const modbus::TransferAnswer& answer)

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "app/link/link_values.h"
-#include "app/program/program_change.h"
+#include "app/program/change_price.h"
 
 #include <QCoreApplication>
 #include <QStringList>
@@ -34,9 +34,13 @@ public:
     [[nodiscard]] static QString refusal(modbus::Refusal reason);
     // Returns what a running machine does at a change of program; rate 0: the program has no bags.
     [[nodiscard]] static QString programChange(const program::ProgramChange& change, double rateBagsPerMin);
+    // Returns what such a change costs, and what Run says of it while it happens.
+    [[nodiscard]] static QString changePrice(const program::ChangePrice& price);
+    [[nodiscard]] static QString changeUnderWay(const program::ChangePrice& price, double bagLengthMm);
     [[nodiscard]] static QString transferResult(const modbus::TransferAnswer& answer);
 
 private:
+    [[nodiscard]] static QString scrapRange(const program::ChangePrice& price);
     [[nodiscard]] static QString textOf(const modbus::EnumValue* row);
     // Returns the same where no product waits under a cut.
     [[nodiscard]] static QString undisturbedChange(const program::ProgramChange& change,

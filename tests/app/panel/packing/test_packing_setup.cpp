@@ -165,13 +165,19 @@ private slots:
         rig.answerParameters();
         QCOMPARE(download.text(),
                  "Slows down to 24 % (bags: 1, at least 1.2 s), then 60.0 bags/min. A product under the "
-                 "first cut adds 2.9 s.");
+                 "first cut adds 2.9 s. Scrap bags: 2 to 10; the first good bag within 16.2 s.");
         rig.machine.parameter("parameter.anti_cut").write(0, {});
         rig.answerParameters();
-        QCOMPARE(download.text(), "Slows down to 24 % (bags: 1, 1.2 s), then 60.0 bags/min.");
+        QCOMPARE(
+            download.text(),
+            "Slows down to 24 % (bags: 1, 1.2 s), then 60.0 bags/min. Scrap bags: 2 to 10; the first good "
+            "bag within 13.2 s.");
         rig.editor.bagLength()->set(250);
         rig.editor.rate()->set(120);
-        QCOMPARE(download.text(), "The film keeps its speed; 120.0 bags/min after 0.4 s.");
+        QCOMPARE(
+            download.text(),
+            "No slowing down. Speeds up to 120.0 bags/min within 0.4 s. Scrap bags: 1; the first good bag "
+            "within 2.4 s.");
         QVERIFY(download.canDownload());
 
         // A step that no share of full speed keeps.
@@ -179,7 +185,10 @@ private slots:
         rig.answerParameters();
         rig.editor.rate()->set(60);
         rig.editor.bagLength()->set(460);
-        QCOMPARE(download.text(), "Slows down to 0.1 % (bags: 1, 1.6 s), then 60.0 bags/min.");
+        QCOMPARE(
+            download.text(),
+            "Slows down to 0.1 % (bags: 1, 1.6 s), then 60.0 bags/min. Scrap bags: 2 to 10; the first good "
+            "bag within 13.6 s.");
         rig.machine.parameter("parameter.flight_pulses").write(10e6, {});
         rig.answerParameters();
         QVERIFY(!download.canDownload());
