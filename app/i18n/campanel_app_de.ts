@@ -6111,16 +6111,16 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
         <translation>Folienmotor: Pulse je Umdrehung</translation>
     </message>
     <message>
-        <source>%1 · suggestion after %2 tracked bags, %3 so far</source>
-        <translation>%1 · Vorschlag nach %2 gefolgten Beuteln, bisher %3</translation>
-    </message>
-    <message>
-        <source>%1 · film slip %2 mm per bag, sensor std dev %3 mm (%4 bags)</source>
-        <translation>%1 · Folienschlupf %2 mm je Beutel, Sensor-Std.-abw. %3 mm (%4 Beutel)</translation>
-    </message>
-    <message>
         <source>%1 · no suggestion: the mark positions do not vary (%2 bags)</source>
         <translation>%1 · kein Vorschlag: die Marken schwanken nicht (%2 Beutel)</translation>
+    </message>
+    <message>
+        <source>%1 · margin ±%5: film slip %2 mm per bag, sensor std dev %3 mm (%4 bags)</source>
+        <translation>%1 · Spanne ±%5: Folienschlupf %2 mm je Beutel, Sensor-Std.-abw. %3 mm (%4 Beutel)</translation>
+    </message>
+    <message>
+        <source>%1 · too few bags for a suggestion, still needed: %2</source>
+        <translation>%1 · zu wenige Beutel für einen Vorschlag, noch nötig: %2</translation>
     </message>
 </context>
 <context>

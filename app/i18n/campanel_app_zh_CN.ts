@@ -6109,16 +6109,16 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
         <translation>薄膜电机：每转脉冲数</translation>
     </message>
     <message>
-        <source>%1 · suggestion after %2 tracked bags, %3 so far</source>
-        <translation>%1 · 跟踪色标 %2 袋后给出建议，目前 %3 袋</translation>
-    </message>
-    <message>
-        <source>%1 · film slip %2 mm per bag, sensor std dev %3 mm (%4 bags)</source>
-        <translation>%1 · 薄膜每袋打滑 %2 mm，传感器标准差 %3 mm（%4 袋）</translation>
-    </message>
-    <message>
         <source>%1 · no suggestion: the mark positions do not vary (%2 bags)</source>
         <translation>%1 · 无建议：色标位置没有变化（%2 袋）</translation>
+    </message>
+    <message>
+        <source>%1 · margin ±%5: film slip %2 mm per bag, sensor std dev %3 mm (%4 bags)</source>
+        <translation>%1 · 误差 ±%5：薄膜每袋打滑 %2 mm，传感器标准差 %3 mm（%4 袋）</translation>
+    </message>
+    <message>
+        <source>%1 · too few bags for a suggestion, still needed: %2</source>
+        <translation>%1 · 袋数不足，无法给出建议，还需 %2 袋</translation>
     </message>
 </context>
 <context>

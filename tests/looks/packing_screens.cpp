@@ -65,7 +65,7 @@ void showSuggestions(TestWindow& window)
 {
     constexpr std::array errorsUm{60, -40, 20, 90, -70, 10, -30, 80, -20, -50, 40};
     Packer packer = following();
-    for (int mark = 0; mark < 80; ++mark) {
+    for (int mark = 0; mark < 180; ++mark) {
         packer.set("packer.marks", mark);
         packer.set("packer.last_mark", errorsUm[static_cast<std::size_t>(mark) % errorsUm.size()] / 1000.0);
         packer.set("packer.mark_pitch", 250.3);

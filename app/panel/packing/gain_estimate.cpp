@@ -6,7 +6,8 @@
 // d_i = s_i + n_i - n_(i-1), are a moving average of the filter's own innovations, d_i = e_i - (1 - K)
 // e_(i-1) with variance S = P + r; so K is the one that leaves the smallest sum of e^2 (maximum likelihood).
 // From var d = q + 2 r and the covariance -r of neighbors the same K follows, but with twice its scatter at
-// 100 bags. Backwards: q = K^2 S, r = (1 - K) S.
+// 100 bags. Backwards: q = K^2 S, r = (1 - K) S. With n distances K itself scatters by sqrt((1 - (1 - K)^2) /
+// n) (G. E. P. Box, G. M. Jenkins, Time Series Analysis, 1970).
 #include "app/panel/packing/gain_estimate.h"
 
 #include <algorithm>
@@ -22,6 +23,8 @@ constexpr double maxPhaseGain = 0.6;
 constexpr double minLengthGain = 0.02;
 constexpr double maxLengthGain = 0.2;
 constexpr double gainStep = 0.01;
+constexpr int fewestBags = 50; // below, no margin means anything
+constexpr double maxMarginShare = 0.1;
 // The number of distances that lie along a straight line: the film's stretch changes slowly.
 constexpr std::size_t longestRun = 100;
 constexpr std::size_t shortestRun = 10;
@@ -95,7 +98,7 @@ int GainEstimate::bags() const
 
 std::optional<GainSuggestion> GainEstimate::suggestion() const
 {
-    if (bags() < minBags)
+    if (bags() < fewestBags)
         return std::nullopt;
     std::vector<std::vector<double>> runs;
     for (const Run& run : m_runs) {
@@ -117,6 +120,9 @@ std::optional<GainSuggestion> GainEstimate::suggestion() const
     if (variance < minScatterMm * minScatterMm)
         return std::nullopt;
     GainSuggestion suggestion;
+    suggestion.margin = std::sqrt((1.0 - (1.0 - best) * (1.0 - best)) / bags());
+    if (bags() < minBags && suggestion.margin > maxMarginShare * best)
+        return std::nullopt;
     suggestion.slipMm = best * std::sqrt(variance);
     suggestion.sensorMm = std::sqrt((1.0 - best) * variance);
     suggestion.phaseGain = std::clamp(best, minPhaseGain, maxPhaseGain);

@@ -21,6 +21,7 @@ struct MarkSample {
 
 struct GainSuggestion {
     double phaseGain = 0.0;
+    double margin = 0.0; // standard deviation of the phase gain
     double lengthGain = 0.0;
     double slipMm = 0.0;   // standard deviation of the film per bag
     double sensorMm = 0.0; // standard deviation of the sensor per mark
@@ -28,7 +29,9 @@ struct GainSuggestion {
 
 class GainEstimate {
 public:
-    static constexpr int minBags = 50;
+    // From here on the gain scatters by less than a technician would notice; fewer do when its margin is a
+    // tenth of it.
+    static constexpr int minBags = 150;
     static constexpr int maxBags = 400;
 
     // Adds a mark; call it for every mark. Distances next to a missing mark are ignored. `phaseGain`: the
@@ -37,7 +40,7 @@ public:
     void clear() { *this = {}; }
     // Returns the number of distances that count.
     [[nodiscard]] int bags() const;
-    // Returns nothing before there are minBags, or when the marks do not scatter.
+    // Returns nothing while too few bags count, or when the marks do not scatter.
     [[nodiscard]] std::optional<GainSuggestion> suggestion() const;
 
 private:

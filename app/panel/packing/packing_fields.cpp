@@ -106,12 +106,12 @@ QString PackingFields::note(const Field& field) const
         return tr("%1 · no suggestion: the mark positions do not vary (%2 bags)")
             .arg(range(field), QString::number(m_bags));
     if (!m_gains)
-        return tr("%1 · suggestion after %2 tracked bags, %3 so far")
-            .arg(range(field), QString::number(GainEstimate::minBags), QString::number(m_bags));
+        return tr("%1 · too few bags for a suggestion, still needed: %2")
+            .arg(range(field), QString::number(GainEstimate::minBags - m_bags));
     const Format format;
-    return tr("%1 · film slip %2 mm per bag, sensor std dev %3 mm (%4 bags)")
+    return tr("%1 · margin ±%5: film slip %2 mm per bag, sensor std dev %3 mm (%4 bags)")
         .arg(range(field), format.number(m_gains->slipMm, 3), format.number(m_gains->sensorMm, 3),
-             QString::number(m_bags));
+             QString::number(m_bags), format.number(m_gains->margin, 2));
 }
 
 } // namespace campanel::panel

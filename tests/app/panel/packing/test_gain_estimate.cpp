@@ -134,14 +134,35 @@ private slots:
         QCOMPARE(calm->lengthGain, 0.02);
     }
 
-    void fiftyBagsAreNeeded()
+    void enoughBagsAreNeeded()
     {
-        const GainEstimate few = follow({0.03, 0.05}, 51, 0.25, 3); // two to find the marks, one to start
-        QCOMPARE(few.bags(), 49);
+        const GainEstimate few = follow({0.03, 0.05}, 151, 0.25, 3); // two to find the marks, one to start
+        QCOMPARE(few.bags(), 149);
         QVERIFY(!few.suggestion());
-        const GainEstimate enough = follow({0.03, 0.05}, 52, 0.25, 3);
-        QCOMPARE(enough.bags(), 50);
+        const GainEstimate enough = follow({0.03, 0.05}, 152, 0.25, 3);
+        QCOMPARE(enough.bags(), 150);
         QVERIFY(enough.suggestion());
+        // Slip alone is certain earlier.
+        const GainEstimate certain = follow({0.1, 0.001}, 122, 0.25, 3);
+        QCOMPARE(certain.bags(), 120);
+        const auto suggestion = certain.suggestion();
+        QVERIFY(suggestion);
+        QVERIFY(suggestion->margin <= 0.1);
+    }
+
+    // A film that does not change gets the same suggestion at each number of bags, within its margin.
+    void theMarginIsTheScatter()
+    {
+        constexpr int films = 60;
+        int within = 0;
+        for (unsigned seed = 1; seed <= films; ++seed) {
+            const auto suggestion = follow({0.03, 0.05}, 200, 0.25, seed).suggestion();
+            QVERIFY(suggestion);
+            within +=
+                std::abs(suggestion->phaseGain - bestGain(0.03, 0.05)) <= 2 * suggestion->margin ? 1 : 0;
+        }
+        qInfo("%d of %d within two margins", within, films);
+        QVERIFY(within >= 0.85 * films);
     }
 
     void marksThatWereNotToldAreLeftOut()
