@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A touch area over the derived numbers of a card: a held finger opens their explanation.
+// A touch area over the numbers of a card: a held finger opens their explanation, and a tap the keypad of the recipe's
+// number behind them, with its download.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme
@@ -9,15 +10,18 @@ MouseArea {
 
     property var quantities: []            // list of Explanations.Quantity
     property var explained: () => area.quantities // those at this moment
+    property string field                  // name of the recipe's number; empty: a tap does nothing
 
     Accessible.role: Accessible.Button
     Accessible.name: qsTr("How this is calculated")
 
     anchors.fill: parent
     pressAndHoldInterval: Theme.longPressTime
+    onClicked: if (area.field.length > 0) change.begin(area.field, area)
     onPressAndHold: {
         const quantities = area.explained()
         if (quantities.length > 0)
             Frame.open("Explain/NumbersSheet", { quantities: quantities })
     }
+    ProgramChange { id: change }
 }

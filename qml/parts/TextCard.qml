@@ -13,6 +13,7 @@ Card {
     required property string caption
     property color captionColor: Theme.color.secondaryInk
     property var quantities: []            // the quantity of the text, of Explanations; empty: no explanation
+    property string field                  // the recipe's number that a tap changes; empty: none
 
     Readout {
         anchors { left: parent.left; right: parent.right; verticalCenter: parent.verticalCenter; leftMargin: Theme.size.padding; rightMargin: Theme.size.padding; verticalCenterOffset: -Theme.size.padding }
@@ -27,8 +28,16 @@ Card {
         fontSizeMode: Text.HorizontalFit
         minimumPixelSize: Theme.size.caption - 3
     }
+    IconLabel {
+        visible: card.field.length > 0
+        anchors { right: parent.right; top: parent.top; margins: Theme.size.spacing }
+        code: Theme.icon.edit
+        color: Theme.color.touch
+        font.pixelSize: Theme.size.body
+    }
     Explained {
         enabled: card.quantities.length > 0
         quantities: card.quantities
+        field: card.field
     }
 }

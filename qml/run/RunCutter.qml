@@ -23,6 +23,7 @@ Item {
         anchors { left: dial.right; leftMargin: view.gap }
         width: Math.round((view.width - dial.width - 2 * view.gap) * 0.37)
         height: (view.upper - view.gap) / 2
+        field: "rate_bags_per_min"
         value: Controller.live.rateBagsPerMin
         decimals: 1
         caption: isNaN(Controller.live.sealTimeMs) ? qsTr("bags/min")

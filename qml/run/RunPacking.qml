@@ -17,6 +17,7 @@ Item {
     NumberCard {
         id: rate
         objectName: "packingRate"
+        field: "rate_bags_per_min"
         width: Math.round((view.width - view.gap) * 0.32)
         height: Math.round(view.room * 0.3)
         value: Controller.live.rateBagsPerMin
