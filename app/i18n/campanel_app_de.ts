@@ -3768,6 +3768,93 @@ eff. %2</translation>
     </message>
 </context>
 <context>
+    <name>RunSentences</name>
+    <message>
+        <source>Reading the program of the controller …</source>
+        <translation>Liest das Programm der Steuerung …</translation>
+    </message>
+    <message>
+        <source>The controller has lost its program: the program was not saved before the restart. Download again.</source>
+        <translation>Die Steuerung hat ihr Programm verloren: Es war vor dem Neustart nicht gespeichert. Erneut laden.</translation>
+    </message>
+    <message>
+        <source>The controller has no program yet. Download one on the Motion page.</source>
+        <translation>Die Steuerung hat noch kein Programm. Auf der Seite Bewegung eines laden.</translation>
+    </message>
+    <message>
+        <source>No connection. New bags are not shown.</source>
+        <translation>Keine Verbindung. Neue Beutel werden nicht angezeigt.</translation>
+    </message>
+    <message>
+        <source>Searching for marks: the bags are scrap</source>
+        <translation>Sucht Druckmarken: Die Beutel sind Ausschuss</translation>
+    </message>
+    <message>
+        <source>Aligning with the marks: the bags are scrap</source>
+        <translation>Richtet an den Marken aus: Die Beutel sind Ausschuss</translation>
+    </message>
+    <message>
+        <source>Running; first bag not measured yet</source>
+        <translation>Läuft; erster Beutel noch nicht gemessen</translation>
+    </message>
+    <message>
+        <source>No bag measured yet. Press Start.</source>
+        <translation>Noch kein Beutel gemessen. Start drücken.</translation>
+    </message>
+    <message>
+        <source>No bag measured yet.</source>
+        <translation>Noch kein Beutel gemessen.</translation>
+    </message>
+    <message>
+        <source>Mark tracking off</source>
+        <translation>Markenregelung aus</translation>
+    </message>
+    <message>
+        <source>Marks not searched for yet</source>
+        <translation>Druckmarken noch nicht gesucht</translation>
+    </message>
+    <message>
+        <source>Searching for marks</source>
+        <translation>Sucht Druckmarken</translation>
+    </message>
+    <message>
+        <source>No marks found</source>
+        <translation>Keine Druckmarken gefunden</translation>
+    </message>
+    <message>
+        <source>Tracking marks</source>
+        <translation>Folgt den Druckmarken</translation>
+    </message>
+    <message>
+        <source>Changing to the new program</source>
+        <translation>Wechselt auf das neue Programm</translation>
+    </message>
+    <message>
+        <source>Film waits for a product</source>
+        <translation>Folie wartet auf ein Produkt</translation>
+    </message>
+    <message>
+        <source>Knife stays open: product in its path</source>
+        <translation>Messer bleibt offen: Produkt im Weg</translation>
+    </message>
+    <message>
+        <source>No stroke yet. Press Start.</source>
+        <translation>Noch kein Hub. Start drücken.</translation>
+    </message>
+    <message>
+        <source>No stroke yet.</source>
+        <translation>Noch kein Hub.</translation>
+    </message>
+    <message>
+        <source>Aligning cuts with marks</source>
+        <translation>Richtet Schnitte an Marken aus</translation>
+    </message>
+    <message>
+        <source>Cuts not aligned with marks yet</source>
+        <translation>Schnitte noch nicht ausgerichtet</translation>
+    </message>
+</context>
+<context>
     <name>SegmentSentences</name>
     <message>
         <source>%1 %2</source>
@@ -6121,17 +6208,6 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
     <message>
         <source>%1 · too few bags for a suggestion, still needed: %2</source>
         <translation>%1 · zu wenige Beutel für einen Vorschlag, noch nötig: %2</translation>
-    </message>
-</context>
-<context>
-    <name>campanel::panel::PackingLine</name>
-    <message>
-        <source>Film waits for a product</source>
-        <translation>Folie wartet auf ein Produkt</translation>
-    </message>
-    <message>
-        <source>Knife stays open: product in its path</source>
-        <translation>Messer bleibt offen: Produkt im Weg</translation>
     </message>
 </context>
 <context>

@@ -3766,6 +3766,93 @@ RMS %2</source>
     </message>
 </context>
 <context>
+    <name>RunSentences</name>
+    <message>
+        <source>Reading the program of the controller …</source>
+        <translation>正在读取控制器中的程序…</translation>
+    </message>
+    <message>
+        <source>The controller has lost its program: the program was not saved before the restart. Download again.</source>
+        <translation>控制器丢失了程序：重启前未保存。请重新下载。</translation>
+    </message>
+    <message>
+        <source>The controller has no program yet. Download one on the Motion page.</source>
+        <translation>控制器中还没有程序。请在“运动”页面下载。</translation>
+    </message>
+    <message>
+        <source>No connection. New bags are not shown.</source>
+        <translation>无连接。新袋不会显示。</translation>
+    </message>
+    <message>
+        <source>Searching for marks: the bags are scrap</source>
+        <translation>正在寻找色标：袋为废袋</translation>
+    </message>
+    <message>
+        <source>Aligning with the marks: the bags are scrap</source>
+        <translation>正在对准色标：袋为废袋</translation>
+    </message>
+    <message>
+        <source>Running; first bag not measured yet</source>
+        <translation>正在运行；尚未测得第一袋</translation>
+    </message>
+    <message>
+        <source>No bag measured yet. Press Start.</source>
+        <translation>尚未测得袋长。请按“启动”。</translation>
+    </message>
+    <message>
+        <source>No bag measured yet.</source>
+        <translation>尚未测得袋长。</translation>
+    </message>
+    <message>
+        <source>Mark tracking off</source>
+        <translation>色标跟踪关闭</translation>
+    </message>
+    <message>
+        <source>Marks not searched for yet</source>
+        <translation>尚未寻找色标</translation>
+    </message>
+    <message>
+        <source>Searching for marks</source>
+        <translation>正在寻找色标</translation>
+    </message>
+    <message>
+        <source>No marks found</source>
+        <translation>未找到色标</translation>
+    </message>
+    <message>
+        <source>Tracking marks</source>
+        <translation>正在跟踪色标</translation>
+    </message>
+    <message>
+        <source>Changing to the new program</source>
+        <translation>正在改为新程序</translation>
+    </message>
+    <message>
+        <source>Film waits for a product</source>
+        <translation>薄膜等待产品</translation>
+    </message>
+    <message>
+        <source>Knife stays open: product in its path</source>
+        <translation>切刀保持张开：产品挡住切刀</translation>
+    </message>
+    <message>
+        <source>No stroke yet. Press Start.</source>
+        <translation>尚无行程。请按“启动”。</translation>
+    </message>
+    <message>
+        <source>No stroke yet.</source>
+        <translation>尚无行程。</translation>
+    </message>
+    <message>
+        <source>Aligning cuts with marks</source>
+        <translation>正在将切断对准色标</translation>
+    </message>
+    <message>
+        <source>Cuts not aligned with marks yet</source>
+        <translation>切断尚未对准色标</translation>
+    </message>
+</context>
+<context>
     <name>SegmentSentences</name>
     <message>
         <source>%1 %2</source>
@@ -6119,17 +6206,6 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
     <message>
         <source>%1 · too few bags for a suggestion, still needed: %2</source>
         <translation>%1 · 袋数不足，无法给出建议，还需 %2 袋</translation>
-    </message>
-</context>
-<context>
-    <name>campanel::panel::PackingLine</name>
-    <message>
-        <source>Film waits for a product</source>
-        <translation>薄膜等待产品</translation>
-    </message>
-    <message>
-        <source>Knife stays open: product in its path</source>
-        <translation>切刀保持张开：产品挡住切刀</translation>
     </message>
 </context>
 <context>

@@ -62,8 +62,11 @@ BagChart::Points BagChart::points() const
     const qsizetype first = std::max<qsizetype>(0, m_values.size() - capacity);
     const qsizetype offset = capacity - (m_values.size() - first);
     for (qsizetype i = first; i < m_values.size(); ++i) {
-        if (std::isfinite(m_values[i])) {
-            const QPointF point(static_cast<double>(offset + i - first), m_values[i]);
+        const auto x = static_cast<double>(offset + i - first);
+        if (std::isnan(m_values[i])) {
+            points.gaps << x;
+        } else if (std::isfinite(m_values[i])) {
+            const QPointF point(x, m_values[i]);
             (std::abs(m_values[i]) > m_tolerance ? points.bad : points.good).append(point);
         }
     }
@@ -102,6 +105,9 @@ void BagChart::paint(QPainter* painter)
 
     paintMean(*painter, valueMap);
     paintLines(*painter, valueMap);
+    painter->setPen(QPen(m_gridColor, 1, Qt::DotLine));
+    for (const double gap : all.gaps)
+        painter->drawLine(QPointF(indexMap.transform(gap), 0), QPointF(indexMap.transform(gap), height()));
     painter->setRenderHint(QPainter::Antialiasing);
     const auto symbol = [this](QwtSymbol::Style style, const QColor& color, double size) {
         return std::make_unique<QwtSymbol>(style, m_stale ? m_staleColor : color, QPen(Qt::NoPen),

@@ -18,7 +18,7 @@ namespace campanel::plot {
 class BagChart : public QQuickPaintedItem {
     Q_OBJECT
     QML_ELEMENT
-    // The deviations in mm, oldest first; NaN leaves a gap. Only the newest 60 are drawn.
+    // The deviations in mm, oldest first; NaN leaves a gap with a line. Only the newest 60 are drawn.
     Q_PROPERTY(QList<double> values MEMBER m_values NOTIFY valuesChanged FINAL)
     // The tolerance, +- mm around zero; NaN: no lines.
     Q_PROPERTY(double tolerance READ tolerance WRITE setTolerance NOTIFY toleranceChanged FINAL)
@@ -50,7 +50,8 @@ signals:
 private:
     struct Points {
         QPolygonF good;
-        QPolygonF bad; // outside the tolerance
+        QPolygonF bad;      // outside the tolerance
+        QList<double> gaps; // their places
     };
 
     void updateAll() { update(boundingRect().toAlignedRect()); }

@@ -12,6 +12,7 @@ Item {
     property bool stale
     readonly property bool known: text !== Theme.unknownText
     property int pixelSize: Theme.size.hero
+    property color ink: Theme.color.ink
 
     implicitWidth: number.implicitWidth + (unit.length > 0 ? suffix.implicitWidth + Theme.size.spacing : 0)
     implicitHeight: number.implicitHeight
@@ -24,7 +25,7 @@ Item {
         fontSizeMode: Text.HorizontalFit
         minimumPixelSize: Theme.size.body
         font { pixelSize: readout.pixelSize; bold: true }
-        color: readout.stale ? Theme.color.disabledInk : Theme.color.ink
+        color: readout.stale ? Theme.color.disabledInk : readout.ink
     }
     Label {
         id: suffix

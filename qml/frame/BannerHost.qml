@@ -17,10 +17,12 @@ Item {
     property string answerBelow            // the sentence on the page when something opened above it
     property string putAside
 
-    // A link needs some time to connect; only a longer failure causes a banner.
+    // A link needs some time to connect, and a bad plug has gaps; only a longer failure causes a banner, which takes room
+    // from the page. The top bar shows each of them at once.
     readonly property bool isComing: Controller.connection === Controller.Connection.Searching
         || Controller.connection === Controller.Connection.Connecting
-    readonly property bool isTrouble: isComing ? patience.over : Controller.connection !== Controller.Connection.Connected
+    readonly property bool isGap: Controller.connection === Controller.Connection.Lost && Controller.ageMs < patience.interval
+    readonly property bool isTrouble: isComing ? patience.over : !isGap && Controller.connection !== Controller.Connection.Connected
     readonly property string linkTrouble: isTrouble ? Controller.connectionText : ""
     readonly property var alarms: Controller.alarmTexts
     readonly property string alarm: alarms.length > 0 ? alarms.join("\n") : linkTrouble

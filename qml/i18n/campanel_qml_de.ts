@@ -313,16 +313,16 @@
         <translation>Std.-abw. %1</translation>
     </message>
     <message>
-        <source>No bag measured yet. Press Start.</source>
-        <translation>Noch kein Beutel gemessen. Start drücken.</translation>
-    </message>
-    <message>
         <source>tolerance ±%1 mm</source>
         <translation>Toleranz ±%1 mm</translation>
     </message>
     <message>
         <source>last %1</source>
         <translation>zuletzt %1</translation>
+    </message>
+    <message>
+        <source>Scrap bag</source>
+        <translation>Ausschussbeutel</translation>
     </message>
 </context>
 <context>
@@ -340,10 +340,6 @@
         <translation>Mittel %1, Std.-abw. %2</translation>
     </message>
     <message>
-        <source>No bag measured yet. Press Start.</source>
-        <translation>Noch kein Beutel gemessen. Start drücken.</translation>
-    </message>
-    <message>
         <source>±%1 mm</source>
         <translation>±%1 mm</translation>
     </message>
@@ -354,6 +350,10 @@
     <message>
         <source>%1 of %2 within</source>
         <translation>%1 von %2 innerhalb</translation>
+    </message>
+    <message>
+        <source>Scrap bag</source>
+        <translation>Ausschussbeutel</translation>
     </message>
 </context>
 <context>
@@ -1118,10 +1118,6 @@ Und %2 weitere.</translation>
     <message>
         <source>Force N over position</source>
         <translation>Kraft N über Position</translation>
-    </message>
-    <message>
-        <source>No stroke yet. Press Start.</source>
-        <translation>Noch kein Hub. Start drücken.</translation>
     </message>
     <message>
         <source>at the stop: %1 mm, %2 to %3 N</source>
@@ -2738,12 +2734,16 @@ Und %2 weitere.</translation>
 <context>
     <name>RunEmpty</name>
     <message>
-        <source>The controller has no program yet. Download one on the Motion page.</source>
-        <translation>Die Steuerung hat noch kein Programm. Auf der Seite Bewegung eines laden.</translation>
-    </message>
-    <message>
         <source>Open Motion</source>
         <translation>Bewegung öffnen</translation>
+    </message>
+    <message>
+        <source>Download %1, edited</source>
+        <translation>%1 laden, bearbeitet</translation>
+    </message>
+    <message>
+        <source>Download %1 v%2</source>
+        <translation>%1 v%2 laden</translation>
     </message>
 </context>
 <context>

@@ -313,16 +313,16 @@
         <translation>标准差 %1</translation>
     </message>
     <message>
-        <source>No bag measured yet. Press Start.</source>
-        <translation>尚未测得袋长。请按“启动”。</translation>
-    </message>
-    <message>
         <source>tolerance ±%1 mm</source>
         <translation>公差 ±%1 mm</translation>
     </message>
     <message>
         <source>last %1</source>
         <translation>最近 %1</translation>
+    </message>
+    <message>
+        <source>Scrap bag</source>
+        <translation>废袋</translation>
     </message>
 </context>
 <context>
@@ -340,10 +340,6 @@
         <translation>平均 %1，标准差 %2</translation>
     </message>
     <message>
-        <source>No bag measured yet. Press Start.</source>
-        <translation>尚未测得袋长。请按“启动”。</translation>
-    </message>
-    <message>
         <source>±%1 mm</source>
         <translation>±%1 mm</translation>
     </message>
@@ -354,6 +350,10 @@
     <message>
         <source>%1 of %2 within</source>
         <translation>%2 袋中 %1 袋合格</translation>
+    </message>
+    <message>
+        <source>Scrap bag</source>
+        <translation>废袋</translation>
     </message>
 </context>
 <context>
@@ -1118,10 +1118,6 @@ And %2 more.</source>
     <message>
         <source>Force N over position</source>
         <translation>力（N）随位置的变化</translation>
-    </message>
-    <message>
-        <source>No stroke yet. Press Start.</source>
-        <translation>尚无行程。请按“启动”。</translation>
     </message>
     <message>
         <source>at the stop: %1 mm, %2 to %3 N</source>
@@ -2738,12 +2734,16 @@ And %2 more.</source>
 <context>
     <name>RunEmpty</name>
     <message>
-        <source>The controller has no program yet. Download one on the Motion page.</source>
-        <translation>控制器中还没有程序。请在“运动”页面下载。</translation>
-    </message>
-    <message>
         <source>Open Motion</source>
         <translation>打开“运动”</translation>
+    </message>
+    <message>
+        <source>Download %1, edited</source>
+        <translation>下载 %1（已编辑）</translation>
+    </message>
+    <message>
+        <source>Download %1 v%2</source>
+        <translation>下载 %1 v%2</translation>
     </message>
 </context>
 <context>

@@ -11,17 +11,30 @@ import CamPanel.Plot
 Card {
     id: card
 
-    readonly property bool measured: !isNaN(Controller.bags.lengthMm)
+    readonly property bool measured: Controller.bags.counted > 0
+    readonly property bool scrap: Controller.bags.isScrap
     readonly property color figureColor: Controller.fresh ? Theme.color.secondaryInk : Theme.color.disabledInk
 
     Label {
         id: caption
         anchors { left: parent.left; top: parent.top; leftMargin: Theme.size.padding; topMargin: Theme.size.spacing }
-        text: qsTr("Bag length")
-        color: Theme.color.secondaryInk
+        text: card.scrap ? qsTr("Scrap bag") : qsTr("Bag length")
+        color: !Controller.fresh ? Theme.color.disabledInk : card.scrap ? Theme.color.warning : Theme.color.secondaryInk
+    }
+    IconLabel {
+        anchors { right: parent.right; top: parent.top; margins: Theme.size.spacing }
+        code: Theme.icon.edit
+        color: Theme.color.touch
+        font.pixelSize: Theme.size.body
+    }
+    Hatch {
+        visible: card.scrap
+        anchors.fill: number
+        color: Theme.color.warning
     }
     Readout {
         id: number
+        ink: card.scrap ? Theme.color.warning : Theme.color.ink
         anchors { left: caption.left; top: caption.bottom; right: figures.left; rightMargin: Theme.size.padding; topMargin: -Theme.size.accent }
         text: Theme.number(Controller.bags.lengthMm, 1)
         unit: "mm"
@@ -65,7 +78,7 @@ Card {
         width: chart.width - 2 * Theme.size.padding
         horizontalAlignment: Text.AlignHCenter
         wrapMode: Text.WordWrap
-        text: qsTr("No bag measured yet. Press Start.")
+        text: Controller.run.bags
         color: Theme.color.secondaryInk
         font.pixelSize: Theme.size.caption
     }
@@ -92,6 +105,7 @@ Card {
     }
     Explained {
         objectName: "bagNumbers"
+        field: "bag_length_mm"
         Accessible.name: qsTr("Bag length")
         quantities: [Explanations.BagMean, Explanations.BagScatter, Explanations.BagDeviation]
     }

@@ -12,9 +12,9 @@ import CamPanel.Plot
 Card {
     id: card
 
-    readonly property bool measured: !isNaN(Controller.bags.meanMm)
+    readonly property bool measured: Controller.bags.counted > 0
+    readonly property bool scrap: Controller.bags.isScrap
     readonly property color figureColor: Controller.fresh ? Theme.color.secondaryInk : Theme.color.disabledInk
-    readonly property var deviations: Controller.bags.series
 
     Item {
         id: last
@@ -23,15 +23,30 @@ Card {
         Label {
             id: caption
             objectName: "bagCaption"
-            width: parent.width
+            width: parent.width - pencil.width
             fontSizeMode: Text.HorizontalFit
             minimumPixelSize: Theme.size.caption - 2
             font.pixelSize: Theme.size.caption
-            text: Controller.bags.lengths > 1 ? qsTr("Bag of %1 lengths, skipped cut").arg(Controller.bags.lengths) : qsTr("Bag length")
-            color: !Controller.fresh ? Theme.color.disabledInk : Controller.bags.lengths > 1 ? Theme.color.warning : Theme.color.secondaryInk
+            text: card.scrap ? qsTr("Scrap bag") : Controller.bags.lengths > 1 ? qsTr("Bag of %1 lengths, skipped cut").arg(Controller.bags.lengths) : qsTr("Bag length")
+            color: !Controller.fresh ? Theme.color.disabledInk : card.scrap || Controller.bags.lengths > 1 ? Theme.color.warning : Theme.color.secondaryInk
+        }
+        IconLabel {
+            id: pencil
+            anchors { right: parent.right; top: parent.top }
+            code: Theme.icon.edit
+            color: Theme.color.touch
+            font.pixelSize: Theme.size.body
+        }
+        Hatch {
+            objectName: "scrapHatch"
+            visible: card.scrap
+            anchors.fill: number
+            color: Theme.color.warning
         }
         Readout {
+            id: number
             objectName: "bagLength"
+            ink: card.scrap ? Theme.color.warning : Theme.color.ink
             anchors { left: parent.left; right: parent.right; verticalCenter: parent.verticalCenter; verticalCenterOffset: Theme.size.outline }
             text: Theme.number(Controller.bags.lengthMm, 1)
             unit: "mm"
@@ -66,12 +81,13 @@ Card {
         pointSize: Theme.size.accent
     }
     Label {
+        objectName: "bagsText"
         anchors.centerIn: chart
         visible: !card.measured
         width: chart.width
         horizontalAlignment: Text.AlignHCenter
         wrapMode: Text.WordWrap
-        text: qsTr("No bag measured yet. Press Start.")
+        text: Controller.run.bags
         color: Theme.color.secondaryInk
         font.pixelSize: Theme.size.caption
     }
@@ -94,13 +110,14 @@ Card {
         horizontalAlignment: Text.AlignRight
         fontSizeMode: Text.HorizontalFit
         minimumPixelSize: Theme.size.caption - 3
-        text: Controller.bags.scrap === 0 ? Theme.fill(qsTr("%1 of %2 within"), [Controller.bags.within, card.deviations.length])
-            : Theme.fill(qsTr("%1 of %2 within, scrap: %3"), [Controller.bags.within, card.deviations.length, Controller.bags.scrap])
-        color: !Controller.fresh ? Theme.color.disabledInk : Controller.bags.within < card.deviations.length ? Theme.color.fault : Theme.color.secondaryInk
+        text: Controller.bags.scrap === 0 ? Theme.fill(qsTr("%1 of %2 within"), [Controller.bags.within, Controller.bags.counted])
+            : Theme.fill(qsTr("%1 of %2 within, scrap: %3"), [Controller.bags.within, Controller.bags.counted, Controller.bags.scrap])
+        color: !Controller.fresh ? Theme.color.disabledInk : Controller.bags.within < Controller.bags.counted ? Theme.color.fault : Theme.color.secondaryInk
         font.pixelSize: Theme.size.caption
     }
     Explained {
         objectName: "bagNumbers"
+        field: "bag_length_mm"
         Accessible.name: qsTr("Bag length")
         quantities: [Explanations.BagMean, Explanations.BagScatter, Explanations.BagsWithin, Explanations.BagDeviation]
     }

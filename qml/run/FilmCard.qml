@@ -28,7 +28,7 @@ Card {
         id: state
         objectName: "markState"
         anchors { left: sign.visible ? sign.right : parent.left; leftMargin: sign.visible ? Theme.size.accent : Theme.size.padding; top: parent.top; topMargin: Theme.size.spacing }
-        text: card.line.known ? card.line.markStateText : Theme.unknownText
+        text: card.line.known ? Controller.run.marks : Theme.unknownText
         color: !card.fresh ? Theme.color.disabledInk : card.follows || !card.marksUsed ? Theme.color.ink : Theme.color.warning
         font { pixelSize: Theme.size.caption; weight: Font.DemiBold }
     }
@@ -48,12 +48,13 @@ Card {
     Label {
         id: gate
         objectName: "packingGate"
-        visible: card.line.gateText.length > 0
+        visible: Controller.run.film.length > 0
         anchors { right: more.left; rightMargin: Theme.size.padding; left: state.right; leftMargin: Theme.size.padding; verticalCenter: state.verticalCenter }
         horizontalAlignment: Text.AlignRight
         fontSizeMode: Text.HorizontalFit
-        minimumPixelSize: Theme.size.caption - 2
-        text: card.line.gateText
+        minimumPixelSize: Theme.size.smallestText
+        elide: Text.ElideRight
+        text: Controller.run.film
         color: card.fresh ? Theme.color.warning : Theme.color.disabledInk
         font { pixelSize: Theme.size.caption; weight: Font.DemiBold }
     }
@@ -75,7 +76,7 @@ Card {
         position: card.line.filmPositionMm
         speed: card.line.filmSpeedMmPerS
         bagLength: Controller.active.bagLengthMm
-        sensor: card.marksUsed ? card.line.sensorMm : NaN
+        sensor: card.line.known && card.line.marksWanted ? card.line.sensorMm : NaN
         window: card.line.windowMm
         knifeOpen: card.line.knifeOpen
         stale: !card.fresh

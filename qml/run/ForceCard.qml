@@ -47,7 +47,7 @@ Card {
         visible: !card.drawn
         horizontalAlignment: Text.AlignHCenter
         wrapMode: Text.WordWrap
-        text: qsTr("No stroke yet. Press Start.")
+        text: Controller.run.stroke
         color: Theme.color.secondaryInk
     }
     Label {

@@ -30,7 +30,7 @@ Sheet {
     }
 
     Column {
-        Heading { text: sheet.line.markStateText }
+        Heading { text: Controller.run.marks }
         Figure { objectName: "sheetMarkError"; label: qsTr("Mark error of the last cut"); value: "packer.mark_error" }
         Figure { label: qsTr("Mark distance"); value: "packer.mark_pitch" }
         Figure { label: qsTr("Shift of the next cut"); value: "packer.phase_correction" }

@@ -12,6 +12,8 @@ Item {
 
     property real bottomInset
     readonly property bool connected: Controller.connection === Controller.Connection.Connected
+    readonly property bool busy: Editor.programDownload.state === ProgramDownload.State.Transferring
+        || Editor.programDownload.state === ProgramDownload.State.Sealing || Editor.programDownload.state === ProgramDownload.State.Armed
 
     Card {
         anchors { fill: parent; bottomMargin: view.bottomInset }
@@ -29,17 +31,29 @@ Item {
                 width: parent.width
                 horizontalAlignment: Text.AlignHCenter
                 wrapMode: Text.WordWrap
-                text: view.connected ? qsTr("The controller has no program yet. Download one on the Motion page.") : Controller.connectionText
+                objectName: "noProgramText"
+                text: view.busy ? Editor.programDownload.text : view.connected ? Controller.run.program : Controller.connectionText
                 color: Theme.color.secondaryInk
                 font.pixelSize: Theme.size.title
+            }
+            Button {
+                objectName: "downloadAgain"
+                anchors.horizontalCenter: parent.horizontalCenter
+                visible: view.connected && Editor.programDownload.canDownload
+                width: Math.max(implicitWidth, 3 * Theme.size.touch)
+                height: Theme.size.commandKey
+                kind: Button.Primary
+                glyph: Theme.icon.download
+                text: Editor.edited ? Theme.fill(qsTr("Download %1, edited"), [Editor.recipeName])
+                    : Theme.fill(qsTr("Download %1 v%2"), [Editor.recipeName, Editor.recipeVersion])
+                onClicked: Editor.download()
             }
             Button {
                 objectName: "openMotion"
                 anchors.horizontalCenter: parent.horizontalCenter
                 visible: view.connected
                 width: Math.max(implicitWidth, 3 * Theme.size.touch)
-                height: Theme.size.commandKey
-                kind: Button.Primary
+                height: Theme.size.touch
                 glyph: Theme.icon.motion
                 text: qsTr("Open Motion")
                 onClicked: Frame.openPage("motion")

@@ -27,6 +27,8 @@ constexpr double lagS = 0.0012;     // lag of the knife behind its target
 constexpr unsigned strokeSeed = 7;
 constexpr std::uint32_t firstGeneration = 12;
 constexpr double samplesPerS = 78;
+constexpr std::uint32_t freshUptimeS = 40;
+constexpr std::uint32_t uptimeS = 18'000;
 constexpr std::uint16_t everyBit = 0x01FF; // all faults and warnings that exist
 
 constexpr std::uint32_t cyclesBefore = 1283; // for a move or a cam
@@ -157,6 +159,7 @@ void DemoLink::tellFilm()
     film.bags = m_bags;
     film.trouble = m_situation == Situation::ProductAcross ? DemoFilm::Trouble::ProductAcross
                    : m_situation == Situation::MarksLost   ? DemoFilm::Trouble::MarksLost
+                   : m_situation == Situation::Fresh       ? DemoFilm::Trouble::NotStarted
                                                            : DemoFilm::Trouble::None;
     if (m_filmRequest)
         emit registersRead({*m_filmRequest, link::ReadEnd::Done, demoPacker(film), m_now, std::nullopt});
@@ -284,6 +287,8 @@ void DemoLink::report(link::LinkState state, std::optional<modbus::Command> pend
 
 void DemoLink::runProgram()
 {
+    if (m_situation == Situation::Fresh)
+        tellFilm();
     if (m_situation == Situation::Fresh)
         pass(0, m_kind == Kind::Press ? strokeAt(0) : statusAt(0));
     else if (m_kind == Kind::RotaryCutter)
@@ -435,6 +440,7 @@ modbus::StatusBlock DemoLink::statusAt(double cycleShare) const
         block.faultBits = 1U << static_cast<unsigned>(modbus::FaultBit::FollowingError);
     if (m_situation == Situation::MarksLost)
         block.warningBits = 1U << static_cast<unsigned>(modbus::WarningBit::MarksLost);
+    block.uptimeS = m_situation == Situation::Fresh ? freshUptimeS : uptimeS;
     block.programKind = static_cast<modbus::ProgramKind>(m_kind);
     block.generation = generationOf(m_kind);
     block.activeCrc = m_program.crc;

@@ -67,7 +67,7 @@ void setFilm(test::PackerImage& image, const DemoFilm& film)
     const std::size_t marks = countOf("packer.seen_marks");
     for (std::size_t i = 0; i < marks; ++i) {
         const double atMm = toCutMm + static_cast<double>(i) * film.bagMm;
-        if (atMm > sensorMm || film.trouble == Trouble::MarksLost)
+        if (atMm > sensorMm || film.trouble == Trouble::MarksLost || film.trouble == Trouble::NotStarted)
             image.setRaw("packer.seen_marks", i, nothing);
         else
             setPlace(image, "packer.seen_marks", i, atMm, i == missedMark);
@@ -104,7 +104,9 @@ std::vector<std::uint16_t> demoPacker(const DemoFilm& film)
 {
     test::PackerImage image;
     const bool areMarksLost = film.trouble == Trouble::MarksLost;
-    const auto state = areMarksLost ? modbus::MarkState::Searching : modbus::MarkState::Tracking;
+    const auto state = areMarksLost                          ? modbus::MarkState::Searching
+                       : film.trouble == Trouble::NotStarted ? modbus::MarkState::Off
+                                                             : modbus::MarkState::Tracking;
     image.set("packer.mark_state", static_cast<std::uint32_t>(state));
     image.set("packer.mark_error", markErrorMm);
     image.set("packer.mark_pitch", (film.bagMm + 0.31));

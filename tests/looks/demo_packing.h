@@ -8,7 +8,7 @@
 namespace campanel::looks {
 
 struct DemoFilm {
-    enum class Trouble { None, ProductAcross, MarksLost };
+    enum class Trouble { None, ProductAcross, MarksLost, NotStarted };
 
     double bagMm = 250;
     double cycleShare = 0;  // share of the present bag

@@ -75,7 +75,7 @@ private slots:
     void lostMarksAreAnAlarm()
     {
         enter(Situation::MarksLost);
-        QCOMPARE(textOf("markState"), QStringLiteral("Searching for marks"));
+        QCOMPARE(textOf("markState"), QStringLiteral("No marks found"));
         QCOMPARE(countOf("marks"), 0);
         QVERIFY(textOf("banner").startsWith(QStringLiteral("The controller lost the marks")));
         QVERIFY(!m_window->find(QStringLiteral("markError")));

@@ -14,7 +14,9 @@ bool BagStatistics::note(std::uint32_t bagCount, std::optional<double> lengthMm,
     if (m_bagCount == bagCount)
         return false;
     if (m_bagCount && bagCount < *m_bagCount)
-        restart(); // the controller restarted the count
+        restart(true); // the controller restarted the count
+    else if (m_bagCount && bagCount > *m_bagCount + 1)
+        noteGap();
     m_bagCount = bagCount;
     if (!lengthMm || !deviationMm)
         return true;
@@ -28,7 +30,8 @@ void BagStatistics::note(const modbus::BagRecord& bag, double setLengthMm)
     m_lengths = std::max(1, bag.lengths);
     m_lengthMm = m_lengths * setLengthMm + bag.deviationMm;
     m_isRecorded = true;
-    if (bag.isScrap()) {
+    m_isLastScrap = bag.isScrap();
+    if (m_isLastScrap) {
         m_isNextOfTwoLengths = false;
         ++m_scrap;
         return;
@@ -50,15 +53,27 @@ void BagStatistics::count(double deviationMm, double setLengthMm)
         return;
     m_setLengthMm = setLengthMm;
     m_deviationsMm << deviationMm;
-    if (m_deviationsMm.size() > bagsKept)
-        m_deviationsMm.removeFirst();
+    m_series << deviationMm;
+    if (m_deviationsMm.size() <= bagsKept)
+        return;
+    m_deviationsMm.removeFirst();
+    do
+        m_series.removeFirst();
+    while (std::isnan(m_series.first()));
 }
 
-void BagStatistics::restart()
+void BagStatistics::noteGap()
 {
-    m_isNextOfTwoLengths = true;
+    if (!m_series.isEmpty() && std::isfinite(m_series.last()))
+        m_series << unknown;
+}
+
+void BagStatistics::restart(bool isNextOfTwo)
+{
+    m_isNextOfTwoLengths = isNextOfTwo;
     m_scrap = 0;
     m_deviationsMm.clear();
+    m_series.clear();
 }
 
 double BagStatistics::meanMm() const

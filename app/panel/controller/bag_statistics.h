@@ -25,9 +25,11 @@ public:
     void note(const modbus::BagRecord& bag, double setLengthMm);
     // Sets the last bag's length before its first record. Returns true when something changed.
     bool noteLength(std::optional<double> lengthMm);
-    // Restarts with another set length, and counts what is left out anew. The next bag was begun under the
-    // old length and does not count.
-    void restart();
+    // Restarts with another set length, and counts what is left out anew. `isNextOfTwo`: the next bag was
+    // begun under the old length and does not count.
+    void restart(bool isNextOfTwo);
+    // Marks in the series that bags before the next one are unknown.
+    void noteGap();
 
     [[nodiscard]] double lengthMm() const { return m_lengthMm; }
     // Returns the bag lengths in the last bag: more than one after skipped cuts.
@@ -42,7 +44,11 @@ public:
     [[nodiscard]] int countWithin(double toleranceMm) const;
     // Returns the bags left out since the last restart.
     [[nodiscard]] int scrap() const { return m_scrap; }
+    // Returns true when the last bag was left out.
+    [[nodiscard]] bool isLastScrap() const { return m_isLastScrap; }
     [[nodiscard]] const QList<double>& deviationsMm() const { return m_deviationsMm; }
+    // Returns the deviations with NaN where bags between them are unknown.
+    [[nodiscard]] const QList<double>& series() const { return m_series; }
 
 private:
     // Counts a bag, unless it was begun under another set length.
@@ -54,8 +60,10 @@ private:
     double m_setLengthMm = unknown; // set length of the counted bags
     bool m_isNextOfTwoLengths = false;
     bool m_isRecorded = false; // m_lengthMm comes from a record
+    bool m_isLastScrap = false;
     int m_scrap = 0;
     QList<double> m_deviationsMm; // oldest first
+    QList<double> m_series;       // the same with gaps
 };
 
 } // namespace campanel::panel

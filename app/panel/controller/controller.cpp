@@ -46,6 +46,12 @@ Controller::Controller(link::Link& link, Settings& settings, QObject* parent)
     connect(this, &Controller::connectionChanged, &m_torque, &TorqueWatch::noteConnection);
     connect(this, &Controller::programChanged, &m_torque, &TorqueWatch::noteProgram);
     connect(&m_packing, &PackingLine::bagRecorded, this, &Controller::takeBag);
+    connect(&m_packing, &PackingLine::bagsMissed, this, [this] { m_bags.noteGap(); });
+    connect(&m_packing, &PackingLine::changed, &m_run, &RunStatements::update);
+    for (const auto change : {&Controller::connectionChanged, &Controller::freshChanged,
+                              &Controller::stateChanged, &Controller::liveChanged, &Controller::bagChanged,
+                              &Controller::programChanged, &Controller::commandsChanged})
+        connect(this, change, &m_run, &RunStatements::update);
     connect(&settings, &Settings::changed, this, &Controller::bagChanged);
     const auto sendPermit = [this] { m_link.setPermit(permit()); };
     connect(this, &Controller::commandsChanged, this, sendPermit);
@@ -139,6 +145,7 @@ void Controller::forgetStatus()
     m_axisPosition.reset();
     m_statusAt.reset();
     m_program.reset();
+    m_hasLostProgram = false;
     m_trace.clear();
     m_strokes.clear();
     m_bags = {};
@@ -163,8 +170,10 @@ void Controller::takeStatus(const link::StatusBatch& batch)
         const modbus::StatusBlock& status = sample.status;
         m_strokes.note(status, m_program ? m_program->pulsesPerMm : 0);
         bagsChanged |= !m_status || m_status->bagCount != status.bagCount;
-        if (m_status && status.uptimeS < m_status->uptimeS)
-            doubtParameters(); // the controller was restarted
+        if (m_status && status.uptimeS < m_status->uptimeS) { // the controller was restarted
+            doubtParameters();
+            restartBags();
+        }
         m_status = status;
         m_axisPosition.note(status);
         bagsChanged |= m_packing.recordsBags()
@@ -211,14 +220,23 @@ void Controller::takeProgram(const link::ActiveProgram& program)
 {
     if (!m_report.identity)
         return;
-    m_program = readProgram(program, *m_report.identity);
+    const auto before = std::exchange(m_program, readProgram(program, *m_report.identity));
+    m_hasLostProgram = !m_program && (before || m_hasLostProgram);
     m_trace.clear();
-    m_strokes.clear();
-    m_bags.restart();
+    // After a gap of the line the program is read again, and its bags go on.
+    if (!before || !m_program || before->generation != m_program->generation || before->crc != m_program->crc)
+        restartBags();
     emit programChanged();
     emit liveChanged();
     emit bagChanged();
     emit commandsChanged();
+}
+
+void Controller::restartBags()
+{
+    m_strokes.clear();
+    m_bags.restart(isMoving() || !m_packing.recordsBags());
+    m_packing.forgetLastBag();
 }
 
 void Controller::start()

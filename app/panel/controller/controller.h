@@ -12,6 +12,7 @@
 #include "app/panel/controller/master_direction.h"
 #include "app/panel/controller/packing_line.h"
 #include "app/panel/controller/parameter_field.h"
+#include "app/panel/controller/run_statements.h"
 #include "app/panel/controller/start_permit.h"
 #include "app/panel/controller/status_rate.h"
 #include "app/panel/controller/stroke_model.h"
@@ -76,6 +77,8 @@ class Controller : public QObject, public Singleton<Controller> {
     Q_PROPERTY(campanel::panel::PackingLine* packing READ packing CONSTANT FINAL)
     // The numbers of its registers by their names.
     Q_PROPERTY(campanel::panel::Telemetry* telemetry READ telemetry CONSTANT FINAL)
+    // What Run says of the machine.
+    Q_PROPERTY(campanel::panel::RunStatements* run READ run CONSTANT FINAL)
     // The torque of the axis, of any program but a press's.
     Q_PROPERTY(campanel::panel::TorqueWatch* torque READ torque CONSTANT FINAL)
     // The figures of a press.
@@ -132,6 +135,7 @@ public:
     [[nodiscard]] MasterDirection* direction() { return &m_direction; }
     [[nodiscard]] PackingLine* packing() { return &m_packing; }
     [[nodiscard]] Telemetry* telemetry() { return &m_telemetry; }
+    [[nodiscard]] RunStatements* run() { return &m_run; }
     [[nodiscard]] TorqueWatch* torque() { return &m_torque; }
     [[nodiscard]] QStringList stageNames() const;
     [[nodiscard]] StrokeModel* strokes() { return &m_strokes; }
@@ -172,6 +176,9 @@ public:
     [[nodiscard]] const std::optional<modbus::Identity>& identity() const { return m_report.identity; }
     [[nodiscard]] const std::optional<modbus::StatusBlock>& status() const { return m_status; }
     [[nodiscard]] const std::shared_ptr<const ControllerProgram>& program() const { return m_program; }
+    // Returns why there is no program, or that there is one.
+    [[nodiscard]] RunFacts::Program programState() const;
+    [[nodiscard]] const BagStatistics& bagStatistics() const { return m_bags; }
     // The contact angle of the machine's jaws, which is in recipes and not in the controller; 0: none.
     [[nodiscard]] double contactAngleDeg() const { return m_contactAngleDeg; }
     void setContactAngle(double deg);
@@ -213,6 +220,7 @@ private:
     // Returns the program of the last status; null while another one is known.
     [[nodiscard]] const ControllerProgram* runningProgram() const;
     void trace(const modbus::StatusBlock& status);
+    void restartBags();
     void forgetStatus();
     void updateAge();
     void showMessage(const QString& text);
@@ -228,6 +236,7 @@ private:
     AxisPosition m_axisPosition;
     std::optional<link::SteadyTime> m_statusAt;
     std::shared_ptr<const ControllerProgram> m_program;
+    bool m_hasLostProgram = false; // it had one before its restart
     double m_contactAngleDeg = 0;
     std::function<QString()> m_startInterlock;
     ActualTrace m_trace;
@@ -249,6 +258,7 @@ private:
     MasterDirection m_direction{*this};
     Telemetry m_telemetry{this};
     PackingLine m_packing{*this};
+    RunStatements m_run{*this};
     TorqueWatch m_torque{*this};
     StartPermit m_startPermit{*this, this};
 };

@@ -197,10 +197,22 @@ BagValues Controller::bags() const
             m_bags.meanMm(),
             m_bags.meanDeviationMm(),
             m_bags.scatterMm(),
-            m_bags.deviationsMm(),
+            m_bags.series(),
+            static_cast<int>(m_bags.deviationsMm().size()),
             m_bags.countWithin(toleranceMm),
             m_bags.scrap(),
+            m_bags.isLastScrap(),
             toleranceMm};
+}
+
+RunFacts::Program Controller::programState() const
+{
+    using enum RunFacts::Program;
+    if (m_program)
+        return Present;
+    if (!m_status || m_status->activeCrc)
+        return Reading;
+    return m_hasLostProgram ? Lost : Absent;
 }
 
 ActiveProgramValues Controller::active() const

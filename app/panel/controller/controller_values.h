@@ -57,8 +57,10 @@ struct BagValues {
     Q_PROPERTY(double meanDeviationMm MEMBER meanDeviationMm FINAL)
     Q_PROPERTY(double scatterMm MEMBER scatterMm FINAL)
     Q_PROPERTY(QList<double> series MEMBER series FINAL)
+    Q_PROPERTY(int counted MEMBER counted FINAL)
     Q_PROPERTY(int within MEMBER within FINAL)
     Q_PROPERTY(int scrap MEMBER scrap FINAL)
+    Q_PROPERTY(bool isScrap MEMBER isScrap FINAL)
     Q_PROPERTY(double toleranceMm MEMBER toleranceMm FINAL)
 
 public:
@@ -69,9 +71,11 @@ public:
     double meanMm = unknown;
     double meanDeviationMm = unknown;
     double scatterMm = unknown;
-    QList<double> series; // deviations, mm
+    QList<double> series; // deviations, mm; NaN: bags between them are unknown
+    int counted = 0;      // deviations of the series
     int within = 0;       // bags of the series within the tolerance
     int scrap = 0;        // bags left out of the series: start-up scrap, and of two programs
+    bool isScrap = false; // the last bag is one of them
     double toleranceMm = unknown;
 };
 

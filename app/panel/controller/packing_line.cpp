@@ -25,12 +25,13 @@ PackingLine::PackingLine(Controller& controller)
     : m_controller(controller)
     , m_sensor(controller.parameter("parameter.mark_distance"))
     , m_window(controller.parameter("parameter.mark_window"))
+    , m_tracking(controller.parameter("parameter.mark_tracking"))
     , m_timer(this)
 {
     m_timer.setSingleShot(true);
     connect(&m_timer, &QTimer::timeout, this, &PackingLine::ask);
     connect(&controller.link(), &link::Link::registersRead, this, &PackingLine::takeRead);
-    for (Parameter* parameter : {&m_sensor, &m_window})
+    for (Parameter* parameter : setup())
         connect(parameter, &Parameter::changed, this, &PackingLine::changed);
     LanguageNotifier::follow(this);
 }
@@ -54,11 +55,9 @@ void PackingLine::noteConnection()
     askWhenIdle();
 }
 
-// Resets the last bag: it was begun under another program, and the next reading identifies it.
 void PackingLine::noteProgram()
 {
-    m_lastReportedBag.reset();
-    for (Parameter* parameter : {&m_sensor, &m_window})
+    for (Parameter* parameter : setup())
         parameter->doubt(); // its download may have written them
     askWhenIdle();
 }
@@ -78,7 +77,7 @@ void PackingLine::askWhenIdle()
 
 void PackingLine::readSetup()
 {
-    for (Parameter* parameter : {&m_sensor, &m_window})
+    for (Parameter* parameter : setup())
         parameter->readIfUncertain();
 }
 
@@ -139,6 +138,8 @@ void PackingLine::reportBags()
     const bool isFirst = !m_lastReportedBag || hasRestarted;
     const std::uint32_t lastReported = isFirst ? m_status->bagNumber : *m_lastReportedBag;
     m_lastReportedBag = m_status->bagNumber;
+    if (!m_status->bags.empty() && m_status->bags.front().number > lastReported + 1 && !isFirst)
+        emit bagsMissed();
     for (const modbus::BagRecord& bag : m_status->bags) {
         if (bag.number > lastReported)
             emit bagRecorded(bag);
@@ -167,25 +168,9 @@ PackingLine::MarkState PackingLine::markState() const
     return MarkState::Unknown;
 }
 
-QString PackingLine::markStateText() const
-{
-    return m_status && m_status->markState ? ControllerSentences::text(*m_status->markState) : QString();
-}
-
 QString PackingLine::lastSkipText() const
 {
     return m_status ? ControllerSentences::text(m_status->lastSkip) : QString();
-}
-
-QString PackingLine::gateText() const
-{
-    if (!m_status)
-        return {};
-    if (m_status->filmGate != modbus::GateState::Running)
-        return tr("Film waits for a product");
-    if (m_status->knifeGate != modbus::GateState::Running)
-        return tr("Knife stays open: product in its path");
-    return {};
 }
 
 double PackingLine::teachPitchMm() const

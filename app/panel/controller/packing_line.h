@@ -13,6 +13,7 @@
 #include <QTimer>
 #include <QtQml/qqmlregistration.h>
 
+#include <array>
 #include <optional>
 
 namespace campanel::panel {
@@ -31,10 +32,9 @@ class PackingLine : public QObject {
     Q_PROPERTY(bool fresh READ fresh NOTIFY changed FINAL)
 
     Q_PROPERTY(MarkState markState READ markState NOTIFY changed FINAL)
-    Q_PROPERTY(QString markStateText READ markStateText NOTIFY changed FINAL)
+    // False once the controller's mark tracking is known to be off.
+    Q_PROPERTY(bool marksWanted READ marksWanted NOTIFY changed FINAL)
     Q_PROPERTY(QString lastSkipText READ lastSkipText NOTIFY changed FINAL)
-    // The state of knife and film when they do not simply run: "Knife waits", ...; else empty.
-    Q_PROPERTY(QString gateText READ gateText NOTIFY changed FINAL)
     // The film as a picture. Distances to the knife are in mm, with the film motor at filmPositionMm; lists
     // are empty while unknown. Cuts are (distance, 1 when skipped), marks (distance, 1 when calculated),
     // products (leading edge, trailing edge).
@@ -61,9 +61,8 @@ public:
     [[nodiscard]] bool known() const { return m_status.has_value(); }
     [[nodiscard]] bool fresh() const;
     [[nodiscard]] MarkState markState() const;
-    [[nodiscard]] QString markStateText() const;
+    [[nodiscard]] bool marksWanted() const { return m_tracking.lastValue() != 0; }
     [[nodiscard]] QString lastSkipText() const;
-    [[nodiscard]] QString gateText() const;
     [[nodiscard]] int teachMarks() const { return m_status ? m_status->teachMarks : 0; }
     [[nodiscard]] double teachPitchMm() const;
     [[nodiscard]] double teachScatterMm() const;
@@ -91,16 +90,22 @@ public:
     [[nodiscard]] bool recordsBags() const;
     void noteConnection();
     void noteProgram();
+    // Forgets which bag was reported last: it was begun under another program, and the next reading
+    // identifies it.
+    void forgetLastBag() { m_lastReportedBag.reset(); }
 
 signals:
     void changed();
     // Emitted for each new bag, oldest first.
     void bagRecorded(const campanel::modbus::BagRecord& bag);
+    // Emitted before it when the controller no longer has the bags since the last one.
+    void bagsMissed();
 
 private:
     void askWhenIdle();
     void ask();
     void readSetup();
+    [[nodiscard]] std::array<Parameter*, 3> setup() const { return {&m_sensor, &m_window, &m_tracking}; }
     // Returns the size of the group in this controller.
     [[nodiscard]] std::uint16_t registers() const;
     void takeRead(const link::ReadOutcome& outcome);
@@ -110,6 +115,7 @@ private:
     Controller& m_controller;
     Parameter& m_sensor;
     Parameter& m_window;
+    Parameter& m_tracking;
     QTimer m_timer;
     std::optional<modbus::PackerStatus> m_status;
     WideCounter m_film; // 0.001 mm

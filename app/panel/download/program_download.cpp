@@ -181,6 +181,8 @@ void ProgramDownload::download(const program::ProgramImage& image, const program
     m_report = {};
     m_hasEnded = false;
     emit begun(image);
+    if (m_forecast.price())
+        m_controller.run()->announceChange(*m_forecast.price(), m_forecast.bagLengthMm());
     m_controller.link().download(image.registers);
     update();
 }

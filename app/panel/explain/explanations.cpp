@@ -123,8 +123,8 @@ Explanation Explanations::rate() const
 Explanation Explanations::bags(Topic quantity) const
 {
     const Format format;
-    const auto series = m_controller.bags().series;
-    const auto count = format.number(static_cast<double>(series.size()), 0);
+    const int counted = m_controller.bags().counted;
+    const auto count = format.number(counted, 0);
     const double tolerance = m_controller.bags().toleranceMm;
     const double mean = m_controller.bags().meanDeviationMm;
     Explanation explanation;
@@ -137,15 +137,14 @@ Explanation Explanations::bags(Topic quantity) const
         explanation.meaning =
             tr("Mean of the last bags (%1, at most 60) since the last change of the set length.").arg(count);
         explanation.formula = tr("set length + sum of their deviations / bags");
-        explanation.numbers = ifKnown(
-            {length, mean},
-            u"%1 + %2 / %3"_s.arg(format.compact(length - mean, 1, 2),
-                                  format.number(mean * static_cast<double>(series.size()), 2), count));
+        explanation.numbers =
+            ifKnown({length, mean}, u"%1 + %2 / %3"_s.arg(format.compact(length - mean, 1, 2),
+                                                          format.number(mean * counted, 2), count));
         break;
     }
     case BagScatter: {
         const double scatter = m_controller.bags().scatterMm;
-        const double squares = scatter * scatter * static_cast<double>(series.size() - 1);
+        const double squares = scatter * scatter * (counted - 1);
         explanation.title = tr("Standard deviation of the bag length");
         explanation.value = format.number(scatter, 2);
         explanation.meaning =

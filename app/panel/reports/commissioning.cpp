@@ -126,7 +126,7 @@ ReportSection Commissioning::bagSection() const
         if (!std::isnan(value))
             section.rows.append({name, format.number(value, decimals) + u' ' + unit});
     };
-    const auto bags = m_controller.bags().series.size();
+    const int bags = m_controller.bags().counted;
     if (bags == 0) {
         section.lines << tr("No bag has been measured yet.");
         return section;

@@ -57,8 +57,8 @@ struct Rig : PanelRig {
     explicit Rig(std::uint16_t mapMinor = modbus::mapMinor)
     {
         connect(mapMinor);
-        link.activate(image(), now);
         link.status.state = modbus::State::Running;
+        link.activate(image(), now);
         link.status.masterSpeedPercent = 100;
         link.sendStatus(now);
     }
@@ -263,47 +263,50 @@ private slots:
         QCOMPARE(line.seenProducts(), (QList<QPointF>{{20, 170}}));
         QCOMPARE(line.filmPositionMm(), 1234.5);
         QCOMPARE(line.nextMarkMm(), 601.0);
-        QCOMPARE(line.markStateText(), "Tracking marks");
+        QCOMPARE(rig.machine.run()->marks(), "Tracking marks");
         QCOMPARE(line.filmSpeedMmPerS(), bagMm / rig.machine.active().cycleSeconds);
-        QVERIFY(line.gateText().isEmpty());
+        QVERIFY(rig.machine.run()->film().isEmpty());
         rig.film.put("packer.knife_gate", static_cast<unsigned>(modbus::GateState::Standing));
         rig.film.put("packer.mark_state", static_cast<unsigned>(modbus::MarkState::Searching));
         rig.answerNext();
         QVERIFY(line.knifeOpen());
-        QCOMPARE(line.gateText(), "Knife stays open: product in its path");
+        QCOMPARE(rig.machine.run()->film(), "Knife stays open: product in its path");
         QVERIFY2(std::isnan(line.nextMarkMm()), "none is expected while they are looked for");
         rig.film.put("packer.film_gate", static_cast<unsigned>(modbus::GateState::Standing));
         rig.answerNext();
         QCOMPARE(line.filmSpeedMmPerS(), 0.0);
-        QCOMPARE(line.gateText(), "Film waits for a product");
+        QCOMPARE(rig.machine.run()->film(), "Film waits for a product");
     }
 
     void sensorAndWindowAreReadOnceAndFollowEveryWrite()
     {
         Rig rig;
-        QCOMPARE(rig.link.parameters.size(), 2);
+        QCOMPARE(rig.link.parameters.size(), 3);
         QVERIFY(std::isnan(rig.line().sensorMm()));
         rig.answerParameter("parameter.mark_distance", 900);
         rig.answerParameter("parameter.mark_window", 6);
+        QVERIFY2(rig.line().marksWanted(), "the marks count as wanted until the controller says otherwise");
+        rig.answerParameter("parameter.mark_tracking", 0);
+        QVERIFY(!rig.line().marksWanted());
         QCOMPARE(rig.line().sensorMm(), 900.0);
         QCOMPARE(rig.line().windowMm(), 6.0);
         rig.answer();
         rig.answerNext();
-        QCOMPARE(rig.link.parameters.size(), 2);
+        QCOMPARE(rig.link.parameters.size(), 3);
         emit rig.link.parameterEnded(
             {9000, "parameter.mark_distance", link::ParameterEnd::Done, 850, std::nullopt});
         QCOMPARE(rig.line().sensorMm(), 850.0);
         emit rig.link.parameterEnded({9001, "parameter.mark_distance", link::ParameterEnd::OutcomeUnknown,
                                       std::nullopt, std::nullopt});
         rig.answerNext();
-        QTRY_COMPARE(rig.link.parameters.size(), 3);
+        QTRY_COMPARE(rig.link.parameters.size(), 4);
         rig.answerParameter("parameter.mark_distance", 860);
         QCOMPARE(rig.line().sensorMm(), 860.0);
         // After a lost connection the values are uncertain.
         rig.link.becomeLost();
         QCOMPARE(rig.line().sensorMm(), 860.0);
         rig.connect();
-        QTRY_COMPARE(rig.link.parameters.size(), 5);
+        QTRY_COMPARE(rig.link.parameters.size(), 7);
     }
 
     void eachBagIsReportedOnce()

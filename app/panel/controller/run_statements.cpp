@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/panel/controller/run_statements.h"
+
+#include "app/panel/controller/controller.h"
+#include "app/panel/kit/language_notifier.h"
+#include "app/panel/words/controller_sentences.h"
+
+namespace campanel::panel {
+
+RunStatements::RunStatements(Controller& controller)
+    : m_controller(controller)
+{
+    LanguageNotifier::follow(this);
+}
+
+QString RunStatements::text(RunPlace place) const
+{
+    const auto found = row(place);
+    return found ? RunSentences::text(*found) : QString();
+}
+
+QString RunStatements::film() const
+{
+    if (m_change && row(RunPlace::Film) == RunRow::FilmChanging)
+        return ControllerSentences::changeUnderWay(m_change->price, m_change->bagLengthMm);
+    return text(RunPlace::Film);
+}
+
+void RunStatements::announceChange(const program::ChangePrice& price, double bagLengthMm)
+{
+    m_change = Change{price, bagLengthMm, m_controller.status()->generation};
+}
+
+bool RunStatements::isAnnounced(const RunFacts& facts) const
+{
+    return m_change && m_controller.status()->generation == m_change->generation + 1 && !facts.hasBags;
+}
+
+RunFacts RunStatements::facts() const
+{
+    RunFacts facts;
+    facts.isConnected = m_controller.isConnected() && m_controller.fresh();
+    facts.program = m_controller.programState();
+    facts.canStart = m_controller.canStart();
+    facts.hasBags = !m_controller.bagStatistics().deviationsMm().isEmpty();
+    const PackingLine& line = *m_controller.packing();
+    facts.areMarksWanted = line.marksWanted();
+    if (line.status()) {
+        facts.marks = line.status()->markState;
+        facts.isFilmWaiting = line.status()->filmGate != modbus::GateState::Running;
+        facts.isKnifeWaiting = line.status()->knifeGate != modbus::GateState::Running;
+    }
+    const auto& status = m_controller.status();
+    if (facts.isConnected && status) {
+        facts.state = status->state;
+        facts.isChanging = status->stagedState == modbus::StagedState::Armed || isAnnounced(facts);
+    }
+    return facts;
+}
+
+void RunStatements::update()
+{
+    const auto& status = m_controller.status();
+    if (m_change && (!status || status->generation > m_change->generation + 1))
+        m_change.reset();
+    const RunFacts now = facts();
+    if (now == m_facts)
+        return;
+    m_facts = now;
+    emit changed();
+}
+
+} // namespace campanel::panel

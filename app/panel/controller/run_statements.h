@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+// `Controller.run` in QML: what Run says of the machine, by the table of RunSentences. An empty text:
+// nothing.
+#pragma once
+
+#include "app/panel/words/run_sentences.h"
+#include "app/program/change_price.h"
+
+#include <QObject>
+#include <QtQml/qqmlregistration.h>
+
+namespace campanel::panel {
+
+class Controller;
+
+class RunStatements : public QObject {
+    Q_OBJECT
+    QML_ELEMENT
+    QML_UNCREATABLE("The statements belong to the Controller")
+    Q_PROPERTY(QString program READ program NOTIFY changed FINAL) // why there is none
+    Q_PROPERTY(QString bags READ bags NOTIFY changed FINAL)       // why none of the last bags counts
+    Q_PROPERTY(QString marks READ marks NOTIFY changed FINAL)     // the state of the mark tracking
+    Q_PROPERTY(QString film READ film NOTIFY changed FINAL)       // why film or knife do not simply run
+    Q_PROPERTY(QString stroke READ stroke NOTIFY changed FINAL)   // why there is no stroke of a press
+
+public:
+    // The controller must outlive the object.
+    explicit RunStatements(Controller& controller);
+
+    [[nodiscard]] QString program() const { return text(RunPlace::Program); }
+    [[nodiscard]] QString bags() const { return text(RunPlace::Bags); }
+    [[nodiscard]] QString marks() const { return text(RunPlace::Marks); }
+    [[nodiscard]] QString film() const;
+    [[nodiscard]] QString stroke() const { return text(RunPlace::Stroke); }
+    [[nodiscard]] std::optional<RunRow> row(RunPlace place) const
+    {
+        return RunSentences::row(place, m_facts);
+    }
+    // Shows this price from the download that begins now to the first bag that counts.
+    void announceChange(const program::ChangePrice& price, double bagLengthMm);
+    // Collects the facts again; emits changed() when one of them is another.
+    void update();
+
+signals:
+    void changed();
+
+private:
+    [[nodiscard]] QString text(RunPlace place) const;
+    [[nodiscard]] RunFacts facts() const;
+    // Returns true while the announced change is under way.
+    [[nodiscard]] bool isAnnounced(const RunFacts& facts) const;
+
+    Controller& m_controller;
+    RunFacts m_facts;
+    struct Change {
+        program::ChangePrice price;
+        double bagLengthMm = 0;
+        std::uint32_t generation = 0; // before it
+    };
+    std::optional<Change> m_change;
+};
+
+} // namespace campanel::panel

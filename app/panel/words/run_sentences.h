@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+// The sentences on Run that hold for the present state of the machine. One table of conditions and sentences:
+// a page shows the sentence of the first row of its place that is true, and writes none of its own.
+#pragma once
+
+#include "modbus/map/protocol.h"
+
+#include <QString>
+
+#include <optional>
+
+namespace campanel::panel {
+
+// What a sentence on Run depends on.
+struct RunFacts {
+    enum class Program { Absent, Lost, Reading, Present };
+
+    bool isConnected = false;           // and the data is fresh
+    std::optional<modbus::State> state; // empty: unknown
+    Program program = Program::Absent;
+    bool canStart = false;
+    bool areMarksWanted = true;             // false once the controller's mark tracking is known to be off
+    std::optional<modbus::MarkState> marks; // empty: the controller reports no film
+    bool isFilmWaiting = false;
+    bool isKnifeWaiting = false;
+    bool isChanging = false; // a program waits for the end of the cycle
+    bool hasBags = false;    // of those that count
+
+    [[nodiscard]] bool isMoving() const
+    {
+        return state == modbus::State::Running || state == modbus::State::Stopping;
+    }
+    bool operator==(const RunFacts&) const = default;
+};
+
+// The places on Run that have a sentence.
+enum class RunPlace { Program, Bags, Marks, Film, Stroke };
+
+// The rows of the table, in its order.
+enum class RunRow {
+    ProgramReading,
+    ProgramLost,
+    ProgramAbsent,
+    BagsOffline,
+    BagsSearching,
+    BagsAligning,
+    BagsFirst,
+    BagsStart,
+    BagsNone,
+    MarksOff,
+    MarksNotYet,
+    MarksSearching,
+    MarksNotFound,
+    MarksAligning,
+    MarksNotAligned,
+    MarksTracking,
+    FilmChanging,
+    FilmWaiting,
+    KnifeWaiting,
+    StrokeStart,
+    StrokeNone,
+    Count
+};
+
+class RunSentences {
+public:
+    // Returns the row whose sentence stands in that place; empty: there is nothing to say.
+    [[nodiscard]] static std::optional<RunRow> row(RunPlace place, const RunFacts& facts);
+    // Returns its sentence in the language.
+    [[nodiscard]] static QString text(RunRow row);
+};
+
+} // namespace campanel::panel

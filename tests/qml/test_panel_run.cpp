@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: Apache-2.0
+// What Run says by touch: no sentence that is not so, scrap is called scrap, a short gap of the line leaves
+// the page as it is, a lost program comes back by one key, and a number is changed where it stands.
+#include "panel_test.h"
+
+#include "tests/looks/demo_packing.h"
+#include "tests/support/test_program.h"
+
+namespace test_panel_run {
+
+using namespace campanel;
+using namespace Qt::StringLiterals;
+using Situation = looks::DemoLink::Situation;
+
+class TestPanelRun : public test::PanelTest {
+    Q_OBJECT
+
+    panel::Controller& controller() { return m_window->panel().controller(); }
+
+    void enter(Situation situation)
+    {
+        m_window->link().show(situation);
+        m_window->checkClock();
+        m_window->settle();
+        tap("nav_run");
+    }
+    static void collect(const QQuickItem& below, QStringList& texts)
+    {
+        if (!below.isVisible() || below.opacity() == 0)
+            return;
+        if (below.inherits("QQuickText"))
+            texts << below.property("text").toString();
+        for (const QQuickItem* child : below.childItems())
+            collect(*child, texts);
+    }
+    // Returns all texts in the window, a line each.
+    QString texts()
+    {
+        m_window->settle();
+        QStringList found;
+        collect(m_window->root(), found);
+        return found.join(u'\n');
+    }
+    void sendStatus(const modbus::StatusBlock& status)
+    {
+        emit m_window->link().statusReceived({{{m_window->link().now(), status}}, 0});
+    }
+    // Another program of the same data takes over, as after a change of length.
+    void changeProgram()
+    {
+        const panel::ControllerProgram program = *controller().program();
+        modbus::StatusBlock status = *controller().status();
+        ++status.generation;
+        sendStatus(status);
+        emit m_window->link().programRead({status.generation, program.crc, program.registers, program.list});
+    }
+    // The controller reports one more bag.
+    void cutBag(modbus::BagBit bit)
+    {
+        looks::DemoFilm film;
+        film.bags = controller().packing()->status()->bagNumber + 1;
+        std::vector<std::uint16_t> registers = looks::demoPacker(film);
+        const std::size_t at = modbus::findRegister("packer.bags")->address - modbus::packerAddress +
+                               4 * (film.bags % modbus::bagRecords);
+        registers[at + 3] = static_cast<std::uint16_t>(1U << 8U | 1U << static_cast<unsigned>(bit));
+        emit m_window->link().registersRead({{0, modbus::packerAddress, modbus::packerRegisters()},
+                                             link::ReadEnd::Done,
+                                             registers,
+                                             m_window->link().now(),
+                                             std::nullopt});
+        m_window->settle();
+    }
+    void loseLine(std::chrono::milliseconds silence)
+    {
+        link::LinkReport report = controller().report();
+        report.state = link::LinkState::Lost;
+        m_window->link().advance(silence);
+        emit m_window->link().reported(report);
+        m_window->checkClock();
+        m_window->settle();
+    }
+    void findLine()
+    {
+        link::LinkReport report = controller().report();
+        report.state = link::LinkState::Connected;
+        emit m_window->link().reported(report);
+        const panel::ControllerProgram program = *controller().program();
+        sendStatus(*controller().status());
+        emit m_window->link().programRead({program.generation, program.crc, program.registers, program.list});
+        m_window->settle();
+    }
+    QRectF placeOf(const char* name)
+    {
+        const QQuickItem* item = m_window->find(QString::fromLatin1(name));
+        return item ? item->mapRectToScene(item->boundingRect()) : QRectF();
+    }
+
+private slots:
+    void aRunningMachineIsNotToldToStart()
+    {
+        enter(Situation::Running);
+        changeProgram();
+        const QString shown = texts();
+        QVERIFY2(!shown.contains(u"Press Start"_s), qPrintable(shown));
+        QVERIFY2(shown.contains(u"Running; first bag not measured yet"_s), qPrintable(shown));
+    }
+
+    void scrapIsCalledScrap()
+    {
+        enter(Situation::Running);
+        QCOMPARE(textOf("bagCaption"), u"Bag length"_s);
+        cutBag(modbus::BagBit::StartUp);
+        QCOMPARE(textOf("bagCaption"), u"Scrap bag"_s);
+        QVERIFY(m_window->find(u"scrapHatch"_s));
+        cutBag(modbus::BagBit::Tracked);
+        QCOMPARE(textOf("bagCaption"), u"Bag length"_s);
+        QVERIFY(!m_window->find(u"scrapHatch"_s));
+    }
+
+    void beforeTheFirstStartMarksAreNotOff()
+    {
+        enter(Situation::Fresh);
+        QCOMPARE(textOf("markState"), u"Marks not searched for yet"_s);
+        QCOMPARE(m_window->find(u"filmPicture"_s)->property("sensor").toDouble(), 900.0);
+    }
+
+    void aShortGapLeavesBagsAndPageAsTheyAre()
+    {
+        using namespace std::chrono_literals;
+        enter(Situation::Running);
+        QCOMPARE(controller().bags().series.size(), 60);
+        const QString figures = textOf("bagFigures");
+        const QRectF film = placeOf("filmCard");
+        loseLine(2s);
+        QCOMPARE(placeOf("filmCard"), film);
+        findLine();
+        QCOMPARE(controller().bags().series.size(), 60);
+        QCOMPARE(textOf("bagFigures"), figures);
+        // A longer one is told.
+        loseLine(4s);
+        QVERIFY2(textOf("banner").startsWith(u"No connection since"_s), qPrintable(textOf("banner")));
+    }
+
+    void aLostProgramComesBackByOneKey()
+    {
+        enter(Situation::Stopped);
+        modbus::StatusBlock status = *controller().status();
+        status.uptimeS = 1;
+        status.state = modbus::State::Idle;
+        status.generation = 0;
+        status.activeCrc.reset();
+        status.savedCrc.reset();
+        sendStatus(status);
+        emit m_window->link().programRead({});
+        const QString shown = texts();
+        QVERIFY2(shown.contains(u"has lost its program"_s), qPrintable(shown));
+        QCOMPARE(textOf("downloadAgain"), u"Download Biscuit 250 v1"_s);
+        tap("downloadAgain");
+        QCOMPARE(editor().programDownload()->state(), panel::ProgramDownload::State::Transferring);
+    }
+
+    void aNumberIsChangedWhereItStands_data()
+    {
+        QTest::addColumn<QString>("card");
+        QTest::addColumn<QString>("keys");
+        QTest::addColumn<QString>("field");
+        QTest::addRow("length") << u"bagNumbers"_s << u"190"_s << u"bag_length_mm"_s;
+        QTest::addRow("rate") << u"packingRate"_s << u"80"_s << u"rate_bags_per_min"_s;
+    }
+    // Six touches for a length of three digits: the number, its digits, OK, Download.
+    void aNumberIsChangedWhereItStands()
+    {
+        QFETCH(QString, card);
+        QFETCH(QString, keys);
+        QFETCH(QString, field);
+        enter(Situation::Running);
+        m_window->hold(card);
+        QVERIFY2(m_window->find(u"sheetPanel"_s), "a held finger explains");
+        tap("sheetClose");
+        m_window->tap(card);
+        QVERIFY2(m_window->find(u"keypad"_s), "a tap on the number opens its keypad");
+        for (const QChar key : keys)
+            m_window->tapNamed(QString(key));
+        tap("keypadAccept");
+        QCOMPARE(editor().field(field)->value(), keys.toDouble());
+        QVERIFY2(m_window->find(u"downloadStart"_s), "what changes is told, with its key");
+        tap("downloadStart");
+        QCOMPARE(editor().programDownload()->state(), panel::ProgramDownload::State::Transferring);
+    }
+};
+
+CAMPANEL_TEST(TestPanelRun)
+
+} // namespace test_panel_run
+
+#include "test_panel_run.moc"
