@@ -29,16 +29,27 @@ TouchButton {
                 width: parent.width
                 text: row.label
                 fontSizeMode: Text.HorizontalFit
-                minimumPixelSize: Theme.size.caption - 4
+                minimumPixelSize: Theme.size.smallestText
+                elide: Text.ElideRight
                 color: Theme.color.secondaryInk
                 font.pixelSize: Theme.size.caption
             }
             Label {
+                readonly property bool tooLong: smallest.advanceWidth > width
                 width: parent.width
                 text: row.value
                 fontSizeMode: Text.HorizontalFit
-                minimumPixelSize: Theme.size.caption - 4
-                font { pixelSize: Theme.size.title; weight: Font.DemiBold }
+                minimumPixelSize: Theme.size.smallestText
+                wrapMode: tooLong ? Text.WordWrap : Text.NoWrap
+                maximumLineCount: 2
+                elide: Text.ElideRight
+                lineHeight: lineCount > 1 ? 0.85 : 1
+                font { pixelSize: tooLong ? Theme.size.caption : Theme.size.title; weight: Font.DemiBold }
+                TextMetrics {
+                    id: smallest
+                    font { pixelSize: Theme.size.smallestText; weight: Font.DemiBold }
+                    text: row.value
+                }
             }
         }
         IconLabel {

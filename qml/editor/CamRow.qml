@@ -39,7 +39,8 @@ TouchButton {
                     horizontalAlignment: Text.AlignRight
                     text: entry.place
                     fontSizeMode: Text.HorizontalFit
-                    minimumPixelSize: Theme.size.caption - 4
+                    minimumPixelSize: Theme.size.smallestText
+                    elide: Text.ElideRight
                     font.pixelSize: Theme.size.caption
                 }
             }
@@ -48,8 +49,11 @@ TouchButton {
                 horizontalAlignment: Text.AlignRight
                 text: entry.detail
                 fontSizeMode: Text.HorizontalFit
-                minimumPixelSize: Theme.size.caption - 4
+                minimumPixelSize: Theme.size.smallestText
                 wrapMode: Text.WordWrap    // below the smallest size
+                maximumLineCount: 2
+                elide: Text.ElideRight
+                lineHeight: lineCount > 1 ? 0.85 : 1
                 color: entry.warns ? Theme.color.warning : Theme.color.secondaryInk
                 font.pixelSize: Theme.size.caption
             }

@@ -12,10 +12,11 @@ Sheet {
 
     title: Editor.lawTitle
     note: sheet.isByHand ? qsTr("The figures are those of the ratios set by hand; the law that is gentlest with its own ramps is first")
-        : sheet.isCutter ? qsTr("The gentlest law is first, each with the ramps that suit it; hold a law to compare its curves in grey")
-        : qsTr("Peak values of each law for this recipe; hold a law to compare its curves in grey")
+        : sheet.isCutter ? qsTr("The gentlest law is first, each with the ramps that suit it; hold a law to compare its curves")
+        : qsTr("Peak values of each law for this recipe; hold a law to compare its curves")
     readonly property bool isByHand: isCutter && Editor.cutter.ramps.mode === RampControl.ByHand
     readonly property bool isCutter: Editor.kind === Editor.Kind.RotaryCutter
+    readonly property bool compares: Editor.overlayName.length > 0
 
     Component.onCompleted: Editor.watchLaws(true)
     Component.onDestruction: Editor.watchLaws(false)
@@ -30,7 +31,7 @@ Sheet {
     ListView {
         id: list
         objectName: "lawList"
-        anchors { left: parent.left; right: parent.right; top: head.bottom; bottom: parameters.visible ? parameters.top : parent.bottom; bottomMargin: parameters.visible ? Theme.size.spacing : 0 }
+        anchors { left: parent.left; right: parent.right; top: head.bottom; bottom: comparison.visible ? comparison.top : parameters.visible ? parameters.top : parent.bottom; bottomMargin: comparison.visible || parameters.visible ? Theme.size.spacing : 0 }
         clip: true
         spacing: Theme.size.spacing
         boundsBehavior: Flickable.StopAtBounds
@@ -66,6 +67,39 @@ Sheet {
         }
     }
     ScrollMark { view: list }
+    Item {
+        id: comparison
+        visible: sheet.compares
+        anchors { left: parent.left; right: parent.right; bottom: parameters.visible ? parameters.top : parent.bottom }
+        height: 3 * Theme.size.touch
+        StyledCurves {
+            objectName: "lawCurves"
+            visible: sheet.compares
+            anchors { left: parent.left; right: legend.left; rightMargin: Theme.size.spacing; top: parent.top; bottom: parent.bottom }
+            curves: Editor.plot.curves
+            overlayCurves: Editor.overlayCurves
+            quantities: ["velocity", "acceleration"]
+        }
+        Column {
+            id: legend
+            anchors { right: parent.right; verticalCenter: parent.verticalCenter }
+            width: Math.round(parent.width * 0.3)
+            spacing: Theme.size.spacing
+            Label {
+                width: parent.width
+                wrapMode: Text.WordWrap
+                text: Theme.fill(qsTr("Color: %1, grey: %2"), [Editor.lawName, Editor.overlayName])
+                color: Theme.color.secondaryInk
+                font.pixelSize: Theme.size.caption
+            }
+            Button {
+                objectName: "endComparison"
+                width: parent.width
+                text: qsTr("End comparison")
+                onClicked: Editor.compareLaw("")
+            }
+        }
+    }
     Row {
         id: parameters
         anchors { left: parent.left; right: parent.right; bottom: parent.bottom }

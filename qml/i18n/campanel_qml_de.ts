@@ -1390,16 +1390,24 @@ Und %2 weitere.</translation>
 <context>
     <name>LawPicker</name>
     <message>
-        <source>Peak values of each law for this recipe; hold a law to compare its curves in grey</source>
-        <translation>Höchstwerte jedes Gesetzes für dieses Rezept; ein Gesetz halten, um seine Kurven grau zu vergleichen</translation>
-    </message>
-    <message>
-        <source>The gentlest law is first, each with the ramps that suit it; hold a law to compare its curves in grey</source>
-        <translation>Das sanfteste Gesetz steht zuerst, jedes mit passenden Rampen; ein Gesetz halten, um seine Kurven grau zu vergleichen</translation>
-    </message>
-    <message>
         <source>The figures are those of the ratios set by hand; the law that is gentlest with its own ramps is first</source>
         <translation>Die Zahlen gelten für die Verhältnisse von Hand; das mit eigenen Rampen sanfteste Gesetz steht zuerst</translation>
+    </message>
+    <message>
+        <source>The gentlest law is first, each with the ramps that suit it; hold a law to compare its curves</source>
+        <translation>Das sanfteste Gesetz steht zuerst, jedes mit passenden Rampen; ein Gesetz halten, um seine Kurven zu vergleichen</translation>
+    </message>
+    <message>
+        <source>Peak values of each law for this recipe; hold a law to compare its curves</source>
+        <translation>Höchstwerte jedes Gesetzes für dieses Rezept; ein Gesetz halten, um seine Kurven zu vergleichen</translation>
+    </message>
+    <message>
+        <source>Color: %1, grey: %2</source>
+        <translation>Farbig: %1, grau: %2</translation>
+    </message>
+    <message>
+        <source>End comparison</source>
+        <translation>Vergleich beenden</translation>
     </message>
 </context>
 <context>

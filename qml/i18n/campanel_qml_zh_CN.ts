@@ -1390,16 +1390,24 @@ And %2 more.</source>
 <context>
     <name>LawPicker</name>
     <message>
-        <source>Peak values of each law for this recipe; hold a law to compare its curves in grey</source>
-        <translation>各规律用于本配方的峰值；长按某一规律，以灰色曲线比较</translation>
-    </message>
-    <message>
-        <source>The gentlest law is first, each with the ramps that suit it; hold a law to compare its curves in grey</source>
-        <translation>按平缓程度排序，各规律采用适合自身的斜坡；长按某一规律，以灰色曲线比较</translation>
-    </message>
-    <message>
         <source>The figures are those of the ratios set by hand; the law that is gentlest with its own ramps is first</source>
         <translation>数值按手动设定的比例计算；采用自身最佳斜坡时最平缓的规律排在最前</translation>
+    </message>
+    <message>
+        <source>The gentlest law is first, each with the ramps that suit it; hold a law to compare its curves</source>
+        <translation>按平缓程度排序，各规律采用适合自身的斜坡；长按某一规律以比较曲线</translation>
+    </message>
+    <message>
+        <source>Peak values of each law for this recipe; hold a law to compare its curves</source>
+        <translation>各规律用于本配方的峰值；长按某一规律以比较曲线</translation>
+    </message>
+    <message>
+        <source>Color: %1, grey: %2</source>
+        <translation>彩色：%1，灰色：%2</translation>
+    </message>
+    <message>
+        <source>End comparison</source>
+        <translation>结束比较</translation>
     </message>
 </context>
 <context>

@@ -333,6 +333,7 @@ void Editor::revert()
     if (!require(Level::Operator) || !edited())
         return;
     m_history.note(m_recipe);
+    m_comparedLaw.reset();
     replace(m_stored);
 }
 

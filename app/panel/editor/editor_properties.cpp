@@ -132,6 +132,8 @@ QVariant Editor::overlayCurves() const
 void Editor::watchLaws(bool isWatched)
 {
     m_areLawsWatched = isWatched;
+    if (!isWatched && m_comparedLaw)
+        compareLaw({}); // ends where it was begun
     m_laws.setRows(isWatched
                        ? EditorViews(m_recipe, m_solution, m_controller.program().get()).laws(m_comparedLaw)
                        : QList<LawRow>{});
