@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a change of a cutter's running program costs: scrap until the cuts follow the marks again, and cuts
+// The price of a change of a cutter's running program: scrap until the cuts follow the marks again, and cuts
 // that are skipped because products of the old spacing lie under them. Where the marks of the new film will
 // be is unknown before: the price is a range over all places. See controller/core/packer/README.md.
 #pragma once

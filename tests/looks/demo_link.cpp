@@ -287,7 +287,7 @@ void DemoLink::report(link::LinkState state, std::optional<modbus::Command> pend
 
 void DemoLink::runProgram()
 {
-    if (m_situation == Situation::Fresh)
+    if (m_situation == Situation::Fresh && m_kind == Kind::RotaryCutter)
         tellFilm();
     if (m_situation == Situation::Fresh)
         pass(0, m_kind == Kind::Press ? strokeAt(0) : statusAt(0));

@@ -77,7 +77,7 @@ class Controller : public QObject, public Singleton<Controller> {
     Q_PROPERTY(campanel::panel::PackingLine* packing READ packing CONSTANT FINAL)
     // The numbers of its registers by their names.
     Q_PROPERTY(campanel::panel::Telemetry* telemetry READ telemetry CONSTANT FINAL)
-    // What Run says of the machine.
+    // The sentences of Run about the machine.
     Q_PROPERTY(campanel::panel::RunStatements* run READ run CONSTANT FINAL)
     // The torque of the axis, of any program but a press's.
     Q_PROPERTY(campanel::panel::TorqueWatch* torque READ torque CONSTANT FINAL)

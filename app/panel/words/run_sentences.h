@@ -3,7 +3,7 @@
 // a page shows the sentence of the first row of its place that is true, and writes none of its own.
 #pragma once
 
-#include "modbus/map/protocol.h"
+#include "app/link/link_values.h"
 
 #include <QString>
 
@@ -11,7 +11,7 @@
 
 namespace campanel::panel {
 
-// What a sentence on Run depends on.
+// The facts that a sentence on Run depends on.
 struct RunFacts {
     enum class Program { Absent, Lost, Reading, Present };
 
