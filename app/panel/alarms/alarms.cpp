@@ -205,7 +205,7 @@ void Alarms::acknowledgeFaults()
         if (!entry.isUnacknowledged() || entry.kind->severity != AlarmSeverity::Fault ||
             !entry.row.code.startsWith(u"C-"))
             continue;
-        m_book.acknowledge(entry.row.code, entry.row.id, m_person, now().utcMs);
+        m_book.acknowledge(entry.row.code, entry.row.id, person(), now().utcMs);
         codes << entry.row.code;
     }
     if (!codes.isEmpty())
