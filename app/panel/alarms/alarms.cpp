@@ -185,26 +185,23 @@ void Alarms::acknowledge(int row)
 
 void Alarms::acknowledgeAll()
 {
-    if (!m_controller.accessCheck().require(Level::Operator))
-        return;
-    QStringList codes;
-    for (const AlarmEntry& entry : m_book.live()) {
-        if (!entry.isUnacknowledged() || codes.contains(entry.row.code))
-            continue; // or acknowledged with a later occurrence
-        m_book.acknowledge(entry.row.code, entry.row.id, person(), now().utcMs);
-        codes << entry.row.code;
-    }
-    if (!codes.isEmpty())
-        note(u"alarm.acknowledge"_s, codes.join(u", "_s));
+    if (m_controller.accessCheck().require(Level::Operator))
+        acknowledgeEach([](const AlarmEntry&) { return true; });
 }
 
 void Alarms::acknowledgeFaults()
 {
+    acknowledgeEach([](const AlarmEntry& entry) {
+        return entry.kind->severity == AlarmSeverity::Fault && entry.row.code.startsWith(u"C-");
+    });
+}
+
+void Alarms::acknowledgeEach(const std::function<bool(const AlarmEntry& entry)>& isMeant)
+{
     QStringList codes;
     for (const AlarmEntry& entry : m_book.live()) {
-        if (!entry.isUnacknowledged() || entry.kind->severity != AlarmSeverity::Fault ||
-            !entry.row.code.startsWith(u"C-"))
-            continue;
+        if (!entry.isUnacknowledged() || !isMeant(entry) || codes.contains(entry.row.code))
+            continue; // or acknowledged with a later occurrence
         m_book.acknowledge(entry.row.code, entry.row.id, person(), now().utcMs);
         codes << entry.row.code;
     }

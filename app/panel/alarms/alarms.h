@@ -106,6 +106,7 @@ private:
     void acknowledgeFaults();
     void publish();
     void write();
+    void acknowledgeEach(const std::function<bool(const AlarmEntry& entry)>& isMeant);
     [[nodiscard]] AlarmBook::Now now() const;
     [[nodiscard]] QString person() const;
     [[nodiscard]] QDate today() const { return m_wallClock().date(); }
