@@ -1471,12 +1471,12 @@
         <translation>%1 Ausgelassene Schnitte: bis zu %2, längster Beutel %3 mm.</translation>
     </message>
     <message>
-        <source>Changing to %1 mm: scrap bags %2, up to %3 s</source>
-        <translation>Wechsel auf %1 mm: Ausschussbeutel %2, bis zu %3 s</translation>
+        <source>Changing to %1 mm: scrap %2, up to %3 s</source>
+        <translation>Wechsel auf %1 mm: Ausschuss %2, bis zu %3 s</translation>
     </message>
     <message>
-        <source>Changing to %1 mm: scrap bags %2, long bag %4 mm, up to %3 s</source>
-        <translation>Wechsel auf %1 mm: Ausschussbeutel %2, langer Beutel %4 mm, bis zu %3 s</translation>
+        <source>Changing to %1 mm: scrap %2, bag of %4 mm, up to %3 s</source>
+        <translation>Wechsel auf %1 mm: Ausschuss %2, Beutel von %4 mm, bis zu %3 s</translation>
     </message>
 </context>
 <context>

@@ -1471,11 +1471,11 @@
         <translation>%1 跳过的切断：最多 %2，最长的袋 %3 mm。</translation>
     </message>
     <message>
-        <source>Changing to %1 mm: scrap bags %2, up to %3 s</source>
+        <source>Changing to %1 mm: scrap %2, up to %3 s</source>
         <translation>正在改为 %1 mm：废袋 %2，最长 %3 s</translation>
     </message>
     <message>
-        <source>Changing to %1 mm: scrap bags %2, long bag %4 mm, up to %3 s</source>
+        <source>Changing to %1 mm: scrap %2, bag of %4 mm, up to %3 s</source>
         <translation>正在改为 %1 mm：废袋 %2，长袋 %4 mm，最长 %3 s</translation>
     </message>
 </context>

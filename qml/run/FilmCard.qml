@@ -18,7 +18,7 @@ Card {
 
     IconLabel {
         id: sign
-        visible: card.marksUsed
+        visible: card.marksUsed && !gate.needsAll
         anchors { left: parent.left; leftMargin: Theme.size.padding; verticalCenter: state.verticalCenter }
         code: card.follows ? Theme.icon.check : Theme.icon.alert
         color: !card.fresh ? Theme.color.disabledInk : card.follows ? Theme.color.good : Theme.color.warning
@@ -27,6 +27,7 @@ Card {
     Label {
         id: state
         objectName: "markState"
+        visible: !gate.needsAll
         anchors { left: sign.visible ? sign.right : parent.left; leftMargin: sign.visible ? Theme.size.accent : Theme.size.padding; top: parent.top; topMargin: Theme.size.spacing }
         text: card.line.known ? Controller.run.marks : Theme.unknownText
         color: !card.fresh ? Theme.color.disabledInk : card.follows || !card.marksUsed ? Theme.color.ink : Theme.color.warning
@@ -48,13 +49,20 @@ Card {
     Label {
         id: gate
         objectName: "packingGate"
+        // A long sentence takes the place of the marks.
+        readonly property bool needsAll: words.advanceWidth > more.x - state.implicitWidth - sign.implicitWidth - 4 * Theme.size.padding
         visible: Controller.run.film.length > 0
-        anchors { right: more.left; rightMargin: Theme.size.padding; left: state.right; leftMargin: Theme.size.padding; verticalCenter: state.verticalCenter }
+        anchors { right: more.left; rightMargin: Theme.size.padding; left: needsAll ? parent.left : state.right; leftMargin: Theme.size.padding; verticalCenter: state.verticalCenter }
         horizontalAlignment: Text.AlignRight
         fontSizeMode: Text.HorizontalFit
         minimumPixelSize: Theme.size.smallestText
         elide: Text.ElideRight
         text: Controller.run.film
+        TextMetrics {
+            id: words
+            font { pixelSize: Theme.size.smallestText; weight: Font.DemiBold }
+            text: Controller.run.film
+        }
         color: card.fresh ? Theme.color.warning : Theme.color.disabledInk
         font { pixelSize: Theme.size.caption; weight: Font.DemiBold }
     }

@@ -24,6 +24,11 @@ public:
             m_registers[at] = static_cast<std::uint16_t>(raw >> 16U);
         m_registers[at + info.count - 1U] = static_cast<std::uint16_t>(raw & 0xFFFFU);
     }
+    void setRaw(const char* name, std::size_t index, unsigned value)
+    {
+        m_registers[modbus::findRegister(name)->address - modbus::packerAddress + index] =
+            static_cast<std::uint16_t>(value);
+    }
     void tell(DemoLink& link) const
     {
         constexpr quint32 packingLine = 1; // id of the reader of this group
@@ -58,6 +63,27 @@ void showValues(TestWindow& window, double bags = 12480)
     packer.set("packer.bag_number", bags);
     packer.tell(window.link());
     window.settle();
+}
+
+// Shows a machine that aligns its cuts after a change of length: no bag counts yet, and the last one is
+// scrap.
+void showScrap(TestWindow& window)
+{
+    window.tap(QStringLiteral("nav_run"));
+    panel::Controller& controller = window.panel().controller();
+    const panel::ControllerProgram program = *controller.program();
+    modbus::StatusBlock status = *controller.status();
+    ++status.generation;
+    controller.run()->announceChange({2, 5, 2, 660, 13.7}, 250);
+    emit window.link().statusReceived({{{window.link().now(), status}}, 0});
+    emit window.link().programRead({status.generation, program.crc, program.registers, program.list});
+    Packer packer;
+    packer.set("packer.mark_state", static_cast<double>(modbus::MarkState::Aligning));
+    packer.set("packer.bag_number", 1);
+    packer.tell(window.link());
+    packer.set("packer.bag_number", 2);
+    packer.setRaw("packer.bags", 4 * 2 + 3, 1U << 8U | 1U << static_cast<unsigned>(modbus::BagBit::StartUp));
+    packer.tell(window.link());
 }
 
 // Shows marks that vary with the film's slip and the sensor's scatter, always the same.
@@ -117,6 +143,7 @@ QList<Screen> packingScreens()
                      window.tap(QString::fromLatin1(name));
              }},
             {QStringLiteral("packing"), openSection},
+            {QStringLiteral("run-scrap"), showScrap},
             {QStringLiteral("packing-suggested"),
              [](TestWindow& window) {
                  openSection(window);

@@ -468,6 +468,7 @@ const QList<Screen>& allScreens()
         situation("motion-many-alarms", Situation::ManyAlarms, motion),
         situation("run-product-across", Situation::ProductAcross, run),
         situation("run-marks-lost", Situation::MarksLost, run),
+        situation("run-fresh", Situation::Fresh, run),
         {QStringLiteral("run-old-controller"),
          [=](TestWindow& window) {
              window.link().setOld(true);

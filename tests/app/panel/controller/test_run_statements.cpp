@@ -231,11 +231,16 @@ private slots:
         walk.pass(3);
         // A new length while it runs, and the line lost before a bag of it counts.
         walk.editor.bagLength()->set(200);
+        walk.pass(1); // reads the parameters that the price depends on
         QVERIFY(walk.download());
+        const QString price = walk.machine.run()->film();
+        QVERIFY2(price.startsWith(QStringLiteral("Changing to 200 mm: scrap ")), qPrintable(price));
         walk.link.setConnected(false);
         walk.pass(3);
         walk.connect();
         QVERIFY(walk.passUntil([&] { return walk.hasBags; }, 60));
+        walk.pass(0.5);
+        QVERIFY2(!walk.machine.run()->film().startsWith(QStringLiteral("Changing")), "the change is over");
         walk.pass(3);
         finish(walk);
     }
