@@ -48,10 +48,6 @@ TouchButton {
             Label {
                 anchors.horizontalCenter: parent.horizontalCenter
                 visible: text.length > 0
-                width: Math.min(implicitWidth, key.width - 2 * Theme.size.accent)
-                fontSizeMode: Text.HorizontalFit
-                minimumPixelSize: Theme.size.caption - 1
-                elide: Text.ElideRight
                 text: key.note
                 color: Theme.color.secondaryInk
                 font.pixelSize: Theme.size.caption

@@ -14,7 +14,7 @@ FocusScope {
     property bool ready                    // a touch elsewhere may confirm it: a valid number
     property bool secret                   // does not outlive the logout of its user
     property bool warned                   // somebody has tried to leave it while it was pending
-    readonly property string warning: warned ? qsTr("The entry is not confirmed. Confirm or cancel the entry first.") : ""
+    readonly property string warning: warned ? qsTr("Not confirmed yet. Confirm or cancel first.") : ""
     signal taken()                         // to be confirmed without closing
     signal closed()
 

@@ -2054,8 +2054,8 @@ Und %2 weitere.</translation>
 <context>
     <name>Overlay</name>
     <message>
-        <source>The entry is not confirmed. Confirm or cancel the entry first.</source>
-        <translation>Die Eingabe ist nicht bestätigt. Zuerst die Eingabe bestätigen oder abbrechen.</translation>
+        <source>Not confirmed yet. Confirm or cancel first.</source>
+        <translation>Nicht bestätigt. Erst bestätigen oder abbrechen.</translation>
     </message>
 </context>
 <context>
@@ -2849,12 +2849,12 @@ Und %2 weitere.</translation>
         <translation>%1 Rezepte</translation>
     </message>
     <message>
-        <source>Sorted by name</source>
-        <translation>Nach Name sortiert</translation>
+        <source>By name</source>
+        <translation>Nach Name</translation>
     </message>
     <message>
-        <source>Last saved first</source>
-        <translation>Zuletzt gespeicherte zuerst</translation>
+        <source>By date</source>
+        <translation>Nach Datum</translation>
     </message>
 </context>
 <context>

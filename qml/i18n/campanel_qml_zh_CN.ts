@@ -2054,8 +2054,8 @@ And %2 more.</source>
 <context>
     <name>Overlay</name>
     <message>
-        <source>The entry is not confirmed. Confirm or cancel the entry first.</source>
-        <translation>输入尚未确认。请先确认或取消输入。</translation>
+        <source>Not confirmed yet. Confirm or cancel first.</source>
+        <translation>尚未确认。请先确认或取消。</translation>
     </message>
 </context>
 <context>
@@ -2849,12 +2849,12 @@ And %2 more.</source>
         <translation>%1 个配方</translation>
     </message>
     <message>
-        <source>Sorted by name</source>
-        <translation>按名称排序</translation>
+        <source>By name</source>
+        <translation>按名称</translation>
     </message>
     <message>
-        <source>Last saved first</source>
-        <translation>最近保存在前</translation>
+        <source>By date</source>
+        <translation>按时间</translation>
     </message>
 </context>
 <context>

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The search for a recipe: the recipes that match stay in sight beside the text, and a touch on one ends the search.
+// The search for a recipe: the recipes that match stay in sight beside the title, and a touch on one ends the search.
 pragma ComponentBehavior: Bound
 import QtQuick
+import CamPanel.Theme
 import CamPanel.Controls
 import CamPanel.Parts
 import CamPanel.Panel
@@ -14,35 +15,35 @@ TextSheet {
     text: Recipes.search
     pending: false                         // each letter takes effect at once
     onEdited: text => Recipes.search = text
-    header: Button {
-        objectName: "recipeOrder"
-        kind: Button.Quiet
-        focusPolicy: Qt.NoFocus
-        text: Recipes.byName ? qsTr("Sorted by name") : qsTr("Last saved first")
-        onClicked: Recipes.byName = !Recipes.byName
-    }
-    aside: ListView {
-        id: list
-        anchors.fill: parent
-        objectName: "foundRecipes"
-        orientation: ListView.Horizontal
-        boundsBehavior: Flickable.StopAtBounds
-        clip: true
-        model: Recipes.list
-        delegate: KeypadKey {
-            required property int index
-            required property string name
-            required property string summary
-            objectName: "found" + index
-            width: Math.round(list.width / 2.3)
-            height: list.height
-            focusPolicy: Qt.NoFocus
-            text: name
-            note: summary
-            onClicked: {
-                Recipes.choose(index)
-                sheet.closed()
+    header: [
+        ListView {
+            id: list
+            width: sheet.width / 2
+            height: Theme.size.touch
+            orientation: ListView.Horizontal
+            boundsBehavior: Flickable.StopAtBounds
+            clip: true
+            model: Recipes.list
+            delegate: KeypadKey {
+                required property int index
+                required property string name
+                objectName: "found" + index
+                width: Math.round(list.width / 2.3)
+                height: list.height
+                focusPolicy: Qt.NoFocus
+                text: name
+                onClicked: {
+                    Recipes.choose(index)
+                    sheet.closed()
+                }
             }
+        },
+        Button {
+            objectName: "recipeOrder"
+            kind: Button.Quiet
+            focusPolicy: Qt.NoFocus
+            text: Recipes.byName ? qsTr("By name") : qsTr("By date")
+            onClicked: Recipes.byName = !Recipes.byName
         }
-    }
+    ]
 }

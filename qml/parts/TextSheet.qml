@@ -14,7 +14,6 @@ Sheet {
     property string problem: sheet.check.call(sheet, input.text) // empty: valid
     property bool acceptable: problem.length === 0
     property int level: Access.Viewer      // needed to confirm: the user may be logged out meanwhile
-    property alias aside: asideArea.data   // beside the text
     property string first                  // the text at the opening
     property bool insisted                 // somebody wants to confirm what is not valid
     readonly property bool touched: input.text !== first || insisted
@@ -45,7 +44,7 @@ Sheet {
     Rectangle {
         id: field
         anchors { left: parent.left; top: parent.top }
-        width: keyboard.composing || asideArea.children.length > 0 ? Math.round(parent.width / 3) : parent.width
+        width: keyboard.composing ? Math.round(parent.width / 3) : parent.width
         // Leaves the height of a letter key for this and the problem below.
         height: Math.max(Math.round(1.5 * Theme.size.value), Math.ceil(Theme.size.touch / Theme.size.reach) - problemLabel.height)
         radius: Theme.size.radius
@@ -72,11 +71,6 @@ Sheet {
             }
             onAccepted: sheet.accept()
         }
-    }
-    Item {
-        id: asideArea
-        anchors { left: field.right; leftMargin: Theme.size.spacing; right: parent.right; top: field.top; bottom: problemLabel.bottom }
-        visible: !keyboard.composing
     }
     // The candidates of the pinyin letters, beside the field.
     Item {
@@ -114,7 +108,7 @@ Sheet {
         id: problemLabel
         objectName: "textProblem"
         visible: !keyboard.composing
-        anchors { left: parent.left; right: field.right; top: field.bottom }
+        anchors { left: parent.left; right: parent.right; top: field.bottom }
         height: Math.round(1.6 * Theme.size.caption)
         text: sheet.touched ? sheet.problem : ""
         color: Theme.color.warning
