@@ -6,6 +6,8 @@ import CamPanel.Theme
 
 Rectangle {
     id: banner
+    Accessible.role: Accessible.AlertMessage
+    Accessible.name: banner.text
 
     enum Severity { Information, Warning, Fault }
 

@@ -7,6 +7,7 @@ import CamPanel.Theme
 TouchButton {
     id: field
     Accessible.name: field.label
+    Accessible.description: field.unit.length > 0 ? field.value + " " + field.unit : field.value
 
     required property string label
     required property string value

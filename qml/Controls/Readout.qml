@@ -6,6 +6,8 @@ import CamPanel.Theme
 
 Item {
     id: readout
+    Accessible.role: Accessible.StaticText
+    Accessible.name: readout.known && readout.unit.length > 0 ? readout.text + " " + readout.unit : readout.text
 
     required property string text
     property string unit

@@ -7,6 +7,7 @@ import CamPanel.Theme
 TouchButton {
     id: row
     Accessible.name: row.label
+    Accessible.description: row.value
 
     required property string label
     required property string value

@@ -35,6 +35,8 @@ Rectangle {
         readonly property real room: Math.min(bar.width * 0.36, state.x - recipe.x - Theme.size.padding)
         Label {
             objectName: "recipeTitle"
+            Accessible.role: Accessible.StaticText
+            Accessible.name: text
             width: Math.min(implicitWidth, recipe.room)
             elide: Text.ElideRight
             fontSizeMode: Text.HorizontalFit
@@ -68,6 +70,8 @@ Rectangle {
         }
         Label {
             objectName: "stateText"
+            Accessible.role: Accessible.StaticText
+            Accessible.name: text
             anchors.verticalCenter: parent.verticalCenter
             width: Math.min(implicitWidth, 0.2 * bar.width)
             fontSizeMode: Text.HorizontalFit

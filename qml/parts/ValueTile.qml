@@ -8,6 +8,9 @@ import CamPanel.Panel
 
 Item {
     id: tile
+    Accessible.role: Accessible.StaticText
+    Accessible.name: tile.label
+    Accessible.description: tile.text
 
     property string value
     required property string label
