@@ -1487,7 +1487,7 @@
     </message>
     <message>
         <source>Speed law</source>
-        <translation>Geschwindigkeitsgesetz</translation>
+        <translation>Bewegungsgesetz</translation>
     </message>
     <message>
         <source>Pinned values</source>
@@ -2859,7 +2859,7 @@ eff. %2</translation>
     </message>
     <message>
         <source>As a displacement law, acceleration jumps to its peak (6) at both ends; as a speed law, jerk does.</source>
-        <translation>Als Bewegungsgesetz springt an beiden Enden die Beschleunigung auf ihren Höchstwert (6), als Geschwindigkeitsgesetz der Ruck.</translation>
+        <translation>Als Bewegungsgesetz springt an beiden Enden die Beschleunigung auf ihren Höchstwert (6), als Bewegungsgesetz der Ruck.</translation>
     </message>
     <message>
         <source>Quintic 3-4-5</source>
@@ -3335,7 +3335,7 @@ eff. %2</translation>
     </message>
     <message>
         <source>As a speed law, acceleration is zero at both ends and peaks at only 1.5 times its mean.</source>
-        <translation>Als Geschwindigkeitsgesetz ist die Beschleunigung an beiden Enden null und höchstens das 1,5-Fache des Mittels.</translation>
+        <translation>Als Bewegungsgesetz ist die Beschleunigung an beiden Enden null und höchstens das 1,5-Fache des Mittels.</translation>
     </message>
     <message>
         <source>Jerk jumps at both ends; a trapezoid with ramps above 22.29 % of the move needs less peak acceleration.</source>
@@ -3492,7 +3492,7 @@ eff. %2</translation>
     </message>
     <message>
         <source>This speed law is unknown. Choose another law.</source>
-        <translation>Dieses Geschwindigkeitsgesetz ist unbekannt. Ein anderes wählen.</translation>
+        <translation>Dieses Bewegungsgesetz ist unbekannt. Ein anderes wählen.</translation>
     </message>
     <message>
         <source>%1 is %2; the nearest possible value is %3.</source>
@@ -4949,7 +4949,7 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
     </message>
     <message>
         <source>Speed law</source>
-        <translation>Geschwindigkeitsgesetz</translation>
+        <translation>Bewegungsgesetz</translation>
     </message>
     <message>
         <source>The unsaved edits were lost: their file is damaged. The saved recipe is open.</source>

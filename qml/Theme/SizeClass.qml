@@ -32,8 +32,9 @@ QtObject {
     readonly property int hairline: 1
     readonly property int outline: 2
     readonly property int accent: 4
-    readonly property int touch: Math.round(12 * reach * pixelsPerMm)
-    readonly property int commandKey: Math.floor(18 * reach * pixelsPerMm)
+    // 12 and 18 mm, and never too small for their texts: a large screen is read from a distance.
+    readonly property int touch: Math.max(Math.round(12 * reach * pixelsPerMm), Math.round(3.9 * body))
+    readonly property int commandKey: Math.max(Math.floor(18 * reach * pixelsPerMm), Math.floor(3.75 * command))
     readonly property int keypad: 4 * commandKey + 2 * accent   // width of the keypad for numbers
     // Larger keys take their space from the gaps.
     readonly property int gap: reach > 1 ? Math.round(wideGap / 3) : wideGap

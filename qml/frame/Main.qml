@@ -21,7 +21,7 @@ Window {
     minimumHeight: isOnDesktop ? 480 : 0
 
     // Beside other windows: no screen is turned, however the window is resized.
-    property bool hasWindowSystem: ["xcb", "wayland", "wayland-egl", "cocoa", "windows"].includes(Qt.platform.pluginName)
+    property bool hasWindowSystem: /^(xcb|wayland)/.test(Qt.platform.pluginName)
     readonly property bool isOnDesktop: hasWindowSystem && visibility !== Window.FullScreen
 
     // The platform plugins without a window system do not rotate a window. Touches follow the item.

@@ -670,7 +670,7 @@ Und %2 weitere.</translation>
     <name>CutterInputs</name>
     <message>
         <source>Speed law</source>
-        <translation>Geschwindigkeitsgesetz</translation>
+        <translation>Bewegungsgesetz</translation>
     </message>
     <message>
         <source>View and tools</source>

@@ -19,7 +19,7 @@ QtObject {
         }
         change.field = Editor.field(name)
         change.before = change.field.value
-        Frame.edit([change.field], 0, source)
+        Frame.edit([change.field], 0, source, "")
     }
 
     onCoveredChanged: {

@@ -85,7 +85,7 @@ void RecipeFiles::updateRows()
             continue;
         news << offer;
         if (offer.isFromPlant)
-            offered << tr("Offered: %1", "recipe and version").arg(nameAndVersion(*offer.recipe));
+            offered << offeredText(*offer.recipe);
     }
     m_files.setRows(rows);
     const QString notice = offered.join(QStringLiteral(" · "));
@@ -95,6 +95,11 @@ void RecipeFiles::updateRows()
     std::ranges::stable_sort(news, {}, [](const store::RecipeOffer& offer) { return offer.recipe->version; });
     m_news = news;
     emit newsChanged();
+}
+
+QString RecipeFiles::offeredText(const program::Recipe& recipe)
+{
+    return tr("Offered: %1", "recipe and version").arg(nameAndVersion(recipe));
 }
 
 QString RecipeFiles::nameAndVersion(const program::Recipe& recipe)
@@ -115,7 +120,7 @@ OfferRow RecipeFiles::row(const store::RecipeOffer& offer, const Effect& effect)
     if (!effect.summary.isEmpty())
         parts.prepend(effect.summary);
     OfferRow row;
-    row.title = nameAndVersion(*offer.recipe);
+    row.title = offer.isFromPlant ? offeredText(*offer.recipe) : nameAndVersion(*offer.recipe);
     row.usable = !effect.isRefused;
     const QString hidden = hiddenLetters(offer.recipe->name);
     row.detail = hidden.isEmpty() ? effect.text : tr("%1 %2", "whole sentences").arg(effect.text, hidden);

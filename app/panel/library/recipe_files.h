@@ -67,6 +67,7 @@ private:
     [[nodiscard]] static OfferRow refusedRow(const store::RecipeOffer& offer);
     // Returns how many letters of the name would be boxes on the screen, as a sentence; empty: none.
     [[nodiscard]] QString hiddenLetters(const std::string& name) const;
+    [[nodiscard]] static QString offeredText(const program::Recipe& recipe);
     [[nodiscard]] static QString nameAndVersion(const program::Recipe& recipe);
 
     Consequence m_consequence;

@@ -111,6 +111,7 @@ void Recipes::reload()
             if (!newest)
                 return m_records.reportError(newest.error());
             m_all = *newest;
+            m_unread.clear();
             m_shapes.clear();
             for (const RecipeVersion& each : m_all)
                 m_shapes.insert(each.recipeId, shapeOf(each.recipe));
@@ -142,13 +143,17 @@ void Recipes::keep(const Recipe& recipe, Origin origin, std::function<void(const
             kept.recipe = recipe;
             kept.recipe.version = saved.version;
             const RecipeVersion* before = named(nameOf(recipe));
+            for (const RecipeVersion& unread : std::as_const(m_unread))
+                before = unread.recipeId == saved.recipeId ? &unread : before;
             if (!before || before->version != kept.version)
                 emit noted(recipeSaved(before ? std::optional(*before) : std::nullopt, kept, signer));
+            // For whoever asks before the list is read again.
             if (const auto at = std::ranges::find(m_all, kept.recipeId, &RecipeVersion::recipeId);
-                at != m_all.end())
-                *at = kept; // whoever asks before the list is read again
-            else
-                m_all << kept;
+                at != m_all.end()) {
+                *at = kept;
+            } else {
+                m_unread << kept;
+            }
             if (done)
                 done(kept);
             reload();

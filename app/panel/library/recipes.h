@@ -212,7 +212,8 @@ private:
     Editor& m_editor;
     DatabaseService& m_records;
     WallClock m_wallClock;
-    Versions m_all; // the newest of each
+    Versions m_all;    // the newest of each
+    Versions m_unread; // new ones that were saved since the last reading
     QList<store::MachineData> m_machineData;
     QHash<qint64, CurveShape> m_shapes; // of each
     RecipeList m_list{this};
