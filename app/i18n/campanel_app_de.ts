@@ -7013,7 +7013,7 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
         <translation>±%1 mm</translation>
     </message>
     <message>
-        <source>Automatic logout after</source>
+        <source>Log out after</source>
         <translation>Abmelden nach</translation>
     </message>
     <message>

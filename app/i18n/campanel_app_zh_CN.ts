@@ -7009,7 +7009,7 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
         <translation>±%1 mm</translation>
     </message>
     <message>
-        <source>Automatic logout after</source>
+        <source>Log out after</source>
         <translation>自动退出时间</translation>
     </message>
     <message>

@@ -18,7 +18,7 @@ SizeClass {
     body: 24
     title: 30
     value: 50
-    hero: 104
+    hero: 98
     command: 34
     icon: 40
     largeIcon: 76

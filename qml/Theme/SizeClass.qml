@@ -28,7 +28,7 @@ QtObject {
 
     property real pixelsPerMm: Math.hypot(screen.width, screen.height) / diagonalInch / 25.4
     property real reach: 1                // scale of touch targets: 1 for a bare finger
-    readonly property int smallestText: 12   // a longer text wraps or is elided
+    readonly property int smallestText: screen.width < 1000 ? 10 : 12   // a longer text wraps or is elided
     readonly property int hairline: 1
     readonly property int outline: 2
     readonly property int accent: 4

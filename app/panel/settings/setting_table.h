@@ -177,7 +177,7 @@ inline constexpr std::array settingTable{
                .level = Level::Service,
                .label = QT_TRANSLATE_NOOP("campanel::panel::Settings", "minutes until logout"),
                .help = "Minutes without a touch until the user is logged out.",
-               .title = QT_TRANSLATE_NOOP("campanel::panel::Settings", "Automatic logout after"),
+               .title = QT_TRANSLATE_NOOP("campanel::panel::Settings", "Log out after"),
                .shown = QT_TRANSLATE_NOOP("campanel::panel::Settings", "%1 min")},
     SettingRow{.name = "access.operators_log_in",
                .key = "access/operators_log_in",
