@@ -1475,8 +1475,8 @@
         <translation>Wechsel auf %1 mm: Ausschuss %2, bis zu %3 s</translation>
     </message>
     <message>
-        <source>Changing to %1 mm: scrap %2, bag of %4 mm, up to %3 s</source>
-        <translation>Wechsel auf %1 mm: Ausschuss %2, Beutel von %4 mm, bis zu %3 s</translation>
+        <source>Changing to %1 mm: scrap %2, a bag of up to %4 mm, up to %3 s</source>
+        <translation>Wechsel auf %1 mm: Ausschuss %2, Beutel bis %4 mm, bis zu %3 s</translation>
     </message>
 </context>
 <context>

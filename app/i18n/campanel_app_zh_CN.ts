@@ -1475,8 +1475,8 @@
         <translation>正在改为 %1 mm：废袋 %2，最长 %3 s</translation>
     </message>
     <message>
-        <source>Changing to %1 mm: scrap %2, bag of %4 mm, up to %3 s</source>
-        <translation>正在改为 %1 mm：废袋 %2，长袋 %4 mm，最长 %3 s</translation>
+        <source>Changing to %1 mm: scrap %2, a bag of up to %4 mm, up to %3 s</source>
+        <translation>正在改为 %1 mm：废袋 %2，最长的袋 %4 mm，最多 %3 s</translation>
     </message>
 </context>
 <context>

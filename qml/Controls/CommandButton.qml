@@ -29,7 +29,7 @@ TouchButton {
             hint.restart()
         acted = true
     }
-    // What takes the readiness away ends the touch.
+    // The touch ends when the key is no longer ready.
     onReadyChanged: {
         if (!ready && pressed)
             acted = true

@@ -41,7 +41,7 @@ bool TouchGate::stops(const QPointF& scene)
     QQuickItem* target = targetAt(*window()->contentItem(), scene);
     const QAccessibleInterface* named = target ? QAccessible::queryAccessibleInterface(target) : nullptr;
     emit touched(target, named && !named->text(QAccessible::Name).isEmpty());
-    // What touched() has changed may have put another item there, which nobody meant.
+    // Another item may stand there now, because of touched(); nobody meant to touch it.
     return m_isRefused || targetAt(*window()->contentItem(), scene) != target;
 }
 

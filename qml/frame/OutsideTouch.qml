@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a touch outside of the topmost sheet, keypad or login does, and Escape: nothing that was typed is lost. The rule is in README.md.
+// Handles Escape and a touch outside of the topmost sheet, keypad or login: nothing that was typed is lost. The rule is in qml/README.md.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Controls

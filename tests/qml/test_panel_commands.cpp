@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What commands the machine: by a touch that is too short, by one that is long enough, with another recipe
+// Commands to the machine: by a touch that is too short, by one that is long enough, with another recipe
 // open, and twice on one spot.
 #include "panel_test.h"
 #include "tests/looks/screens.h"

@@ -70,7 +70,7 @@ class TestPanelInputKept : public test::PanelTest {
                 looks::enterScreen(*m_window, screen);
         }
     }
-    // What is held: "field bag_length_mm" or "setting bags.tolerance_mm".
+    // The thing that is held: "field bag_length_mm" or "setting bags.tolerance_mm".
     double valueOf(const QString& what)
     {
         const QString name = what.section(u' ', 1);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a screen reader is told: values, the state of the machine, alarms, and nothing of a page that was
+// A screen reader is told the values, the state of the machine, alarms, and nothing of a page that was
 // left.
 #include "panel_test.h"
 #include "tests/support/test_program.h"

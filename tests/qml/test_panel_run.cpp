@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What Run says by touch: no sentence that is not so, scrap is called scrap, a short gap of the line leaves
+// The sentences of Run, by touch: none that is not so, scrap is called scrap, a short gap of the line leaves
 // the page as it is, a lost program comes back by one key, and a number is changed where it stands.
 #include "panel_test.h"
 

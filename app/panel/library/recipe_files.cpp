@@ -91,7 +91,7 @@ void RecipeFiles::updateRows()
     const QString notice = offered.join(QStringLiteral(" · "));
     if (std::exchange(m_notice, notice) != notice)
         emit noticeChanged();
-    // Of one recipe the older version first.
+    // The older version of a recipe is imported first.
     std::ranges::stable_sort(news, {}, [](const store::RecipeOffer& offer) { return offer.recipe->version; });
     m_news = news;
     emit newsChanged();

@@ -149,11 +149,10 @@ void Recipes::keep(const Recipe& recipe, Origin origin, std::function<void(const
                 emit noted(recipeSaved(before ? std::optional(*before) : std::nullopt, kept, signer));
             // For whoever asks before the list is read again.
             if (const auto at = std::ranges::find(m_all, kept.recipeId, &RecipeVersion::recipeId);
-                at != m_all.end()) {
+                at != m_all.end())
                 *at = kept;
-            } else {
+            else
                 m_unread << kept;
-            }
             if (done)
                 done(kept);
             reload();

@@ -107,7 +107,7 @@ QString ControllerSentences::changeUnderWay(const program::ChangePrice& price, d
     const QString seconds = format.number(price.maxSeconds, 0);
     return price.maxSkipped == 0
                ? tr("Changing to %1 mm: scrap %2, up to %3 s").arg(length, scrapRange(price), seconds)
-               : tr("Changing to %1 mm: scrap %2, bag of %4 mm, up to %3 s")
+               : tr("Changing to %1 mm: scrap %2, a bag of up to %4 mm, up to %3 s")
                      .arg(length, scrapRange(price), seconds, format.number(price.longestBagMm, 0));
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What nobody has acknowledged stays in the list: each occurrence, over a repetition and over a restart.
+// An occurrence that nobody has acknowledged stays in the list, over a repetition and over a restart.
 #include "tests/app/panel/alarm_rig.h"
 #include "tests/support/test_program.h"
 
