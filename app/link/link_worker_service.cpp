@@ -180,7 +180,7 @@ void LinkWorker::startScan(modbus::ScanPlan::Depth depth)
     for (const PortDescription& port : availablePorts())
         plan.otherPorts.push_back(port.path.toStdString());
     m_scanDepth = depth;
-    m_isInterruptedByScan = m_report.state == LinkState::Connected;
+    m_isInterruptedByScan |= m_report.state == LinkState::Connected; // or by the scan that it replaces
     m_scan = std::make_unique<modbus::LineScan>(std::move(plan));
     disconnect(m_report.error);
     reportScan(true, false);

@@ -338,6 +338,23 @@ private slots:
         QCOMPARE(losses, 0);
     }
 
+    void aSecondDiagnosisLosesNothingEither()
+    {
+        ControllerProcess controller;
+        Panel panel(portSettings(controller.port()));
+        QTRY_VERIFY_WITH_TIMEOUT(panel.isConnected(), timeoutMs);
+        int losses = 0;
+        connect(&panel.link, &link::Link::reported, this, [&losses](const link::LinkReport& said) {
+            losses += said.state == link::LinkState::Lost && !said.isScanning ? 1 : 0;
+        });
+        panel.link.startScan(Depth::Diagnosis);
+        panel.link.startScan(Depth::Diagnosis); // before the first has ended
+        QTRY_VERIFY_WITH_TIMEOUT(panel.scanEnded(), timeoutMs);
+        panel.status.reset();
+        QTRY_VERIFY_WITH_TIMEOUT(panel.isConnected() && !panel.report.isScanning, timeoutMs);
+        QCOMPARE(losses, 0);
+    }
+
     void wrongUnitIsFoundAndTakenOverInOneCall()
     {
         ControllerProcess controller({QStringLiteral("--unit"), QStringLiteral("3")});
