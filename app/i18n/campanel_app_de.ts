@@ -1466,9 +1466,9 @@
         <translation>Ausschussbeutel: %1; der erste gute Beutel innerhalb von %2 s.</translation>
     </message>
     <message>
-        <source>%1 Skipped cuts: up to %2, longest bag %3 mm.</source>
+        <source>%1 Skipped cuts: up to %2, a bag of up to %3 mm.</source>
         <comment>%1: whole sentence</comment>
-        <translation>%1 Ausgelassene Schnitte: bis zu %2, längster Beutel %3 mm.</translation>
+        <translation>%1 Ausgelassene Schnitte: bis zu %2, ein Beutel bis %3 mm.</translation>
     </message>
     <message>
         <source>Changing to %1 mm: scrap %2, up to %3 s</source>

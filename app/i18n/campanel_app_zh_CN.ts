@@ -1466,9 +1466,9 @@
         <translation>废袋：%1；%2 s 内出第一个合格袋。</translation>
     </message>
     <message>
-        <source>%1 Skipped cuts: up to %2, longest bag %3 mm.</source>
+        <source>%1 Skipped cuts: up to %2, a bag of up to %3 mm.</source>
         <comment>%1: whole sentence</comment>
-        <translation>%1 跳过的切断：最多 %2，最长的袋 %3 mm。</translation>
+        <translation>%1 跳过的切断：最多 %2，最长的袋不超过 %3 mm。</translation>
     </message>
     <message>
         <source>Changing to %1 mm: scrap %2, up to %3 s</source>

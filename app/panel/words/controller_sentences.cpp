@@ -96,7 +96,7 @@ QString ControllerSentences::changePrice(const program::ChangePrice& price)
                               .arg(scrapRange(price), format.number(price.maxSeconds, 1));
     if (price.maxSkipped == 0)
         return scrap;
-    return tr("%1 Skipped cuts: up to %2, longest bag %3 mm.", "%1: whole sentence")
+    return tr("%1 Skipped cuts: up to %2, a bag of up to %3 mm.", "%1: whole sentence")
         .arg(scrap, QString::number(price.maxSkipped), format.number(price.longestBagMm, 0));
 }
 
