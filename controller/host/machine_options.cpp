@@ -28,10 +28,16 @@ template <auto Member> double& drive(MachineOptions& options)
     return options.drive.*Member;
 }
 
+template <auto Member> double& sensors(MachineOptions& options)
+{
+    return options.sensors.*Member;
+}
+
 using Drive = DriveOptions;
 using Film = FilmOptions;
 using Products = ProductOptions;
 using Press = PressOptions;
+using Sensors = SensorOptions;
 
 constexpr std::array optionTable{
     MachineOption{"film-slip", "MM", "standard deviation of the film's slip per bag", 0, 10,
@@ -43,6 +49,14 @@ constexpr std::array optionTable{
                   film<&Film::stretchStepM>},
     MachineOption{"film-misplaced", "MM", "initial offset of film to marks", -1000, 1000,
                   film<&Film::misplacedMm>},
+    MachineOption{"film-slip-per-acceleration", "MM", "film behind its roll per m/s^2 of acceleration", 0, 1,
+                  film<&Film::slipPerAcceleration>},
+    MachineOption{"sensor-delay-ms", "MS", "delay of mark sensor and product eye", 0, 50,
+                  sensors<&Sensors::delayMs>},
+    MachineOption{"sensor-scatter-ms", "MS", "standard deviation of this delay from edge to edge", 0, 10,
+                  sensors<&Sensors::scatterMs>},
+    MachineOption{"sensor-off-later-ms", "MS", "additional delay of the end of a product", 0, 10,
+                  sensors<&Sensors::offLaterMs>},
     MachineOption{"mark-noise", "MM", "standard deviation of the mark sensor", 0, 10,
                   film<&Film::markNoiseMm>},
     MachineOption{"marks-missing", "P", "share of the marks that the sensor misses", 0, 1,

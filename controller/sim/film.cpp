@@ -8,10 +8,10 @@
 namespace campanel::controller {
 namespace {
 
-constexpr double mmPerM = 1000.0;
 constexpr double twoPi = 2.0 * std::numbers::pi;
 // The number of Newton steps from a guess that differs by the stretch: 0.5 %, then 1e-7, then nothing.
 constexpr int inversions = 3;
+constexpr double giveS = 0.01; // time constant of the film between roll and jaws
 
 } // namespace
 
@@ -54,7 +54,7 @@ void Film::load(double bagMm, double toFirstCutMm, double rollMm)
     if (bagMm == m_bagMm || !(bagMm > 0.0))
         return;
     const double drawn = m_bagMm > 0.0 ? drawnMm(rollMm) : rollMm;
-    m_slipAtKnotMm = drawn - rollMm;
+    m_slipAtKnotMm = drawn - rollMm + m_behindMm;
     m_slipBeforeMm = m_slipAtKnotMm;
     m_slipAfterMm = m_slipAtKnotMm;
     m_knotMm = rollMm;
@@ -88,7 +88,9 @@ double Film::drawnMm(double rollMm) const
     const double part = (rollMm - m_knotMm) / m_bagMm;
     const double slip = part < 0.0 ? m_slipAtKnotMm + part * (m_slipAtKnotMm - m_slipBeforeMm)
                                    : m_slipAtKnotMm + part * (m_slipAfterMm - m_slipAtKnotMm);
-    return rollMm + slip;
+    const double step = m_stepToMm - m_stepFromMm;
+    const double share = step > 0.0 ? std::clamp((rollMm - m_stepFromMm) / step, 0.0, 1.0) : 1.0;
+    return rollMm + slip - (m_behindBeforeMm + share * (m_behindMm - m_behindBeforeMm));
 }
 
 void Film::seeMarks(double rollMm)
@@ -106,10 +108,14 @@ void Film::seeMarks(double rollMm)
     }
 }
 
-void Film::drawTo(double rollMm)
+void Film::drawTo(double rollMm, double acceleration)
 {
     if (!(m_bagMm > 0.0))
         return;
+    m_stepFromMm = m_stepToMm;
+    m_stepToMm = rollMm;
+    m_behindBeforeMm = m_behindMm;
+    m_behindMm = m_options.slipPerAcceleration * acceleration;
     while (rollMm >= m_knotMm + m_bagMm) {
         seeMarks(m_knotMm + m_bagMm);
         m_knotMm += m_bagMm;
@@ -118,6 +124,12 @@ void Film::drawTo(double rollMm)
         m_slipAfterMm += m_options.slipMm * m_normal(m_slipRandom);
     }
     seeMarks(rollMm);
+}
+
+double FilmAcceleration::step(double speed, double stepS)
+{
+    m_follower += (speed - m_follower) * (1.0 - std::exp(-stepS / giveS));
+    return (speed - m_follower) / giveS;
 }
 
 bool Film::takeMark(double& rollMm)

@@ -12,6 +12,8 @@
 
 namespace campanel::controller {
 
+inline constexpr double mmPerM = 1000.0;
+
 struct FilmOptions {
     double slipMm = 0.03;          // standard deviation from bag to bag
     double stretch = 0.005;        // largest slow stretch; half of it is constant
@@ -23,6 +25,18 @@ struct FilmOptions {
     double printError = 0.0;       // the printed distance is longer than the bag by this share
     double misplacedMm = 0.0;      // offset of the film from its marks at the first cut
     double markDistanceMm = 900.0; // from the sensor to the knife
+    double slipPerAcceleration =
+        0.0; // mm per m/s^2: so far the film stays behind its roll while it speeds up
+};
+
+// The acceleration that the film feels, m/s^2: that of its roll behind the give of a loose film.
+class FilmAcceleration {
+public:
+    // Returns it at the end of a step that ends with this speed, m/s.
+    double step(double speed, double stepS);
+
+private:
+    double m_follower = 0.0; // the speed, low-pass filtered
 };
 
 class Film {
@@ -31,8 +45,9 @@ public:
 
     // Loads film printed for bags of this length; the first cut comes after another `toFirstCutMm`.
     void load(double bagMm, double toFirstCutMm, double rollMm);
-    // Advances the roll to this distance since power-up.
-    void drawTo(double rollMm);
+    // Advances the roll to this distance since power-up, with this acceleration of the film at the end,
+    // m/s^2.
+    void drawTo(double rollMm, double acceleration = 0.0);
     // Returns the position of the roll at a mark that passed the sensor, mm; false: no more marks.
     bool takeMark(double& rollMm);
 
@@ -73,6 +88,11 @@ private:
     bool m_markSeen = true;
     bool m_hasFalse = false;
     std::deque<double> m_seen;
+    // How far acceleration keeps the film behind, at the beginning and the end of the last step.
+    double m_stepFromMm = 0.0;
+    double m_stepToMm = 0.0;
+    double m_behindBeforeMm = 0.0;
+    double m_behindMm = 0.0;
 };
 
 } // namespace campanel::controller

@@ -64,6 +64,8 @@ Machine::Machine(const MachineOptions& options)
     , m_infeedMotor(options.feedBandwidthHz)
     , m_film(options.film, options.seed)
     , m_infeed(options.products, options.seed)
+    , m_markSensor(options.sensors, options.seed ^ 0xA0761D6478BD642Fu)
+    , m_eye(options.sensors, options.seed ^ 0xE7037ED1A0B428DBu)
 {
     m_mark = -m_revolution * options.startAngleDegrees / 360.0;
     switchDrives();
@@ -184,13 +186,22 @@ double Machine::rollMm(double pulses) const
     return pulses / m_options.filmPulses * m_options.filmFeedMm;
 }
 
-void Machine::moveFilm()
+void Machine::moveFilm(double stepS)
 {
     const double before = rollMm(m_filmMotor.positionBefore());
     const double now = rollMm(m_filmMotor.position());
     const double drawnBefore = m_film.drawnMm(before);
-    m_film.drawTo(now);
-    m_infeed.moveTo(m_infeedMotor.position() / m_options.flightPulses, drawnBefore, m_film.drawnMm(now));
+    m_film.drawTo(now, m_filmAcceleration.step(rollMm(m_filmMotor.speed()) / mmPerM, stepS));
+    double mark = 0.0;
+    while (m_film.takeMark(mark))
+        m_markSensor.pass(mark, true);
+    m_markSensor.advance(stepS, before, now);
+    const double infeedBefore = m_infeedMotor.positionBefore() / m_options.flightPulses;
+    const double infeed = m_infeedMotor.position() / m_options.flightPulses;
+    m_infeed.moveTo(infeed, drawnBefore, m_film.drawnMm(now));
+    while (const auto edge = m_infeed.takeEdge())
+        m_eye.pass(edge->position, edge->covered);
+    m_eye.advance(stepS, infeedBefore, infeed);
 }
 
 void Machine::passCut()
@@ -229,7 +240,7 @@ void Machine::advance(double stepS)
         return;
     m_filmMotor.advance(stepS);
     m_infeedMotor.advance(stepS);
-    moveFilm();
+    moveFilm(stepS);
     passCut();
 }
 
@@ -263,20 +274,20 @@ std::int64_t Machine::infeedEncoder() const
 
 std::optional<std::int64_t> Machine::takeMark()
 {
-    double rollMm = 0.0;
-    if (!m_film.takeMark(rollMm))
+    LateSensor::Edge edge;
+    if (!m_markSensor.take(edge))
         return std::nullopt;
-    m_markMm = rollMm;
-    return std::llround(rollMm / m_options.filmFeedMm * m_options.filmPulses * CTL_FINE);
+    m_markMm = edge.position;
+    return std::llround(edge.position / m_options.filmFeedMm * m_options.filmPulses * CTL_FINE);
 }
 
 std::optional<Machine::Edge> Machine::takeEdge()
 {
-    const auto edge = m_infeed.takeEdge();
-    if (!edge)
+    LateSensor::Edge edge;
+    if (!m_eye.take(edge))
         return std::nullopt;
-    m_isEyeCovered = edge->covered;
-    return Edge{std::llround(edge->position * m_options.flightPulses * CTL_FINE), edge->covered};
+    m_isEyeCovered = edge.on;
+    return Edge{std::llround(edge.position * m_options.flightPulses * CTL_FINE), edge.on};
 }
 
 std::optional<BagCut> Machine::takeCut()

@@ -9,6 +9,7 @@
 #include "base/ctl_port.h"
 #include "film.h"
 #include "infeed.h"
+#include "late_sensor.h"
 #include "press_ram.h"
 #include "servo.h"
 
@@ -31,6 +32,7 @@ struct MachineOptions {
     std::uint64_t seed = 1;
     FilmOptions film;
     ProductOptions products;
+    SensorOptions sensors;            // of marks and products
     double servoBandwidthHz = 80.0;   // critically damped; the knife lags by 1 / (pi * bandwidth)
     double feedBandwidthHz = 60.0;    // for film and infeed
     double startAngleDegrees = 300.0; // shaft angle at power-up, from its index mark
@@ -107,7 +109,7 @@ private:
     void setPress(const ctl_bank& bank);
     void passIndex();
     void passCut();
-    void moveFilm();
+    void moveFilm(double stepS);
     [[nodiscard]] double rollMm(double pulses) const;
 
     MachineOptions m_options;
@@ -126,6 +128,9 @@ private:
     bool m_hasKnife = false;
     Film m_film;
     Infeed m_infeed;
+    LateSensor m_markSensor;
+    LateSensor m_eye;
+    FilmAcceleration m_filmAcceleration;
     std::optional<double> m_materialAtCutMm;
     std::optional<std::int64_t> m_index;
     std::optional<BagCut> m_cut;

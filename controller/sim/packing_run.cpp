@@ -8,6 +8,7 @@
 #include "simulated_controller.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
 
@@ -103,20 +104,55 @@ private:
                               static_cast<std::uint32_t>(parameter.registers.size())) != 0)
                 return end(PackingEnd::BadParameter, parameter.address);
         }
-        ctl_bank& bank = *ctl_staged_bank(&m_core.banks);
-        if (m_job.bank.size() > std::size(bank.registers))
-            return end(PackingEnd::BadBank, CTL_TRANSFER_RESULT_BAD_LENGTH);
-        std::ranges::copy(m_job.bank, bank.registers);
-        const ctl_verdict verdict =
-            ctl_bank_check(&bank, &m_core.board.config, static_cast<std::uint32_t>(m_job.bank.size()));
-        if (verdict.result != CTL_TRANSFER_RESULT_ACCEPTED)
-            return end(PackingEnd::BadBank, verdict.result);
-        m_core.transfer.staged_crc = ctl_bank_crc(&bank);
+        if (!download(m_job.bank))
+            return false;
         ctl_motion_change_program(&m_core.motion);
         m_setMm =
             ctl_get32(&ctl_active_bank(&m_core.banks)->registers[CTL_OFFSET_PROGRAM_BAG_LENGTH]) / umPerMm;
         m_longestBagUs = static_cast<std::uint64_t>(longestBagCycles * cycleS(m_job) * usPerS);
         return true;
+    }
+
+    // Fills the shadow bank and seals it.
+    bool download(std::span<const std::uint16_t> registers)
+    {
+        ctl_bank& bank = *ctl_staged_bank(&m_core.banks);
+        if (registers.size() > std::size(bank.registers))
+            return end(PackingEnd::BadBank, CTL_TRANSFER_RESULT_BAD_LENGTH);
+        std::ranges::copy(registers, bank.registers);
+        const ctl_verdict verdict =
+            ctl_bank_check(&bank, &m_core.board.config, static_cast<std::uint32_t>(registers.size()));
+        if (verdict.result != CTL_TRANSFER_RESULT_ACCEPTED)
+            return end(PackingEnd::BadBank, verdict.result);
+        m_core.transfer.session = 1;
+        m_core.transfer.staged_crc = ctl_bank_crc(&bank);
+        m_core.transfer.state = CTL_STAGED_STATE_SEALED;
+        return true;
+    }
+
+    // Downloads the program that does not run, and applies it at the next cycle, as the panel does. A
+    // stopping machine keeps the one that it has.
+    bool changeProgram()
+    {
+        if (m_job.changeEvery == 0 || m_result.bags % m_job.changeEvery != 0 ||
+            m_core.motion.state != CTL_STATE_RUNNING)
+            return true;
+        if (m_core.transfer.state == CTL_STAGED_STATE_ARMED) // not taken over yet
+            return true;
+        m_runsOther = !m_runsOther;
+        if (!download(m_runsOther ? m_job.otherBank : m_job.bank))
+            return false;
+        const std::uint32_t crc = m_core.transfer.staged_crc;
+        const std::array<std::uint16_t, 6> command{static_cast<std::uint16_t>(++m_commands),
+                                                   CTL_COMMAND_APPLY_STAGED,
+                                                   CTL_APPLY_MODE_NEXT_CYCLE,
+                                                   m_core.transfer.session,
+                                                   static_cast<std::uint16_t>(crc >> 16u),
+                                                   static_cast<std::uint16_t>(crc & 0xFFFFu)};
+        ctl_map_write(&m_core, CTL_REG_COMMAND_COUNTER, command.data(),
+                      static_cast<std::uint32_t>(command.size()));
+        const std::uint16_t* result = m_core.command_result;
+        return result[2] == CTL_COMMAND_STATUS_DONE || end(PackingEnd::Refused, result[3]);
     }
 
     bool start()
@@ -139,8 +175,11 @@ private:
             m_fullSpeed = m_fullSpeed && m_core.motion.ramp.speed == m_core.motion.ramp.full;
             noticeSkip();
             if (m_controller.cut()) {
+                const std::uint32_t bagsBefore = m_result.bags;
                 takeCut(*m_controller.cut());
                 m_untilUs = m_controller.nowUs() + m_longestBagUs;
+                if (m_result.bags != bagsBefore && !changeProgram())
+                    return;
             }
             if (!goesOn())
                 return;
@@ -269,6 +308,8 @@ private:
     std::uint16_t m_skipCause = CTL_SKIP_CAUSE_NONE; // of the last skipped cut since then
     bool m_skippedAligning = false;
     std::uint32_t m_bagsAtAlarm = 0;
+    bool m_runsOther = false;
+    std::uint32_t m_commands = 0;
     std::uint32_t m_startsWithoutBag = 0;
 };
 

@@ -20,6 +20,10 @@ struct ParameterValue {
 
 struct PackingJob {
     std::span<const std::uint16_t> bank; // header and rows of a rotary cutter
+    // A second program of the same bags, downloaded while the machine runs: after so many bags the other one
+    // takes over. 0: never.
+    std::span<const std::uint16_t> otherBank;
+    std::uint32_t changeEvery = 0;
     std::vector<ParameterValue> parameters;
     MachineOptions machine;
     std::uint32_t bags = 1000;
@@ -53,7 +57,7 @@ enum class PackingEnd : std::uint8_t {
     Done,
     BadBank,      // the controller refuses the bank: `detail` is its transfer result
     BadParameter, // the controller refuses this parameter: `detail` is its address
-    Refused,      // Start was refused: `detail` is the refusal
+    Refused,      // Start or a change of program was refused: `detail` is the refusal
     Alarm,        // the controller ended the run: `detail` are its warning bits
     Fault,        // `detail` are the fault bits
     NoBags        // none for hundreds of cycles

@@ -79,23 +79,27 @@ Outcome checkCombination(const Invocation& call)
 Outcome simulateOne(const Invocation& call, const program::Recipe& recipe, const controller::PackingJob& job,
                     double toleranceMm)
 {
-    const auto image = program::buildProgram(recipe);
+    auto image = program::buildProgram(recipe);
     if (!image)
         return fail(image.error());
+    const auto programs = programsOf(std::move(*image), job);
+    if (!programs)
+        return tl::unexpected(programs.error());
+    const program::Recipe& made = programs->given.recipe;
     PackingFigures figures(toleranceMm);
     BagRows rows(call);
     const double before = cpuS();
     const controller::PackingResult result =
-        runPacking(withProgram(job, *image), [&figures, &rows](const controller::PackedBag& bag) {
+        runPacking(withPrograms(job, *programs), [&figures, &rows](const controller::PackedBag& bag) {
             figures.add(bag);
             rows.add(bag);
         });
     const double spent = cpuS() - before;
     const Outcome ended = outcomeOf(result);
     QJsonObject summary = figures.object(result, spent);
-    summary[u"name"_s] = QString::fromStdString(image->recipe.name);
-    summary[u"set_length_mm"_s] = program::value(image->recipe, profile::Field::BagLength);
-    summary[u"rate_bags_per_min"_s] = program::value(image->recipe, profile::Field::Rate);
+    summary[u"name"_s] = QString::fromStdString(made.name);
+    summary[u"set_length_mm"_s] = program::value(made, profile::Field::BagLength);
+    summary[u"rate_bags_per_min"_s] = program::value(made, profile::Field::Rate);
     summary[u"seed"_s] = static_cast<qint64>(job.machine.seed);
     summary[u"end"_s] = ended ? u"all bags cut"_s : ended.error().sentence.simplified();
     if (const Outcome delivered = rows.deliver(call, summary); !delivered)

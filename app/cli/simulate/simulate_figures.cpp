@@ -19,6 +19,8 @@ using modbus::BagBit;
 
 // The distance from which a tracked cut has lost its phase.
 constexpr double lostPhaseMm = 2.0;
+// The distance of a cut from its print that a customer sees.
+constexpr double farFromMarkMm = 0.4;
 
 bool has(const PackedBag& bag, BagBit bit)
 {
@@ -66,6 +68,7 @@ QJsonObject spreadObject(const Spread& spread)
 {
     return {{u"mean"_s, orNull(spread.mean())},
             {u"standard_deviation"_s, orNull(spread.deviation())},
+            {u"rms"_s, orNull(spread.rms())},
             {u"largest"_s, orNull(spread.largest())}};
 }
 
@@ -90,6 +93,11 @@ std::optional<double> Spread::deviation() const
     return m_count > 1 ? std::optional(std::sqrt(m_squares / (m_count - 1))) : std::nullopt;
 }
 
+std::optional<double> Spread::rms() const
+{
+    return m_count > 0 ? std::optional(std::sqrt(m_mean * m_mean + m_squares / m_count)) : std::nullopt;
+}
+
 std::optional<double> Spread::largest() const
 {
     return m_count > 0 ? std::optional(m_largest) : std::nullopt;
@@ -104,6 +112,7 @@ void PackingFigures::add(const PackedBag& bag)
         return;
     m_length.add(bag.deviationMm);
     m_mark.add(bag.markErrorMm);
+    m_farFromMark += std::abs(bag.markErrorMm) > farFromMarkMm ? 1u : 0u;
     if (std::abs(bag.deviationMm) <= m_toleranceMm)
         return;
     m_outside += 1;
@@ -119,6 +128,13 @@ std::optional<double> PackingFigures::shareWithin() const
     return 1.0 - static_cast<double>(m_outside) / m_length.count();
 }
 
+std::optional<double> PackingFigures::shareFarFromMark() const
+{
+    if (m_mark.count() == 0)
+        return std::nullopt;
+    return static_cast<double>(m_farFromMark) / m_mark.count();
+}
+
 QJsonObject PackingFigures::object(const PackingResult& result, double cpuS) const
 {
     const auto bagNumber = [](std::uint32_t number) {
@@ -132,6 +148,7 @@ QJsonObject PackingFigures::object(const PackingResult& result, double cpuS) con
             {u"times_real"_s, cpuS > 0 ? QJsonValue(std::round(result.timeS / cpuS)) : QJsonValue()},
             {u"deviation_mm"_s, spreadObject(m_length)},
             {u"mark_error_mm"_s, spreadObject(m_mark)},
+            {u"cuts_past_0.4_mm"_s, static_cast<qint64>(m_farFromMark)},
             {u"tolerance"_s, QJsonObject{{u"mm"_s, m_toleranceMm},
                                          {u"share_within"_s, orNull(shareWithin())},
                                          {u"bags_outside"_s, static_cast<qint64>(m_outside)},

@@ -21,6 +21,7 @@ public:
     void add(double value);
     [[nodiscard]] std::optional<double> mean() const;
     [[nodiscard]] std::optional<double> deviation() const;
+    [[nodiscard]] std::optional<double> rms() const; // of the values themselves
     [[nodiscard]] std::optional<double> largest() const;
     [[nodiscard]] std::uint32_t count() const { return m_count; }
 
@@ -41,13 +42,16 @@ public:
     void add(const controller::PackedBag& bag);
 
     [[nodiscard]] const Spread& lengthMm() const { return m_length; } // deviation from the set length
+    [[nodiscard]] const Spread& markMm() const { return m_mark; }     // distance of the cuts from their print
     [[nodiscard]] std::optional<double> shareWithin() const;
+    [[nodiscard]] std::optional<double> shareFarFromMark() const; // by more than 0.4 mm
     [[nodiscard]] QJsonObject object(const controller::PackingResult& result, double cpuS) const;
 
 private:
     double m_toleranceMm;
     Spread m_length;
     Spread m_mark;
+    std::uint32_t m_farFromMark = 0;
     std::uint32_t m_outside = 0;
     std::uint32_t m_firstOutside = 0; // bag number
     std::uint32_t m_lastOutside = 0;

@@ -4,6 +4,7 @@
 
 #include "app/cli/invocation.h"
 #include "app/cli/report.h"
+#include "app/panel/words/refusal_sentences.h"
 #include "app/panel/words/register_words.h"
 #include "modbus/map/codec.h"
 
@@ -40,6 +41,14 @@ constexpr Disturbance disturbances[] = {
      [](Machine& machine) -> double& { return machine.film.stretchStep; }},
     {"stretch-step-after", "film length before the sudden stretch", "M", 0, 1e6,
      [](Machine& machine) -> double& { return machine.film.stretchStepM; }},
+    {"slip-per-acceleration", "film behind its roll, for each m/s^2 of acceleration", "MM", 0, 1,
+     [](Machine& machine) -> double& { return machine.film.slipPerAcceleration; }},
+    {"sensor-delay-ms", "delay of mark sensor and product eye", "MS", 0, 50,
+     [](Machine& machine) -> double& { return machine.sensors.delayMs; }},
+    {"sensor-scatter-ms", "standard deviation of this delay from edge to edge", "MS", 0, 10,
+     [](Machine& machine) -> double& { return machine.sensors.scatterMs; }},
+    {"sensor-off-later-ms", "additional delay of the end of a product", "MS", 0, 10,
+     [](Machine& machine) -> double& { return machine.sensors.offLaterMs; }},
     {"mark-noise", "standard deviation of the mark sensor", "MM", 0, 10,
      [](Machine& machine) -> double& { return machine.film.markNoiseMm; }},
     {"marks-missing", "marks that the sensor misses", "SHARE", 0, 1,
@@ -117,6 +126,8 @@ QList<QCommandLineOption> simulateOptions()
          u"NAME=VALUE"_s},
         {u"no-tracking"_s, u"Switch mark tracking off: parameter.mark_tracking=0."_s},
         {u"save-film"_s, u"Make no bags without product: parameter.empty_bag=1."_s},
+        {u"change-rate-every"_s,
+         u"Change to half of the rate and back after so many bags, while the machine runs."_s, u"BAGS"_s},
         {u"table"_s,
          u"Run the --lengths at 60 bags/min and at the maximum feasible rate up to 300, with and without tracking; print one table."_s},
         {u"lengths"_s, u"Bag lengths for --table, in mm (default: those of the paper's Table 2)."_s,
@@ -160,6 +171,10 @@ tl::expected<controller::PackingJob, Failure> jobOf(const Invocation& call)
     job.machine.seed = static_cast<std::uint64_t>(*seed);
     job.parameters = std::move(*parameters);
     job.goOn = call.isSet(u"go-on"_s);
+    const auto every = wholeOf(call, u"change-rate-every"_s, 0, 1, maxBags);
+    if (!every)
+        return tl::unexpected(every.error());
+    job.changeEvery = static_cast<std::uint32_t>(*every);
     for (const Disturbance& each : disturbances) {
         double& place = each.place(job.machine);
         const auto value = numberOf(call, QString::fromLatin1(each.name), place, each.minimum, each.maximum);
@@ -185,9 +200,38 @@ tl::expected<controller::ParameterValue, Failure> parameterOf(const QString& nam
     return parameter;
 }
 
-PackingJob withProgram(PackingJob job, const program::ProgramImage& image)
+tl::expected<program::ProgramImage, Failure> imageAt(program::Recipe recipe, double lengthMm, double rate)
 {
+    recipe.cutter().pinned = {profile::Field::BagLength, profile::Field::Rate};
+    program::setValue(recipe, profile::Field::BagLength, lengthMm);
+    program::setValue(recipe, profile::Field::Rate, rate);
+    program::followRatios(recipe);
+    auto image = program::buildProgram(recipe);
+    if (!image)
+        return fail(ExitCode::Refused, u"%1 mm at %2 bags/min: "_s.arg(lengthMm).arg(rate) +
+                                           panel::RefusalSentences::program(image.error()));
+    return std::move(*image);
+}
+
+tl::expected<Programs, Failure> programsOf(program::ProgramImage image, const PackingJob& job)
+{
+    Programs programs{std::move(image), {}};
+    if (job.changeEvery == 0)
+        return programs;
+    const program::Recipe& recipe = programs.given.recipe;
+    auto half = imageAt(recipe, program::value(recipe, profile::Field::BagLength),
+                        program::value(recipe, profile::Field::Rate) / 2);
+    if (!half)
+        return tl::unexpected(half.error());
+    programs.half = std::move(*half);
+    return programs;
+}
+
+PackingJob withPrograms(PackingJob job, const Programs& programs)
+{
+    const program::ProgramImage& image = programs.given;
     job.bank = image.registers;
+    job.otherBank = programs.half.registers;
     job.timerClockHz = static_cast<std::uint32_t>(image.recipe.machine.timerClockHz);
     job.maxPulseHz = static_cast<std::uint32_t>(image.recipe.machine.maxPulseFrequencyHz);
     return job;

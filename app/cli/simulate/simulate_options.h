@@ -25,8 +25,19 @@ class Invocation;
 [[nodiscard]] tl::expected<controller::ParameterValue, Failure> parameterOf(const QString& name,
                                                                             double value);
 
-// Returns the job with this program; the image must outlive the job.
-[[nodiscard]] controller::PackingJob withProgram(controller::PackingJob job,
-                                                 const program::ProgramImage& image);
+// Returns the program of this recipe at another length and rate, its other values following the ratios.
+[[nodiscard]] tl::expected<program::ProgramImage, Failure> imageAt(program::Recipe recipe, double lengthMm,
+                                                                   double rate);
+
+// The program of a run, and the one at half its rate where the run changes between them; otherwise empty.
+struct Programs {
+    program::ProgramImage given;
+    program::ProgramImage half;
+};
+[[nodiscard]] tl::expected<Programs, Failure> programsOf(program::ProgramImage image,
+                                                         const controller::PackingJob& job);
+
+// Returns the job with these programs, which must outlive the job.
+[[nodiscard]] controller::PackingJob withPrograms(controller::PackingJob job, const Programs& programs);
 
 } // namespace campanel::cli

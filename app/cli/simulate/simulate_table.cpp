@@ -43,6 +43,10 @@ constexpr std::array measuredColumns{
     // The same with the gentlest ratios.
     TableColumn{"gentle_standard_deviation_mm", "gentle sd", 10, 4},
     TableColumn{"gentle_largest_mm", "largest", 9, 3},
+    // Where the cuts of the own ratios lie on the print.
+    TableColumn{"mark_error_rms_mm", "mark rms", 10, 4},
+    TableColumn{"mark_error_largest_mm", "largest", 9, 3},
+    TableColumn{"share_past_0.4_mm", "past 0.4", 10, 5},
 };
 
 tl::expected<std::vector<double>, Failure> lengthsOf(const Invocation& call)
@@ -64,32 +68,18 @@ tl::expected<std::vector<double>, Failure> lengthsOf(const Invocation& call)
     return lengths;
 }
 
-tl::expected<program::ProgramImage, Failure> imageAt(program::Recipe recipe, double lengthMm, double rate)
-{
-    recipe.cutter().pinned = {Field::BagLength, Field::Rate};
-    program::setValue(recipe, Field::BagLength, lengthMm);
-    program::setValue(recipe, Field::Rate, rate);
-    program::followRatios(recipe);
-    auto image = program::buildProgram(recipe);
-    if (!image)
-        return fail(ExitCode::Refused, u"%1 mm at %2 bags/min: "_s.arg(lengthMm).arg(rate) +
-                                           panel::RefusalSentences::program(image.error()));
-    return std::move(*image);
-}
-
 struct Measured {
     PackingFigures figures;
     controller::PackingResult result;
 };
 
-Measured measure(const program::ProgramImage& image, controller::PackingJob job, bool tracks,
-                 double toleranceMm)
+Measured measure(const Programs& programs, controller::PackingJob job, bool tracks, double toleranceMm)
 {
     Measured measured{PackingFigures(toleranceMm), {}};
     // The last parameter overrides earlier ones.
     job.parameters.push_back(parameterOf(u"parameter.mark_tracking"_s, tracks ? 1 : 0).value());
     measured.result =
-        runPacking(withProgram(std::move(job), image),
+        runPacking(withPrograms(std::move(job), programs),
                    [&measured](const controller::PackedBag& bag) { measured.figures.add(bag); });
     return measured;
 }
@@ -98,8 +88,8 @@ Measured measure(const program::ProgramImage& image, controller::PackingJob job,
 struct Line {
     double lengthMm = 0;
     double rate = 0;
-    std::optional<program::ProgramImage> own;
-    std::optional<program::ProgramImage> gentle;
+    std::optional<Programs> own;
+    std::optional<Programs> gentle;
 };
 
 Outcome addLine(const Line& line, const controller::PackingJob& job, double toleranceMm, QJsonArray& rows)
@@ -114,11 +104,11 @@ Outcome addLine(const Line& line, const controller::PackingJob& job, double tole
     if (paper != profile::paperLengths.end())
         row[u"paper_deviation_mm"_s] = paper->deviationMm;
     Outcome outcome;
-    const auto measured = [&](const std::optional<program::ProgramImage>& image, bool tracks) {
+    const auto measured = [&](const std::optional<Programs>& programs, bool tracks) {
         std::optional<Measured> found;
-        if (!image)
+        if (!programs)
             return found;
-        found = measure(*image, job, tracks, toleranceMm);
+        found = measure(*programs, job, tracks, toleranceMm);
         if (const Outcome ended = outcomeOf(found->result); !ended && outcome)
             outcome = fail(ended.error().code, u"%1 mm at %2 bags/min: "_s.arg(line.lengthMm).arg(line.rate) +
                                                    ended.error().sentence);
@@ -130,6 +120,9 @@ Outcome addLine(const Line& line, const controller::PackingJob& job, double tole
         row[u"standard_deviation_mm"_s] = orNull(length.deviation());
         row[u"largest_mm"_s] = orNull(length.largest());
         row[u"share_within"_s] = orNull(tracked->figures.shareWithin());
+        row[u"mark_error_rms_mm"_s] = orNull(tracked->figures.markMm().rms());
+        row[u"mark_error_largest_mm"_s] = orNull(tracked->figures.markMm().largest());
+        row[u"share_past_0.4_mm"_s] = orNull(tracked->figures.shareFarFromMark());
         row[u"bags_before_settled"_s] = static_cast<qint64>(tracked->result.bags - length.count());
     }
     if (const auto untracked = measured(line.own, false)) {
@@ -143,6 +136,15 @@ Outcome addLine(const Line& line, const controller::PackingJob& job, double tole
     if (outcome)
         rows.append(row);
     return outcome;
+}
+
+tl::expected<Programs, Failure> programsAt(const program::Recipe& recipe, double lengthMm, double rate,
+                                           const controller::PackingJob& job)
+{
+    auto image = imageAt(recipe, lengthMm, rate);
+    if (!image)
+        return tl::unexpected(image.error());
+    return programsOf(std::move(*image), job);
 }
 
 // Returns the highest whole rate of the table with these ratios.
@@ -170,13 +172,13 @@ Outcome addRows(const program::Recipe& recipe, double lengthMm, const controller
             continue;
         last = rate;
         Line line{lengthMm, rate, {}, {}};
-        if (auto image = imageAt(gentle, lengthMm, rate))
-            line.gentle = std::move(*image);
+        if (auto programs = programsAt(gentle, lengthMm, rate, job))
+            line.gentle = std::move(*programs);
         if (rate <= ownRate) {
-            auto image = imageAt(recipe, lengthMm, rate);
-            if (!image)
-                return tl::unexpected(image.error());
-            line.own = std::move(*image);
+            auto programs = programsAt(recipe, lengthMm, rate, job);
+            if (!programs)
+                return tl::unexpected(programs.error());
+            line.own = std::move(*programs);
         }
         if (const Outcome added = addLine(line, job, toleranceMm, rows); !added)
             return added;

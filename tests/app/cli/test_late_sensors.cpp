@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: Apache-2.0
+// Sensors that answer late: where the cut lies on the print then, and while the rate changes.
+#include "packing_bench.h"
+
+#include <QTest>
+
+namespace test_late_sensors {
+
+using namespace campanel;
+using namespace campanel::test;
+using controller::PackedBag;
+using controller::PackingEnd;
+using controller::PackingJob;
+
+namespace {
+
+constexpr double sPerMs = 1e-3;
+constexpr double sPerMin = 60.0;
+constexpr std::uint32_t bags = 1000;
+constexpr std::uint32_t changeEvery = 50;
+
+struct Spread {
+    std::size_t count = 0;
+    double mean = 0;
+    double rms = 0;
+    double largest = 0;
+};
+
+template <typename Value> Spread spreadOf(const Packed& packed, Value value)
+{
+    Spread spread;
+    for (const PackedBag& bag : packed.bags) {
+        if (!bag.isSettled)
+            continue;
+        const double one = value(bag);
+        ++spread.count;
+        spread.mean += one;
+        spread.rms += one * one;
+        spread.largest = std::max(spread.largest, std::abs(one));
+    }
+    spread.mean /= static_cast<double>(spread.count);
+    spread.rms = std::sqrt(spread.rms / static_cast<double>(spread.count));
+    return spread;
+}
+
+Spread markError(const Packed& packed)
+{
+    return spreadOf(packed, [](const PackedBag& bag) { return bag.markErrorMm; });
+}
+
+Spread deviation(const Packed& packed)
+{
+    return spreadOf(packed, [](const PackedBag& bag) { return bag.deviationMm; });
+}
+
+} // namespace
+
+class TestLateSensors : public QObject {
+    Q_OBJECT
+
+private slots:
+    // At constant speed the film has gone on by delay x speed when the output changes.
+    void movesTheCutOnThePrint_data()
+    {
+        QTest::addColumn<double>("lengthMm");
+        QTest::addColumn<double>("rate");
+        QTest::addColumn<double>("delayMs");
+        QTest::newRow("300 mm, 300/min, 1 ms") << 300.0 << 300.0 << 1.0;
+        QTest::newRow("300 mm, 60/min, 2 ms") << 300.0 << 60.0 << 2.0;
+        QTest::newRow("100 mm, 200/min, 0.5 ms") << 100.0 << 200.0 << 0.5;
+    }
+    void movesTheCutOnThePrint()
+    {
+        QFETCH(double, lengthMm);
+        QFETCH(double, rate);
+        QFETCH(double, delayMs);
+        const auto image = cutterAt(lengthMm, rate);
+        const Packed prompt = pack(image, bags);
+        const Packed late =
+            pack(image, bags, [delayMs](PackingJob& job) { job.machine.sensors.delayMs = delayMs; });
+        QCOMPARE(late.result.end, PackingEnd::Done);
+        const double wayMm = lengthMm * rate / sPerMin * delayMs * sPerMs;
+        const double moved = markError(late).mean - markError(prompt).mean;
+        QVERIFY2(std::abs(moved - wayMm) < 0.02, qPrintable(QString::number(moved)));
+        QVERIFY(std::abs(deviation(late).mean) < 0.01);
+    }
+
+    // A rate is changed by a program that takes over while the machine runs.
+    void changesTheRate()
+    {
+        const auto image = cutterAt(300, 300);
+        const auto half = cutterAt(300, 150);
+        const Packed packed = pack(image, bags, [&half](PackingJob& job) {
+            job.otherBank = half.registers;
+            job.changeEvery = changeEvery;
+        });
+        QCOMPARE(packed.result.end, PackingEnd::Done);
+        std::size_t fast = 0;
+        std::size_t slow = 0;
+        for (std::size_t i = 1; i < packed.bags.size(); ++i) {
+            const double rate = sPerMin / (packed.bags[i].timeS - packed.bags[i - 1].timeS);
+            fast += std::abs(rate - 300) < 3 ? 1u : 0u;
+            slow += std::abs(rate - 150) < 3 ? 1u : 0u;
+        }
+        QVERIFY2(fast > bags * 4 / 10 && slow > bags * 4 / 10,
+                 qPrintable(QStringLiteral("%1 fast, %2 slow").arg(fast).arg(slow)));
+        QVERIFY(deviation(packed).count + 5 > bags); // no bag of a change is left out
+    }
+};
+
+CAMPANEL_TEST(TestLateSensors)
+
+} // namespace test_late_sensors
+
+#include "test_late_sensors.moc"
