@@ -115,10 +115,14 @@ static uint32_t move_on(ctl_motion* motion, ctl_pace* pace)
     }
     const bool changes_next =
         motion->change_planned && motion->change_ticks <= ctl_motion_to_boundary(motion);
+    const bool running = motion->state == CTL_STATE_RUNNING;
+    const uint64_t stop_ticks = motion->stop == CTL_STOP_AT_BOUNDARY ? motion->stop_remaining : 0;
+    const uint64_t run_ticks = motion->change_planned ? motion->change_ticks : CTL_DRIVE_NO_END;
     const ctl_drive drive = {
         .ramp = &motion->ramp,
-        .running = motion->state == CTL_STATE_RUNNING,
-        .stop_ticks = motion->stop == CTL_STOP_AT_BOUNDARY ? motion->stop_remaining : 0,
+        .running = running,
+        .end_ticks = running ? run_ticks : stop_ticks,
+        .end_speed = running ? motion->change_speed : 0,
         .changes = changes_next,
         .opens = motion->change_planned && motion->change_opens,
     };

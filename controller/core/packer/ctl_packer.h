@@ -46,12 +46,14 @@ typedef struct {
 } ctl_last_cut;
 
 /* The master that drives the line. */
+#define CTL_DRIVE_NO_END UINT64_MAX
 typedef struct {
     const ctl_ramp* ramp;
-    bool running;        /* otherwise it is stopping */
-    uint64_t stop_ticks; /* of the master until standstill, for a stop at a boundary */
-    bool changes;        /* the program changes at the end of its cycle */
-    bool opens;          /* the knife is open for this */
+    bool running;       /* otherwise it is stopping */
+    uint64_t end_ticks; /* of the master to a boundary, CTL_DRIVE_NO_END: none; */
+    uint32_t end_speed; /* it comes down to this speed there, for a stop or a change of program */
+    bool changes;       /* the program changes at the end of its cycle */
+    bool opens;         /* the knife is open for this */
 } ctl_drive;
 
 typedef struct {
@@ -85,7 +87,8 @@ typedef struct {
     bool planned; /* the cut of the film's next cycle */
     bool changed; /* the program, since the last cut */
     ctl_cut next;
-    int64_t lag; /* at full speed: film position at a cut minus the command that was meant for it */
+    uint64_t end_ticks; /* the drive's, as they are expected at the next call */
+    int64_t lag;        /* at full speed: film position at a cut minus the command that was meant for it */
     ctl_phase phase;
     uint16_t alarms; /* bits CTL_WARNING_BIT_... until the next start */
     ctl_last_cut last_cut;

@@ -7,6 +7,8 @@
 #include <stddef.h>
 
 #define LIMITED_IN_ROW 5u
+/* A planned cut is shifted again in no less than this part of a cycle. */
+#define SHORTEST_ROOM 10u
 
 static uint32_t bag_um(const ctl_packer* packer)
 {
@@ -43,17 +45,20 @@ int64_t ctl_packer_lag(const ctl_packer* packer, uint32_t speed, const ctl_ramp*
     return packer->lag * (int64_t)speed / (int64_t)ramp->full;
 }
 
-/* Drives lag in proportion to the speed, and not all by the same time. */
-static int64_t lag_at_next_cut(const ctl_packer* packer, const ctl_drive* drive)
+/* Drives lag in proportion to the speed, and not all by the same time: the lag at a cut that is `way` ticks
+ * ahead. */
+static int64_t lag_ahead(const ctl_packer* packer, const ctl_drive* drive, uint32_t way)
 {
     const ctl_ramp* ramp = drive->ramp;
-    const uint32_t way = packer->cycle - packer->film.phase + packer->cut;
-    if (drive->running)
-        return ctl_packer_lag(packer, ctl_ramp_speed_after(ramp, way), ramp);
-    if (drive->stop_ticks <= way) /* a cut of the next run, which sees to its lag */
+    if (!drive->running && drive->end_ticks <= way) /* a cut of the next run, which sees to its lag */
         return 0;
-    const uint32_t slower = ctl_square_root(2u * (uint64_t)ramp->full * (drive->stop_ticks - way));
-    return ctl_packer_lag(packer, slower < ramp->speed ? slower : ramp->speed, ramp);
+    uint32_t speed = drive->running ? ctl_ramp_speed_after(ramp, way) : ramp->speed;
+    if (drive->end_ticks != CTL_DRIVE_NO_END) {
+        const uint64_t before_end = drive->end_ticks > way ? drive->end_ticks - way : 0;
+        const uint32_t slower = ctl_ramp_speed_before(ramp, before_end, drive->end_speed);
+        speed = slower < speed ? slower : speed;
+    }
+    return ctl_packer_lag(packer, speed, ramp);
 }
 
 static void learn_lag(ctl_packer* packer, int64_t lag, const ctl_ramp* ramp)
@@ -101,7 +106,7 @@ static void plan_cut(ctl_packer* packer, const ctl_drive* drive)
     ctl_packer_follow_marks(packer);
     ctl_marks_drop(&packer->marks, ctl_feed_position(&packer->film) - packer->bag / 2);
     const int64_t even = uncorrected(packer);
-    packer->next.lag = lag_at_next_cut(packer, drive);
+    packer->next.lag = lag_ahead(packer, drive, packer->cycle - packer->film.phase + packer->cut);
     const ctl_mark* mark =
         packer->marks.state == CTL_MARK_STATE_OFF || packer->marks.state == CTL_MARK_STATE_SEARCHING
             ? NULL
@@ -117,6 +122,25 @@ static void plan_cut(ctl_packer* packer, const ctl_drive* drive)
     if (shift != 0) /* over before a change of program: its half of the way has half the room */
         ctl_phase_move(&packer->film, &packer->next.command, shift,
                        before_end + (drive->changes ? 0u : packer->engage));
+}
+
+/* A stop or a change of program was decided on, or is no longer: the planned cut meets its mark at another
+ * speed, and so with another lag. Left as it is where the way to its sealing window is short. */
+static void plan_again(ctl_packer* packer, const ctl_drive* drive)
+{
+    const uint32_t phase = packer->film.phase;
+    const bool behind = packer->planned && phase >= packer->release;
+    if (!packer->next.tracked || (!behind && phase >= packer->engage))
+        return;
+    const uint32_t way = behind ? packer->cycle - phase + packer->cut : packer->cut - phase;
+    const uint32_t to_window = behind ? packer->cycle - phase + packer->engage : packer->engage - phase;
+    const uint32_t room = behind && drive->changes ? to_window - packer->engage : to_window;
+    if (room < packer->cycle / SHORTEST_ROOM)
+        return;
+    const int64_t lag = lag_ahead(packer, drive, way);
+    if (lag != packer->next.lag)
+        ctl_phase_move(&packer->film, &packer->next.command, packer->next.lag - lag, room);
+    packer->next.lag = lag;
 }
 
 static void count_skip(ctl_packer* packer)
@@ -204,6 +228,9 @@ uint32_t ctl_packer_advance(ctl_packer* packer, const ctl_drive* drive, uint32_t
     uint32_t left = *ticks < to_end ? *ticks : to_end;
     uint32_t knife = 0;
     *ticks = left;
+    if (drive->end_ticks != packer->end_ticks)
+        plan_again(packer, drive);
+    packer->end_ticks = drive->end_ticks == CTL_DRIVE_NO_END ? drive->end_ticks : drive->end_ticks - left;
     while (left != 0) {
         if (ctl_gate_asks(&packer->film_gate))
             ctl_gate_answer(&packer->film_gate, film_must_wait(packer));

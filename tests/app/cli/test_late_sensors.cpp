@@ -85,11 +85,19 @@ private slots:
         QVERIFY(std::abs(deviation(late).mean) < 0.01);
     }
 
-    // A rate is changed by a program that takes over while the machine runs.
+    // A rate is changed by a program that takes over while the machine runs: no bag is an exception.
+    void changesTheRate_data()
+    {
+        QTest::addColumn<double>("lengthMm");
+        for (const double lengthMm : {200.0, 300.0, 460.0})
+            QTest::addRow("%g mm", lengthMm) << lengthMm;
+    }
     void changesTheRate()
     {
-        const auto image = cutterAt(300, 300);
-        const auto half = cutterAt(300, 150);
+        QFETCH(double, lengthMm);
+        const double rate = fastestRate(lengthMm);
+        const auto image = cutterAt(lengthMm, rate);
+        const auto half = cutterAt(lengthMm, rate / 2);
         const Packed packed = pack(image, bags, [&half](PackingJob& job) {
             job.otherBank = half.registers;
             job.changeEvery = changeEvery;
@@ -98,13 +106,15 @@ private slots:
         std::size_t fast = 0;
         std::size_t slow = 0;
         for (std::size_t i = 1; i < packed.bags.size(); ++i) {
-            const double rate = sPerMin / (packed.bags[i].timeS - packed.bags[i - 1].timeS);
-            fast += std::abs(rate - 300) < 3 ? 1u : 0u;
-            slow += std::abs(rate - 150) < 3 ? 1u : 0u;
+            const double is = sPerMin / (packed.bags[i].timeS - packed.bags[i - 1].timeS);
+            fast += std::abs(is / rate - 1.0) < 0.01 ? 1u : 0u;
+            slow += std::abs(is / rate - 0.5) < 0.01 ? 1u : 0u;
         }
         QVERIFY2(fast > bags * 4 / 10 && slow > bags * 4 / 10,
                  qPrintable(QStringLiteral("%1 fast, %2 slow").arg(fast).arg(slow)));
         QVERIFY(deviation(packed).count + 5 > bags); // no bag of a change is left out
+        QVERIFY2(deviation(packed).largest <= 0.2, qPrintable(QString::number(deviation(packed).largest)));
+        QVERIFY2(markError(packed).largest <= 0.4, qPrintable(QString::number(markError(packed).largest)));
     }
 };
 
