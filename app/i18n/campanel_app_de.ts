@@ -6209,6 +6209,18 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
         <source>%1 · too few bags for a suggestion, still needed: %2</source>
         <translation>%1 · zu wenige Beutel für einen Vorschlag, noch nötig: %2</translation>
     </message>
+    <message>
+        <source>Mark sensor: dead time</source>
+        <translation>Markensensor: Totzeit</translation>
+    </message>
+    <message>
+        <source>Product eye: dead time, product comes</source>
+        <translation>Produktlichtschranke: Totzeit, Produkt kommt</translation>
+    </message>
+    <message>
+        <source>Product eye: dead time, product ends</source>
+        <translation>Produktlichtschranke: Totzeit, Produkt endet</translation>
+    </message>
 </context>
 <context>
     <name>campanel::panel::PackingSetup</name>

@@ -6207,6 +6207,18 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
         <source>%1 · too few bags for a suggestion, still needed: %2</source>
         <translation>%1 · 袋数不足，无法给出建议，还需 %2 袋</translation>
     </message>
+    <message>
+        <source>Mark sensor: dead time</source>
+        <translation>色标传感器：滞后时间</translation>
+    </message>
+    <message>
+        <source>Product eye: dead time, product comes</source>
+        <translation>产品光电：滞后时间，产品到达</translation>
+    </message>
+    <message>
+        <source>Product eye: dead time, product ends</source>
+        <translation>产品光电：滞后时间，产品离开</translation>
+    </message>
 </context>
 <context>
     <name>campanel::panel::PackingSetup</name>

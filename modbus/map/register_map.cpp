@@ -9,7 +9,7 @@
 
 namespace campanel::modbus {
 
-const std::uint16_t mapMinor = 5;
+const std::uint16_t mapMinor = 6;
 
 namespace {
 
@@ -128,6 +128,15 @@ constexpr std::array registerTable{
     CAMPANEL_CONTACT(5, "emergency_stop", 0x00D8),
     CAMPANEL_CONTACT(5, "limit_forward", 0x00DA),
     CAMPANEL_CONTACT(5, "limit_reverse", 0x00DC),
+    // Sensors that answer late; see controller/core/packer/README.md.
+    since(6, rw16("parameter.mark_dead_time", 0x00DE, "time from a mark to the answer of its sensor", {}, 0,
+                  20, 0, 0.001, "ms")),
+    since(6, rw16("parameter.eye_dead_time", 0x00DF,
+                  "time from the leading edge of a product to the answer of the product eye", {}, 0, 20, 0,
+                  0.001, "ms")),
+    since(6, rw16("parameter.eye_end_dead_time", 0x00E0,
+                  "time from the trailing edge of a product to the answer of the product eye", {}, 0, 20, 0,
+                  0.001, "ms")),
 
     // Status block: the answer to the periodic FC23 exchange. 40 registers, so that 9600 baud still carries 8
     // a second.

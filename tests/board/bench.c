@@ -7,6 +7,7 @@
 
 #include <string.h>
 
+#define BENCH_DEAD_US 10000u /* of a sensor with a slow filter */
 #define FLASH_BYTES 16384u
 #define ERASED_AT_A_TIME 128u
 /* A seal or a save in pieces is over by then. */
@@ -101,6 +102,9 @@ void bench_turn_on(ctl_core* core)
     set_parameter(core, CTL_REG_PARAMETER_EMPTY_BAG, 1);
     set_parameter(core, CTL_REG_PARAMETER_HEARTBEAT_TIMEOUT, CTL_MAX_PARAMETER_HEARTBEAT_TIMEOUT);
     set_parameter(core, CTL_REG_PARAMETER_SKIP_LIMIT, CTL_MAX_PARAMETER_SKIP_LIMIT);
+    set_parameter(core, CTL_REG_PARAMETER_MARK_DEAD_TIME, BENCH_DEAD_US);
+    set_parameter(core, CTL_REG_PARAMETER_EYE_DEAD_TIME, BENCH_DEAD_US);
+    set_parameter(core, CTL_REG_PARAMETER_EYE_END_DEAD_TIME, BENCH_DEAD_US);
 }
 
 void bench_switch_on(ctl_core* core)

@@ -19,6 +19,7 @@ using controller::PackingJob;
 
 constexpr double longestMm = 2000.0;
 constexpr double maxBags = 1e8;
+constexpr double maxDeadTimeMs = 20.0;
 constexpr double maxSeed = 4294967295.0;
 
 struct Disturbance {
@@ -91,6 +92,13 @@ tl::expected<std::vector<controller::ParameterValue>, Failure> parameterValues(c
         settings << u"parameter.mark_tracking=0"_s;
     if (call.isSet(u"save-film"_s))
         settings << u"parameter.empty_bag=1"_s;
+    const auto compensation = numberOf(call, u"sensor-compensation-ms"_s, 0, 0, maxDeadTimeMs);
+    if (!compensation)
+        return tl::unexpected(compensation.error());
+    if (*compensation > 0) {
+        for (const char* name : {"mark_dead_time", "eye_dead_time", "eye_end_dead_time"})
+            settings.prepend(u"parameter.%1=%2"_s.arg(QLatin1String(name), QString::number(*compensation)));
+    }
     for (const QString& each : settings) {
         auto setting = settingOf(each);
         if (!setting)
@@ -126,6 +134,9 @@ QList<QCommandLineOption> simulateOptions()
          u"NAME=VALUE"_s},
         {u"no-tracking"_s, u"Switch mark tracking off: parameter.mark_tracking=0."_s},
         {u"save-film"_s, u"Make no bags without product: parameter.empty_bag=1."_s},
+        {u"sensor-compensation-ms"_s,
+         u"Dead time of mark sensor and product eye that the controller knows (0 to 20, default 0)."_s,
+         u"MS"_s},
         {u"change-rate-every"_s,
          u"Change to half of the rate and back after so many bags, while the machine runs."_s, u"BAGS"_s},
         {u"table"_s,

@@ -8,14 +8,15 @@
 #include "motion/ctl_io.h"
 #include "motion/ctl_motion.h"
 
-/* Writable registers as the panel left them, each group at its address in the map. */
+/* Writable registers as the panel left them. The group of an odd length is the last one: copies from an
+ * address that is no multiple of four take twice as long. */
 typedef struct {
-    uint16_t parameter[CTL_GROUP_PARAMETER];
     uint16_t exchange[CTL_GROUP_EXCHANGE];
     uint16_t command[CTL_GROUP_COMMAND];
     uint16_t transfer[CTL_GROUP_TRANSFER];
     uint16_t readback[CTL_GROUP_READBACK];
     uint16_t readback_result[CTL_GROUP_READBACK_RESULT];
+    uint16_t parameter[CTL_GROUP_PARAMETER];
 } ctl_written;
 
 typedef struct {

@@ -172,6 +172,11 @@ void ctl_marks_see(ctl_marks* marks, int64_t film)
         follow(marks, film);
 }
 
+bool ctl_marks_due(const ctl_marks* marks, int64_t film)
+{
+    return marks->state == CTL_MARK_STATE_SEARCHING || film - marks->expected > marks->settings.window;
+}
+
 void ctl_marks_pass(ctl_marks* marks, int64_t film)
 {
     const ctl_mark_settings* settings = &marks->settings;

@@ -73,6 +73,8 @@ typedef struct {
 void ctl_marks_search(ctl_marks* marks, const ctl_mark_settings* settings, int64_t film);
 /* Handles a mark at the sensor. */
 void ctl_marks_see(ctl_marks* marks, int64_t film);
+/* Returns false as long as ctl_marks_pass() has nothing to do at this film position. */
+bool ctl_marks_due(const ctl_marks* marks, int64_t film);
 /* Handles a film position: expected marks that were not seen by then are missing. */
 void ctl_marks_pass(ctl_marks* marks, int64_t film);
 /* Removes marks whose cut is before `film`. */

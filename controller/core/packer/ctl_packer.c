@@ -18,6 +18,7 @@
 #define FIRST_SHARE 50
 #define FIRST_TIME 5u
 #define MAX_FLIGHTS_TO_EYE 8u
+#define US_PER_S 1000000u
 #define MAX_TAUGHT 100u
 /* The infeed is corrected to its place within this number of cycles. */
 #define INFEED_CYCLES 4u
@@ -63,6 +64,13 @@ static bool has_film(const ctl_packer* packer, const ctl_bank* bank)
            ctl_bank_kind(bank) == CTL_PROGRAM_KIND_ROTARY_CUTTER;
 }
 
+uint32_t ctl_packer_eye_dead_us(const ctl_packer* packer)
+{
+    const uint16_t begin = parameter(packer, CTL_REG_PARAMETER_EYE_DEAD_TIME);
+    const uint16_t end = parameter(packer, CTL_REG_PARAMETER_EYE_END_DEAD_TIME);
+    return begin > end ? begin : end;
+}
+
 /* The eye must have seen the place of a product before the film is told to wait for it, and before it is told
  * to go on. */
 static bool eye_too_near(const ctl_packer* packer, const ctl_bank* bank)
@@ -71,7 +79,9 @@ static bool eye_too_near(const ctl_packer* packer, const ctl_bank* bank)
     const uint64_t cut = ticks_at(bank, CTL_OFFSET_BANK_CUT_ANGLE);
     const uint64_t to_slow = cycle + cycle / 2u + cut - ticks_at(bank, CTL_OFFSET_BANK_SYNC_END);
     const uint64_t to_gain = cycle / 2u + cut + ticks_at(bank, CTL_OFFSET_BANK_SYNC_START);
-    const uint64_t cycles = (to_slow > to_gain ? to_slow : to_gain) + cycle / 10u;
+    const uint64_t dead =
+        (uint64_t)ctl_packer_eye_dead_us(packer) * packer->board->config.timer_clock_hz / US_PER_S;
+    const uint64_t cycles = (to_slow > to_gain ? to_slow : to_gain) + cycle / 10u + dead;
     const uint64_t pitch = ctl_parameter32(packer->board, CTL_REG_PARAMETER_FLIGHT_PITCH);
     const uint64_t eye = ctl_parameter32(packer->board, CTL_REG_PARAMETER_EYE_DISTANCE);
     return eye * cycle < pitch * cycles || eye > pitch * MAX_FLIGHTS_TO_EYE;
@@ -221,6 +231,8 @@ void ctl_packer_init(ctl_packer* packer, const ctl_board* board)
         return;
     packer->film_actual = packer->board->port.film(packer->board->port.context);
     packer->infeed_actual = packer->board->port.infeed(packer->board->port.context);
+    ctl_past_reset(&packer->film_past, board->now_us, packer->film_actual);
+    ctl_past_reset(&packer->infeed_past, board->now_us, packer->infeed_actual);
     packer->film_sent = packer->film_actual / CTL_FINE;
     packer->infeed_sent = packer->infeed_actual / CTL_FINE;
     packer->film_at = packer->film_sent * CTL_FINE;

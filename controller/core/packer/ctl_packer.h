@@ -13,6 +13,7 @@
 #include "packer/ctl_feed.h"
 #include "packer/ctl_gate.h"
 #include "packer/ctl_marks.h"
+#include "packer/ctl_past.h"
 #include "packer/ctl_phase.h"
 #include "packer/ctl_products.h"
 
@@ -84,6 +85,8 @@ typedef struct {
     int64_t infeed_at;
     int64_t film_actual; /* last measured, 1/256 pulse */
     int64_t infeed_actual;
+    ctl_past film_past;
+    ctl_past infeed_past;
     bool planned; /* the cut of the film's next cycle */
     bool changed; /* the program, since the last cut */
     ctl_cut next;
@@ -156,6 +159,8 @@ void ctl_packer_registers(const ctl_packer* packer, uint16_t* registers);
 
 /* Between the files of this module. */
 bool ctl_packer_tracks(const ctl_packer* packer);
+/* Returns the longer dead time of the eye's edges. */
+uint32_t ctl_packer_eye_dead_us(const ctl_packer* packer);
 /* Asks about the first cut at the start of the film's cycle, when the knife is open. */
 void ctl_packer_ask_first_cut(ctl_packer* packer);
 /* Returns the lag of the film at a cut at this speed of the ramp. */

@@ -190,8 +190,11 @@ void ctl_packer_ask_first_cut(ctl_packer* packer)
 /* Returns true when the next product is missing: the film waits for the one after it. */
 static bool film_must_wait(ctl_packer* packer)
 {
-    if (ctl_parameter16(packer->board, CTL_REG_PARAMETER_EMPTY_BAG) == 0 ||
-        !ctl_products_missing(&packer->products, packer->number + 1, packer->infeed_actual))
+    if (ctl_parameter16(packer->board, CTL_REG_PARAMETER_EMPTY_BAG) == 0)
+        return false;
+    const int64_t seen =
+        ctl_past_before(&packer->infeed_past, packer->infeed_actual, ctl_packer_eye_dead_us(packer));
+    if (!ctl_products_missing(&packer->products, packer->number + 1, seen))
         return false;
     packer->saved_um += bag_um(packer);
     packer->last_skip = CTL_SKIP_CAUSE_NO_PRODUCT;
@@ -272,11 +275,18 @@ static void read_sensors(ctl_packer* packer)
     bool covered = false;
     packer->film_actual = port->film(port->context);
     packer->infeed_actual = port->infeed(port->context);
+    ctl_past_add(&packer->film_past, packer->board->now_us, packer->film_actual);
+    ctl_past_add(&packer->infeed_past, packer->board->now_us, packer->infeed_actual);
+    const uint16_t mark_us = ctl_parameter16(packer->board, CTL_REG_PARAMETER_MARK_DEAD_TIME);
     while (port->mark(port->context, &at))
-        ctl_marks_see(&packer->marks, at);
-    while (port->eye(port->context, &at, &covered))
-        ctl_products_edge(&packer->products, at, covered);
-    ctl_marks_pass(&packer->marks, packer->film_actual);
+        ctl_marks_see(&packer->marks, ctl_past_before(&packer->film_past, at, mark_us));
+    while (port->eye(port->context, &at, &covered)) {
+        const uint32_t dead = covered ? CTL_REG_PARAMETER_EYE_DEAD_TIME : CTL_REG_PARAMETER_EYE_END_DEAD_TIME;
+        const uint16_t eye_us = ctl_parameter16(packer->board, dead);
+        ctl_products_edge(&packer->products, ctl_past_before(&packer->infeed_past, at, eye_us), covered);
+    }
+    if (ctl_marks_due(&packer->marks, packer->film_actual)) /* what is missing may be on its way */
+        ctl_marks_pass(&packer->marks, ctl_past_before(&packer->film_past, packer->film_actual, mark_us));
     ctl_products_lay(&packer->products, infeed_before, packer->infeed_actual, film_before,
                      packer->film_actual);
 }
