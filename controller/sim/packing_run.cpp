@@ -107,8 +107,7 @@ private:
         if (!download(m_job.bank))
             return false;
         ctl_motion_change_program(&m_core.motion);
-        m_setMm =
-            ctl_get32(&ctl_active_bank(&m_core.banks)->registers[CTL_OFFSET_PROGRAM_BAG_LENGTH]) / umPerMm;
+        m_setMm = ctl_bank_bag_um(ctl_active_bank(&m_core.banks)) / umPerMm;
         m_longestBagUs = static_cast<std::uint64_t>(longestBagCycles * cycleS(m_job) * usPerS);
         return true;
     }

@@ -186,6 +186,11 @@ uint32_t ctl_bank_cycle_ticks(const ctl_bank* bank)
     return wide(bank, CTL_OFFSET_BANK_CYCLE_TICKS);
 }
 
+uint32_t ctl_bank_bag_um(const ctl_bank* bank)
+{
+    return wide(bank, CTL_OFFSET_PROGRAM_BAG_LENGTH);
+}
+
 uint32_t ctl_bank_remainder(const ctl_bank* bank)
 {
     return wide(bank, CTL_OFFSET_BANK_REMAINDER);

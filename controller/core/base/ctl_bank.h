@@ -62,6 +62,8 @@ uint32_t ctl_bank_row_count(const ctl_bank* bank);
 uint32_t ctl_bank_length(const ctl_bank* bank);
 uint32_t ctl_bank_crc(const ctl_bank* bank);
 uint32_t ctl_bank_cycle_ticks(const ctl_bank* bank);
+/* Returns the bag length of a cutter. */
+uint32_t ctl_bank_bag_um(const ctl_bank* bank);
 uint32_t ctl_bank_remainder(const ctl_bank* bank);
 uint32_t ctl_bank_divisor(const ctl_bank* bank);
 /* Register of row `index`, `size` registers long each. */

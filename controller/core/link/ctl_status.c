@@ -106,8 +106,7 @@ static void put_knife(const ctl_core* core, uint16_t* registers)
     if (core->bags.length_um != 0)
         put(registers, CTL_REG_STATUS_BAG_DEVIATION,
             ctl_saturated16((int64_t)core->bags.length_um -
-                            ctl_packer_set_um(&core->packer,
-                                              ctl_get32(&bank->registers[CTL_OFFSET_PROGRAM_BAG_LENGTH]))));
+                            ctl_packer_set_um(&core->packer, ctl_bank_bag_um(bank))));
 }
 
 static uint16_t saturated_force(int32_t force)

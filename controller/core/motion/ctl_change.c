@@ -6,11 +6,6 @@
 
 #define WHOLE ((uint64_t)1 << CTL_RAMP_SHARE_BITS)
 
-static uint32_t bag_um(const ctl_bank* bank)
-{
-    return ctl_get32(&bank->registers[CTL_OFFSET_PROGRAM_BAG_LENGTH]);
-}
-
 static uint64_t master_rate(const ctl_bank* bank)
 {
     const int16_t rate = (int16_t)bank->registers[CTL_OFFSET_CAM_MASTER_RATE];
@@ -23,8 +18,8 @@ static void set_ratio(ctl_change_plan* plan, const ctl_bank* from, const ctl_ban
     uint64_t numerator = ctl_bank_cycle_ticks(to);
     uint64_t denominator = ctl_bank_cycle_ticks(from);
     if (ctl_bank_kind(from) == CTL_PROGRAM_KIND_ROTARY_CUTTER) {
-        numerator *= bag_um(from);
-        denominator *= bag_um(to);
+        numerator *= ctl_bank_bag_um(from);
+        denominator *= ctl_bank_bag_um(to);
     } else if (ctl_bank_follows_master(from)) {
         numerator = master_rate(from);
         denominator = master_rate(to);

@@ -10,18 +10,11 @@
 #define RATIO_BITS 20u
 /* The maximum error of a mark that counts as slip. */
 #define JUMP_UM 600
-/* In tenths of a cycle: the sealing window at most, and each ramp beside it at least. */
-#define WIDEST_WINDOW 9u
-#define SHORTEST_RAMP 40u
 /* The first cut of a changed program is shifted by so much of a bag, in so much of a cycle: as fast as
  * others. */
 #define FIRST_SHARE 50
 #define FIRST_TIME 5u
-#define MAX_FLIGHTS_TO_EYE 8u
-#define US_PER_S 1000000u
 #define MAX_TAUGHT 100u
-/* The infeed is corrected to its place within this number of cycles. */
-#define INFEED_CYCLES 4u
 
 static uint16_t parameter(const ctl_packer* packer, uint32_t address)
 {
@@ -48,100 +41,15 @@ bool ctl_packer_active(const ctl_packer* packer)
     return packer->bank != NULL;
 }
 
-static uint32_t ticks_at(const ctl_bank* bank, uint32_t offset)
+uint32_t ctl_packer_ticks_at(const ctl_bank* bank, uint32_t offset)
 {
     return (uint32_t)((uint64_t)ctl_bank_cycle_ticks(bank) * bank->registers[offset] / FULL_CIRCLE);
 }
 
-static uint32_t bag_um(const ctl_bank* bank)
-{
-    return ctl_get32(&bank->registers[CTL_OFFSET_PROGRAM_BAG_LENGTH]);
-}
-
-static bool has_film(const ctl_packer* packer, const ctl_bank* bank)
+bool ctl_packer_drives(const ctl_packer* packer, const ctl_bank* bank)
 {
     return packer->board->port.film != NULL && bank != NULL &&
            ctl_bank_kind(bank) == CTL_PROGRAM_KIND_ROTARY_CUTTER;
-}
-
-uint32_t ctl_packer_eye_dead_us(const ctl_packer* packer)
-{
-    const uint16_t begin = parameter(packer, CTL_REG_PARAMETER_EYE_DEAD_TIME);
-    const uint16_t end = parameter(packer, CTL_REG_PARAMETER_EYE_END_DEAD_TIME);
-    return begin > end ? begin : end;
-}
-
-/* The eye must have seen the place of a product before the film is told to wait for it, and before it is told
- * to go on. */
-static bool eye_too_near(const ctl_packer* packer, const ctl_bank* bank)
-{
-    const uint64_t cycle = ctl_bank_cycle_ticks(bank);
-    const uint64_t cut = ticks_at(bank, CTL_OFFSET_BANK_CUT_ANGLE);
-    const uint64_t to_slow = cycle + cycle / 2u + cut - ticks_at(bank, CTL_OFFSET_BANK_SYNC_END);
-    const uint64_t to_gain = cycle / 2u + cut + ticks_at(bank, CTL_OFFSET_BANK_SYNC_START);
-    const uint64_t dead =
-        (uint64_t)ctl_packer_eye_dead_us(packer) * packer->board->config.timer_clock_hz / US_PER_S;
-    const uint64_t cycles = (to_slow > to_gain ? to_slow : to_gain) + cycle / 10u + dead;
-    const uint64_t pitch = ctl_parameter32(packer->board, CTL_REG_PARAMETER_FLIGHT_PITCH);
-    const uint64_t eye = ctl_parameter32(packer->board, CTL_REG_PARAMETER_EYE_DISTANCE);
-    return eye * cycle < pitch * cycles || eye > pitch * MAX_FLIGHTS_TO_EYE;
-}
-
-static bool no_room(const ctl_bank* bank)
-{
-    const uint32_t cycle = ctl_bank_cycle_ticks(bank);
-    const uint32_t engage = ticks_at(bank, CTL_OFFSET_BANK_SYNC_START);
-    const uint32_t release = ticks_at(bank, CTL_OFFSET_BANK_SYNC_END);
-    const uint32_t cut = ticks_at(bank, CTL_OFFSET_BANK_CUT_ANGLE);
-    return cut < engage || cut > release || release <= engage || cycle - release < cycle / SHORTEST_RAMP ||
-           engage < cycle / SHORTEST_RAMP || release - engage > cycle / 10u * WIDEST_WINDOW;
-}
-
-/* Returns the pulses per second at full speed of an axis that feeds `feed` / 256 pulses per cycle. */
-static uint64_t full_speed_hz(const ctl_packer* packer, const ctl_bank* bank, uint64_t feed)
-{
-    return feed / CTL_FINE * packer->board->config.timer_clock_hz / ctl_bank_cycle_ticks(bank);
-}
-
-/* The same with `part` / `whole` more in a correction. */
-static uint64_t max_hz(uint64_t hz, uint32_t part, uint32_t whole)
-{
-    return hz + hz * part / whole;
-}
-
-/* A bag is corrected by at most a tenth of its length or its limits, beside the sealing window; 3 x^2 - 2 x^3
- * is at most 1.5 times as steep as its mean. */
-static bool too_fast(const ctl_packer* packer, const ctl_bank* bank)
-{
-    const uint32_t cycle = ctl_bank_cycle_ticks(bank);
-    const uint32_t outside =
-        cycle - ticks_at(bank, CTL_OFFSET_BANK_SYNC_END) + ticks_at(bank, CTL_OFFSET_BANK_SYNC_START);
-    const uint64_t bag = (uint64_t)ctl_packer_film(packer, bag_um(bank));
-    const uint64_t flight =
-        (uint64_t)ctl_parameter32(packer->board, CTL_REG_PARAMETER_FLIGHT_PULSES) * CTL_FINE;
-    const uint32_t limit = packer->board->config.max_pulse_hz;
-    return max_hz(full_speed_hz(packer, bank, bag), cycle / 20u * 3u, outside) > limit ||
-           max_hz(full_speed_hz(packer, bank, flight), 3u, 2u * INFEED_CYCLES) > limit;
-}
-
-uint16_t ctl_packer_refusal(const ctl_packer* packer, const ctl_bank* bank)
-{
-    if (!has_film(packer, bank))
-        return CTL_REFUSAL_NONE;
-    const uint64_t bag = bag_um(bank);
-    if (no_room(bank))
-        return CTL_REFUSAL_NO_ROOM_TO_CORRECT;
-    if (too_fast(packer, bank))
-        return CTL_REFUSAL_FEED_TOO_FAST;
-    if (parameter(packer, CTL_REG_PARAMETER_MARK_TRACKING) != 0) {
-        const uint64_t distance = ctl_parameter32(packer->board, CTL_REG_PARAMETER_MARK_DISTANCE) +
-                                  (uint64_t)ctl_parameter32(packer->board, CTL_REG_PARAMETER_MARK_OFFSET);
-        if (distance > bag * (CTL_WAITING_MARKS - 3u))
-            return CTL_REFUSAL_SENSOR_TOO_FAR;
-        if (4u * (uint64_t)parameter(packer, CTL_REG_PARAMETER_MARK_WINDOW) > bag)
-            return CTL_REFUSAL_MARK_WINDOW_TOO_WIDE;
-    }
-    return eye_too_near(packer, bank) ? CTL_REFUSAL_EYE_TOO_NEAR : CTL_REFUSAL_NONE;
 }
 
 int64_t ctl_packer_length_limit(const ctl_packer* packer)
@@ -214,10 +122,10 @@ static void read_bank(ctl_packer* packer, const ctl_bank* bank)
     const uint32_t cycle_before = packer->cycle;
     packer->bank = bank;
     packer->cycle = ctl_bank_cycle_ticks(bank);
-    packer->engage = ticks_at(bank, CTL_OFFSET_BANK_SYNC_START);
-    packer->release = ticks_at(bank, CTL_OFFSET_BANK_SYNC_END);
-    packer->cut = ticks_at(bank, CTL_OFFSET_BANK_CUT_ANGLE);
-    packer->bag = ctl_packer_film(packer, bag_um(bank));
+    packer->engage = ctl_packer_ticks_at(bank, CTL_OFFSET_BANK_SYNC_START);
+    packer->release = ctl_packer_ticks_at(bank, CTL_OFFSET_BANK_SYNC_END);
+    packer->cut = ctl_packer_ticks_at(bank, CTL_OFFSET_BANK_CUT_ANGLE);
+    packer->bag = ctl_packer_film(packer, ctl_bank_bag_um(bank));
     packer->flight = (int64_t)ctl_parameter32(packer->board, CTL_REG_PARAMETER_FLIGHT_PULSES) * CTL_FINE;
     scale_lag(packer, bag_before, cycle_before);
 }
@@ -260,7 +168,7 @@ static void align_infeed(ctl_packer* packer, int64_t start, bool forward)
     ctl_feed_reset(&packer->infeed, packer->cycle, start, packer->flight);
     const int64_t way = packer->number * packer->flight - ahead - start;
     if (way != 0)
-        ctl_feed_correct(&packer->infeed, way, INFEED_CYCLES * (uint64_t)packer->cycle);
+        ctl_feed_correct(&packer->infeed, way, CTL_INFEED_CYCLES * (uint64_t)packer->cycle);
 }
 
 /* It comes before the end of any sealing window, so that it cannot be shifted. */
@@ -316,7 +224,7 @@ static void plan_for_start(ctl_packer* packer, const ctl_ramp* ramp)
 
 void ctl_packer_run(ctl_packer* packer, const ctl_bank* bank, const ctl_ramp* ramp)
 {
-    if (!has_film(packer, bank)) {
+    if (!ctl_packer_drives(packer, bank)) {
         packer->bank = NULL;
         return;
     }
@@ -415,16 +323,6 @@ static bool in_step(const ctl_packer* packer)
             packer->knife_gate.state == CTL_GATE_STATE_STANDING);
 }
 
-ctl_line_speed ctl_packer_full_speed(const ctl_packer* packer, const ctl_bank* bank)
-{
-    const int64_t film = ctl_packer_film(packer, bag_um(bank)) + trim(packer);
-    const uint64_t flight =
-        (uint64_t)ctl_parameter32(packer->board, CTL_REG_PARAMETER_FLIGHT_PULSES) * CTL_FINE;
-    const ctl_line_speed speed = {(int64_t)full_speed_hz(packer, bank, (uint64_t)film),
-                                  (int64_t)full_speed_hz(packer, bank, flight)};
-    return speed;
-}
-
 bool ctl_packer_correcting(const ctl_packer* packer)
 {
     return packer->bank != NULL && (packer->film.span != 0 || packer->infeed.span != 0);
@@ -438,7 +336,7 @@ bool ctl_packer_must_open(const ctl_packer* packer, const ctl_bank* bank)
     const int64_t clearance = ctl_packer_film(packer, parameter(packer, CTL_REG_PARAMETER_CUT_CLEARANCE)) +
                               packer->bag / FIRST_SHARE;
     const int64_t cut =
-        first_cut(ctl_feed_position(&packer->film), bank, ctl_packer_film(packer, bag_um(bank)));
+        first_cut(ctl_feed_position(&packer->film), bank, ctl_packer_film(packer, ctl_bank_bag_um(bank)));
     return ctl_products_across(&packer->products, cut, clearance);
 }
 
@@ -462,7 +360,7 @@ uint32_t ctl_packer_position(const ctl_packer* packer)
 
 uint16_t ctl_packer_teach(ctl_packer* packer, const ctl_bank* bank, uint16_t marks)
 {
-    if (!has_film(packer, bank))
+    if (!ctl_packer_drives(packer, bank))
         return CTL_REFUSAL_NO_ACTIVE_PROGRAM;
     if (marks < 2u || marks > MAX_TAUGHT)
         return CTL_REFUSAL_BAD_ARGUMENT;

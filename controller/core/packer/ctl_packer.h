@@ -22,6 +22,8 @@ extern "C" {
 #endif
 
 #define CTL_BAG_REGISTERS 4u
+/* The infeed is corrected to its place within this number of cycles. */
+#define CTL_INFEED_CYCLES 4u
 
 /* All in 1/256 pulse of the film motor, at the knife. */
 typedef struct {
@@ -159,6 +161,10 @@ void ctl_packer_registers(const ctl_packer* packer, uint16_t* registers);
 
 /* Between the files of this module. */
 bool ctl_packer_tracks(const ctl_packer* packer);
+/* Returns true when the line runs with this program. */
+bool ctl_packer_drives(const ctl_packer* packer, const ctl_bank* bank);
+/* Returns the ticks from the start of the cycle to the angle at this offset of the bank. */
+uint32_t ctl_packer_ticks_at(const ctl_bank* bank, uint32_t offset);
 /* Returns the longer dead time of the eye's edges. */
 uint32_t ctl_packer_eye_dead_us(const ctl_packer* packer);
 /* Asks about the first cut at the start of the film's cycle, when the knife is open. */

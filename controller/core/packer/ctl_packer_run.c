@@ -10,11 +10,6 @@
 /* A planned cut is shifted again in no less than this part of a cycle. */
 #define SHORTEST_ROOM 10u
 
-static uint32_t bag_um(const ctl_packer* packer)
-{
-    return ctl_get32(&packer->bank->registers[CTL_OFFSET_PROGRAM_BAG_LENGTH]);
-}
-
 static int64_t film_um(const ctl_packer* packer, uint32_t address)
 {
     return ctl_packer_film(packer, ctl_parameter16(packer->board, address));
@@ -196,7 +191,7 @@ static bool film_must_wait(ctl_packer* packer)
         ctl_past_before(&packer->infeed_past, packer->infeed_actual, ctl_packer_eye_dead_us(packer));
     if (!ctl_products_missing(&packer->products, packer->number + 1, seen))
         return false;
-    packer->saved_um += bag_um(packer);
+    packer->saved_um += ctl_bank_bag_um(packer->bank);
     packer->last_skip = CTL_SKIP_CAUSE_NO_PRODUCT;
     return true;
 }
@@ -329,7 +324,7 @@ void ctl_packer_on_cut(ctl_packer* packer, int64_t film, const ctl_ramp* ramp)
     last->bags = 1u + packer->skips_in_row;
     last->changed = packer->changed && packer->cut_before;
     last->set_um = last->changed ? ctl_packer_um(packer, packer->next.command - last->command)
-                                 : (int64_t)last->bags * bag_um(packer);
+                                 : (int64_t)last->bags * ctl_bank_bag_um(packer->bank);
     last->command = packer->next.command;
     packer->changed = false;
     const bool was_in_register = packer->in_register;
