@@ -99,17 +99,34 @@ private:
 
     bool setUp()
     {
-        for (const ParameterValue& parameter : m_job.parameters) {
-            if (ctl_map_write(&m_core, parameter.address, parameter.registers.data(),
-                              static_cast<std::uint32_t>(parameter.registers.size())) != 0)
-                return end(PackingEnd::BadParameter, parameter.address);
-        }
+        if (!write(m_job.parameters))
+            return false;
         if (!download(m_job.bank))
             return false;
         ctl_motion_change_program(&m_core.motion);
         m_setMm = ctl_bank_bag_um(ctl_active_bank(&m_core.banks)) / umPerMm;
         m_longestBagUs = static_cast<std::uint64_t>(longestBagCycles * cycleS(m_job) * usPerS);
         return true;
+    }
+
+    bool write(const std::vector<ParameterValue>& parameters)
+    {
+        for (const ParameterValue& parameter : parameters) {
+            if (ctl_map_write(&m_core, parameter.address, parameter.registers.data(),
+                              static_cast<std::uint32_t>(parameter.registers.size())) != 0)
+                return end(PackingEnd::BadParameter, parameter.address);
+        }
+        return true;
+    }
+
+    bool showMarks()
+    {
+        if (!m_job.onMarks || m_core.packer.edges.number == m_marksShown)
+            return true;
+        m_marksShown = m_core.packer.edges.number;
+        std::array<std::uint16_t, CTL_GROUP_SENSOR> registers{};
+        ctl_edges_registers(&m_core.packer.edges, registers.data());
+        return write(m_job.onMarks(registers));
     }
 
     // Fills the shadow bank and seals it.
@@ -180,7 +197,7 @@ private:
                 if (m_result.bags != bagsBefore && !changeProgram())
                     return;
             }
-            if (!goesOn())
+            if (!showMarks() || !goesOn())
                 return;
         }
     }
@@ -308,6 +325,7 @@ private:
     bool m_skippedAligning = false;
     std::uint32_t m_bagsAtAlarm = 0;
     bool m_runsOther = false;
+    std::uint32_t m_marksShown = 0;
     std::uint32_t m_commands = 0;
     std::uint32_t m_startsWithoutBag = 0;
 };

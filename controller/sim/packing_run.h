@@ -29,6 +29,8 @@ struct PackingJob {
     std::uint32_t bags = 1000;
     std::uint64_t stepUs = 0; // 0: quickStepUs()
     bool goOn = false;        // restart after an alarm, like an operator
+    // Called with the group `sensor` when it has new marks; the parameters that it returns are written.
+    std::function<std::vector<ParameterValue>(std::span<const std::uint16_t> registers)> onMarks;
     // The board of the controller.
     std::uint32_t timerClockHz = 8'000'000;
     std::uint32_t maxPulseHz = 500'000;

@@ -412,6 +412,14 @@ constexpr std::array markStates{
     entry(MarkState::Tracking, "Tracking", CAMPANEL_TEXT("Protocol", "Tracking marks")),
 };
 
+constexpr std::array markVerdicts{
+    entry(MarkVerdict::NotUsed, "NotUsed", "Mark tracking was off."),
+    entry(MarkVerdict::Searched, "Searched", "One of the marks by which the search finds the print."),
+    entry(MarkVerdict::Taken, "Taken", "It sets the place of a cut."),
+    entry(MarkVerdict::OutsideWindow, "OutsideWindow",
+          "Farther than parameter.mark_window from the expected position."),
+};
+
 constexpr std::array gateStates{
     entry(GateState::Running, "Running", CAMPANEL_TEXT("Protocol", "following"),
           "The axis follows its master."),
@@ -446,7 +454,7 @@ constexpr std::array bagBits{
           "or a change of length."),
 };
 
-constexpr std::array<EnumInfo, 32> infos{{
+constexpr std::array<EnumInfo, 33> infos{{
     {"State", states},
     {"ProgramKind", programKinds},
     {"StagedState", stagedStates},
@@ -470,6 +478,7 @@ constexpr std::array<EnumInfo, 32> infos{{
     {"PressStage", pressStages},
     {"StrokeResult", strokeResults},
     {"MarkState", markStates},
+    {"MarkVerdict", markVerdicts},
     {"GateState", gateStates},
     {"SkipCause", skipCauses},
     {"BagBit", bagBits},

@@ -158,6 +158,9 @@ enum class TransferResult : std::uint16_t {
 
 enum class MarkState : std::uint16_t { Off = 0, Searching, Aligning, Tracking };
 
+// The use that was made of an edge of the mark sensor.
+enum class MarkVerdict : std::uint16_t { NotUsed = 0, Searched, Taken, OutsideWindow };
+
 enum class GateState : std::uint16_t { Running = 0, Slowing, Standing, CatchingUp };
 
 enum class SkipCause : std::uint16_t { None = 0, ProductAcross, ProductTooLong, NoProduct };
@@ -227,6 +230,10 @@ constexpr std::string_view nameOf(TransferResult)
 constexpr std::string_view nameOf(MarkState)
 {
     return "MarkState";
+}
+constexpr std::string_view nameOf(MarkVerdict)
+{
+    return "MarkVerdict";
 }
 constexpr std::string_view nameOf(GateState)
 {

@@ -162,6 +162,7 @@ void printCHeader(std::ostream& out)
     define("BLOCK_REGISTERS", std::to_string(blockRegisters) + "u");
     define("READBACK_REGISTERS", std::to_string(readbackRegisters) + "u");
     define("BAG_RECORDS", std::to_string(bagRecords) + "u");
+    define("EDGE_RECORDS", std::to_string(edgeRecords) + "u");
     define("VIEW_CUTS", std::to_string(viewCuts) + "u");
     define("VIEW_MARKS", std::to_string(viewMarks) + "u");
     define("VIEW_PRODUCTS", std::to_string(viewProducts) + "u");

@@ -288,6 +288,17 @@ constexpr std::array registerTable{
     block("readback_result.data", 0x0313, readbackRegisters, Access::ReadOnly,
           "the registers at the time of the request"),
 
+    // What the mark sensor saw. Read once a second.
+    since(6,
+          cutter(ro32("sensor.mark_number", 0x0A00,
+                      "edges of the mark sensor since power-up, equal to the number of the newest record"))),
+    since(6,
+          cutter(block("sensor.marks", 0x0A02, 8 * edgeRecords, Access::ReadOnly,
+                       "the newest edges, edge n at (n mod 12) x 8: film position (u32, 0.001 mm, lower 32 "
+                       "bits), distance from the expected mark (i16, 0.001 mm, saturating), film speed "
+                       "(i16, 0.1 mm/s), film acceleration (i16, mm/s^2), MarkVerdict, dead time taken off "
+                       "(u16, 0.001 ms), 0"))),
+
     block("active", activeBankBase, bankRegisters, Access::ReadOnly, "the active bank; layout below"),
     block("staged", stagedBankBase, bankRegisters, Access::ReadOnly, "the shadow bank; layout below"),
 };

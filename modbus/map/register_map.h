@@ -77,6 +77,7 @@ inline constexpr std::uint16_t readbackRegisters = 122; // payload of one read-b
 // The sizes in the group `packer`: recorded bags (four registers each), and objects on the film before the
 // knife.
 inline constexpr std::uint16_t bagRecords = 8;
+inline constexpr std::uint16_t edgeRecords = 12;
 inline constexpr std::uint16_t viewCuts = 6;
 inline constexpr std::uint16_t viewMarks = 12;
 inline constexpr std::uint16_t viewProducts = 8;

@@ -76,9 +76,12 @@ Outcome checkCombination(const Invocation& call)
     return {};
 }
 
-Outcome simulateOne(const Invocation& call, const program::Recipe& recipe, const controller::PackingJob& job,
+Outcome simulateOne(const Invocation& call, const program::Recipe& recipe, controller::PackingJob job,
                     double toleranceMm)
 {
+    DeadTimeTaker taker;
+    if (job.onMarks)
+        job.onMarks = [&taker](auto registers) { return taker.take(registers); };
     auto image = program::buildProgram(recipe);
     if (!image)
         return fail(image.error());
@@ -101,6 +104,11 @@ Outcome simulateOne(const Invocation& call, const program::Recipe& recipe, const
     summary[u"set_length_mm"_s] = program::value(made, profile::Field::BagLength);
     summary[u"rate_bags_per_min"_s] = program::value(made, profile::Field::Rate);
     summary[u"seed"_s] = static_cast<qint64>(job.machine.seed);
+    if (const auto found = taker.found())
+        summary[u"learned"_s] = QJsonObject{{u"mark_dead_time_ms"_s, found->ms},
+                                            {u"standard_deviation_ms"_s, found->marginMs},
+                                            {u"slip_mm_per_m_per_s2"_s, found->slipMm},
+                                            {u"ramps"_s, found->ramps}};
     summary[u"end"_s] = ended ? u"all bags cut"_s : ended.error().sentence.simplified();
     if (const Outcome delivered = rows.deliver(call, summary); !delivered)
         return delivered;

@@ -6,7 +6,9 @@
 #include "app/cli/report.h"
 #include "app/panel/words/refusal_sentences.h"
 #include "app/panel/words/register_words.h"
+#include "app/program/dead_time_estimate.h"
 #include "modbus/map/codec.h"
+#include "modbus/map/mark_edges.h"
 
 #include <cmath>
 
@@ -84,6 +86,11 @@ tl::expected<controller::ParameterValue, Failure> settingOf(const QString& text)
     return parameterOf(text.left(sign).trimmed(), value);
 }
 
+bool learns(const Invocation& call)
+{
+    return call.value(u"sensor-compensation-ms"_s) == u"learned"_s;
+}
+
 tl::expected<std::vector<controller::ParameterValue>, Failure> parameterValues(const Invocation& call)
 {
     std::vector<controller::ParameterValue> parameters;
@@ -92,7 +99,8 @@ tl::expected<std::vector<controller::ParameterValue>, Failure> parameterValues(c
         settings << u"parameter.mark_tracking=0"_s;
     if (call.isSet(u"save-film"_s))
         settings << u"parameter.empty_bag=1"_s;
-    const auto compensation = numberOf(call, u"sensor-compensation-ms"_s, 0, 0, maxDeadTimeMs);
+    const auto compensation = learns(call) ? tl::expected<double, Failure>(0.0)
+                                           : numberOf(call, u"sensor-compensation-ms"_s, 0, 0, maxDeadTimeMs);
     if (!compensation)
         return tl::unexpected(compensation.error());
     if (*compensation > 0) {
@@ -135,7 +143,7 @@ QList<QCommandLineOption> simulateOptions()
         {u"no-tracking"_s, u"Switch mark tracking off: parameter.mark_tracking=0."_s},
         {u"save-film"_s, u"Make no bags without product: parameter.empty_bag=1."_s},
         {u"sensor-compensation-ms"_s,
-         u"Dead time of mark sensor and product eye that the controller knows (0 to 20, default 0)."_s,
+         u"Dead time of mark sensor and product eye that the controller knows (0 to 20, default 0); \"learned\": that of the mark sensor is taken as soon as it is offered."_s,
          u"MS"_s},
         {u"change-rate-every"_s,
          u"Change to half of the rate and back after so many bags, while the machine runs."_s, u"BAGS"_s},
@@ -186,6 +194,8 @@ tl::expected<controller::PackingJob, Failure> jobOf(const Invocation& call)
     if (!every)
         return tl::unexpected(every.error());
     job.changeEvery = static_cast<std::uint32_t>(*every);
+    if (learns(call))
+        job.onMarks = [taker = DeadTimeTaker()](auto registers) mutable { return taker.take(registers); };
     for (const Disturbance& each : disturbances) {
         double& place = each.place(job.machine);
         const auto value = numberOf(call, QString::fromLatin1(each.name), place, each.minimum, each.maximum);
@@ -236,6 +246,19 @@ tl::expected<Programs, Failure> programsOf(program::ProgramImage image, const Pa
         return tl::unexpected(half.error());
     programs.half = std::move(*half);
     return programs;
+}
+
+std::vector<controller::ParameterValue> DeadTimeTaker::take(std::span<const std::uint16_t> registers)
+{
+    for (const modbus::MarkEdge& edge : modbus::markEdges(registers, m_last)) {
+        m_last = edge.number;
+        m_takenMs = edge.deadMs;
+        m_estimate.take(edge);
+    }
+    const auto offered = m_estimate.offered(m_takenMs);
+    if (!offered)
+        return {};
+    return {parameterOf(u"parameter.mark_dead_time"_s, *offered).value()};
 }
 
 PackingJob withPrograms(PackingJob job, const Programs& programs)

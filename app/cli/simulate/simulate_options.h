@@ -3,6 +3,7 @@
 #pragma once
 
 #include "app/cli/failure.h"
+#include "app/program/dead_time_estimate.h"
 #include "app/program/program_image.h"
 #include "packing_run.h"
 
@@ -24,6 +25,19 @@ class Invocation;
 // Returns the registers of a parameter; the value must fit. `name` must be a parameter.
 [[nodiscard]] tl::expected<controller::ParameterValue, Failure> parameterOf(const QString& name,
                                                                             double value);
+
+// A technician who enters each dead time of the mark sensor that is offered.
+class DeadTimeTaker {
+public:
+    // Returns what to write, by the group `sensor`.
+    std::vector<controller::ParameterValue> take(std::span<const std::uint16_t> registers);
+    [[nodiscard]] std::optional<program::DeadTime> found() const { return m_estimate.estimate(); }
+
+private:
+    program::DeadTimeEstimate m_estimate;
+    std::uint32_t m_last = 0;
+    double m_takenMs = 0.0;
+};
 
 // Returns the program of this recipe at another length and rate, its other values following the ratios.
 [[nodiscard]] tl::expected<program::ProgramImage, Failure> imageAt(program::Recipe recipe, double lengthMm,

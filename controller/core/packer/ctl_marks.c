@@ -111,15 +111,16 @@ static void take_back(ctl_marks* marks, int64_t film)
     marks->unexpected += 1;
 }
 
-static void follow(ctl_marks* marks, int64_t film)
+static uint16_t follow(ctl_marks* marks, int64_t film)
 {
     take_back(marks, film);
     const ctl_mark_settings* settings = &marks->settings;
     const int64_t error = film - marks->expected;
+    marks->off = error;
     if (size_of(error) > settings->window) {
         marks->unexpected += 1;
         marks->false_in_row += 1;
-        return;
+        return CTL_MARK_VERDICT_OUTSIDE_WINDOW;
     }
     int64_t place = film;
     int64_t pitch = film - marks->last;
@@ -141,6 +142,7 @@ static void follow(ctl_marks* marks, int64_t film)
     marks->false_in_row = 0;
     marks->followed += 1;
     push(marks, place + settings->distance, pitch, true);
+    return CTL_MARK_VERDICT_TAKEN;
 }
 
 static void teach(ctl_marks* marks, int64_t film)
@@ -160,16 +162,17 @@ static void teach(ctl_marks* marks, int64_t film)
     teaching->count += 1;
 }
 
-void ctl_marks_see(ctl_marks* marks, int64_t film)
+uint16_t ctl_marks_see(ctl_marks* marks, int64_t film)
 {
     teach(marks, film);
+    marks->off = 0;
     if (marks->state == CTL_MARK_STATE_OFF)
-        return;
+        return CTL_MARK_VERDICT_NOT_USED;
     ctl_marks_pass(marks, film);
-    if (marks->state == CTL_MARK_STATE_SEARCHING)
-        search(marks, film);
-    else
-        follow(marks, film);
+    if (marks->state != CTL_MARK_STATE_SEARCHING)
+        return follow(marks, film);
+    search(marks, film);
+    return CTL_MARK_VERDICT_SEARCHED;
 }
 
 bool ctl_marks_due(const ctl_marks* marks, int64_t film)

@@ -50,6 +50,7 @@ typedef struct {
     int64_t last;  /* the previous mark, as seen */
     int64_t pitch; /* filtered distance from mark to mark */
     int64_t error; /* of the last mark */
+    int64_t off;   /* the same of the last edge, valid or not */
     bool jumped;   /* too large for slip; the values before it: */
     int64_t expected_before;
     int64_t last_before;
@@ -71,8 +72,8 @@ typedef struct {
 
 /* Starts a search at this film position. The counts since power-up are kept. */
 void ctl_marks_search(ctl_marks* marks, const ctl_mark_settings* settings, int64_t film);
-/* Handles a mark at the sensor. */
-void ctl_marks_see(ctl_marks* marks, int64_t film);
+/* Handles a mark at the sensor; returns CTL_MARK_VERDICT_..., what became of it. */
+uint16_t ctl_marks_see(ctl_marks* marks, int64_t film);
 /* Returns false as long as ctl_marks_pass() has nothing to do at this film position. */
 bool ctl_marks_due(const ctl_marks* marks, int64_t film);
 /* Handles a film position: expected marks that were not seen by then are missing. */

@@ -10,6 +10,7 @@
 #include "base/ctl_board.h"
 #include "ctl_registers.h"
 #include "engine/ctl_ramp.h"
+#include "packer/ctl_edges.h"
 #include "packer/ctl_feed.h"
 #include "packer/ctl_gate.h"
 #include "packer/ctl_marks.h"
@@ -76,6 +77,8 @@ typedef struct {
     ctl_feed film;
     ctl_feed infeed;
     ctl_marks marks;
+    ctl_edges edges;
+    bool busy; /* the slice has planned a cut or handled an edge */
     ctl_products products;
     uint32_t settings; /* board->parameter_writes when the clearance was computed, and one */
     int64_t clearance; /* from a product to a cut, film */

@@ -98,6 +98,7 @@ static int64_t allowed_shift(ctl_packer* packer, const ctl_drive* drive, const c
 static void plan_cut(ctl_packer* packer, const ctl_drive* drive)
 {
     packer->planned = true;
+    packer->busy = true;
     ctl_packer_follow_marks(packer);
     ctl_marks_drop(&packer->marks, ctl_feed_position(&packer->film) - packer->bag / 2);
     const int64_t even = uncorrected(packer);
@@ -261,6 +262,17 @@ static void emit(ctl_packer* packer)
     packer->infeed_sent = ctl_whole_pulses(infeed);
 }
 
+static void see_mark(ctl_packer* packer, int64_t latched, uint16_t dead_us)
+{
+    ctl_edge edge = {.at = ctl_past_before(&packer->film_past, latched, dead_us), .dead_us = dead_us};
+    edge.verdict = ctl_marks_see(&packer->marks, edge.at);
+    edge.off = packer->marks.off;
+    edge.newer = ctl_past_last_way(&packer->film_past, 0);
+    edge.older = ctl_past_last_way(&packer->film_past, 1);
+    ctl_edges_add(&packer->edges, &edge);
+    packer->busy = true;
+}
+
 static void read_sensors(ctl_packer* packer)
 {
     const ctl_port* port = &packer->board->port;
@@ -274,11 +286,12 @@ static void read_sensors(ctl_packer* packer)
     ctl_past_add(&packer->infeed_past, packer->board->now_us, packer->infeed_actual);
     const uint16_t mark_us = ctl_parameter16(packer->board, CTL_REG_PARAMETER_MARK_DEAD_TIME);
     while (port->mark(port->context, &at))
-        ctl_marks_see(&packer->marks, ctl_past_before(&packer->film_past, at, mark_us));
+        see_mark(packer, at, mark_us);
     while (port->eye(port->context, &at, &covered)) {
         const uint32_t dead = covered ? CTL_REG_PARAMETER_EYE_DEAD_TIME : CTL_REG_PARAMETER_EYE_END_DEAD_TIME;
         const uint16_t eye_us = ctl_parameter16(packer->board, dead);
         ctl_products_edge(&packer->products, ctl_past_before(&packer->infeed_past, at, eye_us), covered);
+        packer->busy = true;
     }
     if (ctl_marks_due(&packer->marks, packer->film_actual)) /* what is missing may be on its way */
         ctl_marks_pass(&packer->marks, ctl_past_before(&packer->film_past, packer->film_actual, mark_us));
@@ -302,6 +315,10 @@ bool ctl_packer_slice(ctl_packer* packer, bool in_cycle)
         return false;
     emit(packer);
     read_sensors(packer);
+    if (!packer->busy)
+        ctl_edges_work(&packer->edges, ctl_parameter32(packer->board, CTL_REG_PARAMETER_FILM_FEED),
+                       ctl_parameter32(packer->board, CTL_REG_PARAMETER_FILM_PULSES));
+    packer->busy = false;
     return in_cycle && has_alarms(packer);
 }
 

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "packer/ctl_past.h"
 
+#define WAY_SAMPLES 10u
+
 static ctl_past_sample sample(uint64_t now_us, int64_t at)
 {
     const ctl_past_sample taken = {(uint32_t)(now_us & 0xFFFFFFFFu), (uint32_t)((uint64_t)at & 0xFFFFFFFFu)};
@@ -62,4 +64,19 @@ int64_t ctl_past_before(const ctl_past* past, int64_t at, uint32_t dead_us)
         index = index == 0 ? CTL_PAST_SAMPLES - 1u : index - 1u;
     }
     return at - (int32_t)((uint32_t)((uint64_t)at & 0xFFFFFFFFu) - newer.at);
+}
+
+/* The sample so many before the newest one. */
+static ctl_past_sample older_by(const ctl_past* past, uint32_t count)
+{
+    return past
+        ->samples[past->newest >= count ? past->newest - count : past->newest + CTL_PAST_SAMPLES - count];
+}
+
+ctl_past_way ctl_past_last_way(const ctl_past* past, uint32_t back)
+{
+    const ctl_past_sample newer = older_by(past, WAY_SAMPLES * back);
+    const ctl_past_sample older = older_by(past, WAY_SAMPLES * (back + 1u));
+    const ctl_past_way way = {(int32_t)(newer.at - older.at), newer.us - older.us};
+    return way;
 }

@@ -29,12 +29,21 @@ typedef struct {
     ctl_past_sample now;
 } ctl_past;
 
+/* A way of the axis, 1/256 pulse, and its time. */
+typedef struct {
+    int32_t way;
+    uint32_t us;
+} ctl_past_way;
+
 /* The axis has stood here. */
 void ctl_past_reset(ctl_past* past, uint64_t now_us, int64_t at);
 /* Ends a slice. */
 void ctl_past_add(ctl_past* past, uint64_t now_us, int64_t at);
 /* Returns the position `dead_us` before the axis passed `at` in the present slice. */
 int64_t ctl_past_before(const ctl_past* past, int64_t at, uint32_t dead_us);
+
+/* Returns the way of the last ten samples or, with `back` 1, that of the ten before. */
+ctl_past_way ctl_past_last_way(const ctl_past* past, uint32_t back);
 
 #ifdef __cplusplus
 }

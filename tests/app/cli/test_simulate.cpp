@@ -162,6 +162,24 @@ private slots:
         QCOMPARE(text.lines().size(), 2 + 2);
     }
 
+    // The controller's own records of the marks are all that is known of the sensor.
+    void learnsTheDeadTime()
+    {
+        const QString words = u"simulate --bag-length-mm 300 --rate 300 --bags 600 --change-rate-every 50 "
+                              "--slip-per-acceleration 0.05 --format json --sensor-delay-ms %1 "
+                              "--sensor-compensation-ms learned"_s;
+        for (const double delayMs : {0.0, 0.5, 2.0}) {
+            const Result result = call(words.arg(delayMs));
+            QCOMPARE(result.code, int{Ok});
+            const QJsonObject learned = result.json()[u"learned"_s].toObject();
+            const double error = learned[u"mark_dead_time_ms"_s].toDouble() - delayMs;
+            const double margin = learned[u"standard_deviation_ms"_s].toDouble();
+            QVERIFY2(margin > 0.0 && margin < 0.1, qPrintable(QString::number(margin)));
+            QVERIFY2(std::abs(error) < 3 * margin, qPrintable(QString::number(error)));
+        }
+        QCOMPARE(call(u"simulate --bags 5 --sensor-compensation-ms learnt"_s).code, int{Usage});
+    }
+
     void outputFile()
     {
         const QTemporaryDir directory;

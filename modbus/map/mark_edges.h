@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+// The group `sensor` as values: what the mark sensor of a packing machine saw.
+#pragma once
+
+#include "modbus/map/protocol.h"
+#include "modbus/map/register_map.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace campanel::modbus {
+
+inline constexpr std::uint16_t sensorAddress = 0x0A00;
+inline constexpr std::uint16_t sensorRegisters = 2 + 8 * edgeRecords;
+// The first version of the map with this group.
+inline constexpr std::uint16_t sensorMapMinor = 6;
+
+struct MarkEdge {
+    std::uint32_t number = 0; // counted since power-up
+    std::uint32_t filmUm = 0; // position of the film motor, lower 32 bits
+    double offMm = 0.0;       // from the expected mark, saturating at 32.767
+    double speedMPerS = 0.0;  // of the film
+    double accelerationMPerS2 = 0.0;
+    MarkVerdict verdict = MarkVerdict::NotUsed;
+    double deadMs = 0.0; // taken off
+};
+
+// Returns the edges behind number `after`, oldest first, as far as the controller still has them.
+[[nodiscard]] std::vector<MarkEdge> markEdges(std::span<const std::uint16_t> registers, std::uint32_t after);
+
+} // namespace campanel::modbus
