@@ -6221,6 +6221,18 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
         <source>Product eye: dead time, product ends</source>
         <translation>Produktlichtschranke: Totzeit, Produkt endet</translation>
     </message>
+    <message>
+        <source>%1 · learned from starts, stops and changes of rate: too few marks so far</source>
+        <translation>%1 · wird aus Anläufen, Stopps und Taktwechseln gelernt: noch zu wenige Marken</translation>
+    </message>
+    <message>
+        <source>%1 · learned: %2 ms, margin ±%3 ms</source>
+        <translation>%1 · gelernt: %2 ms, Unsicherheit ±%3 ms</translation>
+    </message>
+    <message>
+        <source>%1. It answers later than entered: clean and check it.</source>
+        <translation>%1. Er antwortet später als eingetragen: reinigen und prüfen.</translation>
+    </message>
 </context>
 <context>
     <name>campanel::panel::PackingSetup</name>

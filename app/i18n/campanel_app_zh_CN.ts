@@ -6219,6 +6219,18 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
         <source>Product eye: dead time, product ends</source>
         <translation>产品光电：滞后时间，产品离开</translation>
     </message>
+    <message>
+        <source>%1 · learned from starts, stops and changes of rate: too few marks so far</source>
+        <translation>%1 · 由启动、停止和变速学习：目前色标太少</translation>
+    </message>
+    <message>
+        <source>%1 · learned: %2 ms, margin ±%3 ms</source>
+        <translation>%1 · 学习值：%2 ms，误差 ±%3 ms</translation>
+    </message>
+    <message>
+        <source>%1. It answers later than entered: clean and check it.</source>
+        <translation>%1。其响应比设定值慢：请清洁并检查。</translation>
+    </message>
 </context>
 <context>
     <name>campanel::panel::PackingSetup</name>

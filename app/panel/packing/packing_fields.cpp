@@ -10,6 +10,8 @@ namespace campanel::panel {
 
 namespace {
 
+constexpr std::string_view markDeadTime = "parameter.mark_dead_time";
+
 struct Listed {
     const char* name;
     const char* words;
@@ -104,8 +106,32 @@ void PackingFields::suggest(const std::optional<GainSuggestion>& gains, int bags
     notifyChange();
 }
 
+void PackingFields::suggestDeadTime(const program::DeadTimeEstimate& estimate)
+{
+    Field& field = find(markDeadTime);
+    m_deadTime = estimate.estimate();
+    field.suggestion = field.value() ? estimate.offered(*field.value()) : std::nullopt;
+    notifyChange();
+}
+
+QString PackingFields::deadTimeNote(const Field& field) const
+{
+    if (!m_deadTime)
+        return tr("%1 · learned from starts, stops and changes of rate: too few marks so far")
+            .arg(range(field));
+    const Format format;
+    const QString learned =
+        tr("%1 · learned: %2 ms, margin ±%3 ms")
+            .arg(range(field), format.number(m_deadTime->ms, 2), format.number(m_deadTime->marginMs, 2));
+    const bool isSlower =
+        field.suggestion && field.value().value_or(0) > 0 && *field.suggestion > *field.value();
+    return isSlower ? tr("%1. It answers later than entered: clean and check it.").arg(learned) : learned;
+}
+
 QString PackingFields::note(const Field& field) const
 {
+    if (field.info().name == markDeadTime && !field.parameter->isMissing())
+        return deadTimeNote(field);
     const bool isGain =
         field.info().name == "parameter.phase_gain" || field.info().name == "parameter.length_gain";
     if (!isGain)

@@ -4,6 +4,7 @@
 
 #include "app/panel/controller/parameter_fields.h"
 #include "app/panel/packing/gain_estimate.h"
+#include "app/program/dead_time_estimate.h"
 
 namespace campanel::panel {
 
@@ -20,13 +21,17 @@ public:
     // table.
     [[nodiscard]] static QString words(const QString& name);
     void suggest(const std::optional<GainSuggestion>& gains, int bags);
+    void suggestDeadTime(const program::DeadTimeEstimate& estimate);
 
 protected:
     [[nodiscard]] QString label(const Field& field) const override { return tr(field.words); }
     [[nodiscard]] QString note(const Field& field) const override;
 
 private:
+    [[nodiscard]] QString deadTimeNote(const Field& field) const;
+
     std::optional<GainSuggestion> m_gains;
+    std::optional<program::DeadTime> m_deadTime;
     int m_bags = 0;
 };
 

@@ -24,6 +24,7 @@ PackingSetup::PackingSetup(Controller& controller, QObject* parent)
     , m_controller(controller)
     , m_fields(controller, this)
     , m_wizard(controller, m_fields, this)
+    , m_sensor(controller, this)
 {
     connect(controller.packing(), &PackingLine::changed, this, &PackingSetup::followMarks);
     connect(&controller, &Controller::stateChanged, this, &PackingSetup::changed);
@@ -38,6 +39,7 @@ PackingSetup::PackingSetup(Controller& controller, QObject* parent)
         m_fields.suggest(std::nullopt, 0);
         emit changed();
     });
+    connect(&m_sensor, &MarkSensor::changed, this, [this] { m_fields.suggestDeadTime(m_sensor.estimate()); });
     connect(&m_fields, &PackingFields::changed, this, &PackingSetup::changed);
     connect(&controller.link(), &link::Link::commandEnded, this, &PackingSetup::takeCommand);
     LanguageNotifier::follow(this, [this] { m_refusal.clear(); });

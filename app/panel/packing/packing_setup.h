@@ -4,6 +4,7 @@
 #pragma once
 
 #include "app/panel/packing/gain_estimate.h"
+#include "app/panel/packing/mark_sensor.h"
 #include "app/panel/packing/mark_wizard.h"
 #include "app/panel/packing/packing_fields.h"
 
@@ -60,6 +61,7 @@ private:
     Controller& m_controller;
     PackingFields m_fields;
     MarkWizard m_wizard;
+    MarkSensor m_sensor;
     GainEstimate m_estimate;
     Teaching m_teaching = Teaching::No;
     QString m_refusal; // refusal of the last teaching

@@ -7,6 +7,7 @@
 #include <QSignalSpy>
 #include <QTest>
 
+#include <algorithm>
 #include <cmath>
 
 namespace test_packing_line {
@@ -73,17 +74,23 @@ struct Rig : PanelRig {
         emit link.reported(report);
     }
     [[nodiscard]] PackingLine& line() { return *machine.packing(); }
+    [[nodiscard]] qsizetype filmReads() const
+    {
+        return std::ranges::count(link.reads, modbus::packerAddress, &link::ReadRequest::address);
+    }
     void answer(link::ReadEnd end = link::ReadEnd::Done)
     {
         const bool isDone = end == link::ReadEnd::Done;
-        emit link.registersRead({link.reads.last(), end,
-                                 isDone ? film.registers : std::vector<std::uint16_t>(), now, std::nullopt});
+        const auto asked = std::ranges::find(link.reads.rbegin(), link.reads.rend(), modbus::packerAddress,
+                                             &link::ReadRequest::address);
+        emit link.registersRead(
+            {*asked, end, isDone ? film.registers : std::vector<std::uint16_t>(), now, std::nullopt});
     }
     // Answers the next automatic request.
     void answerNext()
     {
-        const qsizetype before = link.reads.size();
-        QTRY_VERIFY(link.reads.size() > before);
+        const qsizetype before = filmReads();
+        QTRY_VERIFY(filmReads() > before);
         answer();
     }
     void answerParameter(const char* name, double value)

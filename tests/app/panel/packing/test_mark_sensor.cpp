@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: Apache-2.0
+// The dead time of the mark sensor as a technician meets it: a machine with late sensors starts and stops,
+// the field offers what was learned, and taken it is in the controller. What is true is the simulated
+// sensor's.
+#include "app/panel/controller/controller.h"
+#include "app/panel/editor/editor.h"
+#include "app/panel/packing/packing_setup.h"
+#include "app/panel/settings/settings.h"
+#include "tests/support/core_link.h"
+#include "tests/support/test_program.h"
+
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <functional>
+
+namespace test_mark_sensor {
+
+using namespace campanel;
+using panel::PackingFields;
+
+namespace {
+
+constexpr std::uint64_t second = 1'000'000;
+constexpr int starts = 12;
+
+controller::MachineOptions lateBy(double delayMs)
+{
+    controller::MachineOptions options;
+    options.sensors.delayMs = delayMs;
+    options.film.slipPerAcceleration = 0.05;
+    return options;
+}
+
+struct Machine {
+    QTemporaryDir folder;
+    test::CoreLink link;
+    panel::Settings settings{folder.filePath(QStringLiteral("settings.ini")), nullptr};
+    panel::Controller machine{link, settings, nullptr};
+    panel::Editor editor{machine, folder.path(), nullptr};
+    panel::PackingSetup setup{machine, nullptr};
+
+    explicit Machine(double delayMs)
+        : link(std::make_unique<test::Rig>(lateBy(delayMs)))
+    {
+        machine.setClock([this] { return link.now(); });
+        link.setFilmTimer(machine.packing()->findChild<QTimer*>());
+        link.setConnected(true);
+        pass(1);
+        editor.bagLength()->set(300);
+        editor.rate()->set(200);
+        editor.download();
+        pass(3);
+        setup.open();
+        pass(1);
+    }
+
+    PackingFields& fields() { return *setup.fields(); }
+    void pass(double seconds)
+    {
+        for (std::uint64_t us = 0; us < static_cast<std::uint64_t>(seconds * second);
+             us += test::CoreLink::stepUs) {
+            link.step();
+            QCoreApplication::processEvents();
+        }
+    }
+    bool passUntilState(unsigned state)
+    {
+        for (int i = 0; i < 1200 && link.rig().core().motion.state != state; ++i)
+            pass(0.05);
+        return link.rig().core().motion.state == state;
+    }
+    bool startAndStop()
+    {
+        machine.start();
+        const bool runs = passUntilState(CTL_STATE_RUNNING);
+        pass(8);
+        machine.stop();
+        return runs && passUntilState(CTL_STATE_READY);
+    }
+    int row()
+    {
+        for (int row = 0; row < fields().rowCount(); ++row) {
+            if (at(row, PackingFields::NameRole) == QStringLiteral("Mark sensor: dead time"))
+                return row;
+        }
+        return -1;
+    }
+    QString at(int row, int role) { return fields().data(fields().index(row), role).toString(); }
+    std::uint16_t deadUs()
+    {
+        return ctl_parameter16(&link.rig().core().board, CTL_REG_PARAMETER_MARK_DEAD_TIME);
+    }
+};
+
+} // namespace
+
+class TestMarkSensor : public QObject {
+    Q_OBJECT
+
+private slots:
+    void offersWhatItLearned_data()
+    {
+        QTest::addColumn<double>("delayMs");
+        QTest::newRow("1 ms") << 1.0;
+        QTest::newRow("5 ms") << 5.0;
+    }
+    void offersWhatItLearned()
+    {
+        QFETCH(double, delayMs);
+        Machine machine(delayMs);
+        const int row = machine.row();
+        QVERIFY(row >= 0);
+        QVERIFY(machine.at(row, PackingFields::NoteRole).contains(QStringLiteral("too few marks")));
+        for (int i = 0; i < starts; ++i)
+            QVERIFY(machine.startAndStop());
+        const QString offered = machine.at(row, PackingFields::SuggestionRole);
+        QVERIFY2(std::abs(offered.toDouble() - delayMs) < 0.1,
+                 qPrintable(offered + machine.at(row, PackingFields::NoteRole)));
+        QCOMPARE(machine.deadUs(), std::uint16_t{0}); // nobody has taken it
+
+        machine.fields().takeSuggestion(row);
+        machine.pass(1);
+        QCOMPARE(machine.deadUs(), static_cast<std::uint16_t>(std::lround(offered.toDouble() * 1000.0)));
+        QVERIFY(machine.startAndStop());
+        QVERIFY(machine.at(row, PackingFields::SuggestionRole).isEmpty());
+        QVERIFY(machine.at(row, PackingFields::NoteRole).contains(QStringLiteral("learned: ")));
+    }
+
+    void offersNothingForAPromptSensor()
+    {
+        Machine machine(0.0);
+        for (int i = 0; i < starts; ++i)
+            QVERIFY(machine.startAndStop());
+        QVERIFY2(machine.at(machine.row(), PackingFields::SuggestionRole).isEmpty(),
+                 qPrintable(machine.at(machine.row(), PackingFields::SuggestionRole)));
+    }
+};
+
+CAMPANEL_TEST(TestMarkSensor)
+
+} // namespace test_mark_sensor
+
+#include "test_mark_sensor.moc"
