@@ -1149,16 +1149,16 @@
 <context>
     <name>CamSentences</name>
     <message>
-        <source>The axis advances by %1 mm per cycle.</source>
-        <translation>Die Achse rückt je Zyklus um %1 mm vor.</translation>
+        <source>The axis advances by %1 per cycle.</source>
+        <translation>Die Achse rückt je Zyklus um %1 vor.</translation>
     </message>
     <message>
-        <source>The axis advances by %1 mm in every cycle, and no travel limit stops it.</source>
-        <translation>Die Achse rückt in jedem Zyklus um %1 mm vor, und keine Wegbegrenzung hält sie an.</translation>
+        <source>The axis advances by %1 in every cycle, and no travel limit stops it.</source>
+        <translation>Die Achse rückt in jedem Zyklus um %1 vor, und keine Wegbegrenzung hält sie an.</translation>
     </message>
     <message>
-        <source>The ends of the cam differ by %1 mm; the table closes the cam.</source>
-        <translation>Die Kurvenenden liegen %1 mm auseinander; die Tabelle schließt sie.</translation>
+        <source>The ends of the cam differ by %1; the table closes the cam.</source>
+        <translation>Die Kurvenenden liegen %1 auseinander; die Tabelle schließt sie.</translation>
     </message>
 </context>
 <context>
@@ -1466,17 +1466,17 @@
         <translation>Ausschussbeutel: %1; der erste gute Beutel innerhalb von %2 s.</translation>
     </message>
     <message>
-        <source>%1 Skipped cuts: up to %2, a bag of up to %3 mm.</source>
+        <source>%1 Skipped cuts: up to %2, a bag of up to %3.</source>
         <comment>%1: whole sentence</comment>
-        <translation>%1 Ausgelassene Schnitte: bis zu %2, ein Beutel bis %3 mm.</translation>
+        <translation>%1 Ausgelassene Schnitte: bis zu %2, ein Beutel bis %3.</translation>
     </message>
     <message>
-        <source>Changing to %1 mm: scrap %2, up to %3 s</source>
-        <translation>Wechsel auf %1 mm: Ausschuss %2, bis zu %3 s</translation>
+        <source>Changing to %1: scrap %2, up to %3 s</source>
+        <translation>Wechsel auf %1: Ausschuss %2, bis zu %3 s</translation>
     </message>
     <message>
-        <source>Changing to %1 mm: scrap %2, a bag of up to %4 mm, up to %3 s</source>
-        <translation>Wechsel auf %1 mm: Ausschuss %2, Beutel bis %4 mm, bis zu %3 s</translation>
+        <source>Changing to %1: scrap %2, a bag of up to %4, up to %3 s</source>
+        <translation>Wechsel auf %1: Ausschuss %2, Beutel bis %4, bis zu %3 s</translation>
     </message>
 </context>
 <context>
@@ -1671,10 +1671,6 @@
         <translation>%1/min</translation>
     </message>
     <message>
-        <source>%1 m/s²</source>
-        <translation>%1 m/s²</translation>
-    </message>
-    <message>
         <source>%1 kHz</source>
         <translation>%1 kHz</translation>
     </message>
@@ -1683,16 +1679,8 @@
         <translation>unbegrenzt</translation>
     </message>
     <message>
-        <source>%1 m/s³</source>
-        <translation>%1 m/s³</translation>
-    </message>
-    <message>
-        <source>peak %1 r/min · %2 m/s² · %3 kHz</source>
-        <translation>max. %1/min · %2 m/s² · %3 kHz</translation>
-    </message>
-    <message>
-        <source>peak %1 r/min · %2 m/s² · %3 Nm (RMS %5) · %4 kHz</source>
-        <translation>max. %1/min · %2 m/s² · %3 Nm (eff. %5) · %4 kHz</translation>
+        <source>peak %1 r/min · %2 · %3 kHz</source>
+        <translation>max. %1/min · %2 · %3 kHz</translation>
     </message>
     <message>
         <source>Just within the limits.</source>
@@ -1705,10 +1693,6 @@
     <message>
         <source>Within all limits; building the table …</source>
         <translation>Innerhalb aller Grenzen; Tabelle wird erstellt …</translation>
-    </message>
-    <message>
-        <source>peak %1 r/min · %2 m/s² · %3 kHz · seal %4 ms</source>
-        <translation>max. %1/min · %2 m/s² · %3 kHz · Siegeln %4 ms</translation>
     </message>
     <message>
         <source>Peak speed</source>
@@ -1753,8 +1737,12 @@ RMS %2</source>
 eff. %2</translation>
     </message>
     <message>
-        <source>%1 mm</source>
-        <translation>%1 mm</translation>
+        <source>peak %1 r/min · %2 · %3 Nm (RMS %5) · %4 kHz</source>
+        <translation>max. %1/min · %2 · %3 Nm (eff. %5) · %4 kHz</translation>
+    </message>
+    <message>
+        <source>peak %1 r/min · %2 · %3 kHz · seal %4 ms</source>
+        <translation>max. %1/min · %2 · %3 kHz · Siegeln %4 ms</translation>
     </message>
 </context>
 <context>
@@ -3401,8 +3389,8 @@ eff. %2</translation>
         <translation>Bestätigter Vorschub</translation>
     </message>
     <message>
-        <source>%1 mm per cycle</source>
-        <translation>%1 mm je Zyklus</translation>
+        <source>%1 per cycle</source>
+        <translation>%1 je Zyklus</translation>
     </message>
 </context>
 <context>
@@ -3434,11 +3422,6 @@ eff. %2</translation>
 </context>
 <context>
     <name>RefusalSentences</name>
-    <message>
-        <source>%1 %2</source>
-        <comment>%1: number, %2: unit</comment>
-        <translation>%1 %2</translation>
-    </message>
     <message>
         <source>%1 %2</source>
         <comment>%1: name of a field, %2: value with unit</comment>
@@ -3595,8 +3578,8 @@ eff. %2</translation>
         <translation>Die Bewegung kehrt um, Schritte laufen aber in eine Richtung. Kurvenpunkte wählen.</translation>
     </message>
     <message>
-        <source>With whole pulses, a speed error of %1 mm/s is not possible, but %2 mm/s is. Use more pulses per revolution.</source>
-        <translation>Mit ganzen Pulsen ist ein Geschwindigkeitsfehler von %1 mm/s nicht möglich, aber %2 mm/s. Mehr Pulse je Umdrehung verwenden.</translation>
+        <source>With whole pulses, a speed error of %1 is not possible, but %2 is. Use more pulses per revolution.</source>
+        <translation>Mit ganzen Pulsen ist ein Geschwindigkeitsfehler von %1 nicht möglich, aber %2. Mehr Pulse je Umdrehung verwenden.</translation>
     </message>
     <message>
         <source>The motion has too few pulses for intervals. Use more pulses per revolution.</source>
@@ -3857,11 +3840,6 @@ eff. %2</translation>
 <context>
     <name>SegmentSentences</name>
     <message>
-        <source>%1 %2</source>
-        <comment>%1: number, %2: unit</comment>
-        <translation>%1 %2</translation>
-    </message>
-    <message>
         <source>Segment %1 begins at %2, which is out of range; the nearest possible value is %3.</source>
         <translation>Abschnitt %1 beginnt bei %2, außerhalb des Bereichs; der nächste mögliche Wert ist %3.</translation>
     </message>
@@ -3918,16 +3896,16 @@ eff. %2</translation>
         <translation>Die Geschwindigkeit springt am Anfang von Abschnitt %2 um %1; die Achse kann %3 folgen. Abschnitte stetig machen.</translation>
     </message>
     <message>
-        <source>Where segment %1 begins: speed jumps by %2 mm/°, acceleration by %3 mm/°².</source>
-        <translation>Am Anfang von Abschnitt %1 springt die Geschwindigkeit um %2 mm/°, die Beschleunigung um %3 mm/°².</translation>
+        <source>Where segment %1 begins: speed jumps by %2, acceleration by %3.</source>
+        <translation>Am Anfang von Abschnitt %1 springt die Geschwindigkeit um %2, die Beschleunigung um %3.</translation>
     </message>
     <message>
         <source>The segments are continuous.</source>
         <translation>Die Abschnitte sind stetig.</translation>
     </message>
     <message>
-        <source>At the end of the cycle: speed jumps by %1 mm/°, acceleration by %2 mm/°².</source>
-        <translation>Am Ende des Zyklus springt die Geschwindigkeit um %1 mm/°, die Beschleunigung um %2 mm/°².</translation>
+        <source>At the end of the cycle: speed jumps by %1, acceleration by %2.</source>
+        <translation>Am Ende des Zyklus springt die Geschwindigkeit um %1, die Beschleunigung um %2.</translation>
     </message>
 </context>
 <context>
@@ -4174,8 +4152,8 @@ eff. %2</translation>
         <translation>Leitachse</translation>
     </message>
     <message>
-        <source>Position mm</source>
-        <translation>Position mm</translation>
+        <source>Position %1</source>
+        <translation>Position %1</translation>
     </message>
     <message>
         <source>Slope pulses</source>
@@ -4250,8 +4228,8 @@ eff. %2</translation>
         <translation>%1 Zeilen, %2 Pulse je Zyklus, %3 s</translation>
     </message>
     <message>
-        <source>Max. speed error: %1 mm/s (%2 %) at %3 s</source>
-        <translation>Max. Geschwindigkeitsfehler: %1 mm/s (%2 %) bei %3 s</translation>
+        <source>Max. speed error: %1 (%2 %) at %3 s</source>
+        <translation>Max. Geschwindigkeitsfehler: %1 (%2 %) bei %3 s</translation>
     </message>
     <message>
         <source>Max. frequency step: %1 Hz at %2 s</source>
@@ -4266,32 +4244,32 @@ eff. %2</translation>
         <translation>Drift: keine; der Pulsrest geht in den nächsten Zyklus über</translation>
     </message>
     <message>
-        <source>Error of the paper&apos;s rounding rule: %1 pulses (%2 mm) per bag</source>
-        <translation>Fehler der Rundungsregel des Aufsatzes: %1 Pulse (%2 mm) je Beutel</translation>
-    </message>
-    <message>
         <source>%1 points, %2 pulses per cycle, %3 s</source>
         <translation>%1 Punkte, %2 Pulse je Zyklus, %3 s</translation>
     </message>
     <message>
-        <source>Max. position error between points: %1 pulses (%2 mm) at %3 s</source>
-        <translation>Max. Positionsfehler zwischen Punkten: %1 Pulse (%2 mm) bei %3 s</translation>
+        <source>Max. position error between points: %1 pulses (%2) at %3 s</source>
+        <translation>Max. Positionsfehler zwischen Punkten: %1 Pulse (%2) bei %3 s</translation>
     </message>
     <message>
-        <source>Max. speed error: %1 mm/s at %2 s</source>
-        <translation>Max. Geschwindigkeitsfehler: %1 mm/s bei %2 s</translation>
+        <source>Max. speed error: %1 at %2 s</source>
+        <translation>Max. Geschwindigkeitsfehler: %1 bei %2 s</translation>
     </message>
     <message>
         <source>%1 intervals, %2 pulses, %3 s instead of %4 s</source>
         <translation>%1 Schritte, %2 Pulse, %3 s statt %4 s</translation>
     </message>
     <message>
-        <source>Max. speed error: %1 mm/s at %2 s, position: %3 pulses</source>
-        <translation>Max. Geschwindigkeitsfehler: %1 mm/s bei %2 s, Position: %3 Pulse</translation>
+        <source>Max. speed error: %1 at %2 s, position: %3 pulses</source>
+        <translation>Max. Geschwindigkeitsfehler: %1 bei %2 s, Position: %3 Pulse</translation>
     </message>
     <message>
-        <source>%1 stages; the pulse generator counts the last section, %2 mm per pulse</source>
-        <translation>%1 Stufen; der Pulsgeber zählt den letzten Abschnitt, %2 mm je Puls</translation>
+        <source>%1 stages; the pulse generator counts the last section, %2 per pulse</source>
+        <translation>%1 Stufen; der Pulsgeber zählt den letzten Abschnitt, %2 je Puls</translation>
+    </message>
+    <message>
+        <source>Error of the paper&apos;s rounding rule: %1 pulses (%2) per bag</source>
+        <translation>Fehler der Rundungsregel des Aufsatzes: %1 Pulse (%2) je Beutel</translation>
     </message>
 </context>
 <context>
@@ -4395,8 +4373,8 @@ eff. %2</translation>
         <translation>Stößel: Kraft %1 N, Grenze %2 N</translation>
     </message>
     <message>
-        <source>Ram: contact at %1 mm, approach ends at %2 mm</source>
-        <translation>Stößel: Kontakt bei %1 mm, Anfahren endet bei %2 mm</translation>
+        <source>Ram: contact at %1, approach ends at %2</source>
+        <translation>Stößel: Kontakt bei %1, Anfahren endet bei %2</translation>
     </message>
 </context>
 <context>
@@ -4534,9 +4512,9 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
         <translation>%1 Korrigieren Sie die Datei; das Panel liest sie von selbst erneut.</translation>
     </message>
     <message>
-        <source>%1, slave %2 to %3 mm, will replace those of the recipe. Undo restores them.</source>
+        <source>%1, slave %2 to %3, will replace those of the recipe. Undo restores them.</source>
         <comment>%1: number of knots or segments</comment>
-        <translation>%1, Folgeachse %2 bis %3 mm, ersetzen die des Rezepts. Rückgängig stellt sie wieder her.</translation>
+        <translation>%1, Folgeachse %2 bis %3, ersetzen die des Rezepts. Rückgängig stellt sie wieder her.</translation>
     </message>
 </context>
 <context>
@@ -4686,8 +4664,8 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
         <translation>Standardabweichung</translation>
     </message>
     <message>
-        <source>Within ±%1 mm</source>
-        <translation>Innerhalb ±%1 mm</translation>
+        <source>Within ±%1</source>
+        <translation>Innerhalb ±%1</translation>
     </message>
     <message>
         <source>%1 of %2</source>
@@ -4720,12 +4698,12 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
         <translation>Kurven eines Zyklus</translation>
     </message>
     <message>
-        <source>Velocity, mm/s</source>
-        <translation>Geschwindigkeit, mm/s</translation>
+        <source>Velocity, %1</source>
+        <translation>Geschwindigkeit, %1</translation>
     </message>
     <message>
-        <source>Acceleration, m/s²</source>
-        <translation>Beschleunigung, m/s²</translation>
+        <source>Acceleration, %1</source>
+        <translation>Beschleunigung, %1</translation>
     </message>
     <message>
         <source>Pulse frequency, kHz</source>
@@ -4885,24 +4863,12 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
         <translation>Position</translation>
     </message>
     <message>
-        <source>%1 mm</source>
-        <translation>%1 mm</translation>
-    </message>
-    <message>
         <source>Speed</source>
         <translation>Geschwindigkeit</translation>
     </message>
     <message>
-        <source>%1 mm/s</source>
-        <translation>%1 mm/s</translation>
-    </message>
-    <message>
         <source>Acceleration</source>
         <translation>Beschleunigung</translation>
-    </message>
-    <message>
-        <source>%1 m/s²</source>
-        <translation>%1 m/s²</translation>
     </message>
     <message>
         <source>Pulse frequency</source>
@@ -4975,10 +4941,6 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
         <translation>Taktzahl des Programms × Leitgeschwindigkeit</translation>
     </message>
     <message>
-        <source>mm</source>
-        <translation>mm</translation>
-    </message>
-    <message>
         <source>Mean bag length</source>
         <translation>Mittlere Beutellänge</translation>
     </message>
@@ -5007,8 +4969,8 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
         <translation>Beutel innerhalb der Toleranz</translation>
     </message>
     <message>
-        <source>Number of the last bags (%1) within ±%2 mm. Set the tolerance in Settings, Machine.</source>
-        <translation>Anzahl der letzten Beutel (%1) innerhalb ±%2 mm. Toleranz unter Einstellungen, Maschine einstellen.</translation>
+        <source>Number of the last bags (%1) within ±%2. Set the tolerance in Settings, Machine.</source>
+        <translation>Anzahl der letzten Beutel (%1) innerhalb ±%2. Toleranz unter Einstellungen, Maschine einstellen.</translation>
     </message>
     <message>
         <source>Start-up scrap and bags of a change of program are left out: %1.</source>
@@ -5045,10 +5007,6 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
     <message>
         <source>Film saved</source>
         <translation>Gesparte Folie</translation>
-    </message>
-    <message>
-        <source>m</source>
-        <translation>m</translation>
     </message>
     <message>
         <source>Film that was not used because the film waited for missing products. Counted since power-on of the controller.</source>
@@ -5679,10 +5637,6 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
         <translation>Geber der Folie</translation>
     </message>
     <message>
-        <source>%1 mm</source>
-        <translation>%1 mm</translation>
-    </message>
-    <message>
         <source>Pulses to the film</source>
         <translation>Pulse zur Folie</translation>
     </message>
@@ -5778,8 +5732,8 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
         <translation>Der Zyklus schließt glatt.</translation>
     </message>
     <message>
-        <source>At the end of the cycle: speed jumps by %1 mm/°, acceleration by %2 mm/°².</source>
-        <translation>Am Ende des Zyklus springt die Geschwindigkeit um %1 mm/°, die Beschleunigung um %2 mm/°².</translation>
+        <source>At the end of the cycle: speed jumps by %1, acceleration by %2.</source>
+        <translation>Am Ende des Zyklus springt die Geschwindigkeit um %1, die Beschleunigung um %2.</translation>
     </message>
 </context>
 <context>
@@ -6202,8 +6156,8 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
         <translation>%1 · kein Vorschlag: die Marken schwanken nicht (%2 Beutel)</translation>
     </message>
     <message>
-        <source>%1 · margin ±%5: film slip %2 mm per bag, sensor std dev %3 mm (%4 bags)</source>
-        <translation>%1 · Spanne ±%5: Folienschlupf %2 mm je Beutel, Sensor-Std.-abw. %3 mm (%4 Beutel)</translation>
+        <source>%1 · margin ±%5: film slip %2 per bag, sensor std dev %3 (%4 bags)</source>
+        <translation>%1 · Spanne ±%5: Folienschlupf %2 je Beutel, Sensor-Std.-abw. %3 (%4 Beutel)</translation>
     </message>
     <message>
         <source>%1 · too few bags for a suggestion, still needed: %2</source>
@@ -6257,12 +6211,12 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
         <translation>Maschine starten: Marken werden bei laufender Folie gemessen, mit oder ohne Markenregelung.</translation>
     </message>
     <message>
-        <source>The mark distance is %1 mm (± %2 mm), the recipe cuts %3 mm. The difference exceeds the length limit: this film does not match this recipe.</source>
-        <translation>Der Markenabstand ist %1 mm (± %2 mm), das Rezept schneidet %3 mm. Die Differenz überschreitet die Längengrenze: diese Folie passt nicht zum Rezept.</translation>
+        <source>The mark distance is %1 (± %2), the recipe cuts %3. The difference exceeds the length limit: this film does not match this recipe.</source>
+        <translation>Der Markenabstand ist %1 (± %2), das Rezept schneidet %3. Die Differenz überschreitet die Längengrenze: diese Folie passt nicht zum Rezept.</translation>
     </message>
     <message>
-        <source>The mark distance is %1 mm (± %2 mm), the recipe cuts %3 mm.</source>
-        <translation>Der Markenabstand ist %1 mm (± %2 mm), das Rezept schneidet %3 mm.</translation>
+        <source>The mark distance is %1 (± %2), the recipe cuts %3.</source>
+        <translation>Der Markenabstand ist %1 (± %2), das Rezept schneidet %3.</translation>
     </message>
 </context>
 <context>
@@ -6274,11 +6228,6 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
 </context>
 <context>
     <name>campanel::panel::ParameterField</name>
-    <message>
-        <source>%1 · %2 mm/s</source>
-        <comment>1,000 Hz · 3.1 mm/s</comment>
-        <translation>%1 · %2 mm/s</translation>
-    </message>
     <message>
         <source>Jog speed</source>
         <translation>Tippgeschw.</translation>
@@ -6507,10 +6456,6 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
     <message>
         <source>Highest rate</source>
         <translation>Höchste Taktzahl</translation>
-    </message>
-    <message>
-        <source>%1 m/s²</source>
-        <translation>%1 m/s²</translation>
     </message>
     <message>
         <source>%1 r/min</source>
@@ -7033,8 +6978,8 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
         <translation>Beuteltoleranz</translation>
     </message>
     <message>
-        <source>±%1 mm</source>
-        <translation>±%1 mm</translation>
+        <source>±%1</source>
+        <translation>±%1</translation>
     </message>
     <message>
         <source>Log out after</source>
@@ -7089,16 +7034,8 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
         <translation>Zeit zwischen Tasten</translation>
     </message>
     <message>
-        <source>%1 ms</source>
-        <translation>%1 ms</translation>
-    </message>
-    <message>
         <source>Question after</source>
         <translation>Frage nach</translation>
-    </message>
-    <message>
-        <source>%1 s</source>
-        <translation>%1 s</translation>
     </message>
     <message>
         <source>s</source>
@@ -7113,12 +7050,28 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
         <translation>nach Rezept</translation>
     </message>
     <message>
-        <source>%1 pieces/min</source>
-        <translation>%1 Stück/min</translation>
-    </message>
-    <message>
         <source>pieces/min</source>
         <translation>Stück/min</translation>
+    </message>
+    <message>
+        <source>Units</source>
+        <translation>Einheiten</translation>
+    </message>
+    <message>
+        <source>Metric</source>
+        <translation>Metrisch</translation>
+    </message>
+    <message>
+        <source>mm, mm/s, m/s²</source>
+        <translation>mm, mm/s, m/s²</translation>
+    </message>
+    <message>
+        <source>Inch</source>
+        <translation>Zoll</translation>
+    </message>
+    <message>
+        <source>in, in/s, ft; files stay metric</source>
+        <translation>in, in/s, ft; Dateien bleiben metrisch</translation>
     </message>
 </context>
 <context>

@@ -1149,16 +1149,16 @@
 <context>
     <name>CamSentences</name>
     <message>
-        <source>The axis advances by %1 mm per cycle.</source>
-        <translation>轴每周期净进给 %1 mm。</translation>
+        <source>The axis advances by %1 per cycle.</source>
+        <translation>轴每周期净进给 %1。</translation>
     </message>
     <message>
-        <source>The axis advances by %1 mm in every cycle, and no travel limit stops it.</source>
-        <translation>轴每周期净进给 %1 mm，且没有行程限位使其停止。</translation>
+        <source>The axis advances by %1 in every cycle, and no travel limit stops it.</source>
+        <translation>轴每周期净进给 %1，且没有行程限位使其停止。</translation>
     </message>
     <message>
-        <source>The ends of the cam differ by %1 mm; the table closes the cam.</source>
-        <translation>凸轮两端相差 %1 mm，程序表会将其闭合。</translation>
+        <source>The ends of the cam differ by %1; the table closes the cam.</source>
+        <translation>凸轮两端相差 %1，程序表会将其闭合。</translation>
     </message>
 </context>
 <context>
@@ -1466,17 +1466,17 @@
         <translation>废袋：%1；%2 s 内出第一个合格袋。</translation>
     </message>
     <message>
-        <source>%1 Skipped cuts: up to %2, a bag of up to %3 mm.</source>
+        <source>%1 Skipped cuts: up to %2, a bag of up to %3.</source>
         <comment>%1: whole sentence</comment>
-        <translation>%1 跳过的切断：最多 %2，最长的袋不超过 %3 mm。</translation>
+        <translation>%1 跳过的切断：最多 %2，最长的袋不超过 %3。</translation>
     </message>
     <message>
-        <source>Changing to %1 mm: scrap %2, up to %3 s</source>
-        <translation>正在改为 %1 mm：废袋 %2，最长 %3 s</translation>
+        <source>Changing to %1: scrap %2, up to %3 s</source>
+        <translation>正在改为 %1：废袋 %2，最长 %3 s</translation>
     </message>
     <message>
-        <source>Changing to %1 mm: scrap %2, a bag of up to %4 mm, up to %3 s</source>
-        <translation>正在改为 %1 mm：废袋 %2，最长的袋 %4 mm，最多 %3 s</translation>
+        <source>Changing to %1: scrap %2, a bag of up to %4, up to %3 s</source>
+        <translation>正在改为 %1：废袋 %2，最长的袋 %4，最多 %3 s</translation>
     </message>
 </context>
 <context>
@@ -1671,10 +1671,6 @@
         <translation>%1 r/min</translation>
     </message>
     <message>
-        <source>%1 m/s²</source>
-        <translation>%1 m/s²</translation>
-    </message>
-    <message>
         <source>%1 kHz</source>
         <translation>%1 kHz</translation>
     </message>
@@ -1683,16 +1679,8 @@
         <translation>无界</translation>
     </message>
     <message>
-        <source>%1 m/s³</source>
-        <translation>%1 m/s³</translation>
-    </message>
-    <message>
-        <source>peak %1 r/min · %2 m/s² · %3 kHz</source>
-        <translation>峰值 %1 r/min · %2 m/s² · %3 kHz</translation>
-    </message>
-    <message>
-        <source>peak %1 r/min · %2 m/s² · %3 Nm (RMS %5) · %4 kHz</source>
-        <translation>峰值 %1 r/min · %2 m/s² · %3 Nm（均方根 %5） · %4 kHz</translation>
+        <source>peak %1 r/min · %2 · %3 kHz</source>
+        <translation>峰值 %1 r/min · %2 · %3 kHz</translation>
     </message>
     <message>
         <source>Just within the limits.</source>
@@ -1705,10 +1693,6 @@
     <message>
         <source>Within all limits; building the table …</source>
         <translation>在所有限值之内；正在生成数据表…</translation>
-    </message>
-    <message>
-        <source>peak %1 r/min · %2 m/s² · %3 kHz · seal %4 ms</source>
-        <translation>峰值 %1 r/min · %2 m/s² · %3 kHz · 封口 %4 ms</translation>
     </message>
     <message>
         <source>Peak speed</source>
@@ -1751,8 +1735,12 @@ RMS %2</source>
 均方根 %2</translation>
     </message>
     <message>
-        <source>%1 mm</source>
-        <translation>%1 mm</translation>
+        <source>peak %1 r/min · %2 · %3 Nm (RMS %5) · %4 kHz</source>
+        <translation>峰值 %1 r/min · %2 · %3 Nm（均方根 %5） · %4 kHz</translation>
+    </message>
+    <message>
+        <source>peak %1 r/min · %2 · %3 kHz · seal %4 ms</source>
+        <translation>峰值 %1 r/min · %2 · %3 kHz · 封口 %4 ms</translation>
     </message>
 </context>
 <context>
@@ -3399,8 +3387,8 @@ RMS %2</source>
         <translation>已确认的净进给</translation>
     </message>
     <message>
-        <source>%1 mm per cycle</source>
-        <translation>每周期 %1 mm</translation>
+        <source>%1 per cycle</source>
+        <translation>每周期 %1</translation>
     </message>
 </context>
 <context>
@@ -3432,11 +3420,6 @@ RMS %2</source>
 </context>
 <context>
     <name>RefusalSentences</name>
-    <message>
-        <source>%1 %2</source>
-        <comment>%1: number, %2: unit</comment>
-        <translation>%1 %2</translation>
-    </message>
     <message>
         <source>%1 %2</source>
         <comment>%1: name of a field, %2: value with unit</comment>
@@ -3593,8 +3576,8 @@ RMS %2</source>
         <translation>运动会反向，而区间只能单向。请选择凸轮点。</translation>
     </message>
     <message>
-        <source>With whole pulses, a speed error of %1 mm/s is not possible, but %2 mm/s is. Use more pulses per revolution.</source>
-        <translation>按整数脉冲无法达到 %1 mm/s 的速度误差，但可以达到 %2 mm/s。请增加每转脉冲数。</translation>
+        <source>With whole pulses, a speed error of %1 is not possible, but %2 is. Use more pulses per revolution.</source>
+        <translation>按整数脉冲无法达到 %1 的速度误差，但可以达到 %2。请增加每转脉冲数。</translation>
     </message>
     <message>
         <source>The motion has too few pulses for intervals. Use more pulses per revolution.</source>
@@ -3855,11 +3838,6 @@ RMS %2</source>
 <context>
     <name>SegmentSentences</name>
     <message>
-        <source>%1 %2</source>
-        <comment>%1: number, %2: unit</comment>
-        <translation>%1 %2</translation>
-    </message>
-    <message>
         <source>Segment %1 begins at %2, which is out of range; the nearest possible value is %3.</source>
         <translation>第 %1 段起点 %2 超出范围；最接近的可用值为 %3。</translation>
     </message>
@@ -3916,16 +3894,16 @@ RMS %2</source>
         <translation>第 %2 段起点速度突变 %1；轴可跟随 %3。请使各段连续。</translation>
     </message>
     <message>
-        <source>Where segment %1 begins: speed jumps by %2 mm/°, acceleration by %3 mm/°².</source>
-        <translation>第 %1 段起点：速度突变 %2 mm/°，加速度突变 %3 mm/°²。</translation>
+        <source>Where segment %1 begins: speed jumps by %2, acceleration by %3.</source>
+        <translation>第 %1 段起点：速度突变 %2，加速度突变 %3。</translation>
     </message>
     <message>
         <source>The segments are continuous.</source>
         <translation>各段连续。</translation>
     </message>
     <message>
-        <source>At the end of the cycle: speed jumps by %1 mm/°, acceleration by %2 mm/°².</source>
-        <translation>周期衔接处：速度突变 %1 mm/°，加速度突变 %2 mm/°²。</translation>
+        <source>At the end of the cycle: speed jumps by %1, acceleration by %2.</source>
+        <translation>周期衔接处：速度突变 %1，加速度突变 %2。</translation>
     </message>
 </context>
 <context>
@@ -4172,8 +4150,8 @@ RMS %2</source>
         <translation>主轴</translation>
     </message>
     <message>
-        <source>Position mm</source>
-        <translation>位置 mm</translation>
+        <source>Position %1</source>
+        <translation>位置 %1</translation>
     </message>
     <message>
         <source>Slope pulses</source>
@@ -4248,8 +4226,8 @@ RMS %2</source>
         <translation>%1 行，每周期 %2 个脉冲，%3 s</translation>
     </message>
     <message>
-        <source>Max. speed error: %1 mm/s (%2 %) at %3 s</source>
-        <translation>最大速度误差：%1 mm/s（%2 %），在 %3 s</translation>
+        <source>Max. speed error: %1 (%2 %) at %3 s</source>
+        <translation>最大速度误差：%1（%2 %），在 %3 s</translation>
     </message>
     <message>
         <source>Max. frequency step: %1 Hz at %2 s</source>
@@ -4264,32 +4242,32 @@ RMS %2</source>
         <translation>漂移：无；脉冲余数累积到下一周期</translation>
     </message>
     <message>
-        <source>Error of the paper&apos;s rounding rule: %1 pulses (%2 mm) per bag</source>
-        <translation>论文取整方法的误差：每袋 %1 个脉冲（%2 mm）</translation>
-    </message>
-    <message>
         <source>%1 points, %2 pulses per cycle, %3 s</source>
         <translation>%1 个点，每周期 %2 个脉冲，%3 s</translation>
     </message>
     <message>
-        <source>Max. position error between points: %1 pulses (%2 mm) at %3 s</source>
-        <translation>点间最大位置误差：%1 个脉冲（%2 mm），在 %3 s</translation>
+        <source>Max. position error between points: %1 pulses (%2) at %3 s</source>
+        <translation>点间最大位置误差：%1 个脉冲（%2），在 %3 s</translation>
     </message>
     <message>
-        <source>Max. speed error: %1 mm/s at %2 s</source>
-        <translation>最大速度误差：%1 mm/s，在 %2 s</translation>
+        <source>Max. speed error: %1 at %2 s</source>
+        <translation>最大速度误差：%1，在 %2 s</translation>
     </message>
     <message>
         <source>%1 intervals, %2 pulses, %3 s instead of %4 s</source>
         <translation>%1 个区间，%2 个脉冲，%3 s（设定 %4 s）</translation>
     </message>
     <message>
-        <source>Max. speed error: %1 mm/s at %2 s, position: %3 pulses</source>
-        <translation>最大速度误差：%1 mm/s，在 %2 s；位置：%3 个脉冲</translation>
+        <source>Max. speed error: %1 at %2 s, position: %3 pulses</source>
+        <translation>最大速度误差：%1，在 %2 s；位置：%3 个脉冲</translation>
     </message>
     <message>
-        <source>%1 stages; the pulse generator counts the last section, %2 mm per pulse</source>
-        <translation>%1 个阶段；最后一段由脉冲发生器计数，每脉冲 %2 mm</translation>
+        <source>%1 stages; the pulse generator counts the last section, %2 per pulse</source>
+        <translation>%1 个阶段；最后一段由脉冲发生器计数，每脉冲 %2</translation>
+    </message>
+    <message>
+        <source>Error of the paper&apos;s rounding rule: %1 pulses (%2) per bag</source>
+        <translation>论文取整方法的误差：每袋 %1 个脉冲（%2）</translation>
     </message>
 </context>
 <context>
@@ -4393,8 +4371,8 @@ RMS %2</source>
         <translation>压头：力 %1 N，极限 %2 N</translation>
     </message>
     <message>
-        <source>Ram: contact at %1 mm, approach ends at %2 mm</source>
-        <translation>压头：在 %1 mm 处接触，趋近止于 %2 mm</translation>
+        <source>Ram: contact at %1, approach ends at %2</source>
+        <translation>压头：在 %1 处接触，趋近止于 %2</translation>
     </message>
 </context>
 <context>
@@ -4532,9 +4510,9 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
         <translation>%1请更正文件，面板会自动重新读取。</translation>
     </message>
     <message>
-        <source>%1, slave %2 to %3 mm, will replace those of the recipe. Undo restores them.</source>
+        <source>%1, slave %2 to %3, will replace those of the recipe. Undo restores them.</source>
         <comment>%1: number of knots or segments</comment>
-        <translation>%1，从轴 %2 至 %3 mm，将取代配方中的原有内容。可用“撤销”恢复。</translation>
+        <translation>%1，从轴 %2 至 %3，将取代配方中的原有内容。可用“撤销”恢复。</translation>
     </message>
 </context>
 <context>
@@ -4684,8 +4662,8 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
         <translation>标准差</translation>
     </message>
     <message>
-        <source>Within ±%1 mm</source>
-        <translation>±%1 mm 以内</translation>
+        <source>Within ±%1</source>
+        <translation>±%1 以内</translation>
     </message>
     <message>
         <source>%1 of %2</source>
@@ -4718,12 +4696,12 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
         <translation>一个周期的曲线</translation>
     </message>
     <message>
-        <source>Velocity, mm/s</source>
-        <translation>速度，mm/s</translation>
+        <source>Velocity, %1</source>
+        <translation>速度，%1</translation>
     </message>
     <message>
-        <source>Acceleration, m/s²</source>
-        <translation>加速度，m/s²</translation>
+        <source>Acceleration, %1</source>
+        <translation>加速度，%1</translation>
     </message>
     <message>
         <source>Pulse frequency, kHz</source>
@@ -4883,24 +4861,12 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
         <translation>位置</translation>
     </message>
     <message>
-        <source>%1 mm</source>
-        <translation>%1 mm</translation>
-    </message>
-    <message>
         <source>Speed</source>
         <translation>速度</translation>
     </message>
     <message>
-        <source>%1 mm/s</source>
-        <translation>%1 mm/s</translation>
-    </message>
-    <message>
         <source>Acceleration</source>
         <translation>加速度</translation>
-    </message>
-    <message>
-        <source>%1 m/s²</source>
-        <translation>%1 m/s²</translation>
     </message>
     <message>
         <source>Pulse frequency</source>
@@ -4973,10 +4939,6 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
         <translation>程序速率 × 主轴速度</translation>
     </message>
     <message>
-        <source>mm</source>
-        <translation>mm</translation>
-    </message>
-    <message>
         <source>Mean bag length</source>
         <translation>平均袋长</translation>
     </message>
@@ -5005,8 +4967,8 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
         <translation>公差内的袋数</translation>
     </message>
     <message>
-        <source>Number of the last bags (%1) within ±%2 mm. Set the tolerance in Settings, Machine.</source>
-        <translation>最近若干袋（%1 个）中在 ±%2 mm 以内的袋数。公差在“设置”的“机器”中设定。</translation>
+        <source>Number of the last bags (%1) within ±%2. Set the tolerance in Settings, Machine.</source>
+        <translation>最近若干袋（%1 个）中在 ±%2 以内的袋数。公差在“设置”的“机器”中设定。</translation>
     </message>
     <message>
         <source>Start-up scrap and bags of a change of program are left out: %1.</source>
@@ -5043,10 +5005,6 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
     <message>
         <source>Film saved</source>
         <translation>节省的薄膜</translation>
-    </message>
-    <message>
-        <source>m</source>
-        <translation>m</translation>
     </message>
     <message>
         <source>Film that was not used because the film waited for missing products. Counted since power-on of the controller.</source>
@@ -5677,10 +5635,6 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
         <translation>薄膜编码器</translation>
     </message>
     <message>
-        <source>%1 mm</source>
-        <translation>%1 mm</translation>
-    </message>
-    <message>
         <source>Pulses to the film</source>
         <translation>送往薄膜轴的脉冲</translation>
     </message>
@@ -5776,8 +5730,8 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
         <translation>周期衔接平滑。</translation>
     </message>
     <message>
-        <source>At the end of the cycle: speed jumps by %1 mm/°, acceleration by %2 mm/°².</source>
-        <translation>周期衔接处：速度突变 %1 mm/°，加速度突变 %2 mm/°²。</translation>
+        <source>At the end of the cycle: speed jumps by %1, acceleration by %2.</source>
+        <translation>周期衔接处：速度突变 %1，加速度突变 %2。</translation>
     </message>
 </context>
 <context>
@@ -6200,8 +6154,8 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
         <translation>%1 · 无建议：色标位置没有变化（%2 袋）</translation>
     </message>
     <message>
-        <source>%1 · margin ±%5: film slip %2 mm per bag, sensor std dev %3 mm (%4 bags)</source>
-        <translation>%1 · 误差 ±%5：薄膜每袋打滑 %2 mm，传感器标准差 %3 mm（%4 袋）</translation>
+        <source>%1 · margin ±%5: film slip %2 per bag, sensor std dev %3 (%4 bags)</source>
+        <translation>%1 · 误差 ±%5：薄膜每袋打滑 %2，传感器标准差 %3（%4 袋）</translation>
     </message>
     <message>
         <source>%1 · too few bags for a suggestion, still needed: %2</source>
@@ -6255,12 +6209,12 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
         <translation>请启动机器：薄膜运行时测量色标，与色标跟踪是否打开无关。</translation>
     </message>
     <message>
-        <source>The mark distance is %1 mm (± %2 mm), the recipe cuts %3 mm. The difference exceeds the length limit: this film does not match this recipe.</source>
-        <translation>色标间距 %1 mm（± %2 mm），配方袋长 %3 mm。差值超过长度限值：此薄膜与此配方不符。</translation>
+        <source>The mark distance is %1 (± %2), the recipe cuts %3. The difference exceeds the length limit: this film does not match this recipe.</source>
+        <translation>色标间距 %1（± %2），配方袋长 %3。差值超过长度限值：此薄膜与此配方不符。</translation>
     </message>
     <message>
-        <source>The mark distance is %1 mm (± %2 mm), the recipe cuts %3 mm.</source>
-        <translation>色标间距 %1 mm（± %2 mm），配方袋长 %3 mm。</translation>
+        <source>The mark distance is %1 (± %2), the recipe cuts %3.</source>
+        <translation>色标间距 %1（± %2），配方袋长 %3。</translation>
     </message>
 </context>
 <context>
@@ -6272,11 +6226,6 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
 </context>
 <context>
     <name>campanel::panel::ParameterField</name>
-    <message>
-        <source>%1 · %2 mm/s</source>
-        <comment>1,000 Hz · 3.1 mm/s</comment>
-        <translation>%1 · %2 mm/s</translation>
-    </message>
     <message>
         <source>Jog speed</source>
         <translation>点动速度</translation>
@@ -6505,10 +6454,6 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
     <message>
         <source>Highest rate</source>
         <translation>最高速率</translation>
-    </message>
-    <message>
-        <source>%1 m/s²</source>
-        <translation>%1 m/s²</translation>
     </message>
     <message>
         <source>%1 r/min</source>
@@ -7029,8 +6974,8 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
         <translation>袋长公差</translation>
     </message>
     <message>
-        <source>±%1 mm</source>
-        <translation>±%1 mm</translation>
+        <source>±%1</source>
+        <translation>±%1</translation>
     </message>
     <message>
         <source>Log out after</source>
@@ -7085,16 +7030,8 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
         <translation>按键间隔</translation>
     </message>
     <message>
-        <source>%1 ms</source>
-        <translation>%1 ms</translation>
-    </message>
-    <message>
         <source>Question after</source>
         <translation>询问原因的时间</translation>
-    </message>
-    <message>
-        <source>%1 s</source>
-        <translation>%1 秒</translation>
     </message>
     <message>
         <source>s</source>
@@ -7109,12 +7046,28 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
         <translation>按配方</translation>
     </message>
     <message>
-        <source>%1 pieces/min</source>
-        <translation>%1 件/分</translation>
-    </message>
-    <message>
         <source>pieces/min</source>
         <translation>件/分</translation>
+    </message>
+    <message>
+        <source>Units</source>
+        <translation>单位</translation>
+    </message>
+    <message>
+        <source>Metric</source>
+        <translation>公制</translation>
+    </message>
+    <message>
+        <source>mm, mm/s, m/s²</source>
+        <translation>mm、mm/s、m/s²</translation>
+    </message>
+    <message>
+        <source>Inch</source>
+        <translation>英寸</translation>
+    </message>
+    <message>
+        <source>in, in/s, ft; files stay metric</source>
+        <translation>in、in/s、ft；文件保持公制</translation>
     </message>
 </context>
 <context>

@@ -102,6 +102,8 @@ void CurvePlot::ensureLayout()
     m_curveSet = curveSetFrom(m_curves);
     m_overlaySet = curveSetFrom(m_overlayCurves);
     rebuildPanels();
+    for (std::size_t i = 0; i < m_panels.size(); ++i)
+        m_panels[i].setFactor(m_factors.value(static_cast<qsizetype>(i), 1.0));
     for (PlotPanel& panel : m_panels) {
         const double limit = limitOf(panel.quantity()) * displayFactor(panel.quantity());
         panel.setData(m_curveSet, m_overlaySet, limit);

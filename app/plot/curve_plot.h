@@ -27,6 +27,8 @@ class CurvePlot : public QQuickPaintedItem {
     // The panels from top to bottom: "position" mm, "velocity" mm/s, "acceleration" m/s2, "jerk" m/s3,
     // "frequency" kHz, "torque" Nm.
     Q_PROPERTY(QStringList quantities MEMBER m_quantities NOTIFY quantitiesChanged FINAL)
+    // The factors from the panels' units to those of their axes, in inches for example; missing: 1.
+    Q_PROPERTY(QList<double> factors MEMBER m_factors NOTIFY titlesChanged FINAL)
     Q_PROPERTY(QStringList titles MEMBER m_titles NOTIFY titlesChanged FINAL)
     // The measured points over the velocity panel: x cycle time in s, ascending; y in mm/s.
     Q_PROPERTY(QList<QPointF> trace READ trace WRITE setTrace NOTIFY traceChanged FINAL)
@@ -160,6 +162,7 @@ private:
     QVariant m_curves;
     QVariant m_overlayCurves;
     QStringList m_quantities{QStringLiteral("velocity")};
+    QList<double> m_factors;
     QStringList m_titles;
     QList<QPointF> m_trace;
     double m_cursorTime = none;

@@ -44,6 +44,9 @@ class FilmPicture : public QQuickPaintedItem {
     Q_PROPERTY(QString sensorText MEMBER m_sensorText NOTIFY styleChanged FINAL)
     Q_PROPERTY(QString knifeText MEMBER m_knifeText NOTIFY styleChanged FINAL)
     Q_PROPERTY(QFont textFont MEMBER m_textFont NOTIFY styleChanged FINAL)
+    // The unit of the scale, and its factor from mm.
+    Q_PROPERTY(QString lengthUnit MEMBER m_lengthUnit NOTIFY styleChanged FINAL)
+    Q_PROPERTY(double lengthFactor MEMBER m_lengthFactor NOTIFY styleChanged FINAL)
     Q_PROPERTY(QLocale locale MEMBER m_locale NOTIFY styleChanged FINAL)
     Q_PROPERTY(QColor filmColor MEMBER m_filmColor NOTIFY styleChanged FINAL)
     Q_PROPERTY(QColor edgeColor MEMBER m_edgeColor NOTIFY styleChanged FINAL) // edge of the film
@@ -124,6 +127,8 @@ private:
     QString m_sensorText;
     QString m_knifeText;
     QFont m_textFont;
+    QString m_lengthUnit = QStringLiteral("mm");
+    double m_lengthFactor = 1;
     QLocale m_locale;
     QColor m_filmColor{Qt::white};
     QColor m_edgeColor{Qt::gray};

@@ -33,12 +33,13 @@ QPolygonF triangle(const QPointF& tip, double halfWidth, double height)
 }
 
 // Returns the smallest of 10, 20, 50, 100 ... mm that leaves space for the numbers.
-double tickStepMm(double pxPerMm)
+// Returns the step between two ticks in the unit of the scale.
+double tickStep(double pxPerUnit)
 {
-    double decade = 10;
+    double decade = 1;
     while (true) {
         for (const double factor : {1.0, 2.0, 5.0}) {
-            if (factor * decade * pxPerMm >= numberSpacing)
+            if (factor * decade * pxPerUnit >= numberSpacing)
                 return factor * decade;
         }
         decade *= 10;
@@ -94,7 +95,8 @@ void FilmPicture::paintFilm(QPainter& painter, const Rows& rows) const
 
 void FilmPicture::paintScale(QPainter& painter, const Rows& rows) const
 {
-    const double stepMm = tickStepMm(pxPerMm());
+    const double step = tickStep(pxPerMm() / m_lengthFactor);
+    const double stepMm = step / m_lengthFactor;
     const QFontMetricsF metrics(m_textFont);
     const double textTop = height() - metrics.height();
     // The unit is beside the zero; the numbers continue to the left.
@@ -103,8 +105,8 @@ void FilmPicture::paintScale(QPainter& painter, const Rows& rows) const
         const double x = knifeX() - i * stepMm * pxPerMm();
         painter.setPen(QPen(m_edgeColor, 1));
         painter.drawLine(QPointF(x, rows.filmBottom), QPointF(x, rows.filmBottom + tickLength));
-        const QString number = localNumber(m_locale, i * stepMm, 0);
-        const QString text = i == 0 ? number + QStringLiteral(" mm") : number;
+        const QString number = localNumber(m_locale, i * step, 0);
+        const QString text = i == 0 ? number + u' ' + m_lengthUnit : number;
         const double half = metrics.horizontalAdvance(text) / 2;
         if (x - half < 0 || x + half > freeUpTo - textGap)
             continue;
@@ -212,8 +214,9 @@ void FilmPicture::paintSensor(QPainter& painter, const Rows& rows) const
             QPolygonF({QPointF(1, y), QPointF(1 + head, y - head / 2), QPointF(1 + head, y + head / 2)}));
     }
     const QString text = isInSight ? m_sensorText
-                                   : m_sensorText + QLatin1Char(' ') + localNumber(m_locale, m_sensorMm, 0) +
-                                         QStringLiteral(" mm");
+                                   : m_sensorText + QLatin1Char(' ') +
+                                         localNumber(m_locale, m_sensorMm * m_lengthFactor, 0) + u' ' +
+                                         m_lengthUnit;
     const double knifeLeft = std::min(knifeX(), width() - metrics.horizontalAdvance(m_knifeText) / 2) -
                              metrics.horizontalAdvance(m_knifeText) / 2;
     const double right = std::max(x + metrics.horizontalAdvance(text) / 2, metrics.horizontalAdvance(text));

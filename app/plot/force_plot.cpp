@@ -66,6 +66,7 @@ void ForcePlot::fitScales(const QPolygonF& points)
         to = std::max(to, point.x());
         maxForceN = std::max(maxForceN, point.y());
     }
+    m_positionScale.setFactor(m_positionFactor);
     m_positionScale.fit(std::min(from, to), to, minimumWayMm);
     m_forceScale.fit(0, maxForceN, minimumForceN);
 }
@@ -73,12 +74,11 @@ void ForcePlot::fitScales(const QPolygonF& points)
 void ForcePlot::place()
 {
     const QFontMetricsF metrics(m_axisFont);
-    LabelDraw forces(QwtScaleDraw::LeftScale, m_locale, decimalsOfStep(m_forceScale.step()));
-    forces.setScaleDiv(m_forceScale.division());
+    LabelDraw forces(QwtScaleDraw::LeftScale, m_locale, m_forceScale);
     const double left = std::ceil(forces.extent(m_axisFont));
     const double top = std::ceil(metrics.height() / 2);
     const double bottom = std::ceil(metrics.height() + labelGap);
-    const double right = std::ceil(metrics.horizontalAdvance(QStringLiteral("0000 mm")) / 2);
+    const double right = std::ceil(metrics.horizontalAdvance(QStringLiteral("0000 ") + m_positionUnit) / 2);
     m_canvas =
         QRectF(left, top, std::max(1.0, width() - left - right), std::max(1.0, height() - top - bottom));
     m_positionMap.setScaleInterval(m_positionScale.lower(), m_positionScale.upper());
@@ -115,19 +115,17 @@ void ForcePlot::paintAxes(QPainter& painter) const
     QPalette palette;
     palette.setColor(QPalette::Text, m_secondaryInkColor);
     painter.setFont(m_axisFont);
-    LabelDraw forces(QwtScaleDraw::LeftScale, m_locale, decimalsOfStep(m_forceScale.step()));
-    forces.setScaleDiv(m_forceScale.division());
+    LabelDraw forces(QwtScaleDraw::LeftScale, m_locale, m_forceScale);
     forces.move(m_canvas.topLeft());
     forces.setLength(m_canvas.height());
     forces.draw(&painter, palette);
 
-    const int decimals = decimalsOfStep(m_positionScale.step());
-    LabelDraw positions(QwtScaleDraw::BottomScale, m_locale, decimals);
-    positions.setScaleDiv(m_positionScale.division());
+    LabelDraw positions(QwtScaleDraw::BottomScale, m_locale, m_positionScale);
     const QList<double> ticks = m_positionScale.division().ticks(QwtScaleDiv::MajorTick);
     if (!ticks.isEmpty())
-        positions.setSpecialLabel(ticks.last(),
-                                  localNumber(m_locale, ticks.last(), decimals) + QStringLiteral(" mm"));
+        positions.setSpecialLabel(
+            ticks.last(), localNumber(m_locale, ticks.last() * m_positionFactor, m_positionScale.decimals()) +
+                              u' ' + m_positionUnit);
     positions.move(m_canvas.bottomLeft());
     positions.setLength(m_canvas.width());
     positions.draw(&painter, palette);

@@ -38,6 +38,9 @@ class ForcePlot : public QQuickPaintedItem {
     Q_PROPERTY(QColor gateColor MEMBER m_gateColor NOTIFY styleChanged FINAL)
     Q_PROPERTY(double lineWidth MEMBER m_lineWidth NOTIFY styleChanged FINAL) // px
     Q_PROPERTY(QFont axisFont MEMBER m_axisFont NOTIFY styleChanged FINAL)
+    // The unit of the positions' axis, and its factor from mm.
+    Q_PROPERTY(QString positionUnit MEMBER m_positionUnit NOTIFY styleChanged FINAL)
+    Q_PROPERTY(double positionFactor MEMBER m_positionFactor NOTIFY styleChanged FINAL)
     Q_PROPERTY(QLocale locale MEMBER m_locale NOTIFY styleChanged FINAL)
 
 public:
@@ -76,6 +79,8 @@ private:
     QColor m_gateColor{Qt::darkYellow};
     double m_lineWidth = 3;
     QFont m_axisFont;
+    QString m_positionUnit = QStringLiteral("mm");
+    double m_positionFactor = 1;
     QLocale m_locale;
 
     AxisScale m_positionScale;

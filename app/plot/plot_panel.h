@@ -37,6 +37,8 @@ public:
     // Sets the data; keeps the scale of the panel if possible. The limit is in the displayed unit, NaN for
     // none.
     void setData(const CurveSet& curves, const CurveSet& overlay, double limit);
+    // The shown unit of the axis is the panel's times this factor.
+    void setFactor(double factor) { m_axis.scale().setFactor(factor); }
     void setCanvas(const QRectF& canvas) { m_axis.setCanvas(canvas); }
 
     // Returns true if the curve exceeds the limit between the two times.

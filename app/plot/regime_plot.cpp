@@ -39,6 +39,8 @@ void RegimePlot::layOut()
     content.marks = m_marks;
     content.shownRate = m_shownRate;
     content.rateUnit = m_rateUnit;
+    content.lengthUnit = m_lengthUnit;
+    content.lengthFactor = m_lengthFactor;
     content.refusedName = m_refusedName;
     content.marksName = m_marksName;
     RegimeStyle& style = m_picture.style;

@@ -22,6 +22,9 @@ class RegimePlot : public QQuickPaintedItem {
     // A rate in bags/min that the scale includes.
     Q_PROPERTY(double shownRate MEMBER m_shownRate NOTIFY dataChanged FINAL)
     Q_PROPERTY(QString rateUnit MEMBER m_rateUnit NOTIFY dataChanged FINAL)
+    // The unit of the lengths, and its factor from mm.
+    Q_PROPERTY(QString lengthUnit MEMBER m_lengthUnit NOTIFY dataChanged FINAL)
+    Q_PROPERTY(double lengthFactor MEMBER m_lengthFactor NOTIFY dataChanged FINAL)
     Q_PROPERTY(QString refusedName MEMBER m_refusedName NOTIFY dataChanged FINAL)
     Q_PROPERTY(QString marksName MEMBER m_marksName NOTIFY dataChanged FINAL)
     Q_PROPERTY(QList<QColor> limitColors MEMBER m_limitColors NOTIFY styleChanged FINAL)
@@ -64,6 +67,8 @@ private:
     QList<double> m_marks;
     double m_shownRate = 0;
     QString m_rateUnit;
+    QString m_lengthUnit = QStringLiteral("mm");
+    double m_lengthFactor = 1;
     QString m_refusedName;
     QString m_marksName;
     QList<QColor> m_limitColors{Qt::darkGreen, Qt::blue};

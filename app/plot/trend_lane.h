@@ -28,6 +28,8 @@ public:
 
     // Sets the data. Only points in the window, and one beyond each end, are drawn and used for the scale.
     void setData(const Lines& lines, double fromMs, double toMs, double tolerance);
+    // The shown unit of the axis is that of the data times this factor.
+    void setFactor(double factor) { m_axis.scale().setFactor(factor); }
     void setCanvas(const QRectF& canvas) { m_axis.setCanvas(canvas); }
     [[nodiscard]] const ValueAxis& axis() const { return m_axis; }
     // Returns the values of the nearest point; NaN in a gap.

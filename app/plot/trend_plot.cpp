@@ -59,6 +59,7 @@ void TrendPlot::ensureLayout()
         TrendLane::Lines lines;
         if (curves && curves->size() >= 3 * (at + 1))
             lines = {curves->at(3 * at), curves->at(3 * at + 1), curves->at(3 * at + 2)};
+        m_lanes[i].setFactor(m_factors.value(at, 1.0));
         m_lanes[i].setData(lines, m_fromMs, m_toMs, at < m_tolerances.size() ? m_tolerances[at] : unknown);
         m_labelWidth = std::max(m_labelWidth, std::ceil(m_lanes[i].axis().labelWidth(style())));
     }

@@ -27,6 +27,8 @@ class TrendPlot : public QQuickPaintedItem {
     Q_PROPERTY(double fromMs MEMBER m_fromMs NOTIFY dataChanged FINAL)
     Q_PROPERTY(double toMs MEMBER m_toMs NOTIFY dataChanged FINAL)
     // The tolerances of the lanes, in both directions from zero; NaN: none.
+    // The factors from the data to the unit of the axis, by lane; missing: 1.
+    Q_PROPERTY(QList<double> factors MEMBER m_factors NOTIFY dataChanged FINAL)
     Q_PROPERTY(QList<double> tolerances MEMBER m_tolerances NOTIFY dataChanged FINAL)
     // The cursor in ms; NaN: none.
     Q_PROPERTY(double cursorMs MEMBER m_cursorMs NOTIFY cursorChanged FINAL)
@@ -102,6 +104,7 @@ private:
     int m_laneCount = 1;
     double m_fromMs = 0;
     double m_toMs = 1;
+    QList<double> m_factors;
     QList<double> m_tolerances;
     double m_cursorMs = unknown;
     double m_headerHeight = 0;

@@ -116,6 +116,7 @@ public:
         set("curves", m_data.curves);
         set("quantities", m_data.quantities);
         set("titles", m_data.titles);
+        set("factors", QVariant::fromValue(m_data.factors));
         set("markerTimes", QVariant::fromValue(m_data.markerTimes));
         set("violations", QVariant::fromValue(m_data.violations));
         set("limitVelocity", m_data.limitVelocity);

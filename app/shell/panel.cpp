@@ -129,6 +129,7 @@ Panel::Panel(link::Link& link, const Storage& storage)
                           m_controller, m_editor, m_explanations, m_records, m_recipes, m_maintenance, m_scan,
                           m_bundle, m_rotation, m_settings, m_shiftReport, m_stops, m_systemClock,
                           m_systemNetwork, m_touchCalibration, m_trends, m_update, m_versions);
+    panel::Units::setOnScreen();
     connect(&m_settings, &panel::Settings::languageChanged, this, &Panel::translate);
     translate();
 }

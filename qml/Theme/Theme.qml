@@ -15,6 +15,7 @@ QtObject {
     property bool animated: true
 
     property bool gloves: false            // keys for a hand in a glove
+    property var units: ({})               // by their metric names, those that are shown instead: {unit, factor, decimals}
 
     readonly property ColorScheme color: name === "dark" ? theme.dark : name === "contrast" ? theme.contrast : theme.light
     readonly property SizeClass size: theme.window.width >= 1800 && theme.window.height >= 1000 ? theme.fullHd
@@ -67,6 +68,20 @@ QtObject {
     function signedNumber(value: real, decimals: int): string {
         return (value > 0 ? "+" : "") + theme.number(value, decimals)
     }
+    // A length, speed or acceleration is named by its metric unit, here and nowhere else converted.
+    function shownUnit(unit: string): string { return theme.units[unit]?.unit ?? unit }
+    function unitFactor(unit: string): real { return theme.units[unit]?.factor ?? 1 }
+    function unitDecimals(decimals: int, unit: string): int { return theme.units[unit]?.decimals[Math.min(decimals, 3)] ?? decimals }
+    function amount(value: real, decimals: int, unit: string): string {
+        return theme.number(value * theme.unitFactor(unit), theme.unitDecimals(decimals, unit))
+    }
+    function signedAmount(value: real, decimals: int, unit: string): string { return (value > 0 ? "+" : "") + theme.amount(value, decimals, unit) }
+    // Joins a number and its unit, which no line break divides. An unknown number has no unit.
+    function joined(number: string, unit: string): string {
+        return number === theme.unknownText || unit.length === 0 ? number : unit === "°" ? number + unit : number + "\u00a0" + unit.replace(/\//g, "/\u2060")
+    }
+    function measure(value: real, decimals: int, unit: string): string { return theme.joined(theme.amount(value, decimals, unit), theme.shownUnit(unit)) }
+    function signedMeasure(value: real, decimals: int, unit: string): string { return theme.joined(theme.signedAmount(value, decimals, unit), theme.shownUnit(unit)) }
     // Returns a text with its places %1, %2 ... filled at once: a name may contain such a place itself.
     function fill(text: string, values: var): string {
         return text.replace(/%(\d)/g, (place, number) => values[number - 1])

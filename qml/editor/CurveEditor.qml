@@ -24,8 +24,6 @@ Card {
     readonly property int handlePanel: quantities.indexOf(hasHandles ? "position" : "velocity")
     readonly property var quantities: [...(showPosition || hasHandles || isPress ? ["position"] : []), "velocity", "acceleration",
         ...(showJerk ? ["jerk"] : []), ...(showTorque && Editor.plot.hasTorque ? ["torque"] : []), "frequency"]
-    readonly property list<string> units: ["mm", "mm/s", "m/s²", "m/s³", "kHz", "Nm"]
-    readonly property list<string> allQuantities: ["position", "velocity", "acceleration", "jerk", "frequency", "torque"]
     property int dragged: -1
     property real cursor: NaN
     property int revision
@@ -46,8 +44,8 @@ Card {
         return near.reduce((best, i) => best < 0 || Math.abs(editor.handleX(i, 0) - x) < Math.abs(editor.handleX(best, 0) - x) ? i : best, -1)
     }
     function readout(time: real, at: int): string {
-        const values = Array.from(plot.valuesAt(time)).map((value, i) => Theme.number(value, 2) + " " + editor.units[editor.allQuantities.indexOf(editor.quantities[i])])
-        return [Theme.number(time, 3) + " s", ...values].join("  ·  ")
+        const values = Array.from(plot.valuesAt(time)).map((value, i) => Theme.measure(value, 2, plot.metricUnits[editor.quantities[i]]))
+        return [Theme.measure(time, 3, "s"), ...values].join("  ·  ")
     }
 
     Label {
@@ -111,8 +109,9 @@ Card {
     readonly property string overlayText: plot.overlayCurves && Editor.overlayName.length > 0
         ? qsTr("grey: %1").arg(Editor.overlayName) : ""
     function titleOf(quantity: string): string {
-        return ({ position: qsTr("Position mm"), velocity: qsTr("Velocity mm/s"), acceleration: qsTr("Acceleration m/s²"),
-            jerk: qsTr("Jerk m/s³"), frequency: qsTr("Pulse frequency kHz"), torque: qsTr("Motor torque Nm, RMS %1").arg(Theme.number(Editor.plot.rmsTorque, 3)) })[quantity]
+        const unit = Theme.shownUnit(plot.metricUnits[quantity])
+        return ({ position: qsTr("Position %1").arg(unit), velocity: qsTr("Velocity %1").arg(unit), acceleration: qsTr("Acceleration %1").arg(unit),
+            jerk: qsTr("Jerk %1").arg(unit), frequency: qsTr("Pulse frequency kHz"), torque: qsTr("Motor torque Nm, RMS %1").arg(Theme.number(Editor.plot.rmsTorque, 3)) })[quantity]
     }
     // The selected knot as a line through all curves, the selected segment as a band.
     Repeater {

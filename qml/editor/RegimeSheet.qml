@@ -33,6 +33,8 @@ Sheet {
         marks: Editor.cutter.map.paperLengths
         shownRate: finger.pressed ? finger.shownRate : Editor.cutter.map.rateBagsPerMin || 0
         rateUnit: qsTr("bags/min")
+        lengthUnit: Theme.shownUnit("mm")
+        lengthFactor: Theme.unitFactor("mm")
         refusedName: qsTr("not possible")
         marksName: qsTr("lengths of the paper")
         limitColors: [Theme.color.acceleration, Theme.color.touch, Theme.color.frequency, Theme.color.position, Theme.color.jerk, Theme.color.secondaryInk]

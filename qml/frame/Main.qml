@@ -61,6 +61,7 @@ Window {
     Binding { target: Theme; property: "name"; value: Settings.setting("display.theme").key }
     Binding { target: Theme; property: "gloves"; value: Settings.setting("display.gloves").key }
     Binding { target: Theme; property: "language"; value: Settings.setting("display.language").key }
+    Binding { target: Theme; property: "units"; value: Settings.units }
     Binding { target: Theme; property: "window"; value: Qt.size(turned.width, turned.height) }
     Binding { target: ScreenRotation; property: "screen"; value: window.isOnDesktop ? Qt.size(Math.max(window.width, window.height), 0) : Qt.size(window.width, window.height) }
     Binding {

@@ -313,8 +313,8 @@
         <translation>Std.-abw. %1</translation>
     </message>
     <message>
-        <source>tolerance ±%1 mm</source>
-        <translation>Toleranz ±%1 mm</translation>
+        <source>tolerance ±%1</source>
+        <translation>Toleranz ±%1</translation>
     </message>
     <message>
         <source>last %1</source>
@@ -338,10 +338,6 @@
     <message>
         <source>mean %1, std dev %2</source>
         <translation>Mittel %1, Std.-abw. %2</translation>
-    </message>
-    <message>
-        <source>±%1 mm</source>
-        <translation>±%1 mm</translation>
     </message>
     <message>
         <source>%1 of %2 within, scrap: %3</source>
@@ -642,20 +638,20 @@ Und %2 weitere.</translation>
         <translation>Grenze</translation>
     </message>
     <message>
-        <source>Position mm</source>
-        <translation>Position mm</translation>
+        <source>Position %1</source>
+        <translation>Position %1</translation>
     </message>
     <message>
-        <source>Velocity mm/s</source>
-        <translation>Geschwindigkeit mm/s</translation>
+        <source>Velocity %1</source>
+        <translation>Geschwindigkeit %1</translation>
     </message>
     <message>
-        <source>Acceleration m/s²</source>
-        <translation>Beschleunigung m/s²</translation>
+        <source>Acceleration %1</source>
+        <translation>Beschleunigung %1</translation>
     </message>
     <message>
-        <source>Jerk m/s³</source>
-        <translation>Ruck m/s³</translation>
+        <source>Jerk %1</source>
+        <translation>Ruck %1</translation>
     </message>
     <message>
         <source>Pulse frequency kHz</source>
@@ -733,8 +729,8 @@ Und %2 weitere.</translation>
         <translation>Anzeige</translation>
     </message>
     <message>
-        <source>Use light in a bright hall, dark in the night shift, high contrast for a dirty screen. Glove mode enlarges all keys by a quarter; numbers and units follow the language.</source>
-        <translation>Hell für eine helle Halle, dunkel für die Nachtschicht, hoher Kontrast für einen schmutzigen Bildschirm. Handschuhe vergrößern alle Tasten um ein Viertel; Zahlen und Einheiten folgen der Sprache.</translation>
+        <source>Use light in a bright hall, dark in the night shift, high contrast for a dirty screen. Glove mode enlarges all keys by a quarter; numbers follow the language. Recipes and files stay metric.</source>
+        <translation>Hell für eine helle Halle, dunkel für die Nachtschicht, hoher Kontrast für einen schmutzigen Bildschirm. Handschuhe vergrößern alle Tasten um ein Viertel; Zahlen folgen der Sprache. Rezepte und Dateien bleiben metrisch.</translation>
     </message>
 </context>
 <context>
@@ -846,8 +842,8 @@ Und %2 weitere.</translation>
         <translation>Messer</translation>
     </message>
     <message>
-        <source>Speed mm/s</source>
-        <translation>Geschw. mm/s</translation>
+        <source>Speed %1</source>
+        <translation>Geschw. %1</translation>
     </message>
     <message>
         <source>Pause</source>
@@ -934,8 +930,8 @@ Und %2 weitere.</translation>
         <translation>Folie</translation>
     </message>
     <message>
-        <source>mark error %1 mm</source>
-        <translation>Markenfehler %1 mm</translation>
+        <source>mark error %1</source>
+        <translation>Markenfehler %1</translation>
     </message>
     <message>
         <source>Mark sensor</source>
@@ -1120,8 +1116,8 @@ Und %2 weitere.</translation>
         <translation>Kraft N über Position</translation>
     </message>
     <message>
-        <source>at the stop: %1 mm, %2 to %3 N</source>
-        <translation>am Ende: %1 mm, %2 bis %3 N</translation>
+        <source>at the stop: %1, %2 to %3</source>
+        <translation>am Ende: %1, %2 bis %3</translation>
     </message>
 </context>
 <context>
@@ -1196,10 +1192,6 @@ Und %2 weitere.</translation>
 <context>
     <name>HomingSection</name>
     <message>
-        <source>%1 mm</source>
-        <translation>%1 mm</translation>
-    </message>
-    <message>
         <source>Position from reference</source>
         <translation>Position seit Referenzfahrt</translation>
     </message>
@@ -1258,24 +1250,16 @@ Und %2 weitere.</translation>
         <translation>Position</translation>
     </message>
     <message>
-        <source>%1 pulses</source>
-        <translation>%1 Pulse</translation>
-    </message>
-    <message>
-        <source>%1 mm</source>
-        <translation>%1 mm</translation>
-    </message>
-    <message>
-        <source>%1 Hz now</source>
-        <translation>%1 Hz jetzt</translation>
-    </message>
-    <message>
         <source>Reverse</source>
         <translation>Rückwärts</translation>
     </message>
     <message>
         <source>Forward</source>
         <translation>Vorwärts</translation>
+    </message>
+    <message>
+        <source>pulses</source>
+        <translation>Pulse</translation>
     </message>
 </context>
 <context>
@@ -1692,8 +1676,8 @@ Und %2 weitere.</translation>
         <translation>Neuer Abstand</translation>
     </message>
     <message>
-        <source>Measured, mm</source>
-        <translation>Gemessen, mm</translation>
+        <source>Measured</source>
+        <translation>Gemessen</translation>
     </message>
     <message>
         <source>Mean</source>
@@ -2074,10 +2058,6 @@ Und %2 weitere.</translation>
     <message>
         <source>Marks, cuts and film</source>
         <translation>Marken, Schnitte und Folie</translation>
-    </message>
-    <message>
-        <source>%1 mm</source>
-        <translation>%1 mm</translation>
     </message>
     <message>
         <source>Mark error of the last cut</source>
@@ -2692,32 +2672,32 @@ Und %2 weitere.</translation>
 <context>
     <name>RunAxis</name>
     <message>
-        <source>Speed mm/s</source>
-        <translation>Geschw. mm/s</translation>
-    </message>
-    <message>
-        <source>Position mm</source>
-        <translation>Position mm</translation>
-    </message>
-    <message>
-        <source>cycles</source>
-        <translation>Zyklen</translation>
-    </message>
-    <message>
-        <source>moves</source>
+        <source>Moves</source>
         <translation>Bewegungen</translation>
     </message>
     <message>
-        <source>Master speed %</source>
-        <translation>Leitgeschw. %</translation>
+        <source>Master speed</source>
+        <translation>Leitgeschw.</translation>
     </message>
     <message>
-        <source>Axis speed mm/s</source>
-        <translation>Achsgeschw. mm/s</translation>
+        <source>Axis speed %1</source>
+        <translation>Achsgeschw. %1</translation>
     </message>
     <message>
-        <source>Position mm (%1/cycle)</source>
-        <translation>Position mm (%1/Zyklus)</translation>
+        <source>Speed</source>
+        <translation>Geschw.</translation>
+    </message>
+    <message>
+        <source>Position (%1/cycle)</source>
+        <translation>Position (%1/Zyklus)</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>Position</translation>
+    </message>
+    <message>
+        <source>Cycles</source>
+        <translation>Zyklen</translation>
     </message>
 </context>
 <context>
@@ -2727,16 +2707,20 @@ Und %2 weitere.</translation>
         <translation>Beutel/min</translation>
     </message>
     <message>
-        <source>bags</source>
+        <source>Knife speed %1</source>
+        <translation>Messergeschw. %1</translation>
+    </message>
+    <message>
+        <source>Rate</source>
+        <translation>Taktzahl</translation>
+    </message>
+    <message>
+        <source>seal %1</source>
+        <translation>Siegeln %1</translation>
+    </message>
+    <message>
+        <source>Bags</source>
         <translation>Beutel</translation>
-    </message>
-    <message>
-        <source>Knife speed mm/s</source>
-        <translation>Messergeschw. mm/s</translation>
-    </message>
-    <message>
-        <source>bags/min · seal %1 ms</source>
-        <translation>Beutel/min · Siegeln %1 ms</translation>
     </message>
 </context>
 <context>
@@ -2757,31 +2741,39 @@ Und %2 weitere.</translation>
 <context>
     <name>RunPacking</name>
     <message>
-        <source>bags/min · %1 bags</source>
-        <translation>Beutel/min · %1 Beutel</translation>
+        <source>Knife speed %1</source>
+        <translation>Messergeschw. %1</translation>
     </message>
     <message>
-        <source>Knife speed mm/s</source>
-        <translation>Messergeschw. mm/s</translation>
+        <source>Rate</source>
+        <translation>Taktzahl</translation>
     </message>
     <message>
-        <source>bags/min · %1 bags · seal %2 ms</source>
-        <translation>Beutel/min · %1 · Siegel %2 ms</translation>
+        <source>bags/min</source>
+        <translation>Beutel/min</translation>
+    </message>
+    <message>
+        <source>%1 bags</source>
+        <translation>%1 Beutel</translation>
+    </message>
+    <message>
+        <source>%1 bags · seal %2</source>
+        <translation>%1 · Siegeln %2</translation>
     </message>
 </context>
 <context>
     <name>RunPress</name>
     <message>
-        <source>Force N</source>
-        <translation>Kraft N</translation>
+        <source>Good / last strokes</source>
+        <translation>Gute / letzte Hübe</translation>
     </message>
     <message>
-        <source>Position mm</source>
-        <translation>Position mm</translation>
+        <source>Force</source>
+        <translation>Kraft</translation>
     </message>
     <message>
-        <source>good / last strokes</source>
-        <translation>gute / letzte Hübe</translation>
+        <source>Position</source>
+        <translation>Position</translation>
     </message>
 </context>
 <context>
@@ -2938,8 +2930,8 @@ Und %2 weitere.</translation>
         <translation>PINs, Stufen, Protokoll</translation>
     </message>
     <message>
-        <source>language, theme, gloves</source>
-        <translation>Sprache, Farben, Handschuhe</translation>
+        <source>language, units, theme</source>
+        <translation>Sprache, Einheiten, Farben</translation>
     </message>
 </context>
 <context>
@@ -3048,8 +3040,8 @@ Und %2 weitere.</translation>
 <context>
     <name>SpeedCard</name>
     <message>
-        <source>following error %1 mm</source>
-        <translation>Schleppfehler %1 mm</translation>
+        <source>following error %1</source>
+        <translation>Schleppfehler %1</translation>
     </message>
     <message>
         <source>target</source>
@@ -3060,8 +3052,8 @@ Und %2 weitere.</translation>
         <translation>Ist</translation>
     </message>
     <message>
-        <source>error %1 mm</source>
-        <translation>Fehler %1 mm</translation>
+        <source>error %1</source>
+        <translation>Fehler %1</translation>
     </message>
 </context>
 <context>
@@ -3248,8 +3240,8 @@ Und %2 weitere.</translation>
         <translation>Hub</translation>
     </message>
     <message>
-        <source>Error mm</source>
-        <translation>Fehler mm</translation>
+        <source>Error %1</source>
+        <translation>Fehler %1</translation>
     </message>
     <message>
         <source>Force N</source>
@@ -3462,20 +3454,20 @@ Und %2 weitere.</translation>
 <context>
     <name>TrendWords</name>
     <message>
-        <source>Bag length mm</source>
-        <translation>Beutellänge mm</translation>
+        <source>Bag length %1</source>
+        <translation>Beutellänge %1</translation>
     </message>
     <message>
-        <source>Deviation mm</source>
-        <translation>Abweichung mm</translation>
+        <source>Deviation %1</source>
+        <translation>Abweichung %1</translation>
     </message>
     <message>
-        <source>Mark error mm</source>
-        <translation>Markenfehler mm</translation>
+        <source>Mark error %1</source>
+        <translation>Markenfehler %1</translation>
     </message>
     <message>
-        <source>Following error mm</source>
-        <translation>Schleppfehler mm</translation>
+        <source>Following error %1</source>
+        <translation>Schleppfehler %1</translation>
     </message>
     <message>
         <source>Rate bags/min</source>

@@ -313,8 +313,8 @@
         <translation>标准差 %1</translation>
     </message>
     <message>
-        <source>tolerance ±%1 mm</source>
-        <translation>公差 ±%1 mm</translation>
+        <source>tolerance ±%1</source>
+        <translation>公差 ±%1</translation>
     </message>
     <message>
         <source>last %1</source>
@@ -338,10 +338,6 @@
     <message>
         <source>mean %1, std dev %2</source>
         <translation>平均 %1，标准差 %2</translation>
-    </message>
-    <message>
-        <source>±%1 mm</source>
-        <translation>±%1 mm</translation>
     </message>
     <message>
         <source>%1 of %2 within, scrap: %3</source>
@@ -642,20 +638,20 @@ And %2 more.</source>
         <translation>限值</translation>
     </message>
     <message>
-        <source>Position mm</source>
-        <translation>位置 mm</translation>
+        <source>Position %1</source>
+        <translation>位置 %1</translation>
     </message>
     <message>
-        <source>Velocity mm/s</source>
-        <translation>速度 mm/s</translation>
+        <source>Velocity %1</source>
+        <translation>速度 %1</translation>
     </message>
     <message>
-        <source>Acceleration m/s²</source>
-        <translation>加速度 m/s²</translation>
+        <source>Acceleration %1</source>
+        <translation>加速度 %1</translation>
     </message>
     <message>
-        <source>Jerk m/s³</source>
-        <translation>跃度 m/s³</translation>
+        <source>Jerk %1</source>
+        <translation>跃度 %1</translation>
     </message>
     <message>
         <source>Pulse frequency kHz</source>
@@ -733,8 +729,8 @@ And %2 more.</source>
         <translation>显示</translation>
     </message>
     <message>
-        <source>Use light in a bright hall, dark in the night shift, high contrast for a dirty screen. Glove mode enlarges all keys by a quarter; numbers and units follow the language.</source>
-        <translation>明亮车间用浅色，夜班用深色，屏幕脏污时用高对比度。手套模式将所有按键放大四分之一；数字和单位随语言而变。</translation>
+        <source>Use light in a bright hall, dark in the night shift, high contrast for a dirty screen. Glove mode enlarges all keys by a quarter; numbers follow the language. Recipes and files stay metric.</source>
+        <translation>明亮车间用浅色，夜班用深色，屏幕脏污时用高对比度。手套模式将所有按键放大四分之一；数字随语言而变。配方和文件保持公制。</translation>
     </message>
 </context>
 <context>
@@ -846,8 +842,8 @@ And %2 more.</source>
         <translation>切刀</translation>
     </message>
     <message>
-        <source>Speed mm/s</source>
-        <translation>速度 mm/s</translation>
+        <source>Speed %1</source>
+        <translation>速度 %1</translation>
     </message>
     <message>
         <source>Pause</source>
@@ -934,8 +930,8 @@ And %2 more.</source>
         <translation>薄膜</translation>
     </message>
     <message>
-        <source>mark error %1 mm</source>
-        <translation>色标误差 %1 mm</translation>
+        <source>mark error %1</source>
+        <translation>色标误差 %1</translation>
     </message>
     <message>
         <source>Mark sensor</source>
@@ -1120,8 +1116,8 @@ And %2 more.</source>
         <translation>力（N）随位置的变化</translation>
     </message>
     <message>
-        <source>at the stop: %1 mm, %2 to %3 N</source>
-        <translation>终点要求：%1 mm，%2 至 %3 N</translation>
+        <source>at the stop: %1, %2 to %3</source>
+        <translation>终点要求：%1，%2 至 %3</translation>
     </message>
 </context>
 <context>
@@ -1196,10 +1192,6 @@ And %2 more.</source>
 <context>
     <name>HomingSection</name>
     <message>
-        <source>%1 mm</source>
-        <translation>%1 mm</translation>
-    </message>
-    <message>
         <source>Position from reference</source>
         <translation>自回零起的位置</translation>
     </message>
@@ -1258,24 +1250,16 @@ And %2 more.</source>
         <translation>位置</translation>
     </message>
     <message>
-        <source>%1 pulses</source>
-        <translation>%1 个脉冲</translation>
-    </message>
-    <message>
-        <source>%1 mm</source>
-        <translation>%1 mm</translation>
-    </message>
-    <message>
-        <source>%1 Hz now</source>
-        <translation>当前 %1 Hz</translation>
-    </message>
-    <message>
         <source>Reverse</source>
         <translation>反向</translation>
     </message>
     <message>
         <source>Forward</source>
         <translation>正向</translation>
+    </message>
+    <message>
+        <source>pulses</source>
+        <translation>脉冲</translation>
     </message>
 </context>
 <context>
@@ -1692,8 +1676,8 @@ And %2 more.</source>
         <translation>新距离</translation>
     </message>
     <message>
-        <source>Measured, mm</source>
-        <translation>测量值，mm</translation>
+        <source>Measured</source>
+        <translation>测量值</translation>
     </message>
     <message>
         <source>Mean</source>
@@ -2074,10 +2058,6 @@ And %2 more.</source>
     <message>
         <source>Marks, cuts and film</source>
         <translation>色标、切断与薄膜</translation>
-    </message>
-    <message>
-        <source>%1 mm</source>
-        <translation>%1 mm</translation>
     </message>
     <message>
         <source>Mark error of the last cut</source>
@@ -2692,32 +2672,32 @@ And %2 more.</source>
 <context>
     <name>RunAxis</name>
     <message>
-        <source>Speed mm/s</source>
-        <translation>速度 mm/s</translation>
-    </message>
-    <message>
-        <source>Position mm</source>
-        <translation>位置 mm</translation>
-    </message>
-    <message>
-        <source>cycles</source>
-        <translation>周期数</translation>
-    </message>
-    <message>
-        <source>moves</source>
+        <source>Moves</source>
         <translation>运动次数</translation>
     </message>
     <message>
-        <source>Master speed %</source>
-        <translation>主轴速度 %</translation>
+        <source>Master speed</source>
+        <translation>主轴速度</translation>
     </message>
     <message>
-        <source>Axis speed mm/s</source>
-        <translation>轴速度 mm/s</translation>
+        <source>Axis speed %1</source>
+        <translation>轴速度 %1</translation>
     </message>
     <message>
-        <source>Position mm (%1/cycle)</source>
-        <translation>位置 mm，每周期 %1</translation>
+        <source>Speed</source>
+        <translation>速度</translation>
+    </message>
+    <message>
+        <source>Position (%1/cycle)</source>
+        <translation>位置（%1/周期）</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>位置</translation>
+    </message>
+    <message>
+        <source>Cycles</source>
+        <translation>周期数</translation>
     </message>
 </context>
 <context>
@@ -2727,16 +2707,20 @@ And %2 more.</source>
         <translation>袋/分</translation>
     </message>
     <message>
-        <source>bags</source>
+        <source>Knife speed %1</source>
+        <translation>切刀速度 %1</translation>
+    </message>
+    <message>
+        <source>Rate</source>
+        <translation>速率</translation>
+    </message>
+    <message>
+        <source>seal %1</source>
+        <translation>封口 %1</translation>
+    </message>
+    <message>
+        <source>Bags</source>
         <translation>袋数</translation>
-    </message>
-    <message>
-        <source>Knife speed mm/s</source>
-        <translation>切刀速度 mm/s</translation>
-    </message>
-    <message>
-        <source>bags/min · seal %1 ms</source>
-        <translation>袋/分 · 封口 %1 ms</translation>
     </message>
 </context>
 <context>
@@ -2757,31 +2741,39 @@ And %2 more.</source>
 <context>
     <name>RunPacking</name>
     <message>
-        <source>bags/min · %1 bags</source>
-        <translation>袋/分 · 共 %1 袋</translation>
+        <source>Knife speed %1</source>
+        <translation>切刀速度 %1</translation>
     </message>
     <message>
-        <source>Knife speed mm/s</source>
-        <translation>切刀速度 mm/s</translation>
+        <source>Rate</source>
+        <translation>速率</translation>
     </message>
     <message>
-        <source>bags/min · %1 bags · seal %2 ms</source>
-        <translation>袋/分 · 共 %1 袋 · 封口 %2 ms</translation>
+        <source>bags/min</source>
+        <translation>袋/分</translation>
+    </message>
+    <message>
+        <source>%1 bags</source>
+        <translation>共 %1 袋</translation>
+    </message>
+    <message>
+        <source>%1 bags · seal %2</source>
+        <translation>共 %1 袋 · 封口 %2</translation>
     </message>
 </context>
 <context>
     <name>RunPress</name>
     <message>
-        <source>Force N</source>
-        <translation>力 N</translation>
-    </message>
-    <message>
-        <source>Position mm</source>
-        <translation>位置 mm</translation>
-    </message>
-    <message>
-        <source>good / last strokes</source>
+        <source>Good / last strokes</source>
         <translation>合格数 / 最近行程数</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>力</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>位置</translation>
     </message>
 </context>
 <context>
@@ -2938,8 +2930,8 @@ And %2 more.</source>
         <translation>PIN、级别、审计</translation>
     </message>
     <message>
-        <source>language, theme, gloves</source>
-        <translation>语言、主题、手套</translation>
+        <source>language, units, theme</source>
+        <translation>语言、单位、主题</translation>
     </message>
 </context>
 <context>
@@ -3048,8 +3040,8 @@ And %2 more.</source>
 <context>
     <name>SpeedCard</name>
     <message>
-        <source>following error %1 mm</source>
-        <translation>跟随误差 %1 mm</translation>
+        <source>following error %1</source>
+        <translation>跟随误差 %1</translation>
     </message>
     <message>
         <source>target</source>
@@ -3060,8 +3052,8 @@ And %2 more.</source>
         <translation>实际</translation>
     </message>
     <message>
-        <source>error %1 mm</source>
-        <translation>误差 %1 mm</translation>
+        <source>error %1</source>
+        <translation>误差 %1</translation>
     </message>
 </context>
 <context>
@@ -3248,8 +3240,8 @@ And %2 more.</source>
         <translation>行程</translation>
     </message>
     <message>
-        <source>Error mm</source>
-        <translation>误差 mm</translation>
+        <source>Error %1</source>
+        <translation>误差 %1</translation>
     </message>
     <message>
         <source>Force N</source>
@@ -3462,20 +3454,20 @@ And %2 more.</source>
 <context>
     <name>TrendWords</name>
     <message>
-        <source>Bag length mm</source>
-        <translation>袋长 mm</translation>
+        <source>Bag length %1</source>
+        <translation>袋长 %1</translation>
     </message>
     <message>
-        <source>Deviation mm</source>
-        <translation>偏差 mm</translation>
+        <source>Deviation %1</source>
+        <translation>偏差 %1</translation>
     </message>
     <message>
-        <source>Mark error mm</source>
-        <translation>色标误差 mm</translation>
+        <source>Mark error %1</source>
+        <translation>色标误差 %1</translation>
     </message>
     <message>
-        <source>Following error mm</source>
-        <translation>跟随误差 mm</translation>
+        <source>Following error %1</source>
+        <translation>跟随误差 %1</translation>
     </message>
     <message>
         <source>Rate bags/min</source>

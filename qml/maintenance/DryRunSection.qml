@@ -87,6 +87,8 @@ MaintenanceSection {
         FilmPicture {
             id: film
             objectName: "dryRunFilm"
+            lengthUnit: Theme.shownUnit("mm")
+            lengthFactor: Theme.unitFactor("mm")
             visible: section.run.cutter
             anchors { left: parent.left; right: parent.right; bottom: keys.top; bottomMargin: Theme.size.spacing }
             height: Math.round(section.height * 0.28)
@@ -113,7 +115,7 @@ MaintenanceSection {
             anchors.fill: film
             curves: Editor.plot.curves
             quantities: ["velocity"]
-            titles: [qsTr("Speed mm/s")]
+            titles: [qsTr("Speed %1").arg(Theme.shownUnit("mm/s"))]
             cursorTime: section.run.timeS
         }
         Row {

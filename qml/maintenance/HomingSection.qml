@@ -60,12 +60,14 @@ MaintenanceSection {
         readonly property real cell: (width - spacing) / 2
         anchors { left: parent.left; right: key.left; rightMargin: Theme.size.padding; bottom: parent.bottom }
         spacing: Theme.size.spacing
-        PositionTile {
+        NumberCard {
             objectName: "homingPosition"
             width: speed.cell
-            stale: !Controller.fresh
-            label: qsTr("Position from reference")
-            value: !section.good || isNaN(Controller.live.positionMm) ? Theme.unknownText : qsTr("%1 mm").arg(Theme.number(Controller.live.positionMm, 2))
+            pixelSize: Theme.size.title
+            title: qsTr("Position from reference")
+            value: section.good ? Controller.live.position : NaN
+            unit: Controller.live.positionUnit
+            decimals: Controller.live.positionUnit === "°" ? 1 : 2
         }
         ParameterTile {
             id: speedTile

@@ -12,7 +12,9 @@ MaintenanceSection {
     id: section
 
     readonly property Jog jog: Maintenance.jog
-    readonly property bool cutter: Controller.active.kind === Editor.Kind.RotaryCutter && !isNaN(Controller.live.knifeAngleDeg)
+    readonly property string frequency: Theme.joined(Theme.count(Controller.live.pulseFrequencyHz, 0), "Hz")
+    readonly property string speeds: !Controller.fresh ? "" : isNaN(Controller.live.knifeSpeedMmPerS) ? section.frequency
+        : Theme.measure(Controller.live.knifeSpeedMmPerS, 1, "mm/s") + " · " + section.frequency
     readonly property bool covered: Frame.covered
     readonly property bool inFront: Window.active
 
@@ -34,21 +36,22 @@ MaintenanceSection {
         readonly property real cell: (width - 2 * spacing) / 3
         anchors { left: parent.left; right: parent.right; top: parent.top }
         spacing: Theme.size.spacing
-        PositionTile {
+        NumberCard {
+            readonly property bool known: !isNaN(Controller.live.position)
             objectName: "jogPosition"
             width: values.cell
-            stale: !Controller.fresh
-            label: section.cutter ? qsTr("Knife angle") : qsTr("Position")
-            value: section.cutter ? Theme.number(Controller.live.knifeAngleDeg, 1) + "°"
-                : isNaN(Controller.live.positionMm) ? qsTr("%1 pulses").arg(Theme.count(section.jog.positionPulses, 0))
-                : qsTr("%1 mm").arg(Theme.number(Controller.live.positionMm, 2))
+            pixelSize: Theme.size.title
+            title: known && Controller.live.positionUnit === "°" ? qsTr("Knife angle") : qsTr("Position")
+            value: known ? Controller.live.position : section.jog.positionPulses
+            unit: known ? Controller.live.positionUnit : qsTr("pulses")
+            decimals: !known ? 0 : Controller.live.positionUnit === "°" ? 1 : 2
         }
-        PositionTile {
+        NumberCard {
             objectName: "jogState"
             width: values.cell
-            stale: !Controller.fresh
-            label: Controller.fresh ? qsTr("%1 Hz now").arg(Theme.count(Controller.live.pulseFrequencyHz, 0)) : qsTr("State")
-            value: Controller.stateText
+            pixelSize: Theme.size.title
+            title: section.speeds.length > 0 ? section.speeds : qsTr("State")
+            text: Controller.stateText
         }
         ParameterTile {
             id: speed

@@ -23,22 +23,10 @@ Sheet {
         qsTr("Step 4 of 5: write"), qsTr("Step 4 of 5: write"), qsTr("Step 5 of 5: check")][sheet.step]
     panelWidth: width * 0.9
 
-    component Pair: Column {
-        id: pair
-        required property string name
-        required property string value
+    component Pair: Readout {
         property bool strong
-        spacing: Theme.size.outline
-        Label {
-            text: pair.name
-            color: Theme.color.secondaryInk
-            font.pixelSize: Theme.size.caption
-        }
-        Label {
-            text: pair.value
-            color: pair.strong ? Theme.color.touch : Theme.color.ink
-            font { pixelSize: Theme.size.title; weight: Font.Bold }
-        }
+        pixelSize: Theme.size.title
+        ink: strong ? Theme.color.touch : Theme.color.ink
     }
 
     Label {
@@ -78,21 +66,21 @@ Sheet {
         spacing: Theme.size.padding * 2
         visible: sheet.showsDistances
         Pair {
-            name: qsTr("Cut behind mark")
-            value: sheet.wizard.meanText
+            title: qsTr("Cut behind mark")
+            text: sheet.wizard.meanText
         }
         Pair {
-            name: qsTr("Target")
-            value: sheet.wizard.offsetText
+            title: qsTr("Target")
+            text: sheet.wizard.offsetText
         }
         Pair {
-            name: qsTr("Old distance")
-            value: sheet.wizard.oldText
+            title: qsTr("Old distance")
+            text: sheet.wizard.oldText
         }
         Pair {
             objectName: "wizardNew"
-            name: qsTr("New distance")
-            value: sheet.wizard.newText
+            title: qsTr("New distance")
+            text: sheet.wizard.newText
             strong: true
         }
     }
@@ -102,12 +90,12 @@ Sheet {
         visible: sheet.step === MarkWizard.Step.Measure && sheet.wizard.measuredText.length > 0
         Pair {
             objectName: "wizardMeasured"
-            name: qsTr("Measured, mm")
-            value: sheet.wizard.measuredText
+            title: qsTr("Measured")
+            text: sheet.wizard.measuredText
         }
         Pair {
-            name: qsTr("Mean")
-            value: sheet.wizard.meanText
+            title: qsTr("Mean")
+            text: sheet.wizard.meanText
             strong: true
         }
     }

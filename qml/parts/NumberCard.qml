@@ -1,14 +1,58 @@
 // SPDX-License-Identifier: Apache-2.0
-// One large live number with its name below.
+// One live number on a card: title, number and unit, and a note below. A tap changes the recipe's number, a held finger
+// explains.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme
+import CamPanel.Controls
+import CamPanel.Panel
 
-TextCard {
+Card {
     id: card
 
-    required property real value
-    required property int decimals
+    required property string title
+    property real value: NaN
+    property int decimals
+    property string unit                   // the metric one
+    property string text: Theme.count(card.value * Theme.unitFactor(card.unit), Theme.unitDecimals(card.decimals, card.unit))
+    property string note
+    property int pixelSize: Theme.size.hero
+    property var quantities: []            // those of the number, of Explanations; empty: no explanation
+    property string field                  // the recipe's number that a tap changes; empty: none
+    property bool stale: !Controller.fresh
 
-    text: Theme.count(card.value, card.decimals)
+    implicitHeight: Theme.size.touch
+
+    Readout {
+        anchors { left: parent.left; right: parent.right; top: parent.top; bottom: note.top; leftMargin: Theme.size.padding; rightMargin: Theme.size.padding; topMargin: Theme.size.spacing }
+        title: card.title
+        titleInset: pencil.visible ? pencil.width : 0
+        text: card.text
+        unit: Theme.shownUnit(card.unit)
+        pixelSize: card.pixelSize
+        stale: card.stale
+    }
+    Label {
+        id: note
+        anchors { left: parent.left; leftMargin: Theme.size.padding; right: parent.right; rightMargin: Theme.size.padding; bottom: parent.bottom; bottomMargin: Theme.size.accent }
+        height: text.length > 0 ? implicitHeight : 0
+        text: card.note
+        color: Controller.fresh ? Theme.color.secondaryInk : Theme.color.disabledInk
+        font.pixelSize: Theme.size.caption
+        fontSizeMode: Text.HorizontalFit
+        minimumPixelSize: Theme.size.caption - 3
+    }
+    IconLabel {
+        id: pencil
+        visible: card.field.length > 0
+        anchors { right: parent.right; top: parent.top; margins: Theme.size.spacing }
+        code: Theme.icon.edit
+        color: Theme.color.touch
+        font.pixelSize: Theme.size.body
+    }
+    Explained {
+        enabled: card.quantities.length > 0
+        quantities: card.quantities
+        field: card.field
+    }
 }

@@ -60,23 +60,14 @@ TouchButton {
             text: qsTr("Apply %1").arg(row.suggestion)
             onClicked: row.suggestionTaken()
         }
-        Row {
+        Readout {
             id: shown
             anchors { right: mark.left; rightMargin: Theme.size.spacing; verticalCenter: parent.verticalCenter }
             visible: !row.toggle
-            spacing: Theme.size.accent
-            Label {
-                id: number
-                text: row.value
-                color: row.known ? Theme.color.ink : Theme.color.disabledInk
-                font { pixelSize: Theme.size.title; weight: Font.Bold }
-            }
-            Label {
-                anchors.baseline: number.baseline
-                text: row.unit
-                color: Theme.color.secondaryInk
-                font.pixelSize: Theme.size.caption
-            }
+            text: row.value
+            unit: row.unit
+            pixelSize: Theme.size.title
+            stale: !row.known
         }
         IconLabel {
             id: mark

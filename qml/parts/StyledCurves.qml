@@ -8,6 +8,9 @@ import CamPanel.Plot
 CurvePlot {
     id: plot
 
+    readonly property var metricUnits: ({ position: "mm", velocity: "mm/s", acceleration: "m/s²", jerk: "m/s³", frequency: "kHz", torque: "Nm" })
+    factors: Array.from(plot.quantities, quantity => Theme.unitFactor(plot.metricUnits[quantity]))
+
     style.gridColor: Theme.color.line
     style.inkColor: Theme.color.ink
     style.secondaryInkColor: Theme.color.secondaryInk

@@ -14,9 +14,12 @@ Item {
 
     property string value
     required property string label
-    property string text: Controller.telemetry.text(tile.value, Controller.telemetry[tile.value])
+    property string text: tile.known(Theme.units)
     property real labelSize: Theme.size.body
     property real amountSize: Theme.size.body
+
+    // `units` are those that the binding depends on.
+    function known(units: var): string { return Controller.telemetry.text(tile.value, Controller.telemetry[tile.value]) }
 
     implicitHeight: amount.implicitHeight
 

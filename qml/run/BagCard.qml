@@ -15,12 +15,6 @@ Card {
     readonly property bool scrap: Controller.bags.isScrap
     readonly property color figureColor: Controller.fresh ? Theme.color.secondaryInk : Theme.color.disabledInk
 
-    Label {
-        id: caption
-        anchors { left: parent.left; top: parent.top; leftMargin: Theme.size.padding; topMargin: Theme.size.spacing }
-        text: card.scrap ? qsTr("Scrap bag") : qsTr("Bag length")
-        color: !Controller.fresh ? Theme.color.disabledInk : card.scrap ? Theme.color.warning : Theme.color.secondaryInk
-    }
     IconLabel {
         anchors { right: parent.right; top: parent.top; margins: Theme.size.spacing }
         code: Theme.icon.edit
@@ -35,9 +29,11 @@ Card {
     Readout {
         id: number
         ink: card.scrap ? Theme.color.warning : Theme.color.ink
-        anchors { left: caption.left; top: caption.bottom; right: figures.left; rightMargin: Theme.size.padding; topMargin: -Theme.size.accent }
-        text: Theme.number(Controller.bags.lengthMm, 1)
-        unit: "mm"
+        anchors { left: parent.left; top: parent.top; right: figures.left; leftMargin: Theme.size.padding; rightMargin: Theme.size.padding; topMargin: Theme.size.spacing }
+        title: card.scrap ? qsTr("Scrap bag") : qsTr("Bag length")
+        titleColor: !Controller.fresh ? Theme.color.disabledInk : card.scrap ? Theme.color.warning : Theme.color.secondaryInk
+        text: Theme.amount(Controller.bags.lengthMm, 1, "mm")
+        unit: Theme.shownUnit("mm")
         stale: !Controller.fresh
     }
     Column {
@@ -45,13 +41,13 @@ Card {
         anchors { right: parent.right; rightMargin: Theme.size.padding; bottom: number.bottom; bottomMargin: Theme.size.spacing }
         Label {
             anchors.right: parent.right
-            text: qsTr("mean %1").arg(Theme.number(Controller.bags.meanMm, 2))
+            text: qsTr("mean %1").arg(Theme.amount(Controller.bags.meanMm, 2, "mm"))
             color: card.figureColor
             font.pixelSize: Theme.size.caption
         }
         Label {
             anchors.right: parent.right
-            text: qsTr("std dev %1").arg(Theme.number(Controller.bags.scatterMm, 2))
+            text: qsTr("std dev %1").arg(Theme.amount(Controller.bags.scatterMm, 2, "mm"))
             color: card.figureColor
             font.pixelSize: Theme.size.caption
         }
@@ -85,11 +81,11 @@ Card {
     Label {
         id: foot
         objectName: "toleranceText"
-        anchors { left: caption.left; bottom: parent.bottom; bottomMargin: Theme.size.spacing }
+        anchors { left: parent.left; leftMargin: Theme.size.padding; bottom: parent.bottom; bottomMargin: Theme.size.spacing }
         width: Math.min(implicitWidth, chart.width / 2)
         fontSizeMode: Text.HorizontalFit
         minimumPixelSize: Theme.size.caption - 5
-        text: qsTr("tolerance ±%1 mm").arg(Theme.number(Controller.bags.toleranceMm, 2))
+        text: qsTr("tolerance ±%1").arg(Theme.measure(Controller.bags.toleranceMm, 2, "mm"))
         color: Theme.color.secondaryInk
         font.pixelSize: Theme.size.caption
     }
@@ -99,7 +95,7 @@ Card {
         width: Math.min(implicitWidth, chart.width / 2 - Theme.size.accent)
         fontSizeMode: Text.HorizontalFit
         minimumPixelSize: Theme.size.caption - 4
-        text: qsTr("last %1").arg(Theme.signedNumber(Controller.bags.deviationMm, 2))
+        text: qsTr("last %1").arg(Theme.signedAmount(Controller.bags.deviationMm, 2, "mm"))
         color: card.figureColor
         font.pixelSize: Theme.size.caption
     }

@@ -20,16 +20,6 @@ Card {
         id: last
         width: Math.round((card.width - 3 * Theme.size.padding) * 0.46)
         anchors { left: parent.left; leftMargin: Theme.size.padding; top: parent.top; topMargin: Theme.size.spacing; bottom: parent.bottom; bottomMargin: Theme.size.spacing }
-        Label {
-            id: caption
-            objectName: "bagCaption"
-            width: parent.width - pencil.width
-            fontSizeMode: Text.HorizontalFit
-            minimumPixelSize: Theme.size.caption - 2
-            font.pixelSize: Theme.size.caption
-            text: card.scrap ? qsTr("Scrap bag") : Controller.bags.lengths > 1 ? qsTr("Bag of %1 lengths, skipped cut").arg(Controller.bags.lengths) : qsTr("Bag length")
-            color: !Controller.fresh ? Theme.color.disabledInk : card.scrap || Controller.bags.lengths > 1 ? Theme.color.warning : Theme.color.secondaryInk
-        }
         IconLabel {
             id: pencil
             anchors { right: parent.right; top: parent.top }
@@ -47,17 +37,21 @@ Card {
             id: number
             objectName: "bagLength"
             ink: card.scrap ? Theme.color.warning : Theme.color.ink
-            anchors { left: parent.left; right: parent.right; verticalCenter: parent.verticalCenter; verticalCenterOffset: Theme.size.outline }
-            text: Theme.number(Controller.bags.lengthMm, 1)
-            unit: "mm"
+            anchors { left: parent.left; right: parent.right; top: parent.top; bottom: bagFigures.top }
+            title: card.scrap ? qsTr("Scrap bag") : Controller.bags.lengths > 1 ? qsTr("Bag of %1 lengths, skipped cut").arg(Controller.bags.lengths) : qsTr("Bag length")
+            titleColor: !Controller.fresh ? Theme.color.disabledInk : card.scrap || Controller.bags.lengths > 1 ? Theme.color.warning : Theme.color.secondaryInk
+            titleInset: pencil.width
+            text: Theme.amount(Controller.bags.lengthMm, 1, "mm")
+            unit: Theme.shownUnit("mm")
             stale: !Controller.fresh
         }
         Label {
+            id: bagFigures
             objectName: "bagFigures"
             anchors { left: parent.left; right: parent.right; bottom: parent.bottom }
             fontSizeMode: Text.HorizontalFit
             minimumPixelSize: Theme.size.caption - 3
-            text: Theme.fill(qsTr("mean %1, std dev %2"), [Theme.number(Controller.bags.meanMm, 2), Theme.number(Controller.bags.scatterMm, 2)])
+            text: Theme.fill(qsTr("mean %1, std dev %2"), [Theme.amount(Controller.bags.meanMm, 2, "mm"), Theme.amount(Controller.bags.scatterMm, 2, "mm")])
             color: card.figureColor
             font.pixelSize: Theme.size.caption
         }
@@ -98,7 +92,7 @@ Card {
         width: chart.width * 0.5 - Theme.size.accent
         fontSizeMode: Text.HorizontalFit
         minimumPixelSize: Theme.size.caption - 3
-        text: qsTr("±%1 mm").arg(Theme.number(Controller.bags.toleranceMm, 2))
+        text: "±" + Theme.measure(Controller.bags.toleranceMm, 2, "mm")
         color: Theme.color.secondaryInk
         font.pixelSize: Theme.size.caption
     }

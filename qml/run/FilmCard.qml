@@ -42,7 +42,7 @@ Card {
         horizontalAlignment: Text.AlignRight
         fontSizeMode: Text.HorizontalFit
         minimumPixelSize: Theme.size.caption - 2
-        text: qsTr("mark error %1 mm").arg(Theme.signedNumber(Controller.telemetry[markError.value], 2))
+        text: qsTr("mark error %1").arg(Theme.signedMeasure(Controller.telemetry[markError.value], 2, "mm"))
         color: card.fresh ? Theme.color.ink : Theme.color.disabledInk
         font.pixelSize: Theme.size.caption
     }
@@ -92,6 +92,8 @@ Card {
         sensorText: qsTr("Mark sensor")
         knifeText: qsTr("Knife")
         textFont: Theme.captionFont
+        lengthUnit: Theme.shownUnit("mm")
+        lengthFactor: Theme.unitFactor("mm")
         filmColor: card.fresh ? Theme.color.touchTint : Theme.color.inset
         edgeColor: Theme.color.target
         markColor: Theme.color.ink

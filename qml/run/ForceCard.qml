@@ -36,6 +36,8 @@ Card {
         gateColor: Theme.color.secondaryInk
         lineWidth: Theme.size.curve
         axisFont: Theme.captionFont
+        positionUnit: Theme.shownUnit("mm")
+        positionFactor: Theme.unitFactor("mm")
         Binding {
             target: plot
             property: "locale"
@@ -56,7 +58,7 @@ Card {
         anchors { left: parent.left; right: parent.right; bottom: parent.bottom; leftMargin: Theme.size.padding; rightMargin: Theme.size.padding; bottomMargin: Theme.size.spacing }
         fontSizeMode: Text.HorizontalFit
         minimumPixelSize: Theme.size.caption - 2
-        text: Theme.fill(qsTr("at the stop: %1 mm, %2 to %3 N"), [Theme.number(Controller.active.pressPositionMm, 2), Theme.number(Controller.active.minStopForceN, 0), Theme.number(Controller.active.maxStopForceN, 0)])
+        text: Theme.fill(qsTr("at the stop: %1, %2 to %3"), [Theme.measure(Controller.active.pressPositionMm, 2, "mm"), Theme.number(Controller.active.minStopForceN, 0), Theme.measure(Controller.active.maxStopForceN, 0, "N")])
         color: Theme.color.secondaryInk
         font.pixelSize: Theme.size.caption
     }

@@ -15,10 +15,6 @@ Sheet {
 
     title: qsTr("Marks, cuts and film")
 
-    function millimeters(value: real): string {
-        return isNaN(value) ? Theme.unknownText : qsTr("%1 mm").arg(Theme.signedNumber(value, 2))
-    }
-
     component Heading: Label {
         width: sheet.half
         color: Theme.color.secondaryInk
@@ -47,7 +43,7 @@ Sheet {
         Figure { label: qsTr("Skipped cuts, product in the way"); value: "packer.cuts_skipped" }
         Figure { label: qsTr("Bags without product"); value: "packer.empty_bags" }
         Figure { label: qsTr("Film saved"); value: "packer.film_saved" }
-        Figure { label: qsTr("Following error of the knife"); text: sheet.millimeters(Controller.live.followingErrorMm) }
+        Figure { label: qsTr("Following error of the knife"); text: Theme.signedMeasure(Controller.live.followingErrorMm, 2, "mm") }
         Figure { label: qsTr("Following error of the film"); value: "packer.film_following_error" }
         Item { width: 1; height: Theme.size.spacing }
         FilmLegend { width: sheet.half }

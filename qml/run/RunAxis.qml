@@ -30,7 +30,8 @@ Item {
         height: view.row
         value: Controller.live.knifeSpeedMmPerS
         decimals: 1
-        caption: qsTr("Speed mm/s")
+        title: qsTr("Speed")
+        unit: "mm/s"
     }
     NumberCard {
         objectName: "axisPosition"
@@ -39,8 +40,8 @@ Item {
         height: view.row
         value: Controller.live.positionMm
         decimals: 2
-        caption: Controller.direction.advanceText.length > 0 ? qsTr("Position mm (%1/cycle)").arg(Controller.direction.advanceText)
-            : qsTr("Position mm")
+        title: Controller.direction.advanceText.length > 0 ? qsTr("Position (%1/cycle)").arg(Controller.direction.advanceText) : qsTr("Position")
+        unit: "mm"
     }
     NumberCard {
         objectName: "axisCount"
@@ -50,7 +51,7 @@ Item {
         height: view.row
         value: Controller.live.cycleCount
         decimals: 0
-        caption: view.isCam ? qsTr("cycles") : qsTr("moves")
+        title: view.isCam ? qsTr("Cycles") : qsTr("Moves")
     }
     NumberCard {
         objectName: "masterSpeed"
@@ -61,7 +62,8 @@ Item {
         height: view.row
         value: Controller.live.masterSpeedPercent
         decimals: 0
-        caption: qsTr("Master speed %")
+        title: qsTr("Master speed")
+        unit: "%"
     }
     DirectionCard {
         id: direction
@@ -71,6 +73,6 @@ Item {
     }
     SpeedCard {
         anchors { left: parent.left; right: parent.right; top: parent.top; topMargin: view.upper + view.gap + (view.isCam ? direction.height + view.gap : 0); bottom: parent.bottom; bottomMargin: view.bottomInset }
-        title: qsTr("Axis speed mm/s")
+        title: qsTr("Axis speed %1").arg(Theme.shownUnit("mm/s"))
     }
 }

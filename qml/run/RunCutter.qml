@@ -26,8 +26,9 @@ Item {
         field: "rate_bags_per_min"
         value: Controller.live.rateBagsPerMin
         decimals: 1
-        caption: isNaN(Controller.live.sealTimeMs) ? qsTr("bags/min")
-            : qsTr("bags/min · seal %1 ms").arg(Theme.number(Controller.live.sealTimeMs, 0))
+        title: qsTr("Rate")
+        unit: qsTr("bags/min")
+        note: isNaN(Controller.live.sealTimeMs) ? "" : qsTr("seal %1").arg(Theme.measure(Controller.live.sealTimeMs, 0, "ms"))
         quantities: isNaN(Controller.live.sealTimeMs) ? [Explanations.Rate] : [Explanations.Rate, Explanations.LiveSealTime]
     }
     NumberCard {
@@ -35,7 +36,7 @@ Item {
         height: rate.height
         value: Controller.bags.count
         decimals: 0
-        caption: qsTr("bags")
+        title: qsTr("Bags")
     }
     BagCard {
         anchors { left: rate.right; leftMargin: view.gap; right: parent.right }
@@ -43,6 +44,6 @@ Item {
     }
     SpeedCard {
         anchors { left: parent.left; right: parent.right; top: dial.bottom; topMargin: view.gap; bottom: parent.bottom; bottomMargin: view.bottomInset }
-        title: qsTr("Knife speed mm/s")
+        title: qsTr("Knife speed %1").arg(Theme.shownUnit("mm/s"))
     }
 }

@@ -22,14 +22,15 @@ Item {
         height: Math.round(view.room * 0.3)
         value: Controller.live.rateBagsPerMin
         decimals: 1
+        title: qsTr("Rate")
+        unit: qsTr("bags/min")
         // The seal time only where it fits; a long press explains it everywhere.
-        caption: isNaN(Controller.live.sealTimeMs) || words.advanceWidth > width - 2 * Theme.size.padding ? qsTr("bags/min · %1 bags").arg(Theme.count(Controller.bags.count, 0)) : words.text
+        note: isNaN(Controller.live.sealTimeMs) || words.advanceWidth > width - 2 * Theme.size.padding ? qsTr("%1 bags").arg(Theme.count(Controller.bags.count, 0)) : words.text
         TextMetrics {
             id: words
             font.pixelSize: Theme.size.caption - 3
-            text: Theme.fill(qsTr("bags/min · %1 bags · seal %2 ms"), [Theme.count(Controller.bags.count, 0), Theme.number(Controller.live.sealTimeMs, 0)])
+            text: Theme.fill(qsTr("%1 bags · seal %2"), [Theme.count(Controller.bags.count, 0), Theme.measure(Controller.live.sealTimeMs, 0, "ms")])
         }
-        captionColor: Controller.fresh ? Theme.color.secondaryInk : Theme.color.disabledInk
         quantities: isNaN(Controller.live.sealTimeMs) ? [Explanations.Rate] : [Explanations.Rate, Explanations.LiveSealTime]
     }
     BagStrip {
@@ -44,7 +45,7 @@ Item {
     SpeedCard {
         anchors { left: parent.left; right: skippedCuts.left; rightMargin: view.gap; top: film.bottom; topMargin: view.gap; bottom: skippedCuts.bottom }
         compact: Theme.size.name === "small"
-        title: qsTr("Knife speed mm/s")
+        title: qsTr("Knife speed %1").arg(Theme.shownUnit("mm/s"))
     }
     SkippedCutsCard {
         id: skippedCuts

@@ -21,7 +21,8 @@ Item {
         height: view.upper
         value: Controller.live.forceN
         decimals: 0
-        caption: qsTr("Force N")
+        title: qsTr("Force")
+        unit: "N"
     }
     NumberCard {
         id: position
@@ -31,14 +32,15 @@ Item {
         height: view.upper
         value: Controller.live.positionMm
         decimals: 2
-        caption: qsTr("Position mm")
+        title: qsTr("Position")
+        unit: "mm"
     }
-    TextCard {
+    NumberCard {
         objectName: "goodStrokes"
         anchors { left: position.right; leftMargin: view.gap; right: parent.right }
         height: view.upper
         text: Controller.strokes.rows.count > 0 ? Theme.count(Controller.strokes.goodCount, 0) + " / " + Theme.count(Controller.strokes.rows.count, 0) : Theme.unknownText
-        caption: qsTr("good / last strokes")
+        title: qsTr("Good / last strokes")
         quantities: [Explanations.GoodStrokes]
     }
     StageStrip {

@@ -54,12 +54,12 @@ Card {
             width: Math.min(implicitWidth, room)
             fontSizeMode: Text.HorizontalFit
             minimumPixelSize: Theme.size.caption - 5
-            readonly property string number: Theme.number(Controller.live.followingErrorMm, 2)
-            text: card.compact || words.advanceWidth > followingError.room ? qsTr("error %1 mm").arg(number) : words.text
+            readonly property string number: Theme.measure(Controller.live.followingErrorMm, 2, "mm")
+            text: card.compact || words.advanceWidth > followingError.room ? qsTr("error %1").arg(number) : words.text
             TextMetrics {
                 id: words
                 font: Theme.captionFont
-                text: qsTr("following error %1 mm").arg(followingError.number)
+                text: qsTr("following error %1").arg(followingError.number)
             }
             color: Controller.fresh ? Theme.color.ink : Theme.color.disabledInk
             font.pixelSize: Theme.size.caption

@@ -27,7 +27,7 @@ Card {
             color: Theme.color.secondaryInk
         }
         Cell {
-            text: qsTr("Error mm")
+            text: qsTr("Error %1").arg(Theme.shownUnit("mm"))
             color: Theme.color.secondaryInk
         }
         Cell {

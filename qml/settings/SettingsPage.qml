@@ -15,7 +15,7 @@ Page {
 
     property int section
     readonly property var sections: [
-        { name: "section0", text: qsTr("Display"), note: qsTr("language, theme, gloves"), source: "DisplaySection.qml" },
+        { name: "section0", text: qsTr("Display"), note: qsTr("language, units, theme"), source: "DisplaySection.qml" },
         { name: "section1", text: qsTr("Connection"), note: qsTr("simulated or serial port"), source: "ConnectionSection.qml" },
         { name: "section2", text: qsTr("Machine"), note: qsTr("drive, gear, motor limits"), source: "MachineSection.qml" },
         { name: "sectionUsers", text: qsTr("Users"), note: qsTr("PINs, levels, audit"), source: "UsersSection.qml" },

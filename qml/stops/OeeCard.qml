@@ -18,22 +18,12 @@ Card {
         property bool large
         width: grid.width / 2
         height: grid.height / 2
-        Column {
+        Readout {
             anchors { left: parent.left; right: parent.right; margins: Theme.size.padding; verticalCenter: parent.verticalCenter }
-            Label {
-                width: parent.width
-                fontSizeMode: Text.HorizontalFit
-                minimumPixelSize: Theme.size.caption - 3
-                text: figure.label
-                color: Theme.color.secondaryInk
-                font { pixelSize: Theme.size.caption; weight: Font.DemiBold }
-            }
-            Readout {
-                width: parent.width
-                text: Theme.number(100 * figure.value, 1)
-                unit: "%"
-                pixelSize: figure.large ? Math.round(1.3 * Theme.size.value) : Theme.size.value
-            }
+            title: figure.label
+            text: Theme.number(100 * figure.value, 1)
+            unit: "%"
+            pixelSize: figure.large ? Math.round(1.3 * Theme.size.value) : Theme.size.value
         }
         Explained {
             quantities: [figure.topic]

@@ -20,7 +20,7 @@ Card {
 
     function momentOf(timeMs: real): string { return plot.momentText(timeMs) }
     function figure(quantity: int, value: real): string {
-        return Theme.number(value, card.words.decimals[quantity])
+        return Theme.amount(value, card.words.decimals[quantity], card.words.metricUnits[quantity])
     }
     function figuresOf(lane: int, quantity: int): string {
         const found = Trends.statistics[lane]
@@ -54,6 +54,7 @@ Card {
         fromMs: Trends.fromMs
         toMs: Trends.toMs
         tolerances: Array.from(Trends.chosen, quantity => quantity === Trends.Deviation ? card.toleranceMm : NaN)
+        factors: Array.from(Trends.chosen, quantity => Theme.unitFactor(card.words.metricUnits[quantity]))
         laneColors: Array.from(Trends.chosen, quantity => card.words.colors[quantity])
         cursorMs: card.cursor
         headerHeight: Theme.size.caption * 1.7

@@ -59,7 +59,7 @@ private slots:
         panel.tapDigits(QStringLiteral("900"));
         panel.tap("keypadAccept");
         QTRY_COMPARE_WITH_TIMEOUT(panel.maintenance().inspector()->selectedText(),
-                                  "Written and read back from the controller: 900 ms.", timeoutMs);
+                                  "Written and read back from the controller: 900\u00a0ms.", timeoutMs);
         QTRY_COMPARE_WITH_TIMEOUT(rampTime(panel), "900 ms", timeoutMs);
 
         panel.tap("maintenance1");
@@ -101,7 +101,7 @@ private slots:
         panel.tapDigits(QStringLiteral("120"));
         panel.tap("keypadAccept");
         QTRY_COMPARE_WITH_TIMEOUT(switches.value("parameter.switch3_off_angle"), 120.0, timeoutMs);
-        QCOMPARE(switches.outcomeText(), "Cam switch 3: off angle: 120 deg, read back from the controller.");
+        QCOMPARE(switches.outcomeText(), "Cam switch 3: off angle: 120°, read back from the controller.");
         panel.tap("ioSwitch");
         panel.tap("choice_9");
         QTRY_COMPARE_WITH_TIMEOUT(switches.value("parameter.drive_enable"), 1.0, timeoutMs);

@@ -107,6 +107,25 @@ private slots:
         QCOMPARE(panel.complaints(), QStringList());
     }
 
+    // The finger sets inches, types a length in them and downloads it; the controller has millimeters.
+    void aLengthInInches()
+    {
+        const ControllerProcess controller;
+        PanelWindow panel(controller.port());
+        QTRY_COMPARE_WITH_TIMEOUT(panel.controller().state(), Controller::State::Idle, timeoutMs);
+        waitForRecipes(panel, 1);
+        for (const char* name : {"nav_settings", "section0", "unitsChoice", "choice_inch", "nav_motion"})
+            panel.tap(name);
+        enter(panel, "field_bag_length_mm", QStringLiteral("7.0866"));
+        QVERIFY2(panel.texts().contains(QStringLiteral("7.0866")), qPrintable(panel.texts()));
+        panel.download();
+        QTRY_VERIFY_WITH_TIMEOUT(panel.controller().program(), timeoutMs);
+        const auto& registers = panel.controller().program()->registers;
+        const modbus::RegisterReader reader(registers, 0);
+        QCOMPARE(reader.physical("program.bag_length"), 180.0);
+        QCOMPARE(panel.complaints(), QStringList());
+    }
+
     // The minimum setup of a new panel, with Start pressed before it can work.
     void theFirstBagTakesTwelveTouches()
     {

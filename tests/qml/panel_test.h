@@ -27,11 +27,14 @@ protected:
         m_window->lift();
         m_window->settle();
     }
-    QString textOf(const char* name)
+    // Without the marks that keep a number and its unit together.
+    QString textOf(const char* name) { return plain(propertyOf(name, "text")); }
+    QString propertyOf(const char* name, const char* property)
     {
         const QQuickItem* item = m_window->find(QString::fromLatin1(name));
-        return item ? item->property("text").toString() : QString();
+        return item ? item->property(property).toString() : QString();
     }
+    static QString plain(QString text) { return text.remove(QChar(0x2060)).replace(QChar(0xA0), u' '); }
     void show(looks::DemoLink::Kind kind)
     {
         m_window->link().show(looks::DemoLink::Situation::Running, kind);

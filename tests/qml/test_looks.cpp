@@ -151,8 +151,8 @@ private slots:
         m_window->settle();
         editor().rate()->set(rate);
         tap("nav_motion");
-        QVERIFY2(editor().verdict().contains(unit), qPrintable(editor().verdict()));
-        const QString told = textOf("verdict");
+        QVERIFY2(plain(editor().verdict()).contains(unit), qPrintable(editor().verdict()));
+        const QString told = propertyOf("verdict", "text");
         static const QRegularExpression breakable(
             QStringLiteral(R"(\d [%A-Za-z\x{4e00}-\x{9fff}]|/[^\x{2060}])"));
         QVERIFY2(!told.isEmpty() && !breakable.match(told).hasMatch(), qPrintable(told));

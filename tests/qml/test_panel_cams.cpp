@@ -128,7 +128,7 @@ private slots:
         }
         m_window->settle();
         QVERIFY(!editor().feasible());
-        QCOMPARE(textOf("curveLine").remove(QChar(0x2060)).replace(QChar(0xa0), u' '), editor().verdict());
+        QCOMPARE(textOf("curveLine"), plain(editor().verdict()));
     }
 
     void theMotionOfASegmentIsChosenBesideTheCurve()

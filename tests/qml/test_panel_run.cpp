@@ -108,12 +108,12 @@ private slots:
     void scrapIsCalledScrap()
     {
         enter(Situation::Running);
-        QCOMPARE(textOf("bagCaption"), u"Bag length"_s);
+        QCOMPARE(propertyOf("bagLength", "title"), u"Bag length"_s);
         cutBag(modbus::BagBit::StartUp);
-        QCOMPARE(textOf("bagCaption"), u"Scrap bag"_s);
+        QCOMPARE(propertyOf("bagLength", "title"), u"Scrap bag"_s);
         QVERIFY(m_window->find(u"scrapHatch"_s));
         cutBag(modbus::BagBit::Tracked);
-        QCOMPARE(textOf("bagCaption"), u"Bag length"_s);
+        QCOMPARE(propertyOf("bagLength", "title"), u"Bag length"_s);
         QVERIFY(!m_window->find(u"scrapHatch"_s));
     }
 

@@ -106,9 +106,9 @@ QString AlarmWatch::valuesOf(const AlarmKind& kind) const
         return tr("Ram: force %1 N, limit %2 N")
             .arg(format.number(live.forceN, 0), format.number(m_controller.active().maxStopForceN, 0));
     if (&kind == &AlarmCatalogue::of(FaultBit::TouchedTooEarly))
-        return tr("Ram: contact at %1 mm, approach ends at %2 mm")
-            .arg(format.number(live.positionMm, 2),
-                 format.number(m_controller.active().approachPositionMm, 2));
+        return tr("Ram: contact at %1, approach ends at %2")
+            .arg(format.measure(live.positionMm, 2, QStringLiteral("mm")),
+                 format.measure(m_controller.active().approachPositionMm, 2, QStringLiteral("mm")));
     return {};
 }
 

@@ -7,6 +7,9 @@
 #include "app/panel/words/controller_sentences.h"
 #include "profile/cutter/jaw.h"
 
+#include <cmath>
+#include <numbers>
+
 namespace campanel::panel {
 
 namespace {
@@ -26,6 +29,14 @@ double sealTimeMs(const ControllerProgram& program, double rateBagsPerMin, doubl
     profile::CycleNumbers cycle;
     cycle.filmSpeedMmPerS = program.recipe.cutter().syncRatio * program.bagLengthMm * rateBagsPerMin / 60;
     return profile::sealTimeMs(cycle, machine);
+}
+
+// Returns the angle of the knife shaft at a position of its circumference, 0 to 360.
+double turnedDeg(const ControllerProgram& program, double positionMm)
+{
+    constexpr double fullTurn = 360;
+    const double deg = positionMm / program.recipe.machine.knifeRadiusMm * 180 / std::numbers::pi;
+    return deg - fullTurn * std::floor(deg / fullTurn);
 }
 
 } // namespace
@@ -184,6 +195,11 @@ LiveValues Controller::live() const
         values.followingErrorMm = m_status->followingErrorPulses / program->pulsesPerMm;
         values.positionMm = static_cast<double>(*m_axisPosition.actualPulses()) / program->pulsesPerMm;
     }
+    const bool isKnife = program->recipe.isCutter();
+    values.positionUnit = isKnife ? QStringLiteral("°") : QStringLiteral("mm");
+    values.position = !isKnife                              ? values.positionMm
+                      : std::isfinite(values.knifeAngleDeg) ? values.knifeAngleDeg
+                                                            : turnedDeg(*program, values.positionMm);
     return values;
 }
 

@@ -24,6 +24,9 @@ struct LiveValues {
     Q_PROPERTY(double pulseFrequencyHz MEMBER pulseFrequencyHz FINAL)
     Q_PROPERTY(double cycleCount MEMBER cycleCount FINAL)
     Q_PROPERTY(double positionMm MEMBER positionMm FINAL)
+    // The position as a person reads it: the angle of a knife, which turns one way for ever, else mm.
+    Q_PROPERTY(double position MEMBER position FINAL)
+    Q_PROPERTY(QString positionUnit MEMBER positionUnit FINAL)
     Q_PROPERTY(double masterSpeedPercent MEMBER masterSpeedPercent FINAL)
     Q_PROPERTY(double sealTimeMs MEMBER sealTimeMs FINAL)
     Q_PROPERTY(double forceN MEMBER forceN FINAL)
@@ -39,6 +42,8 @@ public:
     double pulseFrequencyHz = unknown;
     double cycleCount = unknown;
     double positionMm = unknown;
+    double position = unknown;
+    QString positionUnit = QStringLiteral("mm");
     double masterSpeedPercent = unknown;
     double sealTimeMs = unknown; // of a rotary cutter with jaws, while the master turns
     double forceN = unknown;     // of a press

@@ -5,6 +5,7 @@
 #include "app/panel/kit/format.h"
 #include "app/panel/kit/language_notifier.h"
 #include "app/panel/words/connection_sentences.h"
+#include "app/panel/words/recipe_words.h"
 #include "app/panel/words/register_words.h"
 
 namespace campanel::panel {
@@ -28,21 +29,24 @@ QString ParameterField::shown() const
     if (!value)
         return Format::unknownText();
     const Format format;
+    const modbus::RegisterInfo& info = m_parameter.info();
     const QString number =
-        format.grouped(*value, RegisterWords::decimals(m_parameter.info())) + QLatin1Char(' ') + unit();
+        format.measure(*value, RegisterWords::decimals(info), RecipeWords::unit(info.unit));
     const auto& program = m_controller.program();
-    if (m_parameter.info().unit != "Hz" || !program || program->pulsesPerMm <= 0)
+    if (info.unit != "Hz" || !program || program->pulsesPerMm <= 0)
         return number;
-    return tr("%1 · %2 mm/s", "1,000 Hz · 3.1 mm/s")
-        .arg(number, format.number(*value / program->pulsesPerMm, 1));
+    return QStringLiteral("%1 · %2").arg(
+        format.measure(*value / program->pulsesPerMm, 1, QStringLiteral("mm/s")), number);
 }
 
 void ParameterField::update()
 {
     const modbus::RegisterInfo& info = m_parameter.info();
     const int decimals = RegisterWords::decimals(info);
-    show({tr(m_row.label), QString::fromUtf8(info.unit.data(), static_cast<qsizetype>(info.unit.size())),
-          Format().number(value(), decimals), info.minimum, info.maximum, info.defaultValue, decimals});
+    const QString unit = RecipeWords::unit(info.unit);
+    const double value = m_parameter.value().value_or(unknown);
+    show({tr(m_row.label), unit, Format().amount(value, decimals, unit), info.minimum, info.maximum,
+          info.defaultValue, decimals, value});
     emit shownChanged();
 }
 

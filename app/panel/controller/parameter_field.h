@@ -15,7 +15,7 @@ class ParameterField : public campanel::panel::Value {
     Q_OBJECT
     QML_ELEMENT
     QML_UNCREATABLE("Fields of parameters belong to the Controller")
-    // The value as a tile shows it, "1,000 Hz · 3.1 mm/s"; the second figure needs a program.
+    // The value as a tile shows it, "3.1 mm/s · 1,000 Hz"; the second figure needs a program.
     Q_PROPERTY(QString shown READ shown NOTIFY shownChanged FINAL)
     // The reason why the last value was not written; empty after a success.
     Q_PROPERTY(QString failure READ failure NOTIFY shownChanged FINAL)
@@ -24,7 +24,6 @@ public:
     // `controller` owns the object.
     ParameterField(Controller& controller, const ParameterRow& row);
 
-    [[nodiscard]] double value() const { return m_parameter.value().value_or(unknown); }
     [[nodiscard]] QString shown() const;
     [[nodiscard]] QString failure() const { return m_failure; }
 

@@ -5,8 +5,10 @@
 #include "app/panel/kit/format.h"
 #include "app/panel/kit/language_notifier.h"
 #include "app/panel/kit/numbers.h"
+#include "app/panel/kit/units.h"
 #include "app/panel/words/connection_sentences.h"
 #include "app/panel/words/controller_sentences.h"
+#include "app/panel/words/recipe_words.h"
 #include "app/panel/words/register_words.h"
 
 #include <algorithm>
@@ -138,8 +140,9 @@ void ParameterFields::updateValue()
         return;
     const modbus::RegisterInfo& info = field->info();
     const int decimals = RegisterWords::decimals(info);
-    m_value.show({label(*field), unitOf(*field), Format().number(field->value().value_or(unknown), decimals),
-                  info.minimum, info.maximum, info.defaultValue, decimals});
+    const double value = field->value().value_or(unknown);
+    m_value.show({label(*field), unitOf(*field), Format().amount(value, decimals, unitOf(*field)),
+                  info.minimum, info.maximum, info.defaultValue, decimals, value});
 }
 
 void ParameterFields::setChoice(int row, int choice)
@@ -162,7 +165,7 @@ void ParameterFields::takeSuggestion(int row)
 
 QString ParameterFields::unitOf(const Field& field)
 {
-    return QString::fromUtf8(field.info().unit.data(), static_cast<qsizetype>(field.info().unit.size()));
+    return RecipeWords::unit(field.info().unit);
 }
 
 QStringList ParameterFields::choicesOf(const Field& field) const
@@ -178,8 +181,7 @@ QString ParameterFields::text(const Field& field, double value) const
 {
     if (field.hasChoices)
         return std::isfinite(value) ? choicesOf(field).value(static_cast<int>(value)) : Format::unknownText();
-    const QString number = Format().compact(value, 0, RegisterWords::decimals(field.info()));
-    return field.info().unit.empty() ? number : number + u' ' + unitOf(field);
+    return Format().compactMeasure(value, 0, RegisterWords::decimals(field.info()), unitOf(field));
 }
 
 QString ParameterFields::range(const Field& field) const
@@ -211,9 +213,10 @@ QVariant ParameterFields::data(const QModelIndex& index, int role) const
     case ValueRole:
         if (!field.value())
             return Format::unknownText();
-        return field.hasChoices ? text(field, *field.value()) : Format().compact(*field.value(), 0, digits);
+        return field.hasChoices ? text(field, *field.value())
+                                : Format().compactAmount(*field.value(), 0, digits, unitOf(field));
     case UnitRole:
-        return unitOf(field);
+        return Units::of(unitOf(field)).unit;
     case NoteRole:
         return note(field);
     case ChoicesRole:
@@ -225,7 +228,7 @@ QVariant ParameterFields::data(const QModelIndex& index, int role) const
     case SuggestionRole: {
         const bool isOther = field.suggestion && field.value() &&
                              std::abs(*field.suggestion - *field.value()) >= 5 * field.info().scale;
-        return isOther ? Format().number(*field.suggestion, digits) : QString();
+        return isOther ? Format().amount(*field.suggestion, digits, unitOf(field)) : QString();
     }
     default:
         return {};

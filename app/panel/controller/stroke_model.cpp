@@ -15,7 +15,7 @@ QString StrokeRow::resultText() const
 
 QString StrokeRow::stopErrorText() const
 {
-    return Format().number(status.stopErrorPulses / pulsesPerMm, 2);
+    return Format().amount(status.stopErrorPulses / pulsesPerMm, 2, QStringLiteral("mm"));
 }
 
 QString StrokeRow::stopForceText() const

@@ -4,7 +4,7 @@
 #include "app/link/link_values.h"
 #include "app/panel/kit/format.h"
 #include "app/panel/kit/numbers.h"
-#include "app/panel/words/refusal_sentences.h"
+#include "app/panel/words/recipe_words.h"
 
 #include <algorithm>
 #include <cmath>
@@ -90,7 +90,7 @@ QString Telemetry::text(const QString& name, double value) const
     const bool isSigned = info->type == RegisterType::I16 || info->type == RegisterType::I32;
     const QString sign = isSigned && value > 0 ? QStringLiteral("+") : QString();
     const int decimals = decimalsOf(*info);
-    return sign + RefusalSentences::withUnit(Format().grouped(value, decimals), info->unit);
+    return sign + Format().measure(value, decimals, RecipeWords::unit(info->unit));
 }
 
 } // namespace campanel::panel

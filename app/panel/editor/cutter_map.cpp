@@ -2,6 +2,7 @@
 #include "app/panel/editor/cutter_map.h"
 
 #include "app/panel/kit/numbers.h"
+#include "app/panel/kit/units.h"
 #include "app/panel/recipe/recipe_edit.h"
 #include "app/panel/words/recipe_words.h"
 #include "app/panel/words/refusal_sentences.h"
@@ -154,7 +155,8 @@ void CutterMap::drag(double lengthMm, double rateBagsPerMin)
 {
     if (!m_map || !std::isfinite(lengthMm) || !std::isfinite(rateBagsPerMin))
         return;
-    emit dragged(profile::snapToGrid(Field::BagLength, std::round(lengthMm)),
+    const double stepMm = Units::isInch() ? 1.27 : 1; // a twentieth of an inch
+    emit dragged(profile::snapToGrid(Field::BagLength, std::round(lengthMm / stepMm) * stepMm),
                  profile::snapToGrid(Field::Rate, std::round(rateBagsPerMin)));
 }
 

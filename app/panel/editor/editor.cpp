@@ -106,16 +106,18 @@ void Editor::connectFields()
 {
     for (const profile::FieldInfo& info : profile::fields) {
         const Field field = info.field;
-        auto* item = new EditorField(QString::fromLatin1(info.id), this);
-        item->setNeededLevel(levelFor(field));
-        item->setGroup(QString::fromLatin1(info.group));
-        m_fields[static_cast<std::size_t>(field)] = item;
-        connect(item, &EditorField::setRequested, this, [this, field](double value) {
+        auto* created = new EditorField(QString::fromLatin1(info.id), this);
+        created->setNeededLevel(levelFor(field));
+        created->setGroup(QString::fromLatin1(info.group));
+        m_fields[static_cast<std::size_t>(field)] = created;
+        connect(created, &EditorField::setRequested, this, [this, field](double value) {
             edit(levelFor(field), [&](program::Recipe& recipe) {
-                enterField(recipe, field, profile::snapToGrid(field, value));
+                // The grid is that of the metric decimals.
+                enterField(recipe, field,
+                           item(field)->shown().isConverted() ? value : profile::snapToGrid(field, value));
             });
         });
-        connect(item, &EditorField::pinToggleRequested, this, [this, field] {
+        connect(created, &EditorField::pinToggleRequested, this, [this, field] {
             edit(Level::Technician, [&](program::Recipe& recipe) { togglePin(recipe, field); });
         });
     }

@@ -4,13 +4,10 @@
 
 #include "app/panel/kit/value.h"
 
-#include <limits>
-
 namespace campanel::panel {
 
 // The contents of the field, computed by the Editor after each change.
 struct FieldView : ValueView {
-    double value = std::numeric_limits<double>::quiet_NaN();
     QString activeText; // the text of the controller's program, empty when there is none
     bool pinnable = false;
     bool pinned = false;
@@ -43,7 +40,6 @@ public:
     [[nodiscard]] QString fieldId() const { return m_fieldId; }
     [[nodiscard]] QString group() const { return m_group; }
     void setGroup(const QString& group) { m_group = group; }
-    [[nodiscard]] double value() const { return m_view.value; }
     [[nodiscard]] QString activeText() const { return m_view.activeText; }
     [[nodiscard]] bool pinnable() const { return m_view.pinnable; }
     [[nodiscard]] bool pinned() const { return m_view.pinned; }

@@ -2,6 +2,7 @@
 #include "app/panel/editor/editor_views.h"
 
 #include "app/panel/kit/format.h"
+#include "app/panel/kit/units.h"
 #include "app/panel/recipe/recipe_edit.h"
 #include "app/panel/words/cam_sentences.h"
 #include "app/panel/words/recipe_words.h"
@@ -83,9 +84,13 @@ void EditorViews::narrowRatio(Field field, FieldView& view) const
 QString EditorViews::explanation(Field field) const
 {
     const profile::Explanation explained = profile::explain(*m_solution.cutter(), quantityOf(field));
-    return QStringLiteral("%1\n= %2\n= %3 %4")
-        .arg(QString::fromStdString(explained.formula), QString::fromStdString(explained.numbers),
-             Format().compact(explained.result, 1, 4), RecipeWords::unit(explained.unit));
+    const Format format;
+    const QString unit = RecipeWords::unit(explained.unit);
+    QString result = Format::joined(format.compact(explained.result, 1, 4), unit); // the formula is metric
+    if (Units::of(unit).isConverted())
+        result += QStringLiteral(" = ") + format.compactMeasure(explained.result, 1, 4, unit);
+    return QStringLiteral("%1\n= %2\n= %3")
+        .arg(QString::fromStdString(explained.formula), QString::fromStdString(explained.numbers), result);
 }
 
 FieldView EditorViews::lawParameter(std::size_t index) const
@@ -177,6 +182,7 @@ LawRow EditorViews::lawRow(const profile::Law& law, const LawDemand& demand) con
     const Format format;
     const profile::Peaks& peaks = demand.peaks;
     constexpr double mmPerM = 1000;
+    const QString perS2 = QStringLiteral("m/s²");
     LawRow row;
     row.lawId = QString::fromUtf8(law.key.data(), static_cast<qsizetype>(law.key.size()));
     row.name = RecipeWords::inWords(law.name);
@@ -186,18 +192,18 @@ LawRow EditorViews::lawRow(const profile::Law& law, const LawDemand& demand) con
     row.current = law.id == lawOf(m_recipe);
     row.usable = demand.isFeasible;
     row.peakRpmText = tr("%1 r/min").arg(format.number(peaks.motorRpm, 0));
-    row.peakAccelerationText = tr("%1 m/s²").arg(format.number(peaks.accelerationMmPerS2 / mmPerM, 2));
+    row.peakAccelerationText = format.measure(peaks.accelerationMmPerS2 / mmPerM, 2, perS2);
     if (hasRmsAcceleration())
-        row.rmsText = tr("%1 m/s²").arg(format.number(demand.rmsAccelerationMmPerS2 / mmPerM, 2));
+        row.rmsText = format.measure(demand.rmsAccelerationMmPerS2 / mmPerM, 2, perS2);
     row.peakFrequencyText =
         hasTorque() ? tr("%1 Nm\nRMS %2", "peak and RMS torque")
                           .arg(format.number(peaks.torqueNm, 3), format.number(peaks.rmsTorqueNm, 3))
                     : tr("%1 kHz").arg(format.number(peaks.pulseFrequencyHz / 1000, 1));
     if (hasVibration())
-        row.vibrationText = tr("%1 mm").arg(format.number(demand.vibrationMm, 3));
+        row.vibrationText = format.measure(demand.vibrationMm, 3, QStringLiteral("mm"));
     const double jerk = peaks.jerkMmPerS3 / mmPerM;
-    row.peakJerkText =
-        std::isinf(jerk) ? tr("unbounded") : tr("%1 m/s³").arg(format.number(jerk, jerk < 1000 ? 1 : 0));
+    row.peakJerkText = std::isinf(jerk) ? tr("unbounded")
+                                        : format.measure(jerk, jerk < 1000 ? 1 : 0, QStringLiteral("m/s³"));
     return row;
 }
 
@@ -236,21 +242,20 @@ QString EditorViews::peaks() const
         return {};
     const Format format;
     const profile::Peaks& peaks = m_solution.solved->peaks;
+    const QString acceleration = format.measure(peaks.accelerationMmPerS2 / 1000, 2, QStringLiteral("m/s²"));
     // The recipe of a press has no inertia, that of a cutter may have one.
     if (m_recipe.kind() != profile::ProgramKind::Press && hasTorque())
-        return tr("peak %1 r/min · %2 m/s² · %3 Nm (RMS %5) · %4 kHz")
-            .arg(format.number(peaks.motorRpm, 0), format.number(peaks.accelerationMmPerS2 / 1000, 2),
-                 format.number(peaks.torqueNm, 3), format.number(peaks.pulseFrequencyHz / 1000, 1),
-                 format.number(peaks.rmsTorqueNm, 3));
+        return tr("peak %1 r/min · %2 · %3 Nm (RMS %5) · %4 kHz")
+            .arg(format.number(peaks.motorRpm, 0), acceleration, format.number(peaks.torqueNm, 3),
+                 format.number(peaks.pulseFrequencyHz / 1000, 1), format.number(peaks.rmsTorqueNm, 3));
     const auto* cutter = m_solution.cutter();
     if (cutter && cutter->machine.contactAngleDeg > 0)
-        return tr("peak %1 r/min · %2 m/s² · %3 kHz · seal %4 ms")
-            .arg(format.number(peaks.motorRpm, 0), format.number(peaks.accelerationMmPerS2 / 1000, 2),
+        return tr("peak %1 r/min · %2 · %3 kHz · seal %4 ms")
+            .arg(format.number(peaks.motorRpm, 0), acceleration,
                  format.number(peaks.pulseFrequencyHz / 1000, 1),
                  format.number(profile::sealTimeMs(cutter->cycle, cutter->machine), 0));
-    return tr("peak %1 r/min · %2 m/s² · %3 kHz")
-        .arg(format.number(peaks.motorRpm, 0), format.number(peaks.accelerationMmPerS2 / 1000, 2),
-             format.number(peaks.pulseFrequencyHz / 1000, 1));
+    return tr("peak %1 r/min · %2 · %3 kHz")
+        .arg(format.number(peaks.motorRpm, 0), acceleration, format.number(peaks.pulseFrequencyHz / 1000, 1));
 }
 
 QString EditorViews::verdict() const

@@ -48,8 +48,8 @@ void KnotModel::showSelection()
     const Format format;
     QList<KnotRow> rows;
     for (int i = 0; i < count(); ++i)
-        rows << KnotRow{i + 1, format.compact(at(i).masterDeg, 1, 4), format.compact(at(i).slaveMm, 1, 3),
-                        i == selected()};
+        rows << KnotRow{i + 1, format.compact(at(i).masterDeg, 1, 4),
+                        format.compactAmount(at(i).slaveMm, 1, 3, QStringLiteral("mm")), i == selected()};
     m_rows.setRows(rows);
     showFields();
 }
@@ -76,7 +76,7 @@ void KnotModel::showFields()
     view.unit = QStringLiteral("mm");
     view.decimals = 3;
     view.value = view.defaultValue = knots[index].slaveMm;
-    view.text = format.compact(view.value, 1, 3);
+    view.text = format.compactAmount(view.value, 1, 3, view.unit);
     view.minimum = -profile::maxSlaveMm;
     view.maximum = profile::maxSlaveMm;
     m_slave.show(view);
@@ -88,11 +88,12 @@ QString KnotModel::wrapText() const
         return {};
     const profile::WrapCheck wrap = profile::wrapCheck(cam());
     const Format format;
-    const QString end = wrap.isSmooth
-                            ? tr("The cycle closes smoothly.")
-                            : tr("At the end of the cycle: speed jumps by %1 mm/°, acceleration by %2 mm/°².")
-                                  .arg(format.compact(wrap.speedMmPerDeg, 0, 4),
-                                       format.compact(wrap.accelerationMmPerDeg2, 0, 5));
+    const QString end =
+        wrap.isSmooth
+            ? tr("The cycle closes smoothly.")
+            : tr("At the end of the cycle: speed jumps by %1, acceleration by %2.")
+                  .arg(format.compactMeasure(wrap.speedMmPerDeg, 0, 4, QStringLiteral("mm/°")),
+                       format.compactMeasure(wrap.accelerationMmPerDeg2, 0, 5, QStringLiteral("mm/°²")));
     return QStringLiteral("%1 %2").arg(end, CamSentences::ends(cam())).trimmed();
 }
 

@@ -57,8 +57,8 @@ void RampControl::showFigures(const Solution& solution)
     const Format format;
     constexpr double mmPerM = 1000;
     m_figures.setRows(
-        {{tr("Peak acceleration"), tr("%1 m/s²").arg(format.number(acceleration / mmPerM, 2))},
-         {tr("RMS acceleration"), tr("%1 m/s²").arg(format.number(rms / mmPerM, 2))},
+        {{tr("Peak acceleration"), format.measure(acceleration / mmPerM, 2, QStringLiteral("m/s²"))},
+         {tr("RMS acceleration"), format.measure(rms / mmPerM, 2, QStringLiteral("m/s²"))},
          {tr("Peak speed"), tr("%1 r/min").arg(format.number(speed, 0))},
          {tr("Highest rate"), solution.fastest ? RefusalSentences::valueWithUnit(
                                                      profile::Field::Rate, solution.fastest->rateBagsPerMin)

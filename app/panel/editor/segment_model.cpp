@@ -146,7 +146,7 @@ void SegmentModel::showFields()
         } else {
             view.label = labels[i];
         }
-        view.text = format.compact(view.value, i < firstValue ? 1 : 0, view.decimals);
+        view.text = format.compactAmount(view.value, i < firstValue ? 1 : 0, view.decimals, view.unit);
         m_fields[i]->show(view);
         shown.push_back(i);
     }

@@ -22,6 +22,11 @@ public:
     QString formula; // as text: "set length + mean deviation"
     QString numbers; // with numbers: "250.00 + 0.02"; empty while one of them is unknown
 
+    QString result; // of the formula, which is metric; empty: value and unit
+
+    // Sets value and unit to a metric number as it is shown. Fewer decimals than `most` omit zeros.
+    void setMeasure(double number, int least, int most, const QString& metricUnit);
+
     // Returns all parts in lines: meaning, formula, "= numbers", "= value unit".
     [[nodiscard]] QString text() const;
 };

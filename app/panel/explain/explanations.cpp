@@ -31,7 +31,19 @@ QString Explanation::text() const
     QString lines = meaning + u"\n\n"_s + formula;
     if (!numbers.isEmpty())
         lines += u"\n= "_s + numbers;
-    return lines + u"\n= "_s + (unit.isEmpty() ? value : value + u' ' + unit);
+    const QString known = Format::joined(value, unit);
+    return lines + u"\n= "_s + (result.isEmpty() ? known : result + u" = "_s + known);
+}
+
+void Explanation::setMeasure(double number, int least, int most, const QString& metricUnit)
+{
+    const Format format;
+    const ShownUnit shown = Units::of(metricUnit);
+    value = least == most ? format.amount(number, most, metricUnit)
+                          : format.compactAmount(number, least, most, metricUnit);
+    unit = shown.unit;
+    if (shown.isConverted() && std::isfinite(number))
+        result = Format::joined(format.compact(number, least, most), metricUnit);
 }
 
 Explanations::Explanations(const Sources& sources, QObject* parent)
@@ -128,12 +140,11 @@ Explanation Explanations::bags(Topic quantity) const
     const double tolerance = m_controller.bags().toleranceMm;
     const double mean = m_controller.bags().meanDeviationMm;
     Explanation explanation;
-    explanation.unit = tr("mm");
     switch (quantity) {
     case BagMean: {
         const double length = m_controller.bags().meanMm;
         explanation.title = tr("Mean bag length");
-        explanation.value = format.number(length, 2);
+        explanation.setMeasure(length, 2, 2, u"mm"_s);
         explanation.meaning =
             tr("Mean of the last bags (%1, at most 60) since the last change of the set length.").arg(count);
         explanation.formula = tr("set length + sum of their deviations / bags");
@@ -146,7 +157,7 @@ Explanation Explanations::bags(Topic quantity) const
         const double scatter = m_controller.bags().scatterMm;
         const double squares = scatter * scatter * (counted - 1);
         explanation.title = tr("Standard deviation of the bag length");
-        explanation.value = format.number(scatter, 2);
+        explanation.setMeasure(scatter, 2, 2, u"mm"_s);
         explanation.meaning =
             tr("About two thirds of the last bags (%1) are closer to the mean than this value.").arg(count);
         explanation.formula = tr("√(sum of (deviation − mean deviation)² / (bags − 1))");
@@ -157,10 +168,9 @@ Explanation Explanations::bags(Topic quantity) const
     case BagsWithin:
         explanation.title = tr("Bags within the tolerance");
         explanation.value = format.number(m_controller.bags().within, 0);
-        explanation.unit.clear();
         explanation.meaning =
-            tr("Number of the last bags (%1) within ±%2 mm. Set the tolerance in Settings, Machine.")
-                .arg(count, format.number(tolerance, 2));
+            tr("Number of the last bags (%1) within ±%2. Set the tolerance in Settings, Machine.")
+                .arg(count, format.measure(tolerance, 2, u"mm"_s));
         if (m_controller.bags().scrap > 0)
             explanation.meaning +=
                 u' ' + tr("Start-up scrap and bags of a change of program are left out: %1.")
@@ -171,7 +181,7 @@ Explanation Explanations::bags(Topic quantity) const
         const double deviation = m_controller.bags().deviationMm;
         const double length = m_controller.bags().lengthMm;
         explanation.title = tr("Deviation of the last bag");
-        explanation.value = format.number(deviation, 2);
+        explanation.setMeasure(deviation, 2, 2, u"mm"_s);
         explanation.meaning =
             tr("Positive: the bag is too long. With skipped cuts, the set length is the sum of "
                "all lengths in the bag.");
@@ -191,8 +201,7 @@ Explanation Explanations::packing(Topic quantity) const
     Explanation explanation;
     if (quantity == MarkError) {
         explanation.title = tr("Mark error");
-        explanation.value = format.number(m_controller.telemetry()->number("packer.mark_error"), 2);
-        explanation.unit = tr("mm");
+        explanation.setMeasure(m_controller.telemetry()->number("packer.mark_error"), 2, 2, u"mm"_s);
         explanation.meaning =
             tr("Mark error of the last cut with a mark, measured by the controller. Mark tracking "
                "corrects a part of this error with each cut.");
@@ -201,8 +210,7 @@ Explanation Explanations::packing(Topic quantity) const
     }
     const double saved = m_controller.telemetry()->number("packer.film_saved");
     explanation.title = tr("Film saved");
-    explanation.value = format.number(saved, 1);
-    explanation.unit = tr("m");
+    explanation.setMeasure(saved, 1, 1, u"m"_s);
     explanation.meaning =
         tr("Film that was not used because the film waited for missing products. Counted since "
            "power-on of the controller.");
@@ -217,8 +225,7 @@ Explanation Explanations::followingError() const
     const double pulses = m_controller.live().followingErrorPulses;
     Explanation explanation;
     explanation.title = tr("Following error");
-    explanation.value = format.number(error, 2);
-    explanation.unit = tr("mm");
+    explanation.setMeasure(error, 2, 2, u"mm"_s);
     explanation.meaning = tr("Last reported difference between commanded and actual position of the axis.");
     explanation.formula = tr("error in pulses / pulses per mm");
     if (m_controller.program())

@@ -6,6 +6,7 @@
 #include "app/panel/explain/explanation.h"
 #include "app/panel/kit/format.h"
 #include "app/panel/kit/singleton.h"
+#include "app/panel/kit/units.h"
 
 #include <QObject>
 #include <QVariant>

@@ -192,8 +192,7 @@ Explanation Explanations::peak(Topic quantity) const
         explanation.numbers =
             std::isfinite(explained.result) ? QString::fromStdString(explained.numbers) : QString();
         const bool isSmall = quantity == PeakTorque || quantity == RmsTorque || quantity == SealError;
-        explanation.value = format.compact(explained.result, 0, isSmall ? 3 : 2);
-        explanation.unit = RecipeWords::unit(explained.unit);
+        explanation.setMeasure(explained.result, 0, isSmall ? 3 : 2, RecipeWords::unit(explained.unit));
     };
     if (quantity == PeakMotorSpeed) {
         take(tr("Peak motor speed"), profile::CutterQuantity::PeakMotorRpm);
@@ -273,8 +272,7 @@ Explanation Explanations::coefficients() const
             .arg(names.join(u", "_s));
     explanation.formula = u"s(T) = "_s + terms.join(u" + "_s);
     explanation.numbers = numbers.join(u" + "_s);
-    explanation.value = Format().compact(move->distanceMm, 1, 3);
-    explanation.unit = tr("mm");
+    explanation.setMeasure(move->distanceMm, 1, 3, u"mm"_s);
     return explanation;
 }
 
@@ -289,8 +287,7 @@ Explanation Explanations::shaftVibration() const
     explanation.meaning = isCam ? tr("Error of the load behind the shaft, peak to peak over one cycle.")
                                 : tr("Amplitude of the load behind the shaft after the end of the move.");
     const double vibrationMm = vibrationOf(m_editor.solution(), recipe);
-    explanation.value = format.compact(vibrationMm, 0, 3);
-    explanation.unit = tr("mm");
+    explanation.setMeasure(vibrationMm, 0, 3, u"mm"_s);
     explanation.formula = isCam ? u"max e − min e, e'' + 2 ζ ω e' + ω² e = −a − 2 ζ ω v, ω = 2 π f0"_s
                                 : u"|∫ a e^(−i ω t) dt| / ω, ω = 2 π f0"_s;
     if (!std::isfinite(vibrationMm))

@@ -137,8 +137,7 @@ QVariantList Explanations::ofTrend(int lane) const
 
     Explanation mean;
     mean.title = tr("Mean");
-    mean.value = format.number(average, decimals);
-    mean.unit = unit;
+    mean.setMeasure(average, decimals, decimals, unit);
     mean.meaning = tr("Mean of all values recorded in the displayed time (n = %1).").arg(values);
     mean.formula = tr("sum of the values / n");
     mean.numbers = u"%1 / %2"_s.arg(format.grouped(average * count, decimals), values);
@@ -147,8 +146,7 @@ QVariantList Explanations::ofTrend(int lane) const
     const double deviation = found.value(u"scatter"_s).toDouble();
     Explanation scatter;
     scatter.title = tr("Standard deviation");
-    scatter.value = format.number(deviation, decimals);
-    scatter.unit = std::isfinite(deviation) ? unit : QString();
+    scatter.setMeasure(deviation, decimals, decimals, std::isfinite(deviation) ? unit : QString());
     scatter.meaning = tr("About two thirds of the values are closer to the mean than this value.");
     scatter.formula = tr("√(sum of (value − mean)² / (n − 1))");
     if (std::isfinite(deviation))
@@ -159,9 +157,9 @@ QVariantList Explanations::ofTrend(int lane) const
     Explanation ends;
     ends.title = tr("Minimum and maximum");
     ends.value = tr("%1 … %2", "lowest, highest")
-                     .arg(format.number(found.value(u"low"_s).toDouble(), decimals),
-                          format.number(found.value(u"high"_s).toDouble(), decimals));
-    ends.unit = unit;
+                     .arg(format.amount(found.value(u"low"_s).toDouble(), decimals, unit),
+                          format.amount(found.value(u"high"_s).toDouble(), decimals, unit));
+    ends.unit = Units::of(unit).unit;
     ends.meaning = tr("Minimum and maximum are single values. The curve shows the mean of each column, the "
                       "pale band its minimum and maximum.");
     ends.formula = tr("minimum … maximum of the n values");
@@ -196,11 +194,11 @@ QVariantList Explanations::ofTrendCursor(int lane, const QList<double>& values) 
                                                     : tr("%1 s").arg(columnMs / msPerSecond);
     Explanation explanation;
     explanation.title = tr("Mean at the cursor");
-    explanation.value = format.number(values[1], decimals);
-    explanation.unit = trendUnit(quantity);
+    explanation.setMeasure(values[1], decimals, decimals, trendUnit(quantity));
     explanation.meaning =
         tr("One column of the curves covers %1. At the cursor the minimum was %2, the maximum %3.")
-            .arg(width, format.number(values[0], decimals), format.number(values[2], decimals));
+            .arg(width, format.amount(values[0], decimals, trendUnit(quantity)),
+                 format.amount(values[2], decimals, trendUnit(quantity)));
     explanation.formula = tr("sum of the column's values / number of values");
     return {QVariant::fromValue(explanation)};
 }
@@ -213,7 +211,7 @@ QString Explanations::trendUnit(int quantity)
     case Trends::Latency:
         return tr("ms");
     default:
-        return tr("mm");
+        return u"mm"_s;
     }
 }
 

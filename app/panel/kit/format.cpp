@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/panel/kit/format.h"
 
+#include "app/panel/kit/units.h"
+
 #include <cmath>
 
 namespace campanel::panel {
@@ -53,6 +55,56 @@ QString Format::compact(double value, int minimumDecimals, int maximumDecimals) 
     if (text.endsWith(m_locale.decimalPoint()))
         text.chop(m_locale.decimalPoint().size());
     return text;
+}
+
+QString Format::amount(double value, int decimals, const QString& unit) const
+{
+    const ShownUnit shown = Units::of(unit);
+    return number(value * shown.factor, shown.decimals(decimals));
+}
+
+QString Format::compactAmount(double value, int minimumDecimals, int maximumDecimals,
+                              const QString& unit) const
+{
+    const ShownUnit shown = Units::of(unit);
+    return compact(value * shown.factor, minimumDecimals, shown.decimals(maximumDecimals));
+}
+
+QString Format::measure(double value, int decimals, const QString& unit, std::optional<double> beside) const
+{
+    const ShownUnit shown = Units::of(unit);
+    const int usual = shown.decimals(decimals);
+    const double number = value * shown.factor;
+    return joined(grouped(number, beside ? decimalsToTell(number, *beside * shown.factor, usual) : usual),
+                  shown.unit);
+}
+
+QString Format::compactMeasure(double value, int minimumDecimals, int maximumDecimals, const QString& unit,
+                               std::optional<double> beside) const
+{
+    const ShownUnit shown = Units::of(unit);
+    const int usual = shown.decimals(maximumDecimals);
+    const double number = value * shown.factor;
+    return joined(compact(number, minimumDecimals,
+                          beside ? decimalsToTell(number, *beside * shown.factor, usual) : usual),
+                  shown.unit);
+}
+
+QString Format::joined(const QString& number, const QString& unit)
+{
+    if (unit.isEmpty() || number == unknownText())
+        return number;
+    if (unit == u"°")
+        return number + unit;
+    return unbroken(number + u' ' + unit);
+}
+
+QString Format::unbroken(QString text)
+{
+    constexpr QChar wordJoiner(0x2060);
+    return Units::isOnScreen()
+               ? text.replace(u' ', QChar(QChar::Nbsp)).replace(u'/', QString(u'/') + wordJoiner)
+               : text;
 }
 
 int Format::decimalsToTell(double first, double second, int decimals)

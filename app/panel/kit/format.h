@@ -7,6 +7,8 @@
 #include <QLocale>
 #include <QString>
 
+#include <optional>
+
 namespace campanel::panel {
 
 class Format {
@@ -20,6 +22,21 @@ public:
     [[nodiscard]] QString grouped(double value, int decimals) const;
     // Formats with between the two numbers of decimals, without superfluous zeros: 2.50, 1.6667.
     [[nodiscard]] QString compact(double value, int minimumDecimals, int maximumDecimals) const;
+    // Formats a metric value in the units that the panel shows, without and with the unit: "180.0 mm",
+    // "7.0866 in". `beside` is the other number of the sentence, see decimalsToTell(). With groups as
+    // grouped().
+    [[nodiscard]] QString amount(double value, int decimals, const QString& unit) const;
+    [[nodiscard]] QString compactAmount(double value, int minimumDecimals, int maximumDecimals,
+                                        const QString& unit) const;
+    [[nodiscard]] QString measure(double value, int decimals, const QString& unit,
+                                  std::optional<double> beside = {}) const;
+    [[nodiscard]] QString compactMeasure(double value, int minimumDecimals, int maximumDecimals,
+                                         const QString& unit, std::optional<double> beside = {}) const;
+    // Joins a number and its unit, which no line break divides. An unknown number has no unit.
+    [[nodiscard]] static QString joined(const QString& number, const QString& unit);
+    // Returns the text as one that no line of the screen breaks: "2 h 47 min".
+    [[nodiscard]] static QString unbroken(QString text);
+
     // Returns how many decimals, at least `decimals`, two numbers of one sentence need: different ones read
     // differently, and none reads as zero that is not.
     [[nodiscard]] static int decimalsToTell(double first, double second, int decimals);

@@ -2,31 +2,49 @@
 #include "app/panel/kit/value.h"
 
 #include "app/panel/kit/format.h"
+#include "app/panel/kit/language_notifier.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace campanel::panel {
+
+Value::Value(QObject* parent)
+    : QObject(parent)
+{
+    LanguageNotifier::follow(this);
+}
 
 QString Value::check(double value) const
 {
     if (!std::isfinite(value))
         return tr("Enter a number.");
-    const double halfStep = std::pow(10.0, -m_view.decimals) / 2;
+    const double halfStep = std::pow(10.0, -decimals()) / 2;
     const auto limit = [this](double number) {
-        const QString text = Format().compact(number, 0, m_view.decimals);
-        return m_view.unit.isEmpty() ? text : text + QLatin1Char(' ') + m_view.unit;
+        return Format::joined(Format().compact(number, 0, decimals()), unit());
     };
-    if (value < m_view.minimum - halfStep)
-        return tr("The minimum is %1.").arg(limit(m_view.minimum));
-    if (value > m_view.maximum + halfStep)
-        return tr("The maximum is %1.").arg(limit(m_view.maximum));
+    if (value < minimum() - halfStep)
+        return tr("The minimum is %1.").arg(limit(minimum()));
+    if (value > maximum() + halfStep)
+        return tr("The maximum is %1.").arg(limit(maximum()));
     return {};
 }
 
 void Value::set(double value)
 {
-    if (check(value).isEmpty())
+    if (!check(value).isEmpty())
+        return;
+    if (!shown().isConverted())
         emit setRequested(value);
+    else
+        emit setRequested(std::clamp(Units::typed(value, m_view.unit, m_view.decimals, m_view.value),
+                                     m_view.minimum, m_view.maximum));
+}
+
+bool Value::isInRange(double metric) const
+{
+    const double halfStep = std::pow(10.0, -m_view.decimals) / 2;
+    return metric >= m_view.minimum - halfStep && metric <= m_view.maximum + halfStep;
 }
 
 bool Value::show(const ValueView& view)

@@ -4,21 +4,27 @@
 #pragma once
 
 #include "app/panel/kit/access_check.h"
+#include "app/panel/kit/units.h"
 
 #include <QObject>
 #include <QString>
 #include <QtQml/qqmlregistration.h>
 
+#include <limits>
+
 namespace campanel::panel {
 
+// In the metric unit; the keypad shows and takes the number in the units of the setting (Units).
 struct ValueView {
     QString label;
     QString unit;
-    QString text; // the value in localized digits, "--" when unknown
+    QString text; // the value as it is shown, in localized digits, "--" when unknown
     double minimum = 0;
     double maximum = 0;
     double defaultValue = 0;
     int decimals = 0;
+    double value = std::numeric_limits<double>::quiet_NaN();
+    bool isRaw = false; // a register: never converted
 
     bool operator==(const ValueView&) const = default;
 };
@@ -39,29 +45,37 @@ class Value : public QObject {
     Q_PROPERTY(int neededLevel READ neededLevel CONSTANT FINAL)
 
 public:
-    using QObject::QObject;
+    explicit Value(QObject* parent = nullptr);
 
     [[nodiscard]] QString label() const { return m_view.label; }
-    [[nodiscard]] QString unit() const { return m_view.unit; }
+    [[nodiscard]] QString unit() const { return shown().unit; }
     [[nodiscard]] QString text() const { return m_view.text; }
-    [[nodiscard]] double minimum() const { return m_view.minimum; }
-    [[nodiscard]] double maximum() const { return m_view.maximum; }
-    [[nodiscard]] double defaultValue() const { return m_view.defaultValue; }
-    [[nodiscard]] int decimals() const { return m_view.decimals; }
+    [[nodiscard]] double minimum() const { return m_view.minimum * shown().factor; }
+    [[nodiscard]] double maximum() const { return m_view.maximum * shown().factor; }
+    [[nodiscard]] double defaultValue() const { return m_view.defaultValue * shown().factor; }
+    [[nodiscard]] int decimals() const { return shown().decimals(m_view.decimals); }
+    [[nodiscard]] double value() const { return m_view.value; } // metric
     [[nodiscard]] int neededLevel() const { return static_cast<int>(m_neededLevel); }
     void setNeededLevel(Level level) { m_neededLevel = level; }
 
-    // Returns an empty text when the value may be entered, else a sentence with the limit.
+    // Returns an empty text when the value may be entered, else a sentence with the limit. A value is one as
+    // it is typed, in the shown unit; setRequested() has the metric one.
     Q_INVOKABLE QString check(double value) const;
     // Requests the value. Values refused by check() change nothing.
     Q_INVOKABLE void set(double value);
+
+    [[nodiscard]] bool isInRange(double metric) const;
+    [[nodiscard]] ShownUnit shown() const
+    {
+        return m_view.isRaw ? ShownUnit{m_view.unit} : Units::of(m_view.unit);
+    }
 
     // Returns true when the view has changed.
     bool show(const ValueView& view);
 
 signals:
     void changed();
-    void setRequested(double value);
+    void setRequested(double metric);
 
 private:
     ValueView m_view;

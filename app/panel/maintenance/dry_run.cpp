@@ -172,10 +172,11 @@ void DryRun::update()
         if (cutter())
             addCutterRows(rows);
         else
-            rows << FigureRow{tr("Position"), tr("%1 mm").arg(format.number(at.positionMm, 2)), false}
-                 << FigureRow{tr("Speed"), tr("%1 mm/s").arg(format.number(at.velocityMmPerS, 1)), false};
+            rows << FigureRow{tr("Position"), format.measure(at.positionMm, 2, QStringLiteral("mm")), false}
+                 << FigureRow{tr("Speed"), format.measure(at.velocityMmPerS, 1, QStringLiteral("mm/s")),
+                              false};
         rows << FigureRow{tr("Acceleration"),
-                          tr("%1 m/s²").arg(format.number(at.accelerationMmPerS2 / 1000, 2)), false}
+                          format.measure(at.accelerationMmPerS2 / 1000, 2, QStringLiteral("m/s²")), false}
              << FigureRow{tr("Pulse frequency"),
                           tr("%1 kHz").arg(format.number(at.velocityMmPerS * solved.pulsesPerMm / 1000, 2)),
                           false};
@@ -190,8 +191,8 @@ void DryRun::addCutterRows(QList<FigureRow>& rows) const
     const profile::RotaryCutter& cutter = *solution()->cutter();
     const double knifeMmPerS = cutter.motion.at(timeS()).velocityMmPerS;
     const double filmMmPerS = cutter.cycle.bagLengthMm / cutter.cycle.cycleTimeS;
-    rows << FigureRow{tr("Knife speed"), tr("%1 mm/s").arg(format.number(knifeMmPerS, 1)), false}
-         << FigureRow{tr("Film speed"), tr("%1 mm/s").arg(format.number(filmMmPerS, 1)), false}
+    rows << FigureRow{tr("Knife speed"), format.measure(knifeMmPerS, 1, QStringLiteral("mm/s")), false}
+         << FigureRow{tr("Film speed"), format.measure(filmMmPerS, 1, QStringLiteral("mm/s")), false}
          << FigureRow{tr("Knife speed / film speed"),
                       tr("%1 %").arg(format.number(100 * knifeMmPerS / filmMmPerS, 1)), false}
          << FigureRow{tr("Sync window"), synchronous() ? tr("yes") : tr("no"), false};

@@ -127,7 +127,7 @@ void IoList::addLine(QList<Row>& rows)
                 tr("%1 products placed").arg(format.grouped(products, 0)),
                 lampOf(std::exchange(m_products, products) < products)}
          << Row{Side::Input, tr("Encoder of the film"),
-                tr("%1 mm").arg(format.grouped(line.filmTravelMm(), 1)), Lamp::None};
+                format.measure(line.filmTravelMm(), 1, QStringLiteral("mm")), Lamp::None};
     const auto gate = [](modbus::GateState state) {
         return modbus::findValue(state) ? ControllerSentences::text(state) : Format::unknownText();
     };
@@ -136,7 +136,7 @@ void IoList::addLine(QList<Row>& rows)
          << Row{Side::Output, tr("Knife synchronous with film"), gate(packer.knifeGate),
                 lampOf(packer.knifeGate == modbus::GateState::Running)}
          << Row{Side::Output, tr("Film, sent minus encoder"),
-                tr("%1 mm").arg(format.number(packer.filmFollowingErrorMm, 2)), Lamp::None};
+                format.measure(packer.filmFollowingErrorMm, 2, QStringLiteral("mm")), Lamp::None};
 }
 
 // Adds what this machine has of the pins. The row of a sensor may be there with its count.
@@ -183,9 +183,9 @@ void IoList::addDrives(QList<Row>& rows, const modbus::IoStatus& pins) const
             tr("%1 %", "percent").arg(format.number(*pins.torquePercent, 1)));
     if (m_pins.infeedTravelMm() && pins.infeedFollowingErrorMm) {
         add(Side::Input, tr("Encoder of the infeed"),
-            tr("%1 mm").arg(format.grouped(*m_pins.infeedTravelMm(), 1)));
+            format.measure(*m_pins.infeedTravelMm(), 1, QStringLiteral("mm")));
         add(Side::Output, tr("Infeed, sent minus encoder"),
-            tr("%1 mm").arg(format.number(*pins.infeedFollowingErrorMm, 2)));
+            format.measure(*pins.infeedFollowingErrorMm, 2, QStringLiteral("mm")));
     }
 }
 

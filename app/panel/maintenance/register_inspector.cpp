@@ -136,8 +136,7 @@ QString RegisterInspector::selectedName() const
 
 QString RegisterInspector::number(double value) const
 {
-    const QString text = Format().number(value, m_value.decimals());
-    return m_value.unit().isEmpty() ? text : text + u' ' + m_value.unit();
+    return Format::joined(Format().number(value, m_value.decimals()), m_value.unit());
 }
 
 QString RegisterInspector::selectedText() const
@@ -173,9 +172,10 @@ void RegisterInspector::updateSelected()
         const auto value = m_registers.valueAt(m_selected);
         // A state has no physical value: the keypad displays its number.
         const double number = value ? value->physical.value_or(static_cast<double>(value->raw)) : unknown;
-        m_value.show(
-            {row()->name, QString::fromUtf8(info.unit.data(), static_cast<qsizetype>(info.unit.size())),
-             Format().number(number, decimals), info.minimum, info.maximum, info.defaultValue, decimals});
+        m_value.show({row()->name,
+                      QString::fromUtf8(info.unit.data(), static_cast<qsizetype>(info.unit.size())),
+                      Format().number(number, decimals), info.minimum, info.maximum, info.defaultValue,
+                      decimals, number, true});
     }
     emit selectionChanged();
 }

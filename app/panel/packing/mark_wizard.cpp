@@ -30,7 +30,7 @@ constexpr double umPerMm = 1000.0;
 
 QString millimeters(double value, int decimals)
 {
-    return Format().number(value, decimals) + QStringLiteral(" mm");
+    return Format().measure(value, decimals, QStringLiteral("mm"));
 }
 
 } // namespace
@@ -210,8 +210,7 @@ void MarkWizard::updateMeasurement()
 
 void MarkWizard::addMeasurement(double behindMm)
 {
-    if (m_step != Step::Measure || m_measuredMm.size() >= maxMeasured ||
-        !m_measurement.check(behindMm).isEmpty())
+    if (m_step != Step::Measure || m_measuredMm.size() >= maxMeasured || !m_measurement.isInRange(behindMm))
         return;
     m_measuredMm << behindMm;
     m_isSameBag = false;

@@ -143,9 +143,10 @@ QString PackingFields::note(const Field& field) const
         return tr("%1 · too few bags for a suggestion, still needed: %2")
             .arg(range(field), QString::number(GainEstimate::minBags - m_bags));
     const Format format;
-    return tr("%1 · margin ±%5: film slip %2 mm per bag, sensor std dev %3 mm (%4 bags)")
-        .arg(range(field), format.number(m_gains->slipMm, 3), format.number(m_gains->sensorMm, 3),
-             QString::number(m_bags), format.number(m_gains->margin, 2));
+    return tr("%1 · margin ±%5: film slip %2 per bag, sensor std dev %3 (%4 bags)")
+        .arg(range(field), format.measure(m_gains->slipMm, 3, QStringLiteral("mm")),
+             format.measure(m_gains->sensorMm, 3, QStringLiteral("mm")), QString::number(m_bags),
+             format.number(m_gains->margin, 2));
 }
 
 } // namespace campanel::panel

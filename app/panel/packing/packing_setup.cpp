@@ -140,14 +140,14 @@ QString PackingSetup::teachText() const
                    : tr("Start the machine: marks are measured while the film runs, with mark tracking on or "
                         "off.");
     const Format format;
-    const QString pitch = format.number(packing.teachPitchMm(), 2);
-    const QString scatter = format.number(packing.teachScatterMm(), 2);
-    const QString bag = format.compact(m_controller.active().bagLengthMm, 0, 2);
+    const QString pitch = format.measure(packing.teachPitchMm(), 2, QStringLiteral("mm"));
+    const QString scatter = format.measure(packing.teachScatterMm(), 2, QStringLiteral("mm"));
+    const QString bag = format.compactMeasure(m_controller.active().bagLengthMm, 0, 2, QStringLiteral("mm"));
     if (misfit())
-        return tr("The mark distance is %1 mm (± %2 mm), the recipe cuts %3 mm. The difference exceeds the "
+        return tr("The mark distance is %1 (± %2), the recipe cuts %3. The difference exceeds the "
                   "length limit: this film does not match this recipe.")
             .arg(pitch, scatter, bag);
-    return tr("The mark distance is %1 mm (± %2 mm), the recipe cuts %3 mm.").arg(pitch, scatter, bag);
+    return tr("The mark distance is %1 (± %2), the recipe cuts %3.").arg(pitch, scatter, bag);
 }
 
 } // namespace campanel::panel

@@ -51,7 +51,7 @@ QString RecipeComparison::codeText(const std::string& code)
 QString RecipeComparison::advanceText(const Recipe& recipe)
 {
     const double mm = program::confirmedAdvanceMm(recipe.program);
-    return mm == 0 ? tr("none") : tr("%1 mm per cycle").arg(CamSentences::signedMm(mm));
+    return mm == 0 ? tr("none") : tr("%1 per cycle").arg(CamSentences::signedMm(mm));
 }
 
 QList<DifferenceRow> RecipeComparison::rows(const Recipe& before, const Recipe& after)

@@ -5,6 +5,7 @@
 #include "app/panel/controller/controller.h"
 #include "app/panel/editor/editor.h"
 #include "app/panel/kit/format.h"
+#include "app/panel/kit/units.h"
 #include "app/panel/words/recipe_words.h"
 
 #include <QCoreApplication>
@@ -24,8 +25,7 @@ void addFields(Rows& rows, const QVariantList& fields)
     for (const QVariant& each : fields) {
         const auto* field = each.value<EditorField*>();
         if (field->visible())
-            rows.append({field->label(),
-                         field->unit().isEmpty() ? field->text() : field->text() + u' ' + field->unit()});
+            rows.append({field->label(), Format::joined(field->text(), field->unit())});
     }
 }
 
@@ -124,7 +124,7 @@ ReportSection Commissioning::bagSection() const
     const Format format;
     const auto add = [&](const QString& name, double value, int decimals, const QString& unit) {
         if (!std::isnan(value))
-            section.rows.append({name, format.number(value, decimals) + u' ' + unit});
+            section.rows.append({name, format.measure(value, decimals, unit)});
     };
     const int bags = m_controller.bags().counted;
     if (bags == 0) {
@@ -135,8 +135,9 @@ ReportSection Commissioning::bagSection() const
     add(tr("Mean length"), m_controller.bags().meanMm, 2, u"mm"_s);
     add(tr("Mean deviation"), m_controller.bags().meanDeviationMm, 3, u"mm"_s);
     add(tr("Standard deviation"), m_controller.bags().scatterMm, 3, u"mm"_s);
-    section.rows.append({tr("Within ±%1 mm").arg(format.compact(m_controller.bags().toleranceMm, 0, 2)),
-                         tr("%1 of %2").arg(m_controller.bags().within).arg(bags)});
+    section.rows.append(
+        {tr("Within ±%1").arg(format.compactMeasure(m_controller.bags().toleranceMm, 0, 2, u"mm"_s)),
+         tr("%1 of %2").arg(m_controller.bags().within).arg(bags)});
     return section;
 }
 
@@ -158,7 +159,11 @@ ReportData Commissioning::data() const
     made.curvesTitle = tr("Curves of one cycle");
     made.curves = m_editor.plot().curves;
     made.quantities = QStringList{u"velocity"_s, u"acceleration"_s, u"frequency"_s};
-    made.titles = QStringList{tr("Velocity, mm/s"), tr("Acceleration, m/s²"), tr("Pulse frequency, kHz")};
+    const ShownUnit velocity = Units::of(u"mm/s"_s);
+    const ShownUnit acceleration = Units::of(u"m/s²"_s);
+    made.titles = QStringList{tr("Velocity, %1").arg(velocity.unit),
+                              tr("Acceleration, %1").arg(acceleration.unit), tr("Pulse frequency, kHz")};
+    made.factors = {velocity.factor, acceleration.factor, 1};
     made.markerTimes = m_editor.plot().markTimes;
     made.violations = m_editor.plot().violations;
     made.limitVelocity = m_editor.plot().limitVelocity;

@@ -50,6 +50,7 @@ struct ReportData {
     QVariant curves;
     QStringList quantities;
     QStringList titles;
+    QList<double> factors;
     QList<double> markerTimes;
     QList<QPointF> violations;
     double limitVelocity = 0;

@@ -2,6 +2,7 @@
 #include "app/panel/settings/setting_field.h"
 
 #include "app/panel/kit/format.h"
+#include "app/panel/kit/units.h"
 #include "app/panel/settings/settings.h"
 
 #include <algorithm>
@@ -31,9 +32,14 @@ QVariant keyIn(Setting setting, const QString& text)
                                                : QVariant(text);
 }
 
+QString unitOf(Setting setting)
+{
+    return setting->unit ? Settings::tr(setting->unit) : QString();
+}
+
 QString numberText(Setting setting, const QString& text)
 {
-    return isNumber(setting) ? Format().number(text.toDouble(), setting->decimals) : text;
+    return isNumber(setting) ? Format().amount(text.toDouble(), setting->decimals, unitOf(setting)) : text;
 }
 
 // Returns the values among which a person chooses, in their order.
@@ -64,7 +70,7 @@ QString valueText(Setting setting, const QString& text, const QList<Language>& l
         return Settings::tr(word);
     if (setting->form == SettingForm::Truth)
         return text == settingText(true) ? Settings::tr("On") : Settings::tr("Off");
-    const QString number = numberText(setting, text);
+    const QString number = Format::joined(numberText(setting, text), Units::of(unitOf(setting)).unit);
     return setting->shown ? Settings::tr(setting->shown).arg(number) : number;
 }
 
@@ -88,9 +94,9 @@ SettingView viewOf(Setting setting, const QString& text, const SettingValues& st
                    const QList<Language>& languages)
 {
     const char* label = setting->title ? setting->title : setting->label;
-    return {{label ? Settings::tr(label) : QString(), setting->unit ? Settings::tr(setting->unit) : QString(),
-             numberText(setting, text), setting->minimum, setting->maximum, standard.number(setting),
-             setting->decimals},
+    return {{label ? Settings::tr(label) : QString(), unitOf(setting), numberText(setting, text),
+             setting->minimum, setting->maximum, standard.number(setting), setting->decimals,
+             isNumber(setting) ? text.toDouble() : std::numeric_limits<double>::quiet_NaN()},
             keyIn(setting, text),
             valueText(setting, text, languages),
             choicesWithTexts(setting, languages)};

@@ -52,8 +52,8 @@ struct SettingRow {
     const char* title = nullptr;    // on the page; nullptr: the label
     // The texts of the choices in their order, or that of a number's 0; without: On and Off, or the value.
     std::array<SettingWord, 3> words = {};
-    const char* shown = nullptr; // a number on the page: "%1 min"
-    const char* unit = nullptr;  // of a number that is entered
+    const char* shown = nullptr; // a number on the page, with its unit: "±%1"; one without a unit: "%1 min"
+    const char* unit = nullptr;  // of a number that is entered, metric
     int decimals = 0;            // of a number
 };
 
@@ -111,6 +111,19 @@ inline constexpr std::array settingTable{
                .help = "Language: en, or that of a file in a folder of languages, see campanel(1). Without "
                        "this key: the "
                        "language of the system, or English."},
+    SettingRow{
+        .name = "display.units",
+        .key = "units",
+        .form = SettingForm::Word,
+        .choices = "metric inch",
+        .standard = "metric",
+        .label = QT_TRANSLATE_NOOP("campanel::panel::Settings", "Units"),
+        .help = "Units on the screen and in reports: metric (mm) or inch (in, in/s, ft). Recipes, "
+                "registers, files, campanelctl and gateway stay metric.",
+        .words = {{{QT_TRANSLATE_NOOP("campanel::panel::Settings", "Metric"),
+                    QT_TRANSLATE_NOOP("campanel::panel::Settings", "mm, mm/s, m/s²")},
+                   {QT_TRANSLATE_NOOP("campanel::panel::Settings", "Inch"),
+                    QT_TRANSLATE_NOOP("campanel::panel::Settings", "in, in/s, ft; files stay metric")}}}},
     SettingRow{.name = "display.theme",
                .key = "theme",
                .form = SettingForm::Word,
@@ -166,7 +179,7 @@ inline constexpr std::array settingTable{
                .label = QT_TRANSLATE_NOOP("campanel::panel::Settings", "bag tolerance, mm"),
                .help = "Largest deviation of a bag's length that is shown as good, in mm.",
                .title = QT_TRANSLATE_NOOP("campanel::panel::Settings", "Bag tolerance"),
-               .shown = QT_TRANSLATE_NOOP("campanel::panel::Settings", "±%1 mm"),
+               .shown = QT_TRANSLATE_NOOP("campanel::panel::Settings", "±%1"),
                .unit = "mm",
                .decimals = 2},
     SettingRow{.name = "access.auto_logout_minutes",
@@ -230,7 +243,6 @@ inline constexpr std::array settingTable{
                .label = QT_TRANSLATE_NOOP("campanel::panel::Settings", "time between scanned keys, ms"),
                .help = "Longest time between two keys of a code, in ms.",
                .title = QT_TRANSLATE_NOOP("campanel::panel::Settings", "Time between keys"),
-               .shown = QT_TRANSLATE_NOOP("campanel::panel::Settings", "%1 ms"),
                .unit = "ms"},
     SettingRow{.name = "stops.ask_after_seconds",
                .key = "stops/ask_after_seconds",
@@ -243,7 +255,6 @@ inline constexpr std::array settingTable{
                    QT_TRANSLATE_NOOP("campanel::panel::Settings", "seconds of a stop until its question"),
                .help = "Seconds that the machine stands until the Run page asks for the reason.",
                .title = QT_TRANSLATE_NOOP("campanel::panel::Settings", "Question after"),
-               .shown = QT_TRANSLATE_NOOP("campanel::panel::Settings", "%1 s"),
                .unit = QT_TRANSLATE_NOOP("campanel::panel::Settings", "s")},
     SettingRow{.name = "stops.ideal_rate",
                .key = "stops/ideal_rate",
@@ -257,7 +268,6 @@ inline constexpr std::array settingTable{
                        "rate of the recipe.",
                .title = QT_TRANSLATE_NOOP("campanel::panel::Settings", "Ideal rate"),
                .words = {{{QT_TRANSLATE_NOOP("campanel::panel::Settings", "by recipe")}}},
-               .shown = QT_TRANSLATE_NOOP("campanel::panel::Settings", "%1 pieces/min"),
                .unit = QT_TRANSLATE_NOOP("campanel::panel::Settings", "pieces/min"),
                .decimals = 1},
     SettingRow{.name = "stops.shift_starts",

@@ -83,6 +83,7 @@ Settings::Settings(const QString& storage, QObject* parent, const SettingValues&
     load();
     m_draft = connection();
     QLocale::setDefault(QLocale(language()));
+    Units::setInch(isInch());
     LanguageNotifier::follow(this, &Settings::updateFields);
     connect(this, &Settings::changed, this, &Settings::updateFields);
     connect(this, &Settings::connectionChanged, this, &Settings::updateFields);
@@ -221,10 +222,12 @@ void Settings::set(Setting setting, const QString& text)
 
 void Settings::overrideValue(Setting setting, const QString& text)
 {
-    const QString before = language();
+    const auto locale = [this] { return language() + m_values.text("display.units"); };
+    const QString before = locale();
     m_values.set(setting, text);
-    if (language() != before) {
+    if (locale() != before) {
         QLocale::setDefault(QLocale(language()));
+        Units::setInch(isInch());
         emit languageChanged();
     }
     emit changed();

@@ -46,6 +46,8 @@ class Settings : public QObject, public Singleton<Settings> {
     Q_PROPERTY(campanel::panel::RowModelBase* ports READ ports CONSTANT FINAL)
     // True on a new panel: language, controller, PINs, machine and a first recipe must be set.
     Q_PROPERTY(bool firstStart READ firstStart NOTIFY firstStartChanged FINAL)
+    // The units that the screen shows instead of metric ones, see Units::rows().
+    Q_PROPERTY(QVariantMap units READ units NOTIFY languageChanged FINAL)
     // The notice about damaged settings; empty: none.
     Q_PROPERTY(QString notice READ notice NOTIFY textsChanged FINAL)
 
@@ -81,6 +83,8 @@ public:
     // Returns the setting with that name of the table, for QML.
     [[nodiscard]] Q_INVOKABLE campanel::panel::SettingField* setting(const QString& name);
     [[nodiscard]] QString language() const { return m_values.text("display.language"); }
+    [[nodiscard]] bool isInch() const { return m_values.text("display.units") == u"inch"; }
+    [[nodiscard]] QVariantMap units() const { return Units::rows(isInch()); }
     [[nodiscard]] const QList<Language>& installedLanguages() const { return m_languages; }
     [[nodiscard]] double bagToleranceMm() const { return m_values.number("bags.tolerance_mm"); }
 
@@ -123,8 +127,8 @@ public:
     void overrideConnection(const ConnectionChoice& choice);
 
 signals:
-    void changed(); // a value without a signal of its own
-    void languageChanged();
+    void changed();         // a value without a signal of its own
+    void languageChanged(); // the language or the units
     void textsChanged();
     void connectionChanged();
     void connectionApplied();

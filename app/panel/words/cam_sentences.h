@@ -12,7 +12,7 @@ class CamSentences {
     Q_DECLARE_TR_FUNCTIONS(CamSentences)
 
 public:
-    // Returns the advance with its sign: "+0.5".
+    // Returns the advance with its sign: "+0.5 mm".
     [[nodiscard]] static QString signedMm(double mm);
     [[nodiscard]] static QString advance(double mm);
     // Returns what happens to an axis whose advance nobody has confirmed.

@@ -96,19 +96,21 @@ QString ControllerSentences::changePrice(const program::ChangePrice& price)
                               .arg(scrapRange(price), format.number(price.maxSeconds, 1));
     if (price.maxSkipped == 0)
         return scrap;
-    return tr("%1 Skipped cuts: up to %2, a bag of up to %3 mm.", "%1: whole sentence")
-        .arg(scrap, QString::number(price.maxSkipped), format.number(price.longestBagMm, 0));
+    return tr("%1 Skipped cuts: up to %2, a bag of up to %3.", "%1: whole sentence")
+        .arg(scrap, QString::number(price.maxSkipped),
+             format.measure(price.longestBagMm, 0, QStringLiteral("mm")));
 }
 
 QString ControllerSentences::changeUnderWay(const program::ChangePrice& price, double bagLengthMm)
 {
     const Format format;
-    const QString length = format.compact(bagLengthMm, 0, 1);
+    const QString length = format.compactMeasure(bagLengthMm, 0, 1, QStringLiteral("mm"));
     const QString seconds = format.number(price.maxSeconds, 0);
     return price.maxSkipped == 0
-               ? tr("Changing to %1 mm: scrap %2, up to %3 s").arg(length, scrapRange(price), seconds)
-               : tr("Changing to %1 mm: scrap %2, a bag of up to %4 mm, up to %3 s")
-                     .arg(length, scrapRange(price), seconds, format.number(price.longestBagMm, 0));
+               ? tr("Changing to %1: scrap %2, up to %3 s").arg(length, scrapRange(price), seconds)
+               : tr("Changing to %1: scrap %2, a bag of up to %4, up to %3 s")
+                     .arg(length, scrapRange(price), seconds,
+                          format.measure(price.longestBagMm, 0, QStringLiteral("mm")));
 }
 
 QString ControllerSentences::transferResult(const modbus::TransferAnswer& answer)

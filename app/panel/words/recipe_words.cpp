@@ -18,9 +18,10 @@ QString RecipeWords::valueText(Field field, double value)
 {
     if (value == 0 && profile::info(field).isUnknownAtZero)
         return Format::unknownText();
-    const int decimals = profile::info(field).decimals;
+    const profile::FieldInfo& info = profile::info(field);
     const Format format;
-    return decimals > 2 ? format.compact(value, 2, decimals) : format.number(value, decimals);
+    return info.decimals > 2 ? format.compactAmount(value, 2, info.decimals, unit(info.unit))
+                             : format.amount(value, info.decimals, unit(info.unit));
 }
 
 QString RecipeWords::unit(std::string_view unit)

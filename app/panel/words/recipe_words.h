@@ -21,9 +21,10 @@ public:
     {
         return inWords(profile::info(field).name);
     }
-    // Returns the value with the field's decimals and without its unit; ratios without superfluous zeros.
+    // Returns the value as it is shown, with the field's decimals and without its unit; ratios without
+    // superfluous zeros.
     [[nodiscard]] static QString valueText(profile::Field field, double value);
-    [[nodiscard]] static QString unit(std::string_view unit); // "mm/s^2" -> "mm/s²"
+    [[nodiscard]] static QString unit(std::string_view unit); // the metric one, "mm/s^2" -> "mm/s²"
     // Returns an empty text for an unknown law.
     [[nodiscard]] static QString lawName(profile::LawId law);
     [[nodiscard]] static QString lawParameterName(std::string_view parameterId);

@@ -19,9 +19,7 @@ QString quantityText(profile::Field field, double value, double beside)
     if (field != profile::Field::MaxKnifeAcceleration && field != profile::Field::MaxAcceleration)
         return RefusalSentences::valueWithUnit(field, value, beside);
     constexpr double mmPerM = 1000;
-    const int decimals = Format::decimalsToTell(value / mmPerM, beside / mmPerM, 2);
-    return RefusalSentences::tr("%1 %2", "%1: number, %2: unit")
-        .arg(Format().grouped(value / mmPerM, decimals), QStringLiteral("m/s²"));
+    return Format().measure(value / mmPerM, 2, QStringLiteral("m/s²"), beside / mmPerM);
 }
 
 } // namespace
@@ -29,14 +27,7 @@ QString quantityText(profile::Field field, double value, double beside)
 QString RefusalSentences::valueWithUnit(profile::Field field, double value, std::optional<double> beside)
 {
     const profile::FieldInfo& info = profile::info(field);
-    const QString number = Format().grouped(
-        value, beside ? Format::decimalsToTell(value, *beside, info.decimals) : info.decimals);
-    return withUnit(number, info.unit);
-}
-
-QString RefusalSentences::withUnit(const QString& number, std::string_view unit)
-{
-    return unit.empty() ? number : tr("%1 %2", "%1: number, %2: unit").arg(number, RecipeWords::unit(unit));
+    return Format().measure(value, info.decimals, RecipeWords::unit(info.unit), beside);
 }
 
 QString RefusalSentences::suggestion(const profile::Suggestion& suggestion)
@@ -182,8 +173,7 @@ QString RefusalSentences::jaw(const profile::Refusal& refusal)
     const Format format;
     const int decimals = Format::decimalsToTell(refusal.actual, refusal.allowed, 1);
     const auto inUnit = [&](double value) {
-        return tr("%1 %2", "%1: number, %2: unit")
-            .arg(format.compact(value, 0, decimals), RecipeWords::unit(refusal.unit));
+        return format.compactMeasure(value, 0, decimals, RecipeWords::unit(refusal.unit));
     };
     const QString time = format.number(*refusal.timeS, 3);
     const QString angle = format.number(*refusal.angleDeg, 0);
@@ -203,12 +193,9 @@ QString RefusalSentences::knot(const profile::Refusal& refusal)
 {
     const Format format;
     const int number = refusal.index + 1;
-    const int decimals = Format::decimalsToTell(refusal.actual, refusal.allowed, 3);
     const QString unit = RecipeWords::unit(refusal.unit);
-    const QString actual =
-        tr("%1 %2", "%1: number, %2: unit").arg(format.compact(refusal.actual, 0, decimals), unit);
-    const QString allowed =
-        tr("%1 %2", "%1: number, %2: unit").arg(format.compact(refusal.allowed, 0, decimals), unit);
+    const QString actual = format.compactMeasure(refusal.actual, 0, 3, unit, refusal.allowed);
+    const QString allowed = format.compactMeasure(refusal.allowed, 0, 3, unit, refusal.actual);
     switch (refusal.limit) {
     case Limit::KnotCount:
         return tr("The cam has %1 knots; the nearest possible number is %2.")
@@ -242,6 +229,7 @@ QString RefusalSentences::refusal(const profile::Refusal& refusal)
     const Format format;
     const profile::FieldInfo& field = profile::info(refusal.field);
     const QString name = RecipeWords::fieldName(refusal.field);
+    const QString rangeMin = format.amount(field.min, field.decimals, RecipeWords::unit(field.unit));
     const auto decimals = [&refusal](int usual) {
         return Format::decimalsToTell(refusal.actual, refusal.allowed, usual);
     };
@@ -249,12 +237,12 @@ QString RefusalSentences::refusal(const profile::Refusal& refusal)
     case Limit::FieldRange:
         if (!std::isfinite(refusal.actual))
             return tr("%1 has no value. Enter %2 to %3.")
-                .arg(name, format.number(field.min, field.decimals), valueWithUnit(refusal.field, field.max));
+                .arg(name, rangeMin, valueWithUnit(refusal.field, field.max));
         return tr("%1 would be %2; the allowed range is %3 to %4.")
             .arg(name,
                  valueWithUnit(refusal.field, refusal.actual,
                                refusal.actual < field.min ? field.min : field.max),
-                 format.number(field.min, field.decimals), valueWithUnit(refusal.field, field.max));
+                 rangeMin, valueWithUnit(refusal.field, field.max));
     case Limit::PinnedPair:
         return tr("Pin two of bag length, rate, base speed and film speed.");
     case Limit::LawUnknown:
@@ -327,9 +315,10 @@ QString RefusalSentences::refusal(const profile::Refusal& refusal)
     case Limit::SpeedError:
         if (!std::isfinite(refusal.allowed))
             return tr("The motion has too few pulses for intervals. Use more pulses per revolution.");
-        return tr("With whole pulses, a speed error of %1 mm/s is not possible, but %2 mm/s is. Use more "
+        return tr("With whole pulses, a speed error of %1 is not possible, but %2 is. Use more "
                   "pulses per revolution.")
-            .arg(format.compact(refusal.actual, 0, 9), format.compact(refusal.allowed, 0, 9));
+            .arg(format.compactMeasure(refusal.actual, 0, 9, QStringLiteral("mm/s")),
+                 format.compactMeasure(refusal.allowed, 0, 9, QStringLiteral("mm/s")));
     case Limit::RampTooLong:
         return tr("%1 needs a ramp of %2 ms at maximum acceleration; the controller allows %3 ms. Enter a "
                   "lower speed or a higher acceleration.")

@@ -31,7 +31,6 @@ public:
     [[nodiscard]] static QString valueWithUnit(profile::Field field, double value,
                                                std::optional<double> beside = {});
     // Returns "60.0 mm", or the number alone without a unit.
-    [[nodiscard]] static QString withUnit(const QString& number, std::string_view unit);
 
 private:
     [[nodiscard]] static QString limitBroken(const profile::Refusal& refusal);

@@ -41,10 +41,8 @@ QString SegmentSentences::refusal(const profile::Refusal& refusal)
     const int number = refusal.index + 1;
     const QString unit = RecipeWords::unit(refusal.unit);
     const int decimals = Format::decimalsToTell(refusal.actual, refusal.allowed, 4);
-    const QString actual =
-        tr("%1 %2", "%1: number, %2: unit").arg(format.compact(refusal.actual, 0, decimals), unit);
-    const QString allowed =
-        tr("%1 %2", "%1: number, %2: unit").arg(format.compact(refusal.allowed, 0, decimals), unit);
+    const QString actual = format.compactMeasure(refusal.actual, 0, 4, unit, refusal.allowed);
+    const QString allowed = format.compactMeasure(refusal.allowed, 0, 4, unit, refusal.actual);
     switch (refusal.limit) {
     case Limit::SegmentCount:
         return tr("The cam has %1 segments; the nearest possible number is %2.")
@@ -96,14 +94,14 @@ QString SegmentSentences::continuity(const profile::SegmentCamProgram& program)
         const profile::SegmentJoint& joint = joints[i];
         if (joint.isSmooth)
             continue;
-        const QString speed = format.compact(joint.speedMmPerDeg, 0, 4);
-        const QString acceleration = format.compact(joint.accelerationMmPerDeg2, 0, 5);
+        const QString speed = format.compactMeasure(joint.speedMmPerDeg, 0, 4, QStringLiteral("mm/°"));
+        const QString acceleration =
+            format.compactMeasure(joint.accelerationMmPerDeg2, 0, 5, QStringLiteral("mm/°²"));
         if (i > 0)
-            return tr("Where segment %1 begins: speed jumps by %2 mm/°, acceleration by %3 mm/°².")
+            return tr("Where segment %1 begins: speed jumps by %2, acceleration by %3.")
                 .arg(i + 1)
                 .arg(speed, acceleration);
-        return tr("At the end of the cycle: speed jumps by %1 mm/°, acceleration by %2 mm/°².")
-            .arg(speed, acceleration);
+        return tr("At the end of the cycle: speed jumps by %1, acceleration by %2.").arg(speed, acceleration);
     }
     return tr("The segments are continuous.");
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/panel/words/stop_words.h"
 
+#include "app/panel/kit/format.h"
 #include "app/panel/words/alarm_catalogue.h"
 #include "app/panel/words/controller_sentences.h"
 
@@ -79,10 +80,11 @@ QString StopWords::duration(qint64 durationMs)
     const qint64 seconds = durationMs / msPerSecond;
     const qint64 minutes = seconds / secondsPerMinute;
     if (minutes == 0)
-        return tr("%1 s").arg(seconds);
+        return Format::unbroken(tr("%1 s").arg(seconds));
     if (minutes < minutesPerHour)
-        return tr("%1 min").arg(minutes);
-    return tr("%1 h %2 min").arg(minutes / minutesPerHour).arg(minutes % minutesPerHour, 2, 10, QChar(u'0'));
+        return Format::unbroken(tr("%1 min").arg(minutes));
+    return Format::unbroken(
+        tr("%1 h %2 min").arg(minutes / minutesPerHour).arg(minutes % minutesPerHour, 2, 10, QChar(u'0')));
 }
 
 } // namespace campanel::panel

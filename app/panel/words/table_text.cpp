@@ -2,6 +2,7 @@
 #include "app/panel/words/table_text.h"
 
 #include "app/panel/kit/format.h"
+#include "app/panel/kit/units.h"
 #include "app/panel/words/controller_sentences.h"
 #include "app/program/interval_speeds.h"
 #include "profile/cutter/paper_table.h"
@@ -39,7 +40,9 @@ QStringList TableText::columns() const
     case 0:
         return {tr("Row"), tr("Section"), tr("Time s"), tr("Frequency Hz"), tr("Pulses"), tr("Timer ticks")};
     case 1:
-        return {tr("Point"), tr("Master"), tr("Time s"), tr("Position mm"), tr("Pulses"), tr("Slope pulses")};
+        return {tr("Point"),  tr("Master"),
+                tr("Time s"), tr("Position %1").arg(Units::of(QStringLiteral("mm")).unit),
+                tr("Pulses"), tr("Slope pulses")};
     case 2:
         return {tr("Row"),      tr("Motion"), tr("Time s"), tr("Pulses"),
                 tr("Start Hz"), tr("End Hz"), tr("Hz/s")};
@@ -91,7 +94,7 @@ QStringList TableText::cells(std::size_t row, double startS) const
                 tr("%1°").arg(format.number(
                     360 * static_cast<double>(row) / static_cast<double>(cam->rows.size() - 1), 2)),
                 format.number(startS, 4),
-                format.number(pulses / m_image.solved.pulsesPerMm, 3),
+                format.amount(pulses / m_image.solved.pulsesPerMm, 3, QStringLiteral("mm")),
                 format.number(pulses, 2),
                 format.number(point.slope256 / profile::camUnitsPerPulse, 2)};
     }
@@ -143,9 +146,9 @@ QStringList TableText::summaryOf(const profile::StepTable& table) const
                  .arg(QString::number(table.rows.size()), format.compact(table.pulses.asDouble(), 0, 4),
                       format.compact(
                           static_cast<double>(table.cycleTicks) / m_image.solved.machine.timerClockHz, 3, 6));
-    lines << tr("Max. speed error: %1 mm/s (%2 %) at %3 s")
-                 .arg(format.number(errors.speedMmPerS, 2), format.number(errors.speedPercent, 2),
-                      format.number(errors.speedTimeS, 3));
+    lines << tr("Max. speed error: %1 (%2 %) at %3 s")
+                 .arg(format.measure(errors.speedMmPerS, 2, QStringLiteral("mm/s")),
+                      format.number(errors.speedPercent, 2), format.number(errors.speedTimeS, 3));
     lines << tr("Max. frequency step: %1 Hz at %2 s")
                  .arg(format.number(errors.frequencyStepHz, 0), format.number(errors.frequencyStepTimeS, 3));
     lines << tr("Max. position error: %1 pulses between rows, %2 inside")
@@ -153,9 +156,9 @@ QStringList TableText::summaryOf(const profile::StepTable& table) const
     lines << tr("Drift: none; the pulse remainder is carried over to the next cycle");
     const profile::PaperTable paper =
         profile::paperTable(m_image.cutter(), m_image.recipe.cutter().slicesPerRamp);
-    lines << tr("Error of the paper's rounding rule: %1 pulses (%2 mm) per bag")
+    lines << tr("Error of the paper's rounding rule: %1 pulses (%2) per bag")
                  .arg(format.number(std::abs(paper.errorPulses), 0),
-                      format.number(std::abs(paper.errorMm), 2));
+                      format.measure(std::abs(paper.errorMm), 2, QStringLiteral("mm")));
     return lines;
 }
 
@@ -170,11 +173,13 @@ QStringList TableText::summaryOf(const profile::CamTable& table) const
                  .arg(QString::number(table.rows.size()), format.compact(table.advance.asDouble(), 0, 4),
                       format.compact(
                           static_cast<double>(table.cycleTicks) / m_image.solved.machine.timerClockHz, 3, 6));
-    lines << tr("Max. position error between points: %1 pulses (%2 mm) at %3 s")
-                 .arg(format.compact(errors.positionPulses, 2, 5), format.compact(errors.positionMm, 2, 6),
+    lines << tr("Max. position error between points: %1 pulses (%2) at %3 s")
+                 .arg(format.compact(errors.positionPulses, 2, 5),
+                      format.compactMeasure(errors.positionMm, 2, 6, QStringLiteral("mm")),
                       format.number(errors.positionTimeS, 3));
-    lines << tr("Max. speed error: %1 mm/s at %2 s")
-                 .arg(format.compact(errors.speedMmPerS, 2, 5), format.number(errors.speedTimeS, 3));
+    lines << tr("Max. speed error: %1 at %2 s")
+                 .arg(format.compactMeasure(errors.speedMmPerS, 2, 5, QStringLiteral("mm/s")),
+                      format.number(errors.speedTimeS, 3));
     return lines;
 }
 
@@ -185,8 +190,8 @@ QStringList TableText::summaryOf(const profile::IntervalTable& table) const
     lines << tr("%1 intervals, %2 pulses, %3 s instead of %4 s")
                  .arg(QString::number(table.rows.size()), QString::number(table.advance),
                       format.number(table.timeS, 6), format.number(table.profileTimeS, 6));
-    lines << tr("Max. speed error: %1 mm/s at %2 s, position: %3 pulses")
-                 .arg(format.compact(table.errors.speedMmPerS, 2, 4),
+    lines << tr("Max. speed error: %1 at %2 s, position: %3 pulses")
+                 .arg(format.compactMeasure(table.errors.speedMmPerS, 2, 4, QStringLiteral("mm/s")),
                       format.number(table.errors.speedTimeS, 3),
                       format.compact(table.errors.positionPulses, 2, 3));
     return lines;
@@ -194,9 +199,9 @@ QStringList TableText::summaryOf(const profile::IntervalTable& table) const
 
 QStringList TableText::summaryOf(const profile::PressTable& table) const
 {
-    return {tr("%1 stages; the pulse generator counts the last section, %2 mm per pulse")
+    return {tr("%1 stages; the pulse generator counts the last section, %2 per pulse")
                 .arg(table.rows.size())
-                .arg(Format().compact(1 / m_image.solved.pulsesPerMm, 2, 5))};
+                .arg(Format().compactMeasure(1 / m_image.solved.pulsesPerMm, 2, 5, QStringLiteral("mm")))};
 }
 
 } // namespace campanel::panel

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace campanel::plot {
 
@@ -40,7 +41,8 @@ bool AxisScale::fit(double minimum, double maximum, double minimumSpan)
         maximum = middle + half;
     }
     const double slack = overshoot * (maximum - minimum);
-    const QwtScaleDiv fresh = roundScale(minimum + slack, maximum - slack);
+    const QwtScaleDiv fresh =
+        scaled(roundScale((minimum + slack) * m_factor, (maximum - slack) * m_factor), 1 / m_factor);
     const bool visible = !m_division.isEmpty() && minimum + slack >= lower() && maximum - slack <= upper();
     if (visible && fresh.range() >= keepFraction * m_division.range()) {
         return false;
@@ -48,6 +50,27 @@ bool AxisScale::fit(double minimum, double maximum, double minimumSpan)
     const bool changed = !(fresh == m_division);
     m_division = fresh;
     return changed;
+}
+
+void AxisScale::setFactor(double factor)
+{
+    if (std::exchange(m_factor, factor) != factor)
+        reset();
+}
+
+int AxisScale::decimals() const
+{
+    return decimalsOfStep(step() * m_factor);
+}
+
+QwtScaleDiv scaled(const QwtScaleDiv& division, double factor)
+{
+    QwtScaleDiv made(division.lowerBound() * factor, division.upperBound() * factor);
+    QList<double> ticks = division.ticks(QwtScaleDiv::MajorTick);
+    for (double& tick : ticks)
+        tick *= factor;
+    made.setTicks(QwtScaleDiv::MajorTick, ticks);
+    return made;
 }
 
 double AxisScale::step() const

@@ -14,6 +14,12 @@ public:
     // span counts as constant.
     bool fit(double minimum, double maximum, double minimumSpan);
 
+    // The ticks are round numbers of the data times this factor: of the unit that is shown.
+    void setFactor(double factor);
+    [[nodiscard]] double factor() const { return m_factor; }
+    // Returns the decimals of the ticks' numbers.
+    [[nodiscard]] int decimals() const;
+
     // Resets the scale for the next fit().
     void reset() { m_division = QwtScaleDiv(); }
 
@@ -27,7 +33,11 @@ public:
 
 private:
     QwtScaleDiv m_division;
+    double m_factor = 1;
 };
+
+// Returns a division with the same ticks in another unit.
+[[nodiscard]] QwtScaleDiv scaled(const QwtScaleDiv& division, double factor);
 
 // Returns the decimals needed for ticks with this step.
 [[nodiscard]] int decimalsOfStep(double step);

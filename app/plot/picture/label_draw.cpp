@@ -11,14 +11,21 @@ constexpr double labelDistance = 8.0; // px between the canvas and the labels
 
 } // namespace
 
-LabelDraw::LabelDraw(Alignment alignment, const QLocale& locale, int decimals)
+LabelDraw::LabelDraw(Alignment alignment, const QLocale& locale, int decimals, double factor)
     : m_locale(locale)
     , m_decimals(decimals)
+    , m_factor(factor)
 {
     setAlignment(alignment);
     enableComponent(Backbone, false);
     enableComponent(Ticks, false);
     setSpacing(labelDistance);
+}
+
+LabelDraw::LabelDraw(Alignment alignment, const QLocale& locale, const AxisScale& scale)
+    : LabelDraw(alignment, locale, scale.decimals(), scale.factor())
+{
+    setScaleDiv(scale.division());
 }
 
 void LabelDraw::setSpecialLabel(double value, const QString& text)
@@ -35,7 +42,7 @@ QwtText LabelDraw::label(double value) const
         return QwtText(m_specialText, QwtText::PlainText);
     }
     // Qwt's engine sets the tick at zero to exactly zero.
-    return QwtText(localNumber(m_locale, value, value == 0 ? 0 : m_decimals), QwtText::PlainText);
+    return QwtText(localNumber(m_locale, value * m_factor, value == 0 ? 0 : m_decimals), QwtText::PlainText);
 }
 
 QString localNumber(const QLocale& locale, double value, int decimals)

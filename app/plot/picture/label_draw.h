@@ -3,6 +3,8 @@
 // sufficient.
 #pragma once
 
+#include "app/plot/picture/axis_scale.h"
+
 #include <QLocale>
 
 #include <qwt_scale_draw.h>
@@ -11,7 +13,8 @@ namespace campanel::plot {
 
 class LabelDraw : public QwtScaleDraw {
 public:
-    LabelDraw(Alignment alignment, const QLocale& locale, int decimals);
+    LabelDraw(Alignment alignment, const QLocale& locale, int decimals, double factor = 1);
+    LabelDraw(Alignment alignment, const QLocale& locale, const AxisScale& scale);
 
     // Sets the label of the tick at `value` to `text` instead of its number.
     void setSpecialLabel(double value, const QString& text);
@@ -21,6 +24,7 @@ public:
 private:
     QLocale m_locale;
     int m_decimals = 0;
+    double m_factor = 1; // number / value of the tick
     double m_specialValue = 0;
     QString m_specialText;
 };

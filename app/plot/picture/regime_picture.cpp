@@ -55,11 +55,13 @@ void RegimePicture::layOut(const QSizeF& size)
     findBands();
     const auto range = content.map ? content.map->range : profile::LengthRange{0, minimumLengthMm};
     const double fastest = content.map ? content.map->maxRateBagsPerMin : 0;
-    m_lengthDivision = QwtLinearScaleEngine().divideScale(range.fromMm, range.toMm, maxLengthTicks, 0);
+    const double factor = content.lengthFactor;
+    m_lengthDivision = scaled(
+        QwtLinearScaleEngine().divideScale(range.fromMm * factor, range.toMm * factor, maxLengthTicks, 0),
+        1 / factor);
     m_rateScale.fit(0, std::max({minimumRate, headroom * fastest, headroomOfDot * content.shownRate}),
                     minimumRate);
-    LabelDraw rates(QwtScaleDraw::LeftScale, style.locale, decimalsOfStep(m_rateScale.step()));
-    rates.setScaleDiv(m_rateScale.division());
+    LabelDraw rates(QwtScaleDraw::LeftScale, style.locale, m_rateScale);
     const double left =
         std::ceil(std::max(rates.extent(style.font), metrics.horizontalAdvance(content.rateUnit) / 2));
     const double right =
@@ -158,18 +160,18 @@ void RegimePicture::paintAxes(QPainter& painter) const
 
     QPalette palette;
     palette.setColor(QPalette::Text, style.secondaryInk);
-    LabelDraw rates(QwtScaleDraw::LeftScale, style.locale, decimalsOfStep(m_rateScale.step()));
-    rates.setScaleDiv(m_rateScale.division());
+    LabelDraw rates(QwtScaleDraw::LeftScale, style.locale, m_rateScale);
     rates.move(m_canvas.topLeft());
     rates.setLength(m_canvas.height());
     rates.draw(&painter, palette);
 
-    LabelDraw lengths(QwtScaleDraw::BottomScale, style.locale, 0);
+    LabelDraw lengths(QwtScaleDraw::BottomScale, style.locale, 0, content.lengthFactor);
     lengths.setScaleDiv(m_lengthDivision);
     const QList<double> ticks = m_lengthDivision.ticks(QwtScaleDiv::MajorTick);
     if (!ticks.isEmpty())
-        lengths.setSpecialLabel(ticks.last(), localNumber(style.locale, ticks.last(), 0) + QLatin1Char(' ') +
-                                                  content.lengthUnit);
+        lengths.setSpecialLabel(ticks.last(),
+                                localNumber(style.locale, ticks.last() * content.lengthFactor, 0) +
+                                    QLatin1Char(' ') + content.lengthUnit);
     lengths.move(m_canvas.bottomLeft());
     lengths.setLength(m_canvas.width());
     lengths.draw(&painter, palette);

@@ -47,6 +47,7 @@ struct RegimeContent {
     std::shared_ptr<const profile::RegimeMap> map; // null: nothing known
     QStringList limitNames;                        // in the order of map->limits
     QString lengthUnit = QStringLiteral("mm");
+    double lengthFactor = 1; // from mm
     QString rateUnit = QStringLiteral("1/min");
     QString refusedName;                                      // legend of the region without a feasible rate
     QString marksName;                                        // legend of the marks

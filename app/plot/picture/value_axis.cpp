@@ -29,8 +29,7 @@ void ValueAxis::setCanvas(const QRectF& canvas)
 
 double ValueAxis::labelWidth(const PlotStyle& style) const
 {
-    LabelDraw labels(QwtScaleDraw::LeftScale, style.locale, decimalsOfStep(m_scale.step()));
-    labels.setScaleDiv(m_scale.division());
+    const LabelDraw labels(QwtScaleDraw::LeftScale, style.locale, m_scale);
     return labels.extent(style.axisFont);
 }
 
@@ -57,7 +56,7 @@ void ValueAxis::paintGrid(QPainter& painter, const PlotStyle& style) const
 
 void ValueAxis::paintLabels(QPainter& painter, const PlotStyle& style) const
 {
-    LabelDraw labels(QwtScaleDraw::LeftScale, style.locale, decimalsOfStep(m_scale.step()));
+    LabelDraw labels(QwtScaleDraw::LeftScale, style.locale, m_scale);
     labels.setScaleDiv(labelDivision(style));
     labels.move(m_canvas.topLeft());
     labels.setLength(m_canvas.height());

@@ -433,6 +433,7 @@ private slots:
         PanelRig rig;
         rig.settings.set("display.language", "zh_CN");
         rig.settings.set("display.theme", "dark");
+        rig.settings.set("display.units", "inch");
         rig.settings.set("display.gloves", panel::settingText(true));
         rig.settings.set("bags.tolerance_mm", panel::settingText(1.5));
         rig.settings.set("access.auto_logout_minutes", panel::settingText(30));
@@ -463,6 +464,7 @@ private slots:
         QCOMPARE(again.contents(), written);
         QCOMPARE(written.count('='), panel::Settings::fileKeys().size() + 1);
         QLocale::setDefault(QLocale("en"));
+        panel::Units::setInch(false);
     }
 
     void qmlSeesTheAttachedObjects()

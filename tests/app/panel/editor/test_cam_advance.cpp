@@ -132,10 +132,10 @@ private slots:
         endAt(rig.editor, 25);
         rig.connectRunning();
         QCOMPARE(rig.editor.programDownload()->state(), State::NothingToDo);
-        QCOMPARE(rig.machine.direction()->advanceText(), "+25");
+        QCOMPARE(rig.machine.direction()->advanceText(), "+25 mm");
         const link::ParameterRequest& asked = rig.link.parameters.first();
         emit rig.link.parameterEnded({asked.id, asked.name, link::ParameterEnd::Done, 1.0, std::nullopt});
-        QCOMPARE(rig.machine.direction()->advanceText(), QChar(0x2212) + QString("25")); // reversed
+        QCOMPARE(rig.machine.direction()->advanceText(), QChar(0x2212) + QString("25 mm")); // reversed
     }
 
     void anOperatorConfirmsAndATechnicianCloses()

@@ -149,13 +149,13 @@ private slots:
         QTest::newRow("four") << "[[0,0],[90,1],[180,2],[360,0]]"
                               << "The cam has 4 knots";
         QTest::newRow("backwards") << "[[0,0],[90,1],[80,2],[270,1],[360,0]]"
-                                   << "Knot 3 at 80 ° must come after the previous knot at 90 °";
+                                   << "Knot 3 at 80° must come after the previous knot at 90°";
         QTest::newRow("too close") << "[[0,0],[90,1],[90.01,2],[270,1],[360,0]]"
-                                   << "Knot 3 is only 0.01 °";
+                                   << "Knot 3 is only 0.01°";
         QTest::newRow("beyond the cycle") << "[[0,0],[90,1],[180,2],[270,1],[400,0]]"
-                                          << "Knot 5 at 400 °";
+                                          << "Knot 5 at 400°";
         QTest::newRow("begins late") << "[[10,0],[90,1],[180,2],[270,1],[360,0]]"
-                                     << "Knot 1 is at 10 °; the cam needs a knot at 0 °";
+                                     << "Knot 1 is at 10°; the cam needs a knot at 0°";
         QTest::newRow("too far") << "[[0,0],[90,1],[180,2000000],[270,1],[360,0]]"
                                  << "Knot 3 at";
         QTest::newRow("overshoot") << "[[0,0],[175,0],[180,50],[185,50],[360,0]]"

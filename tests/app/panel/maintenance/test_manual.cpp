@@ -454,7 +454,7 @@ private slots:
         QCOMPARE(switches.value()->maximum(), 359.99);
         switches.value()->set(90.5);
         answerAll(0);
-        QCOMPARE(switches.outcomeText(), "Cam switch 3: on angle: 90.5 deg, read back from the controller.");
+        QCOMPARE(switches.outcomeText(), "Cam switch 3: on angle: 90.5°, read back from the controller.");
         switches.choose(CamSwitches::drives());
         QCOMPARE(switches.rowCount(), 1);
         answerAll(2);

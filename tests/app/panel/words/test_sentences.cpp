@@ -93,12 +93,12 @@ private slots:
         refusal.actual = 0.0004;
         refusal.allowed = 0.1;
         QCOMPARE(RefusalSentences::refusal(refusal),
-                 QStringLiteral("Knot 3 is only 0.0004 ° after the previous knot; the minimum is 0.1 °."));
+                 QStringLiteral("Knot 3 is only 0.0004° after the previous knot; the minimum is 0.1°."));
         refusal.limit = Limit::KnotOrder;
         refusal.actual = 89.99996;
         refusal.allowed = 90;
         QCOMPARE(RefusalSentences::refusal(refusal),
-                 QStringLiteral("Knot 3 at 89.99996 ° must come after the previous knot at 90 °."));
+                 QStringLiteral("Knot 3 at 89.99996° must come after the previous knot at 90°."));
     }
 
     void everyLimitHasASentence()
