@@ -3419,6 +3419,11 @@ eff. %2</translation>
         <source>%1 knots</source>
         <translation>%1 Stützpunkte</translation>
     </message>
+    <message>
+        <source>Bag %1</source>
+        <comment>name of a recipe, length in mm</comment>
+        <translation>Beutel %1</translation>
+    </message>
 </context>
 <context>
     <name>RefusalSentences</name>
@@ -4720,6 +4725,11 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
     <message>
         <source>Code of the film reel</source>
         <translation>Code der Folienrolle</translation>
+    </message>
+    <message>
+        <source>%1, not saved</source>
+        <comment>recipe</comment>
+        <translation>%1, nicht gespeichert</translation>
     </message>
 </context>
 <context>
@@ -6727,6 +6737,10 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
         <source>becomes version %1</source>
         <translation>wird Version %1</translation>
     </message>
+    <message>
+        <source>The file of the open recipe was lost or damaged. Opened instead: a new recipe, with this panel&apos;s machine data.</source>
+        <translation>Die Datei des offenen Rezepts war verloren oder beschädigt. Stattdessen geöffnet: ein neues Rezept, mit den Maschinendaten dieses Panels.</translation>
+    </message>
 </context>
 <context>
     <name>campanel::panel::RegisterInspector</name>
@@ -7714,6 +7728,11 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
     <message>
         <source>Growth</source>
         <translation>Zuwachs</translation>
+    </message>
+    <message>
+        <source>%1, not saved</source>
+        <comment>recipe</comment>
+        <translation>%1, nicht gespeichert</translation>
     </message>
 </context>
 </TS>

@@ -3417,6 +3417,11 @@ RMS %2</source>
         <source>%1 knots</source>
         <translation>%1 个型值点</translation>
     </message>
+    <message>
+        <source>Bag %1</source>
+        <comment>name of a recipe, length in mm</comment>
+        <translation>袋 %1</translation>
+    </message>
 </context>
 <context>
     <name>RefusalSentences</name>
@@ -4718,6 +4723,11 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
     <message>
         <source>Code of the film reel</source>
         <translation>膜卷条码</translation>
+    </message>
+    <message>
+        <source>%1, not saved</source>
+        <comment>recipe</comment>
+        <translation>%1，未保存</translation>
     </message>
 </context>
 <context>
@@ -6723,6 +6733,10 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
         <source>becomes version %1</source>
         <translation>成为版本 %1</translation>
     </message>
+    <message>
+        <source>The file of the open recipe was lost or damaged. Opened instead: a new recipe, with this panel&apos;s machine data.</source>
+        <translation>已打开配方的文件丢失或损坏。已改为打开：新配方，使用本面板的机器数据。</translation>
+    </message>
 </context>
 <context>
     <name>campanel::panel::RegisterInspector</name>
@@ -7710,6 +7724,11 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
     <message>
         <source>Growth</source>
         <translation>数据增长</translation>
+    </message>
+    <message>
+        <source>%1, not saved</source>
+        <comment>recipe</comment>
+        <translation>%1，未保存</translation>
     </message>
 </context>
 </TS>

@@ -4,6 +4,7 @@ pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme
 import CamPanel.Controls
+import CamPanel.Parts
 import CamPanel.Panel
 
 Sheet {
@@ -45,8 +46,8 @@ Sheet {
         Entry {
             live: false
             name: qsTr("Edited on this panel")
-            value: Editor.programDownload.differenceCount > 0 && Controller.fresh ? Theme.fill(qsTr("%1 · v%2, differences from the active program: %3"), [Editor.recipeName, Editor.recipeVersion, Editor.programDownload.differenceCount])
-                : Theme.fill(qsTr("%1 · v%2"), [Editor.recipeName, Editor.recipeVersion])
+            value: Editor.programDownload.differenceCount > 0 && Controller.fresh ? Theme.fill(qsTr("%1, differences from the active program: %2"), [ProgramNames.saved, Editor.programDownload.differenceCount])
+                : ProgramNames.saved
         }
         Entry {
             objectName: "proofActive"

@@ -2204,6 +2204,10 @@ Und %2 weitere.</translation>
         <source>%1 · v%2, edited</source>
         <translation>%1 · v%2, bearbeitet</translation>
     </message>
+    <message>
+        <source>%1, not saved</source>
+        <translation>%1, nicht gespeichert</translation>
+    </message>
 </context>
 <context>
     <name>ProofSheet</name>
@@ -2214,14 +2218,6 @@ Und %2 weitere.</translation>
     <message>
         <source>Edited on this panel</source>
         <translation>Auf diesem Panel bearbeitet</translation>
-    </message>
-    <message>
-        <source>%1 · v%2, differences from the active program: %3</source>
-        <translation>%1 · v%2, Unterschiede zum aktiven Programm: %3</translation>
-    </message>
-    <message>
-        <source>%1 · v%2</source>
-        <translation>%1 · v%2</translation>
     </message>
     <message>
         <source>Active in the controller</source>
@@ -2250,6 +2246,10 @@ Und %2 weitere.</translation>
     <message>
         <source>Compare with the controller</source>
         <translation>Mit der Steuerung vergleichen</translation>
+    </message>
+    <message>
+        <source>%1, differences from the active program: %2</source>
+        <translation>%1, Unterschiede zum aktiven Programm: %2</translation>
     </message>
 </context>
 <context>
@@ -2591,6 +2591,10 @@ Und %2 weitere.</translation>
         <source>Import all %1</source>
         <translation>Alle %1 importieren</translation>
     </message>
+    <message>
+        <source>%1 is not saved yet.</source>
+        <translation>%1 ist noch nicht gespeichert.</translation>
+    </message>
 </context>
 <context>
     <name>RegimeSheet</name>
@@ -2736,6 +2740,10 @@ Und %2 weitere.</translation>
     <message>
         <source>Download %1 v%2</source>
         <translation>%1 v%2 laden</translation>
+    </message>
+    <message>
+        <source>Download %1</source>
+        <translation>%1 laden</translation>
     </message>
 </context>
 <context>

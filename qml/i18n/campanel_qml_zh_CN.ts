@@ -2204,6 +2204,10 @@ And %2 more.</source>
         <source>%1 · v%2, edited</source>
         <translation>%1 · 第 %2 版（已修改）</translation>
     </message>
+    <message>
+        <source>%1, not saved</source>
+        <translation>%1，未保存</translation>
+    </message>
 </context>
 <context>
     <name>ProofSheet</name>
@@ -2214,14 +2218,6 @@ And %2 more.</source>
     <message>
         <source>Edited on this panel</source>
         <translation>本面板上编辑的</translation>
-    </message>
-    <message>
-        <source>%1 · v%2, differences from the active program: %3</source>
-        <translation>%1 · 第 %2 版，与运行中的程序有 %3 处不同</translation>
-    </message>
-    <message>
-        <source>%1 · v%2</source>
-        <translation>%1 · 第 %2 版</translation>
     </message>
     <message>
         <source>Active in the controller</source>
@@ -2250,6 +2246,10 @@ And %2 more.</source>
     <message>
         <source>Compare with the controller</source>
         <translation>与控制器比较</translation>
+    </message>
+    <message>
+        <source>%1, differences from the active program: %2</source>
+        <translation>%1，与运行中的程序有 %2 处不同</translation>
     </message>
 </context>
 <context>
@@ -2591,6 +2591,10 @@ And %2 more.</source>
         <source>Import all %1</source>
         <translation>全部导入 %1 个</translation>
     </message>
+    <message>
+        <source>%1 is not saved yet.</source>
+        <translation>%1 尚未保存。</translation>
+    </message>
 </context>
 <context>
     <name>RegimeSheet</name>
@@ -2736,6 +2740,10 @@ And %2 more.</source>
     <message>
         <source>Download %1 v%2</source>
         <translation>下载 %1 v%2</translation>
+    </message>
+    <message>
+        <source>Download %1</source>
+        <translation>下载 %1</translation>
     </message>
 </context>
 <context>

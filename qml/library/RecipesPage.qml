@@ -132,7 +132,8 @@ Page {
             wrapMode: Text.WordWrap
             fontSizeMode: Text.Fit
             minimumPixelSize: Theme.size.caption - 2
-            text: Recipes.message.length > 0 ? Recipes.message : state.isOffer ? Recipes.files.notice : qsTr("%1 was edited and is not saved.").arg(Editor.recipeName)
+            text: Recipes.message.length > 0 ? Recipes.message : state.isOffer ? Recipes.files.notice : Editor.recipeVersion === 0 ? qsTr("%1 is not saved yet.").arg(Editor.recipeName)
+                : qsTr("%1 was edited and is not saved.").arg(Editor.recipeName)
         }
         Row {
             id: stateKeys

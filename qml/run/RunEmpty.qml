@@ -44,7 +44,8 @@ Item {
                 height: Theme.size.commandKey
                 kind: Button.Primary
                 glyph: Theme.icon.download
-                text: Editor.edited ? Theme.fill(qsTr("Download %1, edited"), [Editor.recipeName])
+                text: Editor.recipeVersion === 0 ? Theme.fill(qsTr("Download %1"), [Editor.recipeName])
+                    : Editor.edited ? Theme.fill(qsTr("Download %1, edited"), [Editor.recipeName])
                     : Theme.fill(qsTr("Download %1 v%2"), [Editor.recipeName, Editor.recipeVersion])
                 onClicked: Editor.download()
             }

@@ -11,6 +11,7 @@
 #include "app/panel/records/database_service.h"
 #include "app/panel/settings/settings.h"
 #include "tests/e2e/confirmed_facts.h"
+#include "tests/support/stored_recipe.h"
 #include "tests/support/test_program.h"
 
 #include <QCoreApplication>
@@ -38,7 +39,7 @@ static int downloadingPanel(int argc, char** argv)
     link::ThreadedLink link(nullptr);
     panel::Settings settings(QDir(folder).filePath(QStringLiteral("settings.ini")), nullptr);
     panel::Controller machine(link, settings, nullptr);
-    Editor editor(machine, folder, nullptr);
+    Editor editor(machine, test::withStoredRecipe(folder), nullptr);
     panel::DatabaseService records(folder, nullptr);
     panel::Recipes recipes(machine, editor, records, folder, nullptr);
     panel::Maintenance maintenance(machine, settings, folder, nullptr);

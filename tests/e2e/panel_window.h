@@ -5,6 +5,7 @@
 
 #include "app/link/threaded_link.h"
 #include "tests/looks/touch_driver.h"
+#include "tests/support/stored_recipe.h"
 
 #include <QTemporaryDir>
 #include <QTest>
@@ -15,8 +16,14 @@ namespace campanel::test {
 
 class PanelWindow {
 public:
+    enum class Library { OneRecipe, Empty }; // of a panel in use, and of a new one
+
     // Loads the window and connects. Its folder is new: all machine data comes from the line.
-    explicit PanelWindow(const QString& port, const QString& language = QStringLiteral("en"))
+    explicit PanelWindow(const QString& port, const QString& language = QStringLiteral("en"),
+                         Library library = Library::OneRecipe)
+        : m_panel(m_link,
+                  {m_folder.filePath(QStringLiteral("settings.ini")),
+                   library == Library::OneRecipe ? withStoredRecipe(m_folder.path()) : m_folder.path()})
     {
         m_panel.settings().overrideValue("display.language", language);
         panel::ConnectionChoice choice;
@@ -106,7 +113,7 @@ private:
 
     QTemporaryDir m_folder;
     link::ThreadedLink m_link{nullptr};
-    shell::Panel m_panel{m_link, {m_folder.filePath(QStringLiteral("settings.ini")), m_folder.path()}};
+    shell::Panel m_panel;
     looks::TouchDriver m_touch{m_panel};
     std::vector<modbus::StatusBlock> m_statuses;
     QStringList m_missing;

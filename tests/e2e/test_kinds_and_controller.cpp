@@ -8,6 +8,7 @@
 #include "profile/segments/segment_cam.h"
 #include "tests/support/controller_process.h"
 #include "tests/support/places.h"
+#include "tests/support/stored_recipe.h"
 #include "tests/support/test_program.h"
 
 #include <QJsonArray>
@@ -37,7 +38,7 @@ constexpr int timeoutMs = 15'000;
 struct Panel {
     explicit Panel(const QString& port)
         : machine(link, settings, nullptr)
-        , editor(machine, folder.path(), nullptr)
+        , editor(machine, test::withStoredRecipe(folder.path()), nullptr)
     {
         panel::ConnectionChoice choice;
         choice.simulated = false;

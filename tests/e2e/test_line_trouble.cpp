@@ -9,6 +9,7 @@
 #include "modbus/map/codec.h"
 #include "tests/support/controller_process.h"
 #include "tests/support/places.h"
+#include "tests/support/stored_recipe.h"
 #include "tests/support/test_program.h"
 
 #include <QElapsedTimer>
@@ -42,7 +43,7 @@ constexpr qint64 jogLimitMs = 350; // the controller's 200 ms, its ramp, and the
 struct Panel {
     Panel()
         : machine(link, settings, nullptr)
-        , editor(machine, folder.path(), nullptr)
+        , editor(machine, test::withStoredRecipe(folder.path()), nullptr)
     {
     }
 

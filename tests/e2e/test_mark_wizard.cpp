@@ -7,6 +7,7 @@
 #include "app/panel/maintenance/maintenance.h"
 #include "app/panel/settings/settings.h"
 #include "tests/support/places.h"
+#include "tests/support/stored_recipe.h"
 #include "tests/support/test_program.h"
 
 #include <QFile>
@@ -78,7 +79,7 @@ struct Panel {
     link::ThreadedLink link{nullptr};
     panel::Settings settings{folder.filePath(QStringLiteral("settings.ini")), nullptr};
     Controller machine{link, settings, nullptr};
-    Editor editor{machine, folder.path(), nullptr};
+    Editor editor{machine, test::withStoredRecipe(folder.path()), nullptr};
     panel::Maintenance maintenance{machine, settings, folder.path(), nullptr};
     QList<link::RulerOutcome> rulers;
     bool isRulerAsked = false;

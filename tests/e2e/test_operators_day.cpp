@@ -49,10 +49,19 @@ void waitForRecipes(PanelWindow& panel, int total)
     panel.touchDriver().settle();
 }
 
+// The panel of a new machine: nobody saved anything.
+struct NewPanel : PanelWindow {
+    explicit NewPanel(const QString& port)
+        : PanelWindow(port, QStringLiteral("en"), Library::Empty)
+    {
+    }
+};
+
 void beginFirstStart(PanelWindow& panel)
 {
     QTRY_COMPARE_WITH_TIMEOUT(panel.controller().state(), Controller::State::Idle, timeoutMs);
-    waitForRecipes(panel, 1);
+    QTRY_VERIFY_WITH_TIMEOUT(panel.panel().recipes().ready(), timeoutMs);
+    QCOMPARE(panel.panel().recipes().total(), 0);
     panel.settings().beginFirstStart();
     panel.touchDriver().settle();
 }
@@ -68,7 +77,7 @@ private slots:
     void firstStart()
     {
         const ControllerProcess controller;
-        PanelWindow panel(controller.port());
+        NewPanel panel(controller.port());
         beginFirstStart(panel);
         panel.tap("firstLanguage_zh_CN");
         QVERIFY2(panel.texts().contains(QStringLiteral("首次启动")), qPrintable(panel.texts()));
@@ -88,6 +97,9 @@ private slots:
 
         enter(panel, "first_knife_radius_mm", QStringLiteral("62"));
         panel.tap("firstNext");
+        enter(panel, "first_bag_length_mm", QStringLiteral("180"));
+        QCOMPARE(panel.editor().recipeName(), QStringLiteral("Bag 180"));
+        QVERIFY2(!panel.texts().contains(QStringLiteral(" v")), qPrintable(panel.texts()));
         panel.tap("firstName");
         typeText(panel, QStringLiteral("rusk large"));
         panel.tap("textAccept");
@@ -101,6 +113,7 @@ private slots:
         QCOMPARE(panel.editor().recipe().machine.knifeRadiusMm, 62.0);
         waitForRecipes(panel, 1);
         QCOMPARE(panel.panel().recipes().chosenName(), QStringLiteral("rusk large"));
+        QCOMPARE(panel.panel().recipes().chosenRecipe()->version, 1);
         QTRY_VERIFY_WITH_TIMEOUT(panel.editor().programDownload()->canDownload(), timeoutMs);
         panel.tap("downloadStart"); // the last step has opened the sheet
         QTRY_COMPARE_WITH_TIMEOUT(panel.controller().active().name, QStringLiteral("rusk large"), timeoutMs);
@@ -130,7 +143,7 @@ private slots:
     void theFirstBagTakesTwelveTouches()
     {
         const ControllerProcess controller;
-        PanelWindow panel(controller.port());
+        NewPanel panel(controller.port());
         beginFirstStart(panel);
         int touches = 0;
         const auto touch = [&](const char* name) {

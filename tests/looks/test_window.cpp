@@ -35,7 +35,8 @@ QString Variant::name() const
 TestWindow::TestWindow(const Variant& variant)
     : TouchDriver(m_panel)
     , m_longTexts(longTextsFor(variant))
-    , m_panel(m_link, {m_folder.filePath(QStringLiteral("settings.ini")), m_folder.path()})
+    , m_panel(m_link,
+              {m_folder.filePath(QStringLiteral("settings.ini")), test::withStoredRecipe(m_folder.path())})
 {
     panel::NetworkInfo::fix({QDateTime(QDate(2026, 1, 15), QTime(14, 7), QTimeZone::utc()),
                              {QStringLiteral("eth0: 192.168.1.20, fe80::2e0:4cff:fe68:1")}});

@@ -6,6 +6,7 @@
 #include "tests/looks/long_texts.h"
 #include "tests/looks/touch_driver.h"
 #include "tests/support/network_service.h"
+#include "tests/support/stored_recipe.h"
 #include "tests/support/time_service.h"
 #include "tests/support/unit_service.h"
 

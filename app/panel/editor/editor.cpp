@@ -74,7 +74,11 @@ Editor::Editor(Controller& controller, const QString& folder, QObject* parent)
     m_recipe = m_stored;
     m_notice = stored.notice;
     m_sources.stored = stored.source;
+    if (stored.source == store::LastRecipe::Source::Default)
+        m_stored.version = 0;
     loadWorkingCopy();
+    m_isNameProposed = m_stored.version == 0 && (m_sources.working == store::LastRecipe::Source::Default ||
+                                                 recipeName() == RecipeWords::proposedName(m_recipe));
     m_camFiles.guardBy(controller.accessCheck());
     connectFields();
     connectKnots();
@@ -97,7 +101,8 @@ Editor::Editor(Controller& controller, const QString& folder, QObject* parent)
     });
     connect(&controller, &Controller::connectionChanged, this, &Editor::watchController);
     connect(&controller, &Controller::programChanged, this, &Editor::show);
-    connect(LanguageNotifier::ofApplication(), &LanguageNotifier::languageChanged, this, &Editor::show);
+    connect(LanguageNotifier::ofApplication(), &LanguageNotifier::languageChanged, this,
+            [this] { m_isNameProposed ? recompute() : show(); });
     m_identity = controller.identity();
     recompute();
 }
@@ -280,6 +285,7 @@ void Editor::setRecipeName(const QString& name)
     const std::string wanted = store::keptName(name).toStdString();
     if (!wanted.empty())
         edit(Level::Technician, [&](program::Recipe& recipe) {
+            m_isNameProposed = false;
             recipe.name = modbus::fittingUtf8(wanted, program::longestNameBytes);
         });
 }
@@ -332,7 +338,7 @@ void Editor::redo()
 void Editor::revert()
 {
     commitDrag();
-    if (!require(Level::Operator) || !edited())
+    if (!require(Level::Operator) || sameRecipe(m_recipe, m_stored))
         return;
     m_history.note(m_recipe);
     m_comparedLaw.reset();
@@ -348,6 +354,8 @@ void Editor::replace(program::Recipe recipe)
 
 void Editor::recompute()
 {
+    if (m_isNameProposed)
+        m_recipe.name = RecipeWords::proposedName(m_recipe).toStdString();
     m_recipe.version = edited() ? nextVersion() : m_stored.version;
     m_tableTimer.stop();
     // After a download the recipe is unchanged: its table stays on offer.

@@ -146,7 +146,9 @@ public:
     [[nodiscard]] bool canRedo() const { return m_history.canRedo(); }
     [[nodiscard]] QString recipeName() const { return QString::fromStdString(m_recipe.name); }
     void setRecipeName(const QString& name);
+    // Returns the newest saved version of the open recipe; 0: none.
     [[nodiscard]] int recipeVersion() const;
+    // Returns true when there is something to save: edits, or a recipe that was never saved.
     [[nodiscard]] bool edited() const;
     [[nodiscard]] QString notice() const { return m_notice; }
 
@@ -265,9 +267,10 @@ private:
     store::LastRecipe m_workingFile;
     QThreadPool m_writer; // one thread; the destructor waits for it
     QTimer m_keepTimer;
-    QTimer m_tableTimer; // builds a slow table once the finger rests
-    program::Recipe m_stored;
+    QTimer m_tableTimer;      // builds a slow table once the finger rests
+    program::Recipe m_stored; // version 0: nothing was saved yet
     program::Recipe m_recipe;
+    bool m_isNameProposed = false; // nobody typed the name of the first recipe: it follows the length
     Sources m_sources;
     NewestVersion m_newestVersion = [](const std::string&) { return 0; };
     std::map<profile::ProgramKind, profile::Machine> m_machines;

@@ -21,12 +21,12 @@ Editor::~Editor()
 
 bool Editor::edited() const
 {
-    return !sameRecipe(m_recipe, m_stored);
+    return m_stored.version == 0 || !sameRecipe(m_recipe, m_stored);
 }
 
 int Editor::recipeVersion() const
 {
-    return m_recipe.name == m_stored.name ? m_stored.version : m_recipe.version;
+    return m_recipe.name == m_stored.name ? m_stored.version : m_newestVersion(m_recipe.name);
 }
 
 int Editor::nextVersion() const
@@ -62,7 +62,10 @@ void Editor::takeStored(const program::Recipe& recipe, std::function<void()> don
 {
     m_stored = recipe;
     m_sources = {};
-    write(m_storedFile, m_stored, std::move(done));
+    if (m_stored.version > 0) {
+        m_isNameProposed = false;
+        write(m_storedFile, m_stored, std::move(done));
+    }
     m_keepTimer.start();
     recompute();
 }

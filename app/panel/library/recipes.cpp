@@ -402,7 +402,11 @@ Recipe Recipes::renamed(Recipe recipe) const
 void Recipes::rename()
 {
     const RecipeVersion* chosen = chosenRecipe();
-    if (!m_controller.accessCheck().require(Level::Technician) || !chosen || !nameProblem().isEmpty())
+    if (!m_controller.accessCheck().require(Level::Technician) || !nameProblem().isEmpty())
+        return;
+    if (!chosen && m_editor.recipeVersion() == 0)
+        return m_editor.setRecipeName(m_wantedName);
+    if (!chosen)
         return;
     const QString before = nameOf(chosen->recipe);
     const QString name = store::keptName(m_wantedName);

@@ -34,11 +34,12 @@ void Recipes::checkOpenRecipe(const Recipe& open, bool isKept, bool isLibraryEmp
         keep(open, Origin::Editor, {});
     if (source == Source::Saved)
         return;
-    if (isLibraryEmpty) { // a new panel
-        keep(open, Origin::Library, [this, open](const RecipeVersion& kept) {
-            if (sameRecipe(m_editor.storedRecipe(), open))
-                m_editor.takeStored(kept.recipe);
-        });
+    if (isLibraryEmpty) { // a new panel: nothing is stored before somebody saves
+        if (source == Source::Copy)
+            keep(open, Origin::Library, [this, open](const RecipeVersion& kept) {
+                if (sameRecipe(m_editor.storedRecipe(), open))
+                    m_editor.takeStored(kept.recipe);
+            });
         return;
     }
     const RecipeVersion* sameName = named(QString::fromStdString(open.name));
@@ -59,6 +60,9 @@ void Recipes::checkOpenRecipe(const Recipe& open, bool isKept, bool isLibraryEmp
 
 QString Recipes::openedInsteadText(const QString& name, int version)
 {
+    if (version == 0)
+        return tr("The file of the open recipe was lost or damaged. Opened instead: a new recipe, with this "
+                  "panel's machine data.");
     return tr("The file of the open recipe was lost or damaged. Opened instead: %1, version %2, with this "
               "panel's "
               "machine data.")

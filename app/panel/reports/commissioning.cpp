@@ -70,7 +70,7 @@ ReportSection Commissioning::recipeSection() const
         section.rows.append({choice.name, choice.valueText()});
     if (m_editor.hasLaw())
         section.rows.append({m_editor.lawTitle(), m_editor.lawName()});
-    if (m_editor.edited())
+    if (m_editor.recipeVersion() > 0 && m_editor.edited())
         section.lines << tr("The recipe has been edited since it was saved or downloaded.");
     return section;
 }
@@ -145,8 +145,10 @@ ReportData Commissioning::data() const
 {
     ReportData made;
     made.title = tr("Commissioning report");
-    made.recipe =
-        tr("%1 · version %2", "recipe").arg(m_editor.recipeName(), QString::number(m_editor.recipeVersion()));
+    made.recipe = m_editor.recipeVersion() == 0
+                      ? tr("%1, not saved", "recipe").arg(m_editor.recipeName())
+                      : tr("%1 · version %2", "recipe")
+                            .arg(m_editor.recipeName(), QString::number(m_editor.recipeVersion()));
     const QString when = Format::second(m_wallClock());
     const QString maker = m_access.userName().isEmpty() ? tr("nobody logged in") : m_access.userName();
     made.footer = tr("%1 · %2 · CamPanel %3", "date, person, version")

@@ -25,6 +25,8 @@ constexpr double longYears = 100;
 
 QString versionText(const QString& name, double version)
 {
+    if (version == 0)
+        return Versions::tr("%1, not saved", "recipe").arg(name);
     return Versions::tr("%1, version %2", "recipe, number").arg(name, QString::number(version));
 }
 

@@ -56,6 +56,13 @@ QString RecipeWords::lawParameterName(std::string_view parameterId)
                : QString::fromUtf8(parameterId.data(), static_cast<qsizetype>(parameterId.size()));
 }
 
+QString RecipeWords::proposedName(const program::Recipe& recipe)
+{
+    return recipe.isCutter() ? tr("Bag %1", "name of a recipe, length in mm")
+                                   .arg(Format().compact(recipe.cutter().bagLengthMm, 0, 1))
+                             : QString::fromUtf8(program::kindInfo(recipe.kind()).defaultName);
+}
+
 QString RecipeWords::listSize(const profile::Program& program)
 {
     const program::ListInfo& list = *program::kindInfo(profile::kindOf(program)).list;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "app/program/program_kinds.h"
+#include "app/program/recipe.h"
 #include "profile/model/fields.h"
 #include "profile/model/law.h"
 #include "profile/model/refusal.h"
@@ -28,6 +29,8 @@ public:
     // Returns an empty text for an unknown law.
     [[nodiscard]] static QString lawName(profile::LawId law);
     [[nodiscard]] static QString lawParameterName(std::string_view parameterId);
+    // Returns the name of a recipe that nobody named: that of its bag, or of its kind.
+    [[nodiscard]] static QString proposedName(const program::Recipe& recipe);
     [[nodiscard]] static QString kindName(profile::ProgramKind kind)
     {
         return inWords(program::kindInfo(kind).name);

@@ -10,6 +10,7 @@
 #include "app/panel/settings/settings.h"
 #include "app/panel/trends/trends.h"
 #include "fake_link.h"
+#include "tests/support/stored_recipe.h"
 
 #include <QTemporaryDir>
 
@@ -21,7 +22,7 @@ struct PanelRig {
     panel::Settings settings{folder.filePath(QStringLiteral("settings.ini")), nullptr};
     link::SteadyTime now{std::chrono::hours(1)};
     panel::Controller machine{link, settings, nullptr};
-    panel::Editor editor{machine, folder.path(), nullptr};
+    panel::Editor editor{machine, withStoredRecipe(folder.path()), nullptr};
     panel::DatabaseService records{folder.path(), nullptr};
     panel::Alarms alarms{machine, editor, records, settings, nullptr};
     panel::Maintenance maintenance{machine, settings, folder.path(), nullptr};

@@ -6,6 +6,7 @@
 #include "app/panel/settings/settings.h"
 #include "app/program/program_image.h"
 #include "tests/support/core_link.h"
+#include "tests/support/stored_recipe.h"
 #include "tests/support/test_program.h"
 
 #include <QTemporaryDir>
@@ -32,7 +33,7 @@ struct Walk {
     test::CoreLink link;
     panel::Settings settings{folder.filePath(QStringLiteral("settings.ini")), nullptr};
     panel::Controller machine{link, settings, nullptr};
-    panel::Editor editor{machine, folder.path(), nullptr};
+    panel::Editor editor{machine, test::withStoredRecipe(folder.path()), nullptr};
     std::uint32_t generation = 0;
     std::uint32_t bags = 0; // cut so far
     bool hasBags = false;   // one of the present program counts

@@ -6,6 +6,7 @@
 #include "app/panel/editor/editor.h"
 #include "app/panel/settings/settings.h"
 #include "tests/support/places.h"
+#include "tests/support/stored_recipe.h"
 #include "tests/support/test_program.h"
 
 #include <QTemporaryDir>
@@ -28,7 +29,7 @@ struct Panel {
     explicit Panel(const QTemporaryDir& folder)
         : settings(folder.filePath("settings.ini"), nullptr)
         , machine(link, settings, nullptr)
-        , editor(machine, folder.path(), nullptr)
+        , editor(machine, test::withStoredRecipe(folder.path()), nullptr)
     {
         settings.overrideSimulator(campanel::test::programPath("campanel-controller"),
                                    folder.filePath("flash"));

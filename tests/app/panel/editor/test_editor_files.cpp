@@ -74,6 +74,7 @@ private slots:
             panel::Editor editor(rig.machine, folder.path(), nullptr);
             program::Recipe recipe = editor.storedRecipe();
             recipe.name = "Another";
+            recipe.version = 1;
             editor.open(recipe);
             editor.bagLength()->set(240);
         }

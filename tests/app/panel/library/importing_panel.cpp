@@ -24,11 +24,10 @@ static int importingPanel(int argc, char** argv)
     QCoreApplication application(argc, argv);
     const QDir folder(QCoreApplication::arguments().at(1));
     test::PanelRig rig;
-    panel::Editor editor(rig.machine, folder.path(), nullptr);
+    panel::Editor editor(rig.machine, test::withStoredRecipe(folder.path()), nullptr);
     panel::DatabaseService records(folder.path(), nullptr);
     panel::Access access(records, rig.machine, rig.settings, nullptr);
-    panel::AuditTrail trail(records, {rig.machine, editor, rig.settings, rig.maintenance, access},
-                            nullptr);
+    panel::AuditTrail trail(records, {rig.machine, editor, rig.settings, rig.maintenance, access}, nullptr);
     panel::Recipes recipes(rig.machine, editor, records, folder.path(), nullptr);
     QObject::connect(&recipes, &panel::Recipes::noted, &trail, &panel::AuditTrail::note);
     int version = 0; // the newest confirmed one

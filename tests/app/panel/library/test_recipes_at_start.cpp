@@ -4,6 +4,7 @@
 #include "tests/app/panel/panel_rig.h"
 
 #include "app/store/recipes/recipe_json.h"
+#include "tests/support/stored_recipe.h"
 #include "tests/support/test_program.h"
 
 #include <QFile>
@@ -30,10 +31,14 @@ struct Start {
     QSignalSpy noted{&recipes, &Recipes::noted};
 
     explicit Start(const QTemporaryDir& folder)
-        : settings(folder.filePath(u"settings.ini"_s), nullptr)
-        , editor(machine, folder.path(), nullptr)
-        , records(folder.path(), nullptr)
-        , recipes(machine, editor, records, folder.path(), nullptr)
+        : Start(folder.path())
+    {
+    }
+    explicit Start(const QString& folder)
+        : settings(QDir(folder).filePath(u"settings.ini"_s), nullptr)
+        , editor(machine, folder, nullptr)
+        , records(folder, nullptr)
+        , recipes(machine, editor, records, folder, nullptr)
     {
         records.open();
         settle();
@@ -78,7 +83,7 @@ struct Start {
 // Saves the recipe Soap on a machine with pulsesSet.
 void saveSoap(const QTemporaryDir& folder)
 {
-    Start start(folder);
+    Start start{test::withStoredRecipe(folder.path())};
     start.editor.item(profile::Field::PulsesPerMotorRev)->set(pulsesSet);
     start.recipes.setWantedName(u"Soap"_s);
     start.recipes.saveAs();
@@ -100,14 +105,63 @@ class TestRecipesAtStart : public QObject {
 private slots:
     void initTestCase() { QLocale::setDefault(QLocale::C); }
 
-    void aNewPanelKeepsTheDefaultAndHasNothingToSay()
+    void aNewPanelStoresNothingBeforeSomebodySaves()
     {
         const QTemporaryDir folder;
         for (int i = 0; i < 2; ++i) {
             Start start(folder);
+            QCOMPARE(start.names(), QStringList());
+            QCOMPARE(start.editor.notice(), QString());
+            QCOMPARE(start.editor.recipeVersion(), 0);
+            QVERIFY(start.editor.edited());
+            start.editor.bagLength()->set(180);
+            QCOMPARE(start.editor.recipeName(), u"Bag 180"_s);
+        }
+        {
+            Start start(folder);
+            QCOMPARE(start.editor.bagLength()->value(), 180.0);
+            QCOMPARE(start.editor.recipeName(), u"Bag 180"_s);
+            start.editor.bagLength()->set(190.5);
+            start.recipes.save();
+            start.settle();
+            QCOMPARE(start.names(), QStringList{u"Bag 190.5 v1"_s});
+            QCOMPARE(start.editor.recipeVersion(), 1);
+            QVERIFY(!start.editor.edited());
+            start.editor.bagLength()->set(200); // the name is that of a saved recipe now
+            QCOMPARE(start.editor.recipeName(), u"Bag 190.5"_s);
+        }
+        Start start(folder);
+        QCOMPARE(start.names(), QStringList{u"Bag 190.5 v1"_s});
+    }
+
+    void aTypedNameFollowsNothing()
+    {
+        const QTemporaryDir folder;
+        {
+            Start start(folder);
+            start.recipes.setWantedName(u"Soap"_s);
+            start.recipes.rename(); // as in the first start
+            start.editor.bagLength()->set(180);
+            QCOMPARE(start.editor.recipeName(), u"Soap"_s);
+        }
+        Start start(folder);
+        start.editor.bagLength()->set(190);
+        QCOMPARE(start.editor.recipeName(), u"Soap"_s);
+        start.recipes.save();
+        start.settle();
+        QCOMPARE(start.names(), QStringList{u"Soap v1"_s});
+    }
+
+    // A panel of today already holds the default recipe.
+    void theDefaultOfAnOldPanelOpensAsBefore()
+    {
+        const QTemporaryDir folder;
+        for (int i = 0; i < 2; ++i) {
+            Start start{test::withStoredRecipe(folder.path())};
             QCOMPARE(start.names(), QStringList{u"Biscuit 250 v1"_s});
             QCOMPARE(start.editor.notice(), QString());
             QVERIFY(!start.editor.edited());
+            QCOMPARE(start.editor.recipeVersion(), 1);
         }
     }
 
