@@ -14,8 +14,8 @@ TouchButton {
     property string note               // second, smaller line
     property int textSize: primary ? Theme.size.title : Theme.size.body
 
-    readonly property bool primary: kind === Button.Primary
-    readonly property color inkColor: !enabled ? Theme.color.disabledInk : primary ? Theme.color.touchInk : Theme.color.touch
+    readonly property bool primary: kind === Button.Primary && !locked
+    readonly property color inkColor: !enabled ? Theme.color.disabledInk : locked ? Theme.color.secondaryInk : primary ? Theme.color.touchInk : Theme.color.touch
 
     readonly property real signRoom: glyph.length === 0 ? 0 : sign.width + (text.length > 0 ? Theme.size.spacing : 0)
     readonly property real textRoom: width - 2 * Theme.size.accent - signRoom
@@ -29,7 +29,7 @@ TouchButton {
             : button.primary ? (button.down ? Theme.color.touchPressed : Theme.color.touch)
             : button.down ? Theme.color.touchTint
             : button.kind === Button.Quiet ? "transparent" : Theme.color.inset
-        border { width: button.kind === Button.Normal || !button.enabled && button.primary ? Theme.size.hairline : 0; color: Theme.color.line }
+        border { width: button.kind === Button.Normal || button.kind === Button.Primary && button.locked || !button.enabled && button.primary ? Theme.size.hairline : 0; color: Theme.color.line }
     }
     Item {
         anchors.fill: parent

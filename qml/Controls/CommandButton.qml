@@ -20,6 +20,7 @@ TouchButton {
     signal refused()
 
     focusPolicy: Qt.NoFocus
+    waitsForLogin: false                   // the machine never moves because somebody logged in
     onPressed: acted = false
     // A finger that slides back onto the key begins nothing: that needs a new touch.
     onPressedChanged: {

@@ -7,7 +7,7 @@ import CamPanel.Theme
 TouchButton {
     id: field
     Accessible.name: field.label
-    Accessible.description: field.unit.length > 0 ? field.value + " " + field.unit : field.value
+    detail: field.unit.length > 0 ? field.value + " " + field.unit : field.value
 
     required property string label
     required property string value
@@ -21,6 +21,7 @@ TouchButton {
     implicitHeight: Theme.size.touch
     onPressAndHold: field.explain()
 
+    readonly property real lockRoom: locked ? Theme.size.caption + Theme.size.accent : 0
     readonly property int inset: compact ? Theme.size.spacing + Theme.size.outline : Theme.size.padding
 
     background: Rectangle {
@@ -34,17 +35,17 @@ TouchButton {
             anchors { fill: parent; leftMargin: field.inset; rightMargin: field.inset; topMargin: field.inset - Theme.size.outline; bottomMargin: Theme.size.accent }
             Accessible.ignored: true       // the field says it
             title: field.label
-            titleInset: mark.visible ? mark.width : 0
+            titleInset: field.lockRoom + (mark.visible ? mark.width : 0)
             text: field.value
             unit: field.unit
             pixelSize: Theme.size.value
             smallest: Theme.size.smallestText
             atRight: !field.compact
-            ink: field.derived ? Theme.color.secondaryInk : Theme.color.ink
+            ink: field.derived || field.locked ? Theme.color.secondaryInk : Theme.color.ink
         }
         IconLabel {
             id: mark
-            x: parent.width - width - field.inset
+            x: parent.width - width - field.inset - field.lockRoom
             y: field.inset - Theme.size.outline
             visible: field.pinned || field.derived
             code: field.pinned ? Theme.icon.pin : Theme.icon.derived

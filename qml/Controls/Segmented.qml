@@ -10,6 +10,7 @@ Rectangle {
 
     required property var choices
     required property var current
+    property int level                     // of the person who may choose; 0: everybody
     property bool stacked                  // signs stand above small texts
     signal chosen(var key)
 
@@ -30,6 +31,7 @@ Rectangle {
                 readonly property color ink: !enabled ? Theme.color.disabledInk : holds ? Theme.color.touch : Theme.color.secondaryInk
                 objectName: entry.name ?? ""
                 text: entry.text ?? ""
+                level: segmented.level
                 width: segmented.width / segmented.choices.length
                 height: segmented.height
                 onClicked: segmented.chosen(entry.key)

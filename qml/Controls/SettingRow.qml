@@ -7,7 +7,7 @@ import CamPanel.Theme
 TouchButton {
     id: row
     Accessible.name: row.label
-    Accessible.description: row.value
+    detail: row.value
 
     required property string label
     required property string value
@@ -44,6 +44,7 @@ TouchButton {
                 wrapMode: tooLong ? Text.WordWrap : Text.NoWrap
                 maximumLineCount: 2
                 elide: Text.ElideRight
+                color: row.locked ? Theme.color.secondaryInk : Theme.color.ink
                 lineHeight: lineCount > 1 ? 0.85 : 1
                 font { pixelSize: tooLong ? Theme.size.caption : Theme.size.title; weight: Font.DemiBold }
                 TextMetrics {
@@ -57,7 +58,7 @@ TouchButton {
             id: arrow
             anchors { right: parent.right; rightMargin: Theme.size.spacing; verticalCenter: parent.verticalCenter }
             code: row.glyph
-            color: Theme.color.touch
+            color: row.locked ? Theme.color.secondaryInk : Theme.color.touch
         }
     }
 }

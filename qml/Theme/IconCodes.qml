@@ -57,6 +57,7 @@ QtObject {
     readonly property string user: "\uf004"
     readonly property string addUser: "\uf014"
     readonly property string key: "\uf306"
+    readonly property string lock: "\uf33e"
     readonly property string logIn: "\uf342"
     readonly property string logOut: "\uf343"
     readonly property string recipes: "\uf0bd"

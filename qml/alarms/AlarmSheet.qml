@@ -88,6 +88,7 @@ Sheet {
         },
         Button {
             objectName: "alarmUnshelve"
+            level: Access.Operator
             visible: sheet.alarm.shelved
             text: qsTr("Unshelve")
             onClicked: {
@@ -111,6 +112,7 @@ Sheet {
         },
         Button {
             objectName: "alarmAcknowledge"
+            level: Access.Operator
             visible: sheet.alarm.calls
             kind: Button.Primary
             text: qsTr("Acknowledge")

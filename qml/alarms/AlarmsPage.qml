@@ -48,6 +48,7 @@ Page {
         }
         Button {
             objectName: "alarmsCsv"
+            level: Access.Operator
             width: (parent.width - parent.spacing) / 2
             text: qsTr("CSV")
             enabled: Alarms.history.rows.count > 0 && !Alarms.history.csv.busy

@@ -59,6 +59,7 @@ Sheet {
             }
             Button {
                 objectName: "auditExport"
+                level: Access.Operator
                 width: filters.quarter
                 glyph: Theme.icon.save
                 text: qsTr("CSV")

@@ -91,12 +91,14 @@ Sheet {
         },
         Button {
             objectName: "closeCam"
+            level: Access.Technician
             visible: sheet.asks
             text: qsTr("Close the cam")
             onClicked: Editor.closeCam()
         },
         Button {
             objectName: "confirmAdvance"
+            level: Access.Operator
             visible: sheet.asks
             kind: Button.Primary
             text: qsTr("Confirm advance")
@@ -104,6 +106,7 @@ Sheet {
         },
         Button {
             objectName: "downloadStart"
+            level: Access.Operator
             visible: !sheet.asks
             kind: Button.Primary
             glyph: Theme.icon.download

@@ -19,11 +19,12 @@ Item {
         move: qsTr("Move"), curve: qsTr("Curve"), master: qsTr("Master"), output: qsTr("Output"),
         approach: qsTr("Approach"), press: qsTr("Press"), limits: qsTr("Limits")
     })
+    readonly property bool hasLaw: Editor.lawTitle.length > 0
     readonly property bool hasLists: Editor.kind === Editor.Kind.PointCam || Editor.kind === Editor.Kind.SegmentCam
     readonly property var shownFields: Array.from(Editor.fields).filter(field => field.visible)
     readonly property var groups: Object.keys(groupNames).filter(key => shownFields.some(field => field.group === key)
-        || key === "curve" && (Editor.hasLaw || hasLists))
-    readonly property int rows: (Editor.hasLaw ? 1 : 0) + (hasLists ? 1 : 0) + Editor.choices.count + Math.ceil(shownFields.length / columns)
+        || key === "curve" && (hasLaw || hasLists))
+    readonly property int rows: (hasLaw ? 1 : 0) + (hasLists ? 1 : 0) + Editor.choices.count + Math.ceil(shownFields.length / columns)
     readonly property bool grouped: rows * (Theme.size.touch + Theme.size.spacing) - Theme.size.spacing > list.height
     property int opened                    // as chosen by the finger; `shown` is among the groups
     readonly property int shown: Math.min(opened, groups.length - 1)
@@ -53,7 +54,7 @@ Item {
 
             SettingRow {
                 objectName: "lawButton"
-                visible: Editor.hasLaw && inputs.has("curve")
+                visible: inputs.hasLaw && inputs.has("curve")
                 width: body.width
                 label: Editor.lawTitle
                 value: Editor.lawName

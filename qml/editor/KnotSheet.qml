@@ -39,12 +39,14 @@ CamSheet {
     tools: [
         Button {
             objectName: "knotInsert"
+            level: Access.Technician
             width: sheet.toolWidth(2)
             text: qsTr("Add after")
             onClicked: Editor.cam.knots.insertAfterSelected()
         },
         Button {
             objectName: "knotRemove"
+            level: Access.Technician
             width: sheet.toolWidth(2)
             text: qsTr("Remove")
             enabled: Editor.cam.knots.canRemove
@@ -52,6 +54,7 @@ CamSheet {
         },
         Button {
             objectName: "knotRepair"
+            level: Access.Technician
             width: sheet.toolWidth(2)
             text: qsTr("Close smoothly")
             enabled: Editor.cam.knots.canRepair

@@ -118,6 +118,7 @@ Sheet {
                 height: Theme.size.touch
                 glyph: Theme.icon.revert
                 text: qsTr("Restore stored recipe")
+                level: Access.Operator
                 enabled: Editor.edited
                 onClicked: {
                     Editor.revert()

@@ -20,6 +20,7 @@ Button {
     readonly property bool settled: !busy && Editor.programDownload.state === ProgramDownload.State.NothingToDo && Editor.programDownload.saved
 
     objectName: "nextStep"
+    level: suggests ? Editor.suggestionLevel : saves ? Access.Operator : Access.Viewer
     kind: Button.Primary
     width: Math.round(Math.min(2.4 * Theme.size.touch, 0.24 * parent.width))
     enabled: busy || suggests || saves || asks || Editor.programDownload.canDownload

@@ -117,6 +117,7 @@ Sheet {
                 width: parent.width
                 Button {
                     objectName: "windowNarrower"
+                    level: Access.Technician
                     width: Theme.size.touch
                     text: "\u2212"
                     onClicked: Editor.cutter.ramps.narrowWindow()
@@ -143,6 +144,7 @@ Sheet {
                 }
                 Button {
                     objectName: "windowWider"
+                    level: Access.Technician
                     width: Theme.size.touch
                     text: "+"
                     onClicked: Editor.cutter.ramps.widenWindow()

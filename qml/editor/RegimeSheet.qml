@@ -110,6 +110,7 @@ Sheet {
         spacing: Theme.size.spacing
         Button {
             objectName: "regimeSuggestion"
+            level: Editor.suggestionLevel
             visible: text.length > 0
             kind: Button.Primary
             text: Editor.suggestionText
@@ -121,7 +122,8 @@ Sheet {
             width: Theme.size.touch
             kind: Button.Quiet
             glyph: Theme.icon.undo
-            enabled: Editor.canUndo
+            enabled: Editor.undoLevel >= 0
+            level: Editor.undoLevel
             onClicked: Editor.undo()
         }
     }

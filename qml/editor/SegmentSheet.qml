@@ -45,6 +45,7 @@ CamSheet {
     tools: [
         Button {
             objectName: "segmentAdd"
+            level: Access.Technician
             width: sheet.toolWidth(3)
             text: qsTr("Add dwell")
             enabled: Editor.cam.segments.canDivide
@@ -52,6 +53,7 @@ CamSheet {
         },
         Button {
             objectName: "segmentSplit"
+            level: Access.Technician
             width: sheet.toolWidth(3)
             text: qsTr("Split")
             enabled: Editor.cam.segments.canDivide
@@ -59,6 +61,7 @@ CamSheet {
         },
         Button {
             objectName: "segmentRemove"
+            level: Access.Technician
             width: sheet.toolWidth(3)
             text: qsTr("Remove")
             enabled: Editor.cam.segments.canRemove
@@ -66,6 +69,7 @@ CamSheet {
         },
         Button {
             objectName: "segmentRepair"
+            level: Access.Technician
             width: sheet.toolWidth(2)
             text: qsTr("Make continuous")
             enabled: Editor.cam.segments.canRepair

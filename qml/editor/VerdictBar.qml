@@ -12,7 +12,7 @@ Card {
 
     property bool textsVisible: true
 
-    readonly property bool goesBack: Editor.canUndo || Editor.canRedo    // before the first edit the texts have the space
+    readonly property bool goesBack: Editor.undoLevel >= 0 || Editor.redoLevel >= 0    // before the first edit the texts have the space
     readonly property Item firstKey: offer.visible ? offer : goesBack ? back : next
     readonly property bool good: Editor.severity === Editor.Severity.Good
     readonly property color verdictColor: good ? Theme.color.good
@@ -60,6 +60,7 @@ Card {
     Button {
         id: offer
         objectName: "rampOffer"
+        level: Access.Technician
         anchors { right: back.left; rightMargin: Theme.size.spacing; verticalCenter: parent.verticalCenter }
         visible: Editor.cutter.ramps.offerName.length > 0
         width: Math.min(implicitWidth, Math.max(Theme.size.touch, 8.5 * Theme.size.caption))   // two words
@@ -76,7 +77,8 @@ Card {
         width: Theme.size.touch
         kind: Button.Quiet
         glyph: Theme.icon.undo
-        enabled: Editor.canUndo
+        enabled: Editor.undoLevel >= 0
+        level: Editor.undoLevel
         onClicked: Editor.undo()
     }
     Button {
@@ -88,7 +90,8 @@ Card {
         width: Theme.size.touch
         kind: Button.Quiet
         glyph: Theme.icon.redo
-        enabled: Editor.canRedo
+        enabled: Editor.redoLevel >= 0
+        level: Editor.redoLevel
         onClicked: Editor.redo()
     }
     NextStepButton {

@@ -36,6 +36,7 @@ Item {
 
     CommandKey {
         objectName: "startKey"
+        level: Access.Operator
         anchors { left: parent.left; right: parent.right; top: parent.top }
         height: column.upperHeight
         glyph: Theme.icon.start
@@ -53,6 +54,7 @@ Item {
         model: column.between ? 1 : 0
         CommandKey {
             objectName: "middleKey"
+            level: Access.Operator
             anchors { left: column.left; right: column.right; bottom: stopKey.top; bottomMargin: Theme.size.gap }
             height: column.upperHeight
             ready: !column.covered

@@ -13,6 +13,7 @@ Window {
     property alias page: frame.page
     readonly property PanelFrame frame: frame
     readonly property QtObject theme: Theme
+    readonly property QtObject permission: Permission
 
     title: "CamPanel"
     color: Theme.color.ground
@@ -58,6 +59,8 @@ Window {
         enabled: !frame.showsPages
         function onFrameSwapped() { nextTurn.start() }
     }
+    Binding { target: Permission; property: "level"; value: Access.level }
+    Binding { target: Permission; property: "words"; value: Array.from(Access.levels, level => qsTr("needs level %1").arg(level.text)) }
     Binding { target: Theme; property: "name"; value: Settings.setting("display.theme").key }
     Binding { target: Theme; property: "gloves"; value: Settings.setting("display.gloves").key }
     Binding { target: Theme; property: "language"; value: Settings.setting("display.language").key }

@@ -1567,6 +1567,13 @@ Und %2 weitere.</translation>
     </message>
 </context>
 <context>
+    <name>Main</name>
+    <message>
+        <source>needs level %1</source>
+        <translation>braucht die Stufe %1</translation>
+    </message>
+</context>
+<context>
     <name>MaintenancePage</name>
     <message>
         <source>Diagnostics</source>

@@ -1567,6 +1567,13 @@ And %2 more.</source>
     </message>
 </context>
 <context>
+    <name>Main</name>
+    <message>
+        <source>needs level %1</source>
+        <translation>需要%1级别</translation>
+    </message>
+</context>
+<context>
     <name>MaintenancePage</name>
     <message>
         <source>Diagnostics</source>

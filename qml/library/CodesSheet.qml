@@ -27,6 +27,7 @@ Sheet {
         spacing: Theme.size.spacing
         SettingRow {
             objectName: "codeOfRecipe"
+            level: Access.Technician
             width: parent.width
             label: qsTr("Code that selects the recipe")
             value: Recipes.codes.scanText
@@ -34,6 +35,7 @@ Sheet {
         }
         SettingRow {
             objectName: "codeOfFilm"
+            level: Access.Technician
             width: parent.width
             label: qsTr("Code of the film reel")
             value: Recipes.codes.filmText

@@ -105,11 +105,13 @@ Card {
             spacing: Theme.size.spacing
             Key {
                 objectName: "recipeRename"
+                level: Access.Technician
                 text: qsTr("Rename …")
                 onClicked: card.renameRequested()
             }
             Key {
                 objectName: "recipeCopy"
+                level: Access.Technician
                 text: qsTr("Copy …")
                 onClicked: card.copyRequested()
             }
@@ -138,6 +140,7 @@ Card {
             }
             Key {
                 objectName: "recipeExport"
+                level: Access.Operator
                 text: qsTr("Export …")
                 onClicked: card.exportRequested()
             }
@@ -150,6 +153,7 @@ Card {
     Button {
         id: openKey
         objectName: "recipeOpen"
+        level: Recipes.chosenIsOpen && !Editor.edited ? Access.Viewer : Access.Operator
         anchors { left: parent.left; right: parent.right; bottom: parent.bottom; margins: Theme.size.spacing }
         kind: Button.Primary
         text: Recipes.chosenIsOpen && !Editor.edited ? qsTr("Download …") : qsTr("Open")

@@ -114,6 +114,7 @@ Page {
         Button {
             id: exportButton
             objectName: "recipeExportAll"
+            level: Access.Operator
             text: qsTr("Export all …")
             enabled: Recipes.total > 0
             onClicked: page.offerExport(true)
@@ -141,6 +142,7 @@ Page {
             spacing: Theme.size.spacing
             Button {
                 objectName: "recipeRestore"
+                level: Access.Technician
                 visible: Recipes.canRestore
                 text: qsTr("Restore")
                 onClicked: Recipes.restore()
@@ -160,12 +162,14 @@ Page {
             }
             Button {
                 objectName: "recipeSaveAs"
+                level: Access.Technician
                 visible: Recipes.message.length === 0 && Editor.edited
                 text: qsTr("Save as …")
                 onClicked: page.name(qsTr("Save under another name"), Editor.recipeName, () => Recipes.saveAs())
             }
             Button {
                 objectName: "recipeSave"
+                level: Access.Operator
                 visible: Recipes.message.length === 0 && Editor.edited
                 kind: Button.Primary
                 text: qsTr("Save as version %1").arg(Recipes.nextVersion)

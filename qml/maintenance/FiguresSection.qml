@@ -104,6 +104,7 @@ MaintenanceSection {
         Button {
             id: exportButton
             objectName: "figuresExport"
+            level: Access.Operator
             width: foot.keyWidth
             glyph: Theme.icon.save
             text: qsTr("Export CSV")

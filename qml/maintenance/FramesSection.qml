@@ -43,6 +43,7 @@ MaintenanceSection {
         }
         Button {
             objectName: "framesExport"
+            level: Access.Operator
             Accessible.name: qsTr("Export")
             glyph: Theme.icon.save
             enabled: section.frames.count > 0

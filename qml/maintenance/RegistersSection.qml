@@ -100,6 +100,7 @@ MaintenanceSection {
         Button {
             id: writeButton
             objectName: "registerWrite"
+            level: Access.Service
             anchors { right: parent.right; top: parent.top; bottom: parent.bottom }
             visible: section.inspector.writable
             enabled: section.inspector.canWrite

@@ -77,6 +77,7 @@ MaintenanceSection {
         Button {
             id: off
             objectName: "faultsOff"
+            level: Access.Technician
             anchors { right: parent.right; verticalCenter: parent.verticalCenter }
             text: qsTr("All off")
             enabled: section.faults.activeCount > 0

@@ -51,12 +51,14 @@ MaintenanceSection {
             spacing: Theme.size.spacing
             Button {
                 objectName: "packingTeach"
+                level: Access.Technician
                 text: qsTr("Measure marks")
                 enabled: section.setup.canTeach
                 onClicked: section.setup.teach()
             }
             Button {
                 objectName: "packingWizard"
+                level: Access.Technician
                 text: qsTr("Sensor to knife …")
                 enabled: section.setup.available
                 onClicked: {

@@ -4,6 +4,8 @@
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme
+import CamPanel.Controls
+import CamPanel.Panel
 
 MouseArea {
     id: area
@@ -17,11 +19,20 @@ MouseArea {
 
     anchors.fill: parent
     pressAndHoldInterval: Theme.longPressTime
-    onClicked: if (area.field.length > 0) change.begin(area.field, area)
+    onClicked: {
+        if (area.field.length === 0)
+            return
+        Permission.tap(area, () => change.begin(area.field, area))
+        change.begin(area.field, area)
+    }
     onPressAndHold: {
         const quantities = area.explained()
         if (quantities.length > 0)
             Frame.open("Explain/NumbersSheet", { quantities: quantities })
+    }
+    Padlock {
+        anchors { right: parent.right; top: parent.top; margins: Theme.size.accent }
+        visible: area.field.length > 0 && Editor.field(area.field).neededLevel > Permission.level
     }
     ProgramChange { id: change }
 }

@@ -14,6 +14,7 @@ Field {
 
     objectName: "field_" + item.fieldId
     label: item.label
+    level: item.neededLevel
     value: item.text
     unit: item.unit
     pinned: item.pinned

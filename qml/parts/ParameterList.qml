@@ -22,6 +22,7 @@ Item {
         model: parameters.fields
         delegate: ParameterRow {
             objectName: parameters.name + index
+            level: Access.Technician
             width: list.width - 2 * Theme.size.accent
             onClicked: {
                 if (toggle)
@@ -52,6 +53,7 @@ Item {
         Button {
             id: save
             objectName: parameters.name + "Save"
+            level: Access.Technician
             anchors { right: parent.right; verticalCenter: parent.verticalCenter }
             glyph: Theme.icon.save
             text: qsTr("Save")

@@ -55,6 +55,7 @@ TouchButton {
         Button {
             id: take
             objectName: row.objectName + "take"
+            level: row.level
             anchors { right: shown.left; rightMargin: Theme.size.spacing; verticalCenter: parent.verticalCenter }
             visible: row.suggestion.length > 0
             text: qsTr("Apply %1").arg(row.suggestion)
@@ -80,6 +81,7 @@ TouchButton {
             id: keys
             anchors { right: parent.right; verticalCenter: parent.verticalCenter }
             visible: row.toggle
+            level: row.level
             width: Math.round(Math.max(parent.width * 0.15, Theme.size.touch) * Math.max(2, row.choices.length))
             choices: row.choices.map((text, key) => ({ key: key, text: text, name: row.objectName + "choice" + key }))
             current: row.choice

@@ -12,6 +12,7 @@ SettingRow {
     readonly property ParameterField field: Controller.parameterField(name)
 
     label: field.label
+    level: field.neededLevel
     value: field.shown
     onClicked: Frame.edit([tile.field], 0, null, "")
     onVisibleChanged: if (visible) field.read()

@@ -27,6 +27,7 @@ Item {
                 required property bool opens
                 required text
                 objectName: "reason_" + reason
+                level: opens ? Access.Viewer : Access.Operator
                 width: (area.width - (area.columns - 1) * grid.spacing) / area.columns
                 height: area.keyHeight
                 textSize: Theme.size.command

@@ -14,6 +14,7 @@ Segmented {
     readonly property SettingField field: Settings.setting(name)
     readonly property var all: field.choices
 
+    level: field.neededLevel
     choices: all.map(each => Object.assign({ glyph: keys.glyphs[each.key] ?? "",
         name: keys.keyName + (each.key === true ? "On" : each.key === false ? "Off" : each.key) }, each))
     current: field.key

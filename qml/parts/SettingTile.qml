@@ -14,6 +14,7 @@ SettingRow {
     property string heading: field.label   // of what a tap opens
 
     label: field.label
+    level: field.neededLevel
     value: field.shown
     onClicked: {
         if (tile.choices.length === 0)

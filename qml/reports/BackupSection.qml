@@ -51,6 +51,7 @@ MaintenanceSection {
             note: qsTr("All data of this panel in one file: recipes with their versions, machine data, users, alarms, audit trail, bags, trends, settings.")
             action: qsTr("Create backup")
             name: "backupMake"
+            level: Access.Service
             glyph: Theme.icon.save
             keyWidth: section.keyWidth
             usable: !Backup.busy
@@ -63,6 +64,7 @@ MaintenanceSection {
             note: qsTr("Replaces all these data by a backup. The file is checked first, and the present data are saved as a backup.")
             action: qsTr("Choose file")
             name: "backupRestore"
+            level: Access.Service
             glyph: Theme.icon.undo
             keyWidth: section.keyWidth
             usable: !Backup.busy
@@ -75,6 +77,7 @@ MaintenanceSection {
             note: qsTr("PDF with the open recipe (curves, limits, table), machine data, controller program and last bags.")
             action: qsTr("Create report")
             name: "reportMake"
+            level: Access.Operator
             glyph: Theme.icon.save
             keyWidth: section.keyWidth
             onClicked: {
@@ -91,6 +94,7 @@ MaintenanceSection {
             note: qsTr("For the manufacturer's support: open recipe, table, controller, alarms and changes of 7 days, communication, the last 10 seconds. No PINs.")
             action: qsTr("Create bundle")
             name: "bundleMake"
+            level: Access.Operator
             glyph: Theme.icon.save
             keyWidth: section.keyWidth
             usable: !ServiceBundle.busy

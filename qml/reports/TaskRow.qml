@@ -12,6 +12,7 @@ Item {
     required property string note
     required property string action
     required property string name          // name of the key for tests
+    property int level                     // of the person who may press its key; 0: everybody
     property string glyph
     property real keyWidth: key.implicitWidth
     readonly property alias naturalKeyWidth: key.implicitWidth
@@ -42,6 +43,7 @@ Item {
     Button {
         id: key
         objectName: row.name
+        level: row.level
         anchors { right: parent.right; verticalCenter: parent.verticalCenter }
         width: row.keyWidth
         enabled: row.usable

@@ -38,6 +38,7 @@ Item {
             }
             Button {
                 objectName: "downloadAgain"
+                level: Access.Operator
                 anchors.horizontalCenter: parent.horizontalCenter
                 visible: view.connected && Editor.programDownload.canDownload
                 width: Math.max(implicitWidth, 3 * Theme.size.touch)

@@ -30,6 +30,7 @@ MaintenanceSection {
         spacing: Theme.size.spacing
         SettingRow {
             objectName: "scannerPrefix"
+            level: Access.Service
             width: section.half
             label: qsTr("Prefix")
             value: Scan.enabled ? Scan.prefix : qsTr("no scanner")

@@ -56,6 +56,7 @@ SettingsSection {
     SettingRow {
         id: updateRow
         objectName: "softwareUpdate"
+        level: Access.Service
         visible: SoftwareUpdate.available
         anchors { left: parent.left; right: parent.right; bottom: parent.bottom }
         label: qsTr("Update")

@@ -84,6 +84,7 @@ SettingsSection {
     Button {
         id: connectButton
         objectName: "connectButton"
+        level: Access.Technician
         anchors { left: parent.left; right: parent.right; bottom: parent.bottom }
         kind: Button.Primary
         text: Settings.connectionDirty ? qsTr("Connect") : qsTr("In use")

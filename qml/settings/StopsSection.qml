@@ -60,6 +60,7 @@ SettingsSection {
         }
         SettingRow {
             objectName: "stopsShifts"
+            level: Access.Service
             width: section.half
             label: qsTr("Shifts start at")
             value: section.setup.shiftsText
@@ -67,6 +68,7 @@ SettingsSection {
         }
         SettingRow {
             objectName: "stopsDays"
+            level: Access.Service
             width: section.half
             label: qsTr("Working days")
             value: section.setup.daysText
@@ -74,6 +76,7 @@ SettingsSection {
         }
         SettingRow {
             objectName: "stopsReasons"
+            level: Access.Service
             width: section.half
             label: qsTr("Reasons of a stop")
             value: section.setup.reasonsText

@@ -94,6 +94,7 @@ SettingsSection {
             }
             SettingRow {
                 objectName: "setClock"
+                level: Access.Service
                 width: parent.width
                 label: qsTr("Clock")
                 value: Theme.fill(qsTr("%1, %2"), [facts.clockText, facts.zoneText])
@@ -104,6 +105,7 @@ SettingsSection {
             }
             SettingRow {
                 objectName: "setNetwork"
+                level: Access.Service
                 width: parent.width
                 label: qsTr("Network")
                 value: facts.lines.length > 0 ? facts.lines.join(" · ") : qsTr("not connected")
@@ -120,6 +122,7 @@ SettingsSection {
                 spacing: Theme.size.gap
                 SettingRow {
                     objectName: "setRotation"
+                    level: Access.Service
                     width: (screenRow.width - screenRow.spacing) / 2
                     enabled: ScreenRotation.blockedReason.length === 0
                     label: qsTr("Screen rotation")
@@ -135,6 +138,7 @@ SettingsSection {
                 }
                 SettingRow {
                     objectName: "setTouch"
+                    level: Access.Service
                     width: (screenRow.width - screenRow.spacing) / 2
                     enabled: TouchCalibration.blockedReason.length === 0
                     label: qsTr("Touchscreen")

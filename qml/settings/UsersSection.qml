@@ -140,6 +140,7 @@ SettingsSection {
         }
         Button {
             objectName: "userAdd"
+            level: Access.Service
             width: section.half
             kind: Access.protectedByPins ? Button.Normal : Button.Primary
             glyph: Theme.icon.addUser

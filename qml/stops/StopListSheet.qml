@@ -39,6 +39,7 @@ Sheet {
         delegate: StopListRow {
             required property int index
             objectName: "stop" + index
+            level: Access.Operator
             width: list.width - 2 * Theme.size.accent
             onClicked: {
                 if (!Access.ask(Access.Operator))

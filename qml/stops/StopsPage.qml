@@ -109,6 +109,7 @@ Page {
         }
         Button {
             objectName: "shiftCsv"
+            level: Access.Operator
             glyph: Theme.icon.save
             text: qsTr("CSV")
             enabled: page.known && !Stops.shift.csv.busy
@@ -116,6 +117,7 @@ Page {
         }
         Button {
             objectName: "shiftPdf"
+            level: Access.Operator
             glyph: Theme.icon.save
             text: qsTr("PDF")
             enabled: page.known

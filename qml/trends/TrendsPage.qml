@@ -61,6 +61,7 @@ Page {
         }
         Button {
             objectName: "trendExport"
+            level: Access.Operator
             glyph: Theme.icon.save
             text: qsTr("CSV")
             enabled: Trends.content === Trends.Shown && !Trends.csv.busy

@@ -290,12 +290,20 @@ void Editor::setRecipeName(const QString& name)
         });
 }
 
+int Editor::suggestionLevel() const
+{
+    const profile::Suggestion* wanted = suggestion();
+    return static_cast<int>(!wanted          ? Level::Viewer
+                            : wanted->ratios ? Level::Technician
+                                             : levelFor(wanted->field));
+}
+
 void Editor::applySuggestion()
 {
     if (!require(Level::Operator) || !suggestion())
         return;
     const profile::Suggestion wanted = *suggestion();
-    edit(wanted.ratios ? Level::Technician : levelFor(wanted.field), [&](program::Recipe& recipe) {
+    edit(static_cast<Level>(suggestionLevel()), [&](program::Recipe& recipe) {
         if (wanted.ratios)
             recipe.cutter().k = *wanted.ratios;
         enterField(recipe, wanted.field, wanted.value);
@@ -320,18 +328,27 @@ void Editor::commitDrag()
     emit historyChanged();
 }
 
+int Editor::undoLevel() const
+{
+    return canUndo() ? static_cast<int>(levelBetween(m_recipe, m_history.previous())) : -1;
+}
+
+int Editor::redoLevel() const
+{
+    return canRedo() ? static_cast<int>(levelBetween(m_recipe, m_history.next())) : -1;
+}
+
 void Editor::undo()
 {
     commitDrag();
-    if (require(Level::Operator) && m_history.canUndo() &&
-        require(levelBetween(m_recipe, m_history.previous())))
+    if (require(Level::Operator) && canUndo() && require(static_cast<Level>(undoLevel())))
         replace(m_history.undo(m_recipe));
 }
 
 void Editor::redo()
 {
     commitDrag();
-    if (require(Level::Operator) && m_history.canRedo() && require(levelBetween(m_recipe, m_history.next())))
+    if (require(Level::Operator) && canRedo() && require(static_cast<Level>(redoLevel())))
         replace(m_history.redo(m_recipe));
 }
 

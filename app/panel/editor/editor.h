@@ -53,7 +53,7 @@ class Editor : public QObject, public Singleton<Editor> {
     Q_PROPERTY(campanel::panel::CamLists cam READ cam CONSTANT FINAL)
     // The handles on the curve; null for a kind without any.
     Q_PROPERTY(campanel::panel::CamHandles* handles READ handles NOTIFY kindChanged FINAL)
-    Q_PROPERTY(bool hasLaw READ hasLaw NOTIFY kindChanged FINAL)
+    // Empty for a kind without a law.
     Q_PROPERTY(QString lawTitle READ lawTitle NOTIFY kindChanged FINAL)
 
     Q_PROPERTY(campanel::panel::RowModelBase* laws READ laws CONSTANT FINAL)
@@ -64,14 +64,16 @@ class Editor : public QObject, public Singleton<Editor> {
     Q_PROPERTY(QString verdict READ verdict NOTIFY solutionChanged FINAL)
     Q_PROPERTY(Severity severity READ severity NOTIFY solutionChanged FINAL)
     Q_PROPERTY(QString suggestionText READ suggestionText NOTIFY solutionChanged FINAL)
+    Q_PROPERTY(int suggestionLevel READ suggestionLevel NOTIFY solutionChanged FINAL)
 
     Q_PROPERTY(QVariant overlayCurves READ overlayCurves NOTIFY overlayChanged FINAL)
     Q_PROPERTY(QString overlayName READ overlayName NOTIFY overlayChanged FINAL)
 
     Q_PROPERTY(campanel::panel::TableModel* table READ table CONSTANT FINAL)
 
-    Q_PROPERTY(bool canUndo READ canUndo NOTIFY historyChanged FINAL)
-    Q_PROPERTY(bool canRedo READ canRedo NOTIFY historyChanged FINAL)
+    // The level that undo and redo need; -1: there is nothing to undo or redo.
+    Q_PROPERTY(int undoLevel READ undoLevel NOTIFY historyChanged FINAL)
+    Q_PROPERTY(int redoLevel READ redoLevel NOTIFY historyChanged FINAL)
     Q_PROPERTY(QString recipeName READ recipeName WRITE setRecipeName NOTIFY recipeChanged FINAL)
     Q_PROPERTY(int recipeVersion READ recipeVersion NOTIFY recipeChanged FINAL)
     Q_PROPERTY(bool edited READ edited NOTIFY recipeChanged FINAL)
@@ -138,12 +140,15 @@ public:
     [[nodiscard]] QString verdict() const;
     [[nodiscard]] Severity severity() const;
     [[nodiscard]] QString suggestionText() const;
+    [[nodiscard]] int suggestionLevel() const;
     [[nodiscard]] QVariant overlayCurves() const;
     [[nodiscard]] QString overlayName() const;
     [[nodiscard]] QString peakText() const;
     [[nodiscard]] TableModel* table() { return &m_table; }
     [[nodiscard]] bool canUndo() const { return m_history.canUndo(); }
     [[nodiscard]] bool canRedo() const { return m_history.canRedo(); }
+    [[nodiscard]] int undoLevel() const;
+    [[nodiscard]] int redoLevel() const;
     [[nodiscard]] QString recipeName() const { return QString::fromStdString(m_recipe.name); }
     void setRecipeName(const QString& name);
     // Returns the newest saved version of the open recipe; 0: none.

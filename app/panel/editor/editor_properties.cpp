@@ -118,6 +118,8 @@ QVariantList Editor::kinds() const
 
 QString Editor::lawTitle() const
 {
+    if (!hasLaw())
+        return {};
     return m_recipe.kind() == profile::ProgramKind::PositionMove ? tr("Displacement law") : tr("Speed law");
 }
 
