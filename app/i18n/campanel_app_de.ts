@@ -4731,6 +4731,27 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
         <comment>recipe</comment>
         <translation>%1, nicht gespeichert</translation>
     </message>
+    <message>
+        <source>Machine with controller %1</source>
+        <comment>serial number</comment>
+        <translation>Maschine mit Steuerung %1</translation>
+    </message>
+    <message>
+        <source>Machine with an unknown controller</source>
+        <translation>Maschine mit unbekannter Steuerung</translation>
+    </message>
+    <message>
+        <source>Machine</source>
+        <translation>Maschine</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>Datum</translation>
+    </message>
+    <message>
+        <source>Name and signature</source>
+        <translation>Name und Unterschrift</translation>
+    </message>
 </context>
 <context>
     <name>campanel::panel::Controller</name>
@@ -7180,6 +7201,46 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
         <source>%1 (%2)</source>
         <comment>reason, person</comment>
         <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>Running</source>
+        <translation>Läuft</translation>
+    </message>
+    <message>
+        <source>Stopped</source>
+        <translation>Steht</translation>
+    </message>
+    <message>
+        <source>Waiting</source>
+        <translation>Warten</translation>
+    </message>
+    <message>
+        <source>Manual</source>
+        <translation>Handbetrieb</translation>
+    </message>
+    <message>
+        <source>Fault</source>
+        <translation>Störung</translation>
+    </message>
+    <message>
+        <source>Work</source>
+        <translation>Arbeit</translation>
+    </message>
+    <message>
+        <source>Programs that ran</source>
+        <translation>Gelaufene Programme</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>Stops answered by</source>
+        <translation>Stillstände beantwortet von</translation>
+    </message>
+    <message>
+        <source>nobody</source>
+        <translation>niemand</translation>
     </message>
 </context>
 <context>

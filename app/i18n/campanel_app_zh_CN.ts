@@ -4729,6 +4729,27 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
         <comment>recipe</comment>
         <translation>%1，未保存</translation>
     </message>
+    <message>
+        <source>Machine with controller %1</source>
+        <comment>serial number</comment>
+        <translation>控制器为 %1 的机器</translation>
+    </message>
+    <message>
+        <source>Machine with an unknown controller</source>
+        <translation>控制器未知的机器</translation>
+    </message>
+    <message>
+        <source>Machine</source>
+        <translation>机器</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>日期</translation>
+    </message>
+    <message>
+        <source>Name and signature</source>
+        <translation>姓名及签字</translation>
+    </message>
 </context>
 <context>
     <name>campanel::panel::Controller</name>
@@ -7176,6 +7197,46 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
         <source>%1 (%2)</source>
         <comment>reason, person</comment>
         <translation>%1（%2）</translation>
+    </message>
+    <message>
+        <source>Running</source>
+        <translation>运行</translation>
+    </message>
+    <message>
+        <source>Stopped</source>
+        <translation>停机</translation>
+    </message>
+    <message>
+        <source>Waiting</source>
+        <translation>等待</translation>
+    </message>
+    <message>
+        <source>Manual</source>
+        <translation>手动</translation>
+    </message>
+    <message>
+        <source>Fault</source>
+        <translation>故障</translation>
+    </message>
+    <message>
+        <source>Work</source>
+        <translation>生产</translation>
+    </message>
+    <message>
+        <source>Programs that ran</source>
+        <translation>运行过的程序</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>Stops answered by</source>
+        <translation>停机原因填写人</translation>
+    </message>
+    <message>
+        <source>nobody</source>
+        <translation>无</translation>
     </message>
 </context>
 <context>

@@ -82,7 +82,7 @@ Panel::Panel(link::Link& link, const Storage& storage)
     , m_update(m_controller, recipeFolder(storage), nullptr)
     , m_versions(m_controller, m_editor, m_records, recipeFolder(storage), nullptr)
     , m_commissioning(m_controller, m_editor, m_access, *m_maintenance.files(), nullptr)
-    , m_shiftReport(m_stops, *m_maintenance.files(), nullptr)
+    , m_shiftReport(m_controller, m_stops, *m_maintenance.files(), nullptr)
     , m_bundle({m_controller, m_editor, m_records, *m_maintenance.figures(), *m_maintenance.files(),
                 *m_maintenance.frames()},
                nullptr)
@@ -94,8 +94,13 @@ Panel::Panel(link::Link& link, const Storage& storage)
     , m_hasBroker(!storage.standard.text("gateway.host").isEmpty())
     , m_pageMemory(recipeFolder(storage) + QStringLiteral("/open-page"))
 {
-    m_commissioning.setPrinter(&report::commissioningPdf);
-    m_shiftReport.setPrinter(&report::commissioningPdf);
+    const auto print = [this](const panel::ReportData& data) {
+        const auto* theme = m_window ? m_window->property("theme").value<QObject*>() : nullptr;
+        const auto* scheme = theme ? theme->property("light").value<QObject*>() : nullptr;
+        return report::commissioningPdf(data, report::ReportColors::of(scheme));
+    };
+    m_commissioning.setPrinter(print);
+    m_shiftReport.setPrinter(print);
     m_records.noteRestore(m_restore);
     connect(&m_backup, &panel::Backup::restartWanted, this, &Panel::restartWanted);
     m_bundle.setScreen([this] {

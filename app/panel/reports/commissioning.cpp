@@ -20,6 +20,23 @@ namespace {
 
 using Rows = QList<std::pair<QString, QString>>;
 
+} // namespace
+
+QString machineText(const Controller& controller)
+{
+    const auto& identity = controller.identity();
+    return identity ? Commissioning::tr("Machine with controller %1", "serial number")
+                          .arg(QString::number(identity->uniqueId, 16).toUpper())
+                    : Commissioning::tr("Machine with an unknown controller");
+}
+
+QStringList signatureTexts()
+{
+    return {Commissioning::tr("Machine"), Commissioning::tr("Date"), Commissioning::tr("Name and signature")};
+}
+
+namespace {
+
 void addFields(Rows& rows, const QVariantList& fields)
 {
     for (const QVariant& each : fields) {
@@ -154,6 +171,8 @@ ReportData Commissioning::data() const
     made.footer = tr("%1 · %2 · CamPanel %3", "date, person, version")
                       .arg(when, maker, QCoreApplication::applicationVersion());
     made.pageText = tr("Page %1");
+    made.machine = machineText(m_controller);
+    made.signatures = signatureTexts();
     made.codes = codes();
     made.sections = {verdictSection(), recipeSection(),     machineSection(),
                      tableSection(),   controllerSection(), bagSection()};

@@ -27,6 +27,19 @@ struct ReportSection {
     QString title;
     QList<std::pair<QString, QString>> rows; // label and value
     QStringList lines;                       // whole sentences below the rows
+    bool isList = false;                     // one row below the other, in their order
+};
+
+// A shift as a bar of states.
+struct ReportBar {
+    struct Stretch {
+        double from = 0; // shares of the shift
+        double width = 0;
+        int kind = 0;
+    };
+    QList<Stretch> stretches;
+    QList<std::pair<double, QString>> hours; // share and text
+    QStringList kinds;                       // the words of each kind
 };
 
 // A code that a scanner reads.
@@ -40,6 +53,9 @@ struct ReportCode {
 struct ReportData {
     QString title;
     QString recipe;          // name and version
+    QString machine;         // which machine the report is about
+    ReportBar bar;           // below the title
+    QStringList signatures;  // what is written by hand at the end
     QString footer;          // author, time and version of CamPanel
     QString pageText;        // "Page %1"
     QList<ReportCode> codes; // below the title
@@ -58,6 +74,10 @@ struct ReportData {
     double limitFrequency = 0;
     QString limitLabel;
 };
+
+// Returns which machine a report is about, and what a person writes below it.
+[[nodiscard]] QString machineText(const Controller& controller);
+[[nodiscard]] QStringList signatureTexts();
 
 class Commissioning : public QObject, public Singleton<Commissioning> {
     Q_OBJECT

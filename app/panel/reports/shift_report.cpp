@@ -25,8 +25,9 @@ QString pieceText(std::int64_t count)
 
 } // namespace
 
-ShiftReport::ShiftReport(Stops& stops, ReportFiles& files, QObject* parent)
+ShiftReport::ShiftReport(Controller& controller, Stops& stops, ReportFiles& files, QObject* parent)
     : QObject(parent)
+    , m_controller(controller)
     , m_stops(stops)
     , m_files(files)
     , m_printer([](const ReportData&) { return QByteArray(); })
@@ -50,8 +51,40 @@ ReportData ShiftReport::data() const
     data.footer = u"CamPanel %1"_s.arg(QCoreApplication::applicationVersion());
     data.pageText = tr("Page %1");
     data.isFeasible = true;
-    data.sections = {figures(), reasons(), stops()};
+    data.machine = machineText(m_controller);
+    data.bar = bar();
+    data.sections = {work(), figures(), reasons(), stops()};
+    data.signatures = signatureTexts();
     return data;
+}
+
+ReportBar ShiftReport::bar() const
+{
+    ReportBar bar;
+    for (const BarStretch& each : m_stops.shift()->summary().bar)
+        bar.stretches.append({each.from, each.width, BarRow::kindOf(each.state)});
+    for (const QVariant& each : m_stops.shift()->hours()) {
+        const QVariantMap hour = each.toMap();
+        bar.hours.append({hour.value(u"at"_s).toDouble(), hour.value(u"text"_s).toString()});
+    }
+    bar.kinds = {tr("Running"), tr("Stopped"), tr("Waiting"), tr("Manual"), tr("Fault")};
+    return bar;
+}
+
+// Returns what ran, and who was there.
+ReportSection ShiftReport::work() const
+{
+    const ShiftSummary& summary = m_stops.shift()->summary();
+    QStringList people;
+    for (const ShiftStop& each : summary.stops) {
+        if (!each.answer.by.isEmpty() && !people.contains(each.answer.by))
+            people << each.answer.by;
+    }
+    ReportSection section{tr("Work"), {}, {}, true};
+    section.rows = {
+        {tr("Programs that ran"), summary.programs.isEmpty() ? tr("none") : summary.programs.join(u", "_s)},
+        {tr("Stops answered by"), people.isEmpty() ? tr("nobody") : people.join(u", "_s)}};
+    return section;
 }
 
 ReportSection ShiftReport::figures() const
@@ -92,7 +125,7 @@ ReportSection ShiftReport::reasons() const
 
 ReportSection ShiftReport::stops() const
 {
-    ReportSection section{tr("Stops"), {}, {}};
+    ReportSection section{tr("Stops"), {}, {}, true};
     const QList<StopListRow>& rows = m_stops.shift()->stops()->rows();
     for (auto row = rows.crbegin(); row != rows.crend(); ++row) {
         const QString note = row->clockNote();

@@ -17,7 +17,7 @@ class ShiftReport : public QObject, public Singleton<ShiftReport> {
 
 public:
     // All arguments must outlive the object.
-    ShiftReport(Stops& stops, ReportFiles& files, QObject* parent);
+    ShiftReport(Controller& controller, Stops& stops, ReportFiles& files, QObject* parent);
 
     void setPrinter(Commissioning::Printer printer) { m_printer = std::move(printer); }
 
@@ -27,10 +27,13 @@ public:
     [[nodiscard]] ReportData data() const;
 
 private:
+    [[nodiscard]] ReportBar bar() const;
+    [[nodiscard]] ReportSection work() const;
     [[nodiscard]] ReportSection figures() const;
     [[nodiscard]] ReportSection reasons() const;
     [[nodiscard]] ReportSection stops() const;
 
+    Controller& m_controller;
     Stops& m_stops;
     ReportFiles& m_files;
     Commissioning::Printer m_printer;

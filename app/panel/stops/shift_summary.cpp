@@ -99,6 +99,9 @@ ShiftSummary summarize(const store::StopLog::Span& span, const Shift& shift, qin
         summary.knownMs += each.durationMs;
         summary.isClockDoubtful = summary.isClockDoubtful || each.isClockDoubtful;
         addProduction(summary.production, each);
+        const QString program = each.program + QStringLiteral(" v") + QString::number(each.version);
+        if (store::produces(each.state) && !each.program.isEmpty() && !summary.programs.contains(program))
+            summary.programs << program;
         if (each.stop == 0)
             continue;
         const StopRow answer = answers.value(each.stop);

@@ -51,6 +51,7 @@ struct ShiftSummary {
     QList<BarStretch> bar;
     QList<ShiftStop> stops;       // in their order
     QList<ReasonShare> reasons;   // longest first
+    QStringList programs;         // that ran, as "Biscuit 250 v3", in their order
     bool isClockDoubtful = false; // of an interval
 };
 

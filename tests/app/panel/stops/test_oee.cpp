@@ -166,10 +166,16 @@ private slots:
         add(5, StateInterval::State::Fault, 1'200'000, 50'000);
         add(6, StateInterval::State::Ready, 1'300'000, 20'000);  // short
         add(7, StateInterval::State::Ready, 1'400'000, 600'000); // planned
+        span.intervals[0].program = QStringLiteral("Rusk");
+        span.intervals[0].version = 2;
+        span.intervals[1].program = QStringLiteral("Soap"); // was there and never ran
+        span.intervals[3].program = QStringLiteral("Biscuit 250");
+        span.intervals[3].version = 4;
         span.stops = {{2, QStringLiteral("material/film_change"), false, {}, 1},
                       {5, QStringLiteral("C-01"), false, {}, 1},
                       {7, QStringLiteral("break"), true, {}, 1}};
         const auto summary = panel::summarize(span, Shift{0, 2'400'000}, 60'000);
+        QCOMPARE(summary.programs, QStringList({"Rusk v2", "Biscuit 250 v4"}));
         QCOMPARE(summary.stops.size(), 4);
         QCOMPARE(summary.stops[0].durationMs, 400'000);
         QCOMPARE(summary.knownMs, 1'870'000);
