@@ -105,7 +105,7 @@ public:
         m_painter.setFont(fontOf(textPx - 2));
         m_painter.setPen(m_colors.secondaryInk);
         const double top = m_y + barHeightPx;
-        constexpr double labelPx = 60;
+        constexpr double labelPx = 44;
         double free = -labelPx;
         for (const auto& [share, words] : bar.hours) {
             const double middle = std::clamp(share * m_width, labelPx / 2, m_width - labelPx / 2);
