@@ -205,6 +205,7 @@ PlotStyle CurvePlot::style() const
     plotStyle.overlayLineWidth = m_style.overlayLineWidth;
     plotStyle.axisFont = m_style.axisFont;
     plotStyle.locale = m_style.locale;
+    plotStyle.labelGap = m_style.labelGap;
     plotStyle.limitLabel = m_limitLabel;
     return plotStyle;
 }

@@ -32,6 +32,7 @@ class CurveStyle : public QObject {
     Q_PROPERTY(double lineWidth MEMBER lineWidth NOTIFY changed FINAL)
     Q_PROPERTY(double overlayLineWidth MEMBER overlayLineWidth NOTIFY changed FINAL)
     Q_PROPERTY(double traceLineWidth MEMBER traceLineWidth NOTIFY traceChanged FINAL)
+    Q_PROPERTY(double labelGap MEMBER labelGap NOTIFY fontsChanged FINAL)
     Q_PROPERTY(QFont axisFont MEMBER axisFont NOTIFY fontsChanged FINAL)
     Q_PROPERTY(QFont titleFont MEMBER titleFont NOTIFY fontsChanged FINAL)
     Q_PROPERTY(QLocale locale MEMBER locale NOTIFY fontsChanged FINAL)
@@ -55,6 +56,7 @@ public:
     double lineWidth = 3;
     double overlayLineWidth = 2;
     double traceLineWidth = 2.5;
+    double labelGap = 8; // px between the axis and its numbers
     QFont axisFont;
     QFont titleFont;
     QLocale locale;

@@ -27,6 +27,8 @@ Card {
     property int dragged: -1
     property real cursor: NaN
     property int revision
+    readonly property int kind: Editor.kind
+    onKindChanged: editor.cursor = NaN     // it was a time of the other motion
 
     // Handles and readout follow the curves; `at` is the revision of the mapping that a binding depends on.
     function handleX(index: int, at: int): real { return plot.xOfTime(editor.handleTimes[index]) }
@@ -93,6 +95,7 @@ Card {
         curves: Editor.plot.curves
         overlayCurves: editor.compare ? Editor.overlayCurves : undefined
         quantities: editor.quantities
+        style.labelGap: editor.hasHandles ? Theme.size.handle / 2 + Theme.size.outline : 2 * Theme.size.accent   // clear of the first handle
         titles: editor.quantities.map(quantity => editor.titleOf(quantity))
         markerTimes: editor.hasHandles ? [] : Editor.plot.markTimes
         cursorTime: editor.cursor

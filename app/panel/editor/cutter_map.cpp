@@ -145,9 +145,9 @@ QString CutterMap::linesText() const
         if (lineMm > m_map->range.fromMm && lineMm < m_map->range.toMm)
             texts << text;
     };
-    add(lengths.jawMm, tr("L_min: the jaws just fill the window"));
+    add(lengths.jawMm, tr("Lmin: the jaws just fill the window"));
     add(lengths.equalSpeedMm, tr("h/c: the knife turns evenly"));
-    add(lengths.dwellMm, tr("L_crit: the longest ramps stop the knife"));
+    add(lengths.dwellMm, tr("Lcrit: the longest ramps stop the knife"));
     return texts.join(QStringLiteral(" · "));
 }
 
@@ -162,6 +162,10 @@ void CutterMap::drag(double lengthMm, double rateBagsPerMin)
 
 void CutterMap::endDrag()
 {
+    if (m_map && m_recipe.isCutter() &&
+        profile::regimeRange(m_recipe.cutter(), m_machine).toMm != m_map->range.toMm)
+        m_mapOf.reset(); // the range follows the length
+    updateMap();
     emit dragEnded();
 }
 

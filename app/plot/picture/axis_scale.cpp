@@ -22,7 +22,13 @@ QwtScaleDiv roundScale(double minimum, double maximum)
     engine.autoScale(maxSteps, minimum, maximum, step);
     QwtScaleDiv division = engine.divideScale(minimum, maximum, maxSteps, 0, step);
     QList<double> ticks = division.ticks(QwtScaleDiv::MajorTick);
-    // Alignment to round numbers can give four steps; every second tick is then sufficient.
+    // Alignment to round numbers can give four steps; every second tick is then sufficient. Zero keeps its
+    // tick.
+    if (ticks.size() == 5 && (ticks[1] == 0 || ticks[3] == 0)) {
+        const double wide = ticks[2] - ticks[0];
+        const double low = ticks[1] == 0 ? -wide : -2 * wide;
+        return QwtScaleDiv(low, low + 3 * wide, {}, {}, {low, low + wide, low + 2 * wide, low + 3 * wide});
+    }
     if (ticks.size() == 5) {
         division.setTicks(QwtScaleDiv::MajorTick, {ticks[0], ticks[2], ticks[4]});
     }

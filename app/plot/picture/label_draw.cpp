@@ -5,13 +5,7 @@
 
 namespace campanel::plot {
 
-namespace {
-
-constexpr double labelDistance = 8.0; // px between the canvas and the labels
-
-} // namespace
-
-LabelDraw::LabelDraw(Alignment alignment, const QLocale& locale, int decimals, double factor)
+LabelDraw::LabelDraw(Alignment alignment, const QLocale& locale, int decimals, double factor, double gap)
     : m_locale(locale)
     , m_decimals(decimals)
     , m_factor(factor)
@@ -19,11 +13,11 @@ LabelDraw::LabelDraw(Alignment alignment, const QLocale& locale, int decimals, d
     setAlignment(alignment);
     enableComponent(Backbone, false);
     enableComponent(Ticks, false);
-    setSpacing(labelDistance);
+    setSpacing(gap);
 }
 
-LabelDraw::LabelDraw(Alignment alignment, const QLocale& locale, const AxisScale& scale)
-    : LabelDraw(alignment, locale, scale.decimals(), scale.factor())
+LabelDraw::LabelDraw(Alignment alignment, const QLocale& locale, const AxisScale& scale, double gap)
+    : LabelDraw(alignment, locale, scale.decimals(), scale.factor(), gap)
 {
     setScaleDiv(scale.division());
 }

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "app/plot/picture/axis_scale.h"
+#include "app/plot/picture/plot_style.h"
 
 #include <QLocale>
 
@@ -13,8 +14,9 @@ namespace campanel::plot {
 
 class LabelDraw : public QwtScaleDraw {
 public:
-    LabelDraw(Alignment alignment, const QLocale& locale, int decimals, double factor = 1);
-    LabelDraw(Alignment alignment, const QLocale& locale, const AxisScale& scale);
+    LabelDraw(Alignment alignment, const QLocale& locale, int decimals, double factor = 1,
+              double gap = labelGap);
+    LabelDraw(Alignment alignment, const QLocale& locale, const AxisScale& scale, double gap = labelGap);
 
     // Sets the label of the tick at `value` to `text` instead of its number.
     void setSpecialLabel(double value, const QString& text);

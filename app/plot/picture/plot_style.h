@@ -24,6 +24,7 @@ struct PlotStyle {
     double overlayLineWidth = 0; // px
     QFont axisFont;
     QLocale locale;
+    double labelGap = plot::labelGap; // px, wider where handles stand at the axis
     QString limitLabel;
 };
 

@@ -37,9 +37,30 @@ constexpr std::array patterns{Qt::BDiagPattern, Qt::Dense6Pattern, Qt::CrossPatt
                               Qt::FDiagPattern, Qt::VerPattern,    Qt::DiagCrossPattern};
 
 struct Line {
-    const char* name;
+    const char* name; // "L_min" is drawn with a subscript
     double lengthMm;
 };
+
+// Paints a symbol and its number.
+void paintSymbol(QPainter& painter, const QRectF& box, const QString& symbol, const QString& number)
+{
+    constexpr double subscriptSize = 0.75;
+    const QFont font = painter.font();
+    const QFontMetricsF metrics(font);
+    const double baseline = box.top() + metrics.ascent();
+    const QString letter = symbol.section(u'_', 0, 0);
+    const QString subscript = symbol.section(u'_', 1);
+    double x = box.left() + 2;
+    painter.drawText(QPointF(x, baseline), letter);
+    x += metrics.horizontalAdvance(letter);
+    QFont small = font;
+    small.setPixelSize(static_cast<int>(subscriptSize * font.pixelSize()));
+    painter.setFont(small);
+    painter.drawText(QPointF(x, baseline + metrics.descent() / 2), subscript);
+    x += QFontMetricsF(small).horizontalAdvance(subscript);
+    painter.setFont(font);
+    painter.drawText(QPointF(x, baseline), u' ' + number);
+}
 
 } // namespace
 
@@ -251,9 +272,9 @@ void RegimePicture::paintLines(QPainter& painter) const
         painter.setRenderHint(QPainter::Antialiasing, false);
         painter.drawLine(QPointF(x, m_canvas.top()), QPointF(x, m_canvas.bottom()));
         painter.setRenderHint(QPainter::Antialiasing);
-        const QString text = QStringLiteral("%1 %2").arg(QLatin1String(line.name),
-                                                         localNumber(style.locale, line.lengthMm, 0));
-        const double width = metrics.horizontalAdvance(text) + gapPx;
+        const QString number = localNumber(style.locale, line.lengthMm, 0);
+        const double width =
+            metrics.horizontalAdvance(QStringLiteral("%1 %2").arg(QLatin1String(line.name), number)) + gapPx;
         const double left = std::min(x + 2, m_canvas.right() - width);
         y = left < taken ? y + metrics.height() : m_canvas.top();
         const QRectF box(left, y + 1, width, metrics.height());
@@ -261,7 +282,7 @@ void RegimePicture::paintLines(QPainter& painter) const
         background.setAlphaF(labelOpacity);
         painter.fillRect(box, background);
         painter.setPen(style.ink);
-        painter.drawText(box, Qt::AlignCenter, text);
+        paintSymbol(painter, box, QLatin1String(line.name), number);
         taken = std::max(taken, left + width);
     }
 }

@@ -29,7 +29,7 @@ void ValueAxis::setCanvas(const QRectF& canvas)
 
 double ValueAxis::labelWidth(const PlotStyle& style) const
 {
-    const LabelDraw labels(QwtScaleDraw::LeftScale, style.locale, m_scale);
+    const LabelDraw labels(QwtScaleDraw::LeftScale, style.locale, m_scale, style.labelGap);
     return labels.extent(style.axisFont);
 }
 
@@ -56,7 +56,7 @@ void ValueAxis::paintGrid(QPainter& painter, const PlotStyle& style) const
 
 void ValueAxis::paintLabels(QPainter& painter, const PlotStyle& style) const
 {
-    LabelDraw labels(QwtScaleDraw::LeftScale, style.locale, m_scale);
+    LabelDraw labels(QwtScaleDraw::LeftScale, style.locale, m_scale, style.labelGap);
     labels.setScaleDiv(labelDivision(style));
     labels.move(m_canvas.topLeft());
     labels.setLength(m_canvas.height());

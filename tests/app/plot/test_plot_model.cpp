@@ -2,8 +2,8 @@
 // The model of the plots before painting: decimation, scales, quantities.
 #include "samples.h"
 
-#include "app/plot/picture/axis_scale.h"
 #include "app/plot/decimation.h"
+#include "app/plot/picture/axis_scale.h"
 #include "app/plot/picture/label_draw.h"
 #include "tests/support/test_program.h"
 
@@ -25,6 +25,7 @@ private slots:
     void decimationKeepsSteps();
     void scaleIsRound_data();
     void scaleIsRound();
+    void zeroKeepsItsTick();
     void scaleAlwaysShowsTheDataWithThreeOrFourTicks();
     void scaleStaysWhileDataMovesALittle();
     void scaleFollowsDataThatShrinksALot();
@@ -119,6 +120,17 @@ void TestPlotModel::scaleIsRound()
     QVERIFY(scale.fit(minimum, maximum, 0.01));
     QTEST(scale.lower(), "lower");
     QTEST(scale.upper(), "upper");
+}
+
+void TestPlotModel::zeroKeepsItsTick()
+{
+    for (const auto& [minimum, maximum] :
+         {std::pair{-15.0, 55.0}, {-55.0, 15.0}, {-40.0, 40.0}, {-1.0, 2.9}}) {
+        AxisScale scale;
+        scale.fit(minimum, maximum, 0.01);
+        QVERIFY2(scale.division().ticks(QwtScaleDiv::MajorTick).contains(0.0),
+                 qPrintable(QStringLiteral("%1..%2").arg(minimum).arg(maximum)));
+    }
 }
 
 void TestPlotModel::scaleAlwaysShowsTheDataWithThreeOrFourTicks()

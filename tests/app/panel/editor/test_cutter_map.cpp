@@ -151,6 +151,21 @@ private slots:
         QVERIFY(!editor.canUndo());
     }
 
+    // A drag far to the right and back leaves no empty map.
+    void theRangeFollowsTheLength()
+    {
+        PanelRig rig;
+        Editor& editor = rig.editor;
+        editor.map()->setWatched(true);
+        const double before = mapOf(editor)->range.toMm;
+        editor.map()->drag(before + 100, 20);
+        editor.map()->endDrag();
+        QVERIFY(mapOf(editor)->range.toMm > before);
+        editor.map()->drag(250, 60);
+        editor.map()->endDrag();
+        QCOMPARE(mapOf(editor)->range.toMm, before);
+    }
+
     // The ratios follow the dot, the map stays; its lines are explained.
     void dragWithRatiosThatFollow()
     {
@@ -161,7 +176,7 @@ private slots:
         editor.map()->setWatched(true);
         const auto map = mapOf(editor);
         QCOMPARE(editor.map()->linesText().count(u'·'), 2);
-        QVERIFY(editor.map()->linesText().startsWith(QStringLiteral("L_min: the jaws")));
+        QVERIFY(editor.map()->linesText().startsWith(QStringLiteral("Lmin: the jaws")));
         const double before = editor.k1()->value();
         for (int i = 1; i <= 20; ++i)
             editor.map()->drag(250 + 20 * i, 60);
