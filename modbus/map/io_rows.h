@@ -52,16 +52,14 @@ inline constexpr std::array contacts{
 struct InputRow {
     EnumValue value; // its detail is translated too
     InputSource source = InputSource::Contact;
-    bool needsAttention = false; // when it is on
 };
 
 inline constexpr std::array inputRows{
     InputRow{entry(InputBit::DriveAlarm, "DriveAlarm", CAMPANEL_TEXT("Protocol", "Drive alarm"),
-                   CAMPANEL_TEXT("Protocol", "The drive reports an alarm. The controller goes into fault.")),
-             InputSource::Contact, true},
-    InputRow{entry(InputBit::EmergencyStop, "EmergencyStop", CAMPANEL_TEXT("Protocol", "Emergency stop"),
-                   CAMPANEL_TEXT("Protocol", "Ends a motion and refuses others. No safety depends on this.")),
-             InputSource::Contact, true},
+                   CAMPANEL_TEXT("Protocol", "The drive reports an alarm. The controller goes into fault."))},
+    InputRow{
+        entry(InputBit::EmergencyStop, "EmergencyStop", CAMPANEL_TEXT("Protocol", "Emergency stop"),
+              CAMPANEL_TEXT("Protocol", "Ends a motion and refuses others. No safety depends on this."))},
     InputRow{entry(InputBit::LimitForward, "LimitForward", CAMPANEL_TEXT("Protocol", "Limit switch, forward"),
                    CAMPANEL_TEXT("Protocol", "The axis is at its forward limit. Only displayed."))},
     InputRow{entry(InputBit::LimitReverse, "LimitReverse", CAMPANEL_TEXT("Protocol", "Limit switch, reverse"),

@@ -34,6 +34,7 @@ Card {
         }
         Figure {
             objectName: "filmSaved"
+            visible: Controller.telemetry[value] !== 0   // unknown is told, nothing is not
             label: qsTr("Film saved")
             value: "packer.film_saved"
         }
@@ -45,7 +46,6 @@ Card {
             verticalAlignment: Text.AlignTop
             wrapMode: Text.WordWrap
             fontSizeMode: Text.Fit
-            minimumPixelSize: Theme.size.caption - 4
             text: qsTr("Last: %1").arg(card.line.lastSkipText)
             color: card.inkColor
             font.pixelSize: Theme.size.caption

@@ -163,7 +163,7 @@ QVariantList Audit::detail() const
                          AccessSentences::level(static_cast<Level>(std::clamp(entry.level, 0, 3)))));
     // The text for the reader, the key for a search in the register document.
     const QString words = AuditWords::object(entry);
-    add(tr("Action"), words == entry.object ? words : u"%1 (%2)"_s.arg(words, entry.object));
+    add(tr("Subject"), words == entry.object ? words : u"%1 (%2)"_s.arg(words, entry.object));
     add(tr("Before"), entry.before);
     add(tr("Requested"), entry.after);
     add(tr("Read back"), entry.readBack);

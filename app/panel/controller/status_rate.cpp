@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/panel/controller/status_rate.h"
 
+#include <algorithm>
 #include <limits>
 
 namespace campanel::panel {
@@ -10,7 +11,7 @@ using namespace std::chrono_literals;
 namespace {
 
 constexpr auto qualityWindow = 5s;
-constexpr auto rateWindow = 1s;
+constexpr auto minTime = 1s;
 
 } // namespace
 
@@ -23,12 +24,13 @@ void StatusRate::note(const link::StatusBatch& batch, link::SteadyTime now)
 
 double StatusRate::perSecond(link::SteadyTime now) const
 {
-    if (m_batches.empty() || m_batches.front().at > now - rateWindow)
+    if (m_batches.empty() || m_batches.front().at > now - minTime)
         return std::numeric_limits<double>::quiet_NaN();
+    const auto begin = std::max(m_batches.front().at, now - qualityWindow);
     int good = 0;
     for (const Batch& batch : m_batches)
-        good += batch.at > now - rateWindow ? batch.good : 0;
-    return good / std::chrono::duration<double>(rateWindow).count();
+        good += batch.at > begin ? batch.good : 0;
+    return good / std::chrono::duration<double>(now - begin).count();
 }
 
 int StatusRate::quality(link::SteadyTime now) const

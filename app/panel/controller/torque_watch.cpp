@@ -191,13 +191,19 @@ QString TorqueWatch::missingText() const
     return {};
 }
 
+// Returns what is known without a prediction; its explanation says what is missing for one.
+QString TorqueWatch::measuredText() const
+{
+    return std::isnan(measuredPercent()) ? QString()
+                                         : tr("Torque %1 %").arg(Format().number(measuredPercent(), 0));
+}
+
 QString TorqueWatch::text() const
 {
     const Format format;
     const QString measured = format.number(measuredPercent(), 0);
-    const QString missing = missingText();
-    if (!missing.isEmpty())
-        return tr("Torque %1 %, predicted --. %2", "%1: of rated, %2: sentence").arg(measured, missing);
+    if (std::isnan(predictedPercent()) || std::isnan(differencePercent()))
+        return measuredText();
     return tr("Torque %1 % of rated, predicted %2 %, largest difference %3 %")
         .arg(measured, format.number(predictedPercent(), 0), format.number(differencePercent(), 1));
 }
@@ -205,6 +211,8 @@ QString TorqueWatch::text() const
 QString TorqueWatch::shortText() const
 {
     const Format format;
+    if (std::isnan(predictedPercent()) || std::isnan(differencePercent()))
+        return measuredText();
     return tr("Torque %1 %, predicted %2 %, max. diff. %3 %")
         .arg(format.number(measuredPercent(), 0), format.number(predictedPercent(), 0),
              format.number(differencePercent(), 1));

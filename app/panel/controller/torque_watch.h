@@ -46,7 +46,7 @@ public:
     [[nodiscard]] double measuredPercent() const;
     [[nodiscard]] double predictedPercent() const { return m_last.predictedPercent; }
     [[nodiscard]] double differencePercent() const;
-    [[nodiscard]] QString text() const;
+    [[nodiscard]] QString text() const; // empty when nothing is known
     [[nodiscard]] QString shortText() const;
     [[nodiscard]] QString missingText() const;
 
@@ -68,6 +68,7 @@ signals:
     void changed();
 
 private:
+    [[nodiscard]] QString measuredText() const;
     void takePins();
     void prepare();
     // Returns true when the machine data are those of the axis that the active program was made for.

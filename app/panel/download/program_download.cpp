@@ -150,6 +150,8 @@ QString ProgramDownload::controllerText() const
         return tr("No connection. Last known program in the controller: generation %1").arg(generation);
     if (!m_offer)
         return tr("Active in controller: generation %1").arg(generation);
+    if (m_offer->recipe.kind() != m_controller.program()->recipe.kind())
+        return tr("Active in controller: generation %1 · another kind of program").arg(generation);
     switch (m_differences.count()) {
     case 0:
         return tr("Active in controller: generation %1 · identical").arg(generation);

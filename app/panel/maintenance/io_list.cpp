@@ -35,6 +35,18 @@ IoList::Lamp lampOf(AlarmSeverity severity)
                                                 : IoList::Lamp::On;
 }
 
+IoList::Lamp lampOf(modbus::InputBit bit)
+{
+    switch (bit) {
+    case modbus::InputBit::DriveAlarm:
+        return lampOf(AlarmCatalogue::of(FaultBit::DriveAlarm).severity);
+    case modbus::InputBit::EmergencyStop:
+        return lampOf(AlarmCatalogue::of(WarningBit::EmergencyStop).severity);
+    default:
+        return IoList::Lamp::On;
+    }
+}
+
 } // namespace
 
 IoList::IoList(Controller& controller, QObject* parent)
@@ -145,7 +157,7 @@ void IoList::addPins(QList<Row>& rows, const modbus::IoStatus& pins) const
     for (const modbus::InputRow& row : modbus::inputRows) {
         const auto bit = static_cast<modbus::InputBit>(row.value.value);
         addPin(rows, {.side = Side::Input, .name = ControllerSentences::text(bit)}, pins.level(bit),
-               ControllerSentences::purpose(bit), row.needsAttention ? Lamp::Bad : Lamp::On);
+               ControllerSentences::purpose(bit), lampOf(bit));
     }
     for (const modbus::EnumValue& row : modbus::outputRows) {
         const auto bit = static_cast<modbus::OutputBit>(row.value);
