@@ -90,7 +90,7 @@ QByteArray mapPng(const RegimeMap& map, const program::Recipe& recipe)
         content.limitNames << panel::RecipeWords::limitName(limit);
     content.rateUnit = panel::RecipeWords::unit(profile::info(profile::Field::Rate).unit);
     content.refusedName = u"not possible"_s;
-    content.marksName = u"lengths of the paper"_s;
+    content.marksName = u"reference lengths"_s;
     for (const profile::PaperLength& each : profile::paperLengths)
         content.marks << each.bagLengthMm;
     if (const auto cycle = profile::solveNumbers(recipe.cutter(), recipe.machine)) {

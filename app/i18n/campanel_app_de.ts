@@ -1824,8 +1824,8 @@ eff. %2</translation>
         <translation>%1 bis %2 %3</translation>
     </message>
     <message>
-        <source>pairs of master angle and slave position</source>
-        <translation>Paare aus Leitwinkel und Folgeposition</translation>
+        <source>pairs of master angle and position</source>
+        <translation>Paare aus Leitwinkel und Position</translation>
     </message>
     <message>
         <source>%1 values, as in the header</source>
@@ -2842,8 +2842,8 @@ eff. %2</translation>
         <translation>Exponent k</translation>
     </message>
     <message>
-        <source>Cubic (paper)</source>
-        <translation>Kubisch (Aufsatz)</translation>
+        <source>Cubic</source>
+        <translation>Kubisch</translation>
     </message>
     <message>
         <source>As a displacement law, acceleration jumps to its peak (6) at both ends; as a speed law, jerk does.</source>
@@ -3662,6 +3662,11 @@ eff. %2</translation>
         <source>The cycle repeats at %1, above the shaft&apos;s natural frequency of %2. Enter a lower rate, or correct the machine data.</source>
         <translation>Der Zyklus wiederholt sich mit %1, über der Eigenfrequenz der Welle von %2. Taktzahl senken oder Maschinendaten korrigieren.</translation>
     </message>
+    <message>
+        <source>This motion allows up to %1 (%2).</source>
+        <comment>%1: rate with unit, %2: name of the limit</comment>
+        <translation>Diese Bewegung erlaubt bis zu %1 (%2).</translation>
+    </message>
 </context>
 <context>
     <name>RegisterWords</name>
@@ -4409,8 +4414,8 @@ eff. %2</translation>
         <translation>Benutzer</translation>
     </message>
     <message>
-        <source>Action</source>
-        <translation>Aktion</translation>
+        <source>Subject</source>
+        <translation>Gegenstand</translation>
     </message>
     <message>
         <source>Before</source>
@@ -4515,6 +4520,11 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
         <source>%1 Correct the file; the panel reads it again automatically.</source>
         <comment>%1: whole sentence</comment>
         <translation>%1 Korrigieren Sie die Datei; das Panel liest sie von selbst erneut.</translation>
+    </message>
+    <message>
+        <source>%1, position %2 to %3 mm, will replace those of the recipe. Undo restores them.</source>
+        <comment>%1: number of knots or segments</comment>
+        <translation>%1, Position %2 bis %3 mm, ersetzen die des Rezepts. Rückgängig stellt sie wieder her.</translation>
     </message>
     <message>
         <source>%1, slave %2 to %3, will replace those of the recipe. Undo restores them.</source>
@@ -4820,8 +4830,8 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
 <context>
     <name>campanel::panel::CutterMap</name>
     <message>
-        <source>L_min: the jaws just fill the window</source>
-        <translation>L_min: die Backen füllen das Fenster gerade</translation>
+        <source>Lmin: the jaws just fill the window</source>
+        <translation>Lmin: die Backen füllen das Fenster gerade</translation>
     </message>
     <message>
         <source>h/c: the knife turns evenly</source>
@@ -4843,8 +4853,8 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
         <translation>Keine Taktzahl ist möglich; begrenzt durch: %1.</translation>
     </message>
     <message>
-        <source>L_crit: the longest ramps stop the knife</source>
-        <translation>L_krit: die längsten Rampen halten das Messer an</translation>
+        <source>Lcrit: the longest ramps stop the knife</source>
+        <translation>Lcrit: die längsten Rampen halten das Messer an</translation>
     </message>
 </context>
 <context>
@@ -5755,8 +5765,8 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
         <translation>Stützpunkt %1, Leitachse</translation>
     </message>
     <message>
-        <source>Knot %1, slave</source>
-        <translation>Stützpunkt %1, Folgeachse</translation>
+        <source>Knot %1, position</source>
+        <translation>Stützpunkt %1, Position</translation>
     </message>
     <message>
         <source>The cycle closes smoothly.</source>
@@ -6361,6 +6371,10 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
         <source>%1 Confirm the advance, or close the cam.</source>
         <comment>%1: whole sentence</comment>
         <translation>%1 Vorschub bestätigen oder Kurve schließen.</translation>
+    </message>
+    <message>
+        <source>Active in controller: generation %1 · another kind of program</source>
+        <translation>In der Steuerung aktiv: Generation %1 · andere Programmart</translation>
     </message>
 </context>
 <context>
@@ -7001,8 +7015,8 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
         <translation>%1 %</translation>
     </message>
     <message>
-        <source>Screen off after minutes without touch, at standstill</source>
-        <translation>Bildschirm aus nach Minuten ohne Berührung, im Stillstand</translation>
+        <source>Screen off without touch, at standstill</source>
+        <translation>Bildschirm aus ohne Berührung, im Stillstand</translation>
     </message>
     <message>
         <source>Never</source>
@@ -7630,17 +7644,16 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
         <translation>Das Programm wurde für andere Maschinendaten erstellt.</translation>
     </message>
     <message>
-        <source>Torque %1 %, predicted --. %2</source>
-        <comment>%1: of rated, %2: sentence</comment>
-        <translation>Moment %1 %, vorhergesagt --. %2</translation>
-    </message>
-    <message>
         <source>Torque %1 % of rated, predicted %2 %, largest difference %3 %</source>
         <translation>Moment %1 % vom Nennmoment, vorhergesagt %2 %, größte Differenz %3 %</translation>
     </message>
     <message>
         <source>Torque %1 %, predicted %2 %, max. diff. %3 %</source>
         <translation>Moment %1 %, vorhergesagt %2 %, max. Diff. %3 %</translation>
+    </message>
+    <message>
+        <source>Torque %1 %</source>
+        <translation>Moment %1 %</translation>
     </message>
 </context>
 <context>

@@ -1822,8 +1822,8 @@ RMS %2</source>
         <translation>%1 到 %2 %3</translation>
     </message>
     <message>
-        <source>pairs of master angle and slave position</source>
-        <translation>主轴角和从轴位置的数对</translation>
+        <source>pairs of master angle and position</source>
+        <translation>主轴角和位置的数对</translation>
     </message>
     <message>
         <source>%1 values, as in the header</source>
@@ -2840,8 +2840,8 @@ RMS %2</source>
         <translation>指数 k</translation>
     </message>
     <message>
-        <source>Cubic (paper)</source>
-        <translation>三次（论文）</translation>
+        <source>Cubic</source>
+        <translation>三次</translation>
     </message>
     <message>
         <source>As a displacement law, acceleration jumps to its peak (6) at both ends; as a speed law, jerk does.</source>
@@ -3660,6 +3660,11 @@ RMS %2</source>
         <source>The cycle repeats at %1, above the shaft&apos;s natural frequency of %2. Enter a lower rate, or correct the machine data.</source>
         <translation>循环频率为 %1，高于轴的固有频率 %2。请降低速率，或更正机器数据。</translation>
     </message>
+    <message>
+        <source>This motion allows up to %1 (%2).</source>
+        <comment>%1: rate with unit, %2: name of the limit</comment>
+        <translation>此运动最高允许 %1（%2）。</translation>
+    </message>
 </context>
 <context>
     <name>RegisterWords</name>
@@ -4407,8 +4412,8 @@ RMS %2</source>
         <translation>用户</translation>
     </message>
     <message>
-        <source>Action</source>
-        <translation>操作</translation>
+        <source>Subject</source>
+        <translation>对象</translation>
     </message>
     <message>
         <source>Before</source>
@@ -4513,6 +4518,11 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
         <source>%1 Correct the file; the panel reads it again automatically.</source>
         <comment>%1: whole sentence</comment>
         <translation>%1请更正文件，面板会自动重新读取。</translation>
+    </message>
+    <message>
+        <source>%1, position %2 to %3 mm, will replace those of the recipe. Undo restores them.</source>
+        <comment>%1: number of knots or segments</comment>
+        <translation>%1，位置 %2 至 %3 mm，将取代配方中的原有内容。可用“撤销”恢复。</translation>
     </message>
     <message>
         <source>%1, slave %2 to %3, will replace those of the recipe. Undo restores them.</source>
@@ -4818,16 +4828,16 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
 <context>
     <name>campanel::panel::CutterMap</name>
     <message>
-        <source>L_min: the jaws just fill the window</source>
-        <translation>L_min：封刀刚好占满窗口</translation>
+        <source>Lmin: the jaws just fill the window</source>
+        <translation>Lmin：封刀刚好占满窗口</translation>
     </message>
     <message>
         <source>h/c: the knife turns evenly</source>
         <translation>h/c：切刀匀速转动</translation>
     </message>
     <message>
-        <source>L_crit: the longest ramps stop the knife</source>
-        <translation>L_crit：最长斜坡使切刀停顿</translation>
+        <source>Lcrit: the longest ramps stop the knife</source>
+        <translation>Lcrit：最长斜坡使切刀停顿</translation>
     </message>
     <message>
         <source>%1 · %2</source>
@@ -5753,8 +5763,8 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
         <translation>型值点 %1，主轴</translation>
     </message>
     <message>
-        <source>Knot %1, slave</source>
-        <translation>型值点 %1，从轴</translation>
+        <source>Knot %1, position</source>
+        <translation>型值点 %1，位置</translation>
     </message>
     <message>
         <source>The cycle closes smoothly.</source>
@@ -6359,6 +6369,10 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
         <source>%1 Confirm the advance, or close the cam.</source>
         <comment>%1: whole sentence</comment>
         <translation>%1请确认净进给，或闭合凸轮。</translation>
+    </message>
+    <message>
+        <source>Active in controller: generation %1 · another kind of program</source>
+        <translation>控制器中运行：第 %1 代 · 另一种程序</translation>
     </message>
 </context>
 <context>
@@ -6997,8 +7011,8 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
         <translation>%1 %</translation>
     </message>
     <message>
-        <source>Screen off after minutes without touch, at standstill</source>
-        <translation>静止且无触摸多少分钟后熄屏</translation>
+        <source>Screen off without touch, at standstill</source>
+        <translation>静止且无触摸时关闭屏幕</translation>
     </message>
     <message>
         <source>Never</source>
@@ -7626,17 +7640,16 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
         <translation>该程序是按其他机器数据生成的。</translation>
     </message>
     <message>
-        <source>Torque %1 %, predicted --. %2</source>
-        <comment>%1: of rated, %2: sentence</comment>
-        <translation>转矩 %1 %，预测 --。%2</translation>
-    </message>
-    <message>
         <source>Torque %1 % of rated, predicted %2 %, largest difference %3 %</source>
         <translation>转矩为额定的 %1 %，预测 %2 %，最大偏差 %3 %</translation>
     </message>
     <message>
         <source>Torque %1 %, predicted %2 %, max. diff. %3 %</source>
         <translation>转矩 %1 %，预测 %2 %，最大偏差 %3 %</translation>
+    </message>
+    <message>
+        <source>Torque %1 %</source>
+        <translation>转矩 %1 %</translation>
     </message>
 </context>
 <context>

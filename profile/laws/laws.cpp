@@ -28,7 +28,7 @@ using namespace detail;
 constexpr std::array lawTable{
     Law{LawId::Cubic,
         "cubic",
-        CAMPANEL_TEXT("Recipe", "Cubic (paper)"),
+        CAMPANEL_TEXT("Recipe", "Cubic"),
         true,
         true,
         true,

@@ -13,6 +13,7 @@ Card {
     required property string currentText
     required property real minimum
     required property real maximum
+    property real possible: NaN            // the largest number that works with the others
     required property real defaultValue
     required property int decimals
     property string refusal                // reason why typedValue is refused; "" when it is valid
@@ -67,7 +68,6 @@ Card {
             anchors { left: parent.left; right: shown.left; rightMargin: Theme.size.spacing; top: parent.top }
             text: keypad.label
             fontSizeMode: Text.HorizontalFit
-            minimumPixelSize: Theme.size.caption - 3
             font { weight: Font.DemiBold; pixelSize: Theme.size.body }
         }
         Label {
@@ -88,10 +88,10 @@ Card {
             objectName: "keypadHint"
             anchors { left: parent.left; right: parent.right; bottom: parent.bottom; top: shown.bottom }
             fontSizeMode: Text.Fit
-            minimumPixelSize: Theme.size.caption - 3
             wrapMode: Text.WordWrap
             text: entry.unwantedFraction ? qsTr("Enter a whole number.") : keypad.refused ? keypad.refusal
                 : keypad.warning.length > 0 ? keypad.warning
+                : keypad.possible < keypad.maximum ? Theme.fill(qsTr("%1 to %2, possible up to %3 · now %4"), [Theme.number(keypad.minimum, keypad.decimals), Theme.number(keypad.maximum, keypad.decimals), Theme.number(keypad.possible, keypad.decimals), keypad.currentText])
                 : Theme.fill(qsTr("%1 to %2 · now %3"), [Theme.number(keypad.minimum, keypad.decimals), Theme.number(keypad.maximum, keypad.decimals), keypad.currentText])
             color: keypad.refused || entry.unwantedFraction ? Theme.color.fault : keypad.warning.length > 0 ? Theme.color.warning : Theme.color.secondaryInk
             font.pixelSize: Theme.size.caption

@@ -22,7 +22,6 @@ Button {
     objectName: "nextStep"
     level: suggests ? Editor.suggestionLevel : saves ? Access.Operator : Access.Viewer
     kind: Button.Primary
-    width: Math.round(Math.min(2.4 * Theme.size.touch, 0.24 * parent.width))
     enabled: busy || suggests || saves || asks || Editor.programDownload.canDownload
     text: busy ? qsTr("Downloading") : suggests ? Editor.suggestionText : saves ? Theme.fill(qsTr("Save %1"), [Controller.active.name])
         : settled ? qsTr("Saved") : qsTr("Download")

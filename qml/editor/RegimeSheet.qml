@@ -36,7 +36,7 @@ Sheet {
         lengthUnit: Theme.shownUnit("mm")
         lengthFactor: Theme.unitFactor("mm")
         refusedName: qsTr("not possible")
-        marksName: qsTr("lengths of the paper")
+        marksName: qsTr("reference lengths")
         limitColors: [Theme.color.acceleration, Theme.color.touch, Theme.color.frequency, Theme.color.position, Theme.color.jerk, Theme.color.secondaryInk]
         gridColor: Theme.color.line
         surfaceColor: Theme.color.surface
@@ -99,7 +99,6 @@ Sheet {
         verticalAlignment: Text.AlignVCenter
         wrapMode: Text.WordWrap
         fontSizeMode: Text.Fit
-        minimumPixelSize: Theme.size.caption - 3
         text: Theme.unbroken(sheet.good ? qsTr("Drag the dot to another length and rate.") + "\n" + Editor.cutter.map.linesText : Editor.verdict)
         color: sheet.good ? Theme.color.secondaryInk : Theme.color.fault
     }

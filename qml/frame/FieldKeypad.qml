@@ -38,9 +38,8 @@ Item {
 
     implicitWidth: Theme.size.keypad + stripWidth
 
-    Rectangle { // nothing looks out between the tabs
-        anchors { left: parent.left; right: pad.left; top: pad.top; bottom: pad.bottom }
-        visible: editor.several
+    Rectangle { // nothing looks out above, below and between the tabs
+        anchors.fill: parent
         color: Theme.color.ground
         MouseArea { anchors.fill: parent }
     }
@@ -94,6 +93,7 @@ Item {
         currentText: editor.field.text
         minimum: editor.field.minimum
         maximum: editor.field.maximum
+        possible: editor.field.possible
         defaultValue: editor.field.defaultValue
         decimals: editor.field.decimals
         refusal: isNaN(typedValue) ? "" : editor.field.check(typedValue)

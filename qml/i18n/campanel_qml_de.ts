@@ -868,6 +868,10 @@ Und %2 weitere.</translation>
         <source>How this is calculated</source>
         <translation>So wird gerechnet</translation>
     </message>
+    <message>
+        <source>Change: %1</source>
+        <translation>Ändern: %1</translation>
+    </message>
 </context>
 <context>
     <name>ExplanationSheet</name>
@@ -2011,6 +2015,10 @@ Und %2 weitere.</translation>
         <source>Enter a whole number.</source>
         <translation>Eine ganze Zahl eingeben.</translation>
     </message>
+    <message>
+        <source>%1 to %2, possible up to %3 · now %4</source>
+        <translation>%1 bis %2, möglich bis %3 · jetzt %4</translation>
+    </message>
 </context>
 <context>
     <name>OeeCard</name>
@@ -2413,6 +2421,10 @@ Und %2 weitere.</translation>
         <source>Codes …</source>
         <translation>Codes …</translation>
     </message>
+    <message>
+        <source>In the controller and open here</source>
+        <translation>In der Steuerung und hier offen</translation>
+    </message>
 </context>
 <context>
     <name>RecipeComparisonSheet</name>
@@ -2462,6 +2474,14 @@ Und %2 weitere.</translation>
     <message>
         <source>v%1 · %2</source>
         <translation>v%1 · %2</translation>
+    </message>
+    <message>
+        <source>Open on this panel</source>
+        <translation>Auf diesem Panel offen</translation>
+    </message>
+    <message>
+        <source>In the controller</source>
+        <translation>In der Steuerung</translation>
     </message>
 </context>
 <context>
@@ -2618,8 +2638,8 @@ Und %2 weitere.</translation>
         <translation>nicht möglich</translation>
     </message>
     <message>
-        <source>lengths of the paper</source>
-        <translation>Längen des Aufsatzes</translation>
+        <source>reference lengths</source>
+        <translation>Bezugslängen</translation>
     </message>
     <message>
         <source>Drag the dot to another length and rate.</source>
@@ -3037,7 +3057,7 @@ Und %2 weitere.</translation>
     <name>SkippedCutsCard</name>
     <message>
         <source>Skipped cuts</source>
-        <translation>Schnitte aus</translation>
+        <translation>Ausgelassene Schnitte</translation>
     </message>
     <message>
         <source>Bags without product</source>
@@ -3274,10 +3294,6 @@ Und %2 weitere.</translation>
         <translation>Bildschirm und System</translation>
     </message>
     <message>
-        <source>Clean</source>
-        <translation>Reinigen</translation>
-    </message>
-    <message>
         <source>Clock</source>
         <translation>Uhr</translation>
     </message>
@@ -3336,6 +3352,14 @@ Und %2 weitere.</translation>
     <message>
         <source>as before the first one; the panel restarts</source>
         <translation>wie vor der ersten; das Panel startet neu</translation>
+    </message>
+    <message>
+        <source>Clean the screen</source>
+        <translation>Bildschirm reinigen</translation>
+    </message>
+    <message>
+        <source>30 s without touch</source>
+        <translation>30 s ohne Berührung</translation>
     </message>
 </context>
 <context>

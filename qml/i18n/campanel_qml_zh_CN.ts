@@ -868,6 +868,10 @@ And %2 more.</source>
         <source>How this is calculated</source>
         <translation>计算方法</translation>
     </message>
+    <message>
+        <source>Change: %1</source>
+        <translation>更改：%1</translation>
+    </message>
 </context>
 <context>
     <name>ExplanationSheet</name>
@@ -2011,6 +2015,10 @@ And %2 more.</source>
         <source>Enter a whole number.</source>
         <translation>请输入整数。</translation>
     </message>
+    <message>
+        <source>%1 to %2, possible up to %3 · now %4</source>
+        <translation>%1 至 %2，可行至 %3 · 当前 %4</translation>
+    </message>
 </context>
 <context>
     <name>OeeCard</name>
@@ -2413,6 +2421,10 @@ And %2 more.</source>
         <source>Codes …</source>
         <translation>条码…</translation>
     </message>
+    <message>
+        <source>In the controller and open here</source>
+        <translation>在控制器中且在此打开</translation>
+    </message>
 </context>
 <context>
     <name>RecipeComparisonSheet</name>
@@ -2462,6 +2474,14 @@ And %2 more.</source>
     <message>
         <source>v%1 · %2</source>
         <translation>第 %1 版 · %2</translation>
+    </message>
+    <message>
+        <source>Open on this panel</source>
+        <translation>已在面板上打开</translation>
+    </message>
+    <message>
+        <source>In the controller</source>
+        <translation>在控制器中</translation>
     </message>
 </context>
 <context>
@@ -2618,8 +2638,8 @@ And %2 more.</source>
         <translation>不可行</translation>
     </message>
     <message>
-        <source>lengths of the paper</source>
-        <translation>论文中的袋长</translation>
+        <source>reference lengths</source>
+        <translation>参考袋长</translation>
     </message>
     <message>
         <source>Drag the dot to another length and rate.</source>
@@ -3274,10 +3294,6 @@ And %2 more.</source>
         <translation>屏幕与系统</translation>
     </message>
     <message>
-        <source>Clean</source>
-        <translation>清洁</translation>
-    </message>
-    <message>
         <source>Clock</source>
         <translation>时钟</translation>
     </message>
@@ -3336,6 +3352,14 @@ And %2 more.</source>
     <message>
         <source>as before the first one; the panel restarts</source>
         <translation>恢复首次校准前的状态；面板将重启</translation>
+    </message>
+    <message>
+        <source>Clean the screen</source>
+        <translation>清洁屏幕</translation>
+    </message>
+    <message>
+        <source>30 s without touch</source>
+        <translation>30 s 内触摸无效</translation>
     </message>
 </context>
 <context>

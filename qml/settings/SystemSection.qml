@@ -38,7 +38,6 @@ SettingsSection {
     component Caption: Label {
         width: parent.width
         fontSizeMode: Text.HorizontalFit
-        minimumPixelSize: Theme.size.caption - 2
         color: Theme.color.secondaryInk
     }
     NetworkInfo {
@@ -55,7 +54,7 @@ SettingsSection {
 
         Column {
             id: column
-            width: scroll.width - 2 * Theme.size.accent
+            width: scroll.width - scrollMark.room
             spacing: Theme.size.spacing
             Caption {
                 visible: Display.adjustable
@@ -88,7 +87,8 @@ SettingsSection {
                 Button {
                     id: wipeKey
                     objectName: "wipeScreen"
-                    text: qsTr("Clean")
+                    text: qsTr("Clean the screen")
+                    note: qsTr("30 s without touch")
                     onClicked: Display.wipe()
                 }
             }
@@ -166,5 +166,5 @@ SettingsSection {
             }
         }
     }
-    ScrollMark { view: scroll }
+    ScrollMark { id: scrollMark; view: scroll }
 }

@@ -343,7 +343,7 @@ private slots:
         tap("nav_motion");
         tap("lawButton");
         m_window->hold(QStringLiteral("law_cubic"));
-        QCOMPARE(editor().overlayName(), QStringLiteral("Cubic (paper)"));
+        QCOMPARE(editor().overlayName(), QStringLiteral("Cubic"));
         m_window->hold(QStringLiteral("law_cubic"));
         QCOMPARE(editor().overlayName(), QString());
     }

@@ -77,7 +77,7 @@ private slots:
             << Situation::Fresh << QStringList() << u"middleKey"_s << Command::Home;
         QTest::newRow("reset") << Situation::Fault << QStringList() << u"middleKey"_s << Command::ResetFault;
         QTest::newRow("reference run, Maintenance")
-            << Situation::Stopped << machine + QStringList{u"maintenanceHoming"_s} << u"homingKey"_s
+            << Situation::Stopped << machine + QStringList{u"maintenanceHoming"_s} << u"middleKey"_s
             << Command::Home;
         QTest::newRow("output") << Situation::Stopped << machine + QStringList{u"maintenanceIo"_s}
                                 << u"try2"_s << Command::TryOutput;

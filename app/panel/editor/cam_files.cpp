@@ -82,7 +82,7 @@ OfferRow CamFiles::fileRow(const store::ListOffer& offer) const
     } else {
         const auto& list = *program::kindInfo(profile::kindOf(offer.program)).list;
         const auto [lowestMm, highestMm] = list.slaveRangeMm(offer.program);
-        row.detail = tr("%1, slave %2 to %3, will replace those of the recipe. Undo restores them.",
+        row.detail = tr("%1, position %2 to %3, will replace those of the recipe. Undo restores them.",
                         "%1: number of knots or segments")
                          .arg(RecipeWords::listSize(offer.program),
                               format.compactAmount(lowestMm, 0, 3, QStringLiteral("mm")),

@@ -61,6 +61,8 @@ FieldView EditorViews::field(Field field) const
     view.text = RecipeWords::valueText(field, view.value);
     if (m_active && m_active->recipe.kind() == m_recipe.kind() && program::isInController(m_recipe, field))
         view.activeText = RecipeWords::valueText(field, program::value(m_active->recipe, field));
+    if (field == Field::Rate && m_solution.fastest)
+        view.possible = m_solution.fastest->rateBagsPerMin;
     if (profile::isRatio(field))
         narrowRatio(field, view);
     view.explanation =
@@ -260,8 +262,13 @@ QString EditorViews::peaks() const
 
 QString EditorViews::verdict() const
 {
-    if (!m_solution.refusals.empty())
-        return RefusalSentences::refusal(m_solution.refusals.front());
+    if (!m_solution.refusals.empty()) {
+        const profile::Refusal& refusal = m_solution.refusals.front();
+        const QString sentence = RefusalSentences::refusal(refusal);
+        return refusal.limit == profile::Limit::MachineRate && m_solution.fastest
+                   ? QStringLiteral("%1 %2").arg(sentence, RefusalSentences::possible(*m_solution.fastest))
+                   : sentence;
+    }
     if (m_solution.unstorable)
         return RegisterWords::outOfRange(*m_solution.unstorable);
     if (m_solution.isTablePending)

@@ -72,7 +72,7 @@ void KnotModel::showFields()
     view.minimum = isEnd ? view.value : knots[index - 1].masterDeg + profile::minMasterSpacingDeg;
     view.maximum = isEnd ? view.value : knots[index + 1].masterDeg - profile::minMasterSpacingDeg;
     m_master.show(view);
-    view.label = tr("Knot %1, slave").arg(selected() + 1);
+    view.label = tr("Knot %1, position").arg(selected() + 1);
     view.unit = QStringLiteral("mm");
     view.decimals = 3;
     view.value = view.defaultValue = knots[index].slaveMm;

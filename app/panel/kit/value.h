@@ -10,7 +10,9 @@
 #include <QString>
 #include <QtQml/qqmlregistration.h>
 
+#include <cmath>
 #include <limits>
+#include <optional>
 
 namespace campanel::panel {
 
@@ -25,6 +27,8 @@ struct ValueView {
     int decimals = 0;
     double value = std::numeric_limits<double>::quiet_NaN();
     bool isRaw = false; // a register: never converted
+    std::optional<double> possible =
+        std::nullopt; // the largest value that works with the others; below the maximum
 
     bool operator==(const ValueView&) const = default;
 };
@@ -40,6 +44,8 @@ class Value : public QObject {
     Q_PROPERTY(double minimum READ minimum NOTIFY changed FINAL)
     Q_PROPERTY(double maximum READ maximum NOTIFY changed FINAL)
     Q_PROPERTY(double defaultValue READ defaultValue NOTIFY changed FINAL)
+    // The largest value that works with the others; NaN: not known.
+    Q_PROPERTY(double possible READ possible NOTIFY changed FINAL)
     Q_PROPERTY(int decimals READ decimals NOTIFY changed FINAL)
     // The level needed to change it, as Access.level.
     Q_PROPERTY(int neededLevel READ neededLevel CONSTANT FINAL)
@@ -53,6 +59,7 @@ public:
     [[nodiscard]] double minimum() const { return m_view.minimum * shown().factor; }
     [[nodiscard]] double maximum() const { return m_view.maximum * shown().factor; }
     [[nodiscard]] double defaultValue() const { return m_view.defaultValue * shown().factor; }
+    [[nodiscard]] double possible() const { return m_view.possible.value_or(std::nan("")) * shown().factor; }
     [[nodiscard]] int decimals() const { return shown().decimals(m_view.decimals); }
     [[nodiscard]] double value() const { return m_view.value; } // metric
     [[nodiscard]] int neededLevel() const { return static_cast<int>(m_neededLevel); }

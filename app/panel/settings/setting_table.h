@@ -166,9 +166,10 @@ inline constexpr std::array settingTable{
                .form = SettingForm::Choice,
                .choices = "0 5 30",
                .standard = "0",
-               .title = QT_TRANSLATE_NOOP("campanel::panel::Settings",
-                                          "Screen off after minutes without touch, at standstill"),
-               .words = {{{QT_TRANSLATE_NOOP("campanel::panel::Settings", "Never")}}}},
+               .title =
+                   QT_TRANSLATE_NOOP("campanel::panel::Settings", "Screen off without touch, at standstill"),
+               .words = {{{QT_TRANSLATE_NOOP("campanel::panel::Settings", "Never")}}},
+               .shown = QT_TRANSLATE_NOOP("campanel::panel::Settings", "%1 min")},
     SettingRow{.name = "bags.tolerance_mm",
                .key = "bag_tolerance_mm",
                .form = SettingForm::Decimal,

@@ -91,6 +91,13 @@ QString RefusalSentences::program(const program::ProgramRefusal& refusal)
     return sentences.join(u' ');
 }
 
+QString RefusalSentences::possible(const profile::FastestRate& fastest)
+{
+    return tr("This motion allows up to %1 (%2).", "%1: rate with unit, %2: name of the limit")
+        .arg(valueWithUnit(profile::Field::Rate, fastest.rateBagsPerMin),
+             RecipeWords::limitName(fastest.limitedBy));
+}
+
 QString RefusalSentences::withinLimits(const std::optional<profile::FastestRate>& fastest)
 {
     if (!fastest)

@@ -25,6 +25,8 @@ public:
     // Returns what other ratios do, and the rate that they make possible.
     [[nodiscard]] static QString rampsName(const profile::RampOffer& offer); // "Longer ramps"
     [[nodiscard]] static QString rampsRate(const profile::RampOffer& offer); // "291.0 bags/min"
+    // Returns the fastest rate of this motion and what sets it, beside a limit of the machine.
+    [[nodiscard]] static QString possible(const profile::FastestRate& fastest);
     [[nodiscard]] static QString withinLimits(const std::optional<profile::FastestRate>& fastest);
     [[nodiscard]] static QString closeToLimits(const std::optional<profile::FastestRate>& fastest);
     // Returns "60.0 mm", as exact as needed to differ from the value beside it in the sentence.

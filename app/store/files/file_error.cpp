@@ -119,7 +119,7 @@ QString FileErrorText::objects()
 
 QString FileErrorText::pairsOfNumbers()
 {
-    return tr("pairs of master angle and slave position");
+    return tr("pairs of master angle and position");
 }
 
 QString FileErrorText::range(double minimum, double maximum, const QString& unit)

@@ -363,7 +363,7 @@ void CliTest::lawTable()
     QCOMPARE(lines.first(), QByteArray("key,name,uses,parameters,cv,ca,cj,g_integral,strength,weakness"));
     QCOMPARE(static_cast<std::size_t>(lines.size()), profile::laws().size() + 1);
     const auto has = [&csv](const char* cells) { return csv.out.contains(cells); };
-    QVERIFY(has("\ncubic,Cubic (paper),\"speed; displacement\",,1.500000,6.000000,12.000000,0.500000,"));
+    QVERIFY(has("\ncubic,Cubic,\"speed; displacement\",,1.500000,6.000000,12.000000,0.500000,"));
     QVERIFY(has(",1.875000,5.773503,60.000000,0.500000,")); // quintic
     QVERIFY(has(",2.187500,7.513188,52.500000,0.500000,")); // 4-5-6-7
     QVERIFY(has(",1.570796,4.934802,15.503138,0.500000,")); // harmonic

@@ -86,7 +86,7 @@ private slots:
         QVERIFY(files[0].usable);
         QVERIFY2(files[0].note.startsWith(u"6 knots"_s) && files[0].note.endsWith(u"STICK"_s),
                  qPrintable(files[0].note));
-        QVERIFY2(files[0].detail.contains(u"slave −1.25 to 9 mm"_s), qPrintable(files[0].detail));
+        QVERIFY2(files[0].detail.contains(u"position −1.25 to 9 mm"_s), qPrintable(files[0].detail));
         QVERIFY(camOf(rig.editor).knots == before); // a search imports nothing
         rig.editor.camFiles()->take(0);
         QCOMPARE(rig.editor.knots()->count(), 6);
@@ -184,7 +184,7 @@ private slots:
         };
         const OfferRow& higher = rows[rowOf(u"higher.csv"_s)];
         QVERIFY2(higher.usable && higher.note.startsWith(u"4 segments"_s), qPrintable(higher.note));
-        QVERIFY2(higher.detail.contains(u"slave 0 to 72.5 mm"_s), qPrintable(higher.detail));
+        QVERIFY2(higher.detail.contains(u"position 0 to 72.5 mm"_s), qPrintable(higher.detail));
         const OfferRow& gap = rows[rowOf(u"gap.csv"_s)];
         QVERIFY2(!gap.usable && gap.detail.startsWith(u"Line 3: "_s), qPrintable(gap.detail));
         const OfferRow& knots = rows[rowOf(u"knots.csv"_s)];

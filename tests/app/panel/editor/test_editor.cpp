@@ -153,7 +153,7 @@ private slots:
             rig.editor.bagLength()->set(length);
         rig.editor.setLaw("quintic");
         rig.editor.undo();
-        QCOMPARE(rig.editor.lawName(), "Cubic (paper)");
+        QCOMPARE(rig.editor.lawName(), "Cubic");
         for (qsizetype i = lengths.size() - 2; i >= 0; --i) {
             rig.editor.undo();
             QCOMPARE(rig.editor.bagLength()->value(), lengths[i]);

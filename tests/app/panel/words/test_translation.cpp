@@ -164,7 +164,7 @@ private slots:
         const QTemporaryDir folder;
         const QString path = copiesIn(folder.path()).first();
         const QStringList whole = sourcesIn(path);
-        QVERIFY(replaceIn(path, "<source>Cubic (paper)</source>", "<source>Planted</source>"));
+        QVERIFY(replaceIn(path, "<source>Cubic</source>", "<source>Planted</source>"));
         QVERIFY(sourcesIn(path) != whole);
         QVERIFY(updateTranslations(folder.path()));
         QCOMPARE(sourcesIn(path), whole);
