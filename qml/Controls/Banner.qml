@@ -39,15 +39,14 @@ Rectangle {
         height: parent.height - Theme.size.spacing
         text: banner.text
         wrapMode: Text.WordWrap
-        elide: Text.ElideRight
         fontSizeMode: Text.Fit
-        minimumPixelSize: Theme.size.caption - 1
     }
     Button {
         id: way
         objectName: "bannerWay"
         anchors { right: button.left; rightMargin: Theme.size.spacing; verticalCenter: parent.verticalCenter }
         visible: banner.wayText.length > 0
+        width: button.width
         text: banner.wayText
         onClicked: banner.wayChosen()
     }
@@ -55,6 +54,7 @@ Rectangle {
         id: button
         objectName: "bannerButton"
         anchors { right: parent.right; rightMargin: Theme.size.spacing + Theme.size.outline; verticalCenter: parent.verticalCenter }
+        width: Math.max(Theme.size.touch, Math.round(5.5 * Theme.size.body))   // the same for each text: a second tap on one spot is the same key
         text: banner.buttonText
         onClicked: banner.accepted()
     }

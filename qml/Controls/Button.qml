@@ -50,9 +50,7 @@ TouchButton {
                     id: title
                     anchors.horizontalCenter: parent.horizontalCenter
                     width: Math.min(implicitWidth, button.textRoom)
-                    elide: Text.ElideRight
                     fontSizeMode: Text.HorizontalFit
-                    minimumPixelSize: Theme.size.caption - 5
                     text: button.text
                     color: button.inkColor
                     font { pixelSize: button.textSize; weight: Font.DemiBold }
@@ -62,7 +60,6 @@ TouchButton {
                     anchors.horizontalCenter: parent.horizontalCenter
                     width: Math.min(implicitWidth, button.textRoom)
                     fontSizeMode: Text.HorizontalFit
-                    minimumPixelSize: Theme.size.caption - 3
                     visible: button.note.length > 0
                     text: button.note
                     color: button.inkColor

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One entry of a list of choices: text, a note below, a tick when it is selected. `leftPadding` is free for a picture.
+// One entry of a list of choices: sign, text, a note below, a tick when it is selected. `leftPadding` is free for a picture.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme
@@ -7,6 +7,7 @@ import CamPanel.Theme
 TouchButton {
     id: entry
 
+    property string glyph
     property string note
     property bool holds
     property color noteColor: Theme.color.secondaryInk
@@ -20,13 +21,19 @@ TouchButton {
     }
     Item {
         anchors.fill: parent
+        IconLabel {
+            id: sign
+            anchors { left: parent.left; leftMargin: Theme.size.padding; verticalCenter: parent.verticalCenter }
+            visible: entry.glyph.length > 0
+            code: entry.glyph
+            color: entry.holds ? Theme.color.touch : Theme.color.secondaryInk
+        }
         Column {
-            anchors { left: parent.left; right: tick.left; margins: Theme.size.padding; leftMargin: Theme.size.padding + entry.leftPadding; verticalCenter: parent.verticalCenter }
+            anchors { left: parent.left; right: tick.left; margins: Theme.size.padding; leftMargin: Theme.size.padding + entry.leftPadding + (sign.visible ? sign.width + Theme.size.padding : 0); verticalCenter: parent.verticalCenter }
             spacing: Theme.size.outline
             Label {
                 width: parent.width
                 fontSizeMode: Text.HorizontalFit
-                minimumPixelSize: Theme.size.caption - 3
                 wrapMode: Text.Wrap    // below the smallest size; a word only where it is wider than the row
                 text: entry.text
                 color: entry.enabled ? Theme.color.ink : Theme.color.disabledInk

@@ -65,7 +65,6 @@ CommandButton {
                 horizontalAlignment: Text.AlignHCenter
                 wrapMode: key.height > 1.5 * Theme.size.commandKey ? Text.WordWrap : Text.NoWrap
                 fontSizeMode: Text.HorizontalFit
-                minimumPixelSize: Theme.size.caption - 4
                 text: key.note
                 color: key.ready ? key.inkColor : Theme.color.secondaryInk
                 font.pixelSize: Theme.size.caption

@@ -67,7 +67,6 @@ Card {
             anchors { left: parent.left; right: dots.left; rightMargin: Theme.size.spacing; verticalCenter: dots.verticalCenter }
             text: pad.label
             fontSizeMode: Text.HorizontalFit
-            minimumPixelSize: Theme.size.caption - 2
             font { weight: Font.DemiBold; pixelSize: Theme.size.body }
         }
         Row {
@@ -99,7 +98,6 @@ Card {
             objectName: "pinHint"
             anchors { left: parent.left; right: parent.right; bottom: parent.bottom; top: dots.bottom }
             fontSizeMode: Text.Fit
-            minimumPixelSize: Theme.size.caption - 5
             wrapMode: Text.WordWrap
             text: pad.warning.length > 0 ? pad.warning : pad.hint
             color: pad.warning.length > 0 ? Theme.color.warning : pad.hintIsFault ? Theme.color.fault : Theme.color.secondaryInk

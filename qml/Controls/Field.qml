@@ -39,7 +39,6 @@ TouchButton {
             text: field.value
             unit: field.unit
             pixelSize: Theme.size.value
-            smallest: Theme.size.smallestText
             atRight: !field.compact
             ink: field.derived || field.locked ? Theme.color.secondaryInk : Theme.color.ink
         }

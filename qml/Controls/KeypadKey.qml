@@ -40,7 +40,6 @@ TouchButton {
                 visible: text.length > 0
                 width: Math.min(implicitWidth, key.width - 2 * Theme.size.accent)
                 fontSizeMode: Text.HorizontalFit
-                minimumPixelSize: Theme.size.caption - 1
                 text: key.text
                 color: key.inkColor
                 font { pixelSize: key.glyph.length > 0 || key.note.length > 0 ? Theme.size.body : Theme.size.value; weight: Font.DemiBold }

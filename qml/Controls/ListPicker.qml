@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A sheet with a list and one selected entry; each choice is {key, text, note}. A choice closes it.
+// A sheet with a list and one selected entry; each choice is {key, text, note, glyph}. A choice closes it.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme
@@ -22,7 +22,7 @@ Sheet {
     }
 
     panelHeight: Theme.size.touch + Theme.size.padding + Math.max(1, picker.choices.length) * (Theme.size.touch + Theme.size.spacing)
-    panelWidth: width * 0.62
+    panelWidth: Math.round(width * 0.62)
 
     Label {
         anchors.fill: parent
@@ -41,12 +41,13 @@ Sheet {
         delegate: ChoiceRow {
             required property var modelData
             objectName: "choice_" + modelData.key
-            width: list.width
+            width: list.width - scrollMark.room
             text: modelData.text
             note: modelData.note ?? ""
+            glyph: modelData.glyph ?? ""
             holds: modelData.key === picker.current
             onClicked: picker.choose(modelData.key)
         }
     }
-    ScrollMark { view: list }
+    ScrollMark { id: scrollMark; view: list }
 }

@@ -34,7 +34,6 @@ Sheet {
         text: keypad.text.length > 0 ? keypad.text : qsTr("any")
         color: keypad.text.length > 0 ? Theme.color.ink : Theme.color.secondaryInk
         fontSizeMode: Text.HorizontalFit
-        minimumPixelSize: Theme.size.caption
         font { pixelSize: Theme.size.value; bold: true }
     }
     Grid {

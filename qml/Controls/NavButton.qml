@@ -55,12 +55,11 @@ TouchButton {
             }
             Label {
                 anchors.horizontalCenter: parent.horizontalCenter
-                width: Math.min(implicitWidth, button.width - Theme.size.accent)
+                width: Math.min(implicitWidth, button.width - 3 * Theme.size.accent)   // clear of the mark at the edge
                 fontSizeMode: Text.HorizontalFit
-                minimumPixelSize: Theme.size.caption - 4
                 text: button.text
                 color: button.inkColor
-                font { pixelSize: Theme.size.caption; weight: button.checked ? Font.Bold : Font.DemiBold }
+                font { pixelSize: Theme.size.caption; weight: Font.DemiBold }
             }
         }
     }

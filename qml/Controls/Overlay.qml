@@ -9,7 +9,8 @@ FocusScope {
 
     property bool beside                   // at the left of the page, the rest of which stays within reach
     property real besideRight              // its right end then; 0: it covers the page
-    property real free                     // right end of what a keypad leaves visible
+    property real free                     // right end of what a keypad leaves visible; 0: all
+    property real closeLeft: width         // left end of the key that closes it
     property bool pending                  // closing would lose something
     property bool ready                    // a touch elsewhere may confirm it: a valid number
     property bool secret                   // does not outlive the logout of its user

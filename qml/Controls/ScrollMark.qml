@@ -6,6 +6,7 @@ import CamPanel.Theme
 
 Rectangle {
     required property Flickable view
+    readonly property real room: visible ? 2 * width : 0   // that the rows leave it
 
     visible: view.visibleArea.heightRatio < 1
     x: parent.width - width

@@ -58,7 +58,6 @@ Rectangle {
                             visible: text.length > 0
                             width: Math.min(implicitWidth, choice.width - Theme.size.accent - (sign.visible && !segmented.stacked ? sign.width + Theme.size.spacing : 0))
                             fontSizeMode: Text.HorizontalFit
-                            minimumPixelSize: Theme.size.caption - 5
                             text: choice.text
                             color: choice.ink
                             font { pixelSize: segmented.stacked ? Theme.size.caption : Theme.size.body; weight: choice.holds ? Font.Bold : Font.DemiBold }

@@ -30,8 +30,6 @@ TouchButton {
                 width: parent.width
                 text: row.label
                 fontSizeMode: Text.HorizontalFit
-                minimumPixelSize: Theme.size.smallestText
-                elide: Text.ElideRight
                 color: Theme.color.secondaryInk
                 font.pixelSize: Theme.size.caption
             }
@@ -40,10 +38,8 @@ TouchButton {
                 width: parent.width
                 text: row.value
                 fontSizeMode: Text.HorizontalFit
-                minimumPixelSize: Theme.size.smallestText
                 wrapMode: tooLong ? Text.WordWrap : Text.NoWrap
                 maximumLineCount: 2
-                elide: Text.ElideRight
                 color: row.locked ? Theme.color.secondaryInk : Theme.color.ink
                 lineHeight: lineCount > 1 ? 0.85 : 1
                 font { pixelSize: tooLong ? Theme.size.caption : Theme.size.title; weight: Font.DemiBold }

@@ -16,6 +16,7 @@ Overlay {
     property real panelWidth: beside ? besideWidth : width - 2 * Theme.size.gap
     property real panelHeight: height - 2 * Theme.size.gap
 
+    closeLeft: beside ? width : panel.x + closeButton.x
     besideRight: beside ? panel.x + panel.width : 0
 
     Rectangle {
@@ -30,9 +31,9 @@ Overlay {
     Card {
         id: panel
         objectName: "sheetPanel"
-        x: sheet.beside ? Theme.size.navigation + Theme.size.gap : (parent.width - width) / 2
-        y: (parent.height - height) / 2
-        width: Math.min(sheet.panelWidth, sheet.width - 2 * Theme.size.gap)
+        x: sheet.beside ? Theme.size.navigation + Theme.size.gap : Math.round((parent.width - width) / 2)
+        y: Math.round((parent.height - height) / 2)
+        width: Math.round(Math.min(sheet.panelWidth, sheet.width - 2 * Theme.size.gap))
         height: Math.min(sheet.panelHeight, sheet.height - 2 * Theme.size.gap)
 
         clip: true
@@ -59,6 +60,7 @@ Overlay {
         }
         Row {
             id: headerRow
+            objectName: "sheetHeader"
             anchors { right: closeButton.left; top: closeButton.top }
         }
         Button {
@@ -80,8 +82,20 @@ Overlay {
         }
         Row {
             id: footerRow
+            objectName: "sheetFooter"
             anchors { right: parent.right; bottom: parent.bottom; margins: Theme.size.padding }
             spacing: Theme.size.padding
+        }
+        // A key that the keypad would cut is covered wholly.
+        Rectangle {
+            readonly property Item cut: sheet.free > 0 ? footerRow.childAt(sheet.free - panel.x - footerRow.x, footerRow.height / 2) : null
+            visible: cut !== null
+            x: footerRow.x + (cut?.x ?? 0)
+            y: footerRow.y
+            width: cut?.width ?? 0
+            height: footerRow.height
+            color: panel.color
+            MouseArea { anchors.fill: parent }
         }
     }
 }

@@ -41,7 +41,7 @@ DigitPanel {
         delegate: ChoiceRow {
             required property var modelData
             objectName: "login_" + modelData.name
-            width: list.width - 2 * Theme.size.accent
+            width: list.width - scrollMark.room
             text: modelData.name
             note: modelData.levelText
             holds: Access.chosen === modelData.id
@@ -53,5 +53,5 @@ DigitPanel {
             }
         }
     }
-    ScrollMark { view: list }
+    ScrollMark { id: scrollMark; view: list }
 }

@@ -28,7 +28,7 @@ Sheet {
         boundsBehavior: Flickable.StopAtBounds
         Column {
             id: rows
-            width: list.width - 2 * Theme.size.accent
+            width: list.width - scrollMark.room
             spacing: Theme.size.spacing
             Label {
                 visible: !Access.protectedByPins
@@ -63,14 +63,13 @@ Sheet {
             }
         }
     }
-    ScrollMark { view: list }
+    ScrollMark { id: scrollMark; view: list }
     footer: [
         Label {
             width: Math.min(implicitWidth, sheet.width / 2)
             height: Theme.size.touch
             wrapMode: Text.WordWrap
             fontSizeMode: Text.Fit
-            minimumPixelSize: Theme.size.caption - 2
             text: sheet.refusal
             color: Theme.color.fault
         },

@@ -28,7 +28,7 @@ Sheet {
         boundsBehavior: Flickable.StopAtBounds
         Column {
             id: rows
-            width: list.width - 2 * Theme.size.accent
+            width: list.width - scrollMark.room
             spacing: Theme.size.spacing
             Repeater {
                 model: sheet.levels
@@ -44,7 +44,7 @@ Sheet {
             }
         }
     }
-    ScrollMark { view: list }
+    ScrollMark { id: scrollMark; view: list }
     footer: [
         Button {
             objectName: "userRemove"

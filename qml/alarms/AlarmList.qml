@@ -25,11 +25,11 @@ Item {
         delegate: AlarmRow {
             required property int index
             objectName: panel.listName + index
-            width: list.width - 2 * Theme.size.accent
+            width: list.width - scrollMark.room
             onClicked: panel.opened(index)
         }
     }
-    ScrollMark { view: list }
+    ScrollMark { id: scrollMark; view: list }
     Column {
         anchors { left: parent.left; right: parent.right; verticalCenter: parent.verticalCenter; margins: Theme.size.padding }
         visible: list.count === 0

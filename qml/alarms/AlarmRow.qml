@@ -55,7 +55,6 @@ TouchButton {
                 width: parent.width
                 text: row.title
                 fontSizeMode: Text.HorizontalFit
-                minimumPixelSize: Theme.size.caption
                 font.weight: row.calls ? Font.Bold : Font.Normal
             }
             Label {
@@ -63,7 +62,6 @@ TouchButton {
                 width: parent.width
                 text: Theme.fill(qsTr("%1 · %2"), [row.code, row.stateText])
                 fontSizeMode: Text.HorizontalFit
-                minimumPixelSize: 0.8 * Theme.size.caption
                 color: row.calls ? row.severityColor : Theme.color.secondaryInk
                 font.pixelSize: Theme.size.caption
             }

@@ -22,7 +22,7 @@ Item {
             required property string title
             required property string until
             required property string by
-            width: list.width - 2 * Theme.size.accent
+            width: list.width - scrollMark.room
             height: Theme.size.touch + Theme.size.accent
             color: Theme.color.surface
             Rectangle {
@@ -37,14 +37,12 @@ Item {
                     width: parent.width
                     text: row.title
                     fontSizeMode: Text.HorizontalFit
-                    minimumPixelSize: Theme.size.caption
                 }
                 Label {
                     objectName: "shelvedState"
                     width: parent.width
                     text: row.by.length > 0 ? Theme.fill(qsTr("%1 · %2 · by %3"), [row.code, row.until, row.by]) : Theme.fill(qsTr("%1 · %2"), [row.code, row.until])
                     fontSizeMode: Text.HorizontalFit
-                    minimumPixelSize: 0.8 * Theme.size.caption
                     color: Theme.color.secondaryInk
                     font.pixelSize: Theme.size.caption
                 }
@@ -58,7 +56,7 @@ Item {
             }
         }
     }
-    ScrollMark { view: list }
+    ScrollMark { id: scrollMark; view: list }
     Label {
         objectName: "alarmsEmpty"
         anchors { left: parent.left; right: parent.right; verticalCenter: parent.verticalCenter; margins: Theme.size.padding }

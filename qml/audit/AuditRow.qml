@@ -34,7 +34,6 @@ TouchButton {
                 width: parent.width
                 text: row.clockNote.length > 0 ? Theme.fill(qsTr("%1 · %2"), [row.time, row.clockNote]) : row.time
                 fontSizeMode: Text.HorizontalFit
-                minimumPixelSize: Theme.size.caption - 3
                 color: Theme.color.secondaryInk
                 font.pixelSize: Theme.size.caption
             }
@@ -42,7 +41,6 @@ TouchButton {
                 width: parent.width
                 text: row.who
                 fontSizeMode: Text.HorizontalFit
-                minimumPixelSize: Theme.size.caption - 2
             }
         }
         Column {
@@ -50,7 +48,6 @@ TouchButton {
             Label {
                 width: parent.width
                 fontSizeMode: Text.HorizontalFit
-                minimumPixelSize: Theme.size.caption - 3
                 text: row.object.length > 0 ? Theme.fill(qsTr("%1 · %2"), [row.what, row.object]) : row.what
                 font.weight: Font.DemiBold
             }
@@ -58,7 +55,6 @@ TouchButton {
                 width: parent.width
                 visible: text.length > 0
                 fontSizeMode: Text.HorizontalFit
-                minimumPixelSize: Theme.size.caption - 3
                 text: row.problem.length > 0 ? row.problem : row.change
                 color: row.problem.length > 0 ? Theme.color.warning : Theme.color.secondaryInk
                 font.pixelSize: Theme.size.caption

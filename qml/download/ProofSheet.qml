@@ -79,7 +79,6 @@ Sheet {
         verticalAlignment: Text.AlignTop
         wrapMode: Text.WordWrap
         fontSizeMode: Text.Fit
-        minimumPixelSize: Theme.size.caption - 2
         text: sheet.proof.text
         color: sheet.different ? Theme.color.fault : Theme.color.ink
     }

@@ -14,7 +14,7 @@ TouchButton {
     required property bool selected
     property bool warns
 
-    width: ListView.view ? ListView.view.width - 2 * Theme.size.accent : 0
+    width: ListView.view ? ListView.view.width - (ListView.view.visibleArea.heightRatio < 1 ? 2 * Theme.size.accent : 0) : 0
     height: Theme.size.touch
     background: Rectangle {
         radius: Theme.size.radius
@@ -39,8 +39,6 @@ TouchButton {
                     horizontalAlignment: Text.AlignRight
                     text: entry.place
                     fontSizeMode: Text.HorizontalFit
-                    minimumPixelSize: Theme.size.smallestText
-                    elide: Text.ElideRight
                     font.pixelSize: Theme.size.caption
                 }
             }
@@ -49,10 +47,8 @@ TouchButton {
                 horizontalAlignment: Text.AlignRight
                 text: entry.detail
                 fontSizeMode: Text.HorizontalFit
-                minimumPixelSize: Theme.size.smallestText
                 wrapMode: Text.WordWrap    // below the smallest size
                 maximumLineCount: 2
-                elide: Text.ElideRight
                 lineHeight: lineCount > 1 ? 0.85 : 1
                 color: entry.warns ? Theme.color.warning : Theme.color.secondaryInk
                 font.pixelSize: Theme.size.caption

@@ -16,8 +16,11 @@ Sheet {
     default property alias numbers: column.data
     property alias tools: tools.data
 
-    // Returns the width of a tool of which a row has so many.
-    function toolWidth(count: int): real { return Math.floor((tools.width - (count - 1) * tools.spacing) / count) }
+    // Returns the width of a tool of which a row has so many; the last one takes what is left.
+    function toolWidth(count: int, last: bool): real {
+        const width = Math.floor((tools.width - (count - 1) * tools.spacing) / count)
+        return last ? tools.width - (count - 1) * (width + tools.spacing) : width
+    }
 
     title: Theme.fill(qsTr("%1 of %2"), [handles.selected + 1, handles.count])
     beside: true
@@ -64,19 +67,19 @@ Sheet {
             boundsBehavior: Flickable.StopAtBounds
             Column {
                 id: column
-                width: flick.width - 2 * Theme.size.accent
+                width: flick.width - scrollMark.room
                 spacing: Theme.size.spacing
             }
             Label {
                 id: remark
-                anchors { top: column.bottom; topMargin: Theme.size.spacing; left: column.left; right: column.right }
+                anchors { top: column.bottom; topMargin: Theme.size.spacing; left: parent?.left; right: parent?.right; rightMargin: 2 * Theme.size.accent }
                 wrapMode: Text.WordWrap
                 text: sheet.remark
                 color: Theme.color.secondaryInk
                 font.pixelSize: Theme.size.caption
             }
         },
-        ScrollMark { view: flick },
+        ScrollMark { id: scrollMark; view: flick },
         Flow {
             id: tools
             anchors { left: parent.left; right: parent.right; bottom: parent.bottom }

@@ -49,7 +49,7 @@ Item {
 
         Column {
             id: body
-            width: parent.width - 2 * Theme.size.accent
+            width: list.width - scrollMark.room
             spacing: Theme.size.spacing
 
             SettingRow {
@@ -113,7 +113,7 @@ Item {
             }
         }
     }
-    ScrollMark { view: list }
+    ScrollMark { id: scrollMark; view: list }
     Button {
         id: moreButton
         objectName: "more"

@@ -40,14 +40,14 @@ CamSheet {
         Button {
             objectName: "knotInsert"
             level: Access.Technician
-            width: sheet.toolWidth(2)
+            width: sheet.toolWidth(2, false)
             text: qsTr("Add after")
             onClicked: Editor.cam.knots.insertAfterSelected()
         },
         Button {
             objectName: "knotRemove"
             level: Access.Technician
-            width: sheet.toolWidth(2)
+            width: sheet.toolWidth(2, true)
             text: qsTr("Remove")
             enabled: Editor.cam.knots.canRemove
             onClicked: Editor.cam.knots.removeSelected()
@@ -55,14 +55,14 @@ CamSheet {
         Button {
             objectName: "knotRepair"
             level: Access.Technician
-            width: sheet.toolWidth(2)
+            width: sheet.toolWidth(2, false)
             text: qsTr("Close smoothly")
             enabled: Editor.cam.knots.canRepair
             onClicked: Editor.cam.knots.repairWrap()
         },
         Button {
             objectName: "knotFilesButton"
-            width: sheet.toolWidth(2)
+            width: sheet.toolWidth(2, true)
             text: qsTr("CSV files")
             onClicked: Frame.open("Editor/CamFilesSheet", {})
         }

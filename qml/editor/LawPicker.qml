@@ -52,7 +52,7 @@ Sheet {
             required property bool compared
             required usable
             objectName: "law_" + lawId
-            width: list.width - 2 * Theme.size.accent
+            width: list.width - scrollMark.room
             text: name
             notes: [strength, weakness]
             holds: current
@@ -66,7 +66,7 @@ Sheet {
             onPressAndHold: Editor.compareLaw(compared ? "" : lawId)
         }
     }
-    ScrollMark { view: list }
+    ScrollMark { id: scrollMark; view: list }
     Item {
         id: comparison
         visible: sheet.compares

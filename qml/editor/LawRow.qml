@@ -52,7 +52,6 @@ TouchButton {
                 width: parent.width - row.cells.length * row.cellWidth
                 text: row.text
                 fontSizeMode: Text.HorizontalFit
-                minimumPixelSize: Theme.size.caption
                 color: row.usable ? Theme.color.ink : Theme.color.secondaryInk
                 font.weight: Font.DemiBold
             }
@@ -66,7 +65,6 @@ TouchButton {
                     rightPadding: Theme.size.accent
                     horizontalAlignment: Text.AlignRight
                     fontSizeMode: Text.HorizontalFit
-                    minimumPixelSize: Theme.size.caption - 5
                     wrapMode: Text.WordWrap
                     text: modelData
                     color: row.header ? Theme.color.secondaryInk : row.usable ? Theme.color.ink : Theme.color.secondaryInk

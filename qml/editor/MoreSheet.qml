@@ -33,7 +33,7 @@ Sheet {
 
         Flow {
             id: body
-            width: list.width - 2 * Theme.size.accent
+            width: list.width - scrollMark.room
             spacing: Theme.size.spacing
 
             Switch {
@@ -127,5 +127,5 @@ Sheet {
             }
         }
     }
-    ScrollMark { view: list }
+    ScrollMark { id: scrollMark; view: list }
 }

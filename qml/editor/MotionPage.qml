@@ -56,6 +56,7 @@ Page {
     VerdictBar {
         id: verdict
         textsVisible: !page.editorBeside
-        anchors { left: parent.left; right: parent.right; bottom: parent.bottom }
+        pageWidth: page.width
+        anchors { left: parent.left; leftMargin: page.editorBeside ? page.leftInset + Theme.size.gap : 0; right: parent.right; bottom: parent.bottom }
     }
 }

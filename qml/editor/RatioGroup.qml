@@ -28,7 +28,6 @@ TouchButton {
         anchors { left: parent.left; right: arrow.left; top: parent.top; margins: Theme.size.spacing; leftMargin: Theme.size.padding }
         text: group.caption
         fontSizeMode: Text.HorizontalFit
-        minimumPixelSize: Theme.size.caption - 3
         color: Theme.color.secondaryInk
         font.pixelSize: Theme.size.caption
     }
@@ -69,7 +68,6 @@ TouchButton {
                         anchors.horizontalCenter: parent.horizontalCenter
                         width: Math.min(implicitWidth, cell.width - Theme.size.spacing)
                         fontSizeMode: Text.HorizontalFit
-                        minimumPixelSize: Theme.size.caption - 3
                         text: cell.field.text
                         font { pixelSize: Theme.size.body; bold: true }
                     }

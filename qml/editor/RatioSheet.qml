@@ -85,7 +85,6 @@ Sheet {
                                 id: name
                                 width: parent.width * 0.55
                                 fontSizeMode: Text.HorizontalFit
-                                minimumPixelSize: Theme.size.caption - 4
                                 text: figure.label
                                 color: Theme.color.secondaryInk
                                 font.pixelSize: Theme.size.caption
@@ -95,7 +94,6 @@ Sheet {
                                 width: parent.width * 0.45
                                 horizontalAlignment: Text.AlignRight
                                 fontSizeMode: Text.HorizontalFit
-                                minimumPixelSize: Theme.size.caption - 3
                                 text: figure.value
                                 font { pixelSize: Theme.size.body; bold: true }
                             }
@@ -129,7 +127,6 @@ Sheet {
                         width: parent.width
                         horizontalAlignment: Text.AlignHCenter
                         fontSizeMode: Text.HorizontalFit
-                        minimumPixelSize: Theme.size.caption - 5
                         text: qsTr("Sealing window")
                         color: Theme.color.secondaryInk
                         font.pixelSize: Theme.size.caption

@@ -46,7 +46,7 @@ CamSheet {
         Button {
             objectName: "segmentAdd"
             level: Access.Technician
-            width: sheet.toolWidth(3)
+            width: sheet.toolWidth(3, false)
             text: qsTr("Add dwell")
             enabled: Editor.cam.segments.canDivide
             onClicked: Editor.cam.segments.addDwell()
@@ -54,7 +54,7 @@ CamSheet {
         Button {
             objectName: "segmentSplit"
             level: Access.Technician
-            width: sheet.toolWidth(3)
+            width: sheet.toolWidth(3, false)
             text: qsTr("Split")
             enabled: Editor.cam.segments.canDivide
             onClicked: Editor.cam.segments.split()
@@ -62,7 +62,7 @@ CamSheet {
         Button {
             objectName: "segmentRemove"
             level: Access.Technician
-            width: sheet.toolWidth(3)
+            width: sheet.toolWidth(3, true)
             text: qsTr("Remove")
             enabled: Editor.cam.segments.canRemove
             onClicked: Editor.cam.segments.removeSelected()
@@ -70,14 +70,14 @@ CamSheet {
         Button {
             objectName: "segmentRepair"
             level: Access.Technician
-            width: sheet.toolWidth(2)
+            width: sheet.toolWidth(2, false)
             text: qsTr("Make continuous")
             enabled: Editor.cam.segments.canRepair
             onClicked: Editor.cam.segments.repair()
         },
         Button {
             objectName: "segmentFilesButton"
-            width: sheet.toolWidth(2)
+            width: sheet.toolWidth(2, true)
             text: qsTr("CSV files")
             onClicked: Frame.open("Editor/CamFilesSheet", {})
         }

@@ -27,7 +27,6 @@ Rectangle {
                 leftPadding: index === 1 ? Theme.size.padding : 0
                 horizontalAlignment: index === 1 ? Text.AlignLeft : Text.AlignRight
                 fontSizeMode: Text.HorizontalFit
-                minimumPixelSize: Theme.size.caption - 3
                 text: modelData
                 color: row.header ? Theme.color.secondaryInk : Theme.color.ink
                 font.pixelSize: Theme.size.caption

@@ -11,8 +11,11 @@ Card {
     id: bar
 
     property bool textsVisible: true
+    required property real pageWidth
 
-    readonly property bool goesBack: Editor.undoLevel >= 0 || Editor.redoLevel >= 0    // before the first edit the texts have the space
+    // Before the first edit the texts have the space; beside a wide sheet there is none.
+    readonly property real room: width - next.width - 2 * Theme.size.touch - 4 * Theme.size.spacing
+    readonly property bool goesBack: (Editor.undoLevel >= 0 || Editor.redoLevel >= 0) && room >= 0
     readonly property Item firstKey: offer.visible ? offer : goesBack ? back : next
     readonly property bool good: Editor.severity === Editor.Severity.Good
     readonly property color verdictColor: good ? Theme.color.good
@@ -35,7 +38,6 @@ Card {
         height: (parent.height - 2 * Theme.size.spacing) * (bar.good ? 0.56 : 1)
         wrapMode: Text.WordWrap
         fontSizeMode: Text.Fit
-        minimumPixelSize: Theme.size.caption - 5
         text: Theme.unbroken(Editor.verdict)
         font.weight: Font.DemiBold
     }
@@ -44,7 +46,6 @@ Card {
         anchors { left: verdict.left; right: verdict.right; top: verdict.bottom; bottom: parent.bottom; bottomMargin: Theme.size.spacing }
         wrapMode: Text.WordWrap
         fontSizeMode: Text.Fit
-        minimumPixelSize: Theme.size.caption - 3
         text: Theme.unbroken(Editor.programDownload.state === ProgramDownload.State.Failed || Editor.programDownload.state === ProgramDownload.State.Applied
             ? Editor.programDownload.text : Editor.programDownload.controllerText)
         color: Theme.color.secondaryInk
@@ -62,8 +63,8 @@ Card {
         objectName: "rampOffer"
         level: Access.Technician
         anchors { right: back.left; rightMargin: Theme.size.spacing; verticalCenter: parent.verticalCenter }
-        visible: Editor.cutter.ramps.offerName.length > 0
-        width: Math.min(implicitWidth, Math.max(Theme.size.touch, 8.5 * Theme.size.caption))   // two words
+        visible: Editor.cutter.ramps.offerName.length > 0 && bar.room >= width
+        width: Math.max(Theme.size.touch, Math.round(8.5 * Theme.size.caption))   // two words, for each text
         text: Editor.cutter.ramps.offerName
         note: Editor.cutter.ramps.offerRate
         onClicked: Editor.cutter.ramps.takeOffer()
@@ -96,6 +97,7 @@ Card {
     }
     NextStepButton {
         id: next
+        width: Math.round(Math.min(2.4 * Theme.size.touch, 0.24 * bar.pageWidth))   // the same beside a sheet
         anchors { right: parent.right; rightMargin: Theme.size.spacing; verticalCenter: parent.verticalCenter }
     }
 }

@@ -26,7 +26,6 @@ Sheet {
         verticalAlignment: Text.AlignTop
         wrapMode: Text.WordWrap
         fontSizeMode: Text.Fit
-        minimumPixelSize: Theme.size.caption
         text: sheet.field.derived ? sheet.field.explanation
             : sheet.field.explanation + (sheet.field.explanation.length > 0 ? "\n" : "") + Theme.fill(qsTr("This value is entered, not calculated. The range is %1 to %2."), [Theme.number(sheet.field.minimum, sheet.field.decimals), Theme.number(sheet.field.maximum, sheet.field.decimals)])
         lineHeight: 1.2

@@ -30,12 +30,13 @@ Item {
             objectName: "first_" + item.fieldId
             item: modelData as EditorField
             compact: false
-            width: list.width - 2 * Theme.size.accent
+            width: list.width - scrollMark.room
             height: step.rowHeight
             onClicked: step.chosen = index
         }
     }
     ScrollMark {
+        id: scrollMark
         view: list
         x: list.width - width
     }
@@ -51,7 +52,6 @@ Item {
         visible: !step.narrow
         wrapMode: Text.WordWrap
         fontSizeMode: Text.Fit
-        minimumPixelSize: Theme.size.caption - 3
         text: step.field?.explanation ?? ""
         color: Theme.color.secondaryInk
     }

@@ -11,8 +11,9 @@ Overlay {
     required property int index
     required property string heading       // instead of the label of a field; empty: the label
     required property real leftEdge        // of what stands beside the page
-    // So much for the keypad, the rest for the curve beside it.
-    readonly property real besideWidth: Math.max(keypad.minWidth, Math.min(keypad.implicitWidth, 0.67 * width - leftEdge))
+    required property real rightEdge
+    // So much for the keypad, the rest for the curve beside it. It covers the keys of the sheet below wholly.
+    readonly property real besideWidth: Math.max(keypad.minWidth, overlay.rightEdge - overlay.leftEdge, Math.min(keypad.implicitWidth, 0.67 * width - leftEdge))
 
     besideRight: beside ? keypad.x + keypad.width : 0
     free: beside ? width : keypad.x

@@ -8,9 +8,9 @@ import CamPanel.Parts
 ListPicker {
     id: sheet
 
-    required property var pages            // list of {page, text}
+    required property var pages            // list of {page, text, glyph}
 
     title: qsTr("More pages")
-    choices: sheet.pages.map(each => ({ key: each.page, text: each.text }))
+    choices: sheet.pages.map(each => ({ key: each.page, text: each.text, glyph: each.glyph }))
     onChosen: page => Frame.openPage(page)
 }

@@ -26,9 +26,10 @@ Rectangle {
     readonly property list<string> pageNames: Object.keys(sources)
     readonly property Page openPageItem: pages.count > 0 ? (pages.itemAt(frame.pageNames.indexOf(frame.page)) as Loader)?.item as Page : null
     // The cover of everything but the command column, by its file; empty: none.
-    readonly property string cover: Display.wipeSeconds > 0 ? "CleaningMode.qml" : TouchCalibration.open ? "TouchCrosses.qml"
+    readonly property string cover: cleaning ? "CleaningMode.qml" : TouchCalibration.open ? "TouchCrosses.qml"
         : ScreenRotation.secondsLeft > 0 || TouchCalibration.secondsLeft > 0 ? "TrialCover.qml" : ""
     readonly property bool covered: cover.length > 0
+    readonly property bool cleaning: Display.wipeSeconds > 0   // the state stays in sight
     readonly property Item overlay: overlay
     property alias clockRuns: topBar.clockRuns
     property alias now: topBar.now
@@ -92,7 +93,7 @@ Rectangle {
             return
         const right = source ? source.mapToItem(overlay, source.width, 0).x - frame.shift : 0
         keypadLoader.setSource("KeypadOverlay.qml", {
-            fields: fields, index: index, heading: heading, beside: frame.sheet?.beside ?? false, leftEdge: navigation.width + Theme.size.gap
+            fields: fields, index: index, heading: heading, beside: frame.sheet?.beside ?? false, leftEdge: navigation.width + Theme.size.gap, rightEdge: frame.sheet?.besideRight ?? 0
         })
         keypadLoader.active = true
         frame.keypad.forceActiveFocus()
@@ -113,6 +114,11 @@ Rectangle {
         target: Frame
         property: "covered"
         value: frame.sheet !== null || keypadLoader.active || loginLoader.active
+    }
+    Binding {
+        target: frame.sheet
+        property: "free"
+        value: frame.keypad && !frame.keypad.beside ? frame.keypad.free - frame.shift : 0
     }
     // A scanned code opens nothing then.
     Binding {
@@ -180,7 +186,8 @@ Rectangle {
     }
     TopBar {
         id: topBar
-        visible: !frame.covered
+        visible: !frame.covered || frame.cleaning
+        enabled: !frame.covered
         // No navigation during the first start.
         anchors { left: firstStart.active ? parent.left : navigation.right; right: parent.right; top: parent.top }
     }
@@ -250,14 +257,15 @@ Rectangle {
     // keys.
     BannerHost {
         id: banner
-        readonly property real leftEdge: above ? frame.keypad?.besideRight ?? 0 : pageArea.x + (frame.openPageItem?.bannerLeft ?? 0)
-        readonly property real free: (frame.keypad?.free ?? overlay.width) - leftEdge
+        readonly property real leftEdge: above ? frame.besideRight : pageArea.x + (frame.openPageItem?.bannerLeft ?? 0)
+        // The key that closes the sheet below stays free.
+        readonly property real free: Math.min(frame.keypad?.free ?? overlay.width, (frame.login ?? frame.sheet)?.closeLeft ?? overlay.width) - leftEdge
         above: Frame.covered || firstStart.active
         x: leftEdge + Theme.size.gap
         y: above ? overlay.y + Theme.size.gap : parent.height - height - Theme.size.gap - (frame.openPageItem?.bannerBottom ?? 0)
         width: (above ? free : pageArea.x + pageArea.width - leftEdge) - 2 * Theme.size.gap
-        // A narrow banner is higher.
-        height: width < 0.75 * pageArea.width ? Math.round(1.5 * Theme.size.actionBar) : Theme.size.actionBar
+        // A narrow banner is higher, and one in the place of cards has their height.
+        height: !above && frame.openPageItem?.bannerRow || (width < 0.75 * pageArea.width ? Math.round(1.5 * Theme.size.actionBar) : Theme.size.actionBar)
         visible: shown && !frame.covered
     }
     CommandColumn {
@@ -272,7 +280,7 @@ Rectangle {
         }
     }
     Loader {
-        anchors { left: parent.left; right: commands.left; top: parent.top; bottom: parent.bottom }
+        anchors { left: parent.left; right: commands.left; top: frame.cleaning ? topBar.bottom : parent.top; bottom: parent.bottom }
         source: frame.cover
     }
     // Sees all touches first and leaves them to what is below, also those on the command column: those of a wrong calibration

@@ -21,7 +21,6 @@ Sheet {
         anchors.fill: parent
         wrapMode: Text.WordWrap
         fontSizeMode: Text.Fit
-        minimumPixelSize: Theme.size.caption
         text: Theme.fill(qsTr("Start runs %1. Download %2 instead?"), [ProgramNames.active, ProgramNames.open])
         font.pixelSize: Theme.size.title
     }

@@ -38,9 +38,7 @@ Rectangle {
             Accessible.role: Accessible.StaticText
             Accessible.name: text
             width: Math.min(implicitWidth, recipe.room)
-            elide: Text.ElideRight
             fontSizeMode: Text.HorizontalFit
-            minimumPixelSize: Theme.size.caption
             text: Controller.active.isPresent ? ProgramNames.active
                 : Controller.fresh && Controller.state === Controller.State.Idle ? qsTr("No program") : qsTr("Program unknown")
             color: Controller.fresh ? Theme.color.ink : Theme.color.disabledInk
@@ -51,9 +49,7 @@ Rectangle {
             objectName: "openTitle"
             visible: ProgramNames.isOtherMotion || ProgramNames.isOtherVersion || !Controller.active.isPresent || Editor.edited
             width: Math.min(implicitWidth, recipe.room)
-            elide: Text.ElideRight
             fontSizeMode: Text.HorizontalFit
-            minimumPixelSize: 0.6 * Theme.size.caption
             text: Theme.fill(qsTr("open: %1"), [ProgramNames.open])
             color: Theme.color.secondaryInk
             font { pixelSize: Theme.size.caption; weight: Font.DemiBold }
@@ -75,7 +71,6 @@ Rectangle {
             anchors.verticalCenter: parent.verticalCenter
             width: Math.min(implicitWidth, 0.2 * bar.width)
             fontSizeMode: Text.HorizontalFit
-            minimumPixelSize: Theme.size.caption - 2
             text: Controller.stateText
             color: bar.stateColor
             font { pixelSize: Theme.size.title; bold: true }
@@ -111,7 +106,6 @@ Rectangle {
                     objectName: "userName"
                     visible: Access.loggedIn
                     width: Math.min(implicitWidth, bar.width * 0.13)
-                    elide: Text.ElideRight
                     text: Access.userName
                     font { pixelSize: Theme.size.caption; weight: Font.DemiBold }
                 }

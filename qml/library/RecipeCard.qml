@@ -31,23 +31,30 @@ Card {
             objectName: "chosenName"
             width: parent.width
             fontSizeMode: Text.HorizontalFit
-            minimumPixelSize: Theme.size.caption
             text: Recipes.chosenName
             font { pixelSize: Theme.size.title; bold: true }
         }
         Label {
             width: parent.width
             fontSizeMode: Text.HorizontalFit
-            minimumPixelSize: Theme.size.caption - 4
             text: Recipes.chosenNote
             color: Theme.color.secondaryInk
             font.pixelSize: Theme.size.caption
         }
-        Label {
-            width: parent.width
-            text: Recipes.chosenIsActive ? qsTr("In the controller") : Recipes.chosenIsOpen ? qsTr("Open on this panel") : qsTr("Stored on this panel")
-            color: Recipes.chosenIsActive ? Theme.color.good : Theme.color.secondaryInk
-            font { pixelSize: Theme.size.caption; weight: Font.DemiBold }
+        // The signs of the list in words.
+        Row {
+            spacing: Theme.size.accent
+            IconLabel {
+                visible: code.length > 0
+                code: Recipes.chosenIsActive ? Theme.icon.machine : Recipes.chosenIsOpen ? Theme.icon.edit : ""
+                color: Theme.color.secondaryInk
+                font.pixelSize: Theme.size.body
+            }
+            Label {
+                text: Recipes.chosenIsActive && Recipes.chosenIsOpen ? qsTr("In the controller and open here") : Recipes.chosenIsActive ? qsTr("In the controller") : Recipes.chosenIsOpen ? qsTr("Open on this panel") : qsTr("Stored on this panel")
+                color: Theme.color.secondaryInk
+                font { pixelSize: Theme.size.caption; weight: Font.DemiBold }
+            }
         }
     }
     // The figures scroll above the keys; without space for both, the keys come first and scroll with them.
@@ -83,7 +90,6 @@ Card {
                             width: parent.width - amount.width - Theme.size.spacing
                             height: parent.height
                             fontSizeMode: Text.HorizontalFit
-                            minimumPixelSize: Theme.size.caption - 3
                             text: figure.label
                             color: Theme.color.secondaryInk
                         }

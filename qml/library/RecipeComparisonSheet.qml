@@ -39,7 +39,7 @@ Sheet {
             required property string title
             required note
             objectName: "candidate" + index
-            width: list.width - 2 * Theme.size.accent
+            width: list.width - scrollMark.room
             text: title
             holds: sheet.chosen === index
             onClicked: {
@@ -49,6 +49,7 @@ Sheet {
         }
     }
     ScrollMark {
+        id: scrollMark
         view: list
         x: list.width - width
     }

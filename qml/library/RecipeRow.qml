@@ -9,6 +9,7 @@ import CamPanel.Plot
 TouchButton {
     id: row
     Accessible.name: row.name
+    Accessible.description: [row.isOpen ? qsTr("Open on this panel") : "", row.isActive ? qsTr("In the controller") : ""].filter(each => each.length > 0).join(", ")
 
     required property string name
     required property int version
@@ -42,14 +43,12 @@ TouchButton {
             Label {
                 width: parent.width
                 fontSizeMode: Text.HorizontalFit
-                minimumPixelSize: Theme.size.caption - 3
                 text: row.name
                 font.weight: Font.DemiBold
             }
             Label {
                 width: parent.width
                 fontSizeMode: Text.HorizontalFit
-                minimumPixelSize: Theme.size.caption - 4
                 text: Theme.fill(qsTr("v%1 · %2"), [row.version, row.summary])
                 color: Theme.color.secondaryInk
                 font.pixelSize: Theme.size.caption
@@ -67,7 +66,7 @@ TouchButton {
             IconLabel {
                 visible: row.isActive
                 code: Theme.icon.machine
-                color: row.holds ? Theme.color.ink : Theme.color.good
+                color: Theme.color.secondaryInk
             }
         }
     }

@@ -132,7 +132,6 @@ Page {
             height: parent.height - Theme.size.spacing
             wrapMode: Text.WordWrap
             fontSizeMode: Text.Fit
-            minimumPixelSize: Theme.size.caption - 2
             text: Recipes.message.length > 0 ? Recipes.message : state.isOffer ? Recipes.files.notice : Editor.recipeVersion === 0 ? qsTr("%1 is not saved yet.").arg(Editor.recipeName)
                 : qsTr("%1 was edited and is not saved.").arg(Editor.recipeName)
         }
@@ -192,12 +191,12 @@ Page {
             delegate: RecipeRow {
                 required property int index
                 objectName: "recipe" + index
-                width: list.width - 2 * Theme.size.accent
+                width: list.width - scrollMark.room
                 holds: Recipes.chosen === index
                 onClicked: Recipes.choose(index)
             }
         }
-        ScrollMark { view: list }
+        ScrollMark { id: scrollMark; view: list }
         Label {
             objectName: "recipesEmpty"
             anchors { fill: parent; margins: Theme.size.padding }

@@ -151,7 +151,6 @@ MaintenanceSection {
             height: keys.height
             wrapMode: Text.WordWrap
             fontSizeMode: Text.Fit
-            minimumPixelSize: Theme.size.caption - 2
             text: qsTr("Only on the screen: the machine does not move, and nothing is sent to the controller. Turn the left dial.")
             color: Theme.color.secondaryInk
         }

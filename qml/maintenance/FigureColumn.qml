@@ -42,7 +42,6 @@ Item {
                     height: parent.height
                     text: figure.label
                     fontSizeMode: Text.HorizontalFit
-                    minimumPixelSize: Theme.size.caption - 6
                     font.pixelSize: Theme.size.caption
                 }
                 Label {

@@ -38,7 +38,6 @@ Rectangle {
         height: parent.height
         text: row.words
         fontSizeMode: Text.HorizontalFit
-        minimumPixelSize: Theme.size.caption - 3
         color: row.error ? Theme.color.fault : Theme.color.ink
     }
 }

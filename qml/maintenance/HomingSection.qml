@@ -42,7 +42,6 @@ MaintenanceSection {
         wrapMode: Text.WordWrap
         verticalAlignment: Text.AlignTop
         fontSizeMode: Text.Fit
-        minimumPixelSize: Theme.size.caption - 2
         text: section.homing.explanation
     }
     Label {
@@ -81,10 +80,10 @@ MaintenanceSection {
         id: key
         objectName: "homingKey"
         anchors { right: parent.right; top: parent.top; bottom: parent.bottom }
-        width: Math.round(1.6 * Theme.size.commandKey)
+        visible: section.homing.possible && !section.homing.offered   // else the command column has it
+        width: visible ? Math.round(1.6 * Theme.size.commandKey) : 0
         glyph: Theme.icon.referenceRun
         text: section.homing.keyText
-        ready: section.homing.possible
         onCommanded: section.homing.home()
     }
 }

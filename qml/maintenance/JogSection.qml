@@ -77,7 +77,6 @@ MaintenanceSection {
             height: parent.height
             wrapMode: Text.WordWrap
             fontSizeMode: Text.Fit
-            minimumPixelSize: Theme.size.caption - 2
             text: speed.field.failure.length > 0 ? speed.field.failure : section.jog.text
             color: section.jog.blocked || speed.field.failure.length > 0 ? Theme.color.warning : Theme.color.ink
         }

@@ -33,14 +33,12 @@ TouchButton {
                 width: parent.width
                 text: row.name
                 fontSizeMode: Text.HorizontalFit
-                minimumPixelSize: Theme.size.caption - 3
                 font.weight: Font.DemiBold
             }
             Label {
                 width: parent.width
                 text: row.note
                 fontSizeMode: Text.HorizontalFit
-                minimumPixelSize: Theme.size.caption - 3
                 color: Theme.color.secondaryInk
                 font.pixelSize: Theme.size.caption
             }
@@ -54,7 +52,6 @@ TouchButton {
                 horizontalAlignment: Text.AlignRight
                 text: row.value
                 fontSizeMode: Text.HorizontalFit
-                minimumPixelSize: Theme.size.caption - 3
                 color: row.stale || !row.known ? Theme.color.disabledInk : Theme.color.ink
                 font { pixelSize: Theme.size.title; weight: Font.Bold }
             }

@@ -70,12 +70,12 @@ MaintenanceSection {
         delegate: RegisterRow {
             required property int index
             objectName: "register" + index
-            width: list.width - 2 * Theme.size.accent
+            width: list.width - scrollMark.room
             holds: section.inspector.selected === index
             onClicked: section.inspector.select(index)
         }
     }
-    ScrollMark { view: list }
+    ScrollMark { id: scrollMark; view: list }
     Label {
         anchors.fill: list
         visible: list.count === 0
@@ -93,7 +93,6 @@ MaintenanceSection {
             anchors { left: parent.left; right: writeButton.visible ? writeButton.left : parent.right; rightMargin: Theme.size.padding; top: parent.top; bottom: parent.bottom }
             wrapMode: Text.WordWrap
             fontSizeMode: Text.Fit
-            minimumPixelSize: Theme.size.caption - 3
             text: section.inspector.selectedText
             color: section.inspector.failed ? Theme.color.fault : section.inspector.selected < 0 ? Theme.color.secondaryInk : Theme.color.ink
         }

@@ -33,7 +33,6 @@ MaintenanceSection {
                 Label {
                     width: parent.width
                     fontSizeMode: Text.HorizontalFit
-                    minimumPixelSize: Theme.size.caption - 2
                     text: row.name
                     color: row.level === SimulatedFaults.Off ? Theme.color.ink : Theme.color.warning
                     font.weight: Font.DemiBold
@@ -70,7 +69,6 @@ MaintenanceSection {
             height: parent.height
             wrapMode: Text.WordWrap
             fontSizeMode: Text.Fit
-            minimumPixelSize: Theme.size.caption - 2
             text: section.faults.errorText.length > 0 ? section.faults.errorText : section.faults.text
             color: section.faults.errorText.length > 0 ? Theme.color.fault : section.faults.activeCount > 0 ? Theme.color.warning : Theme.color.secondaryInk
         }

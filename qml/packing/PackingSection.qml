@@ -34,7 +34,6 @@ MaintenanceSection {
             anchors { left: parent.left; right: keys.left; rightMargin: Theme.size.padding; top: parent.top; bottom: parent.bottom; bottomMargin: teachBar.visible ? teachBar.height : 0 }
             wrapMode: Text.WordWrap
             fontSizeMode: Text.Fit
-            minimumPixelSize: Theme.size.caption - 2
             verticalAlignment: Text.AlignVCenter
             text: section.setup.teachText
             color: section.setup.misfit ? Theme.color.warning : Theme.color.ink

@@ -20,7 +20,6 @@ Sheet {
         anchors.fill: parent
         wrapMode: Text.WordWrap
         fontSizeMode: Text.Fit
-        minimumPixelSize: Theme.size.caption
         text: sheet.question
     }
     footer: [

@@ -154,7 +154,7 @@ Item {
         x: drawing.sensorX
         y: drawing.filmY + 3 * Theme.size.accent
         width: drawing.knifeX - x
-        letter: "L"
+        letter: "D"
         marked: drawing.has("sensor")
     }
     Dimension {

@@ -20,7 +20,6 @@ Item {
         height: parent.height
         width: parent.width * 0.42
         fontSizeMode: Text.HorizontalFit
-        minimumPixelSize: Theme.size.caption - 2
         text: row.name
     }
     Label {
@@ -29,7 +28,6 @@ Item {
         width: parent.width * 0.26
         horizontalAlignment: Text.AlignRight
         fontSizeMode: Text.HorizontalFit
-        minimumPixelSize: Theme.size.caption - 4
         text: row.activeText
         color: Theme.color.secondaryInk
         font.pixelSize: row.header ? Theme.size.caption : Theme.size.body
@@ -40,7 +38,6 @@ Item {
         width: parent.width * 0.28 - Theme.size.padding
         horizontalAlignment: Text.AlignRight
         fontSizeMode: Text.HorizontalFit
-        minimumPixelSize: Theme.size.caption - 4
         text: row.editedText
         color: row.header ? Theme.color.secondaryInk : Theme.color.touch
         font { pixelSize: row.header ? Theme.size.caption : Theme.size.body; weight: row.header ? Font.Normal : Font.Bold }

@@ -15,7 +15,7 @@ MouseArea {
     property string field                  // name of the recipe's number; empty: a tap does nothing
 
     Accessible.role: Accessible.Button
-    Accessible.name: qsTr("How this is calculated")
+    Accessible.name: area.field.length > 0 ? Theme.fill(qsTr("Change: %1"), [change.nameOf(area.field)]) : qsTr("How this is calculated")
 
     anchors.fill: parent
     pressAndHoldInterval: Theme.longPressTime

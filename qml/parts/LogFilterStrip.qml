@@ -29,8 +29,6 @@ Rectangle {
         anchors { left: mark.right; right: clear.left; margins: Theme.size.padding; verticalCenter: parent.verticalCenter }
         text: qsTr("Only: %1").arg(strip.filter.summary)
         fontSizeMode: Text.HorizontalFit
-        minimumPixelSize: Theme.size.caption - 3
-        elide: Text.ElideRight
         font.weight: Font.DemiBold
     }
     Button {

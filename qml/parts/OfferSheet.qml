@@ -55,7 +55,7 @@ Sheet {
             required property bool usable
             required note
             objectName: "offer" + index
-            width: list.width - 2 * Theme.size.accent
+            width: list.width - scrollMark.room
             text: title
             noteColor: usable || holds ? Theme.color.secondaryInk : Theme.color.fault
             holds: sheet.chosen === index
@@ -75,13 +75,12 @@ Sheet {
             }
         }
     }
-    ScrollMark { view: list }
+    ScrollMark { id: scrollMark; view: list }
     Label {
         objectName: "offerDetail"
         anchors { left: parent.left; right: allButton.visible ? allButton.left : goButton.left; rightMargin: Theme.size.padding; top: goButton.top; bottom: parent.bottom }
         wrapMode: Text.Wrap
         fontSizeMode: Text.Fit
-        minimumPixelSize: Theme.size.caption - 3
         readonly property bool isResult: sheet.exchange.message.length > 0
         text: sheet.chosen >= 0 ? sheet.chosenDetail : sheet.works && sheet.exchange.busy && sheet.workText.length > 0 ? sheet.workText
             : isResult ? sheet.exchange.message : sheet.hint

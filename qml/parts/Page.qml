@@ -8,5 +8,6 @@ Item {
     // The space that the banner leaves free on the left and below, for the object that it mentions.
     property real bannerLeft
     property real bannerBottom
+    property real bannerRow                // height of the cards whose place the banner takes; 0: the page makes room
     property real leftInset                // width of what stands beside the page at the left: a sheet or its keypad
 }

@@ -23,7 +23,7 @@ Item {
         delegate: ParameterRow {
             objectName: parameters.name + index
             level: Access.Technician
-            width: list.width - 2 * Theme.size.accent
+            width: list.width - scrollMark.room
             onClicked: {
                 if (toggle)
                     return
@@ -34,7 +34,7 @@ Item {
             onSuggestionTaken: parameters.fields.takeSuggestion(index)
         }
     }
-    ScrollMark { view: list }
+    ScrollMark { id: scrollMark; view: list }
     Item {
         id: foot
         anchors { left: parent.left; right: parent.right; bottom: parent.bottom }
@@ -44,7 +44,6 @@ Item {
             anchors { left: parent.left; right: save.left; rightMargin: Theme.size.padding; top: parent.top; bottom: parent.bottom }
             wrapMode: Text.WordWrap
             fontSizeMode: Text.Fit
-            minimumPixelSize: Theme.size.caption - 2
             verticalAlignment: Text.AlignVCenter
             text: parameters.fields.outcomeText.length > 0 ? parameters.fields.outcomeText
                 : qsTr("Changes take effect at once. Press Save to keep the values after power-off.")

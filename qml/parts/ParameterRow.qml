@@ -39,7 +39,6 @@ TouchButton {
                 width: parent.width
                 text: row.name
                 fontSizeMode: Text.HorizontalFit
-                minimumPixelSize: Theme.size.caption - 3
                 font.weight: Font.DemiBold
             }
             Label {

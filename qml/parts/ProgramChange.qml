@@ -12,6 +12,7 @@ QtObject {
     property real before                   // its value then
     readonly property bool covered: Frame.covered
 
+    function nameOf(name: string): string { return Editor.field(name).label }
     function begin(name: string, source: Item): void {
         if (Editor.recipeName !== Controller.active.name || Editor.kind !== Controller.active.kind) {
             Frame.openPage("motion")

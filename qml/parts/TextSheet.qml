@@ -113,7 +113,6 @@ Sheet {
         text: sheet.touched ? sheet.problem : ""
         color: Theme.color.warning
         fontSizeMode: Text.HorizontalFit
-        minimumPixelSize: Theme.size.caption - 3
         font.pixelSize: Theme.size.caption
     }
     TextKeyboard {

@@ -27,7 +27,6 @@ Item {
         anchors { left: parent.left; right: amount.left; rightMargin: Theme.size.spacing; verticalCenter: parent.verticalCenter }
         text: tile.label
         fontSizeMode: Text.HorizontalFit
-        minimumPixelSize: Theme.size.caption - 3
         color: tile.labelSize < tile.amountSize ? Theme.color.secondaryInk : Theme.color.ink
         font.pixelSize: tile.labelSize
     }

@@ -107,7 +107,6 @@ MaintenanceSection {
         verticalAlignment: Text.AlignBottom
         wrapMode: Text.Wrap
         fontSizeMode: Text.Fit
-        minimumPixelSize: Theme.size.caption - 3
         text: Backup.busy ? qsTr("Working …") : Backup.message
         color: Backup.failed ? Theme.color.fault : Theme.color.secondaryInk
     }

@@ -34,7 +34,6 @@ Item {
             height: Math.min(implicitHeight, row.height - heading.height)
             wrapMode: Text.Wrap
             fontSizeMode: Text.Fit
-            minimumPixelSize: Theme.size.caption - 3
             text: row.note
             color: Theme.color.secondaryInk
             font.pixelSize: Theme.size.caption

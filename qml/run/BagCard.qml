@@ -84,7 +84,6 @@ Card {
         anchors { left: parent.left; leftMargin: Theme.size.padding; bottom: parent.bottom; bottomMargin: Theme.size.spacing }
         width: Math.min(implicitWidth, chart.width / 2)
         fontSizeMode: Text.HorizontalFit
-        minimumPixelSize: Theme.size.caption - 5
         text: qsTr("tolerance ±%1").arg(Theme.measure(Controller.bags.toleranceMm, 2, "mm"))
         color: Theme.color.secondaryInk
         font.pixelSize: Theme.size.caption
@@ -94,7 +93,6 @@ Card {
         visible: card.measured
         width: Math.min(implicitWidth, chart.width / 2 - Theme.size.accent)
         fontSizeMode: Text.HorizontalFit
-        minimumPixelSize: Theme.size.caption - 4
         text: qsTr("last %1").arg(Theme.signedAmount(Controller.bags.deviationMm, 2, "mm"))
         color: card.figureColor
         font.pixelSize: Theme.size.caption
@@ -102,7 +100,6 @@ Card {
     Explained {
         objectName: "bagNumbers"
         field: "bag_length_mm"
-        Accessible.name: qsTr("Bag length")
         quantities: [Explanations.BagMean, Explanations.BagScatter, Explanations.BagDeviation]
     }
 }

@@ -50,7 +50,6 @@ Card {
             objectName: "bagFigures"
             anchors { left: parent.left; right: parent.right; bottom: parent.bottom }
             fontSizeMode: Text.HorizontalFit
-            minimumPixelSize: Theme.size.caption - 3
             text: Theme.fill(qsTr("mean %1, std dev %2"), [Theme.amount(Controller.bags.meanMm, 2, "mm"), Theme.amount(Controller.bags.scatterMm, 2, "mm")])
             color: card.figureColor
             font.pixelSize: Theme.size.caption
@@ -91,7 +90,6 @@ Card {
         anchors { left: chart.left; bottom: parent.bottom; bottomMargin: Theme.size.spacing }
         width: chart.width * 0.5 - Theme.size.accent
         fontSizeMode: Text.HorizontalFit
-        minimumPixelSize: Theme.size.caption - 3
         text: "±" + Theme.measure(Controller.bags.toleranceMm, 2, "mm")
         color: Theme.color.secondaryInk
         font.pixelSize: Theme.size.caption
@@ -103,7 +101,6 @@ Card {
         width: chart.width * 0.5
         horizontalAlignment: Text.AlignRight
         fontSizeMode: Text.HorizontalFit
-        minimumPixelSize: Theme.size.caption - 3
         text: Controller.bags.scrap === 0 ? Theme.fill(qsTr("%1 of %2 within"), [Controller.bags.within, Controller.bags.counted])
             : Theme.fill(qsTr("%1 of %2 within, scrap: %3"), [Controller.bags.within, Controller.bags.counted, Controller.bags.scrap])
         color: !Controller.fresh ? Theme.color.disabledInk : Controller.bags.within < Controller.bags.counted ? Theme.color.fault : Theme.color.secondaryInk
@@ -112,7 +109,6 @@ Card {
     Explained {
         objectName: "bagNumbers"
         field: "bag_length_mm"
-        Accessible.name: qsTr("Bag length")
         quantities: [Explanations.BagMean, Explanations.BagScatter, Explanations.BagsWithin, Explanations.BagDeviation]
     }
 }

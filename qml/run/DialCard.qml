@@ -21,7 +21,6 @@ Card {
         anchors { left: mark.right; leftMargin: Theme.size.spacing; right: angle.left; verticalCenter: angle.verticalCenter }
         text: qsTr("Sync window")
         fontSizeMode: Text.HorizontalFit
-        minimumPixelSize: Theme.size.caption - 2
         color: Theme.color.secondaryInk
         font.pixelSize: Theme.size.caption
     }

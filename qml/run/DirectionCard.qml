@@ -35,7 +35,6 @@ Card {
                 anchors.horizontalCenter: parent.horizontalCenter
                 width: Math.min(implicitWidth, key.width - Theme.size.accent)
                 fontSizeMode: Text.HorizontalFit
-                minimumPixelSize: Theme.size.caption - 5
                 text: key.text
                 color: key.ink
                 font { pixelSize: Theme.size.body; weight: key.selected ? Font.Bold : Font.DemiBold }
@@ -45,7 +44,6 @@ Card {
                 width: Math.min(implicitWidth, key.width - Theme.size.accent)
                 visible: !key.selected
                 fontSizeMode: Text.HorizontalFit
-                minimumPixelSize: Theme.size.caption - 4
                 text: key.holdNote
                 color: key.ink
                 font.pixelSize: Theme.size.caption
@@ -59,7 +57,6 @@ Card {
             width: parent.width
             text: qsTr("Master direction")
             fontSizeMode: Text.HorizontalFit
-            minimumPixelSize: Theme.size.caption - 2
             color: Theme.color.secondaryInk
             font.pixelSize: Theme.size.caption
         }

@@ -41,7 +41,6 @@ Card {
         anchors { right: more.left; rightMargin: Theme.size.padding; left: state.right; leftMargin: Theme.size.padding; verticalCenter: state.verticalCenter }
         horizontalAlignment: Text.AlignRight
         fontSizeMode: Text.HorizontalFit
-        minimumPixelSize: Theme.size.caption - 2
         text: qsTr("mark error %1").arg(Theme.signedMeasure(Controller.telemetry[markError.value], 2, "mm"))
         color: card.fresh ? Theme.color.ink : Theme.color.disabledInk
         font.pixelSize: Theme.size.caption
@@ -55,8 +54,6 @@ Card {
         anchors { right: more.left; rightMargin: Theme.size.padding; left: needsAll ? parent.left : state.right; leftMargin: Theme.size.padding; verticalCenter: state.verticalCenter }
         horizontalAlignment: Text.AlignRight
         fontSizeMode: Text.HorizontalFit
-        minimumPixelSize: Theme.size.smallestText
-        elide: Text.ElideRight
         text: Controller.run.film
         TextMetrics {
             id: words

@@ -26,7 +26,6 @@ Item {
             anchors { left: place.right; leftMargin: Theme.size.spacing; right: parent.right; rightMargin: Theme.size.spacing; verticalCenter: parent.verticalCenter }
             wrapMode: Text.WordWrap
             fontSizeMode: Text.HorizontalFit
-            minimumPixelSize: Theme.size.caption - 3
             lineHeight: lineCount > 1 ? 0.8 : 1
             text: key.text
             color: Theme.color.secondaryInk

@@ -17,7 +17,6 @@ Card {
         anchors { left: parent.left; right: parent.right; top: parent.top; leftMargin: Theme.size.padding; rightMargin: Theme.size.padding; topMargin: Theme.size.spacing }
         text: qsTr("Force N over position")
         fontSizeMode: Text.HorizontalFit
-        minimumPixelSize: Theme.size.caption - 2
         color: Theme.color.secondaryInk
         font.pixelSize: Theme.size.caption
     }
@@ -57,7 +56,6 @@ Card {
         objectName: "gateText"
         anchors { left: parent.left; right: parent.right; bottom: parent.bottom; leftMargin: Theme.size.padding; rightMargin: Theme.size.padding; bottomMargin: Theme.size.spacing }
         fontSizeMode: Text.HorizontalFit
-        minimumPixelSize: Theme.size.caption - 2
         text: Theme.fill(qsTr("at the stop: %1, %2 to %3"), [Theme.measure(Controller.active.pressPositionMm, 2, "mm"), Theme.number(Controller.active.minStopForceN, 0), Theme.measure(Controller.active.maxStopForceN, 0, "N")])
         color: Theme.color.secondaryInk
         font.pixelSize: Theme.size.caption

@@ -14,7 +14,6 @@ Card {
         anchors { left: parent.left; leftMargin: Theme.size.padding; right: angle.left; rightMargin: Theme.size.spacing; verticalCenter: angle.verticalCenter }
         text: qsTr("Master")
         fontSizeMode: Text.HorizontalFit
-        minimumPixelSize: Theme.size.caption - 2
         color: Theme.color.secondaryInk
         font.pixelSize: Theme.size.caption
     }

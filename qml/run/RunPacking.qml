@@ -12,7 +12,8 @@ Item {
 
     readonly property int gap: Theme.size.gap
     property real bottomInset
-    readonly property real room: height - bottomInset - 2 * gap
+    readonly property real room: height - 2 * gap
+    readonly property real bannerRow: height - skippedCuts.y   // a banner covers the lowest cards: nothing else moves
 
     NumberCard {
         id: rate
@@ -28,7 +29,7 @@ Item {
         note: isNaN(Controller.live.sealTimeMs) || words.advanceWidth > width - 2 * Theme.size.padding ? qsTr("%1 bags").arg(Theme.count(Controller.bags.count, 0)) : words.text
         TextMetrics {
             id: words
-            font.pixelSize: Theme.size.caption - 3
+            font.pixelSize: Theme.size.smallestText
             text: Theme.fill(qsTr("%1 bags · seal %2"), [Theme.count(Controller.bags.count, 0), Theme.measure(Controller.live.sealTimeMs, 0, "ms")])
         }
         quantities: isNaN(Controller.live.sealTimeMs) ? [Explanations.Rate] : [Explanations.Rate, Explanations.LiveSealTime]
@@ -43,13 +44,15 @@ Item {
         height: Math.round(view.room * 0.36)
     }
     SpeedCard {
+        visible: skippedCuts.visible
         anchors { left: parent.left; right: skippedCuts.left; rightMargin: view.gap; top: film.bottom; topMargin: view.gap; bottom: skippedCuts.bottom }
         compact: Theme.size.name === "small"
         title: qsTr("Knife speed %1").arg(Theme.shownUnit("mm/s"))
     }
     SkippedCutsCard {
         id: skippedCuts
-        anchors { right: parent.right; top: film.bottom; topMargin: view.gap; bottom: parent.bottom; bottomMargin: view.bottomInset }
+        anchors { right: parent.right; top: film.bottom; topMargin: view.gap; bottom: parent.bottom }
+        visible: view.bottomInset === 0
         width: Math.round((view.width - view.gap) * 0.36)
     }
 }

@@ -13,6 +13,8 @@ Page {
     readonly property list<string> views: ["RunEmpty.qml", "RunCutter.qml", "RunAxis.qml", "RunAxis.qml", "RunAxis.qml", "RunPress.qml", "RunAxis.qml"]
     readonly property string view: Controller.active.kind === Editor.Kind.RotaryCutter && Controller.packing.present ? "RunPacking.qml" : page.views[Controller.active.kind]
 
+    bannerRow: Stops.asking ? 0 : (loader.item as RunPacking)?.bannerRow ?? 0
+
     Loader {
         id: loader
         anchors.fill: parent

@@ -38,7 +38,6 @@ Card {
         anchors { left: parent.left; top: parent.top; leftMargin: Theme.size.padding; topMargin: Theme.size.spacing }
         width: Math.min(implicitWidth, 0.3 * card.width)
         fontSizeMode: Text.HorizontalFit
-        minimumPixelSize: Theme.size.caption - 4
         text: card.title
         color: Theme.color.secondaryInk
         font.pixelSize: Theme.size.caption
@@ -53,7 +52,6 @@ Card {
             readonly property real room: 0.7 * card.width - 3 * Theme.size.padding - target.width - actual.width - 2 * keys.spacing
             width: Math.min(implicitWidth, room)
             fontSizeMode: Text.HorizontalFit
-            minimumPixelSize: Theme.size.caption - 5
             readonly property string number: Theme.measure(Controller.live.followingErrorMm, 2, "mm")
             text: card.compact || words.advanceWidth > followingError.room ? qsTr("error %1").arg(number) : words.text
             TextMetrics {
@@ -85,8 +83,6 @@ Card {
         anchors { left: parent.left; right: parent.right; bottom: parent.bottom; leftMargin: Theme.size.padding; rightMargin: Theme.size.padding; bottomMargin: Theme.size.outline }
         horizontalAlignment: Text.AlignRight
         fontSizeMode: Text.HorizontalFit
-        minimumPixelSize: Theme.size.caption - 5
-        elide: Text.ElideRight
         text: card.compact || torqueWords.advanceWidth > width ? Controller.torque.shortText : torqueWords.text
         TextMetrics {
             id: torqueWords

@@ -27,7 +27,6 @@ Row {
                 anchors { fill: parent; margins: Theme.size.accent }
                 horizontalAlignment: Text.AlignHCenter
                 fontSizeMode: Text.HorizontalFit
-                minimumPixelSize: Theme.size.caption - 2
                 text: (stage.index + 1) + "  " + stage.modelData
                 color: !Controller.fresh ? Theme.color.disabledInk : stage.current ? Theme.color.ink : Theme.color.secondaryInk
                 font.weight: stage.current ? Font.Bold : Font.Normal

@@ -27,7 +27,6 @@ Card {
             objectName: "stopQuestionSince"
             width: parent.width
             fontSizeMode: Text.HorizontalFit
-            minimumPixelSize: Theme.size.caption - 2
             text: Stops.sinceText
             color: Theme.color.secondaryInk
             font.pixelSize: Theme.size.caption

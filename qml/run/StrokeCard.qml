@@ -13,7 +13,6 @@ Card {
         width: list.width * 0.3
         horizontalAlignment: Text.AlignRight
         fontSizeMode: Text.HorizontalFit
-        minimumPixelSize: Theme.size.caption - 3
         color: Controller.fresh ? Theme.color.ink : Theme.color.disabledInk
         font.pixelSize: Theme.size.caption
     }
@@ -81,7 +80,6 @@ Card {
                     Label {
                         width: list.width * 0.9 - (mark.visible ? mark.width + Theme.size.spacing : 0)
                         fontSizeMode: Text.HorizontalFit
-                        minimumPixelSize: Theme.size.caption - 3
                         text: stroke.resultText
                         color: !Controller.fresh ? Theme.color.disabledInk : stroke.good ? Theme.color.secondaryInk : Theme.color.fault
                         font { pixelSize: Theme.size.caption; weight: stroke.good ? Font.Normal : Font.DemiBold }

@@ -68,7 +68,6 @@ MaintenanceSection {
         verticalAlignment: Text.AlignTop
         wrapMode: Text.WordWrap
         fontSizeMode: Text.Fit
-        minimumPixelSize: Theme.size.caption - 2
         text: Scan.enabled ? qsTr("Scan a code to test the scanner. While this section is open, a code opens no recipe.")
             : qsTr("Set the scanner to send a prefix that nobody types before each code, such as ~~, and enter the same prefix here.")
         color: Theme.color.secondaryInk

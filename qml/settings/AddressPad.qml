@@ -37,7 +37,6 @@ DigitPanel {
         verticalAlignment: Text.AlignTop
         wrapMode: Text.WordWrap
         fontSizeMode: Text.Fit
-        minimumPixelSize: Theme.size.caption
         text: entry.refusal
         color: Theme.color.warning
     }

@@ -78,7 +78,6 @@ SettingsSection {
         height: Math.min(Theme.size.touch, connectButton.y - body.y - body.height - 2 * Theme.size.spacing)
         wrapMode: Text.WordWrap
         fontSizeMode: Text.Fit
-        minimumPixelSize: Theme.size.caption - 2
         text: Controller.connectionText
     }
     Button {

@@ -25,7 +25,7 @@ SettingsSection {
         boundsBehavior: Flickable.StopAtBounds
         Column {
             id: column
-            width: list.width - 2 * Theme.size.accent
+            width: list.width - scrollMark.room
             spacing: Theme.size.spacing
             SettingTile {
                 objectName: "bagTolerance"
@@ -70,6 +70,7 @@ SettingsSection {
         fieldId: section.chosen?.fieldId ?? ""
     }
     ScrollMark {
+        id: scrollMark
         view: list
         x: list.width - width
     }

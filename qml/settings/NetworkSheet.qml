@@ -30,7 +30,7 @@ Sheet {
         boundsBehavior: Flickable.StopAtBounds
         Column {
             id: rows
-            width: list.width - 2 * Theme.size.accent
+            width: list.width - scrollMark.room
             spacing: Theme.size.spacing
             Row {
                 width: parent.width
@@ -74,7 +74,7 @@ Sheet {
             }
         }
     }
-    ScrollMark { view: list }
+    ScrollMark { id: scrollMark; view: list }
     footer: [
         Label {
             objectName: "networkProblem"
@@ -82,7 +82,6 @@ Sheet {
             height: Theme.size.touch
             wrapMode: Text.WordWrap
             fontSizeMode: Text.Fit
-            minimumPixelSize: Theme.size.caption - 2
             text: sheet.complaint
             color: Theme.color.fault
         },

@@ -31,7 +31,6 @@ OfferSheet {
         verticalAlignment: Text.AlignVCenter
         wrapMode: Text.Wrap
         fontSizeMode: Text.Fit
-        minimumPixelSize: Theme.size.caption - 3
         text: SoftwareUpdate.blockedReason.length > 0 ? SoftwareUpdate.blockedReason : qsTr("The version before the last update is kept on this panel.")
         color: Theme.color.secondaryInk
     }

@@ -58,7 +58,6 @@ SettingsSection {
                 objectName: "usersNow"
                 width: parent.width
                 fontSizeMode: Text.HorizontalFit
-                minimumPixelSize: Theme.size.caption - 2
                 text: Access.loggedIn ? Theme.fill(qsTr("%1 · %2"), [Access.userName, Access.levelText]) : qsTr("Nobody logged in · %1").arg(Access.levelText)
                 font.weight: Font.DemiBold
             }
@@ -68,7 +67,6 @@ SettingsSection {
                 height: Theme.size.touch - 2 * Theme.size.title
                 wrapMode: Text.WordWrap
                 fontSizeMode: Text.Fit
-                minimumPixelSize: Theme.size.caption - 3
                 text: Access.message.length > 0 ? Access.message : Access.permissionText(Access.level)
                 color: Access.failed ? Theme.color.fault : Theme.color.secondaryInk
                 font.pixelSize: Theme.size.caption
@@ -93,7 +91,7 @@ SettingsSection {
         boundsBehavior: Flickable.StopAtBounds
         Column {
             id: rows
-            width: list.width - 2 * Theme.size.accent
+            width: list.width - scrollMark.room
             spacing: Theme.size.spacing
             Repeater {
                 model: section.people
@@ -109,7 +107,7 @@ SettingsSection {
             }
         }
     }
-    ScrollMark { view: list }
+    ScrollMark { id: scrollMark; view: list }
     Grid {
         id: foot
         anchors { left: parent.left; right: parent.right; bottom: parent.bottom }

@@ -32,13 +32,12 @@ Card {
             required property real share
             required property bool isPlanned
             required property bool isOpen
-            width: list.width - 2 * Theme.size.accent
+            width: list.width - scrollMark.room
             height: Theme.size.caption * 2.1
             Label {
                 objectName: "reasonText" + row.index
                 anchors { left: parent.left; right: time.left; rightMargin: Theme.size.spacing; top: parent.top }
                 fontSizeMode: Text.HorizontalFit
-                minimumPixelSize: Theme.size.caption - 3
                 text: row.isPlanned ? qsTr("%1 (planned)").arg(row.text) : row.text
                 font.pixelSize: Theme.size.caption
             }
@@ -58,7 +57,7 @@ Card {
             }
         }
     }
-    ScrollMark { view: list }
+    ScrollMark { id: scrollMark; view: list }
     Label {
         objectName: "reasonsNone"
         anchors.centerIn: parent

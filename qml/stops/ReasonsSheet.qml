@@ -37,7 +37,7 @@ Sheet {
             required property bool opens
             required text
             objectName: "reasonRow" + index
-            width: list.width - 2 * Theme.size.accent
+            width: list.width - scrollMark.room
             note: isPlanned ? qsTr("planned") : opens ? qsTr("more …") : ""
             holds: sheet.chosen === index
             onClicked: sheet.chosen = index
@@ -45,7 +45,7 @@ Sheet {
             Binding { target: sheet; property: "chosenPlanned"; value: row.isPlanned; when: row.holds; restoreMode: Binding.RestoreNone }
         }
     }
-    ScrollMark { view: list }
+    ScrollMark { id: scrollMark; view: list }
     Label {
         anchors { left: list.left; top: list.top }
         visible: sheet.count === 0

@@ -43,7 +43,7 @@ Sheet {
             required property int latest
             required text
             objectName: "shiftStart" + index
-            width: list.width - 2 * Theme.size.accent
+            width: list.width - scrollMark.room
             holds: sheet.chosen === index
             onClicked: sheet.chosen = index
             Binding { target: sheet; property: "minutes"; value: start.minutes; when: start.holds; restoreMode: Binding.RestoreNone }
@@ -51,7 +51,7 @@ Sheet {
             Binding { target: sheet; property: "latest"; value: start.latest; when: start.holds; restoreMode: Binding.RestoreNone }
         }
     }
-    ScrollMark { view: list }
+    ScrollMark { id: scrollMark; view: list }
     Grid {
         id: keys
         anchors { left: list.right; leftMargin: Theme.size.padding; right: parent.right; top: parent.top }

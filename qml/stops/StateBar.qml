@@ -77,7 +77,6 @@ Card {
                 Label {
                     width: parent.width - Theme.size.mark - 2 * Theme.size.accent
                     fontSizeMode: Text.HorizontalFit
-                    minimumPixelSize: Theme.size.caption - 3
                     text: card.names[parent.index]
                     color: Theme.color.secondaryInk
                     font.pixelSize: Theme.size.caption

@@ -34,7 +34,6 @@ TouchButton {
                 width: parent.width
                 text: row.time
                 fontSizeMode: Text.HorizontalFit
-                minimumPixelSize: Theme.size.caption - 3
                 color: Theme.color.secondaryInk
                 font.pixelSize: Theme.size.caption
             }
@@ -42,7 +41,6 @@ TouchButton {
                 width: parent.width
                 text: row.durationText
                 fontSizeMode: Text.HorizontalFit
-                minimumPixelSize: Theme.size.caption - 2
                 font.weight: Font.DemiBold
             }
         }
@@ -51,7 +49,6 @@ TouchButton {
             Label {
                 width: parent.width
                 fontSizeMode: Text.HorizontalFit
-                minimumPixelSize: Theme.size.caption - 3
                 text: row.reasonText
                 color: row.isOpen ? Theme.color.warning : Theme.color.ink
                 font.weight: Font.DemiBold
@@ -59,7 +56,6 @@ TouchButton {
             Label {
                 width: parent.width
                 fontSizeMode: Text.HorizontalFit
-                minimumPixelSize: Theme.size.caption - 3
                 readonly property string given: row.by.length > 0 ? Theme.fill(qsTr("%1 · %2"), [row.stateText, row.by]) : row.stateText
                 text: row.clockNote.length > 0 ? Theme.fill(qsTr("%1 · %2"), [given, row.clockNote]) : given
                 color: Theme.color.secondaryInk

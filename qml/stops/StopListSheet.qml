@@ -40,7 +40,7 @@ Sheet {
             required property int index
             objectName: "stop" + index
             level: Access.Operator
-            width: list.width - 2 * Theme.size.accent
+            width: list.width - scrollMark.room
             onClicked: {
                 if (!Access.ask(Access.Operator))
                     return
@@ -50,6 +50,7 @@ Sheet {
         }
     }
     ScrollMark {
+        id: scrollMark
         view: list
         opacity: sheet.answers ? 0 : 1
     }

@@ -42,7 +42,6 @@ Page {
                     width: parent.width
                     horizontalAlignment: Text.AlignHCenter
                     fontSizeMode: Text.HorizontalFit
-                    minimumPixelSize: Theme.size.caption - 2
                     text: Stops.shift.title
                     font { pixelSize: Theme.size.title; weight: Font.DemiBold }
                 }
@@ -52,7 +51,6 @@ Page {
                     width: parent.width
                     horizontalAlignment: Text.AlignHCenter
                     fontSizeMode: Text.HorizontalFit
-                    minimumPixelSize: Theme.size.caption - 3
                     text: Stops.shift.note
                     color: Theme.color.secondaryInk
                     font.pixelSize: Theme.size.caption
@@ -134,7 +132,6 @@ Page {
         anchors { left: actions.right; right: parent.right; top: actions.top; bottom: actions.bottom; leftMargin: Theme.size.padding }
         wrapMode: Text.WordWrap
         fontSizeMode: Text.Fit
-        minimumPixelSize: Theme.size.caption - 3
         text: Stops.shift.content === ShiftView.Nothing ? qsTr("Nothing was recorded in this shift.") : Stops.shift.timesText
         color: Theme.color.secondaryInk
         font.pixelSize: Theme.size.caption

@@ -98,7 +98,6 @@ Card {
                     height: parent.height
                     horizontalAlignment: Text.AlignRight
                     fontSizeMode: Text.HorizontalFit
-                    minimumPixelSize: Theme.size.caption - 4
                     text: isNaN(card.cursor) ? card.figuresOf(header.index, header.modelData) : card.valuesOf(header.index, header.modelData, card.revision)
                     color: isNaN(card.cursor) ? Theme.color.secondaryInk : Theme.color.ink
                     font { pixelSize: Theme.size.caption; weight: isNaN(card.cursor) ? Font.Normal : Font.DemiBold }

@@ -75,7 +75,6 @@ Page {
         wrapMode: Text.WordWrap
         readonly property string range: Theme.fill(qsTr("%1 –\n%2", "from, to"), [card.momentOf(Trends.fromMs), card.momentOf(Trends.toMs)])
         fontSizeMode: Text.Fit
-        minimumPixelSize: Theme.size.caption - 3
         text: Trends.clockDoubtful ? qsTr("%1\nclock not set", "from, to").arg(range) : range
         color: Theme.color.secondaryInk
         font.pixelSize: Theme.size.caption

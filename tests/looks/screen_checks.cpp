@@ -144,8 +144,11 @@ private:
         const double size =
             item.property("fontInfo").value<QJSValue>().property(QStringLiteral("pixelSize")).toNumber();
         if (size < m_limits.textPx)
-            m_faults += QStringLiteral("%1 has shrunk to %2 px").arg(nameOf(item)).arg(size);
-        if (item.property("truncated").toBool())
+            m_faults += QStringLiteral("%1 has %2 px, at least %3 are readable")
+                            .arg(nameOf(item))
+                            .arg(size)
+                            .arg(m_limits.textPx);
+        if (!m_limits.elides && item.property("truncated").toBool())
             m_faults += QStringLiteral("%1 is elided").arg(nameOf(item));
         const QRectF painted = paintedRect(item);
         if (painted.width() > item.width() + tolerancePx ||
@@ -159,15 +162,25 @@ private:
         const QRectF rect = item.mapRectToScene(painted);
         if (isInSight(item, rect))
             checkContrast(item, rect);
-        if (scrollerOf(item))
-            return;
-        if (const QQuickItem* surface = surfaceOf(item)) {
+        checkSurfaces(item, rect);
+        if (!scrollerOf(item))
+            m_texts.append({text, rect});
+    }
+
+    // Checks that the text stays on the key, tile and card that it belongs to; in a list, on those of its
+    // row.
+    void checkSurfaces(const QQuickItem& item, const QRectF& rect)
+    {
+        const QQuickItem* scroller = scrollerOf(item);
+        for (const QQuickItem* surface = surfaceOf(item); surface && scrollerOf(*surface) == scroller;
+             surface = surfaceOf(*surface)) {
             const QRectF limit = surface->mapRectToScene(surface->boundingRect())
                                      .adjusted(-tolerancePx, -tolerancePx, tolerancePx, tolerancePx);
-            if (!limit.contains(rect))
-                m_faults += QStringLiteral("%1 stands out of its surface").arg(nameOf(item));
+            if (limit.contains(rect))
+                continue;
+            m_faults += QStringLiteral("%1 stands out of its surface").arg(nameOf(item));
+            return;
         }
-        m_texts.append({text, rect});
     }
 
     // Checks the contrast, except for disabled items (WCAG exempts them).

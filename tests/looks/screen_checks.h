@@ -18,7 +18,8 @@ struct ScreenLimits {
         0; // 12 mm, for the letter keys of the keyboards: ten of 15 mm are wider than a 7 inch screen
     double commandPx = 0; // 18 mm, for Start and Stop; in glove mode 22.5 mm
     TextContrast contrast;
-    double textPx = 0; // what a text without room may shrink to
+    double textPx = 0;   // the smallest readable text of the size class
+    bool elides = false; // texts without room may be elided
 };
 
 // Returns a fault when a picture of the faultless machine has more than a few pixels in the colors of alarms:

@@ -309,6 +309,8 @@ const QList<Screen>& allScreens()
              window.tap(QStringLiteral("ratios"));
          }},
         taps("keypad-ratios", {motion, QStringLiteral("ratios"), QStringLiteral("ratioNumbers")}),
+        edited("keypad-ratios-edited", 320,
+               {motion, QStringLiteral("ratios"), QStringLiteral("ratioNumbers")}),
         {QStringLiteral("laws-ranked"),
          [=](TestWindow& window) {
              window.panel().editor().ramps()->choose(panel::RampControl::Cool);

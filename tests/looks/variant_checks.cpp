@@ -2,6 +2,7 @@
 // Loads every page and dialog and checks it; see look_checks.h.
 #include "tests/looks/variant_checks.h"
 
+#include "tests/looks/key_places.h"
 #include "tests/looks/screen_checks.h"
 
 #include <cstdio>
@@ -18,9 +19,7 @@ void noteMessage(QtMsgType type, const QMessageLogContext&, const QString& messa
         g_warnings += message;
 }
 
-constexpr double readablePx = 10; // 1.9 mm on a 7-inch screen
-
-// The long texts are no real language, so they may shrink below the readable size.
+// The long texts are no real language, so they may be elided.
 ScreenLimits limitsOf(TestWindow& window, const Variant& variant)
 {
     const auto* size = window.theme()->property("size").value<QObject*>();
@@ -30,7 +29,8 @@ ScreenLimits limitsOf(TestWindow& window, const Variant& variant)
             touch / size->property("reach").toDouble(),
             size->property("commandKey").toDouble(),
             {color->property("textContrast").toDouble(), color->property("largeTextContrast").toDouble()},
-            variant.language == QLatin1String("long") ? 0 : readablePx};
+            size->property("smallestText").toDouble(),
+            variant.language == QLatin1String("long")};
 }
 
 QStringList checkStop(TestWindow& window)
@@ -44,20 +44,23 @@ QStringList checkStop(TestWindow& window)
 QStringList checkVariant(const Variant& variant, const QList<Screen>& screens)
 {
     QStringList faults;
+    KeyPlaces places;
     TestWindow window(variant);
     if (!window.isReady())
         return {QStringLiteral("the window cannot be loaded")};
     for (const Screen& screen : screens) {
         enterScreen(window, screen);
         const QImage picture = window.grab();
-        QStringList found = checkScreen(window.root(), limitsOf(window, variant), picture);
+        QStringList found =
+            checkScreen(window.root(), limitsOf(window, variant), picture) + checkCovered(window.root());
+        places.add(screen.name, window.root());
         if (calmScreens().contains(screen.name))
             found += checkCalm(picture);
         found += checkStop(window);
         for (const QString& fault : found)
             faults += QStringLiteral("%1: %2").arg(screen.name, fault);
     }
-    return faults + window.complaints();
+    return faults + places.faults() + window.complaints();
 }
 
 } // namespace
