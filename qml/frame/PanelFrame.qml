@@ -87,6 +87,8 @@ Rectangle {
         keypadLoader.active = false
         frame.shift = 0
         frame.rightInset = 0
+        if (frame.sheet)
+            frame.sheet.free = 0
     }
     function edit(fields: var, index: int, source: Item, heading: string): void {
         if (!(frame.keypad?.settle() ?? true) || !Access.ask((fields[index] as Value).neededLevel))
@@ -101,6 +103,8 @@ Rectangle {
         const isFirstStart = firstStart.active && frame.sheet === null
         frame.rightInset = isFirstStart && (hidden < 0 || frame.rightInset > 0) ? overlay.width - frame.keypad.free : 0
         frame.shift = isFirstStart || frame.keypad.besideRight > 0 ? 0 : hidden
+        if (frame.sheet && frame.keypad.besideRight === 0)
+            frame.sheet.free = frame.keypad.free - hidden
     }
 
     Connections {
@@ -114,11 +118,6 @@ Rectangle {
         target: Frame
         property: "covered"
         value: frame.sheet !== null || keypadLoader.active || loginLoader.active
-    }
-    Binding {
-        target: frame.sheet
-        property: "free"
-        value: frame.keypad && !frame.keypad.beside ? frame.keypad.free - frame.shift : 0
     }
     // A scanned code opens nothing then.
     Binding {

@@ -3355,7 +3355,7 @@ Und %2 weitere.</translation>
     </message>
     <message>
         <source>Clean the screen</source>
-        <translation>Bildschirm reinigen</translation>
+        <translation>Reinigen</translation>
     </message>
     <message>
         <source>30 s without touch</source>

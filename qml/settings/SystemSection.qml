@@ -87,6 +87,7 @@ SettingsSection {
                 Button {
                     id: wipeKey
                     objectName: "wipeScreen"
+                    width: Math.min(implicitWidth, Math.round(0.34 * darkRow.width))
                     text: qsTr("Clean the screen")
                     note: qsTr("30 s without touch")
                     onClicked: Display.wipe()
