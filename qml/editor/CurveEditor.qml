@@ -76,7 +76,7 @@ Card {
                 width: editor.stageX(index, editor.revision) - from
                 height: stages.height
                 horizontalAlignment: Text.AlignHCenter
-                text: name.width < width ? modelData : index + 1
+                text: name.advanceWidth + Theme.size.outline < width ? modelData : index + 1
                 color: Theme.color.secondaryInk
                 font.pixelSize: Theme.size.caption
                 TextMetrics {
