@@ -2483,6 +2483,10 @@ Und %2 weitere.</translation>
         <source>In the controller</source>
         <translation>In der Steuerung</translation>
     </message>
+    <message>
+        <source>In the controller and open here</source>
+        <translation>In der Steuerung und hier offen</translation>
+    </message>
 </context>
 <context>
     <name>RecipesPage</name>

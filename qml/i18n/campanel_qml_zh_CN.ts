@@ -2483,6 +2483,10 @@ And %2 more.</source>
         <source>In the controller</source>
         <translation>在控制器中</translation>
     </message>
+    <message>
+        <source>In the controller and open here</source>
+        <translation>在控制器中且在此打开</translation>
+    </message>
 </context>
 <context>
     <name>RecipesPage</name>

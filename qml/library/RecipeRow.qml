@@ -9,7 +9,8 @@ import CamPanel.Plot
 TouchButton {
     id: row
     Accessible.name: row.name
-    Accessible.description: [row.isOpen ? qsTr("Open on this panel") : "", row.isActive ? qsTr("In the controller") : ""].filter(each => each.length > 0).join(", ")
+    Accessible.description: row.isActive && row.isOpen ? qsTr("In the controller and open here") : row.isActive ? qsTr("In the controller")
+        : row.isOpen ? qsTr("Open on this panel") : ""
 
     required property string name
     required property int version
