@@ -2,8 +2,8 @@
 // Loads every page and dialog and checks it; see look_checks.h.
 #include "tests/looks/variant_checks.h"
 
-#include "tests/looks/key_places.h"
-#include "tests/looks/screen_checks.h"
+#include "tests/looks/checks/key_places.h"
+#include "tests/looks/checks/screen_checks.h"
 
 #include <cstdio>
 #include <cstdlib>

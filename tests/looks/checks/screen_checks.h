@@ -3,7 +3,7 @@
 // touch targets too small.
 #pragma once
 
-#include "tests/looks/contrast.h"
+#include "tests/looks/checks/contrast.h"
 
 #include <QStringList>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Contrast of texts; see contrast.h.
-#include "tests/looks/contrast.h"
+#include "tests/looks/checks/contrast.h"
 
 #include <QFont>
 #include <QHash>

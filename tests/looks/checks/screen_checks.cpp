@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Checks the screen contents; see screen_checks.h.
-#include "tests/looks/screen_checks.h"
+#include "tests/looks/checks/screen_checks.h"
 
 #include <QAccessible>
 #include <QImage>

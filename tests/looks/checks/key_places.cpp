@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Compares the places of keys; see key_places.h.
-#include "tests/looks/key_places.h"
+#include "tests/looks/checks/key_places.h"
 
 #include <QColor>
 #include <QQuickItem>
