@@ -2,9 +2,9 @@
 // The variants of the panel: colors of high contrast, keys for gloves, explained numbers, longer texts, and
 // the comparison of pictures.
 #include "panel_test.h"
-#include "tests/looks/contrast.h"
+#include "tests/looks/checks/contrast.h"
 #include "tests/looks/picture_difference.h"
-#include "tests/looks/screen_checks.h"
+#include "tests/looks/checks/screen_checks.h"
 #include "tests/looks/screens.h"
 #include "tests/looks/variant_checks.h"
 #include "tests/support/test_program.h"

@@ -4,7 +4,7 @@
 #include "panel_test.h"
 
 #include "profile/segments/segments_csv.h"
-#include "tests/looks/screen_checks.h"
+#include "tests/looks/checks/screen_checks.h"
 #include "tests/support/test_program.h"
 
 #include <QFile>

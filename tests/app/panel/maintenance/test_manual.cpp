@@ -356,7 +356,7 @@ private slots:
         QCOMPARE(rig.link.reads.size(), 1);
         // All available; emergency stop; switches 2 and 8, drive enable; -12.3 %, 65.538 mm, 1.5 mm
         answer(rig, {0x000F, 0x0002, 0x0182, 0xFF85, 0x0001, 0x0002, 1500, 0});
-        QCOMPARE(lampOf(io, QStringLiteral("Emergency stop")), IoList::Lamp::Bad);
+        QCOMPARE(lampOf(io, QStringLiteral("Emergency stop")), IoList::Lamp::Warning);
         QCOMPARE(lampOf(io, QStringLiteral("Limit switch, forward")), IoList::Lamp::Off);
         QCOMPARE(lampOf(io, QStringLiteral("Cam switch 2")), IoList::Lamp::On);
         QCOMPARE(lampOf(io, QStringLiteral("Cam switch 3")), IoList::Lamp::Off);
