@@ -4522,14 +4522,9 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
         <translation>%1 Korrigieren Sie die Datei; das Panel liest sie von selbst erneut.</translation>
     </message>
     <message>
-        <source>%1, position %2 to %3 mm, will replace those of the recipe. Undo restores them.</source>
+        <source>%1, position %2 to %3, will replace those of the recipe. Undo restores them.</source>
         <comment>%1: number of knots or segments</comment>
-        <translation>%1, Position %2 bis %3 mm, ersetzen die des Rezepts. Rückgängig stellt sie wieder her.</translation>
-    </message>
-    <message>
-        <source>%1, slave %2 to %3, will replace those of the recipe. Undo restores them.</source>
-        <comment>%1: number of knots or segments</comment>
-        <translation>%1, Folgeachse %2 bis %3, ersetzen die des Rezepts. Rückgängig stellt sie wieder her.</translation>
+        <translation>%1, Position %2 bis %3, ersetzen die des Rezepts. Rückgängig stellt sie wieder her.</translation>
     </message>
 </context>
 <context>

@@ -4520,14 +4520,9 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
         <translation>%1请更正文件，面板会自动重新读取。</translation>
     </message>
     <message>
-        <source>%1, position %2 to %3 mm, will replace those of the recipe. Undo restores them.</source>
+        <source>%1, position %2 to %3, will replace those of the recipe. Undo restores them.</source>
         <comment>%1: number of knots or segments</comment>
-        <translation>%1，位置 %2 至 %3 mm，将取代配方中的原有内容。可用“撤销”恢复。</translation>
-    </message>
-    <message>
-        <source>%1, slave %2 to %3, will replace those of the recipe. Undo restores them.</source>
-        <comment>%1: number of knots or segments</comment>
-        <translation>%1，从轴 %2 至 %3，将取代配方中的原有内容。可用“撤销”恢复。</translation>
+        <translation>%1，位置 %2 至 %3，将取代配方中的原有内容。可用“撤销”恢复。</translation>
     </message>
 </context>
 <context>

@@ -39,6 +39,7 @@ TouchButton {
             text: field.value
             unit: field.unit
             pixelSize: Theme.size.value
+            smallest: Theme.size.smallestText
             atRight: !field.compact
             ink: field.derived || field.locked ? Theme.color.secondaryInk : Theme.color.ink
         }

@@ -42,11 +42,10 @@ Item {
         // pixels make them wider than their share of the large ones.
         wrapMode: smallestTitle.advanceWidth > width ? Text.WordWrap : Text.NoWrap
         fontSizeMode: Text.HorizontalFit
-        minimumPixelSize: smallestTitle.font.pixelSize
         lineHeight: lineCount > 1 ? 0.85 : 1
         TextMetrics {
             id: smallestTitle
-            font.pixelSize: Theme.size.caption - 2
+            font.pixelSize: Theme.size.smallestText
             text: readout.title
         }
     }

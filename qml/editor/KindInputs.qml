@@ -29,7 +29,7 @@ Item {
     property int opened                    // as chosen by the finger; `shown` is among the groups
     readonly property int shown: Math.min(opened, groups.length - 1)
     readonly property int next: (shown + 1) % groups.length
-    readonly property string group: grouped ? groups[shown] : ""
+    readonly property string group: grouped && shown >= 0 ? groups[shown] : ""    // none while the kind changes
 
     function has(group: string): bool {
         return !inputs.grouped || inputs.group === group

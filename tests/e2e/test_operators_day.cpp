@@ -190,7 +190,7 @@ private slots:
     void theFirstBagOfAnotherLengthTakesTwelveTouches()
     {
         const ControllerProcess controller;
-        PanelWindow panel(controller.port());
+        NewPanel panel(controller.port());
         beginFirstStart(panel);
         int touches = 0;
         const auto touch = [&](const char* name) {

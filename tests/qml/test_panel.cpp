@@ -256,7 +256,7 @@ private slots:
         tap("segmentFilesButton");
         m_window->waitFor(files);
         tap("offer0");
-        QVERIFY2(textOf("offerDetail").startsWith(QStringLiteral("4 segments, slave 0 to 40 mm")),
+        QVERIFY2(textOf("offerDetail").startsWith(QStringLiteral("4 segments, position 0 to 40 mm")),
                  qPrintable(textOf("offerDetail")));
         tap("offerGo");
         QVERIFY2(m_window->find(QStringLiteral("segmentList")), "back among the segments");

@@ -362,8 +362,9 @@ private slots:
             if (!row.key.empty() && row.level == panel::Level::Viewer)
                 names << QString::fromLatin1(row.name);
         }
-        QCOMPARE(names, QStringList({u"display.language"_s, u"display.theme"_s, u"display.gloves"_s,
-                                     u"display.brightness"_s, u"display.dark_after_minutes"_s}));
+        QCOMPARE(names, QStringList({u"display.language"_s, u"display.units"_s, u"display.theme"_s,
+                                     u"display.gloves"_s, u"display.brightness"_s,
+                                     u"display.dark_after_minutes"_s}));
     }
 
     // Each class of the panel with functions or properties for QML was among them.
