@@ -8,29 +8,9 @@
 namespace campanel::controller {
 namespace {
 
-template <auto Member> double& film(MachineOptions& options)
+template <auto Part, auto Member> double& numberOf(MachineOptions& options)
 {
-    return options.film.*Member;
-}
-
-template <auto Member> double& products(MachineOptions& options)
-{
-    return options.products.*Member;
-}
-
-template <auto Member> double& press(MachineOptions& options)
-{
-    return options.press.*Member;
-}
-
-template <auto Member> double& drive(MachineOptions& options)
-{
-    return options.drive.*Member;
-}
-
-template <auto Member> double& sensors(MachineOptions& options)
-{
-    return options.sensors.*Member;
+    return options.*Part.*Member;
 }
 
 using Drive = DriveOptions;
@@ -41,65 +21,70 @@ using Sensors = SensorOptions;
 
 constexpr std::array optionTable{
     MachineOption{"film-slip", "MM", "standard deviation of the film's slip per bag", 0, 10,
-                  film<&Film::slipMm>},
+                  numberOf<&MachineOptions::film, &Film::slipMm>},
     MachineOption{"film-stretch", "SHARE", "maximum slow stretch of the film; half of it is constant", 0, 0.1,
-                  film<&Film::stretch>},
-    MachineOption{"film-stretch-step", "SHARE", "step of the stretch", -0.1, 0.1, film<&Film::stretchStep>},
+                  numberOf<&MachineOptions::film, &Film::stretch>},
+    MachineOption{"film-stretch-step", "SHARE", "step of the stretch", -0.1, 0.1,
+                  numberOf<&MachineOptions::film, &Film::stretchStep>},
     MachineOption{"film-stretch-step-after", "M", "film length before this step", 0, 1e6,
-                  film<&Film::stretchStepM>},
+                  numberOf<&MachineOptions::film, &Film::stretchStepM>},
     MachineOption{"film-misplaced", "MM", "initial offset of film to marks", -1000, 1000,
-                  film<&Film::misplacedMm>},
+                  numberOf<&MachineOptions::film, &Film::misplacedMm>},
     MachineOption{"film-slip-per-acceleration", "MM", "film behind its roll per m/s^2 of acceleration", 0, 1,
-                  film<&Film::slipPerAcceleration>},
+                  numberOf<&MachineOptions::film, &Film::slipPerAcceleration>},
     MachineOption{"sensor-delay-ms", "MS", "delay of mark sensor and product eye", 0, 50,
-                  sensors<&Sensors::delayMs>},
+                  numberOf<&MachineOptions::sensors, &Sensors::delayMs>},
     MachineOption{"sensor-scatter-ms", "MS", "standard deviation of this delay from edge to edge", 0, 10,
-                  sensors<&Sensors::scatterMs>},
+                  numberOf<&MachineOptions::sensors, &Sensors::scatterMs>},
     MachineOption{"sensor-off-later-ms", "MS", "additional delay of the end of a product", 0, 10,
-                  sensors<&Sensors::offLaterMs>},
+                  numberOf<&MachineOptions::sensors, &Sensors::offLaterMs>},
     MachineOption{"mark-noise", "MM", "standard deviation of the mark sensor", 0, 10,
-                  film<&Film::markNoiseMm>},
+                  numberOf<&MachineOptions::film, &Film::markNoiseMm>},
     MachineOption{"marks-missing", "P", "share of the marks that the sensor misses", 0, 1,
-                  film<&Film::marksMissing>},
-    MachineOption{"marks-false", "P", "share of the bags with a false mark", 0, 1, film<&Film::marksFalse>},
+                  numberOf<&MachineOptions::film, &Film::marksMissing>},
+    MachineOption{"marks-false", "P", "share of the bags with a false mark", 0, 1,
+                  numberOf<&MachineOptions::film, &Film::marksFalse>},
     MachineOption{"mark-distance", "MM", "actual film length between mark sensor and knife", 10, 5000,
-                  film<&Film::markDistanceMm>},
+                  numberOf<&MachineOptions::film, &Film::markDistanceMm>},
     MachineOption{"print-error", "SHARE", "error of the printed mark distance, as a share of the bag length",
-                  -0.1, 0.1, film<&Film::printError>},
+                  -0.1, 0.1, numberOf<&MachineOptions::film, &Film::printError>},
     MachineOption{"product-length", "MM", "mean length of the products; 0: 0.6 of the bag length", 0, 2000,
-                  products<&Products::lengthMm>},
+                  numberOf<&MachineOptions::products, &Products::lengthMm>},
     MachineOption{"product-length-scatter", "MM", "standard deviation of the product length", 0, 100,
-                  products<&Products::lengthScatterMm>},
+                  numberOf<&MachineOptions::products, &Products::lengthScatterMm>},
     MachineOption{"product-scatter", "MM", "standard deviation of the product position on the infeed", 0, 100,
-                  products<&Products::scatterMm>},
+                  numberOf<&MachineOptions::products, &Products::scatterMm>},
     MachineOption{"product-lay-slip", "MM",
                   "standard deviation of their slip on the film, which the eye does not see", 0, 100,
-                  products<&Products::laySlipMm>},
+                  numberOf<&MachineOptions::products, &Products::laySlipMm>},
     MachineOption{"product-eye-noise", "MM", "standard deviation of the product eye", 0, 10,
-                  products<&Products::eyeNoiseMm>},
-    MachineOption{"product-missing", "P", "share of missing products", 0, 1, products<&Products::missing>},
+                  numberOf<&MachineOptions::products, &Products::eyeNoiseMm>},
+    MachineOption{"product-missing", "P", "share of missing products", 0, 1,
+                  numberOf<&MachineOptions::products, &Products::missing>},
     MachineOption{"product-misplaced", "P", "share of products misplaced by up to 0.45 of a bag length", 0, 1,
-                  products<&Products::misplaced>},
+                  numberOf<&MachineOptions::products, &Products::misplaced>},
     MachineOption{"work-piece", "MM", "height of the work piece of a press, below the upper position", 0,
-                  1000, press<&Press::workPieceMm>},
+                  1000, numberOf<&MachineOptions::press, &Press::workPieceMm>},
     MachineOption{"work-piece-scatter", "MM", "standard deviation of the work-piece height per stroke", 0,
-                  100, press<&Press::workPieceScatterMm>},
+                  100, numberOf<&MachineOptions::press, &Press::workPieceScatterMm>},
     MachineOption{"work-piece-missing", "P", "share of strokes without a work piece", 0, 1,
-                  press<&Press::missing>},
+                  numberOf<&MachineOptions::press, &Press::missing>},
     MachineOption{"work-piece-stiffness", "N", "force per mm of travel into the work piece", 0, 1e6,
-                  press<&Press::stiffnessNPerMm>},
-    MachineOption{"press-backlash", "MM", "play between motor and ram", 0, 10, press<&Press::backlashMm>},
-    MachineOption{"press-lead-error", "R", "ram lead error, ratio", -0.1, 0.1, press<&Press::leadError>},
+                  numberOf<&MachineOptions::press, &Press::stiffnessNPerMm>},
+    MachineOption{"press-backlash", "MM", "play between motor and ram", 0, 10,
+                  numberOf<&MachineOptions::press, &Press::backlashMm>},
+    MachineOption{"press-lead-error", "R", "ram lead error, ratio", -0.1, 0.1,
+                  numberOf<&MachineOptions::press, &Press::leadError>},
     MachineOption{"press-screw-error", "MM", "error within each turn of the screw, plus and minus", 0, 1,
-                  press<&Press::screwErrorMm>},
+                  numberOf<&MachineOptions::press, &Press::screwErrorMm>},
     MachineOption{"press-drift", "MM", "standard deviation of the thermal drift of the ram per stroke", 0, 1,
-                  press<&Press::driftMm>},
+                  numberOf<&MachineOptions::press, &Press::driftMm>},
     MachineOption{"drive-inertia", "KGM2", "inertia at the shaft of the main drive, for its torque", 0, 100,
-                  drive<&Drive::inertiaKgM2>},
+                  numberOf<&MachineOptions::drive, &Drive::inertiaKgM2>},
     MachineOption{"drive-friction", "NM", "friction at the shaft of the main drive", 0, 1000,
-                  drive<&Drive::frictionNm>},
+                  numberOf<&MachineOptions::drive, &Drive::frictionNm>},
     MachineOption{"drive-rated-torque", "NM", "rated torque at the shaft of the main drive", 0.001, 1000,
-                  drive<&Drive::ratedTorqueNm>},
+                  numberOf<&MachineOptions::drive, &Drive::ratedTorqueNm>},
 };
 
 // Returns the shortest form.

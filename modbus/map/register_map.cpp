@@ -288,7 +288,7 @@ constexpr std::array registerTable{
     block("readback_result.data", 0x0313, readbackRegisters, Access::ReadOnly,
           "the registers at the time of the request"),
 
-    // What the mark sensor saw. Read once a second.
+    // The panel reads these records of the mark sensor while the film runs.
     since(6,
           cutter(ro32("sensor.mark_number", 0x0A00,
                       "edges of the mark sensor since power-up, equal to the number of the newest record"))),

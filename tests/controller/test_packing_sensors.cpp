@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a packing line knows of its late sensors: where an axis was some time ago, and the records of edges.
+// A packing line knows where an axis was some time ago, for sensors that answer late, and records their
+// edges.
 #include "ctl_registers.h"
 #include "packer/ctl_edges.h"
 #include "packer/ctl_past.h"

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-/* Whether a packing line can run a program with these parameters, and how fast its axes are. */
+/* Checks whether a packing line can run a program with these parameters; tells how fast its axes are. */
 #include "packer/ctl_packer.h"
 
 #include "base/ctl_words.h"
