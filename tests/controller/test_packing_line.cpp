@@ -80,6 +80,8 @@ private slots:
     void trimLengthensBagsOnlyWithoutMarks();
     void otherLengthAtTheBoundary();
     void stopAndStartGoOn();
+    void cutsOfAStopMeetTheirMarks_data();
+    void cutsOfAStopMeetTheirMarks();
     void jogIsForgottenByTheNextRun();
     void teachingMeasuresTheMarks();
     void feedsThatAreTooFastAreRefused();
@@ -317,6 +319,37 @@ void TestPackingLine::stopAndStartGoOn()
     QVERIFY2(largest(deviations) < 1.0, qPrintable(QString::number(largest(deviations))));
     deviations.erase(deviations.begin(), deviations.begin() + 2);
     QVERIFY2(largest(deviations) < 0.05, qPrintable(QString::number(largest(deviations))));
+}
+
+// Stops at every part of a cycle, after its cut was planned and before; the master slows down over several
+// cuts.
+void TestPackingLine::cutsOfAStopMeetTheirMarks_data()
+{
+    QTest::addColumn<int>("command");
+    QTest::addColumn<double>("limitMm");
+    QTest::newRow("at the end of the cycle") << int{CTL_COMMAND_STOP_AT_CYCLE_END} << 0.05;
+    QTest::newRow("now") << int{CTL_COMMAND_STOP_NOW} << 0.2;
+}
+
+void TestPackingLine::cutsOfAStopMeetTheirMarks()
+{
+    QFETCH(int, command);
+    QFETCH(double, limitMm);
+    std::vector<double> errors;
+    Rig rig(calm());
+    rig.install(cutter());
+    for (std::uint64_t part = 0; part < 20; ++part) {
+        rig.start();
+        rig.run(20 * cycleUs + part * cycleUs / 20);
+        rig.command(static_cast<std::uint16_t>(command));
+        while (rig.core().motion.state != CTL_STATE_READY) {
+            rig.controller().step();
+            if (rig.controller().cut())
+                errors.push_back(rig.controller().cut()->markErrorMm);
+        }
+    }
+    QVERIFY(errors.size() > 20);
+    QVERIFY2(largest(errors) < limitMm, qPrintable(QString::number(largest(errors))));
 }
 
 void TestPackingLine::jogIsForgottenByTheNextRun()

@@ -92,6 +92,11 @@ uint32_t ctl_ramp_speed_after(const ctl_ramp* ramp, uint32_t way)
     return speed < ramp->full ? speed : ramp->full;
 }
 
+uint64_t ctl_ramp_stopping_way(const ctl_ramp* ramp)
+{
+    return (uint64_t)ramp->speed * ramp->speed / (2u * (uint64_t)ramp->full);
+}
+
 uint32_t ctl_ramp_speed_before(const ctl_ramp* ramp, uint64_t way, uint32_t end)
 {
     return ctl_square_root((uint64_t)end * end + 2u * (uint64_t)ramp->full * way);

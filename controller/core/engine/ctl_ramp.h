@@ -41,6 +41,8 @@ bool ctl_ramp_can_approach(const ctl_ramp* ramp, uint64_t remaining, uint32_t en
 bool ctl_ramp_can_land(const ctl_ramp* ramp, uint64_t remaining);
 /* Speed, 0..full, of a linear ramp that goes up while the master travels `way` ticks more. */
 uint32_t ctl_ramp_speed_after(const ctl_ramp* ramp, uint32_t way);
+/* Master ticks that a linear ramp travels down to standstill. */
+uint64_t ctl_ramp_stopping_way(const ctl_ramp* ramp);
 /* Largest speed of a linear ramp at `way` ticks before it has come down to `end`. */
 uint32_t ctl_ramp_speed_before(const ctl_ramp* ramp, uint64_t way, uint32_t end);
 /* The share of `value` that the present speed is of full speed, rounded down; value below 2^32. */

@@ -214,6 +214,7 @@ uint16_t ctl_motion_stop_now(ctl_motion* motion)
         if (ctl_motion_is_press(motion))
             ctl_press_stop(&motion->press);
         motion->stop = CTL_STOP_NOW;
+        motion->stop_remaining = ctl_ramp_stopping_way(&motion->ramp);
         motion->state = CTL_STATE_STOPPING;
     }
     return CTL_REFUSAL_NONE;

@@ -53,7 +53,7 @@ typedef struct {
     int32_t direction;       /* of the master, 1 or -1 */
     ctl_press press;         /* instead of it when that is a press's */
     uint32_t cycle_count;    /* cycles completed since power-up; all strokes of a press */
-    uint64_t stop_remaining; /* master ticks to the boundary where the motion ends */
+    uint64_t stop_remaining; /* master ticks to where the motion ends: a boundary, or at once */
     uint32_t stop_limit;     /* maximum ramp speed of a stopping master */
     bool change_planned;     /* running with an armed program: */
     bool change_opens;       /* the knife is open for it */

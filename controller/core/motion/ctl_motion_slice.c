@@ -116,12 +116,11 @@ static uint32_t move_on(ctl_motion* motion, ctl_pace* pace)
     const bool changes_next =
         motion->change_planned && motion->change_ticks <= ctl_motion_to_boundary(motion);
     const bool running = motion->state == CTL_STATE_RUNNING;
-    const uint64_t stop_ticks = motion->stop == CTL_STOP_AT_BOUNDARY ? motion->stop_remaining : 0;
     const uint64_t run_ticks = motion->change_planned ? motion->change_ticks : CTL_DRIVE_NO_END;
     const ctl_drive drive = {
         .ramp = &motion->ramp,
         .running = running,
-        .end_ticks = running ? run_ticks : stop_ticks,
+        .end_ticks = running ? run_ticks : motion->stop_remaining,
         .end_speed = running ? motion->change_speed : 0,
         .changes = changes_next,
         .opens = motion->change_planned && motion->change_opens,
@@ -203,8 +202,7 @@ static void slice_stopping(ctl_motion* motion, ctl_pace pace)
         break;
     }
     travel(motion, pace);
-    if (motion->stop == CTL_STOP_AT_BOUNDARY)
-        motion->stop_remaining -= pace.travel;
+    motion->stop_remaining -= pace.travel < motion->stop_remaining ? pace.travel : motion->stop_remaining;
 }
 
 /* Running, or stopping from it: the master moves, then what follows it at its own pace. */

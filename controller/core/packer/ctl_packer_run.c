@@ -229,7 +229,9 @@ uint32_t ctl_packer_advance(ctl_packer* packer, const ctl_drive* drive, uint32_t
     *ticks = left;
     if (drive->end_ticks != packer->end_ticks)
         plan_again(packer, drive);
-    packer->end_ticks = drive->end_ticks == CTL_DRIVE_NO_END ? drive->end_ticks : drive->end_ticks - left;
+    packer->end_ticks = drive->end_ticks;
+    if (drive->end_ticks != CTL_DRIVE_NO_END)
+        packer->end_ticks -= left < drive->end_ticks ? left : drive->end_ticks;
     while (left != 0) {
         if (ctl_gate_asks(&packer->film_gate))
             ctl_gate_answer(&packer->film_gate, film_must_wait(packer));
