@@ -108,7 +108,7 @@ private slots:
         panel.tap("ioBack");
 
         controller.tell("pin emergency-stop on");
-        QTRY_COMPARE_WITH_TIMEOUT(lampOf(panel, "Emergency stop"), panel::IoList::Lamp::Bad, timeoutMs);
+        QTRY_COMPARE_WITH_TIMEOUT(lampOf(panel, "Emergency stop"), panel::IoList::Lamp::Warning, timeoutMs);
         controller.tell("pin drive-alarm on");
         QTRY_COMPARE_WITH_TIMEOUT(panel.controller().state(), Controller::State::Fault, timeoutMs);
         QCOMPARE(panel.statuses().back().faultBits,

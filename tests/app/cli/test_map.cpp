@@ -97,7 +97,7 @@ void TestMap::refusalsNameTheWay_data()
         u"The jaws need a sync window of 22° of the knife; at 0.400 s (144°) the window has only 19.1°. "
         "Nearest possible value: Ratios 4 / 2.5988 / 1.6255 / 1.3333, or Bag length 115.2 mm."_s);
     row("jaws that never fit", u"table --bag-length-mm 150 --knives 4 --contact-angle-deg 150"_s, Refused,
-        u"the window has only 28.6°. Nearest possible value: Jaw contact angle 26.6 °."_s);
+        u"the window has only 28.6°. Nearest possible value: Jaw contact angle 26.6°."_s);
     row("seal time", u"table --rate 300 --contact-angle-deg 20 --min-seal-time-ms 50"_s, Refused,
         u"Seal time would be 16.8 ms at 0.080 s (144°); the film needs 50 ms. Nearest possible value: Rate "
         "100.5 bags/min"_s);
