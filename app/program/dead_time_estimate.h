@@ -28,7 +28,6 @@ public:
     void take(const modbus::MarkEdge& edge);
     // Another film: what was learned of the sensor stays.
     void startFilm();
-    void clear() { *this = {}; }
     // Returns nothing while the margin is too large.
     [[nodiscard]] std::optional<DeadTime> estimate() const;
     // Returns the dead time to enter instead of `presentMs`, in steps of the register; nothing while it is

@@ -20,14 +20,14 @@ public:
     MarkSensor(Controller& controller, QObject* parent);
 
     [[nodiscard]] const program::DeadTimeEstimate& estimate() const { return m_estimate; }
-    // Returns false with a controller that records no edges.
-    [[nodiscard]] bool isRecorded() const;
 
 signals:
     // Emitted for new edges.
     void changed();
 
 private:
+    // Returns false with a controller that records no edges.
+    [[nodiscard]] bool isRecorded() const;
     void ask();
     void take(const link::ReadOutcome& outcome);
 

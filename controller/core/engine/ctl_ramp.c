@@ -167,7 +167,7 @@ uint32_t ctl_ramp_land(ctl_ramp* ramp, uint32_t ticks, uint64_t remaining, uint3
     if (ramp->s_curve)
         return land_s(ramp, ticks, remaining, limit);
     /* Speed from which the ramp ends exactly there: v = sqrt(2 a d). */
-    const uint32_t curve = ctl_square_root(2u * (uint64_t)ramp->full * remaining);
+    const uint32_t curve = ctl_ramp_speed_before(ramp, remaining, 0);
     if (curve <= ticks) {
         ramp->speed = 0;
         ramp->rest = 0;
@@ -225,7 +225,7 @@ uint32_t ctl_ramp_approach(ctl_ramp* ramp, uint32_t ticks, uint64_t remaining, u
     if (ramp->s_curve)
         return approach_s(ramp, ticks, remaining, end);
     /* Speed from which the ramp comes down to `end` exactly there: v = sqrt(end^2 + 2 a d). */
-    const uint32_t curve = ctl_square_root((uint64_t)end * end + 2u * (uint64_t)ramp->full * remaining);
+    const uint32_t curve = ctl_ramp_speed_before(ramp, remaining, end);
     const uint32_t limit = curve < end + ticks ? end : curve - ticks;
     const uint32_t faster = ramp->full - ramp->speed < ticks ? ramp->full : ramp->speed + ticks;
     return travel(ramp, faster < limit ? faster : limit, ticks);

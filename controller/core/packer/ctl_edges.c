@@ -22,13 +22,6 @@ void ctl_edges_add(ctl_edges* edges, const ctl_edge* edge)
         edges->waiting[edges->count++] = *edge;
 }
 
-static int64_t um_of(int64_t film, uint32_t feed_um, uint32_t pulses)
-{
-    const int64_t turn = (int64_t)pulses * CTL_FINE;
-    const int64_t turns = film / turn; /* apart, so that no product is too large */
-    return turns * feed_um + (film - turns * turn) * feed_um / turn;
-}
-
 static int32_t speed_of(const ctl_past_way* way, uint32_t feed_um, uint32_t pulses)
 {
     if (way->us == 0)
@@ -61,10 +54,11 @@ void ctl_edges_work(ctl_edges* edges, uint32_t feed_um, uint32_t pulses)
     uint16_t* record = &edges->records[CTL_EDGE_REGISTERS * ((edges->number + 1u) % CTL_EDGE_RECORDS)];
     switch (edges->stage++) {
     case 0:
-        ctl_put32(&record[RECORD_AT], (uint32_t)((uint64_t)um_of(edge->at, feed_um, pulses) & 0xFFFFFFFFu));
+        ctl_put32(&record[RECORD_AT],
+                  (uint32_t)((uint64_t)ctl_feed_um(edge->at, feed_um, pulses) & 0xFFFFFFFFu));
         break;
     case 1:
-        record[RECORD_OFF] = ctl_saturated16(um_of(edge->off, feed_um, pulses));
+        record[RECORD_OFF] = ctl_saturated16(ctl_feed_um(edge->off, feed_um, pulses));
         break;
     case 2:
         edges->speeds[0] = speed_of(&edge->newer, feed_um, pulses);

@@ -100,3 +100,10 @@ int64_t ctl_feed_position(const ctl_feed* feed)
     const int64_t even = feed->start + even_part(feed);
     return feed->span == 0 ? even : even + shifted(feed);
 }
+
+int64_t ctl_feed_um(int64_t length, uint32_t feed_um, uint32_t pulses)
+{
+    const int64_t turn = (int64_t)pulses * CTL_FINE;
+    const int64_t turns = length / turn; /* apart, so that no product is too large */
+    return turns * feed_um + (length - turns * turn) * feed_um / turn;
+}

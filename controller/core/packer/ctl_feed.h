@@ -36,6 +36,8 @@ void ctl_feed_correct(ctl_feed* feed, int64_t shift, uint64_t span);
 /* Advances by `ticks`, at most to the end of the cycle; the next cycle has `next_length`. */
 void ctl_feed_advance(ctl_feed* feed, uint32_t ticks, int64_t next_length);
 int64_t ctl_feed_position(const ctl_feed* feed);
+/* Returns a length of an axis in micrometers, which feeds `feed_um` for so many whole pulses. */
+int64_t ctl_feed_um(int64_t length, uint32_t feed_um, uint32_t pulses);
 
 #ifdef __cplusplus
 }

@@ -29,11 +29,8 @@ int64_t ctl_packer_film(const ctl_packer* packer, int64_t um)
 
 int64_t ctl_packer_um(const ctl_packer* packer, int64_t film)
 {
-    const int64_t feed_um = ctl_parameter32(packer->board, CTL_REG_PARAMETER_FILM_FEED);
-    const int64_t pulses = ctl_parameter32(packer->board, CTL_REG_PARAMETER_FILM_PULSES);
-    const int64_t turns = film / (pulses * CTL_FINE); /* apart, so that no product is too large */
-    const int64_t rest = film % (pulses * CTL_FINE);
-    return turns * feed_um + rest * feed_um / (pulses * CTL_FINE);
+    return ctl_feed_um(film, ctl_parameter32(packer->board, CTL_REG_PARAMETER_FILM_FEED),
+                       ctl_parameter32(packer->board, CTL_REG_PARAMETER_FILM_PULSES));
 }
 
 bool ctl_packer_active(const ctl_packer* packer)
