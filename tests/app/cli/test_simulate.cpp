@@ -178,6 +178,13 @@ private slots:
             QVERIFY2(std::abs(error) < 3 * margin, qPrintable(QString::number(error)));
         }
         QCOMPARE(call(u"simulate --bags 5 --sensor-compensation-ms learnt"_s).code, int{Usage});
+        // What the fit does not know of: edges that scatter, and film that stretches four times as much.
+        const Result rough =
+            call(u"simulate --bag-length-mm 300 --rate 300 --bags 5000 --change-rate-every 50 "
+                 "--slip-per-acceleration 0.05 --format json --sensor-delay-ms 2 "
+                 "--sensor-compensation-ms learned --sensor-scatter-ms 0.1 --stretch 0.02"_s);
+        const double found = rough.json()[u"learned"_s][u"mark_dead_time_ms"_s].toDouble();
+        QVERIFY2(std::abs(found - 2.0) < 0.05, qPrintable(QString::number(found)));
     }
 
     void outputFile()
