@@ -65,7 +65,10 @@ void Film::load(double bagMm, double toFirstCutMm, double rollMm)
     m_mark = static_cast<std::int64_t>(
         std::floor((materialMm(drawn + m_options.markDistanceMm) - m_firstMm) / pitch));
     m_seen.clear();
-    m_hasFalse = false;
+    m_prints.clear();
+    if (m_printsThere != 0)
+        m_seen.push_back({rollMm, false});
+    m_printsThere = 0;
     nextMark();
 }
 
@@ -76,11 +79,18 @@ void Film::nextMark()
     ++m_mark;
     const double mark = stretched(m_firstMm + static_cast<double>(m_mark) * pitch) - m_options.markDistanceMm;
     m_markDrawnMm = mark + m_options.markNoiseMm * m_normal(m_markRandom);
-    m_markSeen = share(m_markRandom) >= m_options.marksMissing;
-    if (m_options.marksFalse > 0.0 && share(m_markRandom) < m_options.marksFalse) {
-        m_hasFalse = true;
-        m_falseDrawnMm = mark - pitch * share(m_markRandom);
-    }
+    if (share(m_markRandom) >= m_options.marksMissing)
+        print(m_markDrawnMm, m_options.markWidthMm);
+    if (m_options.marksFalse > 0.0 && share(m_markRandom) < m_options.marksFalse)
+        print(mark - pitch * share(m_markRandom), m_options.falseWidthMm);
+    if (m_options.printAtMm > 0.0)
+        print(m_markDrawnMm + m_options.printAtMm, m_options.printWidthMm);
+}
+
+void Film::print(double drawnMm, double widthMm)
+{
+    m_prints.emplace(drawnMm, 1);
+    m_prints.emplace(drawnMm + widthMm, -1);
 }
 
 double Film::drawnMm(double rollMm) const
@@ -93,18 +103,19 @@ double Film::drawnMm(double rollMm) const
     return rollMm + slip - (m_behindBeforeMm + share * (m_behindMm - m_behindBeforeMm));
 }
 
-void Film::seeMarks(double rollMm)
+void Film::seePrints(double rollMm)
 {
     const double drawn = drawnMm(rollMm);
-    while (m_markDrawnMm <= drawn || (m_hasFalse && m_falseDrawnMm <= drawn)) {
-        const bool falseOne = m_hasFalse && m_falseDrawnMm <= m_markDrawnMm;
-        const double at = falseOne ? m_falseDrawnMm : m_markDrawnMm;
-        if (falseOne || m_markSeen)
-            m_seen.push_back(rollMm - (drawn - at));
-        if (falseOne)
-            m_hasFalse = false;
-        else
-            nextMark();
+    while (m_markDrawnMm <= drawn)
+        nextMark();
+    while (!m_prints.empty() && m_prints.begin()->first <= drawn) {
+        const auto [at, change] = *m_prints.begin();
+        const bool wasOn = m_printsThere != 0;
+        m_prints.erase(m_prints.begin());
+        m_printsThere += change;
+        const bool isOn = m_printsThere != 0;
+        if (isOn != wasOn)
+            m_seen.push_back({rollMm - (drawn - at), isOn});
     }
 }
 
@@ -117,13 +128,13 @@ void Film::drawTo(double rollMm, double acceleration)
     m_behindBeforeMm = m_behindMm;
     m_behindMm = m_options.slipPerAcceleration * acceleration;
     while (rollMm >= m_knotMm + m_bagMm) {
-        seeMarks(m_knotMm + m_bagMm);
+        seePrints(m_knotMm + m_bagMm);
         m_knotMm += m_bagMm;
         m_slipBeforeMm = m_slipAtKnotMm;
         m_slipAtKnotMm = m_slipAfterMm;
         m_slipAfterMm += m_options.slipMm * m_normal(m_slipRandom);
     }
-    seeMarks(rollMm);
+    seePrints(rollMm);
 }
 
 double FilmAcceleration::step(double speed, double stepS)
@@ -132,11 +143,11 @@ double FilmAcceleration::step(double speed, double stepS)
     return (speed - m_follower) / giveS;
 }
 
-bool Film::takeMark(double& rollMm)
+bool Film::takeEdge(Edge& edge)
 {
     if (m_seen.empty())
         return false;
-    rollMm = m_seen.front();
+    edge = m_seen.front();
     m_seen.pop_front();
     return true;
 }

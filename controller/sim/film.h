@@ -8,6 +8,7 @@
 #include <array>
 #include <cstdint>
 #include <deque>
+#include <map>
 #include <random>
 
 namespace campanel::controller {
@@ -15,13 +16,17 @@ namespace campanel::controller {
 inline constexpr double mmPerM = 1000.0;
 
 struct FilmOptions {
-    double slipMm = 0.03;          // standard deviation from bag to bag
-    double stretch = 0.005;        // largest slow stretch; half of it is constant
-    double stretchStep = 0.0;      // sudden additional stretch ...
-    double stretchStepM = 0.0;     // ... after this many meters of film
-    double markNoiseMm = 0.05;     // standard deviation of the sensor
-    double marksMissing = 0.0;     // share that the sensor does not detect
-    double marksFalse = 0.0;       // share of bags with a false mark
+    double slipMm = 0.03;      // standard deviation from bag to bag
+    double stretch = 0.005;    // largest slow stretch; half of it is constant
+    double stretchStep = 0.0;  // sudden additional stretch ...
+    double stretchStepM = 0.0; // ... after this many meters of film
+    double markNoiseMm = 0.05; // standard deviation of the sensor
+    double marksMissing = 0.0; // share that the sensor does not detect
+    double marksFalse = 0.0;   // share of bags with a false mark
+    double markWidthMm = 5.0;  // of the printed marks
+    double falseWidthMm = 5.0; // of the false ones
+    double printAtMm = 0.0;    // every mark has another print so far behind it; 0: none
+    double printWidthMm = 5.0;
     double printError = 0.0;       // the printed distance is longer than the bag by this share
     double misplacedMm = 0.0;      // offset of the film from its marks at the first cut
     double markDistanceMm = 900.0; // from the sensor to the knife
@@ -48,8 +53,13 @@ public:
     // Advances the roll to this distance since power-up, with this acceleration of the film at the end,
     // m/s^2.
     void drawTo(double rollMm, double acceleration = 0.0);
-    // Returns the position of the roll at a mark that passed the sensor, mm; false: no more marks.
-    bool takeMark(double& rollMm);
+    // The beginning or the end of a mark at the sensor. Prints that overlap are one.
+    struct Edge {
+        double rollMm = 0.0;
+        bool on = false;
+    };
+    // Returns the next edge that passed the sensor; false: no more edges.
+    bool takeEdge(Edge& edge);
 
     // Returns the film drawn at this position of the roll, including slip; at most one bag before the last
     // drawTo().
@@ -68,7 +78,8 @@ private:
     // Returns the length on the machine of the material up to there.
     [[nodiscard]] double stretched(double materialMm) const;
     void nextMark();
-    void seeMarks(double rollMm);
+    void print(double drawnMm, double widthMm);
+    void seePrints(double rollMm);
 
     FilmOptions m_options;
     std::mt19937_64 m_slipRandom;
@@ -84,10 +95,10 @@ private:
     double m_slipAfterMm = 0.0;  // at the next knot
     std::int64_t m_mark = 0;
     double m_markDrawnMm = 0.0; // film drawn when the sensor detects the next mark
-    double m_falseDrawnMm = 0.0;
-    bool m_markSeen = true;
-    bool m_hasFalse = false;
-    std::deque<double> m_seen;
+    // Beginnings (1) and ends (-1) of the prints before the sensor, by the film drawn there.
+    std::multimap<double, int> m_prints;
+    int m_printsThere = 0; // at the sensor
+    std::deque<Edge> m_seen;
     // How far acceleration keeps the film behind, at the beginning and the end of the last step.
     double m_stepFromMm = 0.0;
     double m_stepToMm = 0.0;

@@ -31,11 +31,18 @@ void Infeed::load(double bagMm, double position)
     m_next = std::max(m_next, static_cast<std::int64_t>(std::floor(position - layShare + eye)) + 1);
 }
 
+bool Infeed::hangsTogether()
+{
+    std::uniform_real_distribution<double> share(0.0, 1.0);
+    return m_options.joined > 0.0 && share(m_random) < m_options.joined;
+}
+
 void Infeed::generate()
 {
     std::uniform_real_distribution<double> share(0.0, 1.0);
     Product product;
     product.number = m_next++;
+    const bool joined = hangsTogether();
     const double usualMm = m_options.lengthMm > 0.0 ? m_options.lengthMm : usualLength * m_bagMm;
     product.lengthMm = std::max(shortestMm, usualMm + m_options.lengthScatterMm * m_normal(m_random));
     product.behindMm = m_options.scatterMm * m_normal(m_random);
@@ -44,6 +51,12 @@ void Infeed::generate()
     const double where = 2.0 * share(m_random) - 1.0;
     if (misplaced)
         product.behindMm = where * misplacedBy * m_bagMm;
+    if (joined) { // the next place is empty
+        product.pieces = 2;
+        product.behindMm += 0.5 * product.lengthMm;
+        product.lengthMm *= 2.0;
+        ++m_next;
+    }
     if (missing)
         return;
     const double pitchMm = std::min(m_options.pitchMm, m_bagMm);
@@ -79,7 +92,11 @@ void Infeed::layOne(double drawnMm)
     m_coming.pop_front();
     const double wayMm = std::floor(m_options.layMm / m_bagMm) * m_bagMm + 0.5 * m_bagMm;
     const double middle = drawnMm + wayMm + product.behindMm + m_options.laySlipMm * m_normal(m_random);
-    m_laid.push_back({middle - 0.5 * product.lengthMm, middle + 0.5 * product.lengthMm});
+    const double pieceMm = product.lengthMm / product.pieces;
+    for (int i = 0; i < product.pieces; ++i) {
+        const double leadMm = middle - 0.5 * product.lengthMm + i * pieceMm;
+        m_laid.push_back({leadMm, leadMm + pieceMm});
+    }
 }
 
 void Infeed::moveTo(double position, double drawnBeforeMm, double drawnMm)

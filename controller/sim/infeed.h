@@ -21,6 +21,7 @@ struct ProductOptions {
     double eyeNoiseMm = 0.2;
     double missing = 0.0;   // share of missing products
     double misplaced = 0.0; // share anywhere within 0.45 of a bag length from its place
+    double joined = 0.0;    // share of products that hang together with the next one
     double pitchMm = 500.0; // on the infeed
     double eyeMm = 1000.0;  // distance before the laying position
     double layMm = 700.0;   // from there to the knife, rounded to half bags
@@ -59,8 +60,10 @@ private:
         std::int64_t number = 0;
         double behindMm = 0.0; // distance behind its place
         double lengthMm = 0.0;
+        int pieces = 1;
     };
     void generate();
+    [[nodiscard]] bool hangsTogether();
     void passEye(double position);
     void layOne(double drawnMm);
 

@@ -12,7 +12,7 @@ namespace campanel::controller {
 struct SensorOptions {
     double delayMs = 0.0;    // of both sensors
     double scatterMs = 0.0;  // standard deviation from edge to edge
-    double offLaterMs = 0.0; // the end of a product comes later by this much
+    double offLaterMs = 0.0; // the end of a mark or product comes later by this much
 };
 
 class LateSensor {

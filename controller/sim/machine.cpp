@@ -18,8 +18,7 @@ constexpr double fullCircle = 36000.0;  // bank angles in 0.01 degrees
 constexpr double sameRevolution = 1e-6; // pulses
 // The sizes of what the pins see.
 constexpr double indexMarkShare = 0.01; // of a revolution
-constexpr double printedMarkMm = 5.0;
-constexpr double slowestPulses = 1.0; // per second; slower ones have no friction
+constexpr double slowestPulses = 1.0;   // per second; slower ones have no friction
 
 constexpr std::uint16_t pinBit(unsigned number)
 {
@@ -109,7 +108,7 @@ std::uint16_t Machine::inputs() const
     unsigned levels = m_inputs;
     if (!m_ram && turns - std::floor(turns) < indexMarkShare)
         levels |= pinBit(CTL_INPUT_BIT_INDEX_MARK);
-    if (m_hasKnife && rollMm(m_filmMotor.position()) - m_markMm < printedMarkMm)
+    if (m_hasKnife && m_isMarkThere)
         levels |= pinBit(CTL_INPUT_BIT_MARK_SENSOR);
     if (m_hasKnife && m_isEyeCovered)
         levels |= pinBit(CTL_INPUT_BIT_PRODUCT_EYE);
@@ -192,9 +191,9 @@ void Machine::moveFilm(double stepS)
     const double now = rollMm(m_filmMotor.position());
     const double drawnBefore = m_film.drawnMm(before);
     m_film.drawTo(now, m_filmAcceleration.step(rollMm(m_filmMotor.speed()) / mmPerM, stepS));
-    double mark = 0.0;
-    while (m_film.takeMark(mark))
-        m_markSensor.pass(mark, true);
+    Film::Edge mark;
+    while (m_film.takeEdge(mark))
+        m_markSensor.pass(mark.rollMm, mark.on);
     m_markSensor.advance(stepS, before, now);
     const double infeedBefore = m_infeedMotor.positionBefore() / m_options.flightPulses;
     const double infeed = m_infeedMotor.position() / m_options.flightPulses;
@@ -272,13 +271,14 @@ std::int64_t Machine::infeedEncoder() const
     return std::llround(m_infeedMotor.position() * CTL_FINE);
 }
 
-std::optional<std::int64_t> Machine::takeMark()
+std::optional<Machine::Edge> Machine::takeMark()
 {
     LateSensor::Edge edge;
     if (!m_markSensor.take(edge))
         return std::nullopt;
-    m_markMm = edge.position;
-    return std::llround(edge.position / m_options.filmFeedMm * m_options.filmPulses * CTL_FINE);
+    m_isMarkThere = edge.on;
+    return Edge{std::llround(edge.position / m_options.filmFeedMm * m_options.filmPulses * CTL_FINE),
+                edge.on};
 }
 
 std::optional<Machine::Edge> Machine::takeEdge()

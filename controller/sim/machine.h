@@ -92,12 +92,13 @@ public:
     [[nodiscard]] const PressRam& ram() const { return *m_ram; }
     // Returns the encoder position at the index mark, once for each forward passage.
     [[nodiscard]] std::optional<std::int64_t> takeIndex();
-    // Return the film encoder at a printed mark and the infeed encoder at an edge of a product; 1/256 pulse.
-    [[nodiscard]] std::optional<std::int64_t> takeMark();
+    // Return the edges that mark sensor and product eye saw: of a mark with the film's encoder, of a product
+    // with the infeed's, 1/256 pulse.
     struct Edge {
-        std::int64_t infeedEncoder = 0;
+        std::int64_t encoder = 0;
         bool covered = false;
     };
+    [[nodiscard]] std::optional<Edge> takeMark();
     [[nodiscard]] std::optional<Edge> takeEdge();
     // Returns the cut of the last step.
     [[nodiscard]] std::optional<BagCut> takeCut();
@@ -117,7 +118,7 @@ private:
     std::uint16_t m_outputs = 0;
     bool m_hasPower = true;
     bool m_isEyeCovered = false;
-    double m_markMm = -1e9; // position of the roll at the last mark that the sensor detected
+    bool m_isMarkThere = false;
     Servo m_main;
     Servo m_filmMotor;
     Servo m_infeedMotor;

@@ -19,22 +19,23 @@ bool takeIndex(void* context, std::int64_t* encoderAtMark)
     return mark.has_value();
 }
 
-bool takeMark(void* context, std::int64_t* filmAtMark)
+bool take(const std::optional<Machine::Edge>& edge, std::int64_t* at, bool* covered)
 {
-    const auto mark = machineOf(context).takeMark();
-    if (mark)
-        *filmAtMark = *mark;
-    return mark.has_value();
+    if (edge) {
+        *at = edge->encoder;
+        *covered = edge->covered;
+    }
+    return edge.has_value();
+}
+
+bool takeMark(void* context, std::int64_t* filmAtEdge, bool* covered)
+{
+    return take(machineOf(context).takeMark(), filmAtEdge, covered);
 }
 
 bool takeEdge(void* context, std::int64_t* infeedAtEdge, bool* covered)
 {
-    const auto edge = machineOf(context).takeEdge();
-    if (edge) {
-        *infeedAtEdge = edge->infeedEncoder;
-        *covered = edge->covered;
-    }
-    return edge.has_value();
+    return take(machineOf(context).takeEdge(), infeedAtEdge, covered);
 }
 
 void connectFeeds(ctl_port& port)

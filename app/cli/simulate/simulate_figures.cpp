@@ -106,6 +106,7 @@ std::optional<double> Spread::largest() const
 void PackingFigures::add(const PackedBag& bag)
 {
     m_throughProduct += bag.throughProduct ? 1u : 0u;
+    m_withJoined += bag.lengths == 1 && bag.products > 1 ? 1u : 0u;
     m_scrap += has(bag, BagBit::StartUp) ? 1u : 0u;
     m_phaseLost += has(bag, BagBit::Tracked) && std::abs(bag.markErrorMm) > lostPhaseMm ? 1u : 0u;
     if (!bag.isSettled)
@@ -159,6 +160,7 @@ QJsonObject PackingFigures::object(const PackingResult& result, double cpuS) con
                                      {u"missing"_s, static_cast<qint64>(result.marksMissing)},
                                      {u"false"_s, static_cast<qint64>(result.marksFalse)}}},
             {u"products"_s, static_cast<qint64>(result.products)},
+            {u"bags_with_joined_products"_s, static_cast<qint64>(m_withJoined)},
             {u"empty_bags"_s, static_cast<qint64>(result.emptyBags)},
             {u"film_saved_m"_s, result.filmSavedM},
             {u"largest_following_error_pulses"_s, result.maxFollowingErrorPulses},

@@ -56,6 +56,7 @@ private:
     std::uint32_t m_firstOutside = 0; // bag number
     std::uint32_t m_lastOutside = 0;
     std::uint32_t m_throughProduct = 0;
+    std::uint32_t m_withJoined = 0; // bags of one length with several products
     std::uint32_t m_scrap = 0;
     std::uint32_t m_phaseLost = 0;
 };

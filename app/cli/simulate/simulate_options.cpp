@@ -50,7 +50,7 @@ constexpr Disturbance disturbances[] = {
      [](Machine& machine) -> double& { return machine.sensors.delayMs; }},
     {"sensor-scatter-ms", "standard deviation of this delay from edge to edge", "MS", 0, 10,
      [](Machine& machine) -> double& { return machine.sensors.scatterMs; }},
-    {"sensor-off-later-ms", "additional delay of the end of a product", "MS", 0, 10,
+    {"sensor-off-later-ms", "additional delay of the end of a mark or product", "MS", 0, 10,
      [](Machine& machine) -> double& { return machine.sensors.offLaterMs; }},
     {"mark-noise", "standard deviation of the mark sensor", "MM", 0, 10,
      [](Machine& machine) -> double& { return machine.film.markNoiseMm; }},
@@ -58,6 +58,14 @@ constexpr Disturbance disturbances[] = {
      [](Machine& machine) -> double& { return machine.film.marksMissing; }},
     {"marks-false", "bags with an additional mark", "SHARE", 0, 1,
      [](Machine& machine) -> double& { return machine.film.marksFalse; }},
+    {"mark-width", "width of the printed marks", "MM", 0.5, 100,
+     [](Machine& machine) -> double& { return machine.film.markWidthMm; }},
+    {"false-mark-width", "width of additional marks", "MM", 0.5, 100,
+     [](Machine& machine) -> double& { return machine.film.falseWidthMm; }},
+    {"print-at", "another print so far behind each mark; 0: none", "MM", 0, longestMm,
+     [](Machine& machine) -> double& { return machine.film.printAtMm; }},
+    {"print-width", "width of this print", "MM", 0.5, 100,
+     [](Machine& machine) -> double& { return machine.film.printWidthMm; }},
     {"print-error", "print length minus bag length", "SHARE", -0.5, 0.5,
      [](Machine& machine) -> double& { return machine.film.printError; }},
     {"film-misplaced", "offset of the first cut from its mark", "MM", -longestMm, longestMm,
@@ -70,6 +78,8 @@ constexpr Disturbance disturbances[] = {
      [](Machine& machine) -> double& { return machine.products.missing; }},
     {"products-misplaced", "products displaced by up to 0.45 of a bag length", "SHARE", 0, 1,
      [](Machine& machine) -> double& { return machine.products.misplaced; }},
+    {"products-joined", "products that hang together with the next one", "SHARE", 0, 1,
+     [](Machine& machine) -> double& { return machine.products.joined; }},
 };
 
 // Parses "parameter.cut_clearance=8".

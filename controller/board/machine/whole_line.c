@@ -34,14 +34,19 @@ static int64_t infeed_position(void* context)
     return line_of(context)->infeed * CTL_FINE;
 }
 
-static bool take_mark(void* context, int64_t* film_at_mark)
+static bool take_mark(void* context, int64_t* film_at_edge, bool* covered)
 {
     whole_line* line = line_of(context);
-    if (!line->has_knife || line->next_mark > line->film * CTL_FINE)
+    if (!line->has_knife)
         return false;
-    *film_at_mark = line->next_mark;
-    line->seen_mark = line->next_mark;
-    line->next_mark += line->bag + line->bag * line->disturbance.stretch_ppm / PPM;
+    const int64_t edge = line->mark_there ? line->next_mark + line->mark_length : line->next_mark;
+    if (edge > line->film * CTL_FINE)
+        return false;
+    if (line->mark_there)
+        line->next_mark += line->bag + line->bag * line->disturbance.stretch_ppm / PPM;
+    line->mark_there = !line->mark_there;
+    *film_at_edge = edge;
+    *covered = line->mark_there;
     return true;
 }
 
@@ -79,7 +84,7 @@ static bool take_edge(void* context, int64_t* infeed_at_edge, bool* covered)
 
 void whole_line_init(whole_line* line, whole_disturbance disturbance)
 {
-    *line = (whole_line){.disturbance = disturbance, .fresh_film = -1, .seen_mark = INT64_MIN};
+    *line = (whole_line){.disturbance = disturbance, .fresh_film = -1};
 }
 
 void whole_line_connect(ctl_port* port)
@@ -111,6 +116,7 @@ static void set_up_film(whole_line* line, const ctl_core* core, uint32_t angle)
         ctl_packer_film(&core->packer, ctl_parameter32(&core->board, CTL_REG_PARAMETER_MARK_DISTANCE));
     const int64_t first_cut = line->film * CTL_FINE + line->bag * angle / FULL_CIRCLE;
     line->next_mark = first_cut - distance + (distance / line->bag + 1) * line->bag;
+    line->mark_there = false;
 }
 
 /* Products come under the eye so that the middle of each is laid at the cut's angle. */
@@ -191,8 +197,7 @@ uint16_t whole_line_inputs(const whole_line* line)
     uint32_t levels = 0;
     if (line->has_knife && line->covered)
         levels |= 1u << CTL_INPUT_BIT_PRODUCT_EYE;
-    if (line->has_knife && line->seen_mark != INT64_MIN &&
-        line->film * CTL_FINE - line->seen_mark < line->mark_length)
+    if (line->has_knife && line->mark_there)
         levels |= 1u << CTL_INPUT_BIT_MARK_SENSOR;
     return (uint16_t)levels;
 }

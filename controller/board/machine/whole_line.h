@@ -20,10 +20,10 @@ typedef struct {
     bool has_knife;
     int64_t film; /* pulses */
     int64_t film_before;
-    int64_t infeed; /* pulses */
-    int64_t bag;    /* film */
-    int64_t next_mark;
-    int64_t seen_mark; /* the last one that passed its sensor */
+    int64_t infeed;    /* pulses */
+    int64_t bag;       /* film */
+    int64_t next_mark; /* where it begins: the one at the sensor or the next */
+    bool mark_there;
     int64_t mark_length;
     int64_t flight;  /* infeed from product to product */
     int64_t product; /* length of a product on it */

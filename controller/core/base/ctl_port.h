@@ -38,8 +38,9 @@ typedef struct {
     void (*feed)(void* context, ctl_axis axis, int64_t from, int64_t to);
     int64_t (*film)(void* context);
     int64_t (*infeed)(void* context);
-    /* True once for each printed mark that passed its sensor; gives the film position latched there. */
-    bool (*mark)(void* context, int64_t* film_at_mark);
+    /* True once for each edge of a printed mark that passed its sensor; gives the film position latched
+     * there, and whether the mark is at the sensor from now on. */
+    bool (*mark)(void* context, int64_t* film_at_edge, bool* covered);
     /* True once for each edge of a product that passed the eye; gives the infeed position latched there, and
      * whether it covers the eye from now on. */
     bool (*eye)(void* context, int64_t* infeed_at_edge, bool* covered);

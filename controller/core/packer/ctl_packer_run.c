@@ -287,8 +287,10 @@ static void read_sensors(ctl_packer* packer)
     ctl_past_add(&packer->film_past, packer->board->now_us, packer->film_actual);
     ctl_past_add(&packer->infeed_past, packer->board->now_us, packer->infeed_actual);
     const uint16_t mark_us = ctl_parameter16(packer->board, CTL_REG_PARAMETER_MARK_DEAD_TIME);
-    while (port->mark(port->context, &at))
-        see_mark(packer, at, mark_us);
+    while (port->mark(port->context, &at, &covered)) {
+        if (covered)
+            see_mark(packer, at, mark_us);
+    }
     while (port->eye(port->context, &at, &covered)) {
         const uint32_t dead = covered ? CTL_REG_PARAMETER_EYE_DEAD_TIME : CTL_REG_PARAMETER_EYE_END_DEAD_TIME;
         const uint16_t eye_us = ctl_parameter16(packer->board, dead);
