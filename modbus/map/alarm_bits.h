@@ -58,7 +58,8 @@ enum class WarningBit : std::uint16_t {
     CorrectionAtLimit = 6,
     ProductTooLong = 7,
     TooManySkips = 8,
-    EmergencyStop = 9
+    EmergencyStop = 9,
+    ProductsJoined = 10 // it ends a run, too
 };
 
 inline constexpr std::array warningBits{
@@ -97,6 +98,10 @@ inline constexpr std::array warningBits{
         CAMPANEL_TEXT("AlarmCatalogue", "The emergency stop of the machine is pressed."),
         "The bit stays set for two seconds after the release. It has ended any motion; no safety depends on "
         "that."),
+    entry(
+        WarningBit::ProductsJoined, "ProductsJoined",
+        CAMPANEL_TEXT("AlarmCatalogue", "Two products hang together on the infeed, so the run was stopped."),
+        "One was longer than parameter.product_length_max at the eye. Its bag is marked as empty."),
 };
 
 } // namespace campanel::modbus

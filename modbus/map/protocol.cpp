@@ -293,9 +293,18 @@ constexpr std::array refusals{
           CAMPANEL_TEXT("Protocol",
                         "The panel does not permit the start. Read the reason at its Start button."),
           "exchange.permit lacks PanelAgrees."),
+    entry(Refusal::MarkMaskingTooLong, "MarkMaskingTooLong",
+          CAMPANEL_TEXT("Protocol", "The distance in which prints behind a mark are ignored reaches the next "
+                                    "mark. Reduce it under Maintenance."),
+          "parameter.mark_masking and parameter.mark_window must be less than the bag length."),
+    entry(Refusal::NoMarkWidthAllowed, "NoMarkWidthAllowed",
+          CAMPANEL_TEXT("Protocol",
+                        "The minimum mark width is above the maximum. Correct it under Maintenance."),
+          "parameter.mark_width_min must not be above parameter.mark_width_max."),
 };
-static_assert(refusals.back().value == static_cast<std::uint16_t>(Refusal::NotWarm) +
-                                           static_cast<std::uint16_t>(PermitBit::PanelAgrees));
+static_assert(static_cast<std::uint16_t>(Refusal::PanelDisagrees) ==
+              static_cast<std::uint16_t>(Refusal::NotWarm) +
+                  static_cast<std::uint16_t>(PermitBit::PanelAgrees));
 
 constexpr std::array transferOperations{
     entry(TransferOperation::None, "None", "No transfer since power-up."),
@@ -418,6 +427,9 @@ constexpr std::array markVerdicts{
     entry(MarkVerdict::Taken, "Taken", "It sets the place of a cut."),
     entry(MarkVerdict::OutsideWindow, "OutsideWindow",
           "Farther than parameter.mark_window from the expected position."),
+    entry(MarkVerdict::TooNarrow, "TooNarrow", "Less wide than parameter.mark_width_min."),
+    entry(MarkVerdict::TooWide, "TooWide", "Wider than parameter.mark_width_max."),
+    entry(MarkVerdict::Masked, "Masked", "Nearer to the mark before than parameter.mark_masking."),
 };
 
 constexpr std::array gateStates{

@@ -135,6 +135,8 @@ enum class Refusal : std::uint16_t {
     WrongRecipe,
     NotClean,
     PanelDisagrees,
+    MarkMaskingTooLong,
+    NoMarkWidthAllowed,
 };
 
 enum class TransferOperation : std::uint16_t { None = 0, Begin, Block, Seal };
@@ -159,7 +161,15 @@ enum class TransferResult : std::uint16_t {
 enum class MarkState : std::uint16_t { Off = 0, Searching, Aligning, Tracking };
 
 // The use that was made of an edge of the mark sensor.
-enum class MarkVerdict : std::uint16_t { NotUsed = 0, Searched, Taken, OutsideWindow };
+enum class MarkVerdict : std::uint16_t {
+    NotUsed = 0,
+    Searched,
+    Taken,
+    OutsideWindow,
+    TooNarrow,
+    TooWide,
+    Masked,
+};
 
 enum class GateState : std::uint16_t { Running = 0, Slowing, Standing, CatchingUp };
 

@@ -137,6 +137,21 @@ constexpr std::array registerTable{
     since(6, rw16("parameter.eye_end_dead_time", 0x00E0,
                   "time from the trailing edge of a product to the answer of the product eye", {}, 0, 20, 0,
                   0.001, "ms")),
+    since(6, rwI16("parameter.mark_end_later", 0x00E1,
+                   "the end of a mark is answered later than its beginning by this time; both times together "
+                   "are 0 to 20 ms",
+                   -20, 20, 0, 0.001, "ms")),
+    // What counts as a mark and as one product.
+    since(6, rw16("parameter.mark_width_min", 0x00E2, "minimum width of a mark along the film, 0: any", {}, 0,
+                  60, 0, 0.001, "mm")),
+    since(6, rw16("parameter.mark_width_max", 0x00E3, "maximum width of a mark along the film, 0: any", {}, 0,
+                  60, 0, 0.001, "mm")),
+    since(6, rw16("parameter.mark_masking", 0x00E4,
+                  "film length behind the beginning of a mark in which other prints are ignored, 0: none", {},
+                  0, 2000, 0, 0.1, "mm")),
+    since(6, rw16("parameter.product_length_max", 0x00E5,
+                  "maximum length of one product, above it the products are joined, 0: not monitored", {}, 0,
+                  2000, 0, 0.1, "mm")),
 
     // Status block: the answer to the periodic FC23 exchange. 40 registers, so that 9600 baud still carries 8
     // a second.
@@ -297,7 +312,7 @@ constexpr std::array registerTable{
                        "the newest edges, edge n at (n mod 12) x 8: film position (u32, 0.001 mm, lower 32 "
                        "bits), distance from the expected mark (i16, 0.001 mm, saturating), film speed "
                        "(i16, 0.1 mm/s), film acceleration (i16, mm/s^2), MarkVerdict, dead time taken off "
-                       "(u16, 0.001 ms), 0"))),
+                       "(u16, 0.001 ms), width (u16, 0.01 mm, saturating, 0: unknown)"))),
 
     block("active", activeBankBase, bankRegisters, Access::ReadOnly, "the active bank; layout below"),
     block("staged", stagedBankBase, bankRegisters, Access::ReadOnly, "the shadow bank; layout below"),

@@ -89,6 +89,7 @@ private slots:
     void jumpIsBelievedAtOnce();
     void edgeOfTheWindowBelongsToIt();
     void falseMarksChangeNothing();
+    void printsBehindAMarkAreMasked();
     void missingMarksAreReckonedUntilTooMany();
     void filmThatDoesNotFit();
     void noMarksAtAll();
@@ -336,6 +337,26 @@ void TestPackingParts::falseMarksChangeNothing()
     QCOMPARE(marks.followed, 2u);
     QCOMPARE(marks.unexpected, 3u);
     QCOMPARE(marks.alarm, 0u);
+}
+
+// A print behind a mark is ignored up to the masking distance, whatever the state; not the mark that comes
+// behind a print that was taken for it.
+void TestPackingParts::printsBehindAMarkAreMasked()
+{
+    ctl_mark_settings settings = markSettings();
+    settings.masking = bag / 2;
+    ctl_marks marks{};
+    ctl_marks_search(&marks, &settings, 0);
+    QCOMPARE(ctl_marks_see(&marks, bag), CTL_MARK_VERDICT_SEARCHED);
+    QCOMPARE(ctl_marks_see(&marks, bag + bag / 2 - 1), CTL_MARK_VERDICT_MASKED);
+    QCOMPARE(ctl_marks_see(&marks, 2 * bag), CTL_MARK_VERDICT_SEARCHED);
+    QCOMPARE(ctl_marks_see(&marks, 2 * bag + 1), CTL_MARK_VERDICT_MASKED);
+    QCOMPARE(ctl_marks_see(&marks, 2 * bag + bag / 2), CTL_MARK_VERDICT_OUTSIDE_WINDOW);
+    QCOMPARE(ctl_marks_see(&marks, 3 * bag - 9000), CTL_MARK_VERDICT_TAKEN);
+    QCOMPARE(ctl_marks_see(&marks, 3 * bag), CTL_MARK_VERDICT_TAKEN); // instead of it
+    QCOMPARE(ctl_marks_see(&marks, 3 * bag + 50), CTL_MARK_VERDICT_MASKED);
+    QCOMPARE(marks.followed, 2u);
+    QCOMPARE(marks.unexpected, 2u);
 }
 
 void TestPackingParts::missingMarksAreReckonedUntilTooMany()

@@ -3,6 +3,7 @@
 // edges.
 #include "ctl_registers.h"
 #include "packer/ctl_edges.h"
+#include "packer/ctl_mark_sensor.h"
 #include "packer/ctl_past.h"
 #include "tests/support/test_program.h"
 
@@ -70,13 +71,14 @@ private slots:
             ctl_past_add(&past, static_cast<std::uint64_t>(100'000 + 250 * i), at(250e-6 * i));
         const ctl_edge edge{at(0),
                             std::llround(-0.25 * finePerMm),
+                            std::llround(4.98 * finePerMm),
                             ctl_past_last_way(&past, 0),
                             ctl_past_last_way(&past, 1),
                             CTL_MARK_VERDICT_TAKEN,
                             1500};
         ctl_edges edges{};
         ctl_edges_add(&edges, &edge);
-        for (int i = 0; i < 5; ++i) {
+        for (int i = 0; i < 6; ++i) {
             QCOMPARE(edges.number, 0u);
             ctl_edges_work(&edges, feedUm, pulses);
         }
@@ -90,6 +92,56 @@ private slots:
         QVERIFY(std::abs(static_cast<std::int16_t>(record[4]) + 1800) <= 20);
         QCOMPARE(record[5], std::uint16_t{CTL_MARK_VERDICT_TAKEN});
         QCOMPARE(record[6], std::uint16_t{1500});
+        QCOMPARE(record[7], std::uint16_t{498});
+    }
+
+    // Where no width is asked for, a mark counts from its beginning; a minimum is known before its end, a
+    // maximum at the end.
+    void judgesAMarkAsSoonAsItsWidthAllows_data()
+    {
+        QTest::addColumn<int>("narrowest");
+        QTest::addColumn<int>("widest");
+        QTest::addColumn<int>("width");
+        QTest::addColumn<int>("judgedAt");
+        QTest::addColumn<int>("verdict");
+        QTest::newRow("any") << 0 << 0 << 500 << 0 << int{CTL_MARK_VERDICT_SEARCHED};
+        QTest::newRow("minimum") << 400 << 0 << 500 << 400 << int{CTL_MARK_VERDICT_SEARCHED};
+        QTest::newRow("too narrow") << 600 << 0 << 500 << 500 << int{CTL_MARK_VERDICT_TOO_NARROW};
+        QTest::newRow("just not too narrow") << 500 << 500 << 500 << 500 << int{CTL_MARK_VERDICT_SEARCHED};
+        QTest::newRow("maximum") << 0 << 600 << 500 << 500 << int{CTL_MARK_VERDICT_SEARCHED};
+        QTest::newRow("too wide, known at the maximum")
+            << 0 << 300 << 500 << 301 << int{CTL_MARK_VERDICT_TOO_WIDE};
+    }
+    void judgesAMarkAsSoonAsItsWidthAllows()
+    {
+        QFETCH(int, narrowest);
+        QFETCH(int, widest);
+        QFETCH(int, width);
+        QFETCH(int, judgedAt);
+        QFETCH(int, verdict);
+        ctl_marks marks{};
+        ctl_mark_settings settings{};
+        settings.nominal = 100'000;
+        ctl_marks_search(&marks, &settings, 0);
+        ctl_mark_sensor sensor{};
+        sensor.narrowest = narrowest;
+        sensor.widest = widest;
+        sensor.edge.at = 7000;
+        ctl_mark_sensor_begin(&sensor, &marks);
+        int judged = sensor.waits ? -1 : 0;
+        for (int at = 1; at < width; ++at) {
+            if (sensor.waits)
+                ctl_mark_sensor_watch(&sensor, &marks, 7000 + at);
+            if (judged < 0 && !sensor.waits)
+                judged = at;
+        }
+        ctl_mark_sensor_end(&sensor, &marks, 7000 + width);
+        QCOMPARE(judged < 0 ? width : judged, judgedAt);
+        QCOMPARE(static_cast<int>(sensor.edge.verdict), verdict);
+        QCOMPARE(sensor.edge.width, std::int64_t{width});
+        QVERIFY(!sensor.there);
+        QCOMPARE(marks.unexpected, verdict == CTL_MARK_VERDICT_SEARCHED ? 0u : 1u);
+        QCOMPARE(marks.has_candidate, verdict == CTL_MARK_VERDICT_SEARCHED);
     }
 
     // More edges at a time than there is room for: the first ones are recorded, none twice.
@@ -97,7 +149,7 @@ private slots:
     {
         ctl_edges edges{};
         for (std::int64_t i = 0; i < 10; ++i) {
-            const ctl_edge edge{i * 256, 0, {}, {}, CTL_MARK_VERDICT_NOT_USED, 0};
+            const ctl_edge edge{i * 256, 0, 0, {}, {}, CTL_MARK_VERDICT_NOT_USED, 0};
             ctl_edges_add(&edges, &edge);
         }
         for (int i = 0; i < 100; ++i)

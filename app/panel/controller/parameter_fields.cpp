@@ -72,6 +72,13 @@ void ParameterFields::write(const char* name, double value)
 
 void ParameterFields::write(const Field& field, double value)
 {
+    if (const QString why = objection(field, value); !why.isEmpty()) {
+        m_outcome = why;
+        m_isFailed = true;
+        emit written(RegisterWords::name(field.info()), false, why);
+        emit changed();
+        return;
+    }
     if (!field.parameter->write(value, {this, [this, field](const link::ParameterOutcome& outcome) {
                                             endWrite(field, outcome);
                                         }}))

@@ -89,6 +89,8 @@ protected:
     // Returns the text below the label.
     [[nodiscard]] virtual QString note(const Field& field) const;
     [[nodiscard]] QString range(const Field& field) const;
+    // Returns why this value cannot be together with the others; empty when it can.
+    [[nodiscard]] virtual QString objection(const Field& /*field*/, double /*value*/) const { return {}; }
 
 private:
     [[nodiscard]] const Field* selected() const;

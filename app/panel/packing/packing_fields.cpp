@@ -11,6 +11,8 @@ namespace campanel::panel {
 namespace {
 
 constexpr std::string_view markDeadTime = "parameter.mark_dead_time";
+constexpr const char* markWidthMin = "parameter.mark_width_min";
+constexpr const char* markWidthMax = "parameter.mark_width_max";
 
 struct Listed {
     const char* name;
@@ -34,6 +36,12 @@ constexpr std::array listed{
            false},
     Listed{"parameter.mark_dead_time",
            QT_TRANSLATE_NOOP("campanel::panel::PackingFields", "Mark sensor: dead time"), false},
+    Listed{"parameter.mark_end_later",
+           QT_TRANSLATE_NOOP("campanel::panel::PackingFields", "Mark sensor: end of a mark later by"), false},
+    Listed{markWidthMin, QT_TRANSLATE_NOOP("campanel::panel::PackingFields", "Mark width, minimum"), false},
+    Listed{markWidthMax, QT_TRANSLATE_NOOP("campanel::panel::PackingFields", "Mark width, maximum"), false},
+    Listed{"parameter.mark_masking",
+           QT_TRANSLATE_NOOP("campanel::panel::PackingFields", "Ignored film behind a mark"), false},
     Listed{"parameter.mark_missing_limit",
            QT_TRANSLATE_NOOP("campanel::panel::PackingFields", "Missing marks in a row before stop"), false},
     Listed{"parameter.phase_limit",
@@ -61,6 +69,8 @@ constexpr std::array listed{
     Listed{"parameter.eye_end_dead_time",
            QT_TRANSLATE_NOOP("campanel::panel::PackingFields", "Product eye: dead time, product ends"),
            false},
+    Listed{"parameter.product_length_max",
+           QT_TRANSLATE_NOOP("campanel::panel::PackingFields", "Product length, maximum"), false},
     Listed{"parameter.flight_pitch",
            QT_TRANSLATE_NOOP("campanel::panel::PackingFields", "Product pitch on the infeed"), false},
     Listed{"parameter.flight_pulses",
@@ -126,6 +136,21 @@ QString PackingFields::deadTimeNote(const Field& field) const
     const bool isSlower =
         field.suggestion && field.value().value_or(0) > 0 && *field.suggestion > *field.value();
     return isSlower ? tr("%1. It answers later than entered: clean and check it.").arg(learned) : learned;
+}
+
+QString PackingFields::objection(const Field& field, double value) const
+{
+    const bool isMinimum = field.info().name == markWidthMin;
+    if (!isMinimum && field.info().name != markWidthMax)
+        return {};
+    const double minimum = isMinimum ? value : this->value(markWidthMin);
+    const double maximum = isMinimum ? this->value(markWidthMax) : value;
+    if (!(minimum > maximum && maximum > 0))
+        return {};
+    const Format format;
+    return tr("No mark would fit: at least %1, at most %2. Change the other one first.")
+        .arg(format.measure(minimum, 2, QStringLiteral("mm")),
+             format.measure(maximum, 2, QStringLiteral("mm")));
 }
 
 QString PackingFields::note(const Field& field) const

@@ -26,6 +26,7 @@ public:
 protected:
     [[nodiscard]] QString label(const Field& field) const override { return tr(field.words); }
     [[nodiscard]] QString note(const Field& field) const override;
+    [[nodiscard]] QString objection(const Field& field, double value) const override;
 
 private:
     [[nodiscard]] QString deadTimeNote(const Field& field) const;

@@ -105,6 +105,9 @@ constexpr std::array kinds{
     AlarmKind{"M-05", warning, stops, QT_TRANSLATE_NOOP("AlarmCatalogue", "Too many skipped cuts"),
               causeOf(WarningBit::TooManySkips),
               QT_TRANSLATE_NOOP("AlarmCatalogue", "Align the products, then start again.")},
+    AlarmKind{"M-06", warning, stops, QT_TRANSLATE_NOOP("AlarmCatalogue", "Products joined"),
+              causeOf(WarningBit::ProductsJoined),
+              QT_TRANSLATE_NOOP("AlarmCatalogue", "Take the products off the infeed, then start again.")},
     AlarmKind{
         "L-01", warning, runsOn, QT_TRANSLATE_NOOP("AlarmCatalogue", "Port missing"),
         QT_TRANSLATE_NOOP("AlarmCatalogue", "The port to the controller does not exist."),

@@ -14,7 +14,17 @@ _Static_assert(CTL_EDGE_REGISTERS* CTL_EDGE_RECORDS + 2u == CTL_GROUP_SENSOR, "a
 /* 0.1 mm/s in a microsecond are 100 000 mm/s^2; the speeds are half of both ways' times apart. */
 #define ACCELERATION (2 * 100000)
 
-enum { RECORD_AT, RECORD_OFF = 2, RECORD_SPEED, RECORD_ACCELERATION, RECORD_VERDICT, RECORD_DEAD };
+#define WIDTH_UM 10 /* of a record */
+
+enum {
+    RECORD_AT,
+    RECORD_OFF = 2,
+    RECORD_SPEED,
+    RECORD_ACCELERATION,
+    RECORD_VERDICT,
+    RECORD_DEAD,
+    RECORD_WIDTH
+};
 
 void ctl_edges_add(ctl_edges* edges, const ctl_edge* edge)
 {
@@ -64,6 +74,9 @@ void ctl_edges_work(ctl_edges* edges, uint32_t feed_um, uint32_t pulses)
         edges->speeds[0] = speed_of(&edge->newer, feed_um, pulses);
         break;
     case 3:
+        record[RECORD_WIDTH] = ctl_saturated16(ctl_feed_um(edge->width, feed_um, pulses) / WIDTH_UM);
+        break;
+    case 4:
         edges->speeds[1] = speed_of(&edge->older, feed_um, pulses);
         break;
     default:

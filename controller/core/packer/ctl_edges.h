@@ -22,6 +22,7 @@ extern "C" {
 typedef struct {
     int64_t at;         /* film position of the mark */
     int64_t off;        /* from its expected position */
+    int64_t width;      /* of the mark, 0: unknown */
     ctl_past_way newer; /* of the film before the edge was latched, */
     ctl_past_way older; /* and before that */
     uint16_t verdict;   /* CTL_MARK_VERDICT_... */

@@ -162,17 +162,49 @@ static void teach(ctl_marks* marks, int64_t film)
     teaching->count += 1;
 }
 
+/* Missing marks before this print are passed, so that the next one is expected. */
+static void arrive(ctl_marks* marks, int64_t film)
+{
+    ctl_marks_pass(marks, film);
+    const bool follows = marks->state == CTL_MARK_STATE_ALIGNING || marks->state == CTL_MARK_STATE_TRACKING;
+    marks->off = follows ? film - marks->expected : 0;
+}
+
+static bool is_masked(const ctl_marks* marks, int64_t film)
+{
+    const int64_t masking = marks->settings.masking;
+    if (masking == 0)
+        return false;
+    if (marks->state == CTL_MARK_STATE_OFF)
+        return marks->teaching.count != 0 && film - marks->teaching.last < masking;
+    if (marks->state == CTL_MARK_STATE_SEARCHING)
+        return marks->has_candidate && film - marks->candidate < masking;
+    /* A print may have been taken for the mark that comes now. */
+    if (marks->jumped && size_of(film - marks->expected_before) <= marks->settings.window)
+        return false;
+    return film - marks->last < masking;
+}
+
 uint16_t ctl_marks_see(ctl_marks* marks, int64_t film)
 {
+    arrive(marks, film);
+    if (is_masked(marks, film))
+        return CTL_MARK_VERDICT_MASKED;
     teach(marks, film);
-    marks->off = 0;
     if (marks->state == CTL_MARK_STATE_OFF)
         return CTL_MARK_VERDICT_NOT_USED;
-    ctl_marks_pass(marks, film);
     if (marks->state != CTL_MARK_STATE_SEARCHING)
         return follow(marks, film);
     search(marks, film);
     return CTL_MARK_VERDICT_SEARCHED;
+}
+
+uint16_t ctl_marks_reject(ctl_marks* marks, int64_t film, uint16_t verdict)
+{
+    arrive(marks, film);
+    if (marks->state != CTL_MARK_STATE_OFF)
+        marks->unexpected += 1;
+    return verdict;
 }
 
 bool ctl_marks_due(const ctl_marks* marks, int64_t film)

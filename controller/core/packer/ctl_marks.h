@@ -22,6 +22,7 @@ typedef struct {
     int64_t distance;       /* from the sensor to the position at which the mark's cut is at the knife */
     int64_t window;         /* around the expected position of a mark, plus and minus */
     int64_t jump;           /* an error larger than this is not slip */
+    int64_t masking;        /* prints nearer to a mark than this are ignored; 0: none */
     int64_t max_difference; /* of the distance between marks from the nominal one */
     uint32_t phase_gain;    /* 0.001 */
     uint32_t length_gain;   /* 0.001 */
@@ -74,6 +75,8 @@ typedef struct {
 void ctl_marks_search(ctl_marks* marks, const ctl_mark_settings* settings, int64_t film);
 /* Handles a mark at the sensor; returns CTL_MARK_VERDICT_..., what became of it. */
 uint16_t ctl_marks_see(ctl_marks* marks, int64_t film);
+/* Handles a print that is no mark for this reason; returns it. */
+uint16_t ctl_marks_reject(ctl_marks* marks, int64_t film, uint16_t verdict);
 /* Returns false as long as ctl_marks_pass() has nothing to do at this film position. */
 bool ctl_marks_due(const ctl_marks* marks, int64_t film);
 /* Handles a film position: expected marks that were not seen by then are missing. */

@@ -8,8 +8,6 @@
 
 #define FULL_CIRCLE 36000u /* 0.01 degrees */
 #define RATIO_BITS 20u
-/* The maximum error of a mark that counts as slip. */
-#define JUMP_UM 600
 /* The first cut of a changed program is shifted by so much of a bag, in so much of a cycle: as fast as
  * others. */
 #define FIRST_SHARE 50
@@ -49,28 +47,6 @@ bool ctl_packer_drives(const ctl_packer* packer, const ctl_bank* bank)
            ctl_bank_kind(bank) == CTL_PROGRAM_KIND_ROTARY_CUTTER;
 }
 
-int64_t ctl_packer_length_limit(const ctl_packer* packer)
-{
-    return packer->bag * parameter(packer, CTL_REG_PARAMETER_LENGTH_LIMIT) / 10000;
-}
-
-static ctl_mark_settings mark_settings(const ctl_packer* packer)
-{
-    const ctl_mark_settings settings = {
-        .nominal = packer->bag,
-        .distance =
-            ctl_packer_film(packer, (int64_t)ctl_parameter32(packer->board, CTL_REG_PARAMETER_MARK_DISTANCE) +
-                                        ctl_parameter32(packer->board, CTL_REG_PARAMETER_MARK_OFFSET)),
-        .window = ctl_packer_film(packer, parameter(packer, CTL_REG_PARAMETER_MARK_WINDOW)),
-        .jump = ctl_packer_film(packer, JUMP_UM),
-        .max_difference = ctl_packer_length_limit(packer),
-        .phase_gain = parameter(packer, CTL_REG_PARAMETER_PHASE_GAIN),
-        .length_gain = parameter(packer, CTL_REG_PARAMETER_LENGTH_GAIN),
-        .missing_limit = parameter(packer, CTL_REG_PARAMETER_MARK_MISSING_LIMIT),
-    };
-    return settings;
-}
-
 /* Whole bags and a half, the nearest to the parameter: products lie in the middle between two cuts. */
 static int64_t product_distance(const ctl_packer* packer)
 {
@@ -91,6 +67,7 @@ static ctl_product_settings product_settings(const ctl_packer* packer)
                          pitch_um),
         .ratio = (pitch_film << RATIO_BITS) / (uint64_t)flight,
         .distance = product_distance(packer),
+        .maximum = packer->products.settings.maximum,
     };
     return settings;
 }
@@ -125,6 +102,7 @@ static void read_bank(ctl_packer* packer, const ctl_bank* bank)
     packer->bag = ctl_packer_film(packer, ctl_bank_bag_um(bank));
     packer->flight = (int64_t)ctl_parameter32(packer->board, CTL_REG_PARAMETER_FLIGHT_PULSES) * CTL_FINE;
     scale_lag(packer, bag_before, cycle_before);
+    ctl_packer_read_settings(packer);
 }
 
 void ctl_packer_init(ctl_packer* packer, const ctl_board* board)
@@ -232,6 +210,8 @@ void ctl_packer_run(ctl_packer* packer, const ctl_bank* bank, const ctl_ramp* ra
     packer->products.longest = 0;
     if (packer->broken_off || packer->bank != bank)
         begin_cycle(packer, bank);
+    else
+        ctl_packer_read_settings(packer);
     if (packer->marks.state == CTL_MARK_STATE_TRACKING && ended_by_limits)
         packer->marks.state = CTL_MARK_STATE_ALIGNING;
     ctl_packer_follow_marks(packer);
@@ -290,13 +270,14 @@ void ctl_packer_change_bank(ctl_packer* packer, const ctl_bank* bank, const ctl_
 void ctl_packer_follow_marks(ctl_packer* packer)
 {
     ctl_marks* marks = &packer->marks;
-    const ctl_mark_settings settings = mark_settings(packer);
+    const ctl_mark_settings* settings = &packer->settings.marks;
     if (!ctl_packer_tracks(packer)) {
         marks->state = CTL_MARK_STATE_OFF;
+        marks->settings = *settings;
     } else if (marks->state == CTL_MARK_STATE_OFF || marks->alarm != 0) {
-        ctl_marks_search(marks, &settings, packer->film_actual);
+        ctl_marks_search(marks, settings, packer->film_actual);
     } else {
-        marks->settings = settings;
+        marks->settings = *settings;
     }
 }
 
@@ -330,8 +311,7 @@ bool ctl_packer_must_open(const ctl_packer* packer, const ctl_bank* bank)
     if (packer->bank == NULL || parameter(packer, CTL_REG_PARAMETER_ANTI_CUT) == 0)
         return false;
     /* The cut may still be shifted onto its mark. */
-    const int64_t clearance = ctl_packer_film(packer, parameter(packer, CTL_REG_PARAMETER_CUT_CLEARANCE)) +
-                              packer->bag / FIRST_SHARE;
+    const int64_t clearance = packer->settings.clearance + packer->bag / FIRST_SHARE;
     const int64_t cut =
         first_cut(ctl_feed_position(&packer->film), bank, ctl_packer_film(packer, ctl_bank_bag_um(bank)));
     return ctl_products_across(&packer->products, cut, clearance);

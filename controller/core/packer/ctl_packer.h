@@ -13,6 +13,7 @@
 #include "packer/ctl_edges.h"
 #include "packer/ctl_feed.h"
 #include "packer/ctl_gate.h"
+#include "packer/ctl_mark_sensor.h"
 #include "packer/ctl_marks.h"
 #include "packer/ctl_past.h"
 #include "packer/ctl_phase.h"
@@ -49,6 +50,15 @@ typedef struct {
     int64_t set_um;  /* set length of the previous bag */
 } ctl_last_cut;
 
+/* Lengths of the film motor, from the parameters and the program. */
+typedef struct {
+    uint32_t writes;   /* board->parameter_writes when they were computed, */
+    uint32_t done;     /* so many pieces of it */
+    int64_t clearance; /* from a product to a cut */
+    ctl_mark_settings marks;
+    ctl_phase_limits phase;
+} ctl_packer_settings;
+
 /* The master that drives the line. */
 #define CTL_DRIVE_NO_END UINT64_MAX
 typedef struct {
@@ -77,11 +87,11 @@ typedef struct {
     ctl_feed film;
     ctl_feed infeed;
     ctl_marks marks;
+    ctl_mark_sensor mark_sensor;
     ctl_edges edges;
-    bool busy; /* the slice has planned a cut or handled an edge */
+    bool busy; /* the slice has begun a run, planned a cut or handled an edge */
     ctl_products products;
-    uint32_t settings; /* board->parameter_writes when the clearance was computed, and one */
-    int64_t clearance; /* from a product to a cut, film */
+    ctl_packer_settings settings;
     int64_t bag;       /* bag length, film */
     int64_t flight;    /* from product to product, infeed; products lie at its multiples */
     int64_t film_sent; /* whole pulses since power-up */
@@ -170,6 +180,13 @@ bool ctl_packer_drives(const ctl_packer* packer, const ctl_bank* bank);
 uint32_t ctl_packer_ticks_at(const ctl_bank* bank, uint32_t offset);
 /* Returns the longer dead time of the eye's edges. */
 uint32_t ctl_packer_eye_dead_us(const ctl_packer* packer);
+/* Computes the settings that a start needs at once from the parameters and the program. */
+void ctl_packer_read_settings(ctl_packer* packer);
+/* Does a piece of the rest, or of everything when the panel has written a parameter; returns false when
+ * nothing is left. */
+bool ctl_packer_refresh_settings(ctl_packer* packer);
+/* Reads mark sensor and eye at the end of a slice. */
+void ctl_packer_read_sensors(ctl_packer* packer);
 /* Asks about the first cut at the start of the film's cycle, when the knife is open. */
 void ctl_packer_ask_first_cut(ctl_packer* packer);
 /* Returns the lag of the film at a cut at this speed of the ramp. */

@@ -11,6 +11,7 @@
 #define SHORTEST_RAMP 40u
 #define MAX_FLIGHTS_TO_EYE 8u
 #define US_PER_S 1000000u
+#define TENTH_UM 100u /* of a mm */
 
 static uint16_t parameter(const ctl_packer* packer, uint32_t address)
 {
@@ -93,6 +94,12 @@ uint16_t ctl_packer_refusal(const ctl_packer* packer, const ctl_bank* bank)
             return CTL_REFUSAL_SENSOR_TOO_FAR;
         if (4u * (uint64_t)parameter(packer, CTL_REG_PARAMETER_MARK_WINDOW) > bag)
             return CTL_REFUSAL_MARK_WINDOW_TOO_WIDE;
+        const uint16_t widest = parameter(packer, CTL_REG_PARAMETER_MARK_WIDTH_MAX);
+        if (widest != 0 && parameter(packer, CTL_REG_PARAMETER_MARK_WIDTH_MIN) > widest)
+            return CTL_REFUSAL_NO_MARK_WIDTH_ALLOWED;
+        const uint64_t masking = parameter(packer, CTL_REG_PARAMETER_MARK_MASKING) * (uint64_t)TENTH_UM;
+        if (masking != 0 && masking + parameter(packer, CTL_REG_PARAMETER_MARK_WINDOW) >= bag)
+            return CTL_REFUSAL_MARK_MASKING_TOO_LONG;
     }
     return eye_too_near(packer, bank) ? CTL_REFUSAL_EYE_TOO_NEAR : CTL_REFUSAL_NONE;
 }

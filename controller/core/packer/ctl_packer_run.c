@@ -10,22 +10,6 @@
 /* A planned cut is shifted again in no less than this part of a cycle. */
 #define SHORTEST_ROOM 10u
 
-static int64_t film_um(const ctl_packer* packer, uint32_t address)
-{
-    return ctl_packer_film(packer, ctl_parameter16(packer->board, address));
-}
-
-/* The film that a product must keep from a cut; computed when the panel has written a parameter. */
-static int64_t cut_clearance(ctl_packer* packer)
-{
-    const uint32_t settings = packer->board->parameter_writes + 1u;
-    if (packer->settings != settings) {
-        packer->settings = settings;
-        packer->clearance = film_um(packer, CTL_REG_PARAMETER_CUT_CLEARANCE);
-    }
-    return packer->clearance;
-}
-
 /* Command of the film motor at the next cut when nothing is corrected; asked behind a sealing window or, with
  * the knife standing, up to a cycle before the window. */
 static int64_t uncorrected(const ctl_packer* packer)
@@ -68,27 +52,19 @@ static void raise_alarm(ctl_packer* packer, uint32_t bit)
     packer->alarms = (uint16_t)(packer->alarms | 1u << bit);
 }
 
-static ctl_phase_limits phase_limits(const ctl_packer* packer)
-{
-    const ctl_phase_limits limits = {packer->bag, ctl_packer_length_limit(packer),
-                                     film_um(packer, CTL_REG_PARAMETER_PHASE_LIMIT)};
-    return limits;
-}
-
 /* Returns the shift of the film by which the next cut, `wanted` away from its mark, meets it, within limits.
  */
 static int64_t allowed_shift(ctl_packer* packer, const ctl_drive* drive, const ctl_mark* mark, int64_t wanted)
 {
-    const ctl_phase_limits limits = phase_limits(packer);
     const int64_t length = mark->pitch - packer->bag;
     ctl_phase_mode mode = CTL_PHASE_LIMITED;
     if (packer->marks.state == CTL_MARK_STATE_ALIGNING) {
-        if (ctl_phase_reaches(&limits, wanted, length))
+        if (ctl_phase_reaches(&packer->settings.phase, wanted, length))
             packer->marks.state = CTL_MARK_STATE_TRACKING;
         else
             mode = drive->changes ? CTL_PHASE_FAST_AND_SHORT : CTL_PHASE_FAST;
     }
-    const int64_t shift = ctl_phase_allow(&packer->phase, &limits, mode, wanted, length);
+    const int64_t shift = ctl_phase_allow(&packer->phase, &packer->settings.phase, mode, wanted, length);
     if (packer->phase.limited_in_row >= LIMITED_IN_ROW)
         raise_alarm(packer, CTL_WARNING_BIT_CORRECTION_AT_LIMIT);
     return shift;
@@ -141,7 +117,7 @@ static void plan_again(ctl_packer* packer, const ctl_drive* drive)
 
 static void count_skip(ctl_packer* packer)
 {
-    const bool too_long = packer->products.longest + 2 * cut_clearance(packer) > packer->bag;
+    const bool too_long = packer->products.longest + 2 * packer->settings.clearance > packer->bag;
     packer->skipped += 1;
     packer->skips_in_row += 1;
     packer->skips_in_run += 1;
@@ -159,13 +135,12 @@ static bool knife_must_wait(ctl_packer* packer, const ctl_drive* drive)
     }
     if (ctl_parameter16(packer->board, CTL_REG_PARAMETER_ANTI_CUT) == 0)
         return false;
-    int64_t clearance = cut_clearance(packer);
+    int64_t clearance = packer->settings.clearance;
     int64_t cut = packer->next.command;
     if (!packer->planned) { /* it may still be shifted */
         cut = uncorrected(packer);
         const bool aligning = packer->marks.state == CTL_MARK_STATE_ALIGNING;
-        const ctl_phase_limits limits = phase_limits(packer);
-        clearance += ctl_phase_max(&limits, aligning ? CTL_PHASE_FAST : CTL_PHASE_LIMITED);
+        clearance += ctl_phase_max(&packer->settings.phase, aligning ? CTL_PHASE_FAST : CTL_PHASE_LIMITED);
     }
     if (!ctl_products_across(&packer->products, cut + packer->next.lag, clearance))
         return false;
@@ -177,7 +152,7 @@ void ctl_packer_ask_first_cut(ctl_packer* packer)
 {
     if (ctl_parameter16(packer->board, CTL_REG_PARAMETER_ANTI_CUT) == 0 ||
         !ctl_products_across(&packer->products, packer->next.command + packer->next.lag,
-                             cut_clearance(packer)))
+                             packer->settings.clearance))
         return;
     count_skip(packer);
     ctl_gate_stand(&packer->knife_gate);
@@ -264,52 +239,15 @@ static void emit(ctl_packer* packer)
     packer->infeed_sent = ctl_whole_pulses(infeed);
 }
 
-static void see_mark(ctl_packer* packer, int64_t latched, uint16_t dead_us)
-{
-    ctl_edge edge = {.at = ctl_past_before(&packer->film_past, latched, dead_us), .dead_us = dead_us};
-    edge.verdict = ctl_marks_see(&packer->marks, edge.at);
-    edge.off = packer->marks.off;
-    edge.newer = ctl_past_last_way(&packer->film_past, 0);
-    edge.older = ctl_past_last_way(&packer->film_past, 1);
-    ctl_edges_add(&packer->edges, &edge);
-    packer->busy = true;
-}
-
-static void read_sensors(ctl_packer* packer)
-{
-    const ctl_port* port = &packer->board->port;
-    const int64_t film_before = packer->film_actual;
-    const int64_t infeed_before = packer->infeed_actual;
-    int64_t at = 0;
-    bool covered = false;
-    packer->film_actual = port->film(port->context);
-    packer->infeed_actual = port->infeed(port->context);
-    ctl_past_add(&packer->film_past, packer->board->now_us, packer->film_actual);
-    ctl_past_add(&packer->infeed_past, packer->board->now_us, packer->infeed_actual);
-    const uint16_t mark_us = ctl_parameter16(packer->board, CTL_REG_PARAMETER_MARK_DEAD_TIME);
-    while (port->mark(port->context, &at, &covered)) {
-        if (covered)
-            see_mark(packer, at, mark_us);
-    }
-    while (port->eye(port->context, &at, &covered)) {
-        const uint32_t dead = covered ? CTL_REG_PARAMETER_EYE_DEAD_TIME : CTL_REG_PARAMETER_EYE_END_DEAD_TIME;
-        const uint16_t eye_us = ctl_parameter16(packer->board, dead);
-        ctl_products_edge(&packer->products, ctl_past_before(&packer->infeed_past, at, eye_us), covered);
-        packer->busy = true;
-    }
-    if (ctl_marks_due(&packer->marks, packer->film_actual)) /* what is missing may be on its way */
-        ctl_marks_pass(&packer->marks, ctl_past_before(&packer->film_past, packer->film_actual, mark_us));
-    ctl_products_lay(&packer->products, infeed_before, packer->infeed_actual, film_before,
-                     packer->film_actual);
-}
-
 static bool has_alarms(ctl_packer* packer)
 {
     if (packer->marks.alarm != 0 && ctl_packer_tracks(packer))
         raise_alarm(packer, packer->marks.alarm);
     if (ctl_parameter16(packer->board, CTL_REG_PARAMETER_ANTI_CUT) != 0 &&
-        packer->products.longest + 2 * cut_clearance(packer) > packer->bag)
+        packer->products.longest + 2 * packer->settings.clearance > packer->bag)
         raise_alarm(packer, CTL_WARNING_BIT_PRODUCT_TOO_LONG);
+    if (ctl_products_joined(&packer->products))
+        raise_alarm(packer, CTL_WARNING_BIT_PRODUCTS_JOINED);
     return packer->alarms != 0;
 }
 
@@ -318,8 +256,8 @@ bool ctl_packer_slice(ctl_packer* packer, bool in_cycle)
     if (packer->bank == NULL)
         return false;
     emit(packer);
-    read_sensors(packer);
-    if (!packer->busy)
+    ctl_packer_read_sensors(packer);
+    if (!packer->busy && !ctl_packer_refresh_settings(packer))
         ctl_edges_work(&packer->edges, ctl_parameter32(packer->board, CTL_REG_PARAMETER_FILM_FEED),
                        ctl_parameter32(packer->board, CTL_REG_PARAMETER_FILM_PULSES));
     packer->busy = false;

@@ -32,6 +32,16 @@ void ctl_products_set(ctl_products* products, const ctl_product_settings* settin
     products->next = divided(infeed - settings->lay, settings->flight) + 1;
 }
 
+static bool is_too_long(const ctl_products* products, int64_t length)
+{
+    return products->settings.maximum != 0 && length > products->settings.maximum;
+}
+
+bool ctl_products_joined(const ctl_products* products)
+{
+    return is_too_long(products, products->longest);
+}
+
 /* Infeed position at which the middle of product `number` passes the eye when it lies in its place. */
 static int64_t place_at_eye(const ctl_products* products, int64_t number)
 {
@@ -140,10 +150,11 @@ uint32_t ctl_products_cut(ctl_products* products, int64_t cut)
     uint32_t bagged = 0;
     for (uint32_t i = 0; i < products->laid_count; ++i) {
         const ctl_product product = products->laid[i];
-        if (product.lead + (product.trail - product.lead) / 2 < cut)
-            bagged += 1;
-        else
+        const int64_t length = product.trail - product.lead;
+        if (product.lead + length / 2 >= cut)
             products->laid[kept++] = product;
+        else if (!is_too_long(products, length))
+            bagged += 1;
     }
     products->laid_count = kept;
     return bagged;

@@ -20,6 +20,7 @@ typedef struct {
     int64_t eye;      /* infeed from the eye to there */
     uint64_t ratio;   /* film per infeed, 2^-20 */
     int64_t distance; /* film from there to the knife: whole bags and a half */
+    int64_t maximum;  /* length of one product on the film, 0: any */
 } ctl_product_settings;
 
 /* A product that was seen and is not on the film yet. */
@@ -61,7 +62,10 @@ void ctl_products_lay(ctl_products* products, int64_t infeed_before, int64_t inf
                       int64_t film);
 /* Returns true when a product is across a cut at this film position, or nearer to it than the clearance. */
 bool ctl_products_across(const ctl_products* products, int64_t cut, int64_t clearance);
-/* Removes the products past the knife; returns the number of products of the bag that ends at `cut`. */
+/* Returns true when a product was longer than the maximum since the settings changed: two hang together. */
+bool ctl_products_joined(const ctl_products* products);
+/* Removes the products past the knife; returns the number of products of the bag that ends at `cut`, without
+ * those that are too long. */
 uint32_t ctl_products_cut(ctl_products* products, int64_t cut);
 
 #ifdef __cplusplus

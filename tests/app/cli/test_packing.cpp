@@ -159,6 +159,7 @@ private slots:
         QFETCH(double, step);
         const Packed packed = pack(cutterAt(lengthMm, 60), 3000, [&](PackingJob& job) {
             job.machine.film.marksFalse = 0.2;
+            set16(job, CTL_REG_PARAMETER_MARK_WIDTH_MAX, 5300); // one that touches the mark makes it wider
             job.machine.film.stretchStep = step;
             job.machine.film.stretchStepM = lengthMm; // in a thousand bags
         });

@@ -36,6 +36,7 @@ constexpr std::uint32_t marksLost = bit(CTL_WARNING_BIT_MARKS_LOST);
 constexpr std::uint32_t pitchWrong = bit(CTL_WARNING_BIT_MARK_PITCH_WRONG);
 constexpr std::uint32_t atLimit = bit(CTL_WARNING_BIT_CORRECTION_AT_LIMIT);
 constexpr std::uint32_t tooLong = bit(CTL_WARNING_BIT_PRODUCT_TOO_LONG);
+constexpr std::uint32_t joined = bit(CTL_WARNING_BIT_PRODUCTS_JOINED);
 constexpr std::uint32_t tooManySkips = bit(CTL_WARNING_BIT_TOO_MANY_SKIPS);
 
 const Trouble troubles[] = {
@@ -87,6 +88,28 @@ const Trouble troubles[] = {
      CTL_REFUSAL_SENSOR_TOO_FAR},
     {"window of half a bag", 100, [](PackingJob& job) { set16(job, CTL_REG_PARAMETER_MARK_WINDOW, 30'000); },
      PackingEnd::Refused, CTL_REFUSAL_MARK_WINDOW_TOO_WIDE},
+    {"other prints ignored up to the next mark", 250,
+     [](PackingJob& job) { set16(job, CTL_REG_PARAMETER_MARK_MASKING, 2440); }, PackingEnd::Refused,
+     CTL_REFUSAL_MARK_MASKING_TOO_LONG},
+    {"no mark is that wide", 250,
+     [](PackingJob& job) {
+         set16(job, CTL_REG_PARAMETER_MARK_WIDTH_MIN, 6000);
+         set16(job, CTL_REG_PARAMETER_MARK_WIDTH_MAX, 5000);
+     },
+     PackingEnd::Refused, CTL_REFUSAL_NO_MARK_WIDTH_ALLOWED},
+    {"marks narrower than the minimum", 250,
+     [](PackingJob& job) { set16(job, CTL_REG_PARAMETER_MARK_WIDTH_MIN, 6000); }, PackingEnd::Alarm,
+     marksLost},
+    {"marks wider than the maximum", 250,
+     [](PackingJob& job) { set16(job, CTL_REG_PARAMETER_MARK_WIDTH_MAX, 4000); }, PackingEnd::Alarm,
+     marksLost},
+    {"products that hang together", 250,
+     [](PackingJob& job) {
+         job.machine.products.lengthMm = 60;
+         job.machine.products.joined = 0.05;
+         set16(job, CTL_REG_PARAMETER_PRODUCT_LENGTH_MAX, 700);
+     },
+     PackingEnd::Alarm, joined},
     {"eye beside the film", 250, [](PackingJob& job) { set32(job, CTL_REG_PARAMETER_EYE_DISTANCE, 20'000); },
      PackingEnd::Refused, CTL_REFUSAL_EYE_TOO_NEAR},
     {"parameter out of its range", 250,

@@ -1,0 +1,104 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/* Mark sensor and product eye of a packing machine. */
+#include "packer/ctl_packer.h"
+
+#include "base/ctl_words.h"
+
+#include <stddef.h>
+
+#define MAX_END_US ((int32_t)CTL_MAX_PARAMETER_MARK_DEAD_TIME)
+
+static uint16_t parameter(const ctl_packer* packer, uint32_t address)
+{
+    return ctl_parameter16(packer->board, address);
+}
+
+static int64_t mark_before(const ctl_packer* packer, int64_t at)
+{
+    return ctl_past_before(&packer->film_past, at, parameter(packer, CTL_REG_PARAMETER_MARK_DEAD_TIME));
+}
+
+/* The dead time of the sensor at the end of a mark is another one, within the same limits. */
+static int64_t mark_end_before(const ctl_packer* packer, int64_t at)
+{
+    const int32_t later = (int16_t)parameter(packer, CTL_REG_PARAMETER_MARK_END_LATER);
+    const int32_t dead_us = (int32_t)parameter(packer, CTL_REG_PARAMETER_MARK_DEAD_TIME) + later;
+    const int32_t limited = dead_us > MAX_END_US ? MAX_END_US : dead_us;
+    return ctl_past_before(&packer->film_past, at, limited < 0 ? 0 : (uint32_t)limited);
+}
+
+/* Ends the print at the sensor, wherever its end was, and records it. */
+static void end_mark(ctl_packer* packer, int64_t film)
+{
+    if (!packer->mark_sensor.there)
+        return;
+    ctl_mark_sensor_end(&packer->mark_sensor, &packer->marks, film);
+    ctl_edges_add(&packer->edges, &packer->mark_sensor.edge);
+    packer->busy = true;
+}
+
+static void begin_mark(ctl_packer* packer, int64_t latched)
+{
+    end_mark(packer,
+             packer->mark_sensor.edge.at); /* of unknown width, on a board without the ends of marks */
+    ctl_edge* edge = &packer->mark_sensor.edge;
+    edge->at = mark_before(packer, latched);
+    edge->newer = ctl_past_last_way(&packer->film_past, 0);
+    edge->older = ctl_past_last_way(&packer->film_past, 1);
+    edge->dead_us = parameter(packer, CTL_REG_PARAMETER_MARK_DEAD_TIME);
+    ctl_mark_sensor_begin(&packer->mark_sensor, &packer->marks);
+    packer->busy = true;
+}
+
+/* What is missing may be on its way, or at the sensor. */
+static void pass_marks(ctl_packer* packer)
+{
+    ctl_mark_sensor* sensor = &packer->mark_sensor;
+    if (sensor->waits)
+        ctl_mark_sensor_watch(sensor, &packer->marks, mark_end_before(packer, packer->film_actual));
+    if (!ctl_marks_due(&packer->marks, packer->film_actual))
+        return;
+    const int64_t film = mark_before(packer, packer->film_actual);
+    ctl_marks_pass(&packer->marks, sensor->waits && sensor->edge.at < film ? sensor->edge.at : film);
+}
+
+static void read_mark_sensor(ctl_packer* packer)
+{
+    const ctl_port* port = &packer->board->port;
+    int64_t at = 0;
+    bool covered = false;
+    while (port->mark(port->context, &at, &covered)) {
+        if (covered)
+            begin_mark(packer, at);
+        else
+            end_mark(packer, mark_end_before(packer, at));
+    }
+    pass_marks(packer);
+}
+
+static void read_eye(ctl_packer* packer)
+{
+    const ctl_port* port = &packer->board->port;
+    int64_t at = 0;
+    bool covered = false;
+    while (port->eye(port->context, &at, &covered)) {
+        const uint32_t dead = covered ? CTL_REG_PARAMETER_EYE_DEAD_TIME : CTL_REG_PARAMETER_EYE_END_DEAD_TIME;
+        ctl_products_edge(&packer->products,
+                          ctl_past_before(&packer->infeed_past, at, parameter(packer, dead)), covered);
+        packer->busy = true;
+    }
+}
+
+void ctl_packer_read_sensors(ctl_packer* packer)
+{
+    const ctl_port* port = &packer->board->port;
+    const int64_t film = packer->film_actual;
+    const int64_t infeed = packer->infeed_actual;
+    packer->film_actual = port->film(port->context);
+    packer->infeed_actual = port->infeed(port->context);
+    ctl_past_add(&packer->film_past, packer->board->now_us, packer->film_actual);
+    ctl_past_add(&packer->infeed_past, packer->board->now_us, packer->infeed_actual);
+    read_mark_sensor(packer);
+    read_eye(packer);
+    ctl_products_lay(&packer->products, infeed, packer->infeed_actual, film, packer->film_actual);
+}

@@ -1,0 +1,92 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/* The lengths of a packing line that follow from its parameters and its program. They cost many divisions, so
+ * that they are computed for a start, for a change of program, and in a slice with little else to do after
+ * the panel has written a parameter. */
+#include "packer/ctl_packer.h"
+
+#include "base/ctl_words.h"
+
+/* The maximum error of a mark that counts as slip. */
+#define JUMP_UM 600
+#define TENTH_UM 100 /* of a mm */
+
+static uint16_t parameter(const ctl_packer* packer, uint32_t address)
+{
+    return ctl_parameter16(packer->board, address);
+}
+
+int64_t ctl_packer_length_limit(const ctl_packer* packer)
+{
+    return packer->bag * parameter(packer, CTL_REG_PARAMETER_LENGTH_LIMIT) / 10000;
+}
+
+static int64_t film_um(const ctl_packer* packer, uint32_t address)
+{
+    return ctl_packer_film(packer, parameter(packer, address));
+}
+
+/* The same of a parameter in 0.1 mm. */
+static int64_t film_tenths(const ctl_packer* packer, uint32_t address)
+{
+    return ctl_packer_film(packer, (int64_t)parameter(packer, address) * TENTH_UM);
+}
+
+static void read_marks(ctl_packer* packer)
+{
+    packer->settings.marks = (ctl_mark_settings){
+        .nominal = packer->bag,
+        .distance =
+            ctl_packer_film(packer, (int64_t)ctl_parameter32(packer->board, CTL_REG_PARAMETER_MARK_DISTANCE) +
+                                        ctl_parameter32(packer->board, CTL_REG_PARAMETER_MARK_OFFSET)),
+        .window = film_um(packer, CTL_REG_PARAMETER_MARK_WINDOW),
+        .jump = ctl_packer_film(packer, JUMP_UM),
+        .masking = film_tenths(packer, CTL_REG_PARAMETER_MARK_MASKING),
+        .max_difference = ctl_packer_length_limit(packer),
+        .phase_gain = parameter(packer, CTL_REG_PARAMETER_PHASE_GAIN),
+        .length_gain = parameter(packer, CTL_REG_PARAMETER_LENGTH_GAIN),
+        .missing_limit = parameter(packer, CTL_REG_PARAMETER_MARK_MISSING_LIMIT),
+    };
+}
+
+static void read_clearance(ctl_packer* packer)
+{
+    packer->settings.clearance = film_um(packer, CTL_REG_PARAMETER_CUT_CLEARANCE);
+}
+
+static void read_phase(ctl_packer* packer)
+{
+    packer->settings.phase = (ctl_phase_limits){packer->bag, ctl_packer_length_limit(packer),
+                                                film_um(packer, CTL_REG_PARAMETER_PHASE_LIMIT)};
+}
+
+static void read_sizes(ctl_packer* packer)
+{
+    packer->mark_sensor.narrowest = film_um(packer, CTL_REG_PARAMETER_MARK_WIDTH_MIN);
+    packer->mark_sensor.widest = film_um(packer, CTL_REG_PARAMETER_MARK_WIDTH_MAX);
+    packer->products.settings.maximum = film_tenths(packer, CTL_REG_PARAMETER_PRODUCT_LENGTH_MAX);
+}
+
+static void (*const pieces[])(ctl_packer* packer) = {read_clearance, read_marks, read_phase, read_sizes};
+#define PIECES (sizeof pieces / sizeof pieces[0])
+#define PIECES_OF_A_START 2u
+
+bool ctl_packer_refresh_settings(ctl_packer* packer)
+{
+    ctl_packer_settings* settings = &packer->settings;
+    if (settings->writes != packer->board->parameter_writes) {
+        settings->writes = packer->board->parameter_writes;
+        settings->done = 0;
+    }
+    if (settings->done == PIECES)
+        return false;
+    pieces[settings->done++](packer);
+    return true;
+}
+
+void ctl_packer_read_settings(ctl_packer* packer)
+{
+    packer->busy = true;
+    packer->settings.writes = packer->board->parameter_writes;
+    for (packer->settings.done = 0; packer->settings.done != PIECES_OF_A_START; packer->settings.done += 1)
+        pieces[packer->settings.done](packer);
+}
