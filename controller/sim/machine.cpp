@@ -96,10 +96,15 @@ void Machine::setInput(unsigned number, bool isOn)
 
 void Machine::switchDrives()
 {
-    const bool isEnabled = (m_outputs & pinBit(CTL_OUTPUT_BIT_DRIVE_ENABLE)) != 0;
+    const bool isEnabled = areDrivesOn();
     m_main.setDriveOn(isEnabled && m_hasPower && (m_inputs & pinBit(CTL_INPUT_BIT_DRIVE_ALARM)) == 0);
     m_filmMotor.setDriveOn(isEnabled);
     m_infeedMotor.setDriveOn(isEnabled);
+}
+
+bool Machine::areDrivesOn() const
+{
+    return (m_outputs & pinBit(CTL_OUTPUT_BIT_DRIVE_ENABLE)) != 0;
 }
 
 std::uint16_t Machine::inputs() const
@@ -227,6 +232,12 @@ void Machine::passCut()
             static_cast<std::uint32_t>(std::max(0.0, umPerMm * (materialMm - *m_materialAtCutMm) + 0.5));
     m_materialAtCutMm = materialMm;
     m_cut = cut;
+}
+
+bool Machine::areJawsClosed() const
+{
+    const double fromCut = std::remainder(m_main.position() - m_mark - m_cutOffset, m_stroke);
+    return m_hasKnife && std::abs(fromCut) * 360.0 < m_options.jawsDegrees * m_revolution;
 }
 
 void Machine::advance(double stepS)

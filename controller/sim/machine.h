@@ -41,7 +41,8 @@ struct MachineOptions {
     double flightPulses = 20'000.0; // infeed motor, per product
     PressOptions press;
     DriveOptions drive;
-    std::uint16_t inputs = 0; // bits of InputBit that are on at power-up
+    double jawsDegrees = 20.0; // of the shaft, so far before and behind the cut they touch the film
+    std::uint16_t inputs = 0;  // bits of InputBit that are on at power-up
 };
 
 // The result of a cut, as measured with a ruler.
@@ -100,6 +101,10 @@ public:
     };
     [[nodiscard]] std::optional<Edge> takeMark();
     [[nodiscard]] std::optional<Edge> takeEdge();
+    // Returns true when the jaws touch the film.
+    [[nodiscard]] bool areJawsClosed() const;
+    [[nodiscard]] bool areDrivesOn() const;
+    [[nodiscard]] double filmSpeed() const { return m_filmMotor.speed(); } // pulses per second
     // Returns the cut of the last step.
     [[nodiscard]] std::optional<BagCut> takeCut();
 

@@ -11,6 +11,7 @@
 #include <array>
 #include <cmath>
 #include <memory>
+#include <random>
 
 namespace campanel::controller {
 namespace {
@@ -188,6 +189,8 @@ private:
     {
         while (m_result.bags < m_job.bags) {
             m_controller.step();
+            if (!operate())
+                return;
             m_fullSpeed = m_fullSpeed && m_core.motion.ramp.speed == m_core.motion.ramp.full;
             noticeSkip();
             if (m_controller.cut()) {
@@ -200,6 +203,47 @@ private:
             if (!showMarks() || !goesOn())
                 return;
         }
+    }
+
+    // An operator stops the machine anywhere in a cycle and starts it again some seconds later.
+    bool operate()
+    {
+        const std::uint64_t now = m_controller.nowUs();
+        watchJaws();
+        if (m_job.stopShare <= 0.0)
+            return true;
+        if (m_stopAtUs == 0 && m_core.motion.state == CTL_STATE_RUNNING) {
+            std::geometric_distribution<std::uint32_t> bags(m_job.stopShare);
+            std::uniform_real_distribution<double> part(0.0, 1.0);
+            m_stopAtUs =
+                now + static_cast<std::uint64_t>((bags(m_random) + part(m_random)) * cycleS(m_job) * usPerS);
+        }
+        if (m_stopAtUs != 0 && m_startAtUs == 0 && now >= m_stopAtUs) {
+            std::uniform_real_distribution<double> pause(1.0, 5.0);
+            ++m_result.stops;
+            (void)ctl_motion_stop_now(&m_core.motion);
+            m_startAtUs = now + static_cast<std::uint64_t>(pause(m_random) * usPerS);
+        }
+        if (m_startAtUs == 0 || now < m_startAtUs || !ctl_motion_standstill(&m_core.motion))
+            return true;
+        m_stopAtUs = 0;
+        m_startAtUs = 0;
+        return start();
+    }
+
+    void watchJaws()
+    {
+        const Machine& machine = m_controller.machine();
+        const bool stands = machine.areDrivesOn() && std::abs(machine.filmSpeed()) < 1.0;
+        if (!stands || !machine.areJawsClosed()) {
+            m_closedUs = 0;
+            return;
+        }
+        const double beforeS = static_cast<double>(m_closedUs) / usPerS;
+        m_closedUs += m_controller.stepUs();
+        const double closedS = static_cast<double>(m_closedUs) / usPerS;
+        m_result.burns += beforeS <= burnS && closedS > burnS ? 1u : 0u;
+        m_result.longestClosedS = std::max(m_result.longestClosedS, closedS);
     }
 
     bool goesOn()
@@ -325,6 +369,10 @@ private:
     bool m_skippedAligning = false;
     std::uint32_t m_bagsAtAlarm = 0;
     bool m_runsOther = false;
+    std::mt19937_64 m_random{m_job.machine.seed};
+    std::uint64_t m_stopAtUs = 0;
+    std::uint64_t m_startAtUs = 0;
+    std::uint64_t m_closedUs = 0; // the jaws on standing film
     std::uint32_t m_marksShown = 0;
     std::uint32_t m_commands = 0;
     std::uint32_t m_startsWithoutBag = 0;

@@ -29,6 +29,7 @@ struct PackingJob {
     std::uint32_t bags = 1000;
     std::uint64_t stepUs = 0; // 0: quickStepUs()
     bool goOn = false;        // restart after an alarm, like an operator
+    double stopShare = 0.0;   // of the bags in which an operator stops the machine at once, to start it later
     // Called with the group `sensor` when it has new marks; the parameters that it returns are written.
     std::function<std::vector<ParameterValue>(std::span<const std::uint16_t> registers)> onMarks;
     // The board of the controller.
@@ -87,7 +88,14 @@ struct PackingResult {
     double filmSavedM = 0.0;
     std::uint32_t correctionsLimited = 0;
     double maxFollowingErrorPulses = 0.0;
+    // Of the stops: those that left the jaws closed on standing film for more than burnS, with the drives
+    // enabled; and the longest time.
+    std::uint32_t stops = 0;
+    std::uint32_t burns = 0;
+    double longestClosedS = 0.0;
 };
+
+inline constexpr double burnS = 1.0;
 
 // Returns the time step with which no bag differs by more than a pulse of the film motor: a 400th of a cycle,
 // within limits.

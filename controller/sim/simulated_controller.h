@@ -28,6 +28,7 @@ public:
 
     // Returns the simulated time since power-up.
     [[nodiscard]] std::uint64_t nowUs() const { return m_nowUs; }
+    [[nodiscard]] std::uint64_t stepUs() const { return m_stepUs; }
     void step();
     // Runs whole steps up to this time, then checks the line's silence at exactly that time.
     void runTo(std::uint64_t timeUs);

@@ -165,6 +165,10 @@ QJsonObject PackingFigures::object(const PackingResult& result, double cpuS) con
             {u"film_saved_m"_s, result.filmSavedM},
             {u"largest_following_error_pulses"_s, result.maxFollowingErrorPulses},
             {u"starts"_s, static_cast<qint64>(result.starts)},
+            {u"stops"_s, static_cast<qint64>(result.stops)},
+            {u"jaws_closed_on_standing_film"_s,
+             QJsonObject{{u"longest_s"_s, result.longestClosedS},
+                         {u"stops_past_1_s"_s, static_cast<qint64>(result.burns)}}},
             {u"alarms"_s, alarmsObject(result)}};
 }
 

@@ -157,6 +157,9 @@ QList<QCommandLineOption> simulateOptions()
          u"MS"_s},
         {u"change-rate-every"_s,
          u"Change to half of the rate and back after so many bags, while the machine runs."_s, u"BAGS"_s},
+        {u"stops"_s,
+         u"Bags in which an operator stops the machine at once, to start it again 1 to 5 s later (0 to 1, default 0)."_s,
+         u"SHARE"_s},
         {u"table"_s,
          u"Run the --lengths at 60 bags/min and at the maximum feasible rate up to 300, with and without tracking; print one table."_s},
         {u"lengths"_s, u"Bag lengths for --table, in mm (default: those of the paper's Table 2)."_s,
@@ -204,6 +207,10 @@ tl::expected<controller::PackingJob, Failure> jobOf(const Invocation& call)
     if (!every)
         return tl::unexpected(every.error());
     job.changeEvery = static_cast<std::uint32_t>(*every);
+    const auto stops = numberOf(call, u"stops"_s, 0, 0, 1);
+    if (!stops)
+        return tl::unexpected(stops.error());
+    job.stopShare = *stops;
     if (learns(call))
         job.onMarks = [taker = DeadTimeTaker()](auto registers) mutable { return taker.take(registers); };
     for (const Disturbance& each : disturbances) {
