@@ -107,7 +107,7 @@ void SimulatedController::step()
         takeOverProgram();
     m_machine.advance(static_cast<double>(m_stepUs) * sPerUs);
     m_cut = m_machine.takeCut();
-    if (m_core->motion.manual) {
+    if (m_core->motion.manual && !m_core->motion.in_phase) {
         m_machine.forgetLastCut();
         m_cut.reset();
     }

@@ -59,7 +59,8 @@ enum class WarningBit : std::uint16_t {
     ProductTooLong = 7,
     TooManySkips = 8,
     EmergencyStop = 9,
-    ProductsJoined = 10 // it ends a run, too
+    ProductsJoined = 10, // it ends a run, too
+    JawsClosed = 11
 };
 
 inline constexpr std::array warningBits{
@@ -102,6 +103,9 @@ inline constexpr std::array warningBits{
         WarningBit::ProductsJoined, "ProductsJoined",
         CAMPANEL_TEXT("AlarmCatalogue", "Two products hang together on the infeed, so the run was stopped."),
         "One was longer than parameter.product_length_max at the eye. Its bag is marked as empty."),
+    entry(WarningBit::JawsClosed, "JawsClosed",
+          CAMPANEL_TEXT("AlarmCatalogue", "The jaws have been closed on standing film for too long."),
+          "Longer than parameter.jaws_closed_max, and still are."),
 };
 
 } // namespace campanel::modbus

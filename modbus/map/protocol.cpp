@@ -464,6 +464,9 @@ constexpr std::array bagBits{
     entry(BagBit::StartUp, "StartUp",
           "Start-up scrap: one of its cuts was made before the film was in register, after power-up, a jog "
           "or a change of length."),
+    entry(BagBit::Burned, "Burned",
+          "The jaws stood closed at one of its ends: for longer than parameter.jaws_closed_max, or at an "
+          "emergency stop."),
 };
 
 constexpr std::array<EnumInfo, 33> infos{{

@@ -182,7 +182,8 @@ enum class BagBit : std::uint16_t {
     ProductAcross = 2,
     Empty = 3,
     ChangeOver = 4,
-    StartUp = 5
+    StartUp = 5,
+    Burned = 6
 };
 
 // The bits of exchange.jog; both set means neither.

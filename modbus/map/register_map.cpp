@@ -152,6 +152,19 @@ constexpr std::array registerTable{
     since(6, rw16("parameter.product_length_max", 0x00E5,
                   "maximum length of one product, above it the products are joined, 0: not monitored", {}, 0,
                   2000, 0, 0.1, "mm")),
+    // Hot jaws; see controller/core/motion/README.md.
+    since(6,
+          rw16("parameter.jaws_before", 0x00E6,
+               "shaft angle before the cut from which the jaws touch the film, 0 here and behind: not known",
+               {}, 0, 90, 0, 0.01, "deg")),
+    since(6, rw16("parameter.jaws_behind", 0x00E7, "shaft angle behind the cut up to which they touch it", {},
+                  0, 90, 0, 0.01, "deg")),
+    since(6,
+          rw16("parameter.park_delay", 0x00E8, "time from a stop with closed jaws until the knife opens them",
+               {}, 0, 10000, 0, 1.0, "ms")),
+    since(6, rw16("parameter.jaws_closed_max", 0x00E9,
+                  "time on standing film after which closed jaws spoil both bags", {}, 100, 60000, 1000, 1.0,
+                  "ms")),
 
     // Status block: the answer to the periodic FC23 exchange. 40 registers, so that 9600 baud still carries 8
     // a second.

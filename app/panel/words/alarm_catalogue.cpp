@@ -108,6 +108,9 @@ constexpr std::array kinds{
     AlarmKind{"M-06", warning, stops, QT_TRANSLATE_NOOP("AlarmCatalogue", "Products joined"),
               causeOf(WarningBit::ProductsJoined),
               QT_TRANSLATE_NOOP("AlarmCatalogue", "Take the products off the infeed, then start again.")},
+    AlarmKind{"M-07", warning, runsOn, QT_TRANSLATE_NOOP("AlarmCatalogue", "Jaws closed"),
+              causeOf(WarningBit::JawsClosed),
+              QT_TRANSLATE_NOOP("AlarmCatalogue", "Open them by hand. The bags on both sides are scrap.")},
     AlarmKind{
         "L-01", warning, runsOn, QT_TRANSLATE_NOOP("AlarmCatalogue", "Port missing"),
         QT_TRANSLATE_NOOP("AlarmCatalogue", "The port to the controller does not exist."),

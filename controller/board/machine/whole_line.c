@@ -179,7 +179,7 @@ void whole_line_follow(whole_line* line, ctl_core* core, int64_t before, int64_t
     line->film_before = line->film;
     const int64_t film = line->fresh_film;
     line->fresh_film = -1;
-    if (core->motion.manual) { /* the knife was turned by hand: the bag's length says nothing */
+    if (core->motion.manual && !core->motion.in_phase) { /* the knife was turned by hand: the bag's length says nothing */
         line->cut_before = false;
         return;
     }

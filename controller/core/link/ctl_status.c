@@ -53,6 +53,8 @@ uint16_t ctl_warnings(const ctl_core* core)
         bits |= 1u << CTL_WARNING_BIT_CLOCK_NOT_SET;
     if (ctl_io_emergency_stop(&core->io, &core->board))
         bits |= 1u << CTL_WARNING_BIT_EMERGENCY_STOP;
+    if (ctl_park_is_closed_long(&core->motion.park, &core->board))
+        bits |= 1u << CTL_WARNING_BIT_JAWS_CLOSED;
     bits |= core->packer.alarms;
     return (uint16_t)bits;
 }

@@ -126,7 +126,7 @@ void ctl_io_begin(ctl_io* io, ctl_motion* motion)
         io->was_stopped = true;
         io->stopped_us = board->now_us;
         motion->heartbeat->jog_blocked = true; /* a key that is held then must be let go first */
-        (void)ctl_motion_stop_now(motion);
+        ctl_motion_emergency_stop(motion);
     }
     const uint32_t enable = 1u << CTL_OUTPUT_BIT_DRIVE_ENABLE;
     const uint32_t others = io->outputs & ~enable;

@@ -62,6 +62,7 @@ void ctl_motion_change_program(ctl_motion* motion)
         ctl_packer_change_bank(motion->packer, ctl_active_bank(motion->banks), &motion->ramp);
     } else {
         ctl_packer_break_off(motion->packer);
+        ctl_park_forget(&motion->park);
         motion->in_phase = false;
         motion->homed = motion->homed && same;
         ctl_table_reset(&motion->table, ctl_active_bank(motion->banks));
@@ -141,18 +142,35 @@ void ctl_motion_run(ctl_motion* motion)
     motion->manual = false;
     motion->start_after_home = false;
     motion->change_planned = false;
+    ctl_park_run(&motion->park);
     motion->state = CTL_STATE_RUNNING;
     if (ctl_motion_is_press(motion))
         ctl_motion_begin_stroke(motion);
 }
 
-void ctl_motion_begin_manual(ctl_motion* motion, uint32_t frequency_hz, int32_t direction)
+static void take_by_hand(ctl_motion* motion, uint32_t frequency_hz, int32_t direction)
 {
     ctl_ramp_reset(&motion->ramp, ramp_ticks(motion, CTL_JOG_RAMP_MS));
     motion->manual = true;
     motion->manual_hz = frequency_hz;
     motion->manual_direction = direction;
     motion->manual_rest = 0;
+}
+
+void ctl_motion_begin_move(ctl_motion* motion, int64_t target)
+{
+    const int64_t way = target - motion->commanded;
+    const uint64_t distance = (uint64_t)(way < 0 ? -way : way);
+    take_by_hand(motion, ctl_parameter32(motion->board, CTL_REG_PARAMETER_HOME_FREQUENCY), way < 0 ? -1 : 1);
+    motion->target = target;
+    motion->homing_left =
+        (distance * motion->board->config.timer_clock_hz + motion->manual_hz - 1u) / motion->manual_hz;
+}
+
+void ctl_motion_begin_manual(ctl_motion* motion, uint32_t frequency_hz, int32_t direction)
+{
+    take_by_hand(motion, frequency_hz, direction);
+    ctl_park_forget(&motion->park);
     motion->in_phase = false;
     ctl_packer_break_off(motion->packer);
     if (motion->banks->has_active)
@@ -181,6 +199,7 @@ void ctl_motion_fault(ctl_motion* motion, uint16_t fault_bit)
     motion->ramp.speed = 0;
     motion->manual = false;
     motion->start_after_home = false;
+    motion->park.phase = CTL_PARK_OFF;
     motion->homed = motion->homed && ctl_motion_is_press(motion);
     motion->in_phase = false;
     ctl_packer_break_off(motion->packer);
@@ -188,7 +207,12 @@ void ctl_motion_fault(ctl_motion* motion, uint16_t fault_bit)
 
 void ctl_motion_start(ctl_motion* motion)
 {
-    if (motion->in_phase || !ctl_bank_needs_homing(ctl_active_bank(motion->banks))) {
+    if (motion->in_phase && motion->park.away) {
+        motion->park.given_up = false;
+        motion->park.phase = CTL_PARK_RETURNING;
+        ctl_motion_begin_move(motion, motion->park.place);
+        motion->state = CTL_STATE_RUNNING;
+    } else if (motion->in_phase || !ctl_bank_needs_homing(ctl_active_bank(motion->banks))) {
         ctl_motion_run(motion);
     } else {
         begin_homing(motion);
@@ -213,11 +237,20 @@ uint16_t ctl_motion_stop_now(ctl_motion* motion)
     } else {
         if (ctl_motion_is_press(motion))
             ctl_press_stop(&motion->press);
+        motion->park.given_up = motion->park.given_up || motion->park.phase == CTL_PARK_WAITING ||
+                                motion->park.phase == CTL_PARK_OPENING;
+        motion->park.phase = CTL_PARK_OFF;
         motion->stop = CTL_STOP_NOW;
         motion->stop_remaining = ctl_ramp_stopping_way(&motion->ramp);
         motion->state = CTL_STATE_STOPPING;
     }
     return CTL_REFUSAL_NONE;
+}
+
+void ctl_motion_emergency_stop(ctl_motion* motion)
+{
+    motion->park.emergency = true;
+    (void)ctl_motion_stop_now(motion);
 }
 
 uint32_t ctl_motion_to_boundary(const ctl_motion* motion)
@@ -233,7 +266,7 @@ uint16_t ctl_motion_stop_at_cycle_end(ctl_motion* motion)
 {
     if (motion->state == CTL_STATE_STOPPING)
         return CTL_REFUSAL_NONE;
-    if (motion->state != CTL_STATE_RUNNING)
+    if (motion->state != CTL_STATE_RUNNING || motion->manual)
         return ctl_motion_stop_now(motion);
     if (ctl_motion_is_press(motion)) {
         motion->state = CTL_STATE_STOPPING;

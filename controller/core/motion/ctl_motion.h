@@ -11,6 +11,7 @@
 #include "engine/ctl_table.h"
 #include "motion/ctl_change.h"
 #include "motion/ctl_heartbeat.h"
+#include "motion/ctl_park.h"
 #include "packer/ctl_packer.h"
 
 #include <stdbool.h>
@@ -48,6 +49,7 @@ typedef struct {
     bool start_after_home;
     ctl_stop stop;
     ctl_homing homing;
+    ctl_park park;
     ctl_ramp ramp;
     ctl_table table;         /* valid while there is an active bank */
     int32_t direction;       /* of the master, 1 or -1 */
@@ -63,10 +65,11 @@ typedef struct {
     uint32_t manual_hz;
     int32_t manual_direction; /* 1 or -1 */
     uint64_t manual_rest;     /* of a pulse, in 1 / timer clock */
-    uint64_t homing_left;     /* pulses to search, then master ticks to return */
-    int64_t commanded;        /* pulses sent since power-up */
-    int64_t actual;           /* encoder since power-up */
-    int64_t origin; /* position of the index mark in both, once homed; of a press the upper position */
+    uint64_t homing_left;     /* pulses to search, then master ticks to the target */
+    int64_t target;
+    int64_t commanded; /* pulses sent since power-up */
+    int64_t actual;    /* encoder since power-up */
+    int64_t origin;    /* position of the index mark in both, once homed; of a press the upper position */
     int64_t actual_hz;
     ctl_speed_meter meter;
 } ctl_motion;
@@ -83,6 +86,8 @@ void ctl_motion_home(ctl_motion* motion);
 /* Commands; each returns CTL_REFUSAL_... */
 uint16_t ctl_motion_stop_at_cycle_end(ctl_motion* motion);
 uint16_t ctl_motion_stop_now(ctl_motion* motion);
+/* The same, and the knife stays where it stops. */
+void ctl_motion_emergency_stop(ctl_motion* motion);
 uint16_t ctl_motion_reset_fault(ctl_motion* motion);
 /* While running: returns CTL_REFUSAL_..., the reason why the staged program cannot take over. */
 uint16_t ctl_motion_change_refusal(const ctl_motion* motion);
@@ -120,6 +125,8 @@ void ctl_motion_run(ctl_motion* motion);
 void ctl_motion_stand(ctl_motion* motion);
 int32_t ctl_motion_wanted_direction(const ctl_motion* motion);
 void ctl_motion_begin_manual(ctl_motion* motion, uint32_t frequency_hz, int32_t direction);
+/* Begins to move to a position by hand, at the frequency of homing. */
+void ctl_motion_begin_move(ctl_motion* motion, int64_t target);
 
 #ifdef __cplusplus
 }

@@ -90,8 +90,10 @@ static void run_table(ctl_motion* motion, ctl_pace pace)
 {
     ctl_table* table = &motion->table;
     while (pace.travel != 0) {
-        if (ctl_table_between_cycles(table))
+        if (ctl_table_between_cycles(table)) {
             ctl_table_begin_cycle(table, motion->direction);
+            ctl_park_begin_cycle(&motion->park, motion->commanded);
+        }
         const bool held = ctl_table_holding(table);
         uint32_t used = pace.travel;
         motion->commanded += ctl_table_advance(table, motion->direction, &used, &pace);
@@ -205,6 +207,13 @@ static void slice_stopping(ctl_motion* motion, ctl_pace pace)
     motion->stop_remaining -= pace.travel < motion->stop_remaining ? pace.travel : motion->stop_remaining;
 }
 
+/* A run has come to rest: what is left of the stop is a knife that must not stay closed. */
+static void rest(ctl_motion* motion)
+{
+    if (!ctl_park_begin(&motion->park, motion->board, motion->packer, motion->commanded))
+        ctl_motion_stand(motion);
+}
+
 /* Running, or stopping from it: the master moves, then what follows it at its own pace. */
 static void slice_table(ctl_motion* motion, ctl_pace pace)
 {
@@ -223,17 +232,19 @@ static void slice_table(ctl_motion* motion, ctl_pace pace)
         }
         const bool landed = motion->stop != CTL_STOP_AT_BOUNDARY || motion->stop_remaining == 0;
         if (motion->state == CTL_STATE_STOPPING && motion->ramp.speed == 0 && landed &&
-            ctl_table_settled(&motion->table))
-            ctl_motion_stand(motion);
+            ctl_table_settled(&motion->table)) {
+            rest(motion);
+            return;
+        }
     }
 }
 
-/* Jogging or homing was stopped. */
+/* Jogging, homing or the return from an open knife was stopped. */
 static void slice_manual_stop(ctl_motion* motion, ctl_pace pace)
 {
     (void)move_by_hand(motion, pace, ctl_ramp_down(&motion->ramp, pace.ticks), UINT64_MAX);
     if (motion->ramp.speed == 0)
-        ctl_motion_stand(motion);
+        rest(motion);
 }
 
 static void slice_jogging(ctl_motion* motion, ctl_pace pace)
@@ -270,29 +281,40 @@ static void end_homing(ctl_motion* motion)
         ctl_motion_run(motion);
 }
 
-/* It went past the mark while it braked; the same pulses lead back to it. */
-static void begin_return(ctl_motion* motion)
-{
-    const int64_t beyond = motion->commanded - motion->origin;
-    const uint64_t distance = (uint64_t)(beyond < 0 ? -beyond : beyond);
-    motion->manual_direction = beyond < 0 ? 1 : -1;
-    motion->manual_rest = 0;
-    motion->homing = CTL_HOMING_RETURN;
-    motion->homing_left =
-        (distance * motion->board->config.timer_clock_hz + motion->manual_hz - 1u) / motion->manual_hz;
-}
-
-static void return_to_mark(ctl_motion* motion, ctl_pace pace)
+/* Moves to the target; returns true when the axis is there. */
+static bool move_to_target(ctl_motion* motion, ctl_pace pace)
 {
     const uint32_t travelled =
         ctl_ramp_land(&motion->ramp, pace.ticks, motion->homing_left, motion->ramp.full);
     motion->homing_left -= travelled;
     if (motion->homing_left != 0) {
         (void)move_by_hand(motion, pace, travelled, UINT64_MAX);
+        return false;
+    }
+    emit_evenly(motion, motion->target - motion->commanded, &pace);
+    return true;
+}
+
+/* The knife opens behind a stop, or returns before a run. */
+static void slice_park(ctl_motion* motion, ctl_pace pace)
+{
+    ctl_park* park = &motion->park;
+    if (park->phase == CTL_PARK_WAITING) {
+        if (!ctl_park_is_due(park, motion->board))
+            return;
+        ctl_motion_begin_move(motion, ctl_park_target(park, motion->packer, motion->commanded));
+        park->phase = CTL_PARK_OPENING;
+        park->away = true;
         return;
     }
-    emit_evenly(motion, motion->origin - motion->commanded, &pace);
-    end_homing(motion);
+    if (!move_to_target(motion, pace))
+        return;
+    const bool returned = park->phase == CTL_PARK_RETURNING;
+    park->phase = CTL_PARK_OFF;
+    if (returned)
+        ctl_motion_run(motion);
+    else
+        ctl_motion_stand(motion);
 }
 
 static void slice_homing(ctl_motion* motion, ctl_pace pace)
@@ -303,11 +325,14 @@ static void slice_homing(ctl_motion* motion, ctl_pace pace)
         break;
     case CTL_HOMING_BRAKE:
         (void)move_by_hand(motion, pace, ctl_ramp_down(&motion->ramp, pace.ticks), UINT64_MAX);
-        if (motion->ramp.speed == 0)
-            begin_return(motion);
+        if (motion->ramp.speed == 0) { /* it went past the mark; the same pulses lead back to it */
+            ctl_motion_begin_move(motion, motion->origin);
+            motion->homing = CTL_HOMING_RETURN;
+        }
         break;
     case CTL_HOMING_RETURN:
-        return_to_mark(motion, pace);
+        if (move_to_target(motion, pace))
+            end_homing(motion);
         break;
     }
 }
@@ -350,7 +375,9 @@ void ctl_motion_slice(ctl_motion* motion, uint32_t ticks)
         break;
     case CTL_STATE_RUNNING:
     case CTL_STATE_STOPPING:
-        if (motion->manual)
+        if (motion->park.phase != CTL_PARK_OFF)
+            slice_park(motion, pace);
+        else if (motion->manual)
             slice_manual_stop(motion, pace);
         else if (ctl_motion_is_press(motion))
             ctl_motion_slice_stroke(motion, &pace);
@@ -367,4 +394,6 @@ void ctl_motion_slice(ctl_motion* motion, uint32_t ticks)
         break;
     }
     measure(motion);
+    if (ctl_motion_standstill(motion) || motion->park.phase != CTL_PARK_OFF)
+        ctl_park_watch(&motion->park, motion->board, motion->packer, motion->actual);
 }

@@ -45,6 +45,7 @@ typedef struct {
     bool had_products;
     bool changed;    /* the program changed since the previous cut */
     bool scrap;      /* this or the previous cut was not in register */
+    bool burned;     /* at one of its ends the jaws were closed for too long */
     uint32_t bags;   /* bag lengths since then */
     int64_t command; /* of the film motor at the time of the cut, 1/256 pulse */
     int64_t set_um;  /* set length of the previous bag */
@@ -54,9 +55,13 @@ typedef struct {
 typedef struct {
     uint32_t writes;   /* board->parameter_writes when they were computed, */
     uint32_t done;     /* so many pieces of it */
+    uint32_t row;      /* of the table, to which the knife's pulses before the cut are summed up; */
+    uint32_t ticks;    /* from there to the cut */
     int64_t clearance; /* from a product to a cut */
     ctl_mark_settings marks;
     ctl_phase_limits phase;
+    int64_t jaws_before; /* the cut they touch the film, pulses of the knife; */
+    int64_t jaws_behind; /* and behind it */
 } ctl_packer_settings;
 
 /* The master that drives the line. */
@@ -117,6 +122,8 @@ typedef struct {
     uint32_t empty;
     uint64_t saved_um;
     uint32_t bags;
+    uint32_t burned;     /* cuts whose bags were, from the next one */
+    uint32_t cut_pulses; /* of the knife, from the start of its cycle */
     uint16_t records[CTL_BAG_REGISTERS * CTL_BAG_RECORDS];
 } ctl_packer;
 
@@ -157,6 +164,8 @@ bool ctl_packer_slice(ctl_packer* packer, bool in_cycle);
 /* Handles a cut at this position of the film motor, 1/256 pulse. */
 void ctl_packer_on_cut(ctl_packer* packer, int64_t film, const ctl_ramp* ramp);
 void ctl_packer_on_bag(ctl_packer* packer, uint32_t length_um);
+/* The jaws were closed for too long, before a cut or behind it. */
+void ctl_packer_burn(ctl_packer* packer, bool before_cut);
 /* Returns true when the bag that ended with the last cut is to be rejected: it has no product or more than
  * one, is scrap of a start or a change of program, or its cut did not follow a mark although mark tracking is
  * on. */

@@ -5,10 +5,13 @@
 #include "packer/ctl_packer.h"
 
 #include "base/ctl_words.h"
+#include "engine/ctl_step.h"
 
 /* The maximum error of a mark that counts as slip. */
 #define JUMP_UM 600
 #define TENTH_UM 100 /* of a mm */
+#define ROWS_AT_A_TIME 8u
+#define FULL_CIRCLE 36000 /* 0.01 degrees */
 
 static uint16_t parameter(const ctl_packer* packer, uint32_t address)
 {
@@ -59,6 +62,17 @@ static void read_phase(ctl_packer* packer)
                                                 film_um(packer, CTL_REG_PARAMETER_PHASE_LIMIT)};
 }
 
+static int64_t shaft_angle(const ctl_packer* packer, uint32_t address)
+{
+    return (int64_t)ctl_bank_revolution_pulses(packer->bank, 1) * parameter(packer, address) / FULL_CIRCLE;
+}
+
+static void read_jaws(ctl_packer* packer)
+{
+    packer->settings.jaws_before = shaft_angle(packer, CTL_REG_PARAMETER_JAWS_BEFORE);
+    packer->settings.jaws_behind = shaft_angle(packer, CTL_REG_PARAMETER_JAWS_BEHIND);
+}
+
 static void read_sizes(ctl_packer* packer)
 {
     packer->mark_sensor.narrowest = film_um(packer, CTL_REG_PARAMETER_MARK_WIDTH_MIN);
@@ -66,7 +80,20 @@ static void read_sizes(ctl_packer* packer)
     packer->products.settings.maximum = film_tenths(packer, CTL_REG_PARAMETER_PRODUCT_LENGTH_MAX);
 }
 
-static void (*const pieces[])(ctl_packer* packer) = {read_clearance, read_marks, read_phase, read_sizes};
+/* The knife's way to its cut, some rows at a time. */
+static void sum_up_to_cut(ctl_packer* packer)
+{
+    ctl_packer_settings* settings = &packer->settings;
+    for (uint32_t i = 0; i < ROWS_AT_A_TIME && settings->ticks != 0; ++i) {
+        const ctl_row row = ctl_step_row(packer->bank, settings->row++);
+        const uint32_t ticks = row.ticks < settings->ticks ? row.ticks : settings->ticks;
+        packer->cut_pulses += ticks == row.ticks ? row.pulses : row.pulses * ticks / row.ticks;
+        settings->ticks -= ticks;
+    }
+}
+
+static void (*const pieces[])(ctl_packer* packer) = {read_clearance, read_marks, read_phase, read_sizes,
+                                                     read_jaws};
 #define PIECES (sizeof pieces / sizeof pieces[0])
 #define PIECES_OF_A_START 2u
 
@@ -77,15 +104,22 @@ bool ctl_packer_refresh_settings(ctl_packer* packer)
         settings->writes = packer->board->parameter_writes;
         settings->done = 0;
     }
-    if (settings->done == PIECES)
+    if (settings->done != PIECES) {
+        pieces[settings->done++](packer);
+        return true;
+    }
+    if (settings->ticks == 0)
         return false;
-    pieces[settings->done++](packer);
+    sum_up_to_cut(packer);
     return true;
 }
 
 void ctl_packer_read_settings(ctl_packer* packer)
 {
     packer->busy = true;
+    packer->settings.row = 0;
+    packer->settings.ticks = packer->cut;
+    packer->cut_pulses = 0;
     packer->settings.writes = packer->board->parameter_writes;
     for (packer->settings.done = 0; packer->settings.done != PIECES_OF_A_START; packer->settings.done += 1)
         pieces[packer->settings.done](packer);

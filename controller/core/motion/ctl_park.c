@@ -1,0 +1,89 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+#include "motion/ctl_park.h"
+
+#include "ctl_registers.h"
+
+#define US_PER_MS 1000u
+
+static uint64_t parameter_us(const ctl_board* board, uint32_t address)
+{
+    return (uint64_t)ctl_parameter16(board, address) * US_PER_MS;
+}
+
+void ctl_park_run(ctl_park* park)
+{
+    park->phase = CTL_PARK_OFF;
+    park->given_up = false;
+    park->away = false;
+    park->emergency = false;
+    park->closed = false;
+    park->told = false;
+}
+
+void ctl_park_forget(ctl_park* park)
+{
+    ctl_park_run(park);
+    park->known = false;
+}
+
+void ctl_park_begin_cycle(ctl_park* park, int64_t here)
+{
+    park->cycle_at = here;
+    park->known = true;
+}
+
+/* Negative: before the cut. */
+static int64_t from_cut(const ctl_park* park, const ctl_packer* packer, int64_t here)
+{
+    return here - park->cycle_at - (int64_t)packer->cut_pulses;
+}
+
+static bool touches(const ctl_park* park, const ctl_packer* packer, int64_t here)
+{
+    const int64_t from = from_cut(park, packer, here);
+    return park->known && ctl_packer_active(packer) && from > -packer->settings.jaws_before &&
+           from < packer->settings.jaws_behind;
+}
+
+bool ctl_park_begin(ctl_park* park, const ctl_board* board, const ctl_packer* packer, int64_t here)
+{
+    if (!touches(park, packer, here) || park->given_up || park->emergency)
+        return false;
+    if (!park->away)
+        park->place = here;
+    park->phase = CTL_PARK_WAITING;
+    park->waits_us = board->now_us;
+    return true;
+}
+
+bool ctl_park_is_due(const ctl_park* park, const ctl_board* board)
+{
+    return board->now_us - park->waits_us >= parameter_us(board, CTL_REG_PARAMETER_PARK_DELAY);
+}
+
+int64_t ctl_park_target(const ctl_park* park, const ctl_packer* packer, int64_t here)
+{
+    const int64_t from = from_cut(park, packer, here);
+    return here - from + (from < 0 ? -packer->settings.jaws_before : packer->settings.jaws_behind);
+}
+
+void ctl_park_watch(ctl_park* park, const ctl_board* board, ctl_packer* packer, int64_t here)
+{
+    if (!touches(park, packer, here)) {
+        park->closed = false;
+        return;
+    }
+    if (!park->closed)
+        park->closed_us = board->now_us;
+    park->closed = true;
+    if (park->told || !(park->emergency || ctl_park_is_closed_long(park, board)))
+        return;
+    park->told = true;
+    ctl_packer_burn(packer, from_cut(park, packer, here) < 0);
+}
+
+bool ctl_park_is_closed_long(const ctl_park* park, const ctl_board* board)
+{
+    return park->closed &&
+           board->now_us - park->closed_us > parameter_us(board, CTL_REG_PARAMETER_JAWS_CLOSED_MAX);
+}

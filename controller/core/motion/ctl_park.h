@@ -1,0 +1,55 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/* The jaws of a packing machine's knife after a stop: where they touch the film, the knife goes on to where
+ * they do not, as a part of the stop, and back to its place before the next run, so that film and knife stay
+ * in phase. Positions in pulses of the main axis. */
+#ifndef CTL_PARK_H
+#define CTL_PARK_H
+
+#include "base/ctl_board.h"
+#include "packer/ctl_packer.h"
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef enum { CTL_PARK_OFF, CTL_PARK_WAITING, CTL_PARK_OPENING, CTL_PARK_RETURNING } ctl_park_phase;
+
+typedef struct {
+    bool known; /* the knife's place in its cycle, since the table moved it */
+    ctl_park_phase phase;
+    bool given_up;    /* stopped while it opened: it stays until the next start */
+    bool away;        /* from `place`, where the table stands */
+    bool emergency;   /* the emergency stop has ended the run */
+    bool closed;      /* at standstill, since closed_us */
+    bool told;        /* the bags at the knife are marked */
+    int64_t cycle_at; /* where the knife's present cycle began */
+    int64_t place;
+    uint64_t waits_us; /* since then */
+    uint64_t closed_us;
+} ctl_park;
+
+/* The axis is moved by hand, or has another program. */
+void ctl_park_forget(ctl_park* park);
+/* A run begins or goes on. */
+void ctl_park_run(ctl_park* park);
+void ctl_park_begin_cycle(ctl_park* park, int64_t here);
+/* A run has come to rest here. Returns true when the knife is to be opened. */
+bool ctl_park_begin(ctl_park* park, const ctl_board* board, const ctl_packer* packer, int64_t here);
+/* Returns true when it has waited for `parameter.park_delay`. */
+bool ctl_park_is_due(const ctl_park* park, const ctl_board* board);
+/* Returns where the knife at `here` is open, the way there not leading through the cut. */
+int64_t ctl_park_target(const ctl_park* park, const ctl_packer* packer, int64_t here);
+/* At standstill: watches the jaws with the axis at `here`, and marks the bags at a knife that was closed for
+ * too long. */
+void ctl_park_watch(ctl_park* park, const ctl_board* board, ctl_packer* packer, int64_t here);
+/* Returns true while they have been closed for more than `parameter.jaws_closed_max`. */
+bool ctl_park_is_closed_long(const ctl_park* park, const ctl_board* board);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
