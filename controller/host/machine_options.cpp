@@ -56,6 +56,8 @@ constexpr std::array optionTable{
                   numberOf<&MachineOptions::film, &Film::markDistanceMm>},
     MachineOption{"print-error", "SHARE", "error of the printed mark distance, as a share of the bag length",
                   -0.1, 0.1, numberOf<&MachineOptions::film, &Film::printError>},
+    MachineOption{"knife-off", "MM", "place of the second of several knives behind its own, along the film",
+                  -5, 5, [](MachineOptions& options) -> double& { return options.knifeOffMm; }},
     MachineOption{"product-length", "MM", "mean length of the products; 0: 0.6 of the bag length", 0, 2000,
                   numberOf<&MachineOptions::products, &Products::lengthMm>},
     MachineOption{"product-length-scatter", "MM", "standard deviation of the product length", 0, 100,

@@ -172,6 +172,8 @@ void Machine::setKnife(const ctl_bank& bank)
 {
     m_stroke = m_revolution / bank.registers[CTL_OFFSET_PROGRAM_KNIVES];
     m_cutOffset = pulsesAtAngle(bank, bank.registers[CTL_OFFSET_BANK_CUT_ANGLE]);
+    const double radiusMm = wide(bank, CTL_OFFSET_PROGRAM_KNIFE_RADIUS) / umPerMm;
+    m_pulsesPerMm = m_revolution / (2.0 * std::numbers::pi * radiusMm);
     const double bagMm = wide(bank, CTL_OFFSET_PROGRAM_BAG_LENGTH) / umPerMm;
     const double cutShare = bank.registers[CTL_OFFSET_BANK_CUT_ANGLE] / fullCircle;
     m_film.load(bagMm, bagMm * cutShare, rollMm(m_filmMotor.position()));
@@ -208,14 +210,23 @@ void Machine::moveFilm(double stepS)
     m_eye.advance(stepS, infeedBefore, infeed);
 }
 
+// The shaft's position at a cut of the knives in turn.
+double Machine::positionOfCut(double stroke) const
+{
+    const double knives = std::round(m_revolution / m_stroke);
+    const double knife = stroke - knives * std::floor(stroke / knives);
+    const double offMm = knife == 1.0 ? m_options.knifeOffMm : 0.0;
+    return m_mark + m_cutOffset + stroke * m_stroke + offMm * m_pulsesPerMm;
+}
+
 void Machine::passCut()
 {
     const double before = m_main.positionBefore();
-    const double first = m_mark + m_cutOffset;
-    const double strokes = std::floor((m_main.position() - first) / m_stroke);
-    if (strokes <= std::floor((before - first) / m_stroke))
+    const double stroke = std::floor((m_main.position() - m_mark - m_cutOffset) / m_stroke + 0.5);
+    const double at = positionOfCut(stroke);
+    if (at <= before || at > m_main.position())
         return;
-    const double passed = (first + strokes * m_stroke - before) / (m_main.position() - before);
+    const double passed = (at - before) / (m_main.position() - before);
     const double film =
         m_filmMotor.positionBefore() + passed * (m_filmMotor.position() - m_filmMotor.positionBefore());
     const double drawnMm = m_film.drawnMm(rollMm(film));

@@ -41,6 +41,7 @@ struct MachineOptions {
     double flightPulses = 20'000.0; // infeed motor, per product
     PressOptions press;
     DriveOptions drive;
+    double knifeOffMm = 0.0;   // the second of several knives cuts so far behind its place, along the film
     double jawsDegrees = 20.0; // of the shaft, so far before and behind the cut they touch the film
     std::uint16_t inputs = 0;  // bits of InputBit that are on at power-up
 };
@@ -115,6 +116,7 @@ private:
     void setPress(const ctl_bank& bank);
     void passIndex();
     void passCut();
+    [[nodiscard]] double positionOfCut(double stroke) const;
     void moveFilm(double stepS);
     [[nodiscard]] double rollMm(double pulses) const;
 
@@ -131,6 +133,7 @@ private:
     double m_mark = 0.0;           // position of an index mark, pulses
     double m_stroke = 10000.0;     // pulses from one knife to the next
     double m_cutOffset = 0.0;      // pulses from an index mark to the cut
+    double m_pulsesPerMm = 0.0;    // of the knife's tip
     bool m_hasKnife = false;
     Film m_film;
     Infeed m_infeed;

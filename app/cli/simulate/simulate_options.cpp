@@ -70,6 +70,8 @@ constexpr Disturbance disturbances[] = {
      [](Machine& machine) -> double& { return machine.film.printError; }},
     {"film-misplaced", "offset of the first cut from its mark", "MM", -longestMm, longestMm,
      [](Machine& machine) -> double& { return machine.film.misplacedMm; }},
+    {"knife-off", "place of the second of several knives behind its own, along the film", "MM", -5, 5,
+     [](Machine& machine) -> double& { return machine.knifeOffMm; }},
     {"product-length", "length of the products; 0: 0.6 of the bag", "MM", 0, longestMm,
      [](Machine& machine) -> double& { return machine.products.lengthMm; }},
     {"product-scatter", "standard deviation of the product positions", "MM", 0, longestMm,
