@@ -66,7 +66,8 @@ std::vector<BagRecord> bagsOf(std::span<const std::uint16_t> ring, std::uint32_t
         bags.push_back({number, signedUm(record[0]), signedUm(record[1]), signedUm(record[2]), flags >> 8,
                         hasBit(flags, BagBit::Tracked), hasBit(flags, BagBit::MarkMissed),
                         hasBit(flags, BagBit::ProductAcross), hasBit(flags, BagBit::Empty),
-                        hasBit(flags, BagBit::ChangeOver), hasBit(flags, BagBit::StartUp)});
+                        hasBit(flags, BagBit::ChangeOver), hasBit(flags, BagBit::StartUp),
+                        hasBit(flags, BagBit::Burned)});
     }
     return bags;
 }
@@ -136,6 +137,8 @@ PackerStatus decodePacker(std::span<const std::uint16_t> registers)
     status.bagNumber = reader.u32("packer.bag_number");
     status.bags = bagsOf(reader.block("packer.bags"), status.bagNumber);
     status.filmPositionUm = reader.u32("packer.film_position");
+    if (registers.size() == packerRegisters())
+        status.knife = static_cast<int>(reader.u32("packer.knife"));
     readView(reader, status);
     return status;
 }

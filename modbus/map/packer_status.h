@@ -30,8 +30,10 @@ struct BagRecord {
     bool isEmpty = false;
     bool isChangeOver = false; // begun under one program, cut under another
     bool isStartUp = false;    // start-up scrap: made before the film was in register
+    bool isBurned = false;     // the jaws stood closed at one of its ends
 
-    [[nodiscard]] bool isScrap() const { return isStartUp || isChangeOver; } // rejected by the machine
+    // Rejected by the machine.
+    [[nodiscard]] bool isScrap() const { return isStartUp || isChangeOver || isBurned; }
 
     bool operator==(const BagRecord&) const = default;
 };
@@ -79,6 +81,7 @@ struct PackerStatus {
     int marksWaiting = 0;
     std::uint32_t bagNumber = 0;
     std::vector<BagRecord> bags;      // the newest, oldest first; at most bagRecords
+    std::optional<int> knife;         // that cut the newest one, from 1; empty before map 1.6
     std::uint32_t filmPositionUm = 0; // lower 32 bits
     std::vector<FilmCut> cuts;        // starting at the knife
     std::vector<FilmMark> seenMarks;

@@ -37,6 +37,12 @@ constexpr double max32 = 4294967295.0;
                           "time for which this input must have changed before it counts", {}, 0, 100, 0,     \
                           1.0, "ms"))
 
+// The place of a knife, by its number behind the index mark.
+#define CAMPANEL_KNIFE(number, address)                                                                      \
+    since(6, rwI16("parameter.knife_" number, address,                                                       \
+                   "film by which this knife of several cuts behind its place, as seen from the first one",  \
+                   -5, 5, 0, 0.001, "mm"))
+
 constexpr std::array registerTable{
     ro16("identity.device_type", 0x0000, "0xCA3D on every CamPanel controller"),
     ro16("identity.map_major", 0x0001,
@@ -165,6 +171,18 @@ constexpr std::array registerTable{
     since(6, rw16("parameter.jaws_closed_max", 0x00E9,
                   "time on standing film after which closed jaws spoil both bags", {}, 100, 60000, 1000, 1.0,
                   "ms")),
+    // The places of knives that are not evenly spaced.
+    CAMPANEL_KNIFE("2", 0x00EA),
+    CAMPANEL_KNIFE("3", 0x00EB),
+    CAMPANEL_KNIFE("4", 0x00EC),
+    CAMPANEL_KNIFE("5", 0x00ED),
+    CAMPANEL_KNIFE("6", 0x00EE),
+    CAMPANEL_KNIFE("7", 0x00EF),
+    CAMPANEL_KNIFE("8", 0x00F0),
+    CAMPANEL_KNIFE("9", 0x00F1),
+    CAMPANEL_KNIFE("10", 0x00F2),
+    CAMPANEL_KNIFE("11", 0x00F3),
+    CAMPANEL_KNIFE("12", 0x00F4),
 
     // Status block: the answer to the periodic FC23 exchange. 40 registers, so that 9600 baud still carries 8
     // a second.
@@ -261,6 +279,8 @@ constexpr std::array registerTable{
                  "distances of the marks on the film, as above; bit 0 set: estimated, not seen")),
     cutter(block("packer.seen_products", 0x0198, 2 * viewProducts, Access::ReadOnly,
                  "products on the film: leading and trailing edge, as above")),
+    since(6, cutter(ro16("packer.knife", 0x01A8,
+                         "knife of the newest bag's cut, the first one behind the index mark is 1"))),
 
     // The pins, and what only some drives give. Read while somebody looks at it.
     ro16("io.available", 0x01B0, "which of the following values this machine has", "IoBit"),
@@ -332,6 +352,7 @@ constexpr std::array registerTable{
 };
 
 #undef CAMPANEL_CAM_SWITCH
+#undef CAMPANEL_KNIFE
 
 static_assert(isConsistent(registerTable));
 

@@ -5,6 +5,8 @@
 #include "app/panel/kit/format.h"
 
 #include <array>
+#include <charconv>
+#include <string>
 
 namespace campanel::panel {
 
@@ -13,6 +15,15 @@ namespace {
 constexpr std::string_view markDeadTime = "parameter.mark_dead_time";
 constexpr const char* markWidthMin = "parameter.mark_width_min";
 constexpr const char* markWidthMax = "parameter.mark_width_max";
+
+constexpr const char* knifeWords =
+    QT_TRANSLATE_NOOP("campanel::panel::PackingFields", "Knife %1 cuts behind its place by");
+constexpr std::string_view knifePrefix = "parameter.knife_";
+
+std::string knifeName(int knife)
+{
+    return std::string(knifePrefix) + std::to_string(knife);
+}
 
 struct Listed {
     const char* name;
@@ -102,9 +113,16 @@ constexpr std::array listed{
 PackingFields::PackingFields(Controller& controller, QObject* parent)
     : ParameterFields(controller, parent)
 {
+    setKnives(1);
+}
+
+void PackingFields::setKnives(int knives)
+{
     std::vector<Field> fields;
     for (const Listed& field : listed)
-        fields.push_back({&controller.parameter(field.name), field.words, field.isSwitch});
+        fields.push_back({&controller().parameter(field.name), field.words, field.isSwitch});
+    for (int knife = 2; knife <= knives; ++knife)
+        fields.push_back({&controller().parameter(knifeName(knife)), knifeWords});
     setFields(std::move(fields));
 }
 
@@ -114,7 +132,31 @@ QString PackingFields::words(const QString& name)
         if (name == QLatin1String(field.name))
             return tr(field.words);
     }
-    return {};
+    const int knife = knifeOf(name.toStdString());
+    return knife > 0 ? tr(knifeWords).arg(knife) : QString();
+}
+
+int PackingFields::knifeOf(std::string_view name)
+{
+    int knife = 0;
+    if (name.starts_with(knifePrefix))
+        std::from_chars(name.data() + knifePrefix.size(), name.data() + name.size(), knife);
+    return knife;
+}
+
+QString PackingFields::label(const Field& field) const
+{
+    const int knife = knifeOf(field.info().name);
+    return knife > 0 ? tr(field.words).arg(knife) : tr(field.words);
+}
+
+void PackingFields::suggestKnives(const program::KnifePlaces& places)
+{
+    for (int knife = 2; knife <= places.knives(); ++knife) {
+        Field& field = find(knifeName(knife));
+        field.suggestion = field.value() ? places.offered(knife, *field.value()) : std::nullopt;
+    }
+    notifyChange();
 }
 
 void PackingFields::suggest(const std::optional<GainSuggestion>& gains, int bags)

@@ -5,6 +5,7 @@
 #include "app/panel/controller/parameter_fields.h"
 #include "app/panel/packing/gain_estimate.h"
 #include "app/program/dead_time_estimate.h"
+#include "app/program/knife_places.h"
 
 namespace campanel::panel {
 
@@ -20,11 +21,16 @@ public:
     // Returns the label of a parameter; empty for one that is not in this list. `name` as in the register
     // table.
     [[nodiscard]] static QString words(const QString& name);
+    // Returns the number of the knife whose place this parameter is; 0 for another one.
+    [[nodiscard]] static int knifeOf(std::string_view name);
     void suggest(const std::optional<GainSuggestion>& gains, int bags);
     void suggestDeadTime(const program::DeadTimeEstimate& estimate);
+    // Lists the places of the knives behind the first one; none of a shaft with one knife.
+    void setKnives(int knives);
+    void suggestKnives(const program::KnifePlaces& places);
 
 protected:
-    [[nodiscard]] QString label(const Field& field) const override { return tr(field.words); }
+    [[nodiscard]] QString label(const Field& field) const override;
     [[nodiscard]] QString note(const Field& field) const override;
     [[nodiscard]] QString objection(const Field& field, double value) const override;
 

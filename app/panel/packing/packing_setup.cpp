@@ -37,7 +37,14 @@ PackingSetup::PackingSetup(Controller& controller, QObject* parent)
     connect(&controller, &Controller::programChanged, this, [this] {
         m_estimate.clear();
         m_fields.suggest(std::nullopt, 0);
+        followKnives();
         emit changed();
+    });
+    connect(controller.packing(), &PackingLine::bagRecorded, this, &PackingSetup::takeBag);
+    // Bags of another place tell nothing of the new one.
+    connect(&m_fields, &PackingFields::written, this, [this](const QString& name) {
+        if (PackingFields::knifeOf(name.toStdString()) > 0)
+            m_knives.begin(m_knives.knives());
     });
     connect(&m_sensor, &MarkSensor::changed, this, [this] { m_fields.suggestDeadTime(m_sensor.estimate()); });
     connect(&m_fields, &PackingFields::changed, this, &PackingSetup::changed);
@@ -87,6 +94,30 @@ void PackingSetup::followTeaching()
         m_teaching = Teaching::UnderWay;
     else if (m_teaching == Teaching::UnderWay && m_controller.packing()->teachMarks() >= marksToTeach)
         m_teaching = Teaching::No;
+}
+
+// Another shaft has other knives.
+void PackingSetup::followKnives()
+{
+    const auto& program = m_controller.program();
+    const int knives = program && program->recipe.isCutter() ? program->recipe.machine.knives : 1;
+    if (knives == m_knives.knives())
+        return;
+    m_knives.begin(knives);
+    m_fields.setKnives(knives);
+    if (knives > 1)
+        m_fields.read();
+}
+
+void PackingSetup::takeBag(const modbus::BagRecord& bag)
+{
+    const auto& status = m_controller.packing()->status();
+    const int knives = m_knives.knives();
+    if (knives < 2 || !status || !status->knife || bag.isScrap() || bag.lengths > 1)
+        return;
+    const auto back = static_cast<int>(status->bagNumber - bag.number);
+    m_knives.take((*status->knife - 1 - back % knives + knives) % knives + 1, bag.deviationMm);
+    m_fields.suggestKnives(m_knives);
 }
 
 void PackingSetup::followMarks()

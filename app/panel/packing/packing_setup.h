@@ -55,6 +55,8 @@ private:
     enum class Teaching { No, Asked, Accepted, UnderWay };
 
     void followMarks();
+    void followKnives();
+    void takeBag(const modbus::BagRecord& bag);
     void followTeaching();
     void takeCommand(const link::CommandOutcome& outcome);
 
@@ -63,6 +65,7 @@ private:
     MarkWizard m_wizard;
     MarkSensor m_sensor;
     GainEstimate m_estimate;
+    program::KnifePlaces m_knives{1};
     Teaching m_teaching = Teaching::No;
     QString m_refusal; // refusal of the last teaching
 };

@@ -173,6 +173,8 @@ static void begin_cycle(ctl_packer* packer, const ctl_bank* bank)
     packer->cut_before = false;
     packer->changed = false;
     packer->skips_in_row = 0;
+    if (packer->broken_off)
+        ctl_knives_reset(&packer->knives, bank->registers[CTL_OFFSET_PROGRAM_KNIVES]);
     packer->broken_off = false;
     ctl_gate_reset(&packer->film_gate, packer->cycle, packer->engage, packer->release);
     ctl_gate_reset(&packer->knife_gate, packer->cycle, packer->engage, packer->release);

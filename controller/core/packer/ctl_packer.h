@@ -13,6 +13,7 @@
 #include "packer/ctl_edges.h"
 #include "packer/ctl_feed.h"
 #include "packer/ctl_gate.h"
+#include "packer/ctl_knives.h"
 #include "packer/ctl_mark_sensor.h"
 #include "packer/ctl_marks.h"
 #include "packer/ctl_past.h"
@@ -113,6 +114,7 @@ typedef struct {
     uint64_t end_ticks; /* the drive's, as they are expected at the next call */
     int64_t lag;        /* at full speed: film position at a cut minus the command that was meant for it */
     ctl_phase phase;
+    ctl_knives knives;
     uint16_t alarms; /* bits CTL_WARNING_BIT_... until the next start */
     ctl_last_cut last_cut;
     uint32_t skips_in_row; /* since the last cut */

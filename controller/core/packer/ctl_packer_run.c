@@ -83,10 +83,16 @@ static void plan_cut(ctl_packer* packer, const ctl_drive* drive)
         packer->marks.state == CTL_MARK_STATE_OFF || packer->marks.state == CTL_MARK_STATE_SEARCHING
             ? NULL
             : ctl_marks_near(&packer->marks, even + packer->next.lag, packer->bag / 2);
+    const int32_t place_um = ctl_knives_next_um(&packer->knives, packer->board);
+    const int64_t place = place_um == 0 ? 0 : ctl_packer_film(packer, place_um);
     int64_t shift = 0;
     ctl_phase_none(&packer->phase);
     if (mark != NULL)
-        shift = allowed_shift(packer, drive, mark, mark->at - packer->next.lag - even);
+        shift = allowed_shift(packer, drive, mark, mark->at - packer->next.lag - even - place);
+    else if (place != packer->knives.in_film)
+        shift = ctl_phase_allow(&packer->phase, &packer->settings.phase, CTL_PHASE_LIMITED,
+                                packer->knives.in_film - place, 0);
+    packer->knives.in_film = mark != NULL ? place : packer->knives.in_film - shift;
     packer->next.command = even;
     packer->next.tracked = mark != NULL && packer->marks.state == CTL_MARK_STATE_TRACKING;
     packer->next.seen = mark != NULL && mark->seen;
@@ -270,7 +276,9 @@ void ctl_packer_on_cut(ctl_packer* packer, int64_t film, const ctl_ramp* ramp)
         return;
     ctl_last_cut* last = &packer->last_cut;
     const ctl_mark* mark = ctl_marks_near(&packer->marks, film, packer->bag / 2);
-    if (packer->cut_before)
+    ctl_knives_cut(&packer->knives);
+    /* The place of another knife is no lag. */
+    if (packer->cut_before && (packer->knives.last == 0 || packer->lag == 0))
         learn_lag(packer, film - packer->next.command, ramp);
     const int64_t mark_before = last->mark_at;
     last->at = film;

@@ -15,8 +15,7 @@ _Static_assert(CTL_REG_PACKER_BAGS + CTL_BAG_REGISTERS * CTL_BAG_RECORDS == CTL_
                "the records fill their place in the group");
 _Static_assert(CTL_REG_PACKER_CUTS + CTL_VIEW_CUTS == CTL_REG_PACKER_SEEN_MARKS, "so do the cuts in view");
 _Static_assert(CTL_REG_PACKER_SEEN_MARKS + CTL_VIEW_MARKS == CTL_REG_PACKER_SEEN_PRODUCTS, "so do the marks");
-_Static_assert(CTL_REG_PACKER_SEEN_PRODUCTS + 2u * CTL_VIEW_PRODUCTS <=
-                   CTL_REG_PACKER_MARK_STATE + CTL_GROUP_PACKER,
+_Static_assert(CTL_REG_PACKER_SEEN_PRODUCTS + 2u * CTL_VIEW_PRODUCTS == CTL_REG_PACKER_KNIFE,
                "so do the products");
 _Static_assert(CTL_VIEW_MARKS <= CTL_WAITING_MARKS && CTL_VIEW_PRODUCTS <= CTL_PRODUCTS,
                "as many as are shown are kept");
@@ -137,4 +136,5 @@ void ctl_packer_registers(const ctl_packer* packer, uint16_t* registers)
     put(registers, CTL_REG_PACKER_FILM_FOLLOWING_ERROR,
         film_um16(packer, packer->film_sent * CTL_FINE - packer->film_actual));
     put_view(packer, registers);
+    put(registers, CTL_REG_PACKER_KNIFE, (uint16_t)(packer->knives.last + 1u));
 }
