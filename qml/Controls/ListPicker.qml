@@ -41,7 +41,6 @@ Sheet {
         delegate: ChoiceRow {
             required property var modelData
             objectName: "choice_" + modelData.key
-            width: list.width - scrollMark.room
             text: modelData.text
             note: modelData.note ?? ""
             glyph: modelData.glyph ?? ""
@@ -49,5 +48,5 @@ Sheet {
             onClicked: picker.choose(modelData.key)
         }
     }
-    ScrollMark { id: scrollMark; view: list }
+    ScrollMark { view: list }
 }

@@ -41,7 +41,6 @@ DigitPanel {
         delegate: ChoiceRow {
             required property var modelData
             objectName: "login_" + modelData.name
-            width: list.width - scrollMark.room
             text: modelData.name
             note: modelData.levelText
             holds: Access.chosen === modelData.id
@@ -53,5 +52,5 @@ DigitPanel {
             }
         }
     }
-    ScrollMark { id: scrollMark; view: list }
+    ScrollMark { view: list }
 }

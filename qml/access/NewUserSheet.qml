@@ -41,7 +41,6 @@ Sheet {
                 width: parent.width
                 label: qsTr("Name")
                 value: sheet.name.length > 0 ? sheet.name : Theme.unknownText
-                glyph: Theme.icon.edit
                 onClicked: sheet.nameRequested(sheet.level, sheet.name)
             }
             Repeater {

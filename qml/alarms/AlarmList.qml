@@ -20,16 +20,16 @@ Item {
         objectName: panel.listName
         anchors.fill: parent
         clip: true
+        spacing: Theme.size.outline
         boundsBehavior: Flickable.StopAtBounds
         model: panel.rows
         delegate: AlarmRow {
             required property int index
             objectName: panel.listName + index
-            width: list.width - scrollMark.room
             onClicked: panel.opened(index)
         }
     }
-    ScrollMark { id: scrollMark; view: list }
+    ScrollMark { view: list }
     Column {
         anchors { left: parent.left; right: parent.right; verticalCenter: parent.verticalCenter; margins: Theme.size.padding }
         visible: list.count === 0

@@ -13,40 +13,21 @@ Item {
         id: list
         anchors.fill: parent
         clip: true
+        spacing: Theme.size.outline
         boundsBehavior: Flickable.StopAtBounds
         model: Alarms.shelved
-        delegate: Rectangle {
+        delegate: ListRow {
             id: row
             required property int index
             required property string code
             required property string title
             required property string until
             required property string by
-            width: list.width - scrollMark.room
-            height: Theme.size.touch + Theme.size.accent
-            color: Theme.color.surface
-            Rectangle {
-                anchors.bottom: parent.bottom
-                width: parent.width
-                height: Theme.size.hairline
-                color: Theme.color.line
-            }
-            Column {
-                anchors { left: parent.left; right: back.left; margins: Theme.size.padding; verticalCenter: parent.verticalCenter }
-                Label {
-                    width: parent.width
-                    text: row.title
-                    fontSizeMode: Text.HorizontalFit
-                }
-                Label {
-                    objectName: "shelvedState"
-                    width: parent.width
-                    text: row.by.length > 0 ? Theme.fill(qsTr("%1 · %2 · by %3"), [row.code, row.until, row.by]) : Theme.fill(qsTr("%1 · %2"), [row.code, row.until])
-                    fontSizeMode: Text.HorizontalFit
-                    color: Theme.color.secondaryInk
-                    font.pixelSize: Theme.size.caption
-                }
-            }
+            tappable: false
+            text: title
+            note: by.length > 0 ? Theme.fill(qsTr("%1 · %2 · by %3"), [code, until, by]) : Theme.fill(qsTr("%1 · %2"), [code, until])
+            noteLabel.objectName: "shelvedState"
+            rightPadding: back.width
             Button {
                 id: back
                 objectName: "unshelve" + row.index
@@ -56,7 +37,7 @@ Item {
             }
         }
     }
-    ScrollMark { id: scrollMark; view: list }
+    ScrollMark { view: list }
     Label {
         objectName: "alarmsEmpty"
         anchors { left: parent.left; right: parent.right; verticalCenter: parent.verticalCenter; margins: Theme.size.padding }

@@ -97,14 +97,13 @@ Sheet {
             delegate: AuditRow {
                 required property int index
                 objectName: "audit" + index
-                width: list.width - scrollMark.room
                 onClicked: {
                     Audit.select(index)
                     sheet.mode = "detail"
                 }
             }
         }
-        ScrollMark { id: scrollMark; view: list }
+        ScrollMark { view: list }
         Row {
             id: chain
             anchors { left: parent.left; right: parent.right; bottom: parent.bottom }
@@ -136,14 +135,12 @@ Sheet {
         delegate: ChoiceRow {
             required property var modelData
             objectName: "choice_" + modelData.key
-            width: picker.width - pickerMark.room
             text: modelData.text
             holds: modelData.key === (sheet.mode === "who" ? Audit.who : Audit.area)
             onClicked: sheet.choose(modelData.key)
         }
     }
     ScrollMark {
-        id: pickerMark
         view: picker
         opacity: sheet.chooses ? 1 : 0
     }

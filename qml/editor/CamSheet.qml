@@ -52,6 +52,7 @@ Sheet {
             anchors { left: parent.left; top: parent.top; bottom: tools.top; bottomMargin: Theme.size.spacing }
             width: Math.round(parent.width * 0.42)
             clip: true
+            spacing: Theme.size.outline
             boundsBehavior: Flickable.StopAtBounds
             currentIndex: sheet.handles.selected
             onCurrentIndexChanged: positionViewAtIndex(currentIndex, ListView.Contain)

@@ -22,7 +22,7 @@ CamSheet {
         objectName: "knot" + index
         text: qsTr("Knot %1").arg(number)
         place: masterText + "°"
-        detail: Theme.joined(slaveText, Theme.shownUnit("mm"))
+        note: Theme.joined(slaveText, Theme.shownUnit("mm"))
         onClicked: sheet.handles.selected = index
     }
     Repeater {

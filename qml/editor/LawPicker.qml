@@ -52,7 +52,6 @@ Sheet {
             required property bool compared
             required usable
             objectName: "law_" + lawId
-            width: list.width - scrollMark.room
             text: name
             notes: [strength, weakness]
             holds: current
@@ -66,7 +65,7 @@ Sheet {
             onPressAndHold: Editor.compareLaw(compared ? "" : lawId)
         }
     }
-    ScrollMark { id: scrollMark; view: list }
+    ScrollMark { view: list }
     Item {
         id: comparison
         visible: sheet.compares

@@ -6,30 +6,31 @@ import CamPanel.Theme
 import CamPanel.Controls
 import CamPanel.Plot
 
-TouchButton {
+ListRow {
     id: row
-    Accessible.role: row.header ? Accessible.StaticText : Accessible.Button
     Accessible.name: row.header ? row.headings.join(", ") : row.text
 
     property var shape: []                 // the picture of the law
     property list<string> notes            // strength, weakness
-    property bool holds
     property bool header
     property bool marked                   // drawn in gray in the background
     property bool usable: true             // exceeds no limit
     required property list<string> cells
     readonly property var headings: cells
+    readonly property real cellWidth: firstLine.width * (cells.length > 5 ? 0.115 : cells.length > 4 ? 0.13 : 0.15)
 
-    readonly property real cellWidth: words.width * (cells.length > 5 ? 0.115 : cells.length > 4 ? 0.13 : 0.15)
-    implicitHeight: Math.max(Theme.size.touch, words.height + Theme.size.padding)
     enabled: !header
+    tappable: !header
+    mark: ""
+    frame: header ? 0 : holds || marked ? Theme.size.outline : Theme.size.hairline
+    frameColor: holds ? Theme.color.touch : marked ? Theme.color.target : Theme.color.line
+    leftPadding: drawing.width
+    rightRoom: cells.length * cellWidth
+    firstLine.height: Math.max(titleLabel.height, figures.height)
+    titleLabel.color: usable ? Theme.color.ink : Theme.color.secondaryInk
+    note: Array.from(notes, (text, i) => (i === 0 ? "+ " : "\u2212 ") + text).join("\n")
+    noteLabel { wrapMode: Text.WordWrap; fontSizeMode: Text.FixedSize }
 
-    background: Rectangle {
-        visible: !row.header
-        radius: Theme.size.radius
-        color: row.holds || row.down ? Theme.color.touchTint : Theme.color.inset
-        border { width: row.holds || row.marked ? Theme.size.outline : Theme.size.hairline; color: row.holds ? Theme.color.touch : row.marked ? Theme.color.target : Theme.color.line }
-    }
     CurveThumbnail {
         id: drawing
         x: Theme.size.spacing
@@ -41,67 +42,34 @@ TouchButton {
         color: row.holds ? Theme.color.touch : Theme.color.secondaryInk
         lineWidth: Theme.size.curve
     }
-    Column {
-        id: words
-        anchors { left: drawing.right; leftMargin: Theme.size.padding; right: parent.right; rightMargin: Theme.size.spacing; verticalCenter: parent.verticalCenter }
-        spacing: Theme.size.outline
-
-        Row {
-            width: parent.width
-            Label {
-                width: parent.width - row.cells.length * row.cellWidth
-                text: row.text
-                fontSizeMode: Text.HorizontalFit
-                color: row.usable ? Theme.color.ink : Theme.color.secondaryInk
-                font.weight: Font.DemiBold
-            }
-            Repeater {
-                model: row.cells
-                Label {
-                    required property string modelData
-                    anchors.verticalCenter: parent?.verticalCenter
-                    width: row.cellWidth
-                    leftPadding: Theme.size.spacing
-                    rightPadding: Theme.size.accent
-                    horizontalAlignment: Text.AlignRight
-                    fontSizeMode: Text.HorizontalFit
-                    wrapMode: Text.WordWrap
-                    text: modelData
-                    color: row.header ? Theme.color.secondaryInk : row.usable ? Theme.color.ink : Theme.color.secondaryInk
-                    font { pixelSize: Theme.size.caption; weight: row.header ? Font.Normal : Font.DemiBold }
-                }
-            }
-        }
-        Label {
-            visible: !row.usable
-            width: parent.width
-            wrapMode: Text.WordWrap
-            text: row.holds ? qsTr("This law exceeds a limit with this recipe.") : qsTr("This law exceeds a limit with this recipe. Hold the law to compare.")
-            color: row.holds || row.down ? Theme.color.ink : Theme.color.fault
-            font.pixelSize: Theme.size.caption
-        }
+    Row {
+        id: figures
+        parent: row.firstLine
+        anchors { right: parent?.right; verticalCenter: parent?.verticalCenter }
         Repeater {
-            model: row.notes
-            Row {
-                id: sentence
+            model: row.cells
+            Label {
                 required property string modelData
-                required property int index
-                width: words.width
-                Label {
-                    id: sign
-                    width: Theme.size.caption
-                    text: sentence.index === 0 ? "+" : "\u2212"
-                    color: Theme.color.secondaryInk
-                    font { pixelSize: Theme.size.caption; bold: true }
-                }
-                Label {
-                    width: parent.width - sign.width
-                    wrapMode: Text.WordWrap
-                    text: sentence.modelData
-                    color: Theme.color.secondaryInk
-                    font.pixelSize: Theme.size.caption
-                }
+                anchors.verticalCenter: parent?.verticalCenter
+                width: row.cellWidth
+                leftPadding: Theme.size.spacing
+                rightPadding: Theme.size.accent
+                horizontalAlignment: Text.AlignRight
+                fontSizeMode: Text.HorizontalFit
+                wrapMode: Text.WordWrap
+                text: modelData
+                color: row.header ? Theme.color.secondaryInk : row.titleLabel.color
+                font { pixelSize: Theme.size.caption; weight: row.header ? Font.Normal : Font.DemiBold }
             }
         }
+    }
+    Label {
+        parent: row.words
+        visible: !row.usable
+        width: parent?.width ?? 0
+        wrapMode: Text.WordWrap
+        text: row.holds ? qsTr("This law exceeds a limit with this recipe.") : qsTr("This law exceeds a limit with this recipe. Hold the law to compare.")
+        color: row.holds || row.down ? Theme.color.ink : Theme.color.fault
+        font.pixelSize: Theme.size.caption
     }
 }

@@ -23,6 +23,9 @@ Sheet {
     component Switch: ChoiceRow {
         width: sheet.half
     }
+    component Tool: ListRow {
+        width: sheet.half
+    }
 
     Flickable {
         id: list
@@ -66,33 +69,29 @@ Sheet {
                 holds: sheet.page.compare
                 onClicked: sheet.page.compare = !sheet.page.compare
             }
-            SettingRow {
+            Tool {
                 objectName: "mapButton"
                 visible: sheet.isCutter
-                width: sheet.half
-                label: qsTr("Fastest rate over length")
-                value: qsTr("Regime map")
+                text: qsTr("Regime map")
+                note: qsTr("Fastest rate over length")
                 onClicked: Frame.open("Editor/RegimeSheet", {})
             }
-            SettingRow {
+            Tool {
                 objectName: "tableButton"
-                width: sheet.half
-                label: qsTr("Rows, pulses, errors")
-                value: Editor.table.name.length > 0 ? Editor.table.name : qsTr("Table")
+                text: Editor.table.name.length > 0 ? Editor.table.name : qsTr("Table")
+                note: qsTr("Rows, pulses, errors")
                 onClicked: Frame.open("Editor/TableSheet", {})
             }
-            SettingRow {
+            Tool {
                 objectName: "kindButton"
-                width: sheet.half
-                label: qsTr("Program")
-                value: Editor.kinds[Editor.kind - 1].name
+                text: qsTr("Program")
+                note: Editor.kinds[Editor.kind - 1].name
                 onClicked: sheet.kindRequested()
             }
-            SettingRow {
+            Tool {
                 objectName: "proofButton"
-                width: sheet.half
-                label: qsTr("Edited, active, saved")
-                value: qsTr("Compare")
+                text: qsTr("Compare")
+                note: qsTr("Edited, active, saved")
                 onClicked: Frame.open("Download/ProofSheet", {})
             }
             FieldTile {

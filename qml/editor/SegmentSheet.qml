@@ -22,7 +22,7 @@ CamSheet {
         objectName: "segment" + index
         text: qsTr("Segment %1").arg(number)
         place: rangeText
-        detail: jumps ? qsTr("%1 · jump at the start").arg(motionText) : motionText
+        note: jumps ? qsTr("%1 · jump at the start").arg(motionText) : motionText
         warns: jumps
         onClicked: sheet.handles.selected = index
     }

@@ -15,7 +15,6 @@ ListPicker {
         id: row
         required property var modelData
         objectName: "choice_" + modelData.key
-        width: ListView.view?.width ?? 0
         leftPadding: drawing.width + Theme.size.padding
         text: modelData.text
         note: modelData.note ?? ""
@@ -26,7 +25,7 @@ ListPicker {
             x: Theme.size.padding
             anchors.verticalCenter: parent.verticalCenter
             width: 1.2 * height
-            height: row.height - 2 * Theme.size.spacing
+            height: Theme.size.touch - 2 * Theme.size.spacing
             points: row.modelData.shape
             color: row.holds ? Theme.color.touch : Theme.color.secondaryInk
             lineWidth: Theme.size.curve

@@ -2655,6 +2655,13 @@ Und %2 weitere.</translation>
     </message>
 </context>
 <context>
+    <name>RegisterRow</name>
+    <message>
+        <source>%1 · can be written</source>
+        <translation>%1 · beschreibbar</translation>
+    </message>
+</context>
+<context>
     <name>RegistersSection</name>
     <message>
         <source>Group</source>

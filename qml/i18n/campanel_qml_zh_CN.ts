@@ -2655,6 +2655,13 @@ And %2 more.</source>
     </message>
 </context>
 <context>
+    <name>RegisterRow</name>
+    <message>
+        <source>%1 · can be written</source>
+        <translation>%1 · 可写</translation>
+    </message>
+</context>
+<context>
     <name>RegistersSection</name>
     <message>
         <source>Group</source>

@@ -39,7 +39,6 @@ Sheet {
             required property string title
             required note
             objectName: "candidate" + index
-            width: list.width - scrollMark.room
             text: title
             holds: sheet.chosen === index
             onClicked: {
@@ -49,7 +48,6 @@ Sheet {
         }
     }
     ScrollMark {
-        id: scrollMark
         view: list
         x: list.width - width
     }

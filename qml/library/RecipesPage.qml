@@ -191,12 +191,11 @@ Page {
             delegate: RecipeRow {
                 required property int index
                 objectName: "recipe" + index
-                width: list.width - scrollMark.room
                 holds: Recipes.chosen === index
                 onClicked: Recipes.choose(index)
             }
         }
-        ScrollMark { id: scrollMark; view: list }
+        ScrollMark { view: list }
         Label {
             objectName: "recipesEmpty"
             anchors { fill: parent; margins: Theme.size.padding }

@@ -58,7 +58,7 @@ MaintenanceSection {
         boundsBehavior: Flickable.StopAtBounds
         model: section.doctor.findings
         delegate: FindingRow {
-            width: list.width - 2 * Theme.size.accent
+            width: list.width - 2 * Theme.size.accent // always: its height follows from its width
         }
     }
     ScrollMark { view: list }

@@ -5,46 +5,18 @@ import QtQuick
 import CamPanel.Theme
 import CamPanel.Controls
 
-Rectangle {
-    id: row
-
+ListRow {
     required property string title
-    required property string note
-    required property string detail
+    required note
+    required detail
     required property bool usable
 
-    implicitHeight: words.height + 2 * Theme.size.spacing
-    radius: Theme.size.radius
-    color: Theme.color.inset
-    border { width: Theme.size.hairline; color: row.usable ? Theme.color.good : Theme.color.line }
-
-    IconLabel {
-        id: mark
-        anchors { left: parent.left; leftMargin: Theme.size.padding; top: parent.top; topMargin: Theme.size.spacing }
-        code: row.usable ? Theme.icon.check : Theme.icon.alert
-        color: row.usable ? Theme.color.good : Theme.color.warning
-    }
-    Column {
-        id: words
-        anchors { left: mark.right; leftMargin: Theme.size.padding; right: parent.right; rightMargin: Theme.size.padding; top: parent.top; topMargin: Theme.size.spacing }
-        spacing: Theme.size.outline
-        Label {
-            width: parent.width
-            wrapMode: Text.WordWrap
-            text: row.title
-            font.weight: Font.DemiBold
-        }
-        Label {
-            width: parent.width
-            text: row.note
-            color: Theme.color.secondaryInk
-            font.pixelSize: Theme.size.caption
-        }
-        Label {
-            width: parent.width
-            wrapMode: Text.WordWrap
-            text: row.detail
-            font.pixelSize: Theme.size.caption
-        }
-    }
+    tappable: false
+    frame: Theme.size.hairline
+    frameColor: usable ? Theme.color.good : Theme.color.line
+    text: title
+    glyph: usable ? Theme.icon.check : Theme.icon.alert
+    sign.color: usable ? Theme.color.good : Theme.color.warning
+    titleLabel { wrapMode: Text.WordWrap; fontSizeMode: Text.FixedSize }
+    noteLabel { text: note + "\n" + detail; wrapMode: Text.WordWrap; fontSizeMode: Text.FixedSize }
 }

@@ -70,12 +70,11 @@ MaintenanceSection {
         delegate: RegisterRow {
             required property int index
             objectName: "register" + index
-            width: list.width - scrollMark.room
             holds: section.inspector.selected === index
             onClicked: section.inspector.select(index)
         }
     }
-    ScrollMark { id: scrollMark; view: list }
+    ScrollMark { view: list }
     Label {
         anchors.fill: list
         visible: list.count === 0

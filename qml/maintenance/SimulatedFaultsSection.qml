@@ -20,32 +20,17 @@ MaintenanceSection {
         spacing: Theme.size.spacing
         boundsBehavior: Flickable.StopAtBounds
         model: section.faults.rows
-        delegate: Item {
+        delegate: ListRow {
             id: row
             required property int index
             required property string name
-            required property string note
-            required property int level
-            width: list.width - Theme.size.spacing
-            height: Theme.size.touch
-            Column {
-                anchors { left: parent.left; right: choice.left; rightMargin: Theme.size.spacing; verticalCenter: parent.verticalCenter }
-                Label {
-                    width: parent.width
-                    fontSizeMode: Text.HorizontalFit
-                    text: row.name
-                    color: row.level === SimulatedFaults.Off ? Theme.color.ink : Theme.color.warning
-                    font.weight: Font.DemiBold
-                }
-                Label {
-                    width: parent.width
-                    wrapMode: Text.WordWrap
-                    maximumLineCount: 2
-                    text: row.note
-                    color: Theme.color.secondaryInk
-                    font.pixelSize: Theme.size.caption - 2
-                }
-            }
+            required note
+            required property int rate
+            tappable: false
+            text: name
+            titleLabel.color: rate === SimulatedFaults.Off ? Theme.color.ink : Theme.color.warning
+            noteLabel { wrapMode: Text.WordWrap; fontSizeMode: Text.FixedSize; maximumLineCount: 2 }
+            rightPadding: choice.width
             Segmented {
                 id: choice
                 anchors { right: parent.right; verticalCenter: parent.verticalCenter }
@@ -53,7 +38,7 @@ MaintenanceSection {
                 choices: [{ key: SimulatedFaults.Off, text: qsTr("Off"), name: "fault" + row.index + "off" },
                     { key: SimulatedFaults.Sometimes, text: qsTr("Sometimes"), name: "fault" + row.index + "sometimes" },
                     { key: SimulatedFaults.Often, text: qsTr("Often"), name: "fault" + row.index + "often" }]
-                current: row.level
+                current: row.rate
                 onChosen: key => section.faults.setLevel(row.index, key)
             }
         }

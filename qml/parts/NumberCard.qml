@@ -26,7 +26,7 @@ Card {
     Readout {
         anchors { left: parent.left; right: parent.right; top: parent.top; bottom: note.top; leftMargin: Theme.size.padding; rightMargin: Theme.size.padding; topMargin: Theme.size.spacing }
         title: card.title
-        titleInset: pencil.visible ? pencil.width : 0
+        titleInset: arrow.visible ? arrow.width : 0
         text: card.text
         unit: Theme.shownUnit(card.unit)
         pixelSize: card.pixelSize
@@ -43,10 +43,10 @@ Card {
         minimumPixelSize: Theme.size.caption - 3
     }
     IconLabel {
-        id: pencil
+        id: arrow
         visible: card.field.length > 0
         anchors { right: parent.right; top: parent.top; margins: Theme.size.spacing }
-        code: Theme.icon.edit
+        code: Theme.icon.next
         color: Theme.color.touch
         font.pixelSize: Theme.size.body
     }

@@ -55,9 +55,8 @@ Sheet {
             required property bool usable
             required note
             objectName: "offer" + index
-            width: list.width - scrollMark.room
             text: title
-            noteColor: usable || holds ? Theme.color.secondaryInk : Theme.color.fault
+            noteLabel.color: usable || holds ? Theme.color.secondaryInk : Theme.color.fault
             holds: sheet.chosen === index
             onHoldsChanged: show()
             onDetailChanged: show()
@@ -75,7 +74,7 @@ Sheet {
             }
         }
     }
-    ScrollMark { id: scrollMark; view: list }
+    ScrollMark { view: list }
     Label {
         objectName: "offerDetail"
         anchors { left: parent.left; right: allButton.visible ? allButton.left : goButton.left; rightMargin: Theme.size.padding; top: goButton.top; bottom: parent.bottom }

@@ -23,7 +23,6 @@ Item {
         delegate: ParameterRow {
             objectName: parameters.name + index
             level: Access.Technician
-            width: list.width - scrollMark.room
             onClicked: {
                 if (toggle)
                     return
@@ -34,7 +33,7 @@ Item {
             onSuggestionTaken: parameters.fields.takeSuggestion(index)
         }
     }
-    ScrollMark { id: scrollMark; view: list }
+    ScrollMark { view: list }
     Item {
         id: foot
         anchors { left: parent.left; right: parent.right; bottom: parent.bottom }

@@ -17,7 +17,7 @@ Card {
 
     IconLabel {
         anchors { right: parent.right; top: parent.top; margins: Theme.size.spacing }
-        code: Theme.icon.edit
+        code: Theme.icon.next
         color: Theme.color.touch
         font.pixelSize: Theme.size.body
     }

@@ -21,9 +21,9 @@ Card {
         width: Math.round((card.width - 3 * Theme.size.padding) * 0.46)
         anchors { left: parent.left; leftMargin: Theme.size.padding; top: parent.top; topMargin: Theme.size.spacing; bottom: parent.bottom; bottomMargin: Theme.size.spacing }
         IconLabel {
-            id: pencil
+            id: arrow
             anchors { right: parent.right; top: parent.top }
-            code: Theme.icon.edit
+            code: Theme.icon.next
             color: Theme.color.touch
             font.pixelSize: Theme.size.body
         }
@@ -40,7 +40,7 @@ Card {
             anchors { left: parent.left; right: parent.right; top: parent.top; bottom: bagFigures.top }
             title: card.scrap ? qsTr("Scrap bag") : Controller.bags.lengths > 1 ? qsTr("Bag of %1 lengths, skipped cut").arg(Controller.bags.lengths) : qsTr("Bag length")
             titleColor: !Controller.fresh ? Theme.color.disabledInk : card.scrap || Controller.bags.lengths > 1 ? Theme.color.warning : Theme.color.secondaryInk
-            titleInset: pencil.width
+            titleInset: arrow.width
             text: Theme.amount(Controller.bags.lengthMm, 1, "mm")
             unit: Theme.shownUnit("mm")
             stale: !Controller.fresh

@@ -57,7 +57,7 @@ MaintenanceSection {
             objectName: "scannerLast"
             width: section.half
             enabled: false
-            glyph: ""
+            mark: ""
             label: qsTr("Last code")
             value: Scan.enabled && Scan.lastCode.length > 0 ? Scan.lastCode : Theme.unknownText
         }

@@ -44,22 +44,22 @@ SettingsSection {
             + "\n\n" + qsTr("Licence: Apache 2.0. Made with Qt (LGPL 3), Qwt (Qwt licence 1.0), libmodbus (LGPL 2.1).")
         color: Theme.color.secondaryInk
     }
-    SettingRow {
+    ListRow {
         id: versionsRow
         objectName: "sectionVersions"
         anchors { left: parent.left; right: parent.right; bottom: updateRow.visible ? updateRow.top : updateState.top; bottomMargin: Theme.size.spacing }
-        label: qsTr("Versions and disk")
-        value: Versions.warning.length > 0 ? qsTr("The disk is too small") : qsTr("panel, gateway, controller, program")
+        text: qsTr("Versions and disk")
+        note: Versions.warning.length > 0 ? qsTr("The disk is too small") : qsTr("panel, gateway, controller, program")
         onClicked: section.settings.open("VersionsSection.qml")
     }
-    SettingRow {
+    ListRow {
         id: updateRow
         objectName: "softwareUpdate"
         level: Access.Service
         visible: SoftwareUpdate.available
         anchors { left: parent.left; right: parent.right; bottom: parent.bottom }
-        label: qsTr("Update")
-        value: qsTr("CamPanel %1").arg(Qt.application.version)
+        text: qsTr("Update")
+        note: qsTr("CamPanel %1").arg(Qt.application.version)
         Component.onCompleted: SoftwareUpdate.watched = true
         Component.onDestruction: SoftwareUpdate.watched = false
         onClicked: {

@@ -35,12 +35,12 @@ SettingsSection {
                 name: "bags.tolerance_mm"
                 heading: qsTr("Bag tolerance ±")
             }
-            SettingRow {
+            ListRow {
                 objectName: "openStops"
                 width: column.width
                 height: section.rowHeight
-                label: qsTr("Reasons, ideal rate")
-                value: qsTr("Stops and shifts")
+                text: qsTr("Stops and shifts")
+                note: qsTr("Reasons, ideal rate")
                 onClicked: section.settings.open("StopsSection.qml")
             }
             Repeater {
@@ -54,12 +54,12 @@ SettingsSection {
                     onClicked: section.chosen = item
                 }
             }
-            SettingRow {
+            ListRow {
                 objectName: "openPermit"
                 width: column.width
                 height: section.rowHeight
-                label: qsTr("Start")
-                value: qsTr("Panel's permit")
+                text: qsTr("Panel's permit")
+                note: qsTr("Start")
                 onClicked: section.settings.open("PermitSection.qml")
             }
         }

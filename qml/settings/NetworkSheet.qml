@@ -67,7 +67,7 @@ Sheet {
                         enabled: SystemNetwork.editable && SystemNetwork.fixed
                         label: field.label
                         value: field.text.length > 0 ? field.text : Theme.unknownText
-                        glyph: enabled ? Theme.icon.edit : ""
+                        mark: enabled ? Theme.icon.next : ""
                         onClicked: sheet.fieldRequested(index)
                     }
                 }

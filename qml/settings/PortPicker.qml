@@ -30,10 +30,9 @@ Sheet {
             required property string name
             required property string description
             required property string problem
-            width: list.width
             text: name
             note: problem.length > 0 ? problem : description
-            noteColor: problem.length > 0 ? Theme.color.fault : Theme.color.secondaryInk
+            noteLabel.color: problem.length > 0 ? Theme.color.fault : Theme.color.secondaryInk
             holds: name === Settings.portName
             onClicked: {
                 Settings.portName = name

@@ -95,7 +95,7 @@ SettingsSection {
             spacing: Theme.size.spacing
             Repeater {
                 model: section.people
-                ChoiceRow {
+                ListRow {
                     required property var modelData
                     objectName: "user_" + modelData.name
                     width: rows.width
@@ -129,11 +129,11 @@ SettingsSection {
             choices: [{ key: false, text: qsTr("Operate"), note: Access.permissionText(Access.Operator) },
                 { key: true, text: qsTr("View and stop"), note: qsTr("operators must log in") }]
         }
-        SettingRow {
+        ListRow {
             objectName: "auditButton"
             width: section.half
-            label: qsTr("Record of changes")
-            value: qsTr("Audit trail")
+            text: qsTr("Audit trail")
+            note: qsTr("Record of changes")
             onClicked: section.openAudit()
         }
         Button {

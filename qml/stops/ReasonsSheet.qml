@@ -37,7 +37,6 @@ Sheet {
             required property bool opens
             required text
             objectName: "reasonRow" + index
-            width: list.width - scrollMark.room
             note: isPlanned ? qsTr("planned") : opens ? qsTr("more …") : ""
             holds: sheet.chosen === index
             onClicked: sheet.chosen = index
@@ -45,7 +44,7 @@ Sheet {
             Binding { target: sheet; property: "chosenPlanned"; value: row.isPlanned; when: row.holds; restoreMode: Binding.RestoreNone }
         }
     }
-    ScrollMark { id: scrollMark; view: list }
+    ScrollMark { view: list }
     Label {
         anchors { left: list.left; top: list.top }
         visible: sheet.count === 0

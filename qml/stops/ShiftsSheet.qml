@@ -43,7 +43,6 @@ Sheet {
             required property int latest
             required text
             objectName: "shiftStart" + index
-            width: list.width - scrollMark.room
             holds: sheet.chosen === index
             onClicked: sheet.chosen = index
             Binding { target: sheet; property: "minutes"; value: start.minutes; when: start.holds; restoreMode: Binding.RestoreNone }
@@ -51,7 +50,7 @@ Sheet {
             Binding { target: sheet; property: "latest"; value: start.latest; when: start.holds; restoreMode: Binding.RestoreNone }
         }
     }
-    ScrollMark { id: scrollMark; view: list }
+    ScrollMark { view: list }
     Grid {
         id: keys
         anchors { left: list.right; leftMargin: Theme.size.padding; right: parent.right; top: parent.top }

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// One stop: begin and duration, reason, who gave it.
+// One stop: reason, who gave it, duration and begin.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme
 import CamPanel.Controls
 
-TouchButton {
-    id: row
-
+ListRow {
     required property string time
     required property string clockNote     // empty: the clock was set
     required property string durationText
@@ -15,58 +13,13 @@ TouchButton {
     required property string stateText
     required property string by
     required property bool isOpen
+    readonly property string given: by.length > 0 ? Theme.fill(qsTr("%1 · %2"), [stateText, by]) : stateText
 
-    implicitHeight: Theme.size.touch
-    Accessible.name: row.time
-
-    background: Rectangle {
-        radius: Theme.size.radius
-        color: row.down ? Theme.color.touchTint : Theme.color.inset
-        border { width: Theme.size.hairline; color: Theme.color.line }
-    }
-    Item {
-        anchors.fill: parent
-        Column {
-            id: first
-            anchors { left: parent.left; leftMargin: Theme.size.padding; verticalCenter: parent.verticalCenter }
-            width: Math.round(parent.width * 0.26)
-            Label {
-                width: parent.width
-                text: row.time
-                fontSizeMode: Text.HorizontalFit
-                color: Theme.color.secondaryInk
-                font.pixelSize: Theme.size.caption
-            }
-            Label {
-                width: parent.width
-                text: row.durationText
-                fontSizeMode: Text.HorizontalFit
-                font.weight: Font.DemiBold
-            }
-        }
-        Column {
-            anchors { left: first.right; leftMargin: Theme.size.padding; right: arrow.left; rightMargin: Theme.size.spacing; verticalCenter: parent.verticalCenter }
-            Label {
-                width: parent.width
-                fontSizeMode: Text.HorizontalFit
-                text: row.reasonText
-                color: row.isOpen ? Theme.color.warning : Theme.color.ink
-                font.weight: Font.DemiBold
-            }
-            Label {
-                width: parent.width
-                fontSizeMode: Text.HorizontalFit
-                readonly property string given: row.by.length > 0 ? Theme.fill(qsTr("%1 · %2"), [row.stateText, row.by]) : row.stateText
-                text: row.clockNote.length > 0 ? Theme.fill(qsTr("%1 · %2"), [given, row.clockNote]) : given
-                color: Theme.color.secondaryInk
-                font.pixelSize: Theme.size.caption
-            }
-        }
-        IconLabel {
-            id: arrow
-            anchors { right: parent.right; rightMargin: Theme.size.spacing; verticalCenter: parent.verticalCenter }
-            code: Theme.icon.next
-            color: Theme.color.touch
-        }
-    }
+    Accessible.name: time
+    text: reasonText
+    titleLabel.color: isOpen ? Theme.color.warning : Theme.color.ink
+    note: clockNote.length > 0 ? Theme.fill(qsTr("%1 · %2"), [given, clockNote]) : given
+    rightText: durationText
+    rightLabel.color: Theme.color.ink
+    rightNote: time
 }

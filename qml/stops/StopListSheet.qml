@@ -40,7 +40,6 @@ Sheet {
             required property int index
             objectName: "stop" + index
             level: Access.Operator
-            width: list.width - scrollMark.room
             onClicked: {
                 if (!Access.ask(Access.Operator))
                     return
@@ -50,7 +49,6 @@ Sheet {
         }
     }
     ScrollMark {
-        id: scrollMark
         view: list
         opacity: sheet.answers ? 0 : 1
     }

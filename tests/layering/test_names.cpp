@@ -10,6 +10,8 @@
 #include <QSet>
 #include <QTest>
 
+#include <algorithm>
+
 namespace test_names {
 
 using namespace Qt::StringLiterals;
@@ -139,6 +141,30 @@ QStringList wrongIn(const QStringList& call, const QMap<QString, QString>& files
     return wrong;
 }
 
+// Returns the rows of lists that do not stand on ListRow. The rows of tables, keys beside a keyboard and
+// fields are no rows of a list.
+QStringList strangeRowsIn(const QString& text, const QMap<QString, QString>& files)
+{
+    static const QSet<QString> others{u"DifferenceRow"_s, u"FrameRow"_s, u"TableRow"_s, u"KeypadKey"_s,
+                                      u"FieldTile"_s};
+    static const QRegularExpression delegate(uR"(\bdelegate: (\w+) \{)"_s);
+    static const QRegularExpression root(u"^(\\w+) \\{$"_s, QRegularExpression::MultilineOption);
+    QStringList strange;
+    for (const QRegularExpressionMatch& match : delegate.globalMatch(text)) {
+        QString type = match.captured(1);
+        while (type != u"ListRow" && !others.contains(type)) {
+            const auto file = std::ranges::find_if(
+                files, [&type](const QString& path) { return path.endsWith(u"/%1.qml"_s.arg(type)); });
+            if (file == files.end())
+                break;
+            type = root.match(textOf(*file)).captured(1);
+        }
+        if (type != u"ListRow" && !others.contains(type))
+            strange << match.captured(1);
+    }
+    return strange;
+}
+
 // Returns the names of settings, as `SettingTile`, `SettingKeys` and `Settings.setting()` have them.
 QStringList settingsIn(const QString& text)
 {
@@ -214,6 +240,23 @@ private slots:
         }
         QVERIFY2(wrong.isEmpty(), qPrintable(wrong.join(u'\n')));
         QVERIFY(calls > 10);
+    }
+
+    void everyRowStandsOnListRow()
+    {
+        // Pictures with a text, not rows of words.
+        const QSet<QString> drawn{u"qml/run/StrokeCard.qml"_s, u"qml/stops/ReasonList.qml"_s};
+        const QMap<QString, QString> files = filesByName();
+        QStringList strange;
+        for (const QString& path : filesBelow({u"qml"_s}, {u"*.qml"_s})) {
+            const QStringList rows = strangeRowsIn(textOf(path), files);
+            QCOMPARE(!rows.isEmpty() && drawn.contains(path), drawn.contains(path));
+            if (!rows.isEmpty() && !drawn.contains(path))
+                strange << path + u": "_s + rows.join(u", "_s);
+        }
+        QVERIFY2(strange.isEmpty(), qPrintable(strange.join(u'\n')));
+        QCOMPARE(strangeRowsIn(u"delegate: AuditRow {\ndelegate: Rectangle {\ndelegate: Button {"_s, files),
+                 QStringList({u"Rectangle"_s, u"Button"_s}));
     }
 
     void everyPageIsOfTheFrame()
@@ -297,9 +340,9 @@ private slots:
                                   << QStringList{u"no sheet Download/PoofSheet"_s};
         QTest::newRow("of another room")
             << uR"(Frame.open("Editor/ProofSheet", {}))"_s << QStringList{u"no sheet Editor/ProofSheet"_s};
-        QTest::newRow("no sheet")
-            << uR"(Frame.open("Parts/Page", {}))"_s
-            << QStringList{u"Parts/Page is no Overlay: what is typed in it would be lost"_s};
+        QTest::newRow("no sheet") << uR"(Frame.open("Parts/Page", {}))"_s
+                                  << QStringList{
+                                         u"Parts/Page is no Overlay: what is typed in it would be lost"_s};
         QTest::newRow("one of two") << uR"(Frame.open(isOne ? "Editor/KnotSheet" : "Editor/KnutSheet", {}))"_s
                                     << QStringList{u"no sheet Editor/KnutSheet"_s};
         QTest::newRow("no text") << u"Frame.open(name, {})"_s

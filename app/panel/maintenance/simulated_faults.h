@@ -19,7 +19,7 @@ struct LineFaultRow {
     Q_GADGET
     Q_PROPERTY(QString name READ name)
     Q_PROPERTY(QString note READ note)
-    Q_PROPERTY(int level MEMBER level)
+    Q_PROPERTY(int rate MEMBER level)
 
 public:
     int fault = 0;
