@@ -3,6 +3,9 @@
 #include "panel_test.h"
 #include "tests/support/test_program.h"
 
+#include <QDir>
+#include <QTemporaryDir>
+
 namespace test_panel_import {
 
 using namespace Qt::StringLiterals;
@@ -91,6 +94,43 @@ private slots:
         QTRY_VERIFY(recipes().message().isEmpty());
         m_window->settle();
         QVERIFY(!isShown("recipeMessage"));
+    }
+
+    void theMessageOfAnExportEnds()
+    {
+        const QTemporaryDir stick;
+        m_window->panel().records().open();
+        QTRY_VERIFY(recipes().ready());
+        putOnStick({u"Wafer"_s, u"Pouch"_s});
+        tap("nav_recipes");
+        tap("recipeImport");
+        tap("offerAll");
+        QTRY_COMPARE(recipes().total(), 3);
+        panel::ReportFiles& files = *recipes().exports();
+        files.setScanner([&stick](const QString&) {
+            return QList<store::Place>{{stick.path(), u"KINGSTON"_s, false, true}};
+        });
+        files.setMessageTime(50ms);
+        QStringList shown;
+        connect(&files, &panel::FileExchange::changed, this, [&] { shown << textOf("offerDetail"); });
+        tap("recipeExportAll");
+        QTRY_VERIFY(isShown("offer0"));
+        const QString hint = textOf("offerDetail");
+        tap("offer0");
+        tap("offerGo");
+        const QString written = u"Written: %1 files in %2. You can remove the stick now."_s.arg(
+            QString::number(recipes().total()), stick.path());
+        QTRY_VERIFY2(shown.contains(written), qPrintable(shown.join(u'\n')));
+        QTRY_COMPARE(textOf("offerDetail"), hint);
+        QCOMPARE(QDir(stick.path()).entryList({u"*.json"_s}).size(), recipes().total());
+
+        QDir(stick.path()).removeRecursively(); // an error stays
+        tap("offer0");
+        tap("offerGo");
+        QTRY_VERIFY2(textOf("offerDetail").contains(u"cannot be"_s), qPrintable(textOf("offerDetail")));
+        QTest::qWait(200);
+        QVERIFY(textOf("offerDetail").contains(u"cannot be"_s));
+        files.disconnect(this);
     }
 };
 

@@ -18,6 +18,9 @@ FileExchange::FileExchange(QString ownFolder, QObject* parent)
     : QObject(parent)
     , m_ownFolder(std::move(ownFolder))
 {
+    m_messageTimer.setSingleShot(true);
+    m_messageTimer.setInterval(messageTime);
+    m_messageTimer.callOnTimeout(this, [this] { showMessage({}, false); });
     m_pool->setMaxThreadCount(1);
     m_pool->setExpiryTimeout(-1); // it knows the places that did not answer
     LanguageNotifier::follow(this, [this] { showMessage({}, false); }); // it is in the previous language
@@ -66,6 +69,7 @@ void FileExchange::end()
 
 void FileExchange::showMessage(const QString& message, bool failed)
 {
+    m_messageTimer.stop();
     m_message = message;
     m_failed = failed;
     emit changed();
@@ -98,6 +102,7 @@ void FileExchange::showWritten(const Written& written, const QString& notice)
     const QString message = written.isOnStick ? tr("Written: %1. You can remove the stick now.").arg(what)
                                               : tr("Written: %1").arg(what);
     showMessage(notice.isEmpty() ? message : notice + u' ' + message, false);
+    m_messageTimer.start();
 }
 
 OfferRow FileExchange::noticeRow(const QString& placeName, const QString& notice)

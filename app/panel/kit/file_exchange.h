@@ -11,12 +11,17 @@
 #include <QObject>
 #include <QPointer>
 #include <QThreadPool>
+#include <QTimer>
 #include <QtQml/qqmlregistration.h>
 
+#include <chrono>
 #include <functional>
 #include <utility>
 
 namespace campanel::panel {
+
+// The time after which a message about what was done ends.
+inline constexpr std::chrono::seconds messageTime{8};
 
 class FileExchange : public QObject {
     Q_OBJECT
@@ -38,6 +43,8 @@ public:
     [[nodiscard]] QString message() const { return m_message; }
     [[nodiscard]] bool failed() const { return m_failed; }
 
+    // Sets how long a message about what was written stays.
+    void setMessageTime(std::chrono::milliseconds time) { m_messageTimer.setInterval(time); }
     // Sets the permissions that writing a file asks for; without them everything is permitted.
     void guardBy(AccessCheck& access) { m_access = &access; }
 
@@ -84,7 +91,7 @@ protected:
         QStringList problems; // why, a whole sentence for each of them
         bool isOnStick = false;
     };
-    // Tells the result of a write; `notice` tells what the files lack.
+    // Tells the result of a write; `notice` tells what the files lack. A success ends, an error stays.
     void showWritten(const Written& written, const QString& notice = {});
     // Returns the row that tells which files of a place are not in the list.
     [[nodiscard]] static OfferRow noticeRow(const QString& placeName, const QString& notice);
@@ -108,6 +115,7 @@ private:
     QString m_ownFolder;
     QString m_message;
     bool m_failed = false;
+    QTimer m_messageTimer;
     bool m_isRefreshing = false;
     int m_jobs = 0;
     // One thread. Both outlive the object when a disk holds up a job.

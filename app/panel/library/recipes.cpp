@@ -27,8 +27,6 @@ using store::RecipeVersion;
 
 namespace {
 
-constexpr std::chrono::seconds messageTime{8};
-
 QString nameOf(const Recipe& recipe)
 {
     return QString::fromStdString(recipe.name);
