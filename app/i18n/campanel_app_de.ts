@@ -7117,6 +7117,18 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
         <source>in, in/s, ft; files stay metric</source>
         <translation>in, in/s, ft; Dateien bleiben metrisch</translation>
     </message>
+    <message>
+        <source>By date</source>
+        <translation>Nach Datum</translation>
+    </message>
+    <message>
+        <source>By name</source>
+        <translation>Nach Name</translation>
+    </message>
+    <message>
+        <source>By last use</source>
+        <translation>Zuletzt benutzt</translation>
+    </message>
 </context>
 <context>
     <name>campanel::panel::ShiftReport</name>

@@ -7113,6 +7113,18 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
         <source>in, in/s, ft; files stay metric</source>
         <translation>in、in/s、ft；文件保持公制</translation>
     </message>
+    <message>
+        <source>By date</source>
+        <translation>按时间</translation>
+    </message>
+    <message>
+        <source>By name</source>
+        <translation>按名称</translation>
+    </message>
+    <message>
+        <source>By last use</source>
+        <translation>按最近使用</translation>
+    </message>
 </context>
 <context>
     <name>campanel::panel::ShiftReport</name>

@@ -114,6 +114,9 @@ Panel::Panel(link::Link& link, const Storage& storage)
     m_maintenance.dryRun()->follow(m_editor);
     m_recipes.files()->setKeyFolder(storage.keyFolder);
     m_recipes.files()->setGlyphs(&hasGlyph);
+    const auto sort = [this] { m_recipes.setOrder(m_settings.values().text("recipes.order")); };
+    connect(&m_settings, &panel::Settings::changed, &m_recipes, sort);
+    sort();
     connect(m_scan.film(), &panel::FilmCheck::noted, &m_trail, &panel::AuditTrail::note);
     connect(&m_plant, &panel::PlantFeed::offerReceived, m_recipes.files(), &panel::RecipeFiles::takeOffer);
     connect(&m_recipes, &panel::Recipes::noted, &m_trail, &panel::AuditTrail::note);

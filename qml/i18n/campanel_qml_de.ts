@@ -2886,14 +2886,6 @@ Und %2 weitere.</translation>
         <source>%1 recipes</source>
         <translation>%1 Rezepte</translation>
     </message>
-    <message>
-        <source>By name</source>
-        <translation>Nach Name</translation>
-    </message>
-    <message>
-        <source>By date</source>
-        <translation>Nach Datum</translation>
-    </message>
 </context>
 <context>
     <name>SegmentMotionSheet</name>

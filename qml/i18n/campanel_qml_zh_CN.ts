@@ -2886,14 +2886,6 @@ And %2 more.</source>
         <source>%1 recipes</source>
         <translation>%1 个配方</translation>
     </message>
-    <message>
-        <source>By name</source>
-        <translation>按名称</translation>
-    </message>
-    <message>
-        <source>By date</source>
-        <translation>按时间</translation>
-    </message>
 </context>
 <context>
     <name>SegmentMotionSheet</name>

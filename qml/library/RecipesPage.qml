@@ -88,6 +88,8 @@ Page {
             objectName: "recipeSearch"
             width: tools.width - (clearButton.visible ? clearButton.width + tools.spacing : 0) - newButton.width - importButton.width - exportButton.width - 3 * tools.spacing
             label: qsTr("Search")
+            rightText: Settings.setting("recipes.order").shown
+            rightLabel { color: Theme.color.secondaryInk; font.pixelSize: Theme.size.caption }
             value: Recipes.search.length > 0 ? Recipes.search : Recipes.total === 1 ? qsTr("1 recipe") : qsTr("all %1 recipes").arg(Recipes.total)
             onClicked: Frame.open("Library/SearchSheet", {})
         }

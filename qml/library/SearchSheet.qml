@@ -10,6 +10,8 @@ import CamPanel.Panel
 TextSheet {
     id: sheet
 
+    readonly property SettingField order: Settings.setting("recipes.order")
+
     title: qsTr("Search for a recipe")
     note: Recipes.list.count === 1 ? qsTr("1 recipe") : qsTr("%1 recipes").arg(Recipes.list.count)
     text: Recipes.search
@@ -42,8 +44,8 @@ TextSheet {
             objectName: "recipeOrder"
             kind: Button.Quiet
             focusPolicy: Qt.NoFocus
-            text: Recipes.byName ? qsTr("By name") : qsTr("By date")
-            onClicked: Recipes.byName = !Recipes.byName
+            text: sheet.order.shown
+            onClicked: sheet.order.chooseNext()
         }
     ]
 }

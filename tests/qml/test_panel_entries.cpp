@@ -7,6 +7,7 @@
 #include "tests/support/test_program.h"
 
 #include <QCoreApplication>
+#include <QSignalSpy>
 
 #include <algorithm>
 
@@ -114,7 +115,7 @@ private slots:
         tap("recipeOrder"); // the keys still reach the text
         for (int i = 0; i < 4; ++i)
             tap("textBackspace");
-        QVERIFY(recipes.byName() && recipes.list()->count() > 2);
+        QVERIFY(recipes.list()->count() > 2);
         const QList<panel::RecipeRow> rows = recipes.list()->rows();
         QVERIFY(std::ranges::is_sorted(
             rows, [](const QString& a, const QString& b) { return a.localeAwareCompare(b) < 0; },
@@ -131,6 +132,40 @@ private slots:
         QCOMPARE(recipes.search(), QString());
         QVERIFY(recipes.list()->count() > 1);
         QVERIFY(!isOn("recipeSearchClear"));
+    }
+
+    void theRecipeUsedLastIsFirst()
+    {
+        enter(u"recipes"_s);
+        shell::Panel& panel = m_window->panel();
+        const auto names = [&panel] {
+            QStringList each;
+            for (const panel::RecipeRow& row : panel.recipes().list()->rows())
+                each << row.name;
+            return each;
+        };
+        const QString active = QString::fromStdString(panel.controller().program()->recipe.name);
+        QStringList used = names();
+        used.removeAll(active);
+        QVERIFY(used.size() > 2);
+        panel.trail().open();
+        const QSignalSpy written(&panel.trail(), &panel::AuditTrail::appended);
+        for (const QString& name : {used[1], used.last()})
+            panel.trail().note({.what = u"program.download"_s, .object = name});
+        QCOMPARE(propertyOf("recipeSearch", "rightText"), u"By date"_s);
+        QTRY_COMPARE(written.count(), 2);
+        panel.recipes().reload();
+        tap("recipeSearch");
+        tap("recipeOrder");
+        QCOMPARE(textOf("recipeOrder"), u"By name"_s);
+        tap("recipeOrder");
+        QCOMPARE(textOf("recipeOrder"), u"By last use"_s);
+        QTRY_COMPARE(names().mid(0, 3), QStringList({active, used.last(), used[1]}));
+        tap("sheetClose");
+        QCOMPARE(propertyOf("recipeSearch", "rightText"), u"By last use"_s);
+        QCOMPARE(propertyOf("recipe1", "text"), used.last());
+        const panel::Settings next(panel.settings().file().path(), nullptr); // after a restart
+        QCOMPARE(next.values().text("recipes.order"), u"use"_s);
     }
 
     void aLimitIsNamedWhenDigitsCannotHelp()

@@ -3,14 +3,10 @@
 
 #include "app/panel/controller/controller.h"
 #include "app/panel/editor/editor.h"
-#include "app/panel/kit/format.h"
 #include "app/panel/kit/language_notifier.h"
 #include "app/panel/library/recipe_audit.h"
-#include "app/panel/recipe/recipe_comparison.h"
 #include "app/panel/recipe/recipe_edit.h"
 #include "app/panel/records/database_service.h"
-#include "app/panel/words/recipe_words.h"
-#include "app/panel/words/refusal_sentences.h"
 #include "app/store/database/names.h"
 
 #include <QDir>
@@ -24,15 +20,6 @@ namespace campanel::panel {
 
 using program::Recipe;
 using store::RecipeVersion;
-
-namespace {
-
-QString nameOf(const Recipe& recipe)
-{
-    return QString::fromStdString(recipe.name);
-}
-
-} // namespace
 
 Recipes::Recipes(Controller& controller, Editor& editor, DatabaseService& records, const QString& folder,
                  QObject* parent)
@@ -100,6 +87,8 @@ void Recipes::reload()
              for (const store::MachineData& each : machines)
                  m_editor.setMachine(each.recipe.kind(), each.recipe.machine);
          });
+    work([](store::RecipeLibrary& library) { return library.downloads(); },
+         [this](const QHash<QString, qint64>& downloads) { m_downloads = downloads; });
     m_records.store().run(
         this, [](store::Database& database) { return store::RecipeLibrary(database).newest(); },
         [this](const tl::expected<Versions, store::StoreError>& newest) {
@@ -191,119 +180,6 @@ Recipe Recipes::onThisMachine(Recipe recipe) const
     return recipe;
 }
 
-// Follows the editor, which signals every step of a drag, also without a change of the list.
-void Recipes::followEditor()
-{
-    if (m_editor.recipeName() != m_shownName || nextVersion() != m_shownNextVersion)
-        show();
-}
-
-void Recipes::show()
-{
-    m_shownName = m_editor.recipeName();
-    m_shownNextVersion = nextVersion();
-    const auto& active = m_controller.program();
-    QList<RecipeRow> rows;
-    for (const RecipeVersion& each : m_all) {
-        const QString name = nameOf(each.recipe);
-        if (!name.contains(m_search, Qt::CaseInsensitive))
-            continue;
-        rows << RecipeRow{each.recipeId,
-                          name,
-                          each.version,
-                          RecipeComparison::summary(each.recipe),
-                          savedText(each),
-                          name == m_editor.recipeName(),
-                          active && active->recipe.name == each.recipe.name,
-                          m_shapes.value(each.recipeId)};
-    }
-    if (m_isByName)
-        std::ranges::stable_sort(
-            rows, [](const QString& a, const QString& b) { return a.localeAwareCompare(b) < 0; },
-            &RecipeRow::name);
-    m_list.setRows(rows);
-    showFigures();
-    emit listChanged();
-    emit wantedNameChanged();
-}
-
-void Recipes::showFigures()
-{
-    const RecipeVersion* chosen = chosenRecipe();
-    if (!chosen) {
-        m_figures.setRows({});
-        return;
-    }
-    const Recipe recipe = RecipeComparison::solved(chosen->recipe);
-    const program::KindInfo& kind = program::kindInfo(recipe.kind());
-    QList<FigureRow> rows;
-    for (const profile::Field field : kind.programFields) {
-        if (program::isRead(recipe.program, field))
-            rows << FigureRow{RecipeWords::fieldName(field),
-                              RefusalSentences::valueWithUnit(field, program::value(recipe, field))};
-    }
-    if (kind.list)
-        rows << FigureRow{RecipeWords::listName(recipe.kind()),
-                          Format().number(static_cast<double>(kind.list->size(recipe.program)), 0)};
-    if (program::lawParameters(recipe.program))
-        rows << FigureRow{RecipeWords::choiceName(recipe.kind(), program::Choice::Law),
-                          RecipeWords::lawName(static_cast<profile::LawId>(
-                              program::choice(recipe.program, program::Choice::Law)))};
-    addMotor(rows, chosen->recipe);
-    m_figures.setRows(rows);
-}
-
-void Recipes::setSearch(const QString& search)
-{
-    m_search = store::keptName(search);
-    show();
-}
-
-void Recipes::setByName(bool isByName)
-{
-    m_isByName = isByName;
-    show();
-}
-
-int Recipes::chosen() const
-{
-    const auto found = std::ranges::find(m_list.rows(), m_chosenId, &RecipeRow::id);
-    return found == m_list.rows().end() ? -1 : static_cast<int>(found - m_list.rows().begin());
-}
-
-QString Recipes::chosenName() const
-{
-    const RecipeVersion* chosen = chosenRecipe();
-    return chosen ? nameOf(chosen->recipe) : QString();
-}
-
-QString Recipes::chosenNote() const
-{
-    const RecipeVersion* chosen = chosenRecipe();
-    if (!chosen)
-        return {};
-    const QString note = tr("%1 · version %2, %3", "kind of program, number, when it was saved")
-                             .arg(RecipeWords::kindName(chosen->recipe.kind()),
-                                  QString::number(chosen->version), savedText(*chosen));
-    return chosen->unreadableVersion == 0
-               ? note
-               : tr("%1 · Version %2 cannot be read. Check this version, then save it.", "note, number")
-                     .arg(note, QString::number(chosen->unreadableVersion));
-}
-
-bool Recipes::chosenIsOpen() const
-{
-    return chosenRecipe() && chosenName() == m_editor.recipeName();
-}
-
-bool Recipes::chosenIsActive() const
-{
-    const auto& active = m_controller.program();
-    const RecipeVersion* chosen = chosenRecipe();
-    return active && chosen && active->recipe.name == chosen->recipe.name &&
-           active->recipe.version == chosen->version;
-}
-
 int Recipes::nextVersion() const
 {
     return m_editor.recipe().version;
@@ -328,14 +204,6 @@ QString Recipes::nameProblem() const
     if (named(name))
         return tr("A recipe with this name already exists.");
     return {};
-}
-
-void Recipes::choose(int row)
-{
-    if (row < 0 || row >= m_list.count())
-        return;
-    m_chosenId = m_list.rows()[row].id;
-    show();
 }
 
 void Recipes::open()

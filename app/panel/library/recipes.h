@@ -35,11 +35,9 @@ class Recipes : public QObject, public Singleton<Recipes> {
     QML_ELEMENT
     QML_SINGLETON
 
-    // The recipes that match the search; the one saved last comes first.
+    // The recipes that match the search, in their order.
     Q_PROPERTY(campanel::panel::RowModelBase* list READ list CONSTANT FINAL)
     Q_PROPERTY(QString search READ search WRITE setSearch NOTIFY listChanged FINAL)
-    // True: sorted by name.
-    Q_PROPERTY(bool byName READ byName WRITE setByName NOTIFY listChanged FINAL)
     Q_PROPERTY(int total READ total NOTIFY listChanged FINAL)  // without the search
     Q_PROPERTY(bool ready READ ready NOTIFY listChanged FINAL) // the database has been read
 
@@ -87,8 +85,8 @@ public:
     [[nodiscard]] RecipeList* list() { return &m_list; }
     [[nodiscard]] QString search() const { return m_search; }
     void setSearch(const QString& search);
-    [[nodiscard]] bool byName() const { return m_isByName; }
-    void setByName(bool isByName);
+    // Sets the order of the list, as the setting has it.
+    void setOrder(const QString& order);
     [[nodiscard]] int total() const { return static_cast<int>(m_all.size()); }
     [[nodiscard]] bool ready() const { return m_isReady; }
     [[nodiscard]] int chosen() const;
@@ -191,6 +189,7 @@ private:
                      std::function<QString(const program::Recipe& kept)> sentence);
     void followEditor();
     void show();
+    void sort(QList<RecipeRow>& rows) const;
     void showFigures();
     void addMotor(QList<FigureRow>& rows, const program::Recipe& recipe) const;
     void clearComparison();
@@ -199,6 +198,10 @@ private:
     enum class Lasts { SomeSeconds, UntilAnswered };
     void say(const QString& text, Lasts lasts = Lasts::SomeSeconds);
     void note(const QString& what, const QString& name, const QString& before, const QString& after);
+    [[nodiscard]] static QString nameOf(const program::Recipe& recipe)
+    {
+        return QString::fromStdString(recipe.name);
+    }
     [[nodiscard]] program::Recipe onThisMachine(program::Recipe recipe) const;
     // Returns the recipe as first version of the wanted name.
     [[nodiscard]] program::Recipe renamed(program::Recipe recipe) const;
@@ -227,7 +230,8 @@ private:
     QString m_beforeTitle;
     QString m_afterTitle;
     QString m_search;
-    bool m_isByName = false;
+    QString m_order = QStringLiteral("date"); // or "name", "use"
+    QHash<QString, qint64> m_downloads;       // of each name; see RecipeLibrary::downloads()
     QString m_wantedName;
     QString m_shownName; // name of the Editor's recipe at the last update of the list, and its next version
     int m_shownNextVersion = 0;

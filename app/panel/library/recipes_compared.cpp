@@ -4,11 +4,8 @@
 
 #include "app/panel/controller/controller.h"
 #include "app/panel/editor/editor.h"
-#include "app/panel/kit/format.h"
-#include "app/panel/recipe/motor_demand.h"
 #include "app/panel/recipe/recipe_comparison.h"
 #include "app/panel/records/database_service.h"
-#include "app/panel/words/alarm_words.h"
 #include "app/panel/words/recipe_words.h"
 #include "app/panel/words/refusal_sentences.h"
 #include "app/program/program_image.h"
@@ -17,7 +14,6 @@
 #include <QFileInfo>
 
 #include <algorithm>
-#include <vector>
 
 namespace campanel::panel {
 
@@ -46,16 +42,6 @@ void Recipes::compare(const Recipe& before, const Recipe& after)
     emit comparisonChanged();
 }
 
-QString Recipes::savedText(const RecipeVersion& version) const
-{
-    const QString when = Format::minute(QDateTime::fromMSecsSinceEpoch(version.savedMs));
-    QStringList parts{version.savedBy.isEmpty() ? when
-                                                : tr("%1 by %2", "date, person").arg(when, version.savedBy)};
-    if (version.isClockDoubtful)
-        parts << AlarmWords::clockNote(true);
-    return parts.join(QStringLiteral(" · "));
-}
-
 void Recipes::listVersions()
 {
     clearComparison();
@@ -77,28 +63,6 @@ void Recipes::listVersions()
                 rows << OfferRow{tr("Version %1").arg(each.version), savedText(each), {}};
             m_candidates.setRows(rows);
         });
-}
-
-// Adds the torque of the recipe on this machine, and the recipe that needs the most.
-void Recipes::addMotor(QList<FigureRow>& rows, const Recipe& recipe) const
-{
-    const auto demand = motorDemand(onThisMachine(recipe));
-    if (!demand)
-        return;
-    const Format format;
-    const auto torque = [&format](double nm) { return tr("%1 Nm").arg(format.number(nm, 3)); };
-    rows << FigureRow{tr("Peak motor torque"), torque(demand->peakNm)}
-         << FigureRow{tr("RMS motor torque"), torque(demand->rmsNm)};
-    std::vector<Recipe> same;
-    for (const RecipeVersion& each : m_all) {
-        if (each.recipe.kind() == recipe.kind())
-            same.push_back(onThisMachine(each.recipe));
-    }
-    const auto hardest = hardestForMotor(same);
-    if (hardest && same.size() > 1)
-        rows << FigureRow{tr("Highest RMS torque"), tr("%1, %2 Nm", "recipe, torque")
-                                                        .arg(QString::fromStdString(hardest->recipeName),
-                                                             format.number(hardest->rmsNm, 3))};
 }
 
 void Recipes::listOthers()

@@ -113,6 +113,16 @@ SettingField::SettingField(Setting setting, QObject* parent)
     });
 }
 
+void SettingField::chooseNext()
+{
+    const auto isPresent = [this](const QVariant& choice) { return choice.toMap()[u"key"_s] == m_view.key; };
+    const auto present = std::ranges::find_if(m_view.choices, isPresent);
+    if (present == m_view.choices.end())
+        return;
+    const auto next = present + 1 == m_view.choices.end() ? m_view.choices.begin() : present + 1;
+    choose(next->toMap()[u"key"_s].toString());
+}
+
 void SettingField::show(const SettingView& view)
 {
     if (m_view == view)

@@ -43,6 +43,9 @@ public:
     // Requests the value with the key of a choice.
     Q_INVOKABLE void choose(const QString& key) { emit chosen(key); }
 
+    // Requests the choice after the present one, the first one after the last.
+    Q_INVOKABLE void chooseNext();
+
     // Updates the field; called by Settings.
     void show(const SettingView& view);
 

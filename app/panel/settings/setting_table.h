@@ -216,6 +216,17 @@ inline constexpr std::array settingTable{
                            QT_TRANSLATE_NOOP("campanel::panel::Settings",
                                              "an accidental touch does not start the machine")},
                           {QT_TRANSLATE_NOOP("campanel::panel::Settings", "One touch")}}}},
+    SettingRow{.name = "recipes.order",
+               .key = "recipes/order",
+               .form = SettingForm::Word,
+               .choices = "date name use",
+               .standard = "date",
+               .help =
+                   "Order of the recipes in their list: date (the one saved last first), name, or use (the "
+                   "one downloaded last first).",
+               .words = {{{QT_TRANSLATE_NOOP("campanel::panel::Settings", "By date")},
+                          {QT_TRANSLATE_NOOP("campanel::panel::Settings", "By name")},
+                          {QT_TRANSLATE_NOOP("campanel::panel::Settings", "By last use")}}}},
     SettingRow{.name = "scanner.prefix",
                .key = "scanner/prefix",
                .form = SettingForm::Prefix,

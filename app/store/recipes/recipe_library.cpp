@@ -8,8 +8,6 @@
 #include "app/store/recipes/program_json.h"
 #include "app/store/recipes/recipe_json.h"
 
-#include <QHash>
-
 #include <algorithm>
 
 using namespace Qt::StringLiterals;
@@ -112,6 +110,26 @@ RecipeLibrary::Result<QStringList> RecipeLibrary::unreadable()
             names << all->value(1).toString();
     }
     return names;
+}
+
+RecipeLibrary::Result<QHash<QString, qint64>> RecipeLibrary::downloads()
+{
+    constexpr int soughtRows = 20'000; // of the trail, which may have millions
+    auto found = m_database.execute(uR"(SELECT what, object, after, sequence
+            FROM (SELECT * FROM audit ORDER BY sequence DESC LIMIT ?)
+            WHERE what IN ('program.download', 'recipe.rename') AND outcome = 'done' ORDER BY sequence)"_s,
+                                    {soughtRows});
+    if (!found)
+        return tl::unexpected(found.error());
+    QHash<QString, qint64> last;
+    while (found->next()) {
+        const QString name = nameKey(found->value(1).toString());
+        if (found->value(0).toString() == u"program.download")
+            last[name] = found->value(3).toLongLong();
+        else if (const qint64 number = last.take(name))
+            last[nameKey(found->value(2).toString())] = number;
+    }
+    return last;
 }
 
 RecipeLibrary::Result<QList<RecipeVersion>> RecipeLibrary::versions(qint64 recipeId)

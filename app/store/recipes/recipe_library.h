@@ -6,6 +6,7 @@
 #include "app/program/recipe.h"
 #include "app/store/database/clock_mark.h"
 
+#include <QHash>
 #include <QList>
 #include <QString>
 
@@ -46,6 +47,11 @@ public:
     [[nodiscard]] Result<QStringList> unreadable();
     // Returns all versions of one recipe, newest first.
     [[nodiscard]] Result<QList<RecipeVersion>> versions(qint64 recipeId);
+
+    // Returns the names of the recipes among the last changes in the audit trail, by their keys (see
+    // names.h), each with the number of its last download: the higher, the later. A renamed recipe keeps its
+    // number.
+    [[nodiscard]] Result<QHash<QString, qint64>> downloads();
 
     // Returns true when there was never a recipe, not even one that was deleted.
     [[nodiscard]] Result<bool> isEmpty();

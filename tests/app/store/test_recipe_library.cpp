@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Recipes in the database: versions are kept, numbered without gaps or repeats, and never changed.
 #include "app/store/database/clock_mark.h"
+#include "app/store/database/names.h"
 #include "app/store/logs/alarm_log.h"
+#include "app/store/logs/audit_log.h"
 #include "app/store/recipes/recipe_library.h"
 #include "tests/support/test_program.h"
 
@@ -173,6 +175,27 @@ private slots:
         QCOMPARE(names(), QStringList{QStringLiteral("Rusk large v1")});
         QCOMPARE(save(recipe("Wafer", 95, 2), 3000).recipeId, wafer);
         QCOMPARE(names(), QStringList({QStringLiteral("Wafer v2"), QStringLiteral("Rusk large v1")}));
+    }
+
+    void ordersNamesByTheirLastDownload()
+    {
+        const auto note = [this](const QString& what, const QString& name, const QString& after = {},
+                                 const QString& outcome = QStringLiteral("done")) {
+            const auto added =
+                appendAudit(*m_database, {.what = what, .object = name, .after = after, .outcome = outcome});
+            QVERIFY(added);
+        };
+        const QString download = QStringLiteral("program.download");
+        note(download, QStringLiteral("Rusk"));
+        note(download, QStringLiteral("Wafer"));
+        note(download, QStringLiteral("Pouch"), {}, QStringLiteral("failed"));
+        note(download, QStringLiteral("RUSK"));
+        note(QStringLiteral("recipe.rename"), QStringLiteral("Wafer"), QStringLiteral("Wafer 60"));
+        note(QStringLiteral("parameter.write"), QStringLiteral("Rusk"));
+        const auto found = library().downloads();
+        QVERIFY(found);
+        QCOMPARE(*found, (QHash<QString, qint64>{{nameKey(QStringLiteral("Rusk")), 4},
+                                                 {nameKey(QStringLiteral("wafer 60")), 2}}));
     }
 
     void keepsOneMachineForEachKind()
