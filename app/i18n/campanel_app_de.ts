@@ -7118,6 +7118,10 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
         <translation>in, in/s, ft; Dateien bleiben metrisch</translation>
     </message>
     <message>
+        <source>This text is not possible. Enter up to 64 visible characters.</source>
+        <translation>Dieser Text ist nicht möglich. Höchstens 64 sichtbare Zeichen eingeben.</translation>
+    </message>
+    <message>
         <source>By date</source>
         <translation>Nach Datum</translation>
     </message>
@@ -7128,6 +7132,14 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
     <message>
         <source>By last use</source>
         <translation>Zuletzt benutzt</translation>
+    </message>
+    <message>
+        <source>name of the machine</source>
+        <translation>Name der Maschine</translation>
+    </message>
+    <message>
+        <source>Name of the machine</source>
+        <translation>Name der Maschine</translation>
     </message>
 </context>
 <context>

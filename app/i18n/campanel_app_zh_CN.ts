@@ -7114,6 +7114,10 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
         <translation>in、in/s、ft；文件保持公制</translation>
     </message>
     <message>
+        <source>This text is not possible. Enter up to 64 visible characters.</source>
+        <translation>不能使用该文本。请输入最多 64 个可见字符。</translation>
+    </message>
+    <message>
         <source>By date</source>
         <translation>按时间</translation>
     </message>
@@ -7124,6 +7128,14 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
     <message>
         <source>By last use</source>
         <translation>按最近使用</translation>
+    </message>
+    <message>
+        <source>name of the machine</source>
+        <translation>机器名称</translation>
+    </message>
+    <message>
+        <source>Name of the machine</source>
+        <translation>机器名称</translation>
     </message>
 </context>
 <context>

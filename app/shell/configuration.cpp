@@ -82,6 +82,7 @@ std::optional<QString> valueIn(const toml::node& node, SettingForm form)
     case SettingForm::Language:
     case SettingForm::Port:
     case SettingForm::File:
+    case SettingForm::Title:
     case SettingForm::Name:
     case SettingForm::Host:
     case SettingForm::User:

@@ -42,6 +42,7 @@ QString standardOf(Setting setting)
     case SettingForm::Word:
     case SettingForm::Port:
     case SettingForm::File:
+    case SettingForm::Title:
     case SettingForm::Name:
     case SettingForm::Host:
     case SettingForm::User:

@@ -28,6 +28,12 @@ SettingsSection {
             width: list.width - scrollMark.room
             spacing: Theme.size.spacing
             SettingTile {
+                objectName: "machineName"
+                width: column.width
+                height: section.rowHeight
+                name: "machine.name"
+            }
+            SettingTile {
                 objectName: "bagTolerance"
                 visible: Editor.kind === Editor.Kind.RotaryCutter
                 width: column.width

@@ -5,6 +5,7 @@ import QtQuick
 import CamPanel.Theme
 import CamPanel.Controls
 import CamPanel.Parts
+import CamPanel.Panel
 
 Page {
     id: page
@@ -14,10 +15,11 @@ Page {
     }
 
     property int section
+    readonly property string machineName: Settings.setting("machine.name").shown
     readonly property var sections: [
         { name: "section0", text: qsTr("Display"), note: qsTr("language, units, theme"), source: "DisplaySection.qml" },
         { name: "section1", text: qsTr("Connection"), note: qsTr("simulated or serial port"), source: "ConnectionSection.qml" },
-        { name: "section2", text: qsTr("Machine"), note: qsTr("drive, gear, motor limits"), source: "MachineSection.qml" },
+        { name: "section2", text: qsTr("Machine"), note: page.machineName.length > 0 ? page.machineName : qsTr("drive, gear, motor limits"), source: "MachineSection.qml" },
         { name: "sectionUsers", text: qsTr("Users"), note: qsTr("PINs, levels, audit"), source: "UsersSection.qml" },
         { name: "section3", text: qsTr("About"), note: qsTr("versions, disk, safety"), source: "AboutSection.qml" },
         { source: "SystemSection.qml", within: 0 },
@@ -46,6 +48,7 @@ Page {
                     height: (column.height - (page.menu.length - 1) * column.spacing) / page.menu.length
                     text: modelData.text
                     note: modelData.note
+                    noteLabel.maximumLineCount: 2
                     holds: page.shown === index
                     onClicked: page.section = index
                 }

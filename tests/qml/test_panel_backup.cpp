@@ -138,6 +138,50 @@ private slots:
         QVERIFY(chain->fault() == store::ChainCheck::Fault::None);
     }
 
+    // By finger; what the reports and the names of their files have.
+    void theMachineHasAName()
+    {
+        const QString name = u"Line 3 / Nord"_s;
+        shell::Panel& panel = m_window->panel();
+        const auto machineName = [&panel] { return panel.settings().values().text("machine.name"); };
+        tap("nav_settings");
+        tap("section2");
+        QCOMPARE(propertyOf("machineName", "note"), u"--"_s);
+        tap("machineName");
+        m_window->type(name);
+        tap("textAccept");
+        QCOMPARE(machineName(), name);
+        QCOMPARE(propertyOf("machineName", "note"), name);
+        QCOMPARE(propertyOf("section2", "note"), name);
+        for (const panel::ReportData& data : {panel.commissioning().data(), panel.shiftReport().data()})
+            QVERIFY2(data.machine.startsWith(name + u" · Machine with "_s), qPrintable(data.machine));
+        const panel::Settings next(panel.settings().file().path(), nullptr); // after a restart
+        QCOMPARE(next.machineName(), name);
+
+        const QStringList bad{QString(200, u'M'), u"a\u0007b"_s, u"a\u200bb"_s};
+        for (const QString& text : bad) {
+            tap("machineName");
+            m_window->find(u"textInput"_s)->setProperty("text", text);
+            m_window->settle();
+            QVERIFY(!textOf("textProblem").isEmpty());
+            QVERIFY(!m_window->find(u"textAccept"_s)->isEnabled());
+            tap("sheetClose");
+            QCOMPARE(machineName(), name);
+        }
+        panel.settings().setting(u"machine.name"_s)->enter(bad.first());
+        QCOMPARE(machineName(), name);
+
+        openSection();
+        makeBackup();
+        QVERIFY2(onStick(u"CamPanel backup Line 3 *"_s).size() == 1, qPrintable(onStick(u"*"_s).join(u' ')));
+        tap("nav_settings");
+        tap("machineName");
+        m_window->find(u"textInput"_s)->setProperty("text", u"  "_s); // none again
+        tap("textAccept");
+        QCOMPARE(machineName(), QString());
+        QVERIFY(panel.commissioning().data().machine.startsWith(u"Machine with "_s));
+    }
+
     // Like main(): the end of one panel's window does not end the next one's event loop.
     void anotherPanelTakesItsPlace()
     {

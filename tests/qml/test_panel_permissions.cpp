@@ -51,6 +51,7 @@ const QList<Harmless>& harmless()
           u"Explanations::ofTrendCursor"_s,
           u"ReasonEditor::problemOf"_s,
           u"Scan::prefixProblem"_s,
+          u"SettingField::problem"_s,
           u"Settings::setting"_s,
           u"Controller::parameterField"_s,
           u"SoftwareUpdate::actionOf"_s,

@@ -114,6 +114,7 @@ public:
     [[nodiscard]] Connection connection() const;
     [[nodiscard]] QString connectionText() const;
     [[nodiscard]] QString portName() const { return m_report.portName; }
+    [[nodiscard]] const Settings& settings() const { return m_settings; }
     [[nodiscard]] bool simulated() const { return m_report.simulated; }
     [[nodiscard]] bool stopWaits() const { return m_report.pendingStop.has_value(); }
     [[nodiscard]] QString stopWaitsText() const;

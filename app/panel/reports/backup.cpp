@@ -138,7 +138,7 @@ void Backup::make()
     showMessage({}, false);
     snapshot([this](const Snapshot& taken) {
         const QString name =
-            tr("CamPanel backup %1", "name of a file").arg(m_wallClock().toString(u"yyyy-MM-dd HH-mm"_s));
+            tr("CamPanel backup %1", "name of a file").arg(m_parts.settings.fileStamp(m_wallClock()));
         m_places.offer({{name, suffix, {}, [taken](const QString& path) {
                              return store::writeBackup(path, taken.manifest, taken.folder->path(),
                                                        taken.parts);
@@ -270,7 +270,7 @@ void Backup::seal(const Snapshot& present)
                                   .before = present.newestRow,
                                   .after = m_checked->manifest.made.toString(Qt::ISODate)};
     const QString name =
-        tr("CamPanel before restore %1", "name of a file").arg(m_wallClock().toString(u"yyyy-MM-dd HH-mm"_s));
+        tr("CamPanel before restore %1", "name of a file").arg(m_parts.settings.fileStamp(m_wallClock()));
     run(
         [present, entry, name, folder = m_folder, own = ownFolder()] {
             QDir().mkpath(own);

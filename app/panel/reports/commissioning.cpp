@@ -6,6 +6,7 @@
 #include "app/panel/editor/editor.h"
 #include "app/panel/kit/format.h"
 #include "app/panel/kit/units.h"
+#include "app/panel/settings/settings.h"
 #include "app/panel/words/recipe_words.h"
 
 #include <QCoreApplication>
@@ -25,9 +26,11 @@ using Rows = QList<std::pair<QString, QString>>;
 QString machineText(const Controller& controller)
 {
     const auto& identity = controller.identity();
-    return identity ? Commissioning::tr("Machine with controller %1", "serial number")
-                          .arg(QString::number(identity->uniqueId, 16).toUpper())
-                    : Commissioning::tr("Machine with an unknown controller");
+    const QString text = identity ? Commissioning::tr("Machine with controller %1", "serial number")
+                                        .arg(QString::number(identity->uniqueId, 16).toUpper())
+                                  : Commissioning::tr("Machine with an unknown controller");
+    const QString name = controller.settings().machineName();
+    return name.isEmpty() ? text : u"%1 · %2"_s.arg(name, text);
 }
 
 QStringList signatureTexts()

@@ -8,6 +8,7 @@
 #include "app/panel/maintenance/frame_list.h"
 #include "app/panel/maintenance/line_figures.h"
 #include "app/panel/records/database_service.h"
+#include "app/panel/settings/settings.h"
 #include "app/program/program_image.h"
 #include "app/program/table_columns.h"
 #include "app/store/logs/alarm_log.h"
@@ -162,7 +163,8 @@ QByteArray ServiceBundle::about() const
 QByteArray ServiceBundle::controller() const
 {
     const Controller& controller = m_parts.controller;
-    QJsonObject object{{u"connection"_s, controller.connectionText()},
+    QJsonObject object{{u"machine"_s, controller.settings().machineName()},
+                       {u"connection"_s, controller.connectionText()},
                        {u"port"_s, controller.portName()},
                        {u"simulated"_s, controller.simulated()},
                        {u"state"_s, controller.stateText()},
@@ -232,8 +234,8 @@ void ServiceBundle::gather(const link::FiguresReport& figures)
 
 void ServiceBundle::offer(Entries entries)
 {
-    const QString name =
-        tr("CamPanel service %1", "name of a file").arg(m_wallClock().toString(u"yyyy-MM-dd HH-mm"_s));
+    const QString name = tr("CamPanel service %1", "name of a file")
+                             .arg(m_parts.controller.settings().fileStamp(m_wallClock()));
     m_parts.files.offer(
         {{name, u"zip"_s, {}, [entries, recipe = m_parts.editor.recipe()](const QString& path) {
               Entries all = entries;

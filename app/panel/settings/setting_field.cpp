@@ -113,6 +113,19 @@ SettingField::SettingField(Setting setting, QObject* parent)
     });
 }
 
+QString SettingField::problem(const QString& text) const
+{
+    return isValid(m_setting, text.trimmed())
+               ? QString()
+               : Settings::tr("This text is not possible. Enter up to 64 visible characters.");
+}
+
+void SettingField::enter(const QString& text)
+{
+    if (problem(text).isEmpty())
+        emit chosen(text.trimmed());
+}
+
 void SettingField::chooseNext()
 {
     const auto isPresent = [this](const QVariant& choice) { return choice.toMap()[u"key"_s] == m_view.key; };

@@ -31,6 +31,8 @@ class SettingField : public campanel::panel::Value {
     Q_PROPERTY(QVariant key READ key NOTIFY changed FINAL)
     Q_PROPERTY(QString shown READ shown NOTIFY changed FINAL)
     Q_PROPERTY(QVariantList choices READ choices NOTIFY changed FINAL)
+    // True: it is entered with the keyboard.
+    Q_PROPERTY(bool isText READ isText CONSTANT FINAL)
 
 public:
     SettingField(Setting setting, QObject* parent);
@@ -39,7 +41,12 @@ public:
     [[nodiscard]] QVariant key() const { return m_view.key; }
     [[nodiscard]] QString shown() const { return m_view.shown; }
     [[nodiscard]] QVariantList choices() const { return m_view.choices; }
+    [[nodiscard]] bool isText() const { return m_setting->form == SettingForm::Title; }
 
+    // Returns why this text cannot be the value, empty when it can; requests it without the spaces at its
+    // ends.
+    Q_INVOKABLE QString problem(const QString& text) const;
+    Q_INVOKABLE void enter(const QString& text);
     // Requests the value with the key of a choice.
     Q_INVOKABLE void choose(const QString& key) { emit chosen(key); }
 

@@ -21,6 +21,7 @@ enum class SettingForm {
     Decimal,  // a number of the range
     Port,     // an absolute path, or nothing
     File,     // an absolute path, or nothing
+    Title,    // up to 64 printable characters, or nothing
     Name,     // up to 64 letters without those that have a meaning in MQTT topics, or nothing
     Host,     // name or address of a computer, as DNS has it, or nothing
     User,     // up to 256 printable characters, as MQTT has them, or nothing
@@ -227,6 +228,13 @@ inline constexpr std::array settingTable{
                .words = {{{QT_TRANSLATE_NOOP("campanel::panel::Settings", "By date")},
                           {QT_TRANSLATE_NOOP("campanel::panel::Settings", "By name")},
                           {QT_TRANSLATE_NOOP("campanel::panel::Settings", "By last use")}}}},
+    SettingRow{.name = "machine.name",
+               .key = "machine/name",
+               .form = SettingForm::Title,
+               .level = Level::Technician,
+               .label = QT_TRANSLATE_NOOP("campanel::panel::Settings", "name of the machine"),
+               .help = "Name of this machine in reports and in the names of their files. Empty: none.",
+               .title = QT_TRANSLATE_NOOP("campanel::panel::Settings", "Name of the machine")},
     SettingRow{.name = "scanner.prefix",
                .key = "scanner/prefix",
                .form = SettingForm::Prefix,

@@ -61,9 +61,8 @@ bool isHost(const QString& text)
                               (form.match(text).hasMatch() || address.match(text).hasMatch()));
 }
 
-bool isUser(const QString& text)
+bool isPrintable(const QString& text, qsizetype maxLength)
 {
-    constexpr qsizetype maxLength = 256;
     const QList<uint> characters = text.toUcs4();
     return characters.size() <= maxLength && text == text.trimmed() &&
            std::ranges::all_of(characters, [](uint character) { return QChar::isPrint(character); });
@@ -151,6 +150,8 @@ QString validValues(Setting setting)
         return u"the path of a serial port, such as \"/dev/campanel-serial\""_s;
     case SettingForm::File:
         return u"the path of a file, such as \"/etc/campanel/broker.pem\""_s;
+    case SettingForm::Title:
+        return u"up to 64 printable characters"_s;
     case SettingForm::Name:
         return u"up to 64 letters, without / + #"_s;
     case SettingForm::Host:
@@ -191,12 +192,14 @@ bool isValid(Setting setting, const QString& text)
     case SettingForm::Port:
     case SettingForm::File:
         return text.isEmpty() || text.startsWith(u'/');
+    case SettingForm::Title:
+        return isPrintable(text, 64);
     case SettingForm::Name:
         return isTopicName(text);
     case SettingForm::Host:
         return isHost(text);
     case SettingForm::User:
-        return isUser(text);
+        return isPrintable(text, 256);
     case SettingForm::Prefix:
         return isPrefix(text);
     case SettingForm::Size:

@@ -90,6 +90,12 @@ Settings::Settings(const QString& storage, QObject* parent, const SettingValues&
     connect(this, &Settings::connectionApplied, this, &Settings::changed);
 }
 
+QString Settings::fileStamp(const QDateTime& time) const
+{
+    const QString minute = time.toString(u"yyyy-MM-dd HH-mm"_s);
+    return machineName().isEmpty() ? minute : machineName() + u' ' + minute;
+}
+
 // Reads the stored values over the defaults. A damaged connection never selects the simulated controller.
 void Settings::load()
 {

@@ -10,6 +10,7 @@
 #include "app/panel/settings/setting_field.h"
 #include "app/store/files/settings_file.h"
 
+#include <QDateTime>
 #include <QMap>
 #include <QObject>
 #include <QPointer>
@@ -86,6 +87,9 @@ public:
     [[nodiscard]] bool isInch() const { return m_values.text("display.units") == u"inch"; }
     [[nodiscard]] QVariantMap units() const { return Units::rows(isInch()); }
     [[nodiscard]] const QList<Language>& installedLanguages() const { return m_languages; }
+    [[nodiscard]] QString machineName() const { return m_values.text("machine.name"); }
+    // Returns the machine's name, if it has one, and the minute, for the name of a file.
+    [[nodiscard]] QString fileStamp(const QDateTime& time) const;
     [[nodiscard]] double bagToleranceMm() const { return m_values.number("bags.tolerance_mm"); }
 
     [[nodiscard]] bool simulated() const { return m_draft.simulated; }
