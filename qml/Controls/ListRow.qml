@@ -64,6 +64,9 @@ TouchButton {
                 id: titleLabel
                 width: parent.width - row.rightRoom
                 fontSizeMode: Text.HorizontalFit
+                minimumPixelSize: Theme.size.caption   // no smaller than its note
+                wrapMode: Text.Wrap
+                maximumLineCount: row.note.length > 0 ? 2 : 3
                 text: row.text
                 color: row.enabled ? Theme.color.ink : Theme.color.disabledInk
                 font.weight: Font.DemiBold
@@ -71,7 +74,7 @@ TouchButton {
             Label {
                 id: rightLabel
                 anchors { right: parent.right; verticalCenter: parent.verticalCenter }
-                width: Math.min(implicitWidth, parent.width * 0.6)
+                width: Math.min(implicitWidth, Math.max(parent.width * 0.6, parent.width - titleLabel.implicitWidth - Theme.size.spacing))
                 horizontalAlignment: Text.AlignRight
                 fontSizeMode: Text.HorizontalFit
                 text: row.rightText

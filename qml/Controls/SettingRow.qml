@@ -14,7 +14,7 @@ ListRow {
     text: row.label
     note: row.value
     detail: row.value
-    titleLabel { color: Theme.color.secondaryInk; font { pixelSize: Theme.size.caption; weight: Font.Normal } }
+    titleLabel { minimumPixelSize: Theme.size.smallestText; wrapMode: Text.NoWrap; color: Theme.color.secondaryInk; font { pixelSize: Theme.size.caption; weight: Font.Normal } }
     noteLabel {
         wrapMode: row.tooLong ? Text.WordWrap : Text.NoWrap
         maximumLineCount: 2
