@@ -66,7 +66,7 @@ TouchButton {
                 fontSizeMode: Text.HorizontalFit
                 minimumPixelSize: Theme.size.caption   // no smaller than its note
                 wrapMode: Text.Wrap
-                maximumLineCount: row.note.length > 0 ? 2 : 3
+                maximumLineCount: row.note.length > 0 ? 2 : 4
                 text: row.text
                 color: row.enabled ? Theme.color.ink : Theme.color.disabledInk
                 font.weight: Font.DemiBold

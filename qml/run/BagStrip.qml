@@ -30,7 +30,7 @@ Card {
         Hatch {
             objectName: "scrapHatch"
             visible: card.scrap
-            anchors.fill: number
+            anchors { fill: number; rightMargin: arrow.width }
             color: Theme.color.warning
         }
         Readout {
