@@ -218,6 +218,10 @@ screen = "linuxfb"
             "c.toml:6: bags.tolerance_mm must be a number from 0.05 to 5; it is ignored.");
         row("[display]\nsize = \"640x480\"",
             "c.toml:6: display.size must be from \"800x480\" to \"9999x9999\"; it is ignored.");
+        row("[machine]\nname = \"Line\\t3\"",
+            "c.toml:6: machine.name must be up to 64 printable characters; it is ignored.");
+        row("[machine]\nname = \"MMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMM\"",
+            "c.toml:6: machine.name must be up to 64 printable characters; it is ignored.");
         row("[log]\nrules = [\"campanel.link=on\"]", "c.toml:6: log.rules must be a list of rules such as "
                                                      "[\"campanel.link.debug=true\"]; it is ignored.");
         row("[stops]\nshift_starts = \"06:10\"", "c.toml:6: stops.shift_starts must be from one to six "

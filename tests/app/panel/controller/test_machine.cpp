@@ -439,6 +439,8 @@ private slots:
         rig.settings.set("access.auto_logout_minutes", panel::settingText(30));
         rig.settings.set("access.operators_log_in", panel::settingText(true));
         rig.settings.set("access.hold_to_start", "on");
+        rig.settings.set("recipes.order", "use");
+        rig.settings.set("machine.name", "Line 3");
         rig.settings.set("scanner.prefix", "~~");
         rig.settings.set("scanner.suffix", "tab");
         rig.settings.set("scanner.key_time_ms", "50");
