@@ -371,6 +371,13 @@ const QList<Screen>& allScreens()
              window.tap(QStringLiteral("portButton"));
          }},
         taps("settings-machine", {settings, QStringLiteral("section2")}),
+        taps("settings-machine-name", {settings, QStringLiteral("section2"), QStringLiteral("machineName")}),
+        {QStringLiteral("settings-machine-named"),
+         [=](TestWindow& window) {
+             window.panel().settings().overrideValue(
+                 "machine.name", QStringLiteral("Horizontal flow wrapper, hall 2, line 3"));
+             taps("", {settings, QStringLiteral("section2")}).enter(window);
+         }},
         taps("settings-permit", {settings, QStringLiteral("section2"), QStringLiteral("openPermit")}),
         taps("settings-start-key", {settings, QStringLiteral("section0"), QStringLiteral("holdToStart")}),
         taps("keypad-machine", {settings, QStringLiteral("section2"),
@@ -727,6 +734,7 @@ void enterScreen(TestWindow& window, const Screen& screen)
     window.panel().controller().dismissMessage();
     window.panel().scan().dismissNotice();
     window.panel().settings().overrideValue("scanner.prefix", {});
+    window.panel().settings().overrideValue("machine.name", {});
     window.settle();
     while (window.panel().alarms().shelved()->count() > 0)
         window.panel().alarms().unshelve(0);
