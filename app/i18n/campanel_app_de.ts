@@ -540,6 +540,30 @@
         <source>Delete the file named in the detail. Then restore a backup.</source>
         <translation>Die in der Einzelheit genannte Datei löschen. Dann eine Sicherung zurückspielen.</translation>
     </message>
+    <message>
+        <source>Products joined</source>
+        <translation>Produkte verbunden</translation>
+    </message>
+    <message>
+        <source>Take the products off the infeed, then start again.</source>
+        <translation>Produkte vom Einlauf nehmen, dann neu starten.</translation>
+    </message>
+    <message>
+        <source>Jaws closed</source>
+        <translation>Backen geschlossen</translation>
+    </message>
+    <message>
+        <source>Open them by hand. The bags on both sides are scrap.</source>
+        <translation>Von Hand öffnen. Die Beutel zu beiden Seiten sind Ausschuss.</translation>
+    </message>
+    <message>
+        <source>Two products hang together on the infeed, so the run was stopped.</source>
+        <translation>Zwei Produkte hängen am Einlauf zusammen, darum wurde der Lauf beendet.</translation>
+    </message>
+    <message>
+        <source>The jaws have been closed on standing film for too long.</source>
+        <translation>Die Backen sind zu lange auf stehender Folie geschlossen.</translation>
+    </message>
 </context>
 <context>
     <name>AlarmWords</name>
@@ -2717,6 +2741,14 @@ eff. %2</translation>
     <message>
         <source>Try output</source>
         <translation>Ausgang testen</translation>
+    </message>
+    <message>
+        <source>The distance in which prints behind a mark are ignored reaches the next mark. Reduce it under Maintenance.</source>
+        <translation>Die hinter einer Marke ignorierte Folie reicht bis zur nächsten Marke. Unter Wartung verringern.</translation>
+    </message>
+    <message>
+        <source>The minimum mark width is above the maximum. Correct it under Maintenance.</source>
+        <translation>Die kleinste Markenbreite liegt über der größten. Unter Wartung korrigieren.</translation>
     </message>
 </context>
 <context>
@@ -6222,6 +6254,50 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
     <message>
         <source>%1. It answers later than entered: clean and check it.</source>
         <translation>%1. Er antwortet später als eingetragen: reinigen und prüfen.</translation>
+    </message>
+    <message>
+        <source>Knife %1 cuts behind its place by</source>
+        <translation>Messer %1 schneidet hinter seinem Platz um</translation>
+    </message>
+    <message>
+        <source>Mark sensor: end of a mark later by</source>
+        <translation>Markensensor: Ende einer Marke später um</translation>
+    </message>
+    <message>
+        <source>Mark width, minimum</source>
+        <translation>Markenbreite, kleinste</translation>
+    </message>
+    <message>
+        <source>Mark width, maximum</source>
+        <translation>Markenbreite, größte</translation>
+    </message>
+    <message>
+        <source>Ignored film behind a mark</source>
+        <translation>Ignorierte Folie hinter einer Marke</translation>
+    </message>
+    <message>
+        <source>Product length, maximum</source>
+        <translation>Produktlänge, größte</translation>
+    </message>
+    <message>
+        <source>Jaws touch the film, before the cut from</source>
+        <translation>Backen berühren die Folie, vor dem Schnitt ab</translation>
+    </message>
+    <message>
+        <source>Jaws touch the film, behind the cut up to</source>
+        <translation>Backen berühren die Folie, nach dem Schnitt bis</translation>
+    </message>
+    <message>
+        <source>Knife opens after a stop, delay</source>
+        <translation>Messer öffnet nach Halt, Verzögerung</translation>
+    </message>
+    <message>
+        <source>Closed jaws spoil the film after</source>
+        <translation>Geschlossene Backen verderben die Folie nach</translation>
+    </message>
+    <message>
+        <source>No mark would fit: at least %1, at most %2. Change the other one first.</source>
+        <translation>Keine Marke würde passen: mindestens %1, höchstens %2. Zuerst den anderen Wert ändern.</translation>
     </message>
 </context>
 <context>

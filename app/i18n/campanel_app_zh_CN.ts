@@ -540,6 +540,30 @@
         <source>Delete the file named in the detail. Then restore a backup.</source>
         <translation>请删除详情中写明的文件，然后恢复备份。</translation>
     </message>
+    <message>
+        <source>Products joined</source>
+        <translation>产品粘连</translation>
+    </message>
+    <message>
+        <source>Take the products off the infeed, then start again.</source>
+        <translation>请从进料处取下产品，然后重新启动。</translation>
+    </message>
+    <message>
+        <source>Jaws closed</source>
+        <translation>封切口闭合</translation>
+    </message>
+    <message>
+        <source>Open them by hand. The bags on both sides are scrap.</source>
+        <translation>请用手打开。两侧的袋子均为废品。</translation>
+    </message>
+    <message>
+        <source>Two products hang together on the infeed, so the run was stopped.</source>
+        <translation>进料处有两个产品粘连，运行已停止。</translation>
+    </message>
+    <message>
+        <source>The jaws have been closed on standing film for too long.</source>
+        <translation>封切口在静止的薄膜上闭合时间过长。</translation>
+    </message>
 </context>
 <context>
     <name>AlarmWords</name>
@@ -2715,6 +2739,14 @@ RMS %2</source>
     <message>
         <source>Try output</source>
         <translation>测试输出</translation>
+    </message>
+    <message>
+        <source>The distance in which prints behind a mark are ignored reaches the next mark. Reduce it under Maintenance.</source>
+        <translation>色标后的屏蔽距离已到达下一个色标。请在“维护”中减小。</translation>
+    </message>
+    <message>
+        <source>The minimum mark width is above the maximum. Correct it under Maintenance.</source>
+        <translation>色标最小宽度大于最大宽度。请在“维护”中更正。</translation>
     </message>
 </context>
 <context>
@@ -6220,6 +6252,50 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
     <message>
         <source>%1. It answers later than entered: clean and check it.</source>
         <translation>%1。其响应比设定值慢：请清洁并检查。</translation>
+    </message>
+    <message>
+        <source>Knife %1 cuts behind its place by</source>
+        <translation>切刀 %1 偏后</translation>
+    </message>
+    <message>
+        <source>Mark sensor: end of a mark later by</source>
+        <translation>色标传感器：色标结束延后</translation>
+    </message>
+    <message>
+        <source>Mark width, minimum</source>
+        <translation>色标宽度，最小</translation>
+    </message>
+    <message>
+        <source>Mark width, maximum</source>
+        <translation>色标宽度，最大</translation>
+    </message>
+    <message>
+        <source>Ignored film behind a mark</source>
+        <translation>色标后屏蔽的薄膜</translation>
+    </message>
+    <message>
+        <source>Product length, maximum</source>
+        <translation>产品长度，最大</translation>
+    </message>
+    <message>
+        <source>Jaws touch the film, before the cut from</source>
+        <translation>封切口接触薄膜，切断前自</translation>
+    </message>
+    <message>
+        <source>Jaws touch the film, behind the cut up to</source>
+        <translation>封切口接触薄膜，切断后至</translation>
+    </message>
+    <message>
+        <source>Knife opens after a stop, delay</source>
+        <translation>停止后切刀打开，延时</translation>
+    </message>
+    <message>
+        <source>Closed jaws spoil the film after</source>
+        <translation>闭合的封切口损坏薄膜的时间</translation>
+    </message>
+    <message>
+        <source>No mark would fit: at least %1, at most %2. Change the other one first.</source>
+        <translation>没有色标符合：最小 %1，最大 %2。请先更改另一个值。</translation>
     </message>
 </context>
 <context>
