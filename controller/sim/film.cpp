@@ -72,6 +72,13 @@ void Film::load(double bagMm, double toFirstCutMm, double rollMm)
     nextMark();
 }
 
+void Film::pull(double mm)
+{
+    m_slipAtKnotMm += mm;
+    m_slipBeforeMm += mm;
+    m_slipAfterMm += mm;
+}
+
 void Film::nextMark()
 {
     const double pitch = m_bagMm * (1.0 + m_options.printError);

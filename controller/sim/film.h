@@ -50,6 +50,8 @@ public:
 
     // Loads film printed for bags of this length; the first cut comes after another `toFirstCutMm`.
     void load(double bagMm, double toFirstCutMm, double rollMm);
+    // Pulls the film over its roll by hand.
+    void pull(double mm);
     // Advances the roll to this distance since power-up, with this acceleration of the film at the end,
     // m/s^2.
     void drawTo(double rollMm, double acceleration = 0.0);

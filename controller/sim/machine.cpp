@@ -76,6 +76,15 @@ void Machine::commandFeed(ctl_axis axis, std::int64_t from, std::int64_t to)
     servo.command(ctl_whole_pulses(to) - ctl_whole_pulses(from));
 }
 
+void Machine::standStill(const ByHand& byHand)
+{
+    m_main.turnByHand(byHand.turns * m_revolution);
+    m_filmMotor.turnByHand(0.0);
+    m_infeedMotor.turnByHand(byHand.products * m_options.flightPulses);
+    m_film.pull(byHand.filmMm);
+    m_materialAtCutMm.reset();
+}
+
 void Machine::setDriveOn(bool on)
 {
     m_hasPower = on;

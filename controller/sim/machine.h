@@ -73,6 +73,14 @@ public:
     // alarm does not follow; the others have no effect.
     void setInput(unsigned bit, bool isOn);
 
+    // The axes stand at once: the power is cut. Then somebody may turn the shaft and pull the film and the
+    // infeed.
+    struct ByHand {
+        double turns = 0.0;    // of the shaft
+        double filmMm = 0.0;   // over its roll
+        double products = 0.0; // of the infeed
+    };
+    void standStill(const ByHand& byHand);
     // Advances by one time step.
     void advance(double stepS);
     // Invalidates the last cut: the knife was turned by hand.
@@ -105,6 +113,7 @@ public:
     // Returns true when the jaws touch the film.
     [[nodiscard]] bool areJawsClosed() const;
     [[nodiscard]] bool areDrivesOn() const;
+    [[nodiscard]] double drawnMm() const { return m_film.drawnMm(rollMm(m_filmMotor.position())); }
     [[nodiscard]] double filmSpeed() const { return m_filmMotor.speed(); } // pulses per second
     // Returns the cut of the last step.
     [[nodiscard]] std::optional<BagCut> takeCut();

@@ -189,7 +189,7 @@ private:
     {
         while (m_result.bags < m_job.bags) {
             m_controller.step();
-            if (!operate())
+            if (!operate() || !cutPower())
                 return;
             m_fullSpeed = m_fullSpeed && m_core.motion.ramp.speed == m_core.motion.ramp.full;
             noticeSkip();
@@ -205,6 +205,51 @@ private:
         }
     }
 
+    // The power is cut anywhere in a cycle. The program is downloaded again: this machine has no flash.
+    bool cutPower()
+    {
+        if (m_job.powerCutShare <= 0.0 || m_core.motion.state != CTL_STATE_RUNNING)
+            return true;
+        if (m_powerCutAtUs == 0)
+            m_powerCutAtUs = randomTime(m_job.powerCutShare);
+        if (m_controller.nowUs() < m_powerCutAtUs)
+            return true;
+        m_powerCutAtUs = 0;
+        ++m_result.powerCuts;
+        std::uniform_real_distribution<double> part(0.0, 1.0);
+        Machine::ByHand byHand;
+        if (m_result.powerCuts % 2 == 0)
+            byHand = {part(m_random), m_setMm * part(m_random), part(m_random)};
+        m_controller.machine().standStill(byHand);
+        m_controller.restart();
+        m_commands = 0;
+        m_marksShown = 0;
+        m_skipped = 0;
+        m_powerUpMm = m_controller.machine().drawnMm();
+        m_hasGoodCut = false;
+        return setUp() && start();
+    }
+
+    std::uint64_t randomTime(double share)
+    {
+        std::geometric_distribution<std::uint32_t> bags(share);
+        std::uniform_real_distribution<double> part(0.0, 1.0);
+        return m_controller.nowUs() +
+               static_cast<std::uint64_t>((bags(m_random) + part(m_random)) * cycleS(m_job) * usPerS);
+    }
+
+    void takeFirstCuts(const BagCut& cut)
+    {
+        if (m_job.powerCutShare <= 0.0 || m_hasGoodCut || !m_core.packer.last_cut.tracked ||
+            std::abs(cut.markErrorMm) > offMm)
+            return;
+        m_hasGoodCut = true;
+        const double filmMm = cut.drawnMm - m_powerUpMm;
+        ++m_goodStarts;
+        m_result.meanFilmToGoodMm += (filmMm - m_result.meanFilmToGoodMm) / m_goodStarts;
+        m_result.longestFilmToGoodMm = std::max(m_result.longestFilmToGoodMm, filmMm);
+    }
+
     // An operator stops the machine anywhere in a cycle and starts it again some seconds later.
     bool operate()
     {
@@ -212,12 +257,8 @@ private:
         watchJaws();
         if (m_job.stopShare <= 0.0)
             return true;
-        if (m_stopAtUs == 0 && m_core.motion.state == CTL_STATE_RUNNING) {
-            std::geometric_distribution<std::uint32_t> bags(m_job.stopShare);
-            std::uniform_real_distribution<double> part(0.0, 1.0);
-            m_stopAtUs =
-                now + static_cast<std::uint64_t>((bags(m_random) + part(m_random)) * cycleS(m_job) * usPerS);
-        }
+        if (m_stopAtUs == 0 && m_core.motion.state == CTL_STATE_RUNNING)
+            m_stopAtUs = randomTime(m_job.stopShare);
         if (m_stopAtUs != 0 && m_startAtUs == 0 && now >= m_stopAtUs) {
             std::uniform_real_distribution<double> pause(1.0, 5.0);
             ++m_result.stops;
@@ -284,6 +325,7 @@ private:
 
     void takeCut(const BagCut& cut)
     {
+        takeFirstCuts(cut);
         const bool atSpeed = m_fullSpeed;
         m_fullSpeed = true;
         if (cut.lengthUm)
@@ -312,6 +354,10 @@ private:
         settle(bag);
         bag.isSettled = m_isSettled;
         explainSkips(bag, cut);
+        const bool isStartUp = (bag.flags & 1u << CTL_BAG_BIT_START_UP) != 0;
+        m_result.startUpBags += isStartUp ? 1u : 0u;
+        if (std::abs(bag.markErrorMm) > offMm && !isStartUp)
+            m_result.offUnmarked += 1;
         m_onBag(bag);
     }
 
@@ -370,6 +416,10 @@ private:
     std::uint32_t m_bagsAtAlarm = 0;
     bool m_runsOther = false;
     std::mt19937_64 m_random{m_job.machine.seed};
+    std::uint64_t m_powerCutAtUs = 0;
+    double m_powerUpMm = 0.0; // film drawn then
+    bool m_hasGoodCut = false;
+    std::uint32_t m_goodStarts = 0;
     std::uint64_t m_stopAtUs = 0;
     std::uint64_t m_startAtUs = 0;
     std::uint64_t m_closedUs = 0; // the jaws on standing film

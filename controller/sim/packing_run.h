@@ -29,7 +29,9 @@ struct PackingJob {
     std::uint32_t bags = 1000;
     std::uint64_t stepUs = 0; // 0: quickStepUs()
     bool goOn = false;        // restart after an alarm, like an operator
-    double stopShare = 0.0;   // of the bags in which an operator stops the machine at once, to start it later
+    double powerCutShare =
+        0.0; // of the bags in which the power is cut; in half of them axes and film are moved by hand
+    double stopShare = 0.0; // of the bags in which an operator stops the machine at once, to start it later
     // Called with the group `sensor` when it has new marks; the parameters that it returns are written.
     std::function<std::vector<ParameterValue>(std::span<const std::uint16_t> registers)> onMarks;
     // The board of the controller.
@@ -93,7 +95,16 @@ struct PackingResult {
     std::uint32_t stops = 0;
     std::uint32_t burns = 0;
     double longestClosedS = 0.0;
+    // Of the power cuts: bags whose cut was more than offMm from its print and that are not marked, and the
+    // film up to the first cut that follows a mark and is nearer.
+    std::uint32_t powerCuts = 0;
+    std::uint32_t offUnmarked = 0;
+    std::uint32_t startUpBags = 0;
+    double meanFilmToGoodMm = 0.0;
+    double longestFilmToGoodMm = 0.0;
 };
+
+inline constexpr double offMm = 0.5;
 
 inline constexpr double burnS = 1.0;
 

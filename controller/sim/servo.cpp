@@ -25,6 +25,15 @@ void Servo::setDriveOn(bool on)
     m_driveOn = on;
 }
 
+void Servo::turnByHand(double pulses)
+{
+    m_position += pulses;
+    m_commanded = std::llround(m_position);
+    m_target = static_cast<double>(m_commanded);
+    m_before = m_position;
+    m_speed = 0.0;
+}
+
 double Servo::acceleration() const
 {
     const double w = m_angularBandwidth;

@@ -15,6 +15,8 @@ public:
     void command(std::int64_t pulses) { m_commanded += pulses; }
     // Switches the drive. While it is off the axis does not follow; pulses in the meantime are lost.
     void setDriveOn(bool on);
+    // Stands at once, so far from where it was.
+    void turnByHand(double pulses);
     void advance(double stepS);
 
     [[nodiscard]] double position() const { return m_position; }

@@ -58,9 +58,9 @@ SimulatedController::SimulatedController(const ctl_config& config, const Machine
     , m_core(std::make_unique<ctl_core>())
     , m_flash(flash)
 {
-    ctl_config stepped = config;
-    stepped.slice_us = static_cast<std::uint32_t>(stepUs);
-    ctl_port port{};
+    m_config = config;
+    m_config.slice_us = static_cast<std::uint32_t>(stepUs);
+    ctl_port& port = m_port;
     port.context = this;
     port.pulses = [](void* context, const ctl_train* train) {
         auto& self = *static_cast<SimulatedController*>(context);
@@ -87,7 +87,12 @@ SimulatedController::SimulatedController(const ctl_config& config, const Machine
         return static_cast<SimulatedController*>(context)->m_flash.write(slot, offset, {bytes, size});
     };
     connectFeeds(port);
-    ctl_init(m_core.get(), &stepped, &port, 0);
+    restart();
+}
+
+void SimulatedController::restart()
+{
+    ctl_init(m_core.get(), &m_config, &m_port, m_nowUs);
     takeOverProgram();
 }
 

@@ -30,6 +30,8 @@ public:
     [[nodiscard]] std::uint64_t nowUs() const { return m_nowUs; }
     [[nodiscard]] std::uint64_t stepUs() const { return m_stepUs; }
     void step();
+    // Switches it off and on again; its memory but the flash is lost.
+    void restart();
     // Runs whole steps up to this time, then checks the line's silence at exactly that time.
     void runTo(std::uint64_t timeUs);
 
@@ -45,6 +47,8 @@ private:
     void takeOverProgram();
 
     std::uint64_t m_stepUs;
+    ctl_config m_config{};
+    ctl_port m_port{};
     Machine m_machine;
     std::unique_ptr<ctl_core> m_core; // too large for a stack
     FlashDevice& m_flash;

@@ -159,6 +159,9 @@ QList<QCommandLineOption> simulateOptions()
          u"MS"_s},
         {u"change-rate-every"_s,
          u"Change to half of the rate and back after so many bags, while the machine runs."_s, u"BAGS"_s},
+        {u"power-cuts"_s,
+         u"Bags in which the power is cut; in half of them somebody turns the knife's shaft and pulls film and infeed (0 to 1, default 0)."_s,
+         u"SHARE"_s},
         {u"stops"_s,
          u"Bags in which an operator stops the machine at once, to start it again 1 to 5 s later (0 to 1, default 0)."_s,
          u"SHARE"_s},
@@ -213,6 +216,10 @@ tl::expected<controller::PackingJob, Failure> jobOf(const Invocation& call)
     if (!stops)
         return tl::unexpected(stops.error());
     job.stopShare = *stops;
+    const auto powerCuts = numberOf(call, u"power-cuts"_s, 0, 0, 1);
+    if (!powerCuts)
+        return tl::unexpected(powerCuts.error());
+    job.powerCutShare = *powerCuts;
     if (learns(call))
         job.onMarks = [taker = DeadTimeTaker()](auto registers) mutable { return taker.take(registers); };
     for (const Disturbance& each : disturbances) {
