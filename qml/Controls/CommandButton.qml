@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The base of the keys that command the machine. Such a key acts once a finger has held it for `holdMs`, under a ring that
-// fills; a release or a finger that leaves the key before cancels. No keyboard reaches it, and a scanner is a keyboard.
+// fills; a release or a finger that leaves the key before cancels. Locked, a tap asks for the login, and the key is held again after it.
+// No keyboard reaches it, and a scanner is a keyboard.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme
@@ -13,8 +14,9 @@ TouchButton {
     property bool acted: true              // the touch has acted or ended
     property Item ringHost: key            // has the ring in its center
     property color ringColor: Theme.color.touch
-    readonly property bool holding: ready && holdMs > 0 && pressed && !acted
-    readonly property string holdNote: holdMs === 0 ? "" : hint.running ? qsTr("hold longer") : qsTr("hold")
+    readonly property bool holds: holdMs > 0 && !locked
+    readonly property bool holding: ready && holds && pressed && !acted
+    readonly property string holdNote: !holds ? "" : hint.running ? qsTr("hold longer") : qsTr("hold")
 
     signal commanded()
     signal refused()
@@ -24,7 +26,7 @@ TouchButton {
     onPressed: acted = false
     // A finger that slides back onto the key begins nothing: that needs a new touch.
     onPressedChanged: {
-        if (pressed || !ready || holdMs === 0)
+        if (pressed || !ready || !holds)
             return
         if (!acted)
             hint.restart()
@@ -38,7 +40,7 @@ TouchButton {
     onClicked: {
         if (!ready && !acted)
             refused()
-        else if (ready && holdMs === 0)
+        else if (ready && !holds)
             commanded()
     }
 

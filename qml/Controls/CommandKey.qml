@@ -12,7 +12,7 @@ CommandButton {
     property bool filled
     property bool square: false            // a plain filled square instead of the glyph, unlike an emergency-stop button
     property bool small: false
-    readonly property color inkColor: filled ? Theme.color.stopInk : ready ? Theme.color.touch : Theme.color.secondaryInk
+    readonly property color inkColor: filled ? Theme.color.stopInk : ready && !locked ? Theme.color.touch : Theme.color.secondaryInk
 
     ringHost: sign
     ringColor: key.inkColor
@@ -23,7 +23,7 @@ CommandButton {
         radius: Theme.size.radius
         color: key.filled ? (key.down ? Theme.color.stopPressed : Theme.color.stop)
             : key.down || !key.ready ? Theme.color.inset : Theme.color.surface
-        border { width: Theme.size.outline; color: key.filled ? Theme.color.stopEdge : key.ready ? Theme.color.touch : Theme.color.line }
+        border { width: Theme.size.outline; color: key.filled ? Theme.color.stopEdge : key.ready && !key.locked ? Theme.color.touch : Theme.color.line }
     }
     Item {
         anchors.fill: parent

@@ -11,6 +11,7 @@ Sheet {
     required property var current
     property string emptyText
     property alias delegate: list.delegate
+    property int level                     // of the person who may choose; 0: everybody
     property bool stays                    // open after a choice
     signal chosen(var key)
 
@@ -41,6 +42,7 @@ Sheet {
         delegate: ChoiceRow {
             required property var modelData
             objectName: "choice_" + modelData.key
+            level: picker.level
             text: modelData.text
             note: modelData.note ?? ""
             glyph: modelData.glyph ?? ""

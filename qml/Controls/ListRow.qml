@@ -68,7 +68,7 @@ TouchButton {
                 wrapMode: Text.Wrap
                 maximumLineCount: row.note.length > 0 ? 2 : 4
                 text: row.text
-                color: row.enabled ? Theme.color.ink : Theme.color.disabledInk
+                color: !row.enabled ? Theme.color.disabledInk : row.locked ? Theme.color.secondaryInk : Theme.color.ink
                 font.weight: Font.DemiBold
             }
             Label {

@@ -17,6 +17,7 @@ Card {
     required property real defaultValue
     required property int decimals
     property string refusal                // reason why typedValue is refused; "" when it is valid
+    property int level                     // of the person who may confirm; 0: everybody
     property string warning                // instead of the limits while something is typed
     signal edited()
     signal accepted()
@@ -147,6 +148,7 @@ Card {
         KeypadKey {
             width: keypad.keyWidth; height: keypad.keyHeight
             objectName: "keypadAccept"
+            level: keypad.level
             primary: true
             glyph: Theme.icon.check
             text: qsTr("OK")

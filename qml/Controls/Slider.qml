@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A slider between two ends; the handle and the whole height can be touched. `held` reports a drag by its values, `released`
-// its end.
+// its end. Above the person's level it has a padlock, and a drag asks for the login.
 pragma ComponentBehavior: Bound
 import QtQuick
 import QtQuick.Templates as T
@@ -9,7 +9,10 @@ import CamPanel.Theme
 T.Slider {
     id: slider
     Accessible.role: Accessible.Slider
+    Accessible.description: Permission.needs(slider.level)
 
+    property int level                     // of the person who may move it; 0: everybody
+    readonly property bool locked: enabled && level > Permission.level
     property bool known: true              // without a value there is no handle
     signal held(real value)
     signal released()
@@ -43,6 +46,11 @@ T.Slider {
         height: width
         radius: width / 2
         color: slider.pressed ? Theme.color.touch : Theme.color.surface
-        border { width: Theme.size.curve; color: slider.enabled ? Theme.color.touch : Theme.color.disabledInk }
+        border { width: Theme.size.curve; color: slider.enabled && !slider.locked ? Theme.color.touch : Theme.color.disabledInk }
+    }
+
+    Loader {
+        anchors { right: parent.right; top: parent.top; margins: Theme.size.accent }
+        source: slider.locked ? "Padlock.qml" : ""
     }
 }

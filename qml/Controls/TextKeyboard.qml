@@ -10,6 +10,7 @@ Item {
     id: keyboard
 
     required property TextInput input
+    property int level                     // of the person who may confirm; 0: everybody
     property bool acceptable: true
     signal accepted()
 
@@ -160,6 +161,7 @@ Item {
             }
             Key {
                 objectName: "textAccept"
+                level: keyboard.level
                 Accessible.name: qsTr("Confirm")
                 width: 2 * keyboard.keyWidth + Theme.size.outline
                 primary: true

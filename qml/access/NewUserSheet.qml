@@ -74,6 +74,7 @@ Sheet {
         },
         Button {
             objectName: "userPin"
+            level: Access.Service
             kind: Button.Primary
             text: qsTr("Next: PIN")
             enabled: sheet.refusal.length === 0

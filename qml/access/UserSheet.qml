@@ -35,6 +35,7 @@ Sheet {
                 ChoiceRow {
                     required property var modelData
                     objectName: "level" + modelData.key
+                    level: Access.Service
                     width: rows.width
                     text: modelData.text
                     note: modelData.note
@@ -48,9 +49,12 @@ Sheet {
     footer: [
         Button {
             objectName: "userRemove"
+            level: Access.Service
             glyph: Theme.icon.remove
             text: sheet.sure ? qsTr("Yes, remove") : qsTr("Remove")
             onClicked: {
+                if (!Access.ask(Access.Service))
+                    return
                 if (sheet.sure) {
                     Access.removeUser(sheet.userId)
                     sheet.closed()

@@ -76,6 +76,7 @@ Sheet {
     footer: [
         CommandKey {
             objectName: "alarmReset"
+            level: Access.Operator
             visible: Controller.faulted && sheet.alarm.severity === Alarms.Severity.Fault && sheet.alarm.code.startsWith("C-")
             width: 2 * Theme.size.touch
             small: true
@@ -100,12 +101,14 @@ Sheet {
         },
         Button {
             objectName: "alarmShelve1"
+            level: Access.Technician
             visible: sheet.alarm.shelvable && !sheet.alarm.shelved
             text: qsTr("Shelve 1 h")
             onClicked: sheet.shelve(1)
         },
         Button {
             objectName: "alarmShelve8"
+            level: Access.Technician
             visible: sheet.alarm.shelvable && !sheet.alarm.shelved
             text: qsTr("Shelve 8 h")
             onClicked: sheet.shelve(8)

@@ -27,6 +27,7 @@ Page {
     Button {
         id: acknowledgeAll
         objectName: "alarmsAcknowledgeAll"
+        level: Access.Operator
         anchors { right: parent.right; top: parent.top }
         width: page.keysWidth
         visible: page.section === 0 && Alarms.unacknowledged > 0

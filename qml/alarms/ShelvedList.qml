@@ -31,6 +31,7 @@ Item {
             Button {
                 id: back
                 objectName: "unshelve" + row.index
+                level: Access.Operator
                 anchors { right: parent.right; verticalCenter: parent.verticalCenter }
                 text: qsTr("Unshelve")
                 onClicked: Alarms.unshelve(row.index)

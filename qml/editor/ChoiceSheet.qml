@@ -11,6 +11,7 @@ ListPicker {
     required property int row
     required property var options            // list of string
 
+    level: Access.Technician
     choices: options.map((text, index) => ({ key: index, text: text }))
     onChosen: key => Editor.setChoice(sheet.row, key)
 }

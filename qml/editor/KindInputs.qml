@@ -86,11 +86,12 @@ Item {
                     required property int option
                     required property string group
                     objectName: "choice" + index
+                    level: Access.Technician
                     visible: inputs.has(group)
                     width: body.width
                     label: name
                     value: valueText
-                    onClicked: Frame.open("Editor/ChoiceSheet", { title: name, row: index, options: options, current: option })
+                    onClicked: if (Access.ask(Access.Technician)) Frame.open("Editor/ChoiceSheet", { title: name, row: index, options: options, current: option })
                 }
             }
             Grid {

@@ -15,6 +15,7 @@ ShapePicker {
 
     title: qsTr("New program")
     note: qsTr("Replaces the recipe on this page; Undo restores the old recipe")
+    level: Access.Technician
     current: Editor.kind
     choices: sheet.kinds.map((kind, index) => ({ key: index + 1, text: kind.name, note: sheet.notes[index], shape: kind.shape }))
 }

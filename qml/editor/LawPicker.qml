@@ -52,6 +52,7 @@ Sheet {
             required property bool compared
             required usable
             objectName: "law_" + lawId
+            level: usable ? Access.Technician : Access.Viewer
             text: name
             notes: [strength, weakness]
             holds: current

@@ -115,6 +115,7 @@ Sheet {
             Button {
                 width: sheet.half
                 height: Theme.size.touch
+                objectName: "restoreStored"
                 glyph: Theme.icon.revert
                 text: qsTr("Restore stored recipe")
                 level: Access.Operator

@@ -69,6 +69,7 @@ TouchButton {
                         width: Math.min(implicitWidth, cell.width - Theme.size.spacing)
                         fontSizeMode: Text.HorizontalFit
                         text: cell.field.text
+                        color: group.locked ? Theme.color.secondaryInk : Theme.color.ink
                         font { pixelSize: Theme.size.body; bold: true }
                     }
                 }

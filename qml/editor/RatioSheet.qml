@@ -38,6 +38,7 @@ Sheet {
 
             Segmented {
                 width: parent.width
+                level: Access.Technician
                 choices: [
                     { key: RampControl.Slow, text: qsTr("Slow"), name: "ratioSlow" },
                     { key: RampControl.Cool, text: qsTr("Cool"), name: "ratioCool" },
@@ -49,6 +50,7 @@ Sheet {
             Slider {
                 id: slider
                 objectName: "ratioSlider"
+                level: Access.Technician
                 Accessible.name: sheet.title
                 width: parent.width
                 from: 0
@@ -107,6 +109,7 @@ Sheet {
             RatioGroup {
                 id: group
                 objectName: "ratioNumbers"
+                level: sheet.ratios[0].neededLevel
                 width: parent.width
                 fields: sheet.ratios
                 onClicked: Frame.edit(sheet.ratios, group.nearest, group, "")

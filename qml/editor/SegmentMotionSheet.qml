@@ -11,6 +11,7 @@ ShapePicker {
     beside: true
     panelWidth: besideWidth
     panelHeight: height
+    level: Access.Technician
     title: qsTr("Motion of segment %1").arg(Editor.cam.segments.selected + 1)
     current: Editor.cam.segments.motion
     choices: [...Editor.cam.segments.motions].map((motion, index) => ({ key: index, text: motion.name, shape: motion.shape }))

@@ -15,6 +15,7 @@ ListPicker {
         id: row
         required property var modelData
         objectName: "choice_" + modelData.key
+        level: picker.level
         leftPadding: drawing.width + Theme.size.padding
         text: modelData.text
         note: modelData.note ?? ""

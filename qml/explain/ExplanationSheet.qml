@@ -31,6 +31,7 @@ Sheet {
         lineHeight: 1.2
     }
     footer: Button {
+        level: sheet.field.neededLevel
         visible: sheet.field.pinnable && sheet.field.derived
         kind: Button.Primary
         glyph: Theme.icon.pin

@@ -16,6 +16,7 @@ Item {
         spacing: Theme.size.spacing
         ChoiceRow {
             objectName: "firstSimulated"
+            level: Access.Technician
             width: parent.width
             text: qsTr("Simulated controller")
             note: qsTr("for training and tests; can be changed in Settings at any time")
@@ -28,6 +29,7 @@ Item {
         }
         ChoiceRow {
             objectName: "firstSearch"
+            level: Access.Operator
             width: parent.width
             text: qsTr("Search for the controller")
             note: qsTr("all serial ports and settings; may take several minutes")
@@ -52,6 +54,7 @@ Item {
             spacing: Theme.size.spacing
             Button {
                 objectName: "firstTake"
+                level: Access.Technician
                 visible: step.doctor.canTake
                 kind: Button.Primary
                 text: qsTr("Use this connection")
@@ -59,6 +62,7 @@ Item {
             }
             Button {
                 objectName: "firstSearchCancel"
+                level: Access.Operator
                 visible: step.doctor.running
                 text: qsTr("Cancel")
                 onClicked: step.doctor.cancel()

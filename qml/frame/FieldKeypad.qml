@@ -90,6 +90,7 @@ Item {
         height: Math.min(parent.height, preferredHeight)
         label: editor.heading.length > 0 ? editor.heading : editor.field.label
         unit: editor.field.unit
+        level: editor.field.neededLevel
         currentText: editor.field.text
         minimum: editor.field.minimum
         maximum: editor.field.maximum

@@ -42,6 +42,7 @@ Sheet {
         },
         CommandKey {
             objectName: "startActive"
+            level: Access.Operator
             width: 0.3 * sheet.width
             small: true
             glyph: Theme.icon.start

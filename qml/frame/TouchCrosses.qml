@@ -85,6 +85,7 @@ Rectangle {
             }
             Button {
                 objectName: "touchAgain"
+                level: Access.Service
                 visible: TouchCalibration.failed
                 height: Theme.size.commandKey
                 kind: Button.Primary

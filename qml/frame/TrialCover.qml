@@ -43,6 +43,7 @@ Rectangle {
             }
             Button {
                 objectName: "trialKeep"
+                level: Access.Service
                 height: Theme.size.commandKey
                 kind: Button.Primary
                 glyph: Theme.icon.check

@@ -94,6 +94,7 @@ Sheet {
         Button {
             id: openButton
             objectName: "openVersion"
+            level: Access.Operator
             anchors { right: parent.right; bottom: parent.bottom }
             visible: sheet.versions
             enabled: sheet.chosen >= 0

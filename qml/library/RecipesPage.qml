@@ -25,8 +25,8 @@ Page {
         Frame.open("Parts/ConfirmSheet", {
             title: qsTr("%1 is not saved").arg(Editor.recipeName),
             question: qsTr("The recipe was edited. Opening another recipe without saving discards the edits."),
-            ways: [{ key: "discard", text: qsTr("Discard edits"), primary: false },
-                { key: "save", text: qsTr("Save as version %1").arg(Recipes.nextVersion), primary: true }],
+            ways: [{ key: "discard", text: qsTr("Discard edits"), primary: false, level: Access.Operator },
+                { key: "save", text: qsTr("Save as version %1").arg(Recipes.nextVersion), primary: true, level: Access.Operator }],
             onChosen: key => {
                 if (key === "save")
                     Recipes.save()
@@ -51,6 +51,8 @@ Page {
         })
     }
     function create(): void {
+        if (!Access.ask(Access.Technician))
+            return
         Frame.open("Editor/KindSheet", {
             note: qsTr("A new recipe of this kind, with the data of this machine"), current: 0,
             onChosen: kind => page.name(qsTr("Name of the new recipe"), "", () => Recipes.create(kind))
@@ -59,7 +61,7 @@ Page {
     function importFile(): void {
         Recipes.files.scan()
         Frame.open("Parts/OfferSheet", {
-            title: qsTr("Import recipes"), exchange: Recipes.files, offers: Recipes.files.files, actionText: qsTr("Import"),
+            title: qsTr("Import recipes"), exchange: Recipes.files, offers: Recipes.files.files, level: Access.Operator, actionText: qsTr("Import"),
             allText: Qt.binding(() => Recipes.files.news > 1 ? qsTr("Import all %1").arg(Recipes.files.news) : ""),
             onAllAccepted: () => {
                 Recipes.files.takeAll()
@@ -76,7 +78,7 @@ Page {
         Frame.open("Parts/ConfirmSheet", {
             title: qsTr("Delete %1?").arg(Recipes.chosenName),
             question: qsTr("The recipe leaves the list; its versions are kept. Saving a recipe under this name restores them."),
-            ways: [{ key: "remove", text: qsTr("Delete"), primary: true }], onChosen: () => Recipes.remove()
+            ways: [{ key: "remove", text: qsTr("Delete"), primary: true, level: Access.Technician }], onChosen: () => Recipes.remove()
         })
     }
 
@@ -104,6 +106,7 @@ Page {
         Button {
             id: newButton
             objectName: "recipeNew"
+            level: Access.Technician
             text: qsTr("New …")
             onClicked: page.create()
         }

@@ -79,6 +79,7 @@ MaintenanceSection {
         spacing: Theme.size.spacing
         Button {
             objectName: "doctorDiagnose"
+            level: Access.Operator
             width: foot.keyWidth
             visible: !section.doctor.running
             enabled: section.doctor.canBegin
@@ -87,6 +88,7 @@ MaintenanceSection {
         }
         Button {
             objectName: "doctorSearch"
+            level: Access.Operator
             width: foot.keyWidth
             visible: !section.doctor.running
             enabled: section.doctor.canBegin
@@ -96,6 +98,7 @@ MaintenanceSection {
         }
         Button {
             objectName: "doctorTake"
+            level: Access.Technician
             width: foot.keyWidth
             visible: section.doctor.canTake
             kind: Button.Primary
@@ -105,6 +108,7 @@ MaintenanceSection {
         }
         Button {
             objectName: "doctorCancel"
+            level: Access.Operator
             width: foot.width
             visible: section.doctor.running
             glyph: Theme.icon.close

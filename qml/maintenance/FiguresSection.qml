@@ -96,6 +96,7 @@ MaintenanceSection {
         Button {
             id: resetButton
             objectName: "figuresReset"
+            level: Access.Operator
             width: foot.keyWidth
             glyph: Theme.icon.refresh
             text: qsTr("Reset counters")

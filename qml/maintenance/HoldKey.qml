@@ -34,13 +34,13 @@ CommandButton {
     background: Rectangle {
         radius: Theme.size.radius
         color: key.tries ? Theme.color.touch : key.down || !key.possible ? Theme.color.inset : Theme.color.surface
-        border { width: Theme.size.outline; color: key.possible ? Theme.color.touch : Theme.color.line }
+        border { width: Theme.size.outline; color: key.possible && !key.locked ? Theme.color.touch : Theme.color.line }
     }
     Label {
         id: label
         anchors.centerIn: parent
         text: key.text
-        color: key.tries ? Theme.color.touchInk : key.possible ? Theme.color.touch : Theme.color.secondaryInk
+        color: key.tries ? Theme.color.touchInk : key.possible && !key.locked ? Theme.color.touch : Theme.color.secondaryInk
         font { pixelSize: Theme.size.body; weight: Font.DemiBold }
     }
 }

@@ -79,6 +79,7 @@ MaintenanceSection {
     CommandKey {
         id: key
         objectName: "homingKey"
+        level: Access.Operator
         anchors { right: parent.right; top: parent.top; bottom: parent.bottom }
         visible: section.homing.possible && !section.homing.offered   // else the command column has it
         width: visible ? Math.round(1.6 * Theme.size.commandKey) : 0

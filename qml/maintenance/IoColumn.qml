@@ -76,6 +76,7 @@ Column {
             HoldKey {
                 id: key
                 objectName: "try" + row.output
+                level: Access.Technician
                 anchors.right: parent.right
                 visible: row.output >= 0 && column.trying !== null && column.trying.offered
                 trying: column.trying

@@ -15,7 +15,7 @@ CommandButton {
     required property string glyph
     property string note
     readonly property bool moves: jog.held === direction
-    readonly property color ink: moves ? Theme.color.touchInk : jog.possible ? Theme.color.touch : Theme.color.disabledInk
+    readonly property color ink: moves ? Theme.color.touchInk : !jog.possible ? Theme.color.disabledInk : locked ? Theme.color.secondaryInk : Theme.color.touch
     readonly property bool inFront: Window.active
 
     implicitWidth: Theme.size.commandKey
@@ -34,7 +34,7 @@ CommandButton {
     background: Rectangle {
         radius: Theme.size.radius
         color: key.moves ? Theme.color.touch : key.down || !key.jog.possible ? Theme.color.inset : Theme.color.surface
-        border { width: Theme.size.outline; color: key.jog.possible ? Theme.color.touch : Theme.color.line }
+        border { width: Theme.size.outline; color: key.jog.possible && !key.locked ? Theme.color.touch : Theme.color.line }
     }
     Item {
         anchors.fill: parent

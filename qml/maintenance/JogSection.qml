@@ -87,6 +87,7 @@ MaintenanceSection {
         spacing: 2 * Theme.size.gap
         JogKey {
             objectName: "jogReverse"
+            level: Access.Technician
             width: (keys.width - keys.spacing) / 2
             height: keys.height
             jog: section.jog
@@ -97,6 +98,7 @@ MaintenanceSection {
         }
         JogKey {
             objectName: "jogForward"
+            level: Access.Technician
             width: (keys.width - keys.spacing) / 2
             height: keys.height
             jog: section.jog

@@ -35,6 +35,7 @@ MaintenanceSection {
                 id: choice
                 anchors { right: parent.right; verticalCenter: parent.verticalCenter }
                 width: Math.round(parent.width * 0.56)
+                level: Access.Technician
                 choices: [{ key: SimulatedFaults.Off, text: qsTr("Off"), name: "fault" + row.index + "off" },
                     { key: SimulatedFaults.Sometimes, text: qsTr("Sometimes"), name: "fault" + row.index + "sometimes" },
                     { key: SimulatedFaults.Often, text: qsTr("Often"), name: "fault" + row.index + "often" }]

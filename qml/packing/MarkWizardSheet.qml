@@ -122,6 +122,7 @@ Sheet {
         },
         Button {
             objectName: "wizardEnter"
+            level: sheet.wizard.measurement.neededLevel
             visible: sheet.step === MarkWizard.Step.Measure
             glyph: Theme.icon.edit
             text: qsTr("Enter …")
@@ -135,6 +136,7 @@ Sheet {
         },
         Button {
             objectName: "wizardNext"
+            level: Access.Technician
             visible: !sheet.waits && !sheet.ended
             kind: Button.Primary
             enabled: sheet.wizard.canGoOn

@@ -4,12 +4,13 @@ pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme
 import CamPanel.Controls
+import CamPanel.Panel
 
 Sheet {
     id: sheet
 
     required property string question
-    required property var ways             // each {key, text, primary}
+    required property var ways             // each {key, text, primary, level}
     signal chosen(string key)
 
     panelWidth: width * 0.86
@@ -33,6 +34,7 @@ Sheet {
             Button {
                 required property var modelData
                 objectName: "confirm_" + modelData.key
+                level: modelData.level ?? Access.Viewer
                 kind: modelData.primary ? Button.Primary : Button.Normal
                 text: modelData.text
                 onClicked: {

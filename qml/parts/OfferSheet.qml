@@ -13,6 +13,7 @@ Sheet {
     required property FileExchange exchange
     required property RowModel offers
     required property string actionText
+    property int level       // of the person who may act on a row; 0: everybody
     property string allText  // of a second key that takes all; empty: there is none
     // The texts below the list while nothing is selected.
     property string chooseText: qsTr("Choose a file to view its content.")
@@ -89,6 +90,7 @@ Sheet {
     Button {
         id: allButton
         objectName: "offerAll"
+        level: sheet.level
         anchors { right: goButton.left; rightMargin: Theme.size.spacing; bottom: parent.bottom }
         visible: sheet.allText.length > 0
         enabled: !sheet.exchange.busy
@@ -98,6 +100,7 @@ Sheet {
     Button {
         id: goButton
         objectName: "offerGo"
+        level: sheet.level
         anchors { right: parent.right; bottom: parent.bottom }
         kind: Button.Primary
         enabled: sheet.chosen >= 0 && sheet.chosenUsable && !sheet.exchange.busy

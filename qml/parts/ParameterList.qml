@@ -22,7 +22,7 @@ Item {
         model: parameters.fields
         delegate: ParameterRow {
             objectName: parameters.name + index
-            level: Access.Technician
+            neededLevel: Access.Technician
             onClicked: {
                 if (toggle)
                     return

@@ -9,6 +9,7 @@ ListRow {
     id: row
 
     required property int index
+    required property int neededLevel
     required property string name
     required note
     required property string value
@@ -27,11 +28,12 @@ ListRow {
     text: row.name
     rightPadding: Theme.size.padding + (row.toggle ? keys.width : shown.width + (take.visible ? take.width + Theme.size.spacing : 0))
     noteLabel { wrapMode: Text.WordWrap; fontSizeMode: Text.FixedSize; maximumLineCount: 2 }
+    level: row.toggle ? 0 : row.neededLevel
 
     Button {
         id: take
         objectName: row.objectName + "take"
-        level: row.level
+        level: row.neededLevel
         anchors { right: shown.left; rightMargin: Theme.size.spacing; verticalCenter: parent.verticalCenter }
         visible: row.suggestion.length > 0
         text: qsTr("Apply %1").arg(row.suggestion)
@@ -50,7 +52,7 @@ ListRow {
         id: keys
         anchors { right: parent.right; verticalCenter: parent.verticalCenter }
         visible: row.toggle
-        level: row.level
+        level: row.neededLevel
         width: Math.round(Math.max(parent.width * 0.15, Theme.size.touch) * Math.max(2, row.choices.length))
         choices: row.choices.map((text, key) => ({ key: key, text: text, name: row.objectName + "choice" + key }))
         current: row.choice

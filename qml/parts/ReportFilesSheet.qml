@@ -8,6 +8,8 @@ OfferSheet {
 
     property ReportFiles files: Maintenance.files
 
+    level: Access.Operator
+
     exchange: files
     offers: files.places
     chooseText: qsTr("Choose the location of the new files.")

@@ -28,6 +28,6 @@ SettingRow {
         } else if (tile.choices.length === 0)
             Frame.edit([tile.field], 0, tile, tile.heading)
         else if (Access.ask(tile.field.neededLevel))
-            Frame.open("Controls/ListPicker", { title: tile.heading, choices: tile.choices, current: tile.field.key, onChosen: key => tile.field.choose(key) })
+            Frame.open("Controls/ListPicker", { title: tile.heading, level: tile.level, choices: tile.choices, current: tile.field.key, onChosen: key => tile.field.choose(key) })
     }
 }

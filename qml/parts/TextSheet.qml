@@ -120,6 +120,7 @@ Sheet {
         anchors { left: parent.left; right: parent.right; top: problemLabel.bottom; bottom: parent.bottom }
         input: input
         acceptable: sheet.acceptable
+        level: sheet.level
         onAccepted: sheet.accept()
     }
 }

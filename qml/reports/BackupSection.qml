@@ -18,7 +18,7 @@ MaintenanceSection {
             return
         Backup.scan()
         Frame.open("Parts/OfferSheet", {
-            title: qsTr("Restore a backup"), exchange: Backup, offers: Backup.found, workText: qsTr("Checking …"), actionText: qsTr("Check and restore"),
+            title: qsTr("Restore a backup"), exchange: Backup, offers: Backup.found, level: Access.Service, workText: qsTr("Checking …"), actionText: qsTr("Check and restore"),
             emptyText: qsTr("There is no backup on a USB stick or on this panel. Plug a stick in; the panel finds it automatically."),
             onAccepted: row => Backup.check(row)
         })
@@ -31,7 +31,7 @@ MaintenanceSection {
         function onChecked() {
             Frame.open("Parts/ConfirmSheet", {
                 title: qsTr("Restore this backup?"), panelHeight: 6 * Theme.size.touch, question: Backup.question,
-                ways: [{ key: "restore", text: qsTr("Restore"), primary: true }], onChosen: () => Backup.restore()
+                ways: [{ key: "restore", text: qsTr("Restore"), primary: true, level: Access.Service }], onChosen: () => Backup.restore()
             })
         }
     }

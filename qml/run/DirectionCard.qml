@@ -23,6 +23,7 @@ Card {
         width: Math.round(card.width * 0.28)
         height: Theme.size.touch
         ready: !selected
+        level: Access.Technician
         onCommanded: card.direction.turn(way)
         background: Rectangle {
             radius: Theme.size.radius

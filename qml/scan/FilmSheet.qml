@@ -10,7 +10,7 @@ ConfirmSheet {
 
     title: qsTr("Start is blocked")
     question: Scan.film.blockedReason
-    ways: [{ key: "override", text: qsTr("Override …"), primary: false }]
+    ways: [{ key: "override", text: qsTr("Override …"), primary: false, level: Access.Technician }]
     onChosen: if (Access.ask(Access.Technician)) Frame.open("Scan/FilmReasonSheet", {})
 
     Connections {

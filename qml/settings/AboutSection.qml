@@ -83,7 +83,7 @@ SettingsSection {
         function onChosen() {
             Frame.open("Parts/ConfirmSheet", {
                 title: SoftwareUpdate.actionText, question: SoftwareUpdate.question,
-                ways: [{ key: "update", text: SoftwareUpdate.actionText, primary: true }],
+                ways: [{ key: "update", text: SoftwareUpdate.actionText, primary: true, level: Access.Service }],
                 onChosen: () => {
                     SoftwareUpdate.confirm()
                     Frame.open("Settings/UpdateSheet", {})

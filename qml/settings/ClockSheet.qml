@@ -17,6 +17,7 @@ Sheet {
 
     component Step: Button {
         required property int minutes
+        level: Access.Service
         width: (keys.width - keys.spacing) / 2
         enabled: SystemClock.movable
         onClicked: SystemClock.move(minutes)
@@ -42,11 +43,15 @@ Sheet {
         }
         Segmented {
             objectName: "clockServer"
+            level: Access.Service
             width: parent.width
             enabled: SystemClock.canUseTimeServer && !SystemClock.busy
             choices: [{ key: false, text: qsTr("Off"), name: "clockServerOff" }, { key: true, text: qsTr("On"), name: "clockServerOn" }]
             current: SystemClock.available ? SystemClock.usesTimeServer : null
-            onChosen: key => SystemClock.setUsesTimeServer(key)
+            onChosen: key => {
+                if (Access.ask(Access.Service))
+                    SystemClock.setUsesTimeServer(key)
+            }
         }
         SettingRow {
             objectName: "clockZone"

@@ -22,6 +22,7 @@ SettingsSection {
         spacing: Theme.size.spacing
         Segmented {
             objectName: "connectionChoice"
+            level: Access.Technician
             width: parent.width
             choices: [{ key: true, text: qsTr("Simulated"), glyph: Theme.icon.simulated },
                 { key: false, text: qsTr("Serial port"), glyph: Theme.icon.serialPort }]
@@ -35,10 +36,13 @@ SettingsSection {
             visible: !Settings.simulated
             SettingRow {
                 objectName: "portButton"
+                level: Access.Technician
                 width: section.half
                 label: qsTr("Port")
                 value: Settings.portName.length > 0 ? Settings.portName : qsTr("Choose")
                 onClicked: {
+                    if (!Access.ask(Access.Technician))
+                        return
                     Settings.refreshPorts()
                     Frame.open("Settings/PortPicker", {})
                 }
@@ -49,9 +53,10 @@ SettingsSection {
             }
             SettingRow {
                 width: section.half
+                level: Access.Technician
                 label: qsTr("Parity and stop bits")
                 value: Theme.fill(qsTr("%1, %2"), [section.parityNames[Settings.parity], Settings.stopBits])
-                onClicked: Frame.open("Settings/ParityPicker", {})
+                onClicked: if (Access.ask(Access.Technician)) Frame.open("Settings/ParityPicker", {})
             }
             SettingTile {
                 width: section.half

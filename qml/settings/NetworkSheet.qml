@@ -88,6 +88,7 @@ Sheet {
         Button {
             id: applyKey
             objectName: "networkApply"
+            level: Access.Service
             width: Math.max(implicitWidth, 2 * Theme.size.touch)
             kind: Button.Primary
             text: SystemNetwork.editable && !SystemNetwork.edited ? qsTr("In use") : qsTr("Apply")

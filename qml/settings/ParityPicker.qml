@@ -18,12 +18,14 @@ Sheet {
         spacing: Theme.size.padding
         Segmented {
             width: parent.width
+            level: Access.Technician
             choices: [{ key: "N", text: qsTr("None") }, { key: "E", text: qsTr("Even") }, { key: "O", text: qsTr("Odd") }]
             current: Settings.parity
             onChosen: key => Settings.parity = key
         }
         Segmented {
             width: parent.width
+            level: Access.Technician
             choices: [{ key: 1, text: qsTr("1 stop bit") }, { key: 2, text: qsTr("2 stop bits") }]
             current: Settings.stopBits
             onChosen: key => Settings.stopBits = key

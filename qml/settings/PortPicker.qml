@@ -30,6 +30,7 @@ Sheet {
             required property string name
             required property string description
             required property string problem
+            level: Access.Technician
             text: name
             note: problem.length > 0 ? problem : description
             noteLabel.color: problem.length > 0 ? Theme.color.fault : Theme.color.secondaryInk

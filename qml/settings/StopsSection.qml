@@ -18,6 +18,8 @@ SettingsSection {
     }
     // Names that reason, -1: a new one.
     function enterName(row: int, text: string): void {
+        if (!Access.ask(Access.Service))
+            return
         const reasons = section.setup.reasons
         Frame.open("Parts/TextSheet", {
             title: qsTr("Name of the reason"), text: text, level: Access.Service, check: name => reasons.problemOf(row, name),
@@ -31,9 +33,11 @@ SettingsSection {
         })
     }
     function askForStandard(): void {
+        if (!Access.ask(Access.Service))
+            return
         Frame.open("Parts/ConfirmSheet", {
             title: qsTr("Standard list"), question: qsTr("Replace the own list by the standard list? Stops keep their reasons."),
-            ways: [{ key: "restore", text: qsTr("Replace"), primary: true }],
+            ways: [{ key: "restore", text: qsTr("Replace"), primary: true, level: Access.Service }],
             onChosen: () => {
                 section.setup.reasons.restoreStandard()
                 section.openReasons()

@@ -28,7 +28,7 @@ SettingsSection {
         const calibrate = { key: "calibrate", text: qsTr("Calibrate"), note: qsTr("touch four crosses; the panel restarts") }
         const remove = { key: "remove", text: qsTr("Remove calibration"), note: qsTr("as before the first one; the panel restarts") }
         Frame.open("Controls/ListPicker", {
-            title: qsTr("Touchscreen"), choices: TouchCalibration.calibrated ? [calibrate, remove] : [calibrate], current: null,
+            title: qsTr("Touchscreen"), level: Access.Service, choices: TouchCalibration.calibrated ? [calibrate, remove] : [calibrate], current: null,
             onChosen: key => key === "remove" ? TouchCalibration.remove() : TouchCalibration.begin()
         })
     }
@@ -132,7 +132,7 @@ SettingsSection {
                         if (!Access.ask(Access.Service))
                             return
                         Frame.open("Controls/ListPicker", {
-                            title: qsTr("Screen rotation"), choices: section.rotations.map(degrees => ({ key: degrees, text: qsTr("%1°").arg(degrees) })),
+                            title: qsTr("Screen rotation"), level: Access.Service, choices: section.rotations.map(degrees => ({ key: degrees, text: qsTr("%1°").arg(degrees) })),
                             current: ScreenRotation.degrees, onChosen: key => ScreenRotation.tryOut(key)
                         })
                     }

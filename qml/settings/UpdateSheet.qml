@@ -16,6 +16,7 @@ OfferSheet {
     note: qsTr("Installed: CamPanel %1").arg(Qt.application.version)
     exchange: SoftwareUpdate
     offers: SoftwareUpdate.found
+    level: Access.Service
     chooseText: qsTr("Choose a version.")
     emptyText: qsTr("There is no package of CamPanel on a USB stick. Plug a stick in; the panel finds it automatically.")
     actionText: SoftwareUpdate.actionOf(sheet.chosen)
@@ -37,6 +38,7 @@ OfferSheet {
     Button {
         id: back
         objectName: "updateBack"
+        level: Access.Service
         anchors { right: parent.right; top: parent.top }
         visible: sheet.hasWayBack
         enabled: SoftwareUpdate.blockedReason.length === 0 && !SoftwareUpdate.busy

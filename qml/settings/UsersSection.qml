@@ -98,6 +98,7 @@ SettingsSection {
                 ListRow {
                     required property var modelData
                     objectName: "user_" + modelData.name
+                    level: Access.Service
                     width: rows.width
                     text: modelData.name
                     note: modelData.levelText

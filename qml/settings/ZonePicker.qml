@@ -15,6 +15,7 @@ ListPicker {
     title: picker.region.length > 0 ? picker.region : qsTr("Time zone")
     choices: picker.region.length > 0 ? SystemClock.zonesOf(picker.region) : picker.regions.map(key => ({ key: key, text: key }))
     current: picker.region.length > 0 ? SystemClock.zone : SystemClock.zone.split("/")[0]
+    level: picker.region.length > 0 ? Access.Service : Access.Viewer
     stays: picker.region.length === 0
     onChosen: key => {
         if (picker.region.length > 0)

@@ -64,6 +64,7 @@ Sheet {
         }
         Button {
             objectName: "reasonAdd"
+            level: Access.Service
             width: keys.each
             enabled: sheet.editor.canAdd
             text: qsTr("Add")
@@ -71,6 +72,7 @@ Sheet {
         }
         Button {
             objectName: "reasonRename"
+            level: Access.Service
             width: keys.each
             enabled: sheet.chosen < sheet.count
             text: qsTr("Rename")
@@ -78,6 +80,7 @@ Sheet {
         }
         Button {
             objectName: "reasonPlanned"
+            level: Access.Service
             width: keys.each
             enabled: sheet.chosen < sheet.count
             glyph: sheet.chosenPlanned && sheet.chosen < sheet.count ? Theme.icon.check : ""
@@ -86,6 +89,7 @@ Sheet {
         }
         Button {
             objectName: "reasonRemove"
+            level: Access.Service
             width: keys.each
             enabled: sheet.chosen < sheet.count && (sheet.inGroup || sheet.count > 1)
             text: qsTr("Remove")
@@ -97,6 +101,7 @@ Sheet {
         }
         Button {
             objectName: "reasonStandard"
+            level: Access.Service
             width: keys.each
             enabled: sheet.editor.isOwn
             text: qsTr("Standard list")

@@ -22,6 +22,7 @@ Sheet {
 
     component Step: Button {
         required property int by
+        level: Access.Service
         width: (keys.width - keys.spacing) / 2
         enabled: sheet.minutes + by >= sheet.earliest && sheet.minutes + by <= sheet.latest
         onClicked: sheet.setup.moveStart(sheet.chosen, by)
@@ -78,6 +79,7 @@ Sheet {
         }
         Button {
             objectName: "startAdd"
+            level: Access.Service
             width: (keys.width - keys.spacing) / 2
             enabled: sheet.setup.canAddStart
             text: qsTr("Add a shift")
@@ -85,6 +87,7 @@ Sheet {
         }
         Button {
             objectName: "startRemove"
+            level: Access.Service
             width: (keys.width - keys.spacing) / 2
             enabled: sheet.count > 1
             text: qsTr("Remove")
@@ -112,6 +115,7 @@ Sheet {
                 required property int index
                 readonly property bool works: sheet.workingDays.includes(index + 1)
                 objectName: "workingDay" + (index + 1)
+                level: Access.Service
                 width: (days.width - 6 * days.spacing) / 7
                 glyph: works ? Theme.icon.check : ""
                 text: sheet.setup.dayNames[index]

@@ -225,6 +225,43 @@ void forgetUsers(TestWindow& window)
     reloadUsers(window);
 }
 
+QList<Screen> lockedScreens(const QList<Screen>& all)
+{
+    const QStringList names{u"motion"_s,
+                            u"ratios"_s,
+                            u"laws"_s,
+                            u"tools"_s,
+                            u"choice"_s,
+                            u"settings-machine"_s,
+                            u"settings-serial"_s,
+                            u"settings-clock"_s,
+                            u"settings-system"_s,
+                            u"settings-stops-shifts"_s,
+                            u"users-none"_s,
+                            u"jog"_s,
+                            u"io-standstill"_s,
+                            u"homing-press"_s,
+                            u"doctor"_s,
+                            u"figures"_s,
+                            u"faults"_s,
+                            u"packing"_s,
+                            u"recipes"_s,
+                            u"run-stopped"_s,
+                            u"run-cam"_s,
+                            u"run-stop-question"_s,
+                            u"alarms"_s,
+                            u"start-question"_s};
+    QList<Screen> locked;
+    for (const Screen& screen : all) {
+        if (names.contains(screen.name))
+            locked << Screen{screen.name + lockedSuffix, [enter = screen.enter](TestWindow& window) {
+                                 enter(window);
+                                 window.setLevel(panel::Level::Viewer);
+                             }};
+    }
+    return locked;
+}
+
 QList<Screen> accessScreens()
 {
     return {{u"users-none"_s, [](TestWindow& window) { openUsers(window, {}); }},

@@ -7,6 +7,8 @@
 namespace campanel::looks {
 
 [[nodiscard]] QList<Screen> accessScreens();
+// Returns some of the screens as those of somebody who may only look, with a padlock on each key.
+[[nodiscard]] QList<Screen> lockedScreens(const QList<Screen>& all);
 
 // Removes the users of another screen, so that nothing is restricted.
 void forgetUsers(TestWindow& window);

@@ -622,10 +622,11 @@ const QList<Screen>& allScreens()
                  window.tap(QString::fromLatin1(name));
          }},
     };
-    static const QList<Screen> all = screens + packingScreens() + recipeScreens() + trendScreens() +
-                                     stopScreens() + alarmScreens() + accessScreens() + firstScreens() +
-                                     backupScreens() + maintenanceScreens() + cutterScreens() +
-                                     motorScreens() + scanScreens() + updateScreens();
+    static const QList<Screen> open = screens + packingScreens() + recipeScreens() + trendScreens() +
+                                      stopScreens() + alarmScreens() + accessScreens() + firstScreens() +
+                                      backupScreens() + maintenanceScreens() + cutterScreens() +
+                                      motorScreens() + scanScreens() + updateScreens();
+    static const QList<Screen> all = open + lockedScreens(open);
     return all;
 }
 
@@ -702,6 +703,8 @@ QList<Screen> screensNamed(const QString& patterns)
 
 void enterScreen(TestWindow& window, const Screen& screen)
 {
+    if (!window.panel().access().protectedByPins())
+        window.setLevel(panel::Level::Service);
     auto& editor = window.panel().editor();
     panel::Display& display = window.panel().display();
     while (display.wipeSeconds() > 0) // no taps during cleaning

@@ -16,6 +16,9 @@ struct Screen {
     bool keepsUsers = false; // with the users of the previous screen, if it has any
 };
 
+// The screens with this end of their name are those of somebody who may only look.
+inline constexpr QLatin1StringView lockedSuffix("-padlocks");
+
 [[nodiscard]] const QList<Screen>& allScreens();
 
 // Returns every combination of language, theme, size, with and without gloves.

@@ -130,6 +130,13 @@ void TestWindow::tap(const QString& name)
     TouchDriver::tap(QStringLiteral("choice_") + name.mid(navigation.size()));
 }
 
+void TestWindow::setLevel(panel::Level level)
+{
+    m_panel.controller().accessCheck().setLevel(level);
+    window().property("permission").value<QObject*>()->setProperty("level", static_cast<int>(level));
+    settle();
+}
+
 void TestWindow::checkClock()
 {
     m_panel.controller().setClock([this] { return m_link.now(); });

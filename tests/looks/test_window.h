@@ -49,6 +49,8 @@ public:
     // small screen, is behind the key More. A group of Maintenance without a key is behind the key for all
     // groups, and an input of another group is behind the key to the next one.
     void tap(const QString& name);
+    // Sets the level of the person at the panel without users.
+    void setLevel(panel::Level level);
     // Updates the age of the machine's data, as its timer does every tenth of a real second.
     void checkClock();
     // Waits until the search has ended.

@@ -5,8 +5,11 @@
 #include "tests/support/test_program.h"
 
 #include <QCoreApplication>
-#include <QPointer>
+#include <QRegularExpression>
+#include <QSet>
 #include <QSignalSpy>
+
+#include <algorithm>
 
 namespace test_panel_padlocks {
 
@@ -18,22 +21,59 @@ namespace {
 
 bool isControl(const QQuickItem& item)
 {
-    return item.metaObject()->indexOfProperty("waitsForLogin") >= 0;
+    return item.metaObject()->indexOfProperty("waitsForLogin") >= 0 || item.inherits("QQuickSlider");
+}
+
+// Returns true for a row that its list has dropped and not yet deleted.
+bool isDropped(const QQuickItem& control)
+{
+    const QVariant index = control.property("index");
+    return index.isValid() && index.toInt() < 0;
+}
+
+// Returns the signal of a touch: a key of the command column is held, a slider is dragged.
+const char* signalOf(const QQuickItem& control)
+{
+    if (control.inherits("QQuickSlider"))
+        return "moved";
+    return control.property("waitsForLogin").toBool() ? "clicked" : "commanded";
+}
+
+bool isReady(const QQuickItem& control)
+{
+    const QVariant ready = control.property("ready");
+    return !ready.isValid() || ready.toBool();
 }
 
 void collect(QQuickItem& below, QList<QQuickItem*>& into)
 {
     if (!below.isVisible())
         return;
-    if (isControl(below) && below.isEnabled() && below.width() > 0)
+    if (isControl(below) && !isDropped(below) && below.isEnabled() && below.width() > 0)
         into << &below;
     for (QQuickItem* child : below.childItems())
         collect(*child, into);
 }
 
+QString nameOfType(const QQuickItem& control)
+{
+    return QString::fromLatin1(control.metaObject()->className()).section(u"_QML"_s, 0, 0);
+}
+
 QString nameOf(const QQuickItem& control)
 {
     return control.objectName() + u" \""_s + control.property("text").toString() + u'"';
+}
+
+// Returns the screens by the first word of their name, which is the page or the sheet.
+QMap<QString, QStringList> screensByPlace()
+{
+    QMap<QString, QStringList> found;
+    for (const looks::Screen& screen : looks::allScreens()) {
+        if (!screen.name.endsWith(looks::lockedSuffix))
+            found[screen.name.section(u'-', 0, 0)] << screen.name;
+    }
+    return found;
 }
 
 } // namespace
@@ -53,16 +93,18 @@ class TestPanelPadlocks : public test::PanelTest {
         QFAIL(qPrintable(name));
     }
     // Sets the person's level without users, whom the next screen would forget.
-    void setLevel(Level level)
-    {
-        check().setLevel(level);
-        permission()->setProperty("level", static_cast<int>(level));
-        m_window->settle();
-    }
-    QObject* permission() { return m_window->window().property("permission").value<QObject*>(); }
+    void setLevel(Level level) { m_window->setLevel(level); }
+    // Returns the controls within reach of a finger: those of the topmost layer.
     QList<QQuickItem*> controls()
     {
         QList<QQuickItem*> found;
+        auto* frame = m_window->frame();
+        for (const char* layer : {"login", "keypad", "sheet"}) {
+            if (auto* topmost = frame->property(layer).value<QQuickItem*>()) {
+                collect(*topmost, found);
+                return found;
+            }
+        }
         collect(m_window->root(), found);
         return found;
     }
@@ -76,25 +118,47 @@ class TestPanelPadlocks : public test::PanelTest {
         m_window->settle();
     }
     bool isOn(const char* name) { return m_window->find(QString::fromLatin1(name)) != nullptr; }
-    QStringList wrongOn(const QString& screen, Level level);
-    int m_locked = 0;
+    QString placeOf(const QQuickItem& control);
+    QQuickItem* nextControl();
+    QString errorOf(QQuickItem& control);
+    QStringList wrongOn(const QString& screen);
+    QSet<QString> m_pressed; // places of controls
 
 private slots:
     void whatAsksForALoginHasAPadlock_data()
     {
-        QTest::addColumn<QString>("screen");
-        for (const char* each : {"motion", "recipes", "trends", "stops", "alarms-history", "backup",
-                                 "settings-about", "settings-stops", "settings-system"})
-            QTest::addRow("%s", each) << QString::fromLatin1(each);
+        QTest::addColumn<QStringList>("screens");
+        const QMap<QString, QStringList> places = screensByPlace();
+        for (auto each = places.begin(); each != places.end(); ++each)
+            QTest::addRow("%s", qPrintable(each.key())) << each.value();
     }
     void whatAsksForALoginHasAPadlock()
     {
+        QFETCH(QStringList, screens);
+        QStringList wrong;
+        for (const QString& screen : std::as_const(screens))
+            wrong += wrongOn(screen);
+        for (const QString& each : std::as_const(wrong))
+            qInfo("%s", qPrintable(each));
+        QCOMPARE(wrong.size(), 0);
+        QVERIFY(!m_pressed.isEmpty());
+    }
+
+    void whoMayOnlyLookSeesPadlocks_data()
+    {
+        QTest::addColumn<QString>("screen");
+        for (const looks::Screen& screen : looks::allScreens()) {
+            if (screen.name.endsWith(looks::lockedSuffix))
+                QTest::addRow("%s", qPrintable(screen.name)) << screen.name;
+        }
+    }
+    void whoMayOnlyLookSeesPadlocks()
+    {
         QFETCH(QString, screen);
-        m_locked = 0;
-        QStringList wrong = wrongOn(screen, Level::Operator);
-        wrong += wrongOn(screen, Level::Viewer);
-        QVERIFY(m_locked > 0);
-        QVERIFY2(wrong.isEmpty(), qPrintable(wrong.join(u'\n')));
+        enter(screen);
+        const QList<QQuickItem*> all = controls();
+        QVERIFY(std::ranges::any_of(
+            all, [](const QQuickItem* each) { return each->property("locked").toBool(); }));
     }
 
     void withoutUsersNothingHasAPadlock()
@@ -137,6 +201,27 @@ private slots:
         QVERIFY(!isOn("keypadAccept"));
     }
 
+    // A tap asks; after the login the key is held like ever.
+    void aLockedJogKeyIsPressedAgainAfterTheLogin()
+    {
+        enter(u"users-logged-out"_s);
+        m_window->link().show(looks::DemoLink::Situation::Stopped);
+        m_window->checkClock();
+        for (const char* each : {"nav_maintenance", "maintenanceMachine", "maintenanceJog"})
+            m_window->tap(QString::fromLatin1(each));
+        m_window->link().requests.clear();
+        tap("jogForward");
+        QVERIFY(isOn("loginUsers"));
+        tap("login_Li Wei");
+        typePin("258036");
+        QTest::qWait(5000);
+        QVERIFY(m_window->link().requests.isEmpty());
+        tap("jogForward");
+        QVERIFY2(m_window->link().requests.isEmpty(), "a short touch moves nothing");
+        holdFor("jogForward", 700);
+        QVERIFY(!m_window->link().requests.isEmpty());
+    }
+
     void theMachineDoesNotMoveBecauseSomebodyLoggedIn()
     {
         enter(u"users-logged-out"_s);
@@ -157,38 +242,80 @@ private slots:
     }
 };
 
-// Returns the controls whose padlock says something else than what a touch does.
-QStringList TestPanelPadlocks::wrongOn(const QString& screen, Level level)
+// Returns where a control stands, the same for all rows of a list.
+QString TestPanelPadlocks::placeOf(const QQuickItem& control)
+{
+    static const QRegularExpression digits(u"\\d+"_s);
+    const QString name = control.objectName();
+    const auto* sheet = m_window->frame()->property("sheet").value<QQuickItem*>();
+    const bool isNamed = !name.isEmpty() && !name.startsWith(u"choice_");
+    const QStringList parts{isNamed || !sheet ? QString() : sheet->property("title").toString(),
+                            nameOfType(control), name.isEmpty() ? control.property("text").toString() : name,
+                            control.property("level").toString()};
+    return parts.join(u'|').remove(digits);
+}
+
+// Returns a control that was not pressed yet; null: there is none.
+QQuickItem* TestPanelPadlocks::nextControl()
+{
+    for (QQuickItem* each : controls()) {
+        const bool isLetter =
+            nameOfType(*each).startsWith(u"KeypadKey") && each->property("text").toString().size() == 1;
+        // Nobody cleans the screen here, and what leads to another page is a screen of its own.
+        if (isLetter || each->objectName().startsWith(u"nav_") || each->objectName() == u"wipeScreen" ||
+            m_pressed.contains(placeOf(*each)))
+            continue;
+        m_pressed << placeOf(*each);
+        return each;
+    }
+    return nullptr;
+}
+
+// Presses a control as somebody of the level below its own, who has to be asked for that level and for no
+// other. What has no level asks nobody.
+QString TestPanelPadlocks::errorOf(QQuickItem& control)
+{
+    const QString name = nameOf(control);
+    const int level = control.property("level").toInt();
+    if (!isReady(control))
+        return {};
+    setLevel(static_cast<Level>(std::max(0, level - 1)));
+    const bool isLocked = control.property("locked").toBool();
+    QSignalSpy refused(&check(), &panel::AccessCheck::refused);
+    QMetaObject::invokeMethod(&control, signalOf(control));
+    const int needed = refused.isEmpty() ? 0 : static_cast<int>(refused.first().first().value<Level>());
+    if (needed > 0)
+        QMetaObject::invokeMethod(m_window->frame()->property("login").value<QObject*>(), "closed");
+    return needed == level && isLocked == (level > 0)
+               ? QString()
+               : u"%1 has level %2, needs %3"_s.arg(name).arg(level).arg(needed);
+}
+
+// Returns the controls whose padlock says something else than what a touch does, on the screen and on what
+// they open.
+QStringList TestPanelPadlocks::wrongOn(const QString& screen)
 {
     QStringList wrong;
-    QSignalSpy refused(&check(), &panel::AccessCheck::refused);
-    setLevel(Level::Service);
-    enter(screen);
-    const QVariant page = m_window->frame()->property("page");
-    setLevel(level);
-    QList<QPointer<QQuickItem>> all;
-    for (QQuickItem* each : controls()) {
-        // A key of the command column is held, and nobody cleans the screen here.
-        if (each->property("waitsForLogin").toBool() && !each->objectName().startsWith(u"nav_") &&
-            !each->objectName().startsWith(u"section") && each->objectName() != u"wipeScreen")
-            all.prepend(each); // what leads elsewhere comes first on a page
-    }
-    for (const QPointer<QQuickItem>& each : std::as_const(all)) {
-        if (!each || !each->isVisible() || !each->isEnabled())
+    bool isNew = false; // nothing was pressed since the screen was entered
+    for (;;) {
+        QQuickItem* control = nextControl();
+        if (!control && isNew)
+            return wrong;
+        if (!control) {
+            setLevel(Level::Service);
+            m_window->panel().audit().setWho({}); // a press may have chosen somebody
+            m_window->panel().audit().setArea({});
+            enter(screen);
+            isNew = true;
             continue;
-        const QString name = nameOf(*each);
-        const bool isLocked = each->property("locked").toBool();
-        refused.clear();
-        QMetaObject::invokeMethod(each, "clicked");
-        const bool asked = !refused.isEmpty();
-        m_locked += isLocked ? 1 : 0;
-        if (asked != isLocked)
-            wrong << u"%1: %2 %3"_s.arg(screen, name, asked ? u"asks"_s : u"does not ask"_s);
-        m_window->closeDialogs();
-        m_window->frame()->setProperty("page", page);
-        setLevel(level);
+        }
+        isNew = false;
+        const QString error = errorOf(*control);
+        if (!error.isEmpty())
+            wrong << screen + u": "_s + error;
+        QCoreApplication::processEvents();
+        QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
     }
-    return wrong;
 }
 
 CAMPANEL_TEST(TestPanelPadlocks)
