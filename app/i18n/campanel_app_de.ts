@@ -3878,6 +3878,42 @@ eff. %2</translation>
         <source>Cuts not aligned with marks yet</source>
         <translation>Schnitte noch nicht ausgerichtet</translation>
     </message>
+    <message>
+        <source>No bag measured yet. Hold Start.</source>
+        <translation>Noch kein Beutel gemessen. Start gedrückt halten.</translation>
+    </message>
+    <message>
+        <source>No stroke yet. Hold Start.</source>
+        <translation>Noch kein Hub. Start gedrückt halten.</translation>
+    </message>
+    <message>
+        <source>There are no data of these curves yet. Hold Start, or choose other curves with Curves.</source>
+        <translation>Noch keine Daten dieser Kurven. Start gedrückt halten oder mit Kurven andere wählen.</translation>
+    </message>
+    <message>
+        <source>There are no data of these curves yet. Press Start, or choose other curves with Curves.</source>
+        <translation>Noch keine Daten dieser Kurven. Start drücken oder mit Kurven andere wählen.</translation>
+    </message>
+    <message>
+        <source>There are no data of these curves yet. Choose other curves with Curves.</source>
+        <translation>Noch keine Daten dieser Kurven. Mit Kurven andere wählen.</translation>
+    </message>
+    <message>
+        <source>Downloaded. The machine is running this recipe.</source>
+        <translation>Geladen. Die Maschine läuft mit diesem Rezept.</translation>
+    </message>
+    <message>
+        <source>Downloaded. Hold Start to run this recipe.</source>
+        <translation>Geladen. Start gedrückt halten, um dieses Rezept auszuführen.</translation>
+    </message>
+    <message>
+        <source>Downloaded. Press Start to run this recipe.</source>
+        <translation>Geladen. Start drücken, um dieses Rezept auszuführen.</translation>
+    </message>
+    <message>
+        <source>Downloaded. The controller has this recipe.</source>
+        <translation>Geladen. Die Steuerung hat dieses Rezept.</translation>
+    </message>
 </context>
 <context>
     <name>SegmentSentences</name>
@@ -4988,6 +5024,10 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
     <message>
         <source>The unsaved edits were lost: their file is damaged. The saved recipe is open.</source>
         <translation>Die ungespeicherten Änderungen sind verloren: ihre Datei ist beschädigt. Das gespeicherte Rezept ist offen.</translation>
+    </message>
+    <message>
+        <source>Restored the stored recipe %1. Undo brings the edits back.</source>
+        <translation>Das gespeicherte Rezept %1 ist wiederhergestellt. Rückgängig bringt die Änderungen zurück.</translation>
     </message>
 </context>
 <context>
@@ -6427,18 +6467,6 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
         <translation>Das neue Rezept gilt ab dem nächsten Start.</translation>
     </message>
     <message>
-        <source>Downloaded. The machine is running this recipe.</source>
-        <translation>Geladen. Die Maschine läuft mit diesem Rezept.</translation>
-    </message>
-    <message>
-        <source>Downloaded. Press Start to run this recipe.</source>
-        <translation>Geladen. Start drücken, um dieses Rezept auszuführen.</translation>
-    </message>
-    <message>
-        <source>Downloaded. The controller has this recipe.</source>
-        <translation>Geladen. Die Steuerung hat dieses Rezept.</translation>
-    </message>
-    <message>
         <source>%1 Confirm the advance, or close the cam.</source>
         <comment>%1: whole sentence</comment>
         <translation>%1 Vorschub bestätigen oder Kurve schließen.</translation>
@@ -6846,6 +6874,10 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
     <message>
         <source>The file of the open recipe was lost or damaged. Opened instead: a new recipe, with this panel&apos;s machine data.</source>
         <translation>Die Datei des offenen Rezepts war verloren oder beschädigt. Stattdessen geöffnet: ein neues Rezept, mit den Maschinendaten dieses Panels.</translation>
+    </message>
+    <message>
+        <source>%1 is in the list again.</source>
+        <translation>%1 ist wieder in der Liste.</translation>
     </message>
 </context>
 <context>
@@ -7637,6 +7669,10 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
         <source>Since %1, %2</source>
         <comment>time, duration</comment>
         <translation>Seit %1, %2</translation>
+    </message>
+    <message>
+        <source>Stop reason: %1.</source>
+        <translation>Stillstandsgrund: %1.</translation>
     </message>
 </context>
 <context>

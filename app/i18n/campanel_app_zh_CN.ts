@@ -3876,6 +3876,42 @@ RMS %2</source>
         <source>Cuts not aligned with marks yet</source>
         <translation>切断尚未对准色标</translation>
     </message>
+    <message>
+        <source>No bag measured yet. Hold Start.</source>
+        <translation>尚未测得袋长。请按住“启动”。</translation>
+    </message>
+    <message>
+        <source>No stroke yet. Hold Start.</source>
+        <translation>尚无行程。请按住“启动”。</translation>
+    </message>
+    <message>
+        <source>There are no data of these curves yet. Hold Start, or choose other curves with Curves.</source>
+        <translation>这些曲线尚无数据。请按住“启动”，或通过“曲线”选择其他曲线。</translation>
+    </message>
+    <message>
+        <source>There are no data of these curves yet. Press Start, or choose other curves with Curves.</source>
+        <translation>这些曲线尚无数据。请按“启动”，或通过“曲线”选择其他曲线。</translation>
+    </message>
+    <message>
+        <source>There are no data of these curves yet. Choose other curves with Curves.</source>
+        <translation>这些曲线尚无数据。请通过“曲线”选择其他曲线。</translation>
+    </message>
+    <message>
+        <source>Downloaded. The machine is running this recipe.</source>
+        <translation>已下载。机器正按此配方运行。</translation>
+    </message>
+    <message>
+        <source>Downloaded. Hold Start to run this recipe.</source>
+        <translation>已下载。按住“启动”运行此配方。</translation>
+    </message>
+    <message>
+        <source>Downloaded. Press Start to run this recipe.</source>
+        <translation>已下载。按“启动”运行此配方。</translation>
+    </message>
+    <message>
+        <source>Downloaded. The controller has this recipe.</source>
+        <translation>已下载。控制器中已有此配方。</translation>
+    </message>
 </context>
 <context>
     <name>SegmentSentences</name>
@@ -4986,6 +5022,10 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
     <message>
         <source>The unsaved edits were lost: their file is damaged. The saved recipe is open.</source>
         <translation>未保存的修改已丢失：其文件已损坏。已打开保存的配方。</translation>
+    </message>
+    <message>
+        <source>Restored the stored recipe %1. Undo brings the edits back.</source>
+        <translation>已恢复存储的配方 %1。“撤销”可找回修改。</translation>
     </message>
 </context>
 <context>
@@ -6425,18 +6465,6 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
         <translation>新配方从下次启动起使用。</translation>
     </message>
     <message>
-        <source>Downloaded. The machine is running this recipe.</source>
-        <translation>已下载。机器正按此配方运行。</translation>
-    </message>
-    <message>
-        <source>Downloaded. Press Start to run this recipe.</source>
-        <translation>已下载。按“启动”运行此配方。</translation>
-    </message>
-    <message>
-        <source>Downloaded. The controller has this recipe.</source>
-        <translation>已下载。控制器中已有此配方。</translation>
-    </message>
-    <message>
         <source>%1 Confirm the advance, or close the cam.</source>
         <comment>%1: whole sentence</comment>
         <translation>%1请确认净进给，或闭合凸轮。</translation>
@@ -6842,6 +6870,10 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
     <message>
         <source>The file of the open recipe was lost or damaged. Opened instead: a new recipe, with this panel&apos;s machine data.</source>
         <translation>已打开配方的文件丢失或损坏。已改为打开：新配方，使用本面板的机器数据。</translation>
+    </message>
+    <message>
+        <source>%1 is in the list again.</source>
+        <translation>%1 已回到列表中。</translation>
     </message>
 </context>
 <context>
@@ -7633,6 +7665,10 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
         <source>Since %1, %2</source>
         <comment>time, duration</comment>
         <translation>自 %1 起，%2</translation>
+    </message>
+    <message>
+        <source>Stop reason: %1.</source>
+        <translation>停机原因：%1。</translation>
     </message>
 </context>
 <context>

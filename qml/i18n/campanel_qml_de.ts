@@ -372,6 +372,10 @@ Und %2 weitere.</translation>
         <source>Show</source>
         <translation>Zeigen</translation>
     </message>
+    <message>
+        <source>Undo</source>
+        <translation>Rückgängig</translation>
+    </message>
 </context>
 <context>
     <name>CamFilesSheet</name>
@@ -3472,10 +3476,6 @@ Und %2 weitere.</translation>
     <message>
         <source>%1 · mean %2 · %3 … %4</source>
         <translation>%1 · Mittel %2 · %3 … %4</translation>
-    </message>
-    <message>
-        <source>There are no data of these curves yet. Press Start, or choose other curves with Curves.</source>
-        <translation>Noch keine Daten dieser Kurven. Start drücken oder mit Kurven andere wählen.</translation>
     </message>
     <message>
         <source>There are no data in this time. Press Now, or − for a longer time.</source>

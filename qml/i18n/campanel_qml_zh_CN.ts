@@ -372,6 +372,10 @@ And %2 more.</source>
         <source>Show</source>
         <translation>查看</translation>
     </message>
+    <message>
+        <source>Undo</source>
+        <translation>撤销</translation>
+    </message>
 </context>
 <context>
     <name>CamFilesSheet</name>
@@ -3472,10 +3476,6 @@ And %2 more.</source>
     <message>
         <source>%1 · mean %2 · %3 … %4</source>
         <translation>%1 · 平均 %2 · %3 … %4</translation>
-    </message>
-    <message>
-        <source>There are no data of these curves yet. Press Start, or choose other curves with Curves.</source>
-        <translation>这些曲线尚无数据。请按“启动”，或通过“曲线”选择其他曲线。</translation>
     </message>
     <message>
         <source>There are no data in this time. Press Now, or − for a longer time.</source>

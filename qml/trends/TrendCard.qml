@@ -112,7 +112,7 @@ Card {
         width: parent.width - 4 * Theme.size.padding
         horizontalAlignment: Text.AlignHCenter
         wrapMode: Text.WordWrap
-        text: Trends.content === Trends.NothingYet ? qsTr("There are no data of these curves yet. Press Start, or choose other curves with Curves.")
+        text: Trends.content === Trends.NothingYet ? Controller.run.trends
             : qsTr("There are no data in this time. Press Now, or − for a longer time.")
         color: Theme.color.secondaryInk
         font.pixelSize: Theme.size.title

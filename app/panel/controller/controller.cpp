@@ -48,10 +48,11 @@ Controller::Controller(link::Link& link, Settings& settings, QObject* parent)
     connect(&m_packing, &PackingLine::bagRecorded, this, &Controller::takeBag);
     connect(&m_packing, &PackingLine::bagsMissed, this, [this] { m_bags.noteGap(); });
     connect(&m_packing, &PackingLine::changed, &m_run, &RunStatements::update);
-    for (const auto change : {&Controller::connectionChanged, &Controller::freshChanged,
-                              &Controller::stateChanged, &Controller::liveChanged, &Controller::bagChanged,
-                              &Controller::programChanged, &Controller::commandsChanged})
+    for (const auto change :
+         {&Controller::connectionChanged, &Controller::freshChanged, &Controller::stateChanged,
+          &Controller::liveChanged, &Controller::bagChanged, &Controller::programChanged})
         connect(this, change, &m_run, &RunStatements::update);
+    connect(this, &Controller::commandsChanged, &m_run, &RunStatements::updateStart);
     connect(&settings, &Settings::changed, this, &Controller::bagChanged);
     const auto sendPermit = [this] { m_link.setPermit(permit()); };
     connect(this, &Controller::commandsChanged, this, sendPermit);
@@ -145,7 +146,6 @@ void Controller::forgetStatus()
     m_axisPosition.reset();
     m_statusAt.reset();
     m_program.reset();
-    m_hasLostProgram = false;
     m_trace.clear();
     m_strokes.clear();
     m_bags = {};
@@ -221,7 +221,8 @@ void Controller::takeProgram(const link::ActiveProgram& program)
     if (!m_report.identity)
         return;
     const auto before = std::exchange(m_program, readProgram(program, *m_report.identity));
-    m_hasLostProgram = !m_program && (before || m_hasLostProgram);
+    if (m_program)
+        m_settings.noteProgramIn(m_report.identity->uniqueId);
     m_trace.clear();
     // After a gap of the line the program is read again, and its bags go on.
     if (!before || !m_program || before->generation != m_program->generation || before->crc != m_program->crc)

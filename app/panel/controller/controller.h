@@ -145,6 +145,7 @@ public:
     [[nodiscard]] double generation() const;
     [[nodiscard]] bool canStart() const { return startBlockedReason().isEmpty(); }
     [[nodiscard]] QString startBlockedReason() const { return blockedReason(Action::Start); }
+    [[nodiscard]] bool startIsHeld() const;
     // Returns why the controller would refuse the command according to its last status; empty: it would
     // accept it.
     [[nodiscard]] QString blockedReason(Action action) const;
@@ -237,7 +238,6 @@ private:
     AxisPosition m_axisPosition;
     std::optional<link::SteadyTime> m_statusAt;
     std::shared_ptr<const ControllerProgram> m_program;
-    bool m_hasLostProgram = false; // it had one before its restart
     double m_contactAngleDeg = 0;
     std::function<QString()> m_startInterlock;
     ActualTrace m_trace;

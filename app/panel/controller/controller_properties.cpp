@@ -221,6 +221,11 @@ BagValues Controller::bags() const
             toleranceMm};
 }
 
+bool Controller::startIsHeld() const
+{
+    return m_settings.startIsHeld();
+}
+
 RunFacts::Program Controller::programState() const
 {
     using enum RunFacts::Program;
@@ -228,7 +233,8 @@ RunFacts::Program Controller::programState() const
         return Present;
     if (!m_status || m_status->activeCrc)
         return Reading;
-    return m_hasLostProgram ? Lost : Absent;
+    const bool hadOne = m_report.identity && m_settings.hadProgram(m_report.identity->uniqueId);
+    return hadOne ? Lost : Absent;
 }
 
 ActiveProgramValues Controller::active() const

@@ -41,7 +41,8 @@ RunFacts RunStatements::facts() const
     RunFacts facts;
     facts.isConnected = m_controller.isConnected() && m_controller.fresh();
     facts.program = m_controller.programState();
-    facts.canStart = m_controller.canStart();
+    facts.canStart = m_canStart;
+    facts.isStartHeld = m_controller.startIsHeld();
     facts.hasBags = !m_controller.bagStatistics().deviationsMm().isEmpty();
     const PackingLine& line = *m_controller.packing();
     facts.areMarksWanted = line.marksWanted();
@@ -56,6 +57,12 @@ RunFacts RunStatements::facts() const
         facts.isChanging = status->stagedState == modbus::StagedState::Armed || isAnnounced(facts);
     }
     return facts;
+}
+
+void RunStatements::updateStart()
+{
+    m_canStart = m_controller.canStart();
+    update();
 }
 
 void RunStatements::update()

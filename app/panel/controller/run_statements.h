@@ -22,6 +22,7 @@ class RunStatements : public QObject {
     Q_PROPERTY(QString marks READ marks NOTIFY changed FINAL)     // the state of the mark tracking
     Q_PROPERTY(QString film READ film NOTIFY changed FINAL)       // why film or knife do not simply run
     Q_PROPERTY(QString stroke READ stroke NOTIFY changed FINAL)   // why there is no stroke of a press
+    Q_PROPERTY(QString trends READ trends NOTIFY changed FINAL)   // why there are no data of any time
 
 public:
     // The controller must outlive the object.
@@ -32,6 +33,9 @@ public:
     [[nodiscard]] QString marks() const { return text(RunPlace::Marks); }
     [[nodiscard]] QString film() const;
     [[nodiscard]] QString stroke() const { return text(RunPlace::Stroke); }
+    [[nodiscard]] QString trends() const { return text(RunPlace::Trends); }
+    // Returns what a download that has just ended means.
+    [[nodiscard]] QString downloaded() const { return text(RunPlace::Downloaded); }
     [[nodiscard]] std::optional<RunRow> row(RunPlace place) const
     {
         return RunSentences::row(place, m_facts);
@@ -40,6 +44,8 @@ public:
     void announceChange(const program::ChangePrice& price, double bagLengthMm);
     // Collects the facts again; emits changed() when one of them is another.
     void update();
+    // The same after a change of what Start may do; its refusal is a sentence, too much for each status.
+    void updateStart();
 
 signals:
     void changed();
@@ -52,6 +58,7 @@ private:
 
     Controller& m_controller;
     RunFacts m_facts;
+    bool m_canStart = false;
     struct Change {
         program::ChangePrice price;
         double bagLengthMm = 0;

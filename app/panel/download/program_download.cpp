@@ -130,10 +130,7 @@ QString ProgramDownload::text() const
     case State::Failed:
         break;
     case State::Applied:
-        if (m_controller.state() == Controller::State::Running)
-            return tr("Downloaded. The machine is running this recipe.");
-        return m_controller.canStart() ? tr("Downloaded. Press Start to run this recipe.")
-                                       : tr("Downloaded. The controller has this recipe.");
+        return m_controller.run()->downloaded();
     }
     return ConnectionSentences::download(m_report);
 }

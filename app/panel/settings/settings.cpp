@@ -20,6 +20,7 @@ namespace {
 const QString firstStartKey = u"first_start"_s;
 const QString firstStartBegun = u"begun"_s;
 const QString firstStartDone = u"done"_s;
+const QString programKey = u"program_in"_s; // serial number of a controller
 
 bool isOfConnection(Setting setting)
 {
@@ -147,7 +148,7 @@ void Settings::dismissNotice()
 
 QStringList Settings::fileKeys()
 {
-    QStringList keys{firstStartKey};
+    QStringList keys{firstStartKey, programKey};
     for (const SettingRow& row : settingTable) {
         if (!row.key.empty())
             keys << keyOf(row);
@@ -256,6 +257,17 @@ bool Settings::startIsHeld() const
 {
     const QString hold = m_values.text("access.hold_to_start");
     return hold == u"on"_s || (hold == u"auto"_s && !connection().simulated);
+}
+
+void Settings::noteProgramIn(quint64 controller)
+{
+    if (!hadProgram(controller))
+        m_file.set(programKey, QString::number(controller, 16));
+}
+
+bool Settings::hadProgram(quint64 controller) const
+{
+    return m_file.value(programKey) == QString::number(controller, 16);
 }
 
 void Settings::edit(Setting setting, const QString& text)

@@ -105,6 +105,10 @@ public:
 
     // Returns true when Start acts only after it has been held.
     [[nodiscard]] bool startIsHeld() const;
+    // Remember the controller that had a program last, by its serial number, also over a restart of the
+    // panel.
+    void noteProgramIn(quint64 controller);
+    [[nodiscard]] bool hadProgram(quint64 controller) const;
     // Sets the access check that is asked before a change.
     void guardBy(AccessCheck& accessCheck) { m_access = &accessCheck; }
 

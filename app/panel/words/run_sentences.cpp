@@ -56,9 +56,24 @@ bool canStart(const RunFacts& facts)
     return facts.canStart;
 }
 
+bool canHoldStart(const RunFacts& facts)
+{
+    return facts.canStart && facts.isStartHeld;
+}
+
 bool canMakeBags(const RunFacts& facts)
 {
     return !facts.hasBags && facts.canStart;
+}
+
+bool canMakeBagsByHold(const RunFacts& facts)
+{
+    return canMakeBags(facts) && facts.isStartHeld;
+}
+
+bool runs(const RunFacts& facts)
+{
+    return facts.state == State::Running;
 }
 
 template <MarkState marks> bool are(const RunFacts& facts)
@@ -115,6 +130,8 @@ constexpr std::array rows{
         QT_TRANSLATE_NOOP("RunSentences", "Aligning with the marks: the bags are scrap")},
     Row{RunRow::BagsFirst, RunPlace::Bags, &runsWithoutBags,
         QT_TRANSLATE_NOOP("RunSentences", "Running; first bag not measured yet")},
+    Row{RunRow::BagsHoldStart, RunPlace::Bags, &canMakeBagsByHold,
+        QT_TRANSLATE_NOOP("RunSentences", "No bag measured yet. Hold Start.")},
     Row{RunRow::BagsStart, RunPlace::Bags, &canMakeBags,
         QT_TRANSLATE_NOOP("RunSentences", "No bag measured yet. Press Start.")},
     Row{RunRow::BagsNone, RunPlace::Bags, &hasNoBags,
@@ -141,9 +158,32 @@ constexpr std::array rows{
     Row{RunRow::KnifeWaiting, RunPlace::Film, &isKnifeWaiting,
         QT_TRANSLATE_NOOP("RunSentences", "Knife stays open: product in its path")},
 
+    Row{RunRow::StrokeHoldStart, RunPlace::Stroke, &canHoldStart,
+        QT_TRANSLATE_NOOP("RunSentences", "No stroke yet. Hold Start.")},
     Row{RunRow::StrokeStart, RunPlace::Stroke, &canStart,
         QT_TRANSLATE_NOOP("RunSentences", "No stroke yet. Press Start.")},
     Row{RunRow::StrokeNone, RunPlace::Stroke, &anyTime, QT_TRANSLATE_NOOP("RunSentences", "No stroke yet.")},
+
+    Row{RunRow::TrendsHoldStart, RunPlace::Trends, &canHoldStart,
+        QT_TRANSLATE_NOOP(
+            "RunSentences",
+            "There are no data of these curves yet. Hold Start, or choose other curves with Curves.")},
+    Row{RunRow::TrendsStart, RunPlace::Trends, &canStart,
+        QT_TRANSLATE_NOOP(
+            "RunSentences",
+            "There are no data of these curves yet. Press Start, or choose other curves with Curves.")},
+    Row{RunRow::TrendsNone, RunPlace::Trends, &anyTime,
+        QT_TRANSLATE_NOOP("RunSentences",
+                          "There are no data of these curves yet. Choose other curves with Curves.")},
+
+    Row{RunRow::DownloadedRuns, RunPlace::Downloaded, &runs,
+        QT_TRANSLATE_NOOP("RunSentences", "Downloaded. The machine is running this recipe.")},
+    Row{RunRow::DownloadedHoldStart, RunPlace::Downloaded, &canHoldStart,
+        QT_TRANSLATE_NOOP("RunSentences", "Downloaded. Hold Start to run this recipe.")},
+    Row{RunRow::DownloadedStart, RunPlace::Downloaded, &canStart,
+        QT_TRANSLATE_NOOP("RunSentences", "Downloaded. Press Start to run this recipe.")},
+    Row{RunRow::DownloadedOnly, RunPlace::Downloaded, &anyTime,
+        QT_TRANSLATE_NOOP("RunSentences", "Downloaded. The controller has this recipe.")},
 };
 static_assert(rows.size() == static_cast<std::size_t>(RunRow::Count));
 static_assert(std::ranges::all_of(rows, [](const Row& row) {

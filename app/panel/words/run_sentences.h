@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The sentences on Run that hold for the present state of the machine. One table of conditions and sentences:
+// The sentences that hold for the present state of the machine. One table of conditions and sentences:
 // a page shows the sentence of the first row of its place that is true, and writes none of its own.
 #pragma once
 
@@ -19,6 +19,7 @@ struct RunFacts {
     std::optional<modbus::State> state; // empty: unknown
     Program program = Program::Absent;
     bool canStart = false;
+    bool isStartHeld = false;               // Start is a key that is held
     bool areMarksWanted = true;             // false once the controller's mark tracking is known to be off
     std::optional<modbus::MarkState> marks; // empty: the controller reports no film
     bool isFilmWaiting = false;
@@ -33,8 +34,8 @@ struct RunFacts {
     bool operator==(const RunFacts&) const = default;
 };
 
-// The places on Run that have a sentence.
-enum class RunPlace { Program, Bags, Marks, Film, Stroke };
+// The places that have a sentence: on Run, in empty trends, and of a program that was just downloaded.
+enum class RunPlace { Program, Bags, Marks, Film, Stroke, Trends, Downloaded };
 
 // The rows of the table, in its order.
 enum class RunRow {
@@ -45,6 +46,7 @@ enum class RunRow {
     BagsSearching,
     BagsAligning,
     BagsFirst,
+    BagsHoldStart,
     BagsStart,
     BagsNone,
     MarksOff,
@@ -57,8 +59,16 @@ enum class RunRow {
     FilmChanging,
     FilmWaiting,
     KnifeWaiting,
+    StrokeHoldStart,
     StrokeStart,
     StrokeNone,
+    TrendsHoldStart,
+    TrendsStart,
+    TrendsNone,
+    DownloadedRuns,
+    DownloadedHoldStart,
+    DownloadedStart,
+    DownloadedOnly,
     Count
 };
 

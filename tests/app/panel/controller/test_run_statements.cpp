@@ -25,15 +25,16 @@ using panel::RunRow;
 namespace {
 
 constexpr std::uint64_t second = 1'000'000;
-constexpr std::array places{RunPlace::Program, RunPlace::Bags, RunPlace::Marks, RunPlace::Film,
-                            RunPlace::Stroke};
+constexpr std::array places{RunPlace::Program, RunPlace::Bags,   RunPlace::Marks,     RunPlace::Film,
+                            RunPlace::Stroke,  RunPlace::Trends, RunPlace::Downloaded};
 
 struct Walk {
-    QTemporaryDir folder;
+    QTemporaryDir ownFolder;
+    QString folder; // of the panel's files, also after its restart
     test::CoreLink link;
-    panel::Settings settings{folder.filePath(QStringLiteral("settings.ini")), nullptr};
+    panel::Settings settings{folder + QStringLiteral("/settings.ini"), nullptr};
     panel::Controller machine{link, settings, nullptr};
-    panel::Editor editor{machine, test::withStoredRecipe(folder.path()), nullptr};
+    panel::Editor editor{machine, test::withStoredRecipe(folder), nullptr};
     std::uint32_t generation = 0;
     std::uint32_t bags = 0; // cut so far
     bool hasBags = false;   // one of the present program counts
@@ -42,8 +43,9 @@ struct Walk {
     std::set<RunRow> reached;
     QString fault;
 
-    explicit Walk(const controller::MachineOptions& options = {})
-        : link(std::make_unique<test::Rig>(options))
+    explicit Walk(const controller::MachineOptions& options = {}, const QString& files = {})
+        : folder(files.isEmpty() ? ownFolder.path() : files)
+        , link(std::make_unique<test::Rig>(options))
     {
         machine.setClock([this] { return link.now(); });
         link.setFilmTimer(machine.packing()->findChild<QTimer*>());
@@ -72,6 +74,8 @@ struct Walk {
         const std::uint16_t marks = core().packer.marks.state;
         const bool isMoving = state == CTL_STATE_RUNNING || state == CTL_STATE_STOPPING;
         const bool isActive = core().banks.generation != 0;
+        const bool canStart = state == CTL_STATE_READY && isActive;
+        const bool isHeld = machine.startIsHeld();
         const bool runsEmpty = state == CTL_STATE_RUNNING && !hasBags;
         switch (row) {
         case RunRow::ProgramReading:
@@ -88,8 +92,10 @@ struct Walk {
             return runsEmpty && marks == CTL_MARK_STATE_ALIGNING;
         case RunRow::BagsFirst:
             return runsEmpty && marks != CTL_MARK_STATE_SEARCHING && marks != CTL_MARK_STATE_ALIGNING;
+        case RunRow::BagsHoldStart:
+            return !hasBags && canStart && isHeld;
         case RunRow::BagsStart:
-            return !hasBags && state == CTL_STATE_READY;
+            return !hasBags && canStart && !isHeld;
         case RunRow::BagsNone:
             return !hasBags && state != CTL_STATE_RUNNING;
         case RunRow::MarksOff:
@@ -114,9 +120,19 @@ struct Walk {
             return isMoving && core().packer.film_gate.state != CTL_GATE_STATE_RUNNING;
         case RunRow::KnifeWaiting:
             return isMoving && core().packer.knife_gate.state != CTL_GATE_STATE_RUNNING;
+        case RunRow::StrokeHoldStart:
+        case RunRow::TrendsHoldStart:
+        case RunRow::DownloadedHoldStart:
+            return canStart && isHeld;
         case RunRow::StrokeStart:
-            return state == CTL_STATE_READY;
+        case RunRow::TrendsStart:
+        case RunRow::DownloadedStart:
+            return canStart && !isHeld;
+        case RunRow::DownloadedRuns:
+            return state == CTL_STATE_RUNNING;
         case RunRow::StrokeNone:
+        case RunRow::TrendsNone:
+        case RunRow::DownloadedOnly:
             return true;
         case RunRow::Count:
             break;
@@ -125,7 +141,7 @@ struct Walk {
     }
 
     // A place that the page does not show with this program says nothing.
-    [[nodiscard]] bool isShown(RunPlace place) const
+    [[nodiscard]] bool isShown(RunPlace place)
     {
         const bool isPress = machine.active().kind == static_cast<int>(profile::ProgramKind::Press);
         switch (place) {
@@ -138,6 +154,10 @@ struct Walk {
             return machine.active().isPresent && !isPress && machine.isConnected();
         case RunPlace::Stroke:
             return machine.active().isPresent && isPress;
+        case RunPlace::Trends:
+            return true;
+        case RunPlace::Downloaded:
+            return editor.programDownload()->state() == panel::ProgramDownload::State::Applied;
         }
         return false;
     }
@@ -304,6 +324,56 @@ private slots:
         QVERIFY(walk.download());
         walk.pass(2);
         finish(walk);
+    }
+
+    // The panel and the controller were both switched off.
+    void aProgramLostWhileThePanelWasOff()
+    {
+        QTemporaryDir files;
+        {
+            Walk walk({}, files.path());
+            walk.connect();
+            QVERIFY(walk.download());
+            finish(walk);
+        }
+        Walk walk({}, files.path());
+        walk.hadProgram = true;
+        walk.connect();
+        walk.pass(2);
+        QCOMPARE(walk.machine.run()->row(RunPlace::Program), RunRow::ProgramLost);
+        finish(walk);
+    }
+
+    void whereStartIsHeld()
+    {
+        for (const auto kind : {profile::ProgramKind::RotaryCutter, profile::ProgramKind::Press}) {
+            Walk walk;
+            walk.settings.overrideValue("access.hold_to_start", QStringLiteral("on"));
+            walk.editor.newProgram(static_cast<int>(kind));
+            walk.connect();
+            QVERIFY(walk.download());
+            walk.pass(2);
+            walk.settings.overrideValue("access.hold_to_start", QStringLiteral("off"));
+            walk.pass(2);
+            finish(walk);
+        }
+    }
+
+    // The refusal of Start is a sentence, and a status comes fifty times a second.
+    void aStatusThatChangesNothingForStartDoesNotAskForItsRefusal()
+    {
+        Walk walk;
+        walk.connect();
+        QVERIFY(walk.download());
+        int questions = 0;
+        walk.machine.setStartInterlock([&questions] {
+            ++questions;
+            return QString();
+        });
+        walk.pass(10);
+        QCOMPARE(questions, 0);
+        walk.machine.start();
+        QVERIFY(questions > 0);
     }
 
     void aPressBeforeItsFirstStroke()
