@@ -15,6 +15,7 @@ Rectangle {
     property int severity: Banner.Information
     property string buttonText
     property string wayText                // text of a second button for details; "" for none
+    property int wayLevel                  // of the person who may press it; 0: everybody
     signal accepted()
     signal wayChosen()
 
@@ -44,6 +45,7 @@ Rectangle {
     Button {
         id: way
         objectName: "bannerWay"
+        level: banner.wayLevel
         anchors { right: button.left; rightMargin: Theme.size.spacing; verticalCenter: parent.verticalCenter }
         visible: banner.wayText.length > 0
         width: button.width

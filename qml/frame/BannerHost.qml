@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The most important sentence for the operator: a waiting Stop, the answer to a command, an active alarm, a lost link.
 // Alarms can be dismissed and stay on the Alarms page; acknowledging them there dismisses them too. A waiting Stop is
-// withdrawn or sent.
+// withdrawn or sent, and the answer to a stop can be undone for some seconds.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme
@@ -28,12 +28,13 @@ Item {
     readonly property string alarm: alarms.length > 0 ? alarms.join("\n") : linkTrouble
     // Every screen has space for one alarm at a time.
     readonly property string mostUrgent: alarms.length > 1 ? Theme.fill(qsTr("%1\nAnd %2 more."), [alarms[0], alarms.length - 1]) : alarm
-    readonly property string answer: Controller.commandMessage.length > 0 ? Controller.commandMessage : Scan.notice.length > 0 ? Scan.notice
+    readonly property string answer: Controller.commandMessage.length > 0 ? Controller.commandMessage : Stops.answerText.length > 0 ? Stops.answerText : Scan.notice.length > 0 ? Scan.notice
         : Settings.notice.length > 0 ? Settings.notice : Editor.notice.length > 0 ? Editor.notice
         : DatabaseService.notice.length > 0 ? DatabaseService.notice
         : SoftwareUpdate.notice.length > 0 ? SoftwareUpdate.notice
         : TouchCalibration.notice.length > 0 ? TouchCalibration.notice : startRefused ? Controller.startBlockedReason : ""
     readonly property bool stopShown: Controller.stopWaits
+    readonly property bool undoShown: !stopShown && answer.length > 0 && answer === Stops.answerText
     readonly property bool alarmShown: !above && !stopShown && answer.length === 0 && alarm.length > 0 && alarm !== putAside && !Alarms.seen
     readonly property bool shown: stopShown || (answer.length > 0 && !(above && answer === answerBelow)) || alarmShown
 
@@ -64,6 +65,7 @@ Item {
             host.putAside = host.alarm
         host.startRefused = false
         Controller.dismissMessage()
+        Stops.dismissAnswer()
         Scan.dismissNotice()
         Settings.dismissNotice()
         Editor.dismissNotice()
@@ -102,9 +104,10 @@ Item {
             text: host.stopShown ? Controller.stopWaitsText : host.alarmShown ? host.mostUrgent : host.answer
             severity: host.stopShown ? Banner.Warning : host.alarmShown ? (Controller.faulted ? Banner.Fault : Banner.Warning) : Banner.Information
             buttonText: host.stopShown ? qsTr("Withdraw") : qsTr("OK")
-            wayText: host.alarmShown && (host.alarms.length > 1 || Controller.faulted && Alarms.urgentCode.length > 0) ? qsTr("Show") : ""
+            wayText: host.undoShown ? qsTr("Undo") : host.alarmShown && (host.alarms.length > 1 || Controller.faulted && Alarms.urgentCode.length > 0) ? qsTr("Show") : ""
             onAccepted: host.accept()
-            onWayChosen: host.showAlarms()
+            wayLevel: host.undoShown ? Access.Operator : Access.Viewer
+            onWayChosen: host.undoShown ? Stops.undoAnswer() : host.showAlarms()
         }
     }
 }

@@ -705,6 +705,7 @@ void enterScreen(TestWindow& window, const Screen& screen)
 {
     if (!window.panel().access().protectedByPins())
         window.setLevel(panel::Level::Service);
+    window.panel().stops().dismissAnswer();
     auto& editor = window.panel().editor();
     panel::Display& display = window.panel().display();
     while (display.wipeSeconds() > 0) // no taps during cleaning

@@ -412,6 +412,7 @@ QList<Screen> stopScreens()
 {
     return {
         asked("run-stop-question"),
+        asked("run-stop-answered", {QStringLiteral("reason_cleaning")}),
         asked("run-stop-reasons", {QStringLiteral("reason_material")}),
         ofShift("stops"),
         {QStringLiteral("stops-nothing"),

@@ -74,6 +74,19 @@ private slots:
         }
     }
 
+    void aRestoredRecipeSaysSoAndComesBack()
+    {
+        open(QSize(1024, 600), 1);
+        editor().bagLength()->set(240);
+        tap("more");
+        tap("restoreStored");
+        QVERIFY(!editor().edited());
+        QVERIFY2(textOf("bannerText").startsWith(u"Restored the stored recipe"_s),
+                 qPrintable(textOf("bannerText")));
+        tap("undo");
+        QCOMPARE(editor().bagLength()->value(), 240.0);
+    }
+
     void aComparedLawIsSeenAndEnds()
     {
         open(QSize(1024, 600), 2);

@@ -61,6 +61,22 @@ private slots:
         QCOMPARE(stops().reasonText(), QStringLiteral("Machine · Knife, jaws"));
     }
 
+    void aMistappedReasonIsUndone()
+    {
+        enter("run-stop-question");
+        tap("reason_cleaning");
+        QVERIFY(!m_window->find(QStringLiteral("stopQuestion")));
+        QCOMPARE(textOf("bannerText"), QStringLiteral("Stop reason: Cleaning."));
+        QTest::qWait(3000); // somebody reads
+        tap("bannerWay");
+        QVERIFY(stops().reason().isEmpty());
+        QVERIFY(m_window->find(QStringLiteral("stopQuestion")));
+        tap("reason_break");
+        QTest::qWait(6000);
+        QVERIFY(!m_window->find(QStringLiteral("bannerWay")));
+        QCOMPARE(stops().reason(), QStringLiteral("break"));
+    }
+
     void theQuestionNeverCoversTheCommands()
     {
         enter("run-stop-question");

@@ -49,6 +49,7 @@ Level levelBetween(const program::Recipe& before, const program::Recipe& after)
 // The delay that combines fast edits: writing a file takes longer than a frame.
 constexpr auto keepDelay = 300ms;
 constexpr auto tableDelay = 80ms;
+constexpr auto restoredTime = 8s; // as long as a message on Recipes
 
 } // namespace
 
@@ -360,6 +361,12 @@ void Editor::revert()
     m_history.note(m_recipe);
     m_comparedLaw.reset();
     replace(m_stored);
+    showNotice(tr("Restored the stored recipe %1. Undo brings the edits back.")
+                   .arg(QString::fromStdString(m_stored.name)));
+    QTimer::singleShot(restoredTime, this, [this, text = m_notice] {
+        if (m_notice == text)
+            dismissNotice();
+    });
 }
 
 void Editor::replace(program::Recipe recipe)

@@ -344,7 +344,7 @@ void Recipes::restore()
             }
             note(u"recipe.restore"_s, m_deletedName, {}, {});
             m_chosenId = m_deletedId;
-            dismissMessage();
+            say(tr("%1 is in the list again.").arg(m_deletedName));
             reload();
         });
 }

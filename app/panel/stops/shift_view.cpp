@@ -78,6 +78,7 @@ ShiftView::ShiftView(Stops& owner, Settings& settings, DatabaseService& records)
 {
     updateEvery(shiftReadPeriod, [this] { follow(); });
     connect(&settings, &Settings::changed, this, &ShiftView::follow);
+    connect(&owner, &Stops::answerChanged, this, &ShiftView::refresh); // an answer may have been undone
     connect(&m_keys, &ReasonKeys::chosen, this, [this](const StopReason& reason) {
         if (m_selected == 0 || !m_owner.answer(m_selected, reason))
             return;

@@ -32,6 +32,7 @@ bool isSuspended(StateInterval::State state)
 void StateBook::begin(const store::StopLog::Start& start)
 {
     m_isBegun = true;
+    m_hadProgram = start.hadProgram;
     m_last = start.last;
     m_lastId = start.last ? start.last->id : 0;
     m_stop = start.stop.value_or(StopRow());
@@ -53,7 +54,8 @@ void StateBook::check(const Now& now)
 
 void StateBook::note(const Observation& seen, const Now& now)
 {
-    if (!m_isBegun)
+    m_hadProgram = m_hadProgram || !seen.program.isEmpty();
+    if (!m_isBegun || !m_hadProgram)
         return;
     check(now);
     m_isLastContinued = m_open.has_value();

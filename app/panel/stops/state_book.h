@@ -47,7 +47,8 @@ public:
         qint64 skipped = 0;
     };
 
-    // Continues after the log's last interval. Nothing is recorded before.
+    // Continues after the log's last interval. Nothing is recorded before, nor before the first program: a
+    // machine that has never had one does not stand still.
     void begin(const store::StopLog::Start& start);
     [[nodiscard]] bool isBegun() const { return m_isBegun; }
 
@@ -84,6 +85,7 @@ private:
     void keep(const store::StateInterval& interval);
 
     bool m_isBegun = false;
+    bool m_hadProgram = false; // ever
     bool m_hasNews = false;
     qint64 m_lastId = 0;
     std::optional<store::StateInterval> m_open;

@@ -42,6 +42,9 @@ Stops::Stops(Controller& controller, Settings& settings, DatabaseService& record
     connect(&m_watch, &MachineWatch::observed, this, &Stops::updatePresent);
     connect(&m_timer, &QTimer::timeout, this, &Stops::check);
     m_timer.start(stopCheckPeriod);
+    m_undoTimer.setSingleShot(true);
+    m_undoTimer.setInterval(undoPeriod);
+    m_undoTimer.callOnTimeout(this, &Stops::dismissAnswer);
     connect(&m_keys, &ReasonKeys::chosen, this,
             [this](const StopReason& reason) { answer(m_book.presentStop().id, reason); });
     connect(&settings, &Settings::changed, this, &Stops::updatePresent);
@@ -90,19 +93,37 @@ bool Stops::answer(qint64 stop, const StopReason& reason)
 {
     if (!m_controller.accessCheck().require(Level::Operator) || stop == 0)
         return false;
-    const StopRow answer{stop, reason.key(), reason.isPlanned, m_controller.accessCheck().person(), nowMs()};
-    const StopRow before = m_book.presentStop();
-    if (!m_book.answer(answer)) {
-        answerEarlier(answer);
-        return true;
-    }
-    noteReplaced(before, answer);
-    updatePresent();
-    write();
+    setReason({stop, reason.key(), reason.isPlanned, m_controller.accessCheck().person(), nowMs()}, true);
     return true;
 }
 
-void Stops::answerEarlier(const StopRow& answer)
+void Stops::undoAnswer()
+{
+    if (!m_controller.accessCheck().require(Level::Operator) || m_undo.answer.id == 0)
+        return;
+    const StopRow before = m_undo.before;
+    setReason(before, false);
+    dismissAnswer();
+}
+
+void Stops::dismissAnswer()
+{
+    m_undoTimer.stop();
+    m_undo = {};
+    emit answerChanged();
+}
+
+void Stops::setReason(const StopRow& answer, bool canBeUndone)
+{
+    const StopRow before = m_book.presentStop();
+    if (!m_book.answer(answer))
+        return setEarlierReason(answer, canBeUndone);
+    noteReplaced({before, answer}, canBeUndone);
+    updatePresent();
+    write();
+}
+
+void Stops::setEarlierReason(const StopRow& answer, bool canBeUndone)
 {
     write(); // an earlier answer of this stop
     struct Outcome {
@@ -117,22 +138,37 @@ void Stops::answerEarlier(const StopRow& answer)
                 return Outcome{{}, tl::unexpected(before.error())};
             return Outcome{*before, StopLog::write(database, {{}, {answer}})};
         },
-        [this, answer](const Outcome& outcome) {
+        [this, answer, canBeUndone](const Outcome& outcome) {
             if (!outcome.written)
                 return m_records.reportError(outcome.written.error());
-            if (outcome.before)
-                noteReplaced(*outcome.before, answer);
+            StopRow unanswered;
+            unanswered.id = answer.id;
+            noteReplaced({outcome.before.value_or(unanswered), answer}, canBeUndone);
         });
 }
 
-void Stops::noteReplaced(const StopRow& before, const StopRow& answer)
+void Stops::noteReplaced(const Replaced& replaced, bool canBeUndone)
 {
-    if (before.id == 0 || before.reason.isEmpty() || before.reason == answer.reason)
+    const auto& [before, answer] = replaced;
+    if (before.reason == answer.reason)
+        return;
+    if (canBeUndone) {
+        m_undo = replaced;
+        m_undoTimer.start();
+        emit answerChanged();
+    }
+    if (before.reason.isEmpty())
         return;
     emit noted({.what = u"stop.reason"_s,
                 .object = QDateTime::fromMSecsSinceEpoch(before.answeredMs).toUTC().toString(Qt::ISODate),
                 .before = before.reason,
                 .after = answer.reason});
+}
+
+QString Stops::answerText() const
+{
+    return m_undo.answer.id == 0 ? QString()
+                                 : tr("Stop reason: %1.").arg(StopWords::reason(m_undo.answer.reason));
 }
 
 QString Stops::reasonText() const

@@ -28,6 +28,8 @@ class Stops : public QObject, public Singleton<Stops> {
     // nobody has given one.
     Q_PROPERTY(QString reason READ reason NOTIFY presentChanged FINAL)
     Q_PROPERTY(QString reasonText READ reasonText NOTIFY presentChanged FINAL)
+    // What was answered in the last seconds, "Stop reason: Film change."; empty: nothing that can be undone.
+    Q_PROPERTY(QString answerText READ answerText NOTIFY answerChanged FINAL)
     // The keys that answer the question.
     Q_PROPERTY(campanel::panel::ReasonKeys* keys READ keys CONSTANT FINAL)
     Q_PROPERTY(campanel::panel::ShiftView* shift READ shift CONSTANT FINAL)
@@ -36,6 +38,9 @@ class Stops : public QObject, public Singleton<Stops> {
 public:
     // The open interval is written again after this time: a power cut loses no more of it.
     static constexpr std::chrono::seconds writePeriod{60};
+
+    // The time to undo an answer.
+    static constexpr std::chrono::seconds undoPeriod{5};
 
     // All arguments must outlive the object. The log begins when the records are opened.
     Stops(Controller& controller, Settings& settings, DatabaseService& records, QObject* parent);
@@ -47,6 +52,7 @@ public:
     [[nodiscard]] QString sinceText() const { return m_present.sinceText; }
     [[nodiscard]] QString reason() const { return m_present.reason; }
     [[nodiscard]] QString reasonText() const;
+    [[nodiscard]] QString answerText() const;
     [[nodiscard]] ReasonKeys* keys() { return &m_keys; }
     [[nodiscard]] ShiftView* shift() { return &m_shift; }
     [[nodiscard]] StopSetup* setup() { return &m_setup; }
@@ -54,6 +60,9 @@ public:
 
     // Closes the question of the present stop; it stays without a reason, and can be answered later.
     Q_INVOKABLE void postpone();
+    // Brings back the reason before the last answer, or none, for operators.
+    Q_INVOKABLE void undoAnswer();
+    Q_INVOKABLE void dismissAnswer();
     // Sets the reason of a stop, for operators. Returns false when the access check refuses.
     bool answer(qint64 stop, const StopReason& reason);
     // Writes the changes and the present interval.
@@ -63,6 +72,7 @@ public:
 
 signals:
     void presentChanged();
+    void answerChanged();
     // Emitted for the audit trail: a reason was replaced.
     void noted(const campanel::store::AuditEntry& entry);
 
@@ -75,8 +85,15 @@ private:
         bool operator==(const Present&) const = default;
     };
 
-    void answerEarlier(const store::StopRow& answer);
-    void noteReplaced(const store::StopRow& before, const store::StopRow& answer);
+    // An answer, and what it replaces; the id of both is 0: none.
+    struct Replaced {
+        store::StopRow before;
+        store::StopRow answer;
+    };
+
+    void setReason(const store::StopRow& answer, bool canBeUndone);
+    void setEarlierReason(const store::StopRow& answer, bool canBeUndone);
+    void noteReplaced(const Replaced& replaced, bool canBeUndone);
     void updatePresent();
 
     Controller& m_controller;
@@ -90,6 +107,8 @@ private:
     ShiftView m_shift;
     QTimer m_timer;
     Present m_present;
+    Replaced m_undo;
+    QTimer m_undoTimer;
     qint64 m_postponed = 0; // stop
     link::SteadyTime m_writtenAt{};
 };

@@ -76,6 +76,10 @@ tl::expected<StopLog::Start, StoreError> StopLog::begin(Database& database)
     if (newest->isEmpty())
         return start;
     start.last = newest->first();
+    auto programs = database.execute(u"SELECT 1 FROM state_interval WHERE program <> '' LIMIT 1"_s);
+    if (!programs)
+        return tl::unexpected(programs.error());
+    start.hadProgram = programs->next();
     const auto found = stop(database, start.last->stop);
     if (!found)
         return tl::unexpected(found.error());

@@ -74,8 +74,9 @@ public:
         std::optional<StateInterval> last;
         std::optional<StopRow> stop; // empty: without a reason, or the machine produced
         qint64 stopBeginMs = 0;
-        qint64 stopMs = 0;   // in all its intervals
-        qint64 newestMs = 0; // see newestRecordMs()
+        qint64 stopMs = 0;       // in all its intervals
+        qint64 newestMs = 0;     // see newestRecordMs()
+        bool hadProgram = false; // in any interval
     };
     // The intervals that begin in a span of time, in their order, and the reasons of their stops.
     struct Span {

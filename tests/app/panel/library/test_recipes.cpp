@@ -155,6 +155,7 @@ private slots:
         QTRY_COMPARE(noted.count(), 5);
         QCOMPARE(last().what, QStringLiteral("recipe.restore"));
         QCOMPARE(last().object, QStringLiteral("Hand soap"));
+        QCOMPARE(rig.recipes.message(), QStringLiteral("Hand soap is in the list again."));
     }
 
     void isNotMadeAnewByEachStepOfAnEdit()

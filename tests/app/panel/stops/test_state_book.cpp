@@ -9,6 +9,8 @@
 #include <QTest>
 #include <QTimeZone>
 
+#include <algorithm>
+
 namespace test_state_book {
 
 using namespace campanel;
@@ -89,6 +91,8 @@ struct Rig {
         start.last = rows.last();
         for (const StateInterval& each : rows)
             start.stopMs += start.last->stop != 0 && each.stop == start.last->stop ? each.durationMs : 0;
+        start.hadProgram =
+            std::ranges::any_of(rows, [](const StateInterval& each) { return !each.program.isEmpty(); });
         if (stops.contains(start.last->stop))
             start.stop = stops[start.last->stop];
         book.begin(start);
@@ -101,6 +105,31 @@ class TestStateBook : public QObject {
     Q_OBJECT
 
 private slots:
+    // A new panel: somebody reads the wizard, downloads the first recipe, and starts.
+    void beforeTheFirstProgramNothingStands()
+    {
+        Rig rig;
+        rig.seen.program.clear();
+        rig.setState(State::Idle);
+        rig.pass(20min);
+        QVERIFY(!rig.book.present());
+        QCOMPARE(rig.book.stopMs(), 0);
+        QCOMPARE(rig.recordedMs(), 0);
+        rig.seen.program = QStringLiteral("Biscuit 250");
+        rig.setState(State::Ready);
+        rig.pass(1min);
+        QCOMPARE(rig.book.stopMs(), 60'000);
+        QCOMPARE(rig.recordedMs(), 60'000);
+        // A machine that lost its program stands, also for a panel that was restarted meanwhile.
+        rig.seen.program.clear();
+        rig.setState(State::Idle);
+        rig.pass(1min);
+        QCOMPARE(rig.book.stopMs(), 120'000);
+        rig.restart(10s);
+        rig.pass(1min);
+        QCOMPARE(rig.book.stopMs(), 179'000); // the first second only begins
+    }
+
     void intervalsOfAClockThatIsNotSetAreMarked()
     {
         Rig rig;
