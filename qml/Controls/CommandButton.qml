@@ -40,6 +40,8 @@ TouchButton {
     onClicked: {
         if (!ready && !acted)
             refused()
+        else if (ready && locked)
+            Permission.loginWanted(level)
         else if (ready && !holds)
             commanded()
     }

@@ -8,6 +8,8 @@ import QtQuick
 QtObject {
     id: permission
 
+    signal loginWanted(int level)          // by a locked key that does nothing else
+
     property int level: 3
     property list<string> words            // what a control needs, from the first level on
     property Item tapped: null             // the control, and what its tap does

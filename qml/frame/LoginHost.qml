@@ -49,6 +49,10 @@ Loader {
         function onEntered(pin: string) { Access.changePin(host.userOfShortPin, pin) }
     }
     Connections {
+        target: Permission
+        function onLoginWanted(level: int) { Access.ask(level) }
+    }
+    Connections {
         target: Access
         function onNewPinWanted(user: int) { host.openShortPin(user) }
         function onLoginRequested(level: int) { host.open(level) }

@@ -31,12 +31,14 @@ bool isDropped(const QQuickItem& control)
     return index.isValid() && index.toInt() < 0;
 }
 
-// Returns the signal of a touch: a key of the command column is held, a slider is dragged.
+// Returns the signal of a touch: a slider is dragged, and a key that commands the machine is held unless it
+// is locked.
 const char* signalOf(const QQuickItem& control)
 {
     if (control.inherits("QQuickSlider"))
         return "moved";
-    return control.property("waitsForLogin").toBool() ? "clicked" : "commanded";
+    return control.property("waitsForLogin").toBool() || control.property("locked").toBool() ? "clicked"
+                                                                                             : "commanded";
 }
 
 bool isReady(const QQuickItem& control)
@@ -209,17 +211,20 @@ private slots:
         m_window->checkClock();
         for (const char* each : {"nav_maintenance", "maintenanceMachine", "maintenanceJog"})
             m_window->tap(QString::fromLatin1(each));
-        m_window->link().requests.clear();
+        m_window->link().jogs.clear();
         tap("jogForward");
         QVERIFY(isOn("loginUsers"));
         tap("login_Li Wei");
         typePin("258036");
         QTest::qWait(5000);
-        QVERIFY(m_window->link().requests.isEmpty());
+        QVERIFY(!m_window->link().jogs.contains(link::JogDirection::Forward));
         tap("jogForward");
-        QVERIFY2(m_window->link().requests.isEmpty(), "a short touch moves nothing");
-        holdFor("jogForward", 700);
-        QVERIFY(!m_window->link().requests.isEmpty());
+        QVERIFY2(!m_window->link().jogs.contains(link::JogDirection::Forward), "a short touch moves nothing");
+        m_window->touch(u"jogForward"_s);
+        QTRY_COMPARE(m_window->link().jog(), link::JogDirection::Forward);
+        m_window->lift();
+        m_window->settle();
+        QCOMPARE(m_window->link().jog(), link::JogDirection::None);
     }
 
     void theMachineDoesNotMoveBecauseSomebodyLoggedIn()
