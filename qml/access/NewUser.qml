@@ -8,9 +8,14 @@ import CamPanel.Panel
 QtObject {
     id: user
 
+    readonly property int usualLevel: Access.protectedByPins ? Access.Operator : Access.Service
+
+    // Returns true when somebody has chosen or typed something that the next step holds.
+    function isChosen(level: int, name: string): bool {
+        return level !== user.usualLevel || name !== Access.freeName(level)
+    }
     function add(): void {
-        const level = Access.protectedByPins ? Access.Operator : Access.Service
-        user.open(level, Access.freeName(level))
+        user.open(user.usualLevel, Access.freeName(user.usualLevel))
     }
     function open(level: int, name: string): void {
         Frame.open("Access/NewUserSheet", {
@@ -20,13 +25,13 @@ QtObject {
     }
     function enterName(level: int, name: string): void {
         Frame.open("Parts/TextSheet", {
-            title: qsTr("Name of the user"), text: name, check: text => Access.nameRefusal(text),
+            title: qsTr("Name of the user"), text: name, holds: user.isChosen(level, name), check: text => Access.nameRefusal(text),
             onAccepted: text => user.open(level, text)
         })
     }
     function enterPin(level: int, name: string): void {
         if (!Access.ask(Access.Service))
             return
-        Frame.open("Access/NewPinSheet", { title: qsTr("PIN of %1").arg(name), level: level, holds: true, onEntered: pin => Access.addUser(name, level, pin) })
+        Frame.open("Access/NewPinSheet", { title: qsTr("PIN of %1").arg(name), level: level, neededLevel: Access.Service, holds: user.isChosen(level, name), onEntered: pin => Access.addUser(name, level, pin) })
     }
 }

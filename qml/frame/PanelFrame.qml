@@ -79,7 +79,7 @@ Rectangle {
     function forgetUser(): void {
         loginLoader.active = false
         if (frame.sheet?.secret)
-            frame.closeSheet(frame.sheet)
+            frame.sheet.forget()
         if (!outside.pending)
             frame.openPage("run")
     }

@@ -13,6 +13,9 @@ Overlay {
     property alias pad: pad
     default property alias content: body.data
 
+    // Forgets the digits of somebody who was logged out. What else is pending stays.
+    function forget(): void { pad.clear() }
+
     pending: pad.digits.length > 0
     secret: true
 

@@ -14,6 +14,7 @@ Sheet {
     property string problem: sheet.check.call(sheet, input.text) // empty: valid
     property bool acceptable: problem.length === 0
     property int level: Access.Viewer      // needed to confirm: the user may be logged out meanwhile
+    property bool holds                    // what was chosen in a step before
     property string first                  // the text at the opening
     property bool insisted                 // somebody wants to confirm what is not valid
     readonly property bool touched: input.text !== first || insisted
@@ -25,6 +26,7 @@ Sheet {
         if (sheet.insisted || !Access.ask(sheet.level))
             return
         sheet.first = input.text // nothing is pending any more
+        sheet.holds = false
         sheet.accepted(input.text)
         sheet.closed()
     }
@@ -33,7 +35,7 @@ Sheet {
         input.text = text
     }
 
-    pending: input.text !== first || keyboard.composing
+    pending: sheet.holds || input.text !== first || keyboard.composing
     Component.onCompleted: {
         sheet.first = sheet.text
         input.text = sheet.text

@@ -19,6 +19,7 @@ Sheet {
     pending: SystemNetwork.editable && SystemNetwork.edited
     title: qsTr("Network")
     note: SystemNetwork.stateText
+    onClosed: SystemNetwork.discard()      // the entry of an address, and a logout meanwhile, keep the others
     Component.onCompleted: SystemNetwork.watched = true
     Component.onDestruction: SystemNetwork.watched = false
 

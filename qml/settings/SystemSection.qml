@@ -111,10 +111,8 @@ SettingsSection {
                 label: qsTr("Network")
                 value: facts.lines.length > 0 ? facts.lines.join(" · ") : qsTr("not connected")
                 onClicked: {
-                    if (Access.ask(Access.Service)) {
-                        SystemNetwork.discard()
+                    if (Access.ask(Access.Service))
                         section.openNetwork()
-                    }
                 }
             }
             Row {

@@ -706,6 +706,7 @@ void enterScreen(TestWindow& window, const Screen& screen)
     if (!window.panel().access().protectedByPins())
         window.setLevel(panel::Level::Service);
     window.panel().stops().dismissAnswer();
+    window.panel().systemNetwork().discard();
     auto& editor = window.panel().editor();
     panel::Display& display = window.panel().display();
     while (display.wipeSeconds() > 0) // no taps during cleaning

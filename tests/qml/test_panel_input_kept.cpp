@@ -8,6 +8,7 @@
 
 #include <QSet>
 
+#include <algorithm>
 #include <functional>
 
 namespace test_panel_input_kept {
@@ -83,6 +84,24 @@ class TestPanelInputKept : public test::PanelTest {
     {
         const QQuickItem* item = m_window->find(name);
         return item ? item->mapRectToScene(item->boundingRect()) : QRectF();
+    }
+
+    void logOutByTime()
+    {
+        m_window->link().advance(std::chrono::minutes(30));
+        m_window->checkClock();
+        m_window->panel().access().checkClock();
+        m_window->settle();
+        QVERIFY(!m_window->panel().access().loggedIn());
+    }
+    // By the keys of a keyboard: the pad of a login lies above that of a new PIN.
+    void typePin(const QString& pin)
+    {
+        m_window->type(pin);
+        QTest::keyClick(&m_window->window(), Qt::Key_Return);
+        while (m_window->panel().access().busy())
+            QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
+        m_window->settle();
     }
 
 private slots:
@@ -373,6 +392,59 @@ private slots:
         tap("pinCancel");
         QCOMPARE(textOf("keypadText"), u"51"_s);
         QCOMPARE(valueOf(u"field knife_radius_mm"_s), before);
+    }
+
+    // The PIN is forgotten; the name and the level of the steps before are kept.
+    void theLogoutKeepsTheNameOfANewUser()
+    {
+        enter(u"users"_s);
+        go({u"userAdd"_s, u"level2"_s, u"newUserName"_s});
+        logOutByTime();
+        QVERIFY2(isOn(u"textInput"_s), "somebody has chosen a level");
+        m_window->type(u"Eva"_s);
+        tap("textAccept");
+        tap("userPin");
+        QVERIFY(isOn(u"loginUsers"_s));
+        tap("login_Anna");
+        typePin(u"258036"_s); // and the tap is carried out
+        go({u"pin2"_s, u"pin5"_s});
+        logOutByTime();
+        QVERIFY2(isOn(u"pinAccept"_s), "the PIN of Eva is asked for");
+        QCOMPARE(propertyOf("keypad", "digits"), QString());
+        waitFiveSeconds();
+        typePin(u"4711"_s);
+        QVERIFY2(isOn(u"loginUsers"_s), "whoever confirms has to log in");
+        tap("login_Anna");
+        typePin(u"258036"_s);
+        typePin(u"4711"_s);
+        typePin(u"4711"_s);
+        const QVariantList users = m_window->panel().access().users();
+        QVERIFY(std::ranges::any_of(users, [](const QVariant& each) {
+            return each.toMap().value(u"name"_s) == u"Eva"_s && each.toMap().value(u"level"_s) == 2;
+        }));
+    }
+
+    void theLogoutKeepsTheAddressesOfTheNetwork()
+    {
+        enter(u"users"_s);
+        go({u"nav_settings"_s, u"section0"_s, u"sectionSystem"_s, u"setNetwork"_s});
+        auto& network = m_window->panel().systemNetwork();
+        m_window->waitUntil(network, &panel::SystemNetwork::changed,
+                            [](const panel::SystemNetwork& each) { return each.isAsked() && !each.busy(); });
+        go({u"networkFixed"_s, u"networkField0"_s, u"pinBackspace"_s, u"pin7"_s, u"pinAccept"_s});
+        m_window->waitUntil(network, &panel::SystemNetwork::changed,
+                            [](const panel::SystemNetwork& each) { return each.isAsked() && !each.busy(); });
+        go({u"networkField2"_s});
+        const QString typed = network.fields().first().toMap().value(u"text"_s).toString();
+        logOutByTime();
+        go({u"nav_settings"_s, u"section0"_s, u"sectionSystem"_s, u"setNetwork"_s});
+        tap("login_Anna");
+        typePin(u"258036"_s);
+        QVERIFY(isOn(u"networkApply"_s));
+        QVERIFY(network.edited());
+        QCOMPARE(network.fields().first().toMap().value(u"text"_s).toString(), typed);
+        tap("sheetClose");
+        QVERIFY2(!network.edited(), "its own key drops them");
     }
 
     void theLogoutForgetsAPin()
