@@ -79,7 +79,7 @@ Editor::Editor(Controller& controller, const QString& folder, QObject* parent)
         m_stored.version = 0;
     loadWorkingCopy();
     m_isNameProposed = m_stored.version == 0 && (m_sources.working == store::LastRecipe::Source::Default ||
-                                                 recipeName() == RecipeWords::proposedName(m_recipe));
+                                                 RecipeWords::isProposedName(m_recipe));
     m_camFiles.guardBy(controller.accessCheck());
     connectFields();
     connectKnots();

@@ -2,6 +2,7 @@
 #include "app/panel/words/recipe_words.h"
 
 #include "app/panel/kit/format.h"
+#include "app/panel/kit/units.h"
 #include "profile/laws/laws.h"
 
 namespace campanel::panel {
@@ -56,11 +57,30 @@ QString RecipeWords::lawParameterName(std::string_view parameterId)
                : QString::fromUtf8(parameterId.data(), static_cast<qsizetype>(parameterId.size()));
 }
 
+QString RecipeWords::proposedName(const program::Recipe& recipe, bool isInch)
+{
+    if (!recipe.isCutter())
+        return QString::fromUtf8(program::kindInfo(recipe.kind()).defaultName);
+    const double lengthMm = recipe.cutter().bagLengthMm;
+    QString length = Format().compact(lengthMm, 0, 1);
+    if (isInch) {
+        const QVariantMap inch = Units::rows(true).value(QStringLiteral("mm")).toMap();
+        const double factor = inch.value(QStringLiteral("factor")).toDouble();
+        length =
+            Format().compact(lengthMm * factor, 0, 3) + u' ' + inch.value(QStringLiteral("unit")).toString();
+    }
+    return tr("Bag %1", "name of a recipe, length in mm").arg(length);
+}
+
 QString RecipeWords::proposedName(const program::Recipe& recipe)
 {
-    return recipe.isCutter() ? tr("Bag %1", "name of a recipe, length in mm")
-                                   .arg(Format().compact(recipe.cutter().bagLengthMm, 0, 1))
-                             : QString::fromUtf8(program::kindInfo(recipe.kind()).defaultName);
+    return proposedName(recipe, Units::isInch());
+}
+
+bool RecipeWords::isProposedName(const program::Recipe& recipe)
+{
+    const QString name = QString::fromStdString(recipe.name);
+    return name == proposedName(recipe, false) || name == proposedName(recipe, true);
 }
 
 QString RecipeWords::listSize(const profile::Program& program)

@@ -29,8 +29,11 @@ public:
     // Returns an empty text for an unknown law.
     [[nodiscard]] static QString lawName(profile::LawId law);
     [[nodiscard]] static QString lawParameterName(std::string_view parameterId);
-    // Returns the name of a recipe that nobody named: that of its bag, or of its kind.
+    // Returns the name of a recipe that nobody named: that of its bag in the shown unit ("Bag 180",
+    // "Bag 7.087 in"), or of its kind.
     [[nodiscard]] static QString proposedName(const program::Recipe& recipe);
+    // Returns true when the recipe has such a name, in either unit.
+    [[nodiscard]] static bool isProposedName(const program::Recipe& recipe);
     [[nodiscard]] static QString kindName(profile::ProgramKind kind)
     {
         return inWords(program::kindInfo(kind).name);
@@ -50,6 +53,9 @@ public:
     {
         return inWords(profile::limitName(limit));
     }
+
+private:
+    [[nodiscard]] static QString proposedName(const program::Recipe& recipe, bool isInch);
 };
 
 } // namespace campanel::panel

@@ -134,6 +134,27 @@ private slots:
         QCOMPARE(start.names(), QStringList{u"Bag 190.5 v1"_s});
     }
 
+    void theProposedNameIsInTheShownUnit()
+    {
+        const QTemporaryDir folder;
+        {
+            Start start(folder);
+            start.settings.set("display.units", u"inch"_s);
+            start.editor.bagLength()->set(180 / 25.4);
+            QCOMPARE(start.editor.recipeName(), u"Bag 7.087 in"_s);
+        }
+        Start start(folder);
+        start.settings.set("display.units", u"metric"_s);
+        start.editor.bagLength()->set(190); // nobody has typed the name yet
+        QCOMPARE(start.editor.recipeName(), u"Bag 190"_s);
+        start.recipes.save();
+        start.settle();
+        start.settings.set("display.units", u"inch"_s);
+        start.editor.bagLength()->set(8);
+        QCOMPARE(start.editor.recipeName(), u"Bag 190"_s); // the name of a saved recipe stays
+        start.settings.set("display.units", u"metric"_s);
+    }
+
     void aTypedNameFollowsNothing()
     {
         const QTemporaryDir folder;
