@@ -21,7 +21,7 @@ TouchButton {
     implicitHeight: Theme.size.touch
     onPressAndHold: field.explain()
 
-    readonly property real lockRoom: locked ? Theme.size.caption + Theme.size.accent : 0
+    readonly property real lockRoom: locked ? Math.max(0, Theme.size.caption + 2 * Theme.size.accent - inset) : 0
     readonly property int inset: compact ? Theme.size.spacing + Theme.size.outline : Theme.size.padding
 
     background: Rectangle {

@@ -144,7 +144,7 @@ Card {
             x: plot.x + editor.handleX(index, editor.revision) - width / 2
             y: plot.y + editor.handleY(index, editor.revision) - height / 2
             color: holds ? Theme.color.touch : Theme.color.surface
-            border { width: Theme.size.curve; color: Theme.color.touch }
+            border { width: Theme.size.curve; color: Permission.level < Access.Technician ? Theme.color.secondaryInk : Theme.color.touch }
         }
     }
     MouseArea {

@@ -14,6 +14,8 @@ MouseArea {
     property var explained: () => area.quantities // those at this moment
     property string field                  // name of the recipe's number; empty: a tap does nothing
 
+    readonly property bool locked: area.field.length > 0 && Editor.field(area.field).neededLevel > Permission.level // in place of the pencil
+
     Accessible.role: Accessible.Button
     Accessible.name: area.field.length > 0 ? Theme.fill(qsTr("Change: %1"), [change.nameOf(area.field)]) : qsTr("How this is calculated")
 
@@ -32,7 +34,7 @@ MouseArea {
     }
     Padlock {
         anchors { right: parent.right; top: parent.top; margins: Theme.size.accent }
-        visible: area.field.length > 0 && Editor.field(area.field).neededLevel > Permission.level
+        visible: area.locked
     }
     ProgramChange { id: change }
 }

@@ -47,10 +47,12 @@ Card {
         visible: card.field.length > 0
         anchors { right: parent.right; top: parent.top; margins: Theme.size.spacing }
         code: Theme.icon.next
+        opacity: explained.locked ? 0 : 1
         color: Theme.color.touch
         font.pixelSize: Theme.size.body
     }
     Explained {
+        id: explained
         enabled: card.quantities.length > 0
         quantities: card.quantities
         field: card.field

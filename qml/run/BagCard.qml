@@ -18,6 +18,7 @@ Card {
     IconLabel {
         anchors { right: parent.right; top: parent.top; margins: Theme.size.spacing }
         code: Theme.icon.next
+        opacity: explained.locked ? 0 : 1
         color: Theme.color.touch
         font.pixelSize: Theme.size.body
     }
@@ -98,6 +99,7 @@ Card {
         font.pixelSize: Theme.size.caption
     }
     Explained {
+        id: explained
         objectName: "bagNumbers"
         field: "bag_length_mm"
         quantities: [Explanations.BagMean, Explanations.BagScatter, Explanations.BagDeviation]

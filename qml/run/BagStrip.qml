@@ -24,6 +24,7 @@ Card {
             id: arrow
             anchors { right: parent.right; top: parent.top }
             code: Theme.icon.next
+            opacity: explained.locked ? 0 : 1
             color: Theme.color.touch
             font.pixelSize: Theme.size.body
         }
@@ -107,6 +108,7 @@ Card {
         font.pixelSize: Theme.size.caption
     }
     Explained {
+        id: explained
         objectName: "bagNumbers"
         field: "bag_length_mm"
         quantities: [Explanations.BagMean, Explanations.BagScatter, Explanations.BagsWithin, Explanations.BagDeviation]

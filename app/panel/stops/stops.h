@@ -28,7 +28,7 @@ class Stops : public QObject, public Singleton<Stops> {
     // nobody has given one.
     Q_PROPERTY(QString reason READ reason NOTIFY presentChanged FINAL)
     Q_PROPERTY(QString reasonText READ reasonText NOTIFY presentChanged FINAL)
-    // What was answered in the last seconds, "Stop reason: Film change."; empty: nothing that can be undone.
+    // The last answer for some seconds, "Stop reason: Film change."; empty: nothing can be undone.
     Q_PROPERTY(QString answerText READ answerText NOTIFY answerChanged FINAL)
     // The keys that answer the question.
     Q_PROPERTY(campanel::panel::ReasonKeys* keys READ keys CONSTANT FINAL)
