@@ -39,7 +39,13 @@ private slots:
     void emptyPageSaysWhatToDo()
     {
         enter("trends-empty");
+        QVERIFY2(!textOf("trendEmpty").contains(QStringLiteral("Start")), "the machine runs");
+        m_window->link().show(campanel::looks::DemoLink::Situation::Stopped);
+        m_window->checkClock();
         QVERIFY2(textOf("trendEmpty").contains(QStringLiteral("Press Start")),
+                 qPrintable(textOf("trendEmpty")));
+        m_window->panel().settings().set("access.hold_to_start", QStringLiteral("on"));
+        QVERIFY2(textOf("trendEmpty").contains(QStringLiteral("Hold Start")),
                  qPrintable(textOf("trendEmpty")));
         QVERIFY(!m_window->find(QStringLiteral("trendExport"))->isEnabled());
     }

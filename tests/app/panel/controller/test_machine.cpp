@@ -450,6 +450,7 @@ private slots:
         rig.settings.set("stops.working_days", "12345");
         rig.settings.set("stops.reasons", "material");
         rig.settings.set("display.rotation", "180");
+        rig.settings.noteProgramIn(7);
         rig.settings.beginFirstStart();
         rig.settings.applyConnection();
         panel::Display display(rig.machine, rig.settings, nullptr);

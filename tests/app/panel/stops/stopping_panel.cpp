@@ -21,6 +21,7 @@ static int stoppingPanel(int argc, char** argv)
     rig.wallMs = arguments.at(3).toLongLong();
     rig.panel.connectIdle();
     rig.panel.link.activate(rig.panel.image(), rig.panel.now);
+    rig.panel.link.sendStatus(rig.panel.now); // nothing stands before the first program
     if (rig.stops->book().presentStop().reason.isEmpty())
         rig.stops->answer(rig.stops->book().presentStop().id, {QStringLiteral("cleaning"), {}, false});
     rig.settle();
