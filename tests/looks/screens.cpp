@@ -707,6 +707,7 @@ void enterScreen(TestWindow& window, const Screen& screen)
         window.setLevel(panel::Level::Service);
     window.panel().stops().dismissAnswer();
     window.panel().systemNetwork().discard();
+    window.panel().update().dismissNotice();
     auto& editor = window.panel().editor();
     panel::Display& display = window.panel().display();
     while (display.wipeSeconds() > 0) // no taps during cleaning
