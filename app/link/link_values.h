@@ -39,8 +39,9 @@ struct ConnectionSettings {
     QString port; // device path; not used when simulated
     modbus::LineSettings line;
     int unit = 1;
-    QString simulatorProgram;  // empty: searched beside this program, see SimulatedController
-    QString simulatorStateDir; // folder of the simulated controller's flash
+    QString simulatorProgram;       // empty: searched beside this program, see SimulatedController
+    QString simulatorStateDir;      // folder of the simulated controller's flash
+    QStringList simulatorArguments; // options of the simulated machine
 };
 
 enum class LinkState {

@@ -65,12 +65,12 @@ void LinkWorker::startSimulator()
 {
     const modbus::LineSettings& line = m_settings.line;
     m_simulator = std::make_unique<SimulatedController>(
-        SimulatedController::Options{m_settings.simulatorProgram,
-                                     m_settings.simulatorStateDir,
-                                     {u"--baud"_s, QString::number(line.baud), u"--parity"_s,
-                                      QString(QChar::fromLatin1(static_cast<char>(line.parity))),
-                                      u"--stop-bits"_s, QString::number(line.stopBits), u"--unit"_s,
-                                      QString::number(m_settings.unit)}},
+        SimulatedController::Options{m_settings.simulatorProgram, m_settings.simulatorStateDir,
+                                     QStringList{u"--baud"_s, QString::number(line.baud), u"--parity"_s,
+                                                 QString(QChar::fromLatin1(static_cast<char>(line.parity))),
+                                                 u"--stop-bits"_s, QString::number(line.stopBits),
+                                                 u"--unit"_s, QString::number(m_settings.unit)} +
+                                         m_settings.simulatorArguments},
         nullptr);
     connect(m_simulator.get(), &SimulatedController::serving, this, [this](const QString& port) {
         m_report.simulator = SimulatorState::Serving;

@@ -19,7 +19,7 @@ public:
     struct Options {
         QString program; // empty: searched
         QString stateDir;
-        QStringList arguments; // pacing of the line
+        QStringList arguments; // pacing of the line, options of the machine
     };
 
     SimulatedController(Options options, QObject* parent);

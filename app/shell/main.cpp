@@ -125,6 +125,7 @@ int runPanel(const shell::Options& options, const panel::SettingValues& configur
     panel.touchCalibration().setPlaces(panel::TouchPlaces::ofService());
     if (options.connection)
         panel.settings().overrideConnection(*options.connection);
+    panel.settings().setSimulatorArguments(options.simulatorArguments);
     if (!options.language.isEmpty())
         panel.settings().overrideValue("display.language", options.language);
     if (!options.theme.isEmpty())

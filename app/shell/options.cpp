@@ -6,6 +6,7 @@
 
 #include <QCommandLineParser>
 #include <QCoreApplication>
+#include <QProcess>
 
 #include <cstdio>
 #include <cstdlib>
@@ -96,6 +97,10 @@ Options readOptions(const QCoreApplication& application)
          QStringLiteral("1")},
         {QStringLiteral("unit"), QStringLiteral("Modbus unit on --port, 1 to 247 (1)."),
          QStringLiteral("number"), QStringLiteral("1")},
+        {QStringLiteral("simulator-arguments"),
+         QStringLiteral("Options of the simulated controller, for this run, as in \"--sensor-delay-ms 1\"; "
+                        "campanel-controller --help lists them. Without effect on a real one."),
+         QStringLiteral("options")},
         {QStringLiteral("language"), QStringLiteral("en or the code of an installed language, for this run."),
          QStringLiteral("language")},
         {QStringLiteral("theme"), QStringLiteral("light, dark or contrast, for this run."),
@@ -121,6 +126,7 @@ Options readOptions(const QCoreApplication& application)
         options.connection = connectionFrom(parser);
     else
         refuseLineParametersWithoutPort(parser);
+    options.simulatorArguments = QProcess::splitCommand(parser.value(QStringLiteral("simulator-arguments")));
     options.language = valueAmong(parser, QStringLiteral("language"),
                                   panel::languageCodes(panel::languagesIn(panel::languageFolders())));
     options.theme = valueAmong(parser, QStringLiteral("theme"), panel::choicesOf("display.theme"));

@@ -6,6 +6,7 @@
 
 #include <QSize>
 #include <QString>
+#include <QStringList>
 
 #include <optional>
 
@@ -17,6 +18,7 @@ struct Options {
     std::optional<panel::ConnectionChoice> connection; // empty: from the settings
     QString language;                                  // empty: from the settings
     QString theme;
+    QStringList simulatorArguments;
     std::optional<QSize> size; // empty: from the configuration
     bool isFullScreen = false;
     bool isKiosk = false;

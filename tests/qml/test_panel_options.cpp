@@ -5,6 +5,8 @@
 #include "tests/support/places.h"
 #include "tests/support/test_program.h"
 
+#include <QDir>
+#include <QFile>
 #include <QGuiApplication>
 #include <QProcess>
 #include <QRegularExpression>
@@ -16,6 +18,35 @@
 #include <memory>
 
 namespace test_panel_options {
+
+namespace {
+
+QProcessEnvironment environmentOf(const QTemporaryDir& home)
+{
+    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+    environment.insert(QStringLiteral("QT_QPA_PLATFORM"), QStringLiteral("offscreen"));
+    for (const char* place : {"XDG_DATA_HOME", "XDG_CONFIG_HOME", "XDG_STATE_HOME"})
+        environment.insert(QString::fromLatin1(place), home.path());
+    return environment;
+}
+
+// Returns the command line of the first child process, which any thread may have started.
+QByteArray commandOfChild(qint64 process)
+{
+    const QDir tasks(QStringLiteral("/proc/%1/task").arg(process));
+    for (const QString& task : tasks.entryList(QDir::Dirs | QDir::NoDotAndDotDot)) {
+        QFile children(tasks.filePath(task + QStringLiteral("/children")));
+        if (!children.open(QIODevice::ReadOnly))
+            continue;
+        const QList<QByteArray> ids = children.readAll().simplified().split(' ');
+        QFile command(QStringLiteral("/proc/%1/cmdline").arg(QString::fromLatin1(ids.first())));
+        if (!ids.first().isEmpty() && command.open(QIODevice::ReadOnly))
+            return command.readAll().replace('\0', ' ').trimmed();
+    }
+    return {};
+}
+
+} // namespace
 
 class TestOptions : public QObject {
     Q_OBJECT
@@ -79,11 +110,7 @@ private slots:
         auto first = std::make_unique<campanel::store::FolderLock>(folder);
         QVERIFY(!first->isHeldByAnother());
         QProcess panel;
-        QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
-        environment.insert(QStringLiteral("QT_QPA_PLATFORM"), QStringLiteral("offscreen"));
-        for (const char* place : {"XDG_DATA_HOME", "XDG_CONFIG_HOME", "XDG_STATE_HOME"})
-            environment.insert(QString::fromLatin1(place), home.path());
-        panel.setProcessEnvironment(environment);
+        panel.setProcessEnvironment(environmentOf(home));
         panel.start(campanel::test::programPath("campanel"), {QStringLiteral("--announce-first-frame")});
         QByteArray said;
         QTRY_VERIFY_WITH_TIMEOUT((said += panel.readAllStandardError()).contains("another CamPanel uses"),
@@ -95,6 +122,38 @@ private slots:
         panel.terminate();
         QVERIFY(panel.waitForFinished());
         QCOMPARE(panel.exitCode(), 0);
+    }
+
+    void theSimulatedControllerGetsItsOptions_data()
+    {
+        QTest::addColumn<QStringList>("options");
+        QTest::addColumn<QByteArray>("expected");
+        QTest::newRow("none") << QStringList() << QByteArray();
+        QTest::newRow("late sensor") << QStringList{QStringLiteral("--simulator-arguments"),
+                                                    QStringLiteral("--sensor-delay-ms 1")}
+                                     << QByteArray("--sensor-delay-ms 1");
+        QTest::newRow("the last one counts")
+            << QStringList{QStringLiteral("--simulator-arguments=--sensor-delay-ms 1"),
+                           QStringLiteral("--simulator-arguments=")}
+            << QByteArray();
+    }
+    void theSimulatedControllerGetsItsOptions()
+    {
+        QFETCH(QStringList, options);
+        QFETCH(QByteArray, expected);
+        const QTemporaryDir home;
+        QProcess panel;
+        panel.setProcessEnvironment(environmentOf(home));
+        panel.start(campanel::test::programPath("campanel"), options);
+        QVERIFY(panel.waitForStarted());
+        QByteArray command;
+        QTRY_VERIFY_WITH_TIMEOUT(
+            (command = commandOfChild(panel.processId())).contains("campanel-controller"), 20'000);
+        panel.terminate();
+        QVERIFY(panel.waitForFinished());
+        QVERIFY2(command.contains("--unit 1"), command.constData());
+        QCOMPARE(command.contains("--sensor-delay-ms"), !expected.isEmpty());
+        QVERIFY2(command.contains(expected), command.constData());
     }
 
     void theWaitIsSeenAndIsClosed()

@@ -317,6 +317,7 @@ link::ConnectionSettings Settings::linkSettings() const
     settings.line.stopBits = static_cast<std::uint8_t>(applied.stopBits);
     settings.unit = applied.unit;
     settings.simulatorProgram = m_simulatorProgram;
+    settings.simulatorArguments = m_simulatorArguments;
     settings.simulatorStateDir =
         m_simulatorStateDir.isEmpty()
             ? QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) + u"/controller"_s

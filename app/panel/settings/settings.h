@@ -131,6 +131,8 @@ public:
     [[nodiscard]] bool isInUse(const link::ConnectionSettings& settings) const;
     // Runs this program as the simulated controller instead of the default one, with its flash in stateDir.
     void overrideSimulator(const QString& program, const QString& stateDir);
+    // Passes further options to the simulated controller; call it before the link opens.
+    void setSimulatorArguments(const QStringList& arguments) { m_simulatorArguments = arguments; }
     // Uses this connection for the present run only, for the command line; nothing is stored.
     void overrideConnection(const ConnectionChoice& choice);
 
@@ -162,6 +164,7 @@ private:
     PortModel m_ports;
     QString m_simulatorProgram;
     QString m_simulatorStateDir;
+    QStringList m_simulatorArguments;
 };
 
 } // namespace campanel::panel
