@@ -541,6 +541,18 @@
         <translation>Die in der Einzelheit genannte Datei löschen. Dann eine Sicherung zurückspielen.</translation>
     </message>
     <message>
+        <source>Mark sensor has drifted</source>
+        <translation>Markensensor hat sich verändert</translation>
+    </message>
+    <message>
+        <source>The mark sensor&apos;s dead time is not the one entered: cuts move on the print when the speed changes.</source>
+        <translation>Die Totzeit des Markensensors ist nicht die eingegebene: Schnitte wandern auf dem Druck, wenn sich die Geschwindigkeit ändert.</translation>
+    </message>
+    <message>
+        <source>Clean and check the sensor. If the alarm stays, take over the learned dead time under Maintenance, Packing.</source>
+        <translation>Sensor reinigen und prüfen. Bleibt der Alarm, die gelernte Totzeit unter Wartung, Packung übernehmen.</translation>
+    </message>
+    <message>
         <source>Products joined</source>
         <translation>Produkte verbunden</translation>
     </message>
@@ -4454,6 +4466,10 @@ eff. %2</translation>
         <source>Ram: contact at %1, approach ends at %2</source>
         <translation>Stößel: Kontakt bei %1, Anfahren endet bei %2</translation>
     </message>
+    <message>
+        <source>Dead time of the mark sensor: entered %1 ms, learned %2 ms, margin ±%3 ms</source>
+        <translation>Totzeit des Markensensors: eingegeben %1 ms, gelernt %2 ms, Unsicherheit ±%3 ms</translation>
+    </message>
 </context>
 <context>
     <name>campanel::panel::Audit</name>
@@ -5529,6 +5545,18 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
         <source>availability × performance × quality</source>
         <translation>Verfügbarkeit × Leistung × Qualität</translation>
     </message>
+    <message>
+        <source>Distance from the expected mark</source>
+        <translation>Abstand von der erwarteten Marke</translation>
+    </message>
+    <message>
+        <source>The distance of the newest edge of the mark sensor from the place where the controller expected the mark. An edge inside the window is taken as the mark, any other is not.</source>
+        <translation>Der Abstand der neuesten Flanke des Markensensors von der Stelle, an der die Steuerung die Marke erwartet hat. Eine Flanke im Fenster gilt als die Marke, jede andere nicht.</translation>
+    </message>
+    <message>
+        <source>place of the edge − place of the expected mark</source>
+        <translation>Ort der Flanke − Ort der erwarteten Marke</translation>
+    </message>
 </context>
 <context>
     <name>campanel::panel::FileExchange</name>
@@ -6021,6 +6049,86 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
     </message>
 </context>
 <context>
+    <name>campanel::panel::MarkEdgeList</name>
+    <message>
+        <source>taken</source>
+        <translation>übernommen</translation>
+    </message>
+    <message>
+        <source>Taken: %1. The window is ±%2.</source>
+        <translation>Übernommen: %1. Das Fenster ist ±%2.</translation>
+    </message>
+    <message>
+        <source>outside the window</source>
+        <translation>außerhalb des Fensters</translation>
+    </message>
+    <message>
+        <source>Not taken: %1; the window is ±%2. Check film and print, or widen the mark window.</source>
+        <translation>Nicht übernommen: %1; das Fenster ist ±%2. Folie und Druck prüfen oder das Markenfenster verbreitern.</translation>
+    </message>
+    <message>
+        <source>searched</source>
+        <translation>gesucht</translation>
+    </message>
+    <message>
+        <source>Searched: the controller looks for two marks at the distance of the recipe&apos;s bag length.</source>
+        <translation>Gesucht: Die Steuerung sucht zwei Marken im Abstand der Beutellänge des Rezepts.</translation>
+    </message>
+    <message>
+        <source>not used</source>
+        <translation>nicht verwendet</translation>
+    </message>
+    <message>
+        <source>Not used: mark tracking is off. Switch it on in the list of this page.</source>
+        <translation>Nicht verwendet: Die Markenregelung ist aus. In der Liste dieser Seite einschalten.</translation>
+    </message>
+    <message>
+        <source>other</source>
+        <translation>andere</translation>
+    </message>
+    <message>
+        <source>Not taken, for a reason that this panel does not know. Update the panel.</source>
+        <translation>Nicht übernommen, aus einem Grund, den dieses Bedienfeld nicht kennt. Bedienfeld aktualisieren.</translation>
+    </message>
+    <message>
+        <source>far from the expected mark</source>
+        <translation>weit von der erwarteten Marke entfernt</translation>
+    </message>
+    <message>
+        <source>%1 before the expected mark</source>
+        <translation>%1 vor der erwarteten Marke</translation>
+    </message>
+    <message>
+        <source>%1 behind the expected mark</source>
+        <translation>%1 hinter der erwarteten Marke</translation>
+    </message>
+    <message>
+        <source>No packing machine data. Connect the controller and download a recipe of a rotary cutter.</source>
+        <translation>Keine Daten einer Packmaschine. Steuerung verbinden und ein Rezept für einen Querschneider laden.</translation>
+    </message>
+    <message>
+        <source>This controller records no edges of its mark sensor. Update the controller: its register map must be 1.6 or newer.</source>
+        <translation>Diese Steuerung zeichnet keine Flanken ihres Markensensors auf. Steuerung aktualisieren: Ihre Registertabelle muss 1.6 oder neuer sein.</translation>
+    </message>
+    <message>
+        <source>No edges so far. Start the machine: edges are recorded while the film runs.</source>
+        <translation>Noch keine Flanken. Maschine starten: Flanken werden aufgezeichnet, während die Folie läuft.</translation>
+    </message>
+    <message>
+        <source>No edges although the film runs. Check the cable of the mark sensor and that the print passes below the sensor.</source>
+        <translation>Keine Flanken, obwohl die Folie läuft. Das Kabel des Markensensors prüfen, und ob der Druck unter dem Sensor durchläuft.</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>verdict: number of edges</comment>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>%1 edges (%2). Newest edge: %3</source>
+        <translation>%1 Flanken (%2). Neueste Flanke: %3</translation>
+    </message>
+</context>
+<context>
     <name>campanel::panel::MarkWizard</name>
     <message>
         <source>Cut offset behind its mark</source>
@@ -6363,12 +6471,12 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
         <translation>Maschine starten: Marken werden bei laufender Folie gemessen, mit oder ohne Markenregelung.</translation>
     </message>
     <message>
-        <source>The mark distance is %1 (± %2), the recipe cuts %3. The difference exceeds the length limit: this film does not match this recipe.</source>
-        <translation>Der Markenabstand ist %1 (± %2), das Rezept schneidet %3. Die Differenz überschreitet die Längengrenze: diese Folie passt nicht zum Rezept.</translation>
+        <source>The mark distance is %1 (±%2), the recipe cuts %3. The difference exceeds the length limit: this film does not match this recipe.</source>
+        <translation>Der Markenabstand ist %1 (±%2), das Rezept schneidet %3. Die Differenz überschreitet die Längengrenze: diese Folie passt nicht zum Rezept.</translation>
     </message>
     <message>
-        <source>The mark distance is %1 (± %2), the recipe cuts %3.</source>
-        <translation>Der Markenabstand ist %1 (± %2), das Rezept schneidet %3.</translation>
+        <source>The mark distance is %1 (±%2), the recipe cuts %3.</source>
+        <translation>Der Markenabstand ist %1 (±%2), das Rezept schneidet %3.</translation>
     </message>
 </context>
 <context>

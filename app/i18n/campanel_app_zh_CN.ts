@@ -541,6 +541,18 @@
         <translation>请删除详情中写明的文件，然后恢复备份。</translation>
     </message>
     <message>
+        <source>Mark sensor has drifted</source>
+        <translation>色标传感器已漂移</translation>
+    </message>
+    <message>
+        <source>The mark sensor&apos;s dead time is not the one entered: cuts move on the print when the speed changes.</source>
+        <translation>色标传感器的滞后时间与输入值不符：变速时切断位置会在印刷图案上移动。</translation>
+    </message>
+    <message>
+        <source>Clean and check the sensor. If the alarm stays, take over the learned dead time under Maintenance, Packing.</source>
+        <translation>请清洁并检查传感器。如果报警仍在，请在“维护”的“包装”中采用学到的滞后时间。</translation>
+    </message>
+    <message>
         <source>Products joined</source>
         <translation>产品粘连</translation>
     </message>
@@ -4452,6 +4464,10 @@ RMS %2</source>
         <source>Ram: contact at %1, approach ends at %2</source>
         <translation>压头：在 %1 处接触，趋近止于 %2</translation>
     </message>
+    <message>
+        <source>Dead time of the mark sensor: entered %1 ms, learned %2 ms, margin ±%3 ms</source>
+        <translation>色标传感器的滞后时间：输入 %1 ms，学到 %2 ms，误差 ±%3 ms</translation>
+    </message>
 </context>
 <context>
     <name>campanel::panel::Audit</name>
@@ -5527,6 +5543,18 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
         <source>availability × performance × quality</source>
         <translation>时间开动率 × 性能开动率 × 合格品率</translation>
     </message>
+    <message>
+        <source>Distance from the expected mark</source>
+        <translation>与预期色标的距离</translation>
+    </message>
+    <message>
+        <source>The distance of the newest edge of the mark sensor from the place where the controller expected the mark. An edge inside the window is taken as the mark, any other is not.</source>
+        <translation>色标传感器最新信号与控制器预期色标位置之间的距离。窗口内的信号作为色标采用，窗口外的不采用。</translation>
+    </message>
+    <message>
+        <source>place of the edge − place of the expected mark</source>
+        <translation>信号位置 − 预期色标位置</translation>
+    </message>
 </context>
 <context>
     <name>campanel::panel::FileExchange</name>
@@ -6019,6 +6047,86 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
     </message>
 </context>
 <context>
+    <name>campanel::panel::MarkEdgeList</name>
+    <message>
+        <source>taken</source>
+        <translation>已采用</translation>
+    </message>
+    <message>
+        <source>Taken: %1. The window is ±%2.</source>
+        <translation>已采用：%1。窗口为 ±%2。</translation>
+    </message>
+    <message>
+        <source>outside the window</source>
+        <translation>窗口之外</translation>
+    </message>
+    <message>
+        <source>Not taken: %1; the window is ±%2. Check film and print, or widen the mark window.</source>
+        <translation>未采用：%1；窗口为 ±%2。请检查薄膜和印刷，或加宽色标窗口。</translation>
+    </message>
+    <message>
+        <source>searched</source>
+        <translation>搜索中</translation>
+    </message>
+    <message>
+        <source>Searched: the controller looks for two marks at the distance of the recipe&apos;s bag length.</source>
+        <translation>搜索中：控制器正在寻找间距等于配方袋长的两个色标。</translation>
+    </message>
+    <message>
+        <source>not used</source>
+        <translation>未使用</translation>
+    </message>
+    <message>
+        <source>Not used: mark tracking is off. Switch it on in the list of this page.</source>
+        <translation>未使用：色标跟踪已关闭。请在本页列表中打开。</translation>
+    </message>
+    <message>
+        <source>other</source>
+        <translation>其他</translation>
+    </message>
+    <message>
+        <source>Not taken, for a reason that this panel does not know. Update the panel.</source>
+        <translation>未采用，原因是本面板不认识的。请更新面板。</translation>
+    </message>
+    <message>
+        <source>far from the expected mark</source>
+        <translation>远离预期色标</translation>
+    </message>
+    <message>
+        <source>%1 before the expected mark</source>
+        <translation>在预期色标之前 %1</translation>
+    </message>
+    <message>
+        <source>%1 behind the expected mark</source>
+        <translation>在预期色标之后 %1</translation>
+    </message>
+    <message>
+        <source>No packing machine data. Connect the controller and download a recipe of a rotary cutter.</source>
+        <translation>没有包装机的数据。请连接控制器并下载旋转切刀的配方。</translation>
+    </message>
+    <message>
+        <source>This controller records no edges of its mark sensor. Update the controller: its register map must be 1.6 or newer.</source>
+        <translation>此控制器不记录色标传感器的信号。请更新控制器：寄存器表须为 1.6 或更新版本。</translation>
+    </message>
+    <message>
+        <source>No edges so far. Start the machine: edges are recorded while the film runs.</source>
+        <translation>尚无信号。请启动机器：薄膜运行时记录信号。</translation>
+    </message>
+    <message>
+        <source>No edges although the film runs. Check the cable of the mark sensor and that the print passes below the sensor.</source>
+        <translation>薄膜在运行，但没有信号。请检查色标传感器的电缆，以及印刷图案是否从传感器下方通过。</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>verdict: number of edges</comment>
+        <translation>%1：%2</translation>
+    </message>
+    <message>
+        <source>%1 edges (%2). Newest edge: %3</source>
+        <translation>%1 个信号（%2）。最新信号：%3</translation>
+    </message>
+</context>
+<context>
     <name>campanel::panel::MarkWizard</name>
     <message>
         <source>Cut offset behind its mark</source>
@@ -6361,12 +6469,12 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
         <translation>请启动机器：薄膜运行时测量色标，与色标跟踪是否打开无关。</translation>
     </message>
     <message>
-        <source>The mark distance is %1 (± %2), the recipe cuts %3. The difference exceeds the length limit: this film does not match this recipe.</source>
-        <translation>色标间距 %1（± %2），配方袋长 %3。差值超过长度限值：此薄膜与此配方不符。</translation>
+        <source>The mark distance is %1 (±%2), the recipe cuts %3. The difference exceeds the length limit: this film does not match this recipe.</source>
+        <translation>色标间距 %1（±%2），配方袋长 %3。差值超过长度限值：此薄膜与此配方不符。</translation>
     </message>
     <message>
-        <source>The mark distance is %1 (± %2), the recipe cuts %3.</source>
-        <translation>色标间距 %1（± %2），配方袋长 %3。</translation>
+        <source>The mark distance is %1 (±%2), the recipe cuts %3.</source>
+        <translation>色标间距 %1（±%2），配方袋长 %3。</translation>
     </message>
 </context>
 <context>

@@ -109,8 +109,6 @@ private:
     void paintCuts(QPainter& painter, const Rows& rows) const;
     void paintSensor(QPainter& painter, const Rows& rows) const;
     void paintKnife(QPainter& painter, const Rows& rows) const;
-    // Paints the text around `x`, but inside the item.
-    QRectF paintText(QPainter& painter, double x, double top, const QString& text) const;
 
     QList<QPointF> m_cuts;
     QList<QPointF> m_marks;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/plot/film_picture.h"
+#include "app/plot/film_scale.h"
 #include "app/plot/picture/label_draw.h"
 
 #include <QFontMetricsF>
@@ -14,17 +15,11 @@ namespace campanel::plot {
 
 namespace {
 
-constexpr double headShare = 0.6;    // of a line of text: height of a cut's head and of the sensor
-constexpr double markShare = 0.3;    // of the film's width; marks are printed along its lower edge
-constexpr double productShare = 0.5; // of the film's width, in its middle
-constexpr double windowShare = 0.42; // of the film's width; higher than a mark
-constexpr double markWidth = 7;      // px
-constexpr double lineWidth = 2;      // px
-constexpr double knifeShare = 0.6;   // of a line of text: half of the knife's width
-constexpr double tickLength = 4;     // px
-constexpr double numberSpacing = 64; // px, minimum between two numbers
-constexpr double textGap = 4;        // px between two texts
-constexpr double windowOpacity = 0.25;
+constexpr double markShare = 0.3;       // of the film's width; marks are printed along its lower edge
+constexpr double productShare = 0.5;    // of the film's width, in its middle
+constexpr double windowShare = 0.42;    // of the film's width; higher than a mark
+constexpr double markWidth = 7;         // px
+constexpr double knifeShare = 0.6;      // of a line of text: half of the knife's width
 constexpr double cutFilmOpacity = 0.45; // film beyond the knife
 
 QPolygonF triangle(const QPointF& tip, double halfWidth, double height)
@@ -32,26 +27,12 @@ QPolygonF triangle(const QPointF& tip, double halfWidth, double height)
     return {{tip, tip + QPointF(-halfWidth, -height), tip + QPointF(halfWidth, -height)}};
 }
 
-// Returns the smallest of 10, 20, 50, 100 ... mm that leaves space for the numbers.
-// Returns the step between two ticks in the unit of the scale.
-double tickStep(double pxPerUnit)
-{
-    double decade = 1;
-    while (true) {
-        for (const double factor : {1.0, 2.0, 5.0}) {
-            if (factor * decade * pxPerUnit >= numberSpacing)
-                return factor * decade;
-        }
-        decade *= 10;
-    }
-}
-
 } // namespace
 
 FilmPicture::Rows FilmPicture::rows() const
 {
     const double line = QFontMetricsF(m_textFont).height();
-    return {line, line * (1 + headShare), height() - line - tickLength};
+    return {line, line * (1 + film::headShare), height() - line - FilmScale::tickLength};
 }
 
 void FilmPicture::paint(QPainter* painter)
@@ -95,24 +76,20 @@ void FilmPicture::paintFilm(QPainter& painter, const Rows& rows) const
 
 void FilmPicture::paintScale(QPainter& painter, const Rows& rows) const
 {
-    const double step = tickStep(pxPerMm() / m_lengthFactor);
-    const double stepMm = step / m_lengthFactor;
-    const QFontMetricsF metrics(m_textFont);
-    const double textTop = height() - metrics.height();
-    // The unit is beside the zero; the numbers continue to the left.
-    double freeUpTo = width();
-    for (int i = 0; i * stepMm <= reachMm(); ++i) {
-        const double x = knifeX() - i * stepMm * pxPerMm();
-        painter.setPen(QPen(m_edgeColor, 1));
-        painter.drawLine(QPointF(x, rows.filmBottom), QPointF(x, rows.filmBottom + tickLength));
-        const QString number = localNumber(m_locale, i * step, 0);
-        const QString text = i == 0 ? number + u' ' + m_lengthUnit : number;
-        const double half = metrics.horizontalAdvance(text) / 2;
-        if (x - half < 0 || x + half > freeUpTo - textGap)
-            continue;
-        painter.setPen(m_textColor);
-        freeUpTo = paintText(painter, x, textTop, text).left();
-    }
+    FilmScale scale;
+    scale.width = width();
+    scale.height = height();
+    scale.zeroX = knifeX();
+    scale.pxPerMm = pxPerMm();
+    scale.reachMm = reachMm();
+    scale.filmBottom = rows.filmBottom;
+    scale.font = m_textFont;
+    scale.unit = m_lengthUnit;
+    scale.factor = m_lengthFactor;
+    scale.locale = m_locale;
+    scale.tickColor = m_edgeColor;
+    scale.textColor = m_textColor;
+    scale.paint(painter);
 }
 
 void FilmPicture::paintProducts(QPainter& painter, const Rows& rows) const
@@ -141,8 +118,8 @@ void FilmPicture::paintWindow(QPainter& painter, const Rows& rows) const
     const QRectF box(QPointF((left + right) / 2 - half, top),
                      QPointF((left + right) / 2 + half, rows.filmBottom));
     QColor tint = live(m_windowColor);
-    painter.setPen(QPen(tint, lineWidth));
-    tint.setAlphaF(static_cast<float>(windowOpacity));
+    painter.setPen(QPen(tint, film::lineWidth));
+    tint.setAlphaF(static_cast<float>(film::windowOpacity));
     painter.fillRect(box, tint);
     const double lip = half / 2;
     painter.drawPolyline(QPolygonF({box.topLeft() + QPointF(lip, 0), box.topLeft(), box.bottomLeft()}));
@@ -152,11 +129,11 @@ void FilmPicture::paintWindow(QPainter& painter, const Rows& rows) const
 void FilmPicture::paintMarks(QPainter& painter, const Rows& rows) const
 {
     const double markHeight = markShare * (rows.filmBottom - rows.filmTop);
-    const double rim = lineWidth / 2;
+    const double rim = film::lineWidth / 2;
     for (const QPointF& mark : m_marks) {
         const QRectF box(xOf(mark.x()) - markWidth / 2, rows.filmBottom - markHeight, markWidth, markHeight);
         const bool isReckoned = mark.y() != 0;
-        painter.setPen(QPen(live(m_markColor), lineWidth, Qt::SolidLine, Qt::FlatCap, Qt::MiterJoin));
+        painter.setPen(QPen(live(m_markColor), film::lineWidth, Qt::SolidLine, Qt::FlatCap, Qt::MiterJoin));
         painter.setBrush(isReckoned ? m_filmColor : live(m_markColor));
         painter.drawRect(box.adjusted(rim, rim, -rim, -rim));
     }
@@ -167,14 +144,14 @@ void FilmPicture::paintMarks(QPainter& painter, const Rows& rows) const
 void FilmPicture::paintCuts(QPainter& painter, const Rows& rows) const
 {
     const double head = rows.filmTop - rows.headsTop;
-    const double bottom = rows.filmBottom - markShare * (rows.filmBottom - rows.filmTop) - lineWidth;
+    const double bottom = rows.filmBottom - markShare * (rows.filmBottom - rows.filmTop) - film::lineWidth;
     for (const QPointF& cut : m_cuts) {
         const double x = xOf(cut.x());
         if (x > knifeX())
             continue; // already cut
         const bool isSkipped = cut.y() != 0;
         const QColor color = live(isSkipped ? m_skippedColor : m_cutColor);
-        QPen pen(color, lineWidth, Qt::SolidLine, Qt::FlatCap);
+        QPen pen(color, film::lineWidth, Qt::SolidLine, Qt::FlatCap);
         if (isSkipped)
             pen.setDashPattern({2, 2});
         painter.setPen(pen);
@@ -182,7 +159,7 @@ void FilmPicture::paintCuts(QPainter& painter, const Rows& rows) const
         if (isSkipped) {
             const double reach = head / 2 - 1;
             const QPointF middle(x, rows.filmTop - head / 2);
-            painter.setPen(QPen(color, lineWidth));
+            painter.setPen(QPen(color, film::lineWidth));
             painter.drawLine(middle - QPointF(reach, reach), middle + QPointF(reach, reach));
             painter.drawLine(middle - QPointF(reach, -reach), middle + QPointF(reach, -reach));
         } else {
@@ -203,7 +180,7 @@ void FilmPicture::paintSensor(QPainter& painter, const Rows& rows) const
     const double x = isInSight ? knifeX() - m_sensorMm * pxPerMm() : 0;
     const QColor color = live(m_windowColor);
     const QFontMetricsF metrics(m_textFont);
-    painter.setPen(QPen(color, lineWidth));
+    painter.setPen(QPen(color, film::lineWidth));
     painter.setBrush(color);
     if (isInSight) {
         painter.drawLine(QPointF(x, rows.filmTop), QPointF(x, rows.filmBottom));
@@ -220,10 +197,10 @@ void FilmPicture::paintSensor(QPainter& painter, const Rows& rows) const
     const double knifeLeft = std::min(knifeX(), width() - metrics.horizontalAdvance(m_knifeText) / 2) -
                              metrics.horizontalAdvance(m_knifeText) / 2;
     const double right = std::max(x + metrics.horizontalAdvance(text) / 2, metrics.horizontalAdvance(text));
-    if (right + textGap > knifeLeft)
+    if (right + film::textGap > knifeLeft)
         return; // no space for both names
     painter.setPen(m_textColor);
-    paintText(painter, x, 0, text);
+    paintTextWithin(painter, width(), x, 0, text);
 }
 
 // Paints a blade above the film and a thin line at the cut; hollow while it waits open.
@@ -232,22 +209,14 @@ void FilmPicture::paintKnife(QPainter& painter, const Rows& rows) const
     const double half = knifeShare * QFontMetricsF(m_textFont).height();
     const QColor color = live(m_knifeColor);
     painter.setPen(QPen(color, 1, Qt::DashLine));
-    painter.drawLine(QPointF(knifeX(), rows.filmTop), QPointF(knifeX(), rows.filmBottom + tickLength));
-    painter.setPen(QPen(color, lineWidth, Qt::SolidLine, Qt::FlatCap, Qt::MiterJoin));
+    painter.drawLine(QPointF(knifeX(), rows.filmTop),
+                     QPointF(knifeX(), rows.filmBottom + FilmScale::tickLength));
+    painter.setPen(QPen(color, film::lineWidth, Qt::SolidLine, Qt::FlatCap, Qt::MiterJoin));
     painter.setBrush(m_isKnifeOpen ? QBrush() : QBrush(color));
-    const double head = rows.filmTop - rows.headsTop - lineWidth;
-    painter.drawPolygon(triangle({knifeX(), rows.filmTop - lineWidth}, half, head));
+    const double head = rows.filmTop - rows.headsTop - film::lineWidth;
+    painter.drawPolygon(triangle({knifeX(), rows.filmTop - film::lineWidth}, half, head));
     painter.setPen(m_textColor);
-    paintText(painter, knifeX(), 0, m_knifeText);
-}
-
-QRectF FilmPicture::paintText(QPainter& painter, double x, double top, const QString& text) const
-{
-    const QFontMetricsF metrics(m_textFont);
-    const double textWidth = metrics.horizontalAdvance(text);
-    const double left = std::clamp(x - textWidth / 2, 0.0, std::max(0.0, width() - textWidth));
-    painter.drawText(QPointF(left, top + metrics.ascent()), text);
-    return {left, top, textWidth, metrics.height()};
+    paintTextWithin(painter, width(), knifeX(), 0, m_knifeText);
 }
 
 } // namespace campanel::plot

@@ -25,6 +25,9 @@ constexpr double forgetting = 0.997;  // a distance in a ramp; the last 300 coun
 constexpr double stepMs = 0.01;
 constexpr double smallestMs = 0.02; // 0.03 mm at 1.5 m/s
 constexpr double marginsApart = 2.0;
+constexpr double driftMs = 0.2; // 0.3 mm at 1.5 m/s
+constexpr double driftMarginsApart = 3.0;
+constexpr double driftEndShare = 0.7;
 constexpr double minDeterminant = 1e-12; // of the normal equations
 
 } // namespace
@@ -95,6 +98,16 @@ std::optional<DeadTime> DeadTimeEstimate::estimate() const
     result.marginMs = std::sqrt(m_noiseMm2 * m_aa / determinant);
     result.ramps = m_ramps;
     return result.marginMs <= maxMarginMs ? std::optional(result) : std::nullopt;
+}
+
+std::optional<DeadTime> DeadTimeEstimate::drift(double enteredMs, bool isKnown) const
+{
+    const auto found = estimate();
+    if (!found || enteredMs <= 0)
+        return std::nullopt;
+    const double limitMs = std::max(driftMs, driftMarginsApart * found->marginMs);
+    const bool differs = std::abs(found->ms - enteredMs) > (isKnown ? driftEndShare : 1.0) * limitMs;
+    return differs ? found : std::nullopt;
 }
 
 std::optional<double> DeadTimeEstimate::offered(double presentMs) const

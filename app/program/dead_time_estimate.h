@@ -18,6 +18,12 @@ struct DeadTime {
     int ramps = 0;         // distances that tell of it
 };
 
+// A sensor whose dead time is no longer the one that is entered.
+struct SensorDrift {
+    double enteredMs = 0.0;
+    DeadTime learned;
+};
+
 class DeadTimeEstimate {
 public:
     // Above this margin nothing is offered.
@@ -33,6 +39,9 @@ public:
     // Returns the dead time to enter instead of `presentMs`, in steps of the register; nothing while it is
     // within the margin.
     [[nodiscard]] std::optional<double> offered(double presentMs) const;
+    // Returns the dead time when it is farther from the entered one than the film notices, and than its
+    // margin explains. `isKnown`: it was so before; it ends only well below. Nothing while none is entered.
+    [[nodiscard]] std::optional<DeadTime> drift(double enteredMs, bool isKnown) const;
 
 private:
     void takeGap(const modbus::MarkEdge& before, const modbus::MarkEdge& edge);

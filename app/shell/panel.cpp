@@ -89,7 +89,9 @@ Panel::Panel(link::Link& link, const Storage& storage)
     , m_display(m_controller, m_settings, nullptr)
     , m_rotation(m_controller, m_settings, nullptr)
     , m_touchCalibration(m_controller, nullptr)
-    , m_explanations({m_controller, m_editor, *m_maintenance.figures(), m_trends, m_stops}, nullptr)
+    , m_explanations({m_controller, m_editor, *m_maintenance.figures(), m_trends, m_stops,
+                      *m_maintenance.packing()->edges()},
+                     nullptr)
     , m_plant({m_controller, m_alarms, m_stops}, m_trail, nullptr)
     , m_hasBroker(!storage.standard.text("gateway.host").isEmpty())
     , m_pageMemory(recipeFolder(storage) + QStringLiteral("/open-page"))
@@ -112,6 +114,8 @@ Panel::Panel(link::Link& link, const Storage& storage)
     });
     m_alarms.watch().setTouchscreenCount(&countTouchscreens);
     m_maintenance.dryRun()->follow(m_editor);
+    connect(m_maintenance.packing()->sensor(), &panel::MarkSensor::driftChanged, &m_alarms.watch(),
+            &panel::AlarmWatch::noteSensorDrift);
     m_recipes.files()->setKeyFolder(storage.keyFolder);
     m_recipes.files()->setGlyphs(&hasGlyph);
     const auto sort = [this] { m_recipes.setOrder(m_settings.values().text("recipes.order")); };

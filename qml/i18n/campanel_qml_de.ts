@@ -2071,6 +2071,10 @@ Und %2 weitere.</translation>
         <source>Sensor to knife …</source>
         <translation>Sensor bis Messer …</translation>
     </message>
+    <message>
+        <source>Sensor edges</source>
+        <translation>Sensorflanken</translation>
+    </message>
 </context>
 <context>
     <name>PackingSheet</name>
@@ -2931,6 +2935,45 @@ Und %2 weitere.</translation>
     <message>
         <source>Segment %1</source>
         <translation>Abschnitt %1</translation>
+    </message>
+</context>
+<context>
+    <name>SensorEdgesSheet</name>
+    <message>
+        <source>Edges of the mark sensor</source>
+        <translation>Flanken des Markensensors</translation>
+    </message>
+    <message>
+        <source>The film below the sensor. The newest edge is at the right; swipe for earlier ones.</source>
+        <translation>Die Folie unter dem Sensor. Die neueste Flanke ist rechts; wischen zeigt frühere.</translation>
+    </message>
+    <message>
+        <source>Resume</source>
+        <translation>Fortsetzen</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pause</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>window of an expected mark</source>
+        <translation>Fenster einer erwarteten Marke</translation>
+    </message>
+    <message>
+        <source>Newest edge</source>
+        <translation>Neueste Flanke</translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <translation>Zeigen</translation>
+    </message>
+    <message>
+        <source>Last edge that was not taken; edges since then: %1</source>
+        <translation>Letzte nicht übernommene Flanke; Flanken seitdem: %1</translation>
     </message>
 </context>
 <context>

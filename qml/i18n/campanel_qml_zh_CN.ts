@@ -2071,6 +2071,10 @@ And %2 more.</source>
         <source>Sensor to knife …</source>
         <translation>传感器到切刀…</translation>
     </message>
+    <message>
+        <source>Sensor edges</source>
+        <translation>色标信号</translation>
+    </message>
 </context>
 <context>
     <name>PackingSheet</name>
@@ -2931,6 +2935,45 @@ And %2 more.</source>
     <message>
         <source>Segment %1</source>
         <translation>运动段 %1</translation>
+    </message>
+</context>
+<context>
+    <name>SensorEdgesSheet</name>
+    <message>
+        <source>Edges of the mark sensor</source>
+        <translation>色标传感器信号</translation>
+    </message>
+    <message>
+        <source>The film below the sensor. The newest edge is at the right; swipe for earlier ones.</source>
+        <translation>传感器下方的薄膜。最新信号在右侧；滑动可查看更早的信号。</translation>
+    </message>
+    <message>
+        <source>Resume</source>
+        <translation>继续</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>暂停</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1：%2</translation>
+    </message>
+    <message>
+        <source>window of an expected mark</source>
+        <translation>预期色标的窗口</translation>
+    </message>
+    <message>
+        <source>Newest edge</source>
+        <translation>最新信号</translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <translation>显示</translation>
+    </message>
+    <message>
+        <source>Last edge that was not taken; edges since then: %1</source>
+        <translation>上一个未采用的信号；此后信号数：%1</translation>
     </message>
 </context>
 <context>

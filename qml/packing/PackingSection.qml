@@ -49,6 +49,11 @@ MaintenanceSection {
             anchors { right: parent.right; verticalCenter: parent.verticalCenter }
             spacing: Theme.size.spacing
             Button {
+                objectName: "packingEdges"
+                text: qsTr("Sensor edges")
+                onClicked: Frame.open("Packing/SensorEdgesSheet", {})
+            }
+            Button {
                 objectName: "packingTeach"
                 level: Access.Technician
                 text: qsTr("Measure marks")

@@ -2,6 +2,7 @@
 // A link without a line; see demo_link.h.
 #include "tests/looks/demo_link.h"
 
+#include "modbus/map/mark_edges.h"
 #include "tests/looks/demo_line.h"
 #include "tests/looks/demo_packing.h"
 
@@ -145,6 +146,13 @@ void DemoLink::sendRead(const link::ReadRequest& request)
     if (request.address == modbus::packerAddress) {
         m_filmRequest = request;
         tellFilm();
+        return;
+    }
+    if (request.address == modbus::sensorAddress && m_kind == Kind::RotaryCutter) {
+        DemoFilm film;
+        film.bagMm = m_program.cutter().cycle.bagLengthMm;
+        film.bags = m_bags;
+        emit registersRead({request, link::ReadEnd::Done, demoEdges(film), m_now, std::nullopt});
         return;
     }
     emit registersRead(

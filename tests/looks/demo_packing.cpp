@@ -2,6 +2,7 @@
 // A packing machine's film, made up; see demo_packing.h.
 #include "tests/looks/demo_packing.h"
 
+#include "modbus/map/mark_edges.h"
 #include "tests/support/packer_image.h"
 
 #include <cmath>
@@ -26,6 +27,11 @@ constexpr int misplacedBag = 0;    // of those before the knife
 constexpr int missedMark = 2;
 constexpr int missingProduct = 3;
 constexpr double filmSavedM = 37.25;
+constexpr double printedMm = 0.31; // the marks are farther apart than the bag is long
+constexpr std::uint32_t marksToMissing = 11;
+constexpr std::uint32_t marksToMisplaced = 5;
+constexpr double misplacedMarkMm = 9.4; // behind its window
+constexpr double beyondRegisterMm = -32.767;
 
 // Sets one place of the film picture; `isSpecial` is its last bit.
 void setPlace(test::PackerImage& image, const char* name, std::size_t index, double mm,
@@ -100,6 +106,29 @@ double demoDeviationMm(std::uint32_t bag)
     return place->second;
 }
 
+std::vector<std::uint16_t> demoEdges(const DemoFilm& film)
+{
+    std::vector<std::uint16_t> registers(modbus::sensorRegisters);
+    const auto setWide = [&registers](std::size_t at, std::uint32_t value) {
+        registers[at] = static_cast<std::uint16_t>(value >> 16U);
+        registers[at + 1] = static_cast<std::uint16_t>(value);
+    };
+    setWide(0, film.bags);
+    for (std::uint32_t back = 0; back < modbus::edgeRecords; ++back) {
+        const std::uint32_t edge = film.bags - back;
+        const std::size_t at = 2 + 8 * (edge % modbus::edgeRecords);
+        const bool isMisplaced = edge % marksToMisplaced == 2;
+        const double offMm = isMisplaced ? misplacedMarkMm : demoDeviationMm(edge);
+        const std::uint32_t mark = edge + edge / marksToMissing;
+        setWide(at, static_cast<std::uint32_t>(
+                        std::llround(umPerMm * (mark % 1'000'000 * (film.bagMm + printedMm) + offMm))));
+        registers[at + 2] = micrometres(isMisplaced ? beyondRegisterMm : offMm);
+        registers[at + 5] = static_cast<std::uint16_t>(isMisplaced ? modbus::MarkVerdict::OutsideWindow
+                                                                   : modbus::MarkVerdict::Taken);
+    }
+    return registers;
+}
+
 std::vector<std::uint16_t> demoPacker(const DemoFilm& film)
 {
     test::PackerImage image;
@@ -109,7 +138,7 @@ std::vector<std::uint16_t> demoPacker(const DemoFilm& film)
                                                              : modbus::MarkState::Tracking;
     image.set("packer.mark_state", static_cast<std::uint32_t>(state));
     image.set("packer.mark_error", markErrorMm);
-    image.set("packer.mark_pitch", (film.bagMm + 0.31));
+    image.set("packer.mark_pitch", film.bagMm + printedMm);
     image.set("packer.phase_correction", -0.012);
     image.set("packer.length_correction", 0.31);
     image.set("packer.film_following_error", 0.18);

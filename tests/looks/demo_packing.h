@@ -18,6 +18,8 @@ struct DemoFilm {
 
 // Returns the deviation of the last bag, mm: the scatter of a good machine.
 [[nodiscard]] double demoDeviationMm(std::uint32_t bag);
+// Returns the group `sensor`: marks that were taken, some that are missing or outside their window.
+[[nodiscard]] std::vector<std::uint16_t> demoEdges(const DemoFilm& film);
 // Returns the group `packer`.
 [[nodiscard]] std::vector<std::uint16_t> demoPacker(const DemoFilm& film);
 

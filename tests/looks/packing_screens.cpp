@@ -107,6 +107,14 @@ void openSection(TestWindow& window)
     showValues(window);
 }
 
+// Opens the edges of a line that has just run: another screen may have changed its program.
+void openEdges(TestWindow& window)
+{
+    window.link().show(DemoLink::Situation::Stopped);
+    openSection(window);
+    window.tap(QStringLiteral("packingEdges"));
+}
+
 void openWizard(TestWindow& window, Step step)
 {
     openSection(window);
@@ -153,6 +161,25 @@ QList<Screen> packingScreens()
              [](TestWindow& window) {
                  openSection(window);
                  window.tap(QStringLiteral("packing1"));
+             }},
+            {QStringLiteral("packing-edges"), openEdges},
+            {QStringLiteral("packing-edges-rejected"),
+             [](TestWindow& window) {
+                 openEdges(window);
+                 window.tap(QStringLiteral("edgesShow"));
+             }},
+            {QStringLiteral("packing-edges-explained"),
+             [](TestWindow& window) {
+                 openEdges(window);
+                 window.hold(QStringLiteral("edgesExplained"));
+             }},
+            {QStringLiteral("packing-edges-empty"),
+             [](TestWindow& window) {
+                 window.link().show(DemoLink::Situation::Empty);
+                 window.checkClock();
+                 for (const char* name :
+                      {"nav_maintenance", "maintenanceMachine", "maintenancePacking", "packingEdges"})
+                     window.tap(QString::fromLatin1(name));
              }},
             wizardAt("packing-wizard", Step::Explain),
             wizardAt("packing-wizard-cutting", Step::Cutting),

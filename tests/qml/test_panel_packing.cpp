@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The section of Service for packing machines by touch: a value, a switch, the wizard to its end.
 #include "panel_test.h"
+
+#include "app/plot/edge_picture.h"
 #include "tests/looks/screens.h"
 #include "tests/support/test_program.h"
 
@@ -55,6 +57,43 @@ private slots:
         tap("packing0choice1");
         m_window->settle();
         QCOMPARE(packing().fields()->value("parameter.mark_tracking"), 1.0);
+    }
+
+    void theEdgesSayWhyAMarkWasNotTaken()
+    {
+        enter("packing");
+        tap("packingEdges");
+        QVERIFY2(textOf("edgeRejected")
+                     .startsWith(
+                         QStringLiteral("Not taken: 9.4 mm behind the expected mark; the window is ±6 mm.")),
+                 qPrintable(textOf("edgeRejected")));
+        QVERIFY(textOf("edgeNewest").startsWith(QStringLiteral("Taken: ")));
+        QVERIFY2(textOf("edgeVerdict1").startsWith(QStringLiteral("outside the window: ")) &&
+                     textOf("edgeVerdict1") != QStringLiteral("outside the window: 0"),
+                 qPrintable(textOf("edgeVerdict1")));
+        tap("edgesShow"); // its place is on the screen, and stays there
+        QVERIFY(packing().edges()->paused());
+        auto& picture =
+            *qobject_cast<campanel::plot::EdgePicture*>(m_window->find(QStringLiteral("edgePicture")));
+        const double x = picture.xOf(packing().edges()->rejectedPlace());
+        QVERIFY2(x > 0.3 * picture.width() && x < 0.7 * picture.width(), qPrintable(QString::number(x)));
+        tap("sheetClose");
+        QVERIFY(!m_window->find(QStringLiteral("edgePicture")));
+        QVERIFY(!packing().edges()->paused());
+    }
+
+    void earlierEdgesComeByAFinger()
+    {
+        enter("packing");
+        tap("packingEdges");
+        QCOMPARE(m_window->find(QStringLiteral("edgePicture"))->property("back").toDouble(), 0.0);
+        const QPoint middle = centerOf(QStringLiteral("edgesView"));
+        m_window->touch(QStringLiteral("edgesView"));
+        for (int px = 20; px <= 200; px += 20)
+            m_window->slide(middle + QPoint(px, 0));
+        m_window->lift();
+        m_window->settle();
+        QVERIFY(m_window->find(QStringLiteral("edgePicture"))->property("back").toDouble() > 100);
     }
 
     void aSuggestionIsTakenByOneTap()

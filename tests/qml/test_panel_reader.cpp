@@ -77,6 +77,19 @@ private slots:
         QVERIFY(!isTold(QAccessible::Button, u"Bag length"_s));
     }
 
+    void aPictureIsToldInWords()
+    {
+        m_window->link().show(Situation::Running);
+        for (const char* name :
+             {"nav_maintenance", "maintenanceMachine", "maintenancePacking", "packingEdges"})
+            tap(name);
+        const QList<Told> all = told();
+        QVERIFY(std::ranges::any_of(all, [](const Told& each) {
+            return each.role == QAccessible::Graphic && each.name == u"Edges of the mark sensor"_s &&
+                   each.description.startsWith(u"60 edges (taken: ");
+        }));
+    }
+
     void everyButtonHasAName()
     {
         for (const char* page : {"nav_run", "nav_motion", "nav_recipes", "nav_trends", "nav_alarms",

@@ -180,6 +180,19 @@ void AlarmWatch::noteStored()
         emit cleared(*kind, AlarmRow::End::Returned);
 }
 
+void AlarmWatch::noteSensorDrift(const std::optional<program::SensorDrift>& drift)
+{
+    const AlarmKind& kind = AlarmCatalogue::markSensorDrifted();
+    if (!drift) {
+        emit cleared(kind, AlarmRow::End::Returned);
+        return;
+    }
+    const Format format;
+    emit raised(kind, tr("Dead time of the mark sensor: entered %1 ms, learned %2 ms, margin ±%3 ms")
+                          .arg(format.number(drift->enteredMs, 2), format.number(drift->learned.ms, 2),
+                               format.number(drift->learned.marginMs, 2)));
+}
+
 void AlarmWatch::check()
 {
     setLasting(m_areSettingsLost, !m_settings.areKept(), AlarmCatalogue::settingsNotKept());

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "app/panel/words/alarm_catalogue.h"
+#include "app/program/dead_time_estimate.h"
 #include "app/store/logs/alarm_log.h"
 #include "app/store/store_thread.h"
 
@@ -11,6 +12,7 @@
 #include <QTimer>
 
 #include <functional>
+#include <optional>
 #include <utility>
 
 namespace campanel::panel {
@@ -37,6 +39,8 @@ public:
     void setTouchscreenCount(std::function<int()> count) { m_countTouchscreens = std::move(count); }
     // Ends the database alarm after a successful write.
     void noteStored();
+    // Raises the alarm of a mark sensor that has drifted, or ends it.
+    void noteSensorDrift(const std::optional<program::SensorDrift>& drift);
     // Checks the sources that have no signal of their own.
     void check();
 

@@ -3,6 +3,7 @@
 
 #include "app/panel/controller/controller.h"
 #include "app/panel/editor/editor.h"
+#include "app/panel/packing/mark_edge_list.h"
 #include "app/panel/words/refusal_sentences.h"
 #include "profile/cutter/jaw.h"
 
@@ -53,6 +54,7 @@ Explanations::Explanations(const Sources& sources, QObject* parent)
     , m_figures(sources.figures)
     , m_trends(sources.trends)
     , m_stops(sources.stops)
+    , m_edges(sources.edges)
 {
 }
 
@@ -70,6 +72,8 @@ Explanation Explanations::of(int quantity) const
     case MarkError:
     case FilmSaved:
         return packing(wanted);
+    case MarkDistance:
+        return markDistance();
     case FollowingError:
         return followingError();
     case Torque:
@@ -215,6 +219,18 @@ Explanation Explanations::packing(Topic quantity) const
         tr("Film that was not used because the film waited for missing products. Counted since "
            "power-on of the controller.");
     explanation.formula = tr("missing products × bag length at that time");
+    return explanation;
+}
+
+Explanation Explanations::markDistance() const
+{
+    Explanation explanation;
+    explanation.title = tr("Distance from the expected mark");
+    explanation.setMeasure(m_edges.newestOffMm(), 2, 2, u"mm"_s);
+    explanation.meaning =
+        tr("The distance of the newest edge of the mark sensor from the place where the controller expected "
+           "the mark. An edge inside the window is taken as the mark, any other is not.");
+    explanation.formula = tr("place of the edge − place of the expected mark");
     return explanation;
 }
 

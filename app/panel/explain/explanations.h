@@ -16,6 +16,7 @@ namespace campanel::panel {
 
 class Editor;
 class LineFigures;
+class MarkEdgeList;
 class Controller;
 class Stops;
 class Trends;
@@ -33,6 +34,7 @@ public:
         BagsWithin,
         BagDeviation,
         MarkError,
+        MarkDistance,
         FilmSaved,
         FollowingError,
         Torque,
@@ -71,6 +73,7 @@ public:
         LineFigures& figures;
         Trends& trends;
         Stops& stops;
+        MarkEdgeList& edges;
     };
 
     // All arguments must outlive the object.
@@ -94,6 +97,7 @@ private:
     [[nodiscard]] Explanation rate() const;
     [[nodiscard]] Explanation bags(Topic quantity) const;
     [[nodiscard]] Explanation packing(Topic quantity) const;
+    [[nodiscard]] Explanation markDistance() const;
     [[nodiscard]] Explanation followingError() const;
     [[nodiscard]] Explanation torque() const;
     [[nodiscard]] Explanation goodStrokes() const;
@@ -113,6 +117,7 @@ private:
     LineFigures& m_figures;
     Trends& m_trends;
     Stops& m_stops;
+    MarkEdgeList& m_edges;
 };
 
 } // namespace campanel::panel

@@ -4,6 +4,7 @@
 #include "app/panel/controller/controller.h"
 
 #include <algorithm>
+#include <utility>
 
 using namespace std::chrono_literals;
 
@@ -21,10 +22,12 @@ constexpr int edgeShareOfTheLine = 10;
 MarkSensor::MarkSensor(Controller& controller, QObject* parent)
     : QObject(parent)
     , m_controller(controller)
+    , m_entered(controller.parameter("parameter.mark_dead_time"))
 {
     connect(controller.packing(), &PackingLine::changed, this, &MarkSensor::ask);
     connect(&controller.link(), &link::Link::registersRead, this, &MarkSensor::take);
-    connect(&controller, &Controller::connectionChanged, this, [this] { m_isAsked = false; });
+    connect(&controller, &Controller::connectionChanged, this, &MarkSensor::noteConnection);
+    connect(&m_entered, &Parameter::changed, this, &MarkSensor::watchDrift);
     connect(&controller, &Controller::programChanged, this, [this] { m_estimate.startFilm(); });
 }
 
@@ -32,6 +35,33 @@ bool MarkSensor::isRecorded() const
 {
     const auto& identity = m_controller.identity();
     return m_controller.packing()->recordsBags() && identity->mapMinor >= modbus::sensorMapMinor;
+}
+
+void MarkSensor::noteConnection()
+{
+    m_isAsked = false;
+    const auto& identity = m_controller.identity();
+    if (!identity || m_controllerId == identity->uniqueId)
+        return;
+    m_controllerId = identity->uniqueId; // another machine has another sensor
+    m_estimate = {};
+    m_takenOffMs = 0.0;
+    setDrift(0.0, std::nullopt);
+}
+
+// A few scattered marks make the margin too large for an estimate; they say nothing against what was known.
+void MarkSensor::watchDrift()
+{
+    const double enteredMs = m_entered.value().value_or(m_takenOffMs);
+    if (enteredMs <= 0 || m_estimate.estimate())
+        setDrift(enteredMs, m_estimate.drift(enteredMs, m_hasDrifted));
+}
+
+void MarkSensor::setDrift(double enteredMs, const std::optional<program::DeadTime>& learned)
+{
+    const bool hasDrifted = learned.has_value();
+    if (std::exchange(m_hasDrifted, hasDrifted) != hasDrifted)
+        emit driftChanged(learned ? std::optional(program::SensorDrift{enteredMs, *learned}) : std::nullopt);
 }
 
 void MarkSensor::ask()
@@ -61,7 +91,9 @@ void MarkSensor::take(const link::ReadOutcome& outcome)
     if (edges.empty())
         return;
     m_last = edges.back().number;
-    emit changed();
+    m_takenOffMs = edges.back().deadMs;
+    watchDrift();
+    emit edgesRead(edges);
 }
 
 } // namespace campanel::panel

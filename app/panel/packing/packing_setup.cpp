@@ -25,6 +25,7 @@ PackingSetup::PackingSetup(Controller& controller, QObject* parent)
     , m_fields(controller, this)
     , m_wizard(controller, m_fields, this)
     , m_sensor(controller, this)
+    , m_edges(controller, m_sensor, this)
 {
     connect(controller.packing(), &PackingLine::changed, this, &PackingSetup::followMarks);
     connect(&controller, &Controller::stateChanged, this, &PackingSetup::changed);
@@ -46,7 +47,8 @@ PackingSetup::PackingSetup(Controller& controller, QObject* parent)
         if (PackingFields::knifeOf(name.toStdString()) > 0)
             m_knives.begin(m_knives.knives());
     });
-    connect(&m_sensor, &MarkSensor::changed, this, [this] { m_fields.suggestDeadTime(m_sensor.estimate()); });
+    connect(&m_sensor, &MarkSensor::edgesRead, this,
+            [this] { m_fields.suggestDeadTime(m_sensor.estimate()); });
     connect(&m_fields, &PackingFields::changed, this, &PackingSetup::changed);
     connect(&controller.link(), &link::Link::commandEnded, this, &PackingSetup::takeCommand);
     LanguageNotifier::follow(this, [this] { m_refusal.clear(); });
@@ -175,10 +177,10 @@ QString PackingSetup::teachText() const
     const QString scatter = format.measure(packing.teachScatterMm(), 2, QStringLiteral("mm"));
     const QString bag = format.compactMeasure(m_controller.active().bagLengthMm, 0, 2, QStringLiteral("mm"));
     if (misfit())
-        return tr("The mark distance is %1 (± %2), the recipe cuts %3. The difference exceeds the "
+        return tr("The mark distance is %1 (±%2), the recipe cuts %3. The difference exceeds the "
                   "length limit: this film does not match this recipe.")
             .arg(pitch, scatter, bag);
-    return tr("The mark distance is %1 (± %2), the recipe cuts %3.").arg(pitch, scatter, bag);
+    return tr("The mark distance is %1 (±%2), the recipe cuts %3.").arg(pitch, scatter, bag);
 }
 
 } // namespace campanel::panel

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "app/panel/packing/gain_estimate.h"
+#include "app/panel/packing/mark_edge_list.h"
 #include "app/panel/packing/mark_sensor.h"
 #include "app/panel/packing/mark_wizard.h"
 #include "app/panel/packing/packing_fields.h"
@@ -19,6 +20,7 @@ class PackingSetup : public QObject {
     QML_UNCREATABLE("The packing setup belongs to Maintenance")
     Q_PROPERTY(campanel::panel::PackingFields* fields READ fields CONSTANT FINAL)
     Q_PROPERTY(campanel::panel::MarkWizard* wizard READ wizard CONSTANT FINAL)
+    Q_PROPERTY(campanel::panel::MarkEdgeList* edges READ edges CONSTANT FINAL)
     // True when a packing machine's program is active and the controller reports it.
     Q_PROPERTY(bool available READ available NOTIFY changed FINAL)
     Q_PROPERTY(bool teaching READ teaching NOTIFY changed FINAL)
@@ -37,6 +39,8 @@ public:
 
     [[nodiscard]] PackingFields* fields() { return &m_fields; }
     [[nodiscard]] MarkWizard* wizard() { return &m_wizard; }
+    [[nodiscard]] MarkSensor* sensor() { return &m_sensor; }
+    [[nodiscard]] MarkEdgeList* edges() { return &m_edges; }
     [[nodiscard]] bool available() const;
     [[nodiscard]] bool teaching() const { return m_teaching != Teaching::No; }
     [[nodiscard]] bool canTeach() const;
@@ -64,6 +68,7 @@ private:
     PackingFields m_fields;
     MarkWizard m_wizard;
     MarkSensor m_sensor;
+    MarkEdgeList m_edges;
     GainEstimate m_estimate;
     program::KnifePlaces m_knives{1};
     Teaching m_teaching = Teaching::No;

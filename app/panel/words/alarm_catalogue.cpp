@@ -105,10 +105,15 @@ constexpr std::array kinds{
     AlarmKind{"M-05", warning, stops, QT_TRANSLATE_NOOP("AlarmCatalogue", "Too many skipped cuts"),
               causeOf(WarningBit::TooManySkips),
               QT_TRANSLATE_NOOP("AlarmCatalogue", "Align the products, then start again.")},
-    AlarmKind{"M-06", warning, stops, QT_TRANSLATE_NOOP("AlarmCatalogue", "Products joined"),
+    AlarmKind{"M-06", warning, runsOn, QT_TRANSLATE_NOOP("AlarmCatalogue", "Mark sensor has drifted"),
+              QT_TRANSLATE_NOOP("AlarmCatalogue", "The mark sensor's dead time is not the one entered: cuts "
+                                                  "move on the print when the speed changes."),
+              QT_TRANSLATE_NOOP("AlarmCatalogue", "Clean and check the sensor. If the alarm stays, take over "
+                                                  "the learned dead time under Maintenance, Packing.")},
+    AlarmKind{"M-07", warning, stops, QT_TRANSLATE_NOOP("AlarmCatalogue", "Products joined"),
               causeOf(WarningBit::ProductsJoined),
               QT_TRANSLATE_NOOP("AlarmCatalogue", "Take the products off the infeed, then start again.")},
-    AlarmKind{"M-07", warning, runsOn, QT_TRANSLATE_NOOP("AlarmCatalogue", "Jaws closed"),
+    AlarmKind{"M-08", warning, runsOn, QT_TRANSLATE_NOOP("AlarmCatalogue", "Jaws closed"),
               causeOf(WarningBit::JawsClosed),
               QT_TRANSLATE_NOOP("AlarmCatalogue", "Open them by hand. The bags on both sides are scrap.")},
     AlarmKind{
@@ -346,6 +351,11 @@ const AlarmKind& AlarmCatalogue::settingsDamaged()
 const AlarmKind& AlarmCatalogue::touchscreenMissing()
 {
     return known("P-11");
+}
+
+const AlarmKind& AlarmCatalogue::markSensorDrifted()
+{
+    return known("M-06");
 }
 
 } // namespace campanel::panel

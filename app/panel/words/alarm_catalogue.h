@@ -66,6 +66,7 @@ public:
     [[nodiscard]] static const AlarmKind& settingsNotKept();
     [[nodiscard]] static const AlarmKind& settingsDamaged();
     [[nodiscard]] static const AlarmKind& touchscreenMissing();
+    [[nodiscard]] static const AlarmKind& markSensorDrifted();
 };
 
 } // namespace campanel::panel

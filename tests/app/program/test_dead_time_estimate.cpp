@@ -163,6 +163,22 @@ private slots:
         QVERIFY(offered);
         QVERIFY2(std::abs(*offered - 1.5) < 0.1, qPrintable(QString::number(*offered)));
     }
+
+    // Only what moves the cut visibly is a drift, and it ends well below the limit.
+    void noticesADrift()
+    {
+        DeadTimeEstimate estimate;
+        QVERIFY(!estimate.drift(1.0, false));
+        startsAndStops({.deadMs = 1.5}, estimate, 40);
+        QVERIFY(estimate.drift(1.0, false));
+        QVERIFY(estimate.drift(2.0, false));
+        QVERIFY(!estimate.drift(0.0, false)); // none entered
+        QVERIFY(!estimate.drift(1.5, false));
+        const double limit = estimate.estimate()->ms - 0.17;
+        QVERIFY(!estimate.drift(limit, false));
+        QVERIFY(estimate.drift(limit, true));
+        QVERIFY(!estimate.drift(estimate.estimate()->ms - 0.1, true));
+    }
 };
 
 CAMPANEL_TEST(TestDeadTimeEstimate)

@@ -222,8 +222,9 @@ private slots:
     {
         PanelRig rig;
         panel::Stops stops(rig.machine, rig.settings, rig.records, nullptr);
-        panel::Explanations explanations(
-            {rig.machine, rig.editor, *rig.maintenance.figures(), rig.trends, stops}, nullptr);
+        panel::Explanations explanations({rig.machine, rig.editor, *rig.maintenance.figures(), rig.trends,
+                                          stops, *rig.maintenance.packing()->edges()},
+                                         nullptr);
         QVERIFY(!explanations.ofVerdict().contains(panel::Explanations::SealTime));
         rig.editor.item(Field::ContactAngle)->set(20);
         rig.editor.minSealTime()->set(50);

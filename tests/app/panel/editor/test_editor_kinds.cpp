@@ -176,8 +176,9 @@ private slots:
     {
         PanelRig rig;
         panel::Stops stops(rig.machine, rig.settings, rig.records, nullptr);
-        const panel::Explanations explanations(
-            {rig.machine, rig.editor, *rig.maintenance.figures(), rig.trends, stops}, nullptr);
+        const panel::Explanations explanations({rig.machine, rig.editor, *rig.maintenance.figures(),
+                                                rig.trends, stops, *rig.maintenance.packing()->edges()},
+                                               nullptr);
         constexpr int topic = panel::Explanations::ShaftVibration;
         for (const ProgramKind kind :
              {ProgramKind::PointCam, ProgramKind::SegmentCam, ProgramKind::PositionMove}) {

@@ -132,7 +132,7 @@ private slots:
         rig.set("packer.teach_marks", 10);
         QVERIFY(!rig.setup().teaching() && !rig.setup().misfit());
         QCOMPARE(rig.setup().teachText(),
-                 "The mark distance is 250.30 mm (± 0.08 mm), the recipe cuts 250 mm.");
+                 "The mark distance is 250.30 mm (±0.08 mm), the recipe cuts 250 mm.");
         rig.set("packer.teach_pitch", 260);
         QVERIFY(rig.setup().misfit());
         QVERIFY(rig.setup().teachText().endsWith("this film does not match this recipe."));
