@@ -2,9 +2,11 @@
 // The dead time of the mark sensor as a technician meets it: a machine with late sensors starts and stops,
 // the field offers what was learned, and taken it is in the controller. What is true is the simulated
 // sensor's.
+#include "app/panel/alarms/alarm_watch.h"
 #include "app/panel/controller/controller.h"
 #include "app/panel/editor/editor.h"
 #include "app/panel/packing/packing_setup.h"
+#include "app/panel/records/database_service.h"
 #include "app/panel/settings/settings.h"
 #include "tests/support/core_link.h"
 #include "tests/support/test_program.h"
@@ -125,6 +127,58 @@ private slots:
         QVERIFY(machine.startAndStop());
         QVERIFY(machine.at(row, PackingFields::SuggestionRole).isEmpty());
         QVERIFY(machine.at(row, PackingFields::NoteRole).contains(QStringLiteral("learned: ")));
+    }
+
+    // A machine whose sensor was right when its dead time was entered; a dirty one gets slower.
+    void aDriftingSensorIsAnAlarm_data()
+    {
+        QTest::addColumn<double>("enteredMs");
+        QTest::addColumn<double>("delayMs");
+        QTest::addColumn<int>("raised");
+        QTest::newRow("as entered") << 1.0 << 1.0 << 0;
+        QTest::newRow("slower") << 1.0 << 2.0 << 1;
+        QTest::newRow("faster") << 2.0 << 1.0 << 1;
+        QTest::newRow("none entered") << 0.0 << 2.0 << 0;
+    }
+    void aDriftingSensorIsAnAlarm()
+    {
+        QFETCH(double, enteredMs);
+        QFETCH(double, delayMs);
+        QFETCH(int, raised);
+        Machine machine(delayMs);
+        panel::DatabaseService records(machine.folder.path(), nullptr);
+        panel::AlarmWatch alarms(machine.machine, machine.editor, records, machine.settings, nullptr);
+        QObject::connect(machine.setup.sensor(), &panel::MarkSensor::driftChanged, &alarms,
+                         &panel::AlarmWatch::noteSensorDrift);
+        QStringList news;
+        QObject::connect(&alarms, &panel::AlarmWatch::raised, this,
+                         [&news](const panel::AlarmKind& kind, const QString& detail) {
+                             if (kind.code() == QStringLiteral("M-06"))
+                                 news << detail;
+                         });
+        QObject::connect(&alarms, &panel::AlarmWatch::cleared, this, [&news](const panel::AlarmKind& kind) {
+            if (kind.code() == QStringLiteral("M-06"))
+                news << QStringLiteral("cleared");
+        });
+        if (enteredMs > 0)
+            machine.fields().write("parameter.mark_dead_time", enteredMs);
+        machine.pass(1);
+        for (int i = 0; i < starts; ++i)
+            QVERIFY(machine.startAndStop());
+        QVERIFY2(news.size() == raised, qPrintable(news.join(u'\n')));
+        QCOMPARE(machine.deadUs(), static_cast<std::uint16_t>(enteredMs * 1000)); // nobody has changed it
+        if (raised == 0)
+            return;
+        QVERIFY2(
+            news[0].startsWith(
+                QStringLiteral("Dead time of the mark sensor: entered %1.00 ms, learned ").arg(enteredMs)),
+            qPrintable(news[0]));
+        machine.fields().takeSuggestion(machine.row());
+        machine.pass(1);
+        QCOMPARE(news.size(), 2);
+        QCOMPARE(news[1], QStringLiteral("cleared"));
+        QVERIFY(machine.startAndStop());
+        QCOMPARE(news.size(), 2);
     }
 
     void offersNothingForAPromptSensor()
