@@ -2072,8 +2072,8 @@ Und %2 weitere.</translation>
         <translation>Sensor bis Messer …</translation>
     </message>
     <message>
-        <source>Sensor edges</source>
-        <translation>Sensorflanken</translation>
+        <source>Edges</source>
+        <translation>Flanken</translation>
     </message>
 </context>
 <context>

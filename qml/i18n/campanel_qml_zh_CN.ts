@@ -2072,7 +2072,7 @@ And %2 more.</source>
         <translation>传感器到切刀…</translation>
     </message>
     <message>
-        <source>Sensor edges</source>
+        <source>Edges</source>
         <translation>色标信号</translation>
     </message>
 </context>

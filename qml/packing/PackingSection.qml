@@ -50,7 +50,7 @@ MaintenanceSection {
             spacing: Theme.size.spacing
             Button {
                 objectName: "packingEdges"
-                text: qsTr("Sensor edges")
+                text: qsTr("Edges")
                 onClicked: Frame.open("Packing/SensorEdgesSheet", {})
             }
             Button {

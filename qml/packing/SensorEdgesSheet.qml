@@ -39,6 +39,8 @@ Sheet {
 
     component Colors: EdgePicture {
         textFont: Theme.captionFont
+        lengthUnit: Theme.shownUnit("mm")
+        lengthFactor: Theme.unitFactor("mm")
         filmColor: Theme.color.touchTint
         edgeColor: Theme.color.target
         markColor: Theme.color.ink
@@ -91,8 +93,6 @@ Sheet {
         windows: sheet.edges.windows
         span: sheet.spanMm
         back: (view.contentWidth - view.width - view.contentX) / sheet.pxPerMm
-        lengthUnit: Theme.shownUnit("mm")
-        lengthFactor: Theme.unitFactor("mm")
         Binding {
             target: picture
             property: "locale"

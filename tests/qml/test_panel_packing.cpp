@@ -2,7 +2,7 @@
 // The section of Service for packing machines by touch: a value, a switch, the wizard to its end.
 #include "panel_test.h"
 
-#include "app/plot/edge_picture.h"
+#include "app/plot/film/edge_picture.h"
 #include "tests/looks/screens.h"
 #include "tests/support/test_program.h"
 

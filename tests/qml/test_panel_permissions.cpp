@@ -89,6 +89,7 @@ const QList<Harmless>& harmless()
           u"FileExchange::refresh"_s,
           u"FrameList::watched="_s,
           u"FrameList::paused="_s,
+          u"MarkEdgeList::paused="_s,
           u"FrameList::filter="_s,
           u"FrameList::clear"_s,
           u"FrameList::showDetail"_s,

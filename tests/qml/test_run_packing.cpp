@@ -3,7 +3,7 @@
 // without film and marks.
 #include "panel_test.h"
 
-#include "app/plot/film_picture.h"
+#include "app/plot/film/film_picture.h"
 #include "tests/support/test_program.h"
 
 #include <QSignalSpy>

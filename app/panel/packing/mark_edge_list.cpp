@@ -310,7 +310,7 @@ QString MarkEdgeList::summary() const
         return emptyText();
     QStringList counts;
     for (const MarkVerdictRow& row : m_verdicts.rows())
-        counts << tr("%1: %2", "verdict: number of edges").arg(row.name).arg(row.edges);
+        counts << tr("%1: %2", "verdict: number of edges").arg(row.name, QString::number(row.edges));
     return tr("%1 edges (%2). Newest edge: %3")
         .arg(QString::number(m_shown.size()), counts.join(u", "_s), newestText());
 }

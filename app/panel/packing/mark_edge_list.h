@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// What became of the last edges of the mark sensor, as places on the film and in words: the reason why a mark
-// was not taken.
+// The last edges of the mark sensor as places on the film and in words: the reason why a mark was not taken.
 #pragma once
 
 #include "app/panel/kit/numbers.h"
 #include "app/panel/kit/row_model.h"
-#include "modbus/map/mark_edges.h"
+#include "app/program/dead_time_estimate.h"
 
 #include <QList>
 #include <QObject>
@@ -57,7 +56,7 @@ class MarkEdgeList : public QObject {
     Q_PROPERTY(double rejectedPlace READ rejectedPlace NOTIFY changed FINAL)
     Q_PROPERTY(int sinceRejected READ sinceRejected NOTIFY changed FINAL)
     Q_PROPERTY(bool newestRejected READ newestRejected NOTIFY changed FINAL)
-    // What to do while there are no edges; else empty.
+    // The sentence while there are no edges, with what to do; else empty.
     Q_PROPERTY(QString emptyText READ emptyText NOTIFY changed FINAL)
     // The picture in words.
     Q_PROPERTY(QString summary READ summary NOTIFY changed FINAL)

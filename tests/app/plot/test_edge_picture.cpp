@@ -2,7 +2,7 @@
 // The ink of EdgePicture: places, looks that do not differ by their color alone, windows, notes.
 #include "samples.h"
 
-#include "app/plot/edge_picture.h"
+#include "app/plot/film/edge_picture.h"
 #include "tests/support/test_program.h"
 
 #include <QTest>

@@ -2,7 +2,7 @@
 // The ink of FilmPicture, and its movement between two reports.
 #include "samples.h"
 
-#include "app/plot/film_picture.h"
+#include "app/plot/film/film_picture.h"
 #include "tests/support/test_program.h"
 
 #include <QFontMetricsF>

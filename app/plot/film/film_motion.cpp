@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/plot/film_motion.h"
+#include "app/plot/film/film_motion.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/plot/film_picture.h"
+#include "app/plot/film/film_picture.h"
 
 #include <algorithm>
 #include <chrono>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/plot/film_picture.h"
-#include "app/plot/film_scale.h"
+#include "app/plot/film/film_picture.h"
+#include "app/plot/film/film_scale.h"
 #include "app/plot/picture/label_draw.h"
 
 #include <QFontMetricsF>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/plot/edge_picture.h"
+#include "app/plot/film/edge_picture.h"
 
-#include "app/plot/film_scale.h"
+#include "app/plot/film/film_scale.h"
 
 #include <QFontMetricsF>
 #include <QPainter>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/plot/film_scale.h"
+#include "app/plot/film/film_scale.h"
 
 #include "app/plot/picture/label_draw.h"
 

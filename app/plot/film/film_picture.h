@@ -3,7 +3,7 @@
 // the expected mark, products, the next cuts. Between two reports advance() moves it at the film's speed.
 #pragma once
 
-#include "app/plot/film_motion.h"
+#include "app/plot/film/film_motion.h"
 
 #include <QColor>
 #include <QFont>

@@ -13,7 +13,7 @@ class QPainter;
 
 namespace campanel::plot {
 
-// What the pictures of a film have in common.
+// The measures that all pictures of a film share.
 namespace film {
 inline constexpr double headShare = 0.6; // of a line of text: height of what stands above the film
 inline constexpr double lineWidth = 2;   // px
