@@ -8,7 +8,7 @@ Item {
     id: hatch
 
     required property color color
-    readonly property real step: 2 * Theme.size.spacing
+    readonly property real step: Theme.size.padding // spacing is less with gloves, and the text below it would drown
 
     clip: true
 

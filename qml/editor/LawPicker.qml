@@ -24,7 +24,7 @@ Sheet {
     LawRow {
         id: head
         anchors { left: parent.left; right: parent.right; rightMargin: 2 * Theme.size.accent; top: parent.top }
-        height: Theme.size.caption * 3
+        height: Math.max(Theme.size.caption * 3, wordsHeight)
         header: true
         cells: [...Editor.lawColumns]
     }

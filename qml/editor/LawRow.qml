@@ -18,6 +18,7 @@ ListRow {
     required property list<string> cells
     readonly property var headings: cells
     readonly property real cellWidth: firstLine.width * (cells.length > 5 ? 0.115 : cells.length > 4 ? 0.13 : 0.15)
+    readonly property real wordsHeight: words.height
 
     enabled: !header
     tappable: !header

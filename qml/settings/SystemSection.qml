@@ -73,21 +73,24 @@ SettingsSection {
                 fontSizeMode: Text.FixedSize
                 text: dark.field.label
             }
-            Row {
+            Grid {
                 id: darkRow
+                readonly property real wipeWidth: Math.min(wipeKey.implicitWidth, Math.round(0.34 * width))
+                readonly property real besideWidth: width - wipeWidth - spacing
+                columns: besideWidth >= dark.choices.length * Theme.size.touch ? 2 : 1
                 width: parent.width
                 spacing: Theme.size.gap
                 SettingKeys {
                     id: dark
                     objectName: "darkChoice"
-                    width: darkRow.width - wipeKey.width - darkRow.spacing
+                    width: darkRow.columns === 2 ? darkRow.besideWidth : darkRow.width
                     name: "display.dark_after_minutes"
                     keyName: "dark"
                 }
                 Button {
                     id: wipeKey
                     objectName: "wipeScreen"
-                    width: Math.min(implicitWidth, Math.round(0.34 * darkRow.width))
+                    width: darkRow.columns === 2 ? darkRow.wipeWidth : implicitWidth
                     text: qsTr("Clean the screen")
                     note: qsTr("30 s without touch")
                     onClicked: Display.wipe()

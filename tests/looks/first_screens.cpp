@@ -1,11 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/looks/screen_lists.h"
 
+#include "app/panel/words/recipe_words.h"
 #include "tests/looks/test_window.h"
 
 namespace campanel::looks {
 
 namespace {
+
+// A new panel has no recipe yet: its name is proposed.
+void openAsNew(panel::Editor& editor)
+{
+    program::Recipe recipe = editor.newRecipe(DemoLink::Kind::RotaryCutter);
+    recipe.version = 0;
+    recipe.name = panel::RecipeWords::proposedName(recipe).toStdString();
+    editor.open(recipe, {});
+}
 
 // Advances by this number of steps, then taps.
 Screen step(const char* name, int steps, const QStringList& tapped = {})
@@ -13,6 +23,7 @@ Screen step(const char* name, int steps, const QStringList& tapped = {})
     return {QString::fromLatin1(name), [steps, tapped](TestWindow& window) {
                 window.link().show(DemoLink::Situation::Empty);
                 window.checkClock();
+                openAsNew(window.panel().editor());
                 window.panel().settings().beginFirstStart();
                 window.settle();
                 for (int i = 0; i < steps; ++i)

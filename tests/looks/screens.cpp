@@ -725,6 +725,8 @@ void enterScreen(TestWindow& window, const Screen& screen)
     editor.showNotice({});
     while (editor.canUndo())
         editor.undo();
+    if (editor.recipeVersion() == 0)
+        editor.open(program::Recipe{}, {}); // after the first start
     window.panel().settings().setSimulated(true);
     window.panel().settings().set("access.hold_to_start", QStringLiteral("auto"));
     window.panel().maintenance().doctor()->cancel();

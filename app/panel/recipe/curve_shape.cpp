@@ -16,6 +16,7 @@ namespace {
 constexpr int intervals = 60; // one for each pixel or two of a picture
 // A cycle ends where it began within this share of its stroke, and a curve that is flatter is a line.
 constexpr double sameShare = 1e-6;
+constexpr double restShare = 0.35; // before and after a move, of its time
 
 CurveShape scaled(const std::vector<double>& values)
 {
@@ -54,6 +55,9 @@ CurveShape shapeOf(const program::Recipe& recipe)
         low = std::min(low, mm);
         high = std::max(high, mm);
     }
+    if (recipe.kind() == profile::ProgramKind::PositionMove)
+        return sampled(
+            [&](double x) { return position(std::clamp(x * (1 + 2 * restShare) - restShare, 0.0, 1.0)); });
     if (std::abs(position(1) - position(0)) <= sameShare * (high - low))
         return sampled(position);
     return sampled([&](double x) { return motion.at(x * cycleS).velocityMmPerS; });

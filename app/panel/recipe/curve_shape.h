@@ -30,7 +30,8 @@ public:
     CurveShape shape;
 };
 
-// Returns the position over a cycle that ends where it began, of any other one the speed.
+// Returns the position over a cycle that ends where it began, and over a position move with its rests; of any
+// other one the speed.
 [[nodiscard]] CurveShape shapeOf(const program::Recipe& recipe);
 // Returns the slope of the law: the speed of a displacement law, the acceleration of a speed law.
 [[nodiscard]] CurveShape shapeOf(const profile::Law& law);

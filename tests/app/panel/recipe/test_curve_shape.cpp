@@ -41,6 +41,26 @@ private slots:
         }
     }
 
+    // A person tells the kinds by their pictures.
+    void everyKindHasAShapeOfItsOwn()
+    {
+        for (const program::KindInfo& one : program::kinds()) {
+            for (const program::KindInfo& other : program::kinds()) {
+                if (one.kind == other.kind)
+                    continue;
+                const CurveShape first = panel::shapeOf(program::defaultRecipe(one.kind));
+                const CurveShape second = panel::shapeOf(program::defaultRecipe(other.kind));
+                double apart = 0;
+                for (double x = 0; x <= 1; x += 0.05)
+                    apart = std::max(apart, std::abs(heightAt(first, x) - heightAt(second, x)));
+                QVERIFY2(apart > 0.25,
+                         qPrintable(QStringLiteral("%1 and %2: %3")
+                                        .arg(QLatin1String(one.key.data()), QLatin1String(other.key.data()))
+                                        .arg(apart)));
+            }
+        }
+    }
+
     // The cutter is fast at the cut-free ends and slow in the film; the press goes down and returns.
     void shapesShowWhatTheMotionDoes()
     {
