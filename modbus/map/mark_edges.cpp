@@ -8,6 +8,7 @@ namespace campanel::modbus {
 namespace {
 
 constexpr std::size_t registersPerEdge = 8;
+constexpr double mmPerWidthStep = 0.01;
 constexpr double mmPerUm = 0.001;
 constexpr double mPerSStep = 0.0001;
 constexpr double mPerMm = 0.001;
@@ -38,7 +39,8 @@ std::vector<MarkEdge> markEdges(std::span<const std::uint16_t> registers, std::u
             registers.subspan(2 + registersPerEdge * (number % edgeRecords), registersPerEdge);
         edges.push_back({number, wide(record), signedNumber(record[2]) * mmPerUm,
                          signedNumber(record[3]) * mPerSStep, signedNumber(record[4]) * mPerMm,
-                         static_cast<MarkVerdict>(record[5]), record[6] * msPerUs});
+                         static_cast<MarkVerdict>(record[5]), record[6] * msPerUs,
+                         record[7] != 0 ? std::optional(record[7] * mmPerWidthStep) : std::nullopt});
     }
     return edges;
 }

@@ -6,6 +6,7 @@
 #include "modbus/map/register_map.h"
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -23,7 +24,8 @@ struct MarkEdge {
     double speedMPerS = 0.0;  // of the film
     double accelerationMPerS2 = 0.0;
     MarkVerdict verdict = MarkVerdict::NotUsed;
-    double deadMs = 0.0; // taken off
+    double deadMs = 0.0;             // taken off
+    std::optional<double> widthMm{}; // of the print, where its end is known
 };
 
 // Returns the edges behind number `after`, oldest first, as far as the controller still has them.

@@ -54,6 +54,20 @@ constexpr std::array verdictWords{
                  QT_TRANSLATE_NOOP("campanel::panel::MarkEdgeList",
                                    "Not used: mark tracking is off. Switch it on in the list of this page.")},
     VerdictWords{
+        MarkVerdict::TooNarrow, MarkEdgeList::Dotted, false,
+        QT_TRANSLATE_NOOP("campanel::panel::MarkEdgeList", "too narrow"),
+        QT_TRANSLATE_NOOP("campanel::panel::MarkEdgeList",
+                          "Another print: narrower than a mark. If it is one, reduce the minimum width.")},
+    VerdictWords{
+        MarkVerdict::TooWide, MarkEdgeList::Dotted, false,
+        QT_TRANSLATE_NOOP("campanel::panel::MarkEdgeList", "too wide"),
+        QT_TRANSLATE_NOOP("campanel::panel::MarkEdgeList",
+                          "Another print: wider than a mark. If it is one, raise the maximum width.")},
+    VerdictWords{MarkVerdict::Masked, MarkEdgeList::Dotted, false,
+                 QT_TRANSLATE_NOOP("campanel::panel::MarkEdgeList", "ignored"),
+                 QT_TRANSLATE_NOOP("campanel::panel::MarkEdgeList",
+                                   "Ignored: it lies in the ignored film behind the mark before it.")},
+    VerdictWords{
         static_cast<MarkVerdict>(0xFFFF), MarkEdgeList::Rejected, false,
         QT_TRANSLATE_NOOP("campanel::panel::MarkEdgeList", "other"),
         QT_TRANSLATE_NOOP("campanel::panel::MarkEdgeList",
@@ -170,7 +184,7 @@ void MarkEdgeList::update()
     for (const VerdictWords& words : verdictWords) {
         const auto edges = std::ranges::count_if(
             m_shown, [&words](const Edge& edge) { return &wordsOf(edge.record.verdict) == &words; });
-        if (edges != 0 || &words != &verdictWords.back())
+        if (edges != 0 || words.verdict <= MarkVerdict::OutsideWindow) // the others are rare
             rows << MarkVerdictRow{tr(words.name), words.look, static_cast<int>(edges)};
     }
     m_verdicts.setRows(rows);
@@ -234,6 +248,14 @@ QList<QPointF> MarkEdgeList::windows() const
 }
 
 QString MarkEdgeList::sentence(const Edge& edge)
+{
+    const QString verdict = verdictSentence(edge);
+    return edge.record.widthMm ? tr("%1 Its width is %2.", "a sentence, a length")
+                                     .arg(verdict, Format().measure(*edge.record.widthMm, 1, u"mm"_s))
+                               : verdict;
+}
+
+QString MarkEdgeList::verdictSentence(const Edge& edge)
 {
     const VerdictWords& words = wordsOf(edge.record.verdict);
     if (!words.hasExpected)

@@ -116,6 +116,7 @@ private:
     void measure(std::size_t first);
     [[nodiscard]] std::optional<double> offAt(std::size_t at) const;
     [[nodiscard]] static QString sentence(const Edge& edge);
+    [[nodiscard]] static QString verdictSentence(const Edge& edge);
     [[nodiscard]] Edges::const_reverse_iterator rejected() const;
 
     Controller& m_controller;
