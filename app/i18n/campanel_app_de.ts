@@ -3926,6 +3926,14 @@ eff. %2</translation>
         <source>Downloaded. The controller has this recipe.</source>
         <translation>Geladen. Die Steuerung hat dieses Rezept.</translation>
     </message>
+    <message>
+        <source>Threading up: no bags before a mark is at the knife</source>
+        <translation>Einfädeln: keine Beutel, bevor eine Marke am Messer ist</translation>
+    </message>
+    <message>
+        <source>Knife stays open: the film is threaded up</source>
+        <translation>Messer bleibt offen: Folie wird eingefädelt</translation>
+    </message>
 </context>
 <context>
     <name>SegmentSentences</name>
@@ -6127,6 +6135,35 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
         <source>%1 edges (%2). Newest edge: %3</source>
         <translation>%1 Flanken (%2). Neueste Flanke: %3</translation>
     </message>
+    <message>
+        <source>too narrow</source>
+        <translation>zu schmal</translation>
+    </message>
+    <message>
+        <source>Another print: narrower than a mark. If it is one, reduce the minimum width.</source>
+        <translation>Anderer Druck: schmaler als eine Marke. Ist es eine, die kleinste Breite verringern.</translation>
+    </message>
+    <message>
+        <source>too wide</source>
+        <translation>zu breit</translation>
+    </message>
+    <message>
+        <source>Another print: wider than a mark. If it is one, raise the maximum width.</source>
+        <translation>Anderer Druck: breiter als eine Marke. Ist es eine, die größte Breite erhöhen.</translation>
+    </message>
+    <message>
+        <source>ignored</source>
+        <translation>ignoriert</translation>
+    </message>
+    <message>
+        <source>Ignored: it lies in the ignored film behind the mark before it.</source>
+        <translation>Ignoriert: liegt in der ignorierten Folie hinter der Marke davor.</translation>
+    </message>
+    <message>
+        <source>%1 Its width is %2.</source>
+        <comment>a sentence, a length</comment>
+        <translation>%1 Breite: %2.</translation>
+    </message>
 </context>
 <context>
     <name>campanel::panel::MarkWizard</name>
@@ -6446,6 +6483,10 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
     <message>
         <source>No mark would fit: at least %1, at most %2. Change the other one first.</source>
         <translation>Keine Marke würde passen: mindestens %1, höchstens %2. Zuerst den anderen Wert ändern.</translation>
+    </message>
+    <message>
+        <source>Thread up: knife open until a mark is there</source>
+        <translation>Einfädeln: Messer offen, bis eine Marke da ist</translation>
     </message>
 </context>
 <context>

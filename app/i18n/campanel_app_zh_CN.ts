@@ -3924,6 +3924,14 @@ RMS %2</source>
         <source>Downloaded. The controller has this recipe.</source>
         <translation>已下载。控制器中已有此配方。</translation>
     </message>
+    <message>
+        <source>Threading up: no bags before a mark is at the knife</source>
+        <translation>穿膜中：色标到达切刀前不制袋</translation>
+    </message>
+    <message>
+        <source>Knife stays open: the film is threaded up</source>
+        <translation>切刀保持打开：正在穿膜</translation>
+    </message>
 </context>
 <context>
     <name>SegmentSentences</name>
@@ -6125,6 +6133,35 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
         <source>%1 edges (%2). Newest edge: %3</source>
         <translation>%1 个信号（%2）。最新信号：%3</translation>
     </message>
+    <message>
+        <source>too narrow</source>
+        <translation>过窄</translation>
+    </message>
+    <message>
+        <source>Another print: narrower than a mark. If it is one, reduce the minimum width.</source>
+        <translation>其他印刷：比色标窄。如果是色标，请减小最小宽度。</translation>
+    </message>
+    <message>
+        <source>too wide</source>
+        <translation>过宽</translation>
+    </message>
+    <message>
+        <source>Another print: wider than a mark. If it is one, raise the maximum width.</source>
+        <translation>其他印刷：比色标宽。如果是色标，请增大最大宽度。</translation>
+    </message>
+    <message>
+        <source>ignored</source>
+        <translation>屏蔽</translation>
+    </message>
+    <message>
+        <source>Ignored: it lies in the ignored film behind the mark before it.</source>
+        <translation>已屏蔽：位于前一色标后的屏蔽范围内。</translation>
+    </message>
+    <message>
+        <source>%1 Its width is %2.</source>
+        <comment>a sentence, a length</comment>
+        <translation>%1 宽度为 %2。</translation>
+    </message>
 </context>
 <context>
     <name>campanel::panel::MarkWizard</name>
@@ -6444,6 +6481,10 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
     <message>
         <source>No mark would fit: at least %1, at most %2. Change the other one first.</source>
         <translation>没有色标符合：最小 %1，最大 %2。请先更改另一个值。</translation>
+    </message>
+    <message>
+        <source>Thread up: knife open until a mark is there</source>
+        <translation>穿膜：色标到达前切刀打开</translation>
     </message>
 </context>
 <context>

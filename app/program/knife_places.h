@@ -15,10 +15,8 @@ struct KnifePlace {
 
 class KnifePlaces {
 public:
-    // Of each knife; fewer tell nothing.
-    static constexpr int minBags = 30;
-    // Smaller ones are not worth a correction.
-    static constexpr double leastMm = 0.02;
+    static constexpr int minBags = 30;      // of each knife
+    static constexpr double leastMm = 0.02; // a smaller place is not worth a correction
 
     explicit KnifePlaces(int knives) { begin(knives); }
     // Begins anew for a shaft with so many knives.

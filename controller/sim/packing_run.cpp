@@ -241,7 +241,7 @@ private:
     void takeFirstCuts(const BagCut& cut)
     {
         if (m_job.powerCutShare <= 0.0 || m_hasGoodCut || !m_core.packer.last_cut.tracked ||
-            std::abs(cut.markErrorMm) > offMm)
+            std::abs(cut.markErrorMm) > offMm || !cut.lengthUm)
             return;
         m_hasGoodCut = true;
         const double filmMm = cut.drawnMm - m_powerUpMm;
@@ -356,7 +356,8 @@ private:
         explainSkips(bag, cut);
         const bool isStartUp = (bag.flags & 1u << CTL_BAG_BIT_START_UP) != 0;
         m_result.startUpBags += isStartUp ? 1u : 0u;
-        if (std::abs(bag.markErrorMm) > offMm && !isStartUp)
+        const double farthestMm = std::max(std::abs(bag.markErrorMm), std::abs(bag.deviationMm));
+        if (farthestMm > offMm && !isStartUp && bag.lengths == 1)
             m_result.offUnmarked += 1;
         m_onBag(bag);
     }

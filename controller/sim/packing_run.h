@@ -90,16 +90,15 @@ struct PackingResult {
     double filmSavedM = 0.0;
     std::uint32_t correctionsLimited = 0;
     double maxFollowingErrorPulses = 0.0;
-    // Of the stops: those that left the jaws closed on standing film for more than burnS, with the drives
-    // enabled; and the longest time.
     std::uint32_t stops = 0;
+    // Stops that left the jaws closed on standing film for more than burnS, with the drives enabled.
     std::uint32_t burns = 0;
     double longestClosedS = 0.0;
-    // Of the power cuts: bags whose cut was more than offMm from its print and that are not marked, and the
-    // film up to the first cut that follows a mark and is nearer.
     std::uint32_t powerCuts = 0;
-    std::uint32_t offUnmarked = 0;
+    std::uint32_t offUnmarked =
+        0; // bags of one length, in length or from the print by more than offMm, not marked
     std::uint32_t startUpBags = 0;
+    // The film from a power-up to the end of the first bag whose cut follows a mark and is nearer.
     double meanFilmToGoodMm = 0.0;
     double longestFilmToGoodMm = 0.0;
 };

@@ -137,8 +137,10 @@ PackerStatus decodePacker(std::span<const std::uint16_t> registers)
     status.bagNumber = reader.u32("packer.bag_number");
     status.bags = bagsOf(reader.block("packer.bags"), status.bagNumber);
     status.filmPositionUm = reader.u32("packer.film_position");
-    if (registers.size() == packerRegisters())
+    if (registers.size() == packerRegisters()) {
         status.knife = static_cast<int>(reader.u32("packer.knife"));
+        status.isThreading = reader.u32("packer.threading") != 0;
+    }
     readView(reader, status);
     return status;
 }

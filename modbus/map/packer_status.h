@@ -81,6 +81,7 @@ struct PackerStatus {
     int marksWaiting = 0;
     std::uint32_t bagNumber = 0;
     std::vector<BagRecord> bags;      // the newest, oldest first; at most bagRecords
+    bool isThreading = false;         // the film is threaded up, the knife is open
     std::optional<int> knife;         // that cut the newest one, from 1; empty before map 1.6
     std::uint32_t filmPositionUm = 0; // lower 32 bits
     std::vector<FilmCut> cuts;        // starting at the knife

@@ -183,6 +183,10 @@ constexpr std::array registerTable{
     CAMPANEL_KNIFE("10", 0x00F2),
     CAMPANEL_KNIFE("11", 0x00F3),
     CAMPANEL_KNIFE("12", 0x00F4),
+    since(6,
+          rw16("parameter.thread_up", 0x00F5,
+               "1: after power-up and jog the film runs with the knife open until the cut can follow a mark",
+               {}, 0, 1, 0)),
 
     // Status block: the answer to the periodic FC23 exchange. 40 registers, so that 9600 baud still carries 8
     // a second.
@@ -281,6 +285,7 @@ constexpr std::array registerTable{
                  "products on the film: leading and trailing edge, as above")),
     since(6, cutter(ro16("packer.knife", 0x01A8,
                          "knife of the newest bag's cut, the first one behind the index mark is 1"))),
+    since(6, cutter(ro16("packer.threading", 0x01A9, "1: the film is threaded up, the knife is open"))),
 
     // The pins, and what only some drives give. Read while somebody looks at it.
     ro16("io.available", 0x01B0, "which of the following values this machine has", "IoBit"),

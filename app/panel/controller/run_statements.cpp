@@ -50,6 +50,7 @@ RunFacts RunStatements::facts() const
         facts.marks = line.status()->markState;
         facts.isFilmWaiting = line.status()->filmGate != modbus::GateState::Running;
         facts.isKnifeWaiting = line.status()->knifeGate != modbus::GateState::Running;
+        facts.isThreading = line.status()->isThreading;
     }
     const auto& status = m_controller.status();
     if (facts.isConnected && status) {

@@ -111,6 +111,16 @@ bool isKnifeWaiting(const RunFacts& facts)
     return facts.isKnifeWaiting && facts.isMoving();
 }
 
+bool isThreading(const RunFacts& facts)
+{
+    return facts.isThreading && facts.isMoving();
+}
+
+bool threadsWithoutBags(const RunFacts& facts)
+{
+    return runsWithoutBags(facts) && facts.isThreading;
+}
+
 // The first true row of a place counts.
 constexpr std::array rows{
     Row{RunRow::ProgramReading, RunPlace::Program, &isReading,
@@ -124,6 +134,8 @@ constexpr std::array rows{
 
     Row{RunRow::BagsOffline, RunPlace::Bags, &isOffline,
         QT_TRANSLATE_NOOP("RunSentences", "No connection. New bags are not shown.")},
+    Row{RunRow::BagsThreading, RunPlace::Bags, &threadsWithoutBags,
+        QT_TRANSLATE_NOOP("RunSentences", "Threading up: no bags before a mark is at the knife")},
     Row{RunRow::BagsSearching, RunPlace::Bags, &areWithoutBags<MarkState::Searching>,
         QT_TRANSLATE_NOOP("RunSentences", "Searching for marks: the bags are scrap")},
     Row{RunRow::BagsAligning, RunPlace::Bags, &areWithoutBags<MarkState::Aligning>,
@@ -155,6 +167,8 @@ constexpr std::array rows{
         QT_TRANSLATE_NOOP("RunSentences", "Changing to the new program")},
     Row{RunRow::FilmWaiting, RunPlace::Film, &isFilmWaiting,
         QT_TRANSLATE_NOOP("RunSentences", "Film waits for a product")},
+    Row{RunRow::FilmThreading, RunPlace::Film, &isThreading,
+        QT_TRANSLATE_NOOP("RunSentences", "Knife stays open: the film is threaded up")},
     Row{RunRow::KnifeWaiting, RunPlace::Film, &isKnifeWaiting,
         QT_TRANSLATE_NOOP("RunSentences", "Knife stays open: product in its path")},
 

@@ -24,8 +24,9 @@ struct RunFacts {
     std::optional<modbus::MarkState> marks; // empty: the controller reports no film
     bool isFilmWaiting = false;
     bool isKnifeWaiting = false;
-    bool isChanging = false; // a program waits for the end of the cycle
-    bool hasBags = false;    // of those that count
+    bool isThreading = false; // the knife is open until its cut can follow a mark
+    bool isChanging = false;  // a program waits for the end of the cycle
+    bool hasBags = false;     // of those that count
 
     [[nodiscard]] bool isMoving() const
     {
@@ -43,6 +44,7 @@ enum class RunRow {
     ProgramLost,
     ProgramAbsent,
     BagsOffline,
+    BagsThreading,
     BagsSearching,
     BagsAligning,
     BagsFirst,
@@ -58,6 +60,7 @@ enum class RunRow {
     MarksTracking,
     FilmChanging,
     FilmWaiting,
+    FilmThreading,
     KnifeWaiting,
     StrokeHoldStart,
     StrokeStart,

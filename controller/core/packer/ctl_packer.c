@@ -173,6 +173,9 @@ static void begin_cycle(ctl_packer* packer, const ctl_bank* bank)
     packer->cut_before = false;
     packer->changed = false;
     packer->skips_in_row = 0;
+    packer->threading = packer->threading || packer->broken_off;
+    packer->threading =
+        packer->threading && ctl_packer_tracks(packer) && parameter(packer, CTL_REG_PARAMETER_THREAD_UP) != 0;
     if (packer->broken_off)
         ctl_knives_reset(&packer->knives, bank->registers[CTL_OFFSET_PROGRAM_KNIVES]);
     packer->broken_off = false;

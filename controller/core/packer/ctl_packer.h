@@ -79,6 +79,7 @@ typedef struct {
 typedef struct {
     const ctl_board* board;
     const ctl_bank* bank; /* NULL: no film axis, or a program without a knife */
+    bool threading;       /* the knife is open until its cut can follow a mark */
     bool broken_off;      /* jogged, homed or in fault: the next run starts a new cycle */
     bool cut_before;      /* last_cut is the one before the next */
     bool in_register;     /* a cut has followed its mark since the last loss of register */
@@ -113,6 +114,7 @@ typedef struct {
     ctl_cut next;
     uint64_t end_ticks; /* the drive's, as they are expected at the next call */
     int64_t lag;        /* at full speed: film position at a cut minus the command that was meant for it */
+    bool lag_known;
     ctl_phase phase;
     ctl_knives knives;
     uint16_t alarms; /* bits CTL_WARNING_BIT_... until the next start */

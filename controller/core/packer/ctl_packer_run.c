@@ -45,6 +45,7 @@ static void learn_lag(ctl_packer* packer, int64_t lag, const ctl_ramp* ramp)
     if (lag > packer->bag / 4 || lag < -packer->bag / 4 || ramp->speed < ramp->full / 4u)
         return;
     packer->lag = lag * (int64_t)ramp->full / (int64_t)ramp->speed;
+    packer->lag_known = true;
 }
 
 static void raise_alarm(ctl_packer* packer, uint32_t bit)
@@ -132,9 +133,23 @@ static void count_skip(ctl_packer* packer)
         raise_alarm(packer, CTL_WARNING_BIT_TOO_MANY_SKIPS);
 }
 
+/* Returns true while the film is threaded up: no cut could be at its mark, or a product that nobody has seen
+ * is in its path. */
+static bool threads_up(ctl_packer* packer)
+{
+    const bool sees_products = ctl_parameter16(packer->board, CTL_REG_PARAMETER_ANTI_CUT) != 0;
+    const bool knows = packer->products.known && packer->next.command >= packer->products.known_from;
+    const bool follows = packer->planned && packer->next.tracked && (knows || !sees_products);
+    if (follows || !ctl_packer_tracks(packer))
+        packer->threading = false;
+    return packer->threading;
+}
+
 /* Returns true when a product is in the path of the next cut, or a change of program needs the knife open. */
 static bool knife_must_wait(ctl_packer* packer, const ctl_drive* drive)
 {
+    if (packer->threading && threads_up(packer))
+        return true;
     if (drive->opens) {
         count_skip(packer);
         return true;
@@ -156,6 +171,10 @@ static bool knife_must_wait(ctl_packer* packer, const ctl_drive* drive)
 
 void ctl_packer_ask_first_cut(ctl_packer* packer)
 {
+    if (packer->threading) {
+        ctl_gate_stand(&packer->knife_gate);
+        return;
+    }
     if (ctl_parameter16(packer->board, CTL_REG_PARAMETER_ANTI_CUT) == 0 ||
         !ctl_products_across(&packer->products, packer->next.command + packer->next.lag,
                              packer->settings.clearance))
@@ -278,7 +297,8 @@ void ctl_packer_on_cut(ctl_packer* packer, int64_t film, const ctl_ramp* ramp)
     const ctl_mark* mark = ctl_marks_near(&packer->marks, film, packer->bag / 2);
     ctl_knives_cut(&packer->knives);
     /* The place of another knife is no lag. */
-    if (packer->cut_before && (packer->knives.last == 0 || packer->lag == 0))
+    const bool lag_was_known = packer->lag_known;
+    if ((packer->cut_before || packer->next.tracked) && (packer->knives.last == 0 || !lag_was_known))
         learn_lag(packer, film - packer->next.command, ramp);
     const int64_t mark_before = last->mark_at;
     last->at = film;
@@ -297,7 +317,8 @@ void ctl_packer_on_cut(ctl_packer* packer, int64_t film, const ctl_ramp* ramp)
     last->command = packer->next.command;
     packer->changed = false;
     const bool was_in_register = packer->in_register;
-    packer->in_register = was_in_register || packer->next.tracked || !ctl_packer_tracks(packer);
+    packer->in_register =
+        was_in_register || (packer->next.tracked && lag_was_known) || !ctl_packer_tracks(packer);
     last->scrap = !was_in_register || !packer->in_register;
     packer->skips_in_row = 0;
     packer->skips_in_run = 0;

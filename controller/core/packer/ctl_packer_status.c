@@ -137,4 +137,5 @@ void ctl_packer_registers(const ctl_packer* packer, uint16_t* registers)
         film_um16(packer, packer->film_sent * CTL_FINE - packer->film_actual));
     put_view(packer, registers);
     put(registers, CTL_REG_PACKER_KNIFE, (uint16_t)(packer->knives.last + 1u));
+    put(registers, CTL_REG_PACKER_THREADING, packer->threading ? 1u : 0u);
 }

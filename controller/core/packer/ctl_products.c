@@ -28,6 +28,7 @@ void ctl_products_set(ctl_products* products, const ctl_product_settings* settin
         return;
     products->coming_count = 0;
     products->covered = false;
+    products->known = false;
     products->watched_from = infeed;
     products->next = divided(infeed - settings->lay, settings->flight) + 1;
 }
@@ -129,6 +130,11 @@ void ctl_products_lay(ctl_products* products, int64_t infeed_before, int64_t inf
         const int64_t way = infeed - infeed_before;
         const int64_t part = way > 0 && due > infeed_before ? due - infeed_before : 0;
         const int64_t at = way > 0 ? film_before + (film - film_before) * part / way : film;
+        const int64_t begins = place_at_eye(products, products->next) - products->settings.flight / 2;
+        if (!products->known && begins >= products->watched_from) {
+            products->known = true;
+            products->known_from = at + products->settings.distance;
+        }
         lay_number(products, products->next, at);
         products->next += 1;
     }

@@ -45,8 +45,10 @@ typedef struct {
     uint32_t coming_count;
     ctl_product laid[CTL_PRODUCTS]; /* from the knife to where they are laid */
     uint32_t laid_count;
-    uint32_t total;  /* placed since power-up */
-    int64_t longest; /* maximum length of a product on the film since the settings changed */
+    uint32_t total;     /* placed since power-up */
+    int64_t longest;    /* maximum length of a product on the film since the settings changed */
+    bool known;         /* a place that was watched from its beginning was laid on the film: */
+    int64_t known_from; /* before this film position unknown products may be at the knife */
 } ctl_products;
 
 /* Applies the settings at the infeed position `infeed`. After a change of geometry, and at first, the

@@ -86,6 +86,8 @@ struct Walk {
             return !isActive && !hadProgram;
         case RunRow::BagsOffline:
             return !link.isConnected();
+        case RunRow::BagsThreading:
+            return runsEmpty && core().packer.threading;
         case RunRow::BagsSearching:
             return runsEmpty && marks == CTL_MARK_STATE_SEARCHING;
         case RunRow::BagsAligning:
@@ -118,6 +120,8 @@ struct Walk {
             return isMoving && (core().transfer.state == CTL_STAGED_STATE_ARMED || !hasBags);
         case RunRow::FilmWaiting:
             return isMoving && core().packer.film_gate.state != CTL_GATE_STATE_RUNNING;
+        case RunRow::FilmThreading:
+            return isMoving && core().packer.threading;
         case RunRow::KnifeWaiting:
             return isMoving && core().packer.knife_gate.state != CTL_GATE_STATE_RUNNING;
         case RunRow::StrokeHoldStart:
@@ -301,6 +305,19 @@ private slots:
         walk.pass(30);
         QVERIFY(walk.stop());
         walk.pass(2);
+        finish(walk);
+    }
+
+    void theFilmIsThreadedUp()
+    {
+        Walk walk;
+        walk.connect();
+        QVERIFY(walk.download());
+        walk.setParameter("parameter.thread_up", 1);
+        walk.machine.start();
+        QVERIFY(walk.passUntil([&] { return walk.hasBags; }, 60));
+        walk.pass(3);
+        QVERIFY(walk.reached.contains(RunRow::BagsThreading));
         finish(walk);
     }
 
