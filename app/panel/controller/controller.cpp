@@ -173,6 +173,7 @@ void Controller::takeStatus(const link::StatusBatch& batch)
         if (m_status && status.uptimeS < m_status->uptimeS) { // the controller was restarted
             doubtParameters();
             restartBags();
+            m_cyclesBefore = 0;
         }
         m_status = status;
         m_axisPosition.note(status);
@@ -227,6 +228,8 @@ void Controller::takeProgram(const link::ActiveProgram& program)
     // After a gap of the line the program is read again, and its bags go on.
     if (!before || !m_program || before->generation != m_program->generation || before->crc != m_program->crc)
         restartBags();
+    if (before && m_program && before->generation != m_program->generation && m_status)
+        m_cyclesBefore = m_status->cycleCount;
     emit programChanged();
     emit liveChanged();
     emit bagChanged();

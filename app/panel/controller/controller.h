@@ -238,6 +238,7 @@ private:
     AxisPosition m_axisPosition;
     std::optional<link::SteadyTime> m_statusAt;
     std::shared_ptr<const ControllerProgram> m_program;
+    std::uint32_t m_cyclesBefore = 0; // of the programs before it, since power-up
     double m_contactAngleDeg = 0;
     std::function<QString()> m_startInterlock;
     ActualTrace m_trace;

@@ -178,7 +178,7 @@ LiveValues Controller::live() const
     values.knifeAngleDeg = orUnknown(m_status->knifeAngleDeg);
     values.followingErrorPulses = m_status->followingErrorPulses;
     values.pulseFrequencyHz = m_status->commandedFrequencyHz;
-    values.cycleCount = m_status->cycleCount;
+    values.cycleCount = m_status->cycleCount - m_cyclesBefore;
     values.masterSpeedPercent = m_status->masterSpeedPercent;
     if (m_status->press) {
         values.forceN = m_status->press->forceN;

@@ -40,7 +40,7 @@ public:
     double followingErrorPulses = unknown;
     double followingErrorMm = unknown;
     double pulseFrequencyHz = unknown;
-    double cycleCount = unknown;
+    double cycleCount = unknown; // of the present program, since power-up
     double positionMm = unknown;
     double position = unknown;
     QString positionUnit = QStringLiteral("mm");

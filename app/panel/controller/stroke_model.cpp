@@ -29,10 +29,12 @@ void StrokeModel::note(const modbus::StatusBlock& status, double pulsesPerMm)
         return;
     noteCurve(status, pulsesPerMm);
     const bool hasEnded = m_cycleCount && status.cycleCount != *m_cycleCount;
+    if (!m_cycleCount)
+        m_before = status.cycleCount;
     m_cycleCount = status.cycleCount;
     if (!hasEnded || status.press->result == modbus::StrokeResult::None)
         return;
-    m_rows.insert(0, {{status.cycleCount, *status.press, pulsesPerMm}});
+    m_rows.insert(0, {{status.cycleCount - m_before, *status.press, pulsesPerMm}});
     m_rows.remove(maxStrokes, m_rows.count() - maxStrokes);
     emit changed();
 }

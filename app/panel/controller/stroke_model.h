@@ -65,6 +65,7 @@ private:
 
     StrokeRows m_rows{this};
     std::optional<std::uint32_t> m_cycleCount;
+    std::uint32_t m_before = 0; // strokes before the present program
     QList<QPointF> m_forceCurve;
     bool m_isInStroke = false;
 };

@@ -161,6 +161,29 @@ private slots:
         QVERIFY(rig.machine.actualTrace().size() > 500);
     }
 
+    // The cycles that earlier programs made do not count for the present one.
+    void cyclesBeginWithTheProgram()
+    {
+        PanelRig rig;
+        rig.connectRunning();
+        const auto cyclesAt = [&rig](std::uint32_t count) {
+            rig.link.status.cycleCount = count;
+            rig.link.sendStatus(rig.now);
+            return rig.machine.live().cycleCount;
+        };
+        rig.link.status.uptimeS = 100;
+        QCOMPARE(cyclesAt(1172), 1172.0); // made before the panel was switched on
+        std::vector<std::uint16_t> header(modbus::bankHeaderRegisters, 0);
+        header[modbus::registerNamed("bank.kind").address] =
+            static_cast<std::uint16_t>(modbus::ProgramKind::PositionMove);
+        ++rig.link.status.generation;
+        emit rig.link.programRead({rig.link.status.generation, *rig.link.status.activeCrc, header});
+        QCOMPARE(rig.machine.live().cycleCount, 0.0);
+        QCOMPARE(cyclesAt(1175), 3.0);
+        rig.link.status.uptimeS = 0; // the controller was restarted
+        QCOMPARE(cyclesAt(2), 2.0);
+    }
+
     void bagsAreCountedOnceAndMeasured()
     {
         PanelRig rig;
