@@ -208,8 +208,7 @@ void ctl_motion_fault(ctl_motion* motion, uint16_t fault_bit)
 void ctl_motion_start(ctl_motion* motion)
 {
     if (motion->in_phase && motion->park.away) {
-        motion->park.given_up = false;
-        motion->park.phase = CTL_PARK_RETURNING;
+        ctl_park_return(&motion->park);
         ctl_motion_begin_move(motion, motion->park.place);
         motion->state = CTL_STATE_RUNNING;
     } else if (motion->in_phase || !ctl_bank_needs_homing(ctl_active_bank(motion->banks))) {

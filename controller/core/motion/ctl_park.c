@@ -10,6 +10,13 @@ static uint64_t parameter_us(const ctl_board* board, uint32_t address)
     return (uint64_t)ctl_parameter16(board, address) * US_PER_MS;
 }
 
+void ctl_park_return(ctl_park* park)
+{
+    park->phase = CTL_PARK_RETURNING;
+    park->given_up = false;
+    park->emergency = false;
+}
+
 void ctl_park_run(ctl_park* park)
 {
     park->phase = CTL_PARK_OFF;

@@ -33,6 +33,8 @@ typedef struct {
 
 /* The axis is moved by hand, or has another program. */
 void ctl_park_forget(ctl_park* park);
+/* A start brings the knife back to its place. */
+void ctl_park_return(ctl_park* park);
 /* A run begins or goes on. */
 void ctl_park_run(ctl_park* park);
 void ctl_park_begin_cycle(ctl_park* park, int64_t here);

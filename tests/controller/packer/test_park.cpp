@@ -224,6 +224,11 @@ private slots:
         Line line;
         QVERIFY(line.stopAt(-12.0));
         QVERIFY(line.runUntilState(CTL_STATE_READY, 1'000'000));
+        // An emergency stop that is over says nothing of the next run.
+        line.controller().machine().setInput(CTL_INPUT_BIT_EMERGENCY_STOP, true);
+        line.run(100'000);
+        line.controller().machine().setInput(CTL_INPUT_BIT_EMERGENCY_STOP, false);
+        line.run(2'500'000);
         QVERIFY(line.startAgain());
         line.runUntilClosed(true);
         QVERIFY(line.core().motion.manual);
