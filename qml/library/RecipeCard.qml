@@ -37,20 +37,27 @@ Card {
         Label {
             width: parent.width
             fontSizeMode: Text.HorizontalFit
+            wrapMode: Text.Wrap    // below the smallest size
+            maximumLineCount: 2
             text: Recipes.chosenNote
             color: Theme.color.secondaryInk
             font.pixelSize: Theme.size.caption
         }
         // The signs of the list in words.
         Row {
+            id: place
+            width: parent.width
             spacing: Theme.size.accent
             IconLabel {
+                id: sign
                 visible: code.length > 0
                 code: Recipes.chosenIsActive ? Theme.icon.machine : Recipes.chosenIsOpen ? Theme.icon.edit : ""
                 color: Theme.color.secondaryInk
                 font.pixelSize: Theme.size.body
             }
             Label {
+                width: place.width - (sign.visible ? sign.width + place.spacing : 0)
+                fontSizeMode: Text.HorizontalFit
                 text: Recipes.chosenIsActive && Recipes.chosenIsOpen ? qsTr("In the controller and open here") : Recipes.chosenIsActive ? qsTr("In the controller") : Recipes.chosenIsOpen ? qsTr("Open on this panel") : qsTr("Stored on this panel")
                 color: Theme.color.secondaryInk
                 font { pixelSize: Theme.size.caption; weight: Font.DemiBold }
