@@ -168,7 +168,7 @@ private slots:
         panel.touchDriver().settle();
         QVERIFY2(!panel.touchDriver().find("sheetPanel"), qPrintable(panel.texts()));
         QVERIFY2(!panel.texts().contains(refusal), qPrintable(panel.texts()));
-        QVERIFY2(panel.texts().contains(QStringLiteral("Press Start to run this recipe.")),
+        QVERIFY2(panel.texts().contains(QStringLiteral("Hold Start to run this recipe.")),
                  qPrintable(panel.texts()));
         QVERIFY(panel.touchDriver().find("middleKey")); // the reference run, which the controller accepts now
         const bool hasPermit = panel.controller().identity()->hasRegister("exchange.permit");
