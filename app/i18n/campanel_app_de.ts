@@ -297,10 +297,6 @@
         <translation>Der Markenabstand der Folie weicht von der Beutellänge ab; der Lauf wurde gestoppt.</translation>
     </message>
     <message>
-        <source>Load the right film or measure its marks under Maintenance.</source>
-        <translation>Richtige Folie einlegen oder ihre Marken unter Wartung messen.</translation>
-    </message>
-    <message>
         <source>Correction limit reached</source>
         <translation>Korrekturgrenze erreicht</translation>
     </message>
@@ -575,6 +571,10 @@
     <message>
         <source>The jaws have been closed on standing film for too long.</source>
         <translation>Die Backen sind zu lange auf stehender Folie geschlossen.</translation>
+    </message>
+    <message>
+        <source>Load the right film, or measure its marks and tell them from other prints under Maintenance.</source>
+        <translation>Richtige Folie einlegen, oder ihre Marken unter Wartung messen und von anderem Druck unterscheiden.</translation>
     </message>
 </context>
 <context>
@@ -6487,6 +6487,10 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
     <message>
         <source>Thread up: knife open until a mark is there</source>
         <translation>Einfädeln: Messer offen, bis eine Marke da ist</translation>
+    </message>
+    <message>
+        <source>%1 · 0: not used</source>
+        <translation>%1 · 0: nicht verwendet</translation>
     </message>
 </context>
 <context>

@@ -297,10 +297,6 @@
         <translation>薄膜上的色标间距与袋长不符，运行已停止。</translation>
     </message>
     <message>
-        <source>Load the right film or measure its marks under Maintenance.</source>
-        <translation>请装上正确的薄膜，或在“维护”中测量色标。</translation>
-    </message>
-    <message>
         <source>Correction limit reached</source>
         <translation>修正达到限值</translation>
     </message>
@@ -575,6 +571,10 @@
     <message>
         <source>The jaws have been closed on standing film for too long.</source>
         <translation>封切口在静止的薄膜上闭合时间过长。</translation>
+    </message>
+    <message>
+        <source>Load the right film, or measure its marks and tell them from other prints under Maintenance.</source>
+        <translation>请装入正确的薄膜，或在“维护”中测量色标并将其与其他印刷区分。</translation>
     </message>
 </context>
 <context>
@@ -6485,6 +6485,10 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
     <message>
         <source>Thread up: knife open until a mark is there</source>
         <translation>穿膜：色标到达前切刀打开</translation>
+    </message>
+    <message>
+        <source>%1 · 0: not used</source>
+        <translation>%1 · 0：不使用</translation>
     </message>
 </context>
 <context>

@@ -215,7 +215,9 @@ QString PackingFields::note(const Field& field) const
     const bool isGain =
         field.info().name == "parameter.phase_gain" || field.info().name == "parameter.length_gain";
     if (!isGain)
-        return ParameterFields::note(field);
+        return field.info().text.find(", 0: ") == std::string_view::npos
+                   ? ParameterFields::note(field)
+                   : tr("%1 · 0: not used").arg(range(field));
     if (!m_gains && m_bags >= GainEstimate::minBags)
         return tr("%1 · no suggestion: the mark positions do not vary (%2 bags)")
             .arg(range(field), QString::number(m_bags));

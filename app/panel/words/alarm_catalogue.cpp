@@ -94,7 +94,9 @@ constexpr std::array kinds{
     AlarmKind{
         "M-02", warning, stops, QT_TRANSLATE_NOOP("AlarmCatalogue", "Wrong mark distance"),
         causeOf(WarningBit::MarkPitchWrong),
-        QT_TRANSLATE_NOOP("AlarmCatalogue", "Load the right film or measure its marks under Maintenance.")},
+        QT_TRANSLATE_NOOP("AlarmCatalogue",
+                          "Load the right film, or measure its marks and tell them from other prints under "
+                          "Maintenance.")},
     AlarmKind{"M-03", warning, stops, QT_TRANSLATE_NOOP("AlarmCatalogue", "Correction limit reached"),
               causeOf(WarningBit::CorrectionAtLimit),
               QT_TRANSLATE_NOOP("AlarmCatalogue", "Check the film for tension and slip, then start again.")},
