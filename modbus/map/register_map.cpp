@@ -147,7 +147,7 @@ constexpr std::array registerTable{
                    "the end of a mark is answered later than its beginning by this time; both times together "
                    "are 0 to 20 ms",
                    -20, 20, 0, 0.001, "ms")),
-    // What counts as a mark and as one product.
+    // These tell marks from other prints, and one product from two.
     since(6, rw16("parameter.mark_width_min", 0x00E2, "minimum width of a mark along the film, 0: any", {}, 0,
                   60, 0, 0.001, "mm")),
     since(6, rw16("parameter.mark_width_max", 0x00E3, "maximum width of a mark along the film, 0: any", {}, 0,

@@ -50,7 +50,7 @@ static void begin_mark(ctl_packer* packer, int64_t latched)
     packer->busy = true;
 }
 
-/* What is missing may be on its way, or at the sensor. */
+/* A mark that seems to be missing may be on its way, or at the sensor. */
 static void pass_marks(ctl_packer* packer)
 {
     ctl_mark_sensor* sensor = &packer->mark_sensor;

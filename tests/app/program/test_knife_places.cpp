@@ -75,7 +75,7 @@ private slots:
             QVERIFY(!learned({0, 0}, 400, seed).offered(2, 0.0));
     }
 
-    // What is entered already is part of the place.
+    // The learned place adds to the one that is entered.
     void addsToWhatIsEntered()
     {
         const auto offered = learned({0, 0.06}, 400, 7).offered(2, 0.04);
