@@ -102,6 +102,9 @@ static void read_bank(ctl_packer* packer, const ctl_bank* bank)
     packer->bag = ctl_packer_film(packer, ctl_bank_bag_um(bank));
     packer->flight = (int64_t)ctl_parameter32(packer->board, CTL_REG_PARAMETER_FLIGHT_PULSES) * CTL_FINE;
     scale_lag(packer, bag_before, cycle_before);
+    packer->settings.row = 0;
+    packer->settings.ticks = packer->cut;
+    packer->cut_pulses = 0;
     ctl_packer_read_settings(packer);
 }
 

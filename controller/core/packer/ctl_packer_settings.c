@@ -117,9 +117,6 @@ bool ctl_packer_refresh_settings(ctl_packer* packer)
 void ctl_packer_read_settings(ctl_packer* packer)
 {
     packer->busy = true;
-    packer->settings.row = 0;
-    packer->settings.ticks = packer->cut;
-    packer->cut_pulses = 0;
     packer->settings.writes = packer->board->parameter_writes;
     for (packer->settings.done = 0; packer->settings.done != PIECES_OF_A_START; packer->settings.done += 1)
         pieces[packer->settings.done](packer);

@@ -218,6 +218,22 @@ private slots:
         QVERIFY((line.flagsOfNext(1) & burned) != 0);
     }
 
+    // Stopped in the first slice behind its return, too: where the cut is is not worked out anew for a start.
+    void opensAgainAtOnce()
+    {
+        Line line;
+        QVERIFY(line.stopAt(-12.0));
+        QVERIFY(line.runUntilState(CTL_STATE_READY, 1'000'000));
+        QVERIFY(line.startAgain());
+        while (line.core().motion.manual)
+            line.controller().step();
+        QVERIFY(line.isClosed());
+        QCOMPARE(ctl_motion_stop_now(&line.core().motion), CTL_REFUSAL_NONE);
+        QVERIFY(line.runUntilState(CTL_STATE_READY, 1'000'000));
+        line.run(300'000);
+        QVERIFY(!line.isClosed());
+    }
+
     // Stopped on its way back, it opens again; jogged away from there, it homes.
     void isStoppedOnItsWayBack()
     {
