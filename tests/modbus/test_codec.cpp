@@ -37,6 +37,7 @@ private slots:
     void ioHasWhatIsAvailable();
     void packerGroupIsOneReading();
     void lastBagNumbersEnd();
+    void burnedBagsAndKnives();
     void wireTimes_data();
     void wireTimes();
 };
@@ -231,6 +232,25 @@ void CodecTest::lastBagNumbersEnd()
     QCOMPARE(packer.bags.size(), std::size_t{bagRecords});
     QCOMPARE(packer.bags.front().number, 0xFFFFFFFFu - bagRecords + 1);
     QCOMPARE(packer.bags.back().number, 0xFFFFFFFFu);
+}
+
+// A bag at closed jaws is scrap; a controller before map 1.6 names no knife.
+void CodecTest::burnedBagsAndKnives()
+{
+    std::vector<std::uint16_t> registers(packerRegisters());
+    const auto put = [&registers](std::string_view name, std::uint16_t value, std::size_t at = 0) {
+        registers[registerNamed(name).address - packerAddress + at] = value;
+    };
+    put("packer.bag_number", 1, 1);
+    put("packer.bags", 1u << 8 | RegisterInfo::bitOf(BagBit::Burned), 4 + 3);
+    put("packer.knife", 2);
+    put("packer.threading", 1);
+    const PackerStatus packer = decodePacker(registers);
+    QVERIFY(packer.bags.back().isBurned && packer.bags.back().isScrap());
+    QCOMPARE(packer.knife, std::optional(2));
+    QVERIFY(packer.isThreading);
+    registers.resize(packerRegisters(5));
+    QVERIFY(!decodePacker(registers).knife && !decodePacker(registers).isThreading);
 }
 
 void CodecTest::wireTimes_data()

@@ -178,7 +178,7 @@ private slots:
             QVERIFY2(std::abs(error) < 3 * margin, qPrintable(QString::number(error)));
         }
         QCOMPARE(call(u"simulate --bags 5 --sensor-compensation-ms learnt"_s).code, int{Usage});
-        // What the fit does not know of: edges that scatter, and film that stretches four times as much.
+        // The fit knows neither of edges that scatter nor of film that stretches four times as much.
         const Result rough =
             call(u"simulate --bag-length-mm 300 --rate 300 --bags 5000 --change-rate-every 50 "
                  "--slip-per-acceleration 0.05 --format json --sensor-delay-ms 2 "

@@ -47,7 +47,7 @@ struct EdgeRig : test::PanelRig {
     }
 
     [[nodiscard]] MarkEdgeList& edges() { return *maintenance.packing()->edges(); }
-    void see(double placeMm, MarkVerdict verdict, double offMm)
+    void see(double placeMm, MarkVerdict verdict, double offMm, double widthMm = 0)
     {
         ++number;
         registers[0] = static_cast<std::uint16_t>(number >> 16U);
@@ -58,6 +58,7 @@ struct EdgeRig : test::PanelRig {
         registers[at + 1] = static_cast<std::uint16_t>(um);
         registers[at + 2] = static_cast<std::uint16_t>(std::lround(offMm * 1000));
         registers[at + 5] = static_cast<std::uint16_t>(verdict);
+        registers[at + 7] = static_cast<std::uint16_t>(std::lround(widthMm * 100));
     }
     void tell()
     {
@@ -230,6 +231,25 @@ private slots:
         }
         QCOMPARE(counts.join(u", "),
                  QStringLiteral("taken 0, outside the window 0, searched 1, not used 1, other 1"));
+    }
+
+    // A print that is no mark says why, and how wide it is where its end was seen.
+    void anotherPrintSaysWhyItIsNoMark()
+    {
+        EdgeRig rig;
+        const auto textOf = [&rig](MarkVerdict verdict, double widthMm) {
+            rig.see(1000 + 10.0 * rig.number, verdict, 0, widthMm);
+            rig.tell();
+            return rig.edges().newestText();
+        };
+        QCOMPARE(textOf(MarkVerdict::TooNarrow, 1.9),
+                 QStringLiteral("Another print: narrower than a mark. If it is one, reduce the minimum "
+                                "width. Its width is 1.9 mm."));
+        QVERIFY(
+            textOf(MarkVerdict::TooWide, 9).startsWith(QStringLiteral("Another print: wider than a mark.")));
+        QVERIFY(textOf(MarkVerdict::Masked, 0).endsWith(QStringLiteral("behind the mark before it.")));
+        QCOMPARE(rig.edges().looks(),
+                 (QList<int>{MarkEdgeList::Dotted, MarkEdgeList::Dotted, MarkEdgeList::Dotted}));
     }
 
     void aMissingMarkLeavesItsWindow()

@@ -2,16 +2,12 @@
 // The dead time of the mark sensor as a technician meets it: a machine with late sensors starts and stops,
 // the field offers what was learned, and taken it is in the controller. What is true is the simulated
 // sensor's.
+#include "packing_machine.h"
+
 #include "app/panel/alarms/alarm_watch.h"
-#include "app/panel/controller/controller.h"
-#include "app/panel/editor/editor.h"
-#include "app/panel/packing/packing_setup.h"
 #include "app/panel/records/database_service.h"
-#include "app/panel/settings/settings.h"
-#include "tests/support/core_link.h"
 #include "tests/support/test_program.h"
 
-#include <QTemporaryDir>
 #include <QTest>
 
 #include <functional>
@@ -23,7 +19,6 @@ using panel::PackingFields;
 
 namespace {
 
-constexpr std::uint64_t second = 1'000'000;
 constexpr int starts = 12;
 
 controller::MachineOptions lateBy(double delayMs)
@@ -34,38 +29,12 @@ controller::MachineOptions lateBy(double delayMs)
     return options;
 }
 
-struct Machine {
-    QTemporaryDir folder;
-    test::CoreLink link;
-    panel::Settings settings{folder.filePath(QStringLiteral("settings.ini")), nullptr};
-    panel::Controller machine{link, settings, nullptr};
-    panel::Editor editor{machine, folder.path(), nullptr};
-    panel::PackingSetup setup{machine, nullptr};
-
+struct Machine : test::PackingMachine {
     explicit Machine(double delayMs)
-        : link(std::make_unique<test::Rig>(lateBy(delayMs)))
+        : PackingMachine(lateBy(delayMs), 300, 200)
     {
-        machine.setClock([this] { return link.now(); });
-        link.setFilmTimer(machine.packing()->findChild<QTimer*>());
-        link.setConnected(true);
-        pass(1);
-        editor.bagLength()->set(300);
-        editor.rate()->set(200);
-        editor.download();
-        pass(3);
-        setup.open();
-        pass(1);
     }
 
-    PackingFields& fields() { return *setup.fields(); }
-    void pass(double seconds)
-    {
-        for (std::uint64_t us = 0; us < static_cast<std::uint64_t>(seconds * second);
-             us += test::CoreLink::stepUs) {
-            link.step();
-            QCoreApplication::processEvents();
-        }
-    }
     bool passUntilState(unsigned state)
     {
         for (int i = 0; i < 1200 && link.rig().core().motion.state != state; ++i)
@@ -80,19 +49,8 @@ struct Machine {
         machine.stop();
         return runs && passUntilState(CTL_STATE_READY);
     }
-    int row()
-    {
-        for (int row = 0; row < fields().rowCount(); ++row) {
-            if (at(row, PackingFields::NameRole) == QStringLiteral("Mark sensor: dead time"))
-                return row;
-        }
-        return -1;
-    }
-    QString at(int row, int role) { return fields().data(fields().index(row), role).toString(); }
-    std::uint16_t deadUs()
-    {
-        return ctl_parameter16(&link.rig().core().board, CTL_REG_PARAMETER_MARK_DEAD_TIME);
-    }
+    int row() { return PackingMachine::row(QStringLiteral("Mark sensor: dead time")); }
+    std::uint16_t deadUs() { return parameter(CTL_REG_PARAMETER_MARK_DEAD_TIME); }
 };
 
 } // namespace

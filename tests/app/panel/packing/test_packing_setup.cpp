@@ -236,6 +236,27 @@ private slots:
         QVERIFY(!rig.fields().unsaved());
     }
 
+    // No mark would fit: nothing is written, and the other value is named.
+    void aMinimumWidthAboveTheMaximumIsRefusedAtEntry()
+    {
+        PackingRig rig;
+        rig.setup().open();
+        rig.answerParameters();
+        const int minimum = rig.rowOf(QStringLiteral("Mark width, minimum"));
+        QCOMPARE(rig.at(minimum, PackingFields::NoteRole).toString(), "0 mm to 60 mm · 0: not used");
+        rig.fields().write("parameter.mark_width_max", 5.3);
+        rig.answerParameters();
+        rig.fields().select(minimum);
+        rig.fields().value()->set(6);
+        QVERIFY(rig.link.parameters.isEmpty());
+        QVERIFY(rig.fields().failed());
+        QVERIFY2(rig.fields().outcomeText().startsWith(
+                     QStringLiteral("No mark would fit: at least 6.00 mm, at most 5.30 mm.")),
+                 qPrintable(rig.fields().outcomeText()));
+        rig.fields().value()->set(4.7);
+        QCOMPARE(rig.link.parameters.last().value, 4.7);
+    }
+
     void aWriteWithoutProofLeavesAnUnknown()
     {
         PackingRig rig;
