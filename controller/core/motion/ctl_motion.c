@@ -236,9 +236,7 @@ uint16_t ctl_motion_stop_now(ctl_motion* motion)
     } else {
         if (ctl_motion_is_press(motion))
             ctl_press_stop(&motion->press);
-        motion->park.given_up = motion->park.given_up || motion->park.phase == CTL_PARK_WAITING ||
-                                motion->park.phase == CTL_PARK_OPENING;
-        motion->park.phase = CTL_PARK_OFF;
+        ctl_park_stop(&motion->park);
         motion->stop = CTL_STOP_NOW;
         motion->stop_remaining = ctl_ramp_stopping_way(&motion->ramp);
         motion->state = CTL_STATE_STOPPING;

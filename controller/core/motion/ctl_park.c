@@ -63,6 +63,13 @@ bool ctl_park_begin(ctl_park* park, const ctl_board* board, const ctl_packer* pa
     return true;
 }
 
+void ctl_park_stop(ctl_park* park)
+{
+    if (park->phase == CTL_PARK_WAITING || park->phase == CTL_PARK_OPENING)
+        park->given_up = true;
+    park->phase = CTL_PARK_OFF;
+}
+
 bool ctl_park_is_due(const ctl_park* park, const ctl_board* board)
 {
     return board->now_us - park->waits_us >= parameter_us(board, CTL_REG_PARAMETER_PARK_DELAY);

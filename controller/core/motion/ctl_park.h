@@ -40,6 +40,8 @@ void ctl_park_run(ctl_park* park);
 void ctl_park_begin_cycle(ctl_park* park, int64_t here);
 /* A run has come to rest here. Returns true when the knife is to be opened. */
 bool ctl_park_begin(ctl_park* park, const ctl_board* board, const ctl_packer* packer, int64_t here);
+/* A stop now: a knife that waits or opens stays where it is. */
+void ctl_park_stop(ctl_park* park);
 /* Returns true when it has waited for `parameter.park_delay`. */
 bool ctl_park_is_due(const ctl_park* park, const ctl_board* board);
 /* Returns where the knife at `here` is open, the way there not leading through the cut. */

@@ -357,7 +357,7 @@ bool ctl_packer_rejects(const ctl_packer* packer)
     return (bag_bits(packer) & bad) != 0 || (ctl_packer_tracks(packer) && !packer->last_cut.tracked);
 }
 
-/* Both bags at the knife are; behind the cut one of them has been counted. */
+/* Two bags are spoiled; behind the cut the first of them is recorded already. */
 void ctl_packer_burn(ctl_packer* packer, bool before_cut)
 {
     packer->burned = before_cut ? 2u : 1u;

@@ -4,8 +4,6 @@
 
 #include "base/ctl_words.h"
 
-#include <stddef.h>
-
 #define MAX_END_US ((int32_t)CTL_MAX_PARAMETER_MARK_DEAD_TIME)
 
 static uint16_t parameter(const ctl_packer* packer, uint32_t address)
@@ -39,8 +37,8 @@ static void end_mark(ctl_packer* packer, int64_t film)
 
 static void begin_mark(ctl_packer* packer, int64_t latched)
 {
-    end_mark(packer,
-             packer->mark_sensor.edge.at); /* of unknown width, on a board without the ends of marks */
+    /* A board without the ends of marks leaves the one before of unknown width. */
+    end_mark(packer, packer->mark_sensor.edge.at);
     ctl_edge* edge = &packer->mark_sensor.edge;
     edge->at = mark_before(packer, latched);
     edge->newer = ctl_past_last_way(&packer->film_past, 0);

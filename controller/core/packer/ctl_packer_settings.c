@@ -87,11 +87,13 @@ static void sum_up_to_cut(ctl_packer* packer)
     for (uint32_t i = 0; i < ROWS_AT_A_TIME && settings->ticks != 0; ++i) {
         const ctl_row row = ctl_step_row(packer->bank, settings->row++);
         const uint32_t ticks = row.ticks < settings->ticks ? row.ticks : settings->ticks;
-        packer->cut_pulses += ticks == row.ticks ? row.pulses : row.pulses * ticks / row.ticks;
+        packer->cut_pulses +=
+            ticks == row.ticks ? row.pulses : (uint32_t)((uint64_t)row.pulses * ticks / row.ticks);
         settings->ticks -= ticks;
     }
 }
 
+/* The first ones are what a start needs at once. */
 static void (*const pieces[])(ctl_packer* packer) = {read_clearance, read_marks, read_phase, read_sizes,
                                                      read_jaws};
 #define PIECES (sizeof pieces / sizeof pieces[0])
