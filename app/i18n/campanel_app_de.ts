@@ -3931,8 +3931,8 @@ eff. %2</translation>
         <translation>Einfädeln: keine Beutel, bevor eine Marke am Messer ist</translation>
     </message>
     <message>
-        <source>Knife stays open: the film is threaded up</source>
-        <translation>Messer bleibt offen: Folie wird eingefädelt</translation>
+        <source>Knife stays open while the film is threaded up</source>
+        <translation>Messer bleibt offen, solange die Folie eingefädelt wird</translation>
     </message>
 </context>
 <context>
@@ -6445,8 +6445,8 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
         <translation>Messer %1 schneidet hinter seinem Platz um</translation>
     </message>
     <message>
-        <source>Mark sensor: end of a mark later by</source>
-        <translation>Markensensor: Ende einer Marke später um</translation>
+        <source>Mark sensor: more dead time at a mark&apos;s end</source>
+        <translation>Markensensor: mehr Totzeit am Ende einer Marke</translation>
     </message>
     <message>
         <source>Mark width, minimum</source>
@@ -6465,16 +6465,16 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
         <translation>Produktlänge, größte</translation>
     </message>
     <message>
-        <source>Jaws touch the film, before the cut from</source>
-        <translation>Backen berühren die Folie, vor dem Schnitt ab</translation>
+        <source>Jaws close before the cut by</source>
+        <translation>Backen schließen vor dem Schnitt um</translation>
     </message>
     <message>
-        <source>Jaws touch the film, behind the cut up to</source>
-        <translation>Backen berühren die Folie, nach dem Schnitt bis</translation>
+        <source>Jaws open behind the cut by</source>
+        <translation>Backen öffnen nach dem Schnitt um</translation>
     </message>
     <message>
-        <source>Knife opens after a stop, delay</source>
-        <translation>Messer öffnet nach Halt, Verzögerung</translation>
+        <source>Delay before the knife opens after a stop</source>
+        <translation>Verzögerung, bis das Messer nach Halt öffnet</translation>
     </message>
     <message>
         <source>Closed jaws spoil the film after</source>

@@ -3929,8 +3929,8 @@ RMS %2</source>
         <translation>穿膜中：色标到达切刀前不制袋</translation>
     </message>
     <message>
-        <source>Knife stays open: the film is threaded up</source>
-        <translation>切刀保持打开：正在穿膜</translation>
+        <source>Knife stays open while the film is threaded up</source>
+        <translation>穿膜期间切刀保持打开</translation>
     </message>
 </context>
 <context>
@@ -6443,8 +6443,8 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
         <translation>切刀 %1 偏后</translation>
     </message>
     <message>
-        <source>Mark sensor: end of a mark later by</source>
-        <translation>色标传感器：色标结束延后</translation>
+        <source>Mark sensor: more dead time at a mark&apos;s end</source>
+        <translation>色标传感器：色标结束处附加滞后</translation>
     </message>
     <message>
         <source>Mark width, minimum</source>
@@ -6463,16 +6463,16 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
         <translation>产品长度，最大</translation>
     </message>
     <message>
-        <source>Jaws touch the film, before the cut from</source>
-        <translation>封切口接触薄膜，切断前自</translation>
+        <source>Jaws close before the cut by</source>
+        <translation>封切口闭合，切断前</translation>
     </message>
     <message>
-        <source>Jaws touch the film, behind the cut up to</source>
-        <translation>封切口接触薄膜，切断后至</translation>
+        <source>Jaws open behind the cut by</source>
+        <translation>封切口打开，切断后</translation>
     </message>
     <message>
-        <source>Knife opens after a stop, delay</source>
-        <translation>停止后切刀打开，延时</translation>
+        <source>Delay before the knife opens after a stop</source>
+        <translation>停止后切刀打开前的延时</translation>
     </message>
     <message>
         <source>Closed jaws spoil the film after</source>

@@ -168,7 +168,7 @@ constexpr std::array rows{
     Row{RunRow::FilmWaiting, RunPlace::Film, &isFilmWaiting,
         QT_TRANSLATE_NOOP("RunSentences", "Film waits for a product")},
     Row{RunRow::FilmThreading, RunPlace::Film, &isThreading,
-        QT_TRANSLATE_NOOP("RunSentences", "Knife stays open: the film is threaded up")},
+        QT_TRANSLATE_NOOP("RunSentences", "Knife stays open while the film is threaded up")},
     Row{RunRow::KnifeWaiting, RunPlace::Film, &isKnifeWaiting,
         QT_TRANSLATE_NOOP("RunSentences", "Knife stays open: product in its path")},
 
