@@ -19,7 +19,8 @@ enum class FaultBit : std::uint16_t {
     TouchedTooEarly = 4,
     NeverTouched = 5,
     MasterTooFast = 6,
-    DriveAlarm = 7
+    DriveAlarm = 7,
+    Jam = 8
 };
 
 inline constexpr std::array faultBits{
@@ -44,6 +45,9 @@ inline constexpr std::array faultBits{
           "The cam needed more pulses in one update than the output stage generates."),
     entry(FaultBit::DriveAlarm, "DriveAlarm",
           CAMPANEL_TEXT("AlarmCatalogue", "The drive of the axis reports an alarm.")),
+    entry(FaultBit::Jam, "Jam", CAMPANEL_TEXT("AlarmCatalogue", "Something is under the closing jaws."),
+          "The knife has stopped and gone back by parameter.jam_back. The film keeps its place: a start goes "
+          "on from there."),
 };
 
 // The bits of status.warning.

@@ -19,7 +19,8 @@ enum class InputBit : std::uint16_t {
     LimitReverse,
     IndexMark,
     MarkSensor,
-    ProductEye
+    ProductEye,
+    TorqueLimit
 };
 
 // The bits of io.outputs. Command TryOutput switches each of them on at standstill.
@@ -73,6 +74,9 @@ inline constexpr std::array inputRows{
     InputRow{entry(InputBit::ProductEye, "ProductEye", CAMPANEL_TEXT("Protocol", "Product eye"),
                    CAMPANEL_TEXT("Protocol", "A product covers the eye.")),
              InputSource::Sensor},
+    InputRow{entry(
+        InputBit::TorqueLimit, "TorqueLimit", CAMPANEL_TEXT("Protocol", "Torque limit"),
+        CAMPANEL_TEXT("Protocol", "The drive is at its torque limit. While the jaws close, this is a jam."))},
 };
 
 constexpr EnumValue camSwitchRow(OutputBit bit, std::string_view name, std::string_view number)

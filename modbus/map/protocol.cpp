@@ -432,6 +432,23 @@ constexpr std::array markVerdicts{
     entry(MarkVerdict::Masked, "Masked", "Nearer to the mark before than parameter.mark_masking."),
 };
 
+constexpr std::array jamStates{
+    entry(JamState::Off, "Off", CAMPANEL_TEXT("Protocol", "Off"), "Also without a program of a cutter."),
+    entry(JamState::NotReported, "NotReported", CAMPANEL_TEXT("Protocol", "The drive reports no torque"),
+          "None, or always the same. The torque-limit input is monitored."),
+    entry(JamState::TooSlow, "TooSlow", CAMPANEL_TEXT("Protocol", "The drive reports its torque too seldom"),
+          "See jam.interval. The torque-limit input is monitored."),
+    entry(JamState::Learning, "Learning", CAMPANEL_TEXT("Protocol", "Learning"),
+          "Armed after jam.cycles_left more cycles at full speed. The torque-limit input is monitored."),
+    entry(JamState::Armed, "Armed", CAMPANEL_TEXT("Protocol", "Monitored")),
+};
+
+constexpr std::array jamSources{
+    entry(JamSource::None, "None", "No jam since power-up."),
+    entry(JamSource::Torque, "Torque", "The torque left its band."),
+    entry(JamSource::TorqueLimit, "TorqueLimit", "The torque-limit input was on."),
+};
+
 constexpr std::array gateStates{
     entry(GateState::Running, "Running", CAMPANEL_TEXT("Protocol", "following"),
           "The axis follows its master."),
@@ -467,9 +484,10 @@ constexpr std::array bagBits{
     entry(BagBit::Burned, "Burned",
           "The jaws stood closed at one of its ends: for longer than parameter.jaws_closed_max, or at an "
           "emergency stop."),
+    entry(BagBit::Jammed, "Jammed", "The jaws were stopped by a jam at one of its ends."),
 };
 
-constexpr std::array<EnumInfo, 33> infos{{
+constexpr std::array<EnumInfo, 35> infos{{
     {"State", states},
     {"ProgramKind", programKinds},
     {"StagedState", stagedStates},
@@ -494,6 +512,8 @@ constexpr std::array<EnumInfo, 33> infos{{
     {"StrokeResult", strokeResults},
     {"MarkState", markStates},
     {"MarkVerdict", markVerdicts},
+    {"JamState", jamStates},
+    {"JamSource", jamSources},
     {"GateState", gateStates},
     {"SkipCause", skipCauses},
     {"BagBit", bagBits},

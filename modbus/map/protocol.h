@@ -171,6 +171,12 @@ enum class MarkVerdict : std::uint16_t {
     Masked,
 };
 
+// The monitoring of the knife's torque.
+enum class JamState : std::uint16_t { Off = 0, NotReported, TooSlow, Learning, Armed };
+
+// What showed a jam.
+enum class JamSource : std::uint16_t { None = 0, Torque, TorqueLimit };
+
 enum class GateState : std::uint16_t { Running = 0, Slowing, Standing, CatchingUp };
 
 enum class SkipCause : std::uint16_t { None = 0, ProductAcross, ProductTooLong, NoProduct };
@@ -183,7 +189,8 @@ enum class BagBit : std::uint16_t {
     Empty = 3,
     ChangeOver = 4,
     StartUp = 5,
-    Burned = 6
+    Burned = 6,
+    Jammed = 7
 };
 
 // The bits of exchange.jog; both set means neither.
@@ -245,6 +252,10 @@ constexpr std::string_view nameOf(MarkState)
 constexpr std::string_view nameOf(MarkVerdict)
 {
     return "MarkVerdict";
+}
+constexpr std::string_view nameOf(JamState)
+{
+    return "JamState";
 }
 constexpr std::string_view nameOf(GateState)
 {

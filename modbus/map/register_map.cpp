@@ -187,6 +187,20 @@ constexpr std::array registerTable{
           rw16("parameter.thread_up", 0x00F5,
                "1: after power-up and jog the film runs with the knife open until the cut can follow a mark",
                {}, 0, 1, 0)),
+    // Jams; see controller/core/packer/README.md.
+    since(6, rw16("parameter.jam_detection", 0x00F6, "1: something under the closing jaws stops the machine",
+                  {}, 0, 1, 0)),
+    since(6, rw16("parameter.jam_closing", 0x00F7,
+                  "shaft angle before the cut from which the knife closes: there its torque is monitored", {},
+                  1, 120, 45, 0.01, "deg")),
+    since(6, rw16("parameter.jam_margin", 0x00F8,
+                  "torque beyond the learned band, in relation to the rated torque, that is still none", {},
+                  0.5, 100, 5, 0.1, "%")),
+    since(6, rw16("parameter.jam_stop_time", 0x00F9,
+                  "time from full speed to standstill of all axes after a jam", {}, 2, 2000, 50, 1.0, "ms")),
+    since(6, rw16("parameter.jam_back", 0x00FA, "shaft angle by which the knife goes back after a jam", {}, 0,
+                  120, 30, 0.01, "deg")),
+    CAMPANEL_CONTACT(6, "torque_limit", 0x00FB),
 
     // Status block: the answer to the periodic FC23 exchange. 40 registers, so that 9600 baud still carries 8
     // a second.
@@ -351,6 +365,29 @@ constexpr std::array registerTable{
                        "bits), distance from the expected mark (i16, 0.001 mm, saturating), film speed "
                        "(i16, 0.1 mm/s), film acceleration (i16, mm/s^2), MarkVerdict, dead time taken off "
                        "(u16, 0.001 ms), width (u16, 0.01 mm, saturating, 0: unknown)"))),
+
+    // The torque of a packing machine's knife by its angle, and the jams. Angles are of the shaft, from the
+    // cut, negative before it.
+    since(6, cutter(ro16("jam.state", 0x0A80, "state of the monitoring", "JamState"))),
+    since(6, cutter(ro16("jam.cycles_left", 0x0A81, "cycles at full speed until it is armed"))),
+    since(6, cutter(ro16("jam.interval", 0x0A82,
+                         "shortest time between two reports of the torque, 0: unknown", {}, 0.01, "ms"))),
+    since(6, cutter(ro16("jam.number", 0x0A83, "jams since power-up"))),
+    since(6, cutter(ro16("jam.source", 0x0A84, "what showed the last jam", "JamSource"))),
+    since(6, cutter(roI16("jam.angle", 0x0A85, "angle of the last jam, when it was seen", 0.01, "deg"))),
+    since(6, cutter(roI16("jam.torque", 0x0A86, "torque there, in relation to the rated torque", 0.1, "%"))),
+    since(6, cutter(roI16("jam.limit", 0x0A87, "end of the band there", 0.1, "%"))),
+    since(6, cutter(ro16("jam.run_on", 0x0A88, "angle from there to standstill", {}, 0.01, "deg"))),
+    since(6, cutter(ro32("jam.residue_number", 0x0A89, "records of jam.residue since power-up"))),
+    since(6, cutter(roI16("jam.residue", 0x0A8B,
+                          "mean torque at the cut over the last 1000 bags, minus that of the first 20", 0.01,
+                          "%"))),
+    since(6, cutter(roI16("jam.band_from", 0x0A8C, "angle at which the band begins", 0.01, "deg"))),
+    since(6, cutter(roI16("jam.band_to", 0x0A8D, "angle at which it ends", 0.01, "deg"))),
+    since(6, cutter(block("jam.expected", 0x0A8E, jamBins, Access::ReadOnly,
+                          "torque in equal parts of the band at full speed, i16, 0.1 %"))),
+    since(6, cutter(block("jam.width", 0x0A8E + jamBins, jamBins, Access::ReadOnly,
+                          "half of the band's width there, 0.1 %; 0: not learned"))),
 
     block("active", activeBankBase, bankRegisters, Access::ReadOnly, "the active bank; layout below"),
     block("staged", stagedBankBase, bankRegisters, Access::ReadOnly, "the shadow bank; layout below"),
