@@ -14,6 +14,8 @@ template <auto Part, auto Member> double& numberOf(MachineOptions& options)
 }
 
 using Drive = DriveOptions;
+using Jaw = JawOptions;
+using Report = ReportOptions;
 using Film = FilmOptions;
 using Products = ProductOptions;
 using Press = PressOptions;
@@ -97,6 +99,22 @@ constexpr std::array optionTable{
                   numberOf<&MachineOptions::drive, &Drive::frictionNm>},
     MachineOption{"drive-rated-torque", "NM", "rated torque at the shaft of the main drive", 0.001, 1000,
                   numberOf<&MachineOptions::drive, &Drive::ratedTorqueNm>},
+    MachineOption{"friction-drift", "SHARE", "share by which it rises and falls in ten minutes", 0, 1,
+                  numberOf<&MachineOptions::drive, &Drive::frictionDrift>},
+    MachineOption{"torque-every-ms", "MS", "time between two reports of its torque; 0: at once", 0, 100,
+                  numberOf<&MachineOptions::report, &Report::everyMs>},
+    MachineOption{"torque-step", "P", "resolution of the reported torque, percent of the rated one", 0.01, 10,
+                  numberOf<&MachineOptions::report, &Report::stepPercent>},
+    MachineOption{"torque-noise", "P", "standard deviation of the reported torque", 0, 20,
+                  numberOf<&MachineOptions::report, &Report::noisePercent>},
+    MachineOption{"seal-torque", "NM", "largest torque of a seal", 0, 100,
+                  numberOf<&MachineOptions::jaws, &Jaw::sealNm>},
+    MachineOption{"jams", "P", "share of cuts with something between the jaws", 0, 1,
+                  numberOf<&MachineOptions::jaws, &Jaw::jams>},
+    MachineOption{"jam-stiffness", "N", "its force per mm of the knife's way", 0.1, 1000,
+                  numberOf<&MachineOptions::jaws, &Jaw::stiffnessNPerMm>},
+    MachineOption{"jam-touch", "DEG", "shaft angle before the cut at which it is touched", 0, 90,
+                  numberOf<&MachineOptions::jaws, &Jaw::touchDegrees>},
 };
 
 // Returns the shortest form.

@@ -190,6 +190,11 @@ void Service::takeControlLine(std::string_view text)
         setPin(text.substr(pin.size()));
         return;
     }
+    if (text == "jam on" || text == "jam off") {
+        m_controller->machine().jaws().setBlocked(text == "jam on");
+        say(text);
+        return;
+    }
     const auto script = parseFaultScript(text, m_line.script());
     if (!script) {
         say("error " + script.error());

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <utility>
 
@@ -19,6 +20,9 @@ constexpr double sameRevolution = 1e-6; // pulses
 // The sizes of what the pins see.
 constexpr double indexMarkShare = 0.01; // of a revolution
 constexpr double slowestPulses = 1.0;   // per second; slower ones have no friction
+constexpr double driftS = 600.0;        // of the friction, there and back
+constexpr double tenthsPerPercent = 10.0;
+constexpr double limitShare = 0.99; // of the maximum torque, from which the drive says so
 
 constexpr std::uint16_t pinBit(unsigned number)
 {
@@ -65,6 +69,8 @@ Machine::Machine(const MachineOptions& options)
     , m_infeed(options.products, options.seed)
     , m_markSensor(options.sensors, options.seed ^ 0xA0761D6478BD642Fu)
     , m_eye(options.sensors, options.seed ^ 0xE7037ED1A0B428DBu)
+    , m_jaws(options.jaws, options.seed ^ 0x8EBC6AF09C88C6E3u)
+    , m_report(options.report, options.seed ^ 0x589965CC75374CC3u)
 {
     m_mark = -m_revolution * options.startAngleDegrees / 360.0;
     switchDrives();
@@ -126,17 +132,48 @@ std::uint16_t Machine::inputs() const
         levels |= pinBit(CTL_INPUT_BIT_MARK_SENSOR);
     if (m_hasKnife && m_isEyeCovered)
         levels |= pinBit(CTL_INPUT_BIT_PRODUCT_EYE);
+    const DriveOptions& drive = m_options.drive;
+    if (!m_jaws.areIdle() && std::abs(driveTorqueNm()) > limitShare * drive.peakTorque * drive.ratedTorqueNm)
+        levels |= pinBit(CTL_INPUT_BIT_TORQUE_LIMIT);
     return static_cast<std::uint16_t>(levels);
 }
 
 std::int32_t Machine::torqueTenthPercent() const
 {
+    return static_cast<std::int32_t>(std::lround(tenthsPerPercent * m_report.percent()));
+}
+
+double Machine::shaftDegrees() const
+{
+    return 360.0 * m_main.position() / m_revolution;
+}
+
+double Machine::driveTorqueNm() const
+{
     const DriveOptions& drive = m_options.drive;
     const double radiansPerPulse = 2.0 * std::numbers::pi / m_revolution;
-    const double friction =
-        std::abs(m_main.speed()) < slowestPulses ? 0.0 : std::copysign(drive.frictionNm, m_main.speed());
-    const double torqueNm = drive.inertiaKgM2 * m_main.acceleration() * radiansPerPulse + friction;
-    return static_cast<std::int32_t>(std::lround(1000.0 * torqueNm / drive.ratedTorqueNm));
+    const double drift = 1.0 + drive.frictionDrift * std::sin(2.0 * std::numbers::pi * m_timeS / driftS);
+    const double friction = std::abs(m_main.speed()) < slowestPulses
+                                ? 0.0
+                                : std::copysign(drive.frictionNm * drift, m_main.speed());
+    return drive.inertiaKgM2 * m_main.acceleration() * radiansPerPulse + friction;
+}
+
+// The jaws press against the shaft, and the drive has a maximum torque.
+void Machine::loadShaft(double stepS)
+{
+    m_timeS += stepS;
+    const double inertia = m_options.drive.inertiaKgM2;
+    if (!m_hasKnife || inertia <= 0.0 || m_jaws.areIdle()) {
+        m_main.setLoad(0.0, std::numeric_limits<double>::infinity());
+        return;
+    }
+    const double stroke = nearestCut();
+    const double degrees = 360.0 * (m_main.position() - positionOfCut(stroke)) / m_revolution;
+    const double radiusMm = m_revolution / (2.0 * std::numbers::pi * m_pulsesPerMm);
+    const double pulsesPerNm = m_revolution / (2.0 * std::numbers::pi * inertia);
+    m_main.setLoad(-m_jaws.moveTo(degrees, stroke, radiusMm) * pulsesPerNm,
+                   m_options.drive.peakTorque * m_options.drive.ratedTorqueNm * pulsesPerNm);
 }
 
 void Machine::setProgram(const ctl_bank& bank)
@@ -228,10 +265,15 @@ double Machine::positionOfCut(double stroke) const
     return m_mark + m_cutOffset + stroke * m_stroke + offMm * m_pulsesPerMm;
 }
 
+double Machine::nearestCut() const
+{
+    return std::floor((m_main.position() - m_mark - m_cutOffset) / m_stroke + 0.5);
+}
+
 void Machine::passCut()
 {
     const double before = m_main.positionBefore();
-    const double stroke = std::floor((m_main.position() - m_mark - m_cutOffset) / m_stroke + 0.5);
+    const double stroke = nearestCut();
     const double at = positionOfCut(stroke);
     if (at <= before || at > m_main.position())
         return;
@@ -262,7 +304,9 @@ bool Machine::areJawsClosed() const
 
 void Machine::advance(double stepS)
 {
+    loadShaft(stepS);
     m_main.advance(stepS);
+    m_report.advance(stepS, 100.0 * driveTorqueNm() / m_options.drive.ratedTorqueNm);
     if (m_ram)
         m_ram->follow((m_main.position() - m_top) * m_pulseMm);
     passIndex();

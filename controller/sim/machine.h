@@ -9,9 +9,11 @@
 #include "base/ctl_port.h"
 #include "film.h"
 #include "infeed.h"
+#include "jaws.h"
 #include "late_sensor.h"
 #include "press_ram.h"
 #include "servo.h"
+#include "torque_report.h"
 
 #include <cstdint>
 #include <optional>
@@ -26,6 +28,8 @@ struct DriveOptions {
     double inertiaKgM2 = 0.002; // at the shaft with the index mark
     double frictionNm = 0.25;
     double ratedTorqueNm = 2.4;
+    double frictionDrift = 0.0; // largest share by which friction rises and falls, in ten minutes
+    double peakTorque = 3.0;    // maximum, times the rated one; for jaws that press on something
 };
 
 struct MachineOptions {
@@ -41,6 +45,8 @@ struct MachineOptions {
     double flightPulses = 20'000.0; // infeed motor, per product
     PressOptions press;
     DriveOptions drive;
+    ReportOptions report; // of the torque
+    JawOptions jaws;
     double knifeOffMm = 0.0;   // the second of several knives cuts so far behind its place, along the film
     double jawsDegrees = 20.0; // of the shaft, so far before and behind the cut they touch the film
     std::uint16_t inputs = 0;  // bits of InputBit that are on at power-up
@@ -81,6 +87,9 @@ public:
         double products = 0.0; // of the infeed
     };
     void standStill(const ByHand& byHand);
+    // What lies between the jaws, or is taken out.
+    [[nodiscard]] Jaws& jaws() { return m_jaws; }
+    [[nodiscard]] const Jaws& jaws() const { return m_jaws; }
     // Advances by one time step.
     void advance(double stepS);
     // Invalidates the last cut: the knife was turned by hand.
@@ -93,8 +102,10 @@ public:
     [[nodiscard]] std::int32_t forceN() const { return m_ram ? m_ram->forceN() : 0; }
     // Returns the levels of all input pins.
     [[nodiscard]] std::uint16_t inputs() const;
-    // Returns the torque of the main drive in 0.1 % of its rated torque.
+    // Returns the torque that the main drive reports, in 0.1 % of its rated torque.
     [[nodiscard]] std::int32_t torqueTenthPercent() const;
+    // Returns the angle of the shaft, degrees since power-up.
+    [[nodiscard]] double shaftDegrees() const;
     // Return the encoders in 1/256 pulse.
     [[nodiscard]] std::int64_t filmEncoder() const;
     [[nodiscard]] std::int64_t infeedEncoder() const;
@@ -126,6 +137,9 @@ private:
     void passIndex();
     void passCut();
     [[nodiscard]] double positionOfCut(double stroke) const;
+    [[nodiscard]] double nearestCut() const;
+    [[nodiscard]] double driveTorqueNm() const;
+    void loadShaft(double stepS);
     void moveFilm(double stepS);
     [[nodiscard]] double rollMm(double pulses) const;
 
@@ -148,6 +162,9 @@ private:
     Infeed m_infeed;
     LateSensor m_markSensor;
     LateSensor m_eye;
+    Jaws m_jaws;
+    TorqueReport m_report;
+    double m_timeS = 0.0;
     FilmAcceleration m_filmAcceleration;
     std::optional<double> m_materialAtCutMm;
     std::optional<std::int64_t> m_index;

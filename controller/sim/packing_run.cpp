@@ -61,13 +61,21 @@ ctl_config configOf(const PackingJob& job)
     return config;
 }
 
+// Jaws that press on something need the step of a real controller.
+std::uint64_t stepOf(const PackingJob& job)
+{
+    if (job.stepUs != 0)
+        return job.stepUs;
+    const std::uint64_t quick = quickStepUs(cycleS(job));
+    return Jaws(job.machine.jaws, 0).areIdle() ? quick : std::min<std::uint64_t>(quick, CTL_SLICE_US);
+}
+
 class Run {
 public:
     Run(const PackingJob& job, const std::function<void(const PackedBag&)>& onBag)
         : m_job(job)
         , m_onBag(onBag)
-        , m_controller(configOf(job), job.machine, m_flash,
-                       job.stepUs != 0 ? job.stepUs : quickStepUs(cycleS(job)))
+        , m_controller(configOf(job), job.machine, m_flash, stepOf(job))
         , m_core(m_controller.core())
     {
     }
@@ -87,6 +95,10 @@ public:
         m_result.emptyBags = packer.empty;
         m_result.filmSavedM = static_cast<double>(packer.saved_um) / (umPerMm * umPerMm);
         m_result.correctionsLimited = packer.phase.limited;
+        const Jaws& jaws = m_controller.machine().jaws();
+        m_result.jams = jaws.touched();
+        m_result.jamsCutThrough = jaws.cutThrough();
+        m_result.largestJamN = jaws.largestForceN();
         return m_result;
     }
 

@@ -94,6 +94,10 @@ struct PackingResult {
     // Stops that left the jaws closed on standing film for more than burnS, with the drives enabled.
     std::uint32_t burns = 0;
     double longestClosedS = 0.0;
+    // Cuts with something between the jaws, those that went through it, and the largest force on it.
+    std::uint32_t jams = 0;
+    std::uint32_t jamsCutThrough = 0;
+    double largestJamN = 0.0;
     std::uint32_t powerCuts = 0;
     std::uint32_t offUnmarked =
         0; // bags of one length, in length or from the print by more than offMm, not marked

@@ -64,6 +64,13 @@ QJsonObject cutsObject(const PackingResult& result, std::uint32_t through, std::
             {u"corrections_limited"_s, static_cast<qint64>(result.correctionsLimited)}};
 }
 
+QJsonObject jamsObject(const PackingResult& result)
+{
+    return {{u"count"_s, static_cast<qint64>(result.jams)},
+            {u"cut_through"_s, static_cast<qint64>(result.jamsCutThrough)},
+            {u"largest_force_n"_s, result.largestJamN}};
+}
+
 QJsonObject spreadObject(const Spread& spread)
 {
     return {{u"mean"_s, orNull(spread.mean())},
@@ -166,6 +173,7 @@ QJsonObject PackingFigures::object(const PackingResult& result, double cpuS) con
             {u"largest_following_error_pulses"_s, result.maxFollowingErrorPulses},
             {u"starts"_s, static_cast<qint64>(result.starts)},
             {u"stops"_s, static_cast<qint64>(result.stops)},
+            {u"jams"_s, jamsObject(result)},
             {u"power_cuts"_s,
              QJsonObject{{u"count"_s, static_cast<qint64>(result.powerCuts)},
                          {u"film_to_first_good_cut_mm"_s, result.meanFilmToGoodMm},

@@ -82,6 +82,22 @@ constexpr Disturbance disturbances[] = {
      [](Machine& machine) -> double& { return machine.products.misplaced; }},
     {"products-joined", "products that hang together with the next one", "SHARE", 0, 1,
      [](Machine& machine) -> double& { return machine.products.joined; }},
+    {"jams", "cuts with something between the jaws", "SHARE", 0, 1,
+     [](Machine& machine) -> double& { return machine.jaws.jams; }},
+    {"jam-stiffness", "its force for each mm of the knife's way into it", "N", 0.1, 1000,
+     [](Machine& machine) -> double& { return machine.jaws.stiffnessNPerMm; }},
+    {"jam-touch", "shaft angle before the cut at which the knife touches it", "DEG", 0, 90,
+     [](Machine& machine) -> double& { return machine.jaws.touchDegrees; }},
+    {"seal-torque", "largest torque of a seal, a tenth of it from bag to bag", "NM", 0, 100,
+     [](Machine& machine) -> double& { return machine.jaws.sealNm; }},
+    {"friction-drift", "share by which the knife's friction rises and falls in ten minutes", "SHARE", 0, 1,
+     [](Machine& machine) -> double& { return machine.drive.frictionDrift; }},
+    {"torque-every-ms", "time between two reports of the drive's torque, each of one report ago; 0: none",
+     "MS", 0, 100, [](Machine& machine) -> double& { return machine.report.everyMs; }},
+    {"torque-step", "resolution of the reported torque, of the rated one", "PERCENT", 0.01, 10,
+     [](Machine& machine) -> double& { return machine.report.stepPercent; }},
+    {"torque-noise", "standard deviation of the reported torque", "PERCENT", 0, 20,
+     [](Machine& machine) -> double& { return machine.report.noisePercent; }},
 };
 
 // Parses "parameter.cut_clearance=8".
