@@ -82,7 +82,7 @@ enum Code {
     ExitWithParent,
     Help,
     Version,
-    FirstOfMachine // the options of machineOptions()
+    FirstOfMachine = 256 // the options of machineOptions(); below them is '?', the answer to an unknown one
 };
 
 const option ownOptions[] = {{"link", required_argument, nullptr, Link},

@@ -17,6 +17,7 @@ namespace campanel::controller {
 namespace {
 
 constexpr double usPerS = 1e6;
+constexpr double usPerMs = 1e3;
 // The maximum times of homing and ramp before the first bag, and of a bag.
 constexpr std::uint64_t longestStartUs = 120'000'000;
 constexpr unsigned longestBagCycles = 400;
@@ -203,6 +204,7 @@ private:
             m_controller.step();
             if (!operate() || !cutPower())
                 return;
+            watchJaws();
             m_fullSpeed = m_fullSpeed && m_core.motion.ramp.speed == m_core.motion.ramp.full;
             noticeSkip();
             if (m_controller.cut()) {
@@ -266,7 +268,7 @@ private:
     bool operate()
     {
         const std::uint64_t now = m_controller.nowUs();
-        watchJaws();
+        watchStandingJaws();
         if (m_job.stopShare <= 0.0)
             return true;
         if (m_stopAtUs == 0 && m_core.motion.state == CTL_STATE_RUNNING)
@@ -277,14 +279,15 @@ private:
             (void)ctl_motion_stop_now(&m_core.motion);
             m_startAtUs = now + static_cast<std::uint64_t>(pause(m_random) * usPerS);
         }
-        if (m_startAtUs == 0 || now < m_startAtUs || !ctl_motion_standstill(&m_core.motion))
+        if (m_startAtUs == 0 || now < m_startAtUs || !ctl_motion_standstill(&m_core.motion) ||
+            m_core.motion.state == CTL_STATE_FAULT)
             return true;
         m_stopAtUs = 0;
         m_startAtUs = 0;
         return start();
     }
 
-    void watchJaws()
+    void watchStandingJaws()
     {
         const Machine& machine = m_controller.machine();
         const bool stands = machine.areDrivesOn() && std::abs(machine.filmSpeed()) < 1.0;
@@ -299,12 +302,54 @@ private:
         m_result.longestClosedS = std::max(m_result.longestClosedS, closedS);
     }
 
+    // What the controller sees of a jam, against when the jaws first touched it.
+    void watchJaws()
+    {
+        const Machine& machine = m_controller.machine();
+        const auto pressed = machine.jaws().pressedDegrees();
+        if (machine.jaws().touched() != m_touched) {
+            m_touched = machine.jaws().touched();
+            m_wasArmed = ctl_jam_state(&m_core.packer.jam) == CTL_JAM_STATE_ARMED;
+            m_result.jamsUnarmed += m_wasArmed ? 0u : 1u;
+        }
+        m_pressedUs = pressed ? m_pressedUs + m_controller.stepUs() : 0;
+        if (m_core.packer.jam.number != m_jamNumber) {
+            m_jamNumber = m_core.packer.jam.number;
+            m_seenAtDegrees = machine.shaftDegrees();
+            m_result.jamsFalse += pressed ? 0u : 1u;
+            if (pressed && m_wasArmed)
+                takeSeen(*pressed);
+        }
+        if (m_core.motion.park.jam && m_wasArmed)
+            m_result.longestRunOnDegrees =
+                std::max(m_result.longestRunOnDegrees, machine.shaftDegrees() - m_seenAtDegrees);
+    }
+
+    void takeSeen(double degrees)
+    {
+        ++m_result.jamsSeen;
+        m_result.meanSeenDegrees += (degrees - m_result.meanSeenDegrees) / m_result.jamsSeen;
+        m_result.longestSeenDegrees = std::max(m_result.longestSeenDegrees, degrees);
+        m_result.longestSeenMs = std::max(m_result.longestSeenMs, static_cast<double>(m_pressedUs) / usPerMs);
+    }
+
+    // An operator takes out what lies there.
+    bool takeJam()
+    {
+        m_controller.machine().jaws().clear();
+        const bool still = ctl_motion_reset_fault(&m_core.motion) != CTL_REFUSAL_NONE;
+        return still ? m_controller.nowUs() < m_untilUs || end(PackingEnd::Fault, m_core.motion.fault)
+                     : start();
+    }
+
     bool goesOn()
     {
         const ctl_motion& motion = m_core.motion;
         m_result.maxFollowingErrorPulses =
             std::max(m_result.maxFollowingErrorPulses,
                      std::abs(static_cast<double>(motion.commanded - motion.actual)));
+        if (motion.fault == 1u << CTL_FAULT_BIT_JAM && m_job.goOn)
+            return takeJam();
         if (motion.state == CTL_STATE_FAULT)
             return end(PackingEnd::Fault, motion.fault);
         if (m_core.packer.alarms != 0 && ctl_motion_standstill(&m_core.motion))
@@ -435,7 +480,12 @@ private:
     std::uint32_t m_goodStarts = 0;
     std::uint64_t m_stopAtUs = 0;
     std::uint64_t m_startAtUs = 0;
-    std::uint64_t m_closedUs = 0; // the jaws on standing film
+    std::uint64_t m_closedUs = 0;  // the jaws on standing film
+    std::uint64_t m_pressedUs = 0; // the jaws on what lies between them
+    std::uint32_t m_touched = 0;
+    bool m_wasArmed = false;
+    std::uint16_t m_jamNumber = 0;
+    double m_seenAtDegrees = 0.0;
     std::uint32_t m_marksShown = 0;
     std::uint32_t m_commands = 0;
     std::uint32_t m_startsWithoutBag = 0;

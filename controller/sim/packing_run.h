@@ -98,6 +98,15 @@ struct PackingResult {
     std::uint32_t jams = 0;
     std::uint32_t jamsCutThrough = 0;
     double largestJamN = 0.0;
+    // Stops without a jam; jams before the torque was learned; and of the others those that the controller
+    // saw, from the first touch until then, and from there to standstill.
+    std::uint32_t jamsFalse = 0;
+    std::uint32_t jamsUnarmed = 0;
+    std::uint32_t jamsSeen = 0;
+    double meanSeenDegrees = 0.0;
+    double longestSeenDegrees = 0.0;
+    double longestSeenMs = 0.0;
+    double longestRunOnDegrees = 0.0;
     std::uint32_t powerCuts = 0;
     std::uint32_t offUnmarked =
         0; // bags of one length, in length or from the print by more than offMm, not marked

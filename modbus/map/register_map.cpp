@@ -198,8 +198,9 @@ constexpr std::array registerTable{
                   0.5, 100, 5, 0.1, "%")),
     since(6, rw16("parameter.jam_stop_time", 0x00F9,
                   "time from full speed to standstill of all axes after a jam", {}, 2, 2000, 50, 1.0, "ms")),
-    since(6, rw16("parameter.jam_back", 0x00FA, "shaft angle by which the knife goes back after a jam", {}, 0,
-                  120, 30, 0.01, "deg")),
+    since(6, rw16("parameter.jam_back", 0x00FA,
+                  "shaft angle by which the knife goes back from where a jam was seen", {}, 5, 120, 30, 0.01,
+                  "deg")),
     CAMPANEL_CONTACT(6, "torque_limit", 0x00FB),
 
     // Status block: the answer to the periodic FC23 exchange. 40 registers, so that 9600 baud still carries 8

@@ -8,6 +8,7 @@
 #include <string.h>
 
 #define BENCH_DEAD_US 10000u /* of a sensor with a slow filter */
+#define BENCH_TORQUE 100     /* 0.1 % */
 #define FLASH_BYTES 16384u
 #define ERASED_AT_A_TIME 128u
 /* A seal or a save in pieces is over by then. */
@@ -52,6 +53,15 @@ static bool flash_write(void* context, uint32_t slot, uint32_t offset, const uin
     (void)context;
     memcpy(&flash[slot][offset], bytes, size);
     return true;
+}
+
+/* A drive whose last digit flickers. */
+static int32_t torque(void* context)
+{
+    static int32_t reported;
+    (void)context;
+    reported ^= 1;
+    return BENCH_TORQUE + reported;
 }
 
 void bench_connect_flash(ctl_port* port)
@@ -105,6 +115,7 @@ void bench_turn_on(ctl_core* core)
     set_parameter(core, CTL_REG_PARAMETER_MARK_DEAD_TIME, BENCH_DEAD_US);
     set_parameter(core, CTL_REG_PARAMETER_EYE_DEAD_TIME, BENCH_DEAD_US);
     set_parameter(core, CTL_REG_PARAMETER_EYE_END_DEAD_TIME, BENCH_DEAD_US);
+    set_parameter(core, CTL_REG_PARAMETER_JAM_DETECTION, 1);
 }
 
 void bench_switch_on(ctl_core* core)
@@ -145,6 +156,7 @@ void bench_power_up(bench* self)
     whole_machine_init(&self->machine, disturbance);
     whole_machine_connect(&self->machine, &port);
     bench_connect_flash(&port);
+    port.torque = torque;
     ctl_init(&self->core, &config, &port, 0);
     bench_turn_on(&self->core);
 }

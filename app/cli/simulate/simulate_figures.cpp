@@ -67,6 +67,13 @@ QJsonObject cutsObject(const PackingResult& result, std::uint32_t through, std::
 QJsonObject jamsObject(const PackingResult& result)
 {
     return {{u"count"_s, static_cast<qint64>(result.jams)},
+            {u"seen"_s, static_cast<qint64>(result.jamsSeen)},
+            {u"not_armed"_s, static_cast<qint64>(result.jamsUnarmed)},
+            {u"false"_s, static_cast<qint64>(result.jamsFalse)},
+            {u"seen_degrees"_s, result.meanSeenDegrees},
+            {u"seen_degrees_largest"_s, result.longestSeenDegrees},
+            {u"seen_ms_largest"_s, result.longestSeenMs},
+            {u"run_on_degrees_largest"_s, result.longestRunOnDegrees},
             {u"cut_through"_s, static_cast<qint64>(result.jamsCutThrough)},
             {u"largest_force_n"_s, result.largestJamN}};
 }

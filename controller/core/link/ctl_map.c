@@ -61,6 +61,7 @@ typedef union {
     uint16_t packer[CTL_GROUP_PACKER];
     uint16_t io[CTL_GROUP_IO];
     uint16_t sensor[CTL_GROUP_SENSOR];
+    uint16_t jam[CTL_GROUP_JAM];
     uint16_t transfer_result[CTL_GROUP_TRANSFER_RESULT];
 } assembled_group;
 
@@ -106,6 +107,9 @@ static void read_group(ctl_core* core, group_name group, uint32_t first, uint16_
         break;
     case GROUP_SENSOR:
         ctl_edges_registers(&core->packer.edges, taken);
+        break;
+    case GROUP_JAM:
+        ctl_jam_registers(&core->packer.jam, ctl_packer_revolution(&core->packer), taken);
         break;
     case GROUP_RESULT:
         source = core->command_result;

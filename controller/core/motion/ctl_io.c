@@ -128,6 +128,7 @@ void ctl_io_begin(ctl_io* io, ctl_motion* motion)
         motion->heartbeat->jog_blocked = true; /* a key that is held then must be let go first */
         ctl_motion_emergency_stop(motion);
     }
+    motion->torque_limited = (io->inputs & INPUT(TORQUE_LIMIT)) != 0;
     const uint32_t enable = 1u << CTL_OUTPUT_BIT_DRIVE_ENABLE;
     const uint32_t others = io->outputs & ~enable;
     const uint32_t enabled = drives_enabled(io, motion) ? enable : tried(io, motion) & enable;

@@ -6,6 +6,7 @@
 
 #define MS_PER_S 1000u
 #define HOMING_REVOLUTIONS 2u
+#define TURNED_SHARE 720 /* of a revolution: half a degree */
 
 static uint32_t ramp_ticks(const ctl_motion* motion, uint32_t time_ms)
 {
@@ -55,6 +56,7 @@ void ctl_motion_change_program(ctl_motion* motion)
     const bool same =
         had_program && ctl_bank_same_machine(ctl_active_bank(motion->banks), ctl_staged_bank(motion->banks));
     ctl_transfer_apply(motion->transfer, motion->banks);
+    ctl_jam_forget(&motion->packer->jam);
     const bool stands_right = motion->in_phase || !ctl_bank_needs_homing(ctl_active_bank(motion->banks));
     if (same && stands_right && ctl_table_between_cycles(&motion->table) &&
         ctl_motion_may_change(motion, ctl_active_bank(motion->banks))) {
@@ -244,6 +246,38 @@ uint16_t ctl_motion_stop_now(ctl_motion* motion)
     return CTL_REFUSAL_NONE;
 }
 
+void ctl_motion_stop_jam(ctl_motion* motion)
+{
+    const uint64_t speed = motion->ramp.speed;
+    const uint32_t full = motion->ramp.full;
+    const int64_t from_cut = ctl_park_from_cut(&motion->park, motion->packer, motion->actual);
+    ctl_ramp_reset(&motion->ramp,
+                   ramp_ticks(motion, ctl_parameter16(motion->board, CTL_REG_PARAMETER_JAM_STOP_TIME)));
+    motion->ramp.speed = (uint32_t)(speed * motion->ramp.full / full);
+    motion->park.jam = true;
+    motion->stop = CTL_STOP_NOW;
+    motion->stop_remaining = ctl_ramp_stopping_way(&motion->ramp);
+    motion->state = CTL_STATE_STOPPING;
+    ctl_packer_spoil(motion->packer, from_cut < 0);
+}
+
+/* Unlike other faults this one keeps film and knife in phase: the axis was under control all the time. */
+static void hold_jam(ctl_motion* motion)
+{
+    motion->ramp.speed = 0;
+    motion->manual = false;
+    motion->fault = (uint16_t)(motion->fault | 1u << CTL_FAULT_BIT_JAM);
+    motion->state = CTL_STATE_FAULT;
+}
+
+void ctl_motion_rest(ctl_motion* motion)
+{
+    if (motion->park.jam)
+        hold_jam(motion);
+    else
+        ctl_motion_stand(motion);
+}
+
 void ctl_motion_emergency_stop(ctl_motion* motion)
 {
     motion->park.emergency = true;
@@ -294,16 +328,29 @@ void ctl_motion_stop_unattended(ctl_motion* motion)
         (void)ctl_motion_stop_at_cycle_end(motion);
 }
 
+/* After a jam the axis stands where it was sent to, unless somebody has turned it. */
+static bool keeps_place(const ctl_motion* motion)
+{
+    const int64_t error = motion->commanded - motion->actual;
+    const int64_t most = ctl_bank_revolution_pulses(ctl_active_bank(motion->banks), 1) / TURNED_SHARE;
+    return motion->in_phase && error <= most && error >= -most;
+}
+
 uint16_t ctl_motion_reset_fault(ctl_motion* motion)
 {
     if (motion->state != CTL_STATE_FAULT)
         return CTL_REFUSAL_NO_FAULT;
     if (motion->actual_hz != 0 || (motion->banks->has_active && !ctl_active_bank_intact(motion->banks)))
         return CTL_REFUSAL_FAULT_PERSISTS;
-    /* The axis keeps its position: the following error is cleared, homing finds the mark again. */
-    motion->commanded = motion->actual;
     motion->fault = 0;
     motion->banks->check_position = 0;
+    if (keeps_place(motion)) {
+        ctl_motion_stand(motion);
+        return CTL_REFUSAL_NONE;
+    }
+    /* The axis keeps its position: the following error is cleared, homing finds the mark again. */
+    motion->commanded = motion->actual;
+    motion->in_phase = false;
     if (motion->banks->has_active)
         ctl_table_reset(&motion->table, ctl_active_bank(motion->banks));
     ctl_motion_stand(motion);

@@ -47,6 +47,7 @@ typedef struct {
     bool in_phase;  /* the axis stands where the table's cycle says */
     bool manual;    /* jogging or homing moves the axis, otherwise the table */
     bool start_after_home;
+    bool torque_limited; /* the drive of the axis says so */
     ctl_stop stop;
     ctl_homing homing;
     ctl_park park;
@@ -91,6 +92,9 @@ void ctl_motion_emergency_stop(ctl_motion* motion);
 uint16_t ctl_motion_reset_fault(ctl_motion* motion);
 /* While running: returns CTL_REFUSAL_..., the reason why the staged program cannot take over. */
 uint16_t ctl_motion_change_refusal(const ctl_motion* motion);
+/* Something is under the closing jaws: all axes stop together, within `parameter.jam_stop_time`, and the
+ * knife goes back; then there is a fault in which film and knife keep their places. */
+void ctl_motion_stop_jam(ctl_motion* motion);
 /* Stops unattended motion (jog, homing). */
 void ctl_motion_stop_unattended(ctl_motion* motion);
 
@@ -123,6 +127,8 @@ void ctl_motion_begin_stroke(ctl_motion* motion);
 void ctl_motion_slice_stroke(ctl_motion* motion, const ctl_pace* pace);
 void ctl_motion_run(ctl_motion* motion);
 void ctl_motion_stand(ctl_motion* motion);
+/* At standstill behind a run. */
+void ctl_motion_rest(ctl_motion* motion);
 int32_t ctl_motion_wanted_direction(const ctl_motion* motion);
 void ctl_motion_begin_manual(ctl_motion* motion, uint32_t frequency_hz, int32_t direction);
 /* Begins to move to a position by hand, at the frequency of homing. */

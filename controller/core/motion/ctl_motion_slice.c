@@ -2,6 +2,8 @@
 /* Moves the axis during one slice of time, and measures it. */
 #include "motion/ctl_motion.h"
 
+#include <stddef.h>
+
 #define US_PER_S 1000000
 #define SPEED_SAMPLE_US 1000u
 
@@ -53,6 +55,7 @@ static void take_over_armed(ctl_motion* motion, uint32_t* ticks)
     const uint64_t share = ctl_ramp_whole_share(&motion->ramp);
     ctl_transfer_apply(motion->transfer, motion->banks);
     ctl_table_change_bank(&motion->table, ctl_active_bank(motion->banks));
+    ctl_jam_forget(&motion->packer->jam);
     ctl_motion_set_ramp(motion);
     motion->ramp.speed = ctl_ramp_speed_of(&motion->ramp, ctl_change_share_behind(&motion->change, share));
     ctl_packer_change_bank(motion->packer, ctl_active_bank(motion->banks), &motion->ramp);
@@ -211,7 +214,7 @@ static void slice_stopping(ctl_motion* motion, ctl_pace pace)
 static void rest(ctl_motion* motion)
 {
     if (!ctl_park_begin(&motion->park, motion->board, motion->packer, motion->commanded))
-        ctl_motion_stand(motion);
+        ctl_motion_rest(motion);
 }
 
 /* Running, or stopping from it: the master moves, then what follows it at its own pace. */
@@ -314,7 +317,7 @@ static void slice_park(ctl_motion* motion, ctl_pace pace)
     if (returned)
         ctl_motion_run(motion);
     else
-        ctl_motion_stand(motion);
+        ctl_motion_rest(motion);
 }
 
 static void slice_homing(ctl_motion* motion, ctl_pace pace)
@@ -365,6 +368,44 @@ static void measure(ctl_motion* motion)
         ctl_motion_fault(motion, CTL_FAULT_BIT_FOLLOWING_ERROR);
 }
 
+static ctl_jam_slice jam_slice(const ctl_motion* motion, int32_t from_cut)
+{
+    const ctl_port* port = &motion->board->port;
+    const ctl_packer* packer = motion->packer;
+    const bool is_full = motion->ramp.speed == motion->ramp.full;
+    const ctl_jam_slice slice = {
+        .now_us = (uint32_t)motion->board->now_us,
+        .cycle = (uint32_t)motion->park.cycle_at,
+        .from_cut = from_cut,
+        .in_phase = packer->film_gate.state == CTL_GATE_STATE_RUNNING &&
+                    packer->knife_gate.state == CTL_GATE_STATE_RUNNING,
+        .share = is_full ? CTL_JAM_FULL_SPEED : ctl_ramp_share(&motion->ramp, CTL_JAM_FULL_SPEED),
+        .limited = motion->torque_limited,
+        .torque = port->torque == NULL ? 0 : port->torque(port->context),
+    };
+    return slice;
+}
+
+/* Compares the torque of the knife with what it was in good cycles. */
+static void watch_for_jam(ctl_motion* motion)
+{
+    const ctl_packer* packer = motion->packer;
+    ctl_jam* jam = &motion->packer->jam;
+    if (packer->busy)
+        ctl_jam_miss(jam);
+    if (!jam->settings.on || packer->busy || !motion->park.known || ctl_motion_standstill(motion) ||
+        !ctl_packer_is_set(packer))
+        return;
+    const int32_t from_cut = (int32_t)ctl_park_from_cut(&motion->park, packer, motion->actual);
+    if (motion->park.jam) {
+        ctl_jam_run_on(jam, from_cut);
+        return;
+    }
+    const ctl_jam_slice slice = jam_slice(motion, from_cut);
+    if (ctl_motion_in_cycle(motion) && ctl_jam_watch(jam, &slice))
+        ctl_motion_stop_jam(motion);
+}
+
 void ctl_motion_slice(ctl_motion* motion, uint32_t ticks)
 {
     const ctl_pace pace = pace_of(motion, ticks);
@@ -394,6 +435,7 @@ void ctl_motion_slice(ctl_motion* motion, uint32_t ticks)
         break;
     }
     measure(motion);
+    watch_for_jam(motion);
     if (ctl_motion_standstill(motion) || motion->park.phase != CTL_PARK_OFF)
         ctl_park_watch(&motion->park, motion->board, motion->packer, motion->actual);
 }

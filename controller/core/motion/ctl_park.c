@@ -15,6 +15,7 @@ void ctl_park_return(ctl_park* park)
     park->phase = CTL_PARK_RETURNING;
     park->given_up = false;
     park->emergency = false;
+    park->jam = false;
 }
 
 void ctl_park_run(ctl_park* park)
@@ -23,6 +24,7 @@ void ctl_park_run(ctl_park* park)
     park->given_up = false;
     park->away = false;
     park->emergency = false;
+    park->jam = false;
     park->closed = false;
     park->told = false;
 }
@@ -39,22 +41,21 @@ void ctl_park_begin_cycle(ctl_park* park, int64_t here)
     park->known = true;
 }
 
-/* Negative: before the cut. */
-static int64_t from_cut(const ctl_park* park, const ctl_packer* packer, int64_t here)
+int64_t ctl_park_from_cut(const ctl_park* park, const ctl_packer* packer, int64_t here)
 {
     return here - park->cycle_at - (int64_t)packer->cut_pulses;
 }
 
 static bool touches(const ctl_park* park, const ctl_packer* packer, int64_t here)
 {
-    const int64_t from = from_cut(park, packer, here);
+    const int64_t from = ctl_park_from_cut(park, packer, here);
     return park->known && ctl_packer_active(packer) && from > -packer->settings.jaws_before &&
            from < packer->settings.jaws_behind;
 }
 
 bool ctl_park_begin(ctl_park* park, const ctl_board* board, const ctl_packer* packer, int64_t here)
 {
-    if (!touches(park, packer, here) || park->given_up || park->emergency)
+    if (!(park->jam || touches(park, packer, here)) || park->given_up || park->emergency)
         return false;
     if (!park->away)
         park->place = here;
@@ -72,12 +73,14 @@ void ctl_park_stop(ctl_park* park)
 
 bool ctl_park_is_due(const ctl_park* park, const ctl_board* board)
 {
-    return board->now_us - park->waits_us >= parameter_us(board, CTL_REG_PARAMETER_PARK_DELAY);
+    return park->jam || board->now_us - park->waits_us >= parameter_us(board, CTL_REG_PARAMETER_PARK_DELAY);
 }
 
 int64_t ctl_park_target(const ctl_park* park, const ctl_packer* packer, int64_t here)
 {
-    const int64_t from = from_cut(park, packer, here);
+    const int64_t from = ctl_park_from_cut(park, packer, here);
+    if (park->jam)
+        return here - from + packer->jam.last.at - packer->settings.jam_back;
     return here - from + (from < 0 ? -packer->settings.jaws_before : packer->settings.jaws_behind);
 }
 
@@ -93,7 +96,7 @@ void ctl_park_watch(ctl_park* park, const ctl_board* board, ctl_packer* packer, 
     if (park->told || !(park->emergency || ctl_park_is_closed_long(park, board)))
         return;
     park->told = true;
-    ctl_packer_burn(packer, from_cut(park, packer, here) < 0);
+    ctl_packer_burn(packer, ctl_park_from_cut(park, packer, here) < 0);
 }
 
 bool ctl_park_is_closed_long(const ctl_park* park, const ctl_board* board)

@@ -22,7 +22,8 @@ typedef struct {
     ctl_park_phase phase;
     bool given_up;    /* stopped while it opened: it stays until the next start */
     bool away;        /* from `place`, where the table stands */
-    bool emergency;   /* the emergency stop has ended the run */
+    bool emergency;   /* the emergency stop has ended the run, */
+    bool jam;         /* or a jam: the knife goes back from it */
     bool closed;      /* at standstill, since closed_us */
     bool told;        /* the bags at the knife are marked */
     int64_t cycle_at; /* where the knife's present cycle began */
@@ -37,14 +38,17 @@ void ctl_park_forget(ctl_park* park);
 void ctl_park_return(ctl_park* park);
 /* A run begins or goes on. */
 void ctl_park_run(ctl_park* park);
+/* Returns the way from the cut of the knife's present cycle to `here`, negative before it. */
+int64_t ctl_park_from_cut(const ctl_park* park, const ctl_packer* packer, int64_t here);
 void ctl_park_begin_cycle(ctl_park* park, int64_t here);
 /* A run has come to rest here. Returns true when the knife is to be opened. */
 bool ctl_park_begin(ctl_park* park, const ctl_board* board, const ctl_packer* packer, int64_t here);
 /* A stop now: a knife that waits or opens stays where it is. */
 void ctl_park_stop(ctl_park* park);
-/* Returns true when it has waited for `parameter.park_delay`. */
+/* Returns true when it has waited for `parameter.park_delay`; a jam does not wait. */
 bool ctl_park_is_due(const ctl_park* park, const ctl_board* board);
-/* Returns where the knife at `here` is open, the way there not leading through the cut. */
+/* Returns where the knife at `here` is open, the way there not leading through the cut, or so far back
+ * from a jam as is set. */
 int64_t ctl_park_target(const ctl_park* park, const ctl_packer* packer, int64_t here);
 /* At standstill: watches the jaws with the axis at `here`, and marks the bags at a knife that was closed for
  * too long. */

@@ -36,6 +36,11 @@ bool ctl_packer_active(const ctl_packer* packer)
     return packer->bank != NULL;
 }
 
+uint32_t ctl_packer_revolution(const ctl_packer* packer)
+{
+    return packer->bank == NULL ? 1u : (uint32_t)ctl_bank_revolution_pulses(packer->bank, 1);
+}
+
 uint32_t ctl_packer_ticks_at(const ctl_bank* bank, uint32_t offset)
 {
     return (uint32_t)((uint64_t)ctl_bank_cycle_ticks(bank) * bank->registers[offset] / FULL_CIRCLE);

@@ -13,6 +13,7 @@
 #include "packer/ctl_edges.h"
 #include "packer/ctl_feed.h"
 #include "packer/ctl_gate.h"
+#include "packer/ctl_jam.h"
 #include "packer/ctl_knives.h"
 #include "packer/ctl_mark_sensor.h"
 #include "packer/ctl_marks.h"
@@ -46,7 +47,8 @@ typedef struct {
     bool had_products;
     bool changed;    /* the program changed since the previous cut */
     bool scrap;      /* this or the previous cut was not in register */
-    bool burned;     /* at one of its ends the jaws were closed for too long */
+    bool burned;     /* at one of its ends the jaws were closed for too long, */
+    bool jammed;     /* or stopped by a jam */
     uint32_t bags;   /* bag lengths since then */
     int64_t command; /* of the film motor at the time of the cut, 1/256 pulse */
     int64_t set_um;  /* set length of the previous bag */
@@ -62,7 +64,8 @@ typedef struct {
     ctl_mark_settings marks;
     ctl_phase_limits phase;
     int64_t jaws_before; /* the cut they touch the film, pulses of the knife; */
-    int64_t jaws_behind; /* and behind it */
+    int64_t jaws_behind; /* and behind it, */
+    int64_t jam_back;    /* and the way back after a jam */
 } ctl_packer_settings;
 
 /* The master that drives the line. */
@@ -126,7 +129,9 @@ typedef struct {
     uint32_t empty;
     uint64_t saved_um;
     uint32_t bags;
-    uint32_t burned;     /* cuts whose bags were, from the next one */
+    uint32_t burned; /* cuts whose bags were, from the next one */
+    uint32_t jammed; /* the same of a jam */
+    ctl_jam jam;
     uint32_t cut_pulses; /* of the knife, from the start of its cycle */
     uint16_t records[CTL_BAG_REGISTERS * CTL_BAG_RECORDS];
 } ctl_packer;
@@ -142,6 +147,8 @@ void ctl_packer_break_off(ctl_packer* packer);
  * this ramp. */
 void ctl_packer_change_bank(ctl_packer* packer, const ctl_bank* bank, const ctl_ramp* ramp);
 bool ctl_packer_active(const ctl_packer* packer);
+/* Returns the pulses of one turn of the knife's shaft, not 0. */
+uint32_t ctl_packer_revolution(const ctl_packer* packer);
 /* Returns true when infeed, film and knife are in the same phase, so that a program may be changed at the
  * boundary. The knife may be open there, and must be if a product is under the first cut of `bank`. */
 bool ctl_packer_may_change(const ctl_packer* packer, const ctl_bank* bank, bool standstill);
@@ -170,6 +177,10 @@ void ctl_packer_on_cut(ctl_packer* packer, int64_t film, const ctl_ramp* ramp);
 void ctl_packer_on_bag(ctl_packer* packer, uint32_t length_um);
 /* The jaws were closed for too long, before a cut or behind it. */
 void ctl_packer_burn(ctl_packer* packer, bool before_cut);
+/* A jam stopped them there. */
+void ctl_packer_spoil(ctl_packer* packer, bool before_cut);
+/* Returns true when the lengths are computed that follow from parameters and program. */
+bool ctl_packer_is_set(const ctl_packer* packer);
 /* Returns true when the bag that ended with the last cut is to be rejected: it has no product or more than
  * one, is scrap of a start or a change of program, or its cut did not follow a mark although mark tracking is
  * on. */

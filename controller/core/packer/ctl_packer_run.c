@@ -314,6 +314,8 @@ void ctl_packer_on_cut(ctl_packer* packer, int64_t film, const ctl_ramp* ramp)
                                  : (int64_t)last->bags * ctl_bank_bag_um(packer->bank);
     last->burned = packer->burned != 0;
     packer->burned -= packer->burned != 0 ? 1u : 0u;
+    last->jammed = packer->jammed != 0;
+    packer->jammed -= packer->jammed != 0 ? 1u : 0u;
     last->command = packer->next.command;
     packer->changed = false;
     const bool was_in_register = packer->in_register;
@@ -344,6 +346,8 @@ static uint32_t bag_bits(const ctl_packer* packer)
         bits |= 1u << CTL_BAG_BIT_CHANGE_OVER;
     if (last->burned)
         bits |= 1u << CTL_BAG_BIT_BURNED;
+    if (last->jammed)
+        bits |= 1u << CTL_BAG_BIT_JAMMED;
     return bits;
 }
 
@@ -351,7 +355,7 @@ bool ctl_packer_rejects(const ctl_packer* packer)
 {
     const uint32_t bad = 1u << CTL_BAG_BIT_PRODUCT_ACROSS | 1u << CTL_BAG_BIT_EMPTY |
                          1u << CTL_BAG_BIT_START_UP | 1u << CTL_BAG_BIT_CHANGE_OVER |
-                         1u << CTL_BAG_BIT_BURNED;
+                         1u << CTL_BAG_BIT_BURNED | 1u << CTL_BAG_BIT_JAMMED;
     if (!ctl_packer_active(packer))
         return false;
     return (bag_bits(packer) & bad) != 0 || (ctl_packer_tracks(packer) && !packer->last_cut.tracked);
@@ -361,6 +365,11 @@ bool ctl_packer_rejects(const ctl_packer* packer)
 void ctl_packer_burn(ctl_packer* packer, bool before_cut)
 {
     packer->burned = before_cut ? 2u : 1u;
+}
+
+void ctl_packer_spoil(ctl_packer* packer, bool before_cut)
+{
+    packer->jammed = before_cut ? 2u : 1u;
 }
 
 void ctl_packer_on_bag(ctl_packer* packer, uint32_t length_um)

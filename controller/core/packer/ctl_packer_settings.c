@@ -7,11 +7,14 @@
 #include "base/ctl_words.h"
 #include "engine/ctl_step.h"
 
+#include <stddef.h>
+
 /* The maximum error of a mark that counts as slip. */
 #define JUMP_UM 600
 #define TENTH_UM 100 /* of a mm */
 #define ROWS_AT_A_TIME 8u
 #define FULL_CIRCLE 36000 /* 0.01 degrees */
+#define FIVE_DEGREES 500
 
 static uint16_t parameter(const ctl_packer* packer, uint32_t address)
 {
@@ -73,6 +76,22 @@ static void read_jaws(ctl_packer* packer)
     packer->settings.jaws_behind = shaft_angle(packer, CTL_REG_PARAMETER_JAWS_BEHIND);
 }
 
+static void read_jam(ctl_packer* packer)
+{
+    const int32_t five =
+        (int32_t)((uint64_t)ctl_bank_revolution_pulses(packer->bank, 1) * FIVE_DEGREES / FULL_CIRCLE);
+    const ctl_jam_settings settings = {
+        .on = parameter(packer, CTL_REG_PARAMETER_JAM_DETECTION) != 0,
+        .reports = packer->board->port.torque != NULL,
+        .from = -(int32_t)shaft_angle(packer, CTL_REG_PARAMETER_JAM_CLOSING) - five,
+        .to = (int32_t)packer->settings.jaws_behind + five,
+        .five = five,
+        .margin = parameter(packer, CTL_REG_PARAMETER_JAM_MARGIN),
+    };
+    ctl_jam_set(&packer->jam, &settings);
+    packer->settings.jam_back = shaft_angle(packer, CTL_REG_PARAMETER_JAM_BACK);
+}
+
 static void read_sizes(ctl_packer* packer)
 {
     packer->mark_sensor.narrowest = film_um(packer, CTL_REG_PARAMETER_MARK_WIDTH_MIN);
@@ -94,10 +113,15 @@ static void sum_up_to_cut(ctl_packer* packer)
 }
 
 /* The first ones are what a start needs at once. */
-static void (*const pieces[])(ctl_packer* packer) = {read_clearance, read_marks, read_phase, read_sizes,
-                                                     read_jaws};
+static void (*const pieces[])(ctl_packer* packer) = {read_clearance, read_marks, read_phase,
+                                                     read_sizes,     read_jaws,  read_jam};
 #define PIECES (sizeof pieces / sizeof pieces[0])
 #define PIECES_OF_A_START 2u
+
+bool ctl_packer_is_set(const ctl_packer* packer)
+{
+    return packer->settings.done == PIECES && packer->settings.ticks == 0;
+}
 
 bool ctl_packer_refresh_settings(ctl_packer* packer)
 {

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: Apache-2.0
+// Something under the jaws of the simulated packing machine: seen in time by a drive that reports in time,
+// never where there is none, and nothing is cut that lay there.
+#include "packing_bench.h"
+
+#include "ctl_registers.h"
+
+#include <QTest>
+
+namespace test_jams {
+
+using namespace campanel::test;
+using campanel::controller::PackingEnd;
+using campanel::controller::PackingJob;
+using campanel::controller::PackingResult;
+
+namespace {
+
+PackingResult packed(double rate, std::uint32_t bags, const Change& change)
+{
+    return pack(cutterAt(250, rate), bags,
+                [&change](PackingJob& job) {
+                    job.goOn = true;
+                    job.machine.jaws.sealNm = 0.5;
+                    set16(job, CTL_REG_PARAMETER_JAM_DETECTION, 1);
+                    set16(job, CTL_REG_PARAMETER_JAM_STOP_TIME, 20);
+                    change(job);
+                })
+        .result;
+}
+
+} // namespace
+
+class TestJams : public QObject {
+    Q_OBJECT
+
+private slots:
+    // Within five degrees or four milliseconds of the first touch, whichever is later.
+    void areSeenInTime_data()
+    {
+        QTest::addColumn<double>("rate");
+        QTest::addColumn<double>("stiffness");
+        for (const double rate : {60.0, 120.0, 300.0}) {
+            for (const double stiffness : {20.0, 100.0})
+                QTest::addRow("%g/min, %g N/mm", rate, stiffness) << rate << stiffness;
+        }
+    }
+    void areSeenInTime()
+    {
+        QFETCH(double, rate);
+        QFETCH(double, stiffness);
+        const PackingResult result = packed(rate, 400, [stiffness](PackingJob& job) {
+            job.machine.jaws.jams = 0.05;
+            job.machine.jaws.stiffnessNPerMm = stiffness;
+        });
+        QCOMPARE(result.end, PackingEnd::Done);
+        QVERIFY(result.jamsSeen >= 15);
+        QCOMPARE(result.jams, result.jamsSeen + result.jamsUnarmed);
+        QCOMPARE(result.jamsFalse, 0u);
+        QCOMPARE(result.jamsCutThrough, 0u);
+        QVERIFY2(
+            result.longestSeenDegrees <= 5.0 || result.longestSeenMs <= 4.0,
+            qPrintable(QString("%1 deg, %2 ms").arg(result.longestSeenDegrees).arg(result.longestSeenMs)));
+    }
+
+    // A drive that reports every 10 ms sees none of them; its torque-limit input does, later.
+    void aSlowDriveNeedsItsInput()
+    {
+        const PackingResult result = packed(60, 200, [](PackingJob& job) {
+            job.machine.jaws.jams = 0.05;
+            job.machine.report.everyMs = 10;
+        });
+        QCOMPARE(result.end, PackingEnd::Done);
+        QCOMPARE(result.jamsSeen, 0u);
+        QVERIFY(result.jams >= 8);
+        QCOMPARE(result.jamsCutThrough, 0u);
+    }
+
+    void noneIsSeenWhereThereIsNone_data()
+    {
+        QTest::addColumn<double>("everyMs");
+        QTest::addColumn<double>("stops");
+        QTest::addColumn<double>("misplaced");
+        QTest::newRow("at once") << 0.0 << 0.0 << 0.0;
+        QTest::newRow("late, stops") << 1.0 << 0.05 << 0.0;
+        QTest::newRow("late, skipped cuts") << 1.0 << 0.0 << 0.05;
+    }
+    void noneIsSeenWhereThereIsNone()
+    {
+        QFETCH(double, everyMs);
+        QFETCH(double, stops);
+        QFETCH(double, misplaced);
+        const PackingResult result = packed(300, 4000, [=](PackingJob& job) {
+            job.machine.drive.frictionDrift = 0.3;
+            job.machine.report = {everyMs, 1.0, 1.0};
+            job.machine.products.misplaced = misplaced;
+            job.stopShare = stops;
+        });
+        QCOMPARE(result.end, PackingEnd::Done);
+        QCOMPARE(result.jamsFalse, 0u);
+    }
+};
+
+CAMPANEL_TEST(TestJams)
+
+} // namespace test_jams
+
+#include "test_jams.moc"
