@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the jaws of a knife press on: a seal at each cut, and now and then something that lies between them.
-// It is a spring along the way of the knife's tip, until the jaws have cut through it or somebody takes it
+// The jaws of a knife press on a seal at each cut, and now and then on something that lies between them. That
+// is a spring along the way of the knife's tip, until the jaws have cut through it or somebody takes it
 // out. Angles in degrees of the shaft from the nearest cut, negative before it.
 #pragma once
 

@@ -87,7 +87,7 @@ public:
         double products = 0.0; // of the infeed
     };
     void standStill(const ByHand& byHand);
-    // What lies between the jaws, or is taken out.
+    // Return the jaws, with what lies between them.
     [[nodiscard]] Jaws& jaws() { return m_jaws; }
     [[nodiscard]] const Jaws& jaws() const { return m_jaws; }
     // Advances by one time step.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a drive tells of its torque: not at once, not always, not exactly.
+// A drive reports its torque late, now and then, and not exactly.
 #pragma once
 
 #include <cstdint>
