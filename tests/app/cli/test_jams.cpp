@@ -81,20 +81,27 @@ private slots:
         QTest::addColumn<double>("everyMs");
         QTest::addColumn<double>("stops");
         QTest::addColumn<double>("misplaced");
-        QTest::newRow("at once") << 0.0 << 0.0 << 0.0;
-        QTest::newRow("late, stops") << 1.0 << 0.05 << 0.0;
-        QTest::newRow("late, skipped cuts") << 1.0 << 0.0 << 0.05;
+        QTest::addColumn<int>("changeEvery");
+        QTest::newRow("at once") << 0.0 << 0.0 << 0.0 << 0;
+        QTest::newRow("late, stops") << 1.0 << 0.05 << 0.0 << 0;
+        QTest::newRow("late, skipped cuts") << 1.0 << 0.0 << 0.05 << 0;
+        QTest::newRow("late, changes of rate") << 1.0 << 0.0 << 0.0 << 100;
     }
     void noneIsSeenWhereThereIsNone()
     {
         QFETCH(double, everyMs);
         QFETCH(double, stops);
         QFETCH(double, misplaced);
-        const PackingResult result = packed(300, 4000, [=](PackingJob& job) {
+        QFETCH(int, changeEvery);
+        const auto half = cutterAt(250, 150);
+        const int bags = std::max(4000, qEnvironmentVariableIntValue("CAMPANEL_BAGS"));
+        const PackingResult result = packed(300, static_cast<std::uint32_t>(bags), [&](PackingJob& job) {
             job.machine.drive.frictionDrift = 0.3;
             job.machine.report = {everyMs, 1.0, 1.0};
             job.machine.products.misplaced = misplaced;
             job.stopShare = stops;
+            job.otherBank = half.registers;
+            job.changeEvery = static_cast<std::uint32_t>(changeEvery);
         });
         QCOMPARE(result.end, PackingEnd::Done);
         QCOMPARE(result.jamsFalse, 0u);
