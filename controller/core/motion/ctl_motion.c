@@ -36,7 +36,8 @@ void ctl_motion_init(ctl_motion* motion)
 bool ctl_motion_standstill(const ctl_motion* motion)
 {
     const uint16_t state = motion->state;
-    return state == CTL_STATE_IDLE || state == CTL_STATE_READY || state == CTL_STATE_FAULT;
+    return state == CTL_STATE_IDLE || state == CTL_STATE_READY ||
+           (state == CTL_STATE_FAULT && motion->park.phase == CTL_PARK_OFF);
 }
 
 bool ctl_motion_in_cycle(const ctl_motion* motion)
@@ -192,6 +193,8 @@ static void begin_homing(ctl_motion* motion)
 
 void ctl_motion_fault(ctl_motion* motion, uint16_t fault_bit)
 {
+    /* The others speak against the axis, not against its table. */
+    const bool may_open = fault_bit == CTL_FAULT_BIT_ACTIVE_TABLE_DAMAGED && !ctl_motion_standstill(motion);
     motion->fault = (uint16_t)(motion->fault | 1u << fault_bit);
     motion->state = CTL_STATE_FAULT;
     if (motion->press.stage != CTL_PRESS_STAGE_STANDING) {
@@ -205,6 +208,8 @@ void ctl_motion_fault(ctl_motion* motion, uint16_t fault_bit)
     motion->homed = motion->homed && ctl_motion_is_press(motion);
     motion->in_phase = false;
     ctl_packer_break_off(motion->packer);
+    if (may_open)
+        (void)ctl_park_begin(&motion->park, motion->board, motion->packer, motion->commanded);
 }
 
 void ctl_motion_start(ctl_motion* motion)
@@ -235,6 +240,9 @@ uint16_t ctl_motion_stop_now(ctl_motion* motion)
         return CTL_REFUSAL_NOT_RUNNING;
     if (motion->state == CTL_STATE_JOGGING) {
         motion->heartbeat->jog_blocked = true;
+    } else if (motion->state == CTL_STATE_FAULT) {
+        ctl_park_stop(&motion->park);
+        motion->manual = false;
     } else {
         if (ctl_motion_is_press(motion))
             ctl_press_stop(&motion->press);
@@ -340,7 +348,8 @@ uint16_t ctl_motion_reset_fault(ctl_motion* motion)
 {
     if (motion->state != CTL_STATE_FAULT)
         return CTL_REFUSAL_NO_FAULT;
-    if (motion->actual_hz != 0 || (motion->banks->has_active && !ctl_active_bank_intact(motion->banks)))
+    if (!ctl_motion_standstill(motion) || motion->actual_hz != 0 ||
+        (motion->banks->has_active && !ctl_active_bank_intact(motion->banks)))
         return CTL_REFUSAL_FAULT_PERSISTS;
     motion->fault = 0;
     motion->banks->check_position = 0;

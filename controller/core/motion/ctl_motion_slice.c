@@ -316,6 +316,8 @@ static void slice_park(ctl_motion* motion, ctl_pace pace)
     park->phase = CTL_PARK_OFF;
     if (returned)
         ctl_motion_run(motion);
+    else if (motion->state == CTL_STATE_FAULT)
+        motion->manual = false;
     else
         ctl_motion_rest(motion);
 }
@@ -364,7 +366,8 @@ static void measure(ctl_motion* motion)
     }
     const int64_t error = motion->commanded - motion->actual;
     const int64_t limit = ctl_parameter32(motion->board, CTL_REG_PARAMETER_FOLLOWING_ERROR_LIMIT);
-    if (motion->state != CTL_STATE_FAULT && (error > limit || error < -limit))
+    const bool follows = motion->state != CTL_STATE_FAULT || motion->park.phase == CTL_PARK_OPENING;
+    if (follows && (error > limit || error < -limit))
         ctl_motion_fault(motion, CTL_FAULT_BIT_FOLLOWING_ERROR);
 }
 
@@ -430,6 +433,10 @@ void ctl_motion_slice(ctl_motion* motion, uint32_t ticks)
         break;
     case CTL_STATE_HOMING:
         slice_homing(motion, pace);
+        break;
+    case CTL_STATE_FAULT:
+        if (motion->park.phase != CTL_PARK_OFF)
+            slice_park(motion, pace);
         break;
     default:
         break;

@@ -12,6 +12,7 @@
 namespace test_park {
 
 using namespace campanel::test;
+namespace controller = campanel::controller;
 
 namespace {
 
@@ -83,6 +84,29 @@ public:
         for (std::uint32_t i = 1; i <= bags; ++i)
             flags |= flagsOfBag(before + i);
         return flags;
+    }
+    // Runs until the jaws touch the film, so far from the cut at least, then sets the fault off.
+    void failClosed(unsigned faultBit)
+    {
+        do {
+            runUntilClosed(false);
+            runUntilClosed(true);
+            run(5000);
+        } while (!isClosed());
+        if (faultBit == CTL_FAULT_BIT_ACTIVE_TABLE_DAMAGED)
+            core().banks.bank[core().banks.active].registers[CTL_BANK_HEADER_REGISTERS] ^= 1u;
+        ctl_motion_fault(&core().motion, static_cast<std::uint16_t>(faultBit));
+    }
+    // Returns for how long the jaws touch the film within this time.
+    std::uint64_t closedUs(std::uint64_t timeUs)
+    {
+        const std::uint64_t until = controller().nowUs() + timeUs;
+        std::uint64_t closed = 0;
+        while (controller().nowUs() < until) {
+            controller().step();
+            closed += isClosed() ? controller().stepUs() : 0;
+        }
+        return closed;
     }
 };
 
@@ -216,6 +240,82 @@ private slots:
         QVERIFY(line.has(CTL_WARNING_BIT_JAWS_CLOSED));
         QVERIFY(line.startAgain());
         QVERIFY((line.flagsOfNext(1) & burned) != 0);
+    }
+
+    // A damaged table says nothing against the axis: the knife opens although the fault is there at once. The
+    // other faults mean that the axis may not move.
+    void opensBehindAFaultThatLetsTheAxisMove_data()
+    {
+        QTest::addColumn<unsigned>("fault");
+        QTest::addColumn<bool>("opens");
+        QTest::newRow("damaged table") << unsigned{CTL_FAULT_BIT_ACTIVE_TABLE_DAMAGED} << true;
+        QTest::newRow("drive alarm") << unsigned{CTL_FAULT_BIT_DRIVE_ALARM} << false;
+        QTest::newRow("following error") << unsigned{CTL_FAULT_BIT_FOLLOWING_ERROR} << false;
+        QTest::newRow("drive does not follow") << unsigned{CTL_FAULT_BIT_DRIVE_NOT_FOLLOWING} << false;
+    }
+    void opensBehindAFaultThatLetsTheAxisMove()
+    {
+        QFETCH(unsigned, fault);
+        QFETCH(bool, opens);
+        Line line;
+        line.setParameter(CTL_REG_PARAMETER_DRIVE_ENABLE, CTL_DRIVE_ENABLE_WHILE_RUNNING);
+        line.failClosed(fault);
+        const std::int64_t film = line.core().packer.film_sent;
+        const std::uint64_t closed = line.closedUs(3'000'000);
+        QVERIFY2(opens == (closed < 1'000'000), qPrintable(QString::number(closed)));
+        QCOMPARE(line.has(CTL_WARNING_BIT_JAWS_CLOSED), !opens);
+        QCOMPARE(line.core().motion.state, CTL_STATE_FAULT);
+        QCOMPARE(line.core().motion.fault, 1u << fault);
+        QVERIFY(ctl_motion_standstill(&line.core().motion));
+        QVERIFY(!line.core().motion.manual);
+        QVERIFY(!line.core().motion.in_phase);
+        QCOMPARE(line.core().packer.film_sent, film);
+    }
+
+    // Whatever ends a motion ends the opening too, and the fault stays what it was.
+    void openingBehindAFaultIsEnded_data()
+    {
+        QTest::addColumn<int>("by");
+        QTest::newRow("emergency stop") << 0;
+        QTest::newRow("drive alarm") << 1;
+        QTest::newRow("stop") << 2;
+        QTest::newRow("following error") << 3;
+    }
+    void openingBehindAFaultIsEnded()
+    {
+        QFETCH(int, by);
+        Line line;
+        line.setParameter(CTL_REG_PARAMETER_PARK_DELAY, 100);
+        line.failClosed(CTL_FAULT_BIT_ACTIVE_TABLE_DAMAGED);
+        line.run(50'000);
+        QVERIFY(!ctl_motion_standstill(&line.core().motion));
+        QCOMPARE(line.command(CTL_COMMAND_RESET_FAULT), CTL_REFUSAL_FAULT_PERSISTS);
+        QCOMPARE(line.command(CTL_COMMAND_START), CTL_REFUSAL_IN_FAULT);
+        unsigned faults = 1u << CTL_FAULT_BIT_ACTIVE_TABLE_DAMAGED;
+        controller::Machine& machine = line.controller().machine();
+        if (by == 0) {
+            machine.setInput(CTL_INPUT_BIT_EMERGENCY_STOP, true);
+        } else if (by == 1) {
+            machine.setInput(CTL_INPUT_BIT_DRIVE_ALARM, true);
+            faults |= 1u << CTL_FAULT_BIT_DRIVE_ALARM;
+        } else if (by == 2) {
+            QCOMPARE(line.command(CTL_COMMAND_STOP_NOW), CTL_REFUSAL_NONE);
+        } else {
+            line.setParameter(CTL_REG_PARAMETER_FOLLOWING_ERROR_LIMIT + 1, 10);
+            machine.setDriveOn(false);
+            faults |= 1u << CTL_FAULT_BIT_FOLLOWING_ERROR;
+            line.run(300'000);
+        }
+        line.run(5'000);
+        QVERIFY(ctl_motion_standstill(&line.core().motion));
+        QVERIFY(!line.core().motion.manual);
+        const std::int64_t place = line.core().motion.commanded;
+        line.run(3'000'000);
+        QCOMPARE(line.core().motion.commanded, place);
+        QCOMPARE(line.core().motion.state, CTL_STATE_FAULT);
+        QCOMPARE(line.core().motion.fault, faults);
+        QVERIFY(line.has(CTL_WARNING_BIT_JAWS_CLOSED));
+        QCOMPARE(line.command(CTL_COMMAND_STOP_NOW), CTL_REFUSAL_NOT_RUNNING);
     }
 
     // Stopped in the first slice behind its return, too: where the cut is is not worked out anew for a start.
