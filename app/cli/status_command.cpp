@@ -83,6 +83,18 @@ QJsonObject pressObject(const modbus::PressStatus& press)
                          {u"peak_force_n"_s, press.peakForceN}}}};
 }
 
+QJsonArray keptPositions(const modbus::IoStatus& io)
+{
+    QJsonArray kept;
+    for (const auto& [isKept, axis] :
+         {std::pair(io.isAxisKept, u"axis"_s), std::pair(io.isFilmKept, u"film"_s),
+          std::pair(io.isInfeedKept, u"infeed"_s)}) {
+        if (isKept)
+            kept << axis;
+    }
+    return kept;
+}
+
 // What the machine does not have is null.
 QJsonObject ioObject(const modbus::IoStatus& io)
 {
@@ -91,7 +103,8 @@ QJsonObject ioObject(const modbus::IoStatus& io)
             {u"torque_percent"_s, orNull(io.torquePercent)},
             {u"torque_angle_deg"_s, orNull(io.torqueAngleDeg)},
             {u"infeed_position_mm"_s, orNull(io.infeedPositionMm)},
-            {u"infeed_following_error_mm"_s, orNull(io.infeedFollowingErrorMm)}};
+            {u"infeed_following_error_mm"_s, orNull(io.infeedFollowingErrorMm)},
+            {u"positions_kept"_s, keptPositions(io)}};
 }
 
 QJsonObject identityObject(const modbus::Identity& identity)

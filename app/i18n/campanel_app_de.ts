@@ -5712,6 +5712,18 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
         <source>The connection was lost during the reference run: the result is unknown.</source>
         <translation>Die Verbindung ging während der Referenzfahrt verloren: Ergebnis unbekannt.</translation>
     </message>
+    <message>
+        <source>Keep hands away: the axis turns slowly to 0°, the shorter way. Its encoder keeps the position without power, so no index mark is searched. Start begins with the reference run when required.</source>
+        <translation>Hände weg: die Achse dreht langsam auf dem kürzeren Weg auf 0°. Ihr Geber behält die Position ohne Strom, daher wird keine Nullmarke gesucht. Start referenziert bei Bedarf selbsttätig.</translation>
+    </message>
+    <message>
+        <source>Turning to 0° …</source>
+        <translation>Dreht auf 0° …</translation>
+    </message>
+    <message>
+        <source>The last reference run ended at 0°.</source>
+        <translation>Die letzte Referenzfahrt endete bei 0°.</translation>
+    </message>
 </context>
 <context>
     <name>campanel::panel::IoList</name>
@@ -5808,6 +5820,30 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
         <source>%1 %</source>
         <comment>percent</comment>
         <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>axis</source>
+        <comment>kept position</comment>
+        <translation>Achse</translation>
+    </message>
+    <message>
+        <source>film</source>
+        <comment>kept position</comment>
+        <translation>Folie</translation>
+    </message>
+    <message>
+        <source>infeed</source>
+        <comment>kept position</comment>
+        <translation>Zuführung</translation>
+    </message>
+    <message>
+        <source>Positions kept without power</source>
+        <translation>Ohne Strom behaltene Positionen</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <comment>kept positions</comment>
+        <translation>keine</translation>
     </message>
 </context>
 <context>

@@ -5710,6 +5710,18 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
         <source>The connection was lost during the reference run: the result is unknown.</source>
         <translation>回零期间连接中断：结果未知。</translation>
     </message>
+    <message>
+        <source>Keep hands away: the axis turns slowly to 0°, the shorter way. Its encoder keeps the position without power, so no index mark is searched. Start begins with the reference run when required.</source>
+        <translation>手不要靠近：轴沿较短方向缓慢转到 0°。其编码器断电后仍保持位置，因此不寻找零位标记。需要时，启动会自动回零。</translation>
+    </message>
+    <message>
+        <source>Turning to 0° …</source>
+        <translation>正在转到 0° …</translation>
+    </message>
+    <message>
+        <source>The last reference run ended at 0°.</source>
+        <translation>上次回零已停在 0°。</translation>
+    </message>
 </context>
 <context>
     <name>campanel::panel::IoList</name>
@@ -5806,6 +5818,30 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
         <source>%1 %</source>
         <comment>percent</comment>
         <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>axis</source>
+        <comment>kept position</comment>
+        <translation>轴</translation>
+    </message>
+    <message>
+        <source>film</source>
+        <comment>kept position</comment>
+        <translation>薄膜</translation>
+    </message>
+    <message>
+        <source>infeed</source>
+        <comment>kept position</comment>
+        <translation>进料</translation>
+    </message>
+    <message>
+        <source>Positions kept without power</source>
+        <translation>断电保持的位置</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <comment>kept positions</comment>
+        <translation>无</translation>
     </message>
 </context>
 <context>

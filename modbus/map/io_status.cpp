@@ -49,6 +49,9 @@ IoStatus decodeIo(std::span<const std::uint16_t> registers)
         status.infeedPositionMm = reader.physical("io.infeed_position");
         status.infeedFollowingErrorMm = reader.physical("io.infeed_following_error");
     }
+    status.isAxisKept = hasPin(available, IoBit::AxisKept);
+    status.isFilmKept = hasPin(available, IoBit::FilmKept);
+    status.isInfeedKept = hasPin(available, IoBit::InfeedKept);
     return status;
 }
 

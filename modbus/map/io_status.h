@@ -23,6 +23,10 @@ struct IoStatus {
     std::optional<double> torqueAngleDeg; // of the master, when it was reported
     std::optional<double> infeedPositionMm;
     std::optional<double> infeedFollowingErrorMm;
+    // The positions that survive a power cut.
+    bool isAxisKept = false;
+    bool isFilmKept = false;
+    bool isInfeedKept = false;
 
     // Return the level of a pin; empty when the machine has no such pins.
     [[nodiscard]] std::optional<bool> level(InputBit bit) const;

@@ -403,6 +403,13 @@ constexpr std::array ioBits{
     entry(IoBit::Outputs, "Outputs", "io.outputs."),
     entry(IoBit::Infeed, "Infeed", "Position and following error of the infeed."),
     entry(IoBit::Torque, "Torque", "io.torque."),
+    entry(
+        IoBit::AxisKept, "AxisKept",
+        "The position of the axis survives a power cut: the axis homes without a search for its index mark."),
+    entry(
+        IoBit::FilmKept, "FilmKept",
+        "The position of the film motor survives. The film is believed only at its next mark all the same."),
+    entry(IoBit::InfeedKept, "InfeedKept", "The position of the infeed motor survives."),
 };
 
 constexpr std::array inputBits = [] {

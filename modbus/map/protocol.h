@@ -210,7 +210,15 @@ inline constexpr int switchCount = 8;
 enum class DriveEnable : std::uint16_t { Off = 0, On = 1, WhileRunning = 2 };
 
 // The bits of io.available.
-enum class IoBit : std::uint16_t { Inputs = 0, Outputs = 1, Infeed = 2, Torque = 3 };
+enum class IoBit : std::uint16_t {
+    Inputs = 0,
+    Outputs = 1,
+    Infeed = 2,
+    Torque = 3,
+    AxisKept = 4,
+    FilmKept = 5,
+    InfeedKept = 6,
+};
 
 struct EnumInfo {
     std::string_view name;

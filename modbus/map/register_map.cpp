@@ -303,7 +303,8 @@ constexpr std::array registerTable{
     since(6, cutter(ro16("packer.threading", 0x01A9, "1: the film is threaded up, the knife is open"))),
 
     // The pins, and what only some drives give. Read while somebody looks at it.
-    ro16("io.available", 0x01B0, "which of the following values this machine has", "IoBit"),
+    ro16("io.available", 0x01B0,
+         "which of the following values this machine has, and which positions survive a power cut", "IoBit"),
     ro16("io.inputs", 0x01B1, "present levels of the inputs", "InputBit"),
     ro16("io.outputs", 0x01B2, "present levels of the outputs", "OutputBit"),
     roI16("io.torque", 0x01B3, "torque reported by the drive of the axis, in relation to its rated torque",

@@ -13,6 +13,11 @@ MaintenanceSection {
     readonly property Homing homing: Maintenance.homing
     readonly property bool good: section.homing.place === Homing.Place.Homed || section.homing.place === Homing.Place.NotNeeded
 
+    onShownChanged: shown => {
+        if (shown)
+            section.homing.open()
+    }
+
     Row {
         id: state
         anchors { left: parent.left; right: key.left; rightMargin: Theme.size.padding; top: parent.top }

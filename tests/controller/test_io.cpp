@@ -309,6 +309,10 @@ void TestIo::pinsFollowTheMachine()
     QVERIFY(passed >= 49);
     for (const int each : edges)
         QVERIFY2(std::abs(each - passed) <= 1, qPrintable(QString::number(each)));
+    constexpr unsigned kept =
+        1u << CTL_IO_BIT_AXIS_KEPT | 1u << CTL_IO_BIT_FILM_KEPT | 1u << CTL_IO_BIT_INFEED_KEPT;
+    QCOMPARE(pins(rig, CTL_REG_IO_AVAILABLE), ((2u << CTL_IO_BIT_LAST) - 1u) & ~kept);
+    rig.core().board.config.kept_positions = kept;
     QCOMPARE(pins(rig, CTL_REG_IO_AVAILABLE), (2u << CTL_IO_BIT_LAST) - 1u);
 }
 

@@ -209,6 +209,10 @@ void CodecTest::ioHasWhatIsAvailable()
     QCOMPARE(all.torqueAngleDeg, std::optional(90.5));
     QCOMPARE(all.infeedPositionMm, std::optional(-0.002));
     QCOMPARE(all.infeedFollowingErrorMm, std::optional(0.003));
+    QVERIFY(!all.isAxisKept && !all.isFilmKept && !all.isInfeedKept);
+    registers[0] = 0x0050;
+    QVERIFY(decodeIo(registers).isAxisKept && !decodeIo(registers).isFilmKept);
+    QVERIFY(decodeIo(registers).isInfeedKept);
     registers[0] = 0;
     QCOMPARE(decodeIo(registers), IoStatus());
     QVERIFY(!decodeIo(registers).level(InputBit::DriveAlarm));

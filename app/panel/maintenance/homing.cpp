@@ -20,7 +20,9 @@ Kind kindOf(const Controller& controller)
 Homing::Homing(Controller& controller, QObject* parent)
     : QObject(parent)
     , m_controller(controller)
+    , m_pins(controller, this)
 {
+    connect(&m_pins, &IoPins::changed, this, &Homing::changed);
     for (const auto trigger :
          {&Controller::stateChanged, &Controller::freshChanged, &Controller::connectionChanged})
         connect(&controller, trigger, this, &Homing::note);
@@ -36,6 +38,11 @@ Homing::Homing(Controller& controller, QObject* parent)
 bool Homing::moves() const
 {
     return kindOf(m_controller) != Kind::Press;
+}
+
+bool Homing::isKept() const
+{
+    return moves() && m_pins.status() && m_pins.status()->isAxisKept;
 }
 
 Homing::Place Homing::place() const
@@ -66,6 +73,11 @@ QString Homing::placeText() const
 
 QString Homing::explanation() const
 {
+    if (isKept())
+        return tr(
+            "Keep hands away: the axis turns slowly to 0°, the shorter way. Its encoder keeps the position "
+            "without power, so no index mark is searched. Start begins with the reference run when "
+            "required.");
     switch (kindOf(m_controller)) {
     case Kind::RotaryCutter:
         return tr("Keep hands away: the knife turns slowly forward to the index mark of its shaft, brakes "
@@ -94,7 +106,7 @@ QString Homing::keyText() const
 QString Homing::blockedReason() const
 {
     if (m_controller.state() == Controller::State::Homing && m_controller.fresh())
-        return tr("Searching for the index mark …");
+        return isKept() ? tr("Turning to 0° …") : tr("Searching for the index mark …");
     return m_controller.blockedReason(Action::Home);
 }
 
@@ -107,8 +119,9 @@ QString Homing::resultText() const
 {
     switch (m_result) {
     case Result::Done:
-        return moves() ? tr("The last reference run found the index mark.")
-                       : tr("The ram position was set as top position.");
+        return isKept()  ? tr("The last reference run ended at 0°.")
+               : moves() ? tr("The last reference run found the index mark.")
+                         : tr("The ram position was set as top position.");
     case Result::Stopped:
         return tr("The last reference run was stopped before its end.");
     case Result::Failed:

@@ -3,6 +3,8 @@
 // last time.
 #pragma once
 
+#include "app/panel/controller/io_pins.h"
+
 #include <QObject>
 #include <QtQml/qqmlregistration.h>
 
@@ -49,6 +51,8 @@ public:
     [[nodiscard]] bool failed() const;
     [[nodiscard]] bool moves() const;
 
+    // Asks what the controller can do; call it when the page opens.
+    Q_INVOKABLE void open() { m_pins.read(); }
     // Calls Controller::home(), when nothing blocks it.
     Q_INVOKABLE void home();
 
@@ -61,8 +65,11 @@ private:
     void note();
     void noteProgram();
     void end(Result result);
+    // Returns true when the position survives a power cut, so that no index mark is searched.
+    [[nodiscard]] bool isKept() const;
 
     Controller& m_controller;
+    IoPins m_pins;
     Result m_result = Result::None;
     bool m_wasStopping = false;
 };

@@ -199,6 +199,15 @@ void IoList::addDrives(QList<Row>& rows, const modbus::IoStatus& pins) const
         add(Side::Output, tr("Infeed, sent minus encoder"),
             format.measure(*pins.infeedFollowingErrorMm, 2, QStringLiteral("mm")));
     }
+    QStringList kept;
+    if (pins.isAxisKept)
+        kept << tr("axis", "kept position");
+    if (pins.isFilmKept)
+        kept << tr("film", "kept position");
+    if (pins.isInfeedKept)
+        kept << tr("infeed", "kept position");
+    add(Side::Input, tr("Positions kept without power"),
+        kept.isEmpty() ? tr("none", "kept positions") : kept.join(u", "));
 }
 
 void IoList::addBits(QList<Row>& rows, const modbus::StatusBlock& status) const

@@ -230,6 +230,21 @@ uint32_t ctl_bank_revolution_pulses(const ctl_bank* bank, uint32_t revolutions)
     return pulses > UINT32_MAX ? UINT32_MAX : (uint32_t)pulses;
 }
 
+static int64_t rounded_down(int64_t value, int64_t by)
+{
+    return value / by - (value % by < 0 ? 1 : 0);
+}
+
+int64_t ctl_bank_nearest_turn(const ctl_bank* bank, int64_t position)
+{
+    const int64_t revolution = (int64_t)scaled_revolution(bank);
+    const int64_t divisor = gear(bank, CTL_OFFSET_PROGRAM_GEAR_DENOMINATOR);
+    if (revolution == 0)
+        return position;
+    const int64_t turns = rounded_down(position * divisor + revolution / 2, revolution);
+    return rounded_down(turns * revolution + divisor / 2, divisor);
+}
+
 uint16_t ctl_bank_knife_angle(const ctl_bank* bank, int64_t position)
 {
     const int64_t revolution = (int64_t)scaled_revolution(bank);

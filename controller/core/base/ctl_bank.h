@@ -94,6 +94,8 @@ typedef struct {
     bool after_pause;
 } ctl_row_check;
 
+/* Returns the whole turn of the shaft with the index mark that is nearest to this position, in pulses. */
+int64_t ctl_bank_nearest_turn(const ctl_bank* bank, int64_t position);
 /* Registers that a bank of this board may have. */
 uint32_t ctl_bank_capacity(const ctl_config* config);
 /* Registers of a row of the bank's layout; 0 when the layout is not known. */

@@ -79,6 +79,10 @@ typedef struct {
     uint16_t max_rows_per_slice; /* maximum rows of a step table in one slice, at least 2 */
     uint16_t work_registers;     /* registers that one slice checks, sums up or saves */
 
+    /* Bits CTL_IO_BIT_..._KEPT: axes whose position survives a power cut (absolute encoder, backup counter).
+     * An encoder of the main axis that does counts from an index mark, in any turn, whatever its sign. */
+    uint16_t kept_positions;
+
     uint16_t map_minor; /* registers of later minor versions of the map do not exist; 0: all do */
 } ctl_config;
 

@@ -186,7 +186,7 @@ void ctl_io_registers(const ctl_io* io, const ctl_motion* motion, uint16_t* regi
 {
     const ctl_board* board = motion->board;
     const ctl_packer* packer = motion->packer;
-    uint32_t available = 0;
+    uint32_t available = board->config.kept_positions;
     memset(registers, 0, CTL_GROUP_IO * sizeof registers[0]);
     if (board->port.inputs != NULL)
         available |= 1u << CTL_IO_BIT_INPUTS;

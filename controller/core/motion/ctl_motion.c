@@ -182,13 +182,20 @@ void ctl_motion_begin_manual(ctl_motion* motion, uint32_t frequency_hz, int32_t 
 
 static void begin_homing(ctl_motion* motion)
 {
+    const ctl_bank* bank = ctl_active_bank(motion->banks);
     int64_t stale_mark;
     motion->board->port.index(motion->board->port.context, &stale_mark);
     ctl_motion_begin_manual(motion, ctl_parameter32(motion->board, CTL_REG_PARAMETER_HOME_FREQUENCY), 1);
     motion->homed = false;
-    motion->homing = CTL_HOMING_SEARCH;
-    motion->homing_left = ctl_bank_revolution_pulses(ctl_active_bank(motion->banks), HOMING_REVOLUTIONS);
     motion->state = CTL_STATE_HOMING;
+    if ((motion->board->config.kept_positions & 1u << CTL_IO_BIT_AXIS_KEPT) != 0) {
+        motion->origin = ctl_bank_nearest_turn(bank, motion->commanded);
+        motion->homing = CTL_HOMING_RETURN;
+        ctl_motion_begin_move(motion, motion->origin);
+        return;
+    }
+    motion->homing = CTL_HOMING_SEARCH;
+    motion->homing_left = ctl_bank_revolution_pulses(bank, HOMING_REVOLUTIONS);
 }
 
 void ctl_motion_fault(ctl_motion* motion, uint16_t fault_bit)

@@ -472,6 +472,7 @@ void CliTest::pinsOfTheMachine()
     QCOMPARE(io[u"outputs"_s].toArray(), QJsonArray{u"DriveEnable"_s});
     QCOMPARE(io[u"torque_percent"_s].toDouble(-1), 0.0);
     QVERIFY(io[u"infeed_position_mm"_s].isNull()); // no packing machine yet
+    QVERIFY(io[u"positions_kept"_s].isArray() && io[u"positions_kept"_s].toArray().isEmpty());
     QCOMPARE(call(QStringList{u"set"_s, u"parameter.switch1_on_angle"_s, u"90.5"_s} + port).code, int{Ok});
     QCOMPARE(call(QStringList{u"set"_s, u"parameter.switch1_on_angle"_s, u"360"_s} + port).code, int{Usage});
     QCOMPARE(call(QStringList{u"set"_s, u"parameter.drive_enable"_s, u"0"_s} + port).code, int{Ok});

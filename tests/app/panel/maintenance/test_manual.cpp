@@ -270,6 +270,25 @@ private slots:
         QCOMPARE(entries.last().outcome, outcome);
     }
 
+    // With an encoder that keeps its position nothing is searched, and the page says so once it knows.
+    void anAxisThatKeepsItsPlaceSearchesNothing()
+    {
+        PanelRig rig;
+        rig.connectIdle();
+        report(rig, modbus::mapMinor);
+        rig.link.activate(rig.image(), rig.now);
+        Homing& homing = *rig.maintenance.homing();
+        QVERIFY(homing.explanation().contains(QStringLiteral("forward to the index mark")));
+        homing.open();
+        QCOMPARE(rig.link.reads.last().address, modbus::ioAddress);
+        answer(rig, {0x0013, 0, 0, 0, 0, 0, 0, 0});
+        QVERIFY(homing.explanation().contains(QStringLiteral("no index mark is searched")));
+        become(rig, State::Homing, notHomed);
+        QCOMPARE(homing.blockedReason(), QStringLiteral("Turning to 0° …"));
+        become(rig, State::Ready);
+        QCOMPARE(homing.resultText(), QStringLiteral("The last reference run ended at 0°."));
+    }
+
     void aPressTakesThePlaceWhereItStands()
     {
         PanelRig rig;
@@ -365,6 +384,7 @@ private slots:
         QCOMPARE(valueOf(io, QStringLiteral("Torque of the axis, of rated")), QStringLiteral("−12.3 %"));
         QCOMPARE(valueOf(io, QStringLiteral("Encoder of the infeed")), QStringLiteral("65.5 mm"));
         QCOMPARE(valueOf(io, QStringLiteral("Infeed, sent minus encoder")), QStringLiteral("1.50 mm"));
+        QCOMPARE(valueOf(io, QStringLiteral("Positions kept without power")), QStringLiteral("none"));
         // Each pin once, a sensor with its count.
         QCOMPARE(lampOf(io, QStringLiteral("Index mark")), IoList::Lamp::Off);
         QCOMPARE(valueOf(io, QStringLiteral("Index mark")), QStringLiteral("found or not required"));
@@ -384,7 +404,8 @@ private slots:
         // What the machine does not have has no row.
         io.retranslate();
         QCOMPARE(rig.link.reads.size(), 2);
-        answer(rig, {0x0002, 0x0002, 0x0001, 100, 0, 0, 0, 0});
+        answer(rig, {0x0052, 0x0002, 0x0001, 100, 0, 0, 0, 0});
+        QCOMPARE(valueOf(io, QStringLiteral("Positions kept without power")), QStringLiteral("axis, infeed"));
         QCOMPARE(valueOf(io, QStringLiteral("Emergency stop")), QStringLiteral("no such row"));
         QCOMPARE(valueOf(io, QStringLiteral("Torque of the axis, of rated")), QStringLiteral("no such row"));
         QCOMPARE(lampOf(io, QStringLiteral("Cam switch 1")), IoList::Lamp::On);
