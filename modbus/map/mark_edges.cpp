@@ -2,17 +2,24 @@
 #include "modbus/map/mark_edges.h"
 
 #include <algorithm>
+#include <cstdlib>
 
 namespace campanel::modbus {
 
 namespace {
 
 constexpr std::size_t registersPerEdge = 8;
-constexpr double mmPerWidthStep = 0.01;
-constexpr double mmPerUm = 0.001;
+constexpr double mmPerStep = 0.01;
+constexpr int saturated = 32767;
 constexpr double mPerSStep = 0.0001;
 constexpr double mPerMm = 0.001;
 constexpr double msPerUs = 0.001;
+
+std::optional<double> distanceMm(std::uint16_t value)
+{
+    const int steps = static_cast<std::int16_t>(value);
+    return std::abs(steps) < saturated ? std::optional(steps * mmPerStep) : std::nullopt;
+}
 
 double signedNumber(std::uint16_t value)
 {
@@ -37,10 +44,10 @@ std::vector<MarkEdge> markEdges(std::span<const std::uint16_t> registers, std::u
         const std::uint32_t number = newest - (back - 1);
         const auto record =
             registers.subspan(2 + registersPerEdge * (number % edgeRecords), registersPerEdge);
-        edges.push_back({number, wide(record), signedNumber(record[2]) * mmPerUm,
-                         signedNumber(record[3]) * mPerSStep, signedNumber(record[4]) * mPerMm,
-                         static_cast<MarkVerdict>(record[5]), record[6] * msPerUs,
-                         record[7] != 0 ? std::optional(record[7] * mmPerWidthStep) : std::nullopt});
+        edges.push_back({number, wide(record), distanceMm(record[2]), signedNumber(record[3]) * mPerSStep,
+                         signedNumber(record[4]) * mPerMm, static_cast<MarkVerdict>(record[5]),
+                         record[6] * msPerUs,
+                         record[7] != 0 ? std::optional(record[7] * mmPerStep) : std::nullopt});
     }
     return edges;
 }

@@ -20,8 +20,9 @@ inline constexpr std::uint16_t sensorMapMinor = 6;
 struct MarkEdge {
     std::uint32_t number = 0; // counted since power-up
     std::uint32_t filmUm = 0; // position of the film motor, lower 32 bits
-    double offMm = 0.0;       // from the expected mark, saturating at 32.767
-    double speedMPerS = 0.0;  // of the film
+    // From the nearest expected mark; empty beyond 327.66 mm.
+    std::optional<double> offMm{};
+    double speedMPerS = 0.0; // of the film
     double accelerationMPerS2 = 0.0;
     MarkVerdict verdict = MarkVerdict::NotUsed;
     double deadMs = 0.0;             // taken off

@@ -361,12 +361,12 @@ constexpr std::array registerTable{
     since(6,
           cutter(ro32("sensor.mark_number", 0x0A00,
                       "edges of the mark sensor since power-up, equal to the number of the newest record"))),
-    since(6,
-          cutter(block("sensor.marks", 0x0A02, 8 * edgeRecords, Access::ReadOnly,
-                       "the newest edges, edge n at (n mod 12) x 8: film position (u32, 0.001 mm, lower 32 "
-                       "bits), distance from the expected mark (i16, 0.001 mm, saturating), film speed "
-                       "(i16, 0.1 mm/s), film acceleration (i16, mm/s^2), MarkVerdict, dead time taken off "
-                       "(u16, 0.001 ms), width (u16, 0.01 mm, saturating, 0: unknown)"))),
+    since(6, cutter(block(
+                 "sensor.marks", 0x0A02, 8 * edgeRecords, Access::ReadOnly,
+                 "the newest edges, edge n at (n mod 12) x 8: film position (u32, 0.001 mm, lower 32 "
+                 "bits), distance from the nearest expected mark (i16, 0.01 mm, saturating), film speed "
+                 "(i16, 0.1 mm/s), film acceleration (i16, mm/s^2), MarkVerdict, dead time taken off "
+                 "(u16, 0.001 ms), width (u16, 0.01 mm, saturating, 0: unknown)"))),
 
     // The torque of a packing machine's knife by its angle, and the jams. Angles are of the shaft, from the
     // cut, negative before it.

@@ -31,7 +31,7 @@ constexpr double printedMm = 0.31; // the marks are farther apart than the bag i
 constexpr std::uint32_t marksToMissing = 11;
 constexpr std::uint32_t marksToMisplaced = 5;
 constexpr double misplacedMarkMm = 9.4; // behind its window
-constexpr double beyondRegisterMm = -32.767;
+constexpr double edgeStepsPerMm = 100;
 
 // Sets one place of the film picture; `isSpecial` is its last bit.
 void setPlace(test::PackerImage& image, const char* name, std::size_t index, double mm,
@@ -122,7 +122,7 @@ std::vector<std::uint16_t> demoEdges(const DemoFilm& film)
         const std::uint32_t mark = edge + edge / marksToMissing;
         setWide(at, static_cast<std::uint32_t>(
                         std::llround(umPerMm * (mark % 1'000'000 * (film.bagMm + printedMm) + offMm))));
-        registers[at + 2] = micrometres(isMisplaced ? beyondRegisterMm : offMm);
+        registers[at + 2] = static_cast<std::uint16_t>(std::lround(edgeStepsPerMm * offMm));
         registers[at + 5] = static_cast<std::uint16_t>(isMisplaced ? modbus::MarkVerdict::OutsideWindow
                                                                    : modbus::MarkVerdict::Taken);
     }

@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iterator>
 
 using namespace Qt::StringLiterals;
 
@@ -20,7 +19,6 @@ namespace {
 using modbus::MarkVerdict;
 
 constexpr double edgeMmPerUm = 0.001;
-constexpr double saturatedMm = 32.767;
 // A mark is expected in steps of the pitch, which is not known well enough for more of them.
 constexpr double maxPitches = 6;
 constexpr double samePlaceMm = 1.0;
@@ -129,10 +127,8 @@ void MarkEdgeList::add(const std::vector<modbus::MarkEdge>& edges)
     const auto& status = packing.status();
     const double pitchMm =
         status && status->markPitchMm > 0 ? status->markPitchMm : m_controller.active().bagLengthMm;
-    const std::size_t first = m_edges.size();
     for (const modbus::MarkEdge& edge : edges)
-        m_edges.push_back({edge, std::nullopt, packing.windowMm(), pitchMm});
-    measure(first);
+        m_edges.push_back({edge, packing.windowMm(), pitchMm});
     while (m_edges.size() > maxEdges)
         m_edges.pop_front();
     update();
@@ -146,34 +142,7 @@ void MarkEdgeList::noteWindow()
         return;
     for (Edge& edge : m_edges)
         edge.windowMm = windowMm;
-    measure(0);
     update();
-}
-
-void MarkEdgeList::measure(std::size_t first)
-{
-    for (std::size_t at = first; at < m_edges.size(); ++at)
-        m_edges[at].offMm = offAt(at);
-}
-
-// The controller expects the next mark as soon as the window of one has passed, so that the record of a mark
-// behind its window has the distance from that next one, which is too large for a register. Its own mark was
-// expected a pitch behind the one before.
-std::optional<double> MarkEdgeList::offAt(std::size_t at) const
-{
-    const Edge& edge = m_edges[at];
-    if (!wordsOf(edge.record.verdict).hasExpected)
-        return std::nullopt;
-    if (std::abs(edge.record.offMm) < saturatedMm)
-        return edge.record.offMm;
-    const auto before = std::find_if(std::make_reverse_iterator(m_edges.begin() + static_cast<int>(at)),
-                                     m_edges.rend(), [](const Edge& each) { return each.offMm.has_value(); });
-    if (before == m_edges.rend() || !(edge.pitchMm > 0))
-        return std::nullopt;
-    const double sinceMm = *before->offMm - before->placeMm(edge);
-    const double pitches = std::round(sinceMm / edge.pitchMm);
-    const double offMm = sinceMm - pitches * edge.pitchMm;
-    return pitches <= maxPitches && std::abs(offMm) > edge.windowMm ? std::optional(offMm) : std::nullopt;
 }
 
 void MarkEdgeList::update()
@@ -189,6 +158,11 @@ void MarkEdgeList::update()
     }
     m_verdicts.setRows(rows);
     emit changed();
+}
+
+std::optional<double> MarkEdgeList::Edge::offMm() const
+{
+    return wordsOf(record.verdict).hasExpected ? record.offMm : std::nullopt;
 }
 
 double MarkEdgeList::Edge::placeMm(const Edge& newest) const
@@ -216,9 +190,10 @@ QStringList MarkEdgeList::notes() const
 {
     QStringList notes;
     for (const Edge& edge : m_shown) {
-        const bool isTold = edge.offMm && wordsOf(edge.record.verdict).look == Rejected;
-        const QString sign = isTold && *edge.offMm > 0 ? u"+"_s : QString();
-        notes << (isTold ? sign + Format().measure(*edge.offMm, 1, u"mm"_s, edge.windowMm) : QString());
+        const auto offMm = edge.offMm();
+        const bool isTold = offMm && wordsOf(edge.record.verdict).look == Rejected;
+        const QString sign = isTold && *offMm > 0 ? u"+"_s : QString();
+        notes << (isTold ? sign + Format().measure(*offMm, 1, u"mm"_s, edge.windowMm) : QString());
     }
     return notes;
 }
@@ -233,9 +208,10 @@ QList<QPointF> MarkEdgeList::windows() const
         isWhole = isWhole && edge.record.number == last->record.number + 1 &&
                   edge.record.verdict != MarkVerdict::Searched;
         last = &edge;
-        if (!edge.offMm || std::isnan(edge.windowMm))
+        const auto offMm = edge.offMm();
+        if (!offMm || std::isnan(edge.windowMm))
             continue;
-        const double placeMm = edge.placeMm(m_shown.back()) - *edge.offMm;
+        const double placeMm = edge.placeMm(m_shown.back()) - *offMm;
         const double stepMm = windows.isEmpty() ? edge.pitchMm : placeMm - windows.last().x();
         const int pitches = isWhole ? pitchesIn(stepMm, edge.pitchMm) : 1;
         for (int missing = pitches - 1; missing > 0; --missing)
@@ -261,13 +237,14 @@ QString MarkEdgeList::verdictSentence(const Edge& edge)
     if (!words.hasExpected)
         return tr(words.sentence);
     const Format format;
-    const double offMm = edge.offMm.value_or(0);
+    const bool isNear = edge.record.offMm.has_value();
+    const double offMm = edge.record.offMm.value_or(0);
     const QString distance = format.measure(std::abs(offMm), 1, u"mm"_s, edge.windowMm);
-    const QString place = !edge.offMm ? tr("far from the expected mark")
+    const QString place = !isNear     ? tr("far from the expected mark")
                           : offMm < 0 ? tr("%1 before the expected mark").arg(distance)
                                       : tr("%1 behind the expected mark").arg(distance);
     const QString window = format.compactMeasure(edge.windowMm, 0, 1, u"mm"_s,
-                                                 edge.offMm ? std::optional(std::abs(offMm)) : std::nullopt);
+                                                 isNear ? std::optional(std::abs(offMm)) : std::nullopt);
     return tr(words.sentence).arg(place, window);
 }
 
@@ -307,7 +284,7 @@ bool MarkEdgeList::newestRejected() const
 
 double MarkEdgeList::newestOffMm() const
 {
-    return m_shown.empty() ? unknown : m_shown.back().offMm.value_or(unknown);
+    return m_shown.empty() ? unknown : m_shown.back().offMm().value_or(unknown);
 }
 
 QString MarkEdgeList::emptyText() const

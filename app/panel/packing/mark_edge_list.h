@@ -97,12 +97,12 @@ signals:
 private:
     struct Edge {
         modbus::MarkEdge record;
-        // From the expected mark; empty without one, or when it is too far away.
-        std::optional<double> offMm;
         // As they were when the edge was read.
         double windowMm = unknown;
         double pitchMm = unknown;
 
+        // Returns the distance from the expected mark; empty without one.
+        [[nodiscard]] std::optional<double> offMm() const;
         [[nodiscard]] double placeMm(const Edge& newest) const;
     };
     using Edges = std::deque<Edge>;
@@ -112,9 +112,6 @@ private:
     // Displays the edges unless the list is paused.
     void update();
     void noteWindow();
-    // Computes the distances from the expected marks from this edge on.
-    void measure(std::size_t first);
-    [[nodiscard]] std::optional<double> offAt(std::size_t at) const;
     [[nodiscard]] static QString sentence(const Edge& edge);
     [[nodiscard]] static QString verdictSentence(const Edge& edge);
     [[nodiscard]] Edges::const_reverse_iterator rejected() const;

@@ -14,7 +14,7 @@ _Static_assert(CTL_EDGE_REGISTERS* CTL_EDGE_RECORDS + 2u == CTL_GROUP_SENSOR, "a
 /* 0.1 mm/s in a microsecond are 100 000 mm/s^2; the speeds are half of both ways' times apart. */
 #define ACCELERATION (2 * 100000)
 
-#define WIDTH_UM 10 /* of a record */
+#define LENGTH_UM 10 /* of a distance or width in a record */
 
 enum {
     RECORD_AT,
@@ -68,13 +68,13 @@ void ctl_edges_work(ctl_edges* edges, uint32_t feed_um, uint32_t pulses)
                   (uint32_t)((uint64_t)ctl_feed_um(edge->at, feed_um, pulses) & 0xFFFFFFFFu));
         break;
     case 1:
-        record[RECORD_OFF] = ctl_saturated16(ctl_feed_um(edge->off, feed_um, pulses));
+        record[RECORD_OFF] = ctl_saturated16(ctl_feed_um(edge->off, feed_um, pulses) / LENGTH_UM);
         break;
     case 2:
         edges->speeds[0] = speed_of(&edge->newer, feed_um, pulses);
         break;
     case 3:
-        record[RECORD_WIDTH] = ctl_saturated16(ctl_feed_um(edge->width, feed_um, pulses) / WIDTH_UM);
+        record[RECORD_WIDTH] = ctl_saturated16(ctl_feed_um(edge->width, feed_um, pulses) / LENGTH_UM);
         break;
     case 4:
         edges->speeds[1] = speed_of(&edge->older, feed_um, pulses);

@@ -21,7 +21,7 @@ extern "C" {
 /* Lengths in 1/256 pulse of the film motor. */
 typedef struct {
     int64_t at;         /* film position of the mark */
-    int64_t off;        /* from its expected position */
+    int64_t off;        /* from the nearest expected position */
     int64_t width;      /* of the mark, 0: unknown */
     ctl_past_way newer; /* of the film before the edge was latched, */
     ctl_past_way older; /* and before that */

@@ -111,12 +111,19 @@ static void take_back(ctl_marks* marks, int64_t film)
     marks->unexpected += 1;
 }
 
+/* A print that came a little late is nearer to the mark before the one that is expected now. */
+static int64_t from_nearest(const ctl_marks* marks, int64_t film)
+{
+    const int64_t error = film - marks->expected;
+    return error < -marks->pitch / 2 ? error + marks->pitch : error;
+}
+
 static uint16_t follow(ctl_marks* marks, int64_t film)
 {
     take_back(marks, film);
+    marks->off = from_nearest(marks, film);
     const ctl_mark_settings* settings = &marks->settings;
     const int64_t error = film - marks->expected;
-    marks->off = error;
     if (size_of(error) > settings->window) {
         marks->unexpected += 1;
         marks->false_in_row += 1;
@@ -167,7 +174,7 @@ static void arrive(ctl_marks* marks, int64_t film)
 {
     ctl_marks_pass(marks, film);
     const bool follows = marks->state == CTL_MARK_STATE_ALIGNING || marks->state == CTL_MARK_STATE_TRACKING;
-    marks->off = follows ? film - marks->expected : 0;
+    marks->off = follows ? from_nearest(marks, film) : 0;
 }
 
 static bool is_masked(const ctl_marks* marks, int64_t film)

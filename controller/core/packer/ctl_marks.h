@@ -51,7 +51,7 @@ typedef struct {
     int64_t last;  /* the previous mark, as seen */
     int64_t pitch; /* filtered distance from mark to mark */
     int64_t error; /* of the last mark */
-    int64_t off;   /* the same of the last edge, valid or not */
+    int64_t off;   /* of the last edge, valid or not, from the nearest expected mark */
     bool jumped;   /* too large for slip; the values before it: */
     int64_t expected_before;
     int64_t last_before;

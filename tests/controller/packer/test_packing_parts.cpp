@@ -320,6 +320,8 @@ void TestPackingParts::edgeOfTheWindowBelongsToIt()
         ctl_marks_see(&beyond, 3 * bag + side * 10'001);
         QCOMPARE(beyond.followed, 1u);
         QCOMPARE(beyond.unexpected, 1u);
+        // The controller expects the next mark then; the record has the distance from this one's place.
+        QCOMPARE(beyond.off, side * 10'001);
     }
 }
 

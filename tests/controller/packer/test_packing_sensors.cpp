@@ -87,7 +87,7 @@ private slots:
         const std::uint16_t* record = &registers[2 + CTL_EDGE_REGISTERS];
         QCOMPARE(registers[1], std::uint16_t{1});
         QCOMPARE(record[0] << 16 | record[1], 1'000'000);
-        QCOMPARE(static_cast<std::int16_t>(record[2]), std::int16_t{-250});
+        QCOMPARE(static_cast<std::int16_t>(record[2]), std::int16_t{-25});
         QVERIFY(std::abs(static_cast<std::int16_t>(record[3]) - 7000) <= 2);
         QVERIFY(std::abs(static_cast<std::int16_t>(record[4]) + 1800) <= 20);
         QCOMPARE(record[5], std::uint16_t{CTL_MARK_VERDICT_TAKEN});

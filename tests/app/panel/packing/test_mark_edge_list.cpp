@@ -56,7 +56,7 @@ struct EdgeRig : test::PanelRig {
         const std::size_t at = 2 + 8 * (number % modbus::edgeRecords);
         registers[at] = static_cast<std::uint16_t>(um >> 16U);
         registers[at + 1] = static_cast<std::uint16_t>(um);
-        registers[at + 2] = static_cast<std::uint16_t>(std::lround(offMm * 1000));
+        registers[at + 2] = static_cast<std::uint16_t>(std::lround(offMm * 100));
         registers[at + 5] = static_cast<std::uint16_t>(verdict);
         registers[at + 7] = static_cast<std::uint16_t>(std::lround(widthMm * 100));
     }
@@ -161,8 +161,7 @@ private slots:
         rig.takeMarks(5, 1000);
         QCOMPARE(plain(rig.edges().newestText()),
                  QStringLiteral("Taken: 0.1 mm behind the expected mark. The window is ±2 mm."));
-        // The controller expects the next mark already, and its register is at its end.
-        rig.see(1000 + 5 * bagMm - 0.1 + 4.3, MarkVerdict::OutsideWindow, -32.768);
+        rig.see(1000 + 5 * bagMm - 0.1 + 4.3, MarkVerdict::OutsideWindow, 4.3);
         rig.tell();
         QVERIFY2(plain(rig.edges().newestText())
                      .startsWith(QStringLiteral(
@@ -192,6 +191,18 @@ private slots:
                      .startsWith(
                          QStringLiteral("Not taken: 2.04 mm before the expected mark; the window is ±2 mm.")),
                  qPrintable(rig.edges().newestText()));
+    }
+
+    void aMarkBeyondTheRegisterIsFarAway()
+    {
+        EdgeRig rig;
+        rig.takeMarks(3, 1000);
+        rig.see(1000 + 3 * bagMm + 400, MarkVerdict::OutsideWindow, 327.67);
+        rig.tell();
+        QVERIFY2(
+            rig.edges().newestText().startsWith(QStringLiteral("Not taken: far from the expected mark;")),
+            qPrintable(rig.edges().newestText()));
+        QVERIFY(std::isnan(rig.edges().newestOffMm()));
     }
 
     void lengthsAreInTheUnitsOfThePanel()
@@ -268,7 +279,7 @@ private slots:
         EdgeRig rig;
         rig.machine.parameter("parameter.mark_window").clear();
         rig.takeMarks(3, 1000);
-        rig.see(1000 + 3 * bagMm - 0.1 + 4.3, MarkVerdict::OutsideWindow, -32.768);
+        rig.see(1000 + 3 * bagMm - 0.1 + 4.3, MarkVerdict::OutsideWindow, 4.3);
         rig.tell();
         QVERIFY(rig.edges().windows().isEmpty());
         emit rig.link.parameterEnded({0, "parameter.mark_window", link::ParameterEnd::Done, 2.0, {}});
