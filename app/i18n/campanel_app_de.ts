@@ -6528,6 +6528,18 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
         <source>%1 · 0: not used</source>
         <translation>%1 · 0: nicht verwendet</translation>
     </message>
+    <message>
+        <source>%1 · to measure this, fix one part on the infeed and run at two speeds</source>
+        <translation>%1 · zum Messen ein Teil auf der Zuführung befestigen und mit zwei Geschwindigkeiten fahren</translation>
+    </message>
+    <message>
+        <source>%1 · not offered: margin ±%2 ms, at most %3 ms. Fix one part on the infeed and run at two speeds.</source>
+        <translation>%1 · kein Vorschlag: Unsicherheit ±%2 ms, höchstens %3 ms. Ein Teil auf der Zuführung befestigen und mit zwei Geschwindigkeiten fahren.</translation>
+    </message>
+    <message>
+        <source>%1 · measured: %2 ms, margin ±%3 ms</source>
+        <translation>%1 · gemessen: %2 ms, Unsicherheit ±%3 ms</translation>
+    </message>
 </context>
 <context>
     <name>campanel::panel::PackingSetup</name>

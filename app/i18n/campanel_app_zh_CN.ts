@@ -6526,6 +6526,18 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
         <source>%1 · 0: not used</source>
         <translation>%1 · 0：不使用</translation>
     </message>
+    <message>
+        <source>%1 · to measure this, fix one part on the infeed and run at two speeds</source>
+        <translation>%1 · 要测量此值，请在进料上固定一个工件，并以两种速度运行</translation>
+    </message>
+    <message>
+        <source>%1 · not offered: margin ±%2 ms, at most %3 ms. Fix one part on the infeed and run at two speeds.</source>
+        <translation>%1 · 不建议：误差 ±%2 ms，最大 %3 ms。请在进料上固定一个工件，并以两种速度运行。</translation>
+    </message>
+    <message>
+        <source>%1 · measured: %2 ms, margin ±%3 ms</source>
+        <translation>%1 · 实测：%2 ms，误差 ±%3 ms</translation>
+    </message>
 </context>
 <context>
     <name>campanel::panel::PackingSetup</name>

@@ -32,6 +32,13 @@ constexpr double minDeterminant = 1e-12; // of the normal equations
 
 } // namespace
 
+std::optional<double> offeredMs(double foundMs, double marginMs, double presentMs)
+{
+    const double ms = std::clamp(std::round(foundMs / stepMs) * stepMs, 0.0, maxDeadTimeMs);
+    const bool differs = std::abs(ms - presentMs) > std::max(marginsApart * marginMs, smallestMs);
+    return differs ? std::optional(ms) : std::nullopt;
+}
+
 void DeadTimeEstimate::startFilm()
 {
     m_before.reset();
@@ -113,11 +120,7 @@ std::optional<DeadTime> DeadTimeEstimate::drift(double enteredMs, bool isKnown) 
 std::optional<double> DeadTimeEstimate::offered(double presentMs) const
 {
     const auto found = estimate();
-    if (!found)
-        return std::nullopt;
-    const double ms = std::clamp(std::round(found->ms / stepMs) * stepMs, 0.0, maxMs);
-    const bool differs = std::abs(ms - presentMs) > std::max(marginsApart * found->marginMs, smallestMs);
-    return differs ? std::optional(ms) : std::nullopt;
+    return found ? offeredMs(found->ms, found->marginMs, presentMs) : std::nullopt;
 }
 
 } // namespace campanel::program

@@ -24,11 +24,16 @@ struct SensorDrift {
     DeadTime learned;
 };
 
+inline constexpr double maxDeadTimeMs = 20.0;
+
+// Returns the dead time to enter instead of `presentMs`, in steps of the register; nothing while it is within
+// the margin.
+[[nodiscard]] std::optional<double> offeredMs(double foundMs, double marginMs, double presentMs);
+
 class DeadTimeEstimate {
 public:
     // Above this margin nothing is offered.
     static constexpr double maxMarginMs = 0.1;
-    static constexpr double maxMs = 20.0;
 
     // Adds an edge; call it for every edge in turn.
     void take(const modbus::MarkEdge& edge);
@@ -36,8 +41,7 @@ public:
     void startFilm();
     // Returns nothing while the margin is too large.
     [[nodiscard]] std::optional<DeadTime> estimate() const;
-    // Returns the dead time to enter instead of `presentMs`, in steps of the register; nothing while it is
-    // within the margin.
+    // Returns offeredMs(); nothing while the margin is too large.
     [[nodiscard]] std::optional<double> offered(double presentMs) const;
     // Returns the dead time when it is farther from the entered one than the film notices, and than its
     // margin explains. `isKnown`: it was so before; it ends only well below. Nothing while none is entered.

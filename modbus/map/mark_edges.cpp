@@ -9,6 +9,8 @@ namespace campanel::modbus {
 namespace {
 
 constexpr std::size_t registersPerEdge = 8;
+constexpr std::size_t registersPerEyeEdge = 4;
+constexpr double perSStep = 0.001;
 constexpr double mmPerStep = 0.01;
 constexpr int saturated = 32767;
 constexpr double mPerSStep = 0.0001;
@@ -31,24 +33,43 @@ std::uint32_t wide(std::span<const std::uint16_t> at)
     return static_cast<std::uint32_t>(at[0]) << 16u | at[1];
 }
 
+// Calls `add` with the number and the registers of each record behind number `after`, oldest first.
+template <class Add>
+void readRecords(std::span<const std::uint16_t> registers, std::size_t size, std::uint32_t kept,
+                 std::uint32_t after, Add add)
+{
+    if (registers.size() < 2 + size * kept)
+        return;
+    const std::uint32_t newest = wide(registers);
+    const std::uint32_t fresh = newest < after ? newest : newest - after; // fewer than before: restarted
+    for (std::uint32_t back = std::min(fresh, kept); back != 0; --back) {
+        const std::uint32_t number = newest - (back - 1);
+        add(number, registers.subspan(2 + size * (number % kept), size));
+    }
+}
+
 } // namespace
 
 std::vector<MarkEdge> markEdges(std::span<const std::uint16_t> registers, std::uint32_t after)
 {
     std::vector<MarkEdge> edges;
-    if (registers.size() < sensorRegisters)
-        return edges;
-    const std::uint32_t newest = wide(registers);
-    const std::uint32_t fresh = newest < after ? newest : newest - after; // fewer than before: restarted
-    for (std::uint32_t back = std::min<std::uint32_t>(fresh, edgeRecords); back != 0; --back) {
-        const std::uint32_t number = newest - (back - 1);
-        const auto record =
-            registers.subspan(2 + registersPerEdge * (number % edgeRecords), registersPerEdge);
+    const auto add = [&edges](std::uint32_t number, std::span<const std::uint16_t> record) {
         edges.push_back({number, wide(record), distanceMm(record[2]), signedNumber(record[3]) * mPerSStep,
                          signedNumber(record[4]) * mPerMm, static_cast<MarkVerdict>(record[5]),
                          record[6] * msPerUs,
                          record[7] != 0 ? std::optional(record[7] * mmPerStep) : std::nullopt});
-    }
+    };
+    readRecords(registers, registersPerEdge, edgeRecords, after, add);
+    return edges;
+}
+
+std::vector<EyeEdge> eyeEdges(std::span<const std::uint16_t> registers, std::uint32_t after)
+{
+    std::vector<EyeEdge> edges;
+    const auto add = [&edges](std::uint32_t number, std::span<const std::uint16_t> record) {
+        edges.push_back({number, record[0], record[1] * perSStep, record[2] != 0, record[3] * msPerUs});
+    };
+    readRecords(registers, registersPerEyeEdge, eyeRecords, after, add);
     return edges;
 }
 

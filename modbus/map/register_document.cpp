@@ -164,6 +164,7 @@ void printCHeader(std::ostream& out)
     define("BAG_RECORDS", std::to_string(bagRecords) + "u");
     define("EDGE_RECORDS", std::to_string(edgeRecords) + "u");
     define("JAM_BINS", std::to_string(jamBins) + "u");
+    define("EYE_RECORDS", std::to_string(eyeRecords) + "u");
     define("VIEW_CUTS", std::to_string(viewCuts) + "u");
     define("VIEW_MARKS", std::to_string(viewMarks) + "u");
     define("VIEW_PRODUCTS", std::to_string(viewProducts) + "u");

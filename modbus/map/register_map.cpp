@@ -367,6 +367,15 @@ constexpr std::array registerTable{
                  "bits), distance from the nearest expected mark (i16, 0.01 mm, saturating), film speed "
                  "(i16, 0.1 mm/s), film acceleration (i16, mm/s^2), MarkVerdict, dead time taken off "
                  "(u16, 0.001 ms), width (u16, 0.01 mm, saturating, 0: unknown)"))),
+    // And these of the product eye.
+    since(6,
+          cutter(ro32("eye.edge_number", 0x0A64,
+                      "edges of the product eye since power-up, equal to the number of the newest record"))),
+    since(6,
+          cutter(block("eye.edges", 0x0A66, 4 * eyeRecords, Access::ReadOnly,
+                       "the newest edges, edge n at (n mod 6) x 4: place of the infeed in the product pitch "
+                       "(u16, 1/65536), its speed (u16, 0.001 pitches per second, saturating), 1: a product "
+                       "begins, 0: it ends, dead time taken off (u16, 0.001 ms)"))),
 
     // The torque of a packing machine's knife by its angle, and the jams. Angles are of the shaft, from the
     // cut, negative before it.

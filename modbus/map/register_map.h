@@ -80,6 +80,7 @@ inline constexpr std::uint16_t bagRecords = 8;
 inline constexpr std::uint16_t edgeRecords = 12;
 // Parts of the learned band of the knife's torque.
 inline constexpr std::uint16_t jamBins = 32;
+inline constexpr std::uint16_t eyeRecords = 6;
 inline constexpr std::uint16_t viewCuts = 6;
 inline constexpr std::uint16_t viewMarks = 12;
 inline constexpr std::uint16_t viewProducts = 8;

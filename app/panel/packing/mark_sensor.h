@@ -3,7 +3,7 @@
 // from it, and notices when that differs from the one that is entered.
 #pragma once
 
-#include "app/link/link.h"
+#include "app/panel/packing/sensor_records.h"
 #include "app/program/dead_time_estimate.h"
 
 #include <QObject>
@@ -26,7 +26,7 @@ public:
     [[nodiscard]] const program::DeadTimeEstimate& estimate() const { return m_estimate; }
 
     // Returns false with a controller that records no edges.
-    [[nodiscard]] bool isRecorded() const;
+    [[nodiscard]] bool isRecorded() const { return m_records.isRecorded(); }
 
 signals:
     // Emitted for new edges, oldest first.
@@ -35,22 +35,18 @@ signals:
     void driftChanged(const std::optional<campanel::program::SensorDrift>& drift);
 
 private:
-    void ask();
-    void take(const link::ReadOutcome& outcome);
-    void noteConnection();
+    void take(const std::vector<std::uint16_t>& registers);
+    // Another machine has another sensor.
+    void forget();
     void watchDrift();
     void setDrift(double enteredMs, const std::optional<program::DeadTime>& learned);
 
-    Controller& m_controller;
     Parameter& m_entered;
+    SensorRecords m_records;
     program::DeadTimeEstimate m_estimate;
-    std::uint32_t m_last = 0; // number of the newest edge
-    link::SteadyTime m_askedAt;
-    link::SteadyTime m_nextAt;
-    bool m_isAsked = false;
+    std::uint32_t m_last = 0;  // number of the newest edge
     double m_takenOffMs = 0.0; // by the controller, from the newest edge
     bool m_hasDrifted = false;
-    std::optional<std::uint64_t> m_controllerId; // of the estimate
 };
 
 } // namespace campanel::panel

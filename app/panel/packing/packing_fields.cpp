@@ -7,12 +7,15 @@
 #include <array>
 #include <charconv>
 #include <string>
+#include <utility>
 
 namespace campanel::panel {
 
 namespace {
 
 constexpr std::string_view markDeadTime = "parameter.mark_dead_time";
+constexpr std::string_view eyeDeadTime = "parameter.eye_dead_time";
+constexpr std::string_view eyeEndDeadTime = "parameter.eye_end_dead_time";
 constexpr const char* markWidthMin = "parameter.mark_width_min";
 constexpr const char* markWidthMax = "parameter.mark_width_max";
 
@@ -179,6 +182,33 @@ void PackingFields::suggestDeadTime(const program::DeadTimeEstimate& estimate)
     notifyChange();
 }
 
+void PackingFields::suggestEyeDeadTimes(const program::EyeDeadTime& measurement)
+{
+    using Eye = program::EyeDeadTime;
+    m_eye = measurement;
+    for (const auto& [name, edge] :
+         {std::pair(eyeDeadTime, Eye::Begin), std::pair(eyeEndDeadTime, Eye::End)}) {
+        Field& field = find(name);
+        field.suggestion = field.value() ? m_eye.offered(edge, *field.value()) : std::nullopt;
+    }
+    notifyChange();
+}
+
+QString PackingFields::eyeNote(const Field& field, program::EyeDeadTime::Edge edge) const
+{
+    const auto measured = m_eye.measured(edge);
+    if (!measured)
+        return tr("%1 · to measure this, fix one part on the infeed and run at two speeds").arg(range(field));
+    const Format format;
+    const QString marginMs = format.number(measured->marginMs, 2);
+    if (measured->marginMs > program::EyeDeadTime::maxMarginMs)
+        return tr("%1 · not offered: margin ±%2 ms, at most %3 ms. Fix one part on the infeed and run at two "
+                  "speeds.")
+            .arg(range(field), marginMs, format.number(program::EyeDeadTime::maxMarginMs, 1));
+    return tr("%1 · measured: %2 ms, margin ±%3 ms")
+        .arg(range(field), format.number(measured->ms, 2), marginMs);
+}
+
 QString PackingFields::deadTimeNote(const Field& field) const
 {
     if (!m_deadTime)
@@ -212,6 +242,10 @@ QString PackingFields::note(const Field& field) const
 {
     if (field.info().name == markDeadTime && !field.parameter->isMissing())
         return deadTimeNote(field);
+    if (field.info().name == eyeDeadTime && !field.parameter->isMissing())
+        return eyeNote(field, program::EyeDeadTime::Begin);
+    if (field.info().name == eyeEndDeadTime && !field.parameter->isMissing())
+        return eyeNote(field, program::EyeDeadTime::End);
     const bool isGain =
         field.info().name == "parameter.phase_gain" || field.info().name == "parameter.length_gain";
     if (!isGain)

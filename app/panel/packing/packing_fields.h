@@ -5,6 +5,7 @@
 #include "app/panel/controller/parameter_fields.h"
 #include "app/panel/packing/gain_estimate.h"
 #include "app/program/dead_time_estimate.h"
+#include "app/program/eye_dead_time.h"
 #include "app/program/knife_places.h"
 
 namespace campanel::panel {
@@ -25,6 +26,7 @@ public:
     [[nodiscard]] static int knifeOf(std::string_view name);
     void suggest(const std::optional<GainSuggestion>& gains, int bags);
     void suggestDeadTime(const program::DeadTimeEstimate& estimate);
+    void suggestEyeDeadTimes(const program::EyeDeadTime& measurement);
     // Lists the places of the knives behind the first one; none of a shaft with one knife.
     void setKnives(int knives);
     void suggestKnives(const program::KnifePlaces& places);
@@ -36,9 +38,11 @@ protected:
 
 private:
     [[nodiscard]] QString deadTimeNote(const Field& field) const;
+    [[nodiscard]] QString eyeNote(const Field& field, program::EyeDeadTime::Edge edge) const;
 
     std::optional<GainSuggestion> m_gains;
     std::optional<program::DeadTime> m_deadTime;
+    program::EyeDeadTime m_eye;
     int m_bags = 0;
 };
 

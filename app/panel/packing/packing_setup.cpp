@@ -26,6 +26,7 @@ PackingSetup::PackingSetup(Controller& controller, QObject* parent)
     , m_wizard(controller, m_fields, this)
     , m_sensor(controller, this)
     , m_edges(controller, m_sensor, this)
+    , m_eyeRecords(controller, {0, modbus::eyeAddress, modbus::eyeRegisters}, this)
 {
     connect(controller.packing(), &PackingLine::changed, this, &PackingSetup::followMarks);
     connect(&controller, &Controller::stateChanged, this, &PackingSetup::changed);
@@ -49,6 +50,11 @@ PackingSetup::PackingSetup(Controller& controller, QObject* parent)
     });
     connect(&m_sensor, &MarkSensor::edgesRead, this,
             [this] { m_fields.suggestDeadTime(m_sensor.estimate()); });
+    connect(&m_eyeRecords, &SensorRecords::read, this, &PackingSetup::takeEye);
+    connect(&m_eyeRecords, &SensorRecords::controllerChanged, this, [this] {
+        m_eye = {};
+        m_fields.suggestEyeDeadTimes(m_eye);
+    });
     connect(&m_fields, &PackingFields::changed, this, &PackingSetup::changed);
     connect(&controller.link(), &link::Link::commandEnded, this, &PackingSetup::takeCommand);
     LanguageNotifier::follow(this, [this] { m_refusal.clear(); });
@@ -62,6 +68,15 @@ bool PackingSetup::available() const
 void PackingSetup::open()
 {
     m_fields.read();
+}
+
+void PackingSetup::takeEye(const std::vector<std::uint16_t>& registers)
+{
+    const auto edges = modbus::eyeEdges(registers, m_eye.last());
+    for (const modbus::EyeEdge& edge : edges)
+        m_eye.take(edge);
+    if (!edges.empty())
+        m_fields.suggestEyeDeadTimes(m_eye);
 }
 
 bool PackingSetup::canTeach() const

@@ -63,12 +63,15 @@ private:
     void takeBag(const modbus::BagRecord& bag);
     void followTeaching();
     void takeCommand(const link::CommandOutcome& outcome);
+    void takeEye(const std::vector<std::uint16_t>& registers);
 
     Controller& m_controller;
     PackingFields m_fields;
     MarkWizard m_wizard;
     MarkSensor m_sensor;
     MarkEdgeList m_edges;
+    SensorRecords m_eyeRecords;
+    program::EyeDeadTime m_eye;
     GainEstimate m_estimate;
     program::KnifePlaces m_knives{1};
     Teaching m_teaching = Teaching::No;

@@ -62,6 +62,7 @@ typedef union {
     uint16_t io[CTL_GROUP_IO];
     uint16_t sensor[CTL_GROUP_SENSOR];
     uint16_t jam[CTL_GROUP_JAM];
+    uint16_t eye[CTL_GROUP_EYE];
     uint16_t transfer_result[CTL_GROUP_TRANSFER_RESULT];
 } assembled_group;
 
@@ -110,6 +111,9 @@ static void read_group(ctl_core* core, group_name group, uint32_t first, uint16_
         break;
     case GROUP_JAM:
         ctl_jam_registers(&core->packer.jam, ctl_packer_revolution(&core->packer), taken);
+        break;
+    case GROUP_EYE:
+        ctl_eye_edges_registers(&core->packer.eye_edges, taken);
         break;
     case GROUP_RESULT:
         source = core->command_result;

@@ -11,6 +11,7 @@
 #include "ctl_registers.h"
 #include "engine/ctl_ramp.h"
 #include "packer/ctl_edges.h"
+#include "packer/ctl_eye_edges.h"
 #include "packer/ctl_feed.h"
 #include "packer/ctl_gate.h"
 #include "packer/ctl_jam.h"
@@ -99,6 +100,7 @@ typedef struct {
     ctl_marks marks;
     ctl_mark_sensor mark_sensor;
     ctl_edges edges;
+    ctl_eye_edges eye_edges;
     bool busy; /* the slice has begun a run, planned a cut or handled an edge */
     ctl_products products;
     ctl_packer_settings settings;

@@ -282,9 +282,13 @@ bool ctl_packer_slice(ctl_packer* packer, bool in_cycle)
         return false;
     emit(packer);
     ctl_packer_read_sensors(packer);
-    if (!packer->busy && !ctl_packer_refresh_settings(packer))
-        ctl_edges_work(&packer->edges, ctl_parameter32(packer->board, CTL_REG_PARAMETER_FILM_FEED),
-                       ctl_parameter32(packer->board, CTL_REG_PARAMETER_FILM_PULSES));
+    if (!packer->busy && !ctl_packer_refresh_settings(packer)) {
+        if (packer->eye_edges.waits)
+            ctl_eye_edges_work(&packer->eye_edges, packer->flight);
+        else
+            ctl_edges_work(&packer->edges, ctl_parameter32(packer->board, CTL_REG_PARAMETER_FILM_FEED),
+                           ctl_parameter32(packer->board, CTL_REG_PARAMETER_FILM_PULSES));
+    }
     packer->busy = false;
     return in_cycle && has_alarms(packer);
 }

@@ -80,9 +80,12 @@ static void read_eye(ctl_packer* packer)
     int64_t at = 0;
     bool covered = false;
     while (port->eye(port->context, &at, &covered)) {
-        const uint32_t dead = covered ? CTL_REG_PARAMETER_EYE_DEAD_TIME : CTL_REG_PARAMETER_EYE_END_DEAD_TIME;
-        ctl_products_edge(&packer->products,
-                          ctl_past_before(&packer->infeed_past, at, parameter(packer, dead)), covered);
+        const uint16_t dead_us = parameter(packer, covered ? CTL_REG_PARAMETER_EYE_DEAD_TIME
+                                                           : CTL_REG_PARAMETER_EYE_END_DEAD_TIME);
+        const ctl_eye_edge edge = {ctl_past_before(&packer->infeed_past, at, dead_us),
+                                   ctl_past_last_way(&packer->infeed_past, 0), dead_us, covered};
+        ctl_products_edge(&packer->products, edge.at, covered);
+        ctl_eye_edges_add(&packer->eye_edges, &edge);
         packer->busy = true;
     }
 }

@@ -95,6 +95,45 @@ private slots:
         QCOMPARE(record[7], std::uint16_t{498});
     }
 
+    // Place and speed of an edge of the eye in parts of the product pitch, also before the count began.
+    void recordsAnEdgeOfTheEye_data()
+    {
+        QTest::addColumn<double>("pitches");
+        QTest::addColumn<bool>("covered");
+        QTest::addColumn<int>("place");
+        QTest::newRow("begins") << 1234.25 << true << 16384;
+        QTest::newRow("ends") << 7.75 << false << 49152;
+        QTest::newRow("negative") << -3.75 << true << 16384;
+    }
+    void recordsAnEdgeOfTheEye()
+    {
+        QFETCH(double, pitches);
+        QFETCH(bool, covered);
+        QFETCH(int, place);
+        constexpr std::int64_t flight = 20'000 * 256;
+        constexpr double perS = 4.321;
+        const auto at = [&](double s) { return std::llround(flight * (pitches + perS * s)); };
+        ctl_past past{};
+        ctl_past_reset(&past, 0, at(-0.1));
+        for (int i = -399; i <= 0; ++i)
+            ctl_past_add(&past, static_cast<std::uint64_t>(100'000 + 250 * i), at(250e-6 * i));
+        ctl_eye_edges edges{};
+        const ctl_eye_edge edge{at(0), ctl_past_last_way(&past, 0), 2500, covered};
+        const ctl_eye_edge tooSoon{at(0), {}, 0, !covered};
+        ctl_eye_edges_add(&edges, &edge);
+        ctl_eye_edges_add(&edges, &tooSoon);
+        for (int i = 0; i < 20; ++i)
+            ctl_eye_edges_work(&edges, flight);
+        std::uint16_t registers[CTL_GROUP_EYE] = {};
+        ctl_eye_edges_registers(&edges, registers);
+        const std::uint16_t* record = &registers[2 + CTL_EYE_REGISTERS];
+        QCOMPARE(registers[1], std::uint16_t{1});
+        QVERIFY(std::abs(record[0] - place) <= 1);
+        QVERIFY(std::abs(record[1] - 4321) <= 1);
+        QCOMPARE(record[2], static_cast<std::uint16_t>(covered ? 1 : 0));
+        QCOMPARE(record[3], std::uint16_t{2500});
+    }
+
     // Where no width is asked for, a mark counts from its beginning; a minimum is known before its end, a
     // maximum at the end.
     void judgesAMarkAsSoonAsItsWidthAllows_data()
