@@ -67,6 +67,7 @@ Machine::Machine(const MachineOptions& options)
     , m_infeedMotor(options.feedBandwidthHz)
     , m_film(options.film, options.seed)
     , m_infeed(options.products, options.seed)
+    , m_shaft(options.shaft)
     , m_markSensor(options.sensors, options.seed ^ 0xA0761D6478BD642Fu)
     , m_eye(options.sensors, options.seed ^ 0xE7037ED1A0B428DBu)
     , m_jaws(options.jaws, options.seed ^ 0x8EBC6AF09C88C6E3u)
@@ -305,6 +306,8 @@ bool Machine::areJawsClosed() const
 void Machine::advance(double stepS)
 {
     loadShaft(stepS);
+    if (m_shaft.hasEncoder())
+        m_shaft.advance(stepS);
     m_main.advance(stepS);
     m_report.advance(stepS, 100.0 * driveTorqueNm() / m_options.drive.ratedTorqueNm);
     if (m_ram)

@@ -11,6 +11,7 @@
 #include "infeed.h"
 #include "jaws.h"
 #include "late_sensor.h"
+#include "line_shaft.h"
 #include "press_ram.h"
 #include "servo.h"
 #include "torque_report.h"
@@ -47,6 +48,7 @@ struct MachineOptions {
     DriveOptions drive;
     ReportOptions report; // of the torque
     JawOptions jaws;
+    ShaftOptions shaft;
     double knifeOffMm = 0.0;   // the second of several knives cuts so far behind its place, along the film
     double jawsDegrees = 20.0; // of the shaft, so far before and behind the cut they touch the film
     std::uint16_t inputs = 0;  // bits of InputBit that are on at power-up
@@ -125,6 +127,8 @@ public:
     [[nodiscard]] bool areJawsClosed() const;
     [[nodiscard]] bool areDrivesOn() const;
     [[nodiscard]] double drawnMm() const { return m_film.drawnMm(rollMm(m_filmMotor.position())); }
+    // Returns the shaft of the line that the machine may follow.
+    [[nodiscard]] LineShaft& shaft() { return m_shaft; }
     [[nodiscard]] double filmSpeed() const { return m_filmMotor.speed(); } // pulses per second
     // Returns the cut of the last step.
     [[nodiscard]] std::optional<BagCut> takeCut();
@@ -160,6 +164,7 @@ private:
     bool m_hasKnife = false;
     Film m_film;
     Infeed m_infeed;
+    LineShaft m_shaft;
     LateSensor m_markSensor;
     LateSensor m_eye;
     Jaws m_jaws;

@@ -60,6 +60,7 @@ SimulatedController::SimulatedController(const ctl_config& config, const Machine
 {
     m_config = config;
     m_config.slice_us = static_cast<std::uint32_t>(stepUs);
+    m_config.output_us = m_config.slice_us; // the pulses of a slice leave while the machine advances
     ctl_port& port = m_port;
     port.context = this;
     port.pulses = [](void* context, const ctl_train* train) {
@@ -86,6 +87,8 @@ SimulatedController::SimulatedController(const ctl_config& config, const Machine
                           std::uint32_t size) {
         return static_cast<SimulatedController*>(context)->m_flash.write(slot, offset, {bytes, size});
     };
+    if (m_machine.shaft().hasEncoder())
+        port.master = [](void* context, std::uint16_t) { return machineOf(context).shaft().counts(); };
     connectFeeds(port);
     restart();
 }

@@ -45,6 +45,10 @@ typedef struct {
      * whether it covers the eye from now on. */
     bool (*eye)(void* context, int64_t* infeed_at_edge, bool* covered);
 
+    /* Counts since power-up of the encoder that leads the line, decoded as CTL_MASTER_SIGNAL_... says; NULL:
+     * there is no input for one. */
+    int64_t (*master)(void* context, uint16_t signal);
+
     /* Present levels of the input pins, bits CTL_INPUT_BIT_..., 1: true; NULL if there are none. */
     uint16_t (*inputs)(void* context);
     /* Sets the output pins, bits CTL_OUTPUT_BIT_...; NULL if there are none. */
@@ -71,6 +75,7 @@ typedef struct {
     uint16_t timer_bits;     /* its width, at most 16 */
     uint32_t max_pulse_hz;   /* maximum pulse frequency of the output stage */
     uint32_t slice_us;       /* maximum step of the control, 0: CTL_SLICE_US */
+    uint32_t output_us;      /* from the reading of the encoders to the end of the pulses of that slice */
 
     /* The bounds of a slow processor or a small memory; 0: none. */
     uint16_t bank_registers;     /* maximum of a bank, header included */

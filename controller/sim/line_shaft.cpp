@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "line_shaft.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace campanel::controller {
+namespace {
+
+// Returns a number from -1 to 1 that belongs to an edge of the encoder.
+double scatterOf(std::int64_t edge)
+{
+    auto bits = static_cast<std::uint64_t>(edge) * 0x9E3779B97F4A7C15u;
+    bits = (bits ^ (bits >> 32u)) * 0xD6E8FEB86659FD93u;
+    return static_cast<double>(static_cast<std::int64_t>(bits ^ (bits >> 32u))) / 9.223372036854775808e18;
+}
+
+} // namespace
+
+LineShaft::LineShaft(const ShaftOptions& options)
+    : m_options(options)
+    , m_evenMmPerS(options.speedMmPerS)
+    , m_targetMmPerS(options.speedMmPerS)
+    , m_speedMmPerS(options.speedMmPerS)
+{
+}
+
+double LineShaft::swingAt(double timeS) const
+{
+    constexpr double turn = 2.0 * std::numbers::pi;
+    return 1.0 + m_options.ripple * std::sin(turn * m_options.rippleHz * timeS) +
+           m_options.wave * std::sin(turn * timeS / m_options.wavePeriodS);
+}
+
+// By Simpson's rule, which is exact enough for steps of some milliseconds; a ramp that ends within the step
+// divides it.
+void LineShaft::advance(double stepS)
+{
+    while (stepS > 0.0) {
+        const double missing = m_targetMmPerS - m_evenMmPerS;
+        const double rampS = std::abs(missing) / m_options.accelerationMmPerS2;
+        const double partS = rampS > 0.0 ? std::min(rampS, stepS) : stepS;
+        const double gained = rampS > 0.0 ? missing * (partS / rampS) : 0.0;
+        const double middle = (m_evenMmPerS + gained / 2.0) * swingAt(m_timeS + partS / 2.0);
+        const double end = (m_evenMmPerS + gained) * swingAt(m_timeS + partS);
+        m_positionMm += partS / 6.0 * (m_evenMmPerS * swingAt(m_timeS) + 4.0 * middle + end);
+        m_evenMmPerS = partS == rampS ? m_targetMmPerS : m_evenMmPerS + gained;
+        m_speedMmPerS = end;
+        m_timeS += partS;
+        stepS -= partS;
+    }
+}
+
+std::int64_t LineShaft::counts() const
+{
+    const double turns = m_positionMm * (1.0 - m_options.slip) / m_options.revolutionMm;
+    const double exact = turns * m_options.counts;
+    const auto edge = static_cast<std::int64_t>(std::floor(exact));
+    auto counted = static_cast<std::int64_t>(
+        std::floor(exact + (m_options.jitterCounts > 0.0 ? m_options.jitterCounts * scatterOf(edge) : 0.0)));
+    counted -= static_cast<std::int64_t>(std::floor(turns)) * m_options.lost;
+    return m_options.isReversed ? -counted : counted;
+}
+
+} // namespace campanel::controller
