@@ -576,6 +576,18 @@
         <source>Load the right film, or measure its marks and tell them from other prints under Maintenance.</source>
         <translation>Richtige Folie einlegen, oder ihre Marken unter Wartung messen und von anderem Druck unterscheiden.</translation>
     </message>
+    <message>
+        <source>Line too fast</source>
+        <translation>Linie zu schnell</translation>
+    </message>
+    <message>
+        <source>Slow the line down or download a faster program, then start again.</source>
+        <translation>Die Linie verlangsamen oder ein schnelleres Programm laden, dann neu starten.</translation>
+    </message>
+    <message>
+        <source>The line became faster than the program allows, so the run was stopped.</source>
+        <translation>Die Linie wurde schneller, als das Programm erlaubt; der Lauf wurde beendet.</translation>
+    </message>
 </context>
 <context>
     <name>AlarmWords</name>
@@ -2761,6 +2773,50 @@ eff. %2</translation>
     <message>
         <source>The minimum mark width is above the maximum. Correct it under Maintenance.</source>
         <translation>Die kleinste Markenbreite liegt über der größten. Unter Wartung korrigieren.</translation>
+    </message>
+    <message>
+        <source>The controller has no input for an encoder as the master. Set the clock as the master, or use another controller.</source>
+        <translation>Die Steuerung hat keinen Eingang für einen Drehgeber als Leitachse. Den Takt als Leitachse einstellen oder eine andere Steuerung verwenden.</translation>
+    </message>
+    <message>
+        <source>The line runs faster than this program. Slow it down, or download a faster program.</source>
+        <translation>Die Linie läuft schneller als dieses Programm. Die Linie verlangsamen oder ein schnelleres Programm laden.</translation>
+    </message>
+    <message>
+        <source>This program cannot follow an encoder. Set the clock as the master to run it.</source>
+        <translation>Dieses Programm kann keinem Drehgeber folgen. Den Takt als Leitachse einstellen, um es zu starten.</translation>
+    </message>
+    <message>
+        <source>Clock of the controller</source>
+        <translation>Takt der Steuerung</translation>
+    </message>
+    <message>
+        <source>Encoder on the line&apos;s shaft</source>
+        <translation>Drehgeber an der Welle der Linie</translation>
+    </message>
+    <message>
+        <source>Quadrature</source>
+        <translation>Quadratur</translation>
+    </message>
+    <message>
+        <source>Pulse and direction</source>
+        <translation>Puls und Richtung</translation>
+    </message>
+    <message>
+        <source>Not engaged</source>
+        <translation>Nicht eingekuppelt</translation>
+    </message>
+    <message>
+        <source>Engaging</source>
+        <translation>Kuppelt ein</translation>
+    </message>
+    <message>
+        <source>Engaged</source>
+        <translation>Eingekuppelt</translation>
+    </message>
+    <message>
+        <source>Disengaging</source>
+        <translation>Kuppelt aus</translation>
     </message>
 </context>
 <context>

@@ -576,6 +576,18 @@
         <source>Load the right film, or measure its marks and tell them from other prints under Maintenance.</source>
         <translation>请装入正确的薄膜，或在“维护”中测量色标并将其与其他印刷区分。</translation>
     </message>
+    <message>
+        <source>Line too fast</source>
+        <translation>生产线过快</translation>
+    </message>
+    <message>
+        <source>Slow the line down or download a faster program, then start again.</source>
+        <translation>降低生产线速度或下载更快的程序，然后重新启动。</translation>
+    </message>
+    <message>
+        <source>The line became faster than the program allows, so the run was stopped.</source>
+        <translation>生产线速度超过程序允许值，运行已停止。</translation>
+    </message>
 </context>
 <context>
     <name>AlarmWords</name>
@@ -2759,6 +2771,50 @@ RMS %2</source>
     <message>
         <source>The minimum mark width is above the maximum. Correct it under Maintenance.</source>
         <translation>色标最小宽度大于最大宽度。请在“维护”中更正。</translation>
+    </message>
+    <message>
+        <source>The controller has no input for an encoder as the master. Set the clock as the master, or use another controller.</source>
+        <translation>控制器没有主轴编码器输入。请将主轴设为时钟，或更换控制器。</translation>
+    </message>
+    <message>
+        <source>The line runs faster than this program. Slow it down, or download a faster program.</source>
+        <translation>生产线比此程序更快。请降低生产线速度，或下载更快的程序。</translation>
+    </message>
+    <message>
+        <source>This program cannot follow an encoder. Set the clock as the master to run it.</source>
+        <translation>此程序不能跟随编码器。请将主轴设为时钟后再运行。</translation>
+    </message>
+    <message>
+        <source>Clock of the controller</source>
+        <translation>控制器时钟</translation>
+    </message>
+    <message>
+        <source>Encoder on the line&apos;s shaft</source>
+        <translation>生产线主轴编码器</translation>
+    </message>
+    <message>
+        <source>Quadrature</source>
+        <translation>正交（A/B 相）</translation>
+    </message>
+    <message>
+        <source>Pulse and direction</source>
+        <translation>脉冲加方向</translation>
+    </message>
+    <message>
+        <source>Not engaged</source>
+        <translation>未接合</translation>
+    </message>
+    <message>
+        <source>Engaging</source>
+        <translation>正在接合</translation>
+    </message>
+    <message>
+        <source>Engaged</source>
+        <translation>已接合</translation>
+    </message>
+    <message>
+        <source>Disengaging</source>
+        <translation>正在脱开</translation>
     </message>
 </context>
 <context>

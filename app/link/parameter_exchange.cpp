@@ -25,7 +25,7 @@ tl::expected<double, modbus::LinkError> exchangeParameter(modbus::RtuClient& cli
 {
     const modbus::RegisterInfo* info = numericRegister(request.name);
     // All other writable registers belong to protocols of their own.
-    if (!info || (request.value && !info->name.starts_with("parameter.")))
+    if (!info || (request.value && !modbus::isMachineData(*info)))
         return tl::unexpected(modbus::LinkError{
             modbus::LinkErrorKind::ValueRefused, client.settings().port, request.name, {}, 0});
     if (request.value) {

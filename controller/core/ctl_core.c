@@ -15,10 +15,12 @@
 static void compose(ctl_core* core)
 {
     core->board.parameter = core->written.parameter;
+    core->board.master = core->written.master;
     core->motion.board = &core->board;
     core->motion.banks = &core->banks;
     core->motion.transfer = &core->transfer;
     core->motion.packer = &core->packer;
+    core->motion.master = &core->master;
     core->motion.heartbeat = &core->heartbeat;
 }
 
@@ -33,7 +35,8 @@ void ctl_init(ctl_core* core, const ctl_config* config, const ctl_port* port, ui
     core->board.now_us = now_us;
     compose(core);
     ctl_map_init(core);
-    ctl_flash_load(&core->flash, &core->board, &core->banks, core->written.parameter);
+    ctl_flash_load(&core->flash, &core->board, &core->banks, core->written.parameter, core->written.master);
+    ctl_master_init(&core->master, &core->board);
     ctl_packer_init(&core->packer, &core->board);
     ctl_motion_init(&core->motion);
     ctl_io_init(&core->io, &core->board);
@@ -49,6 +52,7 @@ static void slice(ctl_core* core, uint32_t ticks)
         ctl_motion_fault(motion, CTL_FAULT_BIT_DRIVE_ALARM);
     if (ctl_heartbeat_slice(&core->heartbeat, &core->board, keys))
         ctl_motion_stop_unattended(motion);
+    ctl_master_slice(&core->master);
     ctl_motion_slice(motion, ticks);
     if (ctl_packer_slice(&core->packer, ctl_motion_in_cycle(motion)) && motion->state == CTL_STATE_RUNNING)
         (void)ctl_motion_stop_at_cycle_end(motion);

@@ -17,7 +17,7 @@ struct ShaftOptions {
     double rippleHz = 3.0;
     double wave = 0.0; // a slow one, share of the speed
     double wavePeriodS = 10.0;
-    // Of the encoder.
+    // Faults of the encoder.
     double jitterCounts = 0.0; // an edge is off its place by this at most
     bool isReversed = false;   // its wires are swapped
     double slip = 0.0;         // share of the way that a wheel does not turn

@@ -21,6 +21,7 @@ constexpr double usPerMs = 1e3;
 // The maximum times of homing and ramp before the first bag, and of a bag.
 constexpr std::uint64_t longestStartUs = 120'000'000;
 constexpr unsigned longestBagCycles = 400;
+constexpr std::uint64_t shaftStopUs = 4'000'000; // with its ramp
 // The time steps.
 constexpr double stepsPerCycle = 400.0;
 constexpr double shortestStepUs = 100.0;
@@ -62,13 +63,14 @@ ctl_config configOf(const PackingJob& job)
     return config;
 }
 
-// Jaws that press on something need the step of a real controller.
-std::uint64_t stepOf(const PackingJob& job)
+// An encoder is read, and jaws press on something, in the steps of a real controller.
+std::uint64_t stepUsOf(const PackingJob& job)
 {
     if (job.stepUs != 0)
         return job.stepUs;
     const std::uint64_t quick = quickStepUs(cycleS(job));
-    return Jaws(job.machine.jaws, 0).areIdle() ? quick : std::min<std::uint64_t>(quick, CTL_SLICE_US);
+    const bool isQuick = job.machine.shaft.counts == 0 && Jaws(job.machine.jaws, 0).areIdle();
+    return isQuick ? quick : std::min<std::uint64_t>(quick, CTL_SLICE_US);
 }
 
 class Run {
@@ -76,7 +78,7 @@ public:
     Run(const PackingJob& job, const std::function<void(const PackedBag&)>& onBag)
         : m_job(job)
         , m_onBag(onBag)
-        , m_controller(configOf(job), job.machine, m_flash, stepOf(job))
+        , m_controller(configOf(job), job.machine, m_flash, stepUsOf(job))
         , m_core(m_controller.core())
     {
     }
@@ -202,10 +204,12 @@ private:
     {
         while (m_result.bags < m_job.bags) {
             m_controller.step();
+            m_result.lag.take(m_core, m_controller.machine(), m_job.machine);
+            stopShaft();
             if (!operate() || !cutPower())
                 return;
             watchJaws();
-            m_fullSpeed = m_fullSpeed && m_core.motion.ramp.speed == m_core.motion.ramp.full;
+            m_fullSpeed = m_fullSpeed && isAtSpeed();
             noticeSkip();
             if (m_controller.cut()) {
                 const std::uint32_t bagsBefore = m_result.bags;
@@ -217,6 +221,33 @@ private:
             if (!showMarks() || !goesOn())
                 return;
         }
+    }
+
+    bool isAtSpeed() const
+    {
+        const ctl_motion& motion = m_core.motion;
+        const bool isEngaged = motion.master->clutch.state == CTL_CLUTCH_ON && m_shaftRuns;
+        return motion.master->leads ? isEngaged : motion.ramp.speed == motion.ramp.full;
+    }
+
+    // Somebody stops the line in the middle of a bag and starts it again some seconds later.
+    void stopShaft()
+    {
+        if (m_job.shaftStopEvery == 0)
+            return;
+        LineShaft& shaft = m_controller.machine().shaft();
+        if (m_shaftRuns && m_result.bags / m_job.shaftStopEvery > m_result.shaftStops) {
+            ++m_result.shaftStops;
+            std::uniform_real_distribution<double> waitS(0.0, cycleS(m_job));
+            m_shaftStopAtUs = m_controller.nowUs() + static_cast<std::uint64_t>(waitS(m_random) * usPerS);
+            m_shaftRuns = false;
+        }
+        if (m_shaftRuns || m_controller.nowUs() < m_shaftStopAtUs)
+            return;
+        const bool starts = m_controller.nowUs() >= m_shaftStopAtUs + shaftStopUs;
+        shaft.setSpeed(starts ? m_job.machine.shaft.speedMmPerS : 0.0);
+        m_shaftRuns = starts;
+        m_untilUs = m_controller.nowUs() + longestStartUs + m_longestBagUs;
     }
 
     // The power is cut anywhere in a cycle. The program is downloaded again: this machine has no flash.
@@ -352,8 +383,10 @@ private:
             return takeJam();
         if (motion.state == CTL_STATE_FAULT)
             return end(PackingEnd::Fault, motion.fault);
-        if (m_core.packer.alarms != 0 && ctl_motion_standstill(&m_core.motion))
-            return takeAlarm(m_core.packer.alarms);
+        const unsigned tooFast = m_core.master.too_fast ? 1u << CTL_WARNING_BIT_MASTER_TOO_FAST : 0u;
+        const auto alarms = static_cast<std::uint16_t>(m_core.packer.alarms | tooFast);
+        if (alarms != 0 && ctl_motion_standstill(&m_core.motion))
+            return takeAlarm(alarms);
         return m_controller.nowUs() < m_untilUs || end(PackingEnd::NoBags, 0);
     }
 
@@ -473,6 +506,8 @@ private:
     bool m_skippedAligning = false;
     std::uint32_t m_bagsAtAlarm = 0;
     bool m_runsOther = false;
+    bool m_shaftRuns = true;
+    std::uint64_t m_shaftStopAtUs = 0;
     std::mt19937_64 m_random{m_job.machine.seed};
     std::uint64_t m_powerCutAtUs = 0;
     double m_powerUpMm = 0.0; // film drawn then

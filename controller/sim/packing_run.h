@@ -4,6 +4,7 @@
 #pragma once
 
 #include "machine.h"
+#include "master_lag.h"
 
 #include <array>
 #include <cstdint>
@@ -31,6 +32,7 @@ struct PackingJob {
     bool goOn = false;        // restart after an alarm, like an operator
     double powerCutShare =
         0.0; // of the bags in which the power is cut; in half of them axes and film are moved by hand
+    std::uint32_t shaftStopEvery = 0; // bags: the shaft of the line stops in the middle of one; 0: never
     double stopShare = 0.0; // of the bags in which an operator stops the machine at once, to start it later
     // Called with the group `sensor` when it has new marks; the parameters that it returns are written.
     std::function<std::vector<ParameterValue>(std::span<const std::uint16_t> registers)> onMarks;
@@ -111,6 +113,8 @@ struct PackingResult {
     std::uint32_t offUnmarked =
         0; // bags of one length, in length or from the print by more than offMm, not marked
     std::uint32_t startUpBags = 0;
+    MasterLag lag;
+    std::uint32_t shaftStops = 0;
     // The film from a power-up to the end of the first bag whose cut follows a mark and is nearer.
     double meanFilmToGoodMm = 0.0;
     double longestFilmToGoodMm = 0.0;

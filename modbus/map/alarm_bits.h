@@ -39,10 +39,12 @@ inline constexpr std::array faultBits{
     entry(FaultBit::NeverTouched, "NeverTouched",
           CAMPANEL_TEXT("AlarmCatalogue", "The press did not detect a workpiece."),
           "There was no contact before the end of the probe stage."),
-    entry(FaultBit::MasterTooFast, "MasterTooFast",
-          CAMPANEL_TEXT("AlarmCatalogue",
-                        "The axis cannot follow the master: the pulse frequency is too high."),
-          "The cam needed more pulses in one update than the output stage generates."),
+    entry(
+        FaultBit::MasterTooFast, "MasterTooFast",
+        CAMPANEL_TEXT("AlarmCatalogue",
+                      "The axis cannot follow the master: the pulse frequency is too high."),
+        "The cam needed more pulses in one update than the output stage generates, or the encoder that leads "
+        "the line was a quarter above master.speed_max."),
     entry(FaultBit::DriveAlarm, "DriveAlarm",
           CAMPANEL_TEXT("AlarmCatalogue", "The drive of the axis reports an alarm.")),
     entry(FaultBit::Jam, "Jam", CAMPANEL_TEXT("AlarmCatalogue", "Something is under the closing jaws."),
@@ -64,7 +66,8 @@ enum class WarningBit : std::uint16_t {
     TooManySkips = 8,
     EmergencyStop = 9,
     ProductsJoined = 10, // it ends a run, too
-    JawsClosed = 11
+    JawsClosed = 11,
+    MasterTooFast = 12 // it ends a run, too
 };
 
 inline constexpr std::array warningBits{
@@ -110,6 +113,10 @@ inline constexpr std::array warningBits{
     entry(WarningBit::JawsClosed, "JawsClosed",
           CAMPANEL_TEXT("AlarmCatalogue", "The jaws have been closed on standing film for too long."),
           "Longer than parameter.jaws_closed_max, and still are."),
+    entry(WarningBit::MasterTooFast, "MasterTooFast",
+          CAMPANEL_TEXT("AlarmCatalogue",
+                        "The line became faster than the program allows, so the run was stopped."),
+          "It was above master.speed_max."),
 };
 
 } // namespace campanel::modbus

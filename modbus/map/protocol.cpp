@@ -301,6 +301,20 @@ constexpr std::array refusals{
           CAMPANEL_TEXT("Protocol",
                         "The minimum mark width is above the maximum. Correct it under Maintenance."),
           "parameter.mark_width_min must not be above parameter.mark_width_max."),
+    entry(Refusal::NoMasterInput, "NoMasterInput",
+          CAMPANEL_TEXT("Protocol",
+                        "The controller has no input for an encoder as the master. Set the clock as "
+                        "the master, or use another controller."),
+          "master.source is Encoder."),
+    entry(
+        Refusal::MasterTooFast, "MasterTooFast",
+        CAMPANEL_TEXT("Protocol",
+                      "The line runs faster than this program. Slow it down, or download a faster program."),
+        "It is above master.speed_max."),
+    entry(Refusal::CannotFollowMaster, "CannotFollowMaster",
+          CAMPANEL_TEXT("Protocol",
+                        "This program cannot follow an encoder. Set the clock as the master to run it."),
+          "master.source is Encoder; only programs of a rotary cutter follow it."),
 };
 static_assert(static_cast<std::uint16_t>(Refusal::PanelDisagrees) ==
               static_cast<std::uint16_t>(Refusal::NotWarm) +
@@ -396,6 +410,26 @@ constexpr std::array driveEnables{
     entry(DriveEnable::On, "On", CAMPANEL_TEXT("Protocol", "Always on")),
     entry(DriveEnable::WhileRunning, "WhileRunning", CAMPANEL_TEXT("Protocol", "While running"),
           "Enabled while the controller moves an axis, and for half a second after."),
+};
+
+constexpr std::array masterSources{
+    entry(MasterSource::Clock, "Clock", CAMPANEL_TEXT("Protocol", "Clock of the controller")),
+    entry(MasterSource::Encoder, "Encoder", CAMPANEL_TEXT("Protocol", "Encoder on the line's shaft")),
+};
+
+constexpr std::array masterSignals{
+    entry(MasterSignal::Quadrature, "Quadrature", CAMPANEL_TEXT("Protocol", "Quadrature"),
+          "A and B, four counts per line."),
+    entry(MasterSignal::PulseAndDirection, "PulseAndDirection",
+          CAMPANEL_TEXT("Protocol", "Pulse and direction"), "One count per pulse."),
+};
+
+constexpr std::array masterStates{
+    entry(MasterState::Off, "Off", CAMPANEL_TEXT("Protocol", "Not engaged"), "No run follows the encoder."),
+    entry(MasterState::Engaging, "Engaging", CAMPANEL_TEXT("Protocol", "Engaging")),
+    entry(MasterState::Engaged, "Engaged", CAMPANEL_TEXT("Protocol", "Engaged")),
+    entry(MasterState::Disengaging, "Disengaging", CAMPANEL_TEXT("Protocol", "Disengaging"),
+          "It stands at the end of its cycle then."),
 };
 
 constexpr std::array ioBits{
@@ -494,7 +528,7 @@ constexpr std::array bagBits{
     entry(BagBit::Jammed, "Jammed", "The jaws were stopped by a jam at one of its ends."),
 };
 
-constexpr std::array<EnumInfo, 35> infos{{
+constexpr std::array<EnumInfo, 38> infos{{
     {"State", states},
     {"ProgramKind", programKinds},
     {"StagedState", stagedStates},
@@ -527,6 +561,9 @@ constexpr std::array<EnumInfo, 35> infos{{
     {"SwitchMode", switchModes},
     {"OutputBit", outputRows},
     {"DriveEnable", driveEnables},
+    {"MasterSource", masterSources},
+    {"MasterSignal", masterSignals},
+    {"MasterState", masterStates},
     {"IoBit", ioBits},
     {"InputBit", inputBits},
     {"Contact", contacts},

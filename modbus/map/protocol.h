@@ -137,6 +137,9 @@ enum class Refusal : std::uint16_t {
     PanelDisagrees,
     MarkMaskingTooLong,
     NoMarkWidthAllowed,
+    NoMasterInput,
+    MasterTooFast,
+    CannotFollowMaster,
 };
 
 enum class TransferOperation : std::uint16_t { None = 0, Begin, Block, Seal };
@@ -206,6 +209,10 @@ enum class HeartbeatLostAction : std::uint16_t { RunOn = 0, StopAtCycleEnd = 1 }
 // The mode of a cam switch.
 enum class SwitchMode : std::uint16_t { Off = 0, Cycles = 1, RejectedBags = 2 };
 inline constexpr int switchCount = 8;
+
+enum class MasterSource : std::uint16_t { Clock = 0, Encoder = 1 };
+enum class MasterSignal : std::uint16_t { Quadrature = 0, PulseAndDirection = 1 };
+enum class MasterState : std::uint16_t { Off = 0, Engaging, Engaged, Disengaging };
 
 enum class DriveEnable : std::uint16_t { Off = 0, On = 1, WhileRunning = 2 };
 

@@ -116,7 +116,7 @@ void printLists(std::ostream& out)
            "#define CTL_LIMITS(LIMIT)";
     for (const RegisterInfo& row : registers()) {
         if (row.access != Access::ReadWrite || row.type == RegisterType::Block ||
-            (!row.name.starts_with("parameter.") && !isNarrower(row)))
+            (!isMachineData(row) && !isNarrower(row)))
             continue;
         const unsigned words = row.type == RegisterType::I16 ? 0 : row.count;
         out << " \\\n    LIMIT(" << upperSnake(row.name) << ", " << words << "u)";

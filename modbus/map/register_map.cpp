@@ -400,6 +400,47 @@ constexpr std::array registerTable{
     since(6, cutter(block("jam.width", 0x0A8E + jamBins, jamBins, Access::ReadOnly,
                           "half of the band's width there, 0.1 %; 0: not learned"))),
 
+    // An encoder that leads the line; see controller/core/master/README.md.
+    since(6, rw16("master.source", 0x0B00, "what the cycles follow; moves and the press have no master",
+                  "MasterSource", 0, 1, 0)),
+    since(6, rw16("master.signal", 0x0B01, "what the input counts", "MasterSignal", 0, 1, 0)),
+    since(6, rw16("master.reversed", 0x0B02, "1: the counts fall while the line runs forward", {}, 0, 1, 0)),
+    since(6, rw16("master.lead", 0x0B03, "1: the axes are led by the speed times the delay", {}, 0, 1, 1)),
+    since(6,
+          rw32("master.counts", 0x0B04, "counts per revolution of the encoder, four per line with quadrature",
+               4, 1000000, 10000, 1.0, "counts")),
+    since(6, rw32("master.revolution", 0x0B06, "film per revolution of the encoder", 1, 10000, 250, 0.001,
+                  "mm")),
+    since(6, rw16("master.delay", 0x0B08,
+                  "from a pulse of the controller to the movement of the axis, that of the drive for one", {},
+                  0, 50, 0, 0.001, "ms")),
+    since(6, rw16("master.smoothing", 0x0B09,
+                  "time constant of the measured position, 0: 20 counts at the program's rate, 2 to 20 ms",
+                  {}, 0, 50, 0, 0.001, "ms")),
+    since(6,
+          rw16("master.engage", 0x0B0A, "minimum stretch of the master in which the line engages, of a cycle",
+               {}, 10, 400, 50, 1.0, "%")),
+    since(6,
+          rw16("master.speed_max", 0x0B0B,
+               "maximum speed of the master, of the program's rate; a start is refused above it, a run ends "
+               "at the end of its cycle, a quarter above it is a fault",
+               {}, 100, 150, 110, 1.0, "%")),
+    since(6, ro16("master_status.available", 0x0B20, "1: the controller has an input for an encoder")),
+    since(6, ro16("master_status.state", 0x0B21, "the line against the master", "MasterState")),
+    since(6, roI32("master_status.counts", 0x0B22, "counts since power-up, lower 32 bits", "counts")),
+    since(6, roScaled32("master_status.speed", 0x0B24, "measured speed of the film by the encoder", 0.001,
+                        "mm/s")),
+    since(6,
+          ro16("master_status.angle", 0x0B26, "position of the encoder in its revolution", {}, 0.01, "deg")),
+    since(6, roI16("master_status.error", 0x0B27, "last counts minus expected position, saturating", 0.001,
+                   "mm")),
+    since(6, roI16("master_status.lead", 0x0B28, "film by which the axes are led, saturating", 0.001, "mm")),
+    since(6, roI16("master_status.held", 0x0B29,
+                   "film by which the master stands behind the line, which waits for it, saturating", 0.001,
+                   "mm")),
+    since(6, roScaled32("master_status.to_engaged", 0x0B2A, "film until the line has engaged", 0.001, "mm")),
+    since(6, ro16("master_status.smoothing", 0x0B2C, "time constant in use, 0: none", {}, 0.001, "ms")),
+
     block("active", activeBankBase, bankRegisters, Access::ReadOnly, "the active bank; layout below"),
     block("staged", stagedBankBase, bankRegisters, Access::ReadOnly, "the shadow bank; layout below"),
 };
@@ -414,6 +455,12 @@ static_assert(isConsistent(registerTable));
 std::span<const RegisterInfo> registers()
 {
     return registerTable;
+}
+
+bool isMachineData(const RegisterInfo& row)
+{
+    return row.access == Access::ReadWrite &&
+           (row.name.starts_with("parameter.") || row.name.starts_with("master."));
 }
 
 const RegisterInfo* findRegister(std::string_view name)

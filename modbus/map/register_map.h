@@ -87,6 +87,8 @@ inline constexpr std::uint16_t viewProducts = 8;
 
 // Returns the registers at absolute addresses, ascending.
 [[nodiscard]] std::span<const RegisterInfo> registers();
+// Returns true for a register of the machine data: it is written alone, and saved with the program.
+[[nodiscard]] bool isMachineData(const RegisterInfo& row);
 // Returns the fields of a bank's header, as offsets from its base, ascending.
 [[nodiscard]] std::span<const RegisterInfo> bankFields();
 // Returns a row by its name in either table; nullptr when there is none.

@@ -315,7 +315,9 @@ void TestFlash::slotsOfOtherVersions_data()
     QTest::newRow("map 1.2") << int{'3'} << false << 38;
     QTest::newRow("an older one") << int{'4'} << true << 12;
     QTest::newRow("map 1.4") << int{'4'} << true << 85;
-    QTest::newRow("a newer one") << int{'4'} << true << int{CTL_GROUP_PARAMETER} + 3;
+    QTest::newRow("map 1.5") << int{'4'} << true << int{CTL_GROUP_PARAMETER};
+    QTest::newRow("fewer parameters") << int{'5'} << true << 85;
+    QTest::newRow("a newer one") << int{'5'} << true << int{CTL_GROUP_PARAMETER} + 3;
 }
 
 void TestFlash::slotsOfOtherVersions()
@@ -329,6 +331,7 @@ void TestFlash::slotsOfOtherVersions()
         rig.setParameter(CTL_REG_PARAMETER_RAMP_TIME, 1234);
         rig.setParameter(CTL_REG_PARAMETER_SWITCH8_LEAD, 77);
         rig.setParameter(CTL_REG_PARAMETER_PERMIT_NEEDED, 1);
+        rig.setParameter(CTL_REG_MASTER_ENGAGE, 75);
         QCOMPARE(saveNumber(rig, 1), CTL_REFUSAL_NONE);
     }
     auto& bytes = flash.contents[0];
@@ -339,6 +342,9 @@ void TestFlash::slotsOfOtherVersions()
     constexpr int now = CTL_GROUP_PARAMETER;
     slot[1] = static_cast<std::uint16_t>('M' << 8 | lastOfMagic);
     slot[head - 1] = static_cast<std::uint16_t>(parameters);
+    const bool hasMaster = lastOfMagic == '5';
+    if (!hasMaster) // its number and its registers
+        slot.erase(slot.begin() + head + now, slot.begin() + head + now + 1 + CTL_GROUP_MASTER);
     const auto end = slot.begin() + head + now;
     if (parameters < now)
         slot.erase(slot.begin() + head + parameters, end);
@@ -360,6 +366,7 @@ void TestFlash::slotsOfOtherVersions()
     constexpr int lead = CTL_REG_PARAMETER_SWITCH8_LEAD - CTL_REG_PARAMETER_HEARTBEAT_TIMEOUT;
     QCOMPARE(rig.status(CTL_REG_PARAMETER_SWITCH8_LEAD), parameters > lead ? 77 : 0);
     QCOMPARE(rig.status(CTL_REG_PARAMETER_PERMIT_NEEDED), parameters < now ? 0 : 1);
+    QCOMPARE(rig.status(CTL_REG_MASTER_ENGAGE), hasMaster ? 75 : 50);
     QCOMPARE(rig.status(CTL_REG_PARAMETER_DRIVE_ENABLE), CTL_DRIVE_ENABLE_ON);
     QCOMPARE(saveNumber(rig, 2), CTL_REFUSAL_NONE);
     Rig after({}, &flash);

@@ -83,7 +83,7 @@ void TestRegisters::defaultsAndLimits()
     Rig rig;
     int checked = 0;
     for (const modbus::RegisterInfo& info : modbus::registers()) {
-        if (!info.name.starts_with("parameter."))
+        if (!modbus::isMachineData(info))
             continue;
         // Exceeds a physical value by this many steps.
         const auto words = [&info](double value, int steps = 0) {

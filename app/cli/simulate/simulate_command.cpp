@@ -104,6 +104,8 @@ Outcome simulateOne(const Invocation& call, const program::Recipe& recipe, contr
     summary[u"set_length_mm"_s] = program::value(made, profile::Field::BagLength);
     summary[u"rate_bags_per_min"_s] = program::value(made, profile::Field::Rate);
     summary[u"seed"_s] = static_cast<qint64>(job.machine.seed);
+    if (job.machine.shaft.counts != 0)
+        summary[u"master"_s] = masterObject(result, job.machine.shaft);
     if (const auto found = taker.found())
         summary[u"learned"_s] = QJsonObject{{u"mark_dead_time_ms"_s, found->ms},
                                             {u"standard_deviation_ms"_s, found->marginMs},

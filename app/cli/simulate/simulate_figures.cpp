@@ -193,6 +193,19 @@ QJsonObject PackingFigures::object(const PackingResult& result, double cpuS) con
             {u"alarms"_s, alarmsObject(result)}};
 }
 
+QJsonObject masterObject(const PackingResult& result, const controller::ShaftOptions& shaft)
+{
+    const auto lag = [](const controller::Lag& each) {
+        return QJsonObject{{u"mean"_s, each.meanMm}, {u"largest"_s, each.largestMm}};
+    };
+    return {{u"counts_per_revolution"_s, static_cast<qint64>(shaft.counts)},
+            {u"ripple"_s, shaft.ripple},
+            {u"ripple_hz"_s, shaft.rippleHz},
+            {u"stops"_s, static_cast<qint64>(result.shaftStops)},
+            {u"command_lag_mm"_s, lag(result.lag.commands)},
+            {u"film_lag_mm"_s, lag(result.lag.film)}};
+}
+
 store::CsvWriter bagRows()
 {
     return {u"bag,time_s,length_mm,lengths,deviation_mm,mark_error_mm,tracked,mark_missed,products,empty,"

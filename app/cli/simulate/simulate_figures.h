@@ -61,6 +61,9 @@ private:
     std::uint32_t m_phaseLost = 0;
 };
 
+// Returns how the machine followed its encoder.
+[[nodiscard]] QJsonObject masterObject(const controller::PackingResult& result,
+                                       const controller::ShaftOptions& shaft);
 [[nodiscard]] store::CsvWriter bagRows();
 void addBag(store::CsvWriter& csv, const controller::PackedBag& bag);
 [[nodiscard]] QJsonObject bagObject(const controller::PackedBag& bag);

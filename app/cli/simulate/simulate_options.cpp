@@ -72,6 +72,14 @@ constexpr Disturbance disturbances[] = {
      [](Machine& machine) -> double& { return machine.film.misplacedMm; }},
     {"knife-off", "place of the second of several knives behind its own, along the film", "MM", -5, 5,
      [](Machine& machine) -> double& { return machine.knifeOffMm; }},
+    {"master-ripple", "ripple of the speed of an encoder as the master", "SHARE", 0, 0.5,
+     [](Machine& machine) -> double& { return machine.shaft.ripple; }},
+    {"master-ripple-hz", "frequency of this ripple", "HZ", 0.01, 200,
+     [](Machine& machine) -> double& { return machine.shaft.rippleHz; }},
+    {"master-wave", "slow wave of the speed of an encoder as the master, over 10 s", "SHARE", 0, 0.5,
+     [](Machine& machine) -> double& { return machine.shaft.wave; }},
+    {"master-jitter", "maximum error of an edge of this encoder", "COUNTS", 0, 10,
+     [](Machine& machine) -> double& { return machine.shaft.jitterCounts; }},
     {"product-length", "length of the products; 0: 0.6 of the bag", "MM", 0, longestMm,
      [](Machine& machine) -> double& { return machine.products.lengthMm; }},
     {"product-scatter", "standard deviation of the product positions", "MM", 0, longestMm,
@@ -154,6 +162,25 @@ tl::expected<double, Failure> wholeOf(const Invocation& call, const QString& opt
     return value;
 }
 
+constexpr double maxCounts = 1e6;
+
+// Reads what leads the machine.
+Outcome readShaft(const Invocation& call, PackingJob& job)
+{
+    const QString master = call.isSet(u"master"_s) ? call.value(u"master"_s) : u"clock"_s;
+    if (master != u"clock" && master != u"encoder")
+        return fail(ExitCode::Usage, u"--master takes clock or encoder, not \"%1\"."_s.arg(master));
+    const auto counts = wholeOf(call, u"master-counts"_s, 10'000, 4, maxCounts);
+    const auto stops = wholeOf(call, u"master-stops"_s, 0, 1, maxBags);
+    if (!counts || !stops)
+        return tl::unexpected(!counts ? counts.error() : stops.error());
+    if (master == u"clock")
+        return {};
+    job.machine.shaft.counts = static_cast<std::uint32_t>(*counts);
+    job.shaftStopEvery = static_cast<std::uint32_t>(*stops);
+    return {};
+}
+
 } // namespace
 
 QList<QCommandLineOption> simulateOptions()
@@ -181,6 +208,15 @@ QList<QCommandLineOption> simulateOptions()
         {u"stops"_s,
          u"Bags in which an operator stops the machine at once, to start it again 1 to 5 s later (0 to 1, default 0)."_s,
          u"SHARE"_s},
+        {u"master"_s,
+         u"What the machine follows (clock, encoder; default clock): an encoder on the line's shaft turns once in 250 mm of film, --rate is its speed."_s,
+         u"KIND"_s},
+        {u"master-counts"_s,
+         u"Counts per revolution of an encoder as the master, after quadrature (4 to 1000000, default 10000)."_s,
+         u"N"_s},
+        {u"master-stops"_s,
+         u"Stop the line's shaft in mid-bag and start it again, after each so many bags (default: never)."_s,
+         u"BAGS"_s},
         {u"table"_s,
          u"Run the --lengths at 60 bags/min and at the maximum feasible rate up to 300, with and without tracking; print one table."_s},
         {u"lengths"_s, u"Bag lengths for --table, in mm (default: those of the paper's Table 2)."_s,
@@ -236,6 +272,9 @@ tl::expected<controller::PackingJob, Failure> jobOf(const Invocation& call)
     if (!powerCuts)
         return tl::unexpected(powerCuts.error());
     job.powerCutShare = *powerCuts;
+    const auto shaft = readShaft(call, job);
+    if (!shaft)
+        return tl::unexpected(shaft.error());
     if (learns(call))
         job.onMarks = [taker = DeadTimeTaker()](auto registers) mutable { return taker.take(registers); };
     for (const Disturbance& each : disturbances) {
@@ -251,7 +290,7 @@ tl::expected<controller::PackingJob, Failure> jobOf(const Invocation& call)
 tl::expected<controller::ParameterValue, Failure> parameterOf(const QString& name, double value)
 {
     const modbus::RegisterInfo* info = modbus::findRegister(name.toStdString());
-    if (info == nullptr || !info->name.starts_with("parameter."))
+    if (info == nullptr || !modbus::isMachineData(*info))
         return fail(ExitCode::Usage,
                     u"\"%1\" is not a parameter. campanelctl registers lists all parameters."_s.arg(name));
     controller::ParameterValue parameter;
@@ -310,6 +349,15 @@ PackingJob withPrograms(PackingJob job, const Programs& programs)
     job.otherBank = programs.half.registers;
     job.timerClockHz = static_cast<std::uint32_t>(image.recipe.machine.timerClockHz);
     job.maxPulseHz = static_cast<std::uint32_t>(image.recipe.machine.maxPulseFrequencyHz);
+    controller::ShaftOptions& shaft = job.machine.shaft;
+    if (shaft.counts == 0)
+        return job;
+    const double rate = program::value(image.recipe, profile::Field::Rate);
+    shaft.speedMmPerS = program::value(image.recipe, profile::Field::BagLength) * rate / 60.0;
+    for (const auto& [name, value] : {std::pair{u"master.source"_s, 1.0},
+                                      std::pair{u"master.counts"_s, static_cast<double>(shaft.counts)},
+                                      std::pair{u"master.revolution"_s, shaft.revolutionMm}})
+        job.parameters.insert(job.parameters.begin(), parameterOf(name, value).value());
     return job;
 }
 

@@ -121,6 +121,10 @@ constexpr std::array kinds{
     AlarmKind{"M-08", warning, runsOn, QT_TRANSLATE_NOOP("AlarmCatalogue", "Jaws closed"),
               causeOf(WarningBit::JawsClosed),
               QT_TRANSLATE_NOOP("AlarmCatalogue", "Open them by hand. The bags on both sides are scrap.")},
+    AlarmKind{"M-09", warning, stops, QT_TRANSLATE_NOOP("AlarmCatalogue", "Line too fast"),
+              causeOf(WarningBit::MasterTooFast),
+              QT_TRANSLATE_NOOP("AlarmCatalogue",
+                                "Slow the line down or download a faster program, then start again.")},
     AlarmKind{
         "L-01", warning, runsOn, QT_TRANSLATE_NOOP("AlarmCatalogue", "Port missing"),
         QT_TRANSLATE_NOOP("AlarmCatalogue", "The port to the controller does not exist."),

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /* A slot, high byte first: magic, sequence, generation (32 bits each), the number of parameters, these, the
- * bank's registers, CRC-32 of all before it. Slots of older versions have no number. */
+ * number of the registers of the group `master`, these, the bank's registers, CRC-32 of all before it. Slots
+ * of older versions have neither of the latter, or no number at all. */
 #include "bank/ctl_flash.h"
 
 #include "bank/ctl_check.h"
@@ -11,7 +12,8 @@
 #include <stddef.h>
 #include <string.h>
 
-#define MAGIC 0x43414D34u            /* "CAM4" */
+#define MAGIC 0x43414D35u            /* "CAM5" */
+#define MAGIC_OF_MAP_1_5 0x43414D34u /* "CAM4" */
 #define MAGIC_OF_MAP_1_2 0x43414D33u /* "CAM3" */
 #define MAGIC_OF_MAP_1_1 0x43414D32u /* "CAM2" */
 #define PARAMETERS_OF_MAP_1_2 38u
@@ -19,12 +21,15 @@
 #define MAX_PARAMETERS 256u
 #define BLANK 0xFFFFFFFFu
 #define FIXED_REGISTERS 6u
-#define HEAD_REGISTERS (FIXED_REGISTERS + CTL_GROUP_PARAMETER)
+#define MASTER_AT (FIXED_REGISTERS + CTL_GROUP_PARAMETER)
+#define HEAD_REGISTERS (MASTER_AT + CTL_GROUP_MASTER)
+#define SAVED_MASTER_AT (MASTER_AT + 2u) /* behind both numbers */
+#define MASTER_BYTES (CTL_GROUP_MASTER * sizeof(uint16_t))
 #define PARAMETER_BYTES (CTL_GROUP_PARAMETER * sizeof(uint16_t))
 #define CHUNK_REGISTERS 32u
 
 _Static_assert(CTL_GROUP_PARAMETER <= MAX_PARAMETERS, "a slot holds all parameters");
-_Static_assert(CTL_FLASH_HEAD_REGISTERS == HEAD_REGISTERS + 1u, "the head has the number of parameters, too");
+_Static_assert(CTL_FLASH_HEAD_REGISTERS == HEAD_REGISTERS + 2u, "the head has both numbers, too");
 
 typedef struct {
     const ctl_port* port;
@@ -78,6 +83,7 @@ static uint32_t read_parameter_count(slot_stream* stream, uint32_t magic)
     uint16_t count = 0;
     switch (magic) {
     case MAGIC:
+    case MAGIC_OF_MAP_1_5:
         read_some(stream, &count, 1);
         return count <= MAX_PARAMETERS ? count : 0;
     case MAGIC_OF_MAP_1_2:
@@ -89,11 +95,11 @@ static uint32_t read_parameter_count(slot_stream* stream, uint32_t magic)
     }
 }
 
-/* Parameters that an older slot does not hold keep their defaults; those of a newer version are left out. */
-static void read_parameters(slot_stream* stream, uint32_t count, uint16_t* parameter)
+/* Registers that an older slot does not hold keep their defaults; those of a newer version are left out. */
+static void read_group(slot_stream* stream, uint32_t count, uint16_t* registers, uint32_t registers_count)
 {
-    const uint32_t known = count < CTL_GROUP_PARAMETER ? count : CTL_GROUP_PARAMETER;
-    read_some(stream, parameter, known);
+    const uint32_t known = count < registers_count ? count : registers_count;
+    read_some(stream, registers, known);
     for (uint32_t i = known; i < count; ++i) {
         uint16_t unknown = 0;
         read_some(stream, &unknown, 1);
@@ -109,7 +115,14 @@ static bool read_slot(const ctl_board* board, uint32_t slot, uint16_t* head, ctl
     if (!stream.ok || count == 0)
         return false;
     memcpy(&head[FIXED_REGISTERS], board->parameter, PARAMETER_BYTES);
-    read_parameters(&stream, count, &head[FIXED_REGISTERS]);
+    memcpy(&head[MASTER_AT], board->master, MASTER_BYTES);
+    read_group(&stream, count, &head[FIXED_REGISTERS], CTL_GROUP_PARAMETER);
+    uint16_t of_master = 0;
+    if (ctl_get32(head) == MAGIC)
+        read_some(&stream, &of_master, 1);
+    if (of_master > MAX_PARAMETERS)
+        return false;
+    read_group(&stream, of_master, &head[MASTER_AT], CTL_GROUP_MASTER);
     read_some(&stream, bank->registers, CTL_BANK_HEADER_REGISTERS);
     if (!stream.ok || ctl_bank_length(bank) > CTL_BANK_STORAGE)
         return false;
@@ -119,10 +132,12 @@ static bool read_slot(const ctl_board* board, uint32_t slot, uint16_t* head, ctl
     uint16_t stored[2] = {0, 0};
     read_some(&stream, stored, 2);
     return stream.ok && ctl_get32(stored) == computed && ctl_parameters_valid(&head[FIXED_REGISTERS]) &&
+           ctl_within_limits(&head[MASTER_AT], CTL_REG_MASTER_SOURCE, CTL_GROUP_MASTER) &&
            ctl_bank_check(bank, &board->config, ctl_bank_length(bank)).result == CTL_TRANSFER_RESULT_ACCEPTED;
 }
 
-void ctl_flash_load(ctl_flash* flash, const ctl_board* board, ctl_banks* banks, uint16_t* parameter)
+void ctl_flash_load(ctl_flash* flash, const ctl_board* board, ctl_banks* banks, uint16_t* parameter,
+                    uint16_t* master)
 {
     for (uint32_t slot = 0; slot < CTL_FLASH_SLOTS; ++slot) {
         uint16_t head[HEAD_REGISTERS];
@@ -144,6 +159,7 @@ void ctl_flash_load(ctl_flash* flash, const ctl_board* board, ctl_banks* banks, 
         banks->active_crc = flash->saved_crc;
         banks->generation = ctl_get32(&head[4]);
         memcpy(parameter, &head[FIXED_REGISTERS], PARAMETER_BYTES);
+        memcpy(master, &head[MASTER_AT], MASTER_BYTES);
     }
 }
 
@@ -158,6 +174,8 @@ void ctl_flash_begin_save(ctl_flash* flash, const ctl_board* board, const ctl_ba
     ctl_put32(&saving->head[4], banks->generation);
     saving->head[FIXED_REGISTERS] = CTL_GROUP_PARAMETER;
     memcpy(&saving->head[FIXED_REGISTERS + 1u], board->parameter, PARAMETER_BYTES);
+    saving->head[MASTER_AT + 1u] = CTL_GROUP_MASTER;
+    memcpy(&saving->head[SAVED_MASTER_AT], board->master, MASTER_BYTES);
     if (!board->port.flash_erase(board->port.context, saving->slot))
         saving->bank = NULL; /* the next piece says so */
 }
@@ -166,7 +184,8 @@ bool ctl_flash_saves(const ctl_flash* flash, const ctl_board* board, const ctl_b
 {
     const ctl_flash_saving* saving = &flash->saving;
     return saving->busy && saving->bank == ctl_active_bank(banks) &&
-           memcmp(&saving->head[FIXED_REGISTERS + 1u], board->parameter, PARAMETER_BYTES) == 0;
+           memcmp(&saving->head[FIXED_REGISTERS + 1u], board->parameter, PARAMETER_BYTES) == 0 &&
+           memcmp(&saving->head[SAVED_MASTER_AT], board->master, MASTER_BYTES) == 0;
 }
 
 /* Writes the next registers; false when the flash refused. */

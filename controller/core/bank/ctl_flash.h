@@ -12,7 +12,7 @@
 extern "C" {
 #endif
 
-#define CTL_FLASH_HEAD_REGISTERS (7u + CTL_GROUP_PARAMETER)
+#define CTL_FLASH_HEAD_REGISTERS (8u + CTL_GROUP_PARAMETER + CTL_GROUP_MASTER)
 
 /* A save under way. */
 typedef struct {
@@ -34,8 +34,10 @@ typedef struct {
     uint32_t saved_crc; /* of the bank in that slot, 0 when there is none */
 } ctl_flash;
 
-/* Loads the newest valid slot: active bank, generation, and the parameters into `parameter`. */
-void ctl_flash_load(ctl_flash* flash, const ctl_board* board, ctl_banks* banks, uint16_t* parameter);
+/* Loads the newest valid slot: active bank, generation, and the machine data into `parameter` and `master`.
+ */
+void ctl_flash_load(ctl_flash* flash, const ctl_board* board, ctl_banks* banks, uint16_t* parameter,
+                    uint16_t* master);
 /* Begins to save the active bank and the parameters, which may change meanwhile; the bank may not. */
 void ctl_flash_begin_save(ctl_flash* flash, const ctl_board* board, const ctl_banks* banks);
 /* Returns whether the save under way saves the active bank and the parameters as they are now. */

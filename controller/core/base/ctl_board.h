@@ -15,7 +15,8 @@ typedef struct {
     ctl_config config;
     ctl_port port;
     const uint16_t* parameter; /* registers of the group `parameter`, as the panel left them */
-    uint32_t parameter_writes; /* how often the panel has written any of them */
+    const uint16_t* master;    /* and those of the group `master` */
+    uint32_t parameter_writes; /* how often the panel has written any of both */
     uint64_t started_us;
     uint64_t now_us;
     uint32_t tick;        /* timer ticks since power-up at the start of the slice, modulo 2^32 */

@@ -51,6 +51,18 @@ bool ctl_within_limits(const uint16_t* values, uint32_t base, uint32_t count)
     return true;
 }
 
+void ctl_reset_to_defaults(uint16_t* values, uint32_t base, uint32_t count)
+{
+    for (uint32_t i = first_from(base); i < LIMIT_COUNT && limits[i].address - base < count; ++i) {
+        const limit* row = &limits[i];
+        uint16_t* at = &values[row->address - base];
+        if (row->words == 2)
+            ctl_put32(at, (uint32_t)row->initial);
+        else
+            *at = (uint16_t)row->initial;
+    }
+}
+
 bool ctl_parameters_valid(const uint16_t* parameter)
 {
     return ctl_within_limits(parameter, CTL_REG_PARAMETER_HEARTBEAT_TIMEOUT, CTL_GROUP_PARAMETER);
@@ -58,15 +70,5 @@ bool ctl_parameters_valid(const uint16_t* parameter)
 
 void ctl_parameters_reset(uint16_t* parameter)
 {
-    const uint32_t base = CTL_REG_PARAMETER_HEARTBEAT_TIMEOUT;
-    for (uint32_t i = 0; i < LIMIT_COUNT; ++i) {
-        const limit* row = &limits[i];
-        if (row->address < base || row->address - base >= CTL_GROUP_PARAMETER)
-            continue;
-        uint16_t* at = &parameter[row->address - base];
-        if (row->words == 2)
-            ctl_put32(at, (uint32_t)row->initial);
-        else
-            *at = (uint16_t)row->initial;
-    }
+    ctl_reset_to_defaults(parameter, CTL_REG_PARAMETER_HEARTBEAT_TIMEOUT, CTL_GROUP_PARAMETER);
 }

@@ -14,7 +14,9 @@ extern "C" {
 bool ctl_within_limits(const uint16_t* values, uint32_t base, uint32_t count);
 /* The same of the whole group `parameter`. */
 bool ctl_parameters_valid(const uint16_t* parameter);
-/* Sets all parameters to their defaults. */
+/* Sets the registers `values` at `base` to their defaults. */
+void ctl_reset_to_defaults(uint16_t* values, uint32_t base, uint32_t count);
+/* The same of the whole group `parameter`. */
 void ctl_parameters_reset(uint16_t* parameter);
 
 #ifdef __cplusplus

@@ -10,6 +10,7 @@ void ctl_ramp_reset(ctl_ramp* ramp, uint32_t full)
     ramp->speed = 0;
     ramp->rest = 0;
     ramp->s_curve = false;
+    ramp->led = false;
 }
 
 void ctl_ramp_reset_s(ctl_ramp* ramp, uint32_t full)
@@ -85,8 +86,37 @@ uint32_t ctl_square_root(uint64_t square)
     return (uint32_t)root;
 }
 
+/* Speed of a line that is led, at a way from standstill. */
+static uint32_t led_speed(const ctl_ramp* ramp, uint64_t way)
+{
+    if (ramp->stretch == 0 || way >= ramp->stretch / 2u)
+        return ramp->top;
+    /* The largest x with 2 x^3 - x^4 <= 2 way / stretch, in 1 / 2^15. */
+    const uint64_t twice = ((way << 30u) / ramp->stretch) << 31u;
+    uint64_t x = 0;
+    for (uint64_t bit = 1u << 14; bit != 0; bit >>= 1) {
+        const uint64_t next = x + bit;
+        const uint64_t cube = next * next * next;
+        if ((cube << 16u) - cube * next <= twice)
+            x = next;
+    }
+    const uint64_t share = (3u * x * x << 15u) - 2u * x * x * x; /* 1 / 2^45 */
+    return (uint32_t)(ramp->top * (share >> 15u) >> 30u);
+}
+
+void ctl_ramp_lead(ctl_ramp* ramp, uint32_t top, uint32_t stretch, uint64_t way)
+{
+    ramp->led = true;
+    ramp->top = top;
+    ramp->stretch = stretch;
+    ramp->way = way;
+    ramp->speed = led_speed(ramp, way);
+}
+
 uint32_t ctl_ramp_speed_after(const ctl_ramp* ramp, uint32_t way)
 {
+    if (ramp->led)
+        return led_speed(ramp, ramp->way + way);
     const uint64_t square = (uint64_t)ramp->speed * ramp->speed + 2u * (uint64_t)ramp->full * way;
     const uint32_t speed = ctl_square_root(square);
     return speed < ramp->full ? speed : ramp->full;
@@ -99,6 +129,8 @@ uint64_t ctl_ramp_stopping_way(const ctl_ramp* ramp)
 
 uint32_t ctl_ramp_speed_before(const ctl_ramp* ramp, uint64_t way, uint32_t end)
 {
+    if (ramp->led)
+        return led_speed(ramp, way);
     return ctl_square_root((uint64_t)end * end + 2u * (uint64_t)ramp->full * way);
 }
 

@@ -19,12 +19,22 @@ typedef struct {
     uint32_t speed; /* 0..full */
     uint64_t rest;  /* travel not yet handed out: linear in 1 / (2 full) ticks, S-curve in 1 / 2^31 */
     bool s_curve;
+    /* Another master leads: */
+    bool led;
+    uint32_t top;     /* its speed */
+    uint32_t stretch; /* of it, in which the line comes from standstill to that speed or back */
+    uint64_t way;     /* of the line from standstill */
 } ctl_ramp;
 
 /* Stand still, with `full` ticks to full speed from now on, linearly. */
 void ctl_ramp_reset(ctl_ramp* ramp, uint32_t full);
 /* The same with an S-curve. */
 void ctl_ramp_reset_s(ctl_ramp* ramp, uint32_t full);
+
+/* Another master leads, at the speed `top`, which may be above full speed: the speed of the line is that
+ * share of it which 3 x^2 - 2 x^3 is on the way x^3 - x^4 / 2 of the stretch, and `top` from half of the
+ * stretch on. */
+void ctl_ramp_lead(ctl_ramp* ramp, uint32_t top, uint32_t stretch, uint64_t way);
 
 /* Each takes the timer ticks that pass and returns the master ticks travelled. */
 uint32_t ctl_ramp_up(ctl_ramp* ramp, uint32_t ticks);
@@ -39,11 +49,12 @@ uint32_t ctl_ramp_approach(ctl_ramp* ramp, uint32_t ticks, uint64_t remaining, u
 bool ctl_ramp_can_approach(const ctl_ramp* ramp, uint64_t remaining, uint32_t end);
 /* The ramp is short enough to stand still within `remaining` master ticks. */
 bool ctl_ramp_can_land(const ctl_ramp* ramp, uint64_t remaining);
-/* Speed, 0..full, of a linear ramp that goes up while the master travels `way` ticks more. */
+/* Speed of a linear ramp that goes up, or of one that is led, while the master travels `way` ticks more. */
 uint32_t ctl_ramp_speed_after(const ctl_ramp* ramp, uint32_t way);
 /* Master ticks that a linear ramp travels down to standstill. */
 uint64_t ctl_ramp_stopping_way(const ctl_ramp* ramp);
-/* Largest speed of a linear ramp at `way` ticks before it has come down to `end`. */
+/* Largest speed of a linear ramp at `way` ticks before it has come down to `end`, of one that is led before
+ * it stands. */
 uint32_t ctl_ramp_speed_before(const ctl_ramp* ramp, uint64_t way, uint32_t end);
 /* The share of `value` that the present speed is of full speed, rounded down; value below 2^32. */
 uint32_t ctl_ramp_share(const ctl_ramp* ramp, uint32_t value);

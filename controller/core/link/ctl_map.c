@@ -35,6 +35,8 @@ static uint16_t* writable(ctl_core* core, group_name group)
     switch (group) {
     case GROUP_PARAMETER:
         return core->written.parameter;
+    case GROUP_MASTER:
+        return core->written.master;
     case GROUP_EXCHANGE:
         return core->written.exchange;
     case GROUP_COMMAND:
@@ -63,6 +65,7 @@ typedef union {
     uint16_t sensor[CTL_GROUP_SENSOR];
     uint16_t jam[CTL_GROUP_JAM];
     uint16_t eye[CTL_GROUP_EYE];
+    uint16_t master_status[CTL_GROUP_MASTER_STATUS];
     uint16_t transfer_result[CTL_GROUP_TRANSFER_RESULT];
 } assembled_group;
 
@@ -114,6 +117,9 @@ static void read_group(ctl_core* core, group_name group, uint32_t first, uint16_
         break;
     case GROUP_EYE:
         ctl_eye_edges_registers(&core->packer.eye_edges, taken);
+        break;
+    case GROUP_MASTER_STATUS:
+        ctl_master_registers(&core->master, taken);
         break;
     case GROUP_RESULT:
         source = core->command_result;
@@ -232,6 +238,7 @@ static void act(ctl_core* core, uint32_t address, uint32_t count)
 /* The groups that the panel writes. */
 typedef union {
     uint16_t parameter[CTL_GROUP_PARAMETER];
+    uint16_t master[CTL_GROUP_MASTER];
     uint16_t exchange[CTL_GROUP_EXCHANGE];
     uint16_t command[CTL_GROUP_COMMAND];
     uint16_t transfer[CTL_GROUP_TRANSFER];
@@ -252,7 +259,7 @@ uint8_t ctl_map_write(ctl_core* core, uint32_t address, const uint16_t* values, 
     if (!ctl_within_limits(changed, ranges[group].base, ranges[group].count))
         return CTL_ILLEGAL_VALUE;
     memcpy(target, changed, ranges[group].count * sizeof changed[0]);
-    if (group == GROUP_PARAMETER)
+    if (group == GROUP_PARAMETER || group == GROUP_MASTER)
         core->board.parameter_writes += 1;
     if (group == GROUP_EXCHANGE && !(covers(address, count, CTL_REG_EXCHANGE_HEARTBEAT) &&
                                      covers(address, count, CTL_REG_EXCHANGE_PERMIT)))
@@ -264,5 +271,6 @@ uint8_t ctl_map_write(ctl_core* core, uint32_t address, const uint16_t* values, 
 void ctl_map_init(ctl_core* core)
 {
     ctl_parameters_reset(core->written.parameter);
+    ctl_reset_to_defaults(core->written.master, CTL_REG_MASTER_SOURCE, CTL_GROUP_MASTER);
     core->written.readback[2] = CTL_DEFAULT_READBACK_COUNT;
 }

@@ -16,6 +16,7 @@ typedef struct {
     uint16_t transfer[CTL_GROUP_TRANSFER];
     uint16_t readback[CTL_GROUP_READBACK];
     uint16_t readback_result[CTL_GROUP_READBACK_RESULT];
+    uint16_t master[CTL_GROUP_MASTER];
     uint16_t parameter[CTL_GROUP_PARAMETER];
 } ctl_written;
 
@@ -52,6 +53,7 @@ typedef struct ctl_core {
     ctl_transfer transfer;
     ctl_work work;
     ctl_flash flash;
+    ctl_master master;
     ctl_motion motion;
     ctl_heartbeat heartbeat;
     ctl_io io;

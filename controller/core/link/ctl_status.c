@@ -55,6 +55,8 @@ uint16_t ctl_warnings(const ctl_core* core)
         bits |= 1u << CTL_WARNING_BIT_EMERGENCY_STOP;
     if (ctl_park_is_closed_long(&core->motion.park, &core->board))
         bits |= 1u << CTL_WARNING_BIT_JAWS_CLOSED;
+    if (core->master.too_fast)
+        bits |= 1u << CTL_WARNING_BIT_MASTER_TOO_FAST;
     bits |= core->packer.alarms;
     return (uint16_t)bits;
 }

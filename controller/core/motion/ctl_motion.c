@@ -92,6 +92,7 @@ static bool repeats(const ctl_motion* motion)
 
 void ctl_motion_stand(ctl_motion* motion)
 {
+    ctl_master_release(motion->master, &motion->ramp);
     motion->ramp.speed = 0;
     motion->manual = false;
     motion->start_after_home = false;
@@ -141,6 +142,9 @@ void ctl_motion_run(ctl_motion* motion)
 {
     begin_master_ramp(motion);
     motion->direction = ctl_motion_wanted_direction(motion);
+    ctl_master_engage(motion->master, ctl_active_bank(motion->banks),
+                      ctl_packer_start_position(motion->packer, ctl_active_bank(motion->banks)),
+                      &motion->ramp);
     ctl_packer_run(motion->packer, ctl_active_bank(motion->banks), &motion->ramp);
     motion->manual = false;
     motion->start_after_home = false;
@@ -208,6 +212,7 @@ void ctl_motion_fault(ctl_motion* motion, uint16_t fault_bit)
         ctl_press_abandon(&motion->press);
         motion->cycle_count += 1;
     }
+    ctl_master_release(motion->master, &motion->ramp);
     motion->ramp.speed = 0;
     motion->manual = false;
     motion->start_after_home = false;
@@ -254,6 +259,7 @@ uint16_t ctl_motion_stop_now(ctl_motion* motion)
         if (ctl_motion_is_press(motion))
             ctl_press_stop(&motion->press);
         ctl_park_stop(&motion->park);
+        ctl_master_release(motion->master, &motion->ramp);
         motion->stop = CTL_STOP_NOW;
         motion->stop_remaining = ctl_ramp_stopping_way(&motion->ramp);
         motion->state = CTL_STATE_STOPPING;
@@ -326,14 +332,19 @@ uint16_t ctl_motion_stop_at_cycle_end(ctl_motion* motion)
         motion->state = CTL_STATE_STOPPING;
         return CTL_REFUSAL_NONE;
     }
-    const uint32_t cycle = ctl_bank_cycle_ticks(motion->table.bank);
+    motion->stop = CTL_STOP_AT_BOUNDARY;
+    motion->state = CTL_STATE_STOPPING;
     motion->stop_remaining = ctl_motion_to_boundary(motion);
+    if (motion->master->leads) {
+        motion->stop_remaining =
+            ctl_master_disengage(motion->master, &motion->ramp, (uint32_t)motion->stop_remaining);
+        return CTL_REFUSAL_NONE;
+    }
+    const uint32_t cycle = ctl_bank_cycle_ticks(motion->table.bank);
     while (!ctl_ramp_can_land(&motion->ramp, motion->stop_remaining))
         motion->stop_remaining += cycle;
     /* Stopped soon after a start, it may gain some speed, so that the end of the cycle is not hours away. */
     motion->stop_limit = motion->ramp.full / 4u;
-    motion->stop = CTL_STOP_AT_BOUNDARY;
-    motion->state = CTL_STATE_STOPPING;
     return CTL_REFUSAL_NONE;
 }
 

@@ -9,6 +9,7 @@
 #include "engine/ctl_press.h"
 #include "engine/ctl_ramp.h"
 #include "engine/ctl_table.h"
+#include "master/ctl_master.h"
 #include "motion/ctl_change.h"
 #include "motion/ctl_heartbeat.h"
 #include "motion/ctl_park.h"
@@ -40,6 +41,7 @@ typedef struct {
     ctl_banks* banks;
     ctl_transfer* transfer;
     ctl_packer* packer;
+    ctl_master* master;
     ctl_heartbeat* heartbeat;
     uint16_t state; /* CTL_STATE_... */
     uint16_t fault; /* bits CTL_FAULT_BIT_... */

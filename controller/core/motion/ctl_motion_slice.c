@@ -26,6 +26,7 @@ static void emit_evenly(ctl_motion* motion, int64_t pulses, const ctl_pace* pace
 static bool changes(const ctl_motion* motion)
 {
     return motion->transfer->state == CTL_STAGED_STATE_ARMED && motion->state == CTL_STATE_RUNNING &&
+           !motion->master->leads &&
            ctl_bank_at_end(ctl_active_bank(motion->banks)) == CTL_END_BEHAVIOR_REPEAT;
 }
 
@@ -169,10 +170,29 @@ static uint32_t move_by_hand(ctl_motion* motion, ctl_pace pace, uint32_t travell
     return train.count;
 }
 
+/* The encoder moves the line. */
+static void slice_led(ctl_motion* motion, ctl_pace pace)
+{
+    pace.travel = ctl_master_travel(motion->master, &motion->ramp, pace.ticks);
+    if (motion->master->fails) {
+        ctl_motion_fault(motion, CTL_FAULT_BIT_MASTER_TOO_FAST);
+        return;
+    }
+    travel(motion, pace);
+    if (motion->state == CTL_STATE_STOPPING)
+        motion->stop_remaining -= pace.travel;
+    else if (motion->master->too_fast)
+        (void)ctl_motion_stop_at_cycle_end(motion);
+}
+
 static void slice_running(ctl_motion* motion, ctl_pace pace)
 {
     const uint32_t ticks = pace.ticks;
     const int32_t wanted = ctl_motion_wanted_direction(motion);
+    if (motion->master->leads) {
+        slice_led(motion, pace);
+        return;
+    }
     motion->change_planned = motion->change_planned && changes(motion) && wanted == motion->direction;
     if (wanted == motion->direction && changes(motion)) {
         if (!motion->change_planned)
@@ -195,6 +215,12 @@ static void slice_running(ctl_motion* motion, ctl_pace pace)
 static void slice_stopping(ctl_motion* motion, ctl_pace pace)
 {
     motion->change_planned = false;
+    if (motion->master->leads && ctl_tracker_stands(&motion->master->tracker))
+        (void)ctl_motion_stop_now(motion); /* the end of the cycle may never come */
+    if (motion->master->leads) {
+        slice_led(motion, pace);
+        return;
+    }
     switch (motion->stop) {
     case CTL_STOP_NOW:
         pace.travel = ctl_ramp_down(&motion->ramp, pace.ticks);

@@ -60,6 +60,8 @@ uint16_t ctl_start(ctl_motion* motion, const ctl_io* io)
     if (refusal == CTL_REFUSAL_NONE)
         refusal = ctl_packer_refusal(motion->packer, ctl_active_bank(motion->banks));
     if (refusal == CTL_REFUSAL_NONE)
+        refusal = ctl_master_refusal(motion->master, ctl_active_bank(motion->banks));
+    if (refusal == CTL_REFUSAL_NONE)
         ctl_motion_start(motion);
     return refusal;
 }

@@ -210,6 +210,11 @@ static void plan_for_start(ctl_packer* packer, const ctl_ramp* ramp)
     packer->next.lag = lag;
 }
 
+uint32_t ctl_packer_start_position(const ctl_packer* packer, const ctl_bank* bank)
+{
+    return packer->broken_off || packer->bank != bank ? 0u : packer->master;
+}
+
 void ctl_packer_run(ctl_packer* packer, const ctl_bank* bank, const ctl_ramp* ramp)
 {
     if (!ctl_packer_drives(packer, bank)) {

@@ -144,6 +144,8 @@ uint16_t ctl_packer_refusal(const ctl_packer* packer, const ctl_bank* bank);
 /* Prepares a run of the active program `bank` with this ramp: clears interrupted cycles and alarms, plans the
  * next cut for the speed of the ramp. */
 void ctl_packer_run(ctl_packer* packer, const ctl_bank* bank, const ctl_ramp* ramp);
+/* Returns the ticks into the cycle at which such a run begins. */
+uint32_t ctl_packer_start_position(const ctl_packer* packer, const ctl_bank* bank);
 void ctl_packer_break_off(ctl_packer* packer);
 /* Continues with another program of the same machine, which became active at the boundary of a cycle, with
  * this ramp. */

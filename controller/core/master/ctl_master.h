@@ -1,0 +1,64 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/* An encoder as the master of a line: its counts become the ticks that a slice of the line's table travels,
+ * in place of a ramp's, and the ramp's speed follows the measured one. The line never goes back: where the
+ * encoder does, it waits until the encoder has come back. */
+#ifndef CTL_MASTER_H
+#define CTL_MASTER_H
+
+#include "base/ctl_bank.h"
+#include "base/ctl_board.h"
+#include "engine/ctl_ramp.h"
+#include "master/ctl_clutch.h"
+#include "master/ctl_gear.h"
+#include "master/ctl_tracker.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef struct {
+    const ctl_board* board;
+    uint32_t writes; /* board->parameter_writes when the settings were read */
+    bool reads;      /* the encoder is the source, and the board has an input for it */
+    bool leads;      /* a run follows it */
+    bool too_fast;   /* it has ended the run; until the next start */
+    bool fails;      /* no line is so fast */
+    bool in_phase;   /* the line has engaged with this gear before */
+    bool reversed;
+    uint16_t signal;
+    uint64_t last_us;
+    int64_t speed;      /* smoothed, counts per microsecond, 1 / 2^32 */
+    uint32_t lead_us;   /* from a count to the movement */
+    uint32_t per_speed; /* of the ramp at full speed, per 1 / 2^24 count per microsecond, 1 / 2^24 */
+    uint32_t cycle;     /* ticks of the table that engaged last */
+    int64_t offset;     /* of the line from the master then */
+    int64_t line;       /* ticks since the start of the cycle in which it engaged, */
+    int64_t wanted;     /* and where the encoder wants it */
+    ctl_tracker tracker;
+    ctl_gear gear;
+    ctl_clutch clutch;
+} ctl_master;
+
+void ctl_master_init(ctl_master* master, const ctl_board* board);
+/* At the start of each slice: reads the counts. */
+void ctl_master_slice(ctl_master* master);
+/* Returns CTL_REFUSAL_..., the reason why a run of `bank` cannot begin. */
+uint16_t ctl_master_refusal(const ctl_master* master, const ctl_bank* bank);
+/* A run of `bank` begins `start` ticks into its cycle, with this ramp at standstill: where the encoder is the
+ * source, it leads the ramp. */
+void ctl_master_engage(ctl_master* master, const ctl_bank* bank, uint32_t start, ctl_ramp* ramp);
+/* Returns the ticks that the line travels in this slice of `ticks`. */
+uint32_t ctl_master_travel(ctl_master* master, ctl_ramp* ramp, uint32_t ticks);
+/* Begins to disengage, `to_boundary` ticks being left of the cycle; returns the ticks to the boundary at
+ * which the line comes to rest. */
+uint64_t ctl_master_disengage(ctl_master* master, const ctl_ramp* ramp, uint32_t to_boundary);
+/* Disengages at once: the ramp goes on by itself from its present speed. */
+void ctl_master_release(ctl_master* master, ctl_ramp* ramp);
+/* Writes the registers of the group `master_status`. */
+void ctl_master_registers(const ctl_master* master, uint16_t* registers);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
