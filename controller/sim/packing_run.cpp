@@ -442,9 +442,9 @@ private:
         bag.atSpeed = atSpeed;
         bag.start = m_result.starts;
         settle(bag);
-        bag.isSettled = m_isSettled;
-        explainSkips(bag, cut);
         const bool isStartUp = (bag.flags & 1u << CTL_BAG_BIT_START_UP) != 0;
+        bag.isSettled = m_isSettled && (m_job.shaftStopEvery == 0 || !isStartUp);
+        explainSkips(bag, cut);
         m_result.startUpBags += isStartUp ? 1u : 0u;
         const double farthestMm = std::max(std::abs(bag.markErrorMm), std::abs(bag.deviationMm));
         if (farthestMm > offMm && !isStartUp && bag.lengths == 1)

@@ -9,6 +9,12 @@
 #define LIMITED_IN_ROW 5u
 /* A planned cut is shifted again in no less than this part of a cycle. */
 #define SHORTEST_ROOM 10u
+/* It is shifted again for a change of another master's speed by this part of full speed. */
+#define SPEED_STEPS 32u
+/* It starts or stops where it would change by this part in a cycle. */
+#define RAMP_STEPS 8u
+#define MISPLACED_UM 70
+#define SQUARE_BITS 20u
 
 /* Command of the film motor at the next cut when nothing is corrected; asked behind a sealing window or, with
  * the knife standing, up to a cycle before the window. */
@@ -24,11 +30,41 @@ int64_t ctl_packer_lag(const ctl_packer* packer, uint32_t speed, const ctl_ramp*
     return packer->lag * (int64_t)speed / (int64_t)ramp->full;
 }
 
+/* Another master has another speed than when the next cut was planned. */
+static bool has_other_speed(const ctl_packer* packer, const ctl_ramp* ramp)
+{
+    const uint32_t off = ramp->top > packer->top ? ramp->top - packer->top : packer->top - ramp->top;
+    return ramp->led && off > ramp->full / SPEED_STEPS;
+}
+
+/* Another master starts or stops: by so much in a cycle, its speed changes. */
+static bool ramps(const ctl_packer* packer, const ctl_ramp* ramp)
+{
+    const uint64_t off = ramp->top > packer->top ? ramp->top - packer->top : packer->top - ramp->top;
+    return has_other_speed(packer, ramp) &&
+           off * packer->cycle > (uint64_t)ramp->full / RAMP_STEPS * packer->since;
+}
+
+/* The speed of another master `way` ticks ahead: where it ramps, it goes on to do so evenly. */
+static uint32_t top_ahead(const ctl_packer* packer, const ctl_ramp* ramp, uint32_t way)
+{
+    if (packer->since == 0 || !ramps(packer, ramp))
+        return ramp->top;
+    const int64_t square = (int64_t)((uint64_t)ramp->top * ramp->top);
+    const int64_t before = (int64_t)((uint64_t)packer->top * packer->top);
+    const int64_t gained = (square - before) / (1 << SQUARE_BITS) * way / packer->since * (1 << SQUARE_BITS);
+    if (gained <= -square)
+        return 0;
+    return ctl_square_root((uint64_t)(square + (gained < square ? gained : square)));
+}
+
 /* Drives lag in proportion to the speed, and not all by the same time: the lag at a cut that is `way` ticks
  * ahead. */
 static int64_t lag_ahead(const ctl_packer* packer, const ctl_drive* drive, uint32_t way)
 {
-    const ctl_ramp* ramp = drive->ramp;
+    ctl_ramp led = *drive->ramp;
+    const ctl_ramp* ramp = &led;
+    led.top = top_ahead(packer, ramp, way);
     if (!drive->running && drive->end_ticks <= way) /* a cut of the next run, which sees to its lag */
         return 0;
     uint32_t speed = drive->running ? ctl_ramp_speed_after(ramp, way) : ramp->speed;
@@ -71,6 +107,12 @@ static int64_t allowed_shift(ctl_packer* packer, const ctl_drive* drive, const c
     return shift;
 }
 
+static void note_speed(ctl_packer* packer, const ctl_ramp* ramp)
+{
+    packer->top = ramp->top;
+    packer->since = 0;
+}
+
 /* Behind a sealing window: where the film's next cut is to be, and the correction that brings it there. */
 static void plan_cut(ctl_packer* packer, const ctl_drive* drive)
 {
@@ -80,6 +122,7 @@ static void plan_cut(ctl_packer* packer, const ctl_drive* drive)
     ctl_marks_drop(&packer->marks, ctl_feed_position(&packer->film) - packer->bag / 2);
     const int64_t even = uncorrected(packer);
     packer->next.lag = lag_ahead(packer, drive, packer->cycle - packer->film.phase + packer->cut);
+    note_speed(packer, drive->ramp);
     const ctl_mark* mark =
         packer->marks.state == CTL_MARK_STATE_OFF || packer->marks.state == CTL_MARK_STATE_SEARCHING
             ? NULL
@@ -117,6 +160,7 @@ static void plan_again(ctl_packer* packer, const ctl_drive* drive)
     if (room < packer->cycle / SHORTEST_ROOM)
         return;
     const int64_t lag = lag_ahead(packer, drive, way);
+    note_speed(packer, drive->ramp);
     if (lag != packer->next.lag)
         ctl_phase_move(&packer->film, &packer->next.command, packer->next.lag - lag, room);
     packer->next.lag = lag;
@@ -227,7 +271,8 @@ uint32_t ctl_packer_advance(ctl_packer* packer, const ctl_drive* drive, uint32_t
     uint32_t left = *ticks < to_end ? *ticks : to_end;
     uint32_t knife = 0;
     *ticks = left;
-    if (drive->end_ticks != packer->end_ticks)
+    packer->since += left;
+    if (drive->end_ticks != packer->end_ticks || has_other_speed(packer, drive->ramp))
         plan_again(packer, drive);
     packer->end_ticks = drive->end_ticks;
     if (drive->end_ticks != CTL_DRIVE_NO_END)
@@ -293,6 +338,16 @@ bool ctl_packer_slice(ctl_packer* packer, bool in_cycle)
     return in_cycle && has_alarms(packer);
 }
 
+/* Returns true when another master's speed has changed so much since the cut was planned that it missed its
+ * place by MISPLACED_UM. */
+static bool is_misplaced(const ctl_packer* packer, const ctl_ramp* ramp)
+{
+    if (!ramp->led || !packer->next.tracked)
+        return false;
+    const int64_t off = ctl_packer_lag(packer, ramp->speed, ramp) - packer->next.lag;
+    return (off < 0 ? -off : off) > ctl_packer_film(packer, MISPLACED_UM);
+}
+
 void ctl_packer_on_cut(ctl_packer* packer, int64_t film, const ctl_ramp* ramp)
 {
     if (packer->bank == NULL)
@@ -302,6 +357,7 @@ void ctl_packer_on_cut(ctl_packer* packer, int64_t film, const ctl_ramp* ramp)
     ctl_knives_cut(&packer->knives);
     /* The place of another knife is no lag. */
     const bool lag_was_known = packer->lag_known;
+    const bool misplaced = is_misplaced(packer, ramp);
     if ((packer->cut_before || packer->next.tracked) && (packer->knives.last == 0 || !lag_was_known))
         learn_lag(packer, film - packer->next.command, ramp);
     const int64_t mark_before = last->mark_at;
@@ -325,6 +381,7 @@ void ctl_packer_on_cut(ctl_packer* packer, int64_t film, const ctl_ramp* ramp)
     const bool was_in_register = packer->in_register;
     packer->in_register =
         was_in_register || (packer->next.tracked && lag_was_known) || !ctl_packer_tracks(packer);
+    packer->in_register = packer->in_register && !misplaced;
     last->scrap = !was_in_register || !packer->in_register;
     packer->skips_in_row = 0;
     packer->skips_in_run = 0;

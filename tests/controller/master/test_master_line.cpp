@@ -127,6 +127,7 @@ private slots:
     void waitsUntilTheLineHasComeBack();
     void disengagesAtTheEndOfACycle();
     void engagesAgainInPhase();
+    void bagsOfALineThatStopsInThemAreMarked();
     void stopsWhereTheLineStands();
     void stopNowStopsAtOnce();
     void aLineThatIsTooFastIsRefused();
@@ -306,6 +307,42 @@ void TestMasterLine::engagesAgainInPhase()
         QCOMPARE(rig.core().master.line % static_cast<std::int64_t>(cycleTicks),
                  static_cast<std::int64_t>(rig.core().packer.master));
     }
+}
+
+// Nothing but the bags around the standstill is off, and they are marked.
+void TestMasterLine::bagsOfALineThatStopsInThemAreMarked()
+{
+    constexpr unsigned startUp = 1u << CTL_BAG_BIT_START_UP;
+    Rig rig(onLine(0.5 * fullMmPerS));
+    followEncoder(rig);
+    rig.start();
+    QVERIFY(runUntilEngaged(rig));
+    rig.run(20 * cycleUs);
+    int bags = 0;
+    int marked = 0;
+    double farthestMm = 0.0;
+    for (int stop = 0; stop < 10; ++stop) {
+        auto& shaft = rig.controller().machine().shaft();
+        shaft.setSpeed(0.0);
+        for (int i = 0; i < 4 * (8000 + 140 * stop); ++i) { // 250 us
+            if (i == 12'000)
+                shaft.setSpeed(0.5 * fullMmPerS);
+            rig.controller().step();
+            if (!rig.controller().cut())
+                continue;
+            const ctl_packer& packer = rig.core().packer;
+            const bool isMarked =
+                (packer.records[CTL_BAG_REGISTERS * (packer.bags % CTL_BAG_RECORDS) + 3u] & startUp) != 0;
+            ++bags;
+            marked += isMarked ? 1 : 0;
+            if (!isMarked)
+                farthestMm = std::max(
+                    farthestMm, std::abs(rig.controller().cut()->lengthUm.value_or(0) / 1000.0 - 250.0));
+        }
+    }
+    QVERIFY(bags > 80);
+    QVERIFY2(marked <= 30, qPrintable(QString::number(marked)));
+    QVERIFY2(farthestMm < 0.2, qPrintable(QString::number(farthestMm)));
 }
 
 // The end of the cycle may never come.
