@@ -272,6 +272,7 @@ void ctl_motion_stop_jam(ctl_motion* motion)
     const uint64_t speed = motion->ramp.speed;
     const uint32_t full = motion->ramp.full;
     const int64_t from_cut = ctl_park_from_cut(&motion->park, motion->packer, motion->actual);
+    ctl_master_release(motion->master, &motion->ramp);
     ctl_ramp_reset(&motion->ramp,
                    ramp_ticks(motion, ctl_parameter16(motion->board, CTL_REG_PARAMETER_JAM_STOP_TIME)));
     motion->ramp.speed = (uint32_t)(speed * motion->ramp.full / full);

@@ -6,6 +6,7 @@
 
 #define US_PER_S 1000000
 #define SPEED_SAMPLE_US 1000u
+#define RIPPLE_SHARE 32u /* of the speed of an encoder that leads, that counts as full speed */
 
 /* The slice, in which the engine's ticks are those of the timer. */
 static ctl_pace pace_of(const ctl_motion* motion, uint32_t ticks)
@@ -383,7 +384,7 @@ static void measure(ctl_motion* motion)
     ctl_speed_meter* meter = &motion->meter;
     motion->actual = motion->board->port.encoder(motion->board->port.context);
     const uint8_t newest = (uint8_t)((meter->next + CTL_SPEED_SAMPLES - 1u) % CTL_SPEED_SAMPLES);
-    if (motion->board->now_us - meter->time_us[newest] >= SPEED_SAMPLE_US) {
+    if (motion->board->now_us - meter->time_us[newest] >= SPEED_SAMPLE_US && !motion->packer->busy) {
         const int64_t span_us = (int64_t)(motion->board->now_us - meter->time_us[meter->next]);
         motion->actual_hz = (motion->actual - meter->position[meter->next]) * US_PER_S / span_us;
         meter->position[meter->next] = motion->actual;
@@ -401,14 +402,16 @@ static ctl_jam_slice jam_slice(const ctl_motion* motion, int32_t from_cut)
 {
     const ctl_port* port = &motion->board->port;
     const ctl_packer* packer = motion->packer;
-    const bool is_full = motion->ramp.speed == motion->ramp.full;
+    const ctl_ramp* ramp = &motion->ramp;
+    const uint32_t ripple = ramp->led ? ramp->full / RIPPLE_SHARE : 0u;
+    const bool is_full = ramp->speed + ripple >= ramp->full && ramp->speed <= ramp->full + ripple;
     const ctl_jam_slice slice = {
         .now_us = (uint32_t)motion->board->now_us,
         .cycle = (uint32_t)motion->park.cycle_at,
         .from_cut = from_cut,
         .in_phase = packer->film_gate.state == CTL_GATE_STATE_RUNNING &&
                     packer->knife_gate.state == CTL_GATE_STATE_RUNNING,
-        .share = is_full ? CTL_JAM_FULL_SPEED : ctl_ramp_share(&motion->ramp, CTL_JAM_FULL_SPEED),
+        .share = is_full ? CTL_JAM_FULL_SPEED : ctl_ramp_share(ramp, CTL_JAM_FULL_SPEED),
         .limited = motion->torque_limited,
         .torque = port->torque == NULL ? 0 : port->torque(port->context),
     };
@@ -420,9 +423,11 @@ static void watch_for_jam(ctl_motion* motion)
 {
     const ctl_packer* packer = motion->packer;
     ctl_jam* jam = &motion->packer->jam;
-    if (packer->busy)
+    if (packer->busy) {
         ctl_jam_miss(jam);
-    if (!jam->settings.on || packer->busy || !motion->park.known || ctl_motion_standstill(motion) ||
+        return;
+    }
+    if (!jam->settings.on || !motion->park.known || ctl_motion_standstill(motion) ||
         !ctl_packer_is_set(packer))
         return;
     const int32_t from_cut = (int32_t)ctl_park_from_cut(&motion->park, packer, motion->actual);

@@ -33,8 +33,10 @@ int64_t ctl_packer_lag(const ctl_packer* packer, uint32_t speed, const ctl_ramp*
 /* Another master has another speed than when the next cut was planned. */
 static bool has_other_speed(const ctl_packer* packer, const ctl_ramp* ramp)
 {
+    if (!ramp->led)
+        return false;
     const uint32_t off = ramp->top > packer->top ? ramp->top - packer->top : packer->top - ramp->top;
-    return ramp->led && off > ramp->full / SPEED_STEPS;
+    return off > ramp->full / SPEED_STEPS;
 }
 
 /* Another master starts or stops: by so much in a cycle, its speed changes. */
@@ -62,9 +64,13 @@ static uint32_t top_ahead(const ctl_packer* packer, const ctl_ramp* ramp, uint32
  * ahead. */
 static int64_t lag_ahead(const ctl_packer* packer, const ctl_drive* drive, uint32_t way)
 {
-    ctl_ramp led = *drive->ramp;
-    const ctl_ramp* ramp = &led;
-    led.top = top_ahead(packer, ramp, way);
+    const ctl_ramp* ramp = drive->ramp;
+    ctl_ramp led;
+    if (ramp->led) {
+        led = *ramp;
+        led.top = top_ahead(packer, ramp, way);
+        ramp = &led;
+    }
     if (!drive->running && drive->end_ticks <= way) /* a cut of the next run, which sees to its lag */
         return 0;
     uint32_t speed = drive->running ? ctl_ramp_speed_after(ramp, way) : ramp->speed;

@@ -4,6 +4,7 @@
 #include "packing_bench.h"
 
 #include "ctl_registers.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 

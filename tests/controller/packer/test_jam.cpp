@@ -313,6 +313,32 @@ private slots:
         QCOMPARE(line.jam(CTL_REG_JAM_STATE), unsigned(CTL_JAM_STATE_LEARNING));
     }
 
+    // An encoder leads the line, with a ripple of 1 %: the run leaves it for the jam, and meets it again.
+    void anEncoderMayLead()
+    {
+        MachineOptions options = sealing();
+        options.shaft.counts = 10'000;
+        options.shaft.speedMmPerS = 1250.0;
+        options.shaft.ripple = 0.01;
+        Line line(options);
+        QCOMPARE(line.command(CTL_COMMAND_STOP_NOW), CTL_REFUSAL_NONE);
+        QVERIFY(line.runUntilState(CTL_STATE_READY));
+        QCOMPARE(line.write(CTL_REG_MASTER_SOURCE, {CTL_MASTER_SOURCE_ENCODER}), 0);
+        line.run(500'000);
+        QCOMPARE(line.command(CTL_COMMAND_START), CTL_REFUSAL_NONE);
+        line.run(60 * cycleUs);
+        QVERIFY(line.core().master.leads);
+        QCOMPARE(line.jam(CTL_REG_JAM_STATE), unsigned(CTL_JAM_STATE_ARMED));
+        QCOMPARE(line.jam(CTL_REG_JAM_NUMBER), 0u);
+        QVERIFY(line.jams());
+        QVERIFY(!line.core().master.leads);
+        QVERIFY(line.goesOn());
+        line.run(20 * cycleUs);
+        QVERIFY(line.core().master.leads);
+        QCOMPARE(line.core().motion.state, CTL_STATE_RUNNING);
+        QCOMPARE(line.jam(CTL_REG_JAM_NUMBER), 1u);
+    }
+
     // Somebody has turned the knife while he took it out: the next start looks for the index mark.
     void aTurnedKnifeGoesHome()
     {
