@@ -2775,6 +2775,10 @@ eff. %2</translation>
         <translation>Die kleinste Markenbreite liegt über der größten. Unter Wartung korrigieren.</translation>
     </message>
     <message>
+        <source>The angles at which the jaws touch the film leave out the cut. Enter both under Maintenance, or 0 for both.</source>
+        <translation>Die Winkel, bei denen die Backen die Folie berühren, lassen den Schnitt aus. Unter Wartung beide eingeben, oder bei beiden 0.</translation>
+    </message>
+    <message>
         <source>The controller has no input for an encoder as the master. Set the clock as the master, or use another controller.</source>
         <translation>Die Steuerung hat keinen Eingang für einen Drehgeber als Leitachse. Den Takt als Leitachse einstellen oder eine andere Steuerung verwenden.</translation>
     </message>
@@ -6595,6 +6599,14 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
     <message>
         <source>%1 · measured: %2 ms, margin ±%3 ms</source>
         <translation>%1 · gemessen: %2 ms, Unsicherheit ±%3 ms</translation>
+    </message>
+    <message>
+        <source>The end of a mark would have a dead time of %1 ms; it must be 0 to %2 ms. Change the other time first.</source>
+        <translation>Das Ende einer Marke hätte %1 ms Totzeit; möglich sind 0 bis %2 ms. Zuerst die andere Zeit ändern.</translation>
+    </message>
+    <message>
+        <source>%1 · leaves out the cut: enter both angles, or 0 for both</source>
+        <translation>%1 · lässt den Schnitt aus: beide Winkel eingeben, oder bei beiden 0</translation>
     </message>
 </context>
 <context>

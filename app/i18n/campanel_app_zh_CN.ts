@@ -2773,6 +2773,10 @@ RMS %2</source>
         <translation>色标最小宽度大于最大宽度。请在“维护”中更正。</translation>
     </message>
     <message>
+        <source>The angles at which the jaws touch the film leave out the cut. Enter both under Maintenance, or 0 for both.</source>
+        <translation>封切口接触薄膜的角度未包含切断点。请在“维护”中输入两个角度，或都设为 0。</translation>
+    </message>
+    <message>
         <source>The controller has no input for an encoder as the master. Set the clock as the master, or use another controller.</source>
         <translation>控制器没有主轴编码器输入。请将主轴设为时钟，或更换控制器。</translation>
     </message>
@@ -6593,6 +6597,14 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
     <message>
         <source>%1 · measured: %2 ms, margin ±%3 ms</source>
         <translation>%1 · 实测：%2 ms，误差 ±%3 ms</translation>
+    </message>
+    <message>
+        <source>The end of a mark would have a dead time of %1 ms; it must be 0 to %2 ms. Change the other time first.</source>
+        <translation>色标末端的滞后时间将为 %1 ms；必须为 0 至 %2 ms。请先更改另一个时间。</translation>
+    </message>
+    <message>
+        <source>%1 · leaves out the cut: enter both angles, or 0 for both</source>
+        <translation>%1 · 未包含切断点：请输入两个角度，或都设为 0</translation>
     </message>
 </context>
 <context>

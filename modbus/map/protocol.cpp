@@ -315,6 +315,11 @@ constexpr std::array refusals{
           CAMPANEL_TEXT("Protocol",
                         "This program cannot follow an encoder. Set the clock as the master to run it."),
           "master.source is Encoder; only programs of a rotary cutter follow it."),
+    entry(Refusal::JawsExcludeCut, "JawsExcludeCut",
+          CAMPANEL_TEXT("Protocol",
+                        "The angles at which the jaws touch the film leave out the cut. Enter both "
+                        "under Maintenance, or 0 for both."),
+          "One of parameter.jaws_before and parameter.jaws_behind is 0 and the other is not."),
 };
 static_assert(static_cast<std::uint16_t>(Refusal::PanelDisagrees) ==
               static_cast<std::uint16_t>(Refusal::NotWarm) +

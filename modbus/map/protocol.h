@@ -140,6 +140,7 @@ enum class Refusal : std::uint16_t {
     NoMasterInput,
     MasterTooFast,
     CannotFollowMaster,
+    JawsExcludeCut,
 };
 
 enum class TransferOperation : std::uint16_t { None = 0, Begin, Block, Seal };

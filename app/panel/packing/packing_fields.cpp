@@ -16,6 +16,9 @@ namespace {
 constexpr std::string_view markDeadTime = "parameter.mark_dead_time";
 constexpr std::string_view eyeDeadTime = "parameter.eye_dead_time";
 constexpr std::string_view eyeEndDeadTime = "parameter.eye_end_dead_time";
+constexpr const char* markEndLater = "parameter.mark_end_later";
+constexpr const char* jawsBefore = "parameter.jaws_before";
+constexpr const char* jawsBehind = "parameter.jaws_behind";
 constexpr const char* markWidthMin = "parameter.mark_width_min";
 constexpr const char* markWidthMax = "parameter.mark_width_max";
 
@@ -50,7 +53,7 @@ constexpr std::array listed{
            false},
     Listed{"parameter.mark_dead_time",
            QT_TRANSLATE_NOOP("campanel::panel::PackingFields", "Mark sensor: dead time"), false},
-    Listed{"parameter.mark_end_later",
+    Listed{markEndLater,
            QT_TRANSLATE_NOOP("campanel::panel::PackingFields", "Mark sensor: more dead time at a mark's end"),
            false},
     Listed{markWidthMin, QT_TRANSLATE_NOOP("campanel::panel::PackingFields", "Mark width, minimum"), false},
@@ -93,10 +96,10 @@ constexpr std::array listed{
     Listed{"parameter.thread_up",
            QT_TRANSLATE_NOOP("campanel::panel::PackingFields", "Thread up: knife open until a mark is there"),
            true},
-    Listed{"parameter.jaws_before",
-           QT_TRANSLATE_NOOP("campanel::panel::PackingFields", "Jaws close before the cut by"), false},
-    Listed{"parameter.jaws_behind",
-           QT_TRANSLATE_NOOP("campanel::panel::PackingFields", "Jaws open behind the cut by"), false},
+    Listed{jawsBefore, QT_TRANSLATE_NOOP("campanel::panel::PackingFields", "Jaws close before the cut by"),
+           false},
+    Listed{jawsBehind, QT_TRANSLATE_NOOP("campanel::panel::PackingFields", "Jaws open behind the cut by"),
+           false},
     Listed{"parameter.park_delay",
            QT_TRANSLATE_NOOP("campanel::panel::PackingFields", "Delay before the knife opens after a stop"),
            false},
@@ -223,8 +226,24 @@ QString PackingFields::deadTimeNote(const Field& field) const
     return isSlower ? tr("%1. It answers later than entered: clean and check it.").arg(learned) : learned;
 }
 
+// The end of a mark has a dead time, too, within the same limits.
+QString PackingFields::endObjection(const Field& field, double value) const
+{
+    const bool isDeadTime = field.info().name == markDeadTime;
+    const double endMs = value + this->value(isDeadTime ? markEndLater : markDeadTime.data());
+    if (!(endMs < 0 || endMs > program::maxDeadTimeMs))
+        return {};
+    const Format format;
+    return tr("The end of a mark would have a dead time of %1 ms; it must be 0 to %2 ms. Change the other "
+              "time "
+              "first.")
+        .arg(format.number(endMs, 2), format.number(program::maxDeadTimeMs, 0));
+}
+
 QString PackingFields::objection(const Field& field, double value) const
 {
+    if (field.info().name == markDeadTime || field.info().name == markEndLater)
+        return endObjection(field, value);
     const bool isMinimum = field.info().name == markWidthMin;
     if (!isMinimum && field.info().name != markWidthMax)
         return {};
@@ -238,6 +257,13 @@ QString PackingFields::objection(const Field& field, double value) const
              format.measure(maximum, 2, QStringLiteral("mm")));
 }
 
+bool PackingFields::areJawsHalfKnown() const
+{
+    const double before = value(jawsBefore);
+    const double behind = value(jawsBehind);
+    return before + behind > 0 && before * behind == 0;
+}
+
 QString PackingFields::note(const Field& field) const
 {
     if (field.info().name == markDeadTime && !field.parameter->isMissing())
@@ -246,6 +272,8 @@ QString PackingFields::note(const Field& field) const
         return eyeNote(field, program::EyeDeadTime::Begin);
     if (field.info().name == eyeEndDeadTime && !field.parameter->isMissing())
         return eyeNote(field, program::EyeDeadTime::End);
+    if ((field.info().name == jawsBefore || field.info().name == jawsBehind) && areJawsHalfKnown())
+        return tr("%1 · leaves out the cut: enter both angles, or 0 for both").arg(range(field));
     const bool isGain =
         field.info().name == "parameter.phase_gain" || field.info().name == "parameter.length_gain";
     if (!isGain)

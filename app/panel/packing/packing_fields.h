@@ -37,6 +37,8 @@ protected:
     [[nodiscard]] QString objection(const Field& field, double value) const override;
 
 private:
+    [[nodiscard]] QString endObjection(const Field& field, double value) const;
+    [[nodiscard]] bool areJawsHalfKnown() const;
     [[nodiscard]] QString deadTimeNote(const Field& field) const;
     [[nodiscard]] QString eyeNote(const Field& field, program::EyeDeadTime::Edge edge) const;
 

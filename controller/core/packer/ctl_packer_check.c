@@ -87,6 +87,9 @@ uint16_t ctl_packer_refusal(const ctl_packer* packer, const ctl_bank* bank)
         return CTL_REFUSAL_NO_ROOM_TO_CORRECT;
     if (too_fast(packer, bank))
         return CTL_REFUSAL_FEED_TOO_FAST;
+    if ((parameter(packer, CTL_REG_PARAMETER_JAWS_BEFORE) == 0) !=
+        (parameter(packer, CTL_REG_PARAMETER_JAWS_BEHIND) == 0))
+        return CTL_REFUSAL_JAWS_EXCLUDE_CUT;
     if (parameter(packer, CTL_REG_PARAMETER_MARK_TRACKING) != 0) {
         const uint64_t distance = ctl_parameter32(packer->board, CTL_REG_PARAMETER_MARK_DISTANCE) +
                                   (uint64_t)ctl_parameter32(packer->board, CTL_REG_PARAMETER_MARK_OFFSET);

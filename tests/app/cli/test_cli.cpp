@@ -479,6 +479,11 @@ void CliTest::pinsOfTheMachine()
     QVERIFY(call(QStringList{u"status"_s} + port + json).json()[u"io"_s][u"outputs"_s].toArray().isEmpty());
 }
 
+    const auto late = call(QStringList{u"set"_s, u"parameter.mark_dead_time"_s, u"50"_s} + port);
+    QCOMPARE(late.code, int{Usage});
+    QVERIFY2(
+        late.complaint.contains("parameter.mark_dead_time cannot be 50; the allowed range is 0 to 20 ms."),
+        late.complaint.constData());
 // A controller of register map 1.2 has no pins; all else is as ever.
 void CliTest::olderController()
 {

@@ -257,6 +257,73 @@ private slots:
         QCOMPARE(rig.link.parameters.last().value, 4.7);
     }
 
+    void aDeadTimeOf50MsIsRefusedAtEntry_data()
+    {
+        QTest::addColumn<QString>("label");
+        QTest::newRow("mark sensor") << QStringLiteral("Mark sensor: dead time");
+        QTest::newRow("eye, begins") << QStringLiteral("Product eye: dead time, product comes");
+        QTest::newRow("eye, ends") << QStringLiteral("Product eye: dead time, product ends");
+    }
+    void aDeadTimeOf50MsIsRefusedAtEntry()
+    {
+        QFETCH(QString, label);
+        PackingRig rig;
+        rig.setup().open();
+        rig.answerParameters();
+        rig.fields().select(rig.rowOf(label));
+        QCOMPARE(rig.fields().value()->check(50).replace(QChar(0xA0), u' ').remove(QChar(0x2060)),
+                 QStringLiteral("The maximum is 20 ms."));
+        rig.fields().value()->set(50);
+        QVERIFY(rig.link.parameters.isEmpty());
+        rig.fields().value()->set(5);
+        QCOMPARE(rig.link.parameters.last().value, 5.0);
+    }
+
+    // Each of the two times is possible alone, but not both together.
+    void theEndOfAMarkIsNotLaterThanPossible()
+    {
+        PackingRig rig;
+        rig.setup().open();
+        rig.answerParameters();
+        rig.fields().write("parameter.mark_dead_time", 15);
+        rig.answerParameters();
+        const auto sentence =
+            QStringLiteral("The end of a mark would have a dead time of %1 ms; it must be 0 to "
+                           "20 ms. Change the other time first.");
+        rig.fields().write("parameter.mark_end_later", 15);
+        QVERIFY(rig.link.parameters.isEmpty());
+        QCOMPARE(rig.fields().outcomeText(), sentence.arg(QStringLiteral("30.00")));
+        rig.fields().write("parameter.mark_end_later", -15.5);
+        QVERIFY(rig.link.parameters.isEmpty());
+        rig.fields().write("parameter.mark_end_later", 4);
+        rig.answerParameters();
+        rig.fields().write("parameter.mark_dead_time", 16.5);
+        QVERIFY(rig.link.parameters.isEmpty());
+        QCOMPARE(rig.fields().outcomeText(), sentence.arg(QStringLiteral("20.50")));
+        rig.fields().write("parameter.mark_dead_time", 16);
+        QCOMPARE(rig.link.parameters.last().value, 16.0);
+    }
+
+    void anglesThatLeaveOutTheCutSaySo()
+    {
+        PackingRig rig;
+        rig.setup().open();
+        rig.answerParameters();
+        const auto note = [&rig](const char* label) {
+            return rig.at(rig.rowOf(QLatin1String(label)), PackingFields::NoteRole).toString();
+        };
+        const auto leavesOut = QStringLiteral("leaves out the cut: enter both angles, or 0 for both");
+        QVERIFY(note("Jaws close").endsWith(QStringLiteral("0: not used")));
+        rig.fields().write("parameter.jaws_before", 20);
+        rig.answerParameters();
+        QVERIFY2(note("Jaws close").endsWith(leavesOut), qPrintable(note("Jaws close")));
+        QVERIFY2(note("Jaws open").endsWith(leavesOut), qPrintable(note("Jaws open")));
+        rig.fields().write("parameter.jaws_behind", 25);
+        rig.answerParameters();
+        QVERIFY(!note("Jaws close").endsWith(leavesOut));
+        QVERIFY(!note("Jaws open").endsWith(leavesOut));
+    }
+
     void aWriteWithoutProofLeavesAnUnknown()
     {
         PackingRig rig;
