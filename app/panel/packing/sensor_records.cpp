@@ -2,7 +2,7 @@
 #include "app/panel/packing/sensor_records.h"
 
 #include "app/panel/controller/controller.h"
-#include "modbus/map/mark_edges.h"
+#include "app/program/dead_time_estimate.h"
 
 #include <algorithm>
 
