@@ -38,7 +38,9 @@ printed is that port's path. Ends on SIGTERM or SIGINT.
   --pins NAME,..       inputs that are on at power-up: )";
 
 constexpr const char* helpAfter =
-    R"(  --faults FILE        rules for what goes wrong on the line, one a line; see controller/README.md
+    R"(  --positions-kept     the positions of axis, film and infeed survive a power cut, as with absolute encoders; the
+                       shaft stands at its index mark at first
+  --faults FILE        rules for what goes wrong on the line, one a line; see controller/README.md
   --fault-seed N       seed of the faults, unless the rules name one (1)
   --control            take a line of rules, separated by ';', from standard input at any time; it replaces all
                        rules, 'clear' removes them. Answered on standard output by 'ok N', N faults by the rules
@@ -76,6 +78,7 @@ enum Code {
     Speed,
     Seed,
     Pins,
+    PositionsKept,
     Faults,
     FaultSeed,
     Control,
@@ -96,6 +99,7 @@ const option ownOptions[] = {{"link", required_argument, nullptr, Link},
                              {"speed", required_argument, nullptr, Speed},
                              {"seed", required_argument, nullptr, Seed},
                              {"pins", required_argument, nullptr, Pins},
+                             {"positions-kept", no_argument, nullptr, PositionsKept},
                              {"faults", required_argument, nullptr, Faults},
                              {"fault-seed", required_argument, nullptr, FaultSeed},
                              {"control", no_argument, nullptr, Control},
@@ -168,6 +172,10 @@ bool takeOption(int code, std::string_view argument, Options& options)
             return true;
         }
         return false;
+    case PositionsKept:
+        options.keepsPositions = true;
+        options.machine.startAngleDegrees = 0; // where an encoder counts from
+        return true;
     case FaultSeed:
         return parseNumber<std::uint64_t>(argument, 0, UINT64_MAX, options.faults.seed);
     case Control:

@@ -20,6 +20,7 @@ struct Options {
     std::filesystem::path link; // empty: none
     double speed = 1.0;         // simulated seconds per second
     std::uint16_t mapMinor = 0; // answers as a controller of this minor map version; 0: of the newest
+    bool keepsPositions = false; // without power
     MachineOptions machine;
     FaultScript faults;
     bool control = false; // also reads rules from standard input

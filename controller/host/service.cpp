@@ -45,6 +45,9 @@ ctl_config configOf(const Options& options)
     config.timer_bits = 16;
     config.max_pulse_hz = 200'000;
     config.map_minor = options.mapMinor;
+    if (options.keepsPositions)
+        config.kept_positions =
+            1u << CTL_IO_BIT_AXIS_KEPT | 1u << CTL_IO_BIT_FILM_KEPT | 1u << CTL_IO_BIT_INFEED_KEPT;
     return config;
 }
 

@@ -140,6 +140,14 @@ private slots:
         QCOMPARE(products.misplaced, 0.06);
     }
 
+    void positionsAreKeptFromTheIndexMark()
+    {
+        QVERIFY(!parse({})->keepsPositions);
+        const auto options = parse({"--positions-kept"});
+        QVERIFY(options && options->keepsPositions);
+        QCOMPARE(options->machine.startAngleDegrees, 0.0);
+    }
+
     void pinsAreNamed()
     {
         const auto options = parse({"--pins", "limit-reverse,drive-alarm"});

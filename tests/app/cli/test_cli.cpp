@@ -473,17 +473,21 @@ void CliTest::pinsOfTheMachine()
     QCOMPARE(io[u"torque_percent"_s].toDouble(-1), 0.0);
     QVERIFY(io[u"infeed_position_mm"_s].isNull()); // no packing machine yet
     QVERIFY(io[u"positions_kept"_s].isArray() && io[u"positions_kept"_s].toArray().isEmpty());
+    const ControllerProcess kept({u"--positions-kept"_s});
+    const QStringList status{u"status"_s, u"--port"_s, kept.port()};
+    QCOMPARE(call(status + json).json()[u"io"_s][u"positions_kept"_s].toArray(),
+             (QJsonArray{u"axis"_s, u"film"_s, u"infeed"_s}));
     QCOMPARE(call(QStringList{u"set"_s, u"parameter.switch1_on_angle"_s, u"90.5"_s} + port).code, int{Ok});
     QCOMPARE(call(QStringList{u"set"_s, u"parameter.switch1_on_angle"_s, u"360"_s} + port).code, int{Usage});
-    QCOMPARE(call(QStringList{u"set"_s, u"parameter.drive_enable"_s, u"0"_s} + port).code, int{Ok});
-    QVERIFY(call(QStringList{u"status"_s} + port + json).json()[u"io"_s][u"outputs"_s].toArray().isEmpty());
-}
-
     const auto late = call(QStringList{u"set"_s, u"parameter.mark_dead_time"_s, u"50"_s} + port);
     QCOMPARE(late.code, int{Usage});
     QVERIFY2(
         late.complaint.contains("parameter.mark_dead_time cannot be 50; the allowed range is 0 to 20 ms."),
         late.complaint.constData());
+    QCOMPARE(call(QStringList{u"set"_s, u"parameter.drive_enable"_s, u"0"_s} + port).code, int{Ok});
+    QVERIFY(call(QStringList{u"status"_s} + port + json).json()[u"io"_s][u"outputs"_s].toArray().isEmpty());
+}
+
 // A controller of register map 1.2 has no pins; all else is as ever.
 void CliTest::olderController()
 {
