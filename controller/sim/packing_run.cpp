@@ -12,6 +12,7 @@
 #include <cmath>
 #include <memory>
 #include <random>
+#include <utility>
 
 namespace campanel::controller {
 namespace {
@@ -145,6 +146,16 @@ private:
         return write(m_job.onMarks(registers));
     }
 
+    void showEye()
+    {
+        const ctl_eye_edges& edges = m_core.packer.eye_edges;
+        if (!m_job.onEye || std::exchange(m_eyeShown, edges.number) == edges.number)
+            return;
+        std::array<std::uint16_t, CTL_GROUP_EYE> registers{};
+        ctl_eye_edges_registers(&edges, registers.data());
+        m_job.onEye(registers);
+    }
+
     // Fills the shadow bank and seals it.
     bool download(std::span<const std::uint16_t> registers)
     {
@@ -218,6 +229,7 @@ private:
                 if (m_result.bags != bagsBefore && !changeProgram())
                     return;
             }
+            showEye();
             if (!showMarks() || !goesOn())
                 return;
         }
@@ -522,6 +534,7 @@ private:
     std::uint16_t m_jamNumber = 0;
     double m_seenAtDegrees = 0.0;
     std::uint32_t m_marksShown = 0;
+    std::uint32_t m_eyeShown = 0;
     std::uint32_t m_commands = 0;
     std::uint32_t m_startsWithoutBag = 0;
 };

@@ -36,6 +36,8 @@ struct PackingJob {
     double stopShare = 0.0; // of the bags in which an operator stops the machine at once, to start it later
     // Called with the group `sensor` when it has new marks; the parameters that it returns are written.
     std::function<std::vector<ParameterValue>(std::span<const std::uint16_t> registers)> onMarks;
+    // Called with the group `eye` when it has new edges.
+    std::function<void(std::span<const std::uint16_t> registers)> onEye;
     // The board of the controller.
     std::uint32_t timerClockHz = 8'000'000;
     std::uint32_t maxPulseHz = 500'000;

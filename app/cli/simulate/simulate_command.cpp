@@ -76,12 +76,28 @@ Outcome checkCombination(const Invocation& call)
     return {};
 }
 
+// Each edge of the eye that was measured, and whether the panel would offer its dead time.
+QJsonObject eyeObject(const program::EyeDeadTime& eye)
+{
+    using Eye = program::EyeDeadTime;
+    QJsonObject object;
+    for (const auto& [edge, name] : {std::pair(Eye::Begin, u"begin"_s), std::pair(Eye::End, u"end"_s)}) {
+        if (const auto found = eye.measured(edge))
+            object[name] = QJsonObject{{u"dead_time_ms"_s, found->ms},
+                                       {u"standard_deviation_ms"_s, found->marginMs},
+                                       {u"offered"_s, found->marginMs <= Eye::maxMarginMs}};
+    }
+    return object;
+}
+
 Outcome simulateOne(const Invocation& call, const program::Recipe& recipe, controller::PackingJob job,
                     double toleranceMm)
 {
     DeadTimeTaker taker;
-    if (job.onMarks)
+    if (job.onMarks) {
         job.onMarks = [&taker](auto registers) { return taker.take(registers); };
+        job.onEye = [&taker](auto registers) { taker.see(registers); };
+    }
     auto image = program::buildProgram(recipe);
     if (!image)
         return fail(image.error());
@@ -111,6 +127,8 @@ Outcome simulateOne(const Invocation& call, const program::Recipe& recipe, contr
                                             {u"standard_deviation_ms"_s, found->marginMs},
                                             {u"slip_mm_per_m_per_s2"_s, found->slipMm},
                                             {u"ramps"_s, found->ramps}};
+    if (const QJsonObject eye = eyeObject(taker.eye()); !eye.isEmpty())
+        summary[u"eye"_s] = eye;
     summary[u"end"_s] = ended ? u"all bags cut"_s : ended.error().sentence.simplified();
     if (const Outcome delivered = rows.deliver(call, summary); !delivered)
         return delivered;

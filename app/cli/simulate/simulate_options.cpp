@@ -198,7 +198,7 @@ QList<QCommandLineOption> simulateOptions()
         {u"no-tracking"_s, u"Switch mark tracking off: parameter.mark_tracking=0."_s},
         {u"save-film"_s, u"Make no bags without product: parameter.empty_bag=1."_s},
         {u"sensor-compensation-ms"_s,
-         u"Dead time of mark sensor and product eye that the controller knows (0 to 20, default 0); \"learned\": that of the mark sensor is taken as soon as it is offered."_s,
+         u"Dead time of mark sensor and product eye that the controller knows (0 to 20, default 0); \"learned\": that of the mark sensor is taken as soon as it is offered, those of the eye are measured (a taught part: --product-scatter 0; two speeds: --change-rate-every)."_s,
          u"MS"_s},
         {u"change-rate-every"_s,
          u"Change to half of the rate and back after so many bags, while the machine runs."_s, u"BAGS"_s},
@@ -340,6 +340,12 @@ std::vector<controller::ParameterValue> DeadTimeTaker::take(std::span<const std:
     if (!offered)
         return {};
     return {parameterOf(u"parameter.mark_dead_time"_s, *offered).value()};
+}
+
+void DeadTimeTaker::see(std::span<const std::uint16_t> registers)
+{
+    for (const modbus::EyeEdge& edge : modbus::eyeEdges(registers, m_eye.last()))
+        m_eye.take(edge);
 }
 
 PackingJob withPrograms(PackingJob job, const Programs& programs)

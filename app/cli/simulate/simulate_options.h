@@ -4,6 +4,7 @@
 
 #include "app/cli/failure.h"
 #include "app/program/dead_time_estimate.h"
+#include "app/program/eye_dead_time.h"
 #include "app/program/program_image.h"
 #include "packing_run.h"
 
@@ -32,9 +33,13 @@ public:
     // Returns what to write, by the group `sensor`.
     std::vector<controller::ParameterValue> take(std::span<const std::uint16_t> registers);
     [[nodiscard]] std::optional<program::DeadTime> found() const { return m_estimate.estimate(); }
+    // Those of the product eye are only measured.
+    void see(std::span<const std::uint16_t> registers);
+    [[nodiscard]] const program::EyeDeadTime& eye() const { return m_eye; }
 
 private:
     program::DeadTimeEstimate m_estimate;
+    program::EyeDeadTime m_eye;
     std::uint32_t m_last = 0;
     double m_takenMs = 0.0;
 };

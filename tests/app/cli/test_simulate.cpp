@@ -163,6 +163,39 @@ private slots:
     }
 
     // The controller's own records of the marks are all that is known of the sensor.
+    // One part that comes to the same place each time, at two speeds; and usual products.
+    void measuresTheEyesDeadTimes_data()
+    {
+        QTest::addColumn<double>("delayMs");
+        QTest::addColumn<double>("scatterMm");
+        QTest::addColumn<bool>("isOffered");
+        QTest::newRow("1 ms") << 1.0 << 0.0 << true;
+        QTest::newRow("2.5 ms") << 2.5 << 0.0 << true;
+        QTest::newRow("1 ms, 2 mm of scatter") << 1.0 << 2.0 << false;
+    }
+    void measuresTheEyesDeadTimes()
+    {
+        QFETCH(double, delayMs);
+        QFETCH(double, scatterMm);
+        QFETCH(bool, isOffered);
+        const auto result = call(
+            u"simulate --rate 240 --bags 400 --change-rate-every 50 --format json --sensor-off-later-ms 0.7 "
+            "--sensor-compensation-ms learned --sensor-delay-ms %1 "
+            "--product-scatter %2"_s.arg(delayMs)
+                .arg(scatterMm));
+        QCOMPARE(result.code, int{Ok});
+        const QJsonObject eye = result.json()[u"eye"_s].toObject();
+        for (const auto& [edge, trueMs] :
+             {std::pair(u"begin"_s, delayMs), std::pair(u"end"_s, delayMs + 0.7)}) {
+            const QJsonObject found = eye[edge].toObject();
+            const double margin = found[u"standard_deviation_ms"_s].toDouble();
+            QCOMPARE(found[u"offered"_s].toBool(), isOffered);
+            QVERIFY2(margin > 0 && (margin <= 0.2) == isOffered, qPrintable(QString::number(margin)));
+            const double error = found[u"dead_time_ms"_s].toDouble() - trueMs;
+            QVERIFY2(std::abs(error) <= 3 * margin, qPrintable(QString::number(error)));
+        }
+    }
+
     void learnsTheDeadTime()
     {
         const QString words = u"simulate --bag-length-mm 300 --rate 300 --bags 600 --change-rate-every 50 "
