@@ -82,7 +82,7 @@ uint16_t ctl_packer_refusal(const ctl_packer* packer, const ctl_bank* bank)
 {
     if (!ctl_packer_drives(packer, bank))
         return CTL_REFUSAL_NONE;
-    const uint64_t bag = ctl_bank_bag_um(bank);
+    const uint32_t bag = ctl_bank_bag_um(bank);
     if (no_room(bank))
         return CTL_REFUSAL_NO_ROOM_TO_CORRECT;
     if (too_fast(packer, bank))
@@ -93,15 +93,16 @@ uint16_t ctl_packer_refusal(const ctl_packer* packer, const ctl_bank* bank)
     if (parameter(packer, CTL_REG_PARAMETER_MARK_TRACKING) != 0) {
         const uint64_t distance = ctl_parameter32(packer->board, CTL_REG_PARAMETER_MARK_DISTANCE) +
                                   (uint64_t)ctl_parameter32(packer->board, CTL_REG_PARAMETER_MARK_OFFSET);
-        if (distance > bag * (CTL_WAITING_MARKS - 3u))
+        if (distance > (uint64_t)bag * (CTL_WAITING_MARKS - 3u))
             return CTL_REFUSAL_SENSOR_TOO_FAR;
-        if (4u * (uint64_t)parameter(packer, CTL_REG_PARAMETER_MARK_WINDOW) > bag)
+        const uint32_t window = parameter(packer, CTL_REG_PARAMETER_MARK_WINDOW);
+        if (4u * window > bag)
             return CTL_REFUSAL_MARK_WINDOW_TOO_WIDE;
         const uint16_t widest = parameter(packer, CTL_REG_PARAMETER_MARK_WIDTH_MAX);
         if (widest != 0 && parameter(packer, CTL_REG_PARAMETER_MARK_WIDTH_MIN) > widest)
             return CTL_REFUSAL_NO_MARK_WIDTH_ALLOWED;
-        const uint64_t masking = parameter(packer, CTL_REG_PARAMETER_MARK_MASKING) * (uint64_t)TENTH_UM;
-        if (masking != 0 && masking + parameter(packer, CTL_REG_PARAMETER_MARK_WINDOW) >= bag)
+        const uint32_t masking = parameter(packer, CTL_REG_PARAMETER_MARK_MASKING) * TENTH_UM;
+        if (masking != 0 && masking + window >= bag)
             return CTL_REFUSAL_MARK_MASKING_TOO_LONG;
     }
     return eye_too_near(packer, bank) ? CTL_REFUSAL_EYE_TOO_NEAR : CTL_REFUSAL_NONE;
