@@ -311,10 +311,11 @@ constexpr std::array refusals{
         CAMPANEL_TEXT("Protocol",
                       "The line runs faster than this program. Slow it down, or download a faster program."),
         "It is above master.speed_max."),
-    entry(Refusal::CannotFollowMaster, "CannotFollowMaster",
-          CAMPANEL_TEXT("Protocol",
-                        "This program cannot follow an encoder. Set the clock as the master to run it."),
-          "master.source is Encoder; only programs of a rotary cutter follow it."),
+    entry(
+        Refusal::CannotFollowMaster, "CannotFollowMaster",
+        CAMPANEL_TEXT("Protocol",
+                      "This program cannot follow an encoder. Set the clock as the master to run it."),
+        "master.source is Encoder; programs that repeat follow it, but none whose master turns in reverse."),
     entry(Refusal::JawsExcludeCut, "JawsExcludeCut",
           CAMPANEL_TEXT("Protocol",
                         "The angles at which the jaws touch the film leave out the cut. Enter both "

@@ -425,6 +425,9 @@ constexpr std::array registerTable{
                "maximum speed of the master, of the program's rate; a start is refused above it, a run ends "
                "at the end of its cycle, a quarter above it is a fault",
                {}, 100, 150, 110, 1.0, "%")),
+    since(6, rw16("master.backward", 0x0B0C,
+                  "1: a cam goes back with an encoder that goes back; 0: it waits, as a cutter always does",
+                  {}, 0, 1, 1)),
     since(6, ro16("master_status.available", 0x0B20, "1: the controller has an input for an encoder")),
     since(6, ro16("master_status.state", 0x0B21, "the line against the master", "MasterState")),
     since(6, roI32("master_status.counts", 0x0B22, "counts since power-up, lower 32 bits", "counts")),

@@ -107,6 +107,7 @@ static uint32_t led_speed(const ctl_ramp* ramp, uint64_t way)
 void ctl_ramp_lead(ctl_ramp* ramp, uint32_t top, uint32_t stretch, uint64_t way)
 {
     ramp->led = true;
+    ramp->s_curve = false; /* it would be its own */
     ramp->top = top;
     ramp->stretch = stretch;
     ramp->way = way;

@@ -8,7 +8,7 @@
 #include "motion/ctl_io.h"
 #include "motion/ctl_motion.h"
 
-/* Writable registers as the panel left them. The group of an odd length is the last one: copies from an
+/* Writable registers as the panel left them. Groups of an odd length are the last ones: copies from an
  * address that is no multiple of four take twice as long. */
 typedef struct {
     uint16_t exchange[CTL_GROUP_EXCHANGE];
@@ -16,8 +16,8 @@ typedef struct {
     uint16_t transfer[CTL_GROUP_TRANSFER];
     uint16_t readback[CTL_GROUP_READBACK];
     uint16_t readback_result[CTL_GROUP_READBACK_RESULT];
-    uint16_t master[CTL_GROUP_MASTER];
     uint16_t parameter[CTL_GROUP_PARAMETER];
+    uint16_t master[CTL_GROUP_MASTER];
 } ctl_written;
 
 typedef struct {

@@ -66,10 +66,8 @@ int64_t ctl_clutch_follow(ctl_clutch* clutch, int64_t master)
     if (clutch->state == CTL_CLUTCH_OFF)
         return clutch->line;
     const int64_t passed = master - clutch->from;
-    if (passed < (int64_t)clutch->on.stretch) {
-        clutch->state = CTL_CLUTCH_ENGAGING;
+    if (clutch->state == CTL_CLUTCH_ENGAGING && passed < (int64_t)clutch->on.stretch)
         return engaging(clutch, passed);
-    }
     const int64_t line = master + clutch->offset;
     const int64_t into_end = line - (clutch->end - clutch->off.way);
     clutch->state = CTL_CLUTCH_ON;

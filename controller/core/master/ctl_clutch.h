@@ -4,7 +4,8 @@
  * line is L (x^3 - x^4 / 2) + (h - L / 2) (10 x^3 - 15 x^4 + 6 x^5) on, and goes on as the master does, with
  * its position, slope 1 and no second derivative. It disengages by the same curve backwards. The line is a
  * function of the master's position alone: a master that stands holds it, and one that comes back in the
- * stretch leads it back. All in ticks of the line's table. */
+ * stretch leads it back, at most to where it began; once engaged the line goes back as far as the master. All
+ * in ticks of the line's table. */
 #ifndef CTL_CLUTCH_H
 #define CTL_CLUTCH_H
 

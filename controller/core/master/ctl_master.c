@@ -1,12 +1,15 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "master/ctl_master.h"
 
+#include "engine/ctl_cam.h"
+
 #include <stddef.h>
 #include <string.h>
 
 #define US_PER_S 1000000u
 #define MS_PER_S 1000u
 #define PERCENT 100u
+#define FINE_BITS 8u
 /* Where no time constant is set: so many counts at the program's rate. */
 #define SMOOTHING_COUNTS 20u
 #define MIN_SMOOTHING_US 2000u
@@ -19,6 +22,10 @@
 /* A slice travels so many times its ticks at most: no line is faster. */
 #define MAX_TRAVEL 4u
 #define RATE_BITS 24u
+/* Above it the gear's whole numbers are too large. */
+#define MAX_DENOMINATOR (UINT64_C(1) << 42)
+/* A cam's master revolutions per cycle are the product of two thousandths. */
+#define RATIO_UNIT 1000000u
 
 static uint16_t setting16(const ctl_master* master, uint32_t address)
 {
@@ -42,9 +49,39 @@ static int64_t read_counts(const ctl_master* master)
     return master->reversed ? -counts : counts;
 }
 
-static bool can_follow(const ctl_bank* bank)
+static bool is_cutter(const ctl_bank* bank)
 {
     return ctl_bank_kind(bank) == CTL_PROGRAM_KIND_ROTARY_CUTTER;
+}
+
+typedef struct {
+    uint64_t numerator;
+    uint64_t denominator;
+} gear_ratio;
+
+/* Ticks of the table per count: a bag of film a cycle, of a cam its master's revolutions. */
+static gear_ratio ratio_of(const ctl_master* master, const ctl_bank* bank)
+{
+    const uint64_t cycle = ctl_bank_cycle_ticks(bank);
+    const uint64_t counts = setting32(master, CTL_REG_MASTER_COUNTS);
+    if (is_cutter(bank))
+        return (gear_ratio){cycle * setting32(master, CTL_REG_MASTER_REVOLUTION),
+                            ctl_bank_bag_um(bank) * counts};
+    const uint64_t turns = (uint64_t)ctl_get32(&bank->registers[CTL_OFFSET_CAM_MASTER_RATIO]) *
+                           ctl_get32(&bank->registers[CTL_OFFSET_CAM_MASTER_SCALE]);
+    return (gear_ratio){cycle * RATIO_UNIT, turns < MAX_DENOMINATOR ? turns * counts : MAX_DENOMINATOR};
+}
+
+static bool has_master(const ctl_bank* bank)
+{
+    return is_cutter(bank) || ctl_bank_follows_master(bank);
+}
+
+/* A cam whose master turns back by itself would never engage. */
+static bool can_follow(const ctl_master* master, const ctl_bank* bank)
+{
+    return has_master(bank) && ctl_bank_at_end(bank) == CTL_END_BEHAVIOR_REPEAT &&
+           ctl_bank_direction(bank) > 0 && ratio_of(master, bank).denominator < MAX_DENOMINATOR;
 }
 
 void ctl_master_init(ctl_master* master, const ctl_board* board)
@@ -99,22 +136,25 @@ static int64_t um_per_s(const ctl_master* master, int64_t speed)
            (int64_t)((uint64_t)setting32(master, CTL_REG_MASTER_COUNTS) << 8u);
 }
 
-static int64_t max_um_per_s(const ctl_master* master, const ctl_bank* bank)
+/* The counts of a microsecond as ticks of the table's, in percent of full speed. */
+static bool is_too_fast(const ctl_master* master, const ctl_bank* bank)
 {
-    const uint64_t um = (uint64_t)ctl_bank_bag_um(bank) * setting16(master, CTL_REG_MASTER_SPEED_MAX);
-    return (int64_t)(um * master->board->config.timer_clock_hz / ctl_bank_cycle_ticks(bank) / PERCENT);
+    const gear_ratio ratio = ratio_of(master, bank);
+    const uint64_t per_count = ratio.numerator / ratio.denominator + 1u;
+    const uint64_t speed = (uint64_t)(master->speed < 0 ? -master->speed : master->speed) >> FINE_BITS;
+    const uint64_t percent = speed * per_count * PERCENT / (master->board->config.timer_clock_hz / MS_PER_S);
+    return percent * MS_PER_S >> (CTL_TRACKER_BITS - FINE_BITS) > setting16(master, CTL_REG_MASTER_SPEED_MAX);
 }
 
 uint16_t ctl_master_refusal(const ctl_master* master, const ctl_bank* bank)
 {
-    if (!wants_encoder(master) || ctl_bank_at_end(bank) != CTL_END_BEHAVIOR_REPEAT)
+    if (!wants_encoder(master) || !has_master(bank))
         return CTL_REFUSAL_NONE;
     if (master->board->port.master == NULL)
         return CTL_REFUSAL_NO_MASTER_INPUT;
-    if (!can_follow(bank))
+    if (!can_follow(master, bank))
         return CTL_REFUSAL_CANNOT_FOLLOW_MASTER;
-    return um_per_s(master, master->speed) > max_um_per_s(master, bank) ? CTL_REFUSAL_MASTER_TOO_FAST
-                                                                        : CTL_REFUSAL_NONE;
+    return is_too_fast(master, bank) ? CTL_REFUSAL_MASTER_TOO_FAST : CTL_REFUSAL_NONE;
 }
 
 static uint32_t smoothing_us(const ctl_master* master)
@@ -127,15 +167,12 @@ static uint32_t smoothing_us(const ctl_master* master)
     return us < MIN_SMOOTHING_US ? MIN_SMOOTHING_US : us > MAX_SMOOTHING_US ? MAX_SMOOTHING_US : (uint32_t)us;
 }
 
-/* One bag a cycle: the film of a count in ticks of the table. */
 static void set_gear(ctl_master* master, const ctl_bank* bank)
 {
-    const uint64_t numerator =
-        (uint64_t)ctl_bank_cycle_ticks(bank) * setting32(master, CTL_REG_MASTER_REVOLUTION);
-    const uint64_t denominator = (uint64_t)ctl_bank_bag_um(bank) * setting32(master, CTL_REG_MASTER_COUNTS);
-    if (numerator == master->gear.numerator && denominator == master->gear.denominator)
+    const gear_ratio ratio = ratio_of(master, bank);
+    if (ratio.numerator == master->gear.numerator && ratio.denominator == master->gear.denominator)
         return;
-    ctl_gear_set(&master->gear, numerator, denominator, master->tracker.count);
+    ctl_gear_set(&master->gear, ratio.numerator, ratio.denominator, master->tracker.count);
     master->in_phase = false;
 }
 
@@ -147,13 +184,15 @@ static void set_rate(ctl_master* master, const ctl_ramp* ramp)
     master->per_speed = rate < UINT32_MAX ? (uint32_t)rate : UINT32_MAX;
 }
 
-/* The master's speed, of the ramp's. */
+/* The master's speed, of the ramp's; one that goes back has none where the line waits for it. */
 static uint32_t top_of(const ctl_master* master)
 {
-    if (master->speed <= 0)
+    if (master->speed <= 0 && !master->goes_back)
         return 0;
     const uint64_t top =
-        ((uint64_t)master->speed >> (CTL_TRACKER_BITS - RATE_BITS)) * master->per_speed >> RATE_BITS;
+        ((uint64_t)(master->speed < 0 ? -master->speed : master->speed) >> (CTL_TRACKER_BITS - RATE_BITS)) *
+            master->per_speed >>
+        RATE_BITS;
     return top < UINT32_MAX ? (uint32_t)top : UINT32_MAX;
 }
 
@@ -169,7 +208,8 @@ static uint32_t stretch_of(const ctl_master* master, const ctl_ramp* ramp)
 
 static int64_t position(ctl_master* master)
 {
-    const ctl_tracked led = ctl_tracker_ahead(&master->tracker, master->lead_us);
+    const uint32_t engine_us = master->lead_us == 0 ? 0u : master->engine_us;
+    const ctl_tracked led = ctl_tracker_ahead(&master->tracker, master->lead_us + engine_us);
     return ctl_gear_ticks(&master->gear, led.count, led.fraction);
 }
 
@@ -192,9 +232,11 @@ void ctl_master_engage(ctl_master* master, const ctl_bank* bank, uint32_t start,
 {
     master->too_fast = false;
     master->fails = false;
-    master->leads = master->reads && can_follow(bank);
+    master->leads = master->reads && can_follow(master, bank);
     if (!master->leads)
         return;
+    master->engine_us = is_cutter(bank) ? 0u : CTL_CAM_UPDATE_US;
+    master->goes_back = !is_cutter(bank) && setting16(master, CTL_REG_MASTER_BACKWARD) != 0;
     set_gear(master, bank);
     set_rate(master, ramp);
     master->cycle = ctl_bank_cycle_ticks(bank);
@@ -215,7 +257,7 @@ static uint64_t way_from_rest(const ctl_master* master)
 {
     const ctl_clutch* clutch = &master->clutch;
     if (clutch->state == CTL_CLUTCH_ENGAGING)
-        return (uint64_t)(master->line - clutch->line);
+        return master->line > clutch->line ? (uint64_t)(master->line - clutch->line) : 0u;
     if (clutch->state == CTL_CLUTCH_DISENGAGING && clutch->end > master->line)
         return (uint64_t)(clutch->end - master->line);
     return clutch->state == CTL_CLUTCH_ON ? UINT32_MAX : 0u;
@@ -229,21 +271,22 @@ static void watch_speed(ctl_master* master, const ctl_ramp* ramp, uint64_t trave
     master->fails = top * FAULT_DENOMINATOR > most * FAULT_NUMERATOR || travel > MAX_TRAVEL * (uint64_t)ticks;
 }
 
-uint32_t ctl_master_travel(ctl_master* master, ctl_ramp* ramp, uint32_t ticks)
+int32_t ctl_master_travel(ctl_master* master, ctl_ramp* ramp, uint32_t ticks)
 {
     master->wanted = ctl_clutch_follow(&master->clutch, position(master));
-    const uint64_t travel = master->wanted > master->line ? (uint64_t)(master->wanted - master->line) : 0u;
+    const int64_t way = master->wanted - master->line;
+    const int64_t travel = way > 0 || master->goes_back ? way : 0;
     const ctl_clutch* clutch = &master->clutch;
     const bool ends = clutch->ends && clutch->state != CTL_CLUTCH_ENGAGING;
-    watch_speed(master, ramp, travel, ticks);
+    watch_speed(master, ramp, (uint64_t)(travel < 0 ? -travel : travel), ticks);
     if (master->fails)
         return 0;
-    master->line += (int64_t)travel;
+    master->line += travel;
     ctl_ramp_lead(ramp, top_of(master), ends ? clutch->off.stretch : clutch->on.stretch,
                   way_from_rest(master));
     if (clutch->state == CTL_CLUTCH_OFF)
         ramp->speed = 0;
-    return (uint32_t)travel;
+    return (int32_t)travel;
 }
 
 uint64_t ctl_master_disengage(ctl_master* master, const ctl_ramp* ramp, uint32_t to_boundary)
@@ -256,6 +299,12 @@ uint64_t ctl_master_disengage(ctl_master* master, const ctl_ramp* ramp, uint32_t
         end += master->cycle;
     ctl_clutch_disengage(&master->clutch, end, curve);
     return (uint64_t)(end - master->line);
+}
+
+uint64_t ctl_master_to_end(const ctl_master* master)
+{
+    const int64_t left = master->clutch.end - master->line;
+    return master->clutch.state == CTL_CLUTCH_OFF || left < 0 ? 0u : (uint64_t)left;
 }
 
 void ctl_master_release(ctl_master* master, ctl_ramp* ramp)

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /* An encoder as the master of a line: its counts become the ticks that a slice of the line's table travels,
- * in place of a ramp's, and the ramp's speed follows the measured one. The line never goes back: where the
- * encoder does, it waits until the encoder has come back. */
+ * in place of a ramp's, and the ramp's speed follows the measured one. A cutter's line never goes back: where
+ * the encoder does, it waits until the encoder has come back. A cam goes back along its curve. */
 #ifndef CTL_MASTER_H
 #define CTL_MASTER_H
 
@@ -28,7 +28,9 @@ typedef struct {
     uint16_t signal;
     uint64_t last_us;
     int64_t speed;      /* smoothed, counts per microsecond, 1 / 2^32 */
-    uint32_t lead_us;   /* from a count to the movement */
+    uint32_t lead_us;   /* from a count to the movement, */
+    uint32_t engine_us; /* and what the table's engine needs */
+    bool goes_back;     /* with the encoder, otherwise the line waits */
     uint32_t per_speed; /* of the ramp at full speed, per 1 / 2^24 count per microsecond, 1 / 2^24 */
     uint32_t cycle;     /* ticks of the table that engaged last */
     int64_t offset;     /* of the line from the master then */
@@ -47,11 +49,13 @@ uint16_t ctl_master_refusal(const ctl_master* master, const ctl_bank* bank);
 /* A run of `bank` begins `start` ticks into its cycle, with this ramp at standstill: where the encoder is the
  * source, it leads the ramp. */
 void ctl_master_engage(ctl_master* master, const ctl_bank* bank, uint32_t start, ctl_ramp* ramp);
-/* Returns the ticks that the line travels in this slice of `ticks`. */
-uint32_t ctl_master_travel(ctl_master* master, ctl_ramp* ramp, uint32_t ticks);
+/* Returns the ticks that the line travels in this slice of `ticks`; negative: back. */
+int32_t ctl_master_travel(ctl_master* master, ctl_ramp* ramp, uint32_t ticks);
 /* Begins to disengage, `to_boundary` ticks being left of the cycle; returns the ticks to the boundary at
  * which the line comes to rest. */
 uint64_t ctl_master_disengage(ctl_master* master, const ctl_ramp* ramp, uint32_t to_boundary);
+/* Returns what is left of them. */
+uint64_t ctl_master_to_end(const ctl_master* master);
 /* Disengages at once: the ramp goes on by itself from its present speed. */
 void ctl_master_release(ctl_master* master, ctl_ramp* ramp);
 /* Writes the registers of the group `master_status`. */

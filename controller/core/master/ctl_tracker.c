@@ -52,13 +52,19 @@ void ctl_tracker_read(ctl_tracker* tracker, int64_t count)
         set_step(tracker, tracker->passed_us);
     tracker->passed_us = 0;
     const int64_t counts = count - tracker->count;
+    if (ctl_tracker_stands(tracker) && counts >= -1 && counts <= 1) {
+        tracker->error = counts * ONE;
+        tracker->ahead = 0;
+        tracker->speed = 0;
+        return;
+    }
     tracker->count = count;
     if (counts != 0)
         tracker->still_us = 0;
     const bool jumps = counts > MAX_ERROR / ONE || counts < -(MAX_ERROR / ONE);
     const int64_t error = jumps ? MAX_ERROR : counts * ONE - tracker->ahead;
     tracker->error = error;
-    if (jumps || error >= MAX_ERROR || error <= -MAX_ERROR || ctl_tracker_stands(tracker)) {
+    if (jumps || error >= MAX_ERROR || error <= -MAX_ERROR) {
         tracker->ahead = 0;
         tracker->speed = 0;
         return;

@@ -36,7 +36,8 @@ typedef struct {
 /* Stands at this count. */
 void ctl_tracker_reset(ctl_tracker* tracker, int64_t count, uint32_t constant_us);
 void ctl_tracker_pass(ctl_tracker* tracker, uint32_t us);
-/* Takes the count that is read now. */
+/* Takes the count that is read now. Where the counts stand, one more or fewer is noise: an edge to and fro.
+ */
 void ctl_tracker_read(ctl_tracker* tracker, int64_t count);
 /* Returns where the encoder will be so much later. */
 ctl_tracked ctl_tracker_ahead(const ctl_tracker* tracker, uint32_t us);

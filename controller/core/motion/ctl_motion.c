@@ -138,13 +138,19 @@ int32_t ctl_motion_wanted_direction(const ctl_motion* motion)
     return ctl_parameter16(motion->board, CTL_REG_PARAMETER_MASTER_DIRECTION) != 0 ? -direction : direction;
 }
 
+/* Where in its cycle a run begins. */
+static uint32_t start_position(const ctl_motion* motion)
+{
+    const ctl_bank* bank = ctl_active_bank(motion->banks);
+    return ctl_packer_drives(motion->packer, bank) ? ctl_packer_start_position(motion->packer, bank)
+                                                   : ctl_table_position(&motion->table);
+}
+
 void ctl_motion_run(ctl_motion* motion)
 {
     begin_master_ramp(motion);
     motion->direction = ctl_motion_wanted_direction(motion);
-    ctl_master_engage(motion->master, ctl_active_bank(motion->banks),
-                      ctl_packer_start_position(motion->packer, ctl_active_bank(motion->banks)),
-                      &motion->ramp);
+    ctl_master_engage(motion->master, ctl_active_bank(motion->banks), start_position(motion), &motion->ramp);
     ctl_packer_run(motion->packer, ctl_active_bank(motion->banks), &motion->ramp);
     motion->manual = false;
     motion->start_after_home = false;
@@ -335,12 +341,13 @@ uint16_t ctl_motion_stop_at_cycle_end(ctl_motion* motion)
     }
     motion->stop = CTL_STOP_AT_BOUNDARY;
     motion->state = CTL_STATE_STOPPING;
-    motion->stop_remaining = ctl_motion_to_boundary(motion);
     if (motion->master->leads) {
+        motion->direction = 1; /* to the end of the cycle, even while a cam goes back */
         motion->stop_remaining =
-            ctl_master_disengage(motion->master, &motion->ramp, (uint32_t)motion->stop_remaining);
+            ctl_master_disengage(motion->master, &motion->ramp, ctl_motion_to_boundary(motion));
         return CTL_REFUSAL_NONE;
     }
+    motion->stop_remaining = ctl_motion_to_boundary(motion);
     const uint32_t cycle = ctl_bank_cycle_ticks(motion->table.bank);
     while (!ctl_ramp_can_land(&motion->ramp, motion->stop_remaining))
         motion->stop_remaining += cycle;

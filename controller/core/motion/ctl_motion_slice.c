@@ -174,14 +174,16 @@ static uint32_t move_by_hand(ctl_motion* motion, ctl_pace pace, uint32_t travell
 /* The encoder moves the line. */
 static void slice_led(ctl_motion* motion, ctl_pace pace)
 {
-    pace.travel = ctl_master_travel(motion->master, &motion->ramp, pace.ticks);
+    const int32_t way = ctl_master_travel(motion->master, &motion->ramp, pace.ticks);
+    motion->direction = way < 0 ? -1 : 1;
+    pace.travel = (uint32_t)(way < 0 ? -way : way);
     if (motion->master->fails) {
         ctl_motion_fault(motion, CTL_FAULT_BIT_MASTER_TOO_FAST);
         return;
     }
     travel(motion, pace);
     if (motion->state == CTL_STATE_STOPPING)
-        motion->stop_remaining -= pace.travel;
+        motion->stop_remaining = ctl_master_to_end(motion->master);
     else if (motion->master->too_fast)
         (void)ctl_motion_stop_at_cycle_end(motion);
 }

@@ -3,13 +3,17 @@
 // that no pulse is lost or given twice.
 #include "rig.h"
 
+#include "engine/ctl_cam.h"
+
 #include "master/ctl_master.h"
+#include "support/cam_image.h"
 #include "tests/support/test_program.h"
 
 #include <QTest>
 
 #include <cmath>
 #include <cstdlib>
+#include <numbers>
 
 namespace test_master_line {
 
@@ -28,6 +32,18 @@ BankImage cutter()
     BankImage bank = camBank(static_cast<std::uint32_t>(knifePulses), 1, cycleTicks);
     bank.bagLengthUm = 250'000;
     return bank;
+}
+
+// A cam of 0.2 revolutions of its master: 2000 counts, 0.2 s at 60 r/min.
+constexpr double camNet = 5000.0; // pulses a cycle
+constexpr double camSwing = 300.0;
+constexpr double camMmPerS = 250.0;
+
+CamImage cam()
+{
+    CamImage image = sineCam(camNet, camSwing, 400, cycleTicks);
+    image.masterRampMs = 0;
+    return image;
 }
 
 MachineOptions onLine(double mmPerS, std::uint32_t counts = 10'000)
@@ -72,10 +88,11 @@ struct Bench {
     ctl_board board{};
     ctl_master master{};
     ctl_ramp ramp{};
-    BankImage image = cutter();
+    Registers image;
     ctl_bank bank{};
 
-    explicit Bench(std::uint32_t countsPerTurn)
+    explicit Bench(std::uint32_t countsPerTurn, Registers registers = cutter().registers())
+        : image(std::move(registers))
     {
         board.config = benchConfig();
         board.port.context = this;
@@ -86,19 +103,19 @@ struct Bench {
         ctl_put32(&settings[CTL_REG_MASTER_REVOLUTION - CTL_REG_MASTER_SOURCE], 250'000);
         settings[CTL_REG_MASTER_ENGAGE - CTL_REG_MASTER_SOURCE] = 50;
         settings[CTL_REG_MASTER_SPEED_MAX - CTL_REG_MASTER_SOURCE] = 150;
+        settings[CTL_REG_MASTER_BACKWARD - CTL_REG_MASTER_SOURCE] = 1;
     }
 
     void engage()
     {
-        const Registers registers = image.registers();
-        std::ranges::copy(registers, bank.registers);
+        std::ranges::copy(image, bank.registers);
         ctl_master_init(&master, &board);
         ctl_master_slice(&master);
         ctl_ramp_reset(&ramp, 6'400'000);
         ctl_master_engage(&master, &bank, 0, &ramp);
     }
 
-    std::uint32_t pass(std::int64_t by, std::uint32_t us = 10'000)
+    std::int32_t pass(std::int64_t by, std::uint32_t us = 10'000)
     {
         counts += by;
         board.now_us += us;
@@ -120,7 +137,12 @@ class TestMasterLine : public QObject {
 
 private slots:
     void aControllerWithoutTheInputRefuses();
-    void aCamIsRefused();
+    void aCamThatCannotFollowIsRefused_data();
+    void aCamThatCannotFollowIsRefused();
+    void aCamFollowsForwardAndBack();
+    void aCamMayWaitInstead();
+    void aCamDisengagesAtTheEndOfACycle();
+    void aMillionCyclesOfACamLoseNoPulse();
     void nothingMovesWithoutAStart();
     void engagesWhileTheLineRuns();
     void standsAndGoesOnWithTheLine();
@@ -151,18 +173,142 @@ void TestMasterLine::aControllerWithoutTheInputRefuses()
     QCOMPARE(rig.command(CTL_COMMAND_START), CTL_REFUSAL_NONE);
 }
 
-void TestMasterLine::aCamIsRefused()
+void TestMasterLine::aCamThatCannotFollowIsRefused_data()
 {
+    QTest::addColumn<int>("rate");
+    QTest::addColumn<int>("atEnd");
+    QTest::addColumn<int>("refusal");
+    QTest::newRow("forward") << 600 << int{CTL_END_BEHAVIOR_REPEAT} << int{CTL_REFUSAL_NONE};
+    QTest::newRow("its master turns in reverse")
+        << -600 << int{CTL_END_BEHAVIOR_REPEAT} << int{CTL_REFUSAL_CANNOT_FOLLOW_MASTER};
+    QTest::newRow("once") << 600 << int{CTL_END_BEHAVIOR_STOP} << int{CTL_REFUSAL_CANNOT_FOLLOW_MASTER};
+}
+
+void TestMasterLine::aCamThatCannotFollowIsRefused()
+{
+    QFETCH(int, rate);
+    QFETCH(int, atEnd);
+    QFETCH(int, refusal);
     Rig rig(onLine(100.0));
-    BankImage bank = camBank(10000, 1, 8'000'000, 8);
-    rig.install(bank);
+    CamImage image = cam();
+    image.masterRate = static_cast<std::int16_t>(rate);
+    image.atEnd = static_cast<std::uint16_t>(atEnd);
+    rig.install(image.registers());
     rig.write(CTL_REG_MASTER_SOURCE, {CTL_MASTER_SOURCE_ENCODER});
-    const bool isCutter = ctl_bank_kind(ctl_active_bank(&rig.core().banks)) == CTL_PROGRAM_KIND_ROTARY_CUTTER;
-    QVERIFY(isCutter);
-    rig.core().banks.has_active = true;
-    ctl_bank* active = const_cast<ctl_bank*>(ctl_active_bank(&rig.core().banks));
-    active->registers[CTL_OFFSET_BANK_KIND] = CTL_PROGRAM_KIND_POINT_CAM;
-    QCOMPARE(ctl_master_refusal(&rig.core().master, active), CTL_REFUSAL_CANNOT_FOLLOW_MASTER);
+    rig.run(500'000);
+    QCOMPARE(int{rig.command(CTL_COMMAND_START)}, refusal);
+}
+
+// The slave is where the curve is, also behind a way back, to a pulse.
+void TestMasterLine::aCamFollowsForwardAndBack()
+{
+    Rig rig(onLine(camMmPerS));
+    rig.install(cam().registers());
+    rig.write(CTL_REG_MASTER_SOURCE, {CTL_MASTER_SOURCE_ENCODER});
+    rig.run(500'000);
+    QCOMPARE(rig.command(CTL_COMMAND_START), CTL_REFUSAL_NONE);
+    QVERIFY(runUntilEngaged(rig));
+    auto& shaft = rig.controller().machine().shaft();
+    std::int64_t before = rig.core().motion.commanded;
+    for (const double speed : {camMmPerS, -0.7 * camMmPerS, -0.9 * camMmPerS, 0.3 * camMmPerS}) {
+        shaft.setSpeed(speed);
+        rig.run(5'123'000);
+        QVERIFY(speed > 0.0 ? rig.core().motion.commanded > before : rig.core().motion.commanded < before);
+        before = rig.core().motion.commanded;
+        shaft.setSpeed(0.0);
+        rig.run(2'000'000);
+        const ctl_master& master = rig.core().master;
+        QVERIFY(ctl_tracker_stands(&master.tracker));
+        QCOMPARE(master.line, master.gear.ticks + master.clutch.offset);
+        QCOMPARE(master.gear.ticks % 800, 0); // 2000 counts a cycle of 1 600 000 ticks
+        const double cycles = static_cast<double>(master.line) / cycleTicks;
+        const double slave = camNet * cycles + camSwing * std::sin(2.0 * std::numbers::pi * cycles);
+        QVERIFY(std::abs(static_cast<double>(rig.commanded()) - slave) < 1.0);
+    }
+}
+
+void TestMasterLine::aCamMayWaitInstead()
+{
+    Rig rig(onLine(camMmPerS));
+    rig.install(cam().registers());
+    rig.write(CTL_REG_MASTER_SOURCE, {CTL_MASTER_SOURCE_ENCODER});
+    rig.write(CTL_REG_MASTER_BACKWARD, {0});
+    rig.run(500'000);
+    QCOMPARE(rig.command(CTL_COMMAND_START), CTL_REFUSAL_NONE);
+    QVERIFY(runUntilEngaged(rig));
+    rig.controller().machine().shaft().setSpeed(0.0);
+    rig.run(2'000'000);
+    const std::int64_t stands = rig.core().motion.commanded;
+    rig.controller().machine().shaft().setSpeed(-camMmPerS);
+    rig.run(2'000'000);
+    QCOMPARE(rig.core().motion.commanded, stands);
+}
+
+void TestMasterLine::aCamDisengagesAtTheEndOfACycle()
+{
+    Rig rig(onLine(camMmPerS));
+    rig.install(cam().registers());
+    rig.write(CTL_REG_MASTER_SOURCE, {CTL_MASTER_SOURCE_ENCODER});
+    rig.run(500'000);
+    QCOMPARE(rig.command(CTL_COMMAND_START), CTL_REFUSAL_NONE);
+    QVERIFY(runUntilEngaged(rig));
+    rig.run(1'234'000);
+    QCOMPARE(rig.command(CTL_COMMAND_STOP_AT_CYCLE_END), CTL_REFUSAL_NONE);
+    QVERIFY(rig.runUntilState(CTL_STATE_READY));
+    const std::int64_t cycles = rig.core().motion.cycle_count;
+    QCOMPARE(rig.commanded(), static_cast<std::int64_t>(camNet) * cycles);
+}
+
+// 20 times back and forth in each of them; the advance of a cycle has a fraction of a pulse.
+void TestMasterLine::aMillionCyclesOfACamLoseNoPulse()
+{
+    CamImage image = cam();
+    image.remainder = 1;
+    image.divisor = 3;
+    image.rows = camRows(
+        10, [](double x) { return (camNet + 1.0 / 3.0) * x; }, [](double) { return camNet + 1.0 / 3.0; });
+    Bench bench(10'000, image.registers()); // 2000 counts a cycle
+    bench.engage();
+    ctl_cam cam{};
+    ctl_cam_reset(&cam, &bench.bank, &bench.board.config);
+    const auto turn = [&](std::int64_t counts) {
+        const std::int32_t way = bench.pass(counts, 250'000);
+        const std::int32_t direction = way < 0 ? -1 : 1;
+        auto left = static_cast<std::uint32_t>(std::abs(way));
+        while (left != 0) {
+            if (!cam.in_cycle)
+                ctl_cam_begin_cycle(&cam, direction);
+            std::uint32_t used = left;
+            ctl_cam_advance(&cam, direction, &used);
+            left -= used;
+        }
+    };
+    for (int i = 0; i < 300; ++i)
+        turn(100);
+    for (int i = 0; i < 300; ++i)
+        turn(0);
+    QCOMPARE(bench.master.clutch.state, CTL_CLUTCH_ON);
+    constexpr std::int64_t cycles = 1'000'000;
+    const std::int64_t line = bench.master.line;
+    const std::int64_t slave = ctl_cam_target(&cam);
+    const std::int64_t counted = bench.counts;
+    for (std::int64_t i = 0; i < cycles; ++i) {
+        for (const std::int64_t counts : {900, -700, 900, 900, -300, 300})
+            turn(counts);
+    }
+    for (int i = 0; i < 300; ++i)
+        turn(0);
+    QCOMPARE(bench.counts - counted, cycles * 2000);
+    QCOMPARE(bench.master.line - line, cycles * cycleTicks);
+    // The same angle, 10^6 cycles of 5000 1/3 pulses later: to a 256th.
+    QVERIFY(std::abs(ctl_cam_target(&cam) - slave - (cycles * 15'001 * 256 / 3)) <= 1);
+    for (std::int64_t i = 0; i < cycles; ++i)
+        turn(-2000);
+    for (int i = 0; i < 300; ++i)
+        turn(0);
+    QCOMPARE(bench.counts, counted);
+    QCOMPARE(bench.master.line, line);
+    QCOMPARE(ctl_cam_target(&cam), slave);
 }
 
 // Neither at power-up with a running line nor behind a fault.
@@ -487,13 +633,13 @@ void TestMasterLine::machineDataSurvivesAPowerCut()
     {
         Rig rig({}, &flash);
         rig.install(cutter());
-        QCOMPARE(rig.write(CTL_REG_MASTER_SOURCE, {1, 1, 1, 0, 0, 1234, 0, 5678, 1500, 2500, 75, 120}), 0);
+        QCOMPARE(rig.write(CTL_REG_MASTER_SOURCE, {1, 1, 1, 0, 0, 1234, 0, 5678, 1500, 2500, 75, 120, 0}), 0);
         QCOMPARE(rig.command(CTL_COMMAND_SAVE_TO_FLASH, 0, 0, crc32(cutter().registers())), CTL_REFUSAL_NONE);
         QCOMPARE(rig.write(CTL_REG_MASTER_ENGAGE, {100}), 0); // not saved
     }
     Rig rig({}, &flash);
     QCOMPARE(rig.read(CTL_REG_MASTER_SOURCE, CTL_GROUP_MASTER),
-             (Registers{1, 1, 1, 0, 0, 1234, 0, 5678, 1500, 2500, 75, 120}));
+             (Registers{1, 1, 1, 0, 0, 1234, 0, 5678, 1500, 2500, 75, 120, 0}));
 }
 
 void TestMasterLine::registersTellTheSpeed()
