@@ -67,7 +67,7 @@ std::vector<BagRecord> bagsOf(std::span<const std::uint16_t> ring, std::uint32_t
                         hasBit(flags, BagBit::Tracked), hasBit(flags, BagBit::MarkMissed),
                         hasBit(flags, BagBit::ProductAcross), hasBit(flags, BagBit::Empty),
                         hasBit(flags, BagBit::ChangeOver), hasBit(flags, BagBit::StartUp),
-                        hasBit(flags, BagBit::Burned)});
+                        hasBit(flags, BagBit::Burned), hasBit(flags, BagBit::Jammed)});
     }
     return bags;
 }

@@ -31,9 +31,10 @@ struct BagRecord {
     bool isChangeOver = false; // begun under one program, cut under another
     bool isStartUp = false;    // start-up scrap: made before the film was in register
     bool isBurned = false;     // the jaws stood closed at one of its ends
+    bool isJammed = false;     // the jaws were stopped by a jam at one of its ends
 
     // Rejected by the machine.
-    [[nodiscard]] bool isScrap() const { return isStartUp || isChangeOver || isBurned; }
+    [[nodiscard]] bool isScrap() const { return isStartUp || isChangeOver || isBurned || isJammed; }
 
     bool operator==(const BagRecord&) const = default;
 };

@@ -6,6 +6,7 @@
 #include "modbus/map/codec.h"
 #include "modbus/map/crc32.h"
 #include "modbus/map/io_status.h"
+#include "modbus/map/jam_status.h"
 #include "modbus/map/packer_status.h"
 #include "tests/support/test_program.h"
 
@@ -38,6 +39,9 @@ private slots:
     void packerGroupIsOneReading();
     void lastBagNumbersEnd();
     void burnedBagsAndKnives();
+    void jammedBagsAreScrap();
+    void jamGroup();
+    void nothingKnownOfJams();
     void wireTimes_data();
     void wireTimes();
 };
@@ -255,6 +259,65 @@ void CodecTest::burnedBagsAndKnives()
     QVERIFY(packer.isThreading);
     registers.resize(packerRegisters(5));
     QVERIFY(!decodePacker(registers).knife && !decodePacker(registers).isThreading);
+}
+
+void CodecTest::jammedBagsAreScrap()
+{
+    std::vector<std::uint16_t> registers(packerRegisters());
+    registers[registerNamed("packer.bag_number").address - packerAddress + 1] = 1;
+    registers[registerNamed("packer.bags").address - packerAddress + 4 + 3] =
+        1u << 8 | RegisterInfo::bitOf(BagBit::Jammed);
+    const BagRecord bag = decodePacker(registers).bags.back();
+    QVERIFY(bag.isJammed && bag.isScrap() && !bag.isBurned);
+}
+
+void CodecTest::jamGroup()
+{
+    std::vector<std::uint16_t> registers(jamRegisters);
+    const auto put = [&registers](std::string_view name, int value, std::size_t at = 0) {
+        registers[registerNamed(name).address - jamAddress + at] = static_cast<std::uint16_t>(value);
+    };
+    put("jam.state", static_cast<int>(JamState::Learning));
+    put("jam.cycles_left", 7);
+    put("jam.interval", 100);
+    put("jam.number", 3);
+    put("jam.source", static_cast<int>(JamSource::TorqueLimit));
+    put("jam.angle", -1234);
+    put("jam.torque", 875);
+    put("jam.limit", 412);
+    put("jam.run_on", 560);
+    put("jam.residue_number", 1, 0);
+    put("jam.residue_number", 2, 1);
+    put("jam.residue", -25);
+    put("jam.band_from", -4500);
+    put("jam.band_to", 500);
+    put("jam.expected", -120, 0);
+    put("jam.width", 31, 0);
+    put("jam.expected", 300, 31);
+    put("jam.width", 62, 31);
+
+    const JamStatus jam = decodeJam(registers);
+    QCOMPARE(jam.state, std::optional(JamState::Learning));
+    QCOMPARE(jam.cyclesLeft, 7);
+    QCOMPARE(jam.intervalMs, std::optional(1.0));
+    QCOMPARE(jam.jams, 3);
+    QCOMPARE(jam.last, std::optional(JamStatus::Jam{JamSource::TorqueLimit, -12.34, 87.5, 41.2, 5.6}));
+    QCOMPARE(jam.residueNumber, 0x00010002u);
+    QCOMPARE(jam.residuePercent, std::optional(-0.25));
+    // 50 degrees in 32 parts; those without a width are not learned.
+    QCOMPARE(jam.band.size(), std::size_t{2});
+    QCOMPARE(jam.band.front(), (JamStatus::Part{-45 + 50.0 / 64, -12.0, 3.1}));
+    QCOMPARE(jam.band.back(), (JamStatus::Part{5 - 50.0 / 64, 30.0, 6.2}));
+}
+
+void CodecTest::nothingKnownOfJams()
+{
+    std::vector<std::uint16_t> registers(jamRegisters);
+    QCOMPARE(decodeJam(registers).state, std::optional(JamState::Off));
+    QVERIFY(!decodeJam(registers).intervalMs && !decodeJam(registers).last);
+    QVERIFY(!decodeJam(registers).residuePercent && decodeJam(registers).band.empty());
+    registers[0] = static_cast<std::uint16_t>(JamState::Armed) + 1; // of a later version
+    QVERIFY(!decodeJam(registers).state);
 }
 
 void CodecTest::wireTimes_data()

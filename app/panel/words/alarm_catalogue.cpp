@@ -62,9 +62,11 @@ constexpr std::array kinds{
               causeOf(FaultBit::DriveAlarm),
               QT_TRANSLATE_NOOP("AlarmCatalogue",
                                 "Read the code on the drive and remove its cause, then reset the fault.")},
-    AlarmKind{"C-09", fault, stops, QT_TRANSLATE_NOOP("AlarmCatalogue", "Jam"), causeOf(FaultBit::Jam),
+    AlarmKind{"C-09", fault, stops, QT_TRANSLATE_NOOP("AlarmCatalogue", "Jam at the jaws"),
+              causeOf(FaultBit::Jam),
               QT_TRANSLATE_NOOP("AlarmCatalogue",
-                                "Take it out, then reset the fault. A start goes on from there.")},
+                                "Take out what lies between the jaws, then reset the fault and start. The "
+                                "machine goes on from there and rejects two bags.")},
     AlarmKind{
         "C-99", fault, stops, QT_TRANSLATE_NOOP("AlarmCatalogue", "Unknown fault"),
         QT_TRANSLATE_NOOP("AlarmCatalogue", "The controller reports a fault that this panel does not know."),
