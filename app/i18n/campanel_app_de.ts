@@ -577,6 +577,18 @@
         <translation>Richtige Folie einlegen, oder ihre Marken unter Wartung messen und von anderem Druck unterscheiden.</translation>
     </message>
     <message>
+        <source>Jam at the jaws</source>
+        <translation>Verklemmung an den Backen</translation>
+    </message>
+    <message>
+        <source>Take out what lies between the jaws, then reset the fault and start. The machine goes on from there and rejects two bags.</source>
+        <translation>Entfernen, was zwischen den Backen liegt, dann Störung quittieren und starten. Die Maschine läuft von dort weiter und wirft zwei Beutel aus.</translation>
+    </message>
+    <message>
+        <source>Something is under the closing jaws.</source>
+        <translation>Etwas liegt unter den schließenden Backen.</translation>
+    </message>
+    <message>
         <source>Line too fast</source>
         <translation>Linie zu schnell</translation>
     </message>
@@ -2773,6 +2785,30 @@ eff. %2</translation>
     <message>
         <source>The minimum mark width is above the maximum. Correct it under Maintenance.</source>
         <translation>Die kleinste Markenbreite liegt über der größten. Unter Wartung korrigieren.</translation>
+    </message>
+    <message>
+        <source>Torque limit</source>
+        <translation>Momentgrenze</translation>
+    </message>
+    <message>
+        <source>The drive is at its torque limit. While the jaws close, this is a jam.</source>
+        <translation>Der Antrieb ist an seiner Momentgrenze. Während die Backen schließen, ist das eine Verklemmung.</translation>
+    </message>
+    <message>
+        <source>The drive reports no torque</source>
+        <translation>Der Antrieb meldet kein Moment</translation>
+    </message>
+    <message>
+        <source>The drive reports its torque too seldom</source>
+        <translation>Der Antrieb meldet sein Moment zu selten</translation>
+    </message>
+    <message>
+        <source>Learning</source>
+        <translation>Lernt</translation>
+    </message>
+    <message>
+        <source>Monitored</source>
+        <translation>Überwacht</translation>
     </message>
     <message>
         <source>The angles at which the jaws touch the film leave out the cut. Enter both under Maintenance, or 0 for both.</source>
@@ -5165,8 +5201,8 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
         <translation>Anzahl der letzten Beutel (%1) innerhalb ±%2. Toleranz unter Einstellungen, Maschine einstellen.</translation>
     </message>
     <message>
-        <source>Start-up scrap and bags of a change of program are left out: %1.</source>
-        <translation>Anlaufausschuss und Beutel eines Programmwechsels zählen nicht: %1.</translation>
+        <source>Start-up scrap, bags of a change of program and those at jaws that stood or jammed are left out: %1.</source>
+        <translation>Anlaufausschuss, Beutel eines Programmwechsels und die an stehenden oder verklemmten Backen zählen nicht: %1.</translation>
     </message>
     <message>
         <source>bags with a deviation within the tolerance</source>
@@ -5907,6 +5943,76 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
     </message>
 </context>
 <context>
+    <name>campanel::panel::JamWatch</name>
+    <message>
+        <source>The controller reports a state that this panel does not know. Update the panel.</source>
+        <translation>Die Steuerung meldet einen Zustand, den dieses Panel nicht kennt. Panel aktualisieren.</translation>
+    </message>
+    <message>
+        <source>Off. Switch jam detection on in the list of this page.</source>
+        <translation>Aus. Die Klemmerkennung in der Liste dieser Seite einschalten.</translation>
+    </message>
+    <message>
+        <source>The drive reports no torque: a jam cannot be seen. Connect its torque-limit output to the input Torque limit, which is monitored.</source>
+        <translation>Der Antrieb meldet kein Moment: Eine Verklemmung ist nicht zu sehen. Seinen Ausgang Momentgrenze mit dem Eingang Momentgrenze verbinden, der überwacht wird.</translation>
+    </message>
+    <message>
+        <source>The drive reports its torque too seldom: a jam cannot be seen. Connect its torque-limit output to the input Torque limit, which is monitored.</source>
+        <translation>Der Antrieb meldet sein Moment zu selten: Eine Verklemmung ist nicht zu sehen. Seinen Ausgang Momentgrenze mit dem Eingang Momentgrenze verbinden, der überwacht wird.</translation>
+    </message>
+    <message>
+        <source>Learning the torque of this program. Cycles at full speed until armed: %1</source>
+        <translation>Lernt das Moment dieses Programms. Zyklen mit voller Geschwindigkeit, bis überwacht wird: %1</translation>
+    </message>
+    <message>
+        <source>Armed. Torque beyond the band stops the machine while the jaws close.</source>
+        <translation>Überwacht. Ein Moment außerhalb des Bands stoppt die Maschine, während die Backen schließen.</translation>
+    </message>
+    <message>
+        <source>No jam since power-up.</source>
+        <translation>Keine Verklemmung seit dem Einschalten.</translation>
+    </message>
+    <message>
+        <source>%1 behind the cut</source>
+        <translation>%1 nach dem Schnitt</translation>
+    </message>
+    <message>
+        <source>%1 before the cut</source>
+        <translation>%1 vor dem Schnitt</translation>
+    </message>
+    <message>
+        <source>Torque-limit input on %1. The knife stood after another %2.</source>
+        <comment>%1: a place</comment>
+        <translation>Eingang Momentgrenze ein, %1. Das Messer stand nach weiteren %2.</translation>
+    </message>
+    <message>
+        <source>Torque %1, %2; the band ends at %3. The knife stood after another %4.</source>
+        <comment>%2: a place</comment>
+        <translation>Moment %1, %2; das Band endet bei %3. Das Messer stand nach weiteren %4.</translation>
+    </message>
+    <message>
+        <source>%1, for a reason that this panel does not know. Update the panel.</source>
+        <comment>%1: a place</comment>
+        <translation>%1, aus einem Grund, den dieses Panel nicht kennt. Panel aktualisieren.</translation>
+    </message>
+    <message>
+        <source>Not known before the first 1000 bags.</source>
+        <translation>Vor den ersten 1000 Beuteln nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>%1: mean torque at the cut of 1000 bags, less that of the first 20. It is recorded only; nothing is concluded from it.</source>
+        <translation>%1: mittleres Moment am Schnitt von 1000 Beuteln, abzüglich des Werts der ersten 20. Der Wert wird nur aufgezeichnet; daraus wird nichts geschlossen.</translation>
+    </message>
+    <message>
+        <source>No packing machine data. Connect the controller and download a recipe of a rotary cutter.</source>
+        <translation>Keine Daten einer Packmaschine. Steuerung verbinden und ein Rezept für einen Querschneider laden.</translation>
+    </message>
+    <message>
+        <source>This controller does not monitor the torque of its knife. Update the controller: its register map must be 1.6 or newer.</source>
+        <translation>Diese Steuerung überwacht das Moment ihres Messers nicht. Steuerung aktualisieren: Ihre Registertabelle muss 1.6 oder neuer sein.</translation>
+    </message>
+</context>
+<context>
     <name>campanel::panel::Jog</name>
     <message>
         <source>towards the part</source>
@@ -6587,6 +6693,34 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
     <message>
         <source>%1 · 0: not used</source>
         <translation>%1 · 0: nicht verwendet</translation>
+    </message>
+    <message>
+        <source>Jam detection: stop at once at a jam</source>
+        <translation>Klemmerkennung: bei Verklemmung sofort stoppen</translation>
+    </message>
+    <message>
+        <source>Jam detection: knife closes before the cut by</source>
+        <translation>Klemmerkennung: Messer schließt vor dem Schnitt um</translation>
+    </message>
+    <message>
+        <source>Jam detection: margin beyond the torque band</source>
+        <translation>Klemmerkennung: Abstand zum Momentband</translation>
+    </message>
+    <message>
+        <source>Jam: time from full speed to standstill</source>
+        <translation>Verklemmung: Zeit von voller Geschwindigkeit zum Stillstand</translation>
+    </message>
+    <message>
+        <source>Jam: knife goes back by</source>
+        <translation>Verklemmung: Messer fährt zurück um</translation>
+    </message>
+    <message>
+        <source>The jaws would stay closed after a jam: they close %1° before the cut. The knife must go back by more than that.</source>
+        <translation>Die Backen blieben nach einer Verklemmung geschlossen: Sie schließen %1° vor dem Schnitt. Das Messer muss weiter zurückfahren.</translation>
+    </message>
+    <message>
+        <source>Too short for the knife: with its maximum acceleration it needs %1 ms from its speed at the cut. Enter at least that time.</source>
+        <translation>Zu kurz für das Messer: Mit seiner größten Beschleunigung braucht es %1 ms ab der Geschwindigkeit am Schnitt. Mindestens diese Zeit eingeben.</translation>
     </message>
     <message>
         <source>%1 · to measure this, fix one part on the infeed and run at two speeds</source>
@@ -7809,6 +7943,14 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
     <message>
         <source>The simulated controller is not running. Connect it, then try again.</source>
         <translation>Die simulierte Steuerung läuft nicht. Verbinden und erneut versuchen.</translation>
+    </message>
+    <message>
+        <source>Something under the jaws</source>
+        <translation>Etwas unter den Backen</translation>
+    </message>
+    <message>
+        <source>A packing machine with jam detection stops. Off: taken out.</source>
+        <translation>Eine Packmaschine mit Klemmerkennung stoppt. Aus: entfernt.</translation>
     </message>
 </context>
 <context>

@@ -577,6 +577,18 @@
         <translation>请装入正确的薄膜，或在“维护”中测量色标并将其与其他印刷区分。</translation>
     </message>
     <message>
+        <source>Jam at the jaws</source>
+        <translation>封切口卡料</translation>
+    </message>
+    <message>
+        <source>Take out what lies between the jaws, then reset the fault and start. The machine goes on from there and rejects two bags.</source>
+        <translation>请取出封切口之间的物品，然后复位故障并启动。机器从该处继续运行，并剔除两个袋子。</translation>
+    </message>
+    <message>
+        <source>Something is under the closing jaws.</source>
+        <translation>闭合的封切口下有异物。</translation>
+    </message>
+    <message>
         <source>Line too fast</source>
         <translation>生产线过快</translation>
     </message>
@@ -2771,6 +2783,30 @@ RMS %2</source>
     <message>
         <source>The minimum mark width is above the maximum. Correct it under Maintenance.</source>
         <translation>色标最小宽度大于最大宽度。请在“维护”中更正。</translation>
+    </message>
+    <message>
+        <source>Torque limit</source>
+        <translation>转矩限制</translation>
+    </message>
+    <message>
+        <source>The drive is at its torque limit. While the jaws close, this is a jam.</source>
+        <translation>驱动器达到转矩限制。封切口闭合期间即为卡料。</translation>
+    </message>
+    <message>
+        <source>The drive reports no torque</source>
+        <translation>驱动器不报告转矩</translation>
+    </message>
+    <message>
+        <source>The drive reports its torque too seldom</source>
+        <translation>驱动器报告转矩的频率太低</translation>
+    </message>
+    <message>
+        <source>Learning</source>
+        <translation>学习中</translation>
+    </message>
+    <message>
+        <source>Monitored</source>
+        <translation>监控中</translation>
     </message>
     <message>
         <source>The angles at which the jaws touch the film leave out the cut. Enter both under Maintenance, or 0 for both.</source>
@@ -5163,8 +5199,8 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
         <translation>最近若干袋（%1 个）中在 ±%2 以内的袋数。公差在“设置”的“机器”中设定。</translation>
     </message>
     <message>
-        <source>Start-up scrap and bags of a change of program are left out: %1.</source>
-        <translation>不计开机废袋和换程序时的袋：%1。</translation>
+        <source>Start-up scrap, bags of a change of program and those at jaws that stood or jammed are left out: %1.</source>
+        <translation>不计开机废袋、换程序时的袋以及封切口停住或卡料处的袋：%1。</translation>
     </message>
     <message>
         <source>bags with a deviation within the tolerance</source>
@@ -5905,6 +5941,76 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
     </message>
 </context>
 <context>
+    <name>campanel::panel::JamWatch</name>
+    <message>
+        <source>The controller reports a state that this panel does not know. Update the panel.</source>
+        <translation>控制器报告了此面板不认识的状态。请更新面板。</translation>
+    </message>
+    <message>
+        <source>Off. Switch jam detection on in the list of this page.</source>
+        <translation>已关闭。请在本页列表中打开卡料检测。</translation>
+    </message>
+    <message>
+        <source>The drive reports no torque: a jam cannot be seen. Connect its torque-limit output to the input Torque limit, which is monitored.</source>
+        <translation>驱动器不报告转矩，无法发现卡料。请将驱动器的转矩限制输出接到受监控的“转矩限制”输入。</translation>
+    </message>
+    <message>
+        <source>The drive reports its torque too seldom: a jam cannot be seen. Connect its torque-limit output to the input Torque limit, which is monitored.</source>
+        <translation>驱动器报告转矩的频率太低，无法发现卡料。请将驱动器的转矩限制输出接到受监控的“转矩限制”输入。</translation>
+    </message>
+    <message>
+        <source>Learning the torque of this program. Cycles at full speed until armed: %1</source>
+        <translation>正在学习此程序的转矩。距开始监控的全速周期数：%1</translation>
+    </message>
+    <message>
+        <source>Armed. Torque beyond the band stops the machine while the jaws close.</source>
+        <translation>监控中。封切口闭合期间转矩超出范围时，机器停止。</translation>
+    </message>
+    <message>
+        <source>No jam since power-up.</source>
+        <translation>通电以来没有卡料。</translation>
+    </message>
+    <message>
+        <source>%1 behind the cut</source>
+        <translation>切断后 %1</translation>
+    </message>
+    <message>
+        <source>%1 before the cut</source>
+        <translation>切断前 %1</translation>
+    </message>
+    <message>
+        <source>Torque-limit input on %1. The knife stood after another %2.</source>
+        <comment>%1: a place</comment>
+        <translation>转矩限制输入接通于%1。切刀又转过 %2 后停住。</translation>
+    </message>
+    <message>
+        <source>Torque %1, %2; the band ends at %3. The knife stood after another %4.</source>
+        <comment>%2: a place</comment>
+        <translation>转矩 %1，位于%2；范围上限为 %3。切刀又转过 %4 后停住。</translation>
+    </message>
+    <message>
+        <source>%1, for a reason that this panel does not know. Update the panel.</source>
+        <comment>%1: a place</comment>
+        <translation>%1，原因未知。请更新面板。</translation>
+    </message>
+    <message>
+        <source>Not known before the first 1000 bags.</source>
+        <translation>前 1000 个袋子完成之前未知。</translation>
+    </message>
+    <message>
+        <source>%1: mean torque at the cut of 1000 bags, less that of the first 20. It is recorded only; nothing is concluded from it.</source>
+        <translation>%1：1000 个袋子切断时的平均转矩减去前 20 个的平均值。仅作记录，不据此得出任何结论。</translation>
+    </message>
+    <message>
+        <source>No packing machine data. Connect the controller and download a recipe of a rotary cutter.</source>
+        <translation>没有包装机的数据。请连接控制器并下载旋转切刀的配方。</translation>
+    </message>
+    <message>
+        <source>This controller does not monitor the torque of its knife. Update the controller: its register map must be 1.6 or newer.</source>
+        <translation>此控制器不监控切刀的转矩。请更新控制器：寄存器表须为 1.6 或更新版本。</translation>
+    </message>
+</context>
+<context>
     <name>campanel::panel::Jog</name>
     <message>
         <source>towards the part</source>
@@ -6585,6 +6691,34 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
     <message>
         <source>%1 · 0: not used</source>
         <translation>%1 · 0：不使用</translation>
+    </message>
+    <message>
+        <source>Jam detection: stop at once at a jam</source>
+        <translation>卡料检测：卡料时立即停止</translation>
+    </message>
+    <message>
+        <source>Jam detection: knife closes before the cut by</source>
+        <translation>卡料检测：切刀开始闭合，切断前</translation>
+    </message>
+    <message>
+        <source>Jam detection: margin beyond the torque band</source>
+        <translation>卡料检测：超出转矩范围的余量</translation>
+    </message>
+    <message>
+        <source>Jam: time from full speed to standstill</source>
+        <translation>卡料：从全速到停止的时间</translation>
+    </message>
+    <message>
+        <source>Jam: knife goes back by</source>
+        <translation>卡料：切刀后退</translation>
+    </message>
+    <message>
+        <source>The jaws would stay closed after a jam: they close %1° before the cut. The knife must go back by more than that.</source>
+        <translation>卡料后封切口仍会闭合：封切口在切断前 %1° 闭合。切刀后退的角度必须更大。</translation>
+    </message>
+    <message>
+        <source>Too short for the knife: with its maximum acceleration it needs %1 ms from its speed at the cut. Enter at least that time.</source>
+        <translation>对切刀来说太短：以最大加速度从切断时的速度停下需要 %1 ms。请输入不小于该值的时间。</translation>
     </message>
     <message>
         <source>%1 · to measure this, fix one part on the infeed and run at two speeds</source>
@@ -7805,6 +7939,14 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
     <message>
         <source>The simulated controller is not running. Connect it, then try again.</source>
         <translation>仿真控制器未运行。请连接后重试。</translation>
+    </message>
+    <message>
+        <source>Something under the jaws</source>
+        <translation>封切口下有异物</translation>
+    </message>
+    <message>
+        <source>A packing machine with jam detection stops. Off: taken out.</source>
+        <translation>打开卡料检测的包装机会停止。关：已取出。</translation>
     </message>
 </context>
 <context>

@@ -21,6 +21,7 @@ namespace {
 constexpr auto restartDelay = 500ms;
 constexpr int endTimeoutMs = 2000;
 const auto programName = u"campanel-controller"_s;
+const auto jamOn = u"jam on"_s; // a statement about the machine among the rules of the line
 
 } // namespace
 
@@ -80,6 +81,7 @@ void SimulatedController::start()
     if (!m_options.stateDir.isEmpty())
         arguments << u"--state"_s << m_options.stateDir;
     m_isServing = false;
+    m_isJammed = false;
     m_process.start(program, arguments + m_options.arguments);
 }
 
@@ -155,7 +157,12 @@ bool SimulatedController::setFaults(const QStringList& rules)
 void SimulatedController::sendFaults(const QStringList& rules, bool isAsked)
 {
     m_sentFaults << SentFaults{rules, isAsked};
-    const QString script = rules.isEmpty() ? u"clear"_s : rules.join(u"; "_s);
+    QStringList ofLine = rules;
+    const bool isJammed = ofLine.removeAll(jamOn) > 0;
+    // Before the rules, so that the answer to them is the answer to both.
+    if (std::exchange(m_isJammed, isJammed) != isJammed)
+        m_process.write(isJammed ? "jam on\n" : "jam off\n");
+    const QString script = ofLine.isEmpty() ? u"clear"_s : ofLine.join(u"; "_s);
     m_process.write(script.toLocal8Bit() + '\n');
 }
 

@@ -83,14 +83,15 @@ inline constexpr std::array metricTable{
               .unit = "bags",
               .source = "`Controller.bags.count`",
               .text = "Bags since the controller was switched on."},
-    MetricRow{.metric = Metric::ProdDefectiveCount,
-              .name = "Admin/ProdDefectiveCount",
-              .type = MetricType::Int64,
-              .unit = "bags",
-              .source = "`PackingLine::bagRecorded`",
-              .text =
-                  "Bags since the panel was started that were start-up scrap, of two programs, or outside "
-                  "the tolerance. Null until the controller has recorded a bag."},
+    MetricRow{
+        .metric = Metric::ProdDefectiveCount,
+        .name = "Admin/ProdDefectiveCount",
+        .type = MetricType::Int64,
+        .unit = "bags",
+        .source = "`PackingLine::bagRecorded`",
+        .text =
+            "Bags since the panel was started that were start-up scrap, of two programs, at jaws "
+            "that stood or jammed, or outside the tolerance. Null until the controller has recorded a bag."},
     MetricRow{.metric = Metric::StateCurrentTime,
               .name = "Admin/StateCurrentTime",
               .unit = "s",

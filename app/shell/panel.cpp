@@ -116,6 +116,8 @@ Panel::Panel(link::Link& link, const Storage& storage)
     m_maintenance.dryRun()->follow(m_editor);
     connect(m_maintenance.packing()->sensor(), &panel::MarkSensor::driftChanged, &m_alarms.watch(),
             &panel::AlarmWatch::noteSensorDrift);
+    connect(m_maintenance.packing()->jam(), &panel::JamWatch::residueRecorded, &m_trends,
+            &panel::Trends::recordResidue);
     m_recipes.files()->setKeyFolder(storage.keyFolder);
     m_recipes.files()->setGlyphs(&hasGlyph);
     const auto sort = [this] { m_recipes.setOrder(m_settings.values().text("recipes.order")); };

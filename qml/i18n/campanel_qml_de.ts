@@ -1244,6 +1244,49 @@ Und %2 weitere.</translation>
     </message>
 </context>
 <context>
+    <name>JamSheet</name>
+    <message>
+        <source>Jams at the jaws</source>
+        <translation>Verklemmungen an den Backen</translation>
+    </message>
+    <message>
+        <source>Torque of the knife in per cent of its rated torque, over the angle of its shaft from the cut.</source>
+        <translation>Moment des Messers in Prozent des Nennmoments, über dem Winkel seiner Welle vom Schnitt aus.</translation>
+    </message>
+    <message>
+        <source>cut</source>
+        <translation>Schnitt</translation>
+    </message>
+    <message>
+        <source>closes</source>
+        <translation>schließt</translation>
+    </message>
+    <message>
+        <source>learned band</source>
+        <translation>gelerntes Band</translation>
+    </message>
+    <message>
+        <source>readings</source>
+        <translation>Messwerte</translation>
+    </message>
+    <message>
+        <source>last jam</source>
+        <translation>letzte Verklemmung</translation>
+    </message>
+    <message>
+        <source>Monitoring of the torque, reported every %1</source>
+        <translation>Überwachung des Moments, gemeldet alle %1</translation>
+    </message>
+    <message>
+        <source>Last jam; jams since power-up: %1</source>
+        <translation>Letzte Verklemmung; seit dem Einschalten: %1</translation>
+    </message>
+    <message>
+        <source>Residue on the knife</source>
+        <translation>Rückstand am Messer</translation>
+    </message>
+</context>
+<context>
     <name>JogSection</name>
     <message>
         <source>State</source>
@@ -2074,6 +2117,10 @@ Und %2 weitere.</translation>
     <message>
         <source>Edges</source>
         <translation>Flanken</translation>
+    </message>
+    <message>
+        <source>Jam</source>
+        <translation>Klemmen</translation>
     </message>
 </context>
 <context>
@@ -3102,6 +3149,10 @@ Und %2 weitere.</translation>
         <source>All off</source>
         <translation>Alle aus</translation>
     </message>
+    <message>
+        <source>On</source>
+        <translation>Ein</translation>
+    </message>
 </context>
 <context>
     <name>SkippedCutsCard</name>
@@ -3585,6 +3636,14 @@ Und %2 weitere.</translation>
     <message>
         <source>controller to the panel&apos;s requests</source>
         <translation>Steuerung auf Anfragen des Panels</translation>
+    </message>
+    <message>
+        <source>Residue %</source>
+        <translation>Rückstand %</translation>
+    </message>
+    <message>
+        <source>torque at the cut, 1000 bags</source>
+        <translation>Moment am Schnitt, 1000 Beutel</translation>
     </message>
 </context>
 <context>

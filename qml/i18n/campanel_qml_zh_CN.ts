@@ -1244,6 +1244,49 @@ And %2 more.</source>
     </message>
 </context>
 <context>
+    <name>JamSheet</name>
+    <message>
+        <source>Jams at the jaws</source>
+        <translation>封切口卡料</translation>
+    </message>
+    <message>
+        <source>Torque of the knife in per cent of its rated torque, over the angle of its shaft from the cut.</source>
+        <translation>切刀转矩占额定转矩的百分比，横轴为刀轴相对切断点的角度。</translation>
+    </message>
+    <message>
+        <source>cut</source>
+        <translation>切断</translation>
+    </message>
+    <message>
+        <source>closes</source>
+        <translation>开始闭合</translation>
+    </message>
+    <message>
+        <source>learned band</source>
+        <translation>学习到的范围</translation>
+    </message>
+    <message>
+        <source>readings</source>
+        <translation>读数</translation>
+    </message>
+    <message>
+        <source>last jam</source>
+        <translation>上次卡料</translation>
+    </message>
+    <message>
+        <source>Monitoring of the torque, reported every %1</source>
+        <translation>转矩监控，报告间隔 %1</translation>
+    </message>
+    <message>
+        <source>Last jam; jams since power-up: %1</source>
+        <translation>上次卡料；通电以来的次数：%1</translation>
+    </message>
+    <message>
+        <source>Residue on the knife</source>
+        <translation>切刀上的残留</translation>
+    </message>
+</context>
+<context>
     <name>JogSection</name>
     <message>
         <source>State</source>
@@ -2074,6 +2117,10 @@ And %2 more.</source>
     <message>
         <source>Edges</source>
         <translation>色标信号</translation>
+    </message>
+    <message>
+        <source>Jam</source>
+        <translation>卡料</translation>
     </message>
 </context>
 <context>
@@ -3102,6 +3149,10 @@ And %2 more.</source>
         <source>All off</source>
         <translation>全部关闭</translation>
     </message>
+    <message>
+        <source>On</source>
+        <translation>开</translation>
+    </message>
 </context>
 <context>
     <name>SkippedCutsCard</name>
@@ -3585,6 +3636,14 @@ And %2 more.</source>
     <message>
         <source>controller to the panel&apos;s requests</source>
         <translation>控制器应答面板请求的时间</translation>
+    </message>
+    <message>
+        <source>Residue %</source>
+        <translation>残留 %</translation>
+    </message>
+    <message>
+        <source>torque at the cut, 1000 bags</source>
+        <translation>切断时的转矩，1000 个袋子</translation>
     </message>
 </context>
 <context>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Simulated faults on the line to the simulated controller: predefined faults, each off, sometimes or often.
+// Faults of the simulated machine and of the line to it: predefined faults, each off, sometimes or often, or off and on.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme
@@ -26,6 +26,7 @@ MaintenanceSection {
             required property string name
             required note
             required property int rate
+            required property bool isSwitch
             tappable: false
             text: name
             titleLabel.color: rate === SimulatedFaults.Off ? Theme.color.ink : Theme.color.warning
@@ -36,9 +37,10 @@ MaintenanceSection {
                 anchors { right: parent.right; verticalCenter: parent.verticalCenter }
                 width: Math.round(parent.width * 0.56)
                 level: Access.Technician
-                choices: [{ key: SimulatedFaults.Off, text: qsTr("Off"), name: "fault" + row.index + "off" },
-                    { key: SimulatedFaults.Sometimes, text: qsTr("Sometimes"), name: "fault" + row.index + "sometimes" },
-                    { key: SimulatedFaults.Often, text: qsTr("Often"), name: "fault" + row.index + "often" }]
+                readonly property var off: ({ key: SimulatedFaults.Off, text: qsTr("Off"), name: "fault" + row.index + "off" })
+                choices: row.isSwitch ? [choice.off, { key: SimulatedFaults.Often, text: qsTr("On"), name: "fault" + row.index + "on" }]
+                    : [choice.off, { key: SimulatedFaults.Sometimes, text: qsTr("Sometimes"), name: "fault" + row.index + "sometimes" },
+                        { key: SimulatedFaults.Often, text: qsTr("Often"), name: "fault" + row.index + "often" }]
                 current: row.rate
                 onChosen: key => section.faults.setLevel(row.index, key)
             }

@@ -54,6 +54,11 @@ MaintenanceSection {
                 onClicked: Frame.open("Packing/SensorEdgesSheet", {})
             }
             Button {
+                objectName: "packingJam"
+                text: qsTr("Jam")
+                onClicked: Frame.open("Packing/JamSheet", {})
+            }
+            Button {
                 objectName: "packingTeach"
                 level: Access.Technician
                 text: qsTr("Measure marks")

@@ -12,9 +12,11 @@ Sheet {
     readonly property var chosen: Trends.chosen
     readonly property TrendWords words: TrendWords {}
 
-    readonly property real rowHeight: Theme.size.touch * 1.2
+    readonly property int rows: Math.ceil(words.titles.length / 2)
+    readonly property real head: Theme.size.touch + Theme.size.outline + Theme.size.padding
+    readonly property real rowHeight: Math.min(Theme.size.touch * 1.2, (height - 2 * Theme.size.gap - head) / rows - Theme.size.spacing)
 
-    panelHeight: Theme.size.touch + Theme.size.outline + 3 * (sheet.rowHeight + Theme.size.spacing) + Theme.size.padding
+    panelHeight: sheet.head + sheet.rows * (sheet.rowHeight + Theme.size.spacing)
     title: qsTr("Curves")
     note: qsTr("Up to three curves; one more replaces the lowest.")
 

@@ -155,8 +155,10 @@ void DemoLink::sendRead(const link::ReadRequest& request)
         emit registersRead({request, link::ReadEnd::Done, demoEdges(film), m_now, std::nullopt});
         return;
     }
-    emit registersRead(
-        {request, link::ReadEnd::Done, demoRegisters(request, m_program), m_now, std::nullopt});
+    const auto registers = request.address == modbus::jamAddress
+                               ? demoJam(m_jamState, m_situation == Situation::Jammed)
+                               : demoRegisters(request, m_program);
+    emit registersRead({request, link::ReadEnd::Done, registers, m_now, std::nullopt});
 }
 
 void DemoLink::tellFilm()
@@ -436,7 +438,8 @@ modbus::StatusBlock DemoLink::statusAt(double cycleShare) const
     const auto actual = solved.motion.at(lateS);
 
     modbus::StatusBlock block;
-    const bool isFaulted = m_situation == Situation::Fault || m_situation == Situation::ManyAlarms;
+    const bool isFaulted = m_situation == Situation::Fault || m_situation == Situation::Jammed ||
+                           m_situation == Situation::ManyAlarms;
     block.state = isRunning() ? modbus::State::Running
                   : isFaulted ? modbus::State::Fault
                               : modbus::State::Ready;
@@ -446,6 +449,8 @@ modbus::StatusBlock DemoLink::statusAt(double cycleShare) const
     }
     if (m_situation == Situation::Fault)
         block.faultBits = 1U << static_cast<unsigned>(modbus::FaultBit::FollowingError);
+    if (m_situation == Situation::Jammed)
+        block.faultBits = 1U << static_cast<unsigned>(modbus::FaultBit::Jam);
     if (m_situation == Situation::MarksLost)
         block.warningBits = 1U << static_cast<unsigned>(modbus::WarningBit::MarksLost);
     block.uptimeS = m_situation == Situation::Fresh ? freshUptimeS : uptimeS;

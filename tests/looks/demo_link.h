@@ -17,8 +17,8 @@ class DemoLink : public test::FakeLink {
 
 public:
     // Fresh: with a program that has not run yet. Empty: without a program. ProductAcross: a cutter that
-    // waits for a product to pass. MarksLost: a cutter that stopped because of lost marks. ManyAlarms: every
-    // fault and warning at once.
+    // waits for a product to pass. MarksLost: a cutter that stopped because of lost marks. Jammed: one with
+    // something under its jaws. ManyAlarms: every fault and warning at once.
     enum class Situation {
         Running,
         Stopped,
@@ -29,6 +29,7 @@ public:
         Fresh,
         ProductAcross,
         MarksLost,
+        Jammed,
         ManyAlarms
     };
     using Kind = profile::ProgramKind;
@@ -46,6 +47,8 @@ public:
     void watchFrames(bool isWatched) override;
 
     void show(Situation situation, Kind kind = Kind::RotaryCutter);
+    // Sets the state of the monitoring of the knife's torque.
+    void setJamState(modbus::JamState state) { m_jamState = state; }
     // Ends the search; it never ends without this call.
     void endScan(bool isFound);
     // Behaves like the line to the simulated controller.
@@ -95,6 +98,7 @@ private:
     bool m_isSimulated = false;
     bool m_isScanning = false;
     bool m_isOld = false;
+    modbus::JamState m_jamState = modbus::JamState::Armed;
     std::optional<link::ReadRequest> m_filmRequest; // last request; answered again with every bag
     double m_cycleShare = 0;                        // share of the present bag
 };

@@ -2,6 +2,7 @@
 // A packing machine's film, made up; see demo_packing.h.
 #include "tests/looks/demo_packing.h"
 
+#include "modbus/map/codec.h"
 #include "modbus/map/mark_edges.h"
 #include "tests/support/packer_image.h"
 
@@ -32,6 +33,9 @@ constexpr std::uint32_t marksToMissing = 11;
 constexpr std::uint32_t marksToMisplaced = 5;
 constexpr double misplacedMarkMm = 9.4; // behind its window
 constexpr double edgeStepsPerMm = 100;
+constexpr double bandFromDeg = -45; // of the knife's torque, from the cut
+constexpr double bandToDeg = 10;
+constexpr double stepsPerPercent = 10;
 
 // Sets one place of the film picture; `isSpecial` is its last bit.
 void setPlace(test::PackerImage& image, const char* name, std::size_t index, double mm,
@@ -125,6 +129,39 @@ std::vector<std::uint16_t> demoEdges(const DemoFilm& film)
         registers[at + 2] = static_cast<std::uint16_t>(std::lround(edgeStepsPerMm * offMm));
         registers[at + 5] = static_cast<std::uint16_t>(isMisplaced ? modbus::MarkVerdict::OutsideWindow
                                                                    : modbus::MarkVerdict::Taken);
+    }
+    return registers;
+}
+
+std::vector<std::uint16_t> demoJam(modbus::JamState state, bool hasJammed)
+{
+    std::vector<std::uint16_t> registers(modbus::jamRegisters);
+    const auto put = [&registers](const char* name, double value, std::size_t at = 0) {
+        const modbus::RegisterInfo& info = modbus::registerNamed(name);
+        registers[info.address - modbus::jamAddress + at] =
+            static_cast<std::uint16_t>(std::lround(value / info.scale));
+    };
+    const bool isSlow = state == modbus::JamState::TooSlow;
+    put("jam.state", static_cast<double>(state));
+    put("jam.interval", isSlow ? 10 : 1);
+    put("jam.band_from", bandFromDeg);
+    put("jam.band_to", bandToDeg);
+    put("jam.residue_number", 12, 1);
+    put("jam.residue", 0.18);
+    if (hasJammed) {
+        put("jam.number", 2);
+        put("jam.source", static_cast<double>(modbus::JamSource::Torque));
+        put("jam.angle", -16.4);
+        put("jam.torque", 71.2);
+        put("jam.limit", 22.7);
+        put("jam.run_on", 7.9);
+    }
+    for (std::size_t part = 0; part < modbus::jamBins && !isSlow; ++part) {
+        const double deg = bandFromDeg + (bandToDeg - bandFromDeg) * (static_cast<double>(part) + 0.5) /
+                                             static_cast<double>(modbus::jamBins);
+        const double expected = 12 - 0.2 * deg + 22 * std::exp(-deg * deg / 40);
+        put("jam.expected", stepsPerPercent * expected, part); // blocks have no scale
+        put("jam.width", stepsPerPercent * (5 + 0.08 * expected), part);
     }
     return registers;
 }

@@ -115,6 +115,27 @@ void openEdges(TestWindow& window)
     window.tap(QStringLiteral("packingEdges"));
 }
 
+void openJamEmpty(TestWindow& window)
+{
+    window.link().show(DemoLink::Situation::Empty);
+    window.checkClock();
+    for (const char* name : {"nav_maintenance", "maintenanceMachine", "maintenancePacking", "packingJam"})
+        window.tap(QString::fromLatin1(name));
+}
+
+// The page of the jams in this state of the monitoring.
+Screen jamIn(const char* name, modbus::JamState state, DemoLink::Situation situation)
+{
+    return {QString::fromLatin1(name), [state, situation](TestWindow& window) {
+                openSection(window);
+                window.link().setJamState(state);
+                window.link().show(situation);
+                window.tap(QStringLiteral("packingJam"));
+                window.settle();
+                window.link().setJamState(modbus::JamState::Armed);
+            }};
+}
+
 void openWizard(TestWindow& window, Step step)
 {
     openSection(window);
@@ -181,6 +202,10 @@ QList<Screen> packingScreens()
                       {"nav_maintenance", "maintenanceMachine", "maintenancePacking", "packingEdges"})
                      window.tap(QString::fromLatin1(name));
              }},
+            jamIn("packing-jam", modbus::JamState::Armed, DemoLink::Situation::Running),
+            jamIn("packing-jam-seen", modbus::JamState::Armed, DemoLink::Situation::Jammed),
+            jamIn("packing-jam-slow", modbus::JamState::TooSlow, DemoLink::Situation::Running),
+            {QStringLiteral("packing-jam-empty"), openJamEmpty},
             wizardAt("packing-wizard", Step::Explain),
             wizardAt("packing-wizard-cutting", Step::Cutting),
             wizardAt("packing-wizard-measure", Step::Measure),

@@ -473,6 +473,7 @@ const QList<Screen>& allScreens()
          }},
         situation("run-empty", Situation::Empty, run),
         situation("run-fault", Situation::Fault, run),
+        situation("run-jammed", Situation::Jammed, run),
         situation("run-many-alarms", Situation::ManyAlarms, run),
         situation("motion-many-alarms", Situation::ManyAlarms, motion),
         situation("run-product-across", Situation::ProductAcross, run),

@@ -96,6 +96,33 @@ private slots:
         QVERIFY(m_window->find(QStringLiteral("edgePicture"))->property("back").toDouble() > 100);
     }
 
+    void theJamsAreTheirPicture()
+    {
+        enter("packing");
+        tap("packingJam");
+        QVERIFY(packing().jam()->watched());
+        QVERIFY2(textOf("jamState").startsWith(QStringLiteral("Armed.")), qPrintable(textOf("jamState")));
+        QCOMPARE(textOf("jamLast"), QStringLiteral("No jam since power-up."));
+        const auto picture = [this] { return m_window->find(QStringLiteral("jamPlot")); };
+        QCOMPARE(picture()->property("expected").value<QList<QPointF>>().size(), qsizetype(32));
+        QCOMPARE(picture()->property("closing").toDouble(), -45.0);
+        QVERIFY(std::isnan(picture()->property("jam").toPointF().x()));
+        tap("sheetClose");
+        QVERIFY(!packing().jam()->watched());
+
+        enter("packing-jam-seen");
+        QVERIFY2(textOf("jamLast").startsWith(QStringLiteral("Torque 71.2 %, 16.4° before the cut")),
+                 qPrintable(textOf("jamLast")));
+        QCOMPARE(picture()->property("jam").toPointF(), QPointF(-16.4, 71.2));
+        tap("sheetClose");
+        enter("packing-jam-slow");
+        QVERIFY(textOf("jamState").contains(QStringLiteral("Connect its torque-limit output")));
+        tap("sheetClose");
+        enter("packing-jam-empty");
+        QVERIFY(textOf("jamEmpty").startsWith(QStringLiteral("No packing machine data.")));
+        QVERIFY(!picture());
+    }
+
     void aSuggestionIsTakenByOneTap()
     {
         enter("packing-suggested");

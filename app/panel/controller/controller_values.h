@@ -79,7 +79,7 @@ public:
     QList<double> series; // deviations, mm; NaN: bags between them are unknown
     int counted = 0;      // deviations of the series
     int within = 0;       // bags of the series within the tolerance
-    int scrap = 0;        // bags left out of the series: start-up scrap, and of two programs
+    int scrap = 0;        // bags left out of the series: start-up scrap, of two programs, at jaws
     bool isScrap = false; // the last bag is one of them
     double toleranceMm = unknown;
 };

@@ -176,9 +176,9 @@ Explanation Explanations::bags(Topic quantity) const
             tr("Number of the last bags (%1) within ±%2. Set the tolerance in Settings, Machine.")
                 .arg(count, format.measure(tolerance, 2, u"mm"_s));
         if (m_controller.bags().scrap > 0)
-            explanation.meaning +=
-                u' ' + tr("Start-up scrap and bags of a change of program are left out: %1.")
-                           .arg(m_controller.bags().scrap);
+            explanation.meaning += u' ' + tr("Start-up scrap, bags of a change of program and those at jaws "
+                                             "that stood or jammed are left out: %1.")
+                                              .arg(m_controller.bags().scrap);
         explanation.formula = tr("bags with a deviation within the tolerance");
         break;
     default: {

@@ -210,6 +210,8 @@ QString Explanations::trendUnit(int quantity)
         return tr("bags/min");
     case Trends::Latency:
         return tr("ms");
+    case Trends::JamResidue:
+        return u"%"_s;
     default:
         return u"mm"_s;
     }

@@ -16,7 +16,7 @@ namespace {
 struct ReadyMade {
     const char* name;
     const char* note;
-    const char* sometimes; // rules of campanel-controller
+    const char* sometimes; // rules of campanel-controller; null: the fault is off or on
     const char* often;
 };
 
@@ -66,6 +66,10 @@ constexpr std::array faults{
               QT_TRANSLATE_NOOP("campanel::panel::SimulatedFaults",
                                 "Takes effect when the panel reconnects, after another fault."),
               "map-version major=2 probability=0.5", "map-version major=2"},
+    ReadyMade{QT_TRANSLATE_NOOP("campanel::panel::SimulatedFaults", "Something under the jaws"),
+              QT_TRANSLATE_NOOP("campanel::panel::SimulatedFaults",
+                                "A packing machine with jam detection stops. Off: taken out."),
+              nullptr, "jam on"},
 };
 
 constexpr qsizetype faultCount = static_cast<qsizetype>(faults.size());
@@ -94,6 +98,11 @@ QString LineFaultRow::note() const
     return SimulatedFaults::tr(faults[static_cast<std::size_t>(fault)].note);
 }
 
+bool LineFaultRow::isSwitch() const
+{
+    return !faults[static_cast<std::size_t>(fault)].sometimes;
+}
+
 QStringList SimulatedFaults::rules(const QList<Level>& levels)
 {
     QStringList rules;
@@ -108,7 +117,7 @@ QStringList SimulatedFaults::rules(const QList<Level>& levels)
 void SimulatedFaults::setLevel(int row, int level)
 {
     if (!m_access.require(panel::Level::Technician) || row < 0 || row >= faultCount || level < Off ||
-        level > Often)
+        level > Often || (level == Sometimes && m_rows.row(row).isSwitch()))
         return;
     m_wanted[row] = static_cast<Level>(level);
     send();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// `Controller.lineFaults` in QML: simulated faults on the line to the simulated controller. A list of
-// predefined faults, each off, sometimes or often. The displayed level is the one that the controller
-// accepted.
+// `Maintenance.simulatedFaults` in QML: faults of the simulated machine and of the line to it. A list of
+// predefined faults, each off, sometimes or often; those of the machine are off or on. The displayed level is
+// the one that the controller accepted.
 #pragma once
 
 #include "app/link/link.h"
@@ -20,6 +20,8 @@ struct LineFaultRow {
     Q_PROPERTY(QString name READ name)
     Q_PROPERTY(QString note READ note)
     Q_PROPERTY(int rate MEMBER level)
+    // True for a fault that is off or on: on is the level Often.
+    Q_PROPERTY(bool isSwitch READ isSwitch)
 
 public:
     int fault = 0;
@@ -27,6 +29,7 @@ public:
 
     [[nodiscard]] QString name() const;
     [[nodiscard]] QString note() const;
+    [[nodiscard]] bool isSwitch() const;
     bool operator==(const LineFaultRow&) const = default;
 };
 
@@ -58,7 +61,7 @@ public:
     [[nodiscard]] int activeCount() const;
     [[nodiscard]] QString text() const;
     [[nodiscard]] QString errorText() const;
-    // Returns the rules of these levels for campanel-controller, one level for each row of the list.
+    // Returns the rules of these levels for Link::simulateFaults(), one level for each row of the list.
     [[nodiscard]] static QStringList rules(const QList<Level>& levels);
     [[nodiscard]] QStringList rulesInForce() const { return rules(m_levels); }
 

@@ -21,6 +21,9 @@ constexpr const char* jawsBefore = "parameter.jaws_before";
 constexpr const char* jawsBehind = "parameter.jaws_behind";
 constexpr const char* markWidthMin = "parameter.mark_width_min";
 constexpr const char* markWidthMax = "parameter.mark_width_max";
+constexpr const char* jamDetection = "parameter.jam_detection";
+constexpr const char* jamStopTime = "parameter.jam_stop_time";
+constexpr const char* jamBack = "parameter.jam_back";
 
 constexpr const char* knifeWords =
     QT_TRANSLATE_NOOP("campanel::panel::PackingFields", "Knife %1 cuts behind its place by");
@@ -105,6 +108,20 @@ constexpr std::array listed{
            false},
     Listed{"parameter.jaws_closed_max",
            QT_TRANSLATE_NOOP("campanel::panel::PackingFields", "Closed jaws spoil the film after"), false},
+    Listed{jamDetection,
+           QT_TRANSLATE_NOOP("campanel::panel::PackingFields", "Jam detection: stop at once at a jam"), true},
+    Listed{
+        "parameter.jam_closing",
+        QT_TRANSLATE_NOOP("campanel::panel::PackingFields", "Jam detection: knife closes before the cut by"),
+        false},
+    Listed{
+        "parameter.jam_margin",
+        QT_TRANSLATE_NOOP("campanel::panel::PackingFields", "Jam detection: margin beyond the torque band"),
+        false},
+    Listed{jamStopTime,
+           QT_TRANSLATE_NOOP("campanel::panel::PackingFields", "Jam: time from full speed to standstill"),
+           false},
+    Listed{jamBack, QT_TRANSLATE_NOOP("campanel::panel::PackingFields", "Jam: knife goes back by"), false},
     Listed{"parameter.film_feed",
            QT_TRANSLATE_NOOP("campanel::panel::PackingFields", "Film motor: film per revolution"), false},
     Listed{"parameter.film_pulses",
@@ -242,13 +259,22 @@ QString PackingFields::endObjection(const Field& field, double value) const
 
 QString PackingFields::objection(const Field& field, double value) const
 {
+    // Returns the value of a field as it would be afterwards.
+    const auto then = [&](const char* name) { return field.info().name == name ? value : this->value(name); };
     if (field.info().name == markDeadTime || field.info().name == markEndLater)
         return endObjection(field, value);
-    const bool isMinimum = field.info().name == markWidthMin;
-    if (!isMinimum && field.info().name != markWidthMax)
-        return {};
-    const double minimum = isMinimum ? value : this->value(markWidthMin);
-    const double maximum = isMinimum ? this->value(markWidthMax) : value;
+    if (field.info().name == markWidthMin || field.info().name == markWidthMax)
+        return markWidthObjection(then(markWidthMin), then(markWidthMax));
+    if (field.info().name == jamStopTime)
+        return stopTimeObjection(value);
+    const bool isOfJaws = field.info().name == jawsBefore || field.info().name == jamDetection;
+    if (field.info().name == jamBack || (isOfJaws && then(jamDetection) > 0))
+        return backObjection(then(jamBack), then(jawsBefore));
+    return {};
+}
+
+QString PackingFields::markWidthObjection(double minimum, double maximum)
+{
     if (!(minimum > maximum && maximum > 0))
         return {};
     const Format format;
@@ -262,6 +288,34 @@ bool PackingFields::areJawsHalfKnown() const
     const double before = value(jawsBefore);
     const double behind = value(jawsBehind);
     return before + behind > 0 && before * behind == 0;
+}
+
+QString PackingFields::backObjection(double backDeg, double jawsDeg)
+{
+    if (!(backDeg <= jawsDeg))
+        return {};
+    return tr("The jaws would stay closed after a jam: they close %1° before the cut. The knife must go back "
+              "by more than that.")
+        .arg(Format().compact(jawsDeg, 0, 2));
+}
+
+// The knife stops from its speed at the cut; the film stops in the same time.
+QString PackingFields::stopTimeObjection(double timeMs) const
+{
+    const auto& program = controller().program();
+    const auto& machine = controller().torque()->machineData();
+    const auto* cutter =
+        program ? std::get_if<profile::RotaryCutterProgram>(&program->recipe.program) : nullptr;
+    if (!cutter || !machine || !(machine->maxKnifeAccelerationMmPerS2 > 0))
+        return {};
+    constexpr double msPerS = 1000;
+    const double speedMmPerS = cutter->syncRatio * program->bagLengthMm / program->cycleSeconds;
+    const double leastMs = msPerS * speedMmPerS / machine->maxKnifeAccelerationMmPerS2;
+    if (!(timeMs < leastMs))
+        return {};
+    return tr("Too short for the knife: with its maximum acceleration it needs %1 ms from its speed at the "
+              "cut. Enter at least that time.")
+        .arg(Format().number(std::ceil(leastMs), 0));
 }
 
 QString PackingFields::note(const Field& field) const

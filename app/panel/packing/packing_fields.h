@@ -41,6 +41,9 @@ private:
     [[nodiscard]] bool areJawsHalfKnown() const;
     [[nodiscard]] QString deadTimeNote(const Field& field) const;
     [[nodiscard]] QString eyeNote(const Field& field, program::EyeDeadTime::Edge edge) const;
+    [[nodiscard]] static QString markWidthObjection(double minimum, double maximum);
+    [[nodiscard]] static QString backObjection(double backDeg, double jawsDeg);
+    [[nodiscard]] QString stopTimeObjection(double timeMs) const;
 
     std::optional<GainSuggestion> m_gains;
     std::optional<program::DeadTime> m_deadTime;

@@ -27,6 +27,7 @@ PackingSetup::PackingSetup(Controller& controller, QObject* parent)
     , m_sensor(controller, this)
     , m_edges(controller, m_sensor, this)
     , m_eyeRecords(controller, {0, modbus::eyeAddress, modbus::eyeRegisters}, this)
+    , m_jam(controller, this)
 {
     connect(controller.packing(), &PackingLine::changed, this, &PackingSetup::followMarks);
     connect(&controller, &Controller::stateChanged, this, &PackingSetup::changed);

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "app/panel/packing/gain_estimate.h"
+#include "app/panel/packing/jam_watch.h"
 #include "app/panel/packing/mark_edge_list.h"
 #include "app/panel/packing/mark_sensor.h"
 #include "app/panel/packing/mark_wizard.h"
@@ -21,6 +22,7 @@ class PackingSetup : public QObject {
     Q_PROPERTY(campanel::panel::PackingFields* fields READ fields CONSTANT FINAL)
     Q_PROPERTY(campanel::panel::MarkWizard* wizard READ wizard CONSTANT FINAL)
     Q_PROPERTY(campanel::panel::MarkEdgeList* edges READ edges CONSTANT FINAL)
+    Q_PROPERTY(campanel::panel::JamWatch* jam READ jam CONSTANT FINAL)
     // True when a packing machine's program is active and the controller reports it.
     Q_PROPERTY(bool available READ available NOTIFY changed FINAL)
     Q_PROPERTY(bool teaching READ teaching NOTIFY changed FINAL)
@@ -41,6 +43,7 @@ public:
     [[nodiscard]] MarkWizard* wizard() { return &m_wizard; }
     [[nodiscard]] MarkSensor* sensor() { return &m_sensor; }
     [[nodiscard]] MarkEdgeList* edges() { return &m_edges; }
+    [[nodiscard]] JamWatch* jam() { return &m_jam; }
     [[nodiscard]] bool available() const;
     [[nodiscard]] bool teaching() const { return m_teaching != Teaching::No; }
     [[nodiscard]] bool canTeach() const;
@@ -72,6 +75,7 @@ private:
     MarkEdgeList m_edges;
     SensorRecords m_eyeRecords;
     program::EyeDeadTime m_eye;
+    JamWatch m_jam;
     GainEstimate m_estimate;
     program::KnifePlaces m_knives{1};
     Teaching m_teaching = Teaching::No;

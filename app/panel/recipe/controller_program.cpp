@@ -15,14 +15,13 @@ namespace {
 
 Q_LOGGING_CATEGORY(motionLog, "campanel.motion")
 
-// Returns the angle of the knife shaft at a master angle, 0 at the index mark.
+} // namespace
+
 double knifeDegAt(const profile::RotaryCutter& cutter, double masterDeg)
 {
     const double positionMm = cutter.motion.at(masterDeg / 360 * cutter.cycle.cycleTimeS).positionMm;
     return positionMm / cutter.machine.knifeRadiusMm * 180 / std::numbers::pi;
 }
-
-} // namespace
 
 std::shared_ptr<const ControllerProgram> readProgram(const link::ActiveProgram& active,
                                                      const modbus::Identity& identity)

@@ -40,6 +40,9 @@ struct ControllerProgram {
     std::shared_ptr<const profile::Curves> curves; // null when the parameters do not describe a cycle
 };
 
+// Returns the angle of the knife's shaft at a master angle, 0 at the index mark.
+[[nodiscard]] double knifeDegAt(const profile::RotaryCutter& cutter, double masterDeg);
+
 // Returns null when the controller has no program.
 [[nodiscard]] std::shared_ptr<const ControllerProgram> readProgram(const link::ActiveProgram& active,
                                                                    const modbus::Identity& identity);

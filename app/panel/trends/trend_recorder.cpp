@@ -50,6 +50,11 @@ TrendRecorder::Batch TrendRecorder::take()
     return batch;
 }
 
+void TrendRecorder::addResidue(double percent)
+{
+    add(TrendQuantity::JamResidue, m_clock(), percent);
+}
+
 void TrendRecorder::takeStatus(const link::StatusBatch& batch)
 {
     const qint64 nowMs = m_clock();

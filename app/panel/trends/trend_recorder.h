@@ -37,6 +37,7 @@ public:
     TrendRecorder(Controller& controller, Settings& settings, DatabaseService& records);
 
     void setWallClock(WallClock clock) { m_clock = std::move(clock); }
+    void addResidue(double percent);
     // Returns the data since the last call. Data older than ten minutes is dropped.
     [[nodiscard]] Batch take();
 

@@ -19,7 +19,7 @@ namespace {
 using store::StoreError;
 using store::TrendQuantity;
 
-static_assert(static_cast<int>(TrendQuantity::Latency) == Trends::Latency);
+static_assert(static_cast<int>(TrendQuantity::JamResidue) == Trends::JamResidue);
 
 constexpr qint64 shortestStepMs = 1000; // for a window that follows the time
 constexpr qint64 longestStepMs = 30'000;
@@ -30,6 +30,7 @@ constexpr qint64 maxBagsExported = 200'000;
 // second.
 constexpr qint64 gapOfBagsMs = 15'000;
 constexpr qint64 gapOfStatusMs = 3000;
+constexpr qint64 gapOfResidueMs = 3'600'000; // once in 1000 bags
 
 tl::expected<void, StoreError> keep(store::Database& database, const TrendRecorder::Batch& batch)
 {
@@ -50,6 +51,8 @@ qint64 gapOf(TrendQuantity quantity)
     case TrendQuantity::Deviation:
     case TrendQuantity::MarkError:
         return gapOfBagsMs;
+    case TrendQuantity::JamResidue:
+        return gapOfResidueMs;
     case TrendQuantity::FollowingError:
     case TrendQuantity::Rate:
     case TrendQuantity::Latency:

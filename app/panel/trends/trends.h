@@ -44,7 +44,7 @@ class Trends : public campanel::panel::Watched, public Singleton<Trends> {
     Q_PROPERTY(campanel::panel::CsvExport* csv READ csv CONSTANT FINAL)
 
 public:
-    enum Quantity { BagLength, Deviation, MarkError, FollowingError, Rate, Latency };
+    enum Quantity { BagLength, Deviation, MarkError, FollowingError, Rate, Latency, JamResidue };
     Q_ENUM(Quantity)
     // The content. Unread: not requested yet. NothingYet: nothing recorded at all. NothingHere: nothing in
     // this window.
@@ -65,6 +65,8 @@ public:
     // Opens the database; earlier requests wait for it.
     void open() { m_store.open(); }
 
+    // Records a mean torque of the knife at the cut, see modbus::JamStatus::residuePercent.
+    void recordResidue(double percent) { m_recorder.addResidue(percent); }
     // Writes the measured data to the database before the next request of store().
     void flush();
 

@@ -11,8 +11,8 @@ namespace campanel::store {
 inline constexpr double thousandthsPerUnit = 1000;
 
 // The quantities; their numbers are stored in the database.
-enum class TrendQuantity { BagLength, Deviation, MarkError, FollowingError, Rate, Latency };
-inline constexpr int trendQuantities = 6;
+enum class TrendQuantity { BagLength, Deviation, MarkError, FollowingError, Rate, Latency, JamResidue };
+inline constexpr int trendQuantities = 7; // at most 8: see trend_schema.cpp
 
 struct TrendBucket {
     qint64 count = 0;

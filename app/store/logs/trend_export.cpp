@@ -35,9 +35,11 @@ QString nameOf(TrendQuantity quantity)
     case TrendQuantity::Rate:
         return u"rate_bags_per_min"_s;
     case TrendQuantity::Latency:
+        return u"link_latency_ms"_s;
+    case TrendQuantity::JamResidue:
         break;
     }
-    return u"link_latency_ms"_s;
+    return u"jam_residue_percent"_s;
 }
 
 } // namespace

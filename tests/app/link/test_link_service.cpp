@@ -277,6 +277,39 @@ private slots:
         QCOMPARE(panel.faults.size(), 3); // no answers for unrequested ones
     }
 
+    // What lies under the jaws is no rule of the line: it is told in a line of its own, when it changes.
+    void aJamIsToldToTheMachine()
+    {
+        const QTemporaryDir folder;
+        QFile script(folder.filePath(QStringLiteral("controller.sh")));
+        QVERIFY(script.open(QIODevice::WriteOnly));
+        script.write("#!/bin/sh\necho /dev/nothing\nwhile read -r line; do\n  echo \"$line\" >>'" +
+                     folder.path().toUtf8() +
+                     "/lines'\n  case $line in jam*) echo \"$line\" ;; *) echo 'ok 0' ;; esac\ndone\n");
+        script.close();
+        script.setPermissions(QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner);
+        link::ConnectionSettings settings;
+        settings.simulatorProgram = script.fileName();
+        Panel panel(settings);
+        const auto simulate = [&panel](const QStringList& rules) {
+            const qsizetype before = panel.faults.size();
+            QTRY_VERIFY_WITH_TIMEOUT(
+                (panel.link.simulateFaults(rules), QTest::qWait(100),
+                 panel.faults.size() > before && panel.faults.last().end == link::FaultsEnd::Accepted),
+                timeoutMs);
+        };
+        simulate({});
+        simulate({QStringLiteral("noise every=7"), QStringLiteral("jam on"), QStringLiteral("late every=9")});
+        simulate({QStringLiteral("jam on")});
+        simulate({});
+        QFile lines(folder.filePath(QStringLiteral("lines")));
+        QVERIFY(lines.open(QIODevice::ReadOnly));
+        QByteArrayList told = lines.readAll().trimmed().split('\n');
+        told.erase(std::unique(told.begin(), told.end()), told.end()); // a slow machine asks more than once
+        QCOMPARE(told, (QByteArrayList{"clear", "jam on", "noise every=7; late every=9", "clear", "jam off",
+                                       "clear"}));
+    }
+
     void theRulerHasOneOutcome()
     {
         const QTemporaryDir folder;

@@ -387,6 +387,15 @@ void TestLineHonesty::faultsAreThoseThatTheControllerTook()
     emit rig.link.faultsSimulated({link::FaultsEnd::Refused, "line 1: 'x' is wrong"});
     QCOMPARE(level(1), int{SimulatedFaults::Off});
     QVERIFY(faults.errorText().contains("line 1: 'x' is wrong"));
+    const int jam = faults.rows()->count() - 1; // of the machine: off or on
+    QVERIFY(faults.rows()->row(jam).isSwitch() && !faults.rows()->row(0).isSwitch());
+    const qsizetype before = rig.link.faults.size();
+    faults.setLevel(jam, SimulatedFaults::Sometimes);
+    QCOMPARE(rig.link.faults.size(), before);
+    faults.setLevel(jam, SimulatedFaults::Often);
+    QVERIFY(rig.link.faults.last().contains("jam on"));
+    emit rig.link.faultsSimulated({});
+    QCOMPARE(faults.text(), "Active: Late responses, Silence, Something under the jaws");
     faults.clear();
     QVERIFY(rig.link.faults.last().isEmpty());
     emit rig.link.faultsSimulated({});

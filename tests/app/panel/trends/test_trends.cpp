@@ -125,6 +125,21 @@ private slots:
         QVERIFY(bags[1].followingErrorMm.value_or(0) < 0);
     }
 
+    void aResidueOfAThousandBagsIsAPoint()
+    {
+        Rig rig;
+        rig.connectRunning();
+        for (const int quantity : {Trends::JamResidue, Trends::Deviation, Trends::MarkError})
+            rig.trends.toggle(quantity);
+        QCOMPARE(rig.trends.chosen(), QList<int>{Trends::JamResidue});
+        rig.show();
+        rig.passBag(0);
+        rig.trends.recordResidue(-0.15);
+        rig.showPage();
+        QCOMPARE(rig.statistic(0, "count"), 1.0);
+        QCOMPARE(rig.statistic(0, "mean"), -0.15);
+    }
+
     void rateLatencyAndFollowingErrorComeFromTheStatus()
     {
         Rig rig;
