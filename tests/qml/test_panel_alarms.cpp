@@ -259,7 +259,7 @@ private slots:
         const QQuickItem* text = m_window->find(QStringLiteral("bannerText"));
         QVERIFY(text);
         const QString told = text->property("text").toString();
-        QVERIFY2(told.section(u'\n', 1).contains(QStringLiteral("14")), qPrintable(told));
+        QVERIFY2(told.section(u'\n', 1).contains(QStringLiteral("15")), qPrintable(told));
         QVERIFY2(!text->property("truncated").toBool(), qPrintable(told));
         QVERIFY(text->property("contentHeight").toDouble() <= text->height() + 1);
         QVERIFY(text->property("contentWidth").toDouble() <= text->width() + 1);
