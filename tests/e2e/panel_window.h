@@ -5,6 +5,7 @@
 
 #include "app/link/threaded_link.h"
 #include "tests/looks/touch_driver.h"
+#include "tests/support/places.h"
 #include "tests/support/stored_recipe.h"
 
 #include <QTemporaryDir>
@@ -18,7 +19,8 @@ class PanelWindow {
 public:
     enum class Library { OneRecipe, Empty }; // of a panel in use, and of a new one
 
-    // Loads the window and connects. Its folder is new: all machine data comes from the line.
+    // Loads the window and connects; without a port to a simulated machine of its own. Its folder is new: all
+    // machine data comes from the line.
     explicit PanelWindow(const QString& port, const QString& language = QStringLiteral("en"),
                          Library library = Library::OneRecipe)
         : m_panel(m_link,
@@ -27,8 +29,10 @@ public:
     {
         m_panel.settings().overrideValue("display.language", language);
         panel::ConnectionChoice choice;
-        choice.simulated = false;
+        choice.simulated = port.isEmpty();
         choice.portName = port;
+        m_panel.settings().overrideSimulator(programPath("campanel-controller"),
+                                             m_folder.filePath(QStringLiteral("controller")));
         m_panel.settings().overrideConnection(choice);
         QObject::connect(&m_link, &link::Link::statusReceived, &m_panel,
                          [this](const link::StatusBatch& batch) {
