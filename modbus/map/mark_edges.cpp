@@ -11,16 +11,16 @@ namespace {
 constexpr std::size_t registersPerEdge = 8;
 constexpr std::size_t registersPerEyeEdge = 4;
 constexpr double perSStep = 0.001;
-constexpr double mmPerStep = 0.01;
+constexpr double mmPerHundredth = 0.01;
 constexpr int saturated = 32767;
 constexpr double mPerSStep = 0.0001;
 constexpr double mPerMm = 0.001;
 constexpr double msPerUs = 0.001;
 
-std::optional<double> distanceMm(std::uint16_t value)
+std::optional<double> offMmOf(std::uint16_t value)
 {
     const int steps = static_cast<std::int16_t>(value);
-    return std::abs(steps) < saturated ? std::optional(steps * mmPerStep) : std::nullopt;
+    return std::abs(steps) < saturated ? std::optional(steps * mmPerHundredth) : std::nullopt;
 }
 
 double signedNumber(std::uint16_t value)
@@ -54,10 +54,10 @@ std::vector<MarkEdge> markEdges(std::span<const std::uint16_t> registers, std::u
 {
     std::vector<MarkEdge> edges;
     const auto add = [&edges](std::uint32_t number, std::span<const std::uint16_t> record) {
-        edges.push_back({number, wide(record), distanceMm(record[2]), signedNumber(record[3]) * mPerSStep,
+        edges.push_back({number, wide(record), offMmOf(record[2]), signedNumber(record[3]) * mPerSStep,
                          signedNumber(record[4]) * mPerMm, static_cast<MarkVerdict>(record[5]),
                          record[6] * msPerUs,
-                         record[7] != 0 ? std::optional(record[7] * mmPerStep) : std::nullopt});
+                         record[7] != 0 ? std::optional(record[7] * mmPerHundredth) : std::nullopt});
     };
     readRecords(registers, registersPerEdge, edgeRecords, after, add);
     return edges;
