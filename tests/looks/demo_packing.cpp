@@ -153,13 +153,13 @@ std::vector<std::uint16_t> demoJam(modbus::JamState state, bool hasJammed)
         put("jam.source", static_cast<double>(modbus::JamSource::Torque));
         put("jam.angle", -16.4);
         put("jam.torque", 71.2);
-        put("jam.limit", 22.7);
+        put("jam.limit", 40.1);
         put("jam.run_on", 7.9);
     }
     for (std::size_t part = 0; part < modbus::jamBins && !isSlow; ++part) {
         const double deg = bandFromDeg + (bandToDeg - bandFromDeg) * (static_cast<double>(part) + 0.5) /
                                              static_cast<double>(modbus::jamBins);
-        const double expected = 12 - 0.2 * deg + 22 * std::exp(-deg * deg / 40);
+        const double expected = 30 - 0.15 * deg + 22 * std::exp(-deg * deg / 40);
         put("jam.expected", stepsPerPercent * expected, part); // blocks have no scale
         put("jam.width", stepsPerPercent * (5 + 0.08 * expected), part);
     }
