@@ -13,6 +13,9 @@
 #define SPEED_STEPS 32u
 /* It starts or stops where it would change by this part in a cycle. */
 #define RAMP_STEPS 8u
+/* A change by less than this part is taken for a ripple. */
+#define RIPPLE_STEPS 50u
+#define MEAN_CUTS 4u
 #define MISPLACED_UM 70
 #define SQUARE_BITS 20u
 
@@ -30,13 +33,15 @@ int64_t ctl_packer_lag(const ctl_packer* packer, uint32_t speed, const ctl_ramp*
     return packer->lag * (int64_t)speed / (int64_t)ramp->full;
 }
 
-/* Another master has another speed than when the next cut was planned. */
+/* What another master's speed is off the one that the next cut was planned for. */
+static uint32_t speed_off(const ctl_packer* packer, const ctl_ramp* ramp)
+{
+    return ramp->top > packer->top ? ramp->top - packer->top : packer->top - ramp->top;
+}
+
 static bool has_other_speed(const ctl_packer* packer, const ctl_ramp* ramp)
 {
-    if (!ramp->led)
-        return false;
-    const uint32_t off = ramp->top > packer->top ? ramp->top - packer->top : packer->top - ramp->top;
-    return off > ramp->full / SPEED_STEPS;
+    return ramp->led && speed_off(packer, ramp) > ramp->full / SPEED_STEPS;
 }
 
 /* Another master starts or stops: by so much in a cycle, its speed changes. */
@@ -47,11 +52,19 @@ static bool ramps(const ctl_packer* packer, const ctl_ramp* ramp)
            off * packer->cycle > (uint64_t)ramp->full / RAMP_STEPS * packer->since;
 }
 
+/* A ripple is another one at the cut: what it is about is planned for, the mean of the last cuts. */
+static uint32_t planned_top(const ctl_packer* packer, const ctl_ramp* ramp)
+{
+    if (speed_off(packer, ramp) > ramp->full / RIPPLE_STEPS)
+        return ramp->top;
+    return packer->top / MEAN_CUTS * (MEAN_CUTS - 1u) + ramp->top / MEAN_CUTS;
+}
+
 /* The speed of another master `way` ticks ahead: where it ramps, it goes on to do so evenly. */
 static uint32_t top_ahead(const ctl_packer* packer, const ctl_ramp* ramp, uint32_t way)
 {
     if (packer->since == 0 || !ramps(packer, ramp))
-        return ramp->top;
+        return planned_top(packer, ramp);
     const int64_t square = (int64_t)((uint64_t)ramp->top * ramp->top);
     const int64_t before = (int64_t)((uint64_t)packer->top * packer->top);
     const int64_t gained = (square - before) / (1 << SQUARE_BITS) * way / packer->since * (1 << SQUARE_BITS);
@@ -115,7 +128,7 @@ static int64_t allowed_shift(ctl_packer* packer, const ctl_drive* drive, const c
 
 static void note_speed(ctl_packer* packer, const ctl_ramp* ramp)
 {
-    packer->top = ramp->top;
+    packer->top = planned_top(packer, ramp);
     packer->since = 0;
 }
 
