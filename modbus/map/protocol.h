@@ -178,7 +178,7 @@ enum class MarkVerdict : std::uint16_t {
 // The monitoring of the knife's torque.
 enum class JamState : std::uint16_t { Off = 0, NotReported, TooSlow, Learning, Armed };
 
-// What showed a jam.
+// A sign that shows a jam.
 enum class JamSource : std::uint16_t { None = 0, Torque, TorqueLimit };
 
 enum class GateState : std::uint16_t { Running = 0, Slowing, Standing, CatchingUp };
