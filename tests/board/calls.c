@@ -7,6 +7,7 @@
 
 #define SETTLING_SLICES 4000u
 #define MAX_READ 125u
+#define MAX_WRITE 121u /* in one request that reads as well */
 #define MAX_WRITTEN_AND_READ 121u
 
 static bool is_watched; /* a clock that is read costs instructions */
@@ -126,8 +127,8 @@ static void read_and_write(bench* self, const char* program)
                "status", program);
     write_read(self, CTL_REG_READBACK_TAG, back, CTL_GROUP_READBACK, CTL_REG_READBACK_RESULT_TAG,
                CTL_GROUP_READBACK_RESULT, "readback", program);
-    write_read(self, CTL_REG_PARAMETER_HEARTBEAT_TIMEOUT, parameters, CTL_GROUP_PARAMETER,
-               CTL_REG_PARAMETER_HEARTBEAT_TIMEOUT, CTL_GROUP_PARAMETER, "write_parameters", program);
+    write_read(self, CTL_REG_PARAMETER_HEARTBEAT_TIMEOUT, parameters, MAX_WRITE,
+               CTL_REG_PARAMETER_HEARTBEAT_TIMEOUT, MAX_WRITE, "write_parameters", program);
     print("", "receive", program, bench_longest.receive);
     print("", "take_answer", program, bench_longest.take);
 }

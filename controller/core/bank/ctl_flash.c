@@ -166,7 +166,10 @@ void ctl_flash_load(ctl_flash* flash, const ctl_board* board, ctl_banks* banks, 
 void ctl_flash_begin_save(ctl_flash* flash, const ctl_board* board, const ctl_banks* banks)
 {
     ctl_flash_saving* saving = &flash->saving;
-    *saving = (ctl_flash_saving){.busy = true, .bank = ctl_active_bank(banks), .bank_crc = banks->active_crc};
+    saving->busy = true;
+    saving->bank = ctl_active_bank(banks);
+    saving->bank_crc = banks->active_crc;
+    saving->written = 0;
     saving->slot = flash->any_valid ? flash->newest ^ 1u : 0u;
     saving->crc = CTL_CRC32_START;
     ctl_put32(saving->head, MAGIC);
