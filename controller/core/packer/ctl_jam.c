@@ -19,7 +19,8 @@
 #define SLOW_BITS 3u
 #define ARMED_BITS 6u
 #define RESIDUE_BAGS 1000
-#define RESIDUES_PER_TENTH 10
+#define RESIDUE_STEP ((RESIDUE_BAGS << FINE_BITS) / 10) /* 0.01 % in the sum over so many bags */
+#define INTERVAL_US 10u                                 /* of the register */
 #define FULL_CIRCLE 36000
 #define SCALE_BITS 24u
 #define SLOW_SHARE (CTL_JAM_FULL_SPEED / 4u * 3u)
@@ -98,8 +99,7 @@ static void add_residue(ctl_jam* jam, int32_t torque)
     jam->residue_bags += 1;
     if (jam->residue_bags < RESIDUE_BAGS)
         return;
-    jam->residue =
-        (int16_t)ctl_saturated16(jam->residue_sum / (RESIDUE_BAGS << FINE_BITS) * RESIDUES_PER_TENTH);
+    jam->residue = (int16_t)ctl_saturated16(jam->residue_sum / RESIDUE_STEP);
     jam->residue_number += 1;
     jam->residue_sum = 0;
     jam->residue_bags = 0;
@@ -337,7 +337,7 @@ void ctl_jam_registers(const ctl_jam* jam, uint32_t revolution, uint16_t* regist
     memset(registers, 0, CTL_GROUP_JAM * sizeof registers[0]);
     put(registers, CTL_REG_JAM_STATE, ctl_jam_state(jam));
     put(registers, CTL_REG_JAM_CYCLES_LEFT, (uint16_t)(CTL_JAM_CYCLES - jam->cycles));
-    put(registers, CTL_REG_JAM_INTERVAL, ctl_saturated16(jam->interval_us / RESIDUES_PER_TENTH));
+    put(registers, CTL_REG_JAM_INTERVAL, ctl_saturated16(jam->interval_us / INTERVAL_US));
     put(registers, CTL_REG_JAM_NUMBER, jam->number);
     put(registers, CTL_REG_JAM_SOURCE, last->source);
     put(registers, CTL_REG_JAM_ANGLE, angle_of(last->at, revolution));

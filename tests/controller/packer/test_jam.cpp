@@ -206,16 +206,16 @@ private slots:
                 !torques.pass([](int at) { return brakes(at) + (at < 0 ? 2000 : 0); }));
     }
 
-    // 1000 bags whose torque at the cut is 2.4 % more than when it was learned.
+    // 1000 bags whose torque at the cut is 2.1 % more than when it was learned.
     void theResidueIsRecorded()
     {
         Torques torques;
         torques.learn(brakes);
         for (int bag = 0; bag < 1000; ++bag)
-            torques.pass([](int at) { return brakes(at) + (at >= -20 && at < 20 ? 24 : 0); });
+            torques.pass([](int at) { return brakes(at) + (at >= -20 && at < 20 ? 21 : 0); });
         QCOMPARE(torques.jam.residue_number, 1u);
-        // Friction becomes more by 24 x 8 / 200.
-        QVERIFY2(std::abs(torques.jam.residue - 230) <= 20, qPrintable(QString::number(torques.jam.residue)));
+        // Friction becomes more by 21 x 8 / 200.
+        QVERIFY2(std::abs(torques.jam.residue - 202) <= 4, qPrintable(QString::number(torques.jam.residue)));
     }
 
     // Stopped before the cut, gone back, told; then the run goes on from there, without a reference run.
