@@ -219,6 +219,18 @@ bool ctl_packer_refresh_settings(ctl_packer* packer);
 void ctl_packer_read_sensors(ctl_packer* packer);
 /* Asks about the first cut at the start of the film's cycle, when the knife is open. */
 void ctl_packer_ask_first_cut(ctl_packer* packer);
+void ctl_packer_raise(ctl_packer* packer, uint32_t warning_bit);
+/* Returns the command of the film motor at the next cut when nothing is corrected; asked behind a sealing
+ * window or, with the knife standing, up to a cycle before the window. */
+int64_t ctl_packer_uncorrected(const ctl_packer* packer);
+/* Behind a sealing window: plans where the film's next cut is to be, and the correction that brings it there.
+ */
+void ctl_packer_plan_cut(ctl_packer* packer, const ctl_drive* drive);
+/* The planned cut meets its mark at another speed, and so with another lag: a stop or a change of program was
+ * decided on, or is no longer. Leaves it as it is where the way to its sealing window is short. */
+void ctl_packer_plan_again(ctl_packer* packer, const ctl_drive* drive);
+/* Returns true when another master that leads has another speed than when the next cut was planned. */
+bool ctl_packer_sees_other_speed(const ctl_packer* packer, const ctl_ramp* ramp);
 /* Returns the lag of the film at a cut at this speed of the ramp. */
 int64_t ctl_packer_lag(const ctl_packer* packer, uint32_t speed, const ctl_ramp* ramp);
 /* Starts or stops mark tracking according to the present parameters. */

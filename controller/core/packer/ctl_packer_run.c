@@ -1,98 +1,16 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-/* A packing machine's line while it runs: gates, the plan of each cut, sensors, cuts. */
+/* A packing machine's line while it runs: gates, sensors, cuts. */
 #include "packer/ctl_packer.h"
 
 #include "base/ctl_words.h"
 
 #include <stddef.h>
 
-#define LIMITED_IN_ROW 5u
-/* A planned cut is shifted again in no less than this part of a cycle. */
-#define SHORTEST_ROOM 10u
-/* It is shifted again for a change of another master's speed by this part of full speed. */
-#define SPEED_STEPS 32u
-/* It starts or stops where it would change by this part in a cycle. */
-#define RAMP_STEPS 8u
-/* A change by less than this part is taken for a ripple. */
-#define RIPPLE_STEPS 50u
-#define MEAN_CUTS 4u
 #define MISPLACED_UM 70
-#define SQUARE_BITS 20u
 
-/* Command of the film motor at the next cut when nothing is corrected; asked behind a sealing window or, with
- * the knife standing, up to a cycle before the window. */
-static int64_t uncorrected(const ctl_packer* packer)
+void ctl_packer_raise(ctl_packer* packer, uint32_t bit)
 {
-    const int64_t next = ctl_packer_cycle_length(packer);
-    return packer->film.start + packer->film.shift + packer->film.length +
-           (int64_t)((uint64_t)next * packer->cut / packer->cycle);
-}
-
-int64_t ctl_packer_lag(const ctl_packer* packer, uint32_t speed, const ctl_ramp* ramp)
-{
-    return packer->lag * (int64_t)speed / (int64_t)ramp->full;
-}
-
-/* What another master's speed is off the one that the next cut was planned for. */
-static uint32_t speed_off(const ctl_packer* packer, const ctl_ramp* ramp)
-{
-    return ramp->top > packer->top ? ramp->top - packer->top : packer->top - ramp->top;
-}
-
-static bool has_other_speed(const ctl_packer* packer, const ctl_ramp* ramp)
-{
-    return ramp->led && speed_off(packer, ramp) > ramp->full / SPEED_STEPS;
-}
-
-/* Another master starts or stops: by so much in a cycle, its speed changes. */
-static bool ramps(const ctl_packer* packer, const ctl_ramp* ramp)
-{
-    const uint64_t off = ramp->top > packer->top ? ramp->top - packer->top : packer->top - ramp->top;
-    return has_other_speed(packer, ramp) &&
-           off * packer->cycle > (uint64_t)ramp->full / RAMP_STEPS * packer->since;
-}
-
-/* A ripple is another one at the cut: what it is about is planned for, the mean of the last cuts. */
-static uint32_t planned_top(const ctl_packer* packer, const ctl_ramp* ramp)
-{
-    if (speed_off(packer, ramp) > ramp->full / RIPPLE_STEPS)
-        return ramp->top;
-    return packer->top / MEAN_CUTS * (MEAN_CUTS - 1u) + ramp->top / MEAN_CUTS;
-}
-
-/* The speed of another master `way` ticks ahead: where it ramps, it goes on to do so evenly. */
-static uint32_t top_ahead(const ctl_packer* packer, const ctl_ramp* ramp, uint32_t way)
-{
-    if (packer->since == 0 || !ramps(packer, ramp))
-        return planned_top(packer, ramp);
-    const int64_t square = (int64_t)((uint64_t)ramp->top * ramp->top);
-    const int64_t before = (int64_t)((uint64_t)packer->top * packer->top);
-    const int64_t gained = (square - before) / (1 << SQUARE_BITS) * way / packer->since * (1 << SQUARE_BITS);
-    if (gained <= -square)
-        return 0;
-    return ctl_square_root((uint64_t)(square + (gained < square ? gained : square)));
-}
-
-/* Drives lag in proportion to the speed, and not all by the same time: the lag at a cut that is `way` ticks
- * ahead. */
-static int64_t lag_ahead(const ctl_packer* packer, const ctl_drive* drive, uint32_t way)
-{
-    const ctl_ramp* ramp = drive->ramp;
-    ctl_ramp led;
-    if (ramp->led) {
-        led = *ramp;
-        led.top = top_ahead(packer, ramp, way);
-        ramp = &led;
-    }
-    if (!drive->running && drive->end_ticks <= way) /* a cut of the next run, which sees to its lag */
-        return 0;
-    uint32_t speed = drive->running ? ctl_ramp_speed_after(ramp, way) : ramp->speed;
-    if (drive->end_ticks != CTL_DRIVE_NO_END) {
-        const uint64_t before_end = drive->end_ticks > way ? drive->end_ticks - way : 0;
-        const uint32_t slower = ctl_ramp_speed_before(ramp, before_end, drive->end_speed);
-        speed = slower < speed ? slower : speed;
-    }
-    return ctl_packer_lag(packer, speed, ramp);
+    packer->alarms = (uint16_t)(packer->alarms | 1u << bit);
 }
 
 static void learn_lag(ctl_packer* packer, int64_t lag, const ctl_ramp* ramp)
@@ -103,88 +21,6 @@ static void learn_lag(ctl_packer* packer, int64_t lag, const ctl_ramp* ramp)
     packer->lag_known = true;
 }
 
-static void raise_alarm(ctl_packer* packer, uint32_t bit)
-{
-    packer->alarms = (uint16_t)(packer->alarms | 1u << bit);
-}
-
-/* Returns the shift of the film by which the next cut, `wanted` away from its mark, meets it, within limits.
- */
-static int64_t allowed_shift(ctl_packer* packer, const ctl_drive* drive, const ctl_mark* mark, int64_t wanted)
-{
-    const int64_t length = mark->pitch - packer->bag;
-    ctl_phase_mode mode = CTL_PHASE_LIMITED;
-    if (packer->marks.state == CTL_MARK_STATE_ALIGNING) {
-        if (ctl_phase_reaches(&packer->settings.phase, wanted, length))
-            packer->marks.state = CTL_MARK_STATE_TRACKING;
-        else
-            mode = drive->changes ? CTL_PHASE_FAST_AND_SHORT : CTL_PHASE_FAST;
-    }
-    const int64_t shift = ctl_phase_allow(&packer->phase, &packer->settings.phase, mode, wanted, length);
-    if (packer->phase.limited_in_row >= LIMITED_IN_ROW)
-        raise_alarm(packer, CTL_WARNING_BIT_CORRECTION_AT_LIMIT);
-    return shift;
-}
-
-static void note_speed(ctl_packer* packer, const ctl_ramp* ramp)
-{
-    packer->top = planned_top(packer, ramp);
-    packer->since = 0;
-}
-
-/* Behind a sealing window: where the film's next cut is to be, and the correction that brings it there. */
-static void plan_cut(ctl_packer* packer, const ctl_drive* drive)
-{
-    packer->planned = true;
-    packer->busy = true;
-    ctl_packer_follow_marks(packer);
-    ctl_marks_drop(&packer->marks, ctl_feed_position(&packer->film) - packer->bag / 2);
-    const int64_t even = uncorrected(packer);
-    packer->next.lag = lag_ahead(packer, drive, packer->cycle - packer->film.phase + packer->cut);
-    note_speed(packer, drive->ramp);
-    const ctl_mark* mark =
-        packer->marks.state == CTL_MARK_STATE_OFF || packer->marks.state == CTL_MARK_STATE_SEARCHING
-            ? NULL
-            : ctl_marks_near(&packer->marks, even + packer->next.lag, packer->bag / 2);
-    const int32_t place_um = ctl_knives_next_um(&packer->knives, packer->board);
-    const int64_t place = place_um == 0 ? 0 : ctl_packer_film(packer, place_um);
-    int64_t shift = 0;
-    ctl_phase_none(&packer->phase);
-    if (mark != NULL)
-        shift = allowed_shift(packer, drive, mark, mark->at - packer->next.lag - even - place);
-    else if (place != packer->knives.in_film)
-        shift = ctl_phase_allow(&packer->phase, &packer->settings.phase, CTL_PHASE_LIMITED,
-                                packer->knives.in_film - place, 0);
-    packer->knives.in_film = mark != NULL ? place : packer->knives.in_film - shift;
-    packer->next.command = even;
-    packer->next.tracked = mark != NULL && packer->marks.state == CTL_MARK_STATE_TRACKING;
-    packer->next.seen = mark != NULL && mark->seen;
-    const uint64_t before_end = packer->cycle - packer->release;
-    if (shift != 0) /* over before a change of program: its half of the way has half the room */
-        ctl_phase_move(&packer->film, &packer->next.command, shift,
-                       before_end + (drive->changes ? 0u : packer->engage));
-}
-
-/* A stop or a change of program was decided on, or is no longer: the planned cut meets its mark at another
- * speed, and so with another lag. Left as it is where the way to its sealing window is short. */
-static void plan_again(ctl_packer* packer, const ctl_drive* drive)
-{
-    const uint32_t phase = packer->film.phase;
-    const bool behind = packer->planned && phase >= packer->release;
-    if (!packer->next.tracked || (!behind && phase >= packer->engage))
-        return;
-    const uint32_t way = behind ? packer->cycle - phase + packer->cut : packer->cut - phase;
-    const uint32_t to_window = behind ? packer->cycle - phase + packer->engage : packer->engage - phase;
-    const uint32_t room = behind && drive->changes ? to_window - packer->engage : to_window;
-    if (room < packer->cycle / SHORTEST_ROOM)
-        return;
-    const int64_t lag = lag_ahead(packer, drive, way);
-    note_speed(packer, drive->ramp);
-    if (lag != packer->next.lag)
-        ctl_phase_move(&packer->film, &packer->next.command, packer->next.lag - lag, room);
-    packer->next.lag = lag;
-}
-
 static void count_skip(ctl_packer* packer)
 {
     const bool too_long = packer->products.longest + 2 * packer->settings.clearance > packer->bag;
@@ -193,7 +29,7 @@ static void count_skip(ctl_packer* packer)
     packer->skips_in_run += 1;
     packer->last_skip = too_long ? CTL_SKIP_CAUSE_PRODUCT_TOO_LONG : CTL_SKIP_CAUSE_PRODUCT_ACROSS;
     if (packer->skips_in_run >= ctl_parameter16(packer->board, CTL_REG_PARAMETER_SKIP_LIMIT))
-        raise_alarm(packer, CTL_WARNING_BIT_TOO_MANY_SKIPS);
+        ctl_packer_raise(packer, CTL_WARNING_BIT_TOO_MANY_SKIPS);
 }
 
 /* Returns true while the film is threaded up: no cut could be at its mark, or a product that nobody has seen
@@ -222,7 +58,7 @@ static bool knife_must_wait(ctl_packer* packer, const ctl_drive* drive)
     int64_t clearance = packer->settings.clearance;
     int64_t cut = packer->next.command;
     if (!packer->planned) { /* it may still be shifted */
-        cut = uncorrected(packer);
+        cut = ctl_packer_uncorrected(packer);
         const bool aligning = packer->marks.state == CTL_MARK_STATE_ALIGNING;
         clearance += ctl_phase_max(&packer->settings.phase, aligning ? CTL_PHASE_FAST : CTL_PHASE_LIMITED);
     }
@@ -266,7 +102,7 @@ static uint32_t move_film(ctl_packer* packer, const ctl_drive* drive, uint32_t t
     uint32_t knife = 0;
     while (ticks != 0) {
         if (packer->film.phase >= packer->release && !packer->planned)
-            plan_cut(packer, drive);
+            ctl_packer_plan_cut(packer, drive);
         if (ctl_gate_asks(&packer->knife_gate))
             ctl_gate_answer(&packer->knife_gate, knife_must_wait(packer, drive));
         uint32_t part = ctl_gate_piece(&packer->knife_gate);
@@ -291,8 +127,8 @@ uint32_t ctl_packer_advance(ctl_packer* packer, const ctl_drive* drive, uint32_t
     uint32_t knife = 0;
     *ticks = left;
     packer->since += left;
-    if (drive->end_ticks != packer->end_ticks || has_other_speed(packer, drive->ramp))
-        plan_again(packer, drive);
+    if (drive->end_ticks != packer->end_ticks || ctl_packer_sees_other_speed(packer, drive->ramp))
+        ctl_packer_plan_again(packer, drive);
     packer->end_ticks = drive->end_ticks;
     if (drive->end_ticks != CTL_DRIVE_NO_END)
         packer->end_ticks -= left < drive->end_ticks ? left : drive->end_ticks;
@@ -331,12 +167,12 @@ static void emit(ctl_packer* packer)
 static bool has_alarms(ctl_packer* packer)
 {
     if (packer->marks.alarm != 0 && ctl_packer_tracks(packer))
-        raise_alarm(packer, packer->marks.alarm);
+        ctl_packer_raise(packer, packer->marks.alarm);
     if (ctl_parameter16(packer->board, CTL_REG_PARAMETER_ANTI_CUT) != 0 &&
         packer->products.longest + 2 * packer->settings.clearance > packer->bag)
-        raise_alarm(packer, CTL_WARNING_BIT_PRODUCT_TOO_LONG);
+        ctl_packer_raise(packer, CTL_WARNING_BIT_PRODUCT_TOO_LONG);
     if (ctl_products_joined(&packer->products))
-        raise_alarm(packer, CTL_WARNING_BIT_PRODUCTS_JOINED);
+        ctl_packer_raise(packer, CTL_WARNING_BIT_PRODUCTS_JOINED);
     return packer->alarms != 0;
 }
 
