@@ -101,6 +101,7 @@ const QList<Harmless>& harmless()
           u"LogFilterEditor::removeLimit"_s,
           u"LogFilterEditor::showDay"_s,
           u"LogFilterEditor::clear"_s,
+          u"Homing::open"_s,
           u"PackingSetup::open"_s,
           u"ParameterFields::select"_s,
           u"ProgramProof::compare"_s,
