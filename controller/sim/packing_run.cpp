@@ -18,7 +18,6 @@ namespace campanel::controller {
 namespace {
 
 constexpr double usPerS = 1e6;
-constexpr double usPerMs = 1e3;
 // The maximum times of homing and ramp before the first bag, and of a bag.
 constexpr std::uint64_t longestStartUs = 120'000'000;
 constexpr unsigned longestBagCycles = 400;
@@ -99,10 +98,6 @@ public:
         m_result.emptyBags = packer.empty;
         m_result.filmSavedM = static_cast<double>(packer.saved_um) / (umPerMm * umPerMm);
         m_result.correctionsLimited = packer.phase.limited;
-        const Jaws& jaws = m_controller.machine().jaws();
-        m_result.jams = jaws.touched();
-        m_result.jamsCutThrough = jaws.cutThrough();
-        m_result.largestJamN = jaws.largestForceN();
         return m_result;
     }
 
@@ -219,7 +214,7 @@ private:
             stopShaft();
             if (!operate() || !cutPower())
                 return;
-            watchJaws();
+            m_result.jams.take(m_core, m_controller.machine(), m_controller.stepUs());
             m_fullSpeed = m_fullSpeed && isAtSpeed();
             noticeSkip();
             if (m_controller.cut()) {
@@ -311,7 +306,7 @@ private:
     bool operate()
     {
         const std::uint64_t now = m_controller.nowUs();
-        watchStandingJaws();
+        watchJaws();
         if (m_job.stopShare <= 0.0)
             return true;
         if (m_stopAtUs == 0 && m_core.motion.state == CTL_STATE_RUNNING)
@@ -330,7 +325,7 @@ private:
         return start();
     }
 
-    void watchStandingJaws()
+    void watchJaws()
     {
         const Machine& machine = m_controller.machine();
         const bool stands = machine.areDrivesOn() && std::abs(machine.filmSpeed()) < 1.0;
@@ -343,37 +338,6 @@ private:
         const double closedS = static_cast<double>(m_closedUs) / usPerS;
         m_result.burns += beforeS <= burnS && closedS > burnS ? 1u : 0u;
         m_result.longestClosedS = std::max(m_result.longestClosedS, closedS);
-    }
-
-    // What the controller sees of a jam, against when the jaws first touched it.
-    void watchJaws()
-    {
-        const Machine& machine = m_controller.machine();
-        const auto pressed = machine.jaws().pressedDegrees();
-        if (machine.jaws().touched() != m_touched) {
-            m_touched = machine.jaws().touched();
-            m_wasArmed = ctl_jam_state(&m_core.packer.jam) == CTL_JAM_STATE_ARMED;
-            m_result.jamsUnarmed += m_wasArmed ? 0u : 1u;
-        }
-        m_pressedUs = pressed ? m_pressedUs + m_controller.stepUs() : 0;
-        if (m_core.packer.jam.number != m_jamNumber) {
-            m_jamNumber = m_core.packer.jam.number;
-            m_seenAtDegrees = machine.shaftDegrees();
-            m_result.jamsFalse += pressed ? 0u : 1u;
-            if (pressed && m_wasArmed)
-                takeSeen(*pressed);
-        }
-        if (m_core.motion.park.jam && m_wasArmed)
-            m_result.longestRunOnDegrees =
-                std::max(m_result.longestRunOnDegrees, machine.shaftDegrees() - m_seenAtDegrees);
-    }
-
-    void takeSeen(double degrees)
-    {
-        ++m_result.jamsSeen;
-        m_result.meanSeenDegrees += (degrees - m_result.meanSeenDegrees) / m_result.jamsSeen;
-        m_result.longestSeenDegrees = std::max(m_result.longestSeenDegrees, degrees);
-        m_result.longestSeenMs = std::max(m_result.longestSeenMs, static_cast<double>(m_pressedUs) / usPerMs);
     }
 
     // An operator takes out what lies there.
@@ -527,12 +491,7 @@ private:
     std::uint32_t m_goodStarts = 0;
     std::uint64_t m_stopAtUs = 0;
     std::uint64_t m_startAtUs = 0;
-    std::uint64_t m_closedUs = 0;  // the jaws on standing film
-    std::uint64_t m_pressedUs = 0; // the jaws on what lies between them
-    std::uint32_t m_touched = 0;
-    bool m_wasArmed = false;
-    std::uint16_t m_jamNumber = 0;
-    double m_seenAtDegrees = 0.0;
+    std::uint64_t m_closedUs = 0; // the jaws on standing film
     std::uint32_t m_marksShown = 0;
     std::uint32_t m_eyeShown = 0;
     std::uint32_t m_commands = 0;

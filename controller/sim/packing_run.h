@@ -3,6 +3,7 @@
 // bags. The core is that of the controller on the line; only the time steps may be longer.
 #pragma once
 
+#include "jam_figures.h"
 #include "machine.h"
 #include "master_lag.h"
 
@@ -98,19 +99,7 @@ struct PackingResult {
     // Stops that left the jaws closed on standing film for more than burnS, with the drives enabled.
     std::uint32_t burns = 0;
     double longestClosedS = 0.0;
-    // Cuts with something between the jaws, those that went through it, and the largest force on it.
-    std::uint32_t jams = 0;
-    std::uint32_t jamsCutThrough = 0;
-    double largestJamN = 0.0;
-    // Stops without a jam; jams before the torque was learned; and of the others those that the controller
-    // saw, from the first touch until then, and from there to standstill.
-    std::uint32_t jamsFalse = 0;
-    std::uint32_t jamsUnarmed = 0;
-    std::uint32_t jamsSeen = 0;
-    double meanSeenDegrees = 0.0;
-    double longestSeenDegrees = 0.0;
-    double longestSeenMs = 0.0;
-    double longestRunOnDegrees = 0.0;
+    JamFigures jams;
     std::uint32_t powerCuts = 0;
     std::uint32_t offUnmarked =
         0; // bags of one length, in length or from the print by more than offMm, not marked

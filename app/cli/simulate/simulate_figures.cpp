@@ -64,18 +64,18 @@ QJsonObject cutsObject(const PackingResult& result, std::uint32_t through, std::
             {u"corrections_limited"_s, static_cast<qint64>(result.correctionsLimited)}};
 }
 
-QJsonObject jamsObject(const PackingResult& result)
+QJsonObject jamsObject(const controller::JamFigures& jams)
 {
-    return {{u"count"_s, static_cast<qint64>(result.jams)},
-            {u"seen"_s, static_cast<qint64>(result.jamsSeen)},
-            {u"not_armed"_s, static_cast<qint64>(result.jamsUnarmed)},
-            {u"false"_s, static_cast<qint64>(result.jamsFalse)},
-            {u"seen_degrees"_s, result.meanSeenDegrees},
-            {u"seen_degrees_largest"_s, result.longestSeenDegrees},
-            {u"seen_ms_largest"_s, result.longestSeenMs},
-            {u"run_on_degrees_largest"_s, result.longestRunOnDegrees},
-            {u"cut_through"_s, static_cast<qint64>(result.jamsCutThrough)},
-            {u"largest_force_n"_s, result.largestJamN}};
+    return {{u"count"_s, static_cast<qint64>(jams.count)},
+            {u"seen"_s, static_cast<qint64>(jams.seen)},
+            {u"not_armed"_s, static_cast<qint64>(jams.notArmed)},
+            {u"false"_s, static_cast<qint64>(jams.falsely)},
+            {u"seen_degrees"_s, jams.meanSeenDegrees},
+            {u"seen_degrees_largest"_s, jams.longestSeenDegrees},
+            {u"seen_ms_largest"_s, jams.longestSeenMs},
+            {u"run_on_degrees_largest"_s, jams.longestRunOnDegrees},
+            {u"cut_through"_s, static_cast<qint64>(jams.cutThrough)},
+            {u"largest_force_n"_s, jams.largestForceN}};
 }
 
 QJsonObject spreadObject(const Spread& spread)
@@ -180,7 +180,7 @@ QJsonObject PackingFigures::object(const PackingResult& result, double cpuS) con
             {u"largest_following_error_pulses"_s, result.maxFollowingErrorPulses},
             {u"starts"_s, static_cast<qint64>(result.starts)},
             {u"stops"_s, static_cast<qint64>(result.stops)},
-            {u"jams"_s, jamsObject(result)},
+            {u"jams"_s, jamsObject(result.jams)},
             {u"power_cuts"_s,
              QJsonObject{{u"count"_s, static_cast<qint64>(result.powerCuts)},
                          {u"film_to_first_good_cut_mm"_s, result.meanFilmToGoodMm},

@@ -350,7 +350,7 @@ static void put_wide(uint16_t* registers, uint32_t address, int64_t value)
               (uint32_t)((uint64_t)value & UINT32_MAX));
 }
 
-/* What the line still has to go while it engages. */
+/* Returns what the line still has to go while it engages. */
 static int64_t ticks_to_engaged(const ctl_master* master)
 {
     const ctl_clutch* clutch = &master->clutch;

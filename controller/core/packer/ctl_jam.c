@@ -170,7 +170,7 @@ static void enter_range(ctl_jam* jam, uint32_t now_us)
     jam->inside = true;
 }
 
-/* What was passed is worth learning in an even cycle whose friction is known. */
+/* In an even cycle whose friction is known the passage is worth learning. */
 static void leave_range(ctl_jam* jam, uint32_t now_us)
 {
     if (jam->even)

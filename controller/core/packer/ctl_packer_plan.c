@@ -29,7 +29,7 @@ int64_t ctl_packer_lag(const ctl_packer* packer, uint32_t speed, const ctl_ramp*
     return packer->lag * (int64_t)speed / (int64_t)ramp->full;
 }
 
-/* What another master's speed is off the one that the next cut was planned for. */
+/* Returns how far another master's speed is from the one that the next cut was planned for. */
 static uint32_t speed_off(const ctl_packer* packer, const ctl_ramp* ramp)
 {
     return ramp->top > packer->top ? ramp->top - packer->top : packer->top - ramp->top;

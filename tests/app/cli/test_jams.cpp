@@ -55,13 +55,14 @@ private slots:
             job.machine.jaws.stiffnessNPerMm = stiffness;
         });
         QCOMPARE(result.end, PackingEnd::Done);
-        QVERIFY(result.jamsSeen >= 15);
-        QCOMPARE(result.jams, result.jamsSeen + result.jamsUnarmed);
-        QCOMPARE(result.jamsFalse, 0u);
-        QCOMPARE(result.jamsCutThrough, 0u);
+        QVERIFY(result.jams.seen >= 15);
+        QCOMPARE(result.jams.count, result.jams.seen + result.jams.notArmed);
+        QCOMPARE(result.jams.falsely, 0u);
+        QCOMPARE(result.jams.cutThrough, 0u);
         QVERIFY2(
-            result.longestSeenDegrees <= 5.0 || result.longestSeenMs <= 4.0,
-            qPrintable(QString("%1 deg, %2 ms").arg(result.longestSeenDegrees).arg(result.longestSeenMs)));
+            result.jams.longestSeenDegrees <= 5.0 || result.jams.longestSeenMs <= 4.0,
+            qPrintable(
+                QString("%1 deg, %2 ms").arg(result.jams.longestSeenDegrees).arg(result.jams.longestSeenMs)));
     }
 
     // A drive that reports every 10 ms sees none of them; its torque-limit input does, later.
@@ -72,9 +73,9 @@ private slots:
             job.machine.report.everyMs = 10;
         });
         QCOMPARE(result.end, PackingEnd::Done);
-        QCOMPARE(result.jamsSeen, 0u);
-        QVERIFY(result.jams >= 8);
-        QCOMPARE(result.jamsCutThrough, 0u);
+        QCOMPARE(result.jams.seen, 0u);
+        QVERIFY(result.jams.count >= 8);
+        QCOMPARE(result.jams.cutThrough, 0u);
     }
 
     void noneIsSeenWhereThereIsNone_data()
@@ -105,7 +106,7 @@ private slots:
             job.changeEvery = static_cast<std::uint32_t>(changeEvery);
         });
         QCOMPARE(result.end, PackingEnd::Done);
-        QCOMPARE(result.jamsFalse, 0u);
+        QCOMPARE(result.jams.falsely, 0u);
     }
 };
 

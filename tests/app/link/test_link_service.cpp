@@ -277,7 +277,7 @@ private slots:
         QCOMPARE(panel.faults.size(), 3); // no answers for unrequested ones
     }
 
-    // What lies under the jaws is no rule of the line: it is told in a line of its own, when it changes.
+    // A jam is no rule of the line: it is told in a line of its own, when it changes.
     void aJamIsToldToTheMachine()
     {
         const QTemporaryDir folder;

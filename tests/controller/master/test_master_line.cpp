@@ -393,7 +393,7 @@ void TestMasterLine::waitsUntilTheLineHasComeBack()
     QCOMPARE(rig.core().packer.film_sent, film);
     const double backMm = static_cast<double>(counts - rig.core().master.tracker.count) / 40.0;
     QVERIFY(backMm > 50.0);
-    // What it still has to come back, to the count.
+    // It still has to come back so far, to the count.
     QVERIFY(std::abs(rig.read(CTL_REG_MASTER_STATUS_HELD, 1).at(0) - 32'767) < 1); // saturates
     shaft.setSpeed(40.0);
     while (rig.core().master.tracker.count < counts - 40) {
@@ -604,7 +604,7 @@ void TestMasterLine::aMillionCyclesLoseNoTick()
     QCOMPARE(bench.master.clutch.state, CTL_CLUTCH_ON);
     std::int64_t given = 0;
     const std::int64_t counted = bench.counts;
-    // What the tracker overshot at the stop has been given already.
+    // The tracker overshot at the stop, and that has been given already.
     const std::int64_t ahead = bench.master.line - bench.master.wanted;
     const std::int64_t ticksBefore = bench.master.gear.ticks;
     constexpr std::int64_t cycles = 1'000'000;

@@ -92,7 +92,7 @@ private slots:
         QCOMPARE(machine.parameter(CTL_REG_PARAMETER_EYE_DEAD_TIME),
                  static_cast<std::uint16_t>(std::lround(takenMs * 1000.0)));
         QCOMPARE(machine.parameter(CTL_REG_PARAMETER_EYE_END_DEAD_TIME), std::uint16_t{0});
-        // What the controller takes off from now on is added again.
+        // The controller takes a dead time off from now on; it is added again.
         QVERIFY(machine.runAt(Machine::slow, 45));
         QVERIFY(machine.runAt(Machine::fast, 20));
         QVERIFY2(machine.offered(machine.begin()).isEmpty(), qPrintable(machine.note(machine.begin())));
