@@ -43,7 +43,7 @@ bool ctl_packer_sees_other_speed(const ctl_packer* packer, const ctl_ramp* ramp)
 /* Another master starts or stops: by so much in a cycle, its speed changes. */
 static bool ramps(const ctl_packer* packer, const ctl_ramp* ramp)
 {
-    const uint64_t off = ramp->top > packer->top ? ramp->top - packer->top : packer->top - ramp->top;
+    const uint64_t off = speed_off(packer, ramp);
     return ctl_packer_sees_other_speed(packer, ramp) &&
            off * packer->cycle > (uint64_t)ramp->full / RAMP_STEPS * packer->since;
 }
