@@ -20,7 +20,11 @@ enum class FaultBit : std::uint16_t {
     NeverTouched = 5,
     MasterTooFast = 6,
     DriveAlarm = 7,
-    Jam = 8
+    Jam = 8,
+    MasterSignal = 9,
+    MasterCounts = 10,
+    MasterSlip = 11,
+    MasterSpeed = 12
 };
 
 inline constexpr std::array faultBits{
@@ -50,6 +54,19 @@ inline constexpr std::array faultBits{
     entry(FaultBit::Jam, "Jam", CAMPANEL_TEXT("AlarmCatalogue", "Something is under the closing jaws."),
           "The knife has stopped and gone back by parameter.jam_back. The film keeps its place: a start goes "
           "on from there."),
+    entry(FaultBit::MasterSignal, "MasterSignal",
+          CAMPANEL_TEXT("AlarmCatalogue", "The signal of the encoder that leads the line is disturbed."),
+          "A and B changed at once."),
+    entry(FaultBit::MasterCounts, "MasterCounts",
+          CAMPANEL_TEXT("AlarmCatalogue", "The encoder that leads the line has lost or gained counts."),
+          "Its index mark was off its place by more than master.index_limit."),
+    entry(FaultBit::MasterSlip, "MasterSlip",
+          CAMPANEL_TEXT("AlarmCatalogue", "The wheel of the encoder slips on the film."),
+          "A mark was off its place by the wheel by more than master.slip_limit."),
+    entry(FaultBit::MasterSpeed, "MasterSpeed",
+          CAMPANEL_TEXT("AlarmCatalogue",
+                        "The encoder that leads the line reports a speed that no machine has."),
+          "More than four times that of the program, or a jump of its counts."),
 };
 
 // The bits of status.warning.

@@ -33,7 +33,8 @@ enum class OutputBit : std::uint16_t {
     Switch6,
     Switch7,
     Switch8,
-    DriveEnable
+    DriveEnable,
+    LineMayRun
 };
 
 // The origin of an input's level. A contact has the parameters parameter.NAME_contact and _filter, and a
@@ -96,6 +97,8 @@ inline constexpr std::array outputRows{
     camSwitchRow(OutputBit::Switch8, "Switch8", "8"),
     entry(OutputBit::DriveEnable, "DriveEnable", CAMPANEL_TEXT("Protocol", "Drive enable"),
           CAMPANEL_TEXT("Protocol", "Enables the drives of all axes.")),
+    entry(OutputBit::LineMayRun, "LineMayRun", CAMPANEL_TEXT("Protocol", "Line may run"),
+          CAMPANEL_TEXT("Protocol", "On while the knife follows the encoder on the film, or waits for it.")),
 };
 
 } // namespace campanel::modbus

@@ -420,7 +420,14 @@ constexpr std::array driveEnables{
 
 constexpr std::array masterSources{
     entry(MasterSource::Clock, "Clock", CAMPANEL_TEXT("Protocol", "Clock of the controller")),
-    entry(MasterSource::Encoder, "Encoder", CAMPANEL_TEXT("Protocol", "Encoder on the line's shaft")),
+    entry(MasterSource::Encoder, "Encoder", CAMPANEL_TEXT("Protocol", "Encoder")),
+};
+
+constexpr std::array masterPlaces{
+    entry(MasterPlace::Shaft, "Shaft", CAMPANEL_TEXT("Protocol", "Line shaft"),
+          "It replaces the clock; the controller drives infeed, film and knife."),
+    entry(MasterPlace::Wheel, "Wheel", CAMPANEL_TEXT("Protocol", "Wheel on the film"),
+          "Somebody else drives infeed and film; the controller drives the knife alone."),
 };
 
 constexpr std::array masterSignals{
@@ -534,7 +541,7 @@ constexpr std::array bagBits{
     entry(BagBit::Jammed, "Jammed", "The jaws were stopped by a jam at one of its ends."),
 };
 
-constexpr std::array<EnumInfo, 38> infos{{
+constexpr std::array<EnumInfo, 39> infos{{
     {"State", states},
     {"ProgramKind", programKinds},
     {"StagedState", stagedStates},
@@ -567,6 +574,7 @@ constexpr std::array<EnumInfo, 38> infos{{
     {"SwitchMode", switchModes},
     {"OutputBit", outputRows},
     {"DriveEnable", driveEnables},
+    {"MasterPlace", masterPlaces},
     {"MasterSource", masterSources},
     {"MasterSignal", masterSignals},
     {"MasterState", masterStates},

@@ -212,6 +212,7 @@ enum class SwitchMode : std::uint16_t { Off = 0, Cycles = 1, RejectedBags = 2 };
 inline constexpr int switchCount = 8;
 
 enum class MasterSource : std::uint16_t { Clock = 0, Encoder = 1 };
+enum class MasterPlace : std::uint16_t { Shaft = 0, Wheel = 1 };
 enum class MasterSignal : std::uint16_t { Quadrature = 0, PulseAndDirection = 1 };
 enum class MasterState : std::uint16_t { Off = 0, Engaging, Engaged, Disengaging };
 
