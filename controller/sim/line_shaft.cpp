@@ -37,6 +37,8 @@ double LineShaft::swingAt(double timeS) const
 // divides it.
 void LineShaft::advance(double stepS)
 {
+    const double turnsBefore = turns();
+    const std::int64_t edgesBefore = m_options.noise > 0.0 ? edges() : 0;
     while (stepS > 0.0) {
         const double missing = m_targetMmPerS - m_evenMmPerS;
         const double rampS = std::abs(missing) / m_options.accelerationMmPerS2;
@@ -50,17 +52,79 @@ void LineShaft::advance(double stepS)
         m_timeS += partS;
         stepS -= partS;
     }
+    passIndex(turnsBefore);
+    if (m_options.noise > 0.0)
+        passNoise(edgesBefore);
+}
+
+void LineShaft::setSpeed(double mmPerS)
+{
+    m_targetMmPerS = mmPerS;
+    m_options.speedMmPerS = mmPerS;
+}
+
+void LineShaft::setReversed(bool isReversed)
+{
+    const std::int64_t counted = counts();
+    m_edgesBefore = edges() - m_lost;
+    m_countsBefore = counted;
+    m_options.isReversed = isReversed;
+}
+
+void LineShaft::setSlip(double share)
+{
+    m_turnedMm = turns() * m_options.revolutionMm;
+    m_slipFromMm = m_positionMm;
+    m_options.slip = share;
+}
+
+double LineShaft::turns() const
+{
+    return (m_turnedMm + (m_positionMm - m_slipFromMm) * (1.0 - m_options.slip)) / m_options.revolutionMm;
+}
+
+std::int64_t LineShaft::edges() const
+{
+    const double exact = turns() * m_options.counts;
+    const auto edge = static_cast<std::int64_t>(std::floor(exact));
+    return static_cast<std::int64_t>(
+        std::floor(exact + (m_options.jitterCounts > 0.0 ? m_options.jitterCounts * scatterOf(edge) : 0.0)));
+}
+
+std::int64_t LineShaft::countsAt(std::int64_t edges) const
+{
+    const std::int64_t counted = edges - m_lost - m_edgesBefore;
+    return m_countsBefore + (m_options.isReversed ? -counted : counted);
 }
 
 std::int64_t LineShaft::counts() const
 {
-    const double turns = m_positionMm * (1.0 - m_options.slip) / m_options.revolutionMm;
-    const double exact = turns * m_options.counts;
-    const auto edge = static_cast<std::int64_t>(std::floor(exact));
-    auto counted = static_cast<std::int64_t>(
-        std::floor(exact + (m_options.jitterCounts > 0.0 ? m_options.jitterCounts * scatterOf(edge) : 0.0)));
-    counted -= static_cast<std::int64_t>(std::floor(turns)) * m_options.lost;
-    return m_options.isReversed ? -counted : counted;
+    return countsAt(edges());
+}
+
+// The mark is at each whole revolution; counts are lost before it.
+void LineShaft::passIndex(double before)
+{
+    const double now = std::floor(turns());
+    const double passes = now - std::floor(before);
+    if (passes == 0.0)
+        return;
+    m_lost += static_cast<std::int64_t>(passes) * m_options.lost;
+    m_indexPasses += static_cast<std::uint32_t>(std::abs(passes));
+    m_indexCounts = countsAt(std::llround(passes > 0.0 ? now : now + 1.0) * m_options.counts);
+}
+
+// A decoder counts nothing where both signals change at once.
+void LineShaft::passNoise(std::int64_t before)
+{
+    const std::int64_t now = edges();
+    const std::int64_t step = now < before ? -1 : 1;
+    for (std::int64_t edge = before; edge != now; edge += step) {
+        if (std::abs(scatterOf(edge)) >= m_options.noise)
+            continue;
+        ++m_errors;
+        m_lost += step;
+    }
 }
 
 } // namespace campanel::controller

@@ -41,6 +41,9 @@ private slots:
     void ripplesAsItIsTold();
     void rampsWhenItIsStoppedAndStarted();
     void hasAnEncoderWithFaults();
+    void latchesItsCountsAtTheIndexMark();
+    void keepsItsCountsWhenAFaultBegins();
+    void seesIllegalTransitions();
 };
 
 void TestLineShaft::countsItsWay()
@@ -115,6 +118,69 @@ void TestLineShaft::hasAnEncoderWithFaults()
         differences += rough.counts() != even.counts() ? 1 : 0;
     }
     QVERIFY(differences > 400 && differences < 1200); // a fifth
+}
+
+void TestLineShaft::latchesItsCountsAtTheIndexMark()
+{
+    LineShaft shaft(running());
+    QCOMPARE(shaft.indexPasses(), 0u);
+    run(shaft, 2.5);
+    QCOMPARE(shaft.indexPasses(), 2u);
+    QCOMPARE(shaft.indexCounts(), 20'000);
+    shaft.setLost(7);
+    run(shaft, 2.0);
+    QCOMPARE(shaft.indexPasses(), 4u);
+    QCOMPARE(shaft.indexCounts(), 40'000 - 14);
+    QCOMPARE(shaft.counts(), 45'000 - 14);
+    shaft.setLost(0);
+    shaft.setSpeed(-250.0); // 0.5 s on, 62.5 mm, and as much back
+    run(shaft, 1.0 + 0.6);
+    QCOMPARE(shaft.indexPasses(), 5u);
+    QCOMPARE(shaft.indexCounts(), 40'000 - 14);
+}
+
+// What was counted stays, the counts to come change.
+void TestLineShaft::keepsItsCountsWhenAFaultBegins()
+{
+    LineShaft shaft(running());
+    run(shaft, 1.20001, 0.00001);
+    QCOMPARE(shaft.counts(), 12'000);
+    shaft.setReversed(true);
+    QCOMPARE(shaft.counts(), 12'000);
+    run(shaft, 0.1);
+    QCOMPARE(shaft.counts(), 11'000);
+    shaft.setReversed(false);
+    QCOMPARE(shaft.counts(), 11'000);
+    shaft.setSlip(0.5);
+    QCOMPARE(shaft.counts(), 11'000);
+    run(shaft, 0.1);
+    QCOMPARE(shaft.counts(), 11'500);
+    shaft.setSlip(0.0);
+    QCOMPARE(shaft.counts(), 11'500);
+    shaft.jump();
+    QCOMPARE(shaft.counts(), 11'500 + 5'000);
+    run(shaft, 0.1);
+    QCOMPARE(shaft.counts(), 11'500 + 5'000 + 1'000);
+}
+
+void TestLineShaft::seesIllegalTransitions()
+{
+    LineShaft shaft(running());
+    run(shaft, 1.00001, 0.00001);
+    QCOMPARE(shaft.errors(), 0u);
+    shaft.setNoise(0.02);
+    run(shaft, 1.0);
+    QVERIFY(shaft.errors() > 150 && shaft.errors() < 250);
+    QCOMPARE(shaft.counts(), 20'000 - shaft.errors());
+    LineShaft coarse(running());
+    run(coarse, 1.00001, 0.00001);
+    coarse.setNoise(0.02);
+    run(coarse, 1.0, 0.002);
+    QCOMPARE(coarse.errors(), shaft.errors());
+    const std::uint32_t errors = shaft.errors();
+    shaft.setNoise(0.0);
+    run(shaft, 1.0);
+    QCOMPARE(shaft.errors(), errors);
 }
 
 CAMPANEL_TEST(TestLineShaft)
