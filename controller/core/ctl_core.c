@@ -53,6 +53,7 @@ static void slice(ctl_core* core, uint32_t ticks)
     if (ctl_heartbeat_slice(&core->heartbeat, &core->board, keys))
         ctl_motion_stop_unattended(motion);
     ctl_master_slice(&core->master);
+    core->packer.wheel.counts = core->master.tracker.count;
     ctl_motion_slice(motion, ticks);
     if (ctl_packer_slice(&core->packer, ctl_motion_in_cycle(motion)) && motion->state == CTL_STATE_RUNNING)
         (void)ctl_motion_stop_at_cycle_end(motion);
@@ -116,6 +117,7 @@ size_t ctl_take_answer(ctl_core* core, uint8_t* bytes)
 
 void ctl_on_cut(ctl_core* core, int64_t film)
 {
+    ctl_master_on_cut(&core->master, core->packer.cut);
     ctl_packer_on_cut(&core->packer, film, &core->motion.ramp);
     ctl_switches_bag(&core->io.switches, ctl_packer_rejects(&core->packer));
 }

@@ -43,6 +43,11 @@ double Film::materialMm(double drawnMm) const
     return material;
 }
 
+double Film::bagsAt(double drawnMm) const
+{
+    return (materialMm(drawnMm) - m_firstMm) / (m_bagMm * (1.0 + m_options.printError));
+}
+
 double Film::offMarkMm(double materialMm) const
 {
     const double pitch = m_bagMm * (1.0 + m_options.printError);

@@ -68,6 +68,8 @@ public:
     [[nodiscard]] double drawnMm(double rollMm) const;
     // Returns the material under the knife with this much film drawn.
     [[nodiscard]] double materialMm(double drawnMm) const;
+    // Returns the printed bags that have passed the knife with this much film drawn, whole at a printed cut.
+    [[nodiscard]] double bagsAt(double drawnMm) const;
     // Returns the distance of that material from the next printed cut, mm; positive: the cut was late.
     [[nodiscard]] double offMarkMm(double materialMm) const;
 

@@ -11,6 +11,7 @@ namespace campanel::controller {
 struct ShaftOptions {
     std::uint32_t counts = 0; // of the encoder per revolution, behind quadrature; 0: none
     double revolutionMm = 250.0;
+    bool drivesFilm = false;  // and the infeed with it; the encoder is on a wheel on the film
     double speedMmPerS = 0.0; // at power-up, and of later starts
     double accelerationMmPerS2 = 500.0;
     double ripple = 0.0; // share of the speed

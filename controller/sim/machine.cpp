@@ -42,6 +42,11 @@ double knifeRevolution(const ctl_bank& bank)
            bank.registers[CTL_OFFSET_PROGRAM_GEAR_DENOMINATOR];
 }
 
+double shareOf(double position, double before, double now)
+{
+    return now > before ? std::clamp((position - before) / (now - before), 0.0, 1.0) : 1.0;
+}
+
 // Returns the pulses of the table from the start of the cycle to a master angle.
 double pulsesAtAngle(const ctl_bank& bank, double angle)
 {
@@ -223,8 +228,18 @@ void Machine::setKnife(const ctl_bank& bank)
     m_pulsesPerMm = m_revolution / (2.0 * std::numbers::pi * radiusMm);
     const double bagMm = wide(bank, CTL_OFFSET_PROGRAM_BAG_LENGTH) / umPerMm;
     const double cutShare = bank.registers[CTL_OFFSET_BANK_CUT_ANGLE] / fullCircle;
-    m_film.load(bagMm, bagMm * cutShare, rollMm(m_filmMotor.position()));
-    m_infeed.load(bagMm, m_infeedMotor.position() / m_options.flightPulses);
+    m_film.load(bagMm, bagMm * cutShare, m_feed.filmMm);
+    if (m_options.shaft.drivesFilm)
+        layOnPrint();
+    m_infeed.load(bagMm, m_feed.products);
+}
+
+// A product is laid half a bag from the cuts when a printed cut is at the knife.
+void Machine::layOnPrint()
+{
+    const double bags = m_film.bagsAt(m_film.drawnMm(m_feed.filmMm));
+    m_firstProduct = std::ceil(m_feed.products - bags) + 0.5;
+    m_feed.products = m_firstProduct + bags;
 }
 
 void Machine::passIndex()
@@ -239,22 +254,49 @@ double Machine::rollMm(double pulses) const
     return pulses / m_options.filmPulses * m_options.filmFeedMm;
 }
 
+// Somebody else's film goes on whatever the knife does, and their infeed lays a product on each printed bag.
+void Machine::moveFeeds(double stepS)
+{
+    m_feedBefore = m_feed;
+    m_feed.counts = m_shaft.counts();
+    if (m_options.shaft.drivesFilm) {
+        const double passed = m_shaft.positionMm() - m_shaftMm;
+        m_shaftMm = m_shaft.positionMm();
+        m_feed.filmMm += passed;
+        m_feed.products = m_firstProduct + m_film.bagsAt(m_film.drawnMm(m_feed.filmMm));
+        m_feed.filmMmPerS = m_shaft.speedMmPerS();
+        return;
+    }
+    m_filmMotor.advance(stepS);
+    m_infeedMotor.advance(stepS);
+    m_feed.filmMm = rollMm(m_filmMotor.position());
+    m_feed.products = m_infeedMotor.position() / m_options.flightPulses;
+    m_feed.filmMmPerS = rollMm(m_filmMotor.speed());
+}
+
+// Returns what is latched at this share of the last step, where an axis is at `fine`, 1/256 pulse.
+std::int64_t Machine::latched(double share, double fine) const
+{
+    if (!m_latchesMaster)
+        return std::llround(fine);
+    const auto counts = static_cast<double>(m_feed.counts - m_feedBefore.counts);
+    return m_feedBefore.counts + static_cast<std::int64_t>(std::floor(share * counts));
+}
+
 void Machine::moveFilm(double stepS)
 {
-    const double before = rollMm(m_filmMotor.positionBefore());
-    const double now = rollMm(m_filmMotor.position());
+    const double before = m_feedBefore.filmMm;
+    const double now = m_feed.filmMm;
     const double drawnBefore = m_film.drawnMm(before);
-    m_film.drawTo(now, m_filmAcceleration.step(rollMm(m_filmMotor.speed()) / mmPerM, stepS));
+    m_film.drawTo(now, m_filmAcceleration.step(m_feed.filmMmPerS / mmPerM, stepS));
     Film::Edge mark;
     while (m_film.takeEdge(mark))
         m_markSensor.pass(mark.rollMm, mark.on);
     m_markSensor.advance(stepS, before, now);
-    const double infeedBefore = m_infeedMotor.positionBefore() / m_options.flightPulses;
-    const double infeed = m_infeedMotor.position() / m_options.flightPulses;
-    m_infeed.moveTo(infeed, drawnBefore, m_film.drawnMm(now));
+    m_infeed.moveTo(m_feed.products, drawnBefore, m_film.drawnMm(now));
     while (const auto edge = m_infeed.takeEdge())
         m_eye.pass(edge->position, edge->covered);
-    m_eye.advance(stepS, infeedBefore, infeed);
+    m_eye.advance(stepS, m_feedBefore.products, m_feed.products);
 }
 
 // The shaft's position at a cut of the knives in turn.
@@ -279,13 +321,12 @@ void Machine::passCut()
     if (at <= before || at > m_main.position())
         return;
     const double passed = (at - before) / (m_main.position() - before);
-    const double film =
-        m_filmMotor.positionBefore() + passed * (m_filmMotor.position() - m_filmMotor.positionBefore());
-    const double drawnMm = m_film.drawnMm(rollMm(film));
+    const double filmMm = m_feedBefore.filmMm + passed * (m_feed.filmMm - m_feedBefore.filmMm);
+    const double drawnMm = m_film.drawnMm(filmMm);
     const double materialMm = m_film.materialMm(drawnMm);
     Infeed::Cut infeed = m_infeed.cut(drawnMm);
     BagCut cut;
-    cut.filmEncoder = std::llround(film * CTL_FINE);
+    cut.filmEncoder = latched(passed, filmMm / m_options.filmFeedMm * m_options.filmPulses * CTL_FINE);
     cut.markErrorMm = m_film.offMarkMm(materialMm);
     cut.drawnMm = drawnMm;
     cut.products = std::move(infeed.products);
@@ -315,8 +356,7 @@ void Machine::advance(double stepS)
     passIndex();
     if (!m_hasKnife)
         return;
-    m_filmMotor.advance(stepS);
-    m_infeedMotor.advance(stepS);
+    moveFeeds(stepS);
     moveFilm(stepS);
     passCut();
 }
@@ -355,7 +395,8 @@ std::optional<Machine::Edge> Machine::takeMark()
     if (!m_markSensor.take(edge))
         return std::nullopt;
     m_isMarkThere = edge.on;
-    return Edge{std::llround(edge.position / m_options.filmFeedMm * m_options.filmPulses * CTL_FINE),
+    const double share = shareOf(edge.position, m_feedBefore.filmMm, m_feed.filmMm);
+    return Edge{latched(share, edge.position / m_options.filmFeedMm * m_options.filmPulses * CTL_FINE),
                 edge.on};
 }
 
@@ -365,7 +406,8 @@ std::optional<Machine::Edge> Machine::takeEdge()
     if (!m_eye.take(edge))
         return std::nullopt;
     m_isEyeCovered = edge.on;
-    return Edge{std::llround(edge.position * m_options.flightPulses * CTL_FINE), edge.on};
+    const double share = shareOf(edge.position, m_feedBefore.products, m_feed.products);
+    return Edge{latched(share, edge.position * m_options.flightPulses * CTL_FINE), edge.on};
 }
 
 std::optional<BagCut> Machine::takeCut()

@@ -56,7 +56,8 @@ struct MachineOptions {
 
 // The result of a cut, as measured with a ruler.
 struct BagCut {
-    std::int64_t filmEncoder = 0;          // 1/256 pulse, latched when the knife closed
+    std::int64_t filmEncoder =
+        0; // 1/256 pulse or counts of the line's encoder, latched when the knife closed
     std::optional<std::uint32_t> lengthUm; // none: the previous cut is not valid
     double markErrorMm = 0.0;              // from the printed cut, positive: late
     double drawnMm = 0.0;                  // film drawn, including slip
@@ -80,6 +81,8 @@ public:
     // Sets an input pin that no movement sets: drive alarm, emergency stop, limit switches. A drive with an
     // alarm does not follow; the others have no effect.
     void setInput(unsigned bit, bool isOn);
+    // Sets what edges and cuts latch: the counts of the line's encoder, or film and infeed.
+    void latchMaster(bool on) { m_latchesMaster = on; }
 
     // The axes stand at once: the power is cut. Then somebody may turn the shaft and pull the film and the
     // infeed.
@@ -126,10 +129,10 @@ public:
     // Returns true when the jaws touch the film.
     [[nodiscard]] bool areJawsClosed() const;
     [[nodiscard]] bool areDrivesOn() const;
-    [[nodiscard]] double drawnMm() const { return m_film.drawnMm(rollMm(m_filmMotor.position())); }
+    [[nodiscard]] double drawnMm() const { return m_film.drawnMm(m_feed.filmMm); }
     // Returns the shaft of the line that the machine may follow.
     [[nodiscard]] LineShaft& shaft() { return m_shaft; }
-    [[nodiscard]] double filmSpeed() const { return m_filmMotor.speed(); } // pulses per second
+    [[nodiscard]] double filmMmPerS() const { return m_feed.filmMmPerS; }
     // Returns the cut of the last step.
     [[nodiscard]] std::optional<BagCut> takeCut();
 
@@ -144,8 +147,11 @@ private:
     [[nodiscard]] double nearestCut() const;
     [[nodiscard]] double driveTorqueNm() const;
     void loadShaft(double stepS);
+    void layOnPrint();
+    void moveFeeds(double stepS);
     void moveFilm(double stepS);
     [[nodiscard]] double rollMm(double pulses) const;
+    [[nodiscard]] std::int64_t latched(double share, double fine) const;
 
     MachineOptions m_options;
     std::uint16_t m_inputs = 0;
@@ -156,6 +162,18 @@ private:
     Servo m_main;
     Servo m_filmMotor;
     Servo m_infeedMotor;
+    // Where film and infeed are, whoever drives them.
+    struct Feed {
+        double filmMm = 0.0;
+        double products = 0.0;
+        double filmMmPerS = 0.0;
+        std::int64_t counts = 0; // of the line's encoder
+    };
+    Feed m_feed;
+    Feed m_feedBefore; // before the last step
+    bool m_latchesMaster = false;
+    double m_firstProduct = 0.0;   // on their infeed, at the first printed cut
+    double m_shaftMm = 0.0;        // its position at the last step
     double m_revolution = 10000.0; // pulses from mark to mark
     double m_mark = 0.0;           // position of an index mark, pulses
     double m_stroke = 10000.0;     // pulses from one knife to the next

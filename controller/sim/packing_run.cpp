@@ -18,6 +18,7 @@ namespace campanel::controller {
 namespace {
 
 constexpr double usPerS = 1e6;
+constexpr double stillMmPerS = 0.015; // of the film
 // The maximum times of homing and ramp before the first bag, and of a bag.
 constexpr std::uint64_t longestStartUs = 120'000'000;
 constexpr unsigned longestBagCycles = 400;
@@ -328,7 +329,7 @@ private:
     void watchJaws()
     {
         const Machine& machine = m_controller.machine();
-        const bool stands = machine.areDrivesOn() && std::abs(machine.filmSpeed()) < 1.0;
+        const bool stands = machine.areDrivesOn() && std::abs(machine.filmMmPerS()) < stillMmPerS;
         if (!stands || !machine.areJawsClosed()) {
             m_closedUs = 0;
             return;

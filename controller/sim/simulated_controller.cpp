@@ -49,6 +49,15 @@ void connectFeeds(ctl_port& port)
     port.eye = takeEdge;
 }
 
+void connectMaster(ctl_port& port)
+{
+    port.master = [](void* context, std::uint16_t, ctl_master_input* input) {
+        const LineShaft& shaft = machineOf(context).shaft();
+        *input = {shaft.counts(), shaft.errors(), shaft.indexPasses(), shaft.indexCounts()};
+    };
+    port.latch_master = [](void* context, bool on) { machineOf(context).latchMaster(on); };
+}
+
 } // namespace
 
 SimulatedController::SimulatedController(const ctl_config& config, const MachineOptions& options,
@@ -88,7 +97,7 @@ SimulatedController::SimulatedController(const ctl_config& config, const Machine
         return static_cast<SimulatedController*>(context)->m_flash.write(slot, offset, {bytes, size});
     };
     if (m_machine.shaft().hasEncoder())
-        port.master = [](void* context, std::uint16_t) { return machineOf(context).shaft().counts(); };
+        connectMaster(port);
     connectFeeds(port);
     restart();
 }

@@ -168,8 +168,8 @@ constexpr double maxCounts = 1e6;
 Outcome readShaft(const Invocation& call, PackingJob& job)
 {
     const QString master = call.isSet(u"master"_s) ? call.value(u"master"_s) : u"clock"_s;
-    if (master != u"clock" && master != u"encoder")
-        return fail(ExitCode::Usage, u"--master takes clock or encoder, not \"%1\"."_s.arg(master));
+    if (master != u"clock" && master != u"encoder" && master != u"wheel")
+        return fail(ExitCode::Usage, u"--master takes clock, encoder or wheel, not \"%1\"."_s.arg(master));
     const auto counts = wholeOf(call, u"master-counts"_s, 10'000, 4, maxCounts);
     const auto stops = wholeOf(call, u"master-stops"_s, 0, 1, maxBags);
     if (!counts || !stops)
@@ -177,6 +177,7 @@ Outcome readShaft(const Invocation& call, PackingJob& job)
     if (master == u"clock")
         return {};
     job.machine.shaft.counts = static_cast<std::uint32_t>(*counts);
+    job.machine.shaft.drivesFilm = master == u"wheel";
     job.shaftStopEvery = static_cast<std::uint32_t>(*stops);
     return {};
 }
@@ -209,7 +210,7 @@ QList<QCommandLineOption> simulateOptions()
          u"Bags in which an operator stops the machine at once, to start it again 1 to 5 s later (0 to 1, default 0)."_s,
          u"SHARE"_s},
         {u"master"_s,
-         u"What the machine follows (clock, encoder; default clock): an encoder on the line's shaft turns once in 250 mm of film, --rate is its speed."_s,
+         u"What the machine follows (clock, encoder, wheel; default clock): an encoder on the line's shaft, or on a wheel on film that somebody else drives, turns once in 250 mm of film; --rate is its speed."_s,
          u"KIND"_s},
         {u"master-counts"_s,
          u"Counts per revolution of an encoder as the master, after quadrature (4 to 1000000, default 10000)."_s,
@@ -360,9 +361,10 @@ PackingJob withPrograms(PackingJob job, const Programs& programs)
         return job;
     const double rate = program::value(image.recipe, profile::Field::Rate);
     shaft.speedMmPerS = program::value(image.recipe, profile::Field::BagLength) * rate / 60.0;
-    for (const auto& [name, value] : {std::pair{u"master.source"_s, 1.0},
-                                      std::pair{u"master.counts"_s, static_cast<double>(shaft.counts)},
-                                      std::pair{u"master.revolution"_s, shaft.revolutionMm}})
+    for (const auto& [name, value] :
+         {std::pair{u"master.source"_s, 1.0}, std::pair{u"master.place"_s, shaft.drivesFilm ? 1.0 : 0.0},
+          std::pair{u"master.counts"_s, static_cast<double>(shaft.counts)},
+          std::pair{u"master.revolution"_s, shaft.revolutionMm}})
         job.parameters.insert(job.parameters.begin(), parameterOf(name, value).value());
     return job;
 }

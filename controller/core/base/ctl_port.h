@@ -15,6 +15,14 @@
 typedef enum { CTL_AXIS_FILM, CTL_AXIS_INFEED } ctl_axis;
 typedef enum { CTL_FLASH_DONE, CTL_FLASH_BUSY, CTL_FLASH_FAILED } ctl_flash_progress;
 
+/* The encoder that leads the line, since power-up. */
+typedef struct {
+    int64_t counts;
+    uint32_t errors;  /* changes of A and B at once */
+    uint32_t indexes; /* index marks passed, in either direction, */
+    int64_t index_at; /* and the counts at the last one; the same edge of it in both directions */
+} ctl_master_input;
+
 typedef struct {
     void* context; /* passed to every callback */
 
@@ -45,9 +53,12 @@ typedef struct {
      * whether it covers the eye from now on. */
     bool (*eye)(void* context, int64_t* infeed_at_edge, bool* covered);
 
-    /* Counts since power-up of the encoder that leads the line, decoded as CTL_MASTER_SIGNAL_... says; NULL:
-     * there is no input for one. */
-    int64_t (*master)(void* context, uint16_t signal);
+    /* The encoder that leads the line, decoded as CTL_MASTER_SIGNAL_... says; NULL: there is no input for
+     * one. */
+    void (*master)(void* context, uint16_t signal, ctl_master_input* input);
+    /* From now on an edge of a mark, of a product and a cut latch the counts of that encoder; false: film and
+     * infeed again. NULL: they cannot. */
+    void (*latch_master)(void* context, bool on);
 
     /* Present levels of the input pins, bits CTL_INPUT_BIT_..., 1: true; NULL if there are none. */
     uint16_t (*inputs)(void* context);

@@ -120,6 +120,8 @@ static void read_group(ctl_core* core, group_name group, uint32_t first, uint16_
         break;
     case GROUP_MASTER_STATUS:
         ctl_master_registers(&core->master, taken);
+        taken[CTL_REG_MASTER_STATUS_SLIP - CTL_REG_MASTER_STATUS_AVAILABLE] =
+            ctl_saturated16(ctl_packer_um(&core->packer, core->packer.wheel.slip));
         break;
     case GROUP_RESULT:
         source = core->command_result;

@@ -34,6 +34,12 @@ void ctl_clutch_disengage(ctl_clutch* clutch, int64_t end, ctl_clutch_curve curv
     clutch->off = curve;
 }
 
+void ctl_clutch_shift(ctl_clutch* clutch, int64_t ticks)
+{
+    clutch->from -= ticks;
+    clutch->offset += ticks;
+}
+
 /* The line's way from standstill, the master being so far in the stretch. */
 static int64_t way_at(ctl_clutch_curve curve, uint32_t passed)
 {

@@ -42,6 +42,8 @@ void ctl_clutch_engage(ctl_clutch* clutch, int64_t master, int64_t line, ctl_clu
 void ctl_clutch_disengage(ctl_clutch* clutch, int64_t end, ctl_clutch_curve curve);
 /* Returns the nearest end of the line for this curve, with the line at `line` now. */
 int64_t ctl_clutch_nearest_end(const ctl_clutch* clutch, int64_t line, ctl_clutch_curve curve);
+/* Puts the line so many ticks further ahead of the master; no step where they are few at a time. */
+void ctl_clutch_shift(ctl_clutch* clutch, int64_t ticks);
 /* Returns the line with the master at this position. */
 int64_t ctl_clutch_follow(ctl_clutch* clutch, int64_t master);
 

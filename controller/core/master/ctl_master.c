@@ -22,6 +22,11 @@
 /* A slice travels so many times its ticks at most: no line is faster. */
 #define MAX_TRAVEL 4u
 #define RATE_BITS 24u
+/* A shift of the phase takes so many times its way: it is at most 1.5 times as fast as in the mean. */
+#define PHASE_STRETCH 12
+#define SHARE_BITS 20u
+#define HUNDREDTHS 10000
+#define FULL_CIRCLE 36000 /* 0.01 degrees */
 /* Above it the gear's whole numbers are too large. */
 #define MAX_DENOMINATOR (UINT64_C(1) << 42)
 /* A cam's master revolutions per cycle are the product of two thousandths. */
@@ -42,10 +47,18 @@ static bool wants_encoder(const ctl_master* master)
     return setting16(master, CTL_REG_MASTER_SOURCE) == CTL_MASTER_SOURCE_ENCODER;
 }
 
-static int64_t read_counts(const ctl_master* master)
+static ctl_master_input read_input(const ctl_master* master)
 {
     const ctl_port* port = &master->board->port;
-    const int64_t counts = port->master(port->context, master->signal);
+    ctl_master_input input = {0, 0, 0, 0};
+    port->master(port->context, master->signal, &input);
+    input.counts = ctl_master_signed(master, input.counts);
+    input.index_at = ctl_master_signed(master, input.index_at);
+    return input;
+}
+
+int64_t ctl_master_signed(const ctl_master* master, int64_t counts)
+{
     return master->reversed ? -counts : counts;
 }
 
@@ -70,6 +83,12 @@ static gear_ratio ratio_of(const ctl_master* master, const ctl_bank* bank)
     const uint64_t turns = (uint64_t)ctl_get32(&bank->registers[CTL_OFFSET_CAM_MASTER_RATIO]) *
                            ctl_get32(&bank->registers[CTL_OFFSET_CAM_MASTER_SCALE]);
     return (gear_ratio){cycle * RATIO_UNIT, turns < MAX_DENOMINATOR ? turns * counts : MAX_DENOMINATOR};
+}
+
+/* Somebody else drives the film. */
+static bool is_wheel(const ctl_master* master, const ctl_bank* bank)
+{
+    return is_cutter(bank) && setting16(master, CTL_REG_MASTER_PLACE) == CTL_MASTER_PLACE_WHEEL;
 }
 
 static bool has_master(const ctl_bank* bank)
@@ -110,8 +129,43 @@ static void read_settings(ctl_master* master)
     master->last_us = board->now_us;
     master->in_phase = false;
     master->gear.denominator = 0;
-    if (master->reads)
-        ctl_tracker_reset(&master->tracker, read_counts(master), MAX_SMOOTHING_US);
+    if (!master->reads)
+        return;
+    const ctl_master_input input = read_input(master);
+    ctl_tracker_reset(&master->tracker, input.counts, MAX_SMOOTHING_US);
+    ctl_lost_reset(&master->lost, &input);
+}
+
+static void watch_ripple(ctl_master* master)
+{
+    ctl_ripple* ripple = &master->ripple;
+    const int64_t speed = master->speed;
+    ripple->most = speed > ripple->most ? speed : ripple->most;
+    ripple->least = speed < ripple->least ? speed : ripple->least;
+    if (master->last_us - ripple->since_us < US_PER_S)
+        return;
+    const int64_t sum = (ripple->most + ripple->least) / HUNDREDTHS;
+    const int64_t share = sum == 0 ? 0 : (ripple->most - ripple->least) / sum;
+    ripple->share = share < 0 || share > UINT16_MAX ? UINT16_MAX : (uint16_t)share;
+    *ripple = (ctl_ripple){master->last_us, speed, speed, ripple->share};
+}
+
+/* Film by a wheel that passes the knife uncut. */
+static void count_passed(ctl_master* master, int64_t counts)
+{
+    if (!master->leads || master->clutch.state == CTL_CLUTCH_OFF)
+        master->passed += counts;
+}
+
+static void take(ctl_master* master)
+{
+    const ctl_master_input input = read_input(master);
+    count_passed(master, input.counts - master->lost.last);
+    const uint16_t fault = ctl_lost_watch(&master->lost, &input, setting32(master, CTL_REG_MASTER_COUNTS),
+                                          setting16(master, CTL_REG_MASTER_INDEX_LIMIT));
+    if (master->leads && fault != CTL_LOST_NONE)
+        master->fault = fault;
+    ctl_tracker_read(&master->tracker, input.counts);
 }
 
 void ctl_master_slice(ctl_master* master)
@@ -124,16 +178,9 @@ void ctl_master_slice(ctl_master* master)
     ctl_tracker_pass(&master->tracker, (uint32_t)(board->now_us - master->last_us));
     master->last_us = board->now_us;
     if (!board->catching_up)
-        ctl_tracker_read(&master->tracker, read_counts(master));
+        take(master);
     master->speed += (master->tracker.speed - master->speed) / (1 << SPEED_BITS);
-}
-
-/* Film that passes at `speed`, um per second. */
-static int64_t um_per_s(const ctl_master* master, int64_t speed)
-{
-    const int64_t counts_per_s = speed / (1 << 8) * US_PER_S / (1 << (RATE_BITS - 8u)); /* 1 / 2^8 */
-    return counts_per_s * setting32(master, CTL_REG_MASTER_REVOLUTION) /
-           (int64_t)((uint64_t)setting32(master, CTL_REG_MASTER_COUNTS) << 8u);
+    watch_ripple(master);
 }
 
 /* The counts of a microsecond as ticks of the table's, in percent of full speed. */
@@ -150,7 +197,8 @@ uint16_t ctl_master_refusal(const ctl_master* master, const ctl_bank* bank)
 {
     if (!wants_encoder(master) || !has_master(bank))
         return CTL_REFUSAL_NONE;
-    if (master->board->port.master == NULL)
+    const ctl_port* port = &master->board->port;
+    if (port->master == NULL || (is_wheel(master, bank) && port->latch_master == NULL))
         return CTL_REFUSAL_NO_MASTER_INPUT;
     if (!can_follow(master, bank))
         return CTL_REFUSAL_CANNOT_FOLLOW_MASTER;
@@ -222,19 +270,31 @@ static ctl_clutch_curve engaging_curve(const ctl_master* master, const ctl_ramp*
     if (!master->in_phase || !reaches)
         return (ctl_clutch_curve){2u * half, half};
     const int64_t cycle = master->cycle;
-    int64_t way = (master->line - at - master->offset) % cycle;
+    int64_t way = (master->line - at - master->clutch.offset) % cycle;
     while (way < (int64_t)half)
         way += cycle;
     return (ctl_clutch_curve){2u * (uint32_t)way, (uint32_t)way};
 }
 
+/* At standstill the phase is set at once: the stretch of the clutch takes it up. */
+static void settle_phase(ctl_master* master)
+{
+    ctl_master_phase* phase = &master->phase;
+    const int32_t target = (int16_t)setting16(master, CTL_REG_MASTER_PHASE);
+    if (master->in_phase)
+        master->clutch.offset +=
+            phase->way - phase->done + (int64_t)(target - phase->set) * master->cycle / FULL_CIRCLE;
+    *phase = (ctl_master_phase){.set = target};
+}
+
 void ctl_master_engage(ctl_master* master, const ctl_bank* bank, uint32_t start, ctl_ramp* ramp)
 {
     master->too_fast = false;
-    master->fails = false;
+    master->fault = CTL_LOST_NONE;
     master->leads = master->reads && can_follow(master, bank);
     if (!master->leads)
         return;
+    ctl_lost_forgive(&master->lost, setting16(master, CTL_REG_MASTER_INDEX_LIMIT));
     master->engine_us = is_cutter(bank) ? 0u : CTL_CAM_UPDATE_US;
     master->goes_back = !is_cutter(bank) && setting16(master, CTL_REG_MASTER_BACKWARD) != 0;
     set_gear(master, bank);
@@ -243,10 +303,10 @@ void ctl_master_engage(ctl_master* master, const ctl_bank* bank, uint32_t start,
     master->line = start;
     master->tracker.constant_us = smoothing_us(master);
     master->tracker.step_us = 0;
+    settle_phase(master);
     const int64_t at = position(master);
     const ctl_clutch_curve curve = engaging_curve(master, ramp, at);
     ctl_clutch_engage(&master->clutch, at, master->line, curve);
-    master->offset = master->clutch.offset;
     master->in_phase = true;
     master->wanted = master->line;
     ctl_ramp_lead(ramp, top_of(master), curve.stretch, 0);
@@ -263,23 +323,97 @@ static uint64_t way_from_rest(const ctl_master* master)
     return clutch->state == CTL_CLUTCH_ON ? UINT32_MAX : 0u;
 }
 
+int64_t ctl_master_ahead(ctl_master* master)
+{
+    return master->line - master->clutch.offset - ctl_gear_ticks(&master->gear, master->tracker.count, 0);
+}
+
+bool ctl_master_is_wheel(const ctl_master* master, const ctl_bank* bank)
+{
+    return master->reads && is_wheel(master, bank) && can_follow(master, bank);
+}
+
+int64_t ctl_master_take_shift(ctl_master* master)
+{
+    const int64_t moved = master->phase.moved;
+    master->phase.moved = 0;
+    return moved;
+}
+
+void ctl_master_on_cut(ctl_master* master, uint32_t cut)
+{
+    if (!master->leads || master->clutch.state != CTL_CLUTCH_ON)
+        return;
+    const int64_t cycle = master->cycle;
+    const int64_t at = ctl_gear_ticks(&master->gear, read_input(master).counts, 0);
+    const int64_t beyond = (at + master->clutch.offset - cut) % cycle;
+    const int64_t behind = beyond < 0 ? beyond + cycle : beyond;
+    master->lag = behind > cycle / 2 ? behind - cycle : behind;
+}
+
+void ctl_master_shift(ctl_master* master, int64_t ticks)
+{
+    ctl_clutch_shift(&master->clutch, ticks);
+}
+
 static void watch_speed(ctl_master* master, const ctl_ramp* ramp, uint64_t travel, uint32_t ticks)
 {
     const uint64_t most = (uint64_t)ramp->full * setting16(master, CTL_REG_MASTER_SPEED_MAX);
     const uint64_t top = (uint64_t)ramp->top * PERCENT;
     master->too_fast = master->too_fast || top > most;
-    master->fails = top * FAULT_DENOMINATOR > most * FAULT_NUMERATOR || travel > MAX_TRAVEL * (uint64_t)ticks;
+    if (travel > MAX_TRAVEL * (uint64_t)ticks)
+        master->fault = CTL_FAULT_BIT_MASTER_SPEED;
+    else if (top * FAULT_DENOMINATOR > most * FAULT_NUMERATOR)
+        master->fault = CTL_FAULT_BIT_MASTER_TOO_FAST;
+}
+
+/* The line goes to its set phase within a stretch of the master that makes it faster or slower by an eighth,
+ * with 3 x^2 - 2 x^3. */
+static void begin_shift(ctl_master* master, int64_t at, int32_t target)
+{
+    ctl_master_phase* phase = &master->phase;
+    const int64_t way = (int64_t)(target - phase->set) * master->cycle / FULL_CIRCLE;
+    const int64_t size = way < 0 ? -way : way;
+    const int64_t stretch = PHASE_STRETCH * size;
+    phase->set = target;
+    phase->from = at;
+    phase->way = way;
+    phase->done = 0;
+    phase->stretch = stretch > master->cycle / 2 ? stretch : master->cycle / 2;
+}
+
+/* Superimposes what the phase gains up to here; the master may go back meanwhile. */
+static void shift(ctl_master* master, int64_t at)
+{
+    ctl_master_phase* phase = &master->phase;
+    const int32_t target = (int16_t)setting16(master, CTL_REG_MASTER_PHASE);
+    if (phase->way == phase->done && target != phase->set && master->clutch.state == CTL_CLUTCH_ON)
+        begin_shift(master, at, target);
+    if (phase->way == phase->done)
+        return;
+    const int64_t passed = at - phase->from;
+    const int64_t within = passed < 0 ? 0 : passed < phase->stretch ? passed : phase->stretch;
+    const uint64_t x = ((uint64_t)within << SHARE_BITS) / (uint64_t)phase->stretch;
+    const uint64_t smooth = (x * x >> SHARE_BITS) * (3u * (UINT64_C(1) << SHARE_BITS) - 2u * x) >> SHARE_BITS;
+    const int64_t size = phase->way < 0 ? -phase->way : phase->way;
+    const int64_t gained = (int64_t)((uint64_t)size * smooth >> SHARE_BITS);
+    const int64_t done = phase->way < 0 ? -gained : gained;
+    ctl_clutch_shift(&master->clutch, done - phase->done);
+    phase->moved += done - phase->done;
+    phase->done = done;
 }
 
 int32_t ctl_master_travel(ctl_master* master, ctl_ramp* ramp, uint32_t ticks)
 {
-    master->wanted = ctl_clutch_follow(&master->clutch, position(master));
+    const int64_t at = position(master);
+    shift(master, at);
+    master->wanted = ctl_clutch_follow(&master->clutch, at);
     const int64_t way = master->wanted - master->line;
     const int64_t travel = way > 0 || master->goes_back ? way : 0;
     const ctl_clutch* clutch = &master->clutch;
     const bool ends = clutch->ends && clutch->state != CTL_CLUTCH_ENGAGING;
     watch_speed(master, ramp, (uint64_t)(travel < 0 ? -travel : travel), ticks);
-    if (master->fails)
+    if (master->fault != CTL_LOST_NONE)
         return 0;
     master->line += travel;
     ctl_ramp_lead(ramp, top_of(master), ends ? clutch->off.stretch : clutch->on.stretch,
@@ -312,72 +446,4 @@ void ctl_master_release(ctl_master* master, ctl_ramp* ramp)
     master->leads = false;
     ramp->led = false;
     ctl_clutch_open(&master->clutch, master->line);
-}
-
-static int64_t um_of_ticks(const ctl_master* master, int64_t ticks)
-{
-    const uint64_t per_count = master->gear.fine;
-    if (master->gear.denominator == 0 || per_count == 0)
-        return 0;
-    return (ticks << CTL_GEAR_BITS) / (int64_t)per_count * setting32(master, CTL_REG_MASTER_REVOLUTION) /
-           setting32(master, CTL_REG_MASTER_COUNTS);
-}
-
-static uint16_t state_of(const ctl_master* master)
-{
-    if (!master->leads)
-        return CTL_MASTER_STATE_OFF;
-    switch (master->clutch.state) {
-    case CTL_CLUTCH_ENGAGING:
-        return CTL_MASTER_STATE_ENGAGING;
-    case CTL_CLUTCH_ON:
-        return CTL_MASTER_STATE_ENGAGED;
-    case CTL_CLUTCH_DISENGAGING:
-        return CTL_MASTER_STATE_DISENGAGING;
-    default:
-        return CTL_MASTER_STATE_OFF;
-    }
-}
-
-static void put(uint16_t* registers, uint32_t address, uint16_t value)
-{
-    registers[address - CTL_REG_MASTER_STATUS_AVAILABLE] = value;
-}
-
-static void put_wide(uint16_t* registers, uint32_t address, int64_t value)
-{
-    ctl_put32(&registers[address - CTL_REG_MASTER_STATUS_AVAILABLE],
-              (uint32_t)((uint64_t)value & UINT32_MAX));
-}
-
-/* Returns what the line still has to go while it engages. */
-static int64_t ticks_to_engaged(const ctl_master* master)
-{
-    const ctl_clutch* clutch = &master->clutch;
-    const bool engages = state_of(master) == CTL_MASTER_STATE_ENGAGING;
-    return engages ? clutch->line + clutch->on.way - master->line : 0;
-}
-
-void ctl_master_registers(const ctl_master* master, uint16_t* registers)
-{
-    memset(registers, 0, CTL_GROUP_MASTER_STATUS * sizeof registers[0]);
-    put(registers, CTL_REG_MASTER_STATUS_AVAILABLE, master->board->port.master != NULL ? 1u : 0u);
-    if (!master->reads)
-        return;
-    const int64_t counts = setting32(master, CTL_REG_MASTER_COUNTS);
-    const int64_t revolution_um = setting32(master, CTL_REG_MASTER_REVOLUTION);
-    const int64_t speed_um = um_per_s(master, master->speed);
-    const int64_t angle = (master->tracker.count % counts + counts) % counts;
-    put(registers, CTL_REG_MASTER_STATUS_STATE, state_of(master));
-    put_wide(registers, CTL_REG_MASTER_STATUS_COUNTS, master->tracker.count);
-    put_wide(registers, CTL_REG_MASTER_STATUS_SPEED, speed_um);
-    put(registers, CTL_REG_MASTER_STATUS_ANGLE, (uint16_t)(angle * 36000 / counts));
-    put(registers, CTL_REG_MASTER_STATUS_ERROR,
-        ctl_saturated16((master->tracker.error / (1 << CTL_GEAR_BITS) * revolution_um / counts) /
-                        (1 << CTL_GEAR_BITS)));
-    put(registers, CTL_REG_MASTER_STATUS_LEAD, ctl_saturated16(speed_um * master->lead_us / US_PER_S));
-    put(registers, CTL_REG_MASTER_STATUS_HELD,
-        ctl_saturated16(master->leads ? um_of_ticks(master, master->line - master->wanted) : 0));
-    put_wide(registers, CTL_REG_MASTER_STATUS_TO_ENGAGED, um_of_ticks(master, ticks_to_engaged(master)));
-    put(registers, CTL_REG_MASTER_STATUS_SMOOTHING, (uint16_t)master->tracker.constant_us);
 }

@@ -10,11 +10,30 @@
 #include "engine/ctl_ramp.h"
 #include "master/ctl_clutch.h"
 #include "master/ctl_gear.h"
+#include "master/ctl_lost.h"
 #include "master/ctl_tracker.h"
 
 #ifdef __cplusplus
 extern "C" {
 #endif
+
+/* Maximum and minimum of the smoothed speed, in the present second and as a figure of the last one. */
+typedef struct {
+    uint64_t since_us;
+    int64_t most;
+    int64_t least;
+    uint16_t share; /* half of their difference, 0.01 % of their mean */
+} ctl_ripple;
+
+/* The shift of the line ahead of its master, superimposed while it is engaged. */
+typedef struct {
+    int32_t set;     /* 0.01 degrees: where it is, or goes */
+    int64_t from;    /* ticks of the master: there it began, */
+    int64_t stretch; /* and takes so long */
+    int64_t way;     /* ticks, */
+    int64_t done;    /* and how much of it is done */
+    int64_t moved;   /* since it was last asked for */
+} ctl_master_phase;
 
 typedef struct {
     const ctl_board* board;
@@ -22,7 +41,7 @@ typedef struct {
     bool reads;      /* the encoder is the source, and the board has an input for it */
     bool leads;      /* a run follows it */
     bool too_fast;   /* it has ended the run; until the next start */
-    bool fails;      /* no line is so fast */
+    uint16_t fault;  /* CTL_FAULT_BIT_..., what has ended the run, or CTL_LOST_NONE */
     bool in_phase;   /* the line has engaged with this gear before */
     bool reversed;
     uint16_t signal;
@@ -33,12 +52,16 @@ typedef struct {
     bool goes_back;     /* with the encoder, otherwise the line waits */
     uint32_t per_speed; /* of the ramp at full speed, per 1 / 2^24 count per microsecond, 1 / 2^24 */
     uint32_t cycle;     /* ticks of the table that engaged last */
-    int64_t offset;     /* of the line from the master then */
     int64_t line;       /* ticks since the start of the cycle in which it engaged, */
     int64_t wanted;     /* and where the encoder wants it */
+    int64_t passed;     /* counts while no run followed */
+    int64_t lag;        /* ticks by which the master was beyond the last cut when the knife came to it */
+    ctl_ripple ripple;
     ctl_tracker tracker;
     ctl_gear gear;
     ctl_clutch clutch;
+    ctl_lost lost;
+    ctl_master_phase phase;
 } ctl_master;
 
 void ctl_master_init(ctl_master* master, const ctl_board* board);
@@ -58,6 +81,18 @@ uint64_t ctl_master_disengage(ctl_master* master, const ctl_ramp* ramp, uint32_t
 uint64_t ctl_master_to_end(const ctl_master* master);
 /* Disengages at once: the ramp goes on by itself from its present speed. */
 void ctl_master_release(ctl_master* master, ctl_ramp* ramp);
+/* Returns true where a run of `bank` follows a wheel on film that somebody else drives. */
+bool ctl_master_is_wheel(const ctl_master* master, const ctl_bank* bank);
+/* Returns the ticks by which the phase was shifted since the last call. */
+int64_t ctl_master_take_shift(ctl_master* master);
+/* A knife has come to its cut, which is at `cut` ticks of the cycle. */
+void ctl_master_on_cut(ctl_master* master, uint32_t cut);
+/* Returns the ticks of the master from here to where the line's present place belongs. */
+int64_t ctl_master_ahead(ctl_master* master);
+/* A wheel on the film: the line is shifted against it by so many ticks. */
+void ctl_master_shift(ctl_master* master, int64_t ticks);
+/* Returns counts of its input with the sign of the line's direction. */
+int64_t ctl_master_signed(const ctl_master* master, int64_t counts);
 /* Writes the registers of the group `master_status`. */
 void ctl_master_registers(const ctl_master* master, uint16_t* registers);
 

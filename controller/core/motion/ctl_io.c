@@ -167,7 +167,8 @@ void ctl_io_slice(ctl_io* io, const ctl_motion* motion)
     const ctl_switch_cycle cycle = follows ? switch_cycle(motion) : (ctl_switch_cycle){0};
     const uint32_t switches = ctl_switches_slice(&io->switches, motion->board, follows ? &cycle : NULL);
     const uint32_t enable = io->outputs & 1u << CTL_OUTPUT_BIT_DRIVE_ENABLE;
-    put_outputs(io, motion->board, (uint16_t)(enable | switches | tried(io, motion)));
+    const uint32_t line = ctl_motion_follows(motion) ? 1u << CTL_OUTPUT_BIT_LINE_MAY_RUN : 0u;
+    put_outputs(io, motion->board, (uint16_t)(enable | line | switches | tried(io, motion)));
 }
 
 static int64_t infeed_um(const ctl_board* board, int64_t fine)

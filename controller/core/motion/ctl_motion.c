@@ -46,6 +46,11 @@ bool ctl_motion_in_cycle(const ctl_motion* motion)
     return !motion->manual && (state == CTL_STATE_RUNNING || state == CTL_STATE_STOPPING);
 }
 
+bool ctl_motion_follows(const ctl_motion* motion)
+{
+    return motion->state == CTL_STATE_RUNNING && motion->follows;
+}
+
 bool ctl_motion_may_change(const ctl_motion* motion, const ctl_bank* bank)
 {
     return ctl_packer_may_change(motion->packer, bank, ctl_motion_standstill(motion));
@@ -146,12 +151,28 @@ static uint32_t start_position(const ctl_motion* motion)
                                                    : ctl_table_position(&motion->table);
 }
 
+/* The film that a wheel measures goes on meanwhile. */
+static void engage(ctl_motion* motion)
+{
+    const ctl_bank* bank = ctl_active_bank(motion->banks);
+    ctl_master* master = motion->master;
+    ctl_packer* packer = motion->packer;
+    packer->wheel.counts = master->tracker.count;
+    packer->wheel.reversed = master->reversed;
+    packer->wheel.opens = true;
+    ctl_packer_take_wheel(packer, bank, ctl_master_is_wheel(master, bank) && ctl_packer_drives(packer, bank));
+    ctl_master_engage(master, bank, start_position(motion), &motion->ramp);
+    ctl_packer_run(packer, bank, &motion->ramp);
+    if (packer->wheel.on)
+        ctl_packer_join_film(packer, ctl_master_ahead(master));
+}
+
 void ctl_motion_run(ctl_motion* motion)
 {
     begin_master_ramp(motion);
     motion->direction = ctl_motion_wanted_direction(motion);
-    ctl_master_engage(motion->master, ctl_active_bank(motion->banks), start_position(motion), &motion->ramp);
-    ctl_packer_run(motion->packer, ctl_active_bank(motion->banks), &motion->ramp);
+    engage(motion);
+    motion->follows = motion->master->leads;
     motion->manual = false;
     motion->start_after_home = false;
     motion->change_planned = false;
@@ -230,11 +251,27 @@ void ctl_motion_fault(ctl_motion* motion, uint16_t fault_bit)
         (void)ctl_park_begin(&motion->park, motion->board, motion->packer, motion->commanded);
 }
 
+/* On film that somebody else drives a knife joins at the boundary of its cycle, where it is open. */
+static bool begins_at_boundary(const ctl_motion* motion)
+{
+    return ctl_master_is_wheel(motion->master, ctl_active_bank(motion->banks)) && motion->park.known &&
+           !ctl_table_between_cycles(&motion->table);
+}
+
+void ctl_motion_return(ctl_motion* motion)
+{
+    ctl_park* park = &motion->park;
+    const bool to_boundary = begins_at_boundary(motion);
+    ctl_park_return(park);
+    park->to_boundary = to_boundary;
+    ctl_motion_begin_move(motion, to_boundary ? ctl_park_boundary(park, motion->packer, motion->commanded)
+                                              : park->place);
+}
+
 void ctl_motion_start(ctl_motion* motion)
 {
-    if (motion->in_phase && motion->park.away) {
-        ctl_park_return(&motion->park);
-        ctl_motion_begin_move(motion, motion->park.place);
+    if (motion->in_phase && (motion->park.away || begins_at_boundary(motion))) {
+        ctl_motion_return(motion);
         motion->state = CTL_STATE_RUNNING;
     } else if (motion->in_phase || !ctl_bank_needs_homing(ctl_active_bank(motion->banks))) {
         ctl_motion_run(motion);
@@ -341,6 +378,10 @@ uint16_t ctl_motion_stop_at_cycle_end(ctl_motion* motion)
     }
     motion->stop = CTL_STOP_AT_BOUNDARY;
     motion->state = CTL_STATE_STOPPING;
+    if (motion->packer->wheel.on && motion->master->leads) {
+        motion->stop_remaining = CTL_DRIVE_NO_END;
+        return CTL_REFUSAL_NONE;
+    }
     if (motion->master->leads) {
         motion->direction = 1; /* to the end of the cycle, even while a cam goes back */
         motion->stop_remaining =

@@ -49,6 +49,7 @@ typedef struct {
     bool in_phase;  /* the axis stands where the table's cycle says */
     bool manual;    /* jogging or homing moves the axis, otherwise the table */
     bool start_after_home;
+    bool follows; /* the run follows an encoder, also while the knife is open under a line that stands */
     bool torque_limited; /* the drive of the axis says so */
     ctl_stop stop;
     ctl_homing homing;
@@ -103,6 +104,8 @@ void ctl_motion_stop_unattended(ctl_motion* motion);
 /* At standstill: activates the staged program. */
 void ctl_motion_change_program(ctl_motion* motion);
 bool ctl_motion_standstill(const ctl_motion* motion);
+/* Returns true while a run follows an encoder or waits for it: its line may run. */
+bool ctl_motion_follows(const ctl_motion* motion);
 /* Returns true while the axis follows its table. */
 bool ctl_motion_in_cycle(const ctl_motion* motion);
 
@@ -133,6 +136,8 @@ void ctl_motion_stand(ctl_motion* motion);
 void ctl_motion_rest(ctl_motion* motion);
 int32_t ctl_motion_wanted_direction(const ctl_motion* motion);
 void ctl_motion_begin_manual(ctl_motion* motion, uint32_t frequency_hz, int32_t direction);
+/* The knife goes to where a run may begin, and the run begins there. */
+void ctl_motion_return(ctl_motion* motion);
 /* Begins to move to a position by hand, at the frequency of homing. */
 void ctl_motion_begin_move(ctl_motion* motion, int64_t target);
 

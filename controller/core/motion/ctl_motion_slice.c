@@ -122,7 +122,7 @@ static uint32_t move_on(ctl_motion* motion, ctl_pace* pace)
     }
     const bool changes_next =
         motion->change_planned && motion->change_ticks <= ctl_motion_to_boundary(motion);
-    const bool running = motion->state == CTL_STATE_RUNNING;
+    const bool running = motion->state == CTL_STATE_RUNNING || motion->packer->wheel.on;
     const uint64_t run_ticks = motion->change_planned ? motion->change_ticks : CTL_DRIVE_NO_END;
     const ctl_drive drive = {
         .ramp = &motion->ramp,
@@ -171,21 +171,60 @@ static uint32_t move_by_hand(ctl_motion* motion, ctl_pace pace, uint32_t travell
     return train.count;
 }
 
+/* Somebody else drives the film: where it is corrected, the line is shifted against it instead. */
+static void follow_film(ctl_motion* motion)
+{
+    ctl_master* master = motion->master;
+    ctl_packer* packer = motion->packer;
+    ctl_packer_shift_line(packer, ctl_master_take_shift(master));
+    packer->wheel.counts = master->tracker.count;
+    ctl_master_shift(master, ctl_packer_wheel_shift(packer, ctl_master_ahead(master)));
+    packer->wheel.opens = master->clutch.state != CTL_CLUTCH_ON || motion->state != CTL_STATE_RUNNING;
+    if (packer->wheel.slips)
+        ctl_motion_fault(motion, CTL_FAULT_BIT_MASTER_SLIP);
+}
+
+/* The film of somebody else goes on: the run ends as soon as the knife stands open. */
+static void leave_film(ctl_motion* motion)
+{
+    if (motion->packer->knife_gate.state != CTL_GATE_STATE_STANDING)
+        return;
+    ctl_master_release(motion->master, &motion->ramp);
+    motion->ramp.speed = 0;
+    motion->stop_remaining = 0;
+}
+
 /* The encoder moves the line. */
 static void slice_led(ctl_motion* motion, ctl_pace pace)
 {
     const int32_t way = ctl_master_travel(motion->master, &motion->ramp, pace.ticks);
     motion->direction = way < 0 ? -1 : 1;
     pace.travel = (uint32_t)(way < 0 ? -way : way);
-    if (motion->master->fails) {
-        ctl_motion_fault(motion, CTL_FAULT_BIT_MASTER_TOO_FAST);
+    if (motion->master->fault != CTL_LOST_NONE) {
+        ctl_motion_fault(motion, motion->master->fault);
         return;
     }
     travel(motion, pace);
-    if (motion->state == CTL_STATE_STOPPING)
+    if (motion->packer->wheel.on)
+        follow_film(motion);
+    if (motion->state == CTL_STATE_STOPPING && motion->packer->wheel.on)
+        leave_film(motion);
+    else if (motion->state == CTL_STATE_STOPPING)
         motion->stop_remaining = ctl_master_to_end(motion->master);
     else if (motion->master->too_fast)
         (void)ctl_motion_stop_at_cycle_end(motion);
+}
+
+/* Nobody knows when the line goes on: the knife opens meanwhile. */
+static bool opens_under_line(ctl_motion* motion)
+{
+    ctl_park* park = &motion->park;
+    if (!ctl_park_begin_under_line(park, motion->board, motion->packer, motion->commanded,
+                                   ctl_tracker_stands(&motion->master->tracker)))
+        return false;
+    ctl_master_release(motion->master, &motion->ramp);
+    ctl_motion_begin_move(motion, ctl_park_target(park, motion->packer, motion->commanded));
+    return true;
 }
 
 static void slice_running(ctl_motion* motion, ctl_pace pace)
@@ -193,7 +232,8 @@ static void slice_running(ctl_motion* motion, ctl_pace pace)
     const uint32_t ticks = pace.ticks;
     const int32_t wanted = ctl_motion_wanted_direction(motion);
     if (motion->master->leads) {
-        slice_led(motion, pace);
+        if (!opens_under_line(motion))
+            slice_led(motion, pace);
         return;
     }
     motion->change_planned = motion->change_planned && changes(motion) && wanted == motion->direction;
@@ -339,10 +379,24 @@ static void slice_park(ctl_motion* motion, ctl_pace pace)
         park->away = true;
         return;
     }
+    if (park->phase == CTL_PARK_OPEN) {
+        if (ctl_tracker_stands(&motion->master->tracker) || motion->master->speed <= 0)
+            return;
+        ctl_motion_return(motion);
+        return;
+    }
     if (!move_to_target(motion, pace))
         return;
+    if (park->line) {
+        park->phase = CTL_PARK_OPEN;
+        return;
+    }
     const bool returned = park->phase == CTL_PARK_RETURNING;
     park->phase = CTL_PARK_OFF;
+    if (returned && park->to_boundary) {
+        ctl_table_reset(&motion->table, ctl_active_bank(motion->banks));
+        ctl_packer_break_off(motion->packer);
+    }
     if (returned)
         ctl_motion_run(motion);
     else if (motion->state == CTL_STATE_FAULT)
@@ -476,6 +530,6 @@ void ctl_motion_slice(ctl_motion* motion, uint32_t ticks)
     }
     measure(motion);
     watch_for_jam(motion);
-    if (ctl_motion_standstill(motion) || motion->park.phase != CTL_PARK_OFF)
+    if (ctl_motion_standstill(motion) || motion->park.phase != CTL_PARK_OFF || motion->park.stands)
         ctl_park_watch(&motion->park, motion->board, motion->packer, motion->actual);
 }

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "motion/ctl_park.h"
 
+#include "base/ctl_words.h"
 #include "ctl_registers.h"
 
 #define US_PER_MS 1000u
@@ -16,6 +17,8 @@ void ctl_park_return(ctl_park* park)
     park->given_up = false;
     park->emergency = false;
     park->jam = false;
+    park->line = false;
+    park->stands = false;
 }
 
 void ctl_park_run(ctl_park* park)
@@ -25,6 +28,9 @@ void ctl_park_run(ctl_park* park)
     park->away = false;
     park->emergency = false;
     park->jam = false;
+    park->line = false;
+    park->to_boundary = false;
+    park->stands = false;
     park->closed = false;
     park->told = false;
 }
@@ -64,6 +70,24 @@ bool ctl_park_begin(ctl_park* park, const ctl_board* board, const ctl_packer* pa
     return true;
 }
 
+bool ctl_park_begin_under_line(ctl_park* park, const ctl_board* board, const ctl_packer* packer, int64_t here,
+                               bool stands)
+{
+    const bool stood = park->stands;
+    park->stands = stands && touches(park, packer, here);
+    if (!park->stands)
+        return false;
+    if (!stood)
+        park->waits_us = board->now_us;
+    if (!ctl_park_is_due(park, board))
+        return false;
+    park->place = here;
+    park->phase = CTL_PARK_OPENING;
+    park->away = true;
+    park->line = true;
+    return true;
+}
+
 void ctl_park_stop(ctl_park* park)
 {
     if (park->phase == CTL_PARK_WAITING || park->phase == CTL_PARK_OPENING)
@@ -82,6 +106,13 @@ int64_t ctl_park_target(const ctl_park* park, const ctl_packer* packer, int64_t 
     if (park->jam)
         return here - from + packer->jam.last.at - packer->settings.jam_back;
     return here - from + (from < 0 ? -packer->settings.jaws_before : packer->settings.jaws_behind);
+}
+
+int64_t ctl_park_boundary(const ctl_park* park, const ctl_packer* packer, int64_t here)
+{
+    const bool before = ctl_park_from_cut(park, packer, here) < 0;
+    return park->cycle_at +
+           (before ? 0 : (int32_t)ctl_get32(&packer->bank->registers[CTL_OFFSET_BANK_ADVANCE]));
 }
 
 void ctl_park_watch(ctl_park* park, const ctl_board* board, ctl_packer* packer, int64_t here)

@@ -15,7 +15,13 @@
 extern "C" {
 #endif
 
-typedef enum { CTL_PARK_OFF, CTL_PARK_WAITING, CTL_PARK_OPENING, CTL_PARK_RETURNING } ctl_park_phase;
+typedef enum {
+    CTL_PARK_OFF,
+    CTL_PARK_WAITING,
+    CTL_PARK_OPENING,
+    CTL_PARK_OPEN,
+    CTL_PARK_RETURNING
+} ctl_park_phase;
 
 typedef struct {
     bool known; /* the knife's place in its cycle, since the table moved it */
@@ -24,6 +30,9 @@ typedef struct {
     bool away;        /* from `place`, where the table stands */
     bool emergency;   /* the emergency stop has ended the run, */
     bool jam;         /* or a jam: the knife goes back from it */
+    bool line;        /* the run goes on when the line does, which stands */
+    bool to_boundary; /* it returns there, not to `place` */
+    bool stands;      /* it does, since waits_us */
     bool closed;      /* at standstill, since closed_us */
     bool told;        /* the bags at the knife are marked */
     int64_t cycle_at; /* where the knife's present cycle began */
@@ -43,6 +52,9 @@ int64_t ctl_park_from_cut(const ctl_park* park, const ctl_packer* packer, int64_
 void ctl_park_begin_cycle(ctl_park* park, int64_t here);
 /* A run has come to rest here. Returns true when the knife is to be opened. */
 bool ctl_park_begin(ctl_park* park, const ctl_board* board, const ctl_packer* packer, int64_t here);
+/* In a run that follows a line which stands, or does not: returns true when the knife is to be opened. */
+bool ctl_park_begin_under_line(ctl_park* park, const ctl_board* board, const ctl_packer* packer, int64_t here,
+                               bool stands);
 /* A stop now: a knife that waits or opens stays where it is. */
 void ctl_park_stop(ctl_park* park);
 /* Returns true when it has waited for `parameter.park_delay`; a jam does not wait. */
@@ -50,6 +62,8 @@ bool ctl_park_is_due(const ctl_park* park, const ctl_board* board);
 /* Returns where the knife at `here` is open, the way there not leading through the cut, or so far back
  * from a jam as is set. */
 int64_t ctl_park_target(const ctl_park* park, const ctl_packer* packer, int64_t here);
+/* Returns the boundary of the knife's cycle to which the way does not lead through the cut. */
+int64_t ctl_park_boundary(const ctl_park* park, const ctl_packer* packer, int64_t here);
 /* At standstill: watches the jaws with the axis at `here`, and marks the bags at a knife that was closed for
  * too long. */
 void ctl_park_watch(ctl_park* park, const ctl_board* board, ctl_packer* packer, int64_t here);

@@ -13,6 +13,7 @@
 #define FIRST_SHARE 50
 #define FIRST_TIME 5u
 #define MAX_TAUGHT 100u
+#define UM_PER_UNIT 10 /* of the wheel's slip limit */
 
 static uint16_t parameter(const ctl_packer* packer, uint32_t address)
 {
@@ -106,11 +107,27 @@ static void read_bank(ctl_packer* packer, const ctl_bank* bank)
     packer->cut = ctl_packer_ticks_at(bank, CTL_OFFSET_BANK_CUT_ANGLE);
     packer->bag = ctl_packer_film(packer, ctl_bank_bag_um(bank));
     packer->flight = (int64_t)ctl_parameter32(packer->board, CTL_REG_PARAMETER_FLIGHT_PULSES) * CTL_FINE;
+    if (packer->wheel.on)
+        ctl_wheel_set_bag(&packer->wheel, packer->bag, packer->cycle);
     scale_lag(packer, bag_before, cycle_before);
     packer->settings.row = 0;
     packer->settings.ticks = packer->cut;
     packer->cut_pulses = 0;
     ctl_packer_read_settings(packer);
+}
+
+/* Film and infeed are where their motors are. */
+static void take_positions(ctl_packer* packer)
+{
+    const ctl_port* port = &packer->board->port;
+    packer->film_actual = port->film(port->context);
+    packer->infeed_actual = port->infeed(port->context);
+    ctl_past_reset(&packer->film_past, packer->board->now_us, packer->film_actual);
+    ctl_past_reset(&packer->infeed_past, packer->board->now_us, packer->infeed_actual);
+    packer->film_sent = packer->film_actual / CTL_FINE;
+    packer->infeed_sent = packer->infeed_actual / CTL_FINE;
+    packer->film_at = packer->film_sent * CTL_FINE;
+    packer->infeed_at = packer->infeed_sent * CTL_FINE;
 }
 
 void ctl_packer_init(ctl_packer* packer, const ctl_board* board)
@@ -120,14 +137,7 @@ void ctl_packer_init(ctl_packer* packer, const ctl_board* board)
     packer->broken_off = true;
     if (packer->board->port.film == NULL)
         return;
-    packer->film_actual = packer->board->port.film(packer->board->port.context);
-    packer->infeed_actual = packer->board->port.infeed(packer->board->port.context);
-    ctl_past_reset(&packer->film_past, board->now_us, packer->film_actual);
-    ctl_past_reset(&packer->infeed_past, board->now_us, packer->infeed_actual);
-    packer->film_sent = packer->film_actual / CTL_FINE;
-    packer->infeed_sent = packer->infeed_actual / CTL_FINE;
-    packer->film_at = packer->film_sent * CTL_FINE;
-    packer->infeed_at = packer->infeed_sent * CTL_FINE;
+    take_positions(packer);
 }
 
 void ctl_packer_break_off(ctl_packer* packer)
@@ -150,7 +160,7 @@ static void align_infeed(ctl_packer* packer, int64_t start, bool forward)
     packer->number = (start + ahead + (forward ? packer->flight - 1 : packer->flight / 2)) / packer->flight;
     ctl_feed_reset(&packer->infeed, packer->cycle, start, packer->flight);
     const int64_t way = packer->number * packer->flight - ahead - start;
-    if (way != 0)
+    if (way != 0 && !packer->wheel.on)
         ctl_feed_correct(&packer->infeed, way, CTL_INFEED_CYCLES * (uint64_t)packer->cycle);
 }
 
@@ -171,6 +181,13 @@ static void leave_register(ctl_packer* packer, int64_t bag_before)
         packer->marks.state = CTL_MARK_STATE_OFF;
 }
 
+/* Film that somebody else drives has products on it that nobody has seen. */
+static bool threads_up(const ctl_packer* packer)
+{
+    const bool wanted = parameter(packer, CTL_REG_PARAMETER_THREAD_UP) != 0 && ctl_packer_tracks(packer);
+    return wanted || packer->wheel.on;
+}
+
 /* Knife, film and infeed at the start of a cycle. Film position and tracked marks are kept. */
 static void begin_cycle(ctl_packer* packer, const ctl_bank* bank)
 {
@@ -182,8 +199,7 @@ static void begin_cycle(ctl_packer* packer, const ctl_bank* bank)
     packer->changed = false;
     packer->skips_in_row = 0;
     packer->threading = packer->threading || packer->broken_off;
-    packer->threading =
-        packer->threading && ctl_packer_tracks(packer) && parameter(packer, CTL_REG_PARAMETER_THREAD_UP) != 0;
+    packer->threading = packer->threading && threads_up(packer);
     if (packer->broken_off)
         ctl_knives_reset(&packer->knives, bank->registers[CTL_OFFSET_PROGRAM_KNIVES]);
     packer->broken_off = false;
@@ -237,6 +253,77 @@ void ctl_packer_run(ctl_packer* packer, const ctl_bank* bank, const ctl_ramp* ra
     if (packer->film.phase == 0 && packer->knife_gate.state == CTL_GATE_STATE_RUNNING &&
         packer->knife_gate.phase == 0)
         ctl_packer_ask_first_cut(packer);
+}
+
+static uint32_t master_setting(const ctl_packer* packer, uint32_t address)
+{
+    return ctl_get32(&packer->board->master[address - CTL_REG_MASTER_SOURCE]);
+}
+
+/* Film and infeed are driven by somebody else from now on, or no longer. */
+static void switch_wheel(ctl_packer* packer, bool on)
+{
+    const ctl_port* port = &packer->board->port;
+    port->latch_master(port->context, on);
+    ctl_wheel_switch(&packer->wheel, on);
+    if (!on)
+        take_positions(packer);
+    ctl_packer_break_off(packer);
+    packer->marks.state = CTL_MARK_STATE_OFF;
+}
+
+void ctl_packer_take_wheel(ctl_packer* packer, const ctl_bank* bank, bool on)
+{
+    ctl_wheel* wheel = &packer->wheel;
+    if (on != wheel->on)
+        switch_wheel(packer, on);
+    if (!on)
+        return;
+    const uint32_t counts = master_setting(packer, CTL_REG_MASTER_COUNTS);
+    const uint64_t revolution_um = master_setting(packer, CTL_REG_MASTER_REVOLUTION);
+    const uint64_t flight = ctl_parameter32(packer->board, CTL_REG_PARAMETER_FLIGHT_PULSES);
+    const uint64_t pulses = ctl_parameter32(packer->board, CTL_REG_PARAMETER_FILM_PULSES);
+    const ctl_wheel_ratio film = {CTL_FINE * pulses * revolution_um,
+                                  (uint64_t)ctl_parameter32(packer->board, CTL_REG_PARAMETER_FILM_FEED) *
+                                      counts};
+    const ctl_wheel_ratio infeed = {CTL_FINE * flight * revolution_um,
+                                    (uint64_t)ctl_bank_bag_um(bank) * counts};
+    ctl_wheel_set(wheel, film, infeed, packer->film_actual, packer->infeed_actual);
+    wheel->limit = ctl_packer_film(
+        packer,
+        (int64_t)packer->board->master[CTL_REG_MASTER_SLIP_LIMIT - CTL_REG_MASTER_SOURCE] * UM_PER_UNIT);
+}
+
+/* Film that the place of the line is ahead of where it belongs. */
+static int64_t beyond(ctl_packer* packer, int64_t ahead)
+{
+    ctl_wheel* wheel = &packer->wheel;
+    const int64_t belongs = ctl_wheel_film(wheel) + ahead * wheel->per_tick / (1 << CTL_WHEEL_FINE);
+    return ctl_feed_position(&packer->film) - belongs;
+}
+
+/* Film has passed uncut: the next bag is as long as it and that before. */
+void ctl_packer_join_film(ctl_packer* packer, int64_t ahead)
+{
+    const int64_t way = -beyond(packer, ahead);
+    packer->film.start += way;
+    packer->next.command += way;
+    packer->film_at = ctl_feed_position(&packer->film);
+    packer->film_sent = ctl_whole_pulses(packer->film_at);
+    if (way > packer->bag / FIRST_SHARE || -way > packer->bag / FIRST_SHARE)
+        leave_register(packer, packer->bag);
+}
+
+int64_t ctl_packer_wheel_shift(ctl_packer* packer, int64_t ahead)
+{
+    return -beyond(packer, ahead) * packer->wheel.per_film / (1 << CTL_WHEEL_FINE);
+}
+
+void ctl_packer_shift_line(ctl_packer* packer, int64_t ticks)
+{
+    const int64_t film = ticks * packer->wheel.per_tick / (1 << CTL_WHEEL_FINE);
+    packer->film.start -= film;
+    packer->next.command -= film;
 }
 
 /* Plans the first cut of a changed program onto its mark, where that is near enough for the time up to its

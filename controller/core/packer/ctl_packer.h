@@ -21,6 +21,7 @@
 #include "packer/ctl_past.h"
 #include "packer/ctl_phase.h"
 #include "packer/ctl_products.h"
+#include "packer/ctl_wheel.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -112,6 +113,7 @@ typedef struct {
     int64_t infeed_at;
     int64_t film_actual; /* last measured, 1/256 pulse */
     int64_t infeed_actual;
+    ctl_wheel wheel;
     ctl_past film_past;
     ctl_past infeed_past;
     bool planned; /* the cut of the film's next cycle */
@@ -149,6 +151,16 @@ void ctl_packer_run(ctl_packer* packer, const ctl_bank* bank, const ctl_ramp* ra
 /* Returns the ticks into the cycle at which such a run begins. */
 uint32_t ctl_packer_start_position(const ctl_packer* packer, const ctl_bank* bank);
 void ctl_packer_break_off(ctl_packer* packer);
+/* Before such a run: somebody else drives film and infeed, and `packer->wheel.counts` are their positions; or
+ * nobody else does. */
+void ctl_packer_take_wheel(ctl_packer* packer, const ctl_bank* bank, bool on);
+/* Behind the start of such a run, and in it: the place of the line belongs so many ticks ahead of where the
+ * wheel is, and the film is where the wheel is. */
+void ctl_packer_join_film(ctl_packer* packer, int64_t ahead);
+/* Returns the ticks by which the line is to be shifted against the wheel, because its film was corrected. */
+int64_t ctl_packer_wheel_shift(ctl_packer* packer, int64_t ahead);
+/* The line was shifted against the wheel by so many ticks, so that its cuts come sooner. */
+void ctl_packer_shift_line(ctl_packer* packer, int64_t ticks);
 /* Continues with another program of the same machine, which became active at the boundary of a cycle, with
  * this ramp. */
 void ctl_packer_change_bank(ctl_packer* packer, const ctl_bank* bank, const ctl_ramp* ramp);

@@ -38,8 +38,10 @@ static bool threads_up(ctl_packer* packer)
 {
     const bool sees_products = ctl_parameter16(packer->board, CTL_REG_PARAMETER_ANTI_CUT) != 0;
     const bool knows = packer->products.known && packer->next.command >= packer->products.known_from;
-    const bool follows = packer->planned && packer->next.tracked && (knows || !sees_products);
-    if (follows || !ctl_packer_tracks(packer))
+    const bool marked = packer->next.tracked || !ctl_packer_tracks(packer);
+    if (!packer->wheel.on && !ctl_packer_tracks(packer))
+        packer->threading = false;
+    if (packer->planned && marked && (knows || !sees_products))
         packer->threading = false;
     return packer->threading;
 }
@@ -47,6 +49,8 @@ static bool threads_up(ctl_packer* packer)
 /* Returns true when a product is in the path of the next cut, or a change of program needs the knife open. */
 static bool knife_must_wait(ctl_packer* packer, const ctl_drive* drive)
 {
+    if (packer->wheel.on && packer->wheel.opens)
+        return true;
     if (packer->threading && threads_up(packer))
         return true;
     if (drive->opens) {
@@ -70,7 +74,7 @@ static bool knife_must_wait(ctl_packer* packer, const ctl_drive* drive)
 
 void ctl_packer_ask_first_cut(ctl_packer* packer)
 {
-    if (packer->threading) {
+    if (packer->threading || (packer->wheel.on && packer->wheel.opens)) {
         ctl_gate_stand(&packer->knife_gate);
         return;
     }
@@ -85,7 +89,7 @@ void ctl_packer_ask_first_cut(ctl_packer* packer)
 /* Returns true when the next product is missing: the film waits for the one after it. */
 static bool film_must_wait(ctl_packer* packer)
 {
-    if (ctl_parameter16(packer->board, CTL_REG_PARAMETER_EMPTY_BAG) == 0)
+    if (ctl_parameter16(packer->board, CTL_REG_PARAMETER_EMPTY_BAG) == 0 || packer->wheel.on)
         return false;
     const int64_t seen =
         ctl_past_before(&packer->infeed_past, packer->infeed_actual, ctl_packer_eye_dead_us(packer));
@@ -154,9 +158,9 @@ static void emit(ctl_packer* packer)
     const ctl_port* port = &packer->board->port;
     const int64_t film = ctl_feed_position(&packer->film);
     const int64_t infeed = ctl_feed_position(&packer->infeed);
-    if (film != packer->film_at)
+    if (film != packer->film_at && !packer->wheel.on)
         port->feed(port->context, CTL_AXIS_FILM, packer->film_at, film);
-    if (infeed != packer->infeed_at)
+    if (infeed != packer->infeed_at && !packer->wheel.on)
         port->feed(port->context, CTL_AXIS_INFEED, packer->infeed_at, infeed);
     packer->film_at = film;
     packer->infeed_at = infeed;
@@ -203,10 +207,21 @@ static bool is_misplaced(const ctl_packer* packer, const ctl_ramp* ramp)
     return (off < 0 ? -off : off) > ctl_packer_film(packer, MISPLACED_UM);
 }
 
+/* Bag lengths since the last cut: on film that somebody else drives those that have passed. */
+static uint32_t bags_since(const ctl_packer* packer, int64_t film)
+{
+    const int64_t passed = (film - packer->last_cut.at + packer->bag / 2) / packer->bag;
+    if (!packer->wheel.on || packer->last_cut.bags == 0)
+        return 1u + packer->skips_in_row;
+    return passed < 1 ? 1u : (uint32_t)passed;
+}
+
 void ctl_packer_on_cut(ctl_packer* packer, int64_t film, const ctl_ramp* ramp)
 {
     if (packer->bank == NULL)
         return;
+    if (packer->wheel.on)
+        film = ctl_wheel_film_at(&packer->wheel, film);
     ctl_last_cut* last = &packer->last_cut;
     const ctl_mark* mark = ctl_marks_near(&packer->marks, film, packer->bag / 2);
     ctl_knives_cut(&packer->knives);
@@ -215,6 +230,7 @@ void ctl_packer_on_cut(ctl_packer* packer, int64_t film, const ctl_ramp* ramp)
     const bool misplaced = is_misplaced(packer, ramp);
     if ((packer->cut_before || packer->next.tracked) && (packer->knives.last == 0 || !lag_was_known))
         learn_lag(packer, film - packer->next.command, ramp);
+    const uint32_t bags = bags_since(packer, film);
     const int64_t mark_before = last->mark_at;
     last->at = film;
     last->mark_at = mark == NULL ? film : mark->at;
@@ -223,7 +239,7 @@ void ctl_packer_on_cut(ctl_packer* packer, int64_t film, const ctl_ramp* ramp)
     last->tracked = packer->next.tracked;
     last->seen = packer->next.seen;
     last->had_products = ctl_products_cut(&packer->products, film) != 0;
-    last->bags = 1u + packer->skips_in_row;
+    last->bags = bags;
     last->changed = packer->changed && packer->cut_before;
     last->set_um = last->changed ? ctl_packer_um(packer, packer->next.command - last->command)
                                  : (int64_t)last->bags * ctl_bank_bag_um(packer->bank);

@@ -11,6 +11,17 @@ static uint16_t parameter(const ctl_packer* packer, uint32_t address)
     return ctl_parameter16(packer->board, address);
 }
 
+/* What an edge has latched: counts of the wheel, where somebody else drives the film. */
+static int64_t film_latched(ctl_packer* packer, int64_t at)
+{
+    return packer->wheel.on ? ctl_wheel_film_at(&packer->wheel, at) : at;
+}
+
+static int64_t infeed_latched(ctl_packer* packer, int64_t at)
+{
+    return packer->wheel.on ? ctl_wheel_infeed_at(&packer->wheel, at) : at;
+}
+
 static int64_t mark_before(const ctl_packer* packer, int64_t at)
 {
     return ctl_past_before(&packer->film_past, at, parameter(packer, CTL_REG_PARAMETER_MARK_DEAD_TIME));
@@ -66,12 +77,25 @@ static void read_mark_sensor(ctl_packer* packer)
     int64_t at = 0;
     bool covered = false;
     while (port->mark(port->context, &at, &covered)) {
+        at = film_latched(packer, at);
         if (covered)
             begin_mark(packer, at);
         else
             end_mark(packer, mark_end_before(packer, at));
     }
     pass_marks(packer);
+}
+
+/* Nobody says where the flights of somebody else's infeed are: where the products lie. Returns by how much
+ * the infeed's positions are smaller from now on. */
+static int64_t find_flights(ctl_packer* packer, int64_t at, bool covered)
+{
+    ctl_products* products = &packer->products;
+    if (!packer->wheel.on || covered || !products->covered)
+        return 0;
+    const int64_t by = ctl_wheel_find_flights(&packer->wheel, ctl_products_off(products, at), packer->flight);
+    ctl_products_shift(products, by);
+    return by;
 }
 
 static void read_eye(ctl_packer* packer)
@@ -82,9 +106,9 @@ static void read_eye(ctl_packer* packer)
     while (port->eye(port->context, &at, &covered)) {
         const uint16_t dead_us = parameter(packer, covered ? CTL_REG_PARAMETER_EYE_DEAD_TIME
                                                            : CTL_REG_PARAMETER_EYE_END_DEAD_TIME);
-        const ctl_eye_edge edge = {ctl_past_before(&packer->infeed_past, at, dead_us),
+        const ctl_eye_edge edge = {ctl_past_before(&packer->infeed_past, infeed_latched(packer, at), dead_us),
                                    ctl_past_last_way(&packer->infeed_past, 0), dead_us, covered};
-        ctl_products_edge(&packer->products, edge.at, covered);
+        ctl_products_edge(&packer->products, edge.at - find_flights(packer, edge.at, covered), covered);
         ctl_eye_edges_add(&packer->eye_edges, &edge);
         packer->busy = true;
     }
@@ -95,11 +119,14 @@ void ctl_packer_read_sensors(ctl_packer* packer)
     const ctl_port* port = &packer->board->port;
     const int64_t film = packer->film_actual;
     const int64_t infeed = packer->infeed_actual;
-    packer->film_actual = port->film(port->context);
-    packer->infeed_actual = port->infeed(port->context);
+    ctl_wheel* wheel = &packer->wheel;
+    packer->film_actual = wheel->on ? ctl_wheel_film(wheel) : port->film(port->context);
+    packer->infeed_actual = wheel->on ? ctl_wheel_infeed(wheel) : port->infeed(port->context);
     ctl_past_add(&packer->film_past, packer->board->now_us, packer->film_actual);
     ctl_past_add(&packer->infeed_past, packer->board->now_us, packer->infeed_actual);
     read_mark_sensor(packer);
+    if (wheel->on)
+        ctl_wheel_watch(wheel, &packer->marks, packer->film_actual);
     read_eye(packer);
     ctl_products_lay(&packer->products, infeed, packer->infeed_actual, film, packer->film_actual);
 }

@@ -50,13 +50,29 @@ static int64_t place_at_eye(const ctl_products* products, int64_t number)
     return number * settings->flight + settings->lay - settings->eye;
 }
 
+static int64_t number_at_eye(const ctl_products* products, int64_t middle)
+{
+    const int64_t flight = products->settings.flight;
+    return divided(middle - place_at_eye(products, 0) + flight / 2, flight);
+}
+
+int64_t ctl_products_off(const ctl_products* products, int64_t trail)
+{
+    const int64_t middle = products->lead + (trail - products->lead) / 2;
+    return middle - place_at_eye(products, number_at_eye(products, middle));
+}
+
+void ctl_products_shift(ctl_products* products, int64_t by)
+{
+    products->lead -= by;
+    products->watched_from -= by;
+}
+
 static void come(ctl_products* products, int64_t lead, int64_t trail)
 {
-    const ctl_product_settings* settings = &products->settings;
     const int64_t middle = lead + (trail - lead) / 2;
-    const int64_t from_first = middle - place_at_eye(products, 0) + settings->flight / 2;
     ctl_coming coming;
-    coming.number = divided(from_first, settings->flight);
+    coming.number = number_at_eye(products, middle);
     coming.behind = to_film(products, middle - place_at_eye(products, coming.number));
     coming.length = to_film(products, trail - lead);
     if (coming.length > products->longest)

@@ -54,6 +54,10 @@ typedef struct {
 /* Applies the settings at the infeed position `infeed`. After a change of geometry, and at first, the
  * products between eye and film are unknown; the products on the film are kept. */
 void ctl_products_set(ctl_products* products, const ctl_product_settings* settings, int64_t infeed);
+/* Returns how far the middle of a product that ends here at the eye is behind its place on the infeed. */
+int64_t ctl_products_off(const ctl_products* products, int64_t trail);
+/* The infeed's positions are counted anew from now on: smaller by so much. */
+void ctl_products_shift(ctl_products* products, int64_t by);
 /* Handles an edge of a product at the eye. */
 void ctl_products_edge(ctl_products* products, int64_t infeed, bool covered);
 /* Returns true when product `number` is missing: its place passed the eye without a product. */

@@ -96,7 +96,9 @@ struct Bench {
     {
         board.config = benchConfig();
         board.port.context = this;
-        board.port.master = [](void* context, std::uint16_t) { return static_cast<Bench*>(context)->counts; };
+        board.port.master = [](void* context, std::uint16_t, ctl_master_input* input) {
+            *input = {static_cast<Bench*>(context)->counts, 0, 0, 0};
+        };
         board.master = settings;
         settings[0] = CTL_MASTER_SOURCE_ENCODER;
         ctl_put32(&settings[CTL_REG_MASTER_COUNTS - CTL_REG_MASTER_SOURCE], countsPerTurn);
@@ -549,20 +551,22 @@ void TestMasterLine::aSpeedThatNoLineHasIsAFault()
     bench.engage();
     for (int i = 0; i < 1000; ++i)
         (void)bench.pass(500);
-    QVERIFY(!bench.master.fails);
+    QVERIFY(bench.master.fault == CTL_LOST_NONE);
     (void)bench.pass(3000);
-    for (int i = 0; i < 10 && !bench.master.fails; ++i)
+    for (int i = 0; i < 10 && bench.master.fault == CTL_LOST_NONE; ++i)
         (void)bench.pass(3000);
-    QVERIFY(bench.master.fails);
+    QVERIFY(bench.master.fault != CTL_LOST_NONE);
 
     Rig rig(onLine(fullMmPerS));
     followEncoder(rig);
     rig.start();
     QVERIFY(runUntilEngaged(rig));
     const std::int64_t before = rig.core().motion.commanded;
-    rig.core().board.port.master = [](void*, std::uint16_t) { return std::int64_t{1'000'000}; };
+    rig.core().board.port.master = [](void*, std::uint16_t, ctl_master_input* input) {
+        *input = {1'000'000, 0, 0, 0};
+    };
     QVERIFY(rig.runUntilState(CTL_STATE_FAULT, 10'000));
-    QCOMPARE(rig.status(CTL_REG_STATUS_FAULT), 1u << CTL_FAULT_BIT_MASTER_TOO_FAST);
+    QCOMPARE(rig.status(CTL_REG_STATUS_FAULT), 1u << CTL_FAULT_BIT_MASTER_SPEED);
     QVERIFY(rig.core().motion.commanded - before < knifePulses * 3 / 250); // 3 mm of film
 }
 
@@ -624,7 +628,7 @@ void TestMasterLine::aMillionCyclesLoseNoTick()
     QCOMPARE(bench.master.gear.ticks, ticks); // by the whole numbers of this line
     QCOMPARE(given, ticks - ticksBefore + endAhead - ahead);
     QVERIFY(endAhead >= 0 && endAhead < 2 * std::int64_t{cycleTicks} / counts);
-    QVERIFY(!bench.master.fails);
+    QVERIFY(bench.master.fault == CTL_LOST_NONE);
 }
 
 void TestMasterLine::machineDataSurvivesAPowerCut()
@@ -633,13 +637,15 @@ void TestMasterLine::machineDataSurvivesAPowerCut()
     {
         Rig rig({}, &flash);
         rig.install(cutter());
-        QCOMPARE(rig.write(CTL_REG_MASTER_SOURCE, {1, 1, 1, 0, 0, 1234, 0, 5678, 1500, 2500, 75, 120, 0}), 0);
+        QCOMPARE(rig.write(CTL_REG_MASTER_SOURCE,
+                           {1, 1, 1, 0, 0, 1234, 0, 5678, 1500, 2500, 75, 120, 0, 1, 3, 250, 9000}),
+                 0);
         QCOMPARE(rig.command(CTL_COMMAND_SAVE_TO_FLASH, 0, 0, crc32(cutter().registers())), CTL_REFUSAL_NONE);
         QCOMPARE(rig.write(CTL_REG_MASTER_ENGAGE, {100}), 0); // not saved
     }
     Rig rig({}, &flash);
     QCOMPARE(rig.read(CTL_REG_MASTER_SOURCE, CTL_GROUP_MASTER),
-             (Registers{1, 1, 1, 0, 0, 1234, 0, 5678, 1500, 2500, 75, 120, 0}));
+             (Registers{1, 1, 1, 0, 0, 1234, 0, 5678, 1500, 2500, 75, 120, 0, 1, 3, 250, 9000}));
 }
 
 void TestMasterLine::registersTellTheSpeed()

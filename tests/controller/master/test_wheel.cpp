@@ -1,0 +1,344 @@
+// SPDX-License-Identifier: Apache-2.0
+// A knife on film that somebody else drives, by the encoder of a wheel on it; the knife under a line that
+// stands; and the phase.
+#include "rig.h"
+
+#include "base/ctl_words.h"
+#include "tests/support/test_program.h"
+
+#include <QTest>
+
+#include <cmath>
+
+namespace test_wheel {
+
+using namespace campanel::test;
+using campanel::controller::LineShaft;
+using campanel::controller::MachineOptions;
+
+namespace {
+
+constexpr std::uint32_t cycleTicks = 8'000'000; // 60 a minute
+constexpr std::int64_t knifePulses = 10'000;    // a cycle
+constexpr double bagMm = 250.0;
+constexpr std::uint16_t touchesCentiDeg = 2500; // the simulated jaws touch within 20 degrees of the cut
+
+MachineOptions onLine(bool drivesFilm)
+{
+    MachineOptions options;
+    options.shaft.counts = 10'000;
+    options.shaft.speedMmPerS = bagMm;
+    options.shaft.drivesFilm = drivesFilm;
+    return options;
+}
+
+class Line : public Rig {
+public:
+    explicit Line(bool drivesFilm, MachineOptions options = {})
+        : Rig(options.shaft.counts == 0 ? onLine(drivesFilm) : options)
+    {
+        BankImage bank = camBank(knifePulses, 1, cycleTicks);
+        bank.bagLengthUm = 250'000;
+        install(bank);
+        write(CTL_REG_MASTER_SOURCE, {CTL_MASTER_SOURCE_ENCODER});
+        write(CTL_REG_MASTER_PLACE,
+              {static_cast<std::uint16_t>(drivesFilm ? CTL_MASTER_PLACE_WHEEL : CTL_MASTER_PLACE_SHAFT)});
+        setParameter(CTL_REG_PARAMETER_JAWS_BEFORE, touchesCentiDeg);
+        setParameter(CTL_REG_PARAMETER_JAWS_BEHIND, touchesCentiDeg);
+        run(500'000);
+    }
+
+    LineShaft& shaft() { return controller().machine().shaft(); }
+    bool engages()
+    {
+        for (int i = 0; i < 2000 && status(CTL_REG_MASTER_STATUS_STATE) != CTL_MASTER_STATE_ENGAGED; ++i)
+            run(10'000);
+        return status(CTL_REG_MASTER_STATUS_STATE) == CTL_MASTER_STATE_ENGAGED;
+    }
+    // Cuts so many bags; returns the largest deviation of one that is no scrap, and counts those that are.
+    double cutBags(int bags)
+    {
+        double largest = 0.0;
+        scrap = 0;
+        for (int i = 0; i < bags;) {
+            controller().step();
+            const auto& cut = controller().cut();
+            if (!cut || !cut->lengthUm)
+                continue;
+            ++i;
+            const bool isScrap = ctl_packer_rejects(&core().packer);
+            scrap += isScrap ? 1 : 0;
+            const double lengths = core().packer.last_cut.bags;
+            if (!isScrap)
+                largest = std::max(largest, std::abs(*cut->lengthUm / 1000.0 - lengths * bagMm));
+        }
+        return largest;
+    }
+    bool mayRun() { return (status(CTL_REG_IO_OUTPUTS) & 1u << CTL_OUTPUT_BIT_LINE_MAY_RUN) != 0; }
+    bool jawsAreClosed() { return controller().machine().areJawsClosed(); }
+    // Stops the line so that it stands with the jaws on the film.
+    bool standsClosed()
+    {
+        for (int attempt = 0; attempt < 100; ++attempt) {
+            shaft().setSpeed(0.0);
+            run(560'000); // before the knife opens
+            if (jawsAreClosed())
+                return true;
+            shaft().setSpeed(bagMm);
+            run(1'000'000u + static_cast<unsigned>(attempt) * 61'000u);
+        }
+        return false;
+    }
+    int scrap = 0;
+};
+
+} // namespace
+
+class TestWheel : public QObject {
+    Q_OBJECT
+
+private slots:
+    void onlyTheKnifeMoves();
+    void aBoardThatCannotLatchRefuses();
+    void cutsOnTheMarks();
+    void theLineMayRunWhileTheKnifeFollows();
+    void filmThatPassesIsCounted();
+    void comesBackOntoTheMarks();
+    void backOnTheClockFilmAndInfeedAreDriven();
+    void theKnifeOpensUnderALineThatStands_data();
+    void theKnifeOpensUnderALineThatStands();
+    void aStopUnderTheOpenKnifeEndsTheRun();
+    void theDelayOfTheKnifeIsReported();
+    void thePhaseIsSuperimposed_data();
+    void thePhaseIsSuperimposed();
+    void theRippleIsMeasured();
+};
+
+void TestWheel::onlyTheKnifeMoves()
+{
+    Line line(true);
+    static int fed = 0;
+    fed = 0;
+    line.core().board.port.feed = [](void*, ctl_axis, std::int64_t, std::int64_t) { ++fed; };
+    line.start();
+    QVERIFY(line.engages());
+    (void)line.cutBags(20);
+    QCOMPARE(fed, 0);
+    QVERIFY(line.core().motion.commanded > 20 * knifePulses);
+}
+
+void TestWheel::aBoardThatCannotLatchRefuses()
+{
+    Line line(true);
+    line.core().board.port.latch_master = nullptr;
+    QCOMPARE(line.command(CTL_COMMAND_START), CTL_REFUSAL_NO_MASTER_INPUT);
+    line.write(CTL_REG_MASTER_PLACE, {CTL_MASTER_PLACE_SHAFT});
+    QCOMPARE(line.command(CTL_COMMAND_START), CTL_REFUSAL_NONE);
+}
+
+void TestWheel::cutsOnTheMarks()
+{
+    Line line(true);
+    line.start();
+    QVERIFY(line.engages());
+    (void)line.cutBags(10);
+    const double largest = line.cutBags(300);
+    QVERIFY2(largest < 0.2, qPrintable(QString::number(largest)));
+    QCOMPARE(line.scrap, 0);
+    QVERIFY(std::abs(line.controller().cut()->markErrorMm) < 0.5);
+}
+
+void TestWheel::theLineMayRunWhileTheKnifeFollows()
+{
+    Line line(true);
+    QVERIFY(!line.mayRun());
+    line.start();
+    QVERIFY(line.engages());
+    QVERIFY(line.mayRun());
+    line.command(CTL_COMMAND_STOP_AT_CYCLE_END);
+    line.run(1000);
+    QVERIFY(!line.mayRun()); // while it disengages: the line needs its time
+    QVERIFY(line.runUntilState(CTL_STATE_READY));
+    QVERIFY(!line.jawsAreClosed());
+    line.command(CTL_COMMAND_START);
+    QVERIFY(line.engages());
+    line.controller().machine().setInput(CTL_INPUT_BIT_EMERGENCY_STOP, true);
+    line.run(1000);
+    QVERIFY(!line.mayRun());
+}
+
+void TestWheel::filmThatPassesIsCounted()
+{
+    Line line(true);
+    line.start();
+    QVERIFY(line.engages());
+    line.command(CTL_COMMAND_STOP_AT_CYCLE_END);
+    QVERIFY(line.runUntilState(CTL_STATE_READY));
+    const std::int32_t before = line.signedWide(CTL_REG_MASTER_STATUS_PASSED);
+    const double from = line.shaft().positionMm();
+    line.run(20'000'000);
+    const std::int32_t passed = line.signedWide(CTL_REG_MASTER_STATUS_PASSED) - before;
+    QVERIFY(std::abs(passed - (line.shaft().positionMm() - from)) < 3.0);
+}
+
+// Film passed uncut meanwhile: the bag over it says how many it is, and is scrap.
+void TestWheel::comesBackOntoTheMarks()
+{
+    Line line(true);
+    line.start();
+    QVERIFY(line.engages());
+    (void)line.cutBags(20);
+    for (int i = 0; i < 10; ++i) {
+        line.command(CTL_COMMAND_STOP_AT_CYCLE_END);
+        QVERIFY(line.runUntilState(CTL_STATE_READY));
+        line.run(1'000'000u + static_cast<unsigned>(i) * 370'000u);
+        line.command(CTL_COMMAND_START);
+        QVERIFY(line.cutBags(12) < 0.2);
+        QVERIFY2(line.scrap >= 1 && line.scrap <= 5, qPrintable(QString::number(line.scrap)));
+        QVERIFY(line.core().packer.last_cut.tracked);
+    }
+}
+
+void TestWheel::backOnTheClockFilmAndInfeedAreDriven()
+{
+    MachineOptions options = onLine(false); // the film of this machine is its own
+    Line line(true, options);
+    line.start();
+    QVERIFY(line.engages());
+    line.command(CTL_COMMAND_STOP_AT_CYCLE_END);
+    QVERIFY(line.runUntilState(CTL_STATE_READY));
+    line.write(CTL_REG_MASTER_SOURCE, {CTL_MASTER_SOURCE_CLOCK});
+    line.run(10'000);
+    line.start();
+    (void)line.cutBags(15);
+    QVERIFY(line.cutBags(50) < 0.2);
+    QCOMPARE(line.scrap, 0);
+}
+
+void TestWheel::theKnifeOpensUnderALineThatStands_data()
+{
+    QTest::addColumn<bool>("drivesFilm");
+    QTest::newRow("shaft") << false;
+    QTest::newRow("wheel") << true;
+}
+
+void TestWheel::theKnifeOpensUnderALineThatStands()
+{
+    QFETCH(bool, drivesFilm);
+    Line line(drivesFilm);
+    line.start();
+    QVERIFY(line.engages());
+    (void)line.cutBags(12);
+    for (int i = 0; i < 3; ++i) {
+        QVERIFY(line.standsClosed());
+        line.run(1'500'000);
+        QVERIFY(!line.jawsAreClosed());
+        QCOMPARE(line.status(CTL_REG_STATUS_STATE), CTL_STATE_RUNNING);
+        QVERIFY(line.mayRun());
+        QCOMPARE(line.status(CTL_REG_MASTER_STATUS_STATE), CTL_MASTER_STATE_OFF);
+        line.run(2'000'000);
+        line.shaft().setSpeed(bagMm);
+        QVERIFY(line.engages());
+        QVERIFY(line.cutBags(12) < 0.2);
+        QVERIFY(line.scrap <= 5);
+    }
+    QCOMPARE(line.status(CTL_REG_STATUS_FAULT), 0);
+}
+
+void TestWheel::aStopUnderTheOpenKnifeEndsTheRun()
+{
+    Line line(true);
+    line.start();
+    QVERIFY(line.engages());
+    (void)line.cutBags(12);
+    QVERIFY(line.standsClosed());
+    line.run(1'500'000);
+    const std::int64_t open = line.core().motion.commanded;
+    QCOMPARE(line.command(CTL_COMMAND_STOP_AT_CYCLE_END), CTL_REFUSAL_NONE);
+    QVERIFY(line.runUntilState(CTL_STATE_READY));
+    QCOMPARE(line.core().motion.commanded, open);
+    QVERIFY(!line.mayRun());
+    line.command(CTL_COMMAND_START);
+    line.shaft().setSpeed(bagMm);
+    QVERIFY(line.engages());
+    QVERIFY(line.cutBags(12) < 0.2);
+}
+
+// The knife's servo is behind by 1 / (pi x 80 Hz), which nobody has entered: 3.98 ms x 250 mm/s.
+void TestWheel::theDelayOfTheKnifeIsReported()
+{
+    Line line(true);
+    line.start();
+    QVERIFY(line.engages());
+    (void)line.cutBags(30);
+    const auto lagUm = [&] {
+        return static_cast<std::int16_t>(line.read(CTL_REG_MASTER_STATUS_LAG, 1).at(0));
+    };
+    const int late = lagUm();
+    QVERIFY2(std::abs(late - 995) < 60, qPrintable(QString::number(late)));
+    line.command(CTL_COMMAND_STOP_AT_CYCLE_END);
+    QVERIFY(line.runUntilState(CTL_STATE_READY));
+    line.write(CTL_REG_MASTER_DELAY, {3979});
+    line.run(10'000);
+    line.command(CTL_COMMAND_START);
+    QVERIFY(line.engages());
+    (void)line.cutBags(30);
+    QVERIFY2(std::abs(lagUm()) < 60, qPrintable(QString::number(lagUm())));
+}
+
+void TestWheel::thePhaseIsSuperimposed_data()
+{
+    QTest::addColumn<int>("centiDeg");
+    QTest::newRow("forward") << 3000;
+    QTest::newRow("back") << -3000;
+    QTest::newRow("as far as it goes") << 18'000;
+}
+
+// The line is shifted by it, at most an eighth faster or slower, and stays there over a stop.
+void TestWheel::thePhaseIsSuperimposed()
+{
+    QFETCH(int, centiDeg);
+    Line line(false);
+    line.start();
+    QVERIFY(line.engages());
+    line.run(3'000'000);
+    const std::int64_t before = line.core().master.clutch.offset;
+    const auto wanted = static_cast<std::int64_t>(cycleTicks) * centiDeg / 36'000;
+    line.write(CTL_REG_MASTER_PHASE, {static_cast<std::uint16_t>(centiDeg)});
+    double fastest = 0.0;
+    double slowest = 1e9;
+    for (int i = 0; i < 1000; ++i) {
+        const std::int64_t from = line.core().master.line;
+        line.run(10'000);
+        const double share = static_cast<double>(line.core().master.line - from) / 80'000.0;
+        fastest = std::max(fastest, share);
+        slowest = std::min(slowest, share);
+    }
+    QCOMPARE(line.core().master.clutch.offset - before, wanted);
+    QCOMPARE(static_cast<std::int16_t>(line.read(CTL_REG_MASTER_STATUS_PHASE, 1).at(0)), centiDeg);
+    QVERIFY2(fastest < 1.14 && slowest > 0.86, qPrintable(QString::number(fastest)));
+    QVERIFY(centiDeg > 0 ? fastest > 1.05 : slowest < 0.95);
+    line.command(CTL_COMMAND_STOP_AT_CYCLE_END);
+    QVERIFY(line.runUntilState(CTL_STATE_READY));
+    line.command(CTL_COMMAND_START);
+    QVERIFY(line.engages());
+    const std::int64_t again = line.core().master.clutch.offset - before - wanted;
+    QCOMPARE(again % cycleTicks, 0);
+}
+
+void TestWheel::theRippleIsMeasured()
+{
+    MachineOptions options = onLine(false);
+    options.shaft.ripple = 0.02;
+    options.shaft.rippleHz = 3.0;
+    Line line(false, options);
+    line.run(3'000'000);
+    const int ripple = line.read(CTL_REG_MASTER_STATUS_RIPPLE, 1).at(0);
+    QVERIFY2(std::abs(ripple - 200) < 40, qPrintable(QString::number(ripple)));
+}
+
+CAMPANEL_TEST(TestWheel)
+
+} // namespace test_wheel
+
+#include "test_wheel.moc"
