@@ -64,9 +64,10 @@ public:
     virtual void startScan(campanel::modbus::ScanPlan::Depth depth) = 0;
     virtual void cancelScan() = 0;
 
-    // Sets the rules of simulated line faults, see controller/README.md, and "jam on" for something under the
-    // jaws of the simulated machine. They replace the earlier ones; an empty list clears them. They outlive a restart of the controller, but not connectTo(). Ends in exactly
-    // one faultsSimulated(), at once while the controller is not serving.
+    // Sets the rules of simulated line faults and the statements about the simulated machine, see
+    // controller/README.md. They replace the earlier ones; an empty list clears them. They outlive a restart
+    // of the controller, but not connectTo(). Ends in exactly one faultsSimulated(), at once while the
+    // controller is not serving.
     virtual void simulateFaults(const QStringList& rules) = 0;
 
     // Measures the last bag of the simulated machine. Ends in exactly one rulerRead(), at once for a link

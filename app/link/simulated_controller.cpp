@@ -8,6 +8,8 @@
 #include <QFileInfo>
 #include <QStandardPaths>
 
+#include <algorithm>
+#include <array>
 #include <chrono>
 #include <utility>
 
@@ -21,7 +23,28 @@ namespace {
 constexpr auto restartDelay = 500ms;
 constexpr int endTimeoutMs = 2000;
 const auto programName = u"campanel-controller"_s;
-const auto jamOn = u"jam on"_s; // a statement about the machine among the rules of the line
+
+// The statements about the machine among the rules of the line: how they begin, and what ends them.
+struct MachineFault {
+    QLatin1String beginning;
+    QLatin1String end;
+};
+
+constexpr std::array machineFaults{
+    MachineFault{"jam on"_L1, "jam off"_L1},
+    MachineFault{"line start"_L1, "line stop"_L1},
+    MachineFault{"line slip"_L1, "line slip 0"_L1},
+    MachineFault{"line lose"_L1, "line lose 0"_L1},
+    MachineFault{"line swap on"_L1, "line swap off"_L1},
+    MachineFault{"line noise on"_L1, "line noise off"_L1},
+};
+
+const MachineFault* machineFaultOf(const QString& rule)
+{
+    const auto found = std::ranges::find_if(
+        machineFaults, [&rule](const MachineFault& fault) { return rule.startsWith(fault.beginning); });
+    return found == machineFaults.end() ? nullptr : &*found;
+}
 
 } // namespace
 
@@ -81,7 +104,7 @@ void SimulatedController::start()
     if (!m_options.stateDir.isEmpty())
         arguments << u"--state"_s << m_options.stateDir;
     m_isServing = false;
-    m_isJammed = false;
+    m_ofMachine.clear();
     m_process.start(program, arguments + m_options.arguments);
 }
 
@@ -157,11 +180,20 @@ bool SimulatedController::setFaults(const QStringList& rules)
 void SimulatedController::sendFaults(const QStringList& rules, bool isAsked)
 {
     m_sentFaults << SentFaults{rules, isAsked};
-    QStringList ofLine = rules;
-    const bool isJammed = ofLine.removeAll(jamOn) > 0;
+    QStringList ofLine;
+    QStringList ofMachine;
+    for (const QString& rule : rules)
+        (machineFaultOf(rule) ? ofMachine : ofLine) << rule;
     // Before the rules, so that the answer to them is the answer to both.
-    if (std::exchange(m_isJammed, isJammed) != isJammed)
-        m_process.write(isJammed ? "jam on\n" : "jam off\n");
+    const QStringList before = std::exchange(m_ofMachine, ofMachine);
+    for (const QString& rule : before) {
+        if (!ofMachine.contains(rule))
+            m_process.write(QByteArray(machineFaultOf(rule)->end.data()) + '\n');
+    }
+    for (const QString& rule : ofMachine) {
+        if (!before.contains(rule))
+            m_process.write(rule.toLatin1() + '\n');
+    }
     const QString script = ofLine.isEmpty() ? u"clear"_s : ofLine.join(u"; "_s);
     m_process.write(script.toLocal8Bit() + '\n');
 }

@@ -27,8 +27,9 @@ public:
 
     void start();
 
-    // Sets the rules of line faults, and of the machine "jam on", in place of the earlier ones. Ends in one
-    // faultsAnswered(). Returns false, without an answer, while the controller is not serving.
+    // Sets the rules of line faults and the statements about the machine, as "jam on" and "line start 250",
+    // in place of the earlier ones. Ends in one faultsAnswered(). Returns false, without an answer, while the
+    // controller is not serving.
     [[nodiscard]] bool setFaults(const QStringList& rules);
 
     // Measures the last bag. Ends in one rulerRead(). Returns false, without an answer, while the controller
@@ -65,7 +66,7 @@ private:
     };
     QList<SentFaults> m_sentFaults; // not answered yet
     QStringList m_faults;           // active
-    bool m_isJammed = false;        // as it was told last
+    QStringList m_ofMachine;        // statements about the machine, as sent last
     int m_rulersAsked = 0;          // not answered yet
 };
 

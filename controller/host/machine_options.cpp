@@ -20,6 +20,7 @@ using Film = FilmOptions;
 using Products = ProductOptions;
 using Press = PressOptions;
 using Sensors = SensorOptions;
+using Shaft = ShaftOptions;
 
 constexpr std::array optionTable{
     MachineOption{"film-slip", "MM", "standard deviation of the film's slip per bag", 0, 10,
@@ -115,6 +116,18 @@ constexpr std::array optionTable{
                   numberOf<&MachineOptions::jaws, &Jaw::stiffnessNPerMm>},
     MachineOption{"jam-touch", "DEG", "shaft angle before the cut at which it is touched", 0, 90,
                   numberOf<&MachineOptions::jaws, &Jaw::touchDegrees>},
+    MachineOption{"master-revolution", "MM", "film per revolution of the line's encoder", 1, 10000,
+                  numberOf<&MachineOptions::shaft, &Shaft::revolutionMm>},
+    MachineOption{"master-acceleration", "MM", "acceleration of the line, mm/s^2", 1, 100000,
+                  numberOf<&MachineOptions::shaft, &Shaft::accelerationMmPerS2>},
+    MachineOption{"master-ripple", "SHARE", "ripple of the line's speed", 0, 0.5,
+                  numberOf<&MachineOptions::shaft, &Shaft::ripple>},
+    MachineOption{"master-ripple-hz", "HZ", "frequency of this ripple", 0.01, 200,
+                  numberOf<&MachineOptions::shaft, &Shaft::rippleHz>},
+    MachineOption{"master-wave", "SHARE", "slow wave of the line's speed, over 10 s", 0, 0.5,
+                  numberOf<&MachineOptions::shaft, &Shaft::wave>},
+    MachineOption{"master-jitter", "COUNTS", "maximum error of an edge of the line's encoder", 0, 10,
+                  numberOf<&MachineOptions::shaft, &Shaft::jitterCounts>},
 };
 
 // Returns the shortest form.

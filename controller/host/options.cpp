@@ -37,8 +37,12 @@ printed is that port's path. Ends on SIGTERM or SIGINT.
   --seed N             seed of the machine's disturbances (1)
   --pins NAME,..       inputs that are on at power-up: )";
 
+constexpr std::uint32_t usualMasterCounts = 10'000;
+
 constexpr const char* helpAfter =
-    R"(  --positions-kept     the positions of axis, film and infeed survive a power cut, as with absolute encoders; the
+    R"(  --master-counts N    counts per revolution of the encoder on the line's shaft, which stands at first, 4..1000000;
+                       0: none (10000)
+  --positions-kept     the positions of axis, film and infeed survive a power cut, as with absolute encoders; the
                        shaft stands at its index mark at first
   --faults FILE        rules for what goes wrong on the line, one a line; see controller/README.md
   --fault-seed N       seed of the faults, unless the rules name one (1)
@@ -47,7 +51,10 @@ constexpr const char* helpAfter =
                        before, or 'error' and a sentence; 'unplugged', 'port PATH', 'restarted' tell what
                        happened. 'measure' is answered by 'measured LENGTH DISTANCE': the last bag's length and
                        that of its cut behind its mark in mm, as a ruler shows it; 'measured none' before any.
-                       'pin NAME on' and 'pin NAME off' set an input of --pins, answered by the same words
+                       'pin NAME on' and 'pin NAME off' set an input of --pins, answered by the same words.
+                       'line start [MM_PER_S]' and 'line stop' move the line's shaft; 'line slip SHARE',
+                       'line lose COUNTS' (per revolution), 'line swap on|off', 'line noise on|off' and 'line jump'
+                       are faults of its encoder; answered by the same words
   --exit-with-parent   end when the process that started this one ends
   --help, --version
 )";
@@ -78,6 +85,7 @@ enum Code {
     Speed,
     Seed,
     Pins,
+    MasterCounts,
     PositionsKept,
     Faults,
     FaultSeed,
@@ -99,6 +107,7 @@ const option ownOptions[] = {{"link", required_argument, nullptr, Link},
                              {"speed", required_argument, nullptr, Speed},
                              {"seed", required_argument, nullptr, Seed},
                              {"pins", required_argument, nullptr, Pins},
+                             {"master-counts", required_argument, nullptr, MasterCounts},
                              {"positions-kept", no_argument, nullptr, PositionsKept},
                              {"faults", required_argument, nullptr, Faults},
                              {"fault-seed", required_argument, nullptr, FaultSeed},
@@ -172,6 +181,9 @@ bool takeOption(int code, std::string_view argument, Options& options)
             return true;
         }
         return false;
+    case MasterCounts:
+        return parseNumber<std::uint32_t>(argument, 0, 1'000'000, options.machine.shaft.counts) &&
+               (options.machine.shaft.counts == 0 || options.machine.shaft.counts >= 4);
     case PositionsKept:
         options.keepsPositions = true;
         options.machine.startAngleDegrees = 0; // where an encoder counts from
@@ -195,6 +207,7 @@ tl::expected<Options, Ending> parseOptions(int argc, char** argv)
 {
     Options options;
     options.stateDirectory = defaultStateDirectory();
+    options.machine.shaft.counts = usualMasterCounts;
     const std::vector<option> table = allOptions();
     std::string faultFile; // read last: the seed may follow it
     opterr = 0;

@@ -17,9 +17,9 @@ struct Options {
     std::uint8_t unit = 1;
     LineSettings line;
     std::filesystem::path stateDirectory;
-    std::filesystem::path link; // empty: none
-    double speed = 1.0;         // simulated seconds per second
-    std::uint16_t mapMinor = 0; // answers as a controller of this minor map version; 0: of the newest
+    std::filesystem::path link;  // empty: none
+    double speed = 1.0;          // simulated seconds per second
+    std::uint16_t mapMinor = 0;  // answers as a controller of this minor map version; 0: of the newest
     bool keepsPositions = false; // without power
     MachineOptions machine;
     FaultScript faults;

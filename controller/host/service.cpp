@@ -2,6 +2,7 @@
 #include "service.h"
 
 #include "input_pins.h"
+#include "line_statements.h"
 
 #include <algorithm>
 #include <array>
@@ -69,6 +70,8 @@ void Service::powerUp(std::int64_t nowNs)
     m_startNs = nowNs;
     m_frameEndNs.reset();
     m_lastCut.reset();
+    if (m_controller) // the line is somebody else's
+        m_options.machine.shaft = m_controller->machine().shaft().options();
     m_controller = std::make_unique<SimulatedController>(configOf(m_options), m_options.machine, m_flash);
 }
 
@@ -182,15 +185,28 @@ void Service::setPin(std::string_view text)
     say("pin " + std::string(text));
 }
 
+void Service::moveLine(std::string_view text) const
+{
+    if (applyLineStatement(text, m_controller->machine().shaft()))
+        say("line " + std::string(text));
+    else
+        say("error unknown statement about the line, or no encoder: " + std::string(text));
+}
+
 void Service::takeControlLine(std::string_view text)
 {
     constexpr std::string_view pin = "pin ";
+    constexpr std::string_view line = "line ";
     if (text == "measure") {
         measure();
         return;
     }
     if (text.starts_with(pin)) {
         setPin(text.substr(pin.size()));
+        return;
+    }
+    if (text.starts_with(line)) {
+        moveLine(text.substr(line.size()));
         return;
     }
     if (text == "jam on" || text == "jam off") {

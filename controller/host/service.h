@@ -35,6 +35,7 @@ private:
     void powerUp(std::int64_t nowNs);
     void measure() const;
     void setPin(std::string_view text);
+    void moveLine(std::string_view text) const;
     void takeControlLine(std::string_view text);
     void say(std::string_view line) const;
 

@@ -37,6 +37,11 @@ double LineShaft::swingAt(double timeS) const
 // divides it.
 void LineShaft::advance(double stepS)
 {
+    if (m_evenMmPerS == 0.0 && m_targetMmPerS == 0.0) {
+        m_speedMmPerS = 0.0;
+        m_timeS += stepS;
+        return;
+    }
     const double turnsBefore = turns();
     const std::int64_t edgesBefore = m_options.noise > 0.0 ? edges() : 0;
     while (stepS > 0.0) {

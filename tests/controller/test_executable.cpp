@@ -160,6 +160,7 @@ private slots:
     void wrongOptions();
     void helpAndVersion();
     void pinsAreSetFromOutside();
+    void aControllerThatRestartsFindsARunningLine();
     void stateDirectoryIsUsedOnce();
     void endsWithItsParent();
     void idlesCheaply();
@@ -386,6 +387,37 @@ void TestExecutable::pinsAreSetFromOutside()
     QCOMPARE(controller.tell("pin drive-alarm off"), "pin drive-alarm off");
     QTRY_COMPARE(registerAt(CTL_REG_IO_INPUTS) & settable, limit | stop);
     QVERIFY(controller.tell("pin eye on").startsWith("error "));
+}
+
+void TestExecutable::aControllerThatRestartsFindsARunningLine()
+{
+    Program controller({u"--control"_s});
+    const Port port(controller.port());
+    const auto bytesOf = [](std::uint32_t address) {
+        return std::pair{static_cast<std::uint8_t>(address >> 8u),
+                         static_cast<std::uint8_t>(address & 0xFFu)};
+    };
+    const auto followEncoder = [&port, &bytesOf] {
+        const auto [high, low] = bytesOf(CTL_REG_MASTER_SOURCE);
+        return port.ask({1, 16, high, low, 0, 1, 2, 0, CTL_MASTER_SOURCE_ENCODER}, 8).size() == 8;
+    };
+    const auto upperWordOfSpeed = [&port, &bytesOf] { // of 250 000 um/s it is 3
+        const auto [high, low] = bytesOf(CTL_REG_MASTER_STATUS_SPEED);
+        const Bytes answer = port.ask({1, 3, high, low, 0, 1}, 7);
+        return answer.size() == 7 ? answer[3] << 8 | answer[4] : -1;
+    };
+    QVERIFY(followEncoder());
+    QCOMPARE(upperWordOfSpeed(), 0);
+    QCOMPARE(controller.tell("line start 250"), "line start 250");
+    QTRY_COMPARE(upperWordOfSpeed(), 3);
+    QCOMPARE(controller.tell("restart time=10 limit=1"), "ok 0");
+    QVERIFY(port.ask(readDeviceType, 7).empty());
+    QCOMPARE(controller.readLine(), "restarted");
+    QVERIFY(followEncoder());
+    QTRY_COMPARE(upperWordOfSpeed(), 3);
+    QCOMPARE(controller.tell("line stop"), "line stop");
+    QTRY_COMPARE(upperWordOfSpeed(), 0);
+    QVERIFY(controller.tell("line slip 2").startsWith("error "));
 }
 
 void TestExecutable::stateDirectoryIsUsedOnce()

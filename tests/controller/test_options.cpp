@@ -3,6 +3,7 @@
 // within its range, and is in the help.
 #include "ctl_registers.h"
 #include "input_pins.h"
+#include "line_statements.h"
 #include "machine_options.h"
 #include "options.h"
 #include "tests/support/test_program.h"
@@ -146,6 +147,49 @@ private slots:
         const auto options = parse({"--positions-kept"});
         QVERIFY(options && options->keepsPositions);
         QCOMPARE(options->machine.startAngleDegrees, 0.0);
+    }
+
+    void theLineHasAnEncoder()
+    {
+        QCOMPARE(parse({})->machine.shaft.counts, 10'000u);
+        QCOMPARE(parse({})->machine.shaft.speedMmPerS, 0.0);
+        QCOMPARE(parse({"--master-counts", "2500"})->machine.shaft.counts, 2'500u);
+        QCOMPARE(parse({"--master-counts", "0"})->machine.shaft.counts, 0u);
+        for (const char* wrong : {"3", "-1", "1000001", "x", ""})
+            QVERIFY2(!parse({"--master-counts", wrong}).has_value(), wrong);
+    }
+
+    void theLineIsMoved()
+    {
+        ShaftOptions options;
+        LineShaft none(options);
+        QVERIFY(!applyLineStatement("start 100", none));
+        options.counts = 10'000;
+        LineShaft shaft(options);
+        const auto present = [&shaft] { return shaft.options(); };
+        QVERIFY(applyLineStatement("start", shaft));
+        QCOMPARE(present().speedMmPerS, 250.0);
+        QVERIFY(applyLineStatement("start -20.5", shaft));
+        QCOMPARE(present().speedMmPerS, -20.5);
+        QVERIFY(applyLineStatement("slip 0.1", shaft));
+        QCOMPARE(present().slip, 0.1);
+        QVERIFY(applyLineStatement("lose 7", shaft));
+        QCOMPARE(present().lost, 7u);
+        QVERIFY(applyLineStatement("swap on", shaft));
+        QVERIFY(present().isReversed);
+        QVERIFY(applyLineStatement("noise on", shaft));
+        QVERIFY(present().noise > 0.0);
+        const auto counts = shaft.counts();
+        QVERIFY(applyLineStatement("jump", shaft));
+        QCOMPARE(shaft.counts(), counts + 5'000);
+        for (const char* wrong : {"", "start x", "start 1e9", "start nan", "stop 1", "slip", "slip 1.5",
+                                  "lose -1", "swap", "swap 2", "swap  on", "jump on", "halt"})
+            QVERIFY2(!applyLineStatement(wrong, shaft), wrong);
+        QVERIFY(applyLineStatement("swap off", shaft) && applyLineStatement("noise off", shaft));
+        QVERIFY(applyLineStatement("stop", shaft));
+        QVERIFY(!present().isReversed);
+        QCOMPARE(present().noise, 0.0);
+        QCOMPARE(present().speedMmPerS, 0.0);
     }
 
     void pinsAreNamed()

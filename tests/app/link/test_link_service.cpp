@@ -277,15 +277,15 @@ private slots:
         QCOMPARE(panel.faults.size(), 3); // no answers for unrequested ones
     }
 
-    // A jam is no rule of the line: it is told in a line of its own, when it changes.
-    void aJamIsToldToTheMachine()
+    // What concerns the machine is no rule of the connection: it goes in a line of its own, when it changes.
+    void statementsAboutTheMachineAreSentAlone()
     {
         const QTemporaryDir folder;
         QFile script(folder.filePath(QStringLiteral("controller.sh")));
         QVERIFY(script.open(QIODevice::WriteOnly));
         script.write("#!/bin/sh\necho /dev/nothing\nwhile read -r line; do\n  echo \"$line\" >>'" +
                      folder.path().toUtf8() +
-                     "/lines'\n  case $line in jam*) echo \"$line\" ;; *) echo 'ok 0' ;; esac\ndone\n");
+                     "/lines'\n  case $line in jam*|line*) echo \"$line\" ;; *) echo 'ok 0' ;; esac\ndone\n");
         script.close();
         script.setPermissions(QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner);
         link::ConnectionSettings settings;
@@ -302,12 +302,16 @@ private slots:
         simulate({QStringLiteral("noise every=7"), QStringLiteral("jam on"), QStringLiteral("late every=9")});
         simulate({QStringLiteral("jam on")});
         simulate({});
+        simulate({QStringLiteral("line start 125"), QStringLiteral("line lose 7")});
+        simulate({QStringLiteral("line start 250"), QStringLiteral("line lose 7")});
+        simulate({});
         QFile lines(folder.filePath(QStringLiteral("lines")));
         QVERIFY(lines.open(QIODevice::ReadOnly));
         QByteArrayList told = lines.readAll().trimmed().split('\n');
         told.erase(std::unique(told.begin(), told.end()), told.end()); // a slow machine asks more than once
         QCOMPARE(told, (QByteArrayList{"clear", "jam on", "noise every=7; late every=9", "clear", "jam off",
-                                       "clear"}));
+                                       "clear", "line start 125", "line lose 7", "clear", "line stop",
+                                       "line start 250", "clear", "line stop", "line lose 0", "clear"}));
     }
 
     void theRulerHasOneOutcome()
