@@ -6,6 +6,7 @@
 #include "app/cli/recipe_options.h"
 #include "app/cli/report.h"
 #include "app/panel/words/cam_sentences.h"
+#include "app/panel/words/master_sentences.h"
 #include "app/program/cam_advance.h"
 #include "modbus/download/download.h"
 
@@ -70,6 +71,32 @@ tl::expected<modbus::StatusBlock, Failure> awaitActive(LinkSession& session, Dow
     }
 }
 
+tl::expected<std::uint16_t, Failure> readRegister(LinkSession& session, std::string_view name)
+{
+    const modbus::RegisterInfo& info = *modbus::findRegister(name);
+    const auto read = session.client().readProven(info.address, info.count);
+    if (!read)
+        return fail(read.error());
+    return read->front();
+}
+
+// Compares the master of the recipe with that of the machine; a controller without the setting has a clock.
+Outcome checkMaster(LinkSession& session, const program::Recipe& recipe)
+{
+    program::MachineMaster machine;
+    if (session.identity().hasRegister("master.source")) {
+        const auto source = readRegister(session, "master.source");
+        const auto input = readRegister(session, "master_status.available");
+        if (!source || !input)
+            return tl::unexpected(source ? input.error() : source.error());
+        machine = {*source == static_cast<std::uint16_t>(modbus::MasterSource::Encoder), *input != 0};
+    }
+    const auto refusal = program::masterRefusal(recipe, machine);
+    if (refusal != program::MasterRefusal::None)
+        return fail(ExitCode::Refused, panel::MasterSentences::refusal(refusal));
+    return {};
+}
+
 } // namespace
 
 Outcome runDownload(const Invocation& call)
@@ -85,6 +112,8 @@ Outcome runDownload(const Invocation& call)
     auto session = LinkSession::open(call);
     if (!session)
         return tl::unexpected(session.error());
+    if (const Outcome checked = checkMaster(*session, *recipe); !checked)
+        return checked;
     recipe->machine = program::withController(recipe->machine, session->identity());
     const auto image = program::buildProgram(*recipe);
     if (!image)

@@ -4,6 +4,7 @@
 
 #include "app/cli/invocation.h"
 #include "app/program/cam_advance.h"
+#include "app/program/recipe_master.h"
 #include "app/store/recipes/list_file.h"
 #include "app/store/recipes/recipe_file.h"
 #include "profile/laws/laws.h"
@@ -298,6 +299,19 @@ Outcome applyAdvance(const Invocation& call, program::Recipe& recipe)
     return {};
 }
 
+Outcome applyMaster(const Invocation& call, program::Recipe& recipe)
+{
+    if (!call.isSet(u"for-master"_s))
+        return {};
+    const auto master = program::masterByKey(call.value(u"for-master"_s).toStdString());
+    if (!master)
+        return fail(ExitCode::Usage, u"--for-master takes any, clock or encoder."_s);
+    if (!program::hasMaster(recipe))
+        return fail(ExitCode::Usage, u"A recipe of this kind has no master; --for-master does not apply."_s);
+    recipe.master = *master;
+    return {};
+}
+
 } // namespace
 
 QList<QCommandLineOption> recipeOptions()
@@ -324,6 +338,9 @@ QList<QCommandLineOption> recipeOptions()
             << QCommandLineOption(u"segments-csv"_s,
                                   u"Segments of a segment cam, as printed by segments --format csv."_s,
                                   u"FILE"_s);
+    options << QCommandLineOption(
+        u"for-master"_s, u"What the machine must follow: any (whatever it follows), clock, encoder."_s,
+        u"MASTER"_s);
     options << QCommandLineOption(u"progressive"_s,
                                   u"Confirm that the cam moves its axis on in every cycle."_s)
             << QCommandLineOption(u"close"_s, u"End the cam where it began: no advance."_s);
@@ -355,8 +372,8 @@ tl::expected<program::Recipe, Failure> recipeOf(const Invocation& call)
             return fail(ExitCode::Usage,
                         u"The recipe is of kind %1."_s.arg(fromText(program::kindInfo(recipe.kind()).key)));
     }
-    for (const auto apply :
-         {applyFields, applyGear, applyRatios, applyLaw, applyChoices, applyLists, applyAdvance}) {
+    for (const auto apply : {applyFields, applyGear, applyRatios, applyLaw, applyChoices, applyLists,
+                             applyAdvance, applyMaster}) {
         if (const Outcome applied = apply(call, recipe); !applied)
             return tl::unexpected(applied.error());
     }

@@ -600,6 +600,54 @@
         <source>The line became faster than the program allows, so the run was stopped.</source>
         <translation>Die Linie wurde schneller, als das Programm erlaubt; der Lauf wurde beendet.</translation>
     </message>
+    <message>
+        <source>Encoder signal disturbed</source>
+        <translation>Gebersignal gestört</translation>
+    </message>
+    <message>
+        <source>Check the cable and the shield of the encoder, then reset the fault.</source>
+        <translation>Kabel und Schirm des Drehgebers prüfen, dann Störung quittieren.</translation>
+    </message>
+    <message>
+        <source>Encoder counts lost</source>
+        <translation>Geberimpulse verloren</translation>
+    </message>
+    <message>
+        <source>Check the encoder, its coupling and its cable, then reset the fault.</source>
+        <translation>Drehgeber, Kupplung und Kabel prüfen, dann Störung quittieren.</translation>
+    </message>
+    <message>
+        <source>Wheel slips on the film</source>
+        <translation>Messrad rutscht auf der Folie</translation>
+    </message>
+    <message>
+        <source>Clean the wheel and press it on the film, then reset the fault.</source>
+        <translation>Messrad reinigen und an die Folie drücken, dann Störung quittieren.</translation>
+    </message>
+    <message>
+        <source>Impossible encoder speed</source>
+        <translation>Unmögliche Geberdrehzahl</translation>
+    </message>
+    <message>
+        <source>Check the encoder and its counts per revolution, then reset the fault.</source>
+        <translation>Drehgeber und Impulse je Umdrehung prüfen, dann Störung quittieren.</translation>
+    </message>
+    <message>
+        <source>The signal of the encoder that leads the line is disturbed.</source>
+        <translation>Das Signal des Drehgebers der Leitachse ist gestört.</translation>
+    </message>
+    <message>
+        <source>The encoder that leads the line has lost or gained counts.</source>
+        <translation>Der Drehgeber der Leitachse hat Impulse verloren oder zu viel gezählt.</translation>
+    </message>
+    <message>
+        <source>The wheel of the encoder slips on the film.</source>
+        <translation>Das Messrad des Drehgebers rutscht auf der Folie.</translation>
+    </message>
+    <message>
+        <source>The encoder that leads the line reports a speed that no machine has.</source>
+        <translation>Der Drehgeber der Leitachse meldet eine Geschwindigkeit, die keine Maschine hat.</translation>
+    </message>
 </context>
 <context>
     <name>AlarmWords</name>
@@ -1804,6 +1852,18 @@ eff. %2</translation>
         <source>peak %1 r/min · %2 · %3 kHz · seal %4 ms</source>
         <translation>max. %1/min · %2 · %3 kHz · Siegeln %4 ms</translation>
     </message>
+    <message>
+        <source>Max. master speed</source>
+        <translation>Max. Leitgeschw.</translation>
+    </message>
+    <message>
+        <source>Rate at max. line speed</source>
+        <translation>Taktzahl bei max. Linie</translation>
+    </message>
+    <message>
+        <source>An encoder leads: the line travels %1 of film at this rate. The run ends above %2.</source>
+        <translation>Ein Drehgeber führt: bei dieser Taktzahl läuft die Linie mit %1 Folie. Über %2 endet der Lauf.</translation>
+    </message>
 </context>
 <context>
     <name>FileErrorText</name>
@@ -2120,6 +2180,105 @@ eff. %2</translation>
     <message>
         <source>%1 There is no good copy; the default recipe is used.</source>
         <translation>%1 Es gibt keine gute Kopie; das Standardrezept wird verwendet.</translation>
+    </message>
+</context>
+<context>
+    <name>MasterSentences</name>
+    <message>
+        <source>Master</source>
+        <translation>Leitachse</translation>
+    </message>
+    <message>
+        <source>Place of the encoder</source>
+        <translation>Ort des Drehgebers</translation>
+    </message>
+    <message>
+        <source>Signal of the encoder</source>
+        <translation>Signal des Drehgebers</translation>
+    </message>
+    <message>
+        <source>Encoder counts backward</source>
+        <translation>Drehgeber zählt rückwärts</translation>
+    </message>
+    <message>
+        <source>Counts per revolution</source>
+        <translation>Impulse je Umdrehung</translation>
+    </message>
+    <message>
+        <source>Film per revolution</source>
+        <translation>Folie je Umdrehung</translation>
+    </message>
+    <message>
+        <source>Delay compensation</source>
+        <translation>Verzögerungsausgleich</translation>
+    </message>
+    <message>
+        <source>Delay of the drive</source>
+        <translation>Verzögerung des Antriebs</translation>
+    </message>
+    <message>
+        <source>Time constant of the position</source>
+        <translation>Zeitkonstante der Position</translation>
+    </message>
+    <message>
+        <source>Stretch for engaging</source>
+        <translation>Strecke zum Einkuppeln</translation>
+    </message>
+    <message>
+        <source>Max. speed of the master</source>
+        <translation>Max. Leitgeschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Cam follows backward</source>
+        <translation>Kurve folgt rückwärts</translation>
+    </message>
+    <message>
+        <source>Limit of the index mark</source>
+        <translation>Grenze der Nullmarke</translation>
+    </message>
+    <message>
+        <source>Limit of the wheel&apos;s slip</source>
+        <translation>Grenze des Messradschlupfs</translation>
+    </message>
+    <message>
+        <source>Phase of the line</source>
+        <translation>Phase der Linie</translation>
+    </message>
+    <message>
+        <source>This recipe is for an encoder as the master, and the controller has no input for one. Change the master of the recipe, or use another controller.</source>
+        <translation>Dieses Rezept ist für einen Drehgeber als Leitachse, und die Steuerung hat dafür keinen Eingang. Die Leitachse des Rezepts ändern oder eine andere Steuerung verwenden.</translation>
+    </message>
+    <message>
+        <source>This recipe is for an encoder as the master, but the machine follows its clock. Set the encoder as the master of the machine, or change the master of the recipe.</source>
+        <translation>Dieses Rezept ist für einen Drehgeber als Leitachse, aber die Maschine folgt ihrem Takt. Den Drehgeber als Leitachse der Maschine einstellen oder die Leitachse des Rezepts ändern.</translation>
+    </message>
+    <message>
+        <source>This recipe is for the clock, but an encoder leads the machine. Set the clock as the master of the machine, or change the master of the recipe.</source>
+        <translation>Dieses Rezept ist für den Takt der Steuerung, aber ein Drehgeber führt die Maschine. Den Takt als Leitachse der Maschine einstellen oder die Leitachse des Rezepts ändern.</translation>
+    </message>
+    <message>
+        <source>As the machine</source>
+        <translation>Wie die Maschine</translation>
+    </message>
+    <message>
+        <source>Clock of the controller</source>
+        <translation>Takt der Steuerung</translation>
+    </message>
+    <message>
+        <source>Encoder of the line</source>
+        <translation>Drehgeber der Linie</translation>
+    </message>
+    <message>
+        <source>Off</source>
+        <translation>Aus</translation>
+    </message>
+    <message>
+        <source>On</source>
+        <translation>Ein</translation>
+    </message>
+    <message>
+        <source>The line sets the rate: an encoder leads the machine. Change the speed of the line.</source>
+        <translation>Die Linie bestimmt die Taktzahl: ein Drehgeber führt die Maschine. Die Geschwindigkeit der Linie ändern.</translation>
     </message>
 </context>
 <context>
@@ -2831,10 +2990,6 @@ eff. %2</translation>
         <translation>Takt der Steuerung</translation>
     </message>
     <message>
-        <source>Encoder on the line&apos;s shaft</source>
-        <translation>Drehgeber an der Welle der Linie</translation>
-    </message>
-    <message>
         <source>Quadrature</source>
         <translation>Quadratur</translation>
     </message>
@@ -2857,6 +3012,26 @@ eff. %2</translation>
     <message>
         <source>Disengaging</source>
         <translation>Kuppelt aus</translation>
+    </message>
+    <message>
+        <source>Line may run</source>
+        <translation>Linie darf laufen</translation>
+    </message>
+    <message>
+        <source>On while the knife follows the encoder on the film, or waits for it.</source>
+        <translation>Ein, solange das Messer dem Drehgeber auf der Folie folgt oder auf ihn wartet.</translation>
+    </message>
+    <message>
+        <source>Encoder</source>
+        <translation>Drehgeber</translation>
+    </message>
+    <message>
+        <source>Line shaft</source>
+        <translation>Welle der Linie</translation>
+    </message>
+    <message>
+        <source>Wheel on the film</source>
+        <translation>Messrad auf der Folie</translation>
     </message>
 </context>
 <context>
@@ -3563,6 +3738,10 @@ eff. %2</translation>
         <source>Bag %1</source>
         <comment>name of a recipe, length in mm</comment>
         <translation>Beutel %1</translation>
+    </message>
+    <message>
+        <source>counts</source>
+        <translation>Impulse</translation>
     </message>
 </context>
 <context>
@@ -4945,6 +5124,10 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
         <source>Name and signature</source>
         <translation>Name und Unterschrift</translation>
     </message>
+    <message>
+        <source>The controller follows its clock.</source>
+        <translation>Die Steuerung folgt ihrem Takt.</translation>
+    </message>
 </context>
 <context>
     <name>campanel::panel::Controller</name>
@@ -5038,6 +5221,11 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
     <message>
         <source>Lcrit: the longest ramps stop the knife</source>
         <translation>Lcrit: die längsten Rampen halten das Messer an</translation>
+    </message>
+    <message>
+        <source>Line up to %1; limited by: %2. This program: %3; the run ends above %4.</source>
+        <comment>%1, %3, %4: speeds, %2: name of the limit</comment>
+        <translation>Linie bis %1; begrenzt durch: %2. Dieses Programm: %3; über %4 endet der Lauf.</translation>
     </message>
 </context>
 <context>
@@ -6487,6 +6675,10 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
     <message>
         <source>Master direction</source>
         <translation>Leitrichtung</translation>
+    </message>
+    <message>
+        <source>The line sets the direction: an encoder leads the machine.</source>
+        <translation>Die Linie bestimmt die Richtung: ein Drehgeber führt die Maschine.</translation>
     </message>
 </context>
 <context>
@@ -7951,6 +8143,46 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
     <message>
         <source>A packing machine with jam detection stops. Off: taken out.</source>
         <translation>Eine Packmaschine mit Klemmerkennung stoppt. Aus: entfernt.</translation>
+    </message>
+    <message>
+        <source>Line runs</source>
+        <translation>Linie läuft</translation>
+    </message>
+    <message>
+        <source>The shaft with the encoder. 100 %: %1, the active program at its rate.</source>
+        <translation>Die Welle mit dem Drehgeber. 100 %: %1, das aktive Programm mit seiner Taktzahl.</translation>
+    </message>
+    <message>
+        <source>Wheel slips</source>
+        <translation>Messrad rutscht</translation>
+    </message>
+    <message>
+        <source>The encoder turns 5 % less than the line travels.</source>
+        <translation>Der Drehgeber dreht 5 % weniger, als die Linie läuft.</translation>
+    </message>
+    <message>
+        <source>Counts lost</source>
+        <translation>Impulse verloren</translation>
+    </message>
+    <message>
+        <source>The encoder loses 50 counts in each revolution.</source>
+        <translation>Der Drehgeber verliert 50 Impulse je Umdrehung.</translation>
+    </message>
+    <message>
+        <source>Wires swapped</source>
+        <translation>Adern vertauscht</translation>
+    </message>
+    <message>
+        <source>A and B of the encoder: the counts go backward.</source>
+        <translation>A und B des Drehgebers: die Zählung läuft rückwärts.</translation>
+    </message>
+    <message>
+        <source>Encoder signal disturbed</source>
+        <translation>Gebersignal gestört</translation>
+    </message>
+    <message>
+        <source>A and B change at once at 2 % of the edges.</source>
+        <translation>A und B wechseln bei 2 % der Flanken zugleich.</translation>
     </message>
 </context>
 <context>

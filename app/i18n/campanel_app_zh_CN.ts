@@ -600,6 +600,54 @@
         <source>The line became faster than the program allows, so the run was stopped.</source>
         <translation>生产线速度超过程序允许值，运行已停止。</translation>
     </message>
+    <message>
+        <source>Encoder signal disturbed</source>
+        <translation>编码器信号受干扰</translation>
+    </message>
+    <message>
+        <source>Check the cable and the shield of the encoder, then reset the fault.</source>
+        <translation>请检查编码器的电缆和屏蔽，然后复位故障。</translation>
+    </message>
+    <message>
+        <source>Encoder counts lost</source>
+        <translation>编码器丢失计数</translation>
+    </message>
+    <message>
+        <source>Check the encoder, its coupling and its cable, then reset the fault.</source>
+        <translation>请检查编码器、联轴器和电缆，然后复位故障。</translation>
+    </message>
+    <message>
+        <source>Wheel slips on the film</source>
+        <translation>测量轮在薄膜上打滑</translation>
+    </message>
+    <message>
+        <source>Clean the wheel and press it on the film, then reset the fault.</source>
+        <translation>请清洁测量轮并压紧在薄膜上，然后复位故障。</translation>
+    </message>
+    <message>
+        <source>Impossible encoder speed</source>
+        <translation>编码器速度不合理</translation>
+    </message>
+    <message>
+        <source>Check the encoder and its counts per revolution, then reset the fault.</source>
+        <translation>请检查编码器及其每转计数，然后复位故障。</translation>
+    </message>
+    <message>
+        <source>The signal of the encoder that leads the line is disturbed.</source>
+        <translation>主轴编码器的信号受干扰。</translation>
+    </message>
+    <message>
+        <source>The encoder that leads the line has lost or gained counts.</source>
+        <translation>主轴编码器的计数有丢失或多出。</translation>
+    </message>
+    <message>
+        <source>The wheel of the encoder slips on the film.</source>
+        <translation>编码器的测量轮在薄膜上打滑。</translation>
+    </message>
+    <message>
+        <source>The encoder that leads the line reports a speed that no machine has.</source>
+        <translation>主轴编码器报告的速度不可能出现在任何机器上。</translation>
+    </message>
 </context>
 <context>
     <name>AlarmWords</name>
@@ -1802,6 +1850,18 @@ RMS %2</source>
         <source>peak %1 r/min · %2 · %3 kHz · seal %4 ms</source>
         <translation>峰值 %1 r/min · %2 · %3 kHz · 封口 %4 ms</translation>
     </message>
+    <message>
+        <source>Max. master speed</source>
+        <translation>主轴最高速度</translation>
+    </message>
+    <message>
+        <source>Rate at max. line speed</source>
+        <translation>线速最高时的速率</translation>
+    </message>
+    <message>
+        <source>An encoder leads: the line travels %1 of film at this rate. The run ends above %2.</source>
+        <translation>编码器为主轴：此速率下生产线的膜速为 %1。超过 %2 时运行结束。</translation>
+    </message>
 </context>
 <context>
     <name>FileErrorText</name>
@@ -2118,6 +2178,105 @@ RMS %2</source>
     <message>
         <source>%1 There is no good copy; the default recipe is used.</source>
         <translation>%1 没有完好的副本，已使用默认配方。</translation>
+    </message>
+</context>
+<context>
+    <name>MasterSentences</name>
+    <message>
+        <source>Master</source>
+        <translation>主轴</translation>
+    </message>
+    <message>
+        <source>Place of the encoder</source>
+        <translation>编码器位置</translation>
+    </message>
+    <message>
+        <source>Signal of the encoder</source>
+        <translation>编码器信号</translation>
+    </message>
+    <message>
+        <source>Encoder counts backward</source>
+        <translation>编码器反向计数</translation>
+    </message>
+    <message>
+        <source>Counts per revolution</source>
+        <translation>每转计数</translation>
+    </message>
+    <message>
+        <source>Film per revolution</source>
+        <translation>每转膜长</translation>
+    </message>
+    <message>
+        <source>Delay compensation</source>
+        <translation>延时补偿</translation>
+    </message>
+    <message>
+        <source>Delay of the drive</source>
+        <translation>驱动器延时</translation>
+    </message>
+    <message>
+        <source>Time constant of the position</source>
+        <translation>位置时间常数</translation>
+    </message>
+    <message>
+        <source>Stretch for engaging</source>
+        <translation>接合距离</translation>
+    </message>
+    <message>
+        <source>Max. speed of the master</source>
+        <translation>主轴最高速度</translation>
+    </message>
+    <message>
+        <source>Cam follows backward</source>
+        <translation>凸轮跟随反向</translation>
+    </message>
+    <message>
+        <source>Limit of the index mark</source>
+        <translation>零位信号限值</translation>
+    </message>
+    <message>
+        <source>Limit of the wheel&apos;s slip</source>
+        <translation>测量轮打滑限值</translation>
+    </message>
+    <message>
+        <source>Phase of the line</source>
+        <translation>生产线相位</translation>
+    </message>
+    <message>
+        <source>This recipe is for an encoder as the master, and the controller has no input for one. Change the master of the recipe, or use another controller.</source>
+        <translation>此配方以编码器为主轴，而控制器没有编码器输入。请更改配方的主轴，或使用其他控制器。</translation>
+    </message>
+    <message>
+        <source>This recipe is for an encoder as the master, but the machine follows its clock. Set the encoder as the master of the machine, or change the master of the recipe.</source>
+        <translation>此配方以编码器为主轴，但机器跟随时钟。请将机器的主轴设为编码器，或更改配方的主轴。</translation>
+    </message>
+    <message>
+        <source>This recipe is for the clock, but an encoder leads the machine. Set the clock as the master of the machine, or change the master of the recipe.</source>
+        <translation>此配方以时钟为主轴，但机器跟随编码器。请将机器的主轴设为时钟，或更改配方的主轴。</translation>
+    </message>
+    <message>
+        <source>As the machine</source>
+        <translation>与机器相同</translation>
+    </message>
+    <message>
+        <source>Clock of the controller</source>
+        <translation>控制器时钟</translation>
+    </message>
+    <message>
+        <source>Encoder of the line</source>
+        <translation>生产线编码器</translation>
+    </message>
+    <message>
+        <source>Off</source>
+        <translation>关</translation>
+    </message>
+    <message>
+        <source>On</source>
+        <translation>开</translation>
+    </message>
+    <message>
+        <source>The line sets the rate: an encoder leads the machine. Change the speed of the line.</source>
+        <translation>速率由生产线决定：编码器为主轴。请改变生产线的速度。</translation>
     </message>
 </context>
 <context>
@@ -2829,10 +2988,6 @@ RMS %2</source>
         <translation>控制器时钟</translation>
     </message>
     <message>
-        <source>Encoder on the line&apos;s shaft</source>
-        <translation>生产线主轴编码器</translation>
-    </message>
-    <message>
         <source>Quadrature</source>
         <translation>正交（A/B 相）</translation>
     </message>
@@ -2855,6 +3010,26 @@ RMS %2</source>
     <message>
         <source>Disengaging</source>
         <translation>正在脱开</translation>
+    </message>
+    <message>
+        <source>Line may run</source>
+        <translation>生产线可运行</translation>
+    </message>
+    <message>
+        <source>On while the knife follows the encoder on the film, or waits for it.</source>
+        <translation>切刀跟随薄膜上的编码器或等待它时为开。</translation>
+    </message>
+    <message>
+        <source>Encoder</source>
+        <translation>编码器</translation>
+    </message>
+    <message>
+        <source>Line shaft</source>
+        <translation>生产线主轴</translation>
+    </message>
+    <message>
+        <source>Wheel on the film</source>
+        <translation>薄膜上的测量轮</translation>
     </message>
 </context>
 <context>
@@ -3561,6 +3736,10 @@ RMS %2</source>
         <source>Bag %1</source>
         <comment>name of a recipe, length in mm</comment>
         <translation>袋 %1</translation>
+    </message>
+    <message>
+        <source>counts</source>
+        <translation>计数</translation>
     </message>
 </context>
 <context>
@@ -4943,6 +5122,10 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
         <source>Name and signature</source>
         <translation>姓名及签字</translation>
     </message>
+    <message>
+        <source>The controller follows its clock.</source>
+        <translation>控制器跟随自己的时钟。</translation>
+    </message>
 </context>
 <context>
     <name>campanel::panel::Controller</name>
@@ -5036,6 +5219,11 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
         <source>No rate is possible; limited by: %1.</source>
         <comment>name of the limit</comment>
         <translation>任何速率都不可行，受限于%1。</translation>
+    </message>
+    <message>
+        <source>Line up to %1; limited by: %2. This program: %3; the run ends above %4.</source>
+        <comment>%1, %3, %4: speeds, %2: name of the limit</comment>
+        <translation>线速最高 %1，受限于%2。本程序：%3；超过 %4 时运行结束。</translation>
     </message>
 </context>
 <context>
@@ -6485,6 +6673,10 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
     <message>
         <source>Master direction</source>
         <translation>主轴方向</translation>
+    </message>
+    <message>
+        <source>The line sets the direction: an encoder leads the machine.</source>
+        <translation>方向由生产线决定：编码器为主轴。</translation>
     </message>
 </context>
 <context>
@@ -7947,6 +8139,46 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
     <message>
         <source>A packing machine with jam detection stops. Off: taken out.</source>
         <translation>打开卡料检测的包装机会停止。关：已取出。</translation>
+    </message>
+    <message>
+        <source>Line runs</source>
+        <translation>生产线运行</translation>
+    </message>
+    <message>
+        <source>The shaft with the encoder. 100 %: %1, the active program at its rate.</source>
+        <translation>装有编码器的轴。100 %：%1，即当前程序的速率。</translation>
+    </message>
+    <message>
+        <source>Wheel slips</source>
+        <translation>测量轮打滑</translation>
+    </message>
+    <message>
+        <source>The encoder turns 5 % less than the line travels.</source>
+        <translation>编码器比生产线少转 5 %。</translation>
+    </message>
+    <message>
+        <source>Counts lost</source>
+        <translation>计数丢失</translation>
+    </message>
+    <message>
+        <source>The encoder loses 50 counts in each revolution.</source>
+        <translation>编码器每转丢失 50 个计数。</translation>
+    </message>
+    <message>
+        <source>Wires swapped</source>
+        <translation>接线互换</translation>
+    </message>
+    <message>
+        <source>A and B of the encoder: the counts go backward.</source>
+        <translation>编码器的 A 和 B：计数反向。</translation>
+    </message>
+    <message>
+        <source>Encoder signal disturbed</source>
+        <translation>编码器信号受干扰</translation>
+    </message>
+    <message>
+        <source>A and B change at once at 2 % of the edges.</source>
+        <translation>2 % 的边沿上 A 和 B 同时变化。</translation>
     </message>
 </context>
 <context>

@@ -20,6 +20,9 @@ inline constexpr int maxVersion = 65535;
 // The maximum length of a code that a scanner reads, in bytes of UTF-8.
 inline constexpr std::size_t maxCodeBytes = 64;
 
+// What the machine must follow; Any: whatever it follows.
+enum class RecipeMaster { Any, Clock, Encoder };
+
 // The defaults are a bag of 250 mm at 60 bags/min with a knife of 60 mm.
 struct Recipe {
     std::string name = "Biscuit 250";
@@ -29,6 +32,8 @@ struct Recipe {
     // The codes on paper, in UTF-8; the controller does not know them.
     std::string scanCode; // selects the recipe; empty: its name does
     std::string filmCode; // on the film reel that it needs; empty: any reel
+    // Of a program that follows one; the controller does not know it, but has a setting of its own.
+    RecipeMaster master = RecipeMaster::Any;
 
     [[nodiscard]] profile::ProgramKind kind() const { return profile::kindOf(program); }
     [[nodiscard]] bool isCutter() const { return kind() == profile::ProgramKind::RotaryCutter; }

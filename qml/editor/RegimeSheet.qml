@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The regime map: the fastest rate over the bag length and the limit that sets it. A finger drags the recipe's dot; the
-// length and the rate follow at once, and one undo takes the whole drag back.
+// length and the rate follow at once, and one undo takes the whole drag back. Where an encoder leads, the rate is shown as
+// the speed of the line.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme
@@ -31,8 +32,8 @@ Sheet {
         map: Editor.cutter.map.map
         limitNames: Editor.cutter.map.limitNames
         marks: Editor.cutter.map.paperLengths
-        shownRate: finger.pressed ? finger.shownRate : Editor.cutter.map.rateBagsPerMin || 0
-        rateUnit: qsTr("bags/min")
+        shownRate: finger.pressed ? finger.shownRate : Editor.cutter.map.onAxis || 0
+        rateUnit: Editor.cutter.map.axisUnit
         lengthUnit: Theme.shownUnit("mm")
         lengthFactor: Theme.unitFactor("mm")
         refusedName: qsTr("not possible")
@@ -60,7 +61,7 @@ Sheet {
         height: width
         radius: width / 2
         x: plot.x + sheet.dotX(Editor.cutter.map.lengthMm, sheet.revision) - width / 2
-        y: plot.y + sheet.dotY(Editor.cutter.map.rateBagsPerMin, sheet.revision) - height / 2
+        y: plot.y + sheet.dotY(Editor.cutter.map.onAxis, sheet.revision) - height / 2
         color: finger.holds ? Theme.color.touch : Theme.color.surface
         border { width: 2 * Theme.size.curve; color: sheet.good ? Theme.color.touch : Theme.color.fault }
     }
@@ -76,8 +77,8 @@ Sheet {
         property point grab                // px from the finger to the dot
 
         onPressed: mouse => {
-            grab = Qt.point(plot.xOfLength(Editor.cutter.map.lengthMm) - mouse.x, plot.yOfRate(Editor.cutter.map.rateBagsPerMin) - mouse.y)
-            shownRate = Editor.cutter.map.rateBagsPerMin || 0
+            grab = Qt.point(plot.xOfLength(Editor.cutter.map.lengthMm) - mouse.x, plot.yOfRate(Editor.cutter.map.onAxis) - mouse.y)
+            shownRate = Editor.cutter.map.onAxis || 0
             holds = dot.visible && Math.hypot(grab.x, grab.y) <= Theme.size.touch * 0.75
         }
         onPositionChanged: mouse => {

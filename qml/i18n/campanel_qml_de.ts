@@ -2689,10 +2689,6 @@ Und %2 weitere.</translation>
         <translation>Kennfeld</translation>
     </message>
     <message>
-        <source>bags/min</source>
-        <translation>Beutel/min</translation>
-    </message>
-    <message>
         <source>not possible</source>
         <translation>nicht möglich</translation>
     </message>
@@ -2819,6 +2815,14 @@ Und %2 weitere.</translation>
         <source>Bags</source>
         <translation>Beutel</translation>
     </message>
+    <message>
+        <source>Rate of the line</source>
+        <translation>Taktzahl der Linie</translation>
+    </message>
+    <message>
+        <source>at most %1</source>
+        <translation>höchstens %1</translation>
+    </message>
 </context>
 <context>
     <name>RunEmpty</name>
@@ -2860,6 +2864,10 @@ Und %2 weitere.</translation>
     <message>
         <source>%1 bags · seal %2</source>
         <translation>%1 · Siegeln %2</translation>
+    </message>
+    <message>
+        <source>Rate of the line</source>
+        <translation>Taktzahl der Linie</translation>
     </message>
 </context>
 <context>

@@ -2689,10 +2689,6 @@ And %2 more.</source>
         <translation>可行域图</translation>
     </message>
     <message>
-        <source>bags/min</source>
-        <translation>袋/分</translation>
-    </message>
-    <message>
         <source>not possible</source>
         <translation>不可行</translation>
     </message>
@@ -2819,6 +2815,14 @@ And %2 more.</source>
         <source>Bags</source>
         <translation>袋数</translation>
     </message>
+    <message>
+        <source>Rate of the line</source>
+        <translation>生产线速率</translation>
+    </message>
+    <message>
+        <source>at most %1</source>
+        <translation>最高 %1</translation>
+    </message>
 </context>
 <context>
     <name>RunEmpty</name>
@@ -2860,6 +2864,10 @@ And %2 more.</source>
     <message>
         <source>%1 bags · seal %2</source>
         <translation>共 %1 袋 · 封口 %2</translation>
+    </message>
+    <message>
+        <source>Rate of the line</source>
+        <translation>生产线速率</translation>
     </message>
 </context>
 <context>

@@ -27,6 +27,7 @@ MaintenanceSection {
             required note
             required property int rate
             required property bool isSwitch
+            required property bool isLine
             tappable: false
             text: name
             titleLabel.color: rate === SimulatedFaults.Off ? Theme.color.ink : Theme.color.warning
@@ -38,7 +39,10 @@ MaintenanceSection {
                 width: Math.round(parent.width * 0.56)
                 level: Access.Technician
                 readonly property var off: ({ key: SimulatedFaults.Off, text: qsTr("Off"), name: "fault" + row.index + "off" })
-                choices: row.isSwitch ? [choice.off, { key: SimulatedFaults.Often, text: qsTr("On"), name: "fault" + row.index + "on" }]
+                choices: row.isLine ? [choice.off, { key: SimulatedFaults.Sometimes, text: Theme.measure(50, 0, "%"), name: "fault" + row.index + "half" },
+                        { key: SimulatedFaults.Often, text: Theme.measure(100, 0, "%"), name: "fault" + row.index + "full" },
+                        { key: SimulatedFaults.Beyond, text: Theme.measure(120, 0, "%"), name: "fault" + row.index + "beyond" }]
+                    : row.isSwitch ? [choice.off, { key: SimulatedFaults.Often, text: qsTr("On"), name: "fault" + row.index + "on" }]
                     : [choice.off, { key: SimulatedFaults.Sometimes, text: qsTr("Sometimes"), name: "fault" + row.index + "sometimes" },
                         { key: SimulatedFaults.Often, text: qsTr("Often"), name: "fault" + row.index + "often" }]
                 current: row.rate

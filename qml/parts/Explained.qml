@@ -14,6 +14,8 @@ MouseArea {
     property var explained: () => area.quantities // those at this moment
     property string field                  // name of the recipe's number; empty: a tap does nothing
 
+    signal tapped()                        // without such a number
+
     readonly property bool locked: area.field.length > 0 && Editor.field(area.field).neededLevel > Permission.level // in place of the pencil
 
     Accessible.role: Accessible.Button
@@ -22,8 +24,10 @@ MouseArea {
     anchors.fill: parent
     pressAndHoldInterval: Theme.longPressTime
     onClicked: {
-        if (area.field.length === 0)
+        if (area.field.length === 0) {
+            area.tapped()
             return
+        }
         Permission.tap(area, () => change.begin(area.field, area))
         change.begin(area.field, area)
     }

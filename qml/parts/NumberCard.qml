@@ -20,6 +20,7 @@ Card {
     property var quantities: []            // those of the number, of Explanations; empty: no explanation
     property string field                  // the recipe's number that a tap changes; empty: none
     property bool stale: !Controller.fresh
+    signal tapped()                        // a number that no field changes
 
     implicitHeight: Theme.size.touch
 
@@ -56,5 +57,6 @@ Card {
         enabled: card.quantities.length > 0
         quantities: card.quantities
         field: card.field
+        onTapped: card.tapped()
     }
 }

@@ -23,13 +23,15 @@ Item {
         anchors { left: dial.right; leftMargin: view.gap }
         width: Math.round((view.width - dial.width - 2 * view.gap) * 0.37)
         height: (view.upper - view.gap) / 2
-        field: "rate_bags_per_min"
+        readonly property bool led: Controller.masterSetting.leads
+        field: led ? "" : "rate_bags_per_min"
         value: Controller.live.rateBagsPerMin
         decimals: 1
-        title: qsTr("Rate")
+        title: led ? qsTr("Rate of the line") : qsTr("Rate")
         unit: qsTr("bags/min")
-        note: isNaN(Controller.live.sealTimeMs) ? "" : qsTr("seal %1").arg(Theme.measure(Controller.live.sealTimeMs, 0, "ms"))
+        note: led ? qsTr("at most %1").arg(Theme.count(Controller.active.rateBagsPerMin, 1)) : isNaN(Controller.live.sealTimeMs) ? "" : qsTr("seal %1").arg(Theme.measure(Controller.live.sealTimeMs, 0, "ms"))
         quantities: isNaN(Controller.live.sealTimeMs) ? [Explanations.Rate] : [Explanations.Rate, Explanations.LiveSealTime]
+        onTapped: Controller.masterSetting.explainRate()
     }
     NumberCard {
         anchors { left: rate.left; right: rate.right; top: rate.bottom; topMargin: view.gap }

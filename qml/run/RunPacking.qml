@@ -18,12 +18,13 @@ Item {
     NumberCard {
         id: rate
         objectName: "packingRate"
-        field: "rate_bags_per_min"
+        readonly property bool led: Controller.masterSetting.leads
+        field: led ? "" : "rate_bags_per_min"
         width: Math.round((view.width - view.gap) * 0.32)
         height: Math.round(view.room * 0.3)
         value: Controller.live.rateBagsPerMin
         decimals: 1
-        title: qsTr("Rate")
+        title: led ? qsTr("Rate of the line") : qsTr("Rate")
         unit: qsTr("bags/min")
         // The seal time only where it fits; a long press explains it everywhere.
         note: isNaN(Controller.live.sealTimeMs) || words.advanceWidth > width - 2 * Theme.size.padding ? qsTr("%1 bags").arg(Theme.count(Controller.bags.count, 0)) : words.text
@@ -33,6 +34,7 @@ Item {
             text: Theme.fill(qsTr("%1 bags · seal %2"), [Theme.count(Controller.bags.count, 0), Theme.measure(Controller.live.sealTimeMs, 0, "ms")])
         }
         quantities: isNaN(Controller.live.sealTimeMs) ? [Explanations.Rate] : [Explanations.Rate, Explanations.LiveSealTime]
+        onTapped: Controller.masterSetting.explainRate()
     }
     BagStrip {
         anchors { left: rate.right; leftMargin: view.gap; right: parent.right }

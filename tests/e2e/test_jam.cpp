@@ -55,7 +55,8 @@ void setSomethingUnderTheJaws(PanelWindow& panel, bool isThere)
         panel.tap(name);
     QQuickItem* list = panel.touchDriver().find(QStringLiteral("faultList"));
     QVERIFY(list);
-    QMetaObject::invokeMethod(list, "positionViewAtEnd");
+    constexpr int atCenter = 1;
+    QMetaObject::invokeMethod(list, "positionViewAtIndex", Q_ARG(int, 11), Q_ARG(int, atCenter));
     panel.touchDriver().settle();
     panel.tap(isThere ? "fault11on" : "fault11off");
 }

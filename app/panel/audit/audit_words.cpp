@@ -7,6 +7,7 @@
 #include "app/panel/packing/packing_fields.h"
 #include "app/panel/settings/settings.h"
 #include "app/panel/words/access_sentences.h"
+#include "app/panel/words/master_sentences.h"
 #include "app/panel/words/recipe_words.h"
 
 #include <QDateTime>
@@ -187,7 +188,8 @@ QString AuditWords::object(const store::AuditEntry& entry)
         }
     }
     if (entry.what == u"parameter.write") {
-        for (const auto wordsOf : {PackingFields::words, CamSwitches::words, StartPermit::words}) {
+        for (const auto wordsOf :
+             {PackingFields::words, CamSwitches::words, StartPermit::words, MasterSentences::parameter}) {
             if (const QString words = wordsOf(entry.object); !words.isEmpty())
                 return words;
         }

@@ -103,6 +103,10 @@ QString Controller::blockedReason(Action action) const
         return ControllerSentences::refusal(modbus::Refusal::EmergencyStop);
     const QString refusal =
         row.command ? ControllerSentences::refusal(expectedRefusal(*m_status, *row.command)) : QString();
+    if (refusal.isEmpty() && action == Action::Start && m_program) {
+        if (const QString reason = m_masterSetting.refusal(m_program->recipe); !reason.isEmpty())
+            return reason;
+    }
     const bool isInterlocked = refusal.isEmpty() && action == Action::Start && m_startInterlock;
     return isInterlocked ? m_startInterlock() : refusal;
 }

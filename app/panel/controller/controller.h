@@ -10,6 +10,7 @@
 #include "app/panel/controller/bag_statistics.h"
 #include "app/panel/controller/controller_values.h"
 #include "app/panel/controller/master_direction.h"
+#include "app/panel/controller/master_setting.h"
 #include "app/panel/controller/packing_line.h"
 #include "app/panel/controller/parameter_field.h"
 #include "app/panel/controller/run_statements.h"
@@ -73,6 +74,8 @@ class Controller : public QObject, public Singleton<Controller> {
     Q_PROPERTY(QList<QPointF> actualTrace READ actualTrace NOTIFY liveChanged FINAL)
 
     Q_PROPERTY(campanel::panel::MasterDirection* direction READ direction CONSTANT FINAL)
+    // What leads the cycles: the clock, or an encoder of the line.
+    Q_PROPERTY(campanel::panel::MasterSetting* masterSetting READ masterSetting CONSTANT FINAL)
     // The packing line, only for a rotary cutter.
     Q_PROPERTY(campanel::panel::PackingLine* packing READ packing CONSTANT FINAL)
     // The numbers of its registers by their names.
@@ -134,6 +137,7 @@ public:
     [[nodiscard]] ActiveProgramValues active() const;
     [[nodiscard]] QList<QPointF> actualTrace() const { return m_trace.points(); }
     [[nodiscard]] MasterDirection* direction() { return &m_direction; }
+    [[nodiscard]] MasterSetting* masterSetting() { return &m_masterSetting; }
     [[nodiscard]] PackingLine* packing() { return &m_packing; }
     [[nodiscard]] Telemetry* telemetry() { return &m_telemetry; }
     [[nodiscard]] RunStatements* run() { return &m_run; }
@@ -258,6 +262,7 @@ private:
     std::map<std::string_view, ParameterField*> m_parameterFields; // children
     QString m_commandMessage;
     MasterDirection m_direction{*this};
+    MasterSetting m_masterSetting{*this};
     Telemetry m_telemetry{this};
     PackingLine m_packing{*this};
     RunStatements m_run{*this};

@@ -55,6 +55,8 @@ QString MasterDirection::blockedReason() const
 {
     if (const QString reason = m_controller.blockedReason(Action::ReverseMaster); !reason.isEmpty())
         return reason;
+    if (m_controller.masterSetting()->leads())
+        return tr("The line sets the direction: an encoder leads the machine.");
     if (m_parameter.isMissing())
         return tr("This controller cannot reverse its master. Update its firmware.");
     return way() == Way::Unknown ? tr("Waiting for the controller …") : QString();

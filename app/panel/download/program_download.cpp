@@ -74,6 +74,8 @@ QString ProgramDownload::blockedReason() const
         return tr("Not possible: the machine cannot execute this recipe.");
     if (!m_controller.identity()->supports(static_cast<modbus::ProgramKind>(m_offer->recipe.kind())))
         return tr("Not possible: this controller cannot execute this kind of program.");
+    if (const QString reason = m_controller.masterSetting()->refusal(m_offer->recipe); !reason.isEmpty())
+        return reason;
     const QString reason =
         changesMachineData() ? m_controller.blockedReason(Action::ChangeMachineData) : QString();
     return reason.isEmpty() ? m_forecast.refusal() : reason;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/panel/editor/cutter_map.h"
 
+#include "app/panel/kit/format.h"
 #include "app/panel/kit/numbers.h"
 #include "app/panel/kit/units.h"
 #include "app/panel/recipe/recipe_edit.h"
@@ -8,6 +9,7 @@
 #include "app/panel/words/refusal_sentences.h"
 #include "profile/cutter/paper_lengths.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace campanel::panel {
@@ -17,6 +19,8 @@ namespace {
 using profile::Field;
 
 constexpr std::size_t lengthsOfMap = 200;
+constexpr double secondsPerMin = 60;
+const auto lineSpeedUnit = QStringLiteral("mm/s");
 
 // Returns the recipe without what the map does not depend on, so that a drag computes no map again.
 program::Recipe withoutDot(program::Recipe recipe, const profile::Machine& machine)
@@ -47,8 +51,12 @@ CutterMap::CutterMap(QObject* parent)
 }
 
 void CutterMap::show(const program::Recipe& recipe, const Solution& solution,
-                     const std::optional<modbus::Identity>& controller)
+                     const std::optional<modbus::Identity>& controller, std::optional<double> maxSpeedShare)
 {
+    const bool wasLed = m_maxSpeedShare.has_value();
+    m_maxSpeedShare = maxSpeedShare;
+    if (m_map && wasLed != m_maxSpeedShare.has_value())
+        emit mapChanged();
     m_recipe = recipe;
     m_isKnown = recipe.isCutter() && solution.cutter() != nullptr;
     m_machine = controller ? program::withController(recipe.machine, *controller) : recipe.machine;
@@ -84,7 +92,37 @@ void CutterMap::setMap(std::shared_ptr<const profile::RegimeMap> map)
 
 QVariant CutterMap::map() const
 {
-    return m_map ? QVariant::fromValue(m_map) : QVariant();
+    if (!m_map || !m_maxSpeedShare)
+        return m_map ? QVariant::fromValue(m_map) : QVariant();
+    auto map = std::make_shared<profile::RegimeMap>(*m_map);
+    map->maxRateBagsPerMin = 0;
+    for (profile::RegimePoint& point : map->points) {
+        point.rateBagsPerMin = toAxis(point.bagLengthMm, point.rateBagsPerMin);
+        map->maxRateBagsPerMin = std::max(map->maxRateBagsPerMin, point.rateBagsPerMin);
+    }
+    return QVariant::fromValue(std::shared_ptr<const profile::RegimeMap>(std::move(map)));
+}
+
+// Returns the rate, or the speed of the line in the shown unit.
+double CutterMap::toAxis(double lengthMm, double rateBagsPerMin) const
+{
+    return m_maxSpeedShare ? lengthMm * rateBagsPerMin / secondsPerMin * Units::of(lineSpeedUnit).factor
+                           : rateBagsPerMin;
+}
+
+double CutterMap::onAxis() const
+{
+    return toAxis(lengthMm(), rateBagsPerMin());
+}
+
+QString CutterMap::axisUnit() const
+{
+    return m_maxSpeedShare ? Units::of(lineSpeedUnit).unit : RecipeWords::unit("bags/min");
+}
+
+QString CutterMap::lineSpeedText(double lengthMm, double rateBagsPerMin) const
+{
+    return Format().measure(lengthMm * rateBagsPerMin / secondsPerMin, 0, lineSpeedUnit);
 }
 
 QStringList CutterMap::limitNames() const
@@ -129,6 +167,12 @@ QString CutterMap::text() const
         return {};
     const profile::RegimePoint point = profile::regimePoint(m_recipe.cutter(), m_machine, lengthMm());
     const QString limit = RecipeWords::limitName(point.limit);
+    if (m_maxSpeedShare && point.rateBagsPerMin > 0)
+        return tr("Line up to %1; limited by: %2. This program: %3; the run ends above %4.",
+                  "%1, %3, %4: speeds, %2: name of the limit")
+            .arg(lineSpeedText(lengthMm(), point.rateBagsPerMin), limit,
+                 lineSpeedText(lengthMm(), rateBagsPerMin()),
+                 lineSpeedText(lengthMm(), *m_maxSpeedShare * rateBagsPerMin()));
     return point.rateBagsPerMin > 0
                ? tr("Up to %1; limited by: %2.", "%1: rate, %2: name of the limit")
                      .arg(RefusalSentences::valueWithUnit(Field::Rate, point.rateBagsPerMin), limit)
@@ -151,10 +195,11 @@ QString CutterMap::linesText() const
     return texts.join(QStringLiteral(" · "));
 }
 
-void CutterMap::drag(double lengthMm, double rateBagsPerMin)
+void CutterMap::drag(double lengthMm, double onAxis)
 {
-    if (!m_map || !std::isfinite(lengthMm) || !std::isfinite(rateBagsPerMin))
+    if (!m_map || !std::isfinite(lengthMm) || !std::isfinite(onAxis))
         return;
+    const double rateBagsPerMin = onAxis / toAxis(lengthMm, 1);
     const double stepMm = Units::isInch() ? 1.27 : 1; // a twentieth of an inch
     emit dragged(profile::snapToGrid(Field::BagLength, std::round(lengthMm / stepMm) * stepMm),
                  profile::snapToGrid(Field::Rate, std::round(rateBagsPerMin)));

@@ -102,6 +102,7 @@ Editor::Editor(Controller& controller, const QString& folder, QObject* parent)
     });
     connect(&controller, &Controller::connectionChanged, this, &Editor::watchController);
     connect(&controller, &Controller::programChanged, this, &Editor::show);
+    connect(controller.masterSetting(), &MasterSetting::changed, this, &Editor::show);
     connect(LanguageNotifier::ofApplication(), &LanguageNotifier::languageChanged, this,
             [this] { m_isNameProposed ? recompute() : show(); });
     m_identity = controller.identity();
@@ -407,7 +408,8 @@ void Editor::takeSolution(Solution solution)
 
 void Editor::show()
 {
-    const EditorViews views(m_recipe, m_solution, m_controller.program().get());
+    const auto maxSpeedShare = maxMasterSpeedShare();
+    const EditorViews views(m_recipe, m_solution, m_controller.program().get(), maxSpeedShare);
     const program::KindInfo& kind = program::kindInfo(m_recipe.kind());
     for (const auto fields : {kind.programFields, kind.machineFields}) {
         for (const Field field : fields)
@@ -415,7 +417,7 @@ void Editor::show()
     }
     showFields();
     m_choices.setRows(ChoiceRow::rows(m_recipe, m_identity));
-    m_map.show(m_recipe, m_solution, m_identity);
+    m_map.show(m_recipe, m_solution, m_identity, maxSpeedShare);
     m_ramps.show(m_recipe, m_solution);
     m_knots.show(m_recipe.program, m_cycleSeconds, handles() == &m_knots);
     m_segments.show(m_recipe.program, m_cycleSeconds, handles() == &m_segments);
@@ -430,6 +432,14 @@ void Editor::show()
     emit solutionChanged();
     emit historyChanged();
     emit recipeChanged();
+}
+
+std::optional<double> Editor::maxMasterSpeedShare() const
+{
+    const MasterSetting& setting = *m_controller.masterSetting();
+    const bool isLed = m_recipe.master == program::RecipeMaster::Encoder ||
+                       (m_recipe.master == program::RecipeMaster::Any && setting.followsEncoder());
+    return isLed && program::hasMaster(m_recipe) ? std::optional(setting.maxSpeedShare()) : std::nullopt;
 }
 
 // Emits only when the fields themselves change: the list then creates its items again.

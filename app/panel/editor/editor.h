@@ -211,6 +211,7 @@ public:
     {
         m_machines[kind] = machine;
     }
+    // Returns a recipe with the defaults of its kind, for this machine and its master.
     [[nodiscard]] program::Recipe newRecipe(profile::ProgramKind kind) const;
 
 signals:
@@ -248,6 +249,8 @@ private:
     void takeSolution(Solution solution);
     void show();
     void watchController();
+    // Returns the maximum speed of the master as a share of the rate, where an encoder leads this recipe.
+    [[nodiscard]] std::optional<double> maxMasterSpeedShare() const;
     void keepWorkingCopy();
     void loadWorkingCopy();
     void write(const store::LastRecipe& file, const program::Recipe& recipe, std::function<void()> done);

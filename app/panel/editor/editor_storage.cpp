@@ -46,6 +46,9 @@ program::Recipe Editor::newRecipe(profile::ProgramKind kind) const
     program::Recipe recipe = program::defaultRecipe(kind);
     if (const auto machine = m_machines.find(kind); machine != m_machines.end())
         recipe.machine = machine->second;
+    if (const auto master = m_controller.masterSetting()->machine(); master && program::hasMaster(recipe))
+        recipe.master =
+            master->followsEncoder ? program::RecipeMaster::Encoder : program::RecipeMaster::Clock;
     return program::gentleRecipe(recipe);
 }
 

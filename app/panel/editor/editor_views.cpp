@@ -67,7 +67,27 @@ FieldView EditorViews::field(Field field) const
         narrowRatio(field, view);
     view.explanation =
         view.derived && m_solution.cutter() ? explanation(field) : RecipeWords::inWords(info.help);
+    if (m_maxSpeedShare)
+        tellMaster(field, view);
     return view;
+}
+
+// The rate is that of the line at its maximum speed.
+void EditorViews::tellMaster(Field field, FieldView& view) const
+{
+    if (field == Field::MasterRate)
+        view.label = tr("Max. master speed");
+    if (field != Field::Rate)
+        return;
+    view.label = tr("Rate at max. line speed");
+    const double mmPerS = program::value(m_recipe, Field::BagLength) * view.value / 60;
+    if (!std::isfinite(mmPerS))
+        return;
+    const QString speed = QStringLiteral("mm/s");
+    view.explanation +=
+        (view.explanation.isEmpty() ? QString() : QStringLiteral("\n")) +
+        tr("An encoder leads: the line travels %1 of film at this rate. The run ends above %2.")
+            .arg(Format().measure(mmPerS, 1, speed), Format().measure(*m_maxSpeedShare * mmPerS, 1, speed));
 }
 
 // Limits a ratio to the range between its neighbors.

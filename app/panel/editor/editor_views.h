@@ -11,6 +11,7 @@
 #include <QStringList>
 
 #include <cmath>
+#include <optional>
 
 namespace campanel::panel {
 
@@ -26,10 +27,13 @@ class EditorViews {
     Q_DECLARE_TR_FUNCTIONS(EditorViews)
 
 public:
-    EditorViews(const program::Recipe& recipe, const Solution& solution, const ControllerProgram* active)
+    // `maxSpeedShare`: where an encoder leads, the maximum speed of the master as a share of the rate.
+    EditorViews(const program::Recipe& recipe, const Solution& solution, const ControllerProgram* active,
+                std::optional<double> maxSpeedShare = {})
         : m_recipe(recipe)
         , m_solution(solution)
         , m_active(active)
+        , m_maxSpeedShare(maxSpeedShare)
     {
     }
 
@@ -54,10 +58,12 @@ private:
     [[nodiscard]] bool hasRmsAcceleration() const;
     [[nodiscard]] bool hasVibration() const;
     void narrowRatio(profile::Field field, FieldView& view) const;
+    void tellMaster(profile::Field field, FieldView& view) const;
 
     const program::Recipe& m_recipe;
     const Solution& m_solution;
     const ControllerProgram* m_active;
+    std::optional<double> m_maxSpeedShare;
 };
 
 } // namespace campanel::panel

@@ -8,6 +8,7 @@
 #include "app/panel/recipe/motor_demand.h"
 #include "app/panel/recipe/recipe_comparison.h"
 #include "app/panel/words/alarm_words.h"
+#include "app/panel/words/master_sentences.h"
 #include "app/panel/words/recipe_words.h"
 #include "app/panel/words/refusal_sentences.h"
 #include "app/store/database/names.h"
@@ -93,6 +94,8 @@ void Recipes::showFigures()
         rows << FigureRow{RecipeWords::choiceName(recipe.kind(), program::Choice::Law),
                           RecipeWords::lawName(static_cast<profile::LawId>(
                               program::choice(recipe.program, program::Choice::Law)))};
+    if (program::hasMaster(recipe))
+        rows << FigureRow{MasterSentences::title(), MasterSentences::name(recipe.master)};
     addMotor(rows, chosen->recipe);
     m_figures.setRows(rows);
 }

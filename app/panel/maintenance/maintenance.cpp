@@ -12,7 +12,7 @@ Maintenance::Maintenance(Controller& controller, Settings& settings, const QStri
     : QObject(parent)
     , m_files(QDir(folder).filePath(QStringLiteral("reports")), this)
     , m_doctor(controller, settings, this)
-    , m_simulatedFaults(controller.link(), controller.accessCheck(), this)
+    , m_simulatedFaults(controller, this)
     , m_figures(controller.link(), controller.accessCheck(), m_files, this)
     , m_inspector(controller, this)
     , m_frames(controller.link(), m_files, this)

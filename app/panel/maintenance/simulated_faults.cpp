@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/panel/maintenance/simulated_faults.h"
 
+#include "app/panel/controller/controller.h"
+#include "app/panel/kit/format.h"
 #include "app/panel/kit/language_notifier.h"
 
 #include <QCoreApplication>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <utility>
 
 namespace campanel::panel {
@@ -19,6 +22,8 @@ struct ReadyMade {
     const char* sometimes; // rules of campanel-controller; null: the fault is off or on
     const char* often;
 };
+
+constexpr auto lineStart = "line start"; // with a speed
 
 // About 80 exchanges pass per second at full speed: a probability of 0.001 means once in twelve seconds.
 constexpr std::array faults{
@@ -70,19 +75,45 @@ constexpr std::array faults{
               QT_TRANSLATE_NOOP("campanel::panel::SimulatedFaults",
                                 "A packing machine with jam detection stops. Off: taken out."),
               nullptr, "jam on"},
+    ReadyMade{QT_TRANSLATE_NOOP("campanel::panel::SimulatedFaults", "Line runs"),
+              QT_TRANSLATE_NOOP("campanel::panel::SimulatedFaults",
+                                "The shaft with the encoder. 100 %: %1, the active program at its rate."),
+              lineStart, lineStart},
+    ReadyMade{QT_TRANSLATE_NOOP("campanel::panel::SimulatedFaults", "Wheel slips"),
+              QT_TRANSLATE_NOOP("campanel::panel::SimulatedFaults",
+                                "The encoder turns 5 % less than the line travels."),
+              nullptr, "line slip 0.05"},
+    ReadyMade{QT_TRANSLATE_NOOP("campanel::panel::SimulatedFaults", "Counts lost"),
+              QT_TRANSLATE_NOOP("campanel::panel::SimulatedFaults",
+                                "The encoder loses 50 counts in each revolution."),
+              nullptr, "line lose 50"},
+    ReadyMade{QT_TRANSLATE_NOOP("campanel::panel::SimulatedFaults", "Wires swapped"),
+              QT_TRANSLATE_NOOP("campanel::panel::SimulatedFaults",
+                                "A and B of the encoder: the counts go backward."),
+              nullptr, "line swap on"},
+    ReadyMade{
+        QT_TRANSLATE_NOOP("campanel::panel::SimulatedFaults", "Encoder signal disturbed"),
+        QT_TRANSLATE_NOOP("campanel::panel::SimulatedFaults", "A and B change at once at 2 % of the edges."),
+        nullptr, "line noise on"},
 };
 
 constexpr qsizetype faultCount = static_cast<qsizetype>(faults.size());
+constexpr qsizetype lineCount = 5; // the last ones need an encoder
+constexpr qsizetype lineRow = faultCount - lineCount;
+// Of the program's speed, by level; the last one is above what a controller accepts.
+constexpr std::array lineShares{0.0, 0.5, 1.0, 1.2};
+constexpr double usualMmPerS = 250; // without a program that follows a master
 
 } // namespace
 
-SimulatedFaults::SimulatedFaults(link::Link& link, AccessCheck& accessCheck, QObject* parent)
+SimulatedFaults::SimulatedFaults(Controller& controller, QObject* parent)
     : QObject(parent)
-    , m_link(link)
-    , m_access(accessCheck)
+    , m_controller(controller)
     , m_wanted(faultCount, Off)
 {
     setLevels(m_wanted);
+    connect(controller.masterSetting(), &MasterSetting::changed, this, &SimulatedFaults::showRows);
+    const link::Link& link = controller.link();
     connect(&link, &link::Link::reported, this, &SimulatedFaults::takeReport);
     connect(&link, &link::Link::faultsSimulated, this, &SimulatedFaults::takeOutcome);
     LanguageNotifier::follow(this);
@@ -95,7 +126,13 @@ QString LineFaultRow::name() const
 
 QString LineFaultRow::note() const
 {
-    return SimulatedFaults::tr(faults[static_cast<std::size_t>(fault)].note);
+    const QString text = SimulatedFaults::tr(faults[static_cast<std::size_t>(fault)].note);
+    return isLine() ? text.arg(Format().measure(mmPerS, 0, QStringLiteral("mm/s"))) : text;
+}
+
+bool LineFaultRow::isLine() const
+{
+    return fault == lineRow;
 }
 
 bool LineFaultRow::isSwitch() const
@@ -103,29 +140,50 @@ bool LineFaultRow::isSwitch() const
     return !faults[static_cast<std::size_t>(fault)].sometimes;
 }
 
-QStringList SimulatedFaults::rules(const QList<Level>& levels)
+// Returns the speed of the line that the active program has at its rate.
+double SimulatedFaults::programMmPerS() const
+{
+    constexpr double secondsPerMin = 60;
+    const auto& program = m_controller.program();
+    if (!program)
+        return usualMmPerS;
+    if (program->recipe.isCutter() && program->bagLengthMm * program->rateBagsPerMin > 0)
+        return program->bagLengthMm * program->rateBagsPerMin / secondsPerMin;
+    const profile::CamMaster* cam = profile::camMaster(program->recipe.program);
+    return cam ? std::abs(cam->masterRateRevPerMin) / secondsPerMin *
+                     m_controller.masterSetting()->revolutionMm()
+               : usualMmPerS;
+}
+
+QStringList SimulatedFaults::rules(const QList<Level>& levels) const
 {
     QStringList rules;
     for (qsizetype row = 0; row < std::min(faultCount, levels.size()); ++row) {
         const ReadyMade& fault = faults[static_cast<std::size_t>(row)];
-        if (levels[row] != Off)
-            rules << QString::fromLatin1(levels[row] == Often ? fault.often : fault.sometimes);
+        if (levels[row] == Off)
+            continue;
+        rules << QString::fromLatin1(levels[row] == Sometimes ? fault.sometimes : fault.often);
+        if (row == lineRow)
+            rules.last() += u' ' + QString::number(lineShares[levels[row]] * m_lineMmPerS, 'f', 1);
     }
     return rules;
 }
 
 void SimulatedFaults::setLevel(int row, int level)
 {
-    if (!m_access.require(panel::Level::Technician) || row < 0 || row >= faultCount || level < Off ||
-        level > Often || (level == Sometimes && m_rows.row(row).isSwitch()))
+    if (!m_controller.accessCheck().require(panel::Level::Technician) || row < 0 || row >= m_rows.count() ||
+        level < Off || level > (m_rows.row(row).isLine() ? Beyond : Often) ||
+        (level == Sometimes && m_rows.row(row).isSwitch()))
         return;
     m_wanted[row] = static_cast<Level>(level);
+    if (row == lineRow)
+        m_lineMmPerS = programMmPerS();
     send();
 }
 
 void SimulatedFaults::clear()
 {
-    if (!m_access.require(panel::Level::Technician))
+    if (!m_controller.accessCheck().require(panel::Level::Technician))
         return;
     m_wanted.fill(Off);
     send();
@@ -136,7 +194,7 @@ void SimulatedFaults::send()
     if (m_sent)
         return; // the answer continues
     m_sent = m_wanted;
-    m_link.simulateFaults(rules(m_wanted));
+    m_controller.link().simulateFaults(rules(m_wanted));
 }
 
 void SimulatedFaults::takeOutcome(const link::FaultsOutcome& outcome)
@@ -170,9 +228,15 @@ void SimulatedFaults::takeReport(const link::LinkReport& report)
 void SimulatedFaults::setLevels(const QList<Level>& levels)
 {
     m_levels = levels;
+    showRows();
+}
+
+void SimulatedFaults::showRows()
+{
+    const bool hasEncoder = m_controller.masterSetting()->hasInput();
     QList<LineFaultRow> rows;
-    for (const Level level : levels)
-        rows << LineFaultRow{static_cast<int>(rows.size()), level};
+    for (const Level level : m_levels.first(hasEncoder ? faultCount : lineRow))
+        rows << LineFaultRow{static_cast<int>(rows.size()), level, programMmPerS()};
     m_rows.setRows(rows);
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/panel/recipe/choice_model.h"
 
+#include "app/panel/words/master_sentences.h"
 #include "app/panel/words/recipe_words.h"
 
 #include <algorithm>
@@ -14,6 +15,20 @@ bool isExecuted(program::Choice choice, std::uint16_t code, const std::optional<
     return choice != program::Choice::Execution ||
            code != static_cast<std::uint16_t>(profile::Execution::Intervals) || !controller ||
            controller->supports(modbus::TableLayout::Intervals);
+}
+
+ChoiceRow masterRow(program::RecipeMaster present)
+{
+    using enum program::RecipeMaster;
+    ChoiceRow row;
+    row.name = MasterSentences::title();
+    row.group = QStringLiteral("master");
+    for (const auto master : {Any, Clock, Encoder}) {
+        row.options << MasterSentences::name(master);
+        row.codes << static_cast<std::uint16_t>(master);
+    }
+    row.option = static_cast<int>(present);
+    return row;
 }
 
 } // namespace
@@ -39,13 +54,19 @@ QList<ChoiceRow> ChoiceRow::rows(const program::Recipe& recipe,
         row.option = static_cast<int>(row.codes.indexOf(current));
         rows << row;
     }
+    if (program::hasMaster(recipe))
+        rows << masterRow(recipe.master);
     return rows;
 }
 
 void ChoiceRow::apply(int index, program::Recipe& recipe) const
 {
-    if (index >= 0 && index < codes.size())
-        program::setChoice(recipe.program, choice, codes[index]);
+    if (index < 0 || index >= codes.size())
+        return;
+    if (choice)
+        program::setChoice(recipe.program, *choice, codes[index]);
+    else
+        recipe.master = static_cast<program::RecipeMaster>(codes[index]);
 }
 
 } // namespace campanel::panel

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The inputs of the recipe that are not numbers, each with its options; law and ratios have their own views.
+// The inputs of the recipe that are not numbers, each with its options, and its master; law and ratios have
+// their own views.
 #pragma once
 
 #include "app/link/link_values.h"
@@ -22,7 +23,7 @@ struct ChoiceRow {
     Q_PROPERTY(QString group MEMBER group)
 
 public:
-    program::Choice choice = program::Choice::Law;
+    std::optional<program::Choice> choice; // none: the master of the recipe
     QString name;
     QString group;
     QStringList options;

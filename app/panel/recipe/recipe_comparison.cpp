@@ -3,6 +3,7 @@
 
 #include "app/panel/recipe/recipe_edit.h"
 #include "app/panel/words/cam_sentences.h"
+#include "app/panel/words/master_sentences.h"
 #include "app/panel/words/recipe_words.h"
 #include "app/panel/words/refusal_sentences.h"
 #include "app/program/cam_advance.h"
@@ -66,6 +67,7 @@ QList<DifferenceRow> RecipeComparison::rows(const Recipe& before, const Recipe& 
     compare(tr("Recipe"), QString::fromStdString(a.name), QString::fromStdString(b.name));
     compare(tr("Code"), codeText(a.scanCode), codeText(b.scanCode));
     compare(tr("Film reel"), codeText(a.filmCode), codeText(b.filmCode));
+    compare(MasterSentences::title(), MasterSentences::name(a.master), MasterSentences::name(b.master));
     if (a.kind() != b.kind()) {
         compare(tr("Program type"), RecipeWords::kindName(a.kind()), RecipeWords::kindName(b.kind()));
         return rows; // inputs of different kinds cannot be compared

@@ -33,8 +33,8 @@ struct ShareRange {
 // Sets the end to that share of the cycle, or as near as the range allows.
 void dragRatio(Recipe& recipe, int index, double share);
 
-// Returns true when both describe the same motion of the same machine with the same name; derived numbers are
-// ignored.
+// Returns true when both describe the same motion of the same machine and master with the same name; derived
+// numbers are ignored.
 [[nodiscard]] bool sameRecipe(const Recipe& left, const Recipe& right);
 
 } // namespace campanel::panel

@@ -7,7 +7,9 @@
 #include "app/panel/kit/format.h"
 #include "app/panel/kit/units.h"
 #include "app/panel/settings/settings.h"
+#include "app/panel/words/master_sentences.h"
 #include "app/panel/words/recipe_words.h"
+#include "app/panel/words/register_words.h"
 
 #include <QCoreApplication>
 
@@ -102,6 +104,19 @@ ReportSection Commissioning::machineSection() const
     return section;
 }
 
+ReportSection Commissioning::masterSection() const
+{
+    ReportSection section{MasterSentences::title(), {}, {}};
+    for (const Parameter* each : m_controller.masterSetting()->parameters()) {
+        if (!std::isnan(each->lastValue()))
+            section.rows.append({MasterSentences::parameter(RegisterWords::name(each->info())),
+                                 MasterSentences::value(each->info(), each->lastValue())});
+    }
+    if (section.rows.isEmpty())
+        section.lines << tr("The controller follows its clock.");
+    return section;
+}
+
 ReportSection Commissioning::verdictSection() const
 {
     return {tr("Limits"), {{tr("Peaks"), m_editor.peakText()}}, {m_editor.verdict()}};
@@ -177,7 +192,7 @@ ReportData Commissioning::data() const
     made.machine = machineText(m_controller);
     made.signatures = signatureTexts();
     made.codes = codes();
-    made.sections = {verdictSection(), recipeSection(),     machineSection(),
+    made.sections = {verdictSection(), recipeSection(),     machineSection(), masterSection(),
                      tableSection(),   controllerSection(), bagSection()};
     made.isFeasible = m_editor.feasible();
     made.curvesTitle = tr("Curves of one cycle");

@@ -104,6 +104,7 @@ private:
     [[nodiscard]] QList<ReportCode> codes() const;
     [[nodiscard]] ReportSection recipeSection() const;
     [[nodiscard]] ReportSection machineSection() const;
+    [[nodiscard]] ReportSection masterSection() const;
     [[nodiscard]] ReportSection verdictSection() const;
     [[nodiscard]] ReportSection tableSection() const;
     [[nodiscard]] ReportSection controllerSection() const;

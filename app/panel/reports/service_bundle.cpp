@@ -63,7 +63,7 @@ std::vector<modbus::RegisterSpan> parameterSpans()
     constexpr int maxRegisters = 100; // in one request
     std::vector<modbus::RegisterSpan> spans;
     for (const modbus::RegisterInfo& info : modbus::registers()) {
-        if (!info.name.starts_with("parameter."))
+        if (!modbus::isMachineData(info))
             continue;
         const bool follows = !spans.empty() && spans.back().address + spans.back().count == info.address &&
                              spans.back().count + info.count <= maxRegisters;

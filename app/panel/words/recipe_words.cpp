@@ -41,6 +41,8 @@ QString RecipeWords::unit(std::string_view unit)
         return tr("r/min");
     if (unit == "pulses")
         return tr("pulses");
+    if (unit == "counts")
+        return tr("counts");
     return QString::fromUtf8(unit.data(), static_cast<qsizetype>(unit.size()));
 }
 

@@ -2,6 +2,7 @@
 #include "app/panel/words/register_words.h"
 
 #include "app/panel/kit/format.h"
+#include "app/panel/words/master_sentences.h"
 
 #include <cmath>
 
@@ -17,6 +18,8 @@ QString RegisterWords::group(const QString& group)
         return tr("Clock");
     if (group == u"parameter")
         return tr("Parameters");
+    if (group == u"master")
+        return MasterSentences::title();
     if (group == u"status")
         return tr("Status");
     if (group == u"io")
@@ -44,7 +47,7 @@ QString RegisterWords::group(const QString& group)
 
 QString RegisterWords::readOnlyReason(const QString& group)
 {
-    if (group == u"parameter")
+    if (group == u"parameter" || group == u"master")
         return {};
     if (group == u"exchange")
         return tr("Read only: the panel writes this register with every status request.");

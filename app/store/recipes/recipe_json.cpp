@@ -3,6 +3,7 @@
 #include "app/store/recipes/recipe_json.h"
 
 #include "app/program/cam_advance.h"
+#include "app/program/recipe_master.h"
 #include "app/store/database/names.h"
 #include "app/store/files/json_keys.h"
 #include "app/store/files/json_reader.h"
@@ -22,10 +23,13 @@ using program::Recipe;
 const QString recipeFormat = u"campanel-recipe"_s;
 
 // Returns the first version of the format that has all keys of the recipe, so that older readers know whether
-// they can read it. The confirmed advance is new in version 3.
+// they can read it. The confirmed advance is new in version 3, the master in version 4.
 int formatVersionOf(const Recipe& recipe)
 {
-    return program::confirmedAdvanceMm(recipe.program) == 0 ? recipeFormatVersion - 1 : recipeFormatVersion;
+    if (recipe.master != program::RecipeMaster::Any)
+        return recipeFormatVersion;
+    return program::confirmedAdvanceMm(recipe.program) == 0 ? recipeFormatVersion - 2
+                                                            : recipeFormatVersion - 1;
 }
 
 std::optional<FileError> wrongFormat(const QJsonObject& root)
@@ -55,6 +59,22 @@ std::string codeIn(ObjectReader& reader, const QString& key)
     if (!isScannable(code))
         reader.fail(key, FileError::Kind::WrongType, {}, FileErrorText::aText());
     return bytes;
+}
+
+// Reads the master that the machine must follow; absent: any.
+program::RecipeMaster masterIn(ObjectReader& reader, const QString& key)
+{
+    if (!reader.has(key))
+        return program::RecipeMaster::Any;
+    const QString text = reader.text(key);
+    const auto master = program::masterByKey(text.toStdString());
+    if (!master) {
+        QStringList keys;
+        for (const std::string_view each : program::masterKeys)
+            keys << toQString(each);
+        reader.fail(key, FileError::Kind::NotAChoice, text, keys.join(u", "_s));
+    }
+    return master.value_or(program::RecipeMaster::Any);
 }
 
 QString nameIn(ObjectReader& reader, Names names)
@@ -93,6 +113,8 @@ QByteArray toJson(const Recipe& recipe)
         root[u"scan_code"_s] = QString::fromStdString(recipe.scanCode);
     if (!recipe.filmCode.empty())
         root[u"film_code"_s] = QString::fromStdString(recipe.filmCode);
+    if (recipe.master != program::RecipeMaster::Any)
+        root[u"master"_s] = toQString(program::masterKeys[static_cast<std::size_t>(recipe.master)]);
     return QJsonDocument(root).toJson();
 }
 
@@ -128,6 +150,7 @@ tl::expected<Recipe, FileError> fromJson(const QByteArray& json, const QString& 
         recipe.version = static_cast<int>(reader.number(u"version"_s, true, versions));
     recipe.scanCode = codeIn(reader, u"scan_code"_s);
     recipe.filmCode = codeIn(reader, u"film_code"_s);
+    recipe.master = masterIn(reader, u"master"_s);
     const QJsonObject program = reader.object(u"program"_s);
     readProgram(program, recipe, failure);
     if (reader.has(u"machine"_s))

@@ -46,6 +46,7 @@ private slots:
     void otherLocale();
     void lifeWithAController();
     void pinsOfTheMachine();
+    void aRecipeSaysItsMaster();
     void olderController();
     void otherDevices_data();
     void otherDevices();
@@ -486,6 +487,33 @@ void CliTest::pinsOfTheMachine()
         late.complaint.constData());
     QCOMPARE(call(QStringList{u"set"_s, u"parameter.drive_enable"_s, u"0"_s} + port).code, int{Ok});
     QVERIFY(call(QStringList{u"status"_s} + port + json).json()[u"io"_s][u"outputs"_s].toArray().isEmpty());
+}
+
+void CliTest::aRecipeSaysItsMaster()
+{
+    QTemporaryDir folder;
+    const QString file = folder.filePath(u"recipe.json"_s);
+    const Result made = call({u"recipe"_s, u"--for-master"_s, u"encoder"_s, u"--output"_s, file});
+    QCOMPARE(made.code, int{Ok});
+    QCOMPARE(call({u"recipe"_s, file}).json()[u"master"_s].toString(), u"encoder"_s);
+    QCOMPARE(call(u"recipe --for-master film"_s).code, int{Usage});
+    QCOMPARE(call(u"recipe --kind press --for-master clock"_s).code, int{Usage});
+
+    const ControllerProcess controller({});
+    const QStringList port{u"--port"_s, controller.port()};
+    const Result clock = call(QStringList{u"download"_s, file} + port);
+    QCOMPARE(clock.code, int{Refused});
+    QVERIFY2(clock.complaint.contains("the machine follows its clock"), clock.complaint.constData());
+    QCOMPARE(call(QStringList{u"set"_s, u"master.source"_s, u"1"_s} + port).code, int{Ok});
+    QCOMPARE(call(QStringList{u"download"_s, file} + port).code, int{Ok});
+    const Result encoder = call(QStringList{u"download"_s, file, u"--for-master"_s, u"clock"_s} + port);
+    QCOMPARE(encoder.code, int{Refused});
+    QVERIFY2(encoder.complaint.contains("an encoder leads the machine"), encoder.complaint.constData());
+
+    const ControllerProcess none({u"--master-counts"_s, u"0"_s});
+    const Result missing = call({u"download"_s, file, u"--port"_s, none.port()});
+    QCOMPARE(missing.code, int{Refused});
+    QVERIFY2(missing.complaint.contains("no input for one"), missing.complaint.constData());
 }
 
 // A controller of register map 1.2 has no pins; all else is as ever.

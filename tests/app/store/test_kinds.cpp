@@ -33,6 +33,7 @@ private slots:
     void everyChoiceTrips_data() { addKinds(); }
     void everyChoiceTrips();
     void aConfirmedAdvanceTrips();
+    void theMasterTrips();
     void ratiosOfOlderAndNewerFiles();
     void whatIsAbsentHasTheDefaultsOfItsKind();
     void cutterFilesWithoutAMotorMeanUnknown();
@@ -112,8 +113,6 @@ void StoreKindsTest::randomRecipesTrip()
     }
 }
 
-// Older files have no origin of the ratios: they were set by hand. A file with an origin and without ratios
-// gets those that suit its machine.
 // Only a file that needs it says that it needs a newer reader; a file of today has nothing confirmed.
 void StoreKindsTest::aConfirmedAdvanceTrips()
 {
@@ -144,6 +143,35 @@ void StoreKindsTest::aConfirmedAdvanceTrips()
     QCOMPARE(fromJson(cutter, {}).error().kind, Kind::UnknownKey);
 }
 
+// A file that names no master can be read by an older reader too.
+void StoreKindsTest::theMasterTrips()
+{
+    program::Recipe recipe = program::defaultRecipe(ProgramKind::RotaryCutter);
+    const auto version = [&recipe] {
+        return QJsonDocument::fromJson(toJson(recipe)).object()[u"format_version"_s].toInt();
+    };
+    QCOMPARE(version(), 2);
+    QVERIFY(!toJson(recipe).contains("\"master\""));
+    for (const auto master : {program::RecipeMaster::Clock, program::RecipeMaster::Encoder}) {
+        recipe.master = master;
+        QCOMPARE(version(), 4);
+        const auto read = fromJson(toJson(recipe), {});
+        QVERIFY(read.has_value());
+        QCOMPARE(read->master, master);
+    }
+    QByteArray json = toJson(recipe);
+    QCOMPARE(fromJson(json.replace("\"encoder\"", "\"any\""), {})->master, program::RecipeMaster::Any);
+    const FileError wrong = fromJson(json.replace("\"any\"", "\"film\""), {}).error();
+    QCOMPARE(wrong.kind, Kind::NotAChoice);
+    QCOMPARE(wrong.key, u"master"_s);
+    QCOMPARE(wrong.expected, u"any, clock, encoder"_s);
+    const QByteArray older = R"({"format": "campanel-recipe", "format_version": 1, "name": "Feed", "program":
+        {"kind": "point_cam", "knots": [[0, 0], [90, 20], [180, 50], [270, 20], [360, 0]]}})";
+    QCOMPARE(fromJson(older, {})->master, program::RecipeMaster::Any);
+}
+
+// Older files have no origin of the ratios: they were set by hand. A file with an origin and without ratios
+// gets those that suit its machine.
 void StoreKindsTest::ratiosOfOlderAndNewerFiles()
 {
     program::Recipe recipe = program::gentleRecipe(program::defaultRecipe(ProgramKind::RotaryCutter));

@@ -120,10 +120,11 @@ private slots:
         int writable = 0;
         for (int i = 0; i < inspector.registers()->count(); ++i) {
             inspector.select(i);
-            const bool isParameter = inspector.selectedName().startsWith(u"parameter.");
-            QCOMPARE(inspector.canWrite(), isParameter);
-            QCOMPARE(inspector.selectedText().startsWith(u"Read only:"), !isParameter);
-            writable += isParameter ? 1 : 0;
+            const QString name = inspector.selectedName();
+            const bool isMachineData = name.startsWith(u"parameter.") || name.startsWith(u"master.");
+            QCOMPARE(inspector.canWrite(), isMachineData);
+            QCOMPARE(inspector.selectedText().startsWith(u"Read only:"), !isMachineData);
+            writable += isMachineData ? 1 : 0;
         }
         QVERIFY(writable > 20);
         QVERIFY(inspector.registers()->count() > 100);

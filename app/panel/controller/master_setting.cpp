@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/panel/controller/master_setting.h"
+
+#include "app/panel/controller/controller.h"
+#include "app/panel/kit/language_notifier.h"
+#include "app/panel/words/master_sentences.h"
+
+#include <cmath>
+
+namespace campanel::panel {
+
+MasterSetting::MasterSetting(Controller& controller)
+    : QObject(&controller)
+    , m_controller(controller)
+    , m_source(controller.parameter("master.source"))
+    , m_available(controller.parameter("master_status.available"))
+    , m_speedMax(controller.parameter("master.speed_max"))
+    , m_revolution(controller.parameter("master.revolution"))
+{
+    for (const modbus::RegisterInfo& info : modbus::registers()) {
+        if (!info.name.starts_with("master.") || info.name == m_source.info().name)
+            continue;
+        m_ofEncoder << &controller.parameter(info.name);
+        connect(m_ofEncoder.last(), &Parameter::changed, this, &MasterSetting::changed);
+    }
+    connect(&m_available, &Parameter::changed, this, &MasterSetting::changed);
+    connect(&m_source, &Parameter::changed, this, &MasterSetting::changed);
+    connect(&m_source, &Parameter::changed, this, &MasterSetting::read);
+    connect(&controller, &Controller::connectionChanged, this, &MasterSetting::read);
+    // A value that was not certain when it was read is read again.
+    connect(&controller, &Controller::stateChanged, this, &MasterSetting::read);
+    connect(&controller, &Controller::programChanged, this, &MasterSetting::changed);
+    LanguageNotifier::follow(this);
+}
+
+void MasterSetting::read()
+{
+    const auto& identity = m_controller.identity();
+    if (!m_controller.isConnected() || !identity || !identity->hasRegister(m_source.info().name))
+        return;
+    m_source.readIfUncertain();
+    m_available.readIfUncertain();
+    if (!followsEncoder())
+        return;
+    for (Parameter* each : m_ofEncoder)
+        each->readIfUncertain();
+}
+
+QList<const Parameter*> MasterSetting::parameters() const
+{
+    QList<const Parameter*> all(m_ofEncoder.begin(), m_ofEncoder.end());
+    all.prepend(&m_source);
+    return all;
+}
+
+bool MasterSetting::followsEncoder() const
+{
+    return m_source.lastValue() == static_cast<double>(modbus::MasterSource::Encoder);
+}
+
+bool MasterSetting::hasInput() const
+{
+    return m_available.lastValue() == 1.0;
+}
+
+bool MasterSetting::leads() const
+{
+    const auto& program = m_controller.program();
+    return followsEncoder() && program && program::hasMaster(program->recipe);
+}
+
+QString MasterSetting::rateText() const
+{
+    return leads() ? MasterSentences::rateOfLine() : QString();
+}
+
+std::optional<program::MachineMaster> MasterSetting::machine() const
+{
+    if (std::isnan(m_source.lastValue()) || std::isnan(m_available.lastValue()))
+        return std::nullopt;
+    return program::MachineMaster{followsEncoder(), hasInput()};
+}
+
+double MasterSetting::maxSpeedShare() const
+{
+    constexpr double percent = 100;
+    const double value = m_speedMax.lastValue();
+    return (std::isnan(value) ? m_speedMax.info().defaultValue : value) / percent;
+}
+
+double MasterSetting::revolutionMm() const
+{
+    const double value = m_revolution.lastValue();
+    return std::isnan(value) ? m_revolution.info().defaultValue : value;
+}
+
+QString MasterSetting::refusal(const program::Recipe& recipe) const
+{
+    const auto known = machine();
+    return known ? MasterSentences::refusal(program::masterRefusal(recipe, *known)) : QString();
+}
+
+void MasterSetting::explainRate()
+{
+    if (const QString sentence = rateText(); !sentence.isEmpty())
+        emit explained(sentence);
+}
+
+} // namespace campanel::panel

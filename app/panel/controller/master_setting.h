@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+// `Controller.masterSetting` in QML: what the cycles follow by the controller's settings, as read last. While
+// it is unknown, or the controller has no such setting, they follow the clock.
+#pragma once
+
+#include "app/program/recipe_master.h"
+
+#include <QList>
+#include <QObject>
+#include <QtQml/qqmlregistration.h>
+
+#include <optional>
+
+namespace campanel::panel {
+
+class Controller;
+class Parameter;
+
+class MasterSetting : public QObject {
+    Q_OBJECT
+    QML_ELEMENT
+    QML_UNCREATABLE("The setting belongs to the Controller")
+    // True when an encoder leads the active program.
+    Q_PROPERTY(bool leads READ leads NOTIFY changed FINAL)
+    // The reason why the rate cannot be entered; empty while it can.
+    Q_PROPERTY(QString rateText READ rateText NOTIFY changed FINAL)
+
+public:
+    // The controller must outlive the object.
+    explicit MasterSetting(Controller& controller);
+
+    [[nodiscard]] bool leads() const;
+    [[nodiscard]] QString rateText() const;
+    // Returns an empty value while it is unknown.
+    [[nodiscard]] std::optional<program::MachineMaster> machine() const;
+    [[nodiscard]] bool hasInput() const;
+    [[nodiscard]] bool followsEncoder() const;
+    // Returns the maximum speed of the master, as a share of the program's rate.
+    [[nodiscard]] double maxSpeedShare() const;
+    // Returns the film that passes per revolution of the encoder.
+    [[nodiscard]] double revolutionMm() const;
+    // Returns the parameters of the group `master`; their values are known where an encoder leads.
+    [[nodiscard]] QList<const Parameter*> parameters() const;
+    // Returns why the machine cannot execute the recipe with its master; empty: it can, or the setting is
+    // unknown.
+    [[nodiscard]] QString refusal(const program::Recipe& recipe) const;
+
+    // Shows why the rate cannot be entered.
+    Q_INVOKABLE void explainRate();
+
+signals:
+    void changed();
+    void explained(const QString& sentence);
+
+private:
+    void read();
+
+    Controller& m_controller;
+    Parameter& m_source;
+    Parameter& m_available;
+    Parameter& m_speedMax;
+    Parameter& m_revolution;
+    QList<Parameter*> m_ofEncoder; // those that only an encoder needs
+};
+
+} // namespace campanel::panel
