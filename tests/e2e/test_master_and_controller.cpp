@@ -24,11 +24,15 @@ void followTheEncoder(PanelWindow& panel)
     QTRY_COMPARE_WITH_TIMEOUT(panel.controller().state(), Controller::State::Idle, timeoutMs);
     QTRY_VERIFY_WITH_TIMEOUT(panel.controller().masterSetting()->hasInput(), timeoutMs);
     QVERIFY(!panel.controller().masterSetting()->followsEncoder());
-    for (const char* name : {"nav_maintenance", "maintenanceLine", "maintenance2", "registerGroup",
-                             "choice_master", "register0", "registerWrite"})
+    for (const char* name : {"nav_maintenance", "maintenanceLine", "maintenance2"})
+        panel.tap(name);
+    panel.maintenance().inspector()->setGroup(QStringLiteral("master"));
+    panel.touchDriver().settle();
+    for (const char* name : {"register0", "registerWrite"})
         panel.tap(name);
     panel.tapDigits(QStringLiteral("1"));
     panel.tap("keypadAccept");
+    QCOMPARE(panel.complaints(), QStringList());
     QTRY_VERIFY_WITH_TIMEOUT(panel.controller().masterSetting()->followsEncoder(), timeoutMs);
 }
 
@@ -81,8 +85,9 @@ private slots:
         QVERIFY2(panel.editor().programDownload()->text().startsWith(
                      QStringLiteral("This recipe is for the clock, but an encoder leads the machine.")),
                  qPrintable(panel.editor().programDownload()->text()));
-        for (const char* name : {"choice0", "choice_2", "sheetClose"})
+        for (const char* name : {"more", "choice0", "choice_2"})
             panel.tap(name);
+        QCOMPARE(panel.complaints(), QStringList());
         panel.download();
         if (QTest::currentTestFailed())
             return;
