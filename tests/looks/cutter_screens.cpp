@@ -27,6 +27,31 @@ Screen withJaws(const char* name, double lengthMm, double rate, const QStringLis
             }};
 }
 
+// Lets an encoder of the line lead the machine, then taps.
+Screen led(const char* name, const QStringList& tapped)
+{
+    return {QString::fromLatin1(name), [=](TestWindow& window) {
+                window.link().setLed(true);
+                for (const QString& each : tapped)
+                    window.tap(each);
+            }};
+}
+
+Screen lineFaults()
+{
+    return {QStringLiteral("faults-line"), [](TestWindow& window) {
+                window.link().setLed(true);
+                window.link().setSimulated(true);
+                for (const char* name : {"nav_maintenance", "maintenanceLine", "maintenance4"})
+                    window.tap(QString::fromLatin1(name));
+                panel::SimulatedFaults& faults = *window.panel().maintenance().simulatedFaults();
+                const int last = faults.rows()->count() - 1;
+                faults.setLevel(last - 4, panel::SimulatedFaults::Often); // the line
+                faults.setLevel(last, panel::SimulatedFaults::Often);
+                QMetaObject::invokeMethod(window.find(QStringLiteral("faultList")), "positionViewAtEnd");
+            }};
+}
+
 } // namespace
 
 QList<Screen> cutterScreens()
@@ -43,7 +68,19 @@ QList<Screen> cutterScreens()
                  window.panel().editor().minSealTime()->set(sealMs);
                  window.tap(motion);
              }},
-            withJaws("run-seal-time", 250, 60, {QStringLiteral("nav_run")})};
+            withJaws("run-seal-time", 250, 60, {QStringLiteral("nav_run")}),
+            led("run-line", {QStringLiteral("nav_run"), QStringLiteral("packingRate")}),
+            led("motion-line", {motion}),
+            led("keypad-line", {motion, QStringLiteral("field_rate_bags_per_min")}),
+            led("tools-line", {motion, QStringLiteral("more")}),
+            led("map-line", map),
+            {QStringLiteral("download-line"),
+             [=](TestWindow& window) {
+                 window.link().setLed(true);
+                 window.tap(motion);
+                 window.panel().editor().setChoice(0, 1);
+             }},
+            lineFaults()};
 }
 
 } // namespace campanel::looks

@@ -275,6 +275,14 @@ void DemoLink::setSimulated(bool isSimulated)
                                                   : link::LinkState::Connected);
 }
 
+void DemoLink::setLed(bool isLed)
+{
+    for (const char* name : {"master_status.available", "master.source"}) {
+        if (std::exchange(m_parameters[name], isLed ? 1 : 0) != m_parameters[name])
+            emit parameterEnded({0, name, link::ParameterEnd::Done, m_parameters[name], std::nullopt});
+    }
+}
+
 void DemoLink::showWaitingStop()
 {
     report(link::LinkState::Lost, modbus::Command::StopAtCycleEnd);

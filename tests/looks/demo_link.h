@@ -56,6 +56,8 @@ public:
     // Sets a controller of an older register map without film and marks, effective from the next change of
     // the situation. Returns true when this is a change.
     bool setOld(bool isOld) { return std::exchange(m_isOld, isOld) != isOld; }
+    // Lets an encoder of the line lead the machine, or the clock of a controller without an input for one.
+    void setLed(bool isLed);
     // Shows a Stop that waits for the line until the situation changes.
     void showWaitingStop();
     // How often Stop arrived so far.

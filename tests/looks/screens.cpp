@@ -737,6 +737,7 @@ void enterScreen(TestWindow& window, const Screen& screen)
     window.panel().settings().overrideValue("stops.ask_after_seconds", QStringLiteral("600"));
     window.panel().stops().setup()->reasons()->restoreStandard();
     window.link().setSimulated(false);
+    window.link().setLed(false);
     if (window.link().setOld(false))
         window.link().show(Situation::Empty);
     window.link().show(Situation::Running);

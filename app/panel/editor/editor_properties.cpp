@@ -26,14 +26,16 @@ QStringList Editor::lawColumns() const
 
 QString Editor::verdict() const
 {
-    return EditorViews(m_recipe, m_solution, nullptr).verdict();
+    const QString refusal = feasible() ? m_controller.masterSetting()->refusal(m_recipe) : QString();
+    return refusal.isEmpty() ? EditorViews(m_recipe, m_solution, nullptr).verdict() : refusal;
 }
 
 Editor::Severity Editor::severity() const
 {
     if (!feasible() && !m_solution.isTablePending)
         return Severity::Bad;
-    const bool warns = m_solution.isCloseToLimit() || !program::isAdvanceConfirmed(m_recipe.program);
+    const bool warns = m_solution.isCloseToLimit() || !program::isAdvanceConfirmed(m_recipe.program) ||
+                       !m_controller.masterSetting()->refusal(m_recipe).isEmpty();
     return warns ? Severity::Warning : Severity::Good;
 }
 

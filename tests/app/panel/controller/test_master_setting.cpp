@@ -179,7 +179,10 @@ private slots:
         QCOMPARE(rig.editor.programDownload()->state(), ProgramDownload::State::Blocked);
         QVERIFY2(rig.downloadText().startsWith("This recipe is for an encoder as the master, but"),
                  qPrintable(rig.downloadText()));
+        QCOMPARE(rig.editor.verdict(), rig.downloadText());
+        QCOMPARE(rig.editor.severity(), panel::Editor::Severity::Warning);
         rig.setSource(1);
+        QCOMPARE(rig.editor.severity(), panel::Editor::Severity::Good);
         QCOMPARE(rig.editor.programDownload()->state(), ProgramDownload::State::Ready);
         rig.enterMaster(1);
         QVERIFY2(rig.downloadText().startsWith("This recipe is for the clock, but"),
