@@ -20,7 +20,7 @@ inline constexpr int maxVersion = 65535;
 // The maximum length of a code that a scanner reads, in bytes of UTF-8.
 inline constexpr std::size_t maxCodeBytes = 64;
 
-// What the machine must follow; Any: whatever it follows.
+// The master that a recipe needs; Any: whatever the machine follows.
 enum class RecipeMaster { Any, Clock, Encoder };
 
 // The defaults are a bag of 250 mm at 60 bags/min with a knife of 60 mm.
@@ -32,7 +32,7 @@ struct Recipe {
     // The codes on paper, in UTF-8; the controller does not know them.
     std::string scanCode; // selects the recipe; empty: its name does
     std::string filmCode; // on the film reel that it needs; empty: any reel
-    // Of a program that follows one; the controller does not know it, but has a setting of its own.
+    // The master of a program that follows one. The controller has a setting of its own.
     RecipeMaster master = RecipeMaster::Any;
 
     [[nodiscard]] profile::ProgramKind kind() const { return profile::kindOf(program); }

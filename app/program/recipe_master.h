@@ -10,7 +10,7 @@
 
 namespace campanel::program {
 
-// What the machine follows, by its settings.
+// The master of the machine by its settings.
 struct MachineMaster {
     bool followsEncoder = false;
     bool hasInput = false; // the controller has one for an encoder

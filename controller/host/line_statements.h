@@ -2,7 +2,7 @@
 // The statements by which somebody else moves the shaft of the line, and by which its encoder gets faults.
 #pragma once
 
-#include "line_shaft.h"
+#include "machine.h"
 
 #include <string_view>
 

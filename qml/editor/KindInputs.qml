@@ -24,7 +24,8 @@ Item {
     readonly property var shownFields: Array.from(Editor.fields).filter(field => field.visible)
     readonly property var groups: Object.keys(groupNames).filter(key => shownFields.some(field => field.group === key)
         || key === "curve" && (hasLaw || hasLists))
-    readonly property int rows: (hasLaw ? 1 : 0) + (hasLists ? 1 : 0) + Editor.choices.count + Math.ceil(shownFields.length / columns)
+    // One of the choices of a cam, its master, is among the tools, and its list is here.
+    readonly property int rows: (hasLaw ? 1 : 0) + Editor.choices.count + Math.ceil(shownFields.length / columns)
     readonly property bool grouped: rows * (Theme.size.touch + Theme.size.spacing) - Theme.size.spacing > list.height
     property int opened                    // as chosen by the finger; `shown` is among the groups
     readonly property int shown: Math.min(opened, groups.length - 1)
@@ -87,7 +88,7 @@ Item {
                     required property string group
                     objectName: "choice" + index
                     level: Access.Technician
-                    visible: inputs.has(group)
+                    visible: group !== "tools" && inputs.has(group)
                     width: body.width
                     label: name
                     value: valueText

@@ -88,15 +88,17 @@ Sheet {
                 note: Editor.kinds[Editor.kind - 1].name
                 onClicked: sheet.kindRequested()
             }
-            Repeater { // of the other kinds they are among the inputs
-                model: sheet.isCutter ? Editor.choices : null
+            Repeater {
+                model: Editor.choices
                 Tool {
                     required property int index
                     required property string name
                     required property string valueText
                     required property list<string> options
                     required property int option
-                    objectName: "choice" + index
+                    required property string group
+                    visible: group === "tools"     // the others are among the inputs
+                    objectName: "toolChoice" + index
                     text: name
                     note: valueText
                     onClicked: if (Access.ask(Access.Technician)) Frame.open("Editor/ChoiceSheet", { title: name, row: index, options: options, current: option })

@@ -78,14 +78,14 @@ private slots:
         QVERIFY2(panel.texts().contains(QStringLiteral("Rate at max. line speed")),
                  qPrintable(panel.texts()));
         // A recipe for the clock is not downloaded.
-        for (const char* name : {"more", "choice0", "choice_1"})
+        for (const char* name : {"more", "toolChoice0", "choice_1"})
             panel.tap(name);
         QTRY_COMPARE_WITH_TIMEOUT(panel.editor().programDownload()->state(),
                                   panel::ProgramDownload::State::Blocked, timeoutMs);
         QVERIFY2(panel.editor().programDownload()->text().startsWith(
                      QStringLiteral("This recipe is for the clock, but an encoder leads the machine.")),
                  qPrintable(panel.editor().programDownload()->text()));
-        for (const char* name : {"more", "choice0", "choice_2"})
+        for (const char* name : {"more", "toolChoice0", "choice_2"})
             panel.tap(name);
         QCOMPARE(panel.complaints(), QStringList());
         panel.download();

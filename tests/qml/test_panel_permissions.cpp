@@ -123,6 +123,7 @@ const QList<Harmless>& harmless()
           u"TouchCalibration::cross="_s,
           u"Settings::refreshPorts"_s,
           u"StartPermit::readIfUncertain"_s,
+          u"MasterSetting::explainRate"_s,
           u"ShiftView::showPrevious"_s,
           u"ShiftView::showNext"_s,
           u"ShiftView::showPresent"_s,

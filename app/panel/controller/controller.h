@@ -6,7 +6,6 @@
 #include "app/link/link.h"
 #include "app/panel/controller/actual_trace.h"
 #include "app/panel/controller/availability.h"
-#include "app/panel/controller/axis_position.h"
 #include "app/panel/controller/bag_statistics.h"
 #include "app/panel/controller/controller_values.h"
 #include "app/panel/controller/master_direction.h"
@@ -20,6 +19,7 @@
 #include "app/panel/controller/telemetry.h"
 #include "app/panel/controller/torque_watch.h"
 #include "app/panel/kit/access_check.h"
+#include "app/panel/kit/axis_position.h"
 #include "app/panel/kit/numbers.h"
 #include "app/panel/kit/singleton.h"
 #include "app/panel/recipe/controller_program.h"
@@ -74,7 +74,7 @@ class Controller : public QObject, public Singleton<Controller> {
     Q_PROPERTY(QList<QPointF> actualTrace READ actualTrace NOTIFY liveChanged FINAL)
 
     Q_PROPERTY(campanel::panel::MasterDirection* direction READ direction CONSTANT FINAL)
-    // What leads the cycles: the clock, or an encoder of the line.
+    // The master of the cycles by the settings: the clock, or an encoder of the line.
     Q_PROPERTY(campanel::panel::MasterSetting* masterSetting READ masterSetting CONSTANT FINAL)
     // The packing line, only for a rotary cutter.
     Q_PROPERTY(campanel::panel::PackingLine* packing READ packing CONSTANT FINAL)

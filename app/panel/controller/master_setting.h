@@ -22,14 +22,13 @@ class MasterSetting : public QObject {
     QML_UNCREATABLE("The setting belongs to the Controller")
     // True when an encoder leads the active program.
     Q_PROPERTY(bool leads READ leads NOTIFY changed FINAL)
-    // The reason why the rate cannot be entered; empty while it can.
-    Q_PROPERTY(QString rateText READ rateText NOTIFY changed FINAL)
 
 public:
     // The controller must outlive the object.
     explicit MasterSetting(Controller& controller);
 
     [[nodiscard]] bool leads() const;
+    // Returns the reason why the rate cannot be entered; empty while it can.
     [[nodiscard]] QString rateText() const;
     // Returns an empty value while it is unknown.
     [[nodiscard]] std::optional<program::MachineMaster> machine() const;

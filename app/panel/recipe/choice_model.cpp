@@ -22,7 +22,7 @@ ChoiceRow masterRow(program::RecipeMaster present)
     using enum program::RecipeMaster;
     ChoiceRow row;
     row.name = MasterSentences::title();
-    row.group = QStringLiteral("master");
+    row.group = QStringLiteral("tools"); // not among the inputs, which must fit the screen
     for (const auto master : {Any, Clock, Encoder}) {
         row.options << MasterSentences::name(master);
         row.codes << static_cast<std::uint16_t>(master);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/panel/reports/status_trace.h"
 
-#include "app/panel/controller/axis_position.h"
+#include "app/panel/kit/axis_position.h"
 #include "app/store/files/csv.h"
 
 using namespace Qt::StringLiterals;

@@ -2,8 +2,8 @@
 // Sentences about the master of a recipe and of the machine.
 #pragma once
 
+#include "app/link/link_values.h"
 #include "app/program/recipe_master.h"
-#include "modbus/map/register_map.h"
 
 #include <QCoreApplication>
 

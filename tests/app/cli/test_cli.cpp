@@ -499,7 +499,7 @@ void CliTest::aRecipeSaysItsMaster()
     QCOMPARE(call(u"recipe --for-master film"_s).code, int{Usage});
     QCOMPARE(call(u"recipe --kind press --for-master clock"_s).code, int{Usage});
 
-    const ControllerProcess controller({});
+    const ControllerProcess controller;
     const QStringList port{u"--port"_s, controller.port()};
     const Result clock = call(QStringList{u"download"_s, file} + port);
     QCOMPARE(clock.code, int{Refused});
