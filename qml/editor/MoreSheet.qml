@@ -99,6 +99,7 @@ Sheet {
                     required property string group
                     visible: group === "tools"     // the others are among the inputs
                     objectName: "toolChoice" + index
+                    level: Access.Technician
                     text: name
                     note: valueText
                     onClicked: if (Access.ask(Access.Technician)) Frame.open("Editor/ChoiceSheet", { title: name, row: index, options: options, current: option })
