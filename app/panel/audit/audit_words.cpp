@@ -232,6 +232,7 @@ QStringList AuditWords::keysWith(const QString& word)
         add(name, PackingFields::words(name));
         add(name, CamSwitches::words(name));
         add(name, StartPermit::words(name));
+        add(name, MasterSentences::parameter(name));
     }
     return keys;
 }

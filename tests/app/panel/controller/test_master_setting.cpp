@@ -313,6 +313,7 @@ private slots:
         QCOMPARE(written->before, "1");
         QCOMPARE(written->after, "0");
         QCOMPARE(panel::AuditWords::object(*written), "Master");
+        QVERIFY(panel::AuditWords::keysWith("Counts per rev").contains("master.counts"));
         for (const modbus::RegisterInfo& info : modbus::registers()) {
             if (info.name.starts_with("master."))
                 QVERIFY2(!panel::MasterSentences::parameter(panel::RegisterWords::name(info)).isEmpty(),
