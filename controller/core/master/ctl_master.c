@@ -27,6 +27,10 @@
 #define SHARE_BITS 20u
 #define HUNDREDTHS 10000
 #define FULL_CIRCLE 36000 /* 0.01 degrees */
+/* Of the gear's fraction, for a product below 2^64. */
+#define SPARE_BITS 4u
+/* The line disengages over a longer stretch where the master has become faster by this part. */
+#define FASTER_SHARE 32u
 /* Above it the gear's whole numbers are too large. */
 #define MAX_DENOMINATOR (UINT64_C(1) << 42)
 /* A cam's master revolutions per cycle are the product of two thousandths. */
@@ -227,9 +231,8 @@ static void set_gear(ctl_master* master, const ctl_bank* bank)
 /* The ramp's full speed is the program's rate. */
 static void set_rate(ctl_master* master, const ctl_ramp* ramp)
 {
-    const uint64_t clock_khz = master->board->config.timer_clock_hz / MS_PER_S;
-    const uint64_t rate = (ramp->full * master->gear.fine >> CTL_GEAR_BITS) / clock_khz * MS_PER_S;
-    master->per_speed = rate < UINT32_MAX ? (uint32_t)rate : UINT32_MAX;
+    const uint64_t ramp_us = ramp->full / (master->board->config.timer_clock_hz / MS_PER_S) * MS_PER_S;
+    master->per_speed = ramp_us * (master->gear.fine >> SPARE_BITS) >> (CTL_GEAR_BITS - SPARE_BITS);
 }
 
 /* The master's speed, of the ramp's; one that goes back has none where the line waits for it. */
@@ -403,6 +406,15 @@ static void shift(ctl_master* master, int64_t at)
     phase->done = done;
 }
 
+/* The line still follows a master that has become faster since the end was chosen. */
+static void end_later_when_faster(ctl_master* master, const ctl_ramp* ramp)
+{
+    if (!master->clutch.ends || master->clutch.state == CTL_CLUTCH_DISENGAGING ||
+        ramp->top <= master->end_top + master->end_top / FASTER_SHARE)
+        return;
+    (void)ctl_master_disengage(master, ramp, (uint32_t)(master->clutch.end - master->line));
+}
+
 int32_t ctl_master_travel(ctl_master* master, ctl_ramp* ramp, uint32_t ticks)
 {
     const int64_t at = position(master);
@@ -416,6 +428,7 @@ int32_t ctl_master_travel(ctl_master* master, ctl_ramp* ramp, uint32_t ticks)
     if (master->fault != CTL_LOST_NONE)
         return 0;
     master->line += travel;
+    end_later_when_faster(master, ramp);
     ctl_ramp_lead(ramp, top_of(master), ends ? clutch->off.stretch : clutch->on.stretch,
                   way_from_rest(master));
     if (clutch->state == CTL_CLUTCH_OFF)
@@ -432,6 +445,7 @@ uint64_t ctl_master_disengage(ctl_master* master, const ctl_ramp* ramp, uint32_t
     while (end < nearest)
         end += master->cycle;
     ctl_clutch_disengage(&master->clutch, end, curve);
+    master->end_top = top_of(master);
     return (uint64_t)(end - master->line);
 }
 

@@ -258,7 +258,8 @@ static void slice_running(ctl_motion* motion, ctl_pace pace)
 static void slice_stopping(ctl_motion* motion, ctl_pace pace)
 {
     motion->change_planned = false;
-    if (motion->master->leads && ctl_tracker_stands(&motion->master->tracker))
+    const ctl_master* master = motion->master;
+    if (master->leads && (master->speed < 0 || ctl_tracker_stands(&master->tracker)))
         (void)ctl_motion_stop_now(motion); /* the end of the cycle may never come */
     if (motion->master->leads) {
         slice_led(motion, pace);
