@@ -356,6 +356,9 @@ void ctl_packer_change_bank(ctl_packer* packer, const ctl_bank* bank, const ctl_
     read_bank(packer, bank);
     packer->planned = false;
     packer->changed = true;
+    packer->top = ramp->top;
+    packer->top_then = ramp->top;
+    packer->since = 0;
     packer->phase.limited_in_row = 0;
     const bool is_open = packer->knife_gate.state == CTL_GATE_STATE_STANDING;
     ctl_gate_reset(&packer->film_gate, packer->cycle, packer->engage, packer->release);

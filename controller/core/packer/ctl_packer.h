@@ -121,6 +121,7 @@ typedef struct {
     ctl_cut next;
     uint64_t end_ticks; /* the drive's, as they are expected at the next call */
     uint32_t top;       /* another master's speed that the next cut was planned for, */
+    uint32_t top_then;  /* its speed when that was planned, */
     uint32_t since;     /* and ticks since then */
     int64_t lag;        /* at full speed: film position at a cut minus the command that was meant for it */
     bool lag_known;

@@ -9,11 +9,9 @@
 /* A planned cut is shifted again in no less than this part of a cycle. */
 #define SHORTEST_ROOM 10u
 /* It is shifted again for a change of another master's speed by this part of full speed. */
-#define SPEED_STEPS 32u
+#define SPEED_STEPS 64u
 /* It starts or stops where it would change by this part in a cycle. */
 #define RAMP_STEPS 8u
-/* A change by less than this part is taken for a ripple. */
-#define RIPPLE_STEPS 50u
 #define MEAN_CUTS 4u
 #define SQUARE_BITS 20u
 
@@ -29,29 +27,30 @@ int64_t ctl_packer_lag(const ctl_packer* packer, uint32_t speed, const ctl_ramp*
     return packer->lag * (int64_t)speed / (int64_t)ramp->full;
 }
 
-/* Returns how far another master's speed is from the one that the next cut was planned for. */
-static uint32_t speed_off(const ctl_packer* packer, const ctl_ramp* ramp)
+/* Returns how far another master's speed is from this one. */
+static uint32_t speed_off(const ctl_ramp* ramp, uint32_t top)
 {
-    return ramp->top > packer->top ? ramp->top - packer->top : packer->top - ramp->top;
+    return ramp->top > top ? ramp->top - top : top - ramp->top;
 }
 
 bool ctl_packer_sees_other_speed(const ctl_packer* packer, const ctl_ramp* ramp)
 {
-    return ramp->led && speed_off(packer, ramp) > ramp->full / SPEED_STEPS;
+    return ramp->led && speed_off(ramp, packer->top) > ramp->full / SPEED_STEPS;
 }
 
 /* Another master starts or stops: by so much in a cycle, its speed changes. */
 static bool ramps(const ctl_packer* packer, const ctl_ramp* ramp)
 {
-    const uint64_t off = speed_off(packer, ramp);
-    return ctl_packer_sees_other_speed(packer, ramp) &&
+    const uint64_t off = speed_off(ramp, packer->top_then);
+    return off > ramp->full / SPEED_STEPS &&
            off * packer->cycle > (uint64_t)ramp->full / RAMP_STEPS * packer->since;
 }
 
-/* A ripple is another one at the cut: what it is about is planned for, the mean of the last cuts. */
+/* A smaller change is taken for a ripple, which is another one at the cut: what it is about is planned for,
+ * the mean of the last cuts. */
 static uint32_t planned_top(const ctl_packer* packer, const ctl_ramp* ramp)
 {
-    if (speed_off(packer, ramp) > ramp->full / RIPPLE_STEPS)
+    if (speed_off(ramp, packer->top) > ramp->full / SPEED_STEPS)
         return ramp->top;
     return packer->top / MEAN_CUTS * (MEAN_CUTS - 1u) + ramp->top / MEAN_CUTS;
 }
@@ -62,7 +61,7 @@ static uint32_t top_ahead(const ctl_packer* packer, const ctl_ramp* ramp, uint32
     if (packer->since == 0 || !ramps(packer, ramp))
         return planned_top(packer, ramp);
     const int64_t square = (int64_t)((uint64_t)ramp->top * ramp->top);
-    const int64_t before = (int64_t)((uint64_t)packer->top * packer->top);
+    const int64_t before = (int64_t)((uint64_t)packer->top_then * packer->top_then);
     const int64_t gained = (square - before) / (1 << SQUARE_BITS) * way / packer->since * (1 << SQUARE_BITS);
     if (gained <= -square)
         return 0;
@@ -112,6 +111,7 @@ static int64_t allowed_shift(ctl_packer* packer, const ctl_drive* drive, const c
 static void note_speed(ctl_packer* packer, const ctl_ramp* ramp)
 {
     packer->top = planned_top(packer, ramp);
+    packer->top_then = ramp->top;
     packer->since = 0;
 }
 

@@ -7,17 +7,22 @@
 #include <stddef.h>
 
 #define MISPLACED_UM 70
+#define SLOWEST_SHARE 32u
+#define LAG_CUTS 4
 
 void ctl_packer_raise(ctl_packer* packer, uint32_t bit)
 {
     packer->alarms = (uint16_t)(packer->alarms | 1u << bit);
 }
 
+/* Learns the lag at full speed. Another master may be slow for good, and its ripple must not lead the cuts. */
 static void learn_lag(ctl_packer* packer, int64_t lag, const ctl_ramp* ramp)
 {
-    if (lag > packer->bag / 4 || lag < -packer->bag / 4 || ramp->speed < ramp->full / 4u)
+    const uint32_t slowest = ramp->full / (ramp->led && !packer->lag_known ? SLOWEST_SHARE : 4u);
+    if (lag > packer->bag / 4 || lag < -packer->bag / 4 || ramp->speed < slowest)
         return;
-    packer->lag = lag * (int64_t)ramp->full / (int64_t)ramp->speed;
+    const int64_t seen = lag * (int64_t)ramp->full / (int64_t)ramp->speed;
+    packer->lag += (seen - packer->lag) / (ramp->led && packer->lag_known ? LAG_CUTS : 1);
     packer->lag_known = true;
 }
 

@@ -152,6 +152,8 @@ private slots:
     void disengagesAtTheEndOfACycle();
     void engagesAgainInPhase();
     void bagsOfALineThatStopsInThemAreMarked();
+    void aSlowWaveMarksNoGoodBag_data();
+    void aSlowWaveMarksNoGoodBag();
     void stopsWhereTheLineStands();
     void stopNowStopsAtOnce();
     void aLineThatIsTooFastIsRefused();
@@ -490,6 +492,49 @@ void TestMasterLine::bagsOfALineThatStopsInThemAreMarked()
     }
     QVERIFY(bags > 80);
     QVERIFY2(marked <= 30, qPrintable(QString::number(marked)));
+    QVERIFY2(farthestMm < 0.2, qPrintable(QString::number(farthestMm)));
+}
+
+void TestMasterLine::aSlowWaveMarksNoGoodBag_data()
+{
+    QTest::addColumn<double>("share");
+    QTest::addColumn<double>("wave");
+    QTest::newRow("20 % over 10 s") << 1.0 << 0.2;
+    QTest::newRow("a line at 15 % of the rate") << 0.15 << 0.0;
+}
+
+// Bags of 460 mm at 300 a minute: the drives lag by 3 mm more at the knife than at the film.
+void TestMasterLine::aSlowWaveMarksNoGoodBag()
+{
+    QFETCH(double, share);
+    QFETCH(double, wave);
+    constexpr unsigned startUp = 1u << CTL_BAG_BIT_START_UP;
+    BankImage bank = cutter();
+    bank.bagLengthUm = 460'000;
+    MachineOptions options = onLine(share * 2300.0);
+    options.shaft.wave = wave;
+    Rig rig(options);
+    rig.install(bank);
+    QCOMPARE(rig.write(CTL_REG_MASTER_SOURCE, {CTL_MASTER_SOURCE_ENCODER}), 0);
+    QCOMPARE(rig.write(CTL_REG_MASTER_SPEED_MAX, {130}), 0);
+    rig.run(500'000);
+    rig.start();
+    QVERIFY(runUntilEngaged(rig));
+    int marked = 0;
+    double farthestMm = 0.0;
+    for (int bags = 0; bags < 120;) {
+        rig.controller().step();
+        if (!rig.controller().cut() || !rig.controller().cut()->lengthUm)
+            continue;
+        ++bags;
+        const ctl_packer& packer = rig.core().packer;
+        const bool isMarked =
+            (packer.records[CTL_BAG_REGISTERS * (packer.bags % CTL_BAG_RECORDS) + 3u] & startUp) != 0;
+        marked += isMarked ? 1 : 0;
+        if (!isMarked)
+            farthestMm = std::max(farthestMm, std::abs(*rig.controller().cut()->lengthUm / 1000.0 - 460.0));
+    }
+    QVERIFY2(marked <= 5, qPrintable(QString::number(marked)));
     QVERIFY2(farthestMm < 0.2, qPrintable(QString::number(farthestMm)));
 }
 
