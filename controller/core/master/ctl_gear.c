@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "master/ctl_gear.h"
 
+#define ONE (INT64_C(1) << CTL_GEAR_BITS)
+
 /* More counts at once are divided, fewer are carried one by one. */
 #define COUNTS_CARRIED 16u
 /* Their product with the rest is below 2^64. */
@@ -16,6 +18,19 @@ void ctl_gear_set(ctl_gear* gear, uint64_t numerator, uint64_t denominator, int6
     gear->count = count;
     gear->ticks = 0;
     gear->remainder = 0;
+}
+
+void ctl_gear_change(ctl_gear* gear, uint64_t numerator, uint64_t denominator, int64_t behind)
+{
+    const uint64_t part = (gear->remainder << CTL_GEAR_BITS) / gear->denominator;
+    const int64_t fine = behind * ONE + (int64_t)part;
+    const int64_t per_count = (int64_t)gear->fine;
+    const int64_t counts = (fine * ONE + (fine < 0 ? -per_count : per_count) / 2) / per_count;
+    ctl_gear_set(gear, numerator, denominator, gear->count);
+    const int64_t ticks = counts * (int64_t)gear->fine / ONE;
+    const uint64_t above = (uint64_t)ticks & (uint64_t)(ONE - 1);
+    gear->ticks = (ticks - (int64_t)above) / ONE;
+    gear->remainder = above * denominator >> CTL_GEAR_BITS;
 }
 
 static void go_forward(ctl_gear* gear, uint32_t counts)

@@ -27,6 +27,9 @@ typedef struct {
 /* Sets the ratio, the numerator below 2^56 and the denominator below 2^42, neither 0. The present `count` is
  * tick 0. */
 void ctl_gear_set(ctl_gear* gear, uint64_t numerator, uint64_t denominator, int64_t count);
+/* Goes on with another ratio where it is: `behind` ticks of the old one, and its remainder, behind tick 0 of
+ * the new one. Rounded to 1 / 2^CTL_GEAR_BITS count. */
+void ctl_gear_change(ctl_gear* gear, uint64_t numerator, uint64_t denominator, int64_t behind);
 /* Returns the ticks at a count and a fraction of the next one, in 1 / 2^CTL_GEAR_BITS. They do not fall while
  * the position rises. */
 int64_t ctl_gear_ticks(ctl_gear* gear, int64_t count, uint32_t fraction);

@@ -290,6 +290,15 @@ static void settle_phase(ctl_master* master)
     *phase = (ctl_master_phase){.set = target};
 }
 
+/* What follows from the gear. */
+static void set_line(ctl_master* master, const ctl_bank* bank, const ctl_ramp* ramp)
+{
+    set_rate(master, ramp);
+    master->cycle = ctl_bank_cycle_ticks(bank);
+    master->tracker.constant_us = smoothing_us(master);
+    master->tracker.step_us = 0;
+}
+
 void ctl_master_engage(ctl_master* master, const ctl_bank* bank, uint32_t start, ctl_ramp* ramp)
 {
     master->too_fast = false;
@@ -301,11 +310,8 @@ void ctl_master_engage(ctl_master* master, const ctl_bank* bank, uint32_t start,
     master->engine_us = is_cutter(bank) ? 0u : CTL_CAM_UPDATE_US;
     master->goes_back = !is_cutter(bank) && setting16(master, CTL_REG_MASTER_BACKWARD) != 0;
     set_gear(master, bank);
-    set_rate(master, ramp);
-    master->cycle = ctl_bank_cycle_ticks(bank);
+    set_line(master, bank, ramp);
     master->line = start;
-    master->tracker.constant_us = smoothing_us(master);
-    master->tracker.step_us = 0;
     settle_phase(master);
     const int64_t at = position(master);
     const ctl_clutch_curve curve = engaging_curve(master, ramp, at);
@@ -313,6 +319,33 @@ void ctl_master_engage(ctl_master* master, const ctl_bank* bank, uint32_t start,
     master->in_phase = true;
     master->wanted = master->line;
     ctl_ramp_lead(ramp, top_of(master), curve.stretch, 0);
+}
+
+/* What is left of a shift begins again in the next cycle, which is another one. */
+static void keep_phase(ctl_master* master)
+{
+    ctl_master_phase* phase = &master->phase;
+    const int64_t left = (phase->way - phase->done) * FULL_CIRCLE / (int64_t)master->cycle;
+    *phase = (ctl_master_phase){.set = phase->set - (int32_t)left, .moved = phase->moved};
+}
+
+uint32_t ctl_master_change(ctl_master* master, const ctl_bank* bank, ctl_ramp* ramp, uint32_t left)
+{
+    const gear_ratio ratio = ratio_of(master, bank);
+    ctl_gear* gear = &master->gear;
+    const int64_t boundary = master->line - left;
+    int64_t offset = master->clutch.offset - boundary;
+    if (ratio.numerator != gear->numerator || ratio.denominator != gear->denominator) {
+        ctl_gear_change(gear, ratio.numerator, ratio.denominator, gear->ticks + offset);
+        offset = 0;
+    }
+    keep_phase(master);
+    set_line(master, bank, ramp);
+    master->clutch.offset = offset;
+    master->wanted = position(master) + offset;
+    master->line = master->wanted > 0 ? master->wanted : 0;
+    ctl_ramp_lead(ramp, top_of(master), master->clutch.on.stretch, UINT32_MAX);
+    return (uint32_t)master->line;
 }
 
 /* The line's way from standstill, before or behind it. */

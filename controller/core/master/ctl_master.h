@@ -73,6 +73,9 @@ uint16_t ctl_master_refusal(const ctl_master* master, const ctl_bank* bank);
 /* A run of `bank` begins `start` ticks into its cycle, with this ramp at standstill: where the encoder is the
  * source, it leads the ramp. */
 void ctl_master_engage(ctl_master* master, const ctl_bank* bank, uint32_t start, ctl_ramp* ramp);
+/* At a boundary, `left` ticks of this slice's travel behind it, the line goes on by `bank`, whose ramp
+ * stands: nothing of the master's way is lost. Returns the ticks that are left of the travel. */
+uint32_t ctl_master_change(ctl_master* master, const ctl_bank* bank, ctl_ramp* ramp, uint32_t left);
 /* Returns the ticks that the line travels in this slice of `ticks`; negative: back. */
 int32_t ctl_master_travel(ctl_master* master, ctl_ramp* ramp, uint32_t ticks);
 /* Begins to disengage, `to_boundary` ticks being left of the cycle; returns the ticks to the boundary at

@@ -32,12 +32,6 @@ static void set_ratio(ctl_change_plan* plan, const ctl_bank* from, const ctl_ban
     plan->denominator = denominator == 0 ? 1u : (uint32_t)denominator;
 }
 
-static void limit_share(ctl_change_plan* plan, uint64_t share)
-{
-    if (share < plan->share)
-        plan->share = share;
-}
-
 static uint64_t magnitude(int64_t value)
 {
     return (uint64_t)(value < 0 ? -value : value);
@@ -47,17 +41,18 @@ static uint64_t magnitude(int64_t value)
 static void limit_step(ctl_change_plan* plan, int64_t before_hz, int64_t behind_hz, uint32_t limit)
 {
     const uint64_t step = magnitude(behind_hz * plan->numerator / plan->denominator - before_hz);
-    if (step > limit)
-        limit_share(plan, ((uint64_t)limit << CTL_RAMP_SHARE_BITS) / step);
+    const uint64_t share = step > limit ? ((uint64_t)limit << CTL_RAMP_SHARE_BITS) / step : plan->steps;
+    if (share < plan->steps)
+        plan->steps = share;
 }
 
 ctl_change_plan ctl_change_between(const ctl_board* board, const ctl_packer* packer, const ctl_bank* from,
                                    const ctl_bank* to, int32_t direction)
 {
-    ctl_change_plan plan = {WHOLE, 1, 1};
+    ctl_change_plan plan = {WHOLE, UINT64_MAX, 1, 1};
     set_ratio(&plan, from, to);
     if (plan.numerator > plan.denominator) /* the new program is not run faster than its own speed */
-        limit_share(&plan, (WHOLE * plan.denominator) / plan.numerator);
+        plan.share = (WHOLE * plan.denominator) / plan.numerator;
 
     const int64_t before_hz = ctl_table_boundary_hz(from, &board->config, direction > 0);
     const int64_t behind_hz = ctl_table_boundary_hz(to, &board->config, direction < 0);
@@ -75,6 +70,8 @@ ctl_change_plan ctl_change_between(const ctl_board* board, const ctl_packer* pac
         limit_step(&plan, before.infeed, behind.infeed,
                    ctl_parameter32(board, CTL_REG_PARAMETER_INFEED_STEP));
     }
+    if (plan.steps < plan.share)
+        plan.share = plan.steps;
     return plan;
 }
 

@@ -19,7 +19,8 @@ extern "C" {
 #define CTL_CHANGE_MIN_SHARE ((uint64_t)1 << (CTL_RAMP_SHARE_BITS - 11u))
 
 typedef struct {
-    uint64_t share;     /* maximum share before the boundary, in 1 / 2^31 */
+    uint64_t share;     /* maximum share before the boundary, in 1 / 2^31; */
+    uint64_t steps;     /* the same, as far as the steps of the axes demand */
     uint32_t numerator; /* the share after it is share * numerator / denominator */
     uint32_t denominator;
 } ctl_change_plan;

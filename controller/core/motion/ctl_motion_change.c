@@ -1,0 +1,121 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+/* The change of program of a running machine: by the clock, which slows down for it, or with an encoder that
+ * leads, which does not. */
+#include "motion/ctl_motion.h"
+
+bool ctl_motion_changes(const ctl_motion* motion)
+{
+    return motion->transfer->state == CTL_STAGED_STATE_ARMED && motion->state == CTL_STATE_RUNNING &&
+           ctl_bank_at_end(ctl_active_bank(motion->banks)) == CTL_END_BEHAVIOR_REPEAT;
+}
+
+/* Computes the change at the next boundary over which no correction of the film goes on. */
+static void plan(ctl_motion* motion)
+{
+    motion->change = ctl_change_between(motion->board, motion->packer, ctl_active_bank(motion->banks),
+                                        ctl_staged_bank(motion->banks), motion->direction);
+    motion->change_ticks = ctl_motion_to_boundary(motion);
+    if (ctl_packer_correcting(motion->packer))
+        motion->change_ticks += ctl_bank_cycle_ticks(motion->table.bank);
+    motion->change_planned = true;
+    motion->change_opens = false;
+}
+
+void ctl_motion_plan_change(ctl_motion* motion, uint32_t slice)
+{
+    const uint32_t cycle = ctl_bank_cycle_ticks(motion->table.bank);
+    plan(motion);
+    motion->change_speed = ctl_ramp_speed_of(&motion->ramp, motion->change.share);
+    /* The slice that meets the boundary may begin faster by twice what the ramp loses in it. */
+    if (motion->change_speed < motion->ramp.full && motion->change_speed > 3u * slice)
+        motion->change_speed -= 2u * slice;
+    while (!ctl_ramp_can_approach(&motion->ramp, motion->change_ticks, motion->change_speed))
+        motion->change_ticks += cycle;
+}
+
+/* Between the last pulse of one cycle and the first of the next the armed program takes over. `ticks` of the
+ * master that are left of this slice go on with the same speed of the film. */
+static void take_over_armed(ctl_motion* motion, uint32_t* ticks)
+{
+    const uint64_t share = ctl_ramp_whole_share(&motion->ramp);
+    ctl_transfer_apply(motion->transfer, motion->banks);
+    ctl_table_change_bank(&motion->table, ctl_active_bank(motion->banks));
+    ctl_jam_forget(&motion->packer->jam);
+    ctl_motion_set_ramp(motion);
+    if (motion->master->leads && motion->master->clutch.state == CTL_CLUTCH_ON) {
+        *ticks = ctl_master_change(motion->master, ctl_active_bank(motion->banks), &motion->ramp, *ticks);
+    } else {
+        motion->ramp.speed =
+            ctl_ramp_speed_of(&motion->ramp, ctl_change_share_behind(&motion->change, share));
+        *ticks = (uint32_t)ctl_change_share_behind(&motion->change, *ticks);
+    }
+    ctl_packer_change_bank(motion->packer, ctl_active_bank(motion->banks), &motion->ramp);
+    motion->change_planned = false;
+}
+
+/* The line comes to rest at a boundary by its clutch, as the axes would step too far at the master's speed.
+ * It has travelled `ahead` ticks more than its table. */
+static void rest_for_change(ctl_motion* motion, uint32_t ahead)
+{
+    motion->change_planned = false;
+    motion->change_rests = true;
+    motion->stop_remaining =
+        ctl_master_disengage(motion->master, &motion->ramp, ctl_motion_to_boundary(motion) - ahead);
+}
+
+static bool steps_too_far(const ctl_motion* motion, uint32_t speed)
+{
+    return ((uint64_t)speed << CTL_RAMP_SHARE_BITS) / motion->ramp.full > motion->change.steps;
+}
+
+/* Returns true while the encoder is too fast for the armed program, or does not lead the line alone. */
+static bool must_wait(const ctl_motion* motion)
+{
+    const ctl_master* master = motion->master;
+    return master->leads && (master->clutch.state != CTL_CLUTCH_ON || master->clutch.ends ||
+                             ctl_master_refusal(master, ctl_staged_bank(motion->banks)) != CTL_REFUSAL_NONE);
+}
+
+void ctl_motion_plan_led_change(ctl_motion* motion)
+{
+    const bool changes = ctl_motion_changes(motion);
+    motion->change_planned = motion->change_planned && changes;
+    if (motion->change_planned || motion->change_rests || !changes)
+        return;
+    if (motion->packer->wheel.on) {
+        motion->change_rests = !must_wait(motion); /* the knife joins the film again */
+        return;
+    }
+    plan(motion);
+    if (!must_wait(motion) && steps_too_far(motion, motion->ramp.top))
+        rest_for_change(motion, 0);
+}
+
+void ctl_motion_change_at_rest(ctl_motion* motion)
+{
+    uint32_t none = 0;
+    const ctl_bank* staged = ctl_staged_bank(motion->banks);
+    motion->change_rests = false;
+    if (ctl_motion_changes(motion) && ctl_table_between_cycles(&motion->table) &&
+        ctl_packer_may_change(motion->packer, staged, true) &&
+        ctl_master_refusal(motion->master, staged) == CTL_REFUSAL_NONE)
+        take_over_armed(motion, &none);
+    ctl_motion_run(motion);
+}
+
+/* At a boundary: takes over, or runs on as slowly to the next one. */
+void ctl_motion_pass_boundary(ctl_motion* motion, uint32_t* ticks)
+{
+    const ctl_bank* staged = ctl_staged_bank(motion->banks);
+    const bool waits = must_wait(motion);
+    if (!waits && motion->master->leads && steps_too_far(motion, motion->ramp.speed)) {
+        rest_for_change(motion, *ticks);
+        return;
+    }
+    if (!waits && ctl_table_between_cycles(&motion->table) && ctl_motion_may_change(motion, staged)) {
+        take_over_armed(motion, ticks);
+        return;
+    }
+    motion->change_opens = !waits && (motion->change_opens || ctl_packer_must_open(motion->packer, staged));
+    motion->change_ticks += ctl_bank_cycle_ticks(motion->table.bank);
+}
