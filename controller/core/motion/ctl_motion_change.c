@@ -80,7 +80,7 @@ void ctl_motion_plan_led_change(ctl_motion* motion)
 {
     const bool changes = ctl_motion_changes(motion);
     motion->change_planned = motion->change_planned && changes;
-    if (motion->change_planned || motion->change_rests || !changes)
+    if (motion->change_planned || motion->change_rests || !changes || motion->direction < 0)
         return;
     if (motion->packer->wheel.on) {
         motion->change_rests = !must_wait(motion); /* the knife joins the film again */
