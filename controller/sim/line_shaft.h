@@ -30,7 +30,6 @@ class LineShaft {
 public:
     explicit LineShaft(const ShaftOptions& options);
 
-    [[nodiscard]] const ShaftOptions& options() const { return m_options; }
     [[nodiscard]] bool hasEncoder() const { return m_options.counts != 0; }
     // The speed ramps to this one.
     void setSpeed(double mmPerS);

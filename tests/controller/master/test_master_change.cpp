@@ -319,13 +319,13 @@ void TestMasterChange::aStopInTheMiddleTakesOverAtStandstill()
 void TestMasterChange::cancelInTheMiddleEngagesAgain()
 {
     RestingRig rig;
-    const std::int64_t offset = rig.core().master.offset;
+    const std::int64_t offset = rig.core().master.clutch.offset;
     QCOMPARE(rig.command(CTL_COMMAND_CANCEL_APPLY), CTL_REFUSAL_NONE);
     rig.run(10 * second);
     QCOMPARE(rig.core().motion.state, CTL_STATE_RUNNING);
     QCOMPARE(rig.core().banks.generation, 1u);
     QCOMPARE(rig.core().master.clutch.state, CTL_CLUTCH_ON);
-    QCOMPARE((rig.core().master.offset - offset) % 4'000'000, 0); // in phase
+    QCOMPARE((rig.core().master.clutch.offset - offset) % 4'000'000, 0); // in phase
     const QString wrong = wrongAfter(rig, 250'000);
     QVERIFY2(wrong.isEmpty(), qPrintable(wrong));
 }

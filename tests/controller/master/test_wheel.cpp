@@ -112,6 +112,7 @@ private slots:
     void thePhaseIsSuperimposed_data();
     void thePhaseIsSuperimposed();
     void theRippleIsMeasured();
+    void theProgramChangesWhileTheKnifeIsOpen();
 };
 
 void TestWheel::onlyTheKnifeMoves()
@@ -335,6 +336,29 @@ void TestWheel::theRippleIsMeasured()
     line.run(3'000'000);
     const int ripple = line.read(CTL_REG_MASTER_STATUS_RIPPLE, 1).at(0);
     QVERIFY2(std::abs(ripple - 200) < 40, qPrintable(QString::number(ripple)));
+}
+
+void TestWheel::theProgramChangesWhileTheKnifeIsOpen()
+{
+    Line line(true);
+    line.start();
+    QVERIFY(line.engages());
+    (void)line.cutBags(12);
+    BankImage other = camBank(knifePulses, 1, cycleTicks / 2); // the same bags at up to 120 a minute
+    other.bagLengthUm = 250'000;
+    for (int i = 0; i < 3; ++i) {
+        BankImage same = camBank(knifePulses, 1, cycleTicks);
+        same.bagLengthUm = 250'000;
+        const Registers image = (i % 2 == 0 ? other : same).registers();
+        const auto session = static_cast<std::uint16_t>(7 + i);
+        QCOMPARE(line.download(image, session), CTL_TRANSFER_RESULT_ACCEPTED);
+        QCOMPARE(line.apply(image, CTL_APPLY_MODE_NEXT_CYCLE, session), CTL_REFUSAL_NONE);
+        QVERIFY(line.cutBags(12) < 0.2);
+        QVERIFY2(line.scrap <= 4, qPrintable(QString::number(line.scrap)));
+        QCOMPARE(line.core().transfer.state, CTL_STAGED_STATE_EMPTY);
+        QCOMPARE(line.status(CTL_REG_STATUS_STATE), CTL_STATE_RUNNING);
+        QCOMPARE(line.status(CTL_REG_MASTER_STATUS_STATE), CTL_MASTER_STATE_ENGAGED);
+    }
 }
 
 CAMPANEL_TEST(TestWheel)
