@@ -63,9 +63,16 @@ static void rest_for_change(ctl_motion* motion, uint32_t ahead)
         ctl_master_disengage(motion->master, &motion->ramp, ctl_motion_to_boundary(motion) - ahead);
 }
 
+/* On somebody else's film the knife stands open meanwhile, and nothing else moves. */
+static bool is_open(const ctl_motion* motion)
+{
+    return !motion->packer->wheel.on || motion->packer->knife_gate.state == CTL_GATE_STATE_STANDING;
+}
+
 static bool steps_too_far(const ctl_motion* motion, uint32_t speed)
 {
-    return ((uint64_t)speed << CTL_RAMP_SHARE_BITS) / motion->ramp.full > motion->change.steps;
+    return !motion->packer->wheel.on &&
+           ((uint64_t)speed << CTL_RAMP_SHARE_BITS) / motion->ramp.full > motion->change.steps;
 }
 
 /* Returns true while the encoder is too fast for the armed program, or does not lead the line alone. */
@@ -82,10 +89,6 @@ void ctl_motion_plan_led_change(ctl_motion* motion)
     motion->change_planned = motion->change_planned && changes;
     if (motion->change_planned || motion->change_rests || !changes || motion->direction < 0)
         return;
-    if (motion->packer->wheel.on) {
-        motion->change_rests = !must_wait(motion); /* the knife joins the film again */
-        return;
-    }
     plan(motion);
     if (!must_wait(motion) && steps_too_far(motion, motion->ramp.top))
         rest_for_change(motion, 0);
@@ -112,10 +115,12 @@ void ctl_motion_pass_boundary(ctl_motion* motion, uint32_t* ticks)
         rest_for_change(motion, *ticks);
         return;
     }
-    if (!waits && ctl_table_between_cycles(&motion->table) && ctl_motion_may_change(motion, staged)) {
+    if (!waits && is_open(motion) && ctl_table_between_cycles(&motion->table) &&
+        ctl_motion_may_change(motion, staged)) {
         take_over_armed(motion, ticks);
         return;
     }
-    motion->change_opens = !waits && (motion->change_opens || ctl_packer_must_open(motion->packer, staged));
+    motion->change_opens =
+        !waits && (motion->change_opens || !is_open(motion) || ctl_packer_must_open(motion->packer, staged));
     motion->change_ticks += ctl_bank_cycle_ticks(motion->table.bank);
 }

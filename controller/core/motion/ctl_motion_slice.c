@@ -126,22 +126,16 @@ static void follow_film(ctl_motion* motion)
     ctl_packer_shift_line(packer, ctl_master_take_shift(master));
     packer->wheel.counts = master->tracker.count;
     ctl_master_shift(master, ctl_packer_wheel_shift(packer, ctl_master_ahead(master)));
-    packer->wheel.opens =
-        master->clutch.state != CTL_CLUTCH_ON || motion->state != CTL_STATE_RUNNING || motion->change_rests;
+    packer->wheel.opens = master->clutch.state != CTL_CLUTCH_ON || motion->state != CTL_STATE_RUNNING;
     if (packer->wheel.slips)
         ctl_motion_fault(motion, CTL_FAULT_BIT_MASTER_SLIP);
 }
 
-/* The film of somebody else goes on: the run ends, or changes its program, as soon as the knife stands open.
- */
+/* The film of somebody else goes on: the run ends as soon as the knife stands open. */
 static void leave_film(ctl_motion* motion)
 {
     if (motion->packer->knife_gate.state != CTL_GATE_STATE_STANDING)
         return;
-    if (motion->change_rests) {
-        ctl_motion_change_at_rest(motion);
-        return;
-    }
     ctl_master_release(motion->master, &motion->ramp);
     motion->ramp.speed = 0;
     motion->stop_remaining = 0;
@@ -162,7 +156,7 @@ static void slice_led(ctl_motion* motion, ctl_pace pace)
     travel(motion, pace);
     if (motion->packer->wheel.on)
         follow_film(motion);
-    if (motion->packer->wheel.on && (motion->state == CTL_STATE_STOPPING || motion->change_rests))
+    if (motion->packer->wheel.on && motion->state == CTL_STATE_STOPPING)
         leave_film(motion);
     else if (motion->state == CTL_STATE_STOPPING || motion->change_rests)
         motion->stop_remaining = ctl_master_to_end(motion->master);

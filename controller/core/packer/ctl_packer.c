@@ -272,26 +272,37 @@ static void switch_wheel(ctl_packer* packer, bool on)
     packer->marks.state = CTL_MARK_STATE_OFF;
 }
 
-void ctl_packer_take_wheel(ctl_packer* packer, const ctl_bank* bank, bool on)
+static void set_wheel(ctl_packer* packer, const ctl_bank* bank, int64_t film_at, int64_t infeed_at)
 {
-    ctl_wheel* wheel = &packer->wheel;
-    if (on != wheel->on)
-        switch_wheel(packer, on);
-    if (!on)
-        return;
     const uint32_t counts = master_setting(packer, CTL_REG_MASTER_COUNTS);
     const uint64_t revolution_um = master_setting(packer, CTL_REG_MASTER_REVOLUTION);
     const uint64_t flight = ctl_parameter32(packer->board, CTL_REG_PARAMETER_FLIGHT_PULSES);
     const uint64_t pulses = ctl_parameter32(packer->board, CTL_REG_PARAMETER_FILM_PULSES);
-    const ctl_wheel_ratio film = {CTL_FINE * pulses * revolution_um,
-                                  (uint64_t)ctl_parameter32(packer->board, CTL_REG_PARAMETER_FILM_FEED) *
-                                      counts};
+    const uint64_t feed_um = ctl_parameter32(packer->board, CTL_REG_PARAMETER_FILM_FEED);
+    const ctl_wheel_ratio film = {CTL_FINE * pulses * revolution_um, feed_um * counts};
     const ctl_wheel_ratio infeed = {CTL_FINE * flight * revolution_um,
                                     (uint64_t)ctl_bank_bag_um(bank) * counts};
-    ctl_wheel_set(wheel, film, infeed, packer->film_actual, packer->infeed_actual);
-    wheel->limit = ctl_packer_film(
+    ctl_wheel_set(&packer->wheel, film, infeed, film_at, infeed_at);
+    packer->wheel.limit = ctl_packer_film(
         packer,
         (int64_t)packer->board->master[CTL_REG_MASTER_SLIP_LIMIT - CTL_REG_MASTER_SOURCE] * UM_PER_UNIT);
+}
+
+/* The film goes on, perhaps with other bags. */
+static void go_on_with_wheel(ctl_packer* packer, const ctl_bank* bank)
+{
+    set_wheel(packer, bank, ctl_wheel_film(&packer->wheel), ctl_wheel_infeed(&packer->wheel));
+}
+
+void ctl_packer_take_wheel(ctl_packer* packer, const ctl_bank* bank, bool on)
+{
+    const bool was_on = packer->wheel.on;
+    if (on != was_on)
+        switch_wheel(packer, on);
+    if (on && was_on)
+        go_on_with_wheel(packer, bank);
+    else if (on)
+        set_wheel(packer, bank, packer->film_actual, packer->infeed_actual);
 }
 
 /* Film that the place of the line is ahead of where it belongs. */
@@ -354,6 +365,8 @@ void ctl_packer_change_bank(ctl_packer* packer, const ctl_bank* bank, const ctl_
     const int64_t bag_before = packer->bag;
     const int64_t film = ctl_feed_position(&packer->film);
     read_bank(packer, bank);
+    if (packer->wheel.on)
+        go_on_with_wheel(packer, bank);
     packer->planned = false;
     packer->changed = true;
     packer->top = ramp->top;

@@ -15,7 +15,8 @@ void ctl_packer_raise(ctl_packer* packer, uint32_t bit)
     packer->alarms = (uint16_t)(packer->alarms | 1u << bit);
 }
 
-/* Learns the lag at full speed. Another master may be slow for good, and its ripple must not lead the cuts. */
+/* Learns the lag at full speed. Another master may be slow for good, and its ripple must not lead the cuts.
+ */
 static void learn_lag(ctl_packer* packer, int64_t lag, const ctl_ramp* ramp)
 {
     const uint32_t slowest = ramp->full / (ramp->led && !packer->lag_known ? SLOWEST_SHARE : 4u);
