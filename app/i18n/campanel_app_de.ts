@@ -1529,6 +1529,14 @@
 <context>
     <name>ControllerSentences</name>
     <message>
+        <source>The machine keeps following the line; the new recipe starts with the next cycle.</source>
+        <translation>Die Maschine folgt weiter der Linie; das neue Rezept beginnt mit dem nächsten Zyklus.</translation>
+    </message>
+    <message>
+        <source>Stops at the end of a cycle, then follows the line again (%1 at its present speed).</source>
+        <translation>Hält am Ende eines Zyklus und folgt dann wieder der Linie (%1 bei ihrer jetzigen Geschwindigkeit).</translation>
+    </message>
+    <message>
         <source>The machine keeps running; the new recipe starts with the next cycle.</source>
         <translation>Die Maschine läuft weiter; das neue Rezept beginnt mit dem nächsten Zyklus.</translation>
     </message>

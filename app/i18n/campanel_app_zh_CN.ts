@@ -1529,6 +1529,14 @@
 <context>
     <name>ControllerSentences</name>
     <message>
+        <source>The machine keeps following the line; the new recipe starts with the next cycle.</source>
+        <translation>机器继续跟随生产线，新配方从下一周期开始。</translation>
+    </message>
+    <message>
+        <source>Stops at the end of a cycle, then follows the line again (%1 at its present speed).</source>
+        <translation>在周期结束处停止，然后重新跟随生产线（按其当前速度需 %1）。</translation>
+    </message>
+    <message>
         <source>The machine keeps running; the new recipe starts with the next cycle.</source>
         <translation>机器继续运行，新配方从下一周期开始。</translation>
     </message>

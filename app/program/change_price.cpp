@@ -150,7 +150,8 @@ ChangePrice changePrice(const SolvedProgram& from, const SolvedProgram& to, cons
             slowest = std::max(slowest, run.cycles);
         }
     }
-    price.maxSeconds = from.cycleS() + change.timeS + change.productWaitS + slowest * to.cycleS();
+    price.maxSeconds = from.cycleS() / change.speedBefore + change.timeS + change.productWaitS +
+                       slowest * to.cycleS() / change.speedBehind;
     return price;
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace campanel::program {
 namespace {
@@ -65,6 +66,65 @@ double slowedCycleS(double share, double rampS, double cycleS)
     return peak < 1 ? 2 * rampS * (peak - share) : cycleS + rampS * (1 - share) * (1 - share);
 }
 
+// Returns the largest share of full speed before the boundary at which each axis keeps its step.
+double shareOfSteps(const Side& before, const Side& behind, double ratio, const ChangeParameters& parameters)
+{
+    const Recipe& from = before.recipe;
+    double share = std::numeric_limits<double>::infinity();
+    const auto limit = [&](double beforeHz, double behindHz, double largestHz) {
+        const double step = std::abs(behindHz * ratio - beforeHz);
+        if (step > largestHz)
+            share = std::min(share, largestHz / step);
+    };
+    const bool runsBackward =
+        !from.isCutter() && (before.cam().masterRateRevPerMin < 0) != parameters.isReversed;
+    limit(before.boundaryHz(!runsBackward), behind.boundaryHz(runsBackward), parameters.knifeStepHz);
+    if (from.isCutter() && parameters.filmPulsesPerMm > 0) {
+        limit(before.filmHz(parameters), behind.filmHz(parameters), parameters.filmStepHz);
+        limit(parameters.flightPulses / before.solved.cycleS(),
+              parameters.flightPulses / behind.solved.cycleS(), parameters.infeedStepHz);
+    }
+    return share;
+}
+
+bool waitsForProducts(const Recipe& from, const ChangeParameters& parameters)
+{
+    return from.isCutter() && parameters.filmPulsesPerMm > 0 && parameters.hasAntiCut;
+}
+
+// Returns the stretch in which a clutch engages at this share of full speed, in cycles: the film is
+// accelerated as by the ramp.
+double stretchCycles(const Side& side, double share, const ChangeParameters& parameters)
+{
+    return std::max(parameters.line->engage,
+                    1.5 * share * share * side.rampS(parameters) / side.solved.cycleS());
+}
+
+ProgramChange behindLine(const Side& before, const Side& behind, double ratio, double steps,
+                         const ChangeParameters& parameters)
+{
+    constexpr double slowest = 0.01; // a line that stands
+    ProgramChange change;
+    change.way = ChangeWay::FollowsLine;
+    change.speedBefore = std::max(slowest, parameters.line->share);
+    change.speedBehind = change.speedBefore * ratio;
+    change.shareBefore = change.speedBefore;
+    change.shareBehind = change.speedBehind;
+    const double beforeS = before.solved.cycleS() / change.speedBefore;
+    if (change.speedBehind > parameters.line->maxShare) {
+        change.way = ChangeWay::TooFast;
+    } else if (change.speedBefore > steps) {
+        const double off = stretchCycles(before, change.speedBefore, parameters);
+        const double on = stretchCycles(behind, change.speedBehind, parameters);
+        change.way = ChangeWay::LeavesLine;
+        change.timeS = off * beforeS + on * behind.solved.cycleS() / change.speedBehind;
+        change.cycles = (off + on) / 2;
+    } else if (waitsForProducts(before.recipe, parameters)) {
+        change.productWaitS = 2 * beforeS;
+    }
+    return change;
+}
+
 } // namespace
 
 bool changesWhileRunning(const Recipe& from, const Recipe& to)
@@ -79,20 +139,10 @@ std::optional<ProgramChange> programChange(const Recipe& from, const SolvedProgr
     const Side before{from, solvedFrom};
     const Side behind{to, solvedTo};
     const double ratio = before.referenceSpeed() / behind.referenceSpeed();
-    double share = std::min(1.0, 1.0 / ratio);
-    const auto limit = [&](double beforeHz, double behindHz, double largestHz) {
-        const double step = std::abs(behindHz * ratio - beforeHz);
-        if (step > largestHz)
-            share = std::min(share, largestHz / step);
-    };
-    const bool runsBackward =
-        !from.isCutter() && (before.cam().masterRateRevPerMin < 0) != parameters.isReversed;
-    limit(before.boundaryHz(!runsBackward), behind.boundaryHz(runsBackward), parameters.knifeStepHz);
-    if (from.isCutter() && parameters.filmPulsesPerMm > 0) {
-        limit(before.filmHz(parameters), behind.filmHz(parameters), parameters.filmStepHz);
-        limit(parameters.flightPulses / solvedFrom.cycleS(), parameters.flightPulses / solvedTo.cycleS(),
-              parameters.infeedStepHz);
-    }
+    const double steps = shareOfSteps(before, behind, ratio, parameters);
+    if (parameters.line)
+        return behindLine(before, behind, ratio, steps, parameters);
+    const double share = std::min({1.0, 1.0 / ratio, steps});
     if (share < minShare)
         return std::nullopt;
 
@@ -101,10 +151,14 @@ std::optional<ProgramChange> programChange(const Recipe& from, const SolvedProgr
     const RampPart up = rampFrom(shareBehind, behind.hasSCurve());
     const double downS = before.rampS(parameters);
     const double upS = behind.rampS(parameters);
-    const bool hasProducts = from.isCutter() && parameters.filmPulsesPerMm > 0 && parameters.hasAntiCut;
-    return ProgramChange{share, shareBehind, down.time * downS + up.time * upS,
-                         down.travel * downS / solvedFrom.cycleS() + up.travel * upS / solvedTo.cycleS(),
-                         hasProducts ? 2 * slowedCycleS(share, downS, solvedFrom.cycleS()) : 0.0};
+    ProgramChange change;
+    change.shareBefore = share;
+    change.shareBehind = shareBehind;
+    change.timeS = down.time * downS + up.time * upS;
+    change.cycles = down.travel * downS / solvedFrom.cycleS() + up.travel * upS / solvedTo.cycleS();
+    if (waitsForProducts(from, parameters))
+        change.productWaitS = 2 * slowedCycleS(share, downS, solvedFrom.cycleS());
+    return change;
 }
 
 } // namespace campanel::program

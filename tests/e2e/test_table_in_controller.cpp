@@ -348,6 +348,15 @@ void TestTableInController::changeIsPredicted()
                     QStringLiteral("%1: %2, the core %3").arg(pairs).arg(predicted->shareBefore).arg(share)));
             slowing += share < 0.99 ? 1 : 0;
             ++pairs;
+            // Behind an encoder only the steps count.
+            const double steps = std::ldexp(static_cast<double>(plan.steps), -31);
+            for (const double lineShare : {0.97 * steps, 1.03 * steps}) {
+                program::ChangeParameters led = parameters;
+                led.line = {.share = lineShare, .maxShare = 1e9};
+                const auto way =
+                    program::programChange(from.recipe, from.solved, to.recipe, to.solved, led)->way;
+                QVERIFY(steps < 0.05 || (way == program::ChangeWay::LeavesLine) == (lineShare > steps));
+            }
         }
     }
     QVERIFY2(pairs > 1000 && slowing > 500, qPrintable(QStringLiteral("%1 of %2").arg(slowing).arg(pairs)));

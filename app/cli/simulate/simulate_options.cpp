@@ -202,7 +202,8 @@ QList<QCommandLineOption> simulateOptions()
          u"Dead time of mark sensor and product eye that the controller knows (0 to 20, default 0); \"learned\": that of the mark sensor is taken as soon as it is offered, those of the eye are measured (a taught part: --product-scatter 0; two speeds: --change-rate-every)."_s,
          u"MS"_s},
         {u"change-rate-every"_s,
-         u"Change to half of the rate and back after so many bags, while the machine runs."_s, u"BAGS"_s},
+         u"Change to half of the rate and back after so many bags, while the machine runs; an encoder then leads at half of the rate."_s,
+         u"BAGS"_s},
         {u"power-cuts"_s,
          u"Bags in which the power is cut; in half of them somebody turns the knife's shaft and pulls film and infeed (0 to 1, default 0)."_s,
          u"SHARE"_s},
@@ -359,7 +360,9 @@ PackingJob withPrograms(PackingJob job, const Programs& programs)
     controller::ShaftOptions& shaft = job.machine.shaft;
     if (shaft.counts == 0)
         return job;
-    const double rate = program::value(image.recipe, profile::Field::Rate);
+    // Both programs follow it.
+    const double rate =
+        program::value(image.recipe, profile::Field::Rate) / (job.otherBank.empty() ? 1.0 : 2.0);
     shaft.speedMmPerS = program::value(image.recipe, profile::Field::BagLength) * rate / 60.0;
     for (const auto& [name, value] :
          {std::pair{u"master.source"_s, 1.0}, std::pair{u"master.place"_s, shaft.drivesFilm ? 1.0 : 0.0},

@@ -36,6 +36,8 @@ enum class Index {
     CutClearance,
     ProductDistance,
 };
+constexpr std::array masterNames{"master.source", "master.speed_max", "master.engage"};
+enum class Master { Source, SpeedMax, Engage };
 
 } // namespace
 
@@ -47,11 +49,31 @@ ChangeForecast::ChangeForecast(Controller& controller, QObject* parent)
         m_parameters.push_back(&controller.parameter(name));
         connect(m_parameters.back(), &Parameter::changed, this, &ChangeForecast::changed);
     }
+    for (const char* name : masterNames) {
+        m_master.push_back(&controller.parameter(name));
+        connect(m_master.back(), &Parameter::changed, this, &ChangeForecast::changed);
+    }
+}
+
+// Returns the encoder that leads the machine, if one does.
+std::optional<program::LeadingLine> ChangeForecast::line() const
+{
+    const auto value = [this](Master index) {
+        return m_master[static_cast<std::size_t>(index)]->lastValue();
+    };
+    if (m_master.front()->isMissing() ||
+        value(Master::Source) != static_cast<double>(modbus::MasterSource::Encoder))
+        return std::nullopt;
+    return program::LeadingLine{.share = m_controller.live().masterSpeedPercent / 100,
+                                .maxShare = value(Master::SpeedMax) / 100,
+                                .engage = value(Master::Engage) / 100};
 }
 
 std::optional<program::ChangeParameters> ChangeForecast::parameters() const
 {
-    if (!std::ranges::all_of(m_parameters, [](const Parameter* each) { return each->value().has_value(); }))
+    const auto isKnown = [](const Parameter* each) { return each->value().has_value(); };
+    if (!std::ranges::all_of(m_parameters, isKnown) ||
+        !(m_master.front()->isMissing() || std::ranges::all_of(m_master, isKnown)))
         return std::nullopt;
     using enum Index;
     const auto value = [this](Index index) {
@@ -68,6 +90,7 @@ std::optional<program::ChangeParameters> ChangeForecast::parameters() const
         .rampS = value(RampTime) / 1000,
         .isReversed = value(Direction) != 0,
         .hasAntiCut = value(AntiCut) != 0,
+        .line = line(),
     };
 }
 
@@ -99,6 +122,8 @@ void ChangeForecast::update(const program::ProgramImage* wanted)
         return;
     for (Parameter* parameter : m_parameters)
         parameter->readIfUncertain();
+    for (Parameter* parameter : m_master)
+        parameter->readIfUncertain();
     const auto known = parameters();
     const auto solved = program::solveProgram(active->recipe);
     if (!known || !solved)
@@ -121,7 +146,13 @@ QString ChangeForecast::text() const
 
 QString ChangeForecast::refusal() const
 {
-    return m_isKnown && !m_change ? ControllerSentences::refusal(modbus::Refusal::StepTooLarge) : QString();
+    if (!m_isKnown)
+        return {};
+    if (!m_change)
+        return ControllerSentences::refusal(modbus::Refusal::StepTooLarge);
+    return m_change->way == program::ChangeWay::TooFast
+               ? ControllerSentences::refusal(modbus::Refusal::MasterTooFast)
+               : QString();
 }
 
 } // namespace campanel::panel

@@ -41,10 +41,12 @@ signals:
 
 private:
     [[nodiscard]] std::optional<program::ChangeParameters> parameters() const;
+    [[nodiscard]] std::optional<program::LeadingLine> line() const;
     [[nodiscard]] program::PriceParameters priceParameters() const;
 
     Controller& m_controller;
     std::vector<Parameter*> m_parameters;
+    std::vector<Parameter*> m_master; // an older controller does not have them
     bool m_isKnown = false;
     std::optional<program::ProgramChange> m_change; // known and empty: the steps cannot be kept
     std::optional<program::ChangePrice> m_price;    // of a packing line

@@ -69,6 +69,11 @@ QString ControllerSentences::undisturbedChange(const program::ProgramChange& cha
     const QString seconds = format.number(change.timeS, 1);
     const QString time = change.productWaitS > 0 ? tr("at least %1 s").arg(seconds) : tr("%1 s").arg(seconds);
     const bool hasBags = rateBagsPerMin > 0;
+    if (change.way == program::ChangeWay::FollowsLine)
+        return tr("The machine keeps following the line; the new recipe starts with the next cycle.");
+    if (change.way == program::ChangeWay::LeavesLine)
+        return tr("Stops at the end of a cycle, then follows the line again (%1 at its present speed).")
+            .arg(time);
     if (change.shareBefore >= noSlower && change.shareBehind >= noSlower)
         return tr("The machine keeps running; the new recipe starts with the next cycle.");
     if (change.shareBefore >= noSlower)

@@ -196,6 +196,23 @@ private slots:
         }
     }
 
+    // An encoder leads at half of the rate, which is full speed of one program and half of the other's.
+    void changesTheRateBehindAnEncoder()
+    {
+        const Result result =
+            call(u"simulate --bag-length-mm 460 --rate 240 --bags 300 --change-rate-every 50 "
+                 "--master encoder --master-ripple 0.01 --format json"_s);
+        QCOMPARE(result.code, int{Ok});
+        const QJsonObject summary = result.json();
+        QCOMPARE(summary[u"starts"_s].toInt(), 1);
+        QCOMPARE(summary[u"tolerance"_s][u"bags_outside"_s].toInt(), 0);
+        QCOMPARE(summary[u"cuts"_s][u"phase_lost"_s].toInt(), 0);
+        QVERIFY(summary[u"bags_start_up_scrap"_s].toInt() <= 4);
+        QVERIFY(summary[u"deviation_mm"_s][u"standard_deviation"_s].toDouble() < 0.06);
+        // Four seconds for eight bags, whichever program cuts them.
+        QVERIFY(std::abs(summary[u"simulated_s"_s].toDouble() - 150.0) < 10.0);
+    }
+
     void learnsTheDeadTime()
     {
         const QString words = u"simulate --bag-length-mm 300 --rate 300 --bags 600 --change-rate-every 50 "

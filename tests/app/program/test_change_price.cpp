@@ -67,8 +67,9 @@ struct Actual {
 };
 
 // Runs one program until its bags count, changes to the other, and returns what happens until a bag of it
-// counts.
-Actual change(const program::ProgramImage& from, const program::ProgramImage& to, bool tracks, unsigned seed)
+// counts; by the clock, or behind a line of this speed.
+Actual change(const program::ProgramImage& from, const program::ProgramImage& to, bool tracks,
+              double lineMmPerS, unsigned seed)
 {
     std::mt19937 random(seed);
     std::uniform_real_distribution<double> share(-0.5, 0.5);
@@ -76,10 +77,15 @@ Actual change(const program::ProgramImage& from, const program::ProgramImage& to
     options.seed = seed;
     options.products.lengthMm = productMm;
     options.film.misplacedMm = share(random) * to.cutter().cycle.bagLengthMm;
+    if (lineMmPerS > 0)
+        options.shaft = {.counts = 10'000, .speedMmPerS = lineMmPerS};
     const auto rig = std::make_unique<test::Rig>(options);
     rig->setParameter(CTL_REG_PARAMETER_MARK_TRACKING, tracks ? 1 : 0);
     rig->setParameter(CTL_REG_PARAMETER_SKIP_LIMIT, 50);
     rig->install(from.registers);
+    if (lineMmPerS > 0)
+        rig->setParameter(CTL_REG_MASTER_SOURCE, CTL_MASTER_SOURCE_ENCODER);
+    rig->run(second);
     rig->start();
     const ctl_packer& packer = rig->core().packer;
     const auto flags = [&] {
@@ -132,11 +138,16 @@ private slots:
         QTest::addColumn<double>("toMm");
         QTest::addColumn<double>("toRate");
         QTest::addColumn<bool>("tracks");
-        QTest::addRow("180 to 220 mm") << 180.0 << 80.0 << 220.0 << 80.0 << true;
-        QTest::addRow("250 to 200 mm") << 250.0 << 60.0 << 200.0 << 60.0 << true;
-        QTest::addRow("200 to 300 mm, slower") << 200.0 << 90.0 << 300.0 << 60.0 << true;
-        QTest::addRow("another rate") << 250.0 << 60.0 << 250.0 << 80.0 << true;
-        QTest::addRow("without marks") << 180.0 << 80.0 << 220.0 << 80.0 << false;
+        QTest::addColumn<double>("lineMmPerS");
+        QTest::addRow("180 to 220 mm") << 180.0 << 80.0 << 220.0 << 80.0 << true << 0.0;
+        QTest::addRow("250 to 200 mm") << 250.0 << 60.0 << 200.0 << 60.0 << true << 0.0;
+        QTest::addRow("200 to 300 mm, slower") << 200.0 << 90.0 << 300.0 << 60.0 << true << 0.0;
+        QTest::addRow("another rate") << 250.0 << 60.0 << 250.0 << 80.0 << true << 0.0;
+        QTest::addRow("without marks") << 180.0 << 80.0 << 220.0 << 80.0 << false << 0.0;
+        QTest::addRow("180 to 220 mm, an encoder") << 180.0 << 80.0 << 220.0 << 80.0 << true << 220.0;
+        QTest::addRow("250 to 200 mm, an encoder") << 250.0 << 60.0 << 200.0 << 60.0 << true << 200.0;
+        QTest::addRow("250 to 200 mm, a slow line") << 250.0 << 60.0 << 200.0 << 60.0 << true << 40.0;
+        QTest::addRow("another rate, an encoder") << 250.0 << 60.0 << 250.0 << 80.0 << true << 250.0;
     }
     void whatIsToldIsWhatHappens()
     {
@@ -145,10 +156,16 @@ private slots:
         QFETCH(double, toMm);
         QFETCH(double, toRate);
         QFETCH(bool, tracks);
+        QFETCH(double, lineMmPerS);
         const program::ProgramImage from = imageOf(fromMm, fromRate);
         const program::ProgramImage to = imageOf(toMm, toRate);
+        program::ChangeParameters parameters = changeParameters();
+        if (lineMmPerS > 0)
+            parameters.line = {.share = lineMmPerS * from.solved.cycleS() / fromMm,
+                               .maxShare = defaultOf("master.speed_max") / 100,
+                               .engage = defaultOf("master.engage") / 100};
         const auto course =
-            program::programChange(from.recipe, from.solved, to.recipe, to.solved, changeParameters());
+            program::programChange(from.recipe, from.solved, to.recipe, to.solved, parameters);
         QVERIFY(course.has_value());
         const program::ChangePrice price =
             program::changePrice(from.solved, to.solved, *course, priceParameters(tracks));
@@ -156,7 +173,7 @@ private slots:
         int leastScrap = 1000;
         constexpr unsigned changes = 12;
         for (unsigned seed = 1; seed <= changes; ++seed) {
-            const Actual actual = change(from, to, tracks, seed);
+            const Actual actual = change(from, to, tracks, lineMmPerS, seed);
             QVERIFY2(actual.isDone, qPrintable(QStringLiteral("seed %1").arg(seed)));
             leastScrap = std::min(leastScrap, actual.scrap);
             worst.scrap = std::max(worst.scrap, actual.scrap);

@@ -198,6 +198,42 @@ private slots:
         QVERIFY(download.canDownload());
     }
 
+    // Behind an encoder it cannot slow down: the infeed would step by 3.3 kHz at the full rate, 0.7 at a
+    // fifth.
+    void aChangeBehindAnEncoderIsForecast()
+    {
+        PackingRig rig;
+        rig.editor.bagLength()->set(300);
+        panel::ProgramDownload& download = *rig.editor.programDownload();
+        rig.answerParameters();
+        rig.machine.parameter("parameter.anti_cut").write(0, {});
+        rig.machine.parameter("master.source").write(1, {});
+        rig.answerParameters();
+        QVERIFY2(
+            download.text().startsWith("Stops at the end of a cycle, then follows the line again (2.2 s at "
+                                       "its present speed). Scrap bags: 2 to 10;"),
+            qPrintable(download.text()));
+        rig.link.status.masterSpeedPercent = 20;
+        rig.setState(modbus::State::Running);
+        rig.editor.bagLength()->set(301);
+        rig.editor.bagLength()->set(300);
+        QVERIFY2(
+            download.text().startsWith("The machine keeps following the line; the new recipe starts with "
+                                       "the next cycle. Scrap bags: 2 to 10;"),
+            qPrintable(download.text()));
+        // Half the rate: the line runs at 40 % of it, then at twice its speed.
+        rig.editor.bagLength()->set(250);
+        rig.editor.rate()->set(30);
+        QVERIFY(download.canDownload());
+        rig.link.status.masterSpeedPercent = 100;
+        rig.setState(modbus::State::Running);
+        rig.editor.rate()->set(31);
+        rig.editor.rate()->set(30);
+        QVERIFY(!download.canDownload());
+        QVERIFY2(download.text().startsWith("The line runs faster than this program."),
+                 qPrintable(download.text()));
+    }
+
     void valuesAreReadOnceAndWrittenWithProof()
     {
         PackingRig rig;
