@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The record of a line and the machine that follows it, from what the controller gave to its ports: the ticks
-// of the main axis' pulses, and the film's positions slice by slice. Beside them the true position of the line.
+// of the main axis' pulses, and the film's positions slice by slice. Beside them the true position of the
+// line.
 #pragma once
 
 #include "rig.h"
