@@ -7,6 +7,7 @@
 #include "app/program/cam_advance.h"
 #include "app/program/program_image.h"
 #include "modbus/map/io_status.h"
+#include "modbus/map/master_status.h"
 
 #include <QJsonArray>
 
@@ -107,6 +108,31 @@ QJsonObject ioObject(const modbus::IoStatus& io)
             {u"positions_kept"_s, keptPositions(io)}};
 }
 
+// Without an input for an encoder it is null.
+QJsonValue masterValue(const modbus::MasterStatus& master)
+{
+    if (!master.isAvailable)
+        return QJsonValue::Null;
+    return QJsonObject{{u"state"_s, master.state
+                                        ? nameOf("MasterState", static_cast<std::uint16_t>(*master.state))
+                                        : QJsonValue()},
+                       {u"counts"_s, master.counts},
+                       {u"speed_mm_per_s"_s, master.speedMmPerS},
+                       {u"angle_deg"_s, master.angleDeg},
+                       {u"tracker_error_mm"_s, master.errorMm},
+                       {u"lead_mm"_s, master.leadMm},
+                       {u"lag_mm"_s, master.lagMm},
+                       {u"held_mm"_s, master.heldMm},
+                       {u"to_engaged_mm"_s, master.toEngagedMm},
+                       {u"smoothing_ms"_s, master.smoothingMs},
+                       {u"phase_deg"_s, master.phaseDeg},
+                       {u"ripple_percent"_s, master.ripplePercent},
+                       {u"input_errors"_s, master.inputErrors},
+                       {u"index_error_counts"_s, master.indexErrorCounts},
+                       {u"slip_mm"_s, master.slipMm},
+                       {u"passed_m"_s, master.passedM}};
+}
+
 QJsonObject identityObject(const modbus::Identity& identity)
 {
     return {{u"firmware"_s, QString::fromStdString(identity.firmwareVersion())},
@@ -146,6 +172,14 @@ Outcome runStatus(const Invocation& call)
         if (!io)
             return fail(io.error());
         object[u"io"_s] = ioObject(modbus::decodeIo(*io));
+    }
+    object[u"master"_s] = QJsonValue::Null;
+    if (session->identity().mapMinor >= modbus::masterMapMinor) {
+        const auto master =
+            session->client().readProven(modbus::masterStatusAddress, modbus::masterStatusRegisters);
+        if (!master)
+            return fail(master.error());
+        object[u"master"_s] = masterValue(modbus::decodeMasterStatus(*master));
     }
     object[u"identity"_s] = identityObject(session->identity());
     object[u"program"_s] = QJsonValue::Null;

@@ -473,6 +473,8 @@ void CliTest::pinsOfTheMachine()
     QCOMPARE(io[u"outputs"_s].toArray(), QJsonArray{u"DriveEnable"_s});
     QCOMPARE(io[u"torque_percent"_s].toDouble(-1), 0.0);
     QVERIFY(io[u"infeed_position_mm"_s].isNull()); // no packing machine yet
+    const QJsonObject bare = call(QStringList{u"status"_s} + port + json).json();
+    QVERIFY(bare.contains(u"master"_s) && bare[u"master"_s].isNull()); // no encoder at this machine
     QVERIFY(io[u"positions_kept"_s].isArray() && io[u"positions_kept"_s].toArray().isEmpty());
     const ControllerProcess kept({u"--positions-kept"_s});
     const QStringList status{u"status"_s, u"--port"_s, kept.port()};
