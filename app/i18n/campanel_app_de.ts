@@ -6690,6 +6690,212 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
     </message>
 </context>
 <context>
+    <name>campanel::panel::MasterFields</name>
+    <message>
+        <source>Phase: line ahead of the master</source>
+        <translation>Phase: Linie eilt der Leitachse voraus</translation>
+    </message>
+    <message>
+        <source>Master</source>
+        <translation>Leitachse</translation>
+    </message>
+    <message>
+        <source>Place of the encoder</source>
+        <translation>Einbauort des Gebers</translation>
+    </message>
+    <message>
+        <source>Signal of the encoder</source>
+        <translation>Signal des Gebers</translation>
+    </message>
+    <message>
+        <source>Reversed counting</source>
+        <translation>Umgekehrte Zählrichtung</translation>
+    </message>
+    <message>
+        <source>Counts per revolution</source>
+        <translation>Impulse pro Umdrehung</translation>
+    </message>
+    <message>
+        <source>Film per revolution</source>
+        <translation>Folie pro Umdrehung</translation>
+    </message>
+    <message>
+        <source>Compensation of the delay</source>
+        <translation>Ausgleich der Verzögerung</translation>
+    </message>
+    <message>
+        <source>Delay of the drive</source>
+        <translation>Verzögerung des Antriebs</translation>
+    </message>
+    <message>
+        <source>Smoothing: time constant</source>
+        <translation>Glättung: Zeitkonstante</translation>
+    </message>
+    <message>
+        <source>Minimum stretch for engaging, of a cycle</source>
+        <translation>Mindeststrecke zum Einkuppeln, vom Zyklus</translation>
+    </message>
+    <message>
+        <source>Maximum speed, of the recipe&apos;s rate</source>
+        <translation>Höchstgeschwindigkeit, vom Takt des Rezepts</translation>
+    </message>
+    <message>
+        <source>Cam follows the master backward</source>
+        <translation>Kurve folgt der Leitachse rückwärts</translation>
+    </message>
+    <message>
+        <source>Index mark: tolerance</source>
+        <translation>Indexmarke: Toleranz</translation>
+    </message>
+    <message>
+        <source>Wheel: maximum slip between two marks</source>
+        <translation>Messrad: maximaler Schlupf zwischen zwei Marken</translation>
+    </message>
+    <message>
+        <source>%1 · 0: automatic</source>
+        <translation>%1 · 0: automatisch</translation>
+    </message>
+    <message>
+        <source>%1 · 0: automatic · in use: %2. Lag while accelerating at %3: %4. Noise of the speed: up to %5.</source>
+        <translation>%1 · 0: automatisch · wirksam: %2. Nachlauf beim Beschleunigen mit %3: %4. Rauschen der Geschwindigkeit: bis %5.</translation>
+    </message>
+    <message>
+        <source>%1 · 0: not monitored</source>
+        <translation>%1 · 0: nicht überwacht</translation>
+    </message>
+    <message>
+        <source>%1 · one count is %2 of film</source>
+        <translation>%1 · ein Impuls ist %2 Folie</translation>
+    </message>
+    <message>
+        <source>This controller has no input for an encoder. Select the clock, or use a controller with such an input.</source>
+        <translation>Diese Steuerung hat keinen Gebereingang. Wählen Sie den Takt der Steuerung oder verwenden Sie eine Steuerung mit Gebereingang.</translation>
+    </message>
+    <message>
+        <source>The tolerance of the index mark would be half a revolution or more: %1 of %2 counts. Enter a smaller tolerance first.</source>
+        <translation>Die Toleranz der Indexmarke wäre eine halbe Umdrehung oder mehr: %1 von %2 Impulsen. Geben Sie zuerst eine kleinere Toleranz ein.</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::MasterWatch</name>
+    <message>
+        <source>Counts since power-up</source>
+        <translation>Impulse seit dem Einschalten</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Ripple of the speed</source>
+        <translation>Welligkeit der Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Phase in use</source>
+        <translation>Wirksame Phase</translation>
+    </message>
+    <message>
+        <source>Error of the measured position</source>
+        <translation>Fehler der gemessenen Position</translation>
+    </message>
+    <message>
+        <source>Lead of the axes</source>
+        <translation>Vorhalt der Achsen</translation>
+    </message>
+    <message>
+        <source>Lag at the last cut</source>
+        <translation>Nachlauf beim letzten Schnitt</translation>
+    </message>
+    <message>
+        <source>Line waits for the master</source>
+        <translation>Linie wartet auf die Leitachse</translation>
+    </message>
+    <message>
+        <source>Film until engaged</source>
+        <translation>Folie bis eingekuppelt</translation>
+    </message>
+    <message>
+        <source>Error of the index mark</source>
+        <translation>Fehler der Indexmarke</translation>
+    </message>
+    <message>
+        <source>%1 counts</source>
+        <translation>%1 Impulse</translation>
+    </message>
+    <message>
+        <source>Slip between two marks</source>
+        <translation>Schlupf zwischen zwei Marken</translation>
+    </message>
+    <message>
+        <source>Input errors</source>
+        <translation>Eingangsfehler</translation>
+    </message>
+    <message>
+        <source>Film passed uncut</source>
+        <translation>Ungeschnitten durchgelaufene Folie</translation>
+    </message>
+    <message>
+        <source>%1 / turn</source>
+        <translation>%1 / Umdrehung</translation>
+    </message>
+    <message>
+        <source>The line follows the clock of the controller.</source>
+        <translation>Die Linie folgt dem Takt der Steuerung.</translation>
+    </message>
+    <message>
+        <source>Engaging: %1 of film until engaged.</source>
+        <translation>Kuppelt ein: noch %1 Folie.</translation>
+    </message>
+    <message>
+        <source>Engaged: the line follows the encoder.</source>
+        <translation>Eingekuppelt: Die Linie folgt dem Geber.</translation>
+    </message>
+    <message>
+        <source>Disengaging: the line comes to a standstill.</source>
+        <translation>Kuppelt aus: Die Linie kommt zum Stillstand.</translation>
+    </message>
+    <message>
+        <source>Not engaged.</source>
+        <translation>Nicht eingekuppelt.</translation>
+    </message>
+    <message>
+        <source>Delay: measured only while an encoder leads the line.</source>
+        <translation>Verzögerung: wird nur gemessen, wenn ein Geber die Linie führt.</translation>
+    </message>
+    <message>
+        <source>Delay: %1 cuts measured. Let the line run at least a fifth faster or slower.</source>
+        <translation>Verzögerung: %1 Schnitte gemessen. Lassen Sie die Linie mindestens ein Fünftel schneller oder langsamer laufen.</translation>
+    </message>
+    <message>
+        <source>Delay: %1 cuts measured. Let the line cut bags at a constant speed.</source>
+        <translation>Verzögerung: %1 Schnitte gemessen. Lassen Sie die Linie mit konstanter Geschwindigkeit Beutel schneiden.</translation>
+    </message>
+    <message>
+        <source>Delay: off by %1 ±%2, too uncertain. Let the line run longer at two speeds.</source>
+        <translation>Verzögerung: um %1 ±%2 falsch, zu unsicher. Lassen Sie die Linie länger mit zwei Geschwindigkeiten laufen.</translation>
+    </message>
+    <message>
+        <source>Delay: off by %1 ±%2. Set up offers the corrected delay.</source>
+        <translation>Verzögerung: um %1 ±%2 falsch. Unter Einrichten wird die korrigierte angeboten.</translation>
+    </message>
+    <message>
+        <source>Delay: off by %1 ±%2. No correction is needed.</source>
+        <translation>Verzögerung: um %1 ±%2 falsch. Keine Korrektur nötig.</translation>
+    </message>
+    <message>
+        <source>No data of the master. Connect the controller.</source>
+        <translation>Keine Daten der Leitachse. Verbinden Sie die Steuerung.</translation>
+    </message>
+    <message>
+        <source>This controller cannot follow an encoder. Update the controller: its register map must be 1.6 or newer.</source>
+        <translation>Diese Steuerung kann keinem Geber folgen. Aktualisieren Sie die Steuerung: Ihre Registerliste muss 1.6 oder neuer sein.</translation>
+    </message>
+    <message>
+        <source>This controller has no input for an encoder. The line follows the clock of the controller.</source>
+        <translation>Diese Steuerung hat keinen Gebereingang. Die Linie folgt dem Takt der Steuerung.</translation>
+    </message>
+</context>
+<context>
     <name>campanel::panel::OutputTry</name>
     <message>
         <source>A filled lamp means on. This controller cannot try outputs; update its firmware.</source>

@@ -6688,6 +6688,212 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
     </message>
 </context>
 <context>
+    <name>campanel::panel::MasterFields</name>
+    <message>
+        <source>Phase: line ahead of the master</source>
+        <translation>相位：生产线超前主轴</translation>
+    </message>
+    <message>
+        <source>Master</source>
+        <translation>主轴</translation>
+    </message>
+    <message>
+        <source>Place of the encoder</source>
+        <translation>编码器位置</translation>
+    </message>
+    <message>
+        <source>Signal of the encoder</source>
+        <translation>编码器信号</translation>
+    </message>
+    <message>
+        <source>Reversed counting</source>
+        <translation>反向计数</translation>
+    </message>
+    <message>
+        <source>Counts per revolution</source>
+        <translation>每转计数</translation>
+    </message>
+    <message>
+        <source>Film per revolution</source>
+        <translation>每转薄膜长度</translation>
+    </message>
+    <message>
+        <source>Compensation of the delay</source>
+        <translation>延迟补偿</translation>
+    </message>
+    <message>
+        <source>Delay of the drive</source>
+        <translation>驱动器延迟</translation>
+    </message>
+    <message>
+        <source>Smoothing: time constant</source>
+        <translation>平滑：时间常数</translation>
+    </message>
+    <message>
+        <source>Minimum stretch for engaging, of a cycle</source>
+        <translation>接合的最短行程，占周期</translation>
+    </message>
+    <message>
+        <source>Maximum speed, of the recipe&apos;s rate</source>
+        <translation>最高速度，占配方速率</translation>
+    </message>
+    <message>
+        <source>Cam follows the master backward</source>
+        <translation>凸轮随主轴反转</translation>
+    </message>
+    <message>
+        <source>Index mark: tolerance</source>
+        <translation>零位标记：公差</translation>
+    </message>
+    <message>
+        <source>Wheel: maximum slip between two marks</source>
+        <translation>测量轮：两色标间最大打滑</translation>
+    </message>
+    <message>
+        <source>%1 · 0: automatic</source>
+        <translation>%1 · 0：自动</translation>
+    </message>
+    <message>
+        <source>%1 · 0: automatic · in use: %2. Lag while accelerating at %3: %4. Noise of the speed: up to %5.</source>
+        <translation>%1 · 0：自动 · 当前：%2。以 %3 加速时滞后：%4。速度噪声：最大 %5。</translation>
+    </message>
+    <message>
+        <source>%1 · 0: not monitored</source>
+        <translation>%1 · 0：不监控</translation>
+    </message>
+    <message>
+        <source>%1 · one count is %2 of film</source>
+        <translation>%1 · 一个计数相当于 %2 薄膜</translation>
+    </message>
+    <message>
+        <source>This controller has no input for an encoder. Select the clock, or use a controller with such an input.</source>
+        <translation>此控制器没有编码器输入。请选择时钟，或使用带此输入的控制器。</translation>
+    </message>
+    <message>
+        <source>The tolerance of the index mark would be half a revolution or more: %1 of %2 counts. Enter a smaller tolerance first.</source>
+        <translation>零位标记的公差将达到半转或更多：%1 / %2 计数。请先输入较小的公差。</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::MasterWatch</name>
+    <message>
+        <source>Counts since power-up</source>
+        <translation>上电后计数</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>速度</translation>
+    </message>
+    <message>
+        <source>Ripple of the speed</source>
+        <translation>速度波动</translation>
+    </message>
+    <message>
+        <source>Phase in use</source>
+        <translation>当前相位</translation>
+    </message>
+    <message>
+        <source>Error of the measured position</source>
+        <translation>测量位置误差</translation>
+    </message>
+    <message>
+        <source>Lead of the axes</source>
+        <translation>轴超前量</translation>
+    </message>
+    <message>
+        <source>Lag at the last cut</source>
+        <translation>上次切割滞后</translation>
+    </message>
+    <message>
+        <source>Line waits for the master</source>
+        <translation>生产线等待主轴</translation>
+    </message>
+    <message>
+        <source>Film until engaged</source>
+        <translation>到接合的薄膜长度</translation>
+    </message>
+    <message>
+        <source>Error of the index mark</source>
+        <translation>零位标记误差</translation>
+    </message>
+    <message>
+        <source>%1 counts</source>
+        <translation>%1 计数</translation>
+    </message>
+    <message>
+        <source>Slip between two marks</source>
+        <translation>两色标间打滑</translation>
+    </message>
+    <message>
+        <source>Input errors</source>
+        <translation>输入错误</translation>
+    </message>
+    <message>
+        <source>Film passed uncut</source>
+        <translation>未切割通过的薄膜</translation>
+    </message>
+    <message>
+        <source>%1 / turn</source>
+        <translation>%1 / 转</translation>
+    </message>
+    <message>
+        <source>The line follows the clock of the controller.</source>
+        <translation>生产线跟随控制器的时钟。</translation>
+    </message>
+    <message>
+        <source>Engaging: %1 of film until engaged.</source>
+        <translation>正在接合：还需 %1 薄膜。</translation>
+    </message>
+    <message>
+        <source>Engaged: the line follows the encoder.</source>
+        <translation>已接合：生产线跟随编码器。</translation>
+    </message>
+    <message>
+        <source>Disengaging: the line comes to a standstill.</source>
+        <translation>正在脱开：生产线将停止。</translation>
+    </message>
+    <message>
+        <source>Not engaged.</source>
+        <translation>未接合。</translation>
+    </message>
+    <message>
+        <source>Delay: measured only while an encoder leads the line.</source>
+        <translation>延迟：仅在编码器作主轴时测量。</translation>
+    </message>
+    <message>
+        <source>Delay: %1 cuts measured. Let the line run at least a fifth faster or slower.</source>
+        <translation>延迟：已测量 %1 次切割。请让生产线速度至少改变五分之一。</translation>
+    </message>
+    <message>
+        <source>Delay: %1 cuts measured. Let the line cut bags at a constant speed.</source>
+        <translation>延迟：已测量 %1 次切割。请让生产线匀速切袋。</translation>
+    </message>
+    <message>
+        <source>Delay: off by %1 ±%2, too uncertain. Let the line run longer at two speeds.</source>
+        <translation>延迟：偏差 %1 ±%2，不够可靠。请以两种速度运行更长时间。</translation>
+    </message>
+    <message>
+        <source>Delay: off by %1 ±%2. Set up offers the corrected delay.</source>
+        <translation>延迟：偏差 %1 ±%2。设置中提供修正后的延迟。</translation>
+    </message>
+    <message>
+        <source>Delay: off by %1 ±%2. No correction is needed.</source>
+        <translation>延迟：偏差 %1 ±%2。无需修正。</translation>
+    </message>
+    <message>
+        <source>No data of the master. Connect the controller.</source>
+        <translation>没有主轴数据。请连接控制器。</translation>
+    </message>
+    <message>
+        <source>This controller cannot follow an encoder. Update the controller: its register map must be 1.6 or newer.</source>
+        <translation>此控制器不能跟随编码器。请更新控制器：寄存器表须为 1.6 或更新。</translation>
+    </message>
+    <message>
+        <source>This controller has no input for an encoder. The line follows the clock of the controller.</source>
+        <translation>此控制器没有编码器输入。生产线跟随控制器的时钟。</translation>
+    </message>
+</context>
+<context>
     <name>campanel::panel::OutputTry</name>
     <message>
         <source>A filled lamp means on. This controller cannot try outputs; update its firmware.</source>

@@ -1698,6 +1698,10 @@ Und %2 weitere.</translation>
         <source>Reference</source>
         <translation>Referenz</translation>
     </message>
+    <message>
+        <source>Master</source>
+        <translation>Leitachse</translation>
+    </message>
 </context>
 <context>
     <name>MarkWizardSheet</name>
@@ -1787,6 +1791,36 @@ Und %2 weitere.</translation>
     <message>
         <source>Master</source>
         <translation>Leitachse</translation>
+    </message>
+</context>
+<context>
+    <name>MasterDrawing</name>
+    <message>
+        <source>Encoder wheel on the film</source>
+        <translation>Messrad des Gebers auf der Folie</translation>
+    </message>
+    <message>
+        <source>Encoder on the shaft of the line</source>
+        <translation>Geber auf der Welle der Linie</translation>
+    </message>
+    <message>
+        <source>knife</source>
+        <translation>Messer</translation>
+    </message>
+    <message>
+        <source>film</source>
+        <translation>Folie</translation>
+    </message>
+</context>
+<context>
+    <name>MasterSection</name>
+    <message>
+        <source>Live values</source>
+        <translation>Istwerte</translation>
+    </message>
+    <message>
+        <source>Set up</source>
+        <translation>Einrichten</translation>
     </message>
 </context>
 <context>

@@ -1698,6 +1698,10 @@ And %2 more.</source>
         <source>Reference</source>
         <translation>回零</translation>
     </message>
+    <message>
+        <source>Master</source>
+        <translation>主轴</translation>
+    </message>
 </context>
 <context>
     <name>MarkWizardSheet</name>
@@ -1787,6 +1791,36 @@ And %2 more.</source>
     <message>
         <source>Master</source>
         <translation>主轴</translation>
+    </message>
+</context>
+<context>
+    <name>MasterDrawing</name>
+    <message>
+        <source>Encoder wheel on the film</source>
+        <translation>薄膜上的编码器测量轮</translation>
+    </message>
+    <message>
+        <source>Encoder on the shaft of the line</source>
+        <translation>生产线主轴上的编码器</translation>
+    </message>
+    <message>
+        <source>knife</source>
+        <translation>切刀</translation>
+    </message>
+    <message>
+        <source>film</source>
+        <translation>薄膜</translation>
+    </message>
+</context>
+<context>
+    <name>MasterSection</name>
+    <message>
+        <source>Live values</source>
+        <translation>实时值</translation>
+    </message>
+    <message>
+        <source>Set up</source>
+        <translation>设置</translation>
     </message>
 </context>
 <context>

@@ -25,7 +25,8 @@ Page {
         { key: 1, name: "maintenanceHoming", text: qsTr("Reference"), source: "HomingSection.qml" },
         { key: 2, name: "maintenanceIo", text: qsTr("I/O"), source: "IoSection.qml" },
         { key: 3, name: "maintenancePacking", text: qsTr("Packing"), source: "../Packing/PackingSection.qml" },
-        { key: 4, name: "maintenanceDryRun", text: qsTr("Dry run"), source: "DryRunSection.qml" }
+        { key: 4, name: "maintenanceMaster", text: qsTr("Master"), source: "MasterSection.qml" },
+        { key: 5, name: "maintenanceDryRun", text: qsTr("Dry run"), source: "DryRunSection.qml" }
     ]
     readonly property var memory: [{ key: 0, name: "maintenanceBackup", text: qsTr("Backup"), source: "../Reports/BackupSection.qml" },
         { key: 1, name: "maintenanceScanner", text: qsTr("Scanner"), source: "../Scan/ScannerSection.qml" }]

@@ -2,6 +2,7 @@
 // A day of a line, invented; see demo_line.h.
 #include "tests/looks/demo_line.h"
 
+#include "modbus/map/codec.h"
 #include "modbus/map/io_status.h"
 
 #include <QByteArray>
@@ -177,6 +178,32 @@ link::ScanReport demoSearchEnd(bool isFound, const modbus::Identity& identity)
     return report;
 }
 
+namespace {
+
+// An engaged encoder of 10 000 counts on 250 mm at 250 mm/s.
+void copyMaster(std::vector<std::uint16_t>& map)
+{
+    modbus::RegisterWriter writer(map, 0);
+    const auto put = [&writer](const char* name, double value) {
+        if (!writer.physical(name, value))
+            qFatal("%s does not fit its register", name);
+    };
+    put("master_status.available", 1);
+    put("master_status.state", static_cast<double>(modbus::MasterState::Engaged));
+    put("master_status.counts", 4127350);
+    put("master_status.speed", 250.4);
+    put("master_status.angle", 264.6);
+    put("master_status.error", -0.007);
+    put("master_status.lead", 0.813);
+    put("master_status.smoothing", 5);
+    put("master_status.ripple", 1.02);
+    put("master_status.index_error", 1);
+    put("master_status.slip", 0.024);
+    put("master_status.lag", 0.043);
+}
+
+} // namespace
+
 std::vector<std::uint16_t> demoRegisters(const link::ReadRequest& request,
                                          const program::ProgramImage& program)
 {
@@ -199,6 +226,7 @@ std::vector<std::uint16_t> demoRegisters(const link::ReadRequest& request,
         static_cast<std::uint16_t>(isCutter ? 0x000F : 0x000B), 0x0020, 0x0105, 372, 0x002F, 0x1A80, 3180,
         map[modbus::findSpan("status.master_angle")->address]};
     std::ranges::copy(io, map.begin() + modbus::ioAddress);
+    copyMaster(map);
     std::ranges::copy(program.registers, map.begin() + modbus::activeBankBase);
     const auto first = map.begin() + request.address;
     return {first, first + request.count};

@@ -48,6 +48,7 @@ public:
 
     void show(Situation situation, Kind kind = Kind::RotaryCutter);
     // Sets the state of the monitoring of the knife's torque.
+    void setParameter(const std::string& name, double value) { m_parameters[name] = value; }
     void setJamState(modbus::JamState state) { m_jamState = state; }
     // Ends the search; it never ends without this call.
     void endScan(bool isFound);

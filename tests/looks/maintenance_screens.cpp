@@ -46,6 +46,20 @@ void tell(TestWindow& window, modbus::State state, std::uint16_t warningBits = 0
     window.settle();
 }
 
+// Opens the page of a master that leads, with its figures or its machine data.
+Screen master(const char* name, bool isSetting)
+{
+    return {QString::fromLatin1(name), [isSetting](TestWindow& window) {
+                for (const auto& [parameter, value] :
+                     {std::pair("master.source", 1.0), std::pair("master.counts", 10000.0),
+                      std::pair("master.revolution", 250.0), std::pair("master.delay", 2.0)})
+                    window.link().setParameter(parameter, value);
+                openMachineSection(window, "maintenanceMaster", Situation::Running);
+                if (isSetting)
+                    window.tap(QStringLiteral("masterSetUp"));
+            }};
+}
+
 // Opens the dry run of a new recipe of this kind, turned by this angle.
 Screen dryRun(const char* name, Kind kind, double turnedDeg)
 {
@@ -126,6 +140,9 @@ QList<Screen> maintenanceScreens()
             screen("io-press", "maintenanceIo", Situation::Stopped, Kind::Press),
             oldValues("io-lost", "maintenanceIo"),
             screen("io-empty", "maintenanceIo", Situation::Absent),
+            master("master", false),
+            master("master-settings", true),
+            screen("master-empty", "maintenanceMaster", Situation::Absent),
             dryRun("dry-run", Kind::RotaryCutter, 200),
             dryRun("dry-run-apart", Kind::RotaryCutter, 62.5),
             dryRun("dry-run-cam", Kind::PointCam, 135),

@@ -12,6 +12,7 @@
 #include "app/panel/maintenance/jog.h"
 #include "app/panel/maintenance/line_figures.h"
 #include "app/panel/maintenance/link_doctor.h"
+#include "app/panel/maintenance/master_watch.h"
 #include "app/panel/maintenance/output_try.h"
 #include "app/panel/maintenance/register_inspector.h"
 #include "app/panel/maintenance/simulated_faults.h"
@@ -37,6 +38,7 @@ class Maintenance : public QObject, public Singleton<Maintenance> {
     Q_PROPERTY(campanel::panel::IoList* io READ io CONSTANT FINAL)
     Q_PROPERTY(campanel::panel::OutputTry* outputTry READ outputTry CONSTANT FINAL)
     Q_PROPERTY(campanel::panel::CamSwitches* switches READ switches CONSTANT FINAL)
+    Q_PROPERTY(campanel::panel::MasterWatch* master READ master CONSTANT FINAL)
     Q_PROPERTY(campanel::panel::DryRun* dryRun READ dryRun CONSTANT FINAL)
     Q_PROPERTY(campanel::panel::SimulatedFaults* simulatedFaults READ simulatedFaults CONSTANT FINAL)
     Q_PROPERTY(campanel::panel::ReportFiles* files READ files CONSTANT FINAL)
@@ -55,6 +57,7 @@ public:
     [[nodiscard]] IoList* io() { return &m_io; }
     [[nodiscard]] OutputTry* outputTry() { return &m_outputTry; }
     [[nodiscard]] CamSwitches* switches() { return &m_switches; }
+    [[nodiscard]] MasterWatch* master() { return &m_master; }
     [[nodiscard]] DryRun* dryRun() { return &m_dryRun; }
     [[nodiscard]] SimulatedFaults* simulatedFaults() { return &m_simulatedFaults; }
     [[nodiscard]] ReportFiles* files() { return &m_files; }
@@ -72,6 +75,7 @@ private:
     IoList m_io;
     OutputTry m_outputTry;
     CamSwitches m_switches;
+    MasterWatch m_master;
     DryRun m_dryRun;
 };
 
