@@ -147,7 +147,7 @@ QString MasterWatch::revolutionText() const
 
 QString MasterWatch::stateText() const
 {
-    if (!m_status)
+    if (!m_status || std::isnan(m_fields.value("master.source")))
         return Format::unknownText();
     if (!leads())
         return tr("The line follows the clock of the controller.");
@@ -167,6 +167,8 @@ QString MasterWatch::stateText() const
 
 QString MasterWatch::delayText() const
 {
+    if (std::isnan(m_fields.value("master.source")))
+        return {};
     if (!leads())
         return tr("Delay: measured only while an encoder leads the line.");
     const auto measured = m_delay.measured();
