@@ -6836,7 +6836,7 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
     </message>
     <message>
         <source>%1 / turn</source>
-        <translation>%1 / Umdrehung</translation>
+        <translation>%1 / Umdr.</translation>
     </message>
     <message>
         <source>The line follows the clock of the controller.</source>

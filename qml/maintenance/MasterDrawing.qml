@@ -50,7 +50,7 @@ Item {
     Rectangle {
         id: encoder
         readonly property int size: Math.round(Math.min(drawing.height * 0.5, drawing.width * 0.3))
-        x: Math.round(drawing.width * 0.4 - size / 2)
+        x: Math.round(drawing.width * 0.2 - size / 2)
         y: drawing.master.wheel ? drawing.filmY - size : drawing.height - size
         width: size
         height: size
@@ -82,14 +82,14 @@ Item {
         width: 2 * Theme.size.outline
         color: drawing.ink
     }
-    Label {
-        objectName: "masterAngle"
-        anchors { right: encoder.left; rightMargin: Theme.size.spacing; verticalCenter: encoder.verticalCenter }
-        text: Theme.measure(drawing.master.angleDeg, 1, "°")
-        font.pixelSize: Theme.size.caption
-    }
     Column {
-        anchors { left: encoder.right; leftMargin: Theme.size.spacing; right: parent.right; bottom: encoder.verticalCenter; bottomMargin: Theme.size.outline }
+        anchors { left: encoder.right; leftMargin: Theme.size.spacing; right: shaft.visible ? knife.left : parent.right; bottom: encoder.verticalCenter; bottomMargin: Theme.size.outline }
+        Label {
+            objectName: "masterAngle"
+            width: parent.width
+            text: Theme.measure(drawing.master.angleDeg, 1, "°")
+            font.pixelSize: Theme.size.caption
+        }
         Label {
             objectName: "masterCounts"
             width: parent.width
