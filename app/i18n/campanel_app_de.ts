@@ -2994,18 +2994,6 @@ eff. %2</translation>
         <translation>Dieses Programm kann keinem Drehgeber folgen. Den Takt als Leitachse einstellen, um es zu starten.</translation>
     </message>
     <message>
-        <source>Clock of the controller</source>
-        <translation>Takt der Steuerung</translation>
-    </message>
-    <message>
-        <source>Quadrature</source>
-        <translation>Quadratur</translation>
-    </message>
-    <message>
-        <source>Pulse and direction</source>
-        <translation>Puls und Richtung</translation>
-    </message>
-    <message>
         <source>Not engaged</source>
         <translation>Nicht eingekuppelt</translation>
     </message>
@@ -3034,12 +3022,24 @@ eff. %2</translation>
         <translation>Drehgeber</translation>
     </message>
     <message>
-        <source>Line shaft</source>
-        <translation>Welle der Linie</translation>
+        <source>Clock</source>
+        <translation>Uhr</translation>
     </message>
     <message>
-        <source>Wheel on the film</source>
-        <translation>Messrad auf der Folie</translation>
+        <source>Shaft</source>
+        <translation>Welle</translation>
+    </message>
+    <message>
+        <source>Wheel</source>
+        <translation>Messrad</translation>
+    </message>
+    <message>
+        <source>A/B</source>
+        <translation>A/B</translation>
+    </message>
+    <message>
+        <source>Pulse, dir.</source>
+        <translation>Takt, Richtung</translation>
     </message>
 </context>
 <context>

@@ -2992,18 +2992,6 @@ RMS %2</source>
         <translation>此程序不能跟随编码器。请将主轴设为时钟后再运行。</translation>
     </message>
     <message>
-        <source>Clock of the controller</source>
-        <translation>控制器时钟</translation>
-    </message>
-    <message>
-        <source>Quadrature</source>
-        <translation>正交（A/B 相）</translation>
-    </message>
-    <message>
-        <source>Pulse and direction</source>
-        <translation>脉冲加方向</translation>
-    </message>
-    <message>
         <source>Not engaged</source>
         <translation>未接合</translation>
     </message>
@@ -3032,12 +3020,24 @@ RMS %2</source>
         <translation>编码器</translation>
     </message>
     <message>
-        <source>Line shaft</source>
-        <translation>生产线主轴</translation>
+        <source>Clock</source>
+        <translation>时钟</translation>
     </message>
     <message>
-        <source>Wheel on the film</source>
-        <translation>薄膜上的测量轮</translation>
+        <source>Shaft</source>
+        <translation>主轴</translation>
+    </message>
+    <message>
+        <source>Wheel</source>
+        <translation>测量轮</translation>
+    </message>
+    <message>
+        <source>A/B</source>
+        <translation>A/B</translation>
+    </message>
+    <message>
+        <source>Pulse, dir.</source>
+        <translation>脉冲+方向</translation>
     </message>
 </context>
 <context>

@@ -419,22 +419,22 @@ constexpr std::array driveEnables{
 };
 
 constexpr std::array masterSources{
-    entry(MasterSource::Clock, "Clock", CAMPANEL_TEXT("Protocol", "Clock of the controller")),
+    entry(MasterSource::Clock, "Clock", CAMPANEL_TEXT("Protocol", "Clock")),
     entry(MasterSource::Encoder, "Encoder", CAMPANEL_TEXT("Protocol", "Encoder")),
 };
 
 constexpr std::array masterPlaces{
-    entry(MasterPlace::Shaft, "Shaft", CAMPANEL_TEXT("Protocol", "Line shaft"),
+    entry(MasterPlace::Shaft, "Shaft", CAMPANEL_TEXT("Protocol", "Shaft"),
           "It replaces the clock; the controller drives infeed, film and knife."),
-    entry(MasterPlace::Wheel, "Wheel", CAMPANEL_TEXT("Protocol", "Wheel on the film"),
+    entry(MasterPlace::Wheel, "Wheel", CAMPANEL_TEXT("Protocol", "Wheel"),
           "Somebody else drives infeed and film; the controller drives the knife alone."),
 };
 
 constexpr std::array masterSignals{
-    entry(MasterSignal::Quadrature, "Quadrature", CAMPANEL_TEXT("Protocol", "Quadrature"),
+    entry(MasterSignal::Quadrature, "Quadrature", CAMPANEL_TEXT("Protocol", "A/B"),
           "A and B, four counts per line."),
-    entry(MasterSignal::PulseAndDirection, "PulseAndDirection",
-          CAMPANEL_TEXT("Protocol", "Pulse and direction"), "One count per pulse."),
+    entry(MasterSignal::PulseAndDirection, "PulseAndDirection", CAMPANEL_TEXT("Protocol", "Pulse, dir."),
+          "One count per pulse."),
 };
 
 constexpr std::array masterStates{
