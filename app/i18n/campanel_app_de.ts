@@ -3039,7 +3039,7 @@ eff. %2</translation>
     </message>
     <message>
         <source>Pulse, dir.</source>
-        <translation>Takt, Richtung</translation>
+        <translation>Takt/Richt.</translation>
     </message>
 </context>
 <context>
@@ -6774,6 +6774,29 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
     <message>
         <source>The tolerance of the index mark would be half a revolution or more: %1 of %2 counts. Enter a smaller tolerance first.</source>
         <translation>Die Toleranz der Indexmarke wäre eine halbe Umdrehung oder mehr: %1 von %2 Impulsen. Geben Sie zuerst eine kleinere Toleranz ein.</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::MasterSetting</name>
+    <message>
+        <source>Engaging</source>
+        <translation>Kuppelt ein</translation>
+    </message>
+    <message>
+        <source>Engaged</source>
+        <translation>Eingekuppelt</translation>
+    </message>
+    <message>
+        <source>Disengaging</source>
+        <translation>Kuppelt aus</translation>
+    </message>
+    <message>
+        <source>Not engaged</source>
+        <translation>Nicht eingekuppelt</translation>
+    </message>
+    <message>
+        <source>%1. Encoder at %2, phase %3.</source>
+        <translation>%1. Geber bei %2, Phase %3.</translation>
     </message>
 </context>
 <context>

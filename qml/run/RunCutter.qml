@@ -29,7 +29,7 @@ Item {
         decimals: 1
         title: led ? qsTr("Rate of the line") : qsTr("Rate")
         unit: qsTr("bags/min")
-        note: led ? qsTr("at most %1").arg(Theme.count(Controller.active.rateBagsPerMin, 1)) : isNaN(Controller.live.sealTimeMs) ? "" : qsTr("seal %1").arg(Theme.measure(Controller.live.sealTimeMs, 0, "ms"))
+        note: led ? Controller.masterSetting.lineText || qsTr("at most %1").arg(Theme.count(Controller.active.rateBagsPerMin, 1)) : isNaN(Controller.live.sealTimeMs) ? "" : qsTr("seal %1").arg(Theme.measure(Controller.live.sealTimeMs, 0, "ms"))
         quantities: isNaN(Controller.live.sealTimeMs) ? [Explanations.Rate] : [Explanations.Rate, Explanations.LiveSealTime]
         onTapped: Controller.masterSetting.explainRate()
     }

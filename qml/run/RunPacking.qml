@@ -27,7 +27,7 @@ Item {
         title: led ? qsTr("Rate of the line") : qsTr("Rate")
         unit: qsTr("bags/min")
         // The seal time only where it fits; a long press explains it everywhere.
-        note: isNaN(Controller.live.sealTimeMs) || words.advanceWidth > width - 2 * Theme.size.padding ? qsTr("%1 bags").arg(Theme.count(Controller.bags.count, 0)) : words.text
+        note: led && Controller.masterSetting.lineText !== "" ? Controller.masterSetting.lineText : isNaN(Controller.live.sealTimeMs) || words.advanceWidth > width - 2 * Theme.size.padding ? qsTr("%1 bags").arg(Theme.count(Controller.bags.count, 0)) : words.text
         TextMetrics {
             id: words
             font.pixelSize: Theme.size.smallestText

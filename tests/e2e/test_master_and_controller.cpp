@@ -17,7 +17,9 @@ using test::PanelWindow;
 namespace {
 
 constexpr int timeoutMs = 60'000;
-constexpr int lineRow = 12; // of the simulated faults
+// Of the simulated faults.
+constexpr int lineRow = 12;
+constexpr int noiseRow = 16;
 
 void followTheEncoder(PanelWindow& panel)
 {
@@ -126,6 +128,41 @@ private slots:
         QTRY_COMPARE_WITH_TIMEOUT(engagement(panel), int{static_cast<int>(modbus::MasterState::Off)},
                                   timeoutMs);
         QCOMPARE(panel.complaints(), QStringList());
+    }
+
+    void aDisturbedSignalIsAFault()
+    {
+        PanelWindow panel{QString()};
+        Controller& controller = panel.controller();
+        followTheEncoder(panel);
+        if (QTest::currentTestFailed())
+            return;
+        panel.tap("nav_motion");
+        panel.download();
+        setFault(panel, lineRow, "full");
+        if (QTest::currentTestFailed())
+            return;
+        panel.tap("nav_run");
+        QTRY_VERIFY_WITH_TIMEOUT(controller.canStart(), timeoutMs);
+        panel.start();
+        QTRY_VERIFY_WITH_TIMEOUT(controller.bags().count >= 3, timeoutMs);
+
+        setFault(panel, noiseRow, "on");
+        QTRY_COMPARE_WITH_TIMEOUT(controller.state(), Controller::State::Fault, timeoutMs);
+        QCOMPARE(panel.statuses().back().faultBits,
+                 1U << static_cast<unsigned>(modbus::FaultBit::MasterSignal));
+        panel.tap("nav_alarms");
+        QTRY_VERIFY2_WITH_TIMEOUT(panel.texts().contains(QStringLiteral("C-10")), qPrintable(panel.texts()),
+                                  timeoutMs);
+        setFault(panel, noiseRow, "off");
+        panel.tap("nav_run");
+        panel.hold("middleKey"); // Reset
+        QTRY_COMPARE_WITH_TIMEOUT(controller.state(), Controller::State::Ready, timeoutMs);
+        QTRY_VERIFY_WITH_TIMEOUT(controller.canStart(), timeoutMs);
+        const double bags = controller.bags().count;
+        panel.start();
+        QTRY_VERIFY_WITH_TIMEOUT(controller.bags().count >= bags + 3, timeoutMs);
+        QCOMPARE(controller.state(), Controller::State::Running);
     }
 };
 

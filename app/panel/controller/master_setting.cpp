@@ -2,12 +2,24 @@
 #include "app/panel/controller/master_setting.h"
 
 #include "app/panel/controller/controller.h"
+#include "app/panel/kit/format.h"
 #include "app/panel/kit/language_notifier.h"
 #include "app/panel/words/master_sentences.h"
 
+#include <chrono>
 #include <cmath>
+#include <utility>
+
+using namespace Qt::StringLiterals;
+using namespace std::chrono_literals;
 
 namespace campanel::panel {
+
+namespace {
+
+constexpr auto linePeriod = 500ms;
+
+} // namespace
 
 MasterSetting::MasterSetting(Controller& controller)
     : QObject(&controller)
@@ -30,6 +42,9 @@ MasterSetting::MasterSetting(Controller& controller)
     // A value that was not certain when it was read is read again.
     connect(&controller, &Controller::stateChanged, this, &MasterSetting::read);
     connect(&controller, &Controller::programChanged, this, &MasterSetting::changed);
+    connect(this, &MasterSetting::changed, this, &MasterSetting::watchLine);
+    m_timer.setInterval(linePeriod);
+    connect(&m_timer, &QTimer::timeout, this, &MasterSetting::readLine);
     LanguageNotifier::follow(this);
 }
 
@@ -44,6 +59,66 @@ void MasterSetting::read()
         return;
     for (Parameter* each : m_ofEncoder)
         each->readIfUncertain();
+}
+
+void MasterSetting::watchLine()
+{
+    if (leads() == m_timer.isActive())
+        return;
+    m_line.reset();
+    if (!leads()) {
+        m_timer.stop();
+        return;
+    }
+    m_timer.start();
+    readLine();
+}
+
+void MasterSetting::readLine()
+{
+    if (!m_controller.isConnected()) {
+        m_isAsked = false;
+        if (std::exchange(m_line, std::nullopt))
+            emit changed();
+        return;
+    }
+    if (m_isAsked)
+        return;
+    m_isAsked = true;
+    m_controller.link().readRegisters(
+        {0, modbus::masterStatusAddress, modbus::masterStatusRegisters},
+        {this, [this](const link::ReadOutcome& outcome) { takeLine(outcome); }});
+}
+
+void MasterSetting::takeLine(const link::ReadOutcome& outcome)
+{
+    m_isAsked = false;
+    if (outcome.end != link::ReadEnd::Done || outcome.registers.size() != modbus::masterStatusRegisters)
+        return;
+    m_line = modbus::decodeMasterStatus(outcome.registers);
+    emit changed();
+}
+
+QString MasterSetting::engagedText() const
+{
+    switch (m_line->state.value_or(modbus::MasterState::Off)) {
+    case modbus::MasterState::Engaging:
+        return tr("Engaging");
+    case modbus::MasterState::Engaged:
+        return tr("Engaged");
+    case modbus::MasterState::Disengaging:
+        return tr("Disengaging");
+    case modbus::MasterState::Off:
+        break;
+    }
+    return tr("Not engaged");
+}
+
+QString MasterSetting::lineText() const
+{
+    if (!leads() || !m_line)
+        return {};
+    return u"%1 · %2"_s.arg(engagedText(), Format().measure(m_line->speedMmPerS, 0, u"mm/s"_s));
 }
 
 QList<const Parameter*> MasterSetting::parameters() const
@@ -102,8 +177,18 @@ QString MasterSetting::refusal(const program::Recipe& recipe) const
 
 void MasterSetting::explainRate()
 {
-    if (const QString sentence = rateText(); !sentence.isEmpty())
+    const QString sentence = rateText();
+    if (sentence.isEmpty())
+        return;
+    if (!m_line) {
         emit explained(sentence);
+        return;
+    }
+    const Format format;
+    emit explained(sentence + u'\n' +
+                   tr("%1. Encoder at %2, phase %3.")
+                       .arg(lineText(), format.measure(m_line->angleDeg, 0, u"°"_s),
+                            format.measure(m_line->phaseDeg, 2, u"°"_s)));
 }
 
 } // namespace campanel::panel

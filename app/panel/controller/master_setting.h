@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// `Controller.masterSetting` in QML: what the cycles follow by the controller's settings, as read last. While
-// it is unknown, or the controller has no such setting, they follow the clock.
+// `Controller.masterSetting` in QML: what the cycles follow by the controller's settings, as read last, and
+// what the line does while an encoder leads. While it is unknown, or the controller has no such setting, they
+// follow the clock.
 #pragma once
 
+#include "app/link/link_values.h"
 #include "app/program/recipe_master.h"
+#include "modbus/map/master_status.h"
 
 #include <QList>
 #include <QObject>
+#include <QTimer>
 #include <QtQml/qqmlregistration.h>
 
 #include <optional>
@@ -22,12 +26,15 @@ class MasterSetting : public QObject {
     QML_UNCREATABLE("The setting belongs to the Controller")
     // True when an encoder leads the active program.
     Q_PROPERTY(bool leads READ leads NOTIFY changed FINAL)
+    // What the line does, and its speed; empty while nothing leads.
+    Q_PROPERTY(QString lineText READ lineText NOTIFY changed FINAL)
 
 public:
     // The controller must outlive the object.
     explicit MasterSetting(Controller& controller);
 
     [[nodiscard]] bool leads() const;
+    [[nodiscard]] QString lineText() const;
     // Returns the reason why the rate cannot be entered; empty while it can.
     [[nodiscard]] QString rateText() const;
     // Returns an empty value while it is unknown.
@@ -44,7 +51,7 @@ public:
     // unknown.
     [[nodiscard]] QString refusal(const program::Recipe& recipe) const;
 
-    // Shows why the rate cannot be entered.
+    // Shows why the rate cannot be entered, with all that is known of the line.
     Q_INVOKABLE void explainRate();
 
 signals:
@@ -53,12 +60,19 @@ signals:
 
 private:
     void read();
+    void watchLine();
+    void readLine();
+    void takeLine(const link::ReadOutcome& outcome);
+    [[nodiscard]] QString engagedText() const;
 
     Controller& m_controller;
     Parameter& m_source;
     Parameter& m_available;
     Parameter& m_speedMax;
     Parameter& m_revolution;
+    QTimer m_timer;
+    std::optional<modbus::MasterStatus> m_line;
+    bool m_isAsked = false;
     QList<Parameter*> m_ofEncoder; // those that only an encoder needs
 };
 
