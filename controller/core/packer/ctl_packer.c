@@ -13,7 +13,6 @@
 #define FIRST_SHARE 50
 #define FIRST_TIME 5u
 #define MAX_TAUGHT 100u
-#define UM_PER_UNIT 10 /* of the wheel's slip limit */
 
 static uint16_t parameter(const ctl_packer* packer, uint32_t address)
 {
@@ -116,8 +115,7 @@ static void read_bank(ctl_packer* packer, const ctl_bank* bank)
     ctl_packer_read_settings(packer);
 }
 
-/* Film and infeed are where their motors are. */
-static void take_positions(ctl_packer* packer)
+void ctl_packer_take_positions(ctl_packer* packer)
 {
     const ctl_port* port = &packer->board->port;
     packer->film_actual = port->film(port->context);
@@ -137,7 +135,7 @@ void ctl_packer_init(ctl_packer* packer, const ctl_board* board)
     packer->broken_off = true;
     if (packer->board->port.film == NULL)
         return;
-    take_positions(packer);
+    ctl_packer_take_positions(packer);
 }
 
 void ctl_packer_break_off(ctl_packer* packer)
@@ -171,8 +169,7 @@ static void plan_first_cut(ctl_packer* packer)
     packer->next = cut;
 }
 
-/* The next cut is not at its mark, and after another bag length its mark is not known. */
-static void leave_register(ctl_packer* packer, int64_t bag_before)
+void ctl_packer_leave_register(ctl_packer* packer, int64_t bag_before)
 {
     packer->in_register = false;
     if (packer->marks.state == CTL_MARK_STATE_TRACKING)
@@ -209,7 +206,7 @@ static void begin_cycle(ctl_packer* packer, const ctl_bank* bank)
                    ctl_packer_cycle_length(packer));
     align_infeed(packer, packer->infeed_sent * CTL_FINE, true);
     plan_first_cut(packer);
-    leave_register(packer, bag_before);
+    ctl_packer_leave_register(packer, bag_before);
     const ctl_product_settings settings = product_settings(packer);
     ctl_products_set(&packer->products, &settings, packer->infeed_actual);
 }
@@ -255,88 +252,6 @@ void ctl_packer_run(ctl_packer* packer, const ctl_bank* bank, const ctl_ramp* ra
         ctl_packer_ask_first_cut(packer);
 }
 
-static uint32_t master_setting(const ctl_packer* packer, uint32_t address)
-{
-    return ctl_get32(&packer->board->master[address - CTL_REG_MASTER_SOURCE]);
-}
-
-/* Film and infeed are driven by somebody else from now on, or no longer. */
-static void switch_wheel(ctl_packer* packer, bool on)
-{
-    const ctl_port* port = &packer->board->port;
-    port->latch_master(port->context, on);
-    ctl_wheel_switch(&packer->wheel, on);
-    if (!on)
-        take_positions(packer);
-    ctl_packer_break_off(packer);
-    packer->marks.state = CTL_MARK_STATE_OFF;
-}
-
-static void set_wheel(ctl_packer* packer, const ctl_bank* bank, int64_t film_at, int64_t infeed_at)
-{
-    const uint32_t counts = master_setting(packer, CTL_REG_MASTER_COUNTS);
-    const uint64_t revolution_um = master_setting(packer, CTL_REG_MASTER_REVOLUTION);
-    const uint64_t flight = ctl_parameter32(packer->board, CTL_REG_PARAMETER_FLIGHT_PULSES);
-    const uint64_t pulses = ctl_parameter32(packer->board, CTL_REG_PARAMETER_FILM_PULSES);
-    const uint64_t feed_um = ctl_parameter32(packer->board, CTL_REG_PARAMETER_FILM_FEED);
-    const ctl_wheel_ratio film = {CTL_FINE * pulses * revolution_um, feed_um * counts};
-    const ctl_wheel_ratio infeed = {CTL_FINE * flight * revolution_um,
-                                    (uint64_t)ctl_bank_bag_um(bank) * counts};
-    ctl_wheel_set(&packer->wheel, film, infeed, film_at, infeed_at);
-    packer->wheel.limit = ctl_packer_film(
-        packer,
-        (int64_t)packer->board->master[CTL_REG_MASTER_SLIP_LIMIT - CTL_REG_MASTER_SOURCE] * UM_PER_UNIT);
-}
-
-/* The film goes on, perhaps with other bags. */
-static void go_on_with_wheel(ctl_packer* packer, const ctl_bank* bank)
-{
-    set_wheel(packer, bank, ctl_wheel_film(&packer->wheel), ctl_wheel_infeed(&packer->wheel));
-}
-
-void ctl_packer_take_wheel(ctl_packer* packer, const ctl_bank* bank, bool on)
-{
-    const bool was_on = packer->wheel.on;
-    if (on != was_on)
-        switch_wheel(packer, on);
-    if (on && was_on)
-        go_on_with_wheel(packer, bank);
-    else if (on)
-        set_wheel(packer, bank, packer->film_actual, packer->infeed_actual);
-}
-
-/* Film that the place of the line is ahead of where it belongs. */
-static int64_t beyond(ctl_packer* packer, int64_t ahead)
-{
-    ctl_wheel* wheel = &packer->wheel;
-    const int64_t belongs = ctl_wheel_film(wheel) + ahead * wheel->per_tick / (1 << CTL_WHEEL_FINE);
-    return ctl_feed_position(&packer->film) - belongs;
-}
-
-/* Film has passed uncut: the next bag is as long as it and that before. */
-void ctl_packer_join_film(ctl_packer* packer, int64_t ahead)
-{
-    const int64_t way = -beyond(packer, ahead);
-    packer->film.start += way;
-    packer->next.command += way;
-    packer->film_at = ctl_feed_position(&packer->film);
-    packer->film_sent = ctl_whole_pulses(packer->film_at);
-    if (way > packer->bag / FIRST_SHARE || -way > packer->bag / FIRST_SHARE)
-        leave_register(packer, packer->bag);
-}
-
-int64_t ctl_packer_wheel_shift(ctl_packer* packer, int64_t ahead)
-{
-    return -beyond(packer, ahead) * packer->wheel.per_film / (1 << CTL_WHEEL_FINE);
-}
-
-void ctl_packer_shift_line(ctl_packer* packer, int64_t ticks)
-{
-    const int64_t film = ticks * packer->wheel.per_tick / (1 << CTL_WHEEL_FINE);
-    packer->film.start -= film;
-    packer->next.command -= film;
-}
-
 /* Plans the first cut of a changed program onto its mark, where that is near enough for the time up to its
  * sealing window. Returns false when it is not. */
 static bool plan_onto_mark(ctl_packer* packer, const ctl_ramp* ramp)
@@ -366,7 +281,7 @@ void ctl_packer_change_bank(ctl_packer* packer, const ctl_bank* bank, const ctl_
     const int64_t film = ctl_feed_position(&packer->film);
     read_bank(packer, bank);
     if (packer->wheel.on)
-        go_on_with_wheel(packer, bank);
+        ctl_packer_go_on_with_wheel(packer, bank);
     packer->planned = false;
     packer->changed = true;
     packer->top = ramp->top;
@@ -382,7 +297,7 @@ void ctl_packer_change_bank(ctl_packer* packer, const ctl_bank* bank, const ctl_
     align_infeed(packer, ctl_feed_position(&packer->infeed), false);
     plan_first_cut(packer);
     if (bag_before != packer->bag || !plan_onto_mark(packer, ramp))
-        leave_register(packer, bag_before);
+        ctl_packer_leave_register(packer, bag_before);
     const ctl_product_settings settings = product_settings(packer);
     ctl_products_set(&packer->products, &settings, packer->infeed_actual);
     ctl_packer_follow_marks(packer);

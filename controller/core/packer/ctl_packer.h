@@ -216,6 +216,12 @@ int64_t ctl_packer_film(const ctl_packer* packer, int64_t um);
 void ctl_packer_registers(const ctl_packer* packer, uint16_t* registers);
 
 /* Between the files of this module. */
+/* Film and infeed are where their motors are. */
+void ctl_packer_take_positions(ctl_packer* packer);
+/* The next cut is not at its mark, and after another bag length than `bag_before` its mark is not known. */
+void ctl_packer_leave_register(ctl_packer* packer, int64_t bag_before);
+/* The film that somebody else drives goes on, perhaps with other bags. */
+void ctl_packer_go_on_with_wheel(ctl_packer* packer, const ctl_bank* bank);
 bool ctl_packer_tracks(const ctl_packer* packer);
 /* Returns true when the line runs with this program. */
 bool ctl_packer_drives(const ctl_packer* packer, const ctl_bank* bank);
