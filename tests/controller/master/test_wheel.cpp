@@ -113,6 +113,8 @@ private slots:
     void thePhaseIsSuperimposed();
     void theRippleIsMeasured();
     void theProgramChangesWhileTheKnifeIsOpen();
+    void aJamLeavesTheFilmAndTheRunGoesOn();
+    void aStopInMidCycleBeginsAgainAtTheBoundary();
 };
 
 void TestWheel::onlyTheKnifeMoves()
@@ -359,6 +361,54 @@ void TestWheel::theProgramChangesWhileTheKnifeIsOpen()
         QCOMPARE(line.status(CTL_REG_STATUS_STATE), CTL_STATE_RUNNING);
         QCOMPARE(line.status(CTL_REG_MASTER_STATUS_STATE), CTL_MASTER_STATE_ENGAGED);
     }
+}
+
+void TestWheel::aJamLeavesTheFilmAndTheRunGoesOn()
+{
+    MachineOptions options = onLine(true);
+    options.jaws.sealNm = 0.5;
+    options.drive.inertiaKgM2 = 0.0003; // the bank of the tests accelerates it by jerks
+    Line line(true, options);
+    line.setParameter(CTL_REG_PARAMETER_JAM_DETECTION, 1);
+    line.setParameter(CTL_REG_PARAMETER_JAM_STOP_TIME, 20);
+    line.start();
+    QVERIFY(line.engages());
+    (void)line.cutBags(40);
+    auto& jaws = line.controller().machine().jaws();
+    jaws.setBlocked(true);
+    QVERIFY(line.runUntilState(CTL_STATE_FAULT, 3'000'000));
+    QCOMPARE(line.status(CTL_REG_STATUS_FAULT), 1u << CTL_FAULT_BIT_JAM);
+    QVERIFY(!line.mayRun());
+    jaws.setBlocked(false);
+    jaws.clear();
+    line.run(1'000'000);
+    QVERIFY(!line.jawsAreClosed());
+    QCOMPARE(line.command(CTL_COMMAND_RESET_FAULT), CTL_REFUSAL_NONE);
+    QCOMPARE(line.command(CTL_COMMAND_START), CTL_REFUSAL_NONE);
+    QVERIFY(line.cutBags(14) < 0.2);
+    QVERIFY2(line.scrap >= 1 && line.scrap <= 5, qPrintable(QString::number(line.scrap)));
+    QCOMPARE(line.status(CTL_REG_STATUS_FAULT), 0);
+    QVERIFY(line.mayRun());
+}
+
+void TestWheel::aStopInMidCycleBeginsAgainAtTheBoundary()
+{
+    Line line(true);
+    line.start();
+    QVERIFY(line.engages());
+    (void)line.cutBags(12);
+    for (int i = 0; i < 10; ++i) {
+        line.run(1'000'000u + static_cast<unsigned>(i) * 97'000u);
+        QCOMPARE(line.command(CTL_COMMAND_STOP_NOW), CTL_REFUSAL_NONE);
+        QVERIFY(line.runUntilState(CTL_STATE_READY));
+        line.run(700'000);
+        QVERIFY(!line.jawsAreClosed());
+        QCOMPARE(line.command(CTL_COMMAND_START), CTL_REFUSAL_NONE);
+        QVERIFY(line.cutBags(12) < 0.2);
+        QVERIFY2(line.scrap <= 5, qPrintable(QString::number(line.scrap)));
+    }
+    QCOMPARE(line.status(CTL_REG_STATUS_FAULT), 0);
+    QVERIFY(line.core().motion.in_phase);
 }
 
 CAMPANEL_TEST(TestWheel)
