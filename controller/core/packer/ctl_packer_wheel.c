@@ -14,11 +14,23 @@ static uint32_t master_setting(const ctl_packer* packer, uint32_t address)
     return ctl_get32(&packer->board->master[address - CTL_REG_MASTER_SOURCE]);
 }
 
+/* Edges that were latched before say nothing: their film has passed since. */
+static void drop_edges(const ctl_port* port)
+{
+    int64_t at = 0;
+    bool covered = false;
+    while (port->mark(port->context, &at, &covered)) {
+    }
+    while (port->eye(port->context, &at, &covered)) {
+    }
+}
+
 /* Film and infeed are driven by somebody else from now on, or no longer. */
 static void switch_wheel(ctl_packer* packer, bool on)
 {
     const ctl_port* port = &packer->board->port;
     port->latch_master(port->context, on);
+    drop_edges(port);
     ctl_wheel_switch(&packer->wheel, on);
     if (!on)
         ctl_packer_take_positions(packer);

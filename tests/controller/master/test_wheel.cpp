@@ -113,6 +113,7 @@ private slots:
     void thePhaseIsSuperimposed();
     void theRippleIsMeasured();
     void theProgramChangesWhileTheKnifeIsOpen();
+    void marksThatPassedBeforeTheStartAreForgotten();
     void aJamLeavesTheFilmAndTheRunGoesOn();
     void aStopInMidCycleBeginsAgainAtTheBoundary();
 };
@@ -360,6 +361,23 @@ void TestWheel::theProgramChangesWhileTheKnifeIsOpen()
         QCOMPARE(line.core().transfer.state, CTL_STAGED_STATE_EMPTY);
         QCOMPARE(line.status(CTL_REG_STATUS_STATE), CTL_STATE_RUNNING);
         QCOMPARE(line.status(CTL_REG_MASTER_STATUS_STATE), CTL_MASTER_STATE_ENGAGED);
+    }
+}
+
+// Their edges were taken for one at the start, a bag length before the first one or almost.
+void TestWheel::marksThatPassedBeforeTheStartAreForgotten()
+{
+    Line line(true);
+    for (int i = 0; i < 12; ++i) { // anywhere in a bag
+        line.run(100'000);
+        line.core().packer.wheel.on = false;
+        const std::uint32_t seen = line.core().packer.marks.unexpected + line.core().packer.marks.followed;
+        line.command(CTL_COMMAND_START);
+        QVERIFY(line.runUntilState(CTL_STATE_RUNNING));
+        QCOMPARE(line.core().packer.marks.unexpected + line.core().packer.marks.followed, seen);
+        QVERIFY(!line.core().packer.marks.has_candidate);
+        line.command(CTL_COMMAND_STOP_NOW);
+        QVERIFY(line.runUntilState(CTL_STATE_READY));
     }
 }
 
