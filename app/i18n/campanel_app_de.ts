@@ -6756,16 +6756,8 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
         <translation>%1 · 0: automatisch</translation>
     </message>
     <message>
-        <source>%1 · 0: automatic · in use: %2. Lag while accelerating at %3: %4. Noise of the speed: up to %5.</source>
-        <translation>%1 · 0: automatisch · wirksam: %2. Nachlauf beim Beschleunigen mit %3: %4. Rauschen der Geschwindigkeit: bis %5.</translation>
-    </message>
-    <message>
         <source>%1 · 0: not monitored</source>
         <translation>%1 · 0: nicht überwacht</translation>
-    </message>
-    <message>
-        <source>%1 · one count is %2 of film</source>
-        <translation>%1 · ein Impuls ist %2 Folie</translation>
     </message>
     <message>
         <source>This controller has no input for an encoder. Select the clock, or use a controller with such an input.</source>
@@ -6774,6 +6766,14 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
     <message>
         <source>The tolerance of the index mark would be half a revolution or more: %1 of %2 counts. Enter a smaller tolerance first.</source>
         <translation>Die Toleranz der Indexmarke wäre eine halbe Umdrehung oder mehr: %1 von %2 Impulsen. Geben Sie zuerst eine kleinere Toleranz ein.</translation>
+    </message>
+    <message>
+        <source>0: automatic, %1 · lag %2 · noise %3</source>
+        <translation>0: auto, %1 · Nachlauf %2 · Rauschen %3</translation>
+    </message>
+    <message>
+        <source>One count is %1 of film</source>
+        <translation>Ein Impuls ist %1 Folie</translation>
     </message>
 </context>
 <context>

@@ -6754,16 +6754,8 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
         <translation>%1 · 0：自动</translation>
     </message>
     <message>
-        <source>%1 · 0: automatic · in use: %2. Lag while accelerating at %3: %4. Noise of the speed: up to %5.</source>
-        <translation>%1 · 0：自动 · 当前：%2。以 %3 加速时滞后：%4。速度噪声：最大 %5。</translation>
-    </message>
-    <message>
         <source>%1 · 0: not monitored</source>
         <translation>%1 · 0：不监控</translation>
-    </message>
-    <message>
-        <source>%1 · one count is %2 of film</source>
-        <translation>%1 · 一个计数相当于 %2 薄膜</translation>
     </message>
     <message>
         <source>This controller has no input for an encoder. Select the clock, or use a controller with such an input.</source>
@@ -6772,6 +6764,14 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
     <message>
         <source>The tolerance of the index mark would be half a revolution or more: %1 of %2 counts. Enter a smaller tolerance first.</source>
         <translation>零位标记的公差将达到半转或更多：%1 / %2 计数。请先输入较小的公差。</translation>
+    </message>
+    <message>
+        <source>0: automatic, %1 · lag %2 · noise %3</source>
+        <translation>0：自动，%1 · 滞后 %2 · 噪声 %3</translation>
+    </message>
+    <message>
+        <source>One count is %1 of film</source>
+        <translation>一个计数为 %1 薄膜</translation>
     </message>
 </context>
 <context>

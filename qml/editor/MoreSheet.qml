@@ -97,7 +97,8 @@ Sheet {
                     required property list<string> options
                     required property int option
                     required property string group
-                    visible: group === "tools"     // the others are among the inputs
+                    // The others are among the inputs; a machine without an encoder has one master.
+                    visible: group === "tools" && (Controller.masterSetting.available || option === options.length - 1)
                     objectName: "toolChoice" + index
                     level: Access.Technician
                     text: name

@@ -26,6 +26,8 @@ class MasterSetting : public QObject {
     QML_UNCREATABLE("The setting belongs to the Controller")
     // True when an encoder leads the active program.
     Q_PROPERTY(bool leads READ leads NOTIFY changed FINAL)
+    // True when the controller has an input for an encoder.
+    Q_PROPERTY(bool available READ hasInput NOTIFY changed FINAL)
     // What the line does, and its speed; empty while nothing leads.
     Q_PROPERTY(QString lineText READ lineText NOTIFY changed FINAL)
 

@@ -100,10 +100,8 @@ QString MasterFields::smoothingNote(const Field& field) const
     constexpr double msOfS = 1000;
     const double timeS = timeMs / msOfS;
     const Format format;
-    return tr("%1 · 0: automatic · in use: %2. Lag while accelerating at %3: %4. Noise of the speed: up to "
-              "%5.")
-        .arg(range(field), format.compactMeasure(timeMs, 0, 2, u"ms"_s),
-             format.measure(accelerationMmPerS2, 0, u"mm/s²"_s),
+    return tr("0: automatic, %1 · lag %2 · noise %3")
+        .arg(format.compactMeasure(timeMs, 0, 2, u"ms"_s),
              format.measure(accelerationMmPerS2 * timeS * timeS, 3, u"mm"_s),
              format.measure(countMm / timeS, 1, u"mm/s"_s));
 }
@@ -119,8 +117,7 @@ QString MasterFields::note(const Field& field) const
         return tr("%1 · 0: not monitored").arg(range(field));
     const double countMm = value(masterRevolution) / value(masterCounts);
     if (name == masterCounts && std::isfinite(countMm))
-        return tr("%1 · one count is %2 of film")
-            .arg(range(field), Format().compactMeasure(countMm, 0, 4, u"mm"_s));
+        return tr("One count is %1 of film").arg(Format().compactMeasure(countMm, 0, 4, u"mm"_s));
     return ParameterFields::note(field);
 }
 

@@ -474,7 +474,12 @@ void CliTest::pinsOfTheMachine()
     QCOMPARE(io[u"torque_percent"_s].toDouble(-1), 0.0);
     QVERIFY(io[u"infeed_position_mm"_s].isNull()); // no packing machine yet
     const QJsonObject bare = call(QStringList{u"status"_s} + port + json).json();
-    QVERIFY(bare.contains(u"master"_s) && bare[u"master"_s].isNull()); // no encoder at this machine
+    const QJsonObject line = bare[u"master"_s].toObject(); // it stands, and no run follows it
+    QCOMPARE(line[u"counts"_s].toInt(-1), 0);
+    QCOMPARE(line[u"speed_mm_per_s"_s].toDouble(-1), 0.0);
+    const ControllerProcess without({u"--master-counts"_s, u"0"_s});
+    const QStringList other{u"--port"_s, without.port()};
+    QVERIFY(call(QStringList{u"status"_s} + other + json).json()[u"master"_s].isNull());
     QVERIFY(io[u"positions_kept"_s].isArray() && io[u"positions_kept"_s].toArray().isEmpty());
     const ControllerProcess kept({u"--positions-kept"_s});
     const QStringList status{u"status"_s, u"--port"_s, kept.port()};
