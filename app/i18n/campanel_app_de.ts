@@ -3019,7 +3019,7 @@ eff. %2</translation>
     </message>
     <message>
         <source>Encoder</source>
-        <translation>Drehgeber</translation>
+        <translation>Geber</translation>
     </message>
     <message>
         <source>Clock</source>
@@ -3038,8 +3038,8 @@ eff. %2</translation>
         <translation>A/B</translation>
     </message>
     <message>
-        <source>Pulse, dir.</source>
-        <translation>Takt/Richt.</translation>
+        <source>Pulse</source>
+        <translation>Takt</translation>
     </message>
 </context>
 <context>

@@ -3036,8 +3036,8 @@ RMS %2</source>
         <translation>A/B</translation>
     </message>
     <message>
-        <source>Pulse, dir.</source>
-        <translation>脉冲+方向</translation>
+        <source>Pulse</source>
+        <translation>脉冲</translation>
     </message>
 </context>
 <context>

@@ -433,8 +433,8 @@ constexpr std::array masterPlaces{
 constexpr std::array masterSignals{
     entry(MasterSignal::Quadrature, "Quadrature", CAMPANEL_TEXT("Protocol", "A/B"),
           "A and B, four counts per line."),
-    entry(MasterSignal::PulseAndDirection, "PulseAndDirection", CAMPANEL_TEXT("Protocol", "Pulse, dir."),
-          "One count per pulse."),
+    entry(MasterSignal::PulseAndDirection, "PulseAndDirection", CAMPANEL_TEXT("Protocol", "Pulse"),
+          "And a line for the direction, one count per pulse."),
 };
 
 constexpr std::array masterStates{
