@@ -6,7 +6,6 @@
 
 #include "app/link/link_values.h"
 #include "app/program/recipe_master.h"
-#include "modbus/map/master_status.h"
 
 #include <QList>
 #include <QObject>
@@ -28,7 +27,7 @@ class MasterSetting : public QObject {
     Q_PROPERTY(bool leads READ leads NOTIFY changed FINAL)
     // True when the controller has an input for an encoder.
     Q_PROPERTY(bool available READ hasInput NOTIFY changed FINAL)
-    // What the line does, and its speed; empty while nothing leads.
+    // The state of the line and its speed; empty while nothing leads.
     Q_PROPERTY(QString lineText READ lineText NOTIFY changed FINAL)
 
 public:

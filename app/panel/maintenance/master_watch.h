@@ -7,7 +7,6 @@
 #include "app/panel/kit/row_model.h"
 #include "app/panel/kit/watched.h"
 #include "app/panel/maintenance/master_fields.h"
-#include "modbus/map/master_status.h"
 
 #include <QtQml/qqmlregistration.h>
 
@@ -45,7 +44,7 @@ class MasterWatch : public campanel::panel::Watched {
     Q_PROPERTY(QString countsText READ countsText NOTIFY changed FINAL)
     Q_PROPERTY(QString revolutionText READ revolutionText NOTIFY changed FINAL)
     Q_PROPERTY(QString stateText READ stateText NOTIFY changed FINAL)
-    // What was measured of the delay, and what to do next.
+    // The delay as measured so far, and the next step.
     Q_PROPERTY(QString delayText READ delayText NOTIFY changed FINAL)
     // The sentence in place of the page while there is nothing to show; else empty.
     Q_PROPERTY(QString emptyText READ emptyText NOTIFY changed FINAL)
