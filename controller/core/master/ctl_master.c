@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "master/ctl_master.h"
 
+#include "base/ctl_smooth.h"
 #include "engine/ctl_cam.h"
 
 #include <stddef.h>
@@ -27,7 +28,7 @@
 #define SHARE_BITS 20u
 #define HUNDREDTHS 10000
 #define FULL_CIRCLE 36000 /* 0.01 degrees */
-/* Of the gear's fraction, for a product below 2^64. */
+/* So many bits of the gear's fraction are dropped, so that the product stays below 2^64. */
 #define SPARE_BITS 4u
 /* The line disengages over a longer stretch where the master has become faster by this part. */
 #define FASTER_SHARE 32u
@@ -290,7 +291,7 @@ static void settle_phase(ctl_master* master)
     *phase = (ctl_master_phase){.set = target};
 }
 
-/* What follows from the gear. */
+/* Sets what the gear decides. */
 static void set_line(ctl_master* master, const ctl_bank* bank, const ctl_ramp* ramp)
 {
     set_rate(master, ramp);
@@ -321,7 +322,7 @@ void ctl_master_engage(ctl_master* master, const ctl_bank* bank, uint32_t start,
     ctl_ramp_lead(ramp, top_of(master), curve.stretch, 0);
 }
 
-/* What is left of a shift begins again in the next cycle, which is another one. */
+/* The rest of a shift begins anew, as the next cycle has another length. */
 static void keep_phase(ctl_master* master)
 {
     ctl_master_phase* phase = &master->phase;
@@ -430,10 +431,8 @@ static void shift(ctl_master* master, int64_t at)
     const int64_t passed = at - phase->from;
     const int64_t within = passed < 0 ? 0 : passed < phase->stretch ? passed : phase->stretch;
     const uint64_t x = ((uint64_t)within << SHARE_BITS) / (uint64_t)phase->stretch;
-    const uint64_t smooth = (x * x >> SHARE_BITS) * (3u * (UINT64_C(1) << SHARE_BITS) - 2u * x) >> SHARE_BITS;
-    const int64_t size = phase->way < 0 ? -phase->way : phase->way;
-    const int64_t gained = (int64_t)((uint64_t)size * smooth >> SHARE_BITS);
-    const int64_t done = phase->way < 0 ? -gained : gained;
+    const bool ends = within == phase->stretch;
+    const int64_t done = ends ? phase->way : ctl_smooth_at(phase->way, x << (CTL_SMOOTH_BITS - SHARE_BITS));
     ctl_clutch_shift(&master->clutch, done - phase->done);
     phase->moved += done - phase->done;
     phase->done = done;

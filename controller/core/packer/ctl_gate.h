@@ -7,6 +7,8 @@
 #ifndef CTL_GATE_H
 #define CTL_GATE_H
 
+#include "base/ctl_smooth.h"
+
 #include <stdbool.h>
 #include <stdint.h>
 
@@ -38,12 +40,6 @@ void ctl_gate_answer(ctl_gate* gate, bool wait);
 uint32_t ctl_gate_piece(const ctl_gate* gate);
 /* Advances the driver by `ticks`, at most a piece; returns the ticks of the gate. */
 uint32_t ctl_gate_advance(ctl_gate* gate, uint32_t ticks);
-
-/* Returns the share 3 x^2 - 2 x^3 of `amount` at x = part / whole; part <= whole, whole not 0. */
-int64_t ctl_smooth_share(int64_t amount, uint64_t part, uint64_t whole);
-/* The same for a share x = part / whole, in 1 / 2^CTL_SMOOTH_BITS, below 1. */
-int64_t ctl_smooth_at(int64_t amount, uint64_t x);
-#define CTL_SMOOTH_BITS 30u
 
 #ifdef __cplusplus
 }

@@ -11,7 +11,7 @@ static uint16_t parameter(const ctl_packer* packer, uint32_t address)
     return ctl_parameter16(packer->board, address);
 }
 
-/* What an edge has latched: counts of the wheel, where somebody else drives the film. */
+/* An edge has latched the counts of the wheel where somebody else drives the film. */
 static int64_t film_latched(ctl_packer* packer, int64_t at)
 {
     return packer->wheel.on ? ctl_wheel_film_at(&packer->wheel, at) : at;

@@ -119,8 +119,8 @@ static bool same_sign(int64_t value, int64_t other)
     return (value < 0) == (other < 0);
 }
 
-/* What was taken for a mark off its place may have been another print: then the mark itself comes still, or
- * the next one is at its place. */
+/* A mark off its place may be another print: then the mark itself comes still, or the next one is at its
+ * place. */
 static void take_mark(ctl_wheel* wheel, const ctl_marks* marks)
 {
     const int64_t off = from_place(wheel, marks->last);

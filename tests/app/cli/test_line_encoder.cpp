@@ -102,6 +102,34 @@ private slots:
         QVERIFY2(farthestMm(packed.bags) < 0.2, qPrintable(QString::number(farthestMm(packed.bags))));
     }
 
+    // The knife alone follows; the flights of their infeed are where the products lie, but for the misplaced.
+    void aWheelOnTheFilmIsAsGood_data()
+    {
+        QTest::addColumn<double>("lengthMm");
+        QTest::addColumn<double>("misplaced");
+        QTest::newRow("100 mm") << 100.0 << 0.0;
+        QTest::newRow("353 mm, whose marks before the start look like one too many") << 353.0 << 0.0;
+        QTest::newRow("250 mm, misplaced and missing products") << 250.0 << 0.02;
+    }
+    void aWheelOnTheFilmIsAsGood()
+    {
+        QFETCH(double, lengthMm);
+        QFETCH(double, misplaced);
+        const Packed packed =
+            pack(cutterAt(lengthMm, 60), misplaced == 0.0 ? 200 : 1000, [&](PackingJob& job) {
+                follow(job, lengthMm, 60, 10'000);
+                job.machine.shaft.ripple = 0.01;
+                job.machine.shaft.drivesFilm = true;
+                job.machine.products.misplaced = misplaced;
+                job.machine.products.missing = misplaced;
+                set16(job, CTL_REG_MASTER_PLACE, CTL_MASTER_PLACE_WHEEL);
+                set16(job, CTL_REG_MASTER_DELAY, 3979); // of the knife's servo: 1 / (pi x 80 Hz)
+            });
+        QCOMPARE(packed.result.end, PackingEnd::Done);
+        QVERIFY2(farthestMm(packed.bags) < 0.2, qPrintable(QString::number(farthestMm(packed.bags))));
+        QVERIFY(std::ranges::none_of(packed.bags, &PackedBag::throughProduct));
+    }
+
     void aLineThatIsTooFastEndsTheRun()
     {
         const Packed packed = pack(cutterAt(250, 60), 500, [](PackingJob& job) {

@@ -277,7 +277,7 @@ private slots:
         QCOMPARE(panel.faults.size(), 3); // no answers for unrequested ones
     }
 
-    // What concerns the machine is no rule of the connection: it goes in a line of its own, when it changes.
+    // A fault of the machine is no rule of the connection: it goes in a line of its own, when it changes.
     void statementsAboutTheMachineAreSentAlone()
     {
         const QTemporaryDir folder;

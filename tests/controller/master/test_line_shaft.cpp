@@ -139,7 +139,7 @@ void TestLineShaft::latchesItsCountsAtTheIndexMark()
     QCOMPARE(shaft.indexCounts(), 40'000 - 14);
 }
 
-// What was counted stays, the counts to come change.
+// Earlier counts stay, later ones change.
 void TestLineShaft::keepsItsCountsWhenAFaultBegins()
 {
     LineShaft shaft(running());

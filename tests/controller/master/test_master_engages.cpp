@@ -165,7 +165,7 @@ void prepare(Rig& rig, Case& made)
     rig.setParameter(CTL_REG_MASTER_BACKWARD, made.goesBack ? 1 : 0);
 }
 
-// What was found wrong in a case, and how near the limits were.
+// The result of a case: the first thing that was wrong, and how near the limits were.
 struct Found {
     QString wrong;
     double speed = 0.0;        // over the master's, of what is allowed
