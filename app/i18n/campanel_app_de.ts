@@ -6779,22 +6779,6 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
 <context>
     <name>campanel::panel::MasterSetting</name>
     <message>
-        <source>Engaging</source>
-        <translation>Kuppelt ein</translation>
-    </message>
-    <message>
-        <source>Engaged</source>
-        <translation>Eingekuppelt</translation>
-    </message>
-    <message>
-        <source>Disengaging</source>
-        <translation>Kuppelt aus</translation>
-    </message>
-    <message>
-        <source>Not engaged</source>
-        <translation>Nicht eingekuppelt</translation>
-    </message>
-    <message>
         <source>%1. Encoder at %2, phase %3.</source>
         <translation>%1. Geber bei %2, Phase %3.</translation>
     </message>

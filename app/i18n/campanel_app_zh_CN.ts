@@ -6777,22 +6777,6 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
 <context>
     <name>campanel::panel::MasterSetting</name>
     <message>
-        <source>Engaging</source>
-        <translation>正在接合</translation>
-    </message>
-    <message>
-        <source>Engaged</source>
-        <translation>已接合</translation>
-    </message>
-    <message>
-        <source>Disengaging</source>
-        <translation>正在脱开</translation>
-    </message>
-    <message>
-        <source>Not engaged</source>
-        <translation>未接合</translation>
-    </message>
-    <message>
         <source>%1. Encoder at %2, phase %3.</source>
         <translation>%1。编码器位于 %2，相位 %3。</translation>
     </message>

@@ -34,6 +34,11 @@ Page {
         value: page.visible && !Display.dark && Controller.active.isPresent && Controller.active.kind !== Editor.Kind.Press
     }
     Binding {
+        target: Controller.masterSetting
+        property: "watched"
+        value: page.visible && !Display.dark
+    }
+    Binding {
         target: loader.item
         property: "bottomInset"
         value: page.bottomInset

@@ -4,6 +4,7 @@
 #include "app/panel/controller/controller.h"
 #include "app/panel/kit/format.h"
 #include "app/panel/kit/language_notifier.h"
+#include "app/panel/words/controller_sentences.h"
 #include "app/panel/words/master_sentences.h"
 
 #include <chrono>
@@ -22,7 +23,7 @@ constexpr auto linePeriod = 500ms;
 } // namespace
 
 MasterSetting::MasterSetting(Controller& controller)
-    : QObject(&controller)
+    : Watched(&controller)
     , m_controller(controller)
     , m_source(controller.parameter("master.source"))
     , m_available(controller.parameter("master_status.available"))
@@ -42,16 +43,23 @@ MasterSetting::MasterSetting(Controller& controller)
     // A value that was not certain when it was read is read again.
     connect(&controller, &Controller::stateChanged, this, &MasterSetting::read);
     connect(&controller, &Controller::programChanged, this, &MasterSetting::changed);
-    connect(this, &MasterSetting::changed, this, &MasterSetting::watchLine);
-    m_timer.setInterval(linePeriod);
-    connect(&m_timer, &QTimer::timeout, this, &MasterSetting::readLine);
+    updateEvery(linePeriod, [this] {
+        if (leads())
+            readLine();
+    });
     LanguageNotifier::follow(this);
 }
 
 void MasterSetting::read()
 {
     const auto& identity = m_controller.identity();
-    if (!m_controller.isConnected() || !identity || !identity->hasRegister(m_source.info().name))
+    if (!m_controller.isConnected()) {
+        m_isAsked = false;
+        if (std::exchange(m_line, std::nullopt))
+            emit lineChanged();
+        return;
+    }
+    if (!identity || !identity->hasRegister(m_source.info().name))
         return;
     m_source.readIfUncertain();
     m_available.readIfUncertain();
@@ -61,28 +69,9 @@ void MasterSetting::read()
         each->readIfUncertain();
 }
 
-void MasterSetting::watchLine()
-{
-    if (leads() == m_timer.isActive())
-        return;
-    m_line.reset();
-    if (!leads()) {
-        m_timer.stop();
-        return;
-    }
-    m_timer.start();
-    readLine();
-}
-
 void MasterSetting::readLine()
 {
-    if (!m_controller.isConnected()) {
-        m_isAsked = false;
-        if (std::exchange(m_line, std::nullopt))
-            emit changed();
-        return;
-    }
-    if (m_isAsked)
+    if (m_isAsked || !m_controller.isConnected())
         return;
     m_isAsked = true;
     m_controller.link().readRegisters(
@@ -96,29 +85,16 @@ void MasterSetting::takeLine(const link::ReadOutcome& outcome)
     if (outcome.end != link::ReadEnd::Done || outcome.registers.size() != modbus::masterStatusRegisters)
         return;
     m_line = modbus::decodeMasterStatus(outcome.registers);
-    emit changed();
-}
-
-QString MasterSetting::engagedText() const
-{
-    switch (m_line->state.value_or(modbus::MasterState::Off)) {
-    case modbus::MasterState::Engaging:
-        return tr("Engaging");
-    case modbus::MasterState::Engaged:
-        return tr("Engaged");
-    case modbus::MasterState::Disengaging:
-        return tr("Disengaging");
-    case modbus::MasterState::Off:
-        break;
-    }
-    return tr("Not engaged");
+    emit lineChanged();
 }
 
 QString MasterSetting::lineText() const
 {
     if (!leads() || !m_line)
         return {};
-    return u"%1 · %2"_s.arg(engagedText(), Format().measure(m_line->speedMmPerS, 0, u"mm/s"_s));
+    const auto state = static_cast<int>(m_line->state.value_or(modbus::MasterState::Off));
+    return u"%1 · %2"_s.arg(ControllerSentences::texts("MasterState").value(state),
+                            Format().measure(m_line->speedMmPerS, 0, u"mm/s"_s));
 }
 
 QList<const Parameter*> MasterSetting::parameters() const

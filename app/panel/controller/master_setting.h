@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// `Controller.masterSetting` in QML: what the cycles follow by the controller's settings, as read last, and
-// what the line does while an encoder leads. While it is unknown, or the controller has no such setting, they
-// follow the clock.
+// `Controller.masterSetting` in QML: what the cycles follow by the controller's settings, as read last. While
+// it is unknown, or the controller has no such setting, they follow the clock. Watched, it reads the line
+// that an encoder leads by.
 #pragma once
 
 #include "app/link/link_values.h"
+#include "app/panel/kit/watched.h"
 #include "app/program/recipe_master.h"
 
 #include <QList>
 #include <QObject>
-#include <QTimer>
 #include <QtQml/qqmlregistration.h>
 
 #include <optional>
@@ -19,7 +19,7 @@ namespace campanel::panel {
 class Controller;
 class Parameter;
 
-class MasterSetting : public QObject {
+class MasterSetting : public campanel::panel::Watched {
     Q_OBJECT
     QML_ELEMENT
     QML_UNCREATABLE("The setting belongs to the Controller")
@@ -28,7 +28,7 @@ class MasterSetting : public QObject {
     // True when the controller has an input for an encoder.
     Q_PROPERTY(bool available READ hasInput NOTIFY changed FINAL)
     // The state of the line and its speed; empty while nothing leads.
-    Q_PROPERTY(QString lineText READ lineText NOTIFY changed FINAL)
+    Q_PROPERTY(QString lineText READ lineText NOTIFY lineChanged FINAL)
 
 public:
     // The controller must outlive the object.
@@ -52,26 +52,28 @@ public:
     // unknown.
     [[nodiscard]] QString refusal(const program::Recipe& recipe) const;
 
+    // Returns the line as read last; empty: not since the connection.
+    [[nodiscard]] const std::optional<modbus::MasterStatus>& line() const { return m_line; }
+    // Reads it unless that is under way. lineChanged() follows.
+    void readLine();
+
     // Shows why the rate cannot be entered, with all that is known of the line.
     Q_INVOKABLE void explainRate();
 
 signals:
     void changed();
+    void lineChanged();
     void explained(const QString& sentence);
 
 private:
     void read();
-    void watchLine();
-    void readLine();
     void takeLine(const link::ReadOutcome& outcome);
-    [[nodiscard]] QString engagedText() const;
 
     Controller& m_controller;
     Parameter& m_source;
     Parameter& m_available;
     Parameter& m_speedMax;
     Parameter& m_revolution;
-    QTimer m_timer;
     std::optional<modbus::MasterStatus> m_line;
     bool m_isAsked = false;
     QList<Parameter*> m_ofEncoder; // those that only an encoder needs

@@ -34,7 +34,11 @@ MasterWatch::MasterWatch(Controller& controller, QObject* parent)
         if (watched() && isReported())
             m_fields.read();
     });
-    updateEvery(masterPeriod, [this] { read(); });
+    connect(controller.masterSetting(), &MasterSetting::lineChanged, this, &MasterWatch::takeLine);
+    updateEvery(masterPeriod, [this] {
+        if (isReported())
+            m_controller.masterSetting()->readLine();
+    });
     LanguageNotifier::follow(this, [this] { show(); });
 }
 
@@ -46,9 +50,7 @@ bool MasterWatch::isReported() const
 
 void MasterWatch::noteConnection()
 {
-    m_isAsked = false;
     if (!m_controller.isConnected()) {
-        m_status.reset();
         m_delay = {};
         m_bag.reset();
     } else if (watched() && isReported())
@@ -62,47 +64,40 @@ void MasterWatch::noteFields()
     const double presentMs = m_fields.value("master.delay");
     if (!std::isnan(presentMs) && std::exchange(m_presentMs, presentMs) != presentMs) {
         m_delay = {};
-        m_fields.update(available(), m_status ? m_status->smoothingMs : unknown, m_delay);
+        m_fields.update(available(), line() ? line()->smoothingMs : unknown, m_delay);
     }
     emit changed();
 }
 
-void MasterWatch::read()
+void MasterWatch::takeLine()
 {
-    if (m_isAsked || !isReported())
+    if (!watched() || !line())
         return;
-    m_isAsked = true;
-    m_controller.link().readRegisters(
-        {0, modbus::masterStatusAddress, modbus::masterStatusRegisters},
-        {this, [this](const link::ReadOutcome& outcome) { takeRead(outcome); }});
-}
-
-void MasterWatch::takeRead(const link::ReadOutcome& outcome)
-{
-    m_isAsked = false;
-    if (outcome.end != link::ReadEnd::Done || outcome.registers.size() != modbus::masterStatusRegisters)
-        return;
-    m_status = modbus::decodeMasterStatus(outcome.registers);
     takeCut();
-    m_fields.update(available(), m_status->smoothingMs, m_delay);
+    m_fields.update(available(), line()->smoothingMs, m_delay);
     show();
 }
 
 void MasterWatch::takeCut()
 {
     const auto& status = m_controller.status();
-    if (!status || m_status->state != MasterState::Engaged) {
+    if (!status || line()->state != MasterState::Engaged) {
         m_bag.reset();
         return;
     }
     const auto before = std::exchange(m_bag, status->bagCount);
     if (before && before != m_bag)
-        m_delay.add(m_status->speedMmPerS, m_status->lagMm);
+        m_delay.add(line()->speedMmPerS, line()->lagMm);
+}
+
+const std::optional<modbus::MasterStatus>& MasterWatch::line() const
+{
+    return m_controller.masterSetting()->line();
 }
 
 double MasterWatch::angleDeg() const
 {
-    return available() ? m_status->angleDeg : unknown;
+    return available() ? line()->angleDeg : unknown;
 }
 
 void MasterWatch::show()
@@ -111,7 +106,7 @@ void MasterWatch::show()
     if (available()) {
         const Format format;
         const auto mm = [&format](double value) { return format.measure(value, 3, u"mm"_s); };
-        const modbus::MasterStatus& status = *m_status;
+        const modbus::MasterStatus& status = *line();
         rows = {
             {tr("Counts since power-up"), format.grouped(status.counts, 0)},
             {tr("Speed"), format.measure(status.speedMmPerS, 1, u"mm/s"_s)},
@@ -147,14 +142,14 @@ QString MasterWatch::revolutionText() const
 
 QString MasterWatch::stateText() const
 {
-    if (!m_status || std::isnan(m_fields.value("master.source")))
+    if (!line() || std::isnan(m_fields.value("master.source")))
         return Format::unknownText();
     if (!leads())
         return tr("The line follows the clock of the controller.");
-    switch (m_status->state.value_or(MasterState::Off)) {
+    switch (line()->state.value_or(MasterState::Off)) {
     case MasterState::Engaging:
         return tr("Engaging: %1 of film until engaged.")
-            .arg(Format().measure(m_status->toEngagedMm, 0, u"mm"_s));
+            .arg(Format().measure(line()->toEngagedMm, 0, u"mm"_s));
     case MasterState::Engaged:
         return tr("Engaged: the line follows the encoder.");
     case MasterState::Disengaging:
@@ -196,7 +191,7 @@ QString MasterWatch::emptyText() const
     if (!isReported())
         return tr("This controller cannot follow an encoder. Update the controller: its register map must be "
                   "1.6 or newer.");
-    if (m_status && !m_status->isAvailable)
+    if (line() && !line()->isAvailable)
         return tr(
             "This controller has no input for an encoder. The line follows the clock of the controller.");
     return {};

@@ -57,7 +57,7 @@ public:
     // The controller must outlive the object.
     MasterWatch(Controller& controller, QObject* parent);
 
-    [[nodiscard]] bool available() const { return m_status && m_status->isAvailable; }
+    [[nodiscard]] bool available() const { return line() && line()->isAvailable; }
     [[nodiscard]] bool leads() const { return m_fields.value("master.source") > 0; }
     [[nodiscard]] bool wheel() const { return m_fields.value("master.place") > 0; }
     [[nodiscard]] double angleDeg() const;
@@ -76,19 +76,17 @@ private:
     [[nodiscard]] bool isReported() const;
     void noteConnection();
     void noteFields();
-    void read();
-    void takeRead(const link::ReadOutcome& outcome);
+    void takeLine();
+    [[nodiscard]] const std::optional<modbus::MasterStatus>& line() const;
     void takeCut();
     void show();
 
     Controller& m_controller;
     MasterFields m_fields;
     Rows m_rows{this};
-    std::optional<modbus::MasterStatus> m_status;
     program::MasterDelay m_delay;
     std::optional<std::uint32_t> m_bag; // the one of the last cut
     double m_presentMs = 0.0;           // the delay during the measurement
-    bool m_isAsked = false;
 };
 
 } // namespace campanel::panel

@@ -100,7 +100,7 @@ constexpr std::array faults{
 constexpr qsizetype faultCount = static_cast<qsizetype>(faults.size());
 constexpr qsizetype lineCount = 5; // the last ones need an encoder
 constexpr qsizetype lineRow = faultCount - lineCount;
-// Of the program's speed, by level; the last one is above what a controller accepts.
+// The line runs at these shares of the program's speed, by level; a controller does not accept the last one.
 constexpr std::array lineShares{0.0, 0.5, 1.0, 1.2};
 constexpr double usualMmPerS = 250; // without a program that follows a master
 

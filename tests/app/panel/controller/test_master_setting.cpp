@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the panel says and refuses while an encoder leads the machine.
+// An encoder leads the machine: the panel says so, and refuses what does not fit.
 #include "app/panel/reports/commissioning.h"
 #include "app/panel/words/master_sentences.h"
 #include "app/panel/words/register_words.h"
@@ -137,6 +137,44 @@ private slots:
         QCOMPARE(rate.label(), "Rate at max. line speed");
         rig.enterMaster(1);
         QCOMPARE(rate.label(), "Rate");
+    }
+
+    // Its figures come twice a second: nothing else is computed again for them.
+    void theLineIsReadWhileRunShowsIt()
+    {
+        MasterRig rig(true);
+        rig.connectRunning();
+        QVERIFY(rig.master().leads());
+        const auto asked = [&rig] {
+            return std::ranges::count(rig.link.reads, modbus::masterStatusAddress,
+                                      &link::ReadRequest::address);
+        };
+        QCOMPARE(asked(), 0);
+        rig.master().setWatched(true);
+        QCOMPARE(asked(), 1);
+        QVERIFY(rig.master().lineText().isEmpty());
+        std::vector<std::uint16_t> registers(modbus::masterStatusRegisters);
+        modbus::RegisterWriter writer(registers, modbus::masterStatusAddress);
+        for (const auto& [name, value] :
+             {std::pair{"master_status.available", 1.0},
+              std::pair{"master_status.state", static_cast<double>(modbus::MasterState::Engaged)},
+              std::pair{"master_status.speed", 250.4}, std::pair{"master_status.angle", 264.6},
+              std::pair{"master_status.phase", -1.5}})
+            QVERIFY(writer.physical(name, value));
+        QSignalSpy changed(&rig.master(), &MasterSetting::changed);
+        QSignalSpy told(&rig.master(), &MasterSetting::lineChanged);
+        emit rig.link.registersRead({rig.link.reads.last(), link::ReadEnd::Done, registers, rig.now, {}});
+        QCOMPARE(told.size(), 1);
+        QCOMPARE(changed.size(), 0);
+        QVERIFY(rig.master().lineText().startsWith(QStringLiteral("Engaged · 250")));
+        QSignalSpy explained(&rig.master(), &MasterSetting::explained);
+        rig.master().explainRate();
+        const QString sentence = explained.at(0).at(0).toString();
+        QVERIFY2(sentence.contains(QStringLiteral("265°")), qPrintable(sentence));
+        QVERIFY2(sentence.contains(QStringLiteral("−1.50°")), qPrintable(sentence));
+        rig.link.becomeLost();
+        QVERIFY(rig.master().lineText().isEmpty());
+        QVERIFY(!rig.master().line());
     }
 
     void theMapShowsTheSpeedOfTheLine()
