@@ -14,6 +14,7 @@
 #include "modbus/map/io_status.h"
 #include "modbus/map/jam_status.h"
 #include "modbus/map/master_status.h"
+#include "modbus/map/order_status.h"
 #include "modbus/map/packer_status.h"
 #include "modbus/map/register_values.h"
 

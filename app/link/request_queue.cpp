@@ -24,6 +24,8 @@ Priority priorityOf(modbus::Command command)
     case modbus::Command::SaveToFlash:
     case modbus::Command::SetClock:
     case modbus::Command::TeachMarks:
+    case modbus::Command::OrderStart:
+    case modbus::Command::OrderEnd:
         return Priority::Write;
     }
     return Priority::Write;

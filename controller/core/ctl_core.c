@@ -38,8 +38,20 @@ void ctl_init(ctl_core* core, const ctl_config* config, const ctl_port* port, ui
     ctl_flash_load(&core->flash, &core->board, &core->banks, core->written.parameter, core->written.master);
     ctl_master_init(&core->master, &core->board);
     ctl_packer_init(&core->packer, &core->board);
+    ctl_order_init(&core->order, &core->board);
     ctl_motion_init(&core->motion);
     ctl_io_init(&core->io, &core->board);
+}
+
+/* Outside the slices with the most work: the newest bag of the order is past the jaws, and the run ends with
+ * the order. */
+static void follow_order(ctl_core* core)
+{
+    ctl_order* order = &core->order;
+    if (ctl_order_waits(order) && ctl_motion_jaws_are_open(&core->motion))
+        ctl_order_pass(order, &core->packer);
+    if (ctl_order_stops(order))
+        ctl_motion_end_after(&core->motion, ctl_order_left(order));
 }
 
 /* One slice of so many timer ticks: every part in its turn, and what one of them wants of another. */
@@ -55,6 +67,8 @@ static void slice(ctl_core* core, uint32_t ticks)
     ctl_master_slice(&core->master);
     core->packer.wheel.counts = core->master.tracker.count;
     ctl_motion_slice(motion, ticks);
+    if (!core->packer.busy && core->order.state == CTL_ORDER_STATE_ACTIVE)
+        follow_order(core);
     if (ctl_packer_slice(&core->packer, ctl_motion_in_cycle(motion)) && motion->state == CTL_STATE_RUNNING)
         (void)ctl_motion_stop_at_cycle_end(motion);
     if (core->banks.has_active && motion->state != CTL_STATE_FAULT && !ctl_banks_check(&core->banks))
@@ -119,7 +133,7 @@ void ctl_on_cut(ctl_core* core, int64_t film)
 {
     ctl_master_on_cut(&core->master, core->packer.cut);
     ctl_packer_on_cut(&core->packer, film, &core->motion.ramp);
-    ctl_switches_bag(&core->io.switches, ctl_packer_rejects(&core->packer));
+    ctl_switches_bag(&core->io.switches, ctl_packer_bag_class(&core->packer) != CTL_BAG_GOOD);
 }
 
 void ctl_on_bag_cut(ctl_core* core, uint32_t length_um)
@@ -127,4 +141,5 @@ void ctl_on_bag_cut(ctl_core* core, uint32_t length_um)
     ctl_packer_on_bag(&core->packer, length_um);
     core->bags.length_um = length_um;
     core->bags.count += 1;
+    ctl_order_bag(&core->order, &core->packer);
 }

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "file_flash.h"
 
+#include "base/ctl_crc.h"
+#include "base/ctl_port.h"
+
 #include <algorithm>
 #include <cerrno>
+#include <cstddef>
 #include <cstdlib>
 #include <cstring>
 #include <fcntl.h>
@@ -11,6 +15,41 @@
 #include <utility>
 
 namespace campanel::controller {
+namespace {
+
+// The record has two places, written in turn, so that one that was cut short leaves the other.
+struct Place {
+    std::uint32_t sequence = 0; // 0: never written
+    std::uint32_t size = 0;
+    std::array<std::uint8_t, CTL_KEPT_BYTES> bytes{};
+    std::uint32_t crc = 0; // of what is above
+
+    [[nodiscard]] std::uint32_t sum() const
+    {
+        return ctl_crc32_bytes(CTL_CRC32_START, reinterpret_cast<const std::uint8_t*>(this),
+                               offsetof(Place, crc));
+    }
+};
+
+off_t offsetOf(std::uint32_t sequence)
+{
+    return static_cast<off_t>((sequence % 2) * sizeof(Place));
+}
+
+// Returns the newest valid record; sequence 0 when there is none.
+Place newestOf(int record)
+{
+    Place newest;
+    for (const std::uint32_t place : {0u, 1u}) {
+        Place read;
+        if (pread(record, &read, sizeof read, offsetOf(place)) == sizeof read && read.crc == read.sum() &&
+            read.size <= read.bytes.size() && read.sequence > newest.sequence)
+            newest = read;
+    }
+    return newest;
+}
+
+} // namespace
 
 tl::expected<FileFlash, std::string> FileFlash::open(const std::filesystem::path& directory)
 {
@@ -28,22 +67,27 @@ tl::expected<FileFlash, std::string> FileFlash::open(const std::filesystem::path
     FileFlash flash;
     flash.m_lock = openFile("controller.lock");
     flash.m_slots = {openFile("flash-slot-0"), openFile("flash-slot-1")};
-    if (flash.m_lock < 0 || std::ranges::any_of(flash.m_slots, [](int slot) { return slot < 0; }))
+    flash.m_record = openFile("kept-record");
+    if (flash.m_lock < 0 || flash.m_record < 0 ||
+        std::ranges::any_of(flash.m_slots, [](int slot) { return slot < 0; }))
         return failure(std::strerror(errno));
     if (flock(flash.m_lock, LOCK_EX | LOCK_NB) != 0)
         return failure("another campanel-controller uses it");
+    flash.m_sequence = newestOf(flash.m_record).sequence;
     return flash;
 }
 
 FileFlash::FileFlash(FileFlash&& other) noexcept
     : m_slots(std::exchange(other.m_slots, {-1, -1}))
+    , m_record(std::exchange(other.m_record, -1))
+    , m_sequence(other.m_sequence)
     , m_lock(std::exchange(other.m_lock, -1))
 {
 }
 
 FileFlash::~FileFlash()
 {
-    for (const int descriptor : {m_slots[0], m_slots[1], m_lock}) {
+    for (const int descriptor : {m_slots[0], m_slots[1], m_record, m_lock}) {
         if (descriptor >= 0)
             close(descriptor);
     }
@@ -84,6 +128,26 @@ bool FileFlash::write(std::uint32_t slot, std::uint32_t offset, std::span<const 
         }
     }
     return true;
+}
+
+bool FileFlash::keep(std::span<const std::uint8_t> record)
+{
+    Place place{.sequence = m_sequence + 1, .size = static_cast<std::uint32_t>(record.size())};
+    if (record.size() > place.bytes.size())
+        return false;
+    std::ranges::copy(record, place.bytes.begin());
+    place.crc = place.sum();
+    if (pwrite(m_record, &place, sizeof place, offsetOf(place.sequence)) != sizeof place)
+        return false;
+    m_sequence = place.sequence;
+    return true;
+}
+
+std::size_t FileFlash::kept(std::span<std::uint8_t> bytes)
+{
+    const Place newest = newestOf(m_record);
+    std::copy_n(newest.bytes.begin(), std::min<std::size_t>(newest.size, bytes.size()), bytes.begin());
+    return newest.size;
 }
 
 std::filesystem::path defaultStateDirectory()

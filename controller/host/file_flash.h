@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The simulated board's flash as files in a directory, one for each slot. Saved data survives the end of this
-// process at any moment. After a power loss of the computer at least the save before the last one is on its
-// disk.
+// The simulated board's flash as files in a directory, one for each slot and one for the record. Saved data
+// survives the end of this process at any moment. After a power loss of the computer at least the save before
+// the last one is on its disk.
 #pragma once
 
 #include "flash_device.h"
@@ -27,11 +27,16 @@ public:
     [[nodiscard]] bool erase(std::uint32_t slot) override;
     [[nodiscard]] bool write(std::uint32_t slot, std::uint32_t offset,
                              std::span<const std::uint8_t> bytes) override;
+    [[nodiscard]] bool keeps() const override { return true; }
+    [[nodiscard]] bool keep(std::span<const std::uint8_t> record) override;
+    [[nodiscard]] std::size_t kept(std::span<std::uint8_t> bytes) override;
 
 private:
     FileFlash() = default;
 
     std::array<int, 2> m_slots{-1, -1};
+    int m_record = -1;
+    std::uint32_t m_sequence = 0; // of the newest record
     int m_lock = -1;
 };
 

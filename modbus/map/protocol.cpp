@@ -171,6 +171,14 @@ constexpr std::array commands{
         "argument0 = OutputBit, argument1 = 1: switches this output on at standstill, for 500 ms unless the "
         "command is repeated; 0: switches it off. Any other command, a motion, a fault and the emergency "
         "stop switch it off too. Since map 1.5."),
+    entry(
+        Command::OrderStart, "OrderStart", CAMPANEL_TEXT("Protocol", "Start of an order"),
+        "argument0 = number of the order, not 0, argument1 = OrderAction, argument2 = good bags to make, 1 "
+        "to "
+        "1 000 000: counts from the next bag on; see order_status. Repeated for the order under way, or for "
+        "one that was completed or ended before, nothing is counted anew. Since map 1.6."),
+    entry(Command::OrderEnd, "OrderEnd", CAMPANEL_TEXT("Protocol", "End of an order"),
+          "argument0 = number of the order under way: no further bag is counted. Since map 1.6."),
 };
 
 constexpr std::array applyModes{
@@ -321,6 +329,16 @@ constexpr std::array refusals{
                         "The angles at which the jaws touch the film leave out the cut. Enter both "
                         "under Maintenance, or 0 for both."),
           "One of parameter.jaws_before and parameter.jaws_behind is 0 and the other is not."),
+    entry(Refusal::OrderUnderWay, "OrderUnderWay",
+          CAMPANEL_TEXT("Protocol", "Another order is under way. End it first."), "It is Active."),
+    entry(Refusal::NoOrder, "NoOrder", CAMPANEL_TEXT("Protocol", "This order is not under way."),
+          "None with this number is Active."),
+    entry(Refusal::NoBags, "NoBags",
+          CAMPANEL_TEXT(
+              "Protocol",
+              "The active program makes no bags that could be counted. Download a cutter's program to "
+              "a packing machine first."),
+          "An order needs film, infeed and a cutter's program."),
 };
 static_assert(static_cast<std::uint16_t>(Refusal::PanelDisagrees) ==
               static_cast<std::uint16_t>(Refusal::NotWarm) +
@@ -445,6 +463,22 @@ constexpr std::array masterStates{
           "It stands at the end of its cycle then."),
 };
 
+constexpr std::array orderStates{
+    entry(OrderState::None, "None", CAMPANEL_TEXT("Protocol", "No order")),
+    entry(OrderState::Active, "Active", CAMPANEL_TEXT("Protocol", "Under way")),
+    entry(OrderState::Complete, "Complete", CAMPANEL_TEXT("Protocol", "Complete"),
+          "The quantity is good and no bag is on the way."),
+    entry(OrderState::Ended, "Ended", CAMPANEL_TEXT("Protocol", "Ended early"), "By OrderEnd."),
+};
+
+constexpr std::array orderActions{
+    entry(OrderAction::None, "None", CAMPANEL_TEXT("Protocol", "Run on"), "The run goes on, uncounted."),
+    entry(OrderAction::Message, "Message", CAMPANEL_TEXT("Protocol", "Message"),
+          "As None; the panel gives a message."),
+    entry(OrderAction::Stop, "Stop", CAMPANEL_TEXT("Protocol", "Stop"),
+          "The run ends with the bag that completes the order, if all on the way are good."),
+};
+
 constexpr std::array ioBits{
     entry(IoBit::Inputs, "Inputs", "io.inputs."),
     entry(IoBit::Outputs, "Outputs", "io.outputs."),
@@ -541,7 +575,7 @@ constexpr std::array bagBits{
     entry(BagBit::Jammed, "Jammed", "The jaws were stopped by a jam at one of its ends."),
 };
 
-constexpr std::array<EnumInfo, 39> infos{{
+constexpr std::array<EnumInfo, 41> infos{{
     {"State", states},
     {"ProgramKind", programKinds},
     {"StagedState", stagedStates},
@@ -578,6 +612,8 @@ constexpr std::array<EnumInfo, 39> infos{{
     {"MasterSource", masterSources},
     {"MasterSignal", masterSignals},
     {"MasterState", masterStates},
+    {"OrderState", orderStates},
+    {"OrderAction", orderActions},
     {"IoBit", ioBits},
     {"InputBit", inputBits},
     {"Contact", contacts},

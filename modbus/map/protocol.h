@@ -83,9 +83,11 @@ enum class Command : std::uint16_t {
     SetClock,
     TeachMarks,
     TryOutput,
+    OrderStart,
+    OrderEnd,
 };
 
-inline constexpr Command lastCommand = Command::TryOutput;
+inline constexpr Command lastCommand = Command::OrderEnd;
 // The first minor version of the map with Command::TryOutput.
 inline constexpr std::uint16_t tryOutputMapMinor = 5;
 
@@ -141,6 +143,9 @@ enum class Refusal : std::uint16_t {
     MasterTooFast,
     CannotFollowMaster,
     JawsExcludeCut,
+    OrderUnderWay,
+    NoOrder,
+    NoBags,
 };
 
 enum class TransferOperation : std::uint16_t { None = 0, Begin, Block, Seal };
@@ -216,6 +221,12 @@ enum class MasterPlace : std::uint16_t { Shaft = 0, Wheel = 1 };
 enum class MasterSignal : std::uint16_t { Quadrature = 0, PulseAndDirection = 1 };
 enum class MasterState : std::uint16_t { Off = 0, Engaging, Engaged, Disengaging };
 
+// The order that the controller counts.
+enum class OrderState : std::uint16_t { None = 0, Active, Complete, Ended };
+
+// What happens at an order's quantity.
+enum class OrderAction : std::uint16_t { None = 0, Message, Stop };
+
 enum class DriveEnable : std::uint16_t { Off = 0, On = 1, WhileRunning = 2 };
 
 // The bits of io.available.
@@ -273,6 +284,14 @@ constexpr std::string_view nameOf(MarkVerdict)
 constexpr std::string_view nameOf(JamState)
 {
     return "JamState";
+}
+constexpr std::string_view nameOf(OrderState)
+{
+    return "OrderState";
+}
+constexpr std::string_view nameOf(OrderAction)
+{
+    return "OrderAction";
 }
 constexpr std::string_view nameOf(GateState)
 {

@@ -471,6 +471,18 @@ constexpr std::array registerTable{
     since(6, roScaled32("master_status.passed", 0x0B33,
                         "film by a wheel that has passed uncut since power-up", 0.001, "m")),
 
+    // The order under way, and what its bags were. good + rejected + empty + on_the_way = cut.
+    since(6, cutter(ro16("order_status.state", 0x0B40, "state of the order", "OrderState"))),
+    since(6, cutter(ro16("order_status.number", 0x0B41, "its number, 0: none since first power-up"))),
+    since(6, cutter(ro16("order_status.action", 0x0B42, "what happens at the quantity", "OrderAction"))),
+    since(6, cutter(ro16("order_status.kept", 0x0B43, "1: the order survives a power cut"))),
+    since(6, cutter(ro32("order_status.quantity", 0x0B44, "good bags to make"))),
+    since(6, cutter(ro32("order_status.good", 0x0B46, "good bags"))),
+    since(6, cutter(ro32("order_status.rejected", 0x0B48, "bags that the reject output takes, not empty"))),
+    since(6, cutter(ro32("order_status.empty", 0x0B4A, "bags cut without a product, otherwise good"))),
+    since(6, cutter(ro32("order_status.cut", 0x0B4C, "bags cut"))),
+    since(6, cutter(ro16("order_status.on_the_way", 0x0B4E, "bags cut that may still be rejected"))),
+
     block("active", activeBankBase, bankRegisters, Access::ReadOnly, "the active bank; layout below"),
     block("staged", stagedBankBase, bankRegisters, Access::ReadOnly, "the shadow bank; layout below"),
 };

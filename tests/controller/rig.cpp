@@ -53,6 +53,18 @@ bool MemoryFlash::erase(std::uint32_t slot)
     return true;
 }
 
+bool MemoryFlash::keep(std::span<const std::uint8_t> newRecord)
+{
+    record.assign(newRecord.begin(), newRecord.end());
+    return true;
+}
+
+std::size_t MemoryFlash::kept(std::span<std::uint8_t> bytes)
+{
+    std::copy_n(record.begin(), std::min(record.size(), bytes.size()), bytes.begin());
+    return record.size();
+}
+
 bool MemoryFlash::write(std::uint32_t slot, std::uint32_t offset, std::span<const std::uint8_t> bytes)
 {
     Bytes& target = contents.at(slot);

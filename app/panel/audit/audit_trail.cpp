@@ -41,6 +41,10 @@ QString commandKey(modbus::Command command)
         return u"command.save"_s;
     case modbus::Command::TeachMarks:
         return u"command.teach"_s;
+    case modbus::Command::OrderStart:
+        return u"command.order"_s;
+    case modbus::Command::OrderEnd:
+        return u"command.order_end"_s;
     default:
         return u"command.other"_s;
     }

@@ -60,6 +60,8 @@ constexpr std::array whatWords{
     Word{"command.reset", QT_TRANSLATE_NOOP("AuditWords", "Fault reset")},
     Word{"command.save", QT_TRANSLATE_NOOP("AuditWords", "Saved in the controller")},
     Word{"command.teach", QT_TRANSLATE_NOOP("AuditWords", "Marks measured")},
+    Word{"command.order", QT_TRANSLATE_NOOP("AuditWords", "Order started or changed")},
+    Word{"command.order_end", QT_TRANSLATE_NOOP("AuditWords", "Order ended")},
     Word{"command.other", QT_TRANSLATE_NOOP("AuditWords", "Command")},
     Word{"program.download", QT_TRANSLATE_NOOP("AuditWords", "Download")},
     Word{"program.value", QT_TRANSLATE_NOOP("AuditWords", "Program value")},

@@ -11,6 +11,7 @@
 
 #define CTL_FLASH_SLOTS 2u
 #define CTL_SLICE_US 250u
+#define CTL_KEPT_BYTES 64u
 
 typedef enum { CTL_AXIS_FILM, CTL_AXIS_INFEED } ctl_axis;
 typedef enum { CTL_FLASH_DONE, CTL_FLASH_BUSY, CTL_FLASH_FAILED } ctl_flash_progress;
@@ -75,6 +76,12 @@ typedef struct {
     /* For a flash that erases and writes in the background. Returns CTL_FLASH_BUSY until it is done, then
      * CTL_FLASH_DONE or CTL_FLASH_FAILED. NULL: erase and write return when they are done. */
     ctl_flash_progress (*flash_progress)(void* context);
+
+    /* One record of at most CTL_KEPT_BYTES, replaced at each bag: a power cut at any moment leaves the new
+     * one or the one before (FRAM, backup RAM). False: it failed. NULL: nothing survives. */
+    bool (*keep)(void* context, const uint8_t* bytes, uint32_t size);
+    /* Reads the record; returns its size, 0 when there is none, at most `size` of it read. */
+    uint32_t (*kept)(void* context, uint8_t* bytes, uint32_t size);
 } ctl_port;
 
 typedef struct {

@@ -7,6 +7,7 @@
 #include "link/ctl_rtu.h"
 #include "motion/ctl_io.h"
 #include "motion/ctl_motion.h"
+#include "packer/ctl_order.h"
 
 /* Writable registers as the panel left them. Groups of an odd length are the last ones: copies from an
  * address that is no multiple of four take twice as long. */
@@ -59,6 +60,7 @@ typedef struct ctl_core {
     ctl_io io;
     ctl_bags bags;
     ctl_packer packer;
+    ctl_order order;
     ctl_clock clock;
 } ctl_core;
 

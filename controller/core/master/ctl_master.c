@@ -468,10 +468,21 @@ int32_t ctl_master_travel(ctl_master* master, ctl_ramp* ramp, uint32_t ticks)
     return (int32_t)travel;
 }
 
-uint64_t ctl_master_disengage(ctl_master* master, const ctl_ramp* ramp, uint32_t to_boundary)
+static ctl_clutch_curve disengaging_curve(const ctl_master* master, const ctl_ramp* ramp)
 {
     const uint32_t half = stretch_of(master, ramp) / 2u;
-    const ctl_clutch_curve curve = {2u * half, half};
+    return (ctl_clutch_curve){2u * half, half};
+}
+
+bool ctl_master_can_disengage(const ctl_master* master, const ctl_ramp* ramp, uint64_t way)
+{
+    const ctl_clutch_curve curve = disengaging_curve(master, ramp);
+    return ctl_clutch_nearest_end(&master->clutch, master->line, curve) - master->line <= (int64_t)way;
+}
+
+uint64_t ctl_master_disengage(ctl_master* master, const ctl_ramp* ramp, uint32_t to_boundary)
+{
+    const ctl_clutch_curve curve = disengaging_curve(master, ramp);
     const int64_t nearest = ctl_clutch_nearest_end(&master->clutch, master->line, curve);
     int64_t end = master->line + to_boundary;
     while (end < nearest)

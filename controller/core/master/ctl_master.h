@@ -81,6 +81,8 @@ int32_t ctl_master_travel(ctl_master* master, ctl_ramp* ramp, uint32_t ticks);
 /* Begins to disengage, `to_boundary` ticks being left of the cycle; returns the ticks to the boundary at
  * which the line comes to rest. */
 uint64_t ctl_master_disengage(ctl_master* master, const ctl_ramp* ramp, uint32_t to_boundary);
+/* Returns true when it can come to rest within so many ticks. */
+bool ctl_master_can_disengage(const ctl_master* master, const ctl_ramp* ramp, uint64_t way);
 /* Returns what is left of them. */
 uint64_t ctl_master_to_end(const ctl_master* master);
 /* Disengages at once: the ramp goes on by itself from its present speed. */

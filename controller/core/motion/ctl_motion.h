@@ -117,6 +117,12 @@ int64_t ctl_motion_commanded_hz(const ctl_motion* motion);
 /* Returns the force of a press, N; 0 without a press. */
 int32_t ctl_motion_press_force(const ctl_motion* motion);
 
+/* Returns true when the jaws of a packing machine's knife do not touch the film. */
+bool ctl_motion_jaws_are_open(const ctl_motion* motion);
+/* While running a packing line: stops at the end of the cycle as soon as not more than so many bags would be
+ * cut until then; asked in every slice in which there is time. */
+void ctl_motion_end_after(ctl_motion* motion, uint32_t bags);
+
 /* Between the files of this module. */
 /* Returns true when the packing line, if any, allows a change to `bank` now. */
 bool ctl_motion_may_change(const ctl_motion* motion, const ctl_bank* bank);

@@ -52,7 +52,7 @@ int64_t ctl_park_from_cut(const ctl_park* park, const ctl_packer* packer, int64_
     return here - park->cycle_at - (int64_t)packer->cut_pulses;
 }
 
-static bool touches(const ctl_park* park, const ctl_packer* packer, int64_t here)
+bool ctl_park_touches(const ctl_park* park, const ctl_packer* packer, int64_t here)
 {
     const int64_t from = ctl_park_from_cut(park, packer, here);
     return park->known && ctl_packer_active(packer) && from > -packer->settings.jaws_before &&
@@ -61,7 +61,7 @@ static bool touches(const ctl_park* park, const ctl_packer* packer, int64_t here
 
 bool ctl_park_begin(ctl_park* park, const ctl_board* board, const ctl_packer* packer, int64_t here)
 {
-    if (!(park->jam || touches(park, packer, here)) || park->given_up || park->emergency)
+    if (!(park->jam || ctl_park_touches(park, packer, here)) || park->given_up || park->emergency)
         return false;
     if (!park->away)
         park->place = here;
@@ -74,7 +74,7 @@ bool ctl_park_begin_under_line(ctl_park* park, const ctl_board* board, const ctl
                                bool stands)
 {
     const bool stood = park->stands;
-    park->stands = stands && touches(park, packer, here);
+    park->stands = stands && ctl_park_touches(park, packer, here);
     if (!park->stands)
         return false;
     if (!stood)
@@ -117,7 +117,7 @@ int64_t ctl_park_boundary(const ctl_park* park, const ctl_packer* packer, int64_
 
 void ctl_park_watch(ctl_park* park, const ctl_board* board, ctl_packer* packer, int64_t here)
 {
-    if (!touches(park, packer, here)) {
+    if (!ctl_park_touches(park, packer, here)) {
         park->closed = false;
         return;
     }

@@ -47,6 +47,8 @@ void ctl_park_forget(ctl_park* park);
 void ctl_park_return(ctl_park* park);
 /* A run begins or goes on. */
 void ctl_park_run(ctl_park* park);
+/* Returns true while the knife at `here` may touch the film. */
+bool ctl_park_touches(const ctl_park* park, const ctl_packer* packer, int64_t here);
 /* Returns the way from the cut of the knife's present cycle to `here`, negative before it. */
 int64_t ctl_park_from_cut(const ctl_park* park, const ctl_packer* packer, int64_t here);
 void ctl_park_begin_cycle(ctl_park* park, int64_t here);

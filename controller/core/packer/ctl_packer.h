@@ -56,6 +56,10 @@ typedef struct {
     int64_t set_um;  /* set length of the previous bag */
 } ctl_last_cut;
 
+/* What becomes of a bag. */
+typedef enum { CTL_BAG_GOOD, CTL_BAG_EMPTY, CTL_BAG_REJECTED } ctl_bag_class;
+#define CTL_BAG_CLASSES 3u
+
 /* Lengths of the film motor, from the parameters and the program. */
 typedef struct {
     uint32_t writes;   /* board->parameter_writes when they were computed, */
@@ -136,8 +140,9 @@ typedef struct {
     uint32_t empty;
     uint64_t saved_um;
     uint32_t bags;
-    uint32_t burned; /* cuts whose bags were, from the next one */
-    uint32_t jammed; /* the same of a jam */
+    uint32_t burned;     /* cuts whose bags were, from the next one */
+    uint32_t jammed;     /* the same of a jam */
+    bool spoiled_behind; /* one of both behind the last cut, so that the recorded bag is spoiled, too */
     ctl_jam jam;
     uint32_t cut_pulses; /* of the knife, from the start of its cycle */
     uint16_t records[CTL_BAG_REGISTERS * CTL_BAG_RECORDS];
@@ -200,10 +205,10 @@ void ctl_packer_burn(ctl_packer* packer, bool before_cut);
 void ctl_packer_spoil(ctl_packer* packer, bool before_cut);
 /* Returns true when the lengths are computed that follow from parameters and program. */
 bool ctl_packer_is_set(const ctl_packer* packer);
-/* Returns true when the bag that ended with the last cut is to be rejected: it has no product or more than
- * one, is scrap of a start or a change of program, or its cut did not follow a mark although mark tracking is
- * on. */
-bool ctl_packer_rejects(const ctl_packer* packer);
+/* Returns what becomes of the bag that ended with the last cut. Rejected: it is longer than one bag, is scrap
+ * of a start or a change of program, burned or jammed, or its cut did not follow a mark although mark
+ * tracking is on. Empty: otherwise good, without a product. The reject output takes both. */
+ctl_bag_class ctl_packer_bag_class(const ctl_packer* packer);
 
 /* Starts to measure the distances of `marks` marks; returns CTL_REFUSAL_... */
 uint16_t ctl_packer_teach(ctl_packer* packer, const ctl_bank* bank, uint16_t marks);

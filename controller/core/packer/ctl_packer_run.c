@@ -291,25 +291,29 @@ static uint32_t bag_bits(const ctl_packer* packer)
     return bits;
 }
 
-bool ctl_packer_rejects(const ctl_packer* packer)
+ctl_bag_class ctl_packer_bag_class(const ctl_packer* packer)
 {
-    const uint32_t bad = 1u << CTL_BAG_BIT_PRODUCT_ACROSS | 1u << CTL_BAG_BIT_EMPTY |
-                         1u << CTL_BAG_BIT_START_UP | 1u << CTL_BAG_BIT_CHANGE_OVER |
-                         1u << CTL_BAG_BIT_BURNED | 1u << CTL_BAG_BIT_JAMMED;
+    const uint32_t bad = 1u << CTL_BAG_BIT_PRODUCT_ACROSS | 1u << CTL_BAG_BIT_START_UP |
+                         1u << CTL_BAG_BIT_CHANGE_OVER | 1u << CTL_BAG_BIT_BURNED | 1u << CTL_BAG_BIT_JAMMED;
     if (!ctl_packer_active(packer))
-        return false;
-    return (bag_bits(packer) & bad) != 0 || (ctl_packer_tracks(packer) && !packer->last_cut.tracked);
+        return CTL_BAG_GOOD;
+    const uint32_t bits = bag_bits(packer);
+    if ((bits & bad) != 0 || (ctl_packer_tracks(packer) && !packer->last_cut.tracked))
+        return CTL_BAG_REJECTED;
+    return (bits & 1u << CTL_BAG_BIT_EMPTY) != 0 ? CTL_BAG_EMPTY : CTL_BAG_GOOD;
 }
 
 /* Two bags are spoiled; behind the cut the first of them is recorded already. */
 void ctl_packer_burn(ctl_packer* packer, bool before_cut)
 {
     packer->burned = before_cut ? 2u : 1u;
+    packer->spoiled_behind = packer->spoiled_behind || !before_cut;
 }
 
 void ctl_packer_spoil(ctl_packer* packer, bool before_cut)
 {
     packer->jammed = before_cut ? 2u : 1u;
+    packer->spoiled_behind = packer->spoiled_behind || !before_cut;
 }
 
 void ctl_packer_on_bag(ctl_packer* packer, uint32_t length_um)
@@ -318,6 +322,7 @@ void ctl_packer_on_bag(ctl_packer* packer, uint32_t length_um)
         return;
     const ctl_last_cut* last = &packer->last_cut;
     const uint32_t flags = (last->bags < 255u ? last->bags : 255u) << 8 | bag_bits(packer);
+    packer->spoiled_behind = false;
     packer->bags += 1;
     packer->empty += last->had_products ? 0u : 1u;
     uint16_t* record = &packer->records[CTL_BAG_REGISTERS * (packer->bags % CTL_BAG_RECORDS)];

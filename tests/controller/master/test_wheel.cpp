@@ -71,7 +71,7 @@ public:
             if (!cut || !cut->lengthUm)
                 continue;
             ++i;
-            const bool isScrap = ctl_packer_rejects(&core().packer);
+            const bool isScrap = ctl_packer_bag_class(&core().packer) != CTL_BAG_GOOD;
             scrap += isScrap ? 1 : 0;
             const double lengths = core().packer.last_cut.bags;
             if (!isScrap)
