@@ -48,9 +48,10 @@ void ctl_init(ctl_core* core, const ctl_config* config, const ctl_port* port, ui
 static void follow_order(ctl_core* core)
 {
     ctl_order* order = &core->order;
+    const bool stops = ctl_order_stops(order);
     if (ctl_order_waits(order) && ctl_motion_jaws_are_open(&core->motion))
         ctl_order_pass(order, &core->packer);
-    if (ctl_order_stops(order))
+    if (stops)
         ctl_motion_end_after(&core->motion, ctl_order_left(order));
 }
 

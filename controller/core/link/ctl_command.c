@@ -86,6 +86,11 @@ static uint16_t set_clock(ctl_core* core, const uint16_t* request)
     return CTL_REFUSAL_NONE;
 }
 
+static const ctl_bank* active_bank(const ctl_core* core)
+{
+    return core->banks.has_active ? ctl_active_bank(&core->banks) : NULL;
+}
+
 static uint16_t carry_out(ctl_core* core, const uint16_t* request)
 {
     switch (request[CODE]) {
@@ -113,13 +118,12 @@ static uint16_t carry_out(ctl_core* core, const uint16_t* request)
     case CTL_COMMAND_SET_CLOCK:
         return set_clock(core, request);
     case CTL_COMMAND_TEACH_MARKS:
-        return ctl_packer_teach(&core->packer, core->banks.has_active ? ctl_active_bank(&core->banks) : NULL,
-                                request[ARGUMENT0]);
+        return ctl_packer_teach(&core->packer, active_bank(core), request[ARGUMENT0]);
     case CTL_COMMAND_TRY_OUTPUT:
         return ctl_try_output(&core->motion, &core->io, request[ARGUMENT0], request[ARGUMENT1]);
     case CTL_COMMAND_ORDER_START:
         return ctl_order_start(&core->order, &core->packer, request[ARGUMENT0], request[ARGUMENT1],
-                               ctl_get32(&request[ARGUMENT2]));
+                               ctl_get32(&request[ARGUMENT2]), active_bank(core));
     case CTL_COMMAND_ORDER_END:
         return ctl_order_end(&core->order, &core->packer, request[ARGUMENT0]);
     default:

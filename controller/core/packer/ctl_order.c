@@ -83,14 +83,14 @@ static void complete(ctl_order* order)
 }
 
 uint16_t ctl_order_start(ctl_order* order, const ctl_packer* packer, uint16_t number, uint16_t action,
-                         uint32_t quantity)
+                         uint32_t quantity, const ctl_bank* bank)
 {
     const bool goes_on = order->state == CTL_ORDER_STATE_ACTIVE;
     if (number == 0 || action > CTL_ORDER_ACTION_STOP || quantity == 0 || quantity > CTL_ORDER_MAX_QUANTITY)
         return CTL_REFUSAL_BAD_ARGUMENT;
     if (goes_on && number != order->number)
         return CTL_REFUSAL_ORDER_UNDER_WAY;
-    if (!ctl_packer_active(packer))
+    if (bank == NULL || !ctl_packer_drives(packer, bank))
         return CTL_REFUSAL_NO_BAGS;
     order->number = number;
     order->action = action;

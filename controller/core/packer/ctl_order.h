@@ -33,10 +33,10 @@ typedef struct {
 /* Power-up: the order that was kept. What was on the way then is rejected, for nobody knows what it became.
  */
 void ctl_order_init(ctl_order* order, const ctl_board* board);
-/* Starts an order of `quantity` good bags, or changes quantity and action of the one under way; returns
- * CTL_REFUSAL_... */
+/* Starts an order of `quantity` good bags of the active program `bank`, NULL: none; or changes quantity and
+ * action of the one under way. Returns CTL_REFUSAL_... */
 uint16_t ctl_order_start(ctl_order* order, const ctl_packer* packer, uint16_t number, uint16_t action,
-                         uint32_t quantity);
+                         uint32_t quantity, const ctl_bank* bank);
 uint16_t ctl_order_end(ctl_order* order, const ctl_packer* packer, uint16_t number);
 /* A bag was cut and is recorded. */
 void ctl_order_bag(ctl_order* order, const ctl_packer* packer);
