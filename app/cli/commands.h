@@ -30,6 +30,7 @@ class Invocation;
 [[nodiscard]] Outcome runStop(const Invocation& call);
 [[nodiscard]] Outcome runHome(const Invocation& call);
 [[nodiscard]] Outcome runOutput(const Invocation& call);
+[[nodiscard]] Outcome runOrder(const Invocation& call);
 [[nodiscard]] Outcome runSave(const Invocation& call);
 [[nodiscard]] Outcome runDoctor(const Invocation& call);
 [[nodiscard]] Outcome runLink(const Invocation& call);

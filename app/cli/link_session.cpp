@@ -156,7 +156,7 @@ tl::expected<std::optional<ActiveProgram>, Failure> LinkSession::activeProgram()
     return ActiveProgram{*recipe, *header};
 }
 
-Outcome LinkSession::command(modbus::Command code, modbus::CommandArguments arguments)
+Outcome LinkSession::command(modbus::Command code, const modbus::CommandArguments& arguments)
 {
     // The heartbeat must have advanced before the controller accepts motion commands.
     if (const auto alive = status(); !alive)

@@ -45,7 +45,7 @@ public:
     // Reads the active program; empty: it is none that can be decoded.
     [[nodiscard]] tl::expected<std::optional<ActiveProgram>, Failure> activeProgram();
     // Sends the command once; a refusal by the controller is a failure with its reason.
-    [[nodiscard]] Outcome command(modbus::Command code, modbus::CommandArguments arguments = {});
+    [[nodiscard]] Outcome command(modbus::Command code, const modbus::CommandArguments& arguments = {});
 
 private:
     std::unique_ptr<modbus::RtuClient> m_client;

@@ -17,7 +17,7 @@
 namespace campanel::controller {
 namespace {
 
-// The record has two places, written in turn, so that one that was cut short leaves the other.
+// A record has two places, written in turn, so that one that was cut short leaves the other.
 struct Place {
     std::uint32_t sequence = 0; // 0: never written
     std::uint32_t size = 0;
@@ -36,7 +36,7 @@ off_t offsetOf(std::uint32_t sequence)
     return static_cast<off_t>((sequence % 2) * sizeof(Place));
 }
 
-// Returns the newest valid record; sequence 0 when there is none.
+// Returns the newest valid place; sequence 0 when there is none.
 Place newestOf(int record)
 {
     Place newest;
@@ -67,27 +67,29 @@ tl::expected<FileFlash, std::string> FileFlash::open(const std::filesystem::path
     FileFlash flash;
     flash.m_lock = openFile("controller.lock");
     flash.m_slots = {openFile("flash-slot-0"), openFile("flash-slot-1")};
-    flash.m_record = openFile("kept-record");
-    if (flash.m_lock < 0 || flash.m_record < 0 ||
-        std::ranges::any_of(flash.m_slots, [](int slot) { return slot < 0; }))
+    flash.m_records = {openFile("kept-record-0"), openFile("kept-record-1")};
+    const auto failed = [](int descriptor) { return descriptor < 0; };
+    if (flash.m_lock < 0 || std::ranges::any_of(flash.m_slots, failed) ||
+        std::ranges::any_of(flash.m_records, failed))
         return failure(std::strerror(errno));
     if (flock(flash.m_lock, LOCK_EX | LOCK_NB) != 0)
         return failure("another campanel-controller uses it");
-    flash.m_sequence = newestOf(flash.m_record).sequence;
+    std::ranges::transform(flash.m_records, flash.m_sequences.begin(),
+                           [](int record) { return newestOf(record).sequence; });
     return flash;
 }
 
 FileFlash::FileFlash(FileFlash&& other) noexcept
     : m_slots(std::exchange(other.m_slots, {-1, -1}))
-    , m_record(std::exchange(other.m_record, -1))
-    , m_sequence(other.m_sequence)
+    , m_records(std::exchange(other.m_records, {-1, -1}))
+    , m_sequences(other.m_sequences)
     , m_lock(std::exchange(other.m_lock, -1))
 {
 }
 
 FileFlash::~FileFlash()
 {
-    for (const int descriptor : {m_slots[0], m_slots[1], m_record, m_lock}) {
+    for (const int descriptor : {m_slots[0], m_slots[1], m_records[0], m_records[1], m_lock}) {
         if (descriptor >= 0)
             close(descriptor);
     }
@@ -130,22 +132,22 @@ bool FileFlash::write(std::uint32_t slot, std::uint32_t offset, std::span<const 
     return true;
 }
 
-bool FileFlash::keep(std::span<const std::uint8_t> record)
+bool FileFlash::keep(std::uint32_t record, std::span<const std::uint8_t> bytes)
 {
-    Place place{.sequence = m_sequence + 1, .size = static_cast<std::uint32_t>(record.size())};
-    if (record.size() > place.bytes.size())
+    Place place{.sequence = m_sequences.at(record) + 1, .size = static_cast<std::uint32_t>(bytes.size())};
+    if (bytes.size() > place.bytes.size())
         return false;
-    std::ranges::copy(record, place.bytes.begin());
+    std::ranges::copy(bytes, place.bytes.begin());
     place.crc = place.sum();
-    if (pwrite(m_record, &place, sizeof place, offsetOf(place.sequence)) != sizeof place)
+    if (pwrite(m_records.at(record), &place, sizeof place, offsetOf(place.sequence)) != sizeof place)
         return false;
-    m_sequence = place.sequence;
+    m_sequences.at(record) = place.sequence;
     return true;
 }
 
-std::size_t FileFlash::kept(std::span<std::uint8_t> bytes)
+std::size_t FileFlash::kept(std::uint32_t record, std::span<std::uint8_t> bytes)
 {
-    const Place newest = newestOf(m_record);
+    const Place newest = newestOf(m_records.at(record));
     std::copy_n(newest.bytes.begin(), std::min<std::size_t>(newest.size, bytes.size()), bytes.begin());
     return newest.size;
 }

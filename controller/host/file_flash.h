@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The simulated board's flash as files in a directory, one for each slot and one for the record. Saved data
+// The simulated board's flash as files in a directory, one for each slot and one for each record. Saved data
 // survives the end of this process at any moment. After a power loss of the computer at least the save before
 // the last one is on its disk.
 #pragma once
@@ -28,15 +28,15 @@ public:
     [[nodiscard]] bool write(std::uint32_t slot, std::uint32_t offset,
                              std::span<const std::uint8_t> bytes) override;
     [[nodiscard]] bool keeps() const override { return true; }
-    [[nodiscard]] bool keep(std::span<const std::uint8_t> record) override;
-    [[nodiscard]] std::size_t kept(std::span<std::uint8_t> bytes) override;
+    [[nodiscard]] bool keep(std::uint32_t record, std::span<const std::uint8_t> bytes) override;
+    [[nodiscard]] std::size_t kept(std::uint32_t record, std::span<std::uint8_t> bytes) override;
 
 private:
     FileFlash() = default;
 
     std::array<int, 2> m_slots{-1, -1};
-    int m_record = -1;
-    std::uint32_t m_sequence = 0; // of the newest record
+    std::array<int, 2> m_records{-1, -1};
+    std::array<std::uint32_t, 2> m_sequences{}; // of their newest contents
     int m_lock = -1;
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The storage of the simulated board that survives a power loss: two slots of bytes, erased to 0xFF, and one
-// small record that is replaced whole.
+// The storage of the simulated board that survives a power loss: two slots of bytes, erased to 0xFF, and two
+// small records that are replaced whole.
 #pragma once
 
 #include <array>
@@ -20,13 +20,19 @@ public:
     [[nodiscard]] virtual bool erase(std::uint32_t slot) = 0;
     [[nodiscard]] virtual bool write(std::uint32_t slot, std::uint32_t offset,
                                      std::span<const std::uint8_t> bytes) = 0;
-    // Whether the device has such a record.
+    // Whether the device has such records.
     [[nodiscard]] virtual bool keeps() const { return false; }
     // A power cut at any moment leaves the new record or the one before. Returns false when the device
     // failed.
-    [[nodiscard]] virtual bool keep(std::span<const std::uint8_t> /*record*/) { return false; }
+    [[nodiscard]] virtual bool keep(std::uint32_t /*record*/, std::span<const std::uint8_t> /*bytes*/)
+    {
+        return false;
+    }
     // Reads at most bytes.size() of it; returns its size, 0 when there is none.
-    [[nodiscard]] virtual std::size_t kept(std::span<std::uint8_t> /*bytes*/) { return 0; }
+    [[nodiscard]] virtual std::size_t kept(std::uint32_t /*record*/, std::span<std::uint8_t> /*bytes*/)
+    {
+        return 0;
+    }
 };
 
 } // namespace campanel::controller

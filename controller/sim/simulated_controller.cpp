@@ -97,12 +97,12 @@ SimulatedController::SimulatedController(const ctl_config& config, const Machine
         return static_cast<SimulatedController*>(context)->m_flash.write(slot, offset, {bytes, size});
     };
     if (m_flash.keeps()) {
-        port.keep = [](void* context, const std::uint8_t* bytes, std::uint32_t size) {
-            return static_cast<SimulatedController*>(context)->m_flash.keep({bytes, size});
+        port.keep = [](void* context, std::uint32_t record, const std::uint8_t* bytes, std::uint32_t size) {
+            return static_cast<SimulatedController*>(context)->m_flash.keep(record, {bytes, size});
         };
-        port.kept = [](void* context, std::uint8_t* bytes, std::uint32_t size) {
+        port.kept = [](void* context, std::uint32_t record, std::uint8_t* bytes, std::uint32_t size) {
             return static_cast<std::uint32_t>(
-                static_cast<SimulatedController*>(context)->m_flash.kept({bytes, size}));
+                static_cast<SimulatedController*>(context)->m_flash.kept(record, {bytes, size}));
         };
     }
     if (m_machine.shaft().hasEncoder())

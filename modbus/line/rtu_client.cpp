@@ -5,6 +5,7 @@
 #include "modbus/line/answer_reader.h"
 #include "modbus/map/codec.h"
 #include "modbus/map/function_codes.h"
+#include "modbus/map/order_status.h"
 
 #include <algorithm>
 #include <array>
@@ -225,9 +226,27 @@ tl::expected<std::vector<std::uint16_t>, LinkError> RtuClient::readProven(std::u
     return answer;
 }
 
-tl::expected<CommandResult, LinkError> RtuClient::begin(Command code, CommandArguments arguments)
+tl::expected<void, LinkError> RtuClient::writeOrderLot(std::string_view lot)
+{
+    const std::string request = "order.lot";
+    const auto registers = encodeOrderLot(lot);
+    if (!registers)
+        return tl::unexpected(error(LinkErrorKind::ValueRefused, request));
+    const auto count = static_cast<std::uint16_t>(registers->size());
+    const auto written = writeAndRead(request, {orderLotAddress, *registers, orderLotAddress, count},
+                                      [&](const Registers& read) { return read == *registers; });
+    if (!written)
+        return tl::unexpected(written.error());
+    return {};
+}
+
+tl::expected<CommandResult, LinkError> RtuClient::begin(Command code, const CommandArguments& arguments)
 {
     const std::string request = enumName(code);
+    if (code == Command::OrderStart) {
+        if (const auto lot = writeOrderLot(arguments.lot); !lot)
+            return tl::unexpected(lot.error());
+    }
     static const std::uint16_t commandAddress = registerNamed("command.counter").address;
     static const std::uint16_t resultAddress = registerNamed("result.counter").address;
     if (!m_commandCounter) {
@@ -267,7 +286,7 @@ tl::expected<CommandResult, LinkError> RtuClient::begin(Command code, CommandArg
     return result;
 }
 
-tl::expected<CommandResult, LinkError> RtuClient::command(Command code, CommandArguments arguments)
+tl::expected<CommandResult, LinkError> RtuClient::command(Command code, const CommandArguments& arguments)
 {
     const auto begun = begin(code, arguments);
     if (!begun || begun->status != CommandStatus::Busy)

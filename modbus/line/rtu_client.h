@@ -25,6 +25,7 @@ struct CommandArguments {
     std::uint16_t argument0 = 0;
     std::uint16_t argument1 = 0;
     std::uint32_t argument2 = 0;
+    std::string lot = {}; // of OrderStart, UTF-8, at most 2 x orderLotRegisters bytes
 };
 
 struct TransferFrame {
@@ -76,11 +77,12 @@ public:
     // command; the error is then CommandLost (not received) or OutcomeUnknown (resolve later with
     // findResult()). A refusal by the controller is a result, not an error; so is CommandStatus::Busy of a
     // command that the controller carries out in pieces.
-    [[nodiscard]] tl::expected<CommandResult, LinkError> begin(Command code, CommandArguments arguments = {});
+    [[nodiscard]] tl::expected<CommandResult, LinkError> begin(Command code,
+                                                               const CommandArguments& arguments = {});
 
     // The same, and waits for the end of a command in pieces. Use begin() where other exchanges must go on.
     [[nodiscard]] tl::expected<CommandResult, LinkError> command(Command code,
-                                                                 CommandArguments arguments = {});
+                                                                 const CommandArguments& arguments = {});
 
     // Returns the present result of the command with `counter`; empty when the controller's last command was
     // another one.
@@ -118,6 +120,7 @@ private:
     [[nodiscard]] tl::expected<Registers, LinkError> readPlain(const std::string& request,
                                                                std::uint16_t address, std::uint16_t count);
     [[nodiscard]] tl::expected<Identity, LinkError> identityIn(const Registers& registers) const;
+    [[nodiscard]] tl::expected<void, LinkError> writeOrderLot(std::string_view lot);
     using FindResult = tl::expected<std::optional<CommandResult>, LinkError> (RtuClient::*)(std::uint16_t);
     [[nodiscard]] tl::expected<CommandResult, LinkError> resolve(Command code, std::uint16_t counter,
                                                                  FindResult find);

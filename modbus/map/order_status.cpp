@@ -26,7 +26,27 @@ OrderStatus decodeOrderStatus(std::span<const std::uint16_t> registers)
     status.empty = reader.u32("order_status.empty");
     status.cut = reader.u32("order_status.cut");
     status.onTheWay = reader.u16("order_status.on_the_way");
+    const std::span<const std::uint16_t> lot = registers.last(orderLotRegisters);
+    for (const std::uint16_t value : lot) {
+        for (const unsigned byte : {value / 0x100u, value % 0x100u}) {
+            if (byte == 0)
+                return status;
+            status.lot.push_back(static_cast<char>(byte));
+        }
+    }
     return status;
+}
+
+std::optional<std::vector<std::uint16_t>> encodeOrderLot(std::string_view lot)
+{
+    std::vector<std::uint16_t> registers(orderLotRegisters, 0);
+    if (lot.size() > 2 * registers.size())
+        return std::nullopt;
+    for (std::size_t i = 0; i < lot.size(); ++i) {
+        const unsigned byte = static_cast<unsigned char>(lot[i]);
+        registers[i / 2] = static_cast<std::uint16_t>(registers[i / 2] | (i % 2 == 0 ? byte << 8u : byte));
+    }
+    return registers;
 }
 
 } // namespace campanel::modbus

@@ -7,11 +7,15 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string>
+#include <string_view>
+#include <vector>
 
 namespace campanel::modbus {
 
-inline constexpr std::uint16_t orderStatusAddress = 0x0B40;
-inline constexpr std::uint16_t orderStatusRegisters = 15;
+inline constexpr std::uint16_t orderStatusAddress = 0x0B50;
+inline constexpr std::uint16_t orderStatusRegisters = 15 + orderLotRegisters;
+inline constexpr std::uint16_t orderLotAddress = 0x0B36;
 // The first version of the map with this group and its commands.
 inline constexpr std::uint16_t orderMapMinor = 6;
 // Good bags of one order.
@@ -28,11 +32,15 @@ struct OrderStatus {
     std::uint32_t empty = 0;
     std::uint32_t cut = 0;      // the sum of those above and
     std::uint16_t onTheWay = 0; // those that may still be rejected
+    std::string lot;            // UTF-8
 
     bool operator==(const OrderStatus&) const = default;
 };
 
 // Decodes orderStatusRegisters registers from orderStatusAddress on.
 [[nodiscard]] OrderStatus decodeOrderStatus(std::span<const std::uint16_t> registers);
+
+// Returns the registers of a lot, for orderLotAddress; none if it has more than 2 x orderLotRegisters bytes.
+[[nodiscard]] std::optional<std::vector<std::uint16_t>> encodeOrderLot(std::string_view lot);
 
 } // namespace campanel::modbus

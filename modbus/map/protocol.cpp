@@ -334,11 +334,9 @@ constexpr std::array refusals{
     entry(Refusal::NoOrder, "NoOrder", CAMPANEL_TEXT("Protocol", "This order is not under way."),
           "None with this number is Active."),
     entry(Refusal::NoBags, "NoBags",
-          CAMPANEL_TEXT(
-              "Protocol",
-              "The active program makes no bags that could be counted. Download a cutter's program to "
-              "a packing machine first."),
-          "An order needs film, infeed and a cutter's program."),
+          CAMPANEL_TEXT("Protocol", "The active program makes no bags that could be counted. Download a "
+                                    "cutter's program to a packing machine first."),
+          "An order needs film and infeed, and no program of another kind than a cutter's."),
 };
 static_assert(static_cast<std::uint16_t>(Refusal::PanelDisagrees) ==
               static_cast<std::uint16_t>(Refusal::NotWarm) +

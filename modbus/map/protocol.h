@@ -224,6 +224,9 @@ enum class MasterState : std::uint16_t { Off = 0, Engaging, Engaged, Disengaging
 // The order that the controller counts.
 enum class OrderState : std::uint16_t { None = 0, Active, Complete, Ended };
 
+// Its lot is a text of so many registers, two bytes each.
+inline constexpr int orderLotRegisters = 20;
+
 // What happens at an order's quantity.
 enum class OrderAction : std::uint16_t { None = 0, Message, Stop };
 

@@ -53,16 +53,17 @@ bool MemoryFlash::erase(std::uint32_t slot)
     return true;
 }
 
-bool MemoryFlash::keep(std::span<const std::uint8_t> newRecord)
+bool MemoryFlash::keep(std::uint32_t record, std::span<const std::uint8_t> bytes)
 {
-    record.assign(newRecord.begin(), newRecord.end());
+    records.at(record).assign(bytes.begin(), bytes.end());
     return true;
 }
 
-std::size_t MemoryFlash::kept(std::span<std::uint8_t> bytes)
+std::size_t MemoryFlash::kept(std::uint32_t record, std::span<std::uint8_t> bytes)
 {
-    std::copy_n(record.begin(), std::min(record.size(), bytes.size()), bytes.begin());
-    return record.size();
+    const Bytes& kept = records.at(record);
+    std::copy_n(kept.begin(), std::min(kept.size(), bytes.size()), bytes.begin());
+    return kept.size();
 }
 
 bool MemoryFlash::write(std::uint32_t slot, std::uint32_t offset, std::span<const std::uint8_t> bytes)

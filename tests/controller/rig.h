@@ -24,13 +24,13 @@ public:
     bool erase(std::uint32_t slot) override;
     bool write(std::uint32_t slot, std::uint32_t offset, std::span<const std::uint8_t> bytes) override;
 
-    bool keeps() const override { return hasRecord; }
-    bool keep(std::span<const std::uint8_t> newRecord) override;
-    std::size_t kept(std::span<std::uint8_t> bytes) override;
+    bool keeps() const override { return hasRecords; }
+    bool keep(std::uint32_t record, std::span<const std::uint8_t> bytes) override;
+    std::size_t kept(std::uint32_t record, std::span<std::uint8_t> bytes) override;
 
     std::array<Bytes, 2> contents; // contents of each slot
-    bool hasRecord = true;
-    Bytes record;
+    bool hasRecords = true;
+    std::array<Bytes, 2> records;
     std::optional<std::size_t> bytesUntilPowerCut;
     std::size_t written = 0;
 };

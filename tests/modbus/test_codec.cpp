@@ -7,6 +7,7 @@
 #include "modbus/map/crc32.h"
 #include "modbus/map/io_status.h"
 #include "modbus/map/jam_status.h"
+#include "modbus/map/order_status.h"
 #include "modbus/map/packer_status.h"
 #include "tests/support/test_program.h"
 
@@ -41,6 +42,7 @@ private slots:
     void burnedBagsAndKnives();
     void jammedBagsAreScrap();
     void jamGroup();
+    void orderStatusIsDecoded();
     void nothingKnownOfJams();
     void wireTimes_data();
     void wireTimes();
@@ -308,6 +310,53 @@ void CodecTest::jamGroup()
     QCOMPARE(jam.band.size(), std::size_t{2});
     QCOMPARE(jam.band.front(), (JamStatus::Part{-45 + 50.0 / 64, -12.0, 3.1}));
     QCOMPARE(jam.band.back(), (JamStatus::Part{5 - 50.0 / 64, 30.0, 6.2}));
+}
+
+void CodecTest::orderStatusIsDecoded()
+{
+    std::vector<std::uint16_t> registers(orderStatusRegisters);
+    const auto put = [&registers](const char* name, std::uint16_t value, int part = 0) {
+        const RegisterInfo* info = findRegister(name);
+        QVERIFY(info != nullptr);
+        registers.at(static_cast<std::size_t>(info->address - orderStatusAddress + part)) = value;
+    };
+    const std::string lot = "=1+1, L\xC3\xA4";
+    put("order_status.state", static_cast<std::uint16_t>(OrderState::Active));
+    put("order_status.number", 65535);
+    put("order_status.action", static_cast<std::uint16_t>(OrderAction::Message));
+    put("order_status.kept", 1);
+    put("order_status.quantity", 0x000F);
+    put("order_status.quantity", 0x4240, 1);
+    put("order_status.good", 0x0001);
+    put("order_status.rejected", 2, 1);
+    put("order_status.empty", 3, 1);
+    put("order_status.cut", 0x0001);
+    put("order_status.cut", 6, 1);
+    put("order_status.on_the_way", 1);
+    const auto text = encodeOrderLot(lot);
+    QVERIFY(text.has_value());
+    QCOMPARE(text->at(0), std::uint16_t{0x3D31}); // "=1"
+    std::ranges::copy(*text, registers.end() - orderLotRegisters);
+    const OrderStatus expected{.state = OrderState::Active,
+                               .number = 65535,
+                               .action = OrderAction::Message,
+                               .isKept = true,
+                               .quantity = 1'000'000,
+                               .good = 65536,
+                               .rejected = 2,
+                               .empty = 3,
+                               .cut = 65542,
+                               .onTheWay = 1,
+                               .lot = lot};
+    QVERIFY(decodeOrderStatus(registers) == expected);
+    QCOMPARE(findRegister("order.lot")->address, orderLotAddress);
+    // A lot that fills all registers has no end mark; a longer one is none.
+    const std::string full(40, 'x');
+    std::ranges::copy(*encodeOrderLot(full), registers.end() - orderLotRegisters);
+    QVERIFY(decodeOrderStatus(registers).lot == full);
+    QVERIFY(!encodeOrderLot(full + 'x'));
+    registers[0] = 4; // of a later version
+    QVERIFY(!decodeOrderStatus(registers).state);
 }
 
 void CodecTest::nothingKnownOfJams()

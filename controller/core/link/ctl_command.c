@@ -123,7 +123,7 @@ static uint16_t carry_out(ctl_core* core, const uint16_t* request)
         return ctl_try_output(&core->motion, &core->io, request[ARGUMENT0], request[ARGUMENT1]);
     case CTL_COMMAND_ORDER_START:
         return ctl_order_start(&core->order, &core->packer, request[ARGUMENT0], request[ARGUMENT1],
-                               ctl_get32(&request[ARGUMENT2]), active_bank(core));
+                               ctl_get32(&request[ARGUMENT2]), core->written.order, active_bank(core));
     case CTL_COMMAND_ORDER_END:
         return ctl_order_end(&core->order, &core->packer, request[ARGUMENT0]);
     default:

@@ -41,6 +41,8 @@ static uint16_t* writable(ctl_core* core, group_name group)
         return core->written.exchange;
     case GROUP_COMMAND:
         return core->written.command;
+    case GROUP_ORDER:
+        return core->written.order;
     case GROUP_TRANSFER:
         return core->written.transfer;
     case GROUP_READBACK:
@@ -246,6 +248,7 @@ typedef union {
     uint16_t parameter[CTL_GROUP_PARAMETER];
     uint16_t master[CTL_GROUP_MASTER];
     uint16_t exchange[CTL_GROUP_EXCHANGE];
+    uint16_t order[CTL_GROUP_ORDER];
     uint16_t command[CTL_GROUP_COMMAND];
     uint16_t transfer[CTL_GROUP_TRANSFER];
     uint16_t readback[CTL_GROUP_READBACK];

@@ -13,6 +13,7 @@
  * address that is no multiple of four take twice as long. */
 typedef struct {
     uint16_t exchange[CTL_GROUP_EXCHANGE];
+    uint16_t order[CTL_GROUP_ORDER];
     uint16_t command[CTL_GROUP_COMMAND];
     uint16_t transfer[CTL_GROUP_TRANSFER];
     uint16_t readback[CTL_GROUP_READBACK];

@@ -7,8 +7,10 @@
 #include <stddef.h>
 #include <string.h>
 
-/* The record that survives a power cut, in registers. */
+/* What survives a power cut, in registers: the counts, and the lot beside them. */
 #define KEPT_VERSION 1u
+enum { COUNTS_RECORD, LOT_RECORD };
+enum { LOT_NUMBER, LOT, LOT_REGISTERS = LOT + CTL_ORDER_LOT_REGISTERS };
 enum {
     VERSION,
     STATE,
@@ -19,14 +21,33 @@ enum {
     COUNTS = CUT + 2,
     KEPT_REGISTERS = COUNTS + 2 * CTL_BAG_CLASSES
 };
-_Static_assert(2u * KEPT_REGISTERS <= CTL_KEPT_BYTES, "the order fits the record");
+_Static_assert(2u * KEPT_REGISTERS <= CTL_KEPT_BYTES && 2u * LOT_REGISTERS <= CTL_KEPT_BYTES,
+               "the order fits the records");
+
+static bool keep_registers(const ctl_order* order, uint32_t record, const uint16_t* registers, uint32_t count)
+{
+    const ctl_port* port = &order->board->port;
+    uint8_t bytes[CTL_KEPT_BYTES];
+    for (uint32_t i = 0; i < count; ++i)
+        ctl_put_bytes16(&bytes[2u * i], registers[i]);
+    return port->keep(port->context, record, bytes, 2u * count);
+}
+
+static bool read_registers(const ctl_order* order, uint32_t record, uint16_t* registers, uint32_t count)
+{
+    const ctl_port* port = &order->board->port;
+    uint8_t bytes[CTL_KEPT_BYTES];
+    if (port->kept(port->context, record, bytes, sizeof bytes) != 2u * count)
+        return false;
+    for (uint32_t i = 0; i < count; ++i)
+        registers[i] = ctl_get_bytes16(&bytes[2u * i]);
+    return true;
+}
 
 static void keep(ctl_order* order)
 {
-    const ctl_port* port = &order->board->port;
     uint16_t record[KEPT_REGISTERS];
-    uint8_t bytes[2 * KEPT_REGISTERS];
-    if (port->keep == NULL)
+    if (order->board->port.keep == NULL)
         return;
     record[VERSION] = KEPT_VERSION;
     record[STATE] = order->state;
@@ -36,22 +57,25 @@ static void keep(ctl_order* order)
     ctl_put32(&record[CUT], order->cut);
     for (uint32_t i = 0; i < CTL_BAG_CLASSES; ++i)
         ctl_put32(&record[COUNTS + 2u * i], order->counts[i]);
-    for (uint32_t i = 0; i < KEPT_REGISTERS; ++i)
-        ctl_put_bytes16(&bytes[2u * i], record[i]);
-    order->kept = port->keep(port->context, bytes, sizeof bytes);
+    order->kept = keep_registers(order, COUNTS_RECORD, record, KEPT_REGISTERS);
+}
+
+static void keep_lot(const ctl_order* order)
+{
+    uint16_t record[LOT_REGISTERS];
+    if (order->board->port.keep == NULL)
+        return;
+    record[LOT_NUMBER] = order->number;
+    memcpy(&record[LOT], order->lot, sizeof order->lot);
+    (void)keep_registers(order, LOT_RECORD, record, LOT_REGISTERS);
 }
 
 static void restore(ctl_order* order)
 {
-    const ctl_port* port = &order->board->port;
     uint16_t record[KEPT_REGISTERS];
-    uint8_t bytes[2 * KEPT_REGISTERS];
-    if (port->kept(port->context, bytes, sizeof bytes) != sizeof bytes)
-        return;
-    for (uint32_t i = 0; i < KEPT_REGISTERS; ++i)
-        record[i] = ctl_get_bytes16(&bytes[2u * i]);
-    if (record[VERSION] != KEPT_VERSION || record[STATE] > CTL_ORDER_STATE_ENDED ||
-        record[ACTION] > CTL_ORDER_ACTION_STOP)
+    uint16_t lot[LOT_REGISTERS];
+    if (!read_registers(order, COUNTS_RECORD, record, KEPT_REGISTERS) || record[VERSION] != KEPT_VERSION ||
+        record[STATE] > CTL_ORDER_STATE_ENDED || record[ACTION] > CTL_ORDER_ACTION_STOP)
         return;
     order->state = record[STATE];
     order->number = record[NUMBER];
@@ -64,6 +88,8 @@ static void restore(ctl_order* order)
         known += order->counts[i];
     }
     order->counts[CTL_BAG_REJECTED] += order->cut - known;
+    if (read_registers(order, LOT_RECORD, lot, LOT_REGISTERS) && lot[LOT_NUMBER] == order->number)
+        memcpy(order->lot, &lot[LOT], sizeof order->lot);
 }
 
 void ctl_order_init(ctl_order* order, const ctl_board* board)
@@ -83,18 +109,19 @@ static void complete(ctl_order* order)
 }
 
 uint16_t ctl_order_start(ctl_order* order, const ctl_packer* packer, uint16_t number, uint16_t action,
-                         uint32_t quantity, const ctl_bank* bank)
+                         uint32_t quantity, const uint16_t* lot, const ctl_bank* bank)
 {
     const bool goes_on = order->state == CTL_ORDER_STATE_ACTIVE;
     if (number == 0 || action > CTL_ORDER_ACTION_STOP || quantity == 0 || quantity > CTL_ORDER_MAX_QUANTITY)
         return CTL_REFUSAL_BAD_ARGUMENT;
     if (goes_on && number != order->number)
         return CTL_REFUSAL_ORDER_UNDER_WAY;
-    if (bank == NULL || !ctl_packer_drives(packer, bank))
+    if (order->board->port.feed == NULL || (bank != NULL && !ctl_packer_drives(packer, bank)))
         return CTL_REFUSAL_NO_BAGS;
     order->number = number;
     order->action = action;
     order->quantity = quantity;
+    memcpy(order->lot, lot, sizeof order->lot);
     if (!goes_on) {
         order->state = CTL_ORDER_STATE_ACTIVE;
         order->on_the_way = false;
@@ -102,6 +129,7 @@ uint16_t ctl_order_start(ctl_order* order, const ctl_packer* packer, uint16_t nu
         memset(order->counts, 0, sizeof order->counts);
     }
     complete(order);
+    keep_lot(order);
     keep(order);
     return CTL_REFUSAL_NONE;
 }
@@ -165,4 +193,5 @@ void ctl_order_registers(const ctl_order* order, uint16_t* registers)
     ctl_put32(at + 6, order->counts[CTL_BAG_EMPTY]);
     ctl_put32(at + 8, order->cut);
     at[10] = order->on_the_way ? 1u : 0u;
+    memcpy(at + 11, order->lot, sizeof order->lot);
 }

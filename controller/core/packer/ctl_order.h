@@ -6,6 +6,7 @@
 #define CTL_ORDER_H
 
 #include "base/ctl_board.h"
+#include "ctl_registers.h"
 #include "packer/ctl_packer.h"
 
 #include <stdbool.h>
@@ -16,6 +17,7 @@ extern "C" {
 #endif
 
 #define CTL_ORDER_MAX_QUANTITY 1000000u
+#define CTL_ORDER_LOT_REGISTERS CTL_GROUP_ORDER
 
 typedef struct {
     const ctl_board* board;
@@ -28,15 +30,16 @@ typedef struct {
     uint32_t quantity;
     uint32_t counts[CTL_BAG_CLASSES];
     uint32_t cut;
+    uint16_t lot[CTL_ORDER_LOT_REGISTERS];
 } ctl_order;
 
 /* Power-up: the order that was kept. What was on the way then is rejected, for nobody knows what it became.
  */
 void ctl_order_init(ctl_order* order, const ctl_board* board);
-/* Starts an order of `quantity` good bags of the active program `bank`, NULL: none; or changes quantity and
- * action of the one under way. Returns CTL_REFUSAL_... */
+/* Starts an order of `quantity` good bags of the active program `bank`, NULL: none; or changes quantity,
+ * action and lot of the one under way. Returns CTL_REFUSAL_... */
 uint16_t ctl_order_start(ctl_order* order, const ctl_packer* packer, uint16_t number, uint16_t action,
-                         uint32_t quantity, const ctl_bank* bank);
+                         uint32_t quantity, const uint16_t* lot, const ctl_bank* bank);
 uint16_t ctl_order_end(ctl_order* order, const ctl_packer* packer, uint16_t number);
 /* A bag was cut and is recorded. */
 void ctl_order_bag(ctl_order* order, const ctl_packer* packer);

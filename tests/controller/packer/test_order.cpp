@@ -346,6 +346,8 @@ void TestOrder::powerCutKeepsTheCount()
     Line line(options, 300.0, Leader::Clock, &flash);
     std::mt19937_64 random(3);
     QCOMPARE(line.status(CTL_REG_ORDER_STATUS_KEPT), 1);
+    const Registers lot(CTL_GROUP_ORDER, 0x4142);
+    QCOMPARE(line.write(CTL_REG_ORDER_LOT, lot), 0);
     QCOMPARE(line.order(100'000), CTL_REFUSAL_NONE);
     Counts before;
     for (int i = 0; i < 200; ++i) {
@@ -355,9 +357,11 @@ void TestOrder::powerCutKeepsTheCount()
         before = line.counts();
         const std::uint16_t unknown = line.onTheWay();
         line.controller().restart();
+        QCOMPARE(line.write(CTL_REG_ORDER_LOT, Registers(CTL_GROUP_ORDER, 0)), 0); // of the next order
         const Counts after = line.counts();
         QCOMPARE(line.state(), CTL_ORDER_STATE_ACTIVE);
         QCOMPARE(line.status(CTL_REG_ORDER_STATUS_NUMBER), number);
+        QCOMPARE(line.read(CTL_REG_ORDER_STATUS_LOT, CTL_GROUP_ORDER), lot);
         QCOMPARE(line.statusWide(CTL_REG_ORDER_STATUS_QUANTITY), 100'000u);
         QCOMPARE(after, (Counts{before.good, before.rejected + unknown, before.empty, before.cut}));
         QCOMPARE(line.onTheWay(), 0);
@@ -369,7 +373,7 @@ void TestOrder::powerCutKeepsTheCount()
 void TestOrder::withoutARecordItSaysSo()
 {
     MemoryFlash flash;
-    flash.hasRecord = false;
+    flash.hasRecords = false;
     Line line(calm(), 300.0, Leader::Clock, &flash);
     QCOMPARE(line.order(100), CTL_REFUSAL_NONE);
     QCOMPARE(line.status(CTL_REG_ORDER_STATUS_KEPT), 0);
@@ -382,17 +386,17 @@ void TestOrder::recordOfAnotherVersionIsNone()
     MemoryFlash flash;
     Line line(calm(), 300.0, Leader::Clock, &flash);
     QCOMPARE(line.order(100), CTL_REFUSAL_NONE);
-    const Bytes good = flash.record;
+    const Bytes good = flash.records[0];
     for (const std::size_t byte : {1u, 3u, 7u}) { // version, state, action
-        flash.record = good;
-        flash.record.at(byte) = 9;
+        flash.records[0] = good;
+        flash.records[0].at(byte) = 9;
         line.controller().restart();
         QCOMPARE(line.state(), CTL_ORDER_STATE_NONE);
     }
-    flash.record = Bytes(good.begin(), good.end() - 1);
+    flash.records[0] = Bytes(good.begin(), good.end() - 1);
     line.controller().restart();
     QCOMPARE(line.state(), CTL_ORDER_STATE_NONE);
-    flash.record = good;
+    flash.records[0] = good;
     line.controller().restart();
     QCOMPARE(line.state(), CTL_ORDER_STATE_ACTIVE);
 }
@@ -455,14 +459,14 @@ void TestOrder::randomOrdersEndAtTheirQuantity()
         QCOMPARE(line.order(quantity), CTL_REFUSAL_NONE);
         int starts = 0;
         while (line.state() == CTL_ORDER_STATE_ACTIVE && ++starts < 200) {
-            line.start();
+            QCOMPARE(line.command(CTL_COMMAND_START), CTL_REFUSAL_NONE);
             const bool isBrokenOff = share() < 0.3;
             QVERIFY(line.runAndSee(isBrokenOff ? 1 + random() % 30'000'000 : 300'000'000));
             if (isBrokenOff && share() < 0.5) {
                 line.controller().restart();
                 line.installFor(rate);
             } else {
-                line.command(CTL_COMMAND_STOP_NOW);
+                (void)ctl_motion_stop_now(&line.core().motion);
                 QVERIFY(line.runAndSee(300'000'000));
             }
             line.run(200'000);

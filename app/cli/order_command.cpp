@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: Apache-2.0
+// campanelctl order: the order that the controller counts, started, read and ended.
+#include "app/cli/commands.h"
+#include "app/cli/invocation.h"
+#include "app/cli/link_session.h"
+#include "app/cli/report.h"
+#include "modbus/map/order_status.h"
+
+#include <algorithm>
+#include <limits>
+
+using namespace Qt::StringLiterals;
+
+namespace campanel::cli {
+namespace {
+
+using modbus::OrderAction;
+using modbus::OrderState;
+
+// The order that speaks to the controller, or what is wrong with the options.
+struct NewOrder {
+    std::uint32_t quantity = 0;
+    OrderAction action = OrderAction::Stop;
+    std::string lot;
+};
+
+// As the option takes it.
+QString actionKey(OrderAction action)
+{
+    return QString::fromStdString(modbus::enumName(action)).toLower();
+}
+
+tl::expected<NewOrder, Failure> orderOf(const Invocation& call)
+{
+    NewOrder order;
+    bool isNumber = false;
+    order.quantity = call.value(u"quantity"_s).toUInt(&isNumber);
+    if (!isNumber || order.quantity == 0 || order.quantity > modbus::maxOrderQuantity)
+        return fail(ExitCode::Usage,
+                    u"--quantity takes a whole number of bags, 1 to %1."_s.arg(modbus::maxOrderQuantity));
+    const QString lot = call.value(u"lot"_s).trimmed();
+    order.lot = lot.toStdString();
+    if (lot.isEmpty() || order.lot.size() > 2 * modbus::orderLotRegisters)
+        return fail(ExitCode::Usage,
+                    u"--lot takes a text of 1 to %1 bytes."_s.arg(2 * modbus::orderLotRegisters));
+    if (std::ranges::any_of(lot, [](QChar character) { return !character.isPrint(); }))
+        return fail(ExitCode::Usage, u"--lot takes one line of printable characters."_s);
+    QStringList actions;
+    for (const OrderAction action : {OrderAction::None, OrderAction::Message, OrderAction::Stop}) {
+        actions << actionKey(action);
+        if (call.value(u"action"_s) == actions.last()) {
+            order.action = action;
+            return order;
+        }
+    }
+    return fail(ExitCode::Usage, u"--action takes one of: %1."_s.arg(actions.join(u", "_s)));
+}
+
+tl::expected<modbus::OrderStatus, Failure> read(LinkSession& session)
+{
+    if (session.identity().mapMinor < modbus::orderMapMinor)
+        return fail(ExitCode::Refused,
+                    u"This controller counts no orders: its register map is %1.%2, orders need %1.%3."_s
+                        .arg(session.identity().mapMajor)
+                        .arg(session.identity().mapMinor)
+                        .arg(modbus::orderMapMinor));
+    const auto registers =
+        session.client().readProven(modbus::orderStatusAddress, modbus::orderStatusRegisters);
+    if (!registers)
+        return fail(registers.error());
+    return modbus::decodeOrderStatus(*registers);
+}
+
+// The keys that tell of an order are null where the controller has none.
+QJsonObject objectOf(const modbus::OrderStatus& status)
+{
+    const bool isKnown = status.state.has_value() && *status.state != OrderState::None;
+    const auto count = [isKnown](auto value) {
+        return isKnown ? QJsonValue(static_cast<qint64>(value)) : QJsonValue();
+    };
+    return {{u"state"_s, status.state ? QJsonValue(QString::fromStdString(modbus::enumName(*status.state)))
+                                      : QJsonValue()},
+            {u"number"_s, count(status.number)},
+            {u"lot"_s, isKnown ? QJsonValue(QString::fromStdString(status.lot)) : QJsonValue()},
+            {u"action"_s, isKnown && status.action ? QJsonValue(actionKey(*status.action)) : QJsonValue()},
+            {u"quantity"_s, count(status.quantity)},
+            {u"good"_s, count(status.good)},
+            {u"rejected"_s, count(status.rejected)},
+            {u"empty"_s, count(status.empty)},
+            {u"on_the_way"_s, count(status.onTheWay)},
+            {u"cut"_s, count(status.cut)},
+            {u"survives_power_cut"_s, status.isKept}};
+}
+
+Outcome start(const Invocation& call)
+{
+    const auto order = orderOf(call);
+    if (!order)
+        return tl::unexpected(order.error());
+    auto session = LinkSession::open(call);
+    if (!session)
+        return tl::unexpected(session.error());
+    const auto before = read(*session);
+    if (!before)
+        return tl::unexpected(before.error());
+    // The number tells an order from the one before it.
+    const bool isLast = before->number == std::numeric_limits<std::uint16_t>::max();
+    const auto number = static_cast<std::uint16_t>(isLast ? 1 : before->number + 1);
+    if (const Outcome given =
+            session->command(modbus::Command::OrderStart, {number, static_cast<std::uint16_t>(order->action),
+                                                           order->quantity, order->lot});
+        !given)
+        return given;
+    return call.deliver(
+        formatted(QJsonObject{{u"number"_s, number}, {u"quantity"_s, static_cast<qint64>(order->quantity)}},
+                  call.format()));
+}
+
+Outcome status(const Invocation& call)
+{
+    auto session = LinkSession::open(call);
+    if (!session)
+        return tl::unexpected(session.error());
+    const auto order = read(*session);
+    if (!order)
+        return tl::unexpected(order.error());
+    return call.deliver(formatted(objectOf(*order), call.format()));
+}
+
+Outcome end(const Invocation& call)
+{
+    auto session = LinkSession::open(call);
+    if (!session)
+        return tl::unexpected(session.error());
+    const auto order = read(*session);
+    if (!order)
+        return tl::unexpected(order.error());
+    if (const Outcome given = session->command(modbus::Command::OrderEnd, {order->number}); !given)
+        return given;
+    return status(call);
+}
+
+} // namespace
+
+Outcome runOrder(const Invocation& call)
+{
+    const QStringList words = call.arguments();
+    if (words == QStringList{u"start"_s})
+        return start(call);
+    if (words == QStringList{u"status"_s})
+        return status(call);
+    if (words == QStringList{u"end"_s})
+        return end(call);
+    return fail(ExitCode::Usage, u"Name what to do: campanelctl order start, status or end."_s);
+}
+
+} // namespace campanel::cli
