@@ -59,11 +59,10 @@ tl::expected<NewOrder, Failure> orderOf(const Invocation& call)
 tl::expected<modbus::OrderStatus, Failure> read(LinkSession& session)
 {
     if (session.identity().mapMinor < modbus::orderMapMinor)
-        return fail(ExitCode::Refused,
-                    u"This controller counts no orders: its register map is %1.%2, orders need %1.%3."_s
-                        .arg(session.identity().mapMajor)
-                        .arg(session.identity().mapMinor)
-                        .arg(modbus::orderMapMinor));
+        return fail(
+            ExitCode::Refused,
+            u"This controller counts no orders: its register map is 1.%1, orders need 1.%2."_s.arg(
+                QString::number(session.identity().mapMinor), QString::number(modbus::orderMapMinor)));
     const auto registers =
         session.client().readProven(modbus::orderStatusAddress, modbus::orderStatusRegisters);
     if (!registers)
@@ -116,15 +115,18 @@ Outcome start(const Invocation& call)
                   call.format()));
 }
 
-Outcome status(const Invocation& call)
+Outcome print(const Invocation& call, LinkSession& session)
 {
-    auto session = LinkSession::open(call);
-    if (!session)
-        return tl::unexpected(session.error());
-    const auto order = read(*session);
+    const auto order = read(session);
     if (!order)
         return tl::unexpected(order.error());
     return call.deliver(formatted(objectOf(*order), call.format()));
+}
+
+Outcome status(const Invocation& call)
+{
+    auto session = LinkSession::open(call);
+    return session ? print(call, *session) : tl::unexpected(session.error());
 }
 
 Outcome end(const Invocation& call)
@@ -137,7 +139,7 @@ Outcome end(const Invocation& call)
         return tl::unexpected(order.error());
     if (const Outcome given = session->command(modbus::Command::OrderEnd, {order->number}); !given)
         return given;
-    return status(call);
+    return print(call, *session);
 }
 
 } // namespace

@@ -2,7 +2,6 @@
 #include "file_flash.h"
 
 #include "base/ctl_crc.h"
-#include "base/ctl_port.h"
 
 #include <algorithm>
 #include <cerrno>
@@ -21,7 +20,7 @@ namespace {
 struct Place {
     std::uint32_t sequence = 0; // 0: never written
     std::uint32_t size = 0;
-    std::array<std::uint8_t, CTL_KEPT_BYTES> bytes{};
+    std::array<std::uint8_t, FlashDevice::maxRecordBytes> bytes{};
     std::uint32_t crc = 0; // of what is above
 
     [[nodiscard]] std::uint32_t sum() const

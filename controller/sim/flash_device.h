@@ -3,6 +3,8 @@
 // small records that are replaced whole.
 #pragma once
 
+#include "base/ctl_port.h"
+
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -13,6 +15,8 @@ namespace campanel::controller {
 
 class FlashDevice {
 public:
+    static constexpr std::size_t maxRecordBytes = CTL_KEPT_BYTES;
+
     virtual ~FlashDevice() = default;
     // Return false when the device failed. Bytes that were never written read 0xFF.
     [[nodiscard]] virtual bool read(std::uint32_t slot, std::uint32_t offset,
@@ -20,7 +24,7 @@ public:
     [[nodiscard]] virtual bool erase(std::uint32_t slot) = 0;
     [[nodiscard]] virtual bool write(std::uint32_t slot, std::uint32_t offset,
                                      std::span<const std::uint8_t> bytes) = 0;
-    // Whether the device has such records.
+    // Returns true when the device has such records.
     [[nodiscard]] virtual bool keeps() const { return false; }
     // A power cut at any moment leaves the new record or the one before. Returns false when the device
     // failed.

@@ -227,7 +227,7 @@ enum class OrderState : std::uint16_t { None = 0, Active, Complete, Ended };
 // Its lot is a text of so many registers, two bytes each.
 inline constexpr int orderLotRegisters = 20;
 
-// What happens at an order's quantity.
+// The run does this at an order's quantity.
 enum class OrderAction : std::uint16_t { None = 0, Message, Stop };
 
 enum class DriveEnable : std::uint16_t { Off = 0, On = 1, WhileRunning = 2 };

@@ -56,7 +56,7 @@ typedef struct {
     int64_t set_um;  /* set length of the previous bag */
 } ctl_last_cut;
 
-/* What becomes of a bag. */
+/* A bag is one of these. */
 typedef enum { CTL_BAG_GOOD, CTL_BAG_EMPTY, CTL_BAG_REJECTED } ctl_bag_class;
 #define CTL_BAG_CLASSES 3u
 
