@@ -16,6 +16,7 @@ static void compose(ctl_core* core)
 {
     core->board.parameter = core->written.parameter;
     core->board.master = core->written.master;
+    core->board.hand = core->written.hand;
     core->motion.board = &core->board;
     core->motion.banks = &core->banks;
     core->motion.transfer = &core->transfer;

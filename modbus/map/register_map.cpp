@@ -488,6 +488,11 @@ constexpr std::array registerTable{
     since(6, cutter(block("order_status.lot", 0x0B5F, orderLotRegisters, Access::ReadOnly,
                           "lot of the order, as order.lot"))),
 
+    // The operator's hand; 100 % at each power-up.
+    since(6, rw16("hand.speed", 0x0B80,
+                  "speed of a cutter or a cam that follows the clock, of its program's rate", {}, 20, 100,
+                  100, 1.0, "%")),
+
     block("active", activeBankBase, bankRegisters, Access::ReadOnly, "the active bank; layout below"),
     block("staged", stagedBankBase, bankRegisters, Access::ReadOnly, "the shadow bank; layout below"),
 };

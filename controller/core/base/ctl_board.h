@@ -15,7 +15,8 @@ typedef struct {
     ctl_config config;
     ctl_port port;
     const uint16_t* parameter; /* registers of the group `parameter`, as the panel left them */
-    const uint16_t* master;    /* and those of the group `master` */
+    const uint16_t* master;    /* those of the group `master`, */
+    const uint16_t* hand;      /* and of the group `hand` */
     uint32_t parameter_writes; /* how often the panel has written any of both */
     uint64_t started_us;
     uint64_t now_us;

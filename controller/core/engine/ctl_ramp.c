@@ -7,6 +7,7 @@
 void ctl_ramp_reset(ctl_ramp* ramp, uint32_t full)
 {
     ramp->full = full;
+    ramp->limit = full;
     ramp->speed = 0;
     ramp->rest = 0;
     ramp->s_curve = false;
@@ -59,17 +60,6 @@ static uint32_t travel(ctl_ramp* ramp, uint32_t end, uint32_t ticks)
     return (uint32_t)(sum / unit);
 }
 
-uint32_t ctl_ramp_up(ctl_ramp* ramp, uint32_t ticks)
-{
-    uint32_t travelled = 0;
-    if (ramp->speed < ramp->full) {
-        const uint32_t rising = ramp->full - ramp->speed < ticks ? ramp->full - ramp->speed : ticks;
-        travelled = travel(ramp, ramp->speed + rising, rising);
-        ticks -= rising;
-    }
-    return travelled + ticks; /* ticks are left over only at full speed */
-}
-
 uint32_t ctl_ramp_down(ctl_ramp* ramp, uint32_t ticks)
 {
     const uint32_t falling = ramp->speed < ticks ? ramp->speed : ticks;
@@ -118,9 +108,16 @@ uint32_t ctl_ramp_speed_after(const ctl_ramp* ramp, uint32_t way)
 {
     if (ramp->led)
         return led_speed(ramp, ramp->way + way);
-    const uint64_t square = (uint64_t)ramp->speed * ramp->speed + 2u * (uint64_t)ramp->full * way;
-    const uint32_t speed = ctl_square_root(square);
-    return speed < ramp->full ? speed : ramp->full;
+    const uint64_t square = (uint64_t)ramp->speed * ramp->speed;
+    const uint64_t change = 2u * (uint64_t)ramp->full * way;
+    if (ramp->speed == ramp->limit)
+        return ramp->speed;
+    if (ramp->speed > ramp->limit) {
+        const uint32_t slower = square > change ? ctl_square_root(square - change) : 0u;
+        return slower > ramp->limit ? slower : ramp->limit;
+    }
+    const uint32_t faster = ctl_square_root(square + change);
+    return faster < ramp->limit ? faster : ramp->limit;
 }
 
 uint64_t ctl_ramp_stopping_way(const ctl_ramp* ramp)
@@ -167,6 +164,39 @@ static uint32_t cruise(ctl_ramp* ramp, uint32_t* ticks, uint64_t way)
     return (uint32_t)(sum >> SHARE_BITS);
 }
 
+/* Goes on evenly. */
+static uint32_t go_on(ctl_ramp* ramp, uint32_t ticks)
+{
+    if (ramp->speed == ramp->full)
+        return ticks;
+    return ramp->s_curve ? cruise(ramp, &ticks, UINT64_MAX) : travel(ramp, ramp->speed, ticks);
+}
+
+/* The speed that many ticks nearer to the limit. */
+static uint32_t nearer_to_limit(const ctl_ramp* ramp, uint32_t ticks)
+{
+    if (ramp->speed <= ramp->limit)
+        return ramp->limit - ramp->speed < ticks ? ramp->limit : ramp->speed + ticks;
+    return ramp->speed - ramp->limit < ticks ? ramp->limit : ramp->speed - ticks;
+}
+
+uint32_t ctl_ramp_up(ctl_ramp* ramp, uint32_t ticks)
+{
+    uint32_t travelled = 0;
+    if (ramp->speed != ramp->limit) {
+        const uint32_t end = nearer_to_limit(ramp, ticks);
+        const uint32_t used = end > ramp->speed ? end - ramp->speed : ramp->speed - end;
+        travelled = travel(ramp, end, used);
+        ticks -= used;
+    }
+    return ticks == 0 ? travelled : travelled + go_on(ramp, ticks);
+}
+
+void ctl_ramp_limit(ctl_ramp* ramp, uint32_t percent)
+{
+    ramp->limit = percent < 100u ? ctl_ramp_speed_of(ramp, WHOLE / 100u * percent) : ramp->full;
+}
+
 /* Gains speed while that may still be braked, goes on evenly to where the braking begins, brakes. */
 static uint32_t land_s(ctl_ramp* ramp, uint32_t ticks, uint64_t remaining, uint32_t limit)
 {
@@ -197,6 +227,8 @@ static uint32_t land_s(ctl_ramp* ramp, uint32_t ticks, uint64_t remaining, uint3
 
 uint32_t ctl_ramp_land(ctl_ramp* ramp, uint32_t ticks, uint64_t remaining, uint32_t limit)
 {
+    if (limit > ramp->limit)
+        limit = ramp->limit;
     if (ramp->s_curve)
         return land_s(ramp, ticks, remaining, limit);
     /* Speed from which the ramp ends exactly there: v = sqrt(2 a d). */
@@ -234,13 +266,15 @@ static uint32_t approach_s(ctl_ramp* ramp, uint32_t ticks, uint64_t remaining, u
 {
     const uint32_t end_way = s_travel(ramp, end);
     uint32_t travelled = 0;
-    const uint32_t rising = ramp->full - ramp->speed < ticks ? ramp->full - ramp->speed : ticks;
+    const uint32_t next = nearer_to_limit(ramp, ticks);
+    const uint32_t changing = next > ramp->speed ? next - ramp->speed : ramp->speed - next;
     ctl_ramp faster = *ramp;
-    const uint32_t gained = travel(&faster, ramp->speed + rising, rising);
-    if (faster.speed <= end || gained + (uint64_t)s_travel(&faster, faster.speed) - end_way < remaining) {
+    const uint32_t gained = travel(&faster, next, changing);
+    if (faster.speed <= ramp->speed || faster.speed <= end ||
+        gained + (uint64_t)s_travel(&faster, faster.speed) - end_way < remaining) {
         *ramp = faster;
         travelled = gained;
-        ticks -= rising;
+        ticks -= changing;
     }
     const uint64_t braking = ramp->speed > end ? s_travel(ramp, ramp->speed) - end_way : 0;
     if (remaining > travelled + braking)
@@ -260,8 +294,8 @@ uint32_t ctl_ramp_approach(ctl_ramp* ramp, uint32_t ticks, uint64_t remaining, u
     /* Speed from which the ramp comes down to `end` exactly there: v = sqrt(end^2 + 2 a d). */
     const uint32_t curve = ctl_ramp_speed_before(ramp, remaining, end);
     const uint32_t limit = curve < end + ticks ? end : curve - ticks;
-    const uint32_t faster = ramp->full - ramp->speed < ticks ? ramp->full : ramp->speed + ticks;
-    return travel(ramp, faster < limit ? faster : limit, ticks);
+    const uint32_t next = nearer_to_limit(ramp, ticks);
+    return travel(ramp, next < limit ? next : limit, ticks);
 }
 
 uint64_t ctl_ramp_whole_share(const ctl_ramp* ramp)

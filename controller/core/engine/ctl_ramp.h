@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-/* Speed of the master against the table's, with ramps, in whole numbers only. `speed` goes from 0 to `full`
- * by one per timer tick. Linear: speed / full is the share of full speed. S-curve: the share is 2 x^2 up to
- * x = speed / full = 1/2 and 1 - 2 (1 - x)^2 beyond, so that the acceleration rises and falls linearly; both
- * shapes travel full / 2 from standstill to full speed. The travel (master ticks) is exact over any number of
- * calls; at full speed a master tick is a timer tick. */
+/* Speed of the master against the table's, with ramps, in whole numbers only. `speed` goes from 0 to `full`,
+ * or to a lower `limit`, by one per timer tick. Linear: speed / full is the share of full speed. S-curve: the
+ * share is 2 x^2 up to x = speed / full = 1/2 and 1 - 2 (1 - x)^2 beyond, so that the acceleration rises and
+ * falls linearly; both shapes travel full / 2 from standstill to full speed. The travel (master ticks) is
+ * exact over any number of calls; at full speed a master tick is a timer tick. */
 #ifndef CTL_RAMP_H
 #define CTL_RAMP_H
 
@@ -17,6 +17,7 @@ extern "C" {
 typedef struct {
     uint32_t full;  /* ticks from standstill to full speed, not 0 */
     uint32_t speed; /* 0..full */
+    uint32_t limit; /* 0..full: it gains no more than this, and comes down to it */
     uint64_t rest;  /* travel not yet handed out: linear in 1 / (2 full) ticks, S-curve in 1 / 2^31 */
     bool s_curve;
     /* Another master leads: */
@@ -36,7 +37,11 @@ void ctl_ramp_reset_s(ctl_ramp* ramp, uint32_t full);
  * stretch on. */
 void ctl_ramp_lead(ctl_ramp* ramp, uint32_t top, uint32_t stretch, uint64_t way);
 
-/* Each takes the timer ticks that pass and returns the master ticks travelled. */
+/* Its limit is so much of full speed, percent. */
+void ctl_ramp_limit(ctl_ramp* ramp, uint32_t percent);
+
+/* Each takes the timer ticks that pass and returns the master ticks travelled. The first goes up, or down to
+ * the limit. */
 uint32_t ctl_ramp_up(ctl_ramp* ramp, uint32_t ticks);
 uint32_t ctl_ramp_down(ctl_ramp* ramp, uint32_t ticks);
 /* Runs on so that it stands still exactly after `remaining` master ticks; does not speed up beyond `limit`.

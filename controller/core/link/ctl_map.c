@@ -43,6 +43,8 @@ static uint16_t* writable(ctl_core* core, group_name group)
         return core->written.command;
     case GROUP_ORDER:
         return core->written.order;
+    case GROUP_HAND:
+        return core->written.hand;
     case GROUP_TRANSFER:
         return core->written.transfer;
     case GROUP_READBACK:
@@ -249,6 +251,7 @@ typedef union {
     uint16_t master[CTL_GROUP_MASTER];
     uint16_t exchange[CTL_GROUP_EXCHANGE];
     uint16_t order[CTL_GROUP_ORDER];
+    uint16_t hand[CTL_GROUP_HAND];
     uint16_t command[CTL_GROUP_COMMAND];
     uint16_t transfer[CTL_GROUP_TRANSFER];
     uint16_t readback[CTL_GROUP_READBACK];
@@ -281,5 +284,6 @@ void ctl_map_init(ctl_core* core)
 {
     ctl_parameters_reset(core->written.parameter);
     ctl_reset_to_defaults(core->written.master, CTL_REG_MASTER_SOURCE, CTL_GROUP_MASTER);
+    ctl_reset_to_defaults(core->written.hand, CTL_REG_HAND_SPEED, CTL_GROUP_HAND);
     core->written.readback[2] = CTL_DEFAULT_READBACK_COUNT;
 }

@@ -20,6 +20,7 @@ typedef struct {
     uint16_t readback_result[CTL_GROUP_READBACK_RESULT];
     uint16_t parameter[CTL_GROUP_PARAMETER];
     uint16_t master[CTL_GROUP_MASTER];
+    uint16_t hand[CTL_GROUP_HAND];
 } ctl_written;
 
 typedef struct {

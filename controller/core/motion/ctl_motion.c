@@ -126,6 +126,14 @@ void ctl_motion_set_ramp(ctl_motion* motion)
         ctl_ramp_reset_s(&motion->ramp, full);
     else
         ctl_ramp_reset(&motion->ramp, full);
+    ctl_motion_limit_speed(motion);
+}
+
+void ctl_motion_limit_speed(ctl_motion* motion)
+{
+    motion->speed_percent = motion->board->hand[CTL_REG_HAND_SPEED - CTL_REG_HAND_SPEED];
+    if (repeats(motion))
+        ctl_ramp_limit(&motion->ramp, motion->speed_percent);
 }
 
 static void begin_master_ramp(ctl_motion* motion)
@@ -134,7 +142,7 @@ static void begin_master_ramp(ctl_motion* motion)
     ctl_motion_set_ramp(motion);
     if (ctl_bank_master_ramp_ms(bank) == 0 && ctl_bank_layout(bank) != CTL_TABLE_LAYOUT_STEP_TABLE &&
         ctl_table_between_cycles(&motion->table))
-        motion->ramp.speed = motion->ramp.full;
+        motion->ramp.speed = motion->ramp.limit;
 }
 
 int32_t ctl_motion_wanted_direction(const ctl_motion* motion)

@@ -60,6 +60,7 @@ typedef struct {
     ctl_press press;         /* instead of it when that is a press's */
     uint32_t cycle_count;    /* cycles completed since power-up; all strokes of a press */
     uint64_t stop_remaining; /* master ticks to where the motion ends: a boundary, or at once */
+    uint16_t speed_percent;  /* of the program's rate, as the operator wants it */
     uint32_t stop_limit;     /* maximum ramp speed of a stopping master */
     bool change_planned;     /* running with an armed program: */
     bool change_opens;       /* the knife is open for it, */
@@ -133,6 +134,8 @@ void ctl_motion_take_top(ctl_motion* motion);
 bool ctl_motion_force_forbids(const ctl_motion* motion);
 /* Sets the ramp of the active bank, at standstill. */
 void ctl_motion_set_ramp(ctl_motion* motion);
+/* Sets its limit to what the operator wants. */
+void ctl_motion_limit_speed(ctl_motion* motion);
 /* Returns the master ticks to the next boundary of its cycle, not 0. */
 uint32_t ctl_motion_to_boundary(const ctl_motion* motion);
 /* Returns true while a running machine has an armed program, which takes over at the end of a cycle. */

@@ -188,6 +188,8 @@ static void slice_running(ctl_motion* motion, ctl_pace pace)
             slice_led(motion, pace);
         return;
     }
+    if (motion->board->hand[0] != motion->speed_percent && ctl_packer_takes_other_speed(motion->packer))
+        ctl_motion_limit_speed(motion);
     motion->change_planned =
         motion->change_planned && ctl_motion_changes(motion) && wanted == motion->direction;
     if (wanted == motion->direction && ctl_motion_changes(motion)) {

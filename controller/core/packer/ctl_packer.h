@@ -253,6 +253,9 @@ void ctl_packer_plan_cut(ctl_packer* packer, const ctl_drive* drive);
 /* The planned cut meets its mark at another speed, and so with another lag: a stop or a change of program was
  * decided on, or is no longer. Leaves it as it is where the way to its sealing window is short. */
 void ctl_packer_plan_again(ctl_packer* packer, const ctl_drive* drive);
+/* Returns true when the next cut can be planned again for another speed, which it is in the next slice then.
+ */
+bool ctl_packer_takes_other_speed(ctl_packer* packer);
 /* Returns true when another master that leads has another speed than when the next cut was planned. */
 bool ctl_packer_sees_other_speed(const ctl_packer* packer, const ctl_ramp* ramp);
 /* Returns the lag of the film at a cut at this speed of the ramp. */

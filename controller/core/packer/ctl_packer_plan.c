@@ -147,16 +147,36 @@ void ctl_packer_plan_cut(ctl_packer* packer, const ctl_drive* drive)
                        before_end + (drive->changes ? 0u : packer->engage));
 }
 
-void ctl_packer_plan_again(ctl_packer* packer, const ctl_drive* drive)
+/* Returns the ticks in which the planned cut can still be shifted, 0: too few; *way becomes those to the cut.
+ */
+static uint32_t room_to_shift(const ctl_packer* packer, bool changes, uint32_t* way)
 {
     const uint32_t phase = packer->film.phase;
     const bool behind = packer->planned && phase >= packer->release;
-    if (!packer->next.tracked || (!behind && phase >= packer->engage))
-        return;
-    const uint32_t way = behind ? packer->cycle - phase + packer->cut : packer->cut - phase;
+    if (!behind && phase >= packer->engage)
+        return 0;
+    *way = behind ? packer->cycle - phase + packer->cut : packer->cut - phase;
     const uint32_t to_window = behind ? packer->cycle - phase + packer->engage : packer->engage - phase;
-    const uint32_t room = behind && drive->changes ? to_window - packer->engage : to_window;
-    if (room < packer->cycle / SHORTEST_ROOM)
+    const uint32_t room = behind && changes ? to_window - packer->engage : to_window;
+    return room < packer->cycle / SHORTEST_ROOM ? 0 : room;
+}
+
+bool ctl_packer_takes_other_speed(ctl_packer* packer)
+{
+    uint32_t way = 0;
+    if (ctl_packer_active(packer) && packer->next.tracked && room_to_shift(packer, false, &way) == 0)
+        return false;
+    packer->end_ticks = 0; /* of no drive: it is planned again */
+    return true;
+}
+
+void ctl_packer_plan_again(ctl_packer* packer, const ctl_drive* drive)
+{
+    uint32_t way = 0;
+    if (!packer->next.tracked)
+        return;
+    const uint32_t room = room_to_shift(packer, drive->changes, &way);
+    if (room == 0)
         return;
     const int64_t lag = lag_ahead(packer, drive, way);
     note_speed(packer, drive->ramp);
