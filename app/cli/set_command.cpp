@@ -18,8 +18,7 @@ Outcome runSet(const Invocation& call)
     if (arguments.size() != 2 || !isNumber)
         return fail(ExitCode::Usage, u"Name a parameter and its value, such as parameter.ramp_time 800."_s);
     const modbus::RegisterInfo* info = modbus::findRegister(arguments[0].toStdString());
-    // All other writable registers belong to protocols of their own.
-    if (info == nullptr || !modbus::isMachineData(*info))
+    if (info == nullptr || !modbus::isWrittenAlone(*info))
         return fail(
             ExitCode::Usage,
             u"\"%1\" is not a parameter. campanelctl registers lists all parameters."_s.arg(arguments[0]));

@@ -1147,6 +1147,18 @@
         <source>Output try ended</source>
         <translation>Test des Ausgangs beendet</translation>
     </message>
+    <message>
+        <source>Order started or changed</source>
+        <translation>Auftrag begonnen oder geändert</translation>
+    </message>
+    <message>
+        <source>Order ended</source>
+        <translation>Auftrag beendet</translation>
+    </message>
+    <message>
+        <source>Speed changed by hand</source>
+        <translation>Geschwindigkeit von Hand geändert</translation>
+    </message>
 </context>
 <context>
     <name>Availability</name>
@@ -3040,6 +3052,50 @@ eff. %2</translation>
     <message>
         <source>Pulse</source>
         <translation>Takt</translation>
+    </message>
+    <message>
+        <source>Start of an order</source>
+        <translation>Beginn eines Auftrags</translation>
+    </message>
+    <message>
+        <source>End of an order</source>
+        <translation>Ende eines Auftrags</translation>
+    </message>
+    <message>
+        <source>Another order is under way. End it first.</source>
+        <translation>Ein anderer Auftrag läuft. Beenden Sie ihn zuerst.</translation>
+    </message>
+    <message>
+        <source>This order is not under way.</source>
+        <translation>Dieser Auftrag läuft nicht.</translation>
+    </message>
+    <message>
+        <source>The active program makes no bags that could be counted. Download a cutter&apos;s program to a packing machine first.</source>
+        <translation>Das aktive Programm macht keine Beutel, die gezählt werden könnten. Laden Sie zuerst das Programm eines Schneiders auf eine Packmaschine.</translation>
+    </message>
+    <message>
+        <source>No order</source>
+        <translation>Kein Auftrag</translation>
+    </message>
+    <message>
+        <source>Under way</source>
+        <translation>Läuft</translation>
+    </message>
+    <message>
+        <source>Complete</source>
+        <translation>Vollständig</translation>
+    </message>
+    <message>
+        <source>Ended early</source>
+        <translation>Vorzeitig beendet</translation>
+    </message>
+    <message>
+        <source>Run on</source>
+        <translation>Weiterlaufen</translation>
+    </message>
+    <message>
+        <source>Message</source>
+        <translation>Meldung</translation>
     </message>
 </context>
 <context>
@@ -5924,6 +5980,13 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
     <message>
         <source>link frames</source>
         <translation>Telegramme</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::HandSpeed</name>
+    <message>
+        <source>Speed</source>
+        <translation>Geschwindigkeit</translation>
     </message>
 </context>
 <context>

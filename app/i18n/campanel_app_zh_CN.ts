@@ -1147,6 +1147,18 @@
         <source>Output try ended</source>
         <translation>输出测试已结束</translation>
     </message>
+    <message>
+        <source>Order started or changed</source>
+        <translation>订单已开始或更改</translation>
+    </message>
+    <message>
+        <source>Order ended</source>
+        <translation>订单已结束</translation>
+    </message>
+    <message>
+        <source>Speed changed by hand</source>
+        <translation>手动更改速度</translation>
+    </message>
 </context>
 <context>
     <name>Availability</name>
@@ -3038,6 +3050,50 @@ RMS %2</source>
     <message>
         <source>Pulse</source>
         <translation>脉冲</translation>
+    </message>
+    <message>
+        <source>Start of an order</source>
+        <translation>订单开始</translation>
+    </message>
+    <message>
+        <source>End of an order</source>
+        <translation>订单结束</translation>
+    </message>
+    <message>
+        <source>Another order is under way. End it first.</source>
+        <translation>另一个订单正在进行。请先结束它。</translation>
+    </message>
+    <message>
+        <source>This order is not under way.</source>
+        <translation>该订单未在进行。</translation>
+    </message>
+    <message>
+        <source>The active program makes no bags that could be counted. Download a cutter&apos;s program to a packing machine first.</source>
+        <translation>当前程序不生产可计数的袋子。请先将切刀程序下载到包装机。</translation>
+    </message>
+    <message>
+        <source>No order</source>
+        <translation>无订单</translation>
+    </message>
+    <message>
+        <source>Under way</source>
+        <translation>进行中</translation>
+    </message>
+    <message>
+        <source>Complete</source>
+        <translation>已完成</translation>
+    </message>
+    <message>
+        <source>Ended early</source>
+        <translation>提前结束</translation>
+    </message>
+    <message>
+        <source>Run on</source>
+        <translation>继续运行</translation>
+    </message>
+    <message>
+        <source>Message</source>
+        <translation>提示</translation>
     </message>
 </context>
 <context>
@@ -5922,6 +5978,13 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
     <message>
         <source>link frames</source>
         <translation>通信报文</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::HandSpeed</name>
+    <message>
+        <source>Speed</source>
+        <translation>速度</translation>
     </message>
 </context>
 <context>

@@ -142,7 +142,7 @@ struct CommandOutcome {
 // One register of the table by its name, to read, or to write and read back.
 struct ParameterRequest {
     quint32 id = 0;              // chosen by the caller; returned with the outcome
-    std::string name;            // read: any numeric register; write: one of the group "parameter"
+    std::string name;            // read: any numeric register; write: one that is written alone
     std::optional<double> value; // physical value to write; empty: read only
 };
 

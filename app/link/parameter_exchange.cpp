@@ -24,8 +24,7 @@ tl::expected<double, modbus::LinkError> exchangeParameter(modbus::RtuClient& cli
                                                           const ParameterRequest& request)
 {
     const modbus::RegisterInfo* info = numericRegister(request.name);
-    // All other writable registers belong to protocols of their own.
-    if (!info || (request.value && !modbus::isMachineData(*info)))
+    if (!info || (request.value && !modbus::isWrittenAlone(*info)))
         return tl::unexpected(modbus::LinkError{
             modbus::LinkErrorKind::ValueRefused, client.settings().port, request.name, {}, 0});
     if (request.value) {

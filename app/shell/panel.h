@@ -14,6 +14,7 @@
 #include "app/panel/display/touch_calibration.h"
 #include "app/panel/editor/editor.h"
 #include "app/panel/explain/explanations.h"
+#include "app/panel/hand/hand_speed.h"
 #include "app/panel/library/recipes.h"
 #include "app/panel/maintenance/maintenance.h"
 #include "app/panel/plant/plant_feed.h"
@@ -126,6 +127,7 @@ private:
     panel::Maintenance m_maintenance;
     panel::Trends m_trends;
     panel::Stops m_stops;
+    panel::HandSpeed m_handSpeed;
     panel::Access m_access;
     panel::SystemClock m_systemClock;
     panel::SystemNetwork m_systemNetwork;

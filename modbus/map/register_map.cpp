@@ -515,6 +515,11 @@ bool isMachineData(const RegisterInfo& row)
            (row.name.starts_with("parameter.") || row.name.starts_with("master."));
 }
 
+bool isWrittenAlone(const RegisterInfo& row)
+{
+    return isMachineData(row) || (row.access == Access::ReadWrite && row.name.starts_with("hand."));
+}
+
 const RegisterInfo* findRegister(std::string_view name)
 {
     // A hash table, because every status block is read by names, about eighty a second.

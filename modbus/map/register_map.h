@@ -89,6 +89,9 @@ inline constexpr std::uint16_t viewProducts = 8;
 [[nodiscard]] std::span<const RegisterInfo> registers();
 // Returns true for a register of the machine data: it is written alone, and saved with the program.
 [[nodiscard]] bool isMachineData(const RegisterInfo& row);
+// Returns true for a value that is written by itself: machine data, and what an operator sets while the
+// machine runs. All other writable registers belong to protocols of their own.
+[[nodiscard]] bool isWrittenAlone(const RegisterInfo& row);
 // Returns the fields of a bank's header, as offsets from its base, ascending.
 [[nodiscard]] std::span<const RegisterInfo> bankFields();
 // Returns a row by its name in either table; nullptr when there is none.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Three places on every page and beside every dialog: Start, the necessary first step (reset, reference run) or nothing, and
-// Stop. None ever changes its size or place.
+// Three places on every page and beside every dialog: Start, the necessary first step (reset, reference run) or the speed of
+// a run, and Stop. None ever changes its size or place.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme
@@ -63,6 +63,28 @@ Item {
             text: column.homes ? Maintenance.homing.keyText : qsTr("Reset")
             onCommanded: column.homes ? Maintenance.homing.home() : Controller.resetFault()
         }
+    }
+    Repeater {
+        model: !column.between && HandSpeed.offered ? 1 : 0
+        CommandKey {
+            objectName: "speedKey"
+            level: Access.Operator
+            anchors { left: column.left; right: column.right; bottom: stopKey.top; bottomMargin: Theme.size.gap }
+            height: column.upperHeight
+            ready: !column.covered
+            small: true
+            holdMs: 0
+            glyph: Theme.icon.speed
+            text: Theme.joined(Theme.count(HandSpeed.percent, 0), "%")
+            note: qsTr("Speed")
+            Accessible.name: qsTr("Speed %1").arg(text)
+            onCommanded: Frame.open("Frame/SpeedSheet", {})
+        }
+    }
+    Binding {
+        target: HandSpeed
+        property: "watched"
+        value: column.visible && !Display.dark
     }
     CommandKey {
         id: stopKey

@@ -564,6 +564,14 @@ Und %2 weitere.</translation>
         <source>not sent yet</source>
         <translation>nicht gesendet</translation>
     </message>
+    <message>
+        <source>Speed %1</source>
+        <translation>Geschwindigkeit %1</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Tempo</translation>
+    </message>
 </context>
 <context>
     <name>ConfirmSheet</name>
@@ -3232,6 +3240,25 @@ Und %2 weitere.</translation>
     <message>
         <source>error %1</source>
         <translation>Fehler %1</translation>
+    </message>
+</context>
+<context>
+    <name>SpeedSheet</name>
+    <message>
+        <source>Speed</source>
+        <translation>Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Of the program&apos;s rate. A slower machine seals longer.</source>
+        <translation>Von der Leistung des Programms. Eine langsamere Maschine siegelt länger.</translation>
+    </message>
+    <message>
+        <source>Slower</source>
+        <translation>Langsamer</translation>
+    </message>
+    <message>
+        <source>Faster</source>
+        <translation>Schneller</translation>
     </message>
 </context>
 <context>

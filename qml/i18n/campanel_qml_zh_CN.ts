@@ -564,6 +564,14 @@ And %2 more.</source>
         <source>not sent yet</source>
         <translation>尚未发送</translation>
     </message>
+    <message>
+        <source>Speed %1</source>
+        <translation>速度 %1</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>速度</translation>
+    </message>
 </context>
 <context>
     <name>ConfirmSheet</name>
@@ -3232,6 +3240,25 @@ And %2 more.</source>
     <message>
         <source>error %1</source>
         <translation>误差 %1</translation>
+    </message>
+</context>
+<context>
+    <name>SpeedSheet</name>
+    <message>
+        <source>Speed</source>
+        <translation>速度</translation>
+    </message>
+    <message>
+        <source>Of the program&apos;s rate. A slower machine seals longer.</source>
+        <translation>相对于程序的速率。机器越慢，封合时间越长。</translation>
+    </message>
+    <message>
+        <source>Slower</source>
+        <translation>减速</translation>
+    </message>
+    <message>
+        <source>Faster</source>
+        <translation>加速</translation>
     </message>
 </context>
 <context>

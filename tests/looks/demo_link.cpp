@@ -89,7 +89,7 @@ DemoLink::DemoLink(QObject* parent)
     , m_program(demoProgram(Kind::RotaryCutter))
 {
     for (const modbus::RegisterInfo& info : modbus::registers()) {
-        if (modbus::isMachineData(info))
+        if (modbus::isWrittenAlone(info))
             m_parameters[std::string(info.name)] = info.defaultValue;
     }
 }

@@ -272,6 +272,7 @@ const QList<Screen>& allScreens()
     const QString length = QStringLiteral("field_bag_length_mm");
     static const QList<Screen> screens{
         taps("run", {run}),
+        taps("run-hand-speed", {run, QStringLiteral("speedKey"), QStringLiteral("speedSlower")}),
         taps("motion", {motion}),
         taps("keypad", {motion, length}),
         {QStringLiteral("keypad-refusal"),

@@ -77,6 +77,7 @@ constexpr std::array whatWords{
     Word{"parameter.write", QT_TRANSLATE_NOOP("AuditWords", "Parameter written")},
     Word{"wizard.marks", QT_TRANSLATE_NOOP("AuditWords", "Mark sensor measured")},
     Word{"setting.change", QT_TRANSLATE_NOOP("AuditWords", "Setting")},
+    Word{"hand.speed", QT_TRANSLATE_NOOP("AuditWords", "Speed changed by hand")},
     Word{"stop.reason", QT_TRANSLATE_NOOP("AuditWords", "Reason of a stop changed")},
     Word{"backup.make", QT_TRANSLATE_NOOP("AuditWords", "Backup created")},
     Word{"backup.restore", QT_TRANSLATE_NOOP("AuditWords", "Replaced by a backup")},
