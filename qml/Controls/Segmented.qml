@@ -44,7 +44,7 @@ Rectangle {
                     anchors.fill: parent
                     Grid {
                         anchors.centerIn: parent
-                        columns: segmented.stacked ? 1 : 2
+                        columns: segmented.stacked || !sign.visible ? 1 : 2   // an empty column has its spacing too
                         spacing: segmented.stacked ? Theme.size.accent : Theme.size.spacing
                         horizontalItemAlignment: Grid.AlignHCenter
                         verticalItemAlignment: Grid.AlignVCenter
