@@ -6913,22 +6913,6 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
         <translation>Die Linie folgt dem Takt der Steuerung.</translation>
     </message>
     <message>
-        <source>Engaging: %1 of film until engaged.</source>
-        <translation>Kuppelt ein: noch %1 Folie.</translation>
-    </message>
-    <message>
-        <source>Engaged: the line follows the encoder.</source>
-        <translation>Eingekuppelt: Die Linie folgt dem Geber.</translation>
-    </message>
-    <message>
-        <source>Disengaging: the line comes to a standstill.</source>
-        <translation>Kuppelt aus: Die Linie kommt zum Stillstand.</translation>
-    </message>
-    <message>
-        <source>Not engaged.</source>
-        <translation>Nicht eingekuppelt.</translation>
-    </message>
-    <message>
         <source>Delay: measured only while an encoder leads the line.</source>
         <translation>Verzögerung: wird nur gemessen, wenn ein Geber die Linie führt.</translation>
     </message>
@@ -6963,6 +6947,11 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
     <message>
         <source>This controller has no input for an encoder. The line follows the clock of the controller.</source>
         <translation>Diese Steuerung hat keinen Gebereingang. Die Linie folgt dem Takt der Steuerung.</translation>
+    </message>
+    <message>
+        <source>%1: %2 of film until engaged</source>
+        <comment>%1: the state, Engaging</comment>
+        <translation>%1: noch %2 Folie</translation>
     </message>
 </context>
 <context>

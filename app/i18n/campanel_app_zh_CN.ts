@@ -6911,22 +6911,6 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
         <translation>生产线跟随控制器的时钟。</translation>
     </message>
     <message>
-        <source>Engaging: %1 of film until engaged.</source>
-        <translation>正在接合：还需 %1 薄膜。</translation>
-    </message>
-    <message>
-        <source>Engaged: the line follows the encoder.</source>
-        <translation>已接合：生产线跟随编码器。</translation>
-    </message>
-    <message>
-        <source>Disengaging: the line comes to a standstill.</source>
-        <translation>正在脱开：生产线将停止。</translation>
-    </message>
-    <message>
-        <source>Not engaged.</source>
-        <translation>未接合。</translation>
-    </message>
-    <message>
         <source>Delay: measured only while an encoder leads the line.</source>
         <translation>延迟：仅在编码器作主轴时测量。</translation>
     </message>
@@ -6961,6 +6945,11 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
     <message>
         <source>This controller has no input for an encoder. The line follows the clock of the controller.</source>
         <translation>此控制器没有编码器输入。生产线跟随控制器的时钟。</translation>
+    </message>
+    <message>
+        <source>%1: %2 of film until engaged</source>
+        <comment>%1: the state, Engaging</comment>
+        <translation>%1：还需 %2 薄膜</translation>
     </message>
 </context>
 <context>

@@ -312,6 +312,10 @@ constexpr std::string_view nameOf(SkipCause)
 {
     return "SkipCause";
 }
+constexpr std::string_view nameOf(MasterState)
+{
+    return "MasterState";
+}
 
 // Returns the row of a value, or null.
 [[nodiscard]] const EnumValue* findValue(std::string_view enumName, std::int64_t value);

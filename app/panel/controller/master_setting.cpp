@@ -92,8 +92,7 @@ QString MasterSetting::lineText() const
 {
     if (!leads() || !m_line)
         return {};
-    const auto state = static_cast<int>(m_line->state.value_or(modbus::MasterState::Off));
-    return u"%1 · %2"_s.arg(ControllerSentences::texts("MasterState").value(state),
+    return u"%1 · %2"_s.arg(m_line->state ? ControllerSentences::text(*m_line->state) : Format::unknownText(),
                             Format().measure(m_line->speedMmPerS, 0, u"mm/s"_s));
 }
 

@@ -5,6 +5,7 @@
 #include "app/panel/kit/format.h"
 #include "app/panel/kit/language_notifier.h"
 #include "app/panel/kit/numbers.h"
+#include "app/panel/words/controller_sentences.h"
 
 #include <cmath>
 #include <utility>
@@ -146,18 +147,15 @@ QString MasterWatch::stateText() const
         return Format::unknownText();
     if (!leads())
         return tr("The line follows the clock of the controller.");
-    switch (line()->state.value_or(MasterState::Off)) {
-    case MasterState::Engaging:
-        return tr("Engaging: %1 of film until engaged.")
-            .arg(Format().measure(line()->toEngagedMm, 0, u"mm"_s));
-    case MasterState::Engaged:
-        return tr("Engaged: the line follows the encoder.");
-    case MasterState::Disengaging:
-        return tr("Disengaging: the line comes to a standstill.");
-    case MasterState::Off:
-        break;
-    }
-    return tr("Not engaged.");
+    if (!line()->isAvailable)
+        return ControllerSentences::refusal(modbus::Refusal::NoMasterInput);
+    if (!line()->state)
+        return Format::unknownText();
+    const QString state = ControllerSentences::text(*line()->state);
+    return line()->state == MasterState::Engaging
+               ? tr("%1: %2 of film until engaged", "%1: the state, Engaging")
+                     .arg(state, Format().measure(line()->toEngagedMm, 0, u"mm"_s))
+               : state;
 }
 
 QString MasterWatch::delayText() const
@@ -191,7 +189,8 @@ QString MasterWatch::emptyText() const
     if (!isReported())
         return tr("This controller cannot follow an encoder. Update the controller: its register map must be "
                   "1.6 or newer.");
-    if (line() && !line()->isAvailable)
+    // An encoder that leads nevertheless is set back here.
+    if (line() && !line()->isAvailable && !leads())
         return tr(
             "This controller has no input for an encoder. The line follows the clock of the controller.");
     return {};

@@ -119,6 +119,7 @@ private slots:
     void showsFigures();
     void saysWhatTheLineDoes();
     void isEmptyWithoutAnInput();
+    void canBeSetBackWithoutAnInput();
     void offersTheDelayOfTwoSpeeds();
     void refusesWhatCannotBe();
 };
@@ -145,14 +146,17 @@ void TestMasterWatch::saysWhatTheLineDoes()
 {
     MasterRig rig;
     rig.tell();
-    QVERIFY(rig.master().stateText().startsWith(QStringLiteral("Engaged")));
+    QCOMPARE(rig.master().stateText(), QStringLiteral("Engaged"));
     rig.put("master_status.state", static_cast<double>(MasterState::Engaging));
     rig.put("master_status.to_engaged", 120);
     rig.tell();
-    QCOMPARE(plain(rig.master().stateText()), QStringLiteral("Engaging: 120 mm of film until engaged."));
+    QCOMPARE(plain(rig.master().stateText()), QStringLiteral("Engaging: 120 mm of film until engaged"));
     rig.put("master_status.state", static_cast<double>(MasterState::Off));
     rig.tell();
-    QCOMPARE(rig.master().stateText(), QStringLiteral("Not engaged."));
+    QCOMPARE(rig.master().stateText(), QStringLiteral("Not engaged"));
+    rig.put("master_status.state", 9); // of a later controller
+    rig.tell();
+    QCOMPARE(rig.master().stateText(), QStringLiteral("--"));
     rig.parameters["master.source"] = 0;
     rig.master().fields()->read();
     rig.tell();
@@ -169,11 +173,28 @@ void TestMasterWatch::isEmptyWithoutAnInput()
     }));
     MasterRig bare;
     bare.put("master_status.available", 0);
+    bare.parameters["master.source"] = 0;
     bare.tell();
     QVERIFY(bare.master().emptyText().contains(QStringLiteral("no input")));
     QCOMPARE(bare.master().rows()->rows().size(), 0);
     bare.master().fields()->write("master.source", 1);
     QVERIFY(bare.master().fields()->failed());
+}
+
+// An encoder that was set by another controller's data: a person can set the clock here.
+void TestMasterWatch::canBeSetBackWithoutAnInput()
+{
+    MasterRig rig;
+    rig.put("master_status.available", 0);
+    rig.tell();
+    QVERIFY(rig.master().emptyText().isEmpty());
+    QVERIFY2(rig.master().stateText().endsWith(
+                 QStringLiteral("Set the clock as the master, or use another controller.")),
+             qPrintable(rig.master().stateText()));
+    rig.master().fields()->write("master.source", 0);
+    rig.tell();
+    QVERIFY(!rig.master().leads());
+    QVERIFY(rig.master().emptyText().contains(QStringLiteral("no input")));
 }
 
 void TestMasterWatch::offersTheDelayOfTwoSpeeds()
