@@ -19,13 +19,14 @@ Card {
     property int pixelSize: Theme.size.hero
     property var quantities: []            // those of the number, of Explanations; empty: no explanation
     property string field                  // the recipe's number that a tap changes; empty: none
+    property bool tappable: card.quantities.length > 0
     property bool stale: !Controller.fresh
     signal tapped()                        // a number that no field changes
 
     implicitHeight: Theme.size.touch
 
     Readout {
-        anchors { left: parent.left; right: parent.right; top: parent.top; bottom: note.top; leftMargin: Theme.size.padding; rightMargin: Theme.size.padding; topMargin: Theme.size.spacing }
+        anchors { left: parent.left; right: parent.right; top: parent.top; bottom: note.visible ? note.top : parent.bottom; bottomMargin: note.visible ? 0 : Theme.size.accent; leftMargin: Theme.size.padding; rightMargin: Theme.size.padding; topMargin: Theme.size.spacing }
         title: card.title
         titleInset: arrow.visible ? arrow.width : 0
         text: card.text
@@ -36,7 +37,7 @@ Card {
     Label {
         id: note
         anchors { left: parent.left; leftMargin: Theme.size.padding; right: parent.right; rightMargin: Theme.size.padding; bottom: parent.bottom; bottomMargin: Theme.size.accent }
-        height: text.length > 0 ? implicitHeight : 0
+        visible: text.length > 0
         text: card.note
         color: Controller.fresh ? Theme.color.secondaryInk : Theme.color.disabledInk
         font.pixelSize: Theme.size.caption
@@ -54,7 +55,7 @@ Card {
     }
     Explained {
         id: explained
-        enabled: card.quantities.length > 0
+        enabled: card.tappable
         quantities: card.quantities
         field: card.field
         onTapped: card.tapped()

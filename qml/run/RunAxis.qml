@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Run of a move or a cam: speed, position, count, and the measured speed over its target; for a cam also its master.
+// Run of a move or a cam: speed, position, count, and the measured speed over its target; for a cam also its master,
+// and where an encoder leads, what the line does.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme
@@ -55,6 +56,7 @@ Item {
     }
     NumberCard {
         objectName: "masterSpeed"
+        readonly property bool led: Controller.masterSetting.leads
         visible: view.isCam
         x: view.start + view.cell + view.gap
         y: view.row + view.gap
@@ -64,6 +66,9 @@ Item {
         decimals: 0
         title: qsTr("Master speed")
         unit: "%"
+        note: led ? Controller.masterSetting.lineText : ""
+        tappable: led
+        onTapped: Controller.masterSetting.explainRate()
     }
     DirectionCard {
         id: direction

@@ -28,10 +28,12 @@ Screen withJaws(const char* name, double lengthMm, double rate, const QStringLis
 }
 
 // Lets an encoder of the line lead the machine, then taps.
-Screen led(const char* name, const QStringList& tapped)
+Screen led(const char* name, const QStringList& tapped, DemoLink::Kind kind = DemoLink::Kind::RotaryCutter)
 {
     return {QString::fromLatin1(name), [=](TestWindow& window) {
                 window.link().setLed(true);
+                window.link().show(DemoLink::Situation::Running, kind);
+                window.checkClock();
                 for (const QString& each : tapped)
                     window.tap(each);
             }};
@@ -57,6 +59,7 @@ Screen lineFaults()
 QList<Screen> cutterScreens()
 {
     const QString motion = QStringLiteral("nav_motion");
+    const QString run = QStringLiteral("nav_run");
     const QStringList map{motion, QStringLiteral("more"), QStringLiteral("mapButton")};
     return {withJaws("map", 250, 60, map),
             withJaws("map-refused", 300, 250, map),
@@ -68,8 +71,10 @@ QList<Screen> cutterScreens()
                  window.panel().editor().minSealTime()->set(sealMs);
                  window.tap(motion);
              }},
-            withJaws("run-seal-time", 250, 60, {QStringLiteral("nav_run")}),
-            led("run-line", {QStringLiteral("nav_run"), QStringLiteral("packingRate")}),
+            withJaws("run-seal-time", 250, 60, {run}),
+            led("run-line", {run, QStringLiteral("packingRate")}),
+            led("run-cam-line", {run}, DemoLink::Kind::PointCam),
+            led("run-segments-line", {run, QStringLiteral("masterSpeed")}, DemoLink::Kind::SegmentCam),
             led("motion-line", {motion}),
             led("keypad-line", {motion, QStringLiteral("field_rate_bags_per_min")}),
             led("tools-line", {motion, QStringLiteral("more")}),

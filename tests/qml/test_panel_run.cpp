@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The sentences of Run, by touch: none that is not so, scrap is called scrap, a short gap of the line leaves
-// the page as it is, a lost program comes back by one key, and a number is changed where it stands.
+// the page as it is, a lost program comes back by one key, a number is changed where it stands, and
+// a cam says what the line that leads it does.
 #include "panel_test.h"
 
 #include "tests/looks/demo_packing.h"
@@ -186,6 +187,33 @@ private slots:
         QVERIFY2(m_window->find(u"downloadStart"_s), "what changes is told, with its key");
         tap("downloadStart");
         QCOMPARE(editor().programDownload()->state(), panel::ProgramDownload::State::Transferring);
+    }
+
+    void aCamShowsTheLine_data()
+    {
+        QTest::addColumn<looks::DemoLink::Kind>("kind");
+        QTest::newRow("point cam") << looks::DemoLink::Kind::PointCam;
+        QTest::newRow("segment cam") << looks::DemoLink::Kind::SegmentCam;
+    }
+
+    void aCamShowsTheLine()
+    {
+        QFETCH(const looks::DemoLink::Kind, kind);
+        m_window->link().show(Situation::Running, kind);
+        m_window->checkClock();
+        tap("nav_run");
+        QCOMPARE(propertyOf("masterSpeed", "note"), QString());
+        tap("masterSpeed");
+        QVERIFY(controller().commandMessage().isEmpty());
+        m_window->link().setLed(true);
+        QTRY_COMPARE(plain(propertyOf("masterSpeed", "note")), u"Engaged · 250 mm/s"_s);
+        QVERIFY(!m_window->find(u"directionChoice"_s)->isEnabled());
+        QCOMPARE(textOf("directionText"), u"The line sets the direction: an encoder leads the machine."_s);
+        tap("masterSpeed");
+        const QString reason = plain(controller().commandMessage());
+        QVERIFY2(reason.startsWith(u"The line sets the rate: an encoder leads the machine."),
+                 qPrintable(reason));
+        QVERIFY2(reason.endsWith(u"Engaged · 250 mm/s. Encoder at 265°, phase 0.00°."), qPrintable(reason));
     }
 };
 

@@ -58,6 +58,7 @@ Controller::Controller(link::Link& link, Settings& settings, QObject* parent)
     connect(this, &Controller::commandsChanged, this, sendPermit);
     connect(&m_qualityTimer, &QTimer::timeout, this, sendPermit); // it is valid for a short time only
     connect(&m_masterSetting, &MasterSetting::changed, this, &Controller::commandsChanged);
+    connect(&m_masterSetting, &MasterSetting::changed, &m_direction, &MasterDirection::changed);
     connect(&m_masterSetting, &MasterSetting::explained, this, &Controller::showMessage);
     connect(&m_direction, &MasterDirection::failed, this, &Controller::showMessage);
     connect(&m_ageTimer, &QTimer::timeout, this, &Controller::updateAge);
