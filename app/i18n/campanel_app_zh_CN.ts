@@ -3037,7 +3037,7 @@ RMS %2</source>
     </message>
     <message>
         <source>Shaft</source>
-        <translation>主轴</translation>
+        <translation>转轴</translation>
     </message>
     <message>
         <source>Wheel</source>

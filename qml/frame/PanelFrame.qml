@@ -46,6 +46,11 @@ Rectangle {
         frame.closeAll()
         frame.page = name
     }
+    function openSection(name: string, section: string): void {
+        frame.openPage(name)
+        if (frame.page === name)
+            frame.openPageItem?.open(section)
+    }
     // Opens a sheet by its file: naming its type would load it at the start. What is named on... answers a signal.
     function openSheet(name: string, values: var): void {
         if (!(frame.keypad?.settle() ?? true))
@@ -112,6 +117,7 @@ Rectangle {
         function onOpen(sheet: string, values: var) { frame.openSheet(sheet, values) }
         function onClose() { frame.closeSheet(frame.sheet) }
         function onOpenPage(name: string) { frame.openPage(name) }
+        function onOpenSection(page: string, section: string) { frame.openSection(page, section) }
         function onEdit(fields: var, index: int, source: Item, heading: string) { frame.edit(fields, index, source, heading) }
     }
     Binding {

@@ -1624,6 +1624,10 @@ Und %2 weitere.</translation>
         <source>Bag tolerance ±</source>
         <translation>Beuteltoleranz ±</translation>
     </message>
+    <message>
+        <source>Master</source>
+        <translation>Leitachse</translation>
+    </message>
 </context>
 <context>
     <name>Main</name>
@@ -1823,12 +1827,15 @@ Und %2 weitere.</translation>
 <context>
     <name>MasterSection</name>
     <message>
-        <source>Live values</source>
-        <translation>Istwerte</translation>
-    </message>
-    <message>
         <source>Set up</source>
         <translation>Einrichten</translation>
+    </message>
+</context>
+<context>
+    <name>MasterSetupSection</name>
+    <message>
+        <source>Master</source>
+        <translation>Leitachse</translation>
     </message>
 </context>
 <context>

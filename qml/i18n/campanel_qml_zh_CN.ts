@@ -1624,6 +1624,10 @@ And %2 more.</source>
         <source>Bag tolerance ±</source>
         <translation>袋长公差 ±</translation>
     </message>
+    <message>
+        <source>Master</source>
+        <translation>主轴</translation>
+    </message>
 </context>
 <context>
     <name>Main</name>
@@ -1809,7 +1813,7 @@ And %2 more.</source>
     </message>
     <message>
         <source>Encoder on the shaft of the line</source>
-        <translation>生产线主轴上的编码器</translation>
+        <translation>生产线转轴上的编码器</translation>
     </message>
     <message>
         <source>knife</source>
@@ -1823,12 +1827,15 @@ And %2 more.</source>
 <context>
     <name>MasterSection</name>
     <message>
-        <source>Live values</source>
-        <translation>实时值</translation>
-    </message>
-    <message>
         <source>Set up</source>
         <translation>设置</translation>
+    </message>
+</context>
+<context>
+    <name>MasterSetupSection</name>
+    <message>
+        <source>Master</source>
+        <translation>主轴</translation>
     </message>
 </context>
 <context>

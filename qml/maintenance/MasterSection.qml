@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// An encoder that leads the line: its drawing and state, the measured delay, its figures live; or its machine data.
+// An encoder that leads the line: its drawing and state, the measured delay, its figures live.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme
@@ -13,12 +13,8 @@ MaintenanceSection {
     readonly property MasterWatch master: Maintenance.master
     readonly property bool empty: section.master.emptyText.length > 0
     readonly property int rowHeight: Math.round(Theme.size.caption * 1.7)
-    property bool isSetting
 
-    onShownChanged: shown => {
-        section.master.watched = shown
-        section.isSetting = section.isSetting && shown
-    }
+    onShownChanged: shown => section.master.setWatchedBy(section, shown)
 
     Label {
         objectName: "masterEmpty"
@@ -38,8 +34,6 @@ MaintenanceSection {
             objectName: "masterDrawing"
             anchors { left: parent.left; right: parent.right; top: parent.top; bottom: words.top; bottomMargin: Theme.size.spacing }
             master: section.master
-            countsText: section.master.countsText
-            revolutionText: section.master.revolutionText
         }
         Column {
             id: words
@@ -66,15 +60,15 @@ MaintenanceSection {
             id: key
             objectName: "masterSetUp"
             anchors { left: parent.left; bottom: parent.bottom }
-            text: section.isSetting ? qsTr("Live values") : qsTr("Set up")
-            onClicked: section.isSetting = !section.isSetting
+            text: qsTr("Set up")
+            onClicked: Frame.openSection("settings", "MasterSetupSection.qml")
         }
     }
     Flickable {
         id: list
         objectName: "masterFigures"
         anchors { left: left.right; leftMargin: 2 * Theme.size.padding; right: parent.right; top: parent.top; bottom: parent.bottom }
-        visible: !section.empty && !section.isSetting
+        visible: !section.empty
         contentHeight: figures.height
         clip: true
         boundsBehavior: Flickable.StopAtBounds
@@ -110,11 +104,5 @@ MaintenanceSection {
     ScrollMark {
         view: list
         visible: list.visible && list.visibleArea.heightRatio < 1
-    }
-    ParameterList {
-        anchors { left: left.right; leftMargin: Theme.size.padding; right: parent.right; top: parent.top; bottom: parent.bottom }
-        visible: !section.empty && section.isSetting
-        fields: section.master.fields
-        name: "master"
     }
 }

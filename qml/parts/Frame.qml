@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The frame around the pages, for whatever stands in it: it opens a sheet, another page, or the keypad.
+// The frame around the pages, for whatever stands in it: it opens a sheet, another page or a section of it, or the keypad.
 pragma Singleton
 pragma ComponentBehavior: Bound
 import QtQuick
@@ -13,6 +13,8 @@ QtObject {
     signal open(string sheet, var values)
     signal close()
     signal openPage(string name)
+    // Opens a section of a page by its file: ("settings", "StopsSection.qml").
+    signal openSection(string page, string section)
     // Opens the keypad for fields[index], a list of Value; `source` stays in sight, null: nothing has to. The heading takes the place of
     // the label unless it is empty.
     signal edit(var fields, int index, Item source, string heading)

@@ -11,6 +11,8 @@ Item {
 
     required property ParameterFields fields
     required property string name          // the objects of the rows begin with it
+    property Item heading: null             // stands above the first row and moves with the rows
+    readonly property real headingHeight: parameters.heading ? parameters.heading.height + Theme.size.spacing : 0
 
     ListView {
         id: list
@@ -20,6 +22,8 @@ Item {
         spacing: Theme.size.outline
         boundsBehavior: Flickable.StopAtBounds
         model: parameters.fields
+        topMargin: parameters.headingHeight
+        onTopMarginChanged: contentY = -topMargin
         delegate: ParameterRow {
             objectName: parameters.name + index
             neededLevel: Access.Technician
@@ -32,6 +36,11 @@ Item {
             onChosen: choice => parameters.fields.setChoice(index, choice)
             onSuggestionTaken: parameters.fields.takeSuggestion(index)
         }
+    }
+    Binding {
+        target: parameters.heading
+        property: "parent"
+        value: list.contentItem
     }
     ScrollMark { view: list }
     Item {

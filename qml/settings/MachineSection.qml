@@ -49,6 +49,14 @@ SettingsSection {
                 note: qsTr("Reasons, ideal rate")
                 onClicked: section.settings.open("StopsSection.qml")
             }
+            ListRow {
+                objectName: "openMaster"
+                width: column.width
+                height: section.rowHeight
+                text: qsTr("Master")
+                note: Controller.masterSetting.text
+                onClicked: section.settings.open("MasterSetupSection.qml")
+            }
             Repeater {
                 model: Editor.machineFields
                 FieldTile {

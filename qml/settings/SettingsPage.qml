@@ -24,6 +24,7 @@ Page {
         { name: "section3", text: qsTr("About"), note: qsTr("versions, disk, safety"), source: "AboutSection.qml" },
         { source: "SystemSection.qml", within: 0 },
         { source: "StopsSection.qml", within: 2 },
+        { source: "MasterSetupSection.qml", within: 2 },
         { source: "VersionsSection.qml", within: 4 },
         { source: "PermitSection.qml", within: 2 }
     ]

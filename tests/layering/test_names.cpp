@@ -267,12 +267,23 @@ private slots:
         for (const QRegularExpressionMatch& match : source.globalMatch(textOf(u"qml/frame/PanelFrame.qml"_s)))
             pages << match.captured(1);
         QCOMPARE(pages.size(), 8);
+        int sections = 0;
         for (const QString& path : filesBelow({u"qml"_s}, {u"*.qml"_s})) {
             for (const QStringList& call : callsOf(u"Frame.openPage"_s, textOf(path))) {
                 for (const QString& name : textsIn(call.first()))
                     QVERIFY2(pages.contains(name), qPrintable(path + u": "_s + name));
             }
+            for (const QStringList& call : callsOf(u"Frame.openSection"_s, textOf(path))) {
+                const QString page = textsIn(call.at(0)).value(0);
+                const QString section = textsIn(call.at(1)).value(0);
+                QVERIFY2(pages.contains(page), qPrintable(path + u": "_s + page));
+                QVERIFY2(textOf(u"qml/%1/%2Page.qml"_s.arg(page, page.front().toUpper() + page.sliced(1)))
+                             .contains(u"source: \"%1\""_s.arg(section)),
+                         qPrintable(path + u": "_s + section));
+                ++sections;
+            }
         }
+        QVERIFY(sections > 0);
     }
 
     void everySettingHasItsRow()

@@ -233,6 +233,7 @@ QList<Screen> lockedScreens(const QList<Screen>& all)
                             u"tools"_s,
                             u"choice"_s,
                             u"settings-machine"_s,
+                            u"settings-master"_s,
                             u"settings-serial"_s,
                             u"settings-clock"_s,
                             u"settings-system"_s,

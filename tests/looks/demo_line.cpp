@@ -205,7 +205,7 @@ void copyMaster(std::vector<std::uint16_t>& map)
 } // namespace
 
 std::vector<std::uint16_t> demoRegisters(const link::ReadRequest& request,
-                                         const program::ProgramImage& program)
+                                         const program::ProgramImage& program, bool hasEncoder)
 {
     // Has the size of the map.
     std::vector<std::uint16_t> map(modbus::stagedBankBase + modbus::bankRegisters);
@@ -226,7 +226,8 @@ std::vector<std::uint16_t> demoRegisters(const link::ReadRequest& request,
         static_cast<std::uint16_t>(isCutter ? 0x000F : 0x000B), 0x0020, 0x0105, 372, 0x002F, 0x1A80, 3180,
         map[modbus::findSpan("status.master_angle")->address]};
     std::ranges::copy(io, map.begin() + modbus::ioAddress);
-    copyMaster(map);
+    if (hasEncoder)
+        copyMaster(map);
     std::ranges::copy(program.registers, map.begin() + modbus::activeBankBase);
     const auto first = map.begin() + request.address;
     return {first, first + request.count};

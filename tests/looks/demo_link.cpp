@@ -155,9 +155,10 @@ void DemoLink::sendRead(const link::ReadRequest& request)
         emit registersRead({request, link::ReadEnd::Done, demoEdges(film), m_now, std::nullopt});
         return;
     }
-    const auto registers = request.address == modbus::jamAddress
-                               ? demoJam(m_jamState, m_situation == Situation::Jammed)
-                               : demoRegisters(request, m_program);
+    const auto registers =
+        request.address == modbus::jamAddress
+            ? demoJam(m_jamState, m_situation == Situation::Jammed)
+            : demoRegisters(request, m_program, m_parameters["master_status.available"] == 1);
     emit registersRead({request, link::ReadEnd::Done, registers, m_now, std::nullopt});
 }
 

@@ -46,14 +46,13 @@ void tell(TestWindow& window, modbus::State state, std::uint16_t warningBits = 0
     window.settle();
 }
 
-// Opens the page of a master that leads, with its figures or its machine data.
-Screen master(const char* name, bool isSetting)
+// Opens the page of an encoder that leads, at this place, with its figures or its machine data.
+Screen master(const char* name, bool isSetting, double place = 0)
 {
-    return {QString::fromLatin1(name), [isSetting](TestWindow& window) {
-                for (const auto& [parameter, value] :
-                     {std::pair("master.source", 1.0), std::pair("master.counts", 10000.0),
-                      std::pair("master.revolution", 250.0), std::pair("master.delay", 2.0)})
-                    window.link().setParameter(parameter, value);
+    return {QString::fromLatin1(name), [isSetting, place](TestWindow& window) {
+                window.link().setLed(true);
+                window.link().setParameter("master.delay", 2);
+                window.link().setParameter("master.place", place);
                 openMachineSection(window, "maintenanceMaster", Situation::Running);
                 if (isSetting)
                     window.tap(QStringLiteral("masterSetUp"));
@@ -141,7 +140,15 @@ QList<Screen> maintenanceScreens()
             oldValues("io-lost", "maintenanceIo"),
             screen("io-empty", "maintenanceIo", Situation::Absent),
             master("master", false),
-            master("master-settings", true),
+            master("master-wheel", false, 1),
+            master("settings-master", true),
+            master("settings-master-wheel", true, 1),
+            {QStringLiteral("settings-master-empty"),
+             [](TestWindow& window) {
+                 window.link().show(Situation::Running);
+                 for (const char* name : {"nav_settings", "section2", "openMaster"})
+                     window.tap(QString::fromLatin1(name));
+             }},
             screen("master-empty", "maintenanceMaster", Situation::Absent),
             dryRun("dry-run", Kind::RotaryCutter, 200),
             dryRun("dry-run-apart", Kind::RotaryCutter, 62.5),

@@ -67,6 +67,7 @@ const QList<Harmless>& harmless()
           u"Stops::dismissAnswer"_s}},
         {"what is looked at, and a filter of it",
          {u"Watched::watched="_s,
+          u"Watched::setWatchedBy"_s,
           u"Alarms::showLive"_s,
           u"Alarms::showUrgent"_s,
           u"Alarms::showHistory"_s,

@@ -88,6 +88,22 @@ void MasterSetting::takeLine(const link::ReadOutcome& outcome)
     emit lineChanged();
 }
 
+// Without the setting in its map a controller follows its clock.
+QString MasterSetting::text() const
+{
+    const auto& identity = m_controller.identity();
+    const bool hasSetting = identity && identity->hasRegister(m_source.info().name);
+    if (!m_controller.isConnected() || (hasSetting && std::isnan(m_source.lastValue())))
+        return Format::unknownText();
+    if (!followsEncoder())
+        return MasterSentences::name(program::RecipeMaster::Clock);
+    const auto valueOf = [this](const char* name) {
+        const Parameter& parameter = m_controller.parameter(name);
+        return MasterSentences::value(parameter.info(), parameter.lastValue());
+    };
+    return u"%1 · %2 · %3"_s.arg(valueOf("master.source"), valueOf("master.place"), valueOf("master.counts"));
+}
+
 QString MasterSetting::lineText() const
 {
     if (!leads() || !m_line)

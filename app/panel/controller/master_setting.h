@@ -27,6 +27,8 @@ class MasterSetting : public campanel::panel::Watched {
     Q_PROPERTY(bool leads READ leads NOTIFY changed FINAL)
     // True when the controller has an input for an encoder.
     Q_PROPERTY(bool available READ hasInput NOTIFY changed FINAL)
+    // The clock that leads the machine, or the encoder with its place and counts.
+    Q_PROPERTY(QString text READ text NOTIFY changed FINAL)
     // The state of the line and its speed; empty while nothing leads.
     Q_PROPERTY(QString lineText READ lineText NOTIFY lineChanged FINAL)
 
@@ -35,6 +37,7 @@ public:
     explicit MasterSetting(Controller& controller);
 
     [[nodiscard]] bool leads() const;
+    [[nodiscard]] QString text() const;
     [[nodiscard]] QString lineText() const;
     // Returns the reason why the rate cannot be entered; empty while it can.
     [[nodiscard]] QString rateText() const;

@@ -11,6 +11,15 @@ void Watched::setWatched(bool isWatched)
         emit watchedChanged();
 }
 
+void Watched::setWatchedBy(QObject* page, bool isWatching)
+{
+    if (isWatching)
+        m_pages.insert(page);
+    else
+        m_pages.remove(page);
+    setWatched(!m_pages.isEmpty());
+}
+
 void Watched::updateEvery(std::chrono::milliseconds period, const std::function<void()>& update)
 {
     m_timer.setInterval(period);

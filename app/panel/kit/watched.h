@@ -4,6 +4,7 @@
 #pragma once
 
 #include <QObject>
+#include <QSet>
 #include <QTimer>
 #include <QtQml/qqmlregistration.h>
 
@@ -22,6 +23,8 @@ class Watched : public QObject {
 public:
     [[nodiscard]] bool watched() const { return m_isWatched; }
     void setWatched(bool isWatched);
+    // Says whether that page shows the object, where several pages do.
+    Q_INVOKABLE void setWatchedBy(QObject* page, bool isWatching);
 
 signals:
     void watchedChanged();
@@ -34,6 +37,7 @@ protected:
 
 private:
     QTimer m_timer;
+    QSet<const QObject*> m_pages; // those that show the object
     bool m_isWatched = false;
 };
 

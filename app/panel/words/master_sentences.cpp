@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace campanel::panel {
 
@@ -91,10 +92,14 @@ QString MasterSentences::parameter(const QString& name)
 
 QString MasterSentences::value(const modbus::RegisterInfo& info, double value)
 {
+    if (std::isnan(value))
+        return Format::unknownText();
     if (!info.enumName.empty())
         return ControllerSentences::texts(info.enumName).value(static_cast<int>(value));
     if (info.maximum == 1)
         return value == 0 ? tr("Off") : tr("On");
+    if (info.unit == "counts")
+        return Format::joined(Format().grouped(value, 0), RecipeWords::unit(info.unit));
     return Format().compactMeasure(value, 0, RegisterWords::decimals(info), RecipeWords::unit(info.unit));
 }
 

@@ -17,7 +17,8 @@ public:
     [[nodiscard]] static QString refusal(program::MasterRefusal refusal);
     [[nodiscard]] static QString title();                            // "Master"
     [[nodiscard]] static QString name(program::RecipeMaster master); // "Encoder"
-    // Returns the name of a parameter of the group `master`, empty for another one; and its value in words.
+    // Returns the name of a parameter of the group `master`, empty for another one; and its value in words,
+    // "--" for NaN.
     [[nodiscard]] static QString parameter(const QString& name);
     [[nodiscard]] static QString value(const modbus::RegisterInfo& info, double value);
     // Returns why the rate is not entered while an encoder leads.

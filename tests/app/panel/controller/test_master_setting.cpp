@@ -100,9 +100,13 @@ private slots:
         }));
         QVERIFY(!older.machine.masterSetting()->machine());
         QVERIFY(!older.machine.masterSetting()->leads());
+        QCOMPARE(older.machine.masterSetting()->text(), "Clock of the controller");
 
         MasterRig rig(true);
+        rig.registers["master.place"] = 1;
+        QCOMPARE(rig.master().text(), "--");
         rig.connectIdle();
+        QVERIFY2(rig.master().text().startsWith("Encoder · Wheel · 10,000"), qPrintable(rig.master().text()));
         QVERIFY(rig.master().followsEncoder() && rig.master().hasInput());
         QVERIFY(!rig.master().leads()); // there is no program
         rig.connectRunning();
@@ -110,6 +114,7 @@ private slots:
         rig.setSource(0);
         QVERIFY(!rig.master().leads());
         QVERIFY(rig.master().rateText().isEmpty());
+        QCOMPARE(rig.master().text(), "Clock of the controller");
     }
 
     void theRateIsThatOfTheLine()
@@ -166,7 +171,7 @@ private slots:
         emit rig.link.registersRead({rig.link.reads.last(), link::ReadEnd::Done, registers, rig.now, {}});
         QCOMPARE(told.size(), 1);
         QCOMPARE(changed.size(), 0);
-        QVERIFY(rig.master().lineText().startsWith(QStringLiteral("Engaged · 250")));
+        QVERIFY(rig.master().lineText().startsWith("Engaged · 250"));
         QSignalSpy explained(&rig.master(), &MasterSetting::explained);
         rig.master().explainRate();
         const QString sentence = explained.at(0).at(0).toString();

@@ -120,6 +120,7 @@ private slots:
     void saysWhatTheLineDoes();
     void isEmptyWithoutAnInput();
     void canBeSetBackWithoutAnInput();
+    void isWatchedWhileOneOfItsPagesIsOpen();
     void offersTheDelayOfTwoSpeeds();
     void refusesWhatCannotBe();
 };
@@ -195,6 +196,21 @@ void TestMasterWatch::canBeSetBackWithoutAnInput()
     rig.tell();
     QVERIFY(!rig.master().leads());
     QVERIFY(rig.master().emptyText().contains(QStringLiteral("no input")));
+}
+
+void TestMasterWatch::isWatchedWhileOneOfItsPagesIsOpen()
+{
+    MasterRig rig;
+    QObject maintenance;
+    QObject settings;
+    rig.master().setWatchedBy(&maintenance, true);
+    rig.master().setWatchedBy(&settings, true); // the other page goes later
+    rig.master().setWatchedBy(&maintenance, false);
+    QVERIFY(rig.master().watched());
+    rig.master().setWatchedBy(&maintenance, false);
+    QVERIFY(rig.master().watched());
+    rig.master().setWatchedBy(&settings, false);
+    QVERIFY(!rig.master().watched());
 }
 
 void TestMasterWatch::offersTheDelayOfTwoSpeeds()

@@ -11,11 +11,9 @@ Item {
     id: drawing
 
     required property MasterWatch master
-    property string countsText
-    property string revolutionText
 
     readonly property color ink: drawing.master.leads ? Theme.color.touch : Theme.color.target
-    readonly property real filmY: Math.round(height * (drawing.master.wheel ? 0.72 : 0.3))
+    readonly property real filmY: Math.round(drawing.master.wheel ? height * 0.72 : Math.max(height * 0.3, knife.height + knifeName.height))
 
     Accessible.role: Accessible.Graphic
     Accessible.name: drawing.master.wheel ? qsTr("Encoder wheel on the film") : qsTr("Encoder on the shaft of the line")
@@ -37,6 +35,7 @@ Item {
         color: Theme.color.ink
     }
     Label {
+        id: knifeName
         anchors { horizontalCenter: knife.horizontalCenter; bottom: knife.top }
         text: qsTr("knife")
         font.pixelSize: Theme.size.caption
@@ -83,24 +82,25 @@ Item {
         color: drawing.ink
     }
     Column {
-        anchors { left: encoder.right; leftMargin: Theme.size.spacing; right: shaft.visible ? knife.left : parent.right; bottom: encoder.verticalCenter; bottomMargin: Theme.size.outline }
-        Label {
-            objectName: "masterAngle"
-            width: parent.width
-            text: Theme.measure(drawing.master.angleDeg, 1, "°")
-            font.pixelSize: Theme.size.caption
-        }
+        id: scale
+        anchors { left: encoder.right; leftMargin: Theme.size.spacing; right: knifeName.left; bottom: encoder.verticalCenter; bottomMargin: Theme.size.outline }
         Label {
             objectName: "masterCounts"
             width: parent.width
-            text: drawing.countsText
+            text: drawing.master.countsText
             font.pixelSize: Theme.size.caption
         }
         Label {
             objectName: "masterRevolution"
             width: parent.width
-            text: drawing.revolutionText
+            text: drawing.master.revolutionText
             font.pixelSize: Theme.size.caption
         }
+    }
+    Label {
+        objectName: "masterAngle"
+        anchors { left: scale.left; right: scale.right; top: encoder.verticalCenter; topMargin: 2 * Theme.size.outline }
+        text: Theme.measure(drawing.master.angleDeg, 1, "°")
+        font.pixelSize: Theme.size.caption
     }
 }
