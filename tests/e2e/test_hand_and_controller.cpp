@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+// The operator's hand on a running machine, by finger: slower, back to full speed, and what the next run
+// keeps. campanel-controller is the panel's own simulated machine.
+#include "app/shell/fonts.h"
+#include "panel_window.h"
+#include "tests/support/test_program.h"
+
+#include <QTest>
+
+#include <cmath>
+
+namespace test_hand_and_controller {
+
+using namespace campanel;
+using panel::Controller;
+using test::PanelWindow;
+
+namespace {
+
+constexpr int timeoutMs = 60'000;
+
+} // namespace
+
+class TestHandAndController : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() { shell::applyFonts(); }
+
+    void theMachineRunsAsFastAsTheHandSays()
+    {
+        PanelWindow panel{QString()};
+        Controller& controller = panel.controller();
+        const auto runsAt = [&controller](double percent) {
+            return std::abs(controller.live().rateBagsPerMin -
+                            controller.active().rateBagsPerMin * percent / 100) < 0.5;
+        };
+        QTRY_COMPARE_WITH_TIMEOUT(controller.state(), Controller::State::Idle, timeoutMs);
+        panel.tap("nav_motion");
+        panel.download();
+        if (QTest::currentTestFailed())
+            return;
+        panel.tap("nav_run");
+        QVERIFY(!panel.touchDriver().find(QStringLiteral("speedKey")));
+        QTRY_VERIFY_WITH_TIMEOUT(controller.canStart(), timeoutMs);
+        panel.start();
+        QTRY_COMPARE_WITH_TIMEOUT(controller.state(), Controller::State::Running, timeoutMs);
+        QTRY_VERIFY_WITH_TIMEOUT(runsAt(100), timeoutMs);
+        QTRY_VERIFY_WITH_TIMEOUT(panel.touchDriver().find(QStringLiteral("speedKey")), timeoutMs);
+        QTRY_VERIFY_WITH_TIMEOUT(controller.bags().counted > 5, timeoutMs);
+        const int scrap = controller.bags().scrap; // of the start after power-up
+
+        panel.tap("speedKey");
+        for (int step = 0; step < 8; ++step)
+            panel.tap("speedSlower");
+        QCOMPARE(panel.complaints(), QStringList());
+        QVERIFY2(panel.texts().contains(QStringLiteral("60")), qPrintable(panel.texts()));
+        QTRY_VERIFY_WITH_TIMEOUT(runsAt(60), timeoutMs);
+
+        // The next run is as slow, and says so before it starts.
+        controller.stop();
+        QTRY_COMPARE_WITH_TIMEOUT(controller.state(), Controller::State::Ready, timeoutMs);
+        QVERIFY(panel.touchDriver().find(QStringLiteral("speedKey")));
+        panel.tap("sheetClose");
+        panel.start();
+        QTRY_VERIFY_WITH_TIMEOUT(runsAt(60), timeoutMs);
+        panel.tap("speedKey");
+        panel.tap("speedFull");
+        QTRY_VERIFY_WITH_TIMEOUT(runsAt(100), timeoutMs);
+        QCOMPARE(panel.complaints(), QStringList());
+        QCOMPARE(controller.bags().scrap, scrap);
+    }
+};
+
+CAMPANEL_TEST(TestHandAndController)
+
+} // namespace test_hand_and_controller
+
+#include "test_hand_and_controller.moc"
