@@ -27,8 +27,7 @@ struct Side {
     }
     [[nodiscard]] double filmHz(const ChangeParameters& parameters) const
     {
-        return (solved.cutter->cycle.bagLengthMm + parameters.lengthTrimMm) * parameters.filmPulsesPerMm /
-               solved.cycleS();
+        return solved.cutter->cycle.bagLengthMm * parameters.filmPulsesPerMm / solved.cycleS();
     }
     [[nodiscard]] double rampS(const ChangeParameters& parameters) const
     {

@@ -26,7 +26,6 @@ struct ChangeParameters {
     double infeedStepHz = 0;
     double filmPulsesPerMm = 0; // 0: the machine has no packing line
     double flightPulses = 0;    // of the infeed motor per product
-    double lengthTrimMm = 0;    // 0 while the marks are followed
     double rampS = 0;           // of a program without its own ramp
     bool isReversed = false;    // the master of a point cam
     bool hasAntiCut = false;    // the knife stays open over a product

@@ -10,6 +10,11 @@
 #define US_PER_S 1000000u
 /* Adding one byte to the CRC-16 takes a quarter of the work on a register. */
 #define ANSWER_BYTES_PER_REGISTER 4u
+#define NAME_BYTES ((CTL_BANK_HEADER_REGISTERS - CTL_OFFSET_PROGRAM_RECIPE_NAME) * sizeof(uint16_t))
+
+enum { TRIMS = CTL_REG_HAND_CUT - CTL_REG_HAND_SPEED };
+
+_Static_assert(TRIMS + 2u * CTL_TRIMS == CTL_GROUP_HAND, "the next program's trims follow those of this one");
 
 /* Tells each part which others it works with. */
 static void compose(ctl_core* core)
@@ -36,12 +41,29 @@ void ctl_init(ctl_core* core, const ctl_config* config, const ctl_port* port, ui
     core->board.now_us = now_us;
     compose(core);
     ctl_map_init(core);
-    ctl_flash_load(&core->flash, &core->board, &core->banks, core->written.parameter, core->written.master);
+    ctl_flash_load(&core->flash, &core->board, &core->banks, core->written.parameter, core->written.master,
+                   &core->written.hand[TRIMS]);
+    core->trims_of = core->banks.generation;
     ctl_master_init(&core->master, &core->board);
     ctl_packer_init(&core->packer, &core->board);
     ctl_order_init(&core->order, &core->board);
     ctl_motion_init(&core->motion);
     ctl_io_init(&core->io, &core->board);
+}
+
+/* A program of another name brings its own trims; a change of the same one leaves the operator's. */
+static void change_trims(ctl_core* core)
+{
+    const ctl_banks* banks = &core->banks;
+    uint16_t* trims = &core->written.hand[TRIMS];
+    const uint16_t* name = &ctl_active_bank(banks)->registers[CTL_OFFSET_PROGRAM_RECIPE_NAME];
+    const uint16_t* before = &banks->bank[banks->active ^ 1u].registers[CTL_OFFSET_PROGRAM_RECIPE_NAME];
+    core->trims_of = banks->generation;
+    if (memcmp(name, before, NAME_BYTES) != 0) {
+        memcpy(trims, &trims[CTL_TRIMS], CTL_TRIMS * sizeof *trims);
+        core->board.parameter_writes += 1;
+    }
+    memset(&trims[CTL_TRIMS], 0, CTL_TRIMS * sizeof *trims);
 }
 
 /* Outside the slices with the most work: the newest bag of the order is past the jaws, and the run ends with
@@ -71,6 +93,8 @@ static void slice(ctl_core* core, uint32_t ticks)
     ctl_motion_slice(motion, ticks);
     if (!core->packer.busy && core->order.state == CTL_ORDER_STATE_ACTIVE)
         follow_order(core);
+    if (core->trims_of != core->banks.generation)
+        change_trims(core);
     if (ctl_packer_slice(&core->packer, ctl_motion_in_cycle(motion)) && motion->state == CTL_STATE_RUNNING)
         (void)ctl_motion_stop_at_cycle_end(motion);
     if (core->banks.has_active && motion->state != CTL_STATE_FAULT && !ctl_banks_check(&core->banks))

@@ -488,10 +488,24 @@ constexpr std::array registerTable{
     since(6, cutter(block("order_status.lot", 0x0B5F, orderLotRegisters, Access::ReadOnly,
                           "lot of the order, as order.lot"))),
 
-    // The operator's hand; 100 % at each power-up.
+    // The operator's hand. The speed is 100 % at each power-up; the trims are saved with the program, and
+    // become those of the next one with a program of another name.
     since(6, rw16("hand.speed", 0x0B80,
                   "speed of a cutter or a cam that follows the clock, of its program's rate", {}, 20, 100,
                   100, 1.0, "%")),
+    since(6,
+          rwI16("hand.cut", 0x0B81, "the cut lies so much later on the print, without marks to the product",
+                -10, 10, 0, 0.001, "mm")),
+    since(6, rwI16("hand.product", 0x0B82, "the product lies so much farther forward in its bag", -20, 20, 0,
+                   0.001, "mm")),
+    since(6, rwI16("hand.length", 0x0B83, "added to every bag while mark tracking is off", -5, 5, 0, 0.001,
+                   "mm")),
+    since(6, rwI16("hand.next_cut", 0x0B84, "hand.cut of the next program of another name", -10, 10, 0, 0.001,
+                   "mm")),
+    since(6, rwI16("hand.next_product", 0x0B85, "hand.product of the next program of another name", -20, 20,
+                   0, 0.001, "mm")),
+    since(6, rwI16("hand.next_length", 0x0B86, "hand.length of the next program of another name", -5, 5, 0,
+                   0.001, "mm")),
 
     block("active", activeBankBase, bankRegisters, Access::ReadOnly, "the active bank; layout below"),
     block("staged", stagedBankBase, bankRegisters, Access::ReadOnly, "the shadow bank; layout below"),

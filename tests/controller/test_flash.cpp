@@ -316,8 +316,9 @@ void TestFlash::slotsOfOtherVersions_data()
     QTest::newRow("an older one") << int{'4'} << true << 12;
     QTest::newRow("map 1.4") << int{'4'} << true << 85;
     QTest::newRow("map 1.5") << int{'4'} << true << int{CTL_GROUP_PARAMETER};
-    QTest::newRow("fewer parameters") << int{'5'} << true << 85;
-    QTest::newRow("a newer one") << int{'5'} << true << int{CTL_GROUP_PARAMETER} + 3;
+    QTest::newRow("without trims") << int{'5'} << true << int{CTL_GROUP_PARAMETER};
+    QTest::newRow("fewer parameters") << int{'6'} << true << 85;
+    QTest::newRow("a newer one") << int{'6'} << true << int{CTL_GROUP_PARAMETER} + 3;
 }
 
 void TestFlash::slotsOfOtherVersions()
@@ -332,6 +333,7 @@ void TestFlash::slotsOfOtherVersions()
         rig.setParameter(CTL_REG_PARAMETER_SWITCH8_LEAD, 77);
         rig.setParameter(CTL_REG_PARAMETER_PERMIT_NEEDED, 1);
         rig.setParameter(CTL_REG_MASTER_ENGAGE, 75);
+        rig.setParameter(CTL_REG_HAND_PRODUCT, 1500);
         QCOMPARE(saveNumber(rig, 1), CTL_REFUSAL_NONE);
     }
     auto& bytes = flash.contents[0];
@@ -342,9 +344,12 @@ void TestFlash::slotsOfOtherVersions()
     constexpr int now = CTL_GROUP_PARAMETER;
     slot[1] = static_cast<std::uint16_t>('M' << 8 | lastOfMagic);
     slot[head - 1] = static_cast<std::uint16_t>(parameters);
-    const bool hasMaster = lastOfMagic == '5';
-    if (!hasMaster) // its number and its registers
-        slot.erase(slot.begin() + head + now, slot.begin() + head + now + 1 + CTL_GROUP_MASTER);
+    const bool hasMaster = lastOfMagic >= '5';
+    const bool hasTrims = lastOfMagic >= '6';
+    const auto master = slot.begin() + head + now; // its number and its registers; then the trims
+    const auto trims = master + 1 + CTL_GROUP_MASTER;
+    if (!hasTrims)
+        slot.erase(hasMaster ? trims : master, trims + 1 + CTL_TRIMS);
     const auto end = slot.begin() + head + now;
     if (parameters < now)
         slot.erase(slot.begin() + head + parameters, end);
@@ -367,6 +372,7 @@ void TestFlash::slotsOfOtherVersions()
     QCOMPARE(rig.status(CTL_REG_PARAMETER_SWITCH8_LEAD), parameters > lead ? 77 : 0);
     QCOMPARE(rig.status(CTL_REG_PARAMETER_PERMIT_NEEDED), parameters < now ? 0 : 1);
     QCOMPARE(rig.status(CTL_REG_MASTER_ENGAGE), hasMaster ? 75 : 50);
+    QCOMPARE(rig.status(CTL_REG_HAND_PRODUCT), hasTrims ? 1500 : 0);
     QCOMPARE(rig.status(CTL_REG_PARAMETER_DRIVE_ENABLE), CTL_DRIVE_ENABLE_ON);
     QCOMPARE(saveNumber(rig, 2), CTL_REFUSAL_NONE);
     Rig after({}, &flash);

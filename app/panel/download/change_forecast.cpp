@@ -14,12 +14,11 @@ namespace campanel::panel {
 namespace {
 
 // In the order of the enum.
-constexpr std::array names{
-    "parameter.knife_step",       "parameter.film_step",       "parameter.infeed_step",
-    "parameter.film_pulses",      "parameter.film_feed",       "parameter.flight_pulses",
-    "parameter.length_trim",      "parameter.mark_tracking",   "parameter.ramp_time",
-    "parameter.master_direction", "parameter.anti_cut",        "parameter.phase_limit",
-    "parameter.cut_clearance",    "parameter.product_distance"};
+constexpr std::array names{"parameter.knife_step",      "parameter.film_step",   "parameter.infeed_step",
+                           "parameter.film_pulses",     "parameter.film_feed",   "parameter.flight_pulses",
+                           "parameter.mark_tracking",   "parameter.ramp_time",   "parameter.master_direction",
+                           "parameter.anti_cut",        "parameter.phase_limit", "parameter.cut_clearance",
+                           "parameter.product_distance"};
 enum class Index {
     KnifeStep,
     FilmStep,
@@ -27,7 +26,6 @@ enum class Index {
     FilmPulses,
     FilmFeed,
     FlightPulses,
-    LengthTrim,
     MarkTracking,
     RampTime,
     Direction,
@@ -86,7 +84,6 @@ std::optional<program::ChangeParameters> ChangeForecast::parameters() const
         .infeedStepHz = value(InfeedStep),
         .filmPulsesPerMm = hasFilm ? value(FilmPulses) / value(FilmFeed) : 0.0,
         .flightPulses = value(FlightPulses),
-        .lengthTrimMm = value(MarkTracking) != 0 ? 0.0 : value(LengthTrim),
         .rampS = value(RampTime) / 1000,
         .isReversed = value(Direction) != 0,
         .hasAntiCut = value(AntiCut) != 0,

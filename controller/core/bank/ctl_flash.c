@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 /* A slot, high byte first: magic, sequence, generation (32 bits each), the number of parameters, these, the
- * number of the registers of the group `master`, these, the bank's registers, CRC-32 of all before it. Slots
- * of older versions have neither of the latter, or no number at all. */
+ * number of the registers of the group `master`, these, the number of the trims in the group `hand`, these,
+ * the bank's registers, CRC-32 of all before it. Slots of older versions have no trims, no master either, or
+ * no number at all. */
 #include "bank/ctl_flash.h"
 
 #include "bank/ctl_check.h"
@@ -12,24 +13,28 @@
 #include <stddef.h>
 #include <string.h>
 
-#define MAGIC 0x43414D35u            /* "CAM5" */
-#define MAGIC_OF_MAP_1_5 0x43414D34u /* "CAM4" */
-#define MAGIC_OF_MAP_1_2 0x43414D33u /* "CAM3" */
-#define MAGIC_OF_MAP_1_1 0x43414D32u /* "CAM2" */
+#define MAGIC 0x43414D36u               /* "CAM6" */
+#define MAGIC_WITHOUT_TRIMS 0x43414D35u /* "CAM5" */
+#define MAGIC_OF_MAP_1_5 0x43414D34u    /* "CAM4" */
+#define MAGIC_OF_MAP_1_2 0x43414D33u    /* "CAM3" */
+#define MAGIC_OF_MAP_1_1 0x43414D32u    /* "CAM2" */
 #define PARAMETERS_OF_MAP_1_2 38u
 #define PARAMETERS_OF_MAP_1_1 10u
 #define MAX_PARAMETERS 256u
 #define BLANK 0xFFFFFFFFu
 #define FIXED_REGISTERS 6u
 #define MASTER_AT (FIXED_REGISTERS + CTL_GROUP_PARAMETER)
-#define HEAD_REGISTERS (MASTER_AT + CTL_GROUP_MASTER)
-#define SAVED_MASTER_AT (MASTER_AT + 2u) /* behind both numbers */
+#define TRIMS_AT (MASTER_AT + CTL_GROUP_MASTER)
+#define HEAD_REGISTERS (TRIMS_AT + CTL_TRIMS)
+#define SAVED_MASTER_AT (MASTER_AT + 2u) /* behind both numbers, */
+#define SAVED_TRIMS_AT (TRIMS_AT + 3u)   /* and behind all three */
 #define MASTER_BYTES (CTL_GROUP_MASTER * sizeof(uint16_t))
+#define TRIM_BYTES (CTL_TRIMS * sizeof(uint16_t))
 #define PARAMETER_BYTES (CTL_GROUP_PARAMETER * sizeof(uint16_t))
 #define CHUNK_REGISTERS 32u
 
 _Static_assert(CTL_GROUP_PARAMETER <= MAX_PARAMETERS, "a slot holds all parameters");
-_Static_assert(CTL_FLASH_HEAD_REGISTERS == HEAD_REGISTERS + 2u, "the head has both numbers, too");
+_Static_assert(CTL_FLASH_HEAD_REGISTERS == HEAD_REGISTERS + 3u, "the head has the numbers, too");
 
 typedef struct {
     const ctl_port* port;
@@ -83,6 +88,7 @@ static uint32_t read_parameter_count(slot_stream* stream, uint32_t magic)
     uint16_t count = 0;
     switch (magic) {
     case MAGIC:
+    case MAGIC_WITHOUT_TRIMS:
     case MAGIC_OF_MAP_1_5:
         read_some(stream, &count, 1);
         return count <= MAX_PARAMETERS ? count : 0;
@@ -106,23 +112,35 @@ static void read_group(slot_stream* stream, uint32_t count, uint16_t* registers,
     }
 }
 
+/* Reads a group with its number before it; false when that is none. */
+static bool read_counted_group(slot_stream* stream, uint16_t* registers, uint32_t registers_count)
+{
+    uint16_t count = 0;
+    read_some(stream, &count, 1);
+    if (count > MAX_PARAMETERS)
+        return false;
+    read_group(stream, count, registers, registers_count);
+    return true;
+}
+
 /* Reads a slot into `head` and `bank`; false when its contents are not whole. */
 static bool read_slot(const ctl_board* board, uint32_t slot, uint16_t* head, ctl_bank* bank)
 {
     slot_stream stream = open_slot(board, slot);
     read_some(&stream, head, FIXED_REGISTERS);
-    const uint32_t count = read_parameter_count(&stream, ctl_get32(head));
+    const uint32_t magic = ctl_get32(head);
+    const uint32_t count = read_parameter_count(&stream, magic);
     if (!stream.ok || count == 0)
         return false;
     memcpy(&head[FIXED_REGISTERS], board->parameter, PARAMETER_BYTES);
     memcpy(&head[MASTER_AT], board->master, MASTER_BYTES);
+    memcpy(&head[TRIMS_AT], ctl_trims(board), TRIM_BYTES);
     read_group(&stream, count, &head[FIXED_REGISTERS], CTL_GROUP_PARAMETER);
-    uint16_t of_master = 0;
-    if (ctl_get32(head) == MAGIC)
-        read_some(&stream, &of_master, 1);
-    if (of_master > MAX_PARAMETERS)
+    const bool has_master = magic == MAGIC || magic == MAGIC_WITHOUT_TRIMS;
+    if (has_master && !read_counted_group(&stream, &head[MASTER_AT], CTL_GROUP_MASTER))
         return false;
-    read_group(&stream, of_master, &head[MASTER_AT], CTL_GROUP_MASTER);
+    if (magic == MAGIC && !read_counted_group(&stream, &head[TRIMS_AT], CTL_TRIMS))
+        return false;
     read_some(&stream, bank->registers, CTL_BANK_HEADER_REGISTERS);
     if (!stream.ok || ctl_bank_length(bank) > CTL_BANK_STORAGE)
         return false;
@@ -133,11 +151,12 @@ static bool read_slot(const ctl_board* board, uint32_t slot, uint16_t* head, ctl
     read_some(&stream, stored, 2);
     return stream.ok && ctl_get32(stored) == computed && ctl_parameters_valid(&head[FIXED_REGISTERS]) &&
            ctl_within_limits(&head[MASTER_AT], CTL_REG_MASTER_SOURCE, CTL_GROUP_MASTER) &&
+           ctl_within_limits(&head[TRIMS_AT], CTL_REG_HAND_CUT, CTL_TRIMS) &&
            ctl_bank_check(bank, &board->config, ctl_bank_length(bank)).result == CTL_TRANSFER_RESULT_ACCEPTED;
 }
 
 void ctl_flash_load(ctl_flash* flash, const ctl_board* board, ctl_banks* banks, uint16_t* parameter,
-                    uint16_t* master)
+                    uint16_t* master, uint16_t* trims)
 {
     for (uint32_t slot = 0; slot < CTL_FLASH_SLOTS; ++slot) {
         uint16_t head[HEAD_REGISTERS];
@@ -160,6 +179,7 @@ void ctl_flash_load(ctl_flash* flash, const ctl_board* board, ctl_banks* banks, 
         banks->generation = ctl_get32(&head[4]);
         memcpy(parameter, &head[FIXED_REGISTERS], PARAMETER_BYTES);
         memcpy(master, &head[MASTER_AT], MASTER_BYTES);
+        memcpy(trims, &head[TRIMS_AT], TRIM_BYTES);
     }
 }
 
@@ -179,6 +199,8 @@ void ctl_flash_begin_save(ctl_flash* flash, const ctl_board* board, const ctl_ba
     memcpy(&saving->head[FIXED_REGISTERS + 1u], board->parameter, PARAMETER_BYTES);
     saving->head[MASTER_AT + 1u] = CTL_GROUP_MASTER;
     memcpy(&saving->head[SAVED_MASTER_AT], board->master, MASTER_BYTES);
+    saving->head[TRIMS_AT + 2u] = CTL_TRIMS;
+    memcpy(&saving->head[SAVED_TRIMS_AT], ctl_trims(board), TRIM_BYTES);
     if (!board->port.flash_erase(board->port.context, saving->slot))
         saving->bank = NULL; /* the next piece says so */
 }
@@ -188,7 +210,8 @@ bool ctl_flash_saves(const ctl_flash* flash, const ctl_board* board, const ctl_b
     const ctl_flash_saving* saving = &flash->saving;
     return saving->busy && saving->bank == ctl_active_bank(banks) &&
            memcmp(&saving->head[FIXED_REGISTERS + 1u], board->parameter, PARAMETER_BYTES) == 0 &&
-           memcmp(&saving->head[SAVED_MASTER_AT], board->master, MASTER_BYTES) == 0;
+           memcmp(&saving->head[SAVED_MASTER_AT], board->master, MASTER_BYTES) == 0 &&
+           memcmp(&saving->head[SAVED_TRIMS_AT], ctl_trims(board), TRIM_BYTES) == 0;
 }
 
 /* Writes the next registers; false when the flash refused. */

@@ -12,7 +12,7 @@
 extern "C" {
 #endif
 
-#define CTL_FLASH_HEAD_REGISTERS (8u + CTL_GROUP_PARAMETER + CTL_GROUP_MASTER)
+#define CTL_FLASH_HEAD_REGISTERS (9u + CTL_GROUP_PARAMETER + CTL_GROUP_MASTER + CTL_TRIMS)
 
 /* A save under way. */
 typedef struct {
@@ -34,13 +34,14 @@ typedef struct {
     uint32_t saved_crc; /* of the bank in that slot, 0 when there is none */
 } ctl_flash;
 
-/* Loads the newest valid slot: active bank, generation, and the machine data into `parameter` and `master`.
- */
+/* Loads the newest valid slot: active bank, generation, the machine data into `parameter` and `master`, and
+ * the trims. */
 void ctl_flash_load(ctl_flash* flash, const ctl_board* board, ctl_banks* banks, uint16_t* parameter,
-                    uint16_t* master);
-/* Begins to save the active bank and the parameters, which may change meanwhile; the bank may not. */
+                    uint16_t* master, uint16_t* trims);
+/* Begins to save the active bank, the parameters and the trims, which may change meanwhile; the bank may not.
+ */
 void ctl_flash_begin_save(ctl_flash* flash, const ctl_board* board, const ctl_banks* banks);
-/* Returns whether the save under way saves the active bank and the parameters as they are now. */
+/* Returns whether the save under way saves all this as it is now. */
 bool ctl_flash_saves(const ctl_flash* flash, const ctl_board* board, const ctl_banks* banks);
 /* Goes on with the save by one piece of at most 32 registers. CTL_FLASH_FAILED: the flash refused, and what
  * was saved before is still valid. */

@@ -17,7 +17,7 @@ typedef struct {
     const uint16_t* parameter; /* registers of the group `parameter`, as the panel left them */
     const uint16_t* master;    /* those of the group `master`, */
     const uint16_t* hand;      /* and of the group `hand` */
-    uint32_t parameter_writes; /* how often the panel has written any of both */
+    uint32_t parameter_writes; /* how often any of them was written */
     uint64_t started_us;
     uint64_t now_us;
     uint32_t tick;        /* timer ticks since power-up at the start of the slice, modulo 2^32 */
@@ -34,6 +34,20 @@ static inline uint16_t ctl_parameter16(const ctl_board* board, uint32_t address)
 static inline uint32_t ctl_parameter32(const ctl_board* board, uint32_t address)
 {
     return ctl_get32(&board->parameter[address - CTL_REG_PARAMETER_HEARTBEAT_TIMEOUT]);
+}
+
+/* The operator's trims: those of the program, and as many of the next one behind them. */
+#define CTL_TRIMS (CTL_REG_HAND_NEXT_CUT - CTL_REG_HAND_CUT)
+
+static inline const uint16_t* ctl_trims(const ctl_board* board)
+{
+    return &board->hand[CTL_REG_HAND_CUT - CTL_REG_HAND_SPEED];
+}
+
+/* One of them, um. */
+static inline int16_t ctl_trim_um(const ctl_board* board, uint32_t address)
+{
+    return (int16_t)ctl_trims(board)[address - CTL_REG_HAND_CUT];
 }
 
 #endif

@@ -271,7 +271,7 @@ uint8_t ctl_map_write(ctl_core* core, uint32_t address, const uint16_t* values, 
     if (!ctl_within_limits(changed, ranges[group].base, ranges[group].count))
         return CTL_ILLEGAL_VALUE;
     memcpy(target, changed, ranges[group].count * sizeof changed[0]);
-    if (group == GROUP_PARAMETER || group == GROUP_MASTER)
+    if (group == GROUP_PARAMETER || group == GROUP_MASTER || group == GROUP_HAND)
         core->board.parameter_writes += 1;
     if (group == GROUP_EXCHANGE && !(covers(address, count, CTL_REG_EXCHANGE_HEARTBEAT) &&
                                      covers(address, count, CTL_REG_EXCHANGE_PERMIT)))

@@ -53,6 +53,7 @@ typedef struct ctl_core {
     ctl_written written;
     uint16_t command_result[CTL_GROUP_RESULT];
     ctl_banks banks;
+    uint32_t trims_of; /* generation of the program that has the present trims */
     ctl_transfer transfer;
     ctl_work work;
     ctl_flash flash;

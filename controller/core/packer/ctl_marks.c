@@ -169,12 +169,22 @@ static void teach(ctl_marks* marks, int64_t film)
     teaching->count += 1;
 }
 
+bool ctl_marks_follow(const ctl_marks* marks)
+{
+    return marks->state == CTL_MARK_STATE_ALIGNING || marks->state == CTL_MARK_STATE_TRACKING;
+}
+
+void ctl_marks_move(ctl_marks* marks, int64_t by)
+{
+    marks->settings.distance += by;
+    shift_waiting(marks, by);
+}
+
 /* Missing marks before this print are passed, so that the next one is expected. */
 static void arrive(ctl_marks* marks, int64_t film)
 {
     ctl_marks_pass(marks, film);
-    const bool follows = marks->state == CTL_MARK_STATE_ALIGNING || marks->state == CTL_MARK_STATE_TRACKING;
-    marks->off = follows ? from_nearest(marks, film) : 0;
+    marks->off = ctl_marks_follow(marks) ? from_nearest(marks, film) : 0;
 }
 
 static bool is_masked(const ctl_marks* marks, int64_t film)

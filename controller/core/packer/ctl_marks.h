@@ -77,6 +77,10 @@ void ctl_marks_search(ctl_marks* marks, const ctl_mark_settings* settings, int64
 uint16_t ctl_marks_see(ctl_marks* marks, int64_t film);
 /* Handles a print that is no mark for this reason; returns it. */
 uint16_t ctl_marks_reject(ctl_marks* marks, int64_t film, uint16_t verdict);
+/* Returns true while marks are expected at their places. */
+bool ctl_marks_follow(const ctl_marks* marks);
+/* All cuts are so much later from now on, those of the waiting marks, too. */
+void ctl_marks_move(ctl_marks* marks, int64_t by);
 /* Returns false as long as ctl_marks_pass() has nothing to do at this film position. */
 bool ctl_marks_due(const ctl_marks* marks, int64_t film);
 /* Handles a film position: expected marks that were not seen by then are missing. */

@@ -147,13 +147,15 @@ void ctl_packer_break_off(ctl_packer* packer)
  */
 static int64_t infeed_ahead(const ctl_packer* packer)
 {
-    return (int64_t)((uint64_t)packer->flight * packer->cut / packer->cycle) - packer->flight / 2;
+    return (int64_t)((uint64_t)packer->flight * packer->cut / packer->cycle) - packer->flight / 2 +
+           packer->product_in_infeed;
 }
 
 /* The position of the infeed is arbitrary: in the first cycles it is corrected to the nearest product place;
  * at a start only forward. */
 static void align_infeed(ctl_packer* packer, int64_t start, bool forward)
 {
+    packer->product_in_infeed = packer->wheel.on ? 0 : packer->settings.product;
     const int64_t ahead = infeed_ahead(packer);
     packer->number = (start + ahead + (forward ? packer->flight - 1 : packer->flight / 2)) / packer->flight;
     ctl_feed_reset(&packer->infeed, packer->cycle, start, packer->flight);
@@ -202,8 +204,8 @@ static void begin_cycle(ctl_packer* packer, const ctl_bank* bank)
     packer->broken_off = false;
     ctl_gate_reset(&packer->film_gate, packer->cycle, packer->engage, packer->release);
     ctl_gate_reset(&packer->knife_gate, packer->cycle, packer->engage, packer->release);
-    ctl_feed_reset(&packer->film, packer->cycle, packer->film_sent * CTL_FINE,
-                   ctl_packer_cycle_length(packer));
+    packer->cut_in_film = packer->settings.cut;
+    ctl_feed_reset(&packer->film, packer->cycle, packer->film_sent * CTL_FINE, packer->bag);
     align_infeed(packer, packer->infeed_sent * CTL_FINE, true);
     plan_first_cut(packer);
     ctl_packer_leave_register(packer, bag_before);
@@ -293,7 +295,7 @@ void ctl_packer_change_bank(ctl_packer* packer, const ctl_bank* bank, const ctl_
     ctl_gate_reset(&packer->knife_gate, packer->cycle, packer->engage, packer->release);
     if (is_open)
         ctl_gate_stand(&packer->knife_gate);
-    ctl_feed_reset(&packer->film, packer->cycle, film, ctl_packer_cycle_length(packer));
+    ctl_feed_reset(&packer->film, packer->cycle, film, packer->bag);
     align_infeed(packer, ctl_feed_position(&packer->infeed), false);
     plan_first_cut(packer);
     if (bag_before != packer->bag || !plan_onto_mark(packer, ramp))
@@ -313,20 +315,11 @@ void ctl_packer_follow_marks(ctl_packer* packer)
     } else if (marks->state == CTL_MARK_STATE_OFF || marks->alarm != 0) {
         ctl_marks_search(marks, settings, packer->film_actual);
     } else {
+        /* The cuts come to another distance as they are planned. */
+        const int64_t distance = ctl_marks_follow(marks) ? marks->settings.distance : settings->distance;
         marks->settings = *settings;
+        marks->settings.distance = distance;
     }
-}
-
-/* Returns the film added to each bag while mark tracking is off. */
-static int64_t trim(const ctl_packer* packer)
-{
-    const int64_t trim_um = (int16_t)parameter(packer, CTL_REG_PARAMETER_LENGTH_TRIM);
-    return ctl_packer_tracks(packer) ? 0 : ctl_packer_film(packer, trim_um);
-}
-
-int64_t ctl_packer_cycle_length(const ctl_packer* packer)
-{
-    return packer->bag + trim(packer);
 }
 
 static bool in_step(const ctl_packer* packer)

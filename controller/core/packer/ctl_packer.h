@@ -69,6 +69,9 @@ typedef struct {
     int64_t clearance; /* from a product to a cut */
     ctl_mark_settings marks;
     ctl_phase_limits phase;
+    int64_t cut;         /* by the operator's hand, film; */
+    int64_t length;      /* added to every bag, film; */
+    int64_t product;     /* of the infeed ahead of the middle of the bag, infeed */
     int64_t jaws_before; /* the cut they touch the film, pulses of the knife; */
     int64_t jaws_behind; /* and behind it, */
     int64_t jam_back;    /* and the way back after a jam */
@@ -130,6 +133,8 @@ typedef struct {
     int64_t lag;        /* at full speed: film position at a cut minus the command that was meant for it */
     bool lag_known;
     ctl_phase phase;
+    int64_t cut_in_film;       /* without marks: settings.cut, as far as the film was shifted for it */
+    int64_t product_in_infeed; /* settings.product, as far as the infeed was */
     ctl_knives knives;
     uint16_t alarms; /* bits CTL_WARNING_BIT_... until the next start */
     ctl_last_cut last_cut;
@@ -262,9 +267,19 @@ bool ctl_packer_sees_other_speed(const ctl_packer* packer, const ctl_ramp* ramp)
 int64_t ctl_packer_lag(const ctl_packer* packer, uint32_t speed, const ctl_ramp* ramp);
 /* Starts or stops mark tracking according to the present parameters. */
 void ctl_packer_follow_marks(ctl_packer* packer);
-/* Return the film length of a cycle without its correction, and the maximum correction of this length. */
-int64_t ctl_packer_cycle_length(const ctl_packer* packer);
+/* Returns the maximum correction of a bag's film. */
 int64_t ctl_packer_length_limit(const ctl_packer* packer);
+/* Returns the set length of a bag, with what the operator's hand adds. */
+int64_t ctl_packer_bag_um(const ctl_packer* packer);
+/* Computes the settings of the operator's trims. */
+void ctl_packer_read_trims(ctl_packer* packer);
+/* Behind a sealing window: moves the next cut toward its trim, and its mark with it; returns by how much it
+ * comes later than it would. */
+int64_t ctl_packer_move_cut(ctl_packer* packer);
+/* Returns how far the trims may shift the next cut. */
+int64_t ctl_packer_next_move(const ctl_packer* packer);
+/* At the start of the master's cycle: moves the infeed toward the trim of the product. */
+void ctl_packer_move_products(ctl_packer* packer);
 
 #ifdef __cplusplus
 }

@@ -35,7 +35,9 @@ static bool eye_too_near(const ctl_packer* packer, const ctl_bank* bank)
     const uint64_t to_gain = cycle / 2u + cut + ctl_packer_ticks_at(bank, CTL_OFFSET_BANK_SYNC_START);
     const uint64_t dead =
         (uint64_t)ctl_packer_eye_dead_us(packer) * packer->board->config.timer_clock_hz / US_PER_S;
-    const uint64_t cycles = (to_slow > to_gain ? to_slow : to_gain) + cycle / 10u + dead;
+    const int16_t forward = ctl_trim_um(packer->board, CTL_REG_HAND_PRODUCT);
+    const uint64_t back = forward < 0 ? cycle * (uint64_t)-forward / ctl_bank_bag_um(bank) : 0u;
+    const uint64_t cycles = (to_slow > to_gain ? to_slow : to_gain) + cycle / 10u + dead + back;
     const uint64_t pitch = ctl_parameter32(packer->board, CTL_REG_PARAMETER_FLIGHT_PITCH);
     const uint64_t eye = ctl_parameter32(packer->board, CTL_REG_PARAMETER_EYE_DISTANCE);
     return eye * cycle < pitch * cycles || eye > pitch * MAX_FLIGHTS_TO_EYE;
@@ -110,8 +112,7 @@ uint16_t ctl_packer_refusal(const ctl_packer* packer, const ctl_bank* bank)
 
 ctl_line_speed ctl_packer_full_speed(const ctl_packer* packer, const ctl_bank* bank)
 {
-    const int64_t film =
-        ctl_packer_film(packer, ctl_bank_bag_um(bank)) + ctl_packer_cycle_length(packer) - packer->bag;
+    const int64_t film = ctl_packer_film(packer, ctl_bank_bag_um(bank));
     const uint64_t flight =
         (uint64_t)ctl_parameter32(packer->board, CTL_REG_PARAMETER_FLIGHT_PULSES) * CTL_FINE;
     const ctl_line_speed speed = {(int64_t)full_speed_hz(packer, bank, (uint64_t)film),

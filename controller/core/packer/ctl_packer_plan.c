@@ -17,9 +17,8 @@
 
 int64_t ctl_packer_uncorrected(const ctl_packer* packer)
 {
-    const int64_t next = ctl_packer_cycle_length(packer);
     return packer->film.start + packer->film.shift + packer->film.length +
-           (int64_t)((uint64_t)next * packer->cut / packer->cycle);
+           (int64_t)((uint64_t)packer->bag * packer->cut / packer->cycle);
 }
 
 int64_t ctl_packer_lag(const ctl_packer* packer, uint32_t speed, const ctl_ramp* ramp)
@@ -120,6 +119,7 @@ void ctl_packer_plan_cut(ctl_packer* packer, const ctl_drive* drive)
     packer->planned = true;
     packer->busy = true;
     ctl_packer_follow_marks(packer);
+    const int64_t by_hand = ctl_packer_move_cut(packer) + packer->settings.length;
     ctl_marks_drop(&packer->marks, ctl_feed_position(&packer->film) - packer->bag / 2);
     const int64_t even = ctl_packer_uncorrected(packer);
     packer->next.lag = lag_ahead(packer, drive, packer->cycle - packer->film.phase + packer->cut);
@@ -133,11 +133,12 @@ void ctl_packer_plan_cut(ctl_packer* packer, const ctl_drive* drive)
     int64_t shift = 0;
     ctl_phase_none(&packer->phase);
     if (mark != NULL)
-        shift = allowed_shift(packer, drive, mark, mark->at - packer->next.lag - even - place);
+        shift = allowed_shift(packer, drive, mark, mark->at - packer->next.lag - even - place - by_hand);
     else if (place != packer->knives.in_film)
         shift = ctl_phase_allow(&packer->phase, &packer->settings.phase, CTL_PHASE_LIMITED,
                                 packer->knives.in_film - place, 0);
     packer->knives.in_film = mark != NULL ? place : packer->knives.in_film - shift;
+    shift += by_hand;
     packer->next.command = even;
     packer->next.tracked = mark != NULL && packer->marks.state == CTL_MARK_STATE_TRACKING;
     packer->next.seen = mark != NULL && mark->seen;

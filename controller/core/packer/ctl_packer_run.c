@@ -71,6 +71,7 @@ static bool knife_must_wait(ctl_packer* packer, const ctl_drive* drive)
         cut = ctl_packer_uncorrected(packer);
         const bool aligning = packer->marks.state == CTL_MARK_STATE_ALIGNING;
         clearance += ctl_phase_max(&packer->settings.phase, aligning ? CTL_PHASE_FAST : CTL_PHASE_LIMITED);
+        clearance += ctl_packer_next_move(packer);
     }
     if (!ctl_products_across(&packer->products, cut + packer->next.lag, clearance))
         return false;
@@ -122,7 +123,7 @@ static uint32_t move_film(ctl_packer* packer, const ctl_drive* drive, uint32_t t
         if (part > ticks)
             part = ticks;
         knife += ctl_gate_advance(&packer->knife_gate, part);
-        ctl_feed_advance(&packer->film, part, ctl_packer_cycle_length(packer));
+        ctl_feed_advance(&packer->film, part, packer->bag);
         if (packer->film.phase == 0)
             packer->planned = false;
         ticks -= part;
@@ -155,6 +156,8 @@ uint32_t ctl_packer_advance(ctl_packer* packer, const ctl_drive* drive, uint32_t
     if (packer->master == packer->cycle) {
         packer->master = 0;
         packer->number += 1;
+        if (!drive->changes) /* the change begins at a cycle without a correction */
+            ctl_packer_move_products(packer);
     }
     return knife;
 }
@@ -250,7 +253,7 @@ void ctl_packer_on_cut(ctl_packer* packer, int64_t film, const ctl_ramp* ramp)
     last->bags = bags;
     last->changed = packer->changed && packer->cut_before;
     last->set_um = last->changed ? ctl_packer_um(packer, packer->next.command - last->command)
-                                 : (int64_t)last->bags * ctl_bank_bag_um(packer->bank);
+                                 : (int64_t)last->bags * ctl_packer_bag_um(packer);
     last->burned = packer->burned != 0;
     packer->burned -= packer->burned != 0 ? 1u : 0u;
     last->jammed = packer->jammed != 0;

@@ -43,7 +43,8 @@ static void read_marks(ctl_packer* packer)
         .nominal = packer->bag,
         .distance =
             ctl_packer_film(packer, (int64_t)ctl_parameter32(packer->board, CTL_REG_PARAMETER_MARK_DISTANCE) +
-                                        ctl_parameter32(packer->board, CTL_REG_PARAMETER_MARK_OFFSET)),
+                                        ctl_parameter32(packer->board, CTL_REG_PARAMETER_MARK_OFFSET) +
+                                        ctl_trim_um(packer->board, CTL_REG_HAND_CUT)),
         .window = film_um(packer, CTL_REG_PARAMETER_MARK_WINDOW),
         .jump = ctl_packer_film(packer, JUMP_UM),
         .masking = film_tenths(packer, CTL_REG_PARAMETER_MARK_MASKING),
@@ -113,8 +114,8 @@ static void sum_up_to_cut(ctl_packer* packer)
 }
 
 /* The first ones are what a start needs at once. */
-static void (*const pieces[])(ctl_packer* packer) = {read_clearance, read_marks, read_phase,
-                                                     read_sizes,     read_jaws,  read_jam};
+static void (*const pieces[])(ctl_packer* packer) = {
+    read_clearance, read_marks, read_phase, ctl_packer_read_trims, read_sizes, read_jaws, read_jam};
 #define PIECES (sizeof pieces / sizeof pieces[0])
 #define PIECES_OF_A_START 2u
 

@@ -2,6 +2,7 @@
 #include "packer/ctl_phase.h"
 
 #define FAST_SHARE 10
+#define BY_HAND_SHARE 50
 
 static int64_t limited(int64_t value, int64_t limit)
 {
@@ -17,6 +18,8 @@ static int64_t step_limit(const ctl_phase_limits* limits, ctl_phase_mode mode)
         return limits->bag / FAST_SHARE;
     case CTL_PHASE_FAST_AND_SHORT:
         return limits->bag / (2 * FAST_SHARE);
+    case CTL_PHASE_BY_HAND:
+        return limits->bag / BY_HAND_SHARE;
     default:
         return limits->step_limit;
     }

@@ -16,9 +16,14 @@ typedef struct {
     int64_t step_limit;   /* maximum shift of a cut besides */
 } ctl_phase_limits;
 
-/* How the cuts are shifted: by the limits; or, where they are not in register yet, by a tenth of a bag, and
- * by half of it in half of the time. */
-typedef enum { CTL_PHASE_LIMITED, CTL_PHASE_FAST, CTL_PHASE_FAST_AND_SHORT } ctl_phase_mode;
+/* How the cuts are shifted: by the limits; where they are not in register yet, by a tenth of a bag, and by
+ * half of it in half of the time; beside all that a fiftieth of a bag for the operator's hand. */
+typedef enum {
+    CTL_PHASE_LIMITED,
+    CTL_PHASE_FAST,
+    CTL_PHASE_FAST_AND_SHORT,
+    CTL_PHASE_BY_HAND
+} ctl_phase_mode;
 
 typedef struct {
     int64_t step;   /* of the last planned cut: the shift beside the part of the bag's length, */
