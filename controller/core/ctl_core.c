@@ -1,8 +1,10 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "ctl_core.h"
 
+#include "link/ctl_command.h"
 #include "link/ctl_function.h"
 #include "link/ctl_map.h"
+#include "link/ctl_status.h"
 #include "link/ctl_work.h"
 
 #include <string.h>
@@ -22,6 +24,7 @@ static void compose(ctl_core* core)
     core->board.parameter = core->written.parameter;
     core->board.master = core->written.master;
     core->board.hand = core->written.hand;
+    core->board.signal = core->written.signal;
     core->motion.board = &core->board;
     core->motion.banks = &core->banks;
     core->motion.transfer = &core->transfer;
@@ -41,14 +44,16 @@ void ctl_init(ctl_core* core, const ctl_config* config, const ctl_port* port, ui
     core->board.now_us = now_us;
     compose(core);
     ctl_map_init(core);
-    ctl_flash_load(&core->flash, &core->board, &core->banks, core->written.parameter, core->written.master,
-                   &core->written.hand[TRIMS]);
+    uint16_t* const saved[CTL_FLASH_GROUPS] = {core->written.parameter, core->written.master,
+                                               &core->written.hand[TRIMS], core->written.signal};
+    ctl_flash_load(&core->flash, &core->board, &core->banks, saved);
     core->trims_of = core->banks.generation;
     ctl_master_init(&core->master, &core->board);
     ctl_packer_init(&core->packer, &core->board);
     ctl_order_init(&core->order, &core->board);
     ctl_motion_init(&core->motion);
     ctl_io_init(&core->io, &core->board);
+    ctl_actions_init(&core->actions, &core->io);
 }
 
 /* A program of another name brings its own trims; a change of the same one leaves the operator's. */
@@ -66,8 +71,7 @@ static void change_trims(ctl_core* core)
     memset(&trims[CTL_TRIMS], 0, CTL_TRIMS * sizeof *trims);
 }
 
-/* Outside the slices with the most work: the newest bag of the order is past the jaws, and the run ends with
- * the order. */
+/* The newest bag of the order is past the jaws, and the run ends with the order. */
 static void follow_order(ctl_core* core)
 {
     ctl_order* order = &core->order;
@@ -78,6 +82,49 @@ static void follow_order(ctl_core* core)
         ctl_motion_end_after(&core->motion, ctl_order_left(order));
 }
 
+static bool shows_order(ctl_core* core, bool runs)
+{
+    ctl_order_sign* sign = &core->order_sign;
+    const bool complete = core->order.state == CTL_ORDER_STATE_COMPLETE;
+    sign->shown = complete && (sign->shown || sign->counted) && !(runs && !sign->ran);
+    sign->counted = core->order.state == CTL_ORDER_STATE_ACTIVE;
+    sign->ran = runs;
+    return sign->shown;
+}
+
+/* The conditions of the light tower, bits CTL_SIGNAL_BIT_... */
+static uint32_t conditions(ctl_core* core)
+{
+    const uint32_t notices = 1u << CTL_WARNING_BIT_NOT_HOMED | 1u << CTL_WARNING_BIT_FLASH_SLOT_INVALID |
+                             1u << CTL_WARNING_BIT_CLOCK_NOT_SET;
+    const ctl_motion* motion = &core->motion;
+    const uint32_t warnings = ctl_warnings(core) & ~notices;
+    const bool runs = ctl_motion_in_cycle(motion);
+    const bool waits =
+        core->packer.film_gate.state == CTL_GATE_STATE_STANDING || (motion->follows && !core->master.leads);
+    uint32_t bits = shows_order(core, runs) ? 1u << CTL_SIGNAL_BIT_ORDER : 0u;
+    if (motion->state == CTL_STATE_FAULT || ctl_io_emergency_stop(&core->io, &core->board))
+        bits |= 1u << CTL_SIGNAL_BIT_FAULT;
+    if (warnings != 0)
+        bits |= 1u << CTL_SIGNAL_BIT_WARNING;
+    if (runs)
+        bits |= waits ? 1u << CTL_SIGNAL_BIT_WAITING : 1u << CTL_SIGNAL_BIT_RUNNING;
+    if (motion->state == CTL_STATE_READY && (bits & ~(1u << CTL_SIGNAL_BIT_ORDER)) == 0)
+        bits |= 1u << CTL_SIGNAL_BIT_READY;
+    return bits;
+}
+
+/* Does what can wait for a slice without much other work. */
+static void use_quiet_slice(ctl_core* core)
+{
+    if (ctl_tower_is_due(&core->tower, &core->board)) {
+        ctl_tower_slice(&core->tower, &core->board, conditions(core));
+        core->io.tower = core->tower.levels;
+    } else if (core->order.state == CTL_ORDER_STATE_ACTIVE) {
+        follow_order(core);
+    }
+}
+
 /* One slice of so many timer ticks: every part in its turn, and what one of them wants of another. */
 static void slice(ctl_core* core, uint32_t ticks)
 {
@@ -86,13 +133,16 @@ static void slice(ctl_core* core, uint32_t ticks)
     ctl_io_begin(&core->io, motion);
     if (ctl_io_drive_alarm(&core->io) && (motion->fault & 1u << CTL_FAULT_BIT_DRIVE_ALARM) == 0)
         ctl_motion_fault(motion, CTL_FAULT_BIT_DRIVE_ALARM);
+    ctl_actions_slice(&core->actions, &core->io, motion);
+    if (core->actions.wants_start)
+        ctl_command_button(core);
     if (ctl_heartbeat_slice(&core->heartbeat, &core->board, keys))
         ctl_motion_stop_unattended(motion);
     ctl_master_slice(&core->master);
     core->packer.wheel.counts = core->master.tracker.count;
     ctl_motion_slice(motion, ticks);
-    if (!core->packer.busy && core->order.state == CTL_ORDER_STATE_ACTIVE)
-        follow_order(core);
+    if (!core->packer.busy)
+        use_quiet_slice(core);
     if (core->trims_of != core->banks.generation)
         change_trims(core);
     if (ctl_packer_slice(&core->packer, ctl_motion_in_cycle(motion)) && motion->state == CTL_STATE_RUNNING)

@@ -84,7 +84,11 @@ enum class WarningBit : std::uint16_t {
     EmergencyStop = 9,
     ProductsJoined = 10, // it ends a run, too
     JawsClosed = 11,
-    MasterTooFast = 12 // it ends a run, too
+    MasterTooFast = 12, // it ends a run, too
+    // While the input is on; each ends a run, too.
+    DoorOpen = 13,
+    NextMachine = 14,
+    Coder = 15
 };
 
 inline constexpr std::array warningBits{
@@ -134,6 +138,12 @@ inline constexpr std::array warningBits{
           CAMPANEL_TEXT("AlarmCatalogue",
                         "The line became faster than the program allows, so the run was stopped."),
           "It was above master.speed_max."),
+    entry(WarningBit::DoorOpen, "DoorOpen", CAMPANEL_TEXT("AlarmCatalogue", "A door of the machine is open."),
+          "Input Door. It has ended a run; no safety depends on that."),
+    entry(WarningBit::NextMachine, "NextMachine",
+          CAMPANEL_TEXT("AlarmCatalogue", "The machine behind this one is not ready."), "Input NextMachine."),
+    entry(WarningBit::Coder, "Coder", CAMPANEL_TEXT("AlarmCatalogue", "The date coder is not ready."),
+          "Input Coder."),
 };
 
 } // namespace campanel::modbus

@@ -20,7 +20,12 @@ enum class InputBit : std::uint16_t {
     IndexMark,
     MarkSensor,
     ProductEye,
-    TorqueLimit
+    TorqueLimit,
+    StartButton,
+    StopButton,
+    Door,
+    NextMachine,
+    Coder
 };
 
 // The bits of io.outputs. Command TryOutput switches each of them on at standstill.
@@ -34,11 +39,17 @@ enum class OutputBit : std::uint16_t {
     Switch7,
     Switch8,
     DriveEnable,
-    LineMayRun
+    LineMayRun,
+    TowerRed,
+    TowerYellow,
+    TowerGreen,
+    Horn,
+    Running
 };
 
-// The origin of an input's level. A contact has the parameters parameter.NAME_contact and _filter, and a
-// person sets it on the simulated machine; the motion of the machine sets a sensor.
+// The origin of an input's level. A contact has the registers NAME_contact and NAME_filter in the group
+// parameter or signal, and a person sets it on the simulated machine; the motion of the machine sets a
+// sensor.
 enum class InputSource { Contact, Sensor };
 
 // The level of the pin that means on.
@@ -78,12 +89,30 @@ inline constexpr std::array inputRows{
     InputRow{entry(
         InputBit::TorqueLimit, "TorqueLimit", CAMPANEL_TEXT("Protocol", "Torque limit"),
         CAMPANEL_TEXT("Protocol", "The drive is at its torque limit. While the jaws close, this is a jam."))},
+    InputRow{
+        entry(InputBit::StartButton, "StartButton", CAMPANEL_TEXT("Protocol", "Start button"),
+              CAMPANEL_TEXT("Protocol", "Starts a run when it is pressed, as Start on the panel does."))},
+    InputRow{entry(InputBit::StopButton, "StopButton", CAMPANEL_TEXT("Protocol", "Stop button"),
+                   CAMPANEL_TEXT("Protocol", "Ends a run at the end of its cycle and refuses a start."))},
+    InputRow{entry(
+        InputBit::Door, "Door", CAMPANEL_TEXT("Protocol", "Door open"),
+        CAMPANEL_TEXT("Protocol", "Ends a run at once and refuses a start. No safety depends on this."))},
+    InputRow{entry(InputBit::NextMachine, "NextMachine", CAMPANEL_TEXT("Protocol", "Next machine not ready"),
+                   CAMPANEL_TEXT("Protocol", "Ends a run at the end of its cycle and refuses a start."))},
+    InputRow{entry(InputBit::Coder, "Coder", CAMPANEL_TEXT("Protocol", "Date coder not ready"),
+                   CAMPANEL_TEXT("Protocol", "Ends a run at the end of its cycle and refuses a start."))},
 };
 
 constexpr EnumValue camSwitchRow(OutputBit bit, std::string_view name, std::string_view number)
 {
     return entry(bit, name, CAMPANEL_TEXT("Protocol", "Cam switch %1"),
                  CAMPANEL_TEXT("Protocol", "On by the angle of the cycle, or for a rejected bag."), number);
+}
+
+constexpr EnumValue towerRow(OutputBit bit, std::string_view name, std::string_view text)
+{
+    return entry(bit, name, text,
+                 CAMPANEL_TEXT("Protocol", "On or blinking by the table of the light tower."));
 }
 
 inline constexpr std::array outputRows{
@@ -99,6 +128,12 @@ inline constexpr std::array outputRows{
           CAMPANEL_TEXT("Protocol", "Enables the drives of all axes.")),
     entry(OutputBit::LineMayRun, "LineMayRun", CAMPANEL_TEXT("Protocol", "Line may run"),
           CAMPANEL_TEXT("Protocol", "On while the knife follows the encoder on the film, or waits for it.")),
+    towerRow(OutputBit::TowerRed, "TowerRed", CAMPANEL_TEXT("Protocol", "Light tower, red")),
+    towerRow(OutputBit::TowerYellow, "TowerYellow", CAMPANEL_TEXT("Protocol", "Light tower, yellow")),
+    towerRow(OutputBit::TowerGreen, "TowerGreen", CAMPANEL_TEXT("Protocol", "Light tower, green")),
+    towerRow(OutputBit::Horn, "Horn", CAMPANEL_TEXT("Protocol", "Horn")),
+    entry(OutputBit::Running, "Running", CAMPANEL_TEXT("Protocol", "Machine runs"),
+          CAMPANEL_TEXT("Protocol", "On from the start of a run to its standstill.")),
 };
 
 } // namespace campanel::modbus

@@ -179,6 +179,8 @@ constexpr std::array commands{
         "one that was completed or ended before, nothing is counted anew. Since map 1.6."),
     entry(Command::OrderEnd, "OrderEnd", CAMPANEL_TEXT("Protocol", "End of an order"),
           "argument0 = number of the order under way: no further bag is counted. Since map 1.6."),
+    entry(Command::Acknowledge, "Acknowledge", CAMPANEL_TEXT("Protocol", "Acknowledgement"),
+          "What the light tower and the horn show now is acknowledged: see SignalMode. Since map 1.6."),
 };
 
 constexpr std::array applyModes{
@@ -337,6 +339,13 @@ constexpr std::array refusals{
           CAMPANEL_TEXT("Protocol", "The active program makes no bags that could be counted. Download a "
                                     "cutter's program to a packing machine first."),
           "An order needs film and infeed, and no program of another kind than a cutter's."),
+    entry(Refusal::StopButton, "StopButton",
+          CAMPANEL_TEXT("Protocol", "The Stop button of the machine is pressed. Release it.")),
+    entry(Refusal::DoorOpen, "DoorOpen", CAMPANEL_TEXT("Protocol", "The door is open. Close it.")),
+    entry(Refusal::NextMachine, "NextMachine",
+          CAMPANEL_TEXT("Protocol", "The next machine is not ready. Clear it first.")),
+    entry(Refusal::Coder, "Coder",
+          CAMPANEL_TEXT("Protocol", "The date coder is not ready. Clear its fault first.")),
 };
 static_assert(static_cast<std::uint16_t>(Refusal::PanelDisagrees) ==
               static_cast<std::uint16_t>(Refusal::NotWarm) +
@@ -477,6 +486,29 @@ constexpr std::array orderActions{
           "The run ends with the bag that completes the order, if all on the way are good."),
 };
 
+constexpr std::array signalModes{
+    entry(SignalMode::Off, "Off", CAMPANEL_TEXT("Protocol", "Off")),
+    entry(SignalMode::On, "On", CAMPANEL_TEXT("Protocol", "On")),
+    entry(SignalMode::Blink, "Blink", CAMPANEL_TEXT("Protocol", "Blinks"), "Half a second on, half off."),
+    entry(SignalMode::BlinkThenOn, "BlinkThenOn", CAMPANEL_TEXT("Protocol", "Blinks, then on"),
+          "Blinks until it is acknowledged."),
+    entry(SignalMode::OnThenOff, "OnThenOff", CAMPANEL_TEXT("Protocol", "On, then off"),
+          "On until it is acknowledged."),
+};
+
+constexpr std::array signalBits{
+    entry(SignalBit::Fault, "Fault", CAMPANEL_TEXT("Protocol", "Fault")),
+    entry(SignalBit::Warning, "Warning", CAMPANEL_TEXT("Protocol", "Warning"),
+          "Any but NotHomed, FlashSlotInvalid and ClockNotSet, or an input refuses a start."),
+    entry(SignalBit::Waiting, "Waiting", CAMPANEL_TEXT("Protocol", "Waiting"),
+          "In a run: the film waits for a product, or the line for its encoder."),
+    entry(SignalBit::Running, "Running", CAMPANEL_TEXT("Protocol", "Running"), "And nothing waits."),
+    entry(SignalBit::Ready, "Ready", CAMPANEL_TEXT("Protocol", "Ready"),
+          "There is a program; nothing moves and nothing is wrong."),
+    entry(SignalBit::Order, "Order", CAMPANEL_TEXT("Protocol", "Order complete"),
+          "Until the next start of an order or of a run."),
+};
+
 constexpr std::array ioBits{
     entry(IoBit::Inputs, "Inputs", "io.inputs."),
     entry(IoBit::Outputs, "Outputs", "io.outputs."),
@@ -573,7 +605,7 @@ constexpr std::array bagBits{
     entry(BagBit::Jammed, "Jammed", "The jaws were stopped by a jam at one of its ends."),
 };
 
-constexpr std::array<EnumInfo, 41> infos{{
+constexpr std::array<EnumInfo, 43> infos{{
     {"State", states},
     {"ProgramKind", programKinds},
     {"StagedState", stagedStates},
@@ -612,6 +644,8 @@ constexpr std::array<EnumInfo, 41> infos{{
     {"MasterState", masterStates},
     {"OrderState", orderStates},
     {"OrderAction", orderActions},
+    {"SignalMode", signalModes},
+    {"SignalBit", signalBits},
     {"IoBit", ioBits},
     {"InputBit", inputBits},
     {"Contact", contacts},

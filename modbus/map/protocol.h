@@ -85,9 +85,10 @@ enum class Command : std::uint16_t {
     TryOutput,
     OrderStart,
     OrderEnd,
+    Acknowledge,
 };
 
-inline constexpr Command lastCommand = Command::OrderEnd;
+inline constexpr Command lastCommand = Command::Acknowledge;
 // The first minor version of the map with Command::TryOutput.
 inline constexpr std::uint16_t tryOutputMapMinor = 5;
 
@@ -146,6 +147,11 @@ enum class Refusal : std::uint16_t {
     OrderUnderWay,
     NoOrder,
     NoBags,
+    // The inputs that refuse a start, in the order of InputBit.
+    StopButton,
+    DoorOpen,
+    NextMachine,
+    Coder,
 };
 
 enum class TransferOperation : std::uint16_t { None = 0, Begin, Block, Seal };
@@ -229,6 +235,13 @@ inline constexpr int orderLotRegisters = 20;
 
 // The run does this at an order's quantity.
 enum class OrderAction : std::uint16_t { None = 0, Message, Stop };
+
+// What a light of the tower, or the horn, does while its condition lasts. An unacknowledged one: BlinkThenOn
+// blinks, OnThenOff is on.
+enum class SignalMode : std::uint16_t { Off = 0, On, Blink, BlinkThenOn, OnThenOff };
+
+// The conditions that the light tower shows, in the order of their registers in the group `signal`.
+enum class SignalBit : std::uint16_t { Fault = 0, Warning, Waiting, Running, Ready, Order };
 
 enum class DriveEnable : std::uint16_t { Off = 0, On = 1, WhileRunning = 2 };
 

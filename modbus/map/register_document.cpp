@@ -127,7 +127,8 @@ void printLists(std::ostream& out)
     for (const InputRow& row : inputRows) {
         if (row.source == InputSource::Contact)
             out << " \\\n    CONTACT(\"" << lowerKebab(row.value.name) << "\", " << row.value.value
-                << "u, CTL_REG_PARAMETER_" << upperSnake(row.value.name) << "_CONTACT)";
+                << "u, CTL_REG_" << upperSnake(contactName(row)) << "_CONTACT"
+                << ")";
     }
     out << "\n";
 }

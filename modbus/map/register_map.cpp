@@ -5,6 +5,9 @@
 
 #include "modbus/map/register_rows.h"
 
+#include <algorithm>
+#include <array>
+#include <cctype>
 #include <unordered_map>
 
 namespace campanel::modbus {
@@ -14,6 +17,7 @@ const std::uint16_t mapMinor = 6;
 namespace {
 
 using namespace rows;
+using namespace std::string_view_literals;
 
 constexpr double max32 = 4294967295.0;
 
@@ -36,6 +40,18 @@ constexpr double max32 = 4294967295.0;
         since(minor, rw16("parameter." name "_filter", (address) + 1,                                        \
                           "time for which this input must have changed before it counts", {}, 0, 100, 0,     \
                           1.0, "ms"))
+
+// The registers of an input that acts on a run, and of what a condition shows on the light tower.
+#define CAMPANEL_SIGNAL_INPUT(name, address, filter)                                                         \
+    since(6, rw16("signal." name "_contact", address, "kind of contact of this input", "Contact", 0, 1, 0)), \
+        since(6, rw16("signal." name "_filter", (address) + 1,                                               \
+                      "time for which this input must have changed before it counts", {}, 0, 100, filter,    \
+                      1.0, "ms"))
+#define CAMPANEL_SIGNAL(name, address, red, yellow, green)                                                   \
+    since(6, rw16("signal." name "_red", address, "red light while this lasts", "SignalMode", 0, 4, red)),   \
+        since(6, rw16("signal." name "_yellow", (address) + 1, "yellow light", "SignalMode", 0, 4, yellow)), \
+        since(6, rw16("signal." name "_green", (address) + 2, "green light", "SignalMode", 0, 4, green)),    \
+        since(6, rw16("signal." name "_horn", (address) + 3, "horn", "SignalMode", 0, 4, 0))
 
 // The place of a knife, by its number behind the index mark.
 #define CAMPANEL_KNIFE(number, address)                                                                      \
@@ -507,12 +523,29 @@ constexpr std::array registerTable{
     since(6, rwI16("hand.next_length", 0x0B86, "hand.length of the next program of another name", -5, 5, 0,
                    0.001, "mm")),
 
+    // The machine around the knife; see controller/core/signal/README.md.
+    CAMPANEL_SIGNAL_INPUT("start_button", 0x0BA0, 20),
+    CAMPANEL_SIGNAL_INPUT("stop_button", 0x0BA2, 20),
+    CAMPANEL_SIGNAL_INPUT("door", 0x0BA4, 20),
+    CAMPANEL_SIGNAL_INPUT("next_machine", 0x0BA6, 100),
+    CAMPANEL_SIGNAL_INPUT("coder", 0x0BA8, 100),
+    CAMPANEL_SIGNAL("fault", 0x0BAA, 3, 0, 0),
+    CAMPANEL_SIGNAL("warning", 0x0BAE, 0, 1, 0),
+    CAMPANEL_SIGNAL("waiting", 0x0BB2, 0, 0, 2),
+    CAMPANEL_SIGNAL("running", 0x0BB6, 0, 0, 1),
+    CAMPANEL_SIGNAL("ready", 0x0BBA, 0, 0, 0),
+    CAMPANEL_SIGNAL("order", 0x0BBE, 0, 3, 0),
+    since(6, ro16("signal_status.presses", 0x0BD0, "presses of the Start button since power-up")),
+    since(6, ro16("signal_status.refusal", 0x0BD1, "why the last one started nothing", "Refusal")),
+
     block("active", activeBankBase, bankRegisters, Access::ReadOnly, "the active bank; layout below"),
     block("staged", stagedBankBase, bankRegisters, Access::ReadOnly, "the shadow bank; layout below"),
 };
 
 #undef CAMPANEL_CAM_SWITCH
 #undef CAMPANEL_KNIFE
+#undef CAMPANEL_SIGNAL
+#undef CAMPANEL_SIGNAL_INPUT
 
 static_assert(isConsistent(registerTable));
 
@@ -525,13 +558,28 @@ std::span<const RegisterInfo> registers()
 
 bool isMachineData(const RegisterInfo& row)
 {
+    static constexpr std::array machineDataGroups{"parameter."sv, "master."sv, "signal."sv};
     return row.access == Access::ReadWrite &&
-           (row.name.starts_with("parameter.") || row.name.starts_with("master."));
+           std::ranges::any_of(machineDataGroups,
+                               [&row](std::string_view group) { return row.name.starts_with(group); });
 }
 
 bool isWrittenAlone(const RegisterInfo& row)
 {
     return isMachineData(row) || (row.access == Access::ReadWrite && row.name.starts_with("hand."));
+}
+
+std::string contactName(const InputRow& row)
+{
+    std::string name;
+    for (const char c : row.value.name) {
+        const auto letter = static_cast<unsigned char>(c);
+        if (std::isupper(letter) != 0 && !name.empty())
+            name += '_';
+        name += static_cast<char>(std::tolower(letter));
+    }
+    const std::string ofSignal = "signal." + name;
+    return findRegister(ofSignal + "_contact") != nullptr ? ofSignal : "parameter." + name;
 }
 
 const RegisterInfo* findRegister(std::string_view name)

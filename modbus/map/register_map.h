@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <string>
 #include <string_view>
 
 namespace campanel::modbus {
@@ -87,6 +88,9 @@ inline constexpr std::uint16_t viewProducts = 8;
 
 // Returns the registers at absolute addresses, ascending.
 [[nodiscard]] std::span<const RegisterInfo> registers();
+// Returns the name of the registers of an input that is a contact, without _contact and _filter, such as
+// "parameter.drive_alarm".
+[[nodiscard]] std::string contactName(const InputRow& row);
 // Returns true for a register of the machine data: it is written alone, and saved with the program.
 [[nodiscard]] bool isMachineData(const RegisterInfo& row);
 // Returns true for a value that is written by itself: machine data, and what an operator sets while the

@@ -334,6 +334,7 @@ void TestFlash::slotsOfOtherVersions()
         rig.setParameter(CTL_REG_PARAMETER_PERMIT_NEEDED, 1);
         rig.setParameter(CTL_REG_MASTER_ENGAGE, 75);
         rig.setParameter(CTL_REG_HAND_PRODUCT, 1500);
+        rig.setParameter(CTL_REG_SIGNAL_ORDER_HORN, CTL_SIGNAL_MODE_ON);
         QCOMPARE(saveNumber(rig, 1), CTL_REFUSAL_NONE);
     }
     auto& bytes = flash.contents[0];
@@ -346,10 +347,10 @@ void TestFlash::slotsOfOtherVersions()
     slot[head - 1] = static_cast<std::uint16_t>(parameters);
     const bool hasMaster = lastOfMagic >= '5';
     const bool hasTrims = lastOfMagic >= '6';
-    const auto master = slot.begin() + head + now; // its number and its registers; then the trims
+    const auto master = slot.begin() + head + now; // its number and its registers; then trims and signals
     const auto trims = master + 1 + CTL_GROUP_MASTER;
     if (!hasTrims)
-        slot.erase(hasMaster ? trims : master, trims + 1 + CTL_TRIMS);
+        slot.erase(hasMaster ? trims : master, trims + 1 + CTL_TRIMS + 1 + CTL_GROUP_SIGNAL);
     const auto end = slot.begin() + head + now;
     if (parameters < now)
         slot.erase(slot.begin() + head + parameters, end);
@@ -373,6 +374,7 @@ void TestFlash::slotsOfOtherVersions()
     QCOMPARE(rig.status(CTL_REG_PARAMETER_PERMIT_NEEDED), parameters < now ? 0 : 1);
     QCOMPARE(rig.status(CTL_REG_MASTER_ENGAGE), hasMaster ? 75 : 50);
     QCOMPARE(rig.status(CTL_REG_HAND_PRODUCT), hasTrims ? 1500 : 0);
+    QCOMPARE(rig.status(CTL_REG_SIGNAL_ORDER_HORN), hasTrims ? 1 : 0);
     QCOMPARE(rig.status(CTL_REG_PARAMETER_DRIVE_ENABLE), CTL_DRIVE_ENABLE_ON);
     QCOMPARE(saveNumber(rig, 2), CTL_REFUSAL_NONE);
     Rig after({}, &flash);

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <iterator>
 #include <string>
 #include <vector>
@@ -51,16 +50,9 @@ std::vector<modbus::InputRow> contactRows()
     return rows;
 }
 
-// Converts "DriveAlarm" to parameter.drive_alarm_filter.
 std::string nameOf(const modbus::InputRow& row, const SwitchParameter& parameter)
 {
-    std::string name = "parameter";
-    for (const char c : row.value.name) {
-        if (std::isupper(static_cast<unsigned char>(c)) != 0)
-            name += name == "parameter" ? '.' : '_';
-        name += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    }
-    return name + parameter.suffix;
+    return modbus::contactName(row) + parameter.suffix;
 }
 
 std::string nameOf(int number, const SwitchParameter& parameter)

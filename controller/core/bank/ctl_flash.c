@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-/* A slot, high byte first: magic, sequence, generation (32 bits each), the number of parameters, these, the
- * number of the registers of the group `master`, these, the number of the trims in the group `hand`, these,
- * the bank's registers, CRC-32 of all before it. Slots of older versions have no trims, no master either, or
- * no number at all. */
+/* A slot, high byte first: magic, sequence, generation (32 bits each), each of `groups` behind the number of
+ * its registers, the bank's registers, CRC-32 of all before it. Slots of older versions end with an earlier
+ * group, or have no number. */
 #include "bank/ctl_flash.h"
 
 #include "bank/ctl_check.h"
@@ -13,28 +12,64 @@
 #include <stddef.h>
 #include <string.h>
 
-#define MAGIC 0x43414D36u               /* "CAM6" */
-#define MAGIC_WITHOUT_TRIMS 0x43414D35u /* "CAM5" */
-#define MAGIC_OF_MAP_1_5 0x43414D34u    /* "CAM4" */
-#define MAGIC_OF_MAP_1_2 0x43414D33u    /* "CAM3" */
-#define MAGIC_OF_MAP_1_1 0x43414D32u    /* "CAM2" */
+#define MAGIC 0x43414D36u             /* "CAM6" */
+#define MAGIC_WITH_MASTER 0x43414D35u /* "CAM5" */
+#define MAGIC_OF_MAP_1_5 0x43414D34u  /* "CAM4" */
+#define MAGIC_OF_MAP_1_2 0x43414D33u  /* "CAM3" */
+#define MAGIC_OF_MAP_1_1 0x43414D32u  /* "CAM2" */
 #define PARAMETERS_OF_MAP_1_2 38u
 #define PARAMETERS_OF_MAP_1_1 10u
-#define MAX_PARAMETERS 256u
+#define MAX_REGISTERS 256u /* of a group */
 #define BLANK 0xFFFFFFFFu
 #define FIXED_REGISTERS 6u
-#define MASTER_AT (FIXED_REGISTERS + CTL_GROUP_PARAMETER)
-#define TRIMS_AT (MASTER_AT + CTL_GROUP_MASTER)
-#define HEAD_REGISTERS (TRIMS_AT + CTL_TRIMS)
-#define SAVED_MASTER_AT (MASTER_AT + 2u) /* behind both numbers, */
-#define SAVED_TRIMS_AT (TRIMS_AT + 3u)   /* and behind all three */
-#define MASTER_BYTES (CTL_GROUP_MASTER * sizeof(uint16_t))
-#define TRIM_BYTES (CTL_TRIMS * sizeof(uint16_t))
-#define PARAMETER_BYTES (CTL_GROUP_PARAMETER * sizeof(uint16_t))
 #define CHUNK_REGISTERS 32u
 
-_Static_assert(CTL_GROUP_PARAMETER <= MAX_PARAMETERS, "a slot holds all parameters");
-_Static_assert(CTL_FLASH_HEAD_REGISTERS == HEAD_REGISTERS + 3u, "the head has the numbers, too");
+typedef struct {
+    uint16_t base;  /* address of its first register */
+    uint16_t count; /* of its registers */
+} saved_group;
+
+static const saved_group groups[CTL_FLASH_GROUPS] = {
+    {CTL_REG_PARAMETER_HEARTBEAT_TIMEOUT, CTL_GROUP_PARAMETER},
+    {CTL_REG_MASTER_SOURCE, CTL_GROUP_MASTER},
+    {CTL_REG_HAND_CUT, CTL_TRIMS},
+    {CTL_REG_SIGNAL_START_BUTTON_CONTACT, CTL_GROUP_SIGNAL},
+};
+
+_Static_assert(CTL_GROUP_PARAMETER <= MAX_REGISTERS, "a slot holds all parameters");
+_Static_assert(CTL_FLASH_HEAD_REGISTERS == FIXED_REGISTERS + CTL_FLASH_GROUPS + CTL_GROUP_PARAMETER +
+                                               CTL_GROUP_MASTER + CTL_TRIMS + CTL_GROUP_SIGNAL,
+               "the head has all groups with their numbers");
+
+static const uint16_t* values_of(const ctl_board* board, uint32_t group)
+{
+    const uint16_t* const values[CTL_FLASH_GROUPS] = {board->parameter, board->master, ctl_trims(board),
+                                                      board->signal};
+    return values[group];
+}
+
+/* Where the group's registers are in a head, behind their number. */
+static uint32_t place_of(uint32_t group)
+{
+    uint32_t place = FIXED_REGISTERS + 1u;
+    for (uint32_t before = 0; before < group; ++before)
+        place += groups[before].count + 1u;
+    return place;
+}
+
+static size_t bytes_of(uint32_t group)
+{
+    return groups[group].count * sizeof(uint16_t);
+}
+
+/* Puts the present values into a head. */
+static void fill_head(uint16_t* head, const ctl_board* board)
+{
+    for (uint32_t group = 0; group < CTL_FLASH_GROUPS; ++group) {
+        head[place_of(group) - 1u] = groups[group].count;
+        memcpy(&head[place_of(group)], values_of(board, group), bytes_of(group));
+    }
+}
 
 typedef struct {
     const ctl_port* port;
@@ -82,23 +117,32 @@ static slot_stream open_slot(const ctl_board* board, uint32_t slot)
     return stream;
 }
 
-/* Reads how many parameters follow; 0 when this is no slot. */
-static uint32_t read_parameter_count(slot_stream* stream, uint32_t magic)
+/* Returns how many groups follow; 0 when this is no slot. */
+static uint32_t stored_groups(uint32_t magic)
 {
-    uint16_t count = 0;
     switch (magic) {
     case MAGIC:
-    case MAGIC_WITHOUT_TRIMS:
+        return CTL_FLASH_GROUPS;
+    case MAGIC_WITH_MASTER:
+        return 2;
     case MAGIC_OF_MAP_1_5:
-        read_some(stream, &count, 1);
-        return count <= MAX_PARAMETERS ? count : 0;
     case MAGIC_OF_MAP_1_2:
-        return PARAMETERS_OF_MAP_1_2;
     case MAGIC_OF_MAP_1_1:
-        return PARAMETERS_OF_MAP_1_1;
+        return 1;
     default:
         return 0;
     }
+}
+
+/* Reads how many registers of the next group follow. */
+static uint16_t read_count(slot_stream* stream, uint32_t magic)
+{
+    uint16_t count = PARAMETERS_OF_MAP_1_1;
+    if (magic == MAGIC_OF_MAP_1_2)
+        count = PARAMETERS_OF_MAP_1_2;
+    else if (magic != MAGIC_OF_MAP_1_1)
+        read_some(stream, &count, 1);
+    return count;
 }
 
 /* Registers that an older slot does not hold keep their defaults; those of a newer version are left out. */
@@ -112,15 +156,12 @@ static void read_group(slot_stream* stream, uint32_t count, uint16_t* registers,
     }
 }
 
-/* Reads a group with its number before it; false when that is none. */
-static bool read_counted_group(slot_stream* stream, uint16_t* registers, uint32_t registers_count)
+static bool within_limits(const uint16_t* head)
 {
-    uint16_t count = 0;
-    read_some(stream, &count, 1);
-    if (count > MAX_PARAMETERS)
-        return false;
-    read_group(stream, count, registers, registers_count);
-    return true;
+    bool within = true;
+    for (uint32_t group = 0; group < CTL_FLASH_GROUPS; ++group)
+        within = within && ctl_within_limits(&head[place_of(group)], groups[group].base, groups[group].count);
+    return within;
 }
 
 /* Reads a slot into `head` and `bank`; false when its contents are not whole. */
@@ -129,37 +170,33 @@ static bool read_slot(const ctl_board* board, uint32_t slot, uint16_t* head, ctl
     slot_stream stream = open_slot(board, slot);
     read_some(&stream, head, FIXED_REGISTERS);
     const uint32_t magic = ctl_get32(head);
-    const uint32_t count = read_parameter_count(&stream, magic);
-    if (!stream.ok || count == 0)
+    const uint32_t stored = stored_groups(magic);
+    if (!stream.ok || stored == 0)
         return false;
-    memcpy(&head[FIXED_REGISTERS], board->parameter, PARAMETER_BYTES);
-    memcpy(&head[MASTER_AT], board->master, MASTER_BYTES);
-    memcpy(&head[TRIMS_AT], ctl_trims(board), TRIM_BYTES);
-    read_group(&stream, count, &head[FIXED_REGISTERS], CTL_GROUP_PARAMETER);
-    const bool has_master = magic == MAGIC || magic == MAGIC_WITHOUT_TRIMS;
-    if (has_master && !read_counted_group(&stream, &head[MASTER_AT], CTL_GROUP_MASTER))
-        return false;
-    if (magic == MAGIC && !read_counted_group(&stream, &head[TRIMS_AT], CTL_TRIMS))
-        return false;
+    fill_head(head, board);
+    for (uint32_t group = 0; group < stored; ++group) {
+        const uint16_t count = read_count(&stream, magic);
+        if (!stream.ok || count == 0 || count > MAX_REGISTERS)
+            return false;
+        read_group(&stream, count, &head[place_of(group)], groups[group].count);
+    }
     read_some(&stream, bank->registers, CTL_BANK_HEADER_REGISTERS);
     if (!stream.ok || ctl_bank_length(bank) > CTL_BANK_STORAGE)
         return false;
     read_some(&stream, &bank->registers[CTL_BANK_HEADER_REGISTERS],
               ctl_bank_length(bank) - CTL_BANK_HEADER_REGISTERS);
     const uint32_t computed = ~stream.crc;
-    uint16_t stored[2] = {0, 0};
-    read_some(&stream, stored, 2);
-    return stream.ok && ctl_get32(stored) == computed && ctl_parameters_valid(&head[FIXED_REGISTERS]) &&
-           ctl_within_limits(&head[MASTER_AT], CTL_REG_MASTER_SOURCE, CTL_GROUP_MASTER) &&
-           ctl_within_limits(&head[TRIMS_AT], CTL_REG_HAND_CUT, CTL_TRIMS) &&
+    uint16_t sum[2] = {0, 0};
+    read_some(&stream, sum, 2);
+    return stream.ok && ctl_get32(sum) == computed && within_limits(head) &&
            ctl_bank_check(bank, &board->config, ctl_bank_length(bank)).result == CTL_TRANSFER_RESULT_ACCEPTED;
 }
 
-void ctl_flash_load(ctl_flash* flash, const ctl_board* board, ctl_banks* banks, uint16_t* parameter,
-                    uint16_t* master, uint16_t* trims)
+void ctl_flash_load(ctl_flash* flash, const ctl_board* board, ctl_banks* banks,
+                    uint16_t* const values[CTL_FLASH_GROUPS])
 {
     for (uint32_t slot = 0; slot < CTL_FLASH_SLOTS; ++slot) {
-        uint16_t head[HEAD_REGISTERS];
+        uint16_t head[CTL_FLASH_HEAD_REGISTERS];
         memset(head, 0xFF, sizeof head);
         ctl_bank* shadow = ctl_staged_bank(banks);
         if (!read_slot(board, slot, head, shadow)) {
@@ -177,9 +214,8 @@ void ctl_flash_load(ctl_flash* flash, const ctl_board* board, ctl_banks* banks, 
         banks->has_active = true;
         banks->active_crc = flash->saved_crc;
         banks->generation = ctl_get32(&head[4]);
-        memcpy(parameter, &head[FIXED_REGISTERS], PARAMETER_BYTES);
-        memcpy(master, &head[MASTER_AT], MASTER_BYTES);
-        memcpy(trims, &head[TRIMS_AT], TRIM_BYTES);
+        for (uint32_t group = 0; group < CTL_FLASH_GROUPS; ++group)
+            memcpy(values[group], &head[place_of(group)], bytes_of(group));
     }
 }
 
@@ -195,12 +231,7 @@ void ctl_flash_begin_save(ctl_flash* flash, const ctl_board* board, const ctl_ba
     ctl_put32(saving->head, MAGIC);
     ctl_put32(&saving->head[2], flash->sequence + 1u);
     ctl_put32(&saving->head[4], banks->generation);
-    saving->head[FIXED_REGISTERS] = CTL_GROUP_PARAMETER;
-    memcpy(&saving->head[FIXED_REGISTERS + 1u], board->parameter, PARAMETER_BYTES);
-    saving->head[MASTER_AT + 1u] = CTL_GROUP_MASTER;
-    memcpy(&saving->head[SAVED_MASTER_AT], board->master, MASTER_BYTES);
-    saving->head[TRIMS_AT + 2u] = CTL_TRIMS;
-    memcpy(&saving->head[SAVED_TRIMS_AT], ctl_trims(board), TRIM_BYTES);
+    fill_head(saving->head, board);
     if (!board->port.flash_erase(board->port.context, saving->slot))
         saving->bank = NULL; /* the next piece says so */
 }
@@ -208,10 +239,10 @@ void ctl_flash_begin_save(ctl_flash* flash, const ctl_board* board, const ctl_ba
 bool ctl_flash_saves(const ctl_flash* flash, const ctl_board* board, const ctl_banks* banks)
 {
     const ctl_flash_saving* saving = &flash->saving;
-    return saving->busy && saving->bank == ctl_active_bank(banks) &&
-           memcmp(&saving->head[FIXED_REGISTERS + 1u], board->parameter, PARAMETER_BYTES) == 0 &&
-           memcmp(&saving->head[SAVED_MASTER_AT], board->master, MASTER_BYTES) == 0 &&
-           memcmp(&saving->head[SAVED_TRIMS_AT], ctl_trims(board), TRIM_BYTES) == 0;
+    bool same = saving->busy && saving->bank == ctl_active_bank(banks);
+    for (uint32_t group = 0; group < CTL_FLASH_GROUPS; ++group)
+        same = same && memcmp(&saving->head[place_of(group)], values_of(board, group), bytes_of(group)) == 0;
+    return same;
 }
 
 /* Writes the next registers; false when the flash refused. */

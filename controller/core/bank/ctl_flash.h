@@ -12,7 +12,9 @@
 extern "C" {
 #endif
 
-#define CTL_FLASH_HEAD_REGISTERS (9u + CTL_GROUP_PARAMETER + CTL_GROUP_MASTER + CTL_TRIMS)
+#define CTL_FLASH_GROUPS 4u /* parameter, master, the trims of `hand`, signal */
+#define CTL_FLASH_HEAD_REGISTERS                                                                             \
+    (6u + CTL_FLASH_GROUPS + CTL_GROUP_PARAMETER + CTL_GROUP_MASTER + CTL_TRIMS + CTL_GROUP_SIGNAL)
 
 /* A save under way. */
 typedef struct {
@@ -34,12 +36,10 @@ typedef struct {
     uint32_t saved_crc; /* of the bank in that slot, 0 when there is none */
 } ctl_flash;
 
-/* Loads the newest valid slot: active bank, generation, the machine data into `parameter` and `master`, and
- * the trims. */
-void ctl_flash_load(ctl_flash* flash, const ctl_board* board, ctl_banks* banks, uint16_t* parameter,
-                    uint16_t* master, uint16_t* trims);
-/* Begins to save the active bank, the parameters and the trims, which may change meanwhile; the bank may not.
- */
+/* Loads the newest valid slot: active bank, generation, and each group into its `values`. */
+void ctl_flash_load(ctl_flash* flash, const ctl_board* board, ctl_banks* banks,
+                    uint16_t* const values[CTL_FLASH_GROUPS]);
+/* Begins to save the active bank and the groups, which may change meanwhile; the bank may not. */
 void ctl_flash_begin_save(ctl_flash* flash, const ctl_board* board, const ctl_banks* banks);
 /* Returns whether the save under way saves all this as it is now. */
 bool ctl_flash_saves(const ctl_flash* flash, const ctl_board* board, const ctl_banks* banks);

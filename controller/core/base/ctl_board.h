@@ -16,7 +16,8 @@ typedef struct {
     ctl_port port;
     const uint16_t* parameter; /* registers of the group `parameter`, as the panel left them */
     const uint16_t* master;    /* those of the group `master`, */
-    const uint16_t* hand;      /* and of the group `hand` */
+    const uint16_t* hand;      /* of the group `hand`, */
+    const uint16_t* signal;    /* and of the group `signal` */
     uint32_t parameter_writes; /* how often any of them was written */
     uint64_t started_us;
     uint64_t now_us;

@@ -126,6 +126,9 @@ static uint16_t carry_out(ctl_core* core, const uint16_t* request)
                                ctl_get32(&request[ARGUMENT2]), core->written.order, active_bank(core));
     case CTL_COMMAND_ORDER_END:
         return ctl_order_end(&core->order, &core->packer, request[ARGUMENT0]);
+    case CTL_COMMAND_ACKNOWLEDGE:
+        ctl_tower_acknowledge(&core->tower);
+        return CTL_REFUSAL_NONE;
     default:
         return CTL_REFUSAL_UNKNOWN_COMMAND;
     }
@@ -191,6 +194,7 @@ void ctl_command(ctl_core* core, bool has_code)
     result[0] = request[COUNTER];
     result[1] = request[CODE];
     core->work.checks = false; /* the command that waits is overtaken, and not carried out */
+    core->work.by_button = false;
     core->work.waits = false;
     if (!has_code || request[CODE] != CTL_COMMAND_TRY_OUTPUT)
         ctl_io_try(&core->io, &core->board, 0); /* whoever asks for something else has let go */
@@ -202,7 +206,29 @@ void ctl_command(ctl_core* core, bool has_code)
 
 void ctl_command_checked(ctl_core* core, const uint16_t* request)
 {
-    answer(core, carry_out(core, request));
+    const uint16_t refusal = carry_out(core, request);
+    if (core->work.by_button)
+        core->actions.refusal = refusal;
+    else
+        answer(core, refusal);
+    core->work.by_button = false;
+}
+
+void ctl_command_button(ctl_core* core)
+{
+    ctl_work* work = &core->work;
+    const uint16_t start[CTL_GROUP_COMMAND] = {[CODE] = CTL_COMMAND_START};
+    if (work->checks || work->waits)
+        return;
+    core->actions.wants_start = false;
+    work->by_button = true;
+    if (needs_check(core, CTL_COMMAND_START)) {
+        work->checks = true;
+        work->position = 0;
+        memcpy(work->request, start, sizeof start);
+    } else {
+        ctl_command_checked(core, start);
+    }
 }
 
 void ctl_command_saved(ctl_core* core, uint16_t counter, bool done)

@@ -45,6 +45,8 @@ static uint16_t* writable(ctl_core* core, group_name group)
         return core->written.order;
     case GROUP_HAND:
         return core->written.hand;
+    case GROUP_SIGNAL:
+        return core->written.signal;
     case GROUP_TRANSFER:
         return core->written.transfer;
     case GROUP_READBACK:
@@ -130,6 +132,10 @@ static void read_group(ctl_core* core, group_name group, uint32_t first, uint16_
         break;
     case GROUP_ORDER_STATUS:
         ctl_order_registers(&core->order, taken);
+        break;
+    case GROUP_SIGNAL_STATUS:
+        taken[0] = core->actions.presses;
+        taken[1] = core->actions.refusal;
         break;
     case GROUP_RESULT:
         source = core->command_result;
@@ -252,6 +258,7 @@ typedef union {
     uint16_t exchange[CTL_GROUP_EXCHANGE];
     uint16_t order[CTL_GROUP_ORDER];
     uint16_t hand[CTL_GROUP_HAND];
+    uint16_t signal[CTL_GROUP_SIGNAL];
     uint16_t command[CTL_GROUP_COMMAND];
     uint16_t transfer[CTL_GROUP_TRANSFER];
     uint16_t readback[CTL_GROUP_READBACK];
@@ -271,7 +278,7 @@ uint8_t ctl_map_write(ctl_core* core, uint32_t address, const uint16_t* values, 
     if (!ctl_within_limits(changed, ranges[group].base, ranges[group].count))
         return CTL_ILLEGAL_VALUE;
     memcpy(target, changed, ranges[group].count * sizeof changed[0]);
-    if (group == GROUP_PARAMETER || group == GROUP_MASTER || group == GROUP_HAND)
+    if (group == GROUP_PARAMETER || group == GROUP_MASTER || group == GROUP_HAND || group == GROUP_SIGNAL)
         core->board.parameter_writes += 1;
     if (group == GROUP_EXCHANGE && !(covers(address, count, CTL_REG_EXCHANGE_HEARTBEAT) &&
                                      covers(address, count, CTL_REG_EXCHANGE_PERMIT)))
@@ -284,6 +291,7 @@ void ctl_map_init(ctl_core* core)
 {
     ctl_parameters_reset(core->written.parameter);
     ctl_reset_to_defaults(core->written.master, CTL_REG_MASTER_SOURCE, CTL_GROUP_MASTER);
+    ctl_reset_to_defaults(core->written.signal, CTL_REG_SIGNAL_START_BUTTON_CONTACT, CTL_GROUP_SIGNAL);
     ctl_reset_to_defaults(core->written.hand, CTL_REG_HAND_SPEED, CTL_GROUP_HAND);
     core->written.readback[2] = CTL_DEFAULT_READBACK_COUNT;
 }

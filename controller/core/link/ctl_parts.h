@@ -8,6 +8,8 @@
 #include "motion/ctl_io.h"
 #include "motion/ctl_motion.h"
 #include "packer/ctl_order.h"
+#include "signal/ctl_actions.h"
+#include "signal/ctl_tower.h"
 
 /* Writable registers as the panel left them. Groups of an odd length are the last ones: copies from an
  * address that is no multiple of four take twice as long. */
@@ -21,6 +23,7 @@ typedef struct {
     uint16_t parameter[CTL_GROUP_PARAMETER];
     uint16_t master[CTL_GROUP_MASTER];
     uint16_t hand[CTL_GROUP_HAND];
+    uint16_t signal[CTL_GROUP_SIGNAL];
 } ctl_written;
 
 typedef struct {
@@ -34,10 +37,18 @@ typedef struct {
     uint64_t set_us;
 } ctl_clock;
 
+/* The end of an order, until the next start of an order or of a run. */
+typedef struct {
+    bool shown;
+    bool counted; /* the order was under way when it was looked at last, */
+    bool ran;     /* and so was a run */
+} ctl_order_sign;
+
 /* The command that waits for a check of the active bank or for the end of a save. */
 typedef struct {
     bool waits;                          /* for the end of the save under way */
     bool checks;                         /* for the check */
+    bool by_button;                      /* it is the Start button */
     uint16_t request[CTL_GROUP_COMMAND]; /* as it came */
     uint32_t generation;                 /* of the bank that is being checked */
     uint32_t position;                   /* registers that are in the sum */
@@ -61,9 +72,12 @@ typedef struct ctl_core {
     ctl_motion motion;
     ctl_heartbeat heartbeat;
     ctl_io io;
+    ctl_actions actions;
+    ctl_tower tower;
     ctl_bags bags;
     ctl_packer packer;
     ctl_order order;
+    ctl_order_sign order_sign;
     ctl_clock clock;
 } ctl_core;
 

@@ -57,6 +57,12 @@ uint16_t ctl_warnings(const ctl_core* core)
         bits |= 1u << CTL_WARNING_BIT_JAWS_CLOSED;
     if (core->master.too_fast)
         bits |= 1u << CTL_WARNING_BIT_MASTER_TOO_FAST;
+    if ((core->io.inputs & 1u << CTL_INPUT_BIT_DOOR) != 0)
+        bits |= 1u << CTL_WARNING_BIT_DOOR_OPEN;
+    if ((core->io.inputs & 1u << CTL_INPUT_BIT_NEXT_MACHINE) != 0)
+        bits |= 1u << CTL_WARNING_BIT_NEXT_MACHINE;
+    if ((core->io.inputs & 1u << CTL_INPUT_BIT_CODER) != 0)
+        bits |= 1u << CTL_WARNING_BIT_CODER;
     bits |= core->packer.alarms;
     return (uint16_t)bits;
 }

@@ -31,6 +31,14 @@ typedef struct {
 #define CONTACT(name, bit, address) {1u << (bit), address},
 static const contact contacts[CTL_CONTACT_COUNT] = {CTL_CONTACTS(CONTACT)};
 
+/* The kind of a contact or its filter time. */
+static uint16_t setting(const ctl_board* board, uint32_t address)
+{
+    return address >= CTL_REG_SIGNAL_START_BUTTON_CONTACT
+               ? board->signal[address - CTL_REG_SIGNAL_START_BUTTON_CONTACT]
+               : ctl_parameter16(board, address);
+}
+
 /* Updates what the parameters say of the contacts. */
 static void set_contacts(ctl_io* io, const ctl_board* board)
 {
@@ -38,9 +46,9 @@ static void set_contacts(ctl_io* io, const ctl_board* board)
     io->closed = 0;
     io->filtered = 0;
     for (uint32_t i = 0; i < CTL_CONTACT_COUNT; ++i) {
-        if (ctl_parameter16(board, contacts[i].kind) == CTL_CONTACT_NORMALLY_CLOSED)
+        if (setting(board, contacts[i].kind) == CTL_CONTACT_NORMALLY_CLOSED)
             io->closed |= contacts[i].mask;
-        if (ctl_parameter16(board, contacts[i].kind + 1u) != 0)
+        if (setting(board, contacts[i].kind + 1u) != 0)
             io->filtered |= contacts[i].mask;
     }
 }
@@ -55,8 +63,7 @@ static uint16_t bounces(ctl_io* io, const ctl_board* board, uint32_t changes)
             continue;
         if ((io->bounces & mask) == 0)
             io->changed_us[i] = (uint32_t)board->now_us;
-        if ((uint32_t)board->now_us - io->changed_us[i] <
-            US_PER_MS * ctl_parameter16(board, contacts[i].kind + 1u))
+        if ((uint32_t)board->now_us - io->changed_us[i] < US_PER_MS * setting(board, contacts[i].kind + 1u))
             shorter |= mask;
     }
     return shorter;
@@ -168,7 +175,7 @@ void ctl_io_slice(ctl_io* io, const ctl_motion* motion)
     const uint32_t switches = ctl_switches_slice(&io->switches, motion->board, follows ? &cycle : NULL);
     const uint32_t enable = io->outputs & 1u << CTL_OUTPUT_BIT_DRIVE_ENABLE;
     const uint32_t line = ctl_motion_follows(motion) ? 1u << CTL_OUTPUT_BIT_LINE_MAY_RUN : 0u;
-    put_outputs(io, motion->board, (uint16_t)(enable | line | switches | tried(io, motion)));
+    put_outputs(io, motion->board, (uint16_t)(enable | line | switches | io->tower | tried(io, motion)));
 }
 
 static int64_t infeed_um(const ctl_board* board, int64_t fine)

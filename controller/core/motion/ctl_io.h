@@ -30,7 +30,8 @@ typedef struct {
     uint64_t moved_us;
     bool was_stopped; /* the emergency stop was pressed since power-up */
     uint64_t stopped_us;
-    uint16_t tried; /* outputs that a person holds on at standstill */
+    uint16_t tower; /* outputs of the light tower */
+    uint16_t tried;   /* outputs that a person holds on at standstill */
     uint64_t tried_until_us;
     ctl_switches switches;
 } ctl_io;

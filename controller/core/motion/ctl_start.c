@@ -5,6 +5,8 @@
 
 #define ALL_PERMITS ((2u << CTL_PERMIT_BIT_LAST) - 1u)
 
+_Static_assert(CTL_REFUSAL_CODER - CTL_REFUSAL_STOP_BUTTON == CTL_INPUT_BIT_CODER - CTL_INPUT_BIT_STOP_BUTTON,
+               "each input that refuses has its refusal, in the same order");
 _Static_assert(CTL_REFUSAL_PANEL_DISAGREES - CTL_REFUSAL_NOT_WARM == CTL_PERMIT_BIT_LAST,
                "each bit of a permit has its refusal, in the same order");
 
@@ -21,6 +23,16 @@ static uint16_t panel_refusal(const ctl_heartbeat* heartbeat, const ctl_board* b
             return (uint16_t)(CTL_REFUSAL_NOT_WARM + bit);
     }
     return CTL_REFUSAL_NONE;
+}
+
+/* Returns the refusal for an input that is on. */
+static uint16_t input_refusal(const ctl_io* io)
+{
+    uint32_t bit = CTL_INPUT_BIT_STOP_BUTTON;
+    while (bit <= CTL_INPUT_BIT_CODER && (io->inputs & 1u << bit) == 0)
+        ++bit;
+    return bit > CTL_INPUT_BIT_CODER ? CTL_REFUSAL_NONE
+                                     : (uint16_t)(CTL_REFUSAL_STOP_BUTTON + bit - CTL_INPUT_BIT_STOP_BUTTON);
 }
 
 /* Returns what speaks against anything at all that acts on the machine. */
@@ -54,6 +66,8 @@ static uint16_t refusal_to_move(ctl_motion* motion, const ctl_io* io, uint16_t w
 uint16_t ctl_start(ctl_motion* motion, const ctl_io* io)
 {
     uint16_t refusal = refusal_to_move(motion, io, CTL_REFUSAL_ALREADY_RUNNING, ALL_PERMITS);
+    if (refusal == CTL_REFUSAL_NONE)
+        refusal = input_refusal(io);
     /* A switch with too long a lead would be on in the wrong cycle. */
     if (refusal == CTL_REFUSAL_NONE)
         refusal = ctl_switches_refusal(motion->board, ctl_active_bank(motion->banks));

@@ -242,11 +242,15 @@ void TestPackingLine::filmWaitsForAProduct()
     rig.run(20 * cycleUs);
     const ctl_packer& packer = rig.core().packer;
     std::uint32_t empty = 0;
+    std::uint64_t standsUs = 0;
     int cuts = 0;
     for (std::uint64_t us = 0; us < 400 * cycleUs; us += 250) {
         rig.controller().step();
-        if (packer.film_gate.state == CTL_GATE_STATE_STANDING)
+        standsUs = packer.film_gate.state == CTL_GATE_STATE_STANDING ? standsUs + 250 : 0;
+        if (standsUs != 0)
             QCOMPARE(packer.film.phase, 0u);
+        if (standsUs > 3u * CTL_TOWER_STEP_US) // the light tower shows it
+            QVERIFY((rig.core().tower.conditions & 1u << CTL_SIGNAL_BIT_WAITING) != 0);
         if (!rig.controller().cut())
             continue;
         ++cuts;

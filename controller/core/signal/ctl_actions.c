@@ -1,0 +1,29 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+#include "signal/ctl_actions.h"
+
+#define INPUT(name) (1u << CTL_INPUT_BIT_##name)
+#define AT_CYCLE_END (INPUT(STOP_BUTTON) | INPUT(NEXT_MACHINE) | INPUT(CODER))
+#define ACTING (INPUT(START_BUTTON) | INPUT(DOOR) | AT_CYCLE_END)
+
+void ctl_actions_init(ctl_actions* actions, const ctl_io* io)
+{
+    actions->inputs = io->inputs & ACTING;
+}
+
+void ctl_actions_slice(ctl_actions* actions, const ctl_io* io, ctl_motion* motion)
+{
+    const uint16_t inputs = io->inputs & ACTING;
+    if (inputs == actions->inputs)
+        return;
+    const uint32_t pressed = inputs & ~(uint32_t)actions->inputs;
+    actions->inputs = inputs;
+    if ((pressed & AT_CYCLE_END) != 0)
+        ctl_motion_stop_unattended(motion);
+    /* The film is threaded with the door open, so that a jog goes on. */
+    if ((pressed & INPUT(DOOR)) != 0 && motion->state != CTL_STATE_JOGGING && !ctl_motion_standstill(motion))
+        ctl_motion_emergency_stop(motion);
+    if ((pressed & INPUT(START_BUTTON)) != 0) {
+        actions->wants_start = true;
+        actions->presses += 1;
+    }
+}
