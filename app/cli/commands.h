@@ -29,6 +29,7 @@ class Invocation;
 [[nodiscard]] Outcome runStart(const Invocation& call);
 [[nodiscard]] Outcome runStop(const Invocation& call);
 [[nodiscard]] Outcome runHome(const Invocation& call);
+[[nodiscard]] Outcome runAcknowledge(const Invocation& call);
 [[nodiscard]] Outcome runOutput(const Invocation& call);
 [[nodiscard]] Outcome runOrder(const Invocation& call);
 [[nodiscard]] Outcome runSave(const Invocation& call);

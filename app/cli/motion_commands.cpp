@@ -74,6 +74,11 @@ Outcome runHome(const Invocation& call)
     return giveWithPermit(call, modbus::Command::Home, "Homing.");
 }
 
+Outcome runAcknowledge(const Invocation& call)
+{
+    return give(call, modbus::Command::Acknowledge, "Acknowledged.");
+}
+
 Outcome runOutput(const Invocation& call)
 {
     const QStringList names = call.arguments();

@@ -26,6 +26,7 @@ Priority priorityOf(modbus::Command command)
     case modbus::Command::TeachMarks:
     case modbus::Command::OrderStart:
     case modbus::Command::OrderEnd:
+    case modbus::Command::Acknowledge:
         return Priority::Write;
     }
     return Priority::Write;

@@ -534,7 +534,7 @@ constexpr std::array registerTable{
     CAMPANEL_SIGNAL("waiting", 0x0BB2, 0, 0, 2),
     CAMPANEL_SIGNAL("running", 0x0BB6, 0, 0, 1),
     CAMPANEL_SIGNAL("ready", 0x0BBA, 0, 0, 0),
-    CAMPANEL_SIGNAL("order", 0x0BBE, 0, 3, 0),
+    CAMPANEL_SIGNAL("order", 0x0BBE, 0, 2, 0),
     since(6, ro16("signal_status.presses", 0x0BD0, "presses of the Start button since power-up")),
     since(6, ro16("signal_status.refusal", 0x0BD1, "why the last one started nothing", "Refusal")),
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Parameters of the controller that a technician sets: the list, the result of the last write, and a key to save them.
+// Parameters of the controller that a technician sets, as a list.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme
@@ -43,29 +43,10 @@ Item {
         value: list.contentItem
     }
     ScrollMark { view: list }
-    Item {
+    ParameterFoot {
         id: foot
         anchors { left: parent.left; right: parent.right; bottom: parent.bottom }
-        height: Theme.size.touch
-        Label {
-            objectName: parameters.name + "Text"
-            anchors { left: parent.left; right: save.left; rightMargin: Theme.size.padding; top: parent.top; bottom: parent.bottom }
-            wrapMode: Text.WordWrap
-            fontSizeMode: Text.Fit
-            verticalAlignment: Text.AlignVCenter
-            text: parameters.fields.outcomeText.length > 0 ? parameters.fields.outcomeText
-                : qsTr("Changes take effect at once. Press Save to keep the values after power-off.")
-            color: parameters.fields.failed ? Theme.color.fault : parameters.fields.outcomeText.length > 0 ? Theme.color.ink : Theme.color.secondaryInk
-        }
-        Button {
-            id: save
-            objectName: parameters.name + "Save"
-            level: Access.Technician
-            anchors { right: parent.right; verticalCenter: parent.verticalCenter }
-            glyph: Theme.icon.save
-            text: qsTr("Save")
-            enabled: parameters.fields.unsaved
-            onClicked: parameters.fields.save()
-        }
+        fields: parameters.fields
+        name: parameters.name
     }
 }

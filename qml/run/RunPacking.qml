@@ -24,7 +24,7 @@ Item {
         height: Math.round(view.room * 0.3)
         value: Controller.live.rateBagsPerMin
         decimals: 1
-        title: led ? qsTr("Rate of the line") : qsTr("Rate")
+        title: led ? qsTr("Rate of the line") : HandSpeed.percent < 100 ? Theme.fill(qsTr("Rate, slowed to %1"), [Theme.joined(Theme.count(HandSpeed.percent, 0), "%")]) : qsTr("Rate")
         unit: qsTr("bags/min")
         // The seal time only where it fits; a long press explains it everywhere.
         note: led && Controller.masterSetting.lineText !== "" ? Controller.masterSetting.lineText : isNaN(Controller.live.sealTimeMs) || words.advanceWidth > width - 2 * Theme.size.padding ? qsTr("%1 bags").arg(Theme.count(Controller.bags.count, 0)) : words.text

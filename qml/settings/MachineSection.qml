@@ -57,6 +57,14 @@ SettingsSection {
                 note: Controller.masterSetting.text
                 onClicked: section.settings.open("MasterSetupSection.qml")
             }
+            ListRow {
+                objectName: "openTower"
+                width: column.width
+                height: section.rowHeight
+                text: qsTr("Light tower and horn")
+                note: qsTr("What each state shows")
+                onClicked: section.settings.open("TowerSection.qml")
+            }
             Repeater {
                 model: Editor.machineFields
                 FieldTile {

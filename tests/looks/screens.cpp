@@ -380,6 +380,9 @@ const QList<Screen>& allScreens()
              taps("", {settings, QStringLiteral("section2")}).enter(window);
          }},
         taps("settings-permit", {settings, QStringLiteral("section2"), QStringLiteral("openPermit")}),
+        taps("settings-tower", {settings, QStringLiteral("section2"), QStringLiteral("openTower")}),
+        taps("settings-tower-mode",
+             {settings, QStringLiteral("section2"), QStringLiteral("openTower"), QStringLiteral("tower0")}),
         taps("settings-start-key", {settings, QStringLiteral("section0"), QStringLiteral("holdToStart")}),
         taps("keypad-machine", {settings, QStringLiteral("section2"),
                                 QStringLiteral("field_max_knife_acceleration_mm_per_s2")}),

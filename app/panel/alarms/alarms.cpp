@@ -21,6 +21,7 @@ using store::StoreError;
 
 namespace {
 
+const QString acknowledging = u"alarm.acknowledge"_s;
 constexpr auto publishDelay = 100ms;
 constexpr auto writeDelay = 300ms;
 constexpr auto writeAgainDelay = 5s; // after a failure
@@ -171,6 +172,8 @@ void Alarms::note(const QString& what, const QString& codes, const QString& afte
 {
     noteChange();
     publish();
+    if (what == acknowledging)
+        acknowledgeSignals();
     emit noted({.what = what, .object = codes, .after = after});
 }
 
@@ -180,7 +183,15 @@ void Alarms::acknowledge(int row)
         return;
     const store::AlarmRow alarm = m_live.row(row).alarm;
     m_book.acknowledge(alarm.code, alarm.id, person(), now().utcMs);
-    note(u"alarm.acknowledge"_s, alarm.code);
+    note(acknowledging, alarm.code);
+}
+
+void Alarms::acknowledgeSignals()
+{
+    const auto& identity = m_controller.identity();
+    if (m_controller.isConnected() && identity && identity->hasRegister("signal.fault_red"))
+        m_controller.link().request(
+            link::CommandRequest{m_controller.link().nextId(), modbus::Command::Acknowledge, {}});
 }
 
 void Alarms::acknowledgeAll()
@@ -206,7 +217,7 @@ void Alarms::acknowledgeEach(const std::function<bool(const AlarmEntry& entry)>&
         codes << entry.row.code;
     }
     if (!codes.isEmpty())
-        note(u"alarm.acknowledge"_s, codes.join(u", "_s));
+        note(acknowledging, codes.join(u", "_s));
 }
 
 void Alarms::showUrgent()
@@ -236,7 +247,7 @@ void Alarms::acknowledgeShown()
     const qint64 utcMs = now().utcMs;
     m_book.acknowledge(m_detail.code(), m_detail.row().id, person(), utcMs);
     m_detail.noteAcknowledged(utcMs, person());
-    note(u"alarm.acknowledge"_s, m_detail.code());
+    note(acknowledging, m_detail.code());
 }
 
 void Alarms::shelveShown(int hours)

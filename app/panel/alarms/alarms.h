@@ -104,6 +104,8 @@ private:
     void note(const QString& what, const QString& codes, const QString& after = {});
     // Acknowledges the controller's faults: the person who resets them has seen them.
     void acknowledgeFaults();
+    // Ends the blinking and the horn of the machine.
+    void acknowledgeSignals();
     void publish();
     void write();
     void acknowledgeEach(const std::function<bool(const AlarmEntry& entry)>& isMeant);

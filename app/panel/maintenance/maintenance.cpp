@@ -22,6 +22,7 @@ Maintenance::Maintenance(Controller& controller, Settings& settings, const QStri
     , m_io(controller, this)
     , m_outputTry(controller, this)
     , m_switches(controller, this)
+    , m_tower(controller, this)
     , m_master(controller, this)
     , m_dryRun(this)
 {

@@ -16,6 +16,7 @@
 #include "app/panel/maintenance/output_try.h"
 #include "app/panel/maintenance/register_inspector.h"
 #include "app/panel/maintenance/simulated_faults.h"
+#include "app/panel/maintenance/tower_fields.h"
 #include "app/panel/packing/packing_setup.h"
 
 #include <QObject>
@@ -38,6 +39,7 @@ class Maintenance : public QObject, public Singleton<Maintenance> {
     Q_PROPERTY(campanel::panel::IoList* io READ io CONSTANT FINAL)
     Q_PROPERTY(campanel::panel::OutputTry* outputTry READ outputTry CONSTANT FINAL)
     Q_PROPERTY(campanel::panel::CamSwitches* switches READ switches CONSTANT FINAL)
+    Q_PROPERTY(campanel::panel::TowerFields* tower READ tower CONSTANT FINAL)
     Q_PROPERTY(campanel::panel::MasterWatch* master READ master CONSTANT FINAL)
     Q_PROPERTY(campanel::panel::DryRun* dryRun READ dryRun CONSTANT FINAL)
     Q_PROPERTY(campanel::panel::SimulatedFaults* simulatedFaults READ simulatedFaults CONSTANT FINAL)
@@ -57,6 +59,7 @@ public:
     [[nodiscard]] IoList* io() { return &m_io; }
     [[nodiscard]] OutputTry* outputTry() { return &m_outputTry; }
     [[nodiscard]] CamSwitches* switches() { return &m_switches; }
+    [[nodiscard]] TowerFields* tower() { return &m_tower; }
     [[nodiscard]] MasterWatch* master() { return &m_master; }
     [[nodiscard]] DryRun* dryRun() { return &m_dryRun; }
     [[nodiscard]] SimulatedFaults* simulatedFaults() { return &m_simulatedFaults; }
@@ -75,6 +78,7 @@ private:
     IoList m_io;
     OutputTry m_outputTry;
     CamSwitches m_switches;
+    TowerFields m_tower;
     MasterWatch m_master;
     DryRun m_dryRun;
 };

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/panel/maintenance/tower_fields.h"
+
+#include "app/panel/controller/controller.h"
+#include "app/panel/words/controller_sentences.h"
+
+#include <utility>
+#include <vector>
+
+namespace campanel::panel {
+
+namespace {
+
+constexpr std::string_view tableMode = "SignalMode";
+constexpr std::string_view tableCondition = "SignalBit";
+constexpr auto lightBits = {modbus::OutputBit::TowerRed, modbus::OutputBit::TowerYellow,
+                            modbus::OutputBit::TowerGreen, modbus::OutputBit::Horn};
+
+} // namespace
+
+TowerFields::TowerFields(Controller& controller, QObject* parent)
+    : ParameterFields(controller, parent)
+{
+    std::vector<Field> fields;
+    for (const modbus::RegisterInfo& info : modbus::registers()) {
+        if (info.enumName == tableMode)
+            fields.push_back({&controller.parameter(info.name), nullptr, true});
+    }
+    m_first = fields.front().parameter;
+    setFields(std::move(fields));
+    connect(&controller, &Controller::connectionChanged, this, &TowerFields::changed);
+}
+
+QStringList TowerFields::conditions() const
+{
+    return ControllerSentences::texts(tableCondition);
+}
+
+QStringList TowerFields::lights() const
+{
+    QStringList names;
+    for (const modbus::OutputBit bit : lightBits)
+        names << ControllerSentences::text(bit);
+    return names;
+}
+
+QStringList TowerFields::modes() const
+{
+    return ControllerSentences::texts(tableMode);
+}
+
+QString TowerFields::emptyText() const
+{
+    if (!controller().isConnected())
+        return tr("No data of the light tower. Connect the controller.");
+    if (m_first->isMissing())
+        return tr("This controller has no light tower. Update the controller: its register map must be 1.6 "
+                  "or newer.");
+    return {};
+}
+
+QString TowerFields::label(const Field& field) const
+{
+    const auto row = field.parameter->info().address - m_first->info().address;
+    const auto lights = this->lights();
+    return tr("%1, %2").arg(conditions().value(row / lights.size()), lights.value(row % lights.size()));
+}
+
+} // namespace campanel::panel

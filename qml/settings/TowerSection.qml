@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: Apache-2.0
+// What each condition of the machine shows on the light tower and on the horn: a table, and a list of modes for each cell.
+pragma ComponentBehavior: Bound
+import QtQuick
+import CamPanel.Theme
+import CamPanel.Controls
+import CamPanel.Parts
+import CamPanel.Panel
+
+SettingsSection {
+    id: section
+
+    readonly property TowerFields tower: Maintenance.tower
+    readonly property var colors: [Theme.color.fault, Theme.color.warning, Theme.color.good, Theme.color.ink]
+    readonly property int columns: section.tower.lights.length
+    readonly property real nameWidth: Math.round(table.width * 0.24)
+    readonly property real cellWidth: (table.width - nameWidth - columns * Theme.size.spacing) / columns
+
+    title: qsTr("Light tower and horn")
+
+    onVisibleChanged: {
+        if (section.visible)
+            section.tower.read()
+    }
+    Component.onCompleted: section.tower.read()
+    Connections {
+        target: Controller
+        function onConnectionChanged(): void { section.tower.read() }
+    }
+
+    Label {
+        objectName: "towerEmpty"
+        anchors { left: parent.left; right: parent.right; verticalCenter: parent.verticalCenter }
+        visible: section.tower.emptyText.length > 0
+        horizontalAlignment: Text.AlignHCenter
+        wrapMode: Text.WordWrap
+        text: section.tower.emptyText
+        color: Theme.color.secondaryInk
+    }
+    Item {
+        id: table
+        anchors { fill: parent; topMargin: section.bodyTop }
+        visible: section.tower.emptyText.length === 0
+
+        Row {
+            id: head
+            x: section.nameWidth + Theme.size.spacing
+            spacing: Theme.size.spacing
+            Repeater {
+                model: section.tower.lights
+                Item {
+                    id: light
+                    required property int index
+                    required property string modelData
+                    width: section.cellWidth
+                    height: caption.height + sign.height + Theme.size.accent
+                    Rectangle {
+                        id: sign
+                        anchors.horizontalCenter: parent.horizontalCenter
+                        width: Theme.size.icon
+                        height: Theme.size.icon
+                        radius: light.index < 3 ? width / 2 : Theme.size.accent
+                        color: section.colors[light.index]
+                    }
+                    Label {
+                        id: caption
+                        anchors { top: sign.bottom; topMargin: Theme.size.accent; left: parent.left; right: parent.right }
+                        horizontalAlignment: Text.AlignHCenter
+                        wrapMode: Text.WordWrap
+                        text: light.modelData
+                        font.pixelSize: Theme.size.caption
+                        color: Theme.color.secondaryInk
+                    }
+                }
+            }
+        }
+        Flickable {
+            id: list
+            anchors { left: parent.left; right: parent.right; top: head.bottom; topMargin: Theme.size.spacing; bottom: foot.top; bottomMargin: Theme.size.spacing }
+            contentHeight: cells.height
+            clip: true
+            boundsBehavior: Flickable.StopAtBounds
+            Column {
+                spacing: Theme.size.spacing
+                Repeater {
+                    model: section.tower.conditions
+                    Label {
+                        required property string modelData
+                        width: section.nameWidth
+                        height: Theme.size.touch
+                        verticalAlignment: Text.AlignVCenter
+                        wrapMode: Text.WordWrap
+                        fontSizeMode: Text.Fit
+                        text: modelData
+                        font.bold: true
+                    }
+                }
+            }
+            Grid {
+                id: cells
+                x: section.nameWidth + Theme.size.spacing
+                columns: section.columns
+                spacing: Theme.size.spacing
+                Repeater {
+                    model: section.tower
+                    Button {
+                        id: cell
+                        required property int index
+                        required property string name
+                        required property string value
+                        required property int choice
+                        required property bool known
+                        objectName: "tower" + index
+                        level: Access.Technician
+                        width: section.cellWidth
+                        height: Theme.size.touch
+                        enabled: cell.known
+                        text: cell.value
+                        kind: cell.choice > 0 ? Button.Normal : Button.Quiet
+                        Accessible.name: Theme.fill(qsTr("%1: %2"), [cell.name, cell.value])
+                        onClicked: Frame.open("Controls/ListPicker", {
+                            title: cell.name,
+                            choices: section.tower.modes.map((text, key) => ({ key: key, text: text })),
+                            current: cell.choice,
+                            level: Access.Technician,
+                            onChosen: key => section.tower.setChoice(cell.index, key)
+                        })
+                    }
+                }
+            }
+        }
+        ScrollMark { view: list }
+        ParameterFoot {
+            id: foot
+            anchors { left: parent.left; right: parent.right; bottom: parent.bottom }
+            fields: section.tower
+            name: "tower"
+        }
+    }
+}
