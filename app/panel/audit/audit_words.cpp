@@ -4,6 +4,7 @@
 #include "app/panel/controller/start_permit.h"
 #include "app/panel/kit/format.h"
 #include "app/panel/maintenance/cam_switches.h"
+#include "app/panel/maintenance/tower_fields.h"
 #include "app/panel/packing/packing_fields.h"
 #include "app/panel/settings/settings.h"
 #include "app/panel/words/access_sentences.h"
@@ -109,6 +110,10 @@ constexpr std::array whatWords{
     Word{"audit.trimmed", QT_TRANSLATE_NOOP("AuditWords", "Oldest rows deleted")},
 };
 
+// Each returns the label of a parameter; empty for one of something else.
+constexpr std::array parameterWords{PackingFields::words, CamSwitches::words, StartPermit::words,
+                                    TowerFields::words, MasterSentences::parameter};
+
 constexpr std::array objectWords{
     Word{"connection", QT_TRANSLATE_NOOP("AuditWords", "connection")},
     Word{"clock", QT_TRANSLATE_NOOP("AuditWords", "clock")},
@@ -191,8 +196,7 @@ QString AuditWords::object(const store::AuditEntry& entry)
         }
     }
     if (entry.what == u"parameter.write") {
-        for (const auto wordsOf :
-             {PackingFields::words, CamSwitches::words, StartPermit::words, MasterSentences::parameter}) {
+        for (const auto wordsOf : parameterWords) {
             if (const QString words = wordsOf(entry.object); !words.isEmpty())
                 return words;
         }
@@ -232,10 +236,8 @@ QStringList AuditWords::keysWith(const QString& word)
     }
     for (const modbus::RegisterInfo& each : modbus::registers()) {
         const QString name = QString::fromUtf8(each.name.data(), static_cast<qsizetype>(each.name.size()));
-        add(name, PackingFields::words(name));
-        add(name, CamSwitches::words(name));
-        add(name, StartPermit::words(name));
-        add(name, MasterSentences::parameter(name));
+        for (const auto wordsOf : parameterWords)
+            add(name, wordsOf(name));
     }
     return keys;
 }

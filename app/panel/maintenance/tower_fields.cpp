@@ -3,6 +3,7 @@
 
 #include "app/panel/controller/controller.h"
 #include "app/panel/words/controller_sentences.h"
+#include "app/panel/words/register_words.h"
 
 #include <utility>
 #include <vector>
@@ -31,12 +32,12 @@ TowerFields::TowerFields(Controller& controller, QObject* parent)
     connect(&controller, &Controller::connectionChanged, this, &TowerFields::changed);
 }
 
-QStringList TowerFields::conditions() const
+QStringList TowerFields::conditions()
 {
     return ControllerSentences::texts(tableCondition);
 }
 
-QStringList TowerFields::lights() const
+QStringList TowerFields::lights()
 {
     QStringList names;
     for (const modbus::OutputBit bit : lightBits)
@@ -44,7 +45,7 @@ QStringList TowerFields::lights() const
     return names;
 }
 
-QStringList TowerFields::modes() const
+QStringList TowerFields::modes()
 {
     return ControllerSentences::texts(tableMode);
 }
@@ -59,11 +60,19 @@ QString TowerFields::emptyText() const
     return {};
 }
 
+QString TowerFields::words(const QString& name)
+{
+    const modbus::RegisterInfo* info = modbus::findRegister(name.toStdString());
+    if (info == nullptr || info->enumName != tableMode)
+        return {};
+    const auto cell = info->address - modbus::findRegister("signal.fault_red")->address;
+    const QStringList columns = lights();
+    return tr("%1, %2").arg(conditions().value(cell / columns.size()), columns.value(cell % columns.size()));
+}
+
 QString TowerFields::label(const Field& field) const
 {
-    const auto row = field.parameter->info().address - m_first->info().address;
-    const auto lights = this->lights();
-    return tr("%1, %2").arg(conditions().value(row / lights.size()), lights.value(row % lights.size()));
+    return words(RegisterWords::name(field.info()));
 }
 
 } // namespace campanel::panel

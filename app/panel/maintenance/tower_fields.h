@@ -21,10 +21,13 @@ public:
     // The controller must outlive the object.
     TowerFields(Controller& controller, QObject* parent);
 
-    [[nodiscard]] QStringList conditions() const;
-    [[nodiscard]] QStringList lights() const;
-    [[nodiscard]] QStringList modes() const;
+    [[nodiscard]] static QStringList conditions();
+    [[nodiscard]] static QStringList lights();
+    [[nodiscard]] static QStringList modes();
     [[nodiscard]] QString emptyText() const;
+
+    // Returns the label of a parameter; empty for one of something else.
+    [[nodiscard]] static QString words(const QString& name);
 
 protected:
     [[nodiscard]] QString label(const Field& field) const override;

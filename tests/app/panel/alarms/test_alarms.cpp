@@ -58,6 +58,27 @@ private slots:
         QTRY_COMPARE(history.rows()->row(0).code(), QStringLiteral("C-01"));
     }
 
+    void acknowledgingSilencesTheMachine()
+    {
+        AlarmRig rig;
+        rig.open();
+        rig.panel.connectIdle();
+        const auto silenced = [&rig] {
+            return std::ranges::count_if(rig.panel.link.requests, [](const auto& request) {
+                return request.command == modbus::Command::Acknowledge;
+            });
+        };
+        rig.setFaults(jam);
+        QTRY_COMPARE(rig.live().size(), 1);
+        QCOMPARE(silenced(), 0);
+        rig.alarms->acknowledge(0);
+        QCOMPARE(silenced(), 1);
+        rig.setFaults(jam | tooFast);
+        QTRY_COMPARE(rig.live().size(), 2);
+        rig.alarms->acknowledgeAll();
+        QCOMPARE(silenced(), 2);
+    }
+
     void clockThatWasSetBackOrNotSetIsMarked()
     {
         AlarmRig rig;

@@ -121,7 +121,8 @@ private slots:
         for (int i = 0; i < inspector.registers()->count(); ++i) {
             inspector.select(i);
             const QString name = inspector.selectedName();
-            const bool isMachineData = name.startsWith(u"parameter.") || name.startsWith(u"master.");
+            const bool isMachineData =
+                name.startsWith(u"parameter.") || name.startsWith(u"master.") || name.startsWith(u"signal.");
             QCOMPARE(inspector.canWrite(), isMachineData);
             QCOMPARE(inspector.selectedText().startsWith(u"Read only:"), !isMachineData);
             writable += isMachineData ? 1 : 0;
