@@ -35,6 +35,13 @@ static ctl_train stretched(const ctl_pace* pace, const ctl_train* train)
     if (last > end && last - end < end / pace->travel && last - end <= first)
         first -= last - end;
     result.divisor = (uint32_t)divisor;
+    if ((first | distance) <= UINT32_MAX) { /* the shorter divisions */
+        result.tick = (uint32_t)first / result.divisor;
+        result.fraction = (uint32_t)first % result.divisor;
+        result.period = (uint32_t)distance / result.divisor;
+        result.rest = (uint32_t)distance % result.divisor;
+        return result;
+    }
     result.tick = (uint32_t)(first / divisor);
     result.fraction = (uint32_t)(first % divisor);
     result.period = (uint32_t)(distance / divisor);

@@ -2,6 +2,9 @@
 #include "engine/ctl_ramp.h"
 
 #define SHARE_BITS CTL_RAMP_SHARE_BITS
+/* Of the stretch of a line that is led. */
+#define PLACE_BITS 15u
+#define NEAR_PLACES 4u
 #define WHOLE ((uint64_t)1 << SHARE_BITS)
 
 void ctl_ramp_reset(ctl_ramp* ramp, uint32_t full)
@@ -12,6 +15,7 @@ void ctl_ramp_reset(ctl_ramp* ramp, uint32_t full)
     ramp->rest = 0;
     ramp->s_curve = false;
     ramp->led = false;
+    ramp->place = 0;
 }
 
 void ctl_ramp_reset_s(ctl_ramp* ramp, uint32_t full)
@@ -76,22 +80,48 @@ uint32_t ctl_square_root(uint64_t square)
     return (uint32_t)root;
 }
 
-/* Speed of a line that is led, at a way from standstill. */
-static uint32_t led_speed(const ctl_ramp* ramp, uint64_t way)
+/* 2 x^3 - x^4 of x in 1 / 2^15. */
+static uint64_t led_way(uint32_t x)
+{
+    const uint64_t cube = (uint64_t)(x * x) * x;
+    return (cube << (PLACE_BITS + 1u)) - cube * x;
+}
+
+/* Returns the largest place whose way is at most this, x of it being near. */
+static uint32_t led_place(uint64_t way, uint32_t x)
+{
+    for (uint32_t i = 0; i < NEAR_PLACES; ++i) {
+        if (led_way(x) > way)
+            x -= 1u;
+        else if (x + 1u < 1u << PLACE_BITS && led_way(x + 1u) <= way)
+            x += 1u;
+        else
+            return x;
+    }
+    x = 0;
+    for (uint32_t bit = 1u << (PLACE_BITS - 1u); bit != 0; bit >>= 1) {
+        if (led_way(x + bit) <= way)
+            x += bit;
+    }
+    return x;
+}
+
+/* Speed of a line that is led, at a way from standstill; `place` is one near it and becomes its own. */
+static uint32_t led_speed(const ctl_ramp* ramp, uint64_t way, uint32_t* place)
 {
     if (ramp->stretch == 0 || way >= ramp->stretch / 2u)
         return ramp->top;
-    /* The largest x with 2 x^3 - x^4 <= 2 way / stretch, in 1 / 2^15. */
-    const uint64_t twice = ((way << 30u) / ramp->stretch) << 31u;
-    uint64_t x = 0;
-    for (uint64_t bit = 1u << 14; bit != 0; bit >>= 1) {
-        const uint64_t next = x + bit;
-        const uint64_t cube = next * next * next;
-        if ((cube << 16u) - cube * next <= twice)
-            x = next;
-    }
-    const uint64_t share = (3u * x * x << 15u) - 2u * x * x * x; /* 1 / 2^45 */
-    return (uint32_t)(ramp->top * (share >> 15u) >> 30u);
+    const uint32_t x = led_place(((way << 30u) / ramp->stretch) << 31u, *place);
+    const uint64_t square = x * x;
+    const uint64_t share = (3u * square << PLACE_BITS) - 2u * square * x; /* 1 / 2^45 */
+    *place = x;
+    return (uint32_t)(ramp->top * (share >> PLACE_BITS) >> (2u * PLACE_BITS));
+}
+
+static uint32_t led_speed_at(const ctl_ramp* ramp, uint64_t way)
+{
+    uint32_t place = ramp->place;
+    return led_speed(ramp, way, &place);
 }
 
 void ctl_ramp_lead(ctl_ramp* ramp, uint32_t top, uint32_t stretch, uint64_t way)
@@ -101,13 +131,13 @@ void ctl_ramp_lead(ctl_ramp* ramp, uint32_t top, uint32_t stretch, uint64_t way)
     ramp->top = top;
     ramp->stretch = stretch;
     ramp->way = way;
-    ramp->speed = led_speed(ramp, way);
+    ramp->speed = led_speed(ramp, way, &ramp->place);
 }
 
 uint32_t ctl_ramp_speed_after(const ctl_ramp* ramp, uint32_t way)
 {
     if (ramp->led)
-        return led_speed(ramp, ramp->way + way);
+        return led_speed_at(ramp, ramp->way + way);
     const uint64_t square = (uint64_t)ramp->speed * ramp->speed;
     const uint64_t change = 2u * (uint64_t)ramp->full * way;
     if (ramp->speed == ramp->limit)
@@ -128,7 +158,7 @@ uint64_t ctl_ramp_stopping_way(const ctl_ramp* ramp)
 uint32_t ctl_ramp_speed_before(const ctl_ramp* ramp, uint64_t way, uint32_t end)
 {
     if (ramp->led)
-        return led_speed(ramp, way);
+        return led_speed_at(ramp, way);
     return ctl_square_root((uint64_t)end * end + 2u * (uint64_t)ramp->full * way);
 }
 
@@ -180,16 +210,19 @@ static uint32_t nearer_to_limit(const ctl_ramp* ramp, uint32_t ticks)
     return ramp->speed - ramp->limit < ticks ? ramp->limit : ramp->speed - ticks;
 }
 
+static uint32_t approach_limit(ctl_ramp* ramp, uint32_t ticks)
+{
+    const uint32_t end = nearer_to_limit(ramp, ticks);
+    const uint32_t used = end > ramp->speed ? end - ramp->speed : ramp->speed - end;
+    const uint32_t travelled = travel(ramp, end, used);
+    return used == ticks ? travelled : travelled + go_on(ramp, ticks - used);
+}
+
 uint32_t ctl_ramp_up(ctl_ramp* ramp, uint32_t ticks)
 {
-    uint32_t travelled = 0;
-    if (ramp->speed != ramp->limit) {
-        const uint32_t end = nearer_to_limit(ramp, ticks);
-        const uint32_t used = end > ramp->speed ? end - ramp->speed : ramp->speed - end;
-        travelled = travel(ramp, end, used);
-        ticks -= used;
-    }
-    return ticks == 0 ? travelled : travelled + go_on(ramp, ticks);
+    if (ramp->speed != ramp->limit)
+        return approach_limit(ramp, ticks);
+    return ramp->speed == ramp->full ? ticks : go_on(ramp, ticks);
 }
 
 void ctl_ramp_limit(ctl_ramp* ramp, uint32_t percent)

@@ -25,6 +25,7 @@ typedef struct {
     uint32_t top;     /* its speed */
     uint32_t stretch; /* of it, in which the line comes from standstill to that speed or back */
     uint64_t way;     /* of the line from standstill */
+    uint32_t place;   /* of the master in the stretch for that way, 1 / 2^15 */
 } ctl_ramp;
 
 /* Stand still, with `full` ticks to full speed from now on, linearly. */

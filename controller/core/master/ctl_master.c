@@ -20,7 +20,8 @@
 /* So much faster than its maximum it is a fault. */
 #define FAULT_NUMERATOR 5u
 #define FAULT_DENOMINATOR 4u
-/* A slice travels so many times its ticks at most: no line is faster. */
+/* A slice travels so many times its ticks at most, or a whole one's: no line is faster. A short slice behind
+ * others without a reading makes up for them. */
 #define MAX_TRAVEL 4u
 #define RATE_BITS 24u
 /* A shift of the phase takes so many times its way: it is at most 1.5 times as fast as in the mean. */
@@ -296,6 +297,8 @@ static void set_line(ctl_master* master, const ctl_bank* bank, const ctl_ramp* r
 {
     set_rate(master, ramp);
     master->cycle = ctl_bank_cycle_ticks(bank);
+    master->whole_slice =
+        master->board->config.timer_clock_hz / MS_PER_S * master->board->config.slice_us / MS_PER_S;
     master->tracker.constant_us = smoothing_us(master);
     master->tracker.step_us = 0;
 }
@@ -398,7 +401,7 @@ static void watch_speed(ctl_master* master, const ctl_ramp* ramp, uint64_t trave
     const uint64_t most = (uint64_t)ramp->full * setting16(master, CTL_REG_MASTER_SPEED_MAX);
     const uint64_t top = (uint64_t)ramp->top * PERCENT;
     master->too_fast = master->too_fast || top > most;
-    if (travel > MAX_TRAVEL * (uint64_t)ticks)
+    if (travel > MAX_TRAVEL * (uint64_t)(ticks > master->whole_slice ? ticks : master->whole_slice))
         master->fault = CTL_FAULT_BIT_MASTER_SPEED;
     else if (top * FAULT_DENOMINATOR > most * FAULT_NUMERATOR)
         master->fault = CTL_FAULT_BIT_MASTER_TOO_FAST;

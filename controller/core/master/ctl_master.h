@@ -46,17 +46,18 @@ typedef struct {
     bool reversed;
     uint16_t signal;
     uint64_t last_us;
-    int64_t speed;      /* smoothed, counts per microsecond, 1 / 2^32 */
-    uint32_t lead_us;   /* from a count to the movement, */
-    uint32_t engine_us; /* and what the table's engine needs */
-    bool goes_back;     /* with the encoder, otherwise the line waits */
-    uint64_t per_speed; /* of the ramp at full speed, per 1 / 2^24 count per microsecond, 1 / 2^24 */
-    uint32_t cycle;     /* ticks of the table that engaged last */
-    uint32_t end_top;   /* ramp speed of the master when the end of the run was chosen */
-    int64_t line;       /* ticks since the start of the cycle in which it engaged, */
-    int64_t wanted;     /* and where the encoder wants it */
-    int64_t passed;     /* counts while no run followed */
-    int64_t lag;        /* ticks by which the master was beyond the last cut when the knife came to it */
+    int64_t speed;        /* smoothed, counts per microsecond, 1 / 2^32 */
+    uint32_t lead_us;     /* from a count to the movement, */
+    uint32_t engine_us;   /* and what the table's engine needs */
+    bool goes_back;       /* with the encoder, otherwise the line waits */
+    uint64_t per_speed;   /* of the ramp at full speed, per 1 / 2^24 count per microsecond, 1 / 2^24 */
+    uint32_t cycle;       /* ticks of the table that engaged last */
+    uint32_t whole_slice; /* ticks of the longest slice */
+    uint32_t end_top;     /* ramp speed of the master when the end of the run was chosen */
+    int64_t line;         /* ticks since the start of the cycle in which it engaged, */
+    int64_t wanted;       /* and where the encoder wants it */
+    int64_t passed;       /* counts while no run followed */
+    int64_t lag;          /* ticks by which the master was beyond the last cut when the knife came to it */
     ctl_ripple ripple;
     ctl_tracker tracker;
     ctl_gear gear;

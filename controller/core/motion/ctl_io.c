@@ -9,6 +9,7 @@
 #define US_PER_MS 1000u
 #define ENABLE_HOLD_US (500u * US_PER_MS) /* the drive still follows when the last pulse has left */
 #define STOP_HOLD_US (2000u * US_PER_MS)
+#define LED_SPEED_STEPS 512u
 #define INPUT(name) (1u << CTL_INPUT_BIT_##name)
 
 _Static_assert(CTL_REG_IO_TORQUE_ANGLE - CTL_REG_IO_AVAILABLE + 1u == CTL_GROUP_IO,
@@ -152,10 +153,23 @@ bool ctl_io_emergency_stop(const ctl_io* io, const ctl_board* board)
     return io->was_stopped && board->now_us - io->stopped_us < STOP_HOLD_US;
 }
 
-/* The cycle of a cutter's film, of any other program's master. Film that waits for a product has no speed. */
-static ctl_switch_cycle switch_cycle(const ctl_motion* motion)
+/* The ripple of an encoder's line moves no lead: a change below a 512th of full speed is none. */
+static uint32_t switch_speed(ctl_switch_speed* last, const ctl_ramp* ramp)
 {
-    const uint32_t speed = ctl_ramp_share(&motion->ramp, 1u << CTL_SWITCH_SPEED_BITS);
+    if (!ramp->led)
+        return ctl_ramp_share(ramp, 1u << CTL_SWITCH_SPEED_BITS);
+    const uint32_t off =
+        ramp->speed > last->ramp_speed ? ramp->speed - last->ramp_speed : last->ramp_speed - ramp->speed;
+    if (ramp->full == last->ramp_full && off <= ramp->full / LED_SPEED_STEPS)
+        return last->speed;
+    *last = (ctl_switch_speed){ctl_ramp_share(ramp, 1u << CTL_SWITCH_SPEED_BITS), ramp->full, ramp->speed};
+    return last->speed;
+}
+
+/* The cycle of a cutter's film, of any other program's master. Film that waits for a product has no speed. */
+static ctl_switch_cycle switch_cycle(const ctl_motion* motion, ctl_switch_speed* last)
+{
+    const uint32_t speed = switch_speed(last, &motion->ramp);
     const ctl_packer* packer = motion->packer;
     if (ctl_packer_active(packer)) {
         const bool waits = packer->film_gate.state == CTL_GATE_STATE_STANDING;
@@ -168,11 +182,20 @@ static ctl_switch_cycle switch_cycle(const ctl_motion* motion)
     return cycle;
 }
 
+/* A slice that begins a run or a program has much else to do: the next one makes up for it. */
+static uint32_t switch_levels(ctl_io* io, const ctl_motion* motion)
+{
+    if (motion->begins)
+        return io->switch_levels;
+    const bool follows = ctl_motion_in_cycle(motion) && ctl_switches_serve(ctl_active_bank(motion->banks));
+    const ctl_switch_cycle cycle = follows ? switch_cycle(motion, &io->switch_speed) : (ctl_switch_cycle){0};
+    io->switch_levels = ctl_switches_slice(&io->switches, motion->board, follows ? &cycle : NULL);
+    return io->switch_levels;
+}
+
 void ctl_io_slice(ctl_io* io, const ctl_motion* motion)
 {
-    const bool follows = ctl_motion_in_cycle(motion) && ctl_switches_serve(ctl_active_bank(motion->banks));
-    const ctl_switch_cycle cycle = follows ? switch_cycle(motion) : (ctl_switch_cycle){0};
-    const uint32_t switches = ctl_switches_slice(&io->switches, motion->board, follows ? &cycle : NULL);
+    const uint32_t switches = switch_levels(io, motion);
     const uint32_t enable = io->outputs & 1u << CTL_OUTPUT_BIT_DRIVE_ENABLE;
     const uint32_t line = ctl_motion_follows(motion) ? 1u << CTL_OUTPUT_BIT_LINE_MAY_RUN : 0u;
     put_outputs(io, motion->board, (uint16_t)(enable | line | switches | io->tower | tried(io, motion)));

@@ -18,6 +18,13 @@ extern "C" {
 #define CTL_COUNT_CONTACT(name, bit, address) +1u
 #define CTL_CONTACT_COUNT (0u CTL_CONTACTS(CTL_COUNT_CONTACT))
 
+/* The speed of the cycle for the leads of the switches, and the ramp's that it was computed from. */
+typedef struct {
+    uint32_t speed;
+    uint32_t ramp_full;
+    uint32_t ramp_speed;
+} ctl_switch_speed;
+
 typedef struct {
     uint16_t inputs;   /* bits CTL_INPUT_BIT_..., as the slice began, by kind of contact and filtered */
     uint16_t closed;   /* the inputs whose contact is normally closed */
@@ -34,6 +41,8 @@ typedef struct {
     uint16_t tried;   /* outputs that a person holds on at standstill */
     uint64_t tried_until_us;
     ctl_switches switches;
+    ctl_switch_speed switch_speed;
+    uint16_t switch_levels;
 } ctl_io;
 
 void ctl_io_init(ctl_io* io, const ctl_board* board);

@@ -162,16 +162,24 @@ static uint32_t start_position(const ctl_motion* motion)
                                                    : ctl_table_position(&motion->table);
 }
 
+void ctl_motion_take_wheel(ctl_motion* motion)
+{
+    const ctl_bank* bank = ctl_active_bank(motion->banks);
+    const ctl_master* master = motion->master;
+    ctl_packer* packer = motion->packer;
+    packer->wheel.counts = master->tracker.count;
+    packer->wheel.reversed = master->reversed;
+    packer->wheel.opens = true;
+    ctl_packer_take_wheel(packer, bank, ctl_master_is_wheel(master, bank) && ctl_packer_drives(packer, bank));
+}
+
 /* The film that a wheel measures goes on meanwhile. */
 static void engage(ctl_motion* motion)
 {
     const ctl_bank* bank = ctl_active_bank(motion->banks);
     ctl_master* master = motion->master;
     ctl_packer* packer = motion->packer;
-    packer->wheel.counts = master->tracker.count;
-    packer->wheel.reversed = master->reversed;
-    packer->wheel.opens = true;
-    ctl_packer_take_wheel(packer, bank, ctl_master_is_wheel(master, bank) && ctl_packer_drives(packer, bank));
+    ctl_motion_take_wheel(motion);
     ctl_master_engage(master, bank, start_position(motion), &motion->ramp);
     ctl_packer_run(packer, bank, &motion->ramp);
     if (packer->wheel.on)
@@ -190,6 +198,7 @@ void ctl_motion_run(ctl_motion* motion)
     motion->change_rests = false;
     ctl_park_run(&motion->park);
     motion->state = CTL_STATE_RUNNING;
+    motion->begins = true;
     if (ctl_motion_is_press(motion))
         ctl_motion_begin_stroke(motion);
 }

@@ -28,7 +28,7 @@ extern "C" {
 
 /* At once; landing on the cycle's boundary; where the table itself comes to rest. */
 typedef enum { CTL_STOP_NOW, CTL_STOP_AT_BOUNDARY, CTL_STOP_AT_REST } ctl_stop;
-typedef enum { CTL_HOMING_SEARCH, CTL_HOMING_BRAKE, CTL_HOMING_RETURN } ctl_homing;
+typedef enum { CTL_HOMING_SEARCH, CTL_HOMING_BRAKE, CTL_HOMING_RETURN, CTL_HOMING_ARRIVED } ctl_homing;
 
 typedef struct {
     int64_t position[CTL_SPEED_SAMPLES];
@@ -49,6 +49,7 @@ typedef struct {
     bool in_phase;  /* the axis stands where the table's cycle says */
     bool manual;    /* jogging or homing moves the axis, otherwise the table */
     bool start_after_home;
+    bool begins;  /* a run or a program, in this slice */
     bool follows; /* the run follows an encoder, also while the knife is open under a line that stands */
     bool torque_limited; /* the drive of the axis says so */
     ctl_stop stop;
@@ -65,6 +66,7 @@ typedef struct {
     bool change_planned;     /* running with an armed program: */
     bool change_opens;       /* the knife is open for it, */
     bool change_rests;       /* or the line leaves its encoder for it */
+    bool change_decides;     /* whether it does, in this slice */
     uint32_t change_speed;   /* speed of the ramp at which it may take over */
     uint64_t change_ticks;   /* master ticks to the boundary of the change */
     ctl_change_plan change;
@@ -150,6 +152,8 @@ void ctl_motion_pass_boundary(ctl_motion* motion, uint32_t* ticks);
 void ctl_motion_change_at_rest(ctl_motion* motion);
 void ctl_motion_begin_stroke(ctl_motion* motion);
 void ctl_motion_slice_stroke(ctl_motion* motion, const ctl_pace* pace);
+/* Somebody else drives the film of the active program from now on, or no longer. */
+void ctl_motion_take_wheel(ctl_motion* motion);
 void ctl_motion_run(ctl_motion* motion);
 void ctl_motion_stand(ctl_motion* motion);
 /* At standstill behind a run. */

@@ -51,6 +51,7 @@ static void take_over_armed(ctl_motion* motion, uint32_t* ticks)
     }
     ctl_packer_change_bank(motion->packer, ctl_active_bank(motion->banks), &motion->ramp);
     motion->change_planned = false;
+    motion->begins = true;
 }
 
 /* The line comes to rest at a boundary by its clutch, as the axes would step too far at the master's speed.
@@ -87,10 +88,14 @@ void ctl_motion_plan_led_change(ctl_motion* motion)
 {
     const bool changes = ctl_motion_changes(motion);
     motion->change_planned = motion->change_planned && changes;
-    if (motion->change_planned || motion->change_rests || !changes || motion->direction < 0)
+    if (motion->change_rests || !changes || motion->direction < 0)
         return;
-    plan(motion);
-    if (!must_wait(motion) && steps_too_far(motion, motion->ramp.top))
+    const bool is_new = !motion->change_planned;
+    if (is_new)
+        plan(motion);
+    const bool decides = motion->change_decides;
+    motion->change_decides = is_new; /* in the next slice, as a plan takes long */
+    if (decides && !is_new && !must_wait(motion) && steps_too_far(motion, motion->ramp.top))
         rest_for_change(motion, 0);
 }
 
@@ -98,11 +103,13 @@ void ctl_motion_change_at_rest(ctl_motion* motion)
 {
     uint32_t none = 0;
     const ctl_bank* staged = ctl_staged_bank(motion->banks);
-    motion->change_rests = false;
     if (ctl_motion_changes(motion) && ctl_table_between_cycles(&motion->table) &&
         ctl_packer_may_change(motion->packer, staged, true) &&
-        ctl_master_refusal(motion->master, staged) == CTL_REFUSAL_NONE)
-        take_over_armed(motion, &none);
+        ctl_master_refusal(motion->master, staged) == CTL_REFUSAL_NONE) {
+        take_over_armed(motion, &none); /* the next slice engages */
+        return;
+    }
+    motion->change_rests = false;
     ctl_motion_run(motion);
 }
 

@@ -162,8 +162,6 @@ static void slice_led(ctl_motion* motion, ctl_pace pace)
         motion->stop_remaining = ctl_master_to_end(motion->master);
     if (motion->state == CTL_STATE_RUNNING && motion->master->too_fast)
         (void)ctl_motion_stop_at_cycle_end(motion);
-    if (motion->change_rests && motion->master->clutch.state == CTL_CLUTCH_OFF)
-        ctl_motion_change_at_rest(motion);
 }
 
 /* Nobody knows when the line goes on: the knife opens meanwhile. */
@@ -183,6 +181,10 @@ static void slice_running(ctl_motion* motion, ctl_pace pace)
     const uint32_t ticks = pace.ticks;
     const int32_t wanted = ctl_motion_wanted_direction(motion);
     if (motion->master->leads) {
+        if (motion->change_rests && motion->master->clutch.state == CTL_CLUTCH_OFF) {
+            ctl_motion_change_at_rest(motion);
+            return;
+        }
         ctl_motion_plan_led_change(motion);
         if (!opens_under_line(motion))
             slice_led(motion, pace);
@@ -190,9 +192,9 @@ static void slice_running(ctl_motion* motion, ctl_pace pace)
     }
     if (motion->board->hand[0] != motion->speed_percent && ctl_packer_takes_other_speed(motion->packer))
         ctl_motion_limit_speed(motion);
-    motion->change_planned =
-        motion->change_planned && ctl_motion_changes(motion) && wanted == motion->direction;
-    if (wanted == motion->direction && ctl_motion_changes(motion)) {
+    const bool changes = wanted == motion->direction && ctl_motion_changes(motion);
+    motion->change_planned = motion->change_planned && changes;
+    if (changes) {
         if (!motion->change_planned)
             ctl_motion_plan_change(motion, ticks);
         pace.travel = ctl_ramp_approach(&motion->ramp, ticks, motion->change_ticks, motion->change_speed);
@@ -376,8 +378,14 @@ static void slice_homing(ctl_motion* motion, ctl_pace pace)
         }
         break;
     case CTL_HOMING_RETURN:
-        if (move_to_target(motion, pace))
-            end_homing(motion);
+        if (!move_to_target(motion, pace))
+            break;
+        motion->homing = CTL_HOMING_ARRIVED;
+        if (motion->start_after_home)
+            ctl_motion_take_wheel(motion);
+        break;
+    case CTL_HOMING_ARRIVED: /* the start of a run has a slice of its own */
+        end_homing(motion);
         break;
     }
 }
@@ -456,6 +464,7 @@ static void watch_for_jam(ctl_motion* motion)
 void ctl_motion_slice(ctl_motion* motion, uint32_t ticks)
 {
     const ctl_pace pace = pace_of(motion, ticks);
+    motion->begins = false;
     switch (motion->state) {
     case CTL_STATE_IDLE:
     case CTL_STATE_READY:

@@ -220,6 +220,8 @@ static void plan_for_start(ctl_packer* packer, const ctl_ramp* ramp)
     const uint32_t phase = packer->film.phase;
     if (phase >= packer->engage || packer->knife_gate.state != CTL_GATE_STATE_RUNNING)
         return;
+    if (packer->lag == 0 && packer->next.lag == 0)
+        return;
     const int64_t lag = ctl_packer_lag(packer, ctl_ramp_speed_after(ramp, packer->cut - phase), ramp);
     ctl_phase_move(&packer->film, &packer->next.command, packer->next.lag - lag, packer->engage - phase);
     packer->next.lag = lag;
