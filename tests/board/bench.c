@@ -145,7 +145,15 @@ ctl_config bench_config(void)
     };
 }
 
-void bench_power_up(bench* self)
+/* The encoder leads what can follow it from now on. */
+static void follow_shaft(ctl_core* core, bool is_wheel)
+{
+    set_parameter(core, CTL_REG_MASTER_SOURCE, CTL_MASTER_SOURCE_ENCODER);
+    set_parameter(core, CTL_REG_MASTER_PLACE, is_wheel ? CTL_MASTER_PLACE_WHEEL : CTL_MASTER_PLACE_SHAFT);
+    set_parameter(core, CTL_REG_MASTER_INDEX_LIMIT, 1);
+}
+
+void bench_power_up(bench* self, const bench_case* program)
 {
     const ctl_config config = bench_config();
     const whole_disturbance disturbance = {.stretch_ppm = 800, .missing_every = 7, .misplaced_every = 11};
@@ -155,10 +163,16 @@ void bench_power_up(bench* self)
     self->counter = 0;
     whole_machine_init(&self->machine, disturbance);
     whole_machine_connect(&self->machine, &port);
+    if (program->counts_per_s != 0) {
+        whole_shaft_init(&self->machine.line.shaft, program->counts_per_s, program->is_wheel);
+        whole_line_connect_shaft(&port);
+    }
     bench_connect_flash(&port);
     port.torque = torque;
     ctl_init(&self->core, &config, &port, 0);
     bench_turn_on(&self->core);
+    if (program->counts_per_s != 0)
+        follow_shaft(&self->core, program->is_wheel);
 }
 
 static uint32_t larger(uint32_t one, uint32_t other)
@@ -169,6 +183,7 @@ static uint32_t larger(uint32_t one, uint32_t other)
 void bench_slice(bench* self, uint32_t slice_us)
 {
     self->now_us += slice_us;
+    whole_line_turn_shaft(&self->machine.line, slice_us);
     const uint32_t from = bench_counter();
     ctl_tick(&self->core, self->now_us);
     self->slice_cost = bench_counter() - from;

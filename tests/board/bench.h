@@ -21,10 +21,14 @@ typedef struct {
     const char* name;
     uint16_t kind;
     uint32_t (*build)(uint16_t* registers); /* returns the length */
+    uint32_t counts_per_s;                  /* of the encoder that leads it; 0: the clock does */
+    bool is_wheel;                          /* on film that somebody else drives */
 } bench_case;
 
 extern const bench_case bench_cases[];
 extern const uint32_t bench_case_count;
+/* The program that each cutter among them changes to, with other bags. */
+extern const bench_case bench_other_cutter;
 
 /* Instructions of the longest call of each function of the core, since they were set to 0. */
 typedef struct {
@@ -47,8 +51,9 @@ typedef struct {
     uint32_t max_request_cost;
 } bench;
 
-/* Powers up on a machine of everything that goes wrong, with marks, anti-cut and empty bags. */
-void bench_power_up(bench* self);
+/* Powers up on a machine of everything that goes wrong, with marks, anti-cut and empty bags, on the line that
+ * leads this program. */
+void bench_power_up(bench* self, const bench_case* program);
 /* Sets the parameters for that; then also for the eight cam switches. */
 void bench_turn_on(ctl_core* core);
 void bench_switch_on(ctl_core* core);

@@ -136,7 +136,7 @@ static void read_and_write(bench* self, const char* program)
 void calls_of_program(bench* self, const bench_case* program)
 {
     uint32_t crc = 0;
-    bench_power_up(self);
+    bench_power_up(self, program);
     bench_switch_on(&self->core);
     begin();
     if (bench_download(self, program, &crc) != CTL_TRANSFER_RESULT_ACCEPTED)

@@ -9,6 +9,9 @@
 #define TURN_PULSES 10000u
 #define FINE 256
 #define FEED_UM 100000u
+/* Counts a second of an encoder with 10 000, at the programs' rates: 250 mm each 0.2 s, and 60 r/min. */
+#define CUTTER_COUNTS 50000u
+#define CAM_COUNTS 10000u
 #define FULL_CYCLE 3600000u /* 0.0001 degrees */
 
 static void wide(uint16_t* registers, uint32_t offset, uint32_t value)
@@ -51,6 +54,14 @@ static uint32_t build_cutter(uint16_t* registers)
         wide(row, 1, (uint32_t)((uint64_t)CYCLE_TICKS * (i + 1u) / rows - (uint64_t)CYCLE_TICKS * i / rows));
     }
     return ctl_bank_length((const ctl_bank*)registers);
+}
+
+/* Bags of 260 mm by the same table. */
+static uint32_t build_other_cutter(uint16_t* registers)
+{
+    const uint32_t length = build_cutter(registers);
+    wide(registers, CTL_OFFSET_PROGRAM_BAG_LENGTH, 260000);
+    return length;
 }
 
 static void cam_row(uint16_t* registers, uint32_t index, int64_t position, int64_t slope)
@@ -203,12 +214,17 @@ static uint32_t build_press(uint16_t* registers)
 }
 
 const bench_case bench_cases[] = {
-    {"cutter", CTL_PROGRAM_KIND_ROTARY_CUTTER, build_cutter},
-    {"position_move", CTL_PROGRAM_KIND_POSITION_MOVE, build_position_move},
-    {"speed_move", CTL_PROGRAM_KIND_SPEED_MOVE, build_speed_move},
-    {"point_cam", CTL_PROGRAM_KIND_POINT_CAM, build_point_cam},
-    {"segment_cam", CTL_PROGRAM_KIND_SEGMENT_CAM, build_segment_cam},
-    {"press", CTL_PROGRAM_KIND_PRESS, build_press},
-    {"intervals", CTL_PROGRAM_KIND_POSITION_MOVE, build_intervals},
+    {"cutter", CTL_PROGRAM_KIND_ROTARY_CUTTER, build_cutter, 0, false},
+    {"cutter_on_shaft", CTL_PROGRAM_KIND_ROTARY_CUTTER, build_cutter, CUTTER_COUNTS, false},
+    {"cutter_on_wheel", CTL_PROGRAM_KIND_ROTARY_CUTTER, build_cutter, CUTTER_COUNTS, true},
+    {"position_move", CTL_PROGRAM_KIND_POSITION_MOVE, build_position_move, 0, false},
+    {"speed_move", CTL_PROGRAM_KIND_SPEED_MOVE, build_speed_move, 0, false},
+    {"point_cam", CTL_PROGRAM_KIND_POINT_CAM, build_point_cam, 0, false},
+    {"point_cam_on_shaft", CTL_PROGRAM_KIND_POINT_CAM, build_point_cam, CAM_COUNTS, false},
+    {"segment_cam", CTL_PROGRAM_KIND_SEGMENT_CAM, build_segment_cam, 0, false},
+    {"press", CTL_PROGRAM_KIND_PRESS, build_press, 0, false},
+    {"intervals", CTL_PROGRAM_KIND_POSITION_MOVE, build_intervals, 0, false},
 };
+const bench_case bench_other_cutter = {"other_cutter", CTL_PROGRAM_KIND_ROTARY_CUTTER, build_other_cutter, 0,
+                                       false};
 const uint32_t bench_case_count = sizeof bench_cases / sizeof bench_cases[0];

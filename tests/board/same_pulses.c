@@ -69,7 +69,7 @@ static void run(const bench_case* program, uint32_t slices)
     uint64_t seed = 88172645463325252u;
     crc = CTL_CRC32_START;
     pulses = 0;
-    bench_power_up(&the_bench);
+    bench_power_up(&the_bench, program);
     bench_switch_on(&the_bench.core);
     inner = core->board.port;
     core->board.port.pulses = main_pulses;

@@ -45,7 +45,7 @@ static bool take_mark(void* context, int64_t* film_at_edge, bool* covered)
     if (line->mark_there)
         line->next_mark += line->bag + line->bag * line->disturbance.stretch_ppm / PPM;
     line->mark_there = !line->mark_there;
-    *film_at_edge = edge;
+    *film_at_edge = whole_shaft_latch(&line->shaft, &line->shaft.film, edge);
     *covered = line->mark_there;
     return true;
 }
@@ -76,7 +76,7 @@ static bool take_edge(void* context, int64_t* infeed_at_edge, bool* covered)
     line->covered = !line->covered;
     if (!line->covered)
         line->number += 1;
-    *infeed_at_edge = line->edge;
+    *infeed_at_edge = whole_shaft_latch(&line->shaft, &line->shaft.infeed, line->edge);
     *covered = line->covered;
     line->edge = next_edge(line);
     return true;
@@ -93,6 +93,23 @@ void whole_line_connect(ctl_port* port)
     port->infeed = infeed_position;
     port->mark = take_mark;
     port->eye = take_edge;
+}
+
+static void read_shaft(void* context, uint16_t signal, ctl_master_input* input)
+{
+    (void)signal;
+    whole_shaft_read(&line_of(context)->shaft, input);
+}
+
+static void latch_shaft(void* context, bool on)
+{
+    line_of(context)->shaft.latches = on;
+}
+
+void whole_line_connect_shaft(ctl_port* port)
+{
+    port->master = read_shaft;
+    port->latch_master = latch_shaft;
 }
 
 /* Pulses of the table from the start of its cycle to a master angle. */
@@ -154,6 +171,8 @@ void whole_line_set_up(whole_line* line, const ctl_core* core, int64_t mark)
     line->mark_length = ctl_packer_film(&core->packer, MARK_UM);
     set_up_film(line, core, angle);
     set_up_infeed(line, core, angle, bag_um);
+    if (line->shaft.counts_per_s != 0)
+        whole_shaft_set_up(&line->shaft, core, line->flight);
 }
 
 /* Cuts from the first one to this position of the main drive. */
@@ -172,6 +191,18 @@ static void pass_cut(whole_line* line, int64_t before, int64_t now)
                        (line->film - line->film_before) * CTL_FINE * (at - before) / (now - before);
 }
 
+void whole_line_turn_shaft(whole_line* line, uint32_t us)
+{
+    whole_shaft* shaft = &line->shaft;
+    if (shaft->counts_per_s == 0)
+        return;
+    whole_shaft_turn(shaft, us);
+    if (!shaft->drives_film)
+        return;
+    line->film = whole_floor(shaft->film.at, CTL_FINE);
+    line->infeed = whole_floor(shaft->infeed.at, CTL_FINE);
+}
+
 void whole_line_follow(whole_line* line, ctl_core* core, int64_t before, int64_t now)
 {
     if (line->has_knife)
@@ -179,13 +210,14 @@ void whole_line_follow(whole_line* line, ctl_core* core, int64_t before, int64_t
     line->film_before = line->film;
     const int64_t film = line->fresh_film;
     line->fresh_film = -1;
-    if (core->motion.manual && !core->motion.in_phase) { /* the knife was turned by hand: the bag's length says nothing */
+    if (core->motion.manual &&
+        !core->motion.in_phase) { /* the knife was turned by hand: the bag's length says nothing */
         line->cut_before = false;
         return;
     }
     if (film < 0)
         return;
-    ctl_on_cut(core, film);
+    ctl_on_cut(core, whole_shaft_latch(&line->shaft, &line->shaft.film, film));
     if (line->cut_before)
         ctl_on_bag_cut(core, (uint32_t)ctl_packer_um(&core->packer, film - line->cut_film));
     line->cut_film = film;

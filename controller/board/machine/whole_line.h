@@ -3,7 +3,7 @@
 #ifndef WHOLE_LINE_H
 #define WHOLE_LINE_H
 
-#include "ctl_core.h"
+#include "machine/whole_shaft.h"
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -17,6 +17,7 @@ typedef struct {
 
 typedef struct {
     whole_disturbance disturbance;
+    whole_shaft shaft;
     bool has_knife;
     int64_t film; /* pulses */
     int64_t film_before;
@@ -41,6 +42,10 @@ typedef struct {
 
 void whole_line_init(whole_line* line, whole_disturbance disturbance);
 void whole_line_connect(ctl_port* port);
+/* The same for the encoder of the line's shaft. */
+void whole_line_connect_shaft(ctl_port* port);
+/* Before a slice: the shaft, if there is one, has turned for this time meanwhile. */
+void whole_line_turn_shaft(whole_line* line, uint32_t us);
 /* Sets the line up for the active program; `mark` is the index mark of the knife's shaft, pulses. */
 void whole_line_set_up(whole_line* line, const ctl_core* core, int64_t mark);
 /* The main drive moved from `before` to `now`: makes the cut that lies between. */
