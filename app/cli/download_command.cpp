@@ -97,6 +97,19 @@ Outcome checkMaster(LinkSession& session, const program::Recipe& recipe)
     return {};
 }
 
+// The recipe's trims become those of the machine with the program.
+Outcome writeTrims(LinkSession& session, const program::Trims& trims)
+{
+    for (std::size_t i = 0; i < trims.size(); ++i) {
+        const modbus::RegisterInfo& info = *modbus::findRegister(program::trimTable[i].nextName);
+        if (!session.identity().hasRegister(info.name))
+            return {};
+        if (const auto written = session.client().writeParameter(info, trims[i]); !written)
+            return fail(written.error());
+    }
+    return {};
+}
+
 } // namespace
 
 Outcome runDownload(const Invocation& call)
@@ -118,6 +131,10 @@ Outcome runDownload(const Invocation& call)
     const auto image = program::buildProgram(*recipe);
     if (!image)
         return fail(image.error());
+
+    if (const Outcome written = recipe->isCutter() ? writeTrims(*session, recipe->trims) : Outcome();
+        !written)
+        return written;
 
     Download::Options options;
     options.mode =

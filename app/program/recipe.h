@@ -3,6 +3,7 @@
 #pragma once
 
 #include "app/program/program_kinds.h"
+#include "app/program/recipe_trims.h"
 
 #include "profile/model/machine.h"
 #include "profile/program/programs.h"
@@ -34,6 +35,8 @@ struct Recipe {
     std::string filmCode; // on the film reel that it needs; empty: any reel
     // The master of a program that follows one. The controller has a setting of its own.
     RecipeMaster master = RecipeMaster::Any;
+    // Of a cutter: what an operator saved with it. They come with its program, but are not part of it.
+    Trims trims{};
 
     [[nodiscard]] profile::ProgramKind kind() const { return profile::kindOf(program); }
     [[nodiscard]] bool isCutter() const { return kind() == profile::ProgramKind::RotaryCutter; }

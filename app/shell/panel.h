@@ -15,6 +15,7 @@
 #include "app/panel/editor/editor.h"
 #include "app/panel/explain/explanations.h"
 #include "app/panel/hand/hand_speed.h"
+#include "app/panel/hand/hand_trims.h"
 #include "app/panel/library/recipes.h"
 #include "app/panel/maintenance/maintenance.h"
 #include "app/panel/plant/plant_feed.h"
@@ -128,6 +129,7 @@ private:
     panel::Trends m_trends;
     panel::Stops m_stops;
     panel::HandSpeed m_handSpeed;
+    panel::HandTrims m_handTrims;
     panel::Access m_access;
     panel::SystemClock m_systemClock;
     panel::SystemNetwork m_systemNetwork;

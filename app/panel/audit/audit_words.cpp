@@ -79,6 +79,7 @@ constexpr std::array whatWords{
     Word{"wizard.marks", QT_TRANSLATE_NOOP("AuditWords", "Mark sensor measured")},
     Word{"setting.change", QT_TRANSLATE_NOOP("AuditWords", "Setting")},
     Word{"hand.speed", QT_TRANSLATE_NOOP("AuditWords", "Speed changed by hand")},
+    Word{"hand.trim", QT_TRANSLATE_NOOP("AuditWords", "Trimmed by hand")},
     Word{"stop.reason", QT_TRANSLATE_NOOP("AuditWords", "Reason of a stop changed")},
     Word{"backup.make", QT_TRANSLATE_NOOP("AuditWords", "Backup created")},
     Word{"backup.restore", QT_TRANSLATE_NOOP("AuditWords", "Replaced by a backup")},
@@ -116,6 +117,9 @@ constexpr std::array parameterWords{PackingFields::words, CamSwitches::words, St
 
 constexpr std::array objectWords{
     Word{"connection", QT_TRANSLATE_NOOP("AuditWords", "connection")},
+    Word{"hand.cut", QT_TRANSLATE_NOOP("TrimWords", "Cut")},
+    Word{"hand.product", QT_TRANSLATE_NOOP("TrimWords", "Product")},
+    Word{"hand.length", QT_TRANSLATE_NOOP("TrimWords", "Length")},
     Word{"clock", QT_TRANSLATE_NOOP("AuditWords", "clock")},
     Word{"time_zone", QT_TRANSLATE_NOOP("AuditWords", "time zone")},
     Word{"time_server", QT_TRANSLATE_NOOP("AuditWords", "time server")},

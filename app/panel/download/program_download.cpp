@@ -184,8 +184,20 @@ void ProgramDownload::download(const program::ProgramImage& image, const program
     emit begun(image);
     if (m_forecast.price())
         m_controller.run()->announceChange(*m_forecast.price(), m_forecast.bagLengthMm());
+    sendTrims(recipe);
     m_controller.link().download(image.registers);
     update();
+}
+
+// They reach the controller before the program does, and come into force with it.
+void ProgramDownload::sendTrims(const program::Recipe& recipe)
+{
+    const auto& identity = m_controller.identity();
+    for (std::size_t i = 0; recipe.isCutter() && identity && i < program::trimCount; ++i) {
+        const std::string name(program::trimTable[i].nextName);
+        if (identity->hasRegister(name))
+            m_controller.link().exchange({0, name, recipe.trims[i]}, {});
+    }
 }
 
 void ProgramDownload::cancel()

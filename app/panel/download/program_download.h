@@ -76,6 +76,7 @@ signals:
     void ended(const campanel::link::DownloadReport& report);
 
 private:
+    void sendTrims(const program::Recipe& recipe);
     [[nodiscard]] bool isUnderWay() const;
     [[nodiscard]] QString blockedReason() const; // empty when the download is possible
     [[nodiscard]] QString readyText() const;

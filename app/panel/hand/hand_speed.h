@@ -3,20 +3,14 @@
 // rate. It acts at once, by the ramp; the controller keeps it until its power goes.
 #pragma once
 
-#include "app/link/link_values.h"
+#include "app/panel/hand/hand_value.h"
 #include "app/panel/kit/singleton.h"
 #include "app/panel/kit/watched.h"
 #include "app/store/logs/audit_log.h"
 
-#include <QTimer>
 #include <QtQml/qqmlregistration.h>
 
-#include <optional>
-
 namespace campanel::panel {
-
-class Controller;
-class Parameter;
 
 class HandSpeed : public campanel::panel::Watched, public Singleton<HandSpeed> {
     Q_OBJECT
@@ -40,11 +34,11 @@ public:
     HandSpeed(Controller& controller, QObject* parent);
 
     [[nodiscard]] bool offered() const;
-    [[nodiscard]] double percent() const;
+    [[nodiscard]] double percent() const { return m_percent.value(); }
     [[nodiscard]] bool canSlower() const;
     [[nodiscard]] bool canFaster() const;
     [[nodiscard]] QString rateText() const;
-    [[nodiscard]] QString message() const { return m_message; }
+    [[nodiscard]] QString message() const;
 
     // One step each, and back to the program's rate. For operators.
     Q_INVOKABLE void slower();
@@ -57,19 +51,10 @@ signals:
     void noted(const campanel::store::AuditEntry& entry);
 
 private:
-    void read();
     void set(double percent);
-    void send();
-    void onAnswer(const link::ParameterOutcome& outcome);
-    void note();
 
     Controller& m_controller;
-    Parameter& m_parameter;
-    std::optional<double> m_wanted; // by the last touch, until it is read back
-    std::optional<double> m_sent;   // what is being written
-    std::optional<double> m_before; // the first touch of a row
-    QString m_message;
-    QTimer m_rowTimer;
+    HandValue m_percent;
 };
 
 } // namespace campanel::panel

@@ -126,26 +126,52 @@ void Recipes::setCodes(const program::Recipe& withCodes)
 {
     if (!m_controller.accessCheck().require(Level::Technician))
         return;
-    keep(withCodes, Origin::Library, [this, version = withCodes.version](const store::RecipeVersion& kept) {
-        const auto coded = [&kept, version](program::Recipe recipe) {
-            recipe.scanCode = kept.recipe.scanCode;
-            recipe.filmCode = kept.recipe.filmCode;
-            if (recipe.version == version)
-                recipe.version = kept.version;
-            return recipe;
+    const auto put = [](program::Recipe& recipe, const program::Recipe& kept) {
+        recipe.scanCode = kept.scanCode;
+        recipe.filmCode = kept.filmCode;
+    };
+    keepBeside(withCodes, put, [this](const store::RecipeVersion& kept) { emit codesSet(kept); });
+}
+
+void Recipes::saveTrims(const QString& name, const program::Trims& trims)
+{
+    if (!m_controller.accessCheck().require(Level::Operator))
+        return;
+    const store::RecipeVersion* newest = named(name);
+    if (newest == nullptr)
+        return say(tr("The recipe %1 is not among the recipes of this panel. Save it first.").arg(name),
+                   Lasts::UntilAnswered);
+    program::Recipe recipe = newest->recipe;
+    recipe.trims = trims;
+    const auto put = [](program::Recipe& other, const program::Recipe& kept) { other.trims = kept.trims; };
+    keepBeside(recipe, put, {});
+}
+
+void Recipes::keepBeside(const program::Recipe& recipe,
+                         std::function<void(program::Recipe& recipe, const program::Recipe& kept)> put,
+                         std::function<void(const store::RecipeVersion& kept)> done)
+{
+    const auto follow = [this, put, done, version = recipe.version](const store::RecipeVersion& kept) {
+        const auto same = [&kept, &put, version](program::Recipe other) {
+            put(other, kept.recipe);
+            if (other.version == version)
+                other.version = kept.version;
+            return other;
         };
         const program::Recipe& stored = m_editor.storedRecipe();
         if (stored.name == kept.recipe.name) {
             const bool isEdited = m_editor.edited();
             const program::Recipe edited = m_editor.recipe();
-            m_editor.open(coded(stored), isEdited && edited.name == stored.name ? std::optional(coded(edited))
-                                         : isEdited                             ? std::optional(edited)
-                                                                                : std::nullopt);
+            m_editor.open(same(stored), isEdited && edited.name == stored.name ? std::optional(same(edited))
+                                        : isEdited                             ? std::optional(edited)
+                                                                               : std::nullopt);
         }
-        emit codesSet(kept);
+        if (done)
+            done(kept);
         say(tr("Saved: %1, version %2.")
                 .arg(QString::fromStdString(kept.recipe.name), QString::number(kept.version)));
-    });
+    };
+    keep(recipe, Origin::Library, follow);
 }
 
 } // namespace campanel::panel

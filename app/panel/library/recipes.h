@@ -125,6 +125,9 @@ public:
     void chooseId(qint64 recipeId);
     // Saves the codes of the chosen recipe as its next version.
     void setCodes(const program::Recipe& withCodes);
+    // Saves the trims with the recipe of this name as its next version; says when there is none. For
+    // operators.
+    void saveTrims(const QString& name, const program::Trims& trims);
 
     Q_INVOKABLE void choose(int row);
     // Opens the chosen recipe in the Editor; unsaved edits are lost.
@@ -176,6 +179,11 @@ private:
     enum class Origin { Library, Editor };
     void keep(const program::Recipe& recipe, Origin origin,
               std::function<void(const store::RecipeVersion& kept)> done, const QString& signer = {});
+    // Saves a recipe with something that is not part of its program. The open recipe of that name gets it,
+    // too: `put` copies it.
+    void keepBeside(const program::Recipe& recipe,
+                    std::function<void(program::Recipe& recipe, const program::Recipe& kept)> put,
+                    std::function<void(const store::RecipeVersion& kept)> done);
     void import(const QList<store::RecipeOffer>& offers);
     void begin();
     // Keeps the open recipe, which outlives the database because it has its own file. When that file is lost

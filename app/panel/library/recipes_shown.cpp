@@ -94,6 +94,10 @@ void Recipes::showFigures()
         rows << FigureRow{RecipeWords::choiceName(recipe.kind(), program::Choice::Law),
                           RecipeWords::lawName(static_cast<profile::LawId>(
                               program::choice(recipe.program, program::Choice::Law)))};
+    for (std::size_t i = 0; i < program::trimCount; ++i) {
+        if (recipe.trims[i] != 0)
+            rows << FigureRow{RecipeComparison::trimTitle(i), RecipeComparison::trimText(recipe, i)};
+    }
     if (program::hasMaster(recipe))
         rows << FigureRow{MasterSentences::title(), MasterSentences::name(recipe.master)};
     addMotor(rows, chosen->recipe);

@@ -6,6 +6,7 @@
 #include "app/panel/words/master_sentences.h"
 #include "app/panel/words/recipe_words.h"
 #include "app/panel/words/refusal_sentences.h"
+#include "app/panel/words/trim_words.h"
 #include "app/program/cam_advance.h"
 #include "profile/cutter/rotary_cutter.h"
 
@@ -55,6 +56,16 @@ QString RecipeComparison::advanceText(const Recipe& recipe)
     return mm == 0 ? tr("none") : tr("%1 per cycle").arg(CamSentences::signedMm(mm));
 }
 
+QString RecipeComparison::trimTitle(std::size_t trim)
+{
+    return tr("Trim: %1").arg(TrimWords::title(static_cast<program::Trim>(trim)));
+}
+
+QString RecipeComparison::trimText(const Recipe& recipe, std::size_t trim)
+{
+    return TrimWords::amount(static_cast<program::Trim>(trim), recipe.trims[trim]);
+}
+
 QList<DifferenceRow> RecipeComparison::rows(const Recipe& before, const Recipe& after)
 {
     const Recipe a = solved(before);
@@ -74,6 +85,8 @@ QList<DifferenceRow> RecipeComparison::rows(const Recipe& before, const Recipe& 
     }
     if (a.isCutter())
         compare(tr("Pinned values"), pinnedText(a), pinnedText(b));
+    for (std::size_t i = 0; i < program::trimCount; ++i)
+        compare(trimTitle(i), trimText(a, i), trimText(b, i));
     const program::KindInfo& kind = program::kindInfo(a.kind());
     for (const profile::Field field : kind.programFields) {
         if (program::isRead(a.program, field) || program::isRead(b.program, field))

@@ -22,6 +22,9 @@ public:
                                                    const program::Recipe& after);
     // Returns the first two inputs, "250.0 mm · 60.0 bags/min".
     [[nodiscard]] static QString summary(const program::Recipe& recipe);
+    // Return name and amount of a trim, by its place in the table.
+    [[nodiscard]] static QString trimTitle(std::size_t trim);
+    [[nodiscard]] static QString trimText(const program::Recipe& recipe, std::size_t trim);
 
 private:
     [[nodiscard]] static QString pinnedText(const program::Recipe& recipe);

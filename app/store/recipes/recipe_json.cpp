@@ -8,6 +8,7 @@
 #include "app/store/files/json_keys.h"
 #include "app/store/files/json_reader.h"
 #include "app/store/recipes/program_json.h"
+#include "modbus/map/register_map.h"
 
 #include <QJsonDocument>
 
@@ -23,13 +24,14 @@ using program::Recipe;
 const QString recipeFormat = u"campanel-recipe"_s;
 
 // Returns the first version of the format that has all keys of the recipe, so that older readers know whether
-// they can read it. The confirmed advance is new in version 3, the master in version 4.
+// they can read it. The confirmed advance is new in version 3, the master in version 4, trims in version 5.
 int formatVersionOf(const Recipe& recipe)
 {
-    if (recipe.master != program::RecipeMaster::Any)
+    if (recipe.trims != program::Trims{})
         return recipeFormatVersion;
-    return program::confirmedAdvanceMm(recipe.program) == 0 ? recipeFormatVersion - 2
-                                                            : recipeFormatVersion - 1;
+    if (recipe.master != program::RecipeMaster::Any)
+        return 4;
+    return program::confirmedAdvanceMm(recipe.program) == 0 ? 2 : 3;
 }
 
 std::optional<FileError> wrongFormat(const QJsonObject& root)
@@ -77,6 +79,35 @@ program::RecipeMaster masterIn(ObjectReader& reader, const QString& key)
     return master.value_or(program::RecipeMaster::Any);
 }
 
+QJsonObject trimsJson(const program::Trims& trims)
+{
+    QJsonObject object;
+    for (std::size_t i = 0; i < trims.size(); ++i) {
+        if (trims[i] != 0)
+            object[toQString(program::trimTable[i].key)] = trims[i];
+    }
+    return object;
+}
+
+// Reads what an operator saved; what is absent is 0.
+program::Trims trimsIn(const QJsonObject& object, std::optional<FileError>& failure)
+{
+    program::Trims trims{};
+    ObjectReader reader(object, u"trims"_s, failure);
+    for (std::size_t i = 0; i < trims.size(); ++i) {
+        const QString key = toQString(program::trimTable[i].key);
+        const modbus::RegisterInfo& info = *modbus::findRegister(program::trimTable[i].registerName);
+        profile::FieldInfo limits;
+        limits.min = info.minimum;
+        limits.max = info.maximum;
+        limits.unit = info.unit;
+        if (reader.has(key))
+            trims[i] = reader.number(key, false, limits);
+    }
+    reader.refuseUnknownKeys();
+    return trims;
+}
+
 QString nameIn(ObjectReader& reader, Names names)
 {
     const QString text = reader.text(u"name"_s);
@@ -115,6 +146,8 @@ QByteArray toJson(const Recipe& recipe)
         root[u"film_code"_s] = QString::fromStdString(recipe.filmCode);
     if (recipe.master != program::RecipeMaster::Any)
         root[u"master"_s] = toQString(program::masterKeys[static_cast<std::size_t>(recipe.master)]);
+    if (recipe.trims != program::Trims{})
+        root[u"trims"_s] = trimsJson(recipe.trims);
     return QJsonDocument(root).toJson();
 }
 
@@ -155,6 +188,8 @@ tl::expected<Recipe, FileError> fromJson(const QByteArray& json, const QString& 
     readProgram(program, recipe, failure);
     if (reader.has(u"machine"_s))
         readMachine(reader.object(u"machine"_s), recipe, failure);
+    if (reader.has(u"trims"_s))
+        recipe.trims = trimsIn(reader.object(u"trims"_s), failure);
     if (!program.contains(idOf(profile::Field::K1)) && !program.contains(idOf(profile::Field::K4)))
         program::followRatios(recipe);
     reader.refuseUnknownKeys();

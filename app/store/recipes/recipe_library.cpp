@@ -48,7 +48,8 @@ QList<RecipeVersion> readVersions(QSqlQuery& query)
 
 bool isSameProgram(const program::Recipe& left, const program::Recipe& right)
 {
-    return programJson(left) == programJson(right) && program::sameCodes(left, right);
+    return programJson(left) == programJson(right) && program::sameCodes(left, right) &&
+           left.trims == right.trims;
 }
 
 } // namespace
