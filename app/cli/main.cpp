@@ -161,7 +161,7 @@ std::vector<CommandInfo> commandTable()
          runOrder},
         {u"set"_s,
          u"Write a parameter of the controller and read it back: set parameter.ramp_time 800."_s,
-         u"parameter.master_direction 1 reverses the master of a cam, also while the machine runs; hand.speed 60 lets the\nprogram run at 60 % of its rate, until the controller's power goes."_s,
+         u"parameter.master_direction 1 reverses the master of a cam, also while the machine runs; hand.speed 60 lets the\nprogram run at 60 % of its rate, until the controller's power goes; hand.cut 0.5 puts its cuts 0.5 mm later."_s,
          link | CommandInfo::Names,
          {},
          {},

@@ -1159,6 +1159,10 @@
         <source>Speed changed by hand</source>
         <translation>Geschwindigkeit von Hand geändert</translation>
     </message>
+    <message>
+        <source>Trimmed by hand</source>
+        <translation>Von Hand getrimmt</translation>
+    </message>
 </context>
 <context>
     <name>Availability</name>
@@ -3771,6 +3775,10 @@ eff. %2</translation>
         <source>%1 per cycle</source>
         <translation>%1 je Zyklus</translation>
     </message>
+    <message>
+        <source>Trim: %1</source>
+        <translation>Trimm: %1</translation>
+    </message>
 </context>
 <context>
     <name>RecipeWords</name>
@@ -4707,6 +4715,69 @@ eff. %2</translation>
     <message>
         <source>Error of the paper&apos;s rounding rule: %1 pulses (%2) per bag</source>
         <translation>Fehler der Rundungsregel des Aufsatzes: %1 Pulse (%2) je Beutel</translation>
+    </message>
+</context>
+<context>
+    <name>TrimWords</name>
+    <message>
+        <source>Cut</source>
+        <translation>Schnitt</translation>
+    </message>
+    <message>
+        <source>Product</source>
+        <translation>Produkt</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Länge</translation>
+    </message>
+    <message>
+        <source>Earlier</source>
+        <translation>Früher</translation>
+    </message>
+    <message>
+        <source>Later</source>
+        <translation>Später</translation>
+    </message>
+    <message>
+        <source>%1 earlier</source>
+        <translation>%1 früher</translation>
+    </message>
+    <message>
+        <source>%1 later</source>
+        <translation>%1 später</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>Forward</source>
+        <translation>Vor</translation>
+    </message>
+    <message>
+        <source>%1 back</source>
+        <translation>%1 zurück</translation>
+    </message>
+    <message>
+        <source>%1 forward</source>
+        <translation>%1 vor</translation>
+    </message>
+    <message>
+        <source>Shorter</source>
+        <translation>Kürzer</translation>
+    </message>
+    <message>
+        <source>Longer</source>
+        <translation>Länger</translation>
+    </message>
+    <message>
+        <source>%1 shorter</source>
+        <translation>%1 kürzer</translation>
+    </message>
+    <message>
+        <source>%1 longer</source>
+        <translation>%1 länger</translation>
     </message>
 </context>
 <context>
@@ -5987,6 +6058,21 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
     <message>
         <source>Speed</source>
         <translation>Geschwindigkeit</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::HandTrims</name>
+    <message>
+        <source>The line before this machine places the products.</source>
+        <translation>Die Linie vor dieser Maschine legt die Produkte.</translation>
+    </message>
+    <message>
+        <source>The marks set the length.</source>
+        <translation>Die Marken bestimmen die Länge.</translation>
+    </message>
+    <message>
+        <source>Limit reached: ±%1.</source>
+        <translation>Grenze erreicht: ±%1.</translation>
     </message>
 </context>
 <context>
@@ -7747,6 +7833,10 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
         <source>%1 is in the list again.</source>
         <translation>%1 ist wieder in der Liste.</translation>
     </message>
+    <message>
+        <source>The recipe %1 is not among the recipes of this panel. Save it first.</source>
+        <translation>Das Rezept %1 ist nicht unter den Rezepten dieses Bediengeräts. Speichern Sie es zuerst.</translation>
+    </message>
 </context>
 <context>
     <name>campanel::panel::RegisterInspector</name>
@@ -8116,6 +8206,14 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
     <message>
         <source>Name of the machine</source>
         <translation>Name der Maschine</translation>
+    </message>
+    <message>
+        <source>step of a trim, mm</source>
+        <translation>Schritt eines Trimms, mm</translation>
+    </message>
+    <message>
+        <source>Step of a trim</source>
+        <translation>Schritt eines Trimms</translation>
     </message>
 </context>
 <context>

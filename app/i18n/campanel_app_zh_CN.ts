@@ -1159,6 +1159,10 @@
         <source>Speed changed by hand</source>
         <translation>手动更改速度</translation>
     </message>
+    <message>
+        <source>Trimmed by hand</source>
+        <translation>手动微调</translation>
+    </message>
 </context>
 <context>
     <name>Availability</name>
@@ -3769,6 +3773,10 @@ RMS %2</source>
         <source>%1 per cycle</source>
         <translation>每周期 %1</translation>
     </message>
+    <message>
+        <source>Trim: %1</source>
+        <translation>微调：%1</translation>
+    </message>
 </context>
 <context>
     <name>RecipeWords</name>
@@ -4705,6 +4713,69 @@ RMS %2</source>
     <message>
         <source>Error of the paper&apos;s rounding rule: %1 pulses (%2) per bag</source>
         <translation>论文取整方法的误差：每袋 %1 个脉冲（%2）</translation>
+    </message>
+</context>
+<context>
+    <name>TrimWords</name>
+    <message>
+        <source>Cut</source>
+        <translation>切断</translation>
+    </message>
+    <message>
+        <source>Product</source>
+        <translation>产品</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>长度</translation>
+    </message>
+    <message>
+        <source>Earlier</source>
+        <translation>提前</translation>
+    </message>
+    <message>
+        <source>Later</source>
+        <translation>延后</translation>
+    </message>
+    <message>
+        <source>%1 earlier</source>
+        <translation>提前 %1</translation>
+    </message>
+    <message>
+        <source>%1 later</source>
+        <translation>延后 %1</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>后移</translation>
+    </message>
+    <message>
+        <source>Forward</source>
+        <translation>前移</translation>
+    </message>
+    <message>
+        <source>%1 back</source>
+        <translation>后移 %1</translation>
+    </message>
+    <message>
+        <source>%1 forward</source>
+        <translation>前移 %1</translation>
+    </message>
+    <message>
+        <source>Shorter</source>
+        <translation>缩短</translation>
+    </message>
+    <message>
+        <source>Longer</source>
+        <translation>加长</translation>
+    </message>
+    <message>
+        <source>%1 shorter</source>
+        <translation>缩短 %1</translation>
+    </message>
+    <message>
+        <source>%1 longer</source>
+        <translation>加长 %1</translation>
     </message>
 </context>
 <context>
@@ -5985,6 +6056,21 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
     <message>
         <source>Speed</source>
         <translation>速度</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::HandTrims</name>
+    <message>
+        <source>The line before this machine places the products.</source>
+        <translation>产品由前道生产线放置。</translation>
+    </message>
+    <message>
+        <source>The marks set the length.</source>
+        <translation>长度由色标决定。</translation>
+    </message>
+    <message>
+        <source>Limit reached: ±%1.</source>
+        <translation>已达极限：±%1。</translation>
     </message>
 </context>
 <context>
@@ -7743,6 +7829,10 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
         <source>%1 is in the list again.</source>
         <translation>%1 已回到列表中。</translation>
     </message>
+    <message>
+        <source>The recipe %1 is not among the recipes of this panel. Save it first.</source>
+        <translation>本面板的配方中没有 %1。请先保存。</translation>
+    </message>
 </context>
 <context>
     <name>campanel::panel::RegisterInspector</name>
@@ -8112,6 +8202,14 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
     <message>
         <source>Name of the machine</source>
         <translation>机器名称</translation>
+    </message>
+    <message>
+        <source>step of a trim, mm</source>
+        <translation>微调步长，mm</translation>
+    </message>
+    <message>
+        <source>Step of a trim</source>
+        <translation>微调步长</translation>
     </message>
 </context>
 <context>

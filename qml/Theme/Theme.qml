@@ -29,7 +29,8 @@ QtObject {
 
     readonly property int shortTime: theme.animated ? 120 : 0
     property int longPressTime: 600
-    readonly property int holdTime: 500    // of a key that commands the machine
+    readonly property int holdTime: 500    // of a key that commands the machine, and until a held key repeats
+    readonly property int repeatTime: 200  // of a held key
     readonly property int clockTime: 1000
     readonly property int lookAgainTime: 2000
 

@@ -41,7 +41,7 @@ Sheet {
         anchors { left: parent.left; right: parent.right; bottom: parent.bottom }
         spacing: Theme.size.gap
         readonly property real keyWidth: (width - 2 * spacing) / 3
-        component Step: Button {
+        component Step: StepButton {
             width: keys.keyWidth
             height: Theme.size.commandKey
             level: Access.Operator

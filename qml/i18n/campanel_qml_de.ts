@@ -2918,6 +2918,18 @@ Und %2 weitere.</translation>
         <source>Rate of the line</source>
         <translation>Taktzahl der Linie</translation>
     </message>
+    <message>
+        <source>Trim</source>
+        <translation>Trimm</translation>
+    </message>
+    <message>
+        <source>moved</source>
+        <translation>verstellt</translation>
+    </message>
+    <message>
+        <source>Cut, product and length</source>
+        <translation>Schnitt, Produkt und Länge</translation>
+    </message>
 </context>
 <context>
     <name>RunPress</name>
@@ -3800,6 +3812,25 @@ Uhr nicht gestellt</translation>
     <message>
         <source>Keep this calibration of the touchscreen?</source>
         <translation>Diese Kalibrierung des Touchscreens behalten?</translation>
+    </message>
+</context>
+<context>
+    <name>TrimSheet</name>
+    <message>
+        <source>Trim the bags</source>
+        <translation>Beutel trimmen</translation>
+    </message>
+    <message>
+        <source>The next bags follow. Each touch moves by %1; hold a key to repeat.</source>
+        <translation>Die nächsten Beutel folgen. Jede Berührung verstellt um %1; Taste halten, um zu wiederholen.</translation>
+    </message>
+    <message>
+        <source>Save with recipe</source>
+        <translation>Im Rezept speichern</translation>
+    </message>
+    <message>
+        <source>%1 back to 0</source>
+        <translation>%1 zurück auf 0</translation>
     </message>
 </context>
 <context>

@@ -2918,6 +2918,18 @@ And %2 more.</source>
         <source>Rate of the line</source>
         <translation>生产线速率</translation>
     </message>
+    <message>
+        <source>Trim</source>
+        <translation>微调</translation>
+    </message>
+    <message>
+        <source>moved</source>
+        <translation>已调</translation>
+    </message>
+    <message>
+        <source>Cut, product and length</source>
+        <translation>切断、产品和长度</translation>
+    </message>
 </context>
 <context>
     <name>RunPress</name>
@@ -3800,6 +3812,25 @@ clock not set</source>
     <message>
         <source>Keep this calibration of the touchscreen?</source>
         <translation>保留此触摸屏校准？</translation>
+    </message>
+</context>
+<context>
+    <name>TrimSheet</name>
+    <message>
+        <source>Trim the bags</source>
+        <translation>微调包装袋</translation>
+    </message>
+    <message>
+        <source>The next bags follow. Each touch moves by %1; hold a key to repeat.</source>
+        <translation>从后续的袋开始生效。每次触摸移动 %1；按住可重复。</translation>
+    </message>
+    <message>
+        <source>Save with recipe</source>
+        <translation>存入配方</translation>
+    </message>
+    <message>
+        <source>%1 back to 0</source>
+        <translation>%1归零</translation>
     </message>
 </context>
 <context>

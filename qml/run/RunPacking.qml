@@ -4,6 +4,7 @@
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme
+import CamPanel.Controls
 import CamPanel.Parts
 import CamPanel.Panel
 
@@ -42,8 +43,25 @@ Item {
     }
     FilmCard {
         id: film
-        anchors { left: parent.left; right: parent.right; top: rate.bottom; topMargin: view.gap }
+        anchors { left: parent.left; right: HandTrims.offered ? trimKey.left : parent.right; rightMargin: HandTrims.offered ? view.gap : 0; top: rate.bottom; topMargin: view.gap }
         height: Math.round(view.room * 0.36)
+    }
+    Button {
+        id: trimKey
+        objectName: "trimKey"
+        anchors { right: parent.right; top: film.top; bottom: film.bottom }
+        width: Math.round(1.5 * Theme.size.touch)
+        visible: HandTrims.offered
+        level: Access.Operator
+        text: qsTr("Trim")
+        note: HandTrims.moved ? qsTr("moved") : ""
+        Accessible.description: qsTr("Cut, product and length")
+        onClicked: Frame.open("Run/TrimSheet", {})
+    }
+    Binding {
+        target: HandTrims
+        property: "watched"
+        value: view.visible && !Display.dark
     }
     SpeedCard {
         visible: skippedCuts.visible

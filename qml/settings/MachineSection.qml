@@ -41,6 +41,13 @@ SettingsSection {
                 name: "bags.tolerance_mm"
                 heading: qsTr("Bag tolerance ±")
             }
+            SettingTile {
+                objectName: "trimStep"
+                visible: Controller.packing.present
+                width: column.width
+                height: section.rowHeight
+                name: "hand.trim_step_mm"
+            }
             ListRow {
                 objectName: "openStops"
                 width: column.width

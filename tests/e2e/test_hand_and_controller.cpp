@@ -8,6 +8,7 @@
 #include <QTest>
 
 #include <cmath>
+#include <limits>
 
 namespace test_hand_and_controller {
 
@@ -18,6 +19,18 @@ using test::PanelWindow;
 namespace {
 
 constexpr int timeoutMs = 60'000;
+
+// Returns how far behind its printed mark the last bag was cut, as a ruler shows it, mm.
+double behindMark(Controller& controller)
+{
+    double mm = std::numeric_limits<double>::quiet_NaN();
+    QObject context;
+    QObject::connect(&controller.link(), &link::Link::rulerRead, &context,
+                     [&mm](const link::RulerOutcome& outcome) { mm = outcome.behindMarkMm; });
+    controller.link().measureSimulatedBag();
+    (void)QTest::qWaitFor([&mm] { return !std::isnan(mm); }, timeoutMs);
+    return mm;
+}
 
 } // namespace
 
@@ -69,6 +82,49 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT(runsAt(100), timeoutMs);
         QCOMPARE(panel.complaints(), QStringList());
         QCOMPARE(controller.bags().scrap, scrap);
+    }
+
+    // The cut is seen early: one touch opens the sheet, one held moves it, and the third bag is right.
+    void theCutComesWhereTheHandPutsIt()
+    {
+        PanelWindow panel{QString()};
+        Controller& controller = panel.controller();
+        QTRY_COMPARE_WITH_TIMEOUT(controller.state(), Controller::State::Idle, timeoutMs);
+        panel.tap("nav_motion");
+        panel.download();
+        if (QTest::currentTestFailed())
+            return;
+        panel.tap("nav_run");
+        QTRY_VERIFY_WITH_TIMEOUT(controller.canStart(), timeoutMs);
+        panel.start();
+        QTRY_VERIFY_WITH_TIMEOUT(controller.packing()->markState() == panel::PackingLine::MarkState::Tracking,
+                                 timeoutMs);
+        const auto afterBags = [&controller](int bags) {
+            const int wanted = controller.bags().counted + bags;
+            QTRY_VERIFY_WITH_TIMEOUT(controller.bags().counted >= wanted, timeoutMs);
+        };
+        afterBags(3);
+        const int scrap = controller.bags().scrap;
+        const double before = behindMark(controller);
+        const auto trimMm = [&controller] { return controller.parameter("hand.cut").lastValue(); };
+
+        panel.tap("trimKey");
+        panel.touchDriver().touch(QStringLiteral("trimLeft0"));
+        QTRY_VERIFY_WITH_TIMEOUT(trimMm() >= 1.5, timeoutMs);
+        panel.touchDriver().lift();
+        QTRY_VERIFY_WITH_TIMEOUT(trimMm() >= 2.0, timeoutMs);
+        QCOMPARE(panel.complaints(), QStringList());
+        afterBags(3);
+        const double moved = behindMark(controller) - before;
+        QVERIFY2(std::abs(moved - trimMm()) < 0.4, qPrintable(QString::number(moved)));
+        QCOMPARE(controller.bags().scrap, scrap);
+
+        // Saved with the recipe, it is in the library and in the editor.
+        panel.tap("trimSave");
+        QTRY_COMPARE_WITH_TIMEOUT(panel.editor().recipe().trims[0], trimMm(), timeoutMs);
+        panel.tap("trimReset0");
+        QTRY_COMPARE_WITH_TIMEOUT(trimMm(), 0.0, timeoutMs);
+        QCOMPARE(panel.complaints(), QStringList());
     }
 };
 

@@ -273,6 +273,9 @@ const QList<Screen>& allScreens()
     static const QList<Screen> screens{
         taps("run", {run}),
         taps("run-hand-speed", {run, QStringLiteral("speedKey"), QStringLiteral("speedSlower")}),
+        taps("run-trims",
+             {run, QStringLiteral("trimKey"), QStringLiteral("trimRight0"), QStringLiteral("trimRight0"),
+              QStringLiteral("trimRight0"), QStringLiteral("trimRight0"), QStringLiteral("trimRight1")}),
         taps("motion", {motion}),
         taps("keypad", {motion, length}),
         {QStringLiteral("keypad-refusal"),

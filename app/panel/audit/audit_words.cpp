@@ -10,10 +10,12 @@
 #include "app/panel/words/access_sentences.h"
 #include "app/panel/words/master_sentences.h"
 #include "app/panel/words/recipe_words.h"
+#include "app/panel/words/trim_words.h"
 
 #include <QDateTime>
 #include <QLocale>
 
+#include <algorithm>
 #include <array>
 
 using namespace Qt::StringLiterals;
@@ -117,9 +119,6 @@ constexpr std::array parameterWords{PackingFields::words, CamSwitches::words, St
 
 constexpr std::array objectWords{
     Word{"connection", QT_TRANSLATE_NOOP("AuditWords", "connection")},
-    Word{"hand.cut", QT_TRANSLATE_NOOP("TrimWords", "Cut")},
-    Word{"hand.product", QT_TRANSLATE_NOOP("TrimWords", "Product")},
-    Word{"hand.length", QT_TRANSLATE_NOOP("TrimWords", "Length")},
     Word{"clock", QT_TRANSLATE_NOOP("AuditWords", "clock")},
     Word{"time_zone", QT_TRANSLATE_NOOP("AuditWords", "time zone")},
     Word{"time_server", QT_TRANSLATE_NOOP("AuditWords", "time server")},
@@ -198,6 +197,12 @@ QString AuditWords::object(const store::AuditEntry& entry)
             if (!suffix.empty() && each.registerName == suffix)
                 return RecipeWords::fieldName(each.field);
         }
+    }
+    if (entry.what == u"hand.trim") {
+        const auto trim = std::ranges::find(program::trimTable, entry.object.toStdString(),
+                                            &program::TrimInfo::registerName);
+        if (trim != program::trimTable.end())
+            return TrimWords::title(static_cast<program::Trim>(trim - program::trimTable.begin()));
     }
     if (entry.what == u"parameter.write") {
         for (const auto wordsOf : parameterWords) {

@@ -29,6 +29,12 @@ QString toQString(std::string_view text)
     return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
 }
 
+// A later cut lies on the left: the film runs to the right.
+bool isMoreLeft(Trim trim)
+{
+    return trim == Trim::Cut;
+}
+
 } // namespace
 
 HandTrims::HandTrims(Controller& controller, QObject* parent)
@@ -120,14 +126,16 @@ TrimRow HandTrims::row(Trim trim) const
     row.trim = static_cast<int>(trim);
     row.title = TrimWords::title(trim);
     row.amount = TrimWords::amount(trim, trimmed.value());
-    row.lessText = TrimWords::less(trim);
-    row.moreText = TrimWords::more(trim);
-    row.canLess = blocked.isEmpty() && trimmed.value() > trimmed.info().minimum;
-    row.canMore = blocked.isEmpty() && trimmed.value() < trimmed.info().maximum;
+    const bool canLess = blocked.isEmpty() && trimmed.value() > trimmed.info().minimum;
+    const bool canMore = blocked.isEmpty() && trimmed.value() < trimmed.info().maximum;
+    row.leftText = isMoreLeft(trim) ? TrimWords::more(trim) : TrimWords::less(trim);
+    row.rightText = isMoreLeft(trim) ? TrimWords::less(trim) : TrimWords::more(trim);
+    row.canLeft = isMoreLeft(trim) ? canMore : canLess;
+    row.canRight = isMoreLeft(trim) ? canLess : canMore;
     row.canReset = trimmed.value() < 0 || trimmed.value() > 0;
     if (!blocked.isEmpty())
         row.note = blocked;
-    else if (!row.canLess || !row.canMore)
+    else if (!canLess || !canMore)
         row.note = tr("Limit reached: ±%1.")
                        .arg(Format().compactMeasure(trimmed.info().maximum, 0, 1, QStringLiteral("mm")));
     return row;
@@ -150,16 +158,16 @@ void HandTrims::moveTo(int row, double mm)
         m_values[static_cast<std::size_t>(row)].set(mm);
 }
 
-void HandTrims::less(int row)
+void HandTrims::left(int row)
 {
-    if (row >= 0 && row < m_rows.count() && m_rows.row(row).canLess)
-        moveTo(row, mm()[row] - stepMm());
+    if (row >= 0 && row < m_rows.count() && m_rows.row(row).canLeft)
+        moveTo(row, mm()[row] + (isMoreLeft(trims[static_cast<std::size_t>(row)]) ? stepMm() : -stepMm()));
 }
 
-void HandTrims::more(int row)
+void HandTrims::right(int row)
 {
-    if (row >= 0 && row < m_rows.count() && m_rows.row(row).canMore)
-        moveTo(row, mm()[row] + stepMm());
+    if (row >= 0 && row < m_rows.count() && m_rows.row(row).canRight)
+        moveTo(row, mm()[row] + (isMoreLeft(trims[static_cast<std::size_t>(row)]) ? -stepMm() : stepMm()));
 }
 
 void HandTrims::reset(int row)

@@ -24,23 +24,24 @@ struct TrimRow {
     Q_GADGET
     Q_PROPERTY(int trim MEMBER trim)
     Q_PROPERTY(QString title MEMBER title)
-    Q_PROPERTY(QString amount MEMBER amount)     // "2.0 mm earlier"
-    Q_PROPERTY(QString lessText MEMBER lessText) // of the keys
-    Q_PROPERTY(QString moreText MEMBER moreText)
+    Q_PROPERTY(QString amount MEMBER amount) // "2.0 mm earlier"
+    // Of the keys: the film runs to the right, so that the right one is earlier, forward or longer.
+    Q_PROPERTY(QString leftText MEMBER leftText)
+    Q_PROPERTY(QString rightText MEMBER rightText)
+    Q_PROPERTY(bool canLeft MEMBER canLeft)
+    Q_PROPERTY(bool canRight MEMBER canRight)
     Q_PROPERTY(QString note MEMBER note) // why a key is off; empty: both act
-    Q_PROPERTY(bool canLess MEMBER canLess)
-    Q_PROPERTY(bool canMore MEMBER canMore)
     Q_PROPERTY(bool canReset MEMBER canReset)
 
 public:
     int trim = 0;
     QString title;
     QString amount;
-    QString lessText;
-    QString moreText;
+    QString leftText;
+    QString rightText;
     QString note;
-    bool canLess = false;
-    bool canMore = false;
+    bool canLeft = false;
+    bool canRight = false;
     bool canReset = false;
 
     bool operator==(const TrimRow&) const = default;
@@ -48,7 +49,7 @@ public:
 
 using TrimRows = RowModel<TrimRow, &TrimRow::trim>;
 
-class HandTrims : public Watched, public Singleton<HandTrims> {
+class HandTrims : public campanel::panel::Watched, public Singleton<HandTrims> {
     Q_OBJECT
     QML_ELEMENT
     QML_SINGLETON
@@ -74,8 +75,8 @@ public:
     [[nodiscard]] QString message() const;
 
     // Move a row by one step, and back to 0. For operators.
-    Q_INVOKABLE void less(int row);
-    Q_INVOKABLE void more(int row);
+    Q_INVOKABLE void left(int row);
+    Q_INVOKABLE void right(int row);
     Q_INVOKABLE void reset(int row);
     // Has the controller keep the trims over a power cut, and emits saveWanted(). For operators.
     Q_INVOKABLE void save();

@@ -93,7 +93,7 @@ QJsonObject trimsJson(const program::Trims& trims)
 program::Trims trimsIn(const QJsonObject& object, std::optional<FileError>& failure)
 {
     program::Trims trims{};
-    ObjectReader reader(object, u"trims"_s, failure);
+    ObjectReader reader(object, u"trims."_s, failure);
     for (std::size_t i = 0; i < trims.size(); ++i) {
         const QString key = toQString(program::trimTable[i].key);
         const modbus::RegisterInfo& info = *modbus::findRegister(program::trimTable[i].registerName);

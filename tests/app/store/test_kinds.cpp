@@ -33,6 +33,7 @@ private slots:
     void everyChoiceTrips_data() { addKinds(); }
     void everyChoiceTrips();
     void aConfirmedAdvanceTrips();
+    void theTrimsTrip();
     void theMasterTrips();
     void ratiosOfOlderAndNewerFiles();
     void whatIsAbsentHasTheDefaultsOfItsKind();
@@ -141,6 +142,25 @@ void StoreKindsTest::aConfirmedAdvanceTrips()
     QByteArray cutter = toJson(program::defaultRecipe(ProgramKind::RotaryCutter));
     cutter.replace("\"program\": {", "\"program\": {\"confirmed_advance_mm\": 5,");
     QCOMPARE(fromJson(cutter, {}).error().kind, Kind::UnknownKey);
+}
+
+// A recipe without trims can be read by an older reader; one beyond the limits of the register is refused.
+void StoreKindsTest::theTrimsTrip()
+{
+    program::Recipe recipe = program::defaultRecipe(ProgramKind::RotaryCutter);
+    QVERIFY(!toJson(recipe).contains("trims"));
+    recipe.trims = {-2.5, 0.0, 1.0};
+    QByteArray json = toJson(recipe);
+    QCOMPARE(QJsonDocument::fromJson(json).object()[u"format_version"_s].toInt(), 5);
+    QVERIFY(!json.contains("product_mm"));
+    const auto read = fromJson(json, {});
+    QVERIFY(read.has_value());
+    QCOMPARE(read->trims, recipe.trims);
+    const FileError tooFar = fromJson(json.replace("-2.5", "-10.5"), {}).error();
+    QCOMPARE(tooFar.kind, Kind::OutOfRange);
+    QCOMPARE(tooFar.key, u"trims.cut_mm"_s);
+    const FileError unknown = fromJson(json.replace("cut_mm", "knife_mm"), {}).error();
+    QCOMPARE(unknown.kind, Kind::UnknownKey);
 }
 
 // A file that names no master can be read by an older reader too.
