@@ -648,6 +648,18 @@
         <source>The encoder that leads the line reports a speed that no machine has.</source>
         <translation>Der Drehgeber der Leitachse meldet eine Geschwindigkeit, die keine Maschine hat.</translation>
     </message>
+    <message>
+        <source>Master runs backward</source>
+        <translation>Leitachse läuft rückwärts</translation>
+    </message>
+    <message>
+        <source>Exchange wires A and B of the encoder, or change the sign: Settings, Machine, Master, Reversed counting. Then reset the fault.</source>
+        <translation>Adern A und B des Drehgebers tauschen oder das Vorzeichen ändern: Einstellungen, Maschine, Leitachse, Umgekehrte Zählrichtung. Dann Störung quittieren.</translation>
+    </message>
+    <message>
+        <source>The master runs backward by more than a cycle.</source>
+        <translation>Die Leitachse läuft um mehr als einen Zyklus rückwärts.</translation>
+    </message>
 </context>
 <context>
     <name>AlarmWords</name>

@@ -648,6 +648,18 @@
         <source>The encoder that leads the line reports a speed that no machine has.</source>
         <translation>主轴编码器报告的速度不可能出现在任何机器上。</translation>
     </message>
+    <message>
+        <source>Master runs backward</source>
+        <translation>主轴反转</translation>
+    </message>
+    <message>
+        <source>Exchange wires A and B of the encoder, or change the sign: Settings, Machine, Master, Reversed counting. Then reset the fault.</source>
+        <translation>请互换编码器的 A、B 相接线，或更改计数方向：设置 &gt; 机器 &gt; 主轴 &gt; 反向计数。然后复位故障。</translation>
+    </message>
+    <message>
+        <source>The master runs backward by more than a cycle.</source>
+        <translation>主轴反转超过一个周期。</translation>
+    </message>
 </context>
 <context>
     <name>AlarmWords</name>

@@ -139,7 +139,8 @@ static void slice(ctl_core* core, uint32_t ticks)
     if (ctl_heartbeat_slice(&core->heartbeat, &core->board, keys))
         ctl_motion_stop_unattended(motion);
     ctl_master_slice(&core->master);
-    core->packer.wheel.counts = core->master.tracker.count;
+    if (core->packer.wheel.on)
+        ctl_wheel_read(&core->packer.wheel, core->master.tracker.count, core->master.reversed);
     ctl_motion_slice(motion, ticks);
     if (!core->packer.busy)
         use_quiet_slice(core);

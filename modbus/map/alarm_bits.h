@@ -24,7 +24,8 @@ enum class FaultBit : std::uint16_t {
     MasterSignal = 9,
     MasterCounts = 10,
     MasterSlip = 11,
-    MasterSpeed = 12
+    MasterSpeed = 12,
+    MasterBackward = 13
 };
 
 inline constexpr std::array faultBits{
@@ -67,6 +68,9 @@ inline constexpr std::array faultBits{
           CAMPANEL_TEXT("AlarmCatalogue",
                         "The encoder that leads the line reports a speed that no machine has."),
           "More than four times that of the program, or a jump of its counts."),
+    entry(FaultBit::MasterBackward, "MasterBackward",
+          CAMPANEL_TEXT("AlarmCatalogue", "The master runs backward by more than a cycle."),
+          "A run that may not go back (a cutter, or master.backward 0) waited for the encoder so far."),
 };
 
 // The bits of status.warning.

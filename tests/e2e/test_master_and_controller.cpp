@@ -19,6 +19,7 @@ namespace {
 constexpr int timeoutMs = 60'000;
 // Of the simulated faults.
 constexpr int lineRow = 12;
+constexpr int swapRow = 15;
 constexpr int noiseRow = 16;
 
 void followTheEncoder(PanelWindow& panel)
@@ -162,6 +163,37 @@ private slots:
         const double bags = controller.bags().count;
         panel.start();
         QTRY_VERIFY_WITH_TIMEOUT(controller.bags().count >= bags + 3, timeoutMs);
+        QCOMPARE(controller.state(), Controller::State::Running);
+    }
+
+    void swappedWiresAreSaid()
+    {
+        PanelWindow panel{QString()};
+        Controller& controller = panel.controller();
+        followTheEncoder(panel);
+        if (QTest::currentTestFailed())
+            return;
+        panel.tap("nav_motion");
+        panel.download();
+        setFault(panel, swapRow, "on");
+        setFault(panel, lineRow, "full");
+        if (QTest::currentTestFailed())
+            return;
+        panel.tap("nav_run");
+        QTRY_VERIFY_WITH_TIMEOUT(controller.canStart(), timeoutMs);
+        panel.start();
+        QTRY_COMPARE_WITH_TIMEOUT(controller.state(), Controller::State::Fault, timeoutMs);
+        QCOMPARE(panel.statuses().back().faultBits,
+                 1U << static_cast<unsigned>(modbus::FaultBit::MasterBackward));
+        panel.tap("nav_alarms");
+        QTRY_VERIFY2_WITH_TIMEOUT(panel.texts().contains(QStringLiteral("Exchange wires A and B")),
+                                  qPrintable(panel.texts()), timeoutMs);
+        setFault(panel, swapRow, "off");
+        panel.tap("nav_run");
+        panel.hold("middleKey"); // Reset
+        QTRY_VERIFY_WITH_TIMEOUT(controller.canStart(), timeoutMs);
+        panel.start();
+        QTRY_VERIFY_WITH_TIMEOUT(controller.bags().count >= 3, timeoutMs);
         QCOMPARE(controller.state(), Controller::State::Running);
     }
 };

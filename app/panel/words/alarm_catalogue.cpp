@@ -83,6 +83,11 @@ constexpr std::array kinds{
               causeOf(FaultBit::MasterSpeed),
               QT_TRANSLATE_NOOP("AlarmCatalogue",
                                 "Check the encoder and its counts per revolution, then reset the fault.")},
+    AlarmKind{"C-14", fault, stops, QT_TRANSLATE_NOOP("AlarmCatalogue", "Master runs backward"),
+              causeOf(FaultBit::MasterBackward),
+              QT_TRANSLATE_NOOP("AlarmCatalogue",
+                                "Exchange wires A and B of the encoder, or change the sign: Settings, "
+                                "Machine, Master, Reversed counting. Then reset the fault.")},
     AlarmKind{
         "C-99", fault, stops, QT_TRANSLATE_NOOP("AlarmCatalogue", "Unknown fault"),
         QT_TRANSLATE_NOOP("AlarmCatalogue", "The controller reports a fault that this panel does not know."),

@@ -396,6 +396,18 @@ void ctl_master_shift(ctl_master* master, int64_t ticks)
     ctl_clutch_shift(&master->clutch, ticks);
 }
 
+/* Wires A and B are exchanged, or somebody reverses the line: it waits for a master that has gone back this
+ * far.
+ */
+static void watch_direction(ctl_master* master, int64_t at)
+{
+    const ctl_clutch* clutch = &master->clutch;
+    const int64_t back =
+        clutch->state == CTL_CLUTCH_ENGAGING ? clutch->from - at : master->line - master->wanted;
+    if (!master->goes_back && back > (int64_t)master->cycle)
+        master->fault = CTL_FAULT_BIT_MASTER_BACKWARD;
+}
+
 static void watch_speed(ctl_master* master, const ctl_ramp* ramp, uint64_t travel, uint32_t ticks)
 {
     const uint64_t most = (uint64_t)ramp->full * setting16(master, CTL_REG_MASTER_SPEED_MAX);
@@ -459,6 +471,7 @@ int32_t ctl_master_travel(ctl_master* master, ctl_ramp* ramp, uint32_t ticks)
     const int64_t travel = way > 0 || master->goes_back ? way : 0;
     const ctl_clutch* clutch = &master->clutch;
     const bool ends = clutch->ends && clutch->state != CTL_CLUTCH_ENGAGING;
+    watch_direction(master, at);
     watch_speed(master, ramp, (uint64_t)(travel < 0 ? -travel : travel), ticks);
     if (master->fault != CTL_LOST_NONE)
         return 0;

@@ -124,7 +124,6 @@ static void follow_film(ctl_motion* motion)
     ctl_master* master = motion->master;
     ctl_packer* packer = motion->packer;
     ctl_packer_shift_line(packer, ctl_master_take_shift(master));
-    packer->wheel.counts = master->tracker.count;
     ctl_master_shift(master, ctl_packer_wheel_shift(packer, ctl_master_ahead(master)));
     packer->wheel.opens = master->clutch.state != CTL_CLUTCH_ON || motion->state != CTL_STATE_RUNNING;
     if (packer->wheel.slips)

@@ -81,6 +81,23 @@ int64_t ctl_wheel_infeed_at(ctl_wheel* wheel, int64_t counts)
     return wheel->infeed_from + ctl_gear_ticks(&wheel->infeed, forward(wheel, counts), 0);
 }
 
+/* Film and infeed stay where they are. */
+static void reverse(ctl_wheel* wheel, int64_t counts)
+{
+    wheel->film_from = ctl_wheel_film(wheel);
+    wheel->infeed_from = ctl_wheel_infeed(wheel);
+    wheel->reversed = !wheel->reversed;
+    ctl_gear_set(&wheel->film, wheel->film.numerator, wheel->film.denominator, counts);
+    ctl_gear_set(&wheel->infeed, wheel->infeed.numerator, wheel->infeed.denominator, counts);
+}
+
+void ctl_wheel_read(ctl_wheel* wheel, int64_t counts, bool reversed)
+{
+    if (reversed != wheel->reversed)
+        reverse(wheel, counts);
+    wheel->counts = counts;
+}
+
 int64_t ctl_wheel_find_flights(ctl_wheel* wheel, int64_t off, int64_t flight)
 {
     int64_t by = off;

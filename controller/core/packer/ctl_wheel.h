@@ -47,6 +47,9 @@ typedef struct {
 } ctl_wheel;
 
 void ctl_wheel_switch(ctl_wheel* wheel, bool on);
+/* Takes the present counts, in the line's direction; where their sign has been changed, film and infeed stay
+ * where they are. */
+void ctl_wheel_read(ctl_wheel* wheel, int64_t counts, bool reversed);
 /* The film is where `film_at` says at the present counts, or goes on from where it was with these ratios. */
 void ctl_wheel_set(ctl_wheel* wheel, ctl_wheel_ratio film, ctl_wheel_ratio infeed, int64_t film_at,
                    int64_t infeed_at);

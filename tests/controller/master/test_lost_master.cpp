@@ -3,6 +3,7 @@
 #include "rig.h"
 
 #include "base/ctl_words.h"
+#include "support/cam_image.h"
 #include "tests/support/test_program.h"
 
 #include <QTest>
@@ -99,6 +100,10 @@ private slots:
     void nothingIsAFaultOfAGoodEncoder_data();
     void nothingIsAFaultOfAGoodEncoder();
     void aStartBehindTheFaultGoesOn();
+    void swappedWiresAreAFaultAfterABag_data();
+    void swappedWiresAreAFaultAfterABag();
+    void aMasterMayCreepBackByLessThanABag();
+    void aCamThatMayGoBackFollows();
 };
 
 void TestLostMaster::anIllegalTransitionIsAFault()
@@ -243,6 +248,93 @@ void TestLostMaster::aStartBehindTheFaultGoesOn()
     QVERIFY(line.engages());
     line.run(5'000'000);
     QCOMPARE(line.faults(), 0);
+}
+
+void TestLostMaster::swappedWiresAreAFaultAfterABag_data()
+{
+    QTest::addColumn<bool>("drivesFilm");
+    QTest::addColumn<bool>("isEngaged");
+    QTest::newRow("shaft, before the start") << false << false;
+    QTest::newRow("shaft, in a run") << false << true;
+    QTest::newRow("wheel, before the start") << true << false;
+    QTest::newRow("wheel, in a run") << true << true;
+}
+
+// And a start behind it goes on with the sign changed.
+void TestLostMaster::swappedWiresAreAFaultAfterABag()
+{
+    QFETCH(bool, drivesFilm);
+    QFETCH(bool, isEngaged);
+    Line line(drivesFilm);
+    line.write(CTL_REG_MASTER_INDEX_LIMIT, {0}); // wires that are swapped in a run move its place
+    if (isEngaged) {
+        QVERIFY(line.engages());
+        line.run(3'000'000);
+    } else {
+        line.command(CTL_COMMAND_STOP_NOW);
+        QVERIFY(line.runUntilState(CTL_STATE_READY));
+    }
+    line.shaft().setReversed(true);
+    if (!isEngaged) {
+        line.run(500'000);
+        line.start();
+    }
+    const std::int64_t knife = line.core().motion.commanded;
+    const auto film = line.filmToFault();
+    QVERIFY(film.has_value());
+    QVERIFY2(*film > 0.99 * bagMm && *film < 1.1 * bagMm, qPrintable(QString::number(*film)));
+    QCOMPARE(line.faults(), bit(CTL_FAULT_BIT_MASTER_BACKWARD));
+    QVERIFY(isEngaged || line.core().motion.commanded == knife);
+    QCOMPARE(line.status(CTL_REG_IO_OUTPUTS) & 1u << CTL_OUTPUT_BIT_LINE_MAY_RUN, 0u);
+    QCOMPARE(line.command(CTL_COMMAND_RESET_FAULT), CTL_REFUSAL_NONE);
+    line.write(CTL_REG_MASTER_REVERSED, {1});
+    line.run(500'000);
+    QCOMPARE(line.command(CTL_COMMAND_START), CTL_REFUSAL_NONE);
+    QVERIFY(line.engages());
+    line.run(3'000'000);
+    QCOMPARE(line.faults(), 0);
+}
+
+void TestLostMaster::aMasterMayCreepBackByLessThanABag()
+{
+    Line line;
+    QVERIFY(line.engages());
+    line.run(3'000'000);
+    line.shaft().setSpeed(0.0);
+    line.run(1'500'000);
+    const double from = line.shaft().positionMm();
+    line.shaft().setSpeed(-20.0);
+    while (line.shaft().positionMm() > from - 0.95 * bagMm)
+        line.run(1000);
+    QCOMPARE(line.faults(), 0);
+    line.shaft().setSpeed(bagMm);
+    QVERIFY(line.engages());
+    line.run(3'000'000);
+    QCOMPARE(line.faults(), 0);
+}
+
+void TestLostMaster::aCamThatMayGoBackFollows()
+{
+    Rig rig(onLine(false));
+    CamImage cam = sineCam(5000.0, 300.0, 400, cycleTicks / 5);
+    cam.masterRampMs = 0;
+    for (const bool mayGoBack : {true, false}) {
+        rig.install(cam.registers());
+        rig.write(CTL_REG_MASTER_SOURCE, {CTL_MASTER_SOURCE_ENCODER});
+        rig.write(CTL_REG_MASTER_BACKWARD, {static_cast<std::uint16_t>(mayGoBack ? 1 : 0)});
+        rig.controller().machine().shaft().setSpeed(bagMm);
+        rig.run(1'500'000);
+        rig.start();
+        rig.run(5'000'000);
+        QCOMPARE(rig.status(CTL_REG_MASTER_STATUS_STATE), CTL_MASTER_STATE_ENGAGED);
+        rig.controller().machine().shaft().setSpeed(-bagMm);
+        rig.run(5'000'000); // many cycles of the cam
+        QCOMPARE(rig.status(CTL_REG_STATUS_FAULT), mayGoBack ? 0u : bit(CTL_FAULT_BIT_MASTER_BACKWARD));
+        if (mayGoBack) {
+            rig.command(CTL_COMMAND_STOP_NOW);
+            QVERIFY(rig.runUntilState(CTL_STATE_READY));
+        }
+    }
 }
 
 CAMPANEL_TEST(TestLostMaster)
