@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A knife on film that somebody else drives, by the encoder of a wheel on it; the knife under a line that
 // stands; and the phase.
-#include "rig.h"
+#include "master/place_line.h"
 
 #include "base/ctl_words.h"
 #include "tests/support/test_program.h"
@@ -9,95 +9,12 @@
 #include <QTest>
 
 #include <cmath>
-#include <limits>
 
 namespace test_wheel {
 
 using namespace campanel::test;
-using campanel::controller::LineShaft;
+using namespace campanel::test::place;
 using campanel::controller::MachineOptions;
-
-namespace {
-
-constexpr std::uint32_t cycleTicks = 8'000'000; // 60 a minute
-constexpr std::int64_t knifePulses = 10'000;    // a cycle
-constexpr double bagMm = 250.0;
-constexpr std::uint16_t touchesCentiDeg = 2500; // the simulated jaws touch within 20 degrees of the cut
-
-MachineOptions onLine(bool drivesFilm)
-{
-    MachineOptions options;
-    options.shaft.counts = 10'000;
-    options.shaft.speedMmPerS = bagMm;
-    options.shaft.drivesFilm = drivesFilm;
-    return options;
-}
-
-class Line : public Rig {
-public:
-    explicit Line(bool drivesFilm, MachineOptions options = {})
-        : Rig(options.shaft.counts == 0 ? onLine(drivesFilm) : options)
-    {
-        BankImage bank = camBank(knifePulses, 1, cycleTicks);
-        bank.bagLengthUm = 250'000;
-        install(bank);
-        write(CTL_REG_MASTER_SOURCE, {CTL_MASTER_SOURCE_ENCODER});
-        write(CTL_REG_MASTER_PLACE,
-              {static_cast<std::uint16_t>(drivesFilm ? CTL_MASTER_PLACE_WHEEL : CTL_MASTER_PLACE_SHAFT)});
-        setParameter(CTL_REG_PARAMETER_JAWS_BEFORE, touchesCentiDeg);
-        setParameter(CTL_REG_PARAMETER_JAWS_BEHIND, touchesCentiDeg);
-        run(500'000);
-    }
-
-    LineShaft& shaft() { return controller().machine().shaft(); }
-    bool engages()
-    {
-        for (int i = 0; i < 2000 && status(CTL_REG_MASTER_STATUS_STATE) != CTL_MASTER_STATE_ENGAGED; ++i)
-            run(10'000);
-        return status(CTL_REG_MASTER_STATUS_STATE) == CTL_MASTER_STATE_ENGAGED;
-    }
-    // Cuts so many bags; returns the largest deviation of one that is no scrap, infinite when the machine
-    // does not cut them in ten times their time, and counts those that are.
-    double cutBags(int bags)
-    {
-        double largest = 0.0;
-        scrap = 0;
-        const std::uint64_t until = controller().nowUs() + 10'000'000u * static_cast<unsigned>(bags);
-        for (int i = 0; i < bags;) {
-            controller().step();
-            if (controller().nowUs() > until)
-                return std::numeric_limits<double>::infinity();
-            const auto& cut = controller().cut();
-            if (!cut || !cut->lengthUm)
-                continue;
-            ++i;
-            const bool isScrap = ctl_packer_bag_class(&core().packer) != CTL_BAG_GOOD;
-            scrap += isScrap ? 1 : 0;
-            const double lengths = core().packer.last_cut.bags;
-            if (!isScrap)
-                largest = std::max(largest, std::abs(*cut->lengthUm / 1000.0 - lengths * bagMm));
-        }
-        return largest;
-    }
-    bool mayRun() { return (status(CTL_REG_IO_OUTPUTS) & 1u << CTL_OUTPUT_BIT_LINE_MAY_RUN) != 0; }
-    bool jawsAreClosed() { return controller().machine().areJawsClosed(); }
-    // Stops the line so that it stands with the jaws on the film.
-    bool standsClosed()
-    {
-        for (int attempt = 0; attempt < 100; ++attempt) {
-            shaft().setSpeed(0.0);
-            run(560'000); // before the knife opens
-            if (jawsAreClosed())
-                return true;
-            shaft().setSpeed(bagMm);
-            run(1'000'000u + static_cast<unsigned>(attempt) * 61'000u);
-        }
-        return false;
-    }
-    int scrap = 0;
-};
-
-} // namespace
 
 class TestWheel : public QObject {
     Q_OBJECT
@@ -105,7 +22,6 @@ class TestWheel : public QObject {
 private slots:
     void onlyTheKnifeMoves();
     void aBoardThatCannotLatchRefuses();
-    void cutsOnTheMarks();
     void theLineMayRunWhileTheKnifeFollows();
     void filmThatPassesIsCounted();
     void comesBackOntoTheMarks();
@@ -143,18 +59,6 @@ void TestWheel::aBoardThatCannotLatchRefuses()
     QCOMPARE(line.command(CTL_COMMAND_START), CTL_REFUSAL_NO_MASTER_INPUT);
     line.write(CTL_REG_MASTER_PLACE, {CTL_MASTER_PLACE_SHAFT});
     QCOMPARE(line.command(CTL_COMMAND_START), CTL_REFUSAL_NONE);
-}
-
-void TestWheel::cutsOnTheMarks()
-{
-    Line line(true);
-    line.start();
-    QVERIFY(line.engages());
-    (void)line.cutBags(10);
-    const double largest = line.cutBags(300);
-    QVERIFY2(largest < 0.2, qPrintable(QString::number(largest)));
-    QCOMPARE(line.scrap, 0);
-    QVERIFY(std::abs(line.controller().cut()->markErrorMm) < 0.5);
 }
 
 void TestWheel::theLineMayRunWhileTheKnifeFollows()
