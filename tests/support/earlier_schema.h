@@ -26,6 +26,7 @@ template <const store::DatabaseFile& (*file)(), int version> store::DatabaseFile
         return u"ALTER TABLE %1 DROP COLUMN %2"_s.arg(table, column);
     };
     const QList<QStringList> undone{
+        {u"DROP TABLE production_order"_s},
         {u"DROP TABLE clock_proof"_s},
         {u"DROP INDEX recipe_name_key"_s, u"DROP INDEX user_name_key"_s,
          dropColumn(u"recipe"_s, u"name_key"_s), dropColumn(u"user"_s, u"name_key"_s)},

@@ -30,6 +30,7 @@ tl::expected<void, StoreError> noteClockProven(Database& database, qint64 nowMs)
                  u"UPDATE alarm SET clock_doubtful = 1 WHERE raised_ms > ?"_s,
                  u"UPDATE state_interval SET clock_doubtful = 1 WHERE begin_ms > ?"_s,
                  u"UPDATE recipe_version SET clock_doubtful = 1 WHERE saved_ms > ?"_s,
+                 u"UPDATE production_order SET clock_doubtful = 1 WHERE started_ms > ?"_s,
              }) {
             if (const auto done = database.execute(statement, {nowMs + maxSetBackMs}); !done)
                 return tl::unexpected(done.error());

@@ -5,6 +5,7 @@
 #include "app/store/database/names.h"
 #include "app/store/logs/alarm_log.h"
 #include "app/store/logs/audit_log.h"
+#include "app/store/logs/order_log.h"
 #include "app/store/logs/stop_log.h"
 
 using namespace Qt::StringLiterals;
@@ -87,6 +88,10 @@ std::vector<QStringList> stepsBesideTheLogs()
             // then.
             u"CREATE TABLE clock_proof (time_ms INTEGER NOT NULL, audit_sequence INTEGER NOT NULL)"_s,
         },
+        {
+            // The table of orders.
+            u"CREATE INDEX production_order_started ON production_order (started_ms)"_s,
+        },
     };
 }
 
@@ -99,6 +104,7 @@ const std::vector<QStringList>& steps()
         auditTable().addSteps(made);
         stateTable().addSteps(made);
         stopTable().addSteps(made);
+        orderTable().addSteps(made);
         return made;
     }();
     return all;
