@@ -42,6 +42,13 @@ enum class Metric : std::uint16_t {
     ValuesDropped = 19,
     Instance = 20,
     StopReason = 21,
+    OrderName = 22,
+    OrderLot = 23,
+    OrderState = 24,
+    OrderQuantity = 25,
+    OrderGood = 26,
+    OrderRejected = 27,
+    OrderEmpty = 28,
 };
 
 struct MetricRow {
@@ -185,6 +192,47 @@ inline constexpr std::array metricTable{
                   "Reason of the present stop: a key of the list of reasons, such as `material/film_change`, "
                   "the name of an own one, or the code of an alarm. An empty text while the machine "
                   "produces, and until a reason is known."},
+    MetricRow{.metric = Metric::OrderName,
+              .name = "CamPanel/Order/Name",
+              .type = MetricType::String,
+              .source = "`Orders.current`",
+              .text =
+                  "Text of the order that the controller counts, or of the last one. Null without one, as "
+                  "all metrics of the order."},
+    MetricRow{.metric = Metric::OrderLot,
+              .name = "CamPanel/Order/Lot",
+              .type = MetricType::String,
+              .source = "`Orders.current`",
+              .text = "Its lot."},
+    MetricRow{.metric = Metric::OrderState,
+              .name = "CamPanel/Order/State",
+              .type = MetricType::String,
+              .source = "`Orders.current`",
+              .text = "One of `under_way`, `complete`, `ended`, `lost`."},
+    MetricRow{.metric = Metric::OrderQuantity,
+              .name = "CamPanel/Order/Quantity",
+              .type = MetricType::Int64,
+              .unit = "bags",
+              .source = "`Orders.current`",
+              .text = "Good bags to make."},
+    MetricRow{.metric = Metric::OrderGood,
+              .name = "CamPanel/Order/Good",
+              .type = MetricType::Int64,
+              .unit = "bags",
+              .source = "`Orders.current`",
+              .text = "Good bags."},
+    MetricRow{.metric = Metric::OrderRejected,
+              .name = "CamPanel/Order/Rejected",
+              .type = MetricType::Int64,
+              .unit = "bags",
+              .source = "`Orders.current`",
+              .text = "Rejected bags."},
+    MetricRow{.metric = Metric::OrderEmpty,
+              .name = "CamPanel/Order/Empty",
+              .type = MetricType::Int64,
+              .unit = "bags",
+              .source = "`Orders.current`",
+              .text = "Bags that were cut without a product."},
 };
 
 inline constexpr std::size_t metricCount = metricTable.size();

@@ -74,6 +74,7 @@ Panel::Panel(link::Link& link, const Storage& storage)
     , m_stops(m_controller, m_settings, m_records, nullptr)
     , m_handSpeed(m_controller, nullptr)
     , m_handTrims(m_controller, nullptr)
+    , m_orders(m_controller, m_records, nullptr)
     , m_access(m_records, m_controller, m_settings, nullptr)
     , m_systemClock(m_controller.accessCheck(), nullptr)
     , m_systemNetwork(m_controller.accessCheck(), nullptr)
@@ -84,7 +85,7 @@ Panel::Panel(link::Link& link, const Storage& storage)
     , m_update(m_controller, recipeFolder(storage), nullptr)
     , m_versions(m_controller, m_editor, m_records, recipeFolder(storage), nullptr)
     , m_commissioning(m_controller, m_editor, m_access, *m_maintenance.files(), nullptr)
-    , m_shiftReport(m_controller, m_stops, *m_maintenance.files(), nullptr)
+    , m_shiftReport(m_controller, m_stops, m_records, *m_maintenance.files(), nullptr)
     , m_bundle({m_controller, m_editor, m_records, *m_maintenance.figures(), *m_maintenance.files(),
                 *m_maintenance.frames()},
                nullptr)
@@ -94,7 +95,7 @@ Panel::Panel(link::Link& link, const Storage& storage)
     , m_explanations({m_controller, m_editor, *m_maintenance.figures(), m_trends, m_stops,
                       *m_maintenance.packing()->edges()},
                      nullptr)
-    , m_plant({m_controller, m_alarms, m_stops}, m_trail, nullptr)
+    , m_plant({m_controller, m_alarms, m_stops, m_orders}, m_trail, nullptr)
     , m_hasBroker(!storage.standard.text("gateway.host").isEmpty())
     , m_pageMemory(recipeFolder(storage) + QStringLiteral("/open-page"))
 {
@@ -135,6 +136,7 @@ Panel::Panel(link::Link& link, const Storage& storage)
     connect(&m_handSpeed, &panel::HandSpeed::noted, &m_trail, &panel::AuditTrail::note);
     connect(&m_handTrims, &panel::HandTrims::noted, &m_trail, &panel::AuditTrail::note);
     connect(&m_handTrims, &panel::HandTrims::saveWanted, &m_recipes, &panel::Recipes::saveTrims);
+    connect(&m_orders, &panel::Orders::noted, &m_trail, &panel::AuditTrail::note);
     connect(&m_stops, &panel::Stops::noted, &m_trail, &panel::AuditTrail::note);
     connect(&m_systemClock, &panel::SystemClock::noted, &m_trail, &panel::AuditTrail::note);
     connect(&m_systemNetwork, &panel::SystemNetwork::noted, &m_trail, &panel::AuditTrail::note);
@@ -145,10 +147,10 @@ Panel::Panel(link::Link& link, const Storage& storage)
     connect(&m_versions, &panel::Versions::noted, &m_trail, &panel::AuditTrail::noteOutside);
     connect(&m_plant, &panel::PlantFeed::gatewayChanged, &m_versions, &panel::Versions::setGateway);
     panel::attachToEngine(m_qml->engine, m_access, m_alarms, m_audit, m_backup, m_commissioning, m_display,
-                          m_controller, m_editor, m_explanations, m_handSpeed, m_handTrims, m_records,
-                          m_recipes, m_maintenance, m_scan, m_bundle, m_rotation, m_settings, m_shiftReport,
-                          m_stops, m_systemClock, m_systemNetwork, m_touchCalibration, m_trends, m_update,
-                          m_versions);
+                          m_controller, m_editor, m_explanations, m_handSpeed, m_handTrims, m_orders,
+                          m_records, m_recipes, m_maintenance, m_scan, m_bundle, m_rotation, m_settings,
+                          m_shiftReport, m_stops, m_systemClock, m_systemNetwork, m_touchCalibration,
+                          m_trends, m_update, m_versions);
     panel::Units::setOnScreen();
     connect(&m_settings, &panel::Settings::languageChanged, this, &Panel::translate);
     translate();

@@ -18,6 +18,7 @@
 #include "app/panel/hand/hand_trims.h"
 #include "app/panel/library/recipes.h"
 #include "app/panel/maintenance/maintenance.h"
+#include "app/panel/orders/orders.h"
 #include "app/panel/plant/plant_feed.h"
 #include "app/panel/records/database_service.h"
 #include "app/panel/reports/backup.h"
@@ -73,6 +74,7 @@ public:
     [[nodiscard]] panel::Maintenance& maintenance() { return m_maintenance; }
     [[nodiscard]] panel::Trends& trends() { return m_trends; }
     [[nodiscard]] panel::Stops& stops() { return m_stops; }
+    [[nodiscard]] panel::Orders& orders() { return m_orders; }
     [[nodiscard]] panel::Access& access() { return m_access; }
     [[nodiscard]] panel::AuditTrail& trail() { return m_trail; }
     [[nodiscard]] panel::Audit& audit() { return m_audit; }
@@ -130,6 +132,7 @@ private:
     panel::Stops m_stops;
     panel::HandSpeed m_handSpeed;
     panel::HandTrims m_handTrims;
+    panel::Orders m_orders;
     panel::Access m_access;
     panel::SystemClock m_systemClock;
     panel::SystemNetwork m_systemNetwork;

@@ -89,7 +89,8 @@ const QList<House>& houses()
           {u"recipe"_s},
           {u"records"_s, u"settings"_s},
           {u"controller"_s},
-          {u"access"_s, u"download"_s, u"hand"_s, u"packing"_s, u"trends"_s, u"stops"_s, u"display"_s},
+          {u"access"_s, u"download"_s, u"hand"_s, u"orders"_s, u"packing"_s, u"trends"_s, u"stops"_s,
+           u"display"_s},
           {u"editor"_s},
           {u"library"_s, u"alarms"_s, u"maintenance"_s},
           {u"explain"_s, u"audit"_s, u"scan"_s},
@@ -165,8 +166,8 @@ const QList<QStringList>& qmlLevels()
 {
     static const QList<QStringList> levels{{u"parts"_s},
                                            {u"explain"_s, u"access"_s, u"audit"_s, u"download"_s, u"alarms"_s,
-                                            u"trends"_s, u"stops"_s, u"run"_s, u"packing"_s, u"maintenance"_s,
-                                            u"reports"_s, u"scan"_s},
+                                            u"trends"_s, u"stops"_s, u"run"_s, u"orders"_s, u"packing"_s,
+                                            u"maintenance"_s, u"reports"_s, u"scan"_s},
                                            {u"editor"_s},
                                            {u"library"_s, u"settings"_s, u"first"_s},
                                            {u"frame"_s}};

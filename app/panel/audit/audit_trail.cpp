@@ -7,6 +7,7 @@
 #include "app/panel/maintenance/maintenance.h"
 #include "app/panel/records/database_service.h"
 #include "app/panel/settings/settings.h"
+#include "app/panel/words/connection_sentences.h"
 #include "app/program/differences.h"
 #include "app/store/database/clock_mark.h"
 
@@ -48,25 +49,6 @@ QString commandKey(modbus::Command command)
     default:
         return u"command.other"_s;
     }
-}
-
-QString outcomeKey(const link::CommandOutcome& outcome)
-{
-    switch (outcome.end) {
-    case link::CommandEnd::Done:
-        return u"done"_s;
-    case link::CommandEnd::Refused:
-        return u"refused %1"_s.arg(static_cast<int>(outcome.reason));
-    case link::CommandEnd::NotSent:
-        return u"not_sent"_s;
-    case link::CommandEnd::NotReceived:
-        return u"not_received"_s;
-    case link::CommandEnd::Withdrawn:
-        return u"withdrawn"_s;
-    case link::CommandEnd::OutcomeUnknown:
-        break;
-    }
-    return u"unknown"_s;
 }
 
 QString outcomeKey(link::ParameterEnd end)
@@ -251,7 +233,7 @@ void AuditTrail::watchCommands()
                     return;
                 store::AuditEntry ended = *sent;
                 m_commands.erase(sent);
-                ended.outcome = outcomeKey(outcome);
+                ended.outcome = ConnectionSentences::outcomeKey(outcome);
                 append(ended);
             });
 }

@@ -129,6 +129,8 @@ public:
     // operators.
     void saveTrims(const QString& name, const program::Trims& trims);
 
+    // Returns {key, text, note} of each recipe of this kind, for a choice.
+    [[nodiscard]] Q_INVOKABLE QVariantList choicesOf(int kind) const;
     Q_INVOKABLE void choose(int row);
     // Opens the chosen recipe in the Editor; unsaved edits are lost.
     Q_INVOKABLE void open();

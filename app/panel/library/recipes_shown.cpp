@@ -57,6 +57,19 @@ void Recipes::show()
     emit wantedNameChanged();
 }
 
+QVariantList Recipes::choicesOf(int kind) const
+{
+    QVariantList choices;
+    for (const RecipeVersion& each : m_all) {
+        const QString name = nameOf(each.recipe);
+        if (each.recipe.kind() == static_cast<profile::ProgramKind>(kind))
+            choices << QVariantMap{{QStringLiteral("key"), name},
+                                   {QStringLiteral("text"), name},
+                                   {QStringLiteral("note"), RecipeComparison::summary(each.recipe)}};
+    }
+    return choices;
+}
+
 // Sorts the rows, of which the one saved last is first. What the controller executes is the one used last,
 // wherever it was downloaded.
 void Recipes::sort(QList<RecipeRow>& rows) const

@@ -3,6 +3,7 @@
 
 #include "app/panel/alarms/alarms.h"
 #include "app/panel/controller/controller.h"
+#include "app/panel/orders/orders.h"
 #include "app/panel/stops/stops.h"
 
 #include <cmath>
@@ -68,6 +69,7 @@ PlantValues::PlantValues(const PlantSources& sources, QObject* parent)
     , m_controller(sources.controller)
     , m_alarms(sources.alarms)
     , m_stops(sources.stops)
+    , m_orders(sources.orders)
 {
     for (const auto signal :
          {&Controller::connectionChanged, &Controller::qualityChanged, &Controller::freshChanged,
@@ -78,6 +80,7 @@ PlantValues::PlantValues(const PlantSources& sources, QObject* parent)
     connect(m_controller.packing(), &PackingLine::bagRecorded, this, &PlantValues::noteBag);
     connect(&m_alarms, &Alarms::changed, this, &PlantValues::changed);
     connect(&m_stops, &Stops::presentChanged, this, &PlantValues::changed);
+    connect(&m_orders, &Orders::changed, this, &PlantValues::changed);
     connect(this, &PlantValues::changed, this, &PlantValues::countTime);
 }
 
@@ -126,6 +129,14 @@ MetricValue PlantValues::valueOf(Metric metric) const
     case Metric::ProdDefectiveCount:
     case Metric::FilmSaved:
         return valueOfPacking(metric);
+    case Metric::OrderName:
+    case Metric::OrderLot:
+    case Metric::OrderState:
+    case Metric::OrderQuantity:
+    case Metric::OrderGood:
+    case Metric::OrderRejected:
+    case Metric::OrderEmpty:
+        return valueOfOrder(metric);
     default:
         return valueOfProgram(metric);
     }
@@ -162,12 +173,37 @@ MetricValue PlantValues::valueOfPacking(Metric metric) const
     return packing.fresh() ? real(m_controller.telemetry()->number("packer.film_saved")) : MetricValue();
 }
 
+MetricValue PlantValues::valueOfOrder(Metric metric) const
+{
+    const store::OrderRow order = m_orders.current().order;
+    if (!m_orders.fresh() || order.id == 0)
+        return {};
+    switch (metric) {
+    case Metric::OrderName:
+        return order.text;
+    case Metric::OrderLot:
+        return order.lot;
+    case Metric::OrderState:
+        return store::nameOf(order.state);
+    case Metric::OrderQuantity:
+        return std::int64_t(order.quantity);
+    case Metric::OrderGood:
+        return std::int64_t(order.good);
+    case Metric::OrderRejected:
+        return std::int64_t(order.rejected);
+    default:
+        return std::int64_t(order.empty);
+    }
+}
+
 std::int64_t PlantValues::ageMs(Metric metric) const
 {
     if (metric == Metric::Alarm || metric == Metric::LinkQuality)
         return 0;
     if (metric == Metric::FilmSaved && m_controller.packing()->fresh())
         return millisecondsOf(m_controller.now() - m_controller.packing()->receivedAt());
+    if (metric >= Metric::OrderName && m_orders.fresh())
+        return millisecondsOf(m_controller.now() - m_orders.readAt());
     const double age = m_controller.fresh() ? m_controller.ageMs() : 0;
     return std::isfinite(age) && age > 0 ? std::llround(age) : 0;
 }

@@ -19,6 +19,7 @@ namespace campanel::panel {
 
 class Alarms;
 class Controller;
+class Orders;
 class Stops;
 
 // The objects that have the values; they must outlive what uses them.
@@ -26,6 +27,7 @@ struct PlantSources {
     Controller& controller;
     Alarms& alarms;
     Stops& stops;
+    Orders& orders;
 };
 
 class PlantValues : public QObject {
@@ -50,6 +52,7 @@ private:
     [[nodiscard]] plant::MetricValue valueOf(plant::Metric metric) const;
     [[nodiscard]] plant::MetricValue valueOfProgram(plant::Metric metric) const;
     [[nodiscard]] plant::MetricValue valueOfPacking(plant::Metric metric) const;
+    [[nodiscard]] plant::MetricValue valueOfOrder(plant::Metric metric) const;
     [[nodiscard]] std::int64_t ageMs(plant::Metric metric) const;
     // Returns empty while the state is unknown or not fresh.
     [[nodiscard]] std::optional<Situation> situation() const;
@@ -59,6 +62,7 @@ private:
     Controller& m_controller;
     Alarms& m_alarms;
     Stops& m_stops;
+    Orders& m_orders;
     std::optional<Situation> m_situation; // the one that is counted
     link::SteadyTime m_since{};
     link::SteadyTime m_countedAt{};

@@ -2,7 +2,9 @@
 #include "app/panel/reports/shift_report.h"
 
 #include "app/panel/kit/format.h"
+#include "app/panel/records/database_service.h"
 #include "app/panel/stops/stops.h"
+#include "app/panel/words/order_words.h"
 
 #include <QCoreApplication>
 
@@ -25,10 +27,12 @@ QString pieceText(std::int64_t count)
 
 } // namespace
 
-ShiftReport::ShiftReport(Controller& controller, Stops& stops, ReportFiles& files, QObject* parent)
+ShiftReport::ShiftReport(Controller& controller, Stops& stops, DatabaseService& records, ReportFiles& files,
+                         QObject* parent)
     : QObject(parent)
     , m_controller(controller)
     , m_stops(stops)
+    , m_records(records)
     , m_files(files)
     , m_printer([](const ReportData&) { return QByteArray(); })
 {
@@ -36,14 +40,24 @@ ShiftReport::ShiftReport(Controller& controller, Stops& stops, ReportFiles& file
 
 void ShiftReport::offer()
 {
-    const QByteArray pdf = m_printer(data());
-    const QDateTime begin = QDateTime::fromMSecsSinceEpoch(m_stops.shift()->summary().shift.beginMs);
-    m_files.offer(
-        {{tr("shift %1", "name of a file: date and time").arg(begin.toString(u"yyyy-MM-dd HH-mm"_s)),
-          u"pdf"_s, [pdf] { return pdf; }}});
+    const Shift shift = m_stops.shift()->summary().shift;
+    m_records.store().run(
+        this,
+        [shift](store::Database& database) {
+            return store::OrderLog::between(database, shift.beginMs, shift.endMs);
+        },
+        [this, shift](const store::Table<store::OrderRow>::Rows& found) {
+            if (!found)
+                m_records.reportError(found.error());
+            const QByteArray pdf = m_printer(data(found.value_or(QList<store::OrderRow>())));
+            const QDateTime begin = QDateTime::fromMSecsSinceEpoch(shift.beginMs);
+            m_files.offer(
+                {{tr("shift %1", "name of a file: date and time").arg(begin.toString(u"yyyy-MM-dd HH-mm"_s)),
+                  u"pdf"_s, [pdf] { return pdf; }}});
+        });
 }
 
-ReportData ShiftReport::data() const
+ReportData ShiftReport::data(const QList<store::OrderRow>& rows) const
 {
     ReportData data;
     data.title = tr("Shift report");
@@ -53,7 +67,7 @@ ReportData ShiftReport::data() const
     data.isFeasible = true;
     data.machine = machineText(m_controller);
     data.bar = bar();
-    data.sections = {work(), figures(), reasons(), stops()};
+    data.sections = {work(), figures(), orders(rows), reasons(), stops()};
     data.signatures = signatureTexts();
     return data;
 }
@@ -109,6 +123,23 @@ ReportSection ShiftReport::figures() const
     section.lines = {shift.timesText()};
     if (!shift.note().isEmpty())
         section.lines << shift.note();
+    return section;
+}
+
+ReportSection ShiftReport::orders(const QList<store::OrderRow>& rows) const
+{
+    ReportSection section{tr("Orders"), {}, {}, true};
+    for (const store::OrderRow& order : rows) {
+        const QDate day = QDateTime::fromMSecsSinceEpoch(m_stops.shift()->summary().shift.beginMs).date();
+        section.rows.append(
+            {OrderWords::title(order),
+             tr("%1, %2; rejected %3, empty %4; %5", "bags, state, counts, further facts of an order")
+                 .arg(OrderWords::progress(order), OrderWords::state(order.state),
+                      OrderWords::count(order.rejected), OrderWords::count(order.empty),
+                      OrderWords::facts(order, day))});
+    }
+    if (section.rows.isEmpty())
+        section.lines = {tr("No order in this shift.")};
     return section;
 }
 

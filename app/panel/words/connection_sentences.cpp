@@ -5,6 +5,8 @@
 #include "app/panel/words/controller_sentences.h"
 #include "app/panel/words/register_words.h"
 
+using namespace Qt::StringLiterals;
+
 namespace campanel::panel {
 
 using link::CommandEnd;
@@ -204,6 +206,25 @@ QString ConnectionSentences::command(const link::CommandOutcome& outcome)
             .arg(name);
     }
     return {};
+}
+
+QString ConnectionSentences::outcomeKey(const link::CommandOutcome& outcome)
+{
+    switch (outcome.end) {
+    case CommandEnd::Done:
+        return u"done"_s;
+    case CommandEnd::Refused:
+        return u"refused %1"_s.arg(static_cast<int>(outcome.reason));
+    case CommandEnd::NotSent:
+        return u"not_sent"_s;
+    case CommandEnd::NotReceived:
+        return u"not_received"_s;
+    case CommandEnd::Withdrawn:
+        return u"withdrawn"_s;
+    case CommandEnd::OutcomeUnknown:
+        break;
+    }
+    return u"unknown"_s;
 }
 
 QString ConnectionSentences::parameter(const QString& what, const link::ParameterOutcome& outcome)

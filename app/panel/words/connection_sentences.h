@@ -23,6 +23,8 @@ public:
     [[nodiscard]] static QString refused(modbus::Command command, modbus::Refusal reason);
     // Returns an empty text when the command was executed.
     [[nodiscard]] static QString command(const link::CommandOutcome& outcome);
+    // Returns the same as the audit trail stores it: "done", "refused 12" ...
+    [[nodiscard]] static QString outcomeKey(const link::CommandOutcome& outcome);
     // Returns an empty text when the value was written; `what` begins the sentence.
     [[nodiscard]] static QString parameter(const QString& what, const link::ParameterOutcome& outcome);
     [[nodiscard]] static QString download(const link::DownloadReport& report);

@@ -88,7 +88,7 @@ const Table<OrderRow>& orderTable()
     using Row = OrderRow;
     static const Table<Row> table{
         u"production_order"_s,
-        10,
+        OrderLog::since,
         {{.name = u"id"_s, .member = &Row::id},
          {.name = u"number"_s, .member = &Row::number, .sought = Sought::Number},
          {.name = u"controller"_s, .member = &Row::controller},

@@ -20,11 +20,11 @@ struct OrderRow {
 
     // Ascending in order of start. Negative while the order waits: -1 is the next one.
     qint64 id = 0;
-    int number = 0;     // in the controller; 0: not given to it
-    QString controller; // its unique id, as hexadecimal digits
-    QString text;
-    QString lot;
-    QString recipe; // empty: any
+    int number = 0;       // in the controller; 0: not given to it
+    QString controller{}; // its unique id, as hexadecimal digits
+    QString text{};
+    QString lot{};
+    QString recipe{}; // empty: any
     int version = 0;
     qint64 tableCrc = 0; // of the program at the start; 0: none
     qint64 quantity = 0; // good bags
@@ -37,8 +37,8 @@ struct OrderRow {
     qint64 cut = 0;
     qint64 startedMs = 0;
     qint64 endedMs = 0; // when the panel saw the end; 0: not yet
-    QString startedBy;
-    QString checkedBy;            // the first bag
+    QString startedBy{};
+    QString checkedBy{};          // the first bag
     bool isClockDoubtful = false; // started while the clock was not set
 
     [[nodiscard]] bool isOver() const { return state > State::Active; }
@@ -62,6 +62,7 @@ class OrderLog {
 public:
     static constexpr qint64 capacity = 10'000;
     static constexpr qint64 keptYears = 5;
+    static constexpr int since = 10; // version of the schema
 
     struct Start {
         QList<OrderRow> queue;        // in its order

@@ -2,6 +2,7 @@
 // The panel's values for the plant's network, its local socket, and the commands that are refused.
 #include "app/panel/audit/audit_words.h"
 #include "app/panel/plant/plant_feed.h"
+#include "tests/app/panel/orders/order_rig.h"
 #include "tests/app/panel/plant/plant_rig.h"
 #include "tests/support/packer_image.h"
 #include "tests/support/test_program.h"
@@ -147,6 +148,29 @@ private slots:
                  MetricValue(rig.machine.live().rateBagsPerMin));
         QCOMPARE(readingOf(values, Metric::Alarm).value, MetricValue(rig.alarms.urgentCode()));
         QCOMPARE(readingOf(values, Metric::ProdDefectiveCount).value, MetricValue()); // nothing recorded
+    }
+
+    void theOrderIsThatOfTheController()
+    {
+        test::OrderRig rig;
+        panel::Stops stops(rig.machine, rig.settings, rig.records, nullptr);
+        PlantValues values({rig.machine, rig.alarms, stops, *rig.orders}, nullptr);
+        rig.connectRunning();
+        QCOMPARE(readingOf(values, Metric::OrderState).value, MetricValue());
+        rig.enter(5000, QStringLiteral("L17"), QStringLiteral("4711"));
+        QVERIFY(rig.orders->addAndStart());
+        rig.answer();
+        rig.count(1240, 3, 2);
+        rig.pass();
+        rig.now += 300ms;
+        QCOMPARE(readingOf(values, Metric::OrderName).value, MetricValue(QStringLiteral("4711")));
+        QCOMPARE(readingOf(values, Metric::OrderLot).value, MetricValue(QStringLiteral("L17")));
+        QCOMPARE(readingOf(values, Metric::OrderState).value, MetricValue(QStringLiteral("under_way")));
+        QCOMPARE(readingOf(values, Metric::OrderQuantity).value, whole(5000));
+        QCOMPARE(readingOf(values, Metric::OrderGood).value, whole(1240));
+        QCOMPARE(readingOf(values, Metric::OrderGood).ageMs, 300);
+        QCOMPARE(readingOf(values, Metric::OrderRejected).value, whole(3));
+        QCOMPARE(readingOf(values, Metric::OrderEmpty).value, whole(2));
     }
 
     void valuesThatAreNotFreshAreEmpty()
