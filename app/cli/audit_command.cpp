@@ -1,17 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // campanelctl audit verify: checks the chain of an audit trail. The file is not written.
 #include "app/cli/commands.h"
+#include "app/cli/database_file.h"
 #include "app/cli/invocation.h"
 #include "app/cli/report.h"
-#include "app/store/backup/backup_file.h"
 #include "app/store/logs/audit_log.h"
 
-#include <QDir>
-#include <QFileInfo>
 #include <QTemporaryDir>
-
-#include <memory>
-#include <utility>
 
 using namespace Qt::StringLiterals;
 
@@ -56,37 +51,6 @@ QString sentence(const store::ChainCheck& check, const QString& path)
         .arg(path, row);
 }
 
-tl::expected<std::unique_ptr<store::Database>, Failure> databaseOf(const QString& path,
-                                                                   const QTemporaryDir& unpacked)
-{
-    if (!QFileInfo(path).isFile())
-        return fail(ExitCode::File, u"%1 is not a file. Name a database or a backup."_s.arg(path));
-    QString database = path;
-    if (store::readManifest(path)) {
-        const auto backup = store::unpackBackup(path, unpacked.path());
-        if (!backup)
-            return fail(ExitCode::File, store::BackupErrorText::describe(backup.error()));
-        database = unpacked.filePath(store::mainDatabase().name);
-    }
-    auto opened = store::Database::openReadOnly(database);
-    if (opened)
-        return std::move(*opened);
-    switch (opened.error().kind) {
-    case store::StoreError::Kind::Damaged:
-        return fail(ExitCode::File, u"%1 is damaged or not a database or backup of CamPanel."_s.arg(path));
-    case store::StoreError::Kind::NewerSchema:
-        return fail(ExitCode::File,
-                    u"%1 was written by a newer version of CamPanel. Use that version."_s.arg(path));
-    case store::StoreError::Kind::Foreign:
-        return fail(
-            ExitCode::File,
-            u"%1 was altered by another program: %2 is not of CamPanel. Its audit trail proves nothing."_s
-                .arg(path, opened.error().detail));
-    default:
-        return fail(ExitCode::File, u"%1 cannot be read: %2."_s.arg(path, opened.error().detail));
-    }
-}
-
 } // namespace
 
 Outcome runAudit(const Invocation& call)
@@ -95,7 +59,7 @@ Outcome runAudit(const Invocation& call)
     if (words.size() != 2 || words.first() != u"verify")
         return fail(ExitCode::Usage, u"Name the file to check: campanelctl audit verify FILE."_s);
     const QTemporaryDir unpacked;
-    const auto database = databaseOf(words.last(), unpacked);
+    const auto database = openDatabaseFile(words.last(), unpacked);
     if (!database)
         return tl::unexpected(database.error());
     const auto check = store::verifyChain(**database);

@@ -163,15 +163,6 @@ QJsonObject rowOf(const FleetMachine& machine, const QList<std::uint32_t>& table
     return row;
 }
 
-QString cellOf(const QJsonValue& value)
-{
-    if (value.isBool())
-        return value.toBool() ? u"yes"_s : u"no"_s;
-    if (value.isNull())
-        return u"--"_s;
-    return value.isString() ? store::oneLine(value.toString()) : QString::number(value.toInteger());
-}
-
 // Returns the keys of a row, in the order of the columns.
 QStringList columnsOf(const QJsonArray& rows)
 {
@@ -182,26 +173,12 @@ QStringList columnsOf(const QJsonArray& rows)
     return keys;
 }
 
-// Returns the rows below their titles, each column as wide as its longest text.
 QByteArray fleetText(const QJsonArray& rows)
 {
-    const QMap<QString, QString> titles{{u"table_crc32"_s, u"CRC-32"_s},
-                                        {u"since_utc"_s, u"since (UTC)"_s},
-                                        {u"table_is_a_signed_one"_s, u"signed table"_s}};
-    QStringList lines(rows.size() + 1);
-    for (const QString& key : columnsOf(rows)) {
-        QStringList cells{titles.value(key, key)};
-        for (const QJsonValue& row : rows)
-            cells << cellOf(row.toObject().value(key));
-        qsizetype width = 0;
-        for (const QString& cell : cells)
-            width = std::max(width, cell.size());
-        for (qsizetype i = 0; i < lines.size(); ++i)
-            lines[i] += cells[i].leftJustified(width + 2);
-    }
-    for (QString& line : lines)
-        line = line.trimmed() + u'\n';
-    return lines.join(QString()).toUtf8();
+    return rowsText(rows, columnsOf(rows),
+                    {{u"table_crc32"_s, u"CRC-32"_s},
+                     {u"since_utc"_s, u"since (UTC)"_s},
+                     {u"table_is_a_signed_one"_s, u"signed table"_s}});
 }
 
 QByteArray fleetCsv(const QJsonArray& rows)

@@ -152,7 +152,7 @@ std::vector<CommandInfo> commandTable()
          runOutput},
         {u"order"_s,
          u"Start, read or end the order that the controller counts: order start --quantity 5000 --lot L17."_s,
-         u"start   counts from the next bag on, before a run or in it; --quantity and --lot are needed\nstatus  prints the counts: good + rejected + empty + on_the_way = cut\nend     ends the order before its quantity; the run goes on"_s,
+         u"start   counts from the next bag on, before a run or in it; --quantity and --lot are needed\nstatus  prints the counts: good + rejected + empty + on_the_way = cut\nend     ends the order before its quantity; the run goes on\nlist    prints the orders of a panel's database or of a backup, newest first: order list FILE; writes nothing to it"_s,
          link | CommandInfo::Names,
          all,
          {{u"quantity"_s, u"Good bags to make, up to 1000000."_s, u"NUMBER"_s},

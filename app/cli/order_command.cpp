@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// campanelctl order: the order that the controller counts, started, read and ended.
+// campanelctl order: the order that the controller counts, started, read and ended; and those in a panel's
+// database.
 #include "app/cli/commands.h"
+#include "app/cli/database_file.h"
 #include "app/cli/invocation.h"
 #include "app/cli/link_session.h"
 #include "app/cli/report.h"
+#include "app/store/logs/order_log.h"
 #include "modbus/map/order_status.h"
 
 #include <algorithm>
@@ -142,6 +145,68 @@ Outcome end(const Invocation& call)
     return print(call, *session);
 }
 
+QJsonValue utcOf(qint64 timeMs)
+{
+    return timeMs == 0 ? QJsonValue()
+                       : QJsonValue(QDateTime::fromMSecsSinceEpoch(timeMs).toUTC().toString(Qt::ISODate));
+}
+
+// The keys are the headings of the panel's CSV.
+QJsonObject objectOf(const store::OrderRow& order)
+{
+    return {{u"number"_s, order.number},
+            {u"controller"_s, order.controller},
+            {u"order"_s, order.text},
+            {u"lot"_s, order.lot},
+            {u"recipe"_s, order.recipe},
+            {u"version"_s, order.version},
+            {u"table_crc"_s, order.tableCrc == 0
+                                 ? QJsonValue()
+                                 : QJsonValue(crcText(static_cast<std::uint32_t>(order.tableCrc)))},
+            {u"quantity"_s, order.quantity},
+            {u"action"_s, store::nameOf(order.action)},
+            {u"message_before"_s, order.messageBefore},
+            {u"state"_s, store::nameOf(order.state)},
+            {u"good"_s, order.good},
+            {u"rejected"_s, order.rejected},
+            {u"empty"_s, order.empty},
+            {u"cut"_s, order.cut},
+            {u"started_utc"_s, utcOf(order.startedMs)},
+            {u"ended_utc"_s, utcOf(order.endedMs)},
+            {u"started_by"_s, order.startedBy},
+            {u"checked_by"_s, order.checkedBy}};
+}
+
+// Prints the orders of a panel's database, newest first, behind those that wait.
+Outcome list(const Invocation& call, const QString& path)
+{
+    const QTemporaryDir unpacked;
+    const auto database = openDatabaseFile(path, unpacked);
+    if (!database)
+        return tl::unexpected(database.error());
+    const auto version = (*database)->version();
+    if (version && *version < store::OrderLog::since)
+        return fail(ExitCode::File, u"%1 is of a version of CamPanel that kept no orders."_s.arg(path));
+    if (call.format() == u"csv") {
+        const auto csv = store::orderTable().csv(**database, {});
+        return csv ? call.deliver(csv->bytes)
+                   : fail(ExitCode::File,
+                          u"The orders of %1 cannot be read: %2."_s.arg(path, csv.error().detail));
+    }
+    const auto orders = store::orderTable().read(**database, u"ORDER BY id < 0 DESC, id DESC"_s);
+    if (!orders)
+        return fail(ExitCode::File,
+                    u"The orders of %1 cannot be read: %2."_s.arg(path, orders.error().detail));
+    QJsonArray rows;
+    for (const store::OrderRow& order : *orders)
+        rows << objectOf(order);
+    if (call.format() == u"json")
+        return call.deliver(formatted(QJsonObject{{u"orders"_s, rows}}, call.format()));
+    return call.deliver(
+        rowsText(rows, {u"state"_s, u"order"_s, u"lot"_s, u"recipe"_s, u"quantity"_s, u"good"_s,
+                        u"rejected"_s, u"empty"_s, u"started_utc"_s, u"ended_utc"_s}));
+}
+
 } // namespace
 
 Outcome runOrder(const Invocation& call)
@@ -153,7 +218,9 @@ Outcome runOrder(const Invocation& call)
         return status(call);
     if (words == QStringList{u"end"_s})
         return end(call);
-    return fail(ExitCode::Usage, u"Name what to do: campanelctl order start, status or end."_s);
+    if (words.size() == 2 && words.first() == u"list")
+        return list(call, words.last());
+    return fail(ExitCode::Usage, u"Name what to do: campanelctl order start, status, end or list FILE."_s);
 }
 
 } // namespace campanel::cli

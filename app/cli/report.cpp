@@ -116,6 +116,33 @@ void addCell(store::CsvWriter& csv, const QJsonValue& value)
         csv.text(value.toString());
 }
 
+QString cellOf(const QJsonValue& value)
+{
+    if (value.isBool())
+        return value.toBool() ? u"yes"_s : u"no"_s;
+    if (value.isNull())
+        return u"--"_s;
+    return value.isString() ? store::oneLine(value.toString()) : QString::number(value.toInteger());
+}
+
+QByteArray rowsText(const QJsonArray& rows, const QStringList& keys, const QMap<QString, QString>& titles)
+{
+    QStringList lines(rows.size() + 1);
+    for (const QString& key : keys) {
+        QStringList cells{titles.value(key, key)};
+        for (const QJsonValue& row : rows)
+            cells << cellOf(row.toObject().value(key));
+        qsizetype width = 0;
+        for (const QString& cell : cells)
+            width = std::max(width, cell.size());
+        for (qsizetype i = 0; i < lines.size(); ++i)
+            lines[i] += cells[i].leftJustified(width + 2);
+    }
+    for (QString& line : lines)
+        line = line.trimmed() + u'\n';
+    return lines.join(QString()).toUtf8();
+}
+
 QByteArray formatted(const QJsonObject& object, const QString& format)
 {
     if (format == u"json")

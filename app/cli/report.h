@@ -7,7 +7,10 @@
 #include "profile/program/programs.h"
 
 #include <QByteArray>
+#include <QJsonArray>
 #include <QJsonObject>
+#include <QMap>
+#include <QStringList>
 
 #include <cstdint>
 #include <optional>
@@ -37,6 +40,12 @@ void addCell(store::CsvWriter& csv, const QJsonValue& value);
 // Formats the object. "json": as it is. "csv": key,value with keys joined by points; null is empty. "text":
 // the same, aligned; lists of numbers are omitted, null is "--".
 [[nodiscard]] QByteArray formatted(const QJsonObject& object, const QString& format);
+
+// Formats a value as one cell of text; null is "--".
+[[nodiscard]] QString cellOf(const QJsonValue& value);
+// Formats these keys of the rows below their titles, each column as wide as its longest text.
+[[nodiscard]] QByteArray rowsText(const QJsonArray& rows, const QStringList& keys,
+                                  const QMap<QString, QString>& titles = {});
 
 // Adds the net advance of a cam per cycle, and whether a person has confirmed it; nothing for other kinds.
 void addAdvance(QJsonObject& object, const profile::Program& program);

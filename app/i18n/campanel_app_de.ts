@@ -1175,6 +1175,22 @@
         <source>Trimmed by hand</source>
         <translation>Von Hand getrimmt</translation>
     </message>
+    <message>
+        <source>Orders</source>
+        <translation>Aufträge</translation>
+    </message>
+    <message>
+        <source>Order added</source>
+        <translation>Auftrag hinzugefügt</translation>
+    </message>
+    <message>
+        <source>Order removed</source>
+        <translation>Auftrag entfernt</translation>
+    </message>
+    <message>
+        <source>First bag checked</source>
+        <translation>Erster Beutel geprüft</translation>
+    </message>
 </context>
 <context>
     <name>Availability</name>
@@ -2378,6 +2394,91 @@ eff. %2</translation>
     <message>
         <source>The gateway is not in the subnet. Enter a gateway from %1 to %2, or another mask.</source>
         <translation>Das Gateway ist nicht im Subnetz. Geben Sie ein Gateway von %1 bis %2 ein, oder eine andere Maske.</translation>
+    </message>
+</context>
+<context>
+    <name>OrderWords</name>
+    <message>
+        <source>Queued</source>
+        <translation>In der Warteschlange</translation>
+    </message>
+    <message>
+        <source>Under way</source>
+        <translation>Läuft</translation>
+    </message>
+    <message>
+        <source>Complete</source>
+        <translation>Fertig</translation>
+    </message>
+    <message>
+        <source>Ended early</source>
+        <translation>Vorzeitig beendet</translation>
+    </message>
+    <message>
+        <source>The run goes on</source>
+        <translation>Der Lauf geht weiter</translation>
+    </message>
+    <message>
+        <source>Message %1 bags before the end</source>
+        <translation>Meldung %1 Beutel vor dem Ende</translation>
+    </message>
+    <message>
+        <source>The run stops</source>
+        <translation>Der Lauf hält an</translation>
+    </message>
+    <message>
+        <source>Order %1</source>
+        <translation>Auftrag %1</translation>
+    </message>
+    <message>
+        <source>Order</source>
+        <translation>Auftrag</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <comment>good bags of an order</comment>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>since %1</source>
+        <translation>seit %1</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <comment>times</comment>
+        <translation>%1 bis %2</translation>
+    </message>
+    <message>
+        <source>started by %1</source>
+        <translation>begonnen von %1</translation>
+    </message>
+    <message>
+        <source>first bag checked by %1</source>
+        <translation>erster Beutel geprüft von %1</translation>
+    </message>
+    <message>
+        <source>The lot has a character that nobody sees. Enter one line of visible characters.</source>
+        <translation>Die Charge enthält ein unsichtbares Zeichen. Eine Zeile sichtbarer Zeichen eingeben.</translation>
+    </message>
+    <message>
+        <source>The lot is too long: %1 bytes, at most %2 fit. A letter of another script has two or more.</source>
+        <translation>Die Charge ist zu lang: %1 Bytes, höchstens %2 passen. Umlaute haben zwei Bytes, andere Schriften zwei oder mehr.</translation>
+    </message>
+    <message>
+        <source>The text has a character that nobody sees. Enter one line of visible characters.</source>
+        <translation>Der Text enthält ein unsichtbares Zeichen. Eine Zeile sichtbarer Zeichen eingeben.</translation>
+    </message>
+    <message>
+        <source>The text is too long: %1 characters, at most %2 fit.</source>
+        <translation>Der Text ist zu lang: %1 Zeichen, höchstens %2 passen.</translation>
+    </message>
+    <message>
+        <source>This controller counts no orders: its register map is %1, orders need %2.</source>
+        <translation>Diese Steuerung zählt keine Aufträge: Ihre Registerkarte ist %1, Aufträge brauchen %2.</translation>
+    </message>
+    <message>
+        <source>Lost</source>
+        <translation>Verloren</translation>
     </message>
 </context>
 <context>
@@ -7053,6 +7154,71 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
     </message>
 </context>
 <context>
+    <name>campanel::panel::OrderEntry</name>
+    <message>
+        <source>bags</source>
+        <translation>Beutel</translation>
+    </message>
+    <message>
+        <source>Quantity</source>
+        <translation>Menge</translation>
+    </message>
+    <message>
+        <source>Message before the end</source>
+        <translation>Meldung vor dem Ende</translation>
+    </message>
+    <message>
+        <source>Enter how many good bags to make.</source>
+        <translation>Eingeben, wie viele gute Beutel herzustellen sind.</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::Orders</name>
+    <message>
+        <source>orders</source>
+        <translation>Aufträge</translation>
+    </message>
+    <message>
+        <source>%1 is complete: %2 good bags, %3 rejected, %4 empty.</source>
+        <comment>%1: an order</comment>
+        <translation>%1 ist fertig: %2 gute Beutel, %3 ausgeworfen, %4 leer.</translation>
+    </message>
+    <message>
+        <source>%1: %2 bags left.</source>
+        <comment>%1: an order</comment>
+        <translation>%1: noch %2 Beutel.</translation>
+    </message>
+    <message>
+        <source>The queue is full: %1 orders wait. Start or remove one first.</source>
+        <translation>Die Warteschlange ist voll: %1 Aufträge warten. Zuerst einen beginnen oder entfernen.</translation>
+    </message>
+    <message>
+        <source>The panel&apos;s database is not open yet. Try again.</source>
+        <translation>Die Datenbank des Panels ist noch nicht offen. Erneut versuchen.</translation>
+    </message>
+    <message>
+        <source>There is no connection to the controller.</source>
+        <translation>Es besteht keine Verbindung zur Steuerung.</translation>
+    </message>
+    <message>
+        <source>The controller has no program for a packing machine. Download a recipe first.</source>
+        <translation>Die Steuerung hat kein Programm für eine Verpackungsmaschine. Zuerst ein Rezept laden.</translation>
+    </message>
+    <message>
+        <source>The controller&apos;s order is being read. Try again.</source>
+        <translation>Der Auftrag der Steuerung wird gelesen. Erneut versuchen.</translation>
+    </message>
+    <message>
+        <source>An order is under way. End it first.</source>
+        <translation>Ein Auftrag läuft. Beenden Sie ihn zuerst.</translation>
+    </message>
+    <message>
+        <source>This order is for %1, and the controller has %2. Download %1 first.</source>
+        <comment>recipes</comment>
+        <translation>Dieser Auftrag ist für %1, und die Steuerung hat %2. Zuerst %1 laden.</translation>
+    </message>
+</context>
+<context>
     <name>campanel::panel::OutputTry</name>
     <message>
         <source>A filled lamp means on. This controller cannot try outputs; update its firmware.</source>
@@ -8360,6 +8526,19 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
     <message>
         <source>nobody</source>
         <translation>niemand</translation>
+    </message>
+    <message>
+        <source>Orders</source>
+        <translation>Aufträge</translation>
+    </message>
+    <message>
+        <source>%1, %2; rejected %3, empty %4; %5</source>
+        <comment>bags, state, counts, further facts of an order</comment>
+        <translation>%1, %2; ausgeworfen %3, leer %4; %5</translation>
+    </message>
+    <message>
+        <source>No order in this shift.</source>
+        <translation>Kein Auftrag in dieser Schicht.</translation>
     </message>
 </context>
 <context>

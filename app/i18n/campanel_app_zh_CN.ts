@@ -1175,6 +1175,22 @@
         <source>Trimmed by hand</source>
         <translation>手动微调</translation>
     </message>
+    <message>
+        <source>Orders</source>
+        <translation>订单</translation>
+    </message>
+    <message>
+        <source>Order added</source>
+        <translation>订单已添加</translation>
+    </message>
+    <message>
+        <source>Order removed</source>
+        <translation>订单已删除</translation>
+    </message>
+    <message>
+        <source>First bag checked</source>
+        <translation>首袋已检查</translation>
+    </message>
 </context>
 <context>
     <name>Availability</name>
@@ -2376,6 +2392,91 @@ RMS %2</source>
     <message>
         <source>The gateway is not in the subnet. Enter a gateway from %1 to %2, or another mask.</source>
         <translation>网关不在子网内。请输入 %1 到 %2 的网关，或更改掩码。</translation>
+    </message>
+</context>
+<context>
+    <name>OrderWords</name>
+    <message>
+        <source>Queued</source>
+        <translation>排队中</translation>
+    </message>
+    <message>
+        <source>Under way</source>
+        <translation>进行中</translation>
+    </message>
+    <message>
+        <source>Complete</source>
+        <translation>已完成</translation>
+    </message>
+    <message>
+        <source>Ended early</source>
+        <translation>提前结束</translation>
+    </message>
+    <message>
+        <source>The run goes on</source>
+        <translation>继续运行</translation>
+    </message>
+    <message>
+        <source>Message %1 bags before the end</source>
+        <translation>结束前 %1 袋提示</translation>
+    </message>
+    <message>
+        <source>The run stops</source>
+        <translation>停止运行</translation>
+    </message>
+    <message>
+        <source>Order %1</source>
+        <translation>订单 %1</translation>
+    </message>
+    <message>
+        <source>Order</source>
+        <translation>订单</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <comment>good bags of an order</comment>
+        <translation>%1 / %2</translation>
+    </message>
+    <message>
+        <source>since %1</source>
+        <translation>自 %1</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <comment>times</comment>
+        <translation>%1 至 %2</translation>
+    </message>
+    <message>
+        <source>started by %1</source>
+        <translation>开始人 %1</translation>
+    </message>
+    <message>
+        <source>first bag checked by %1</source>
+        <translation>首袋检查人 %1</translation>
+    </message>
+    <message>
+        <source>The lot has a character that nobody sees. Enter one line of visible characters.</source>
+        <translation>批号含有不可见字符。请输入一行可见字符。</translation>
+    </message>
+    <message>
+        <source>The lot is too long: %1 bytes, at most %2 fit. A letter of another script has two or more.</source>
+        <translation>批号过长：%1 字节，最多 %2 字节。一个汉字占三个字节。</translation>
+    </message>
+    <message>
+        <source>The text has a character that nobody sees. Enter one line of visible characters.</source>
+        <translation>文本含有不可见字符。请输入一行可见字符。</translation>
+    </message>
+    <message>
+        <source>The text is too long: %1 characters, at most %2 fit.</source>
+        <translation>文本过长：%1 个字符，最多 %2 个。</translation>
+    </message>
+    <message>
+        <source>This controller counts no orders: its register map is %1, orders need %2.</source>
+        <translation>此控制器不统计订单：其寄存器表为 %1，订单需要 %2。</translation>
+    </message>
+    <message>
+        <source>Lost</source>
+        <translation>丢失</translation>
     </message>
 </context>
 <context>
@@ -7051,6 +7152,71 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
     </message>
 </context>
 <context>
+    <name>campanel::panel::OrderEntry</name>
+    <message>
+        <source>bags</source>
+        <translation>袋</translation>
+    </message>
+    <message>
+        <source>Quantity</source>
+        <translation>数量</translation>
+    </message>
+    <message>
+        <source>Message before the end</source>
+        <translation>结束前提示</translation>
+    </message>
+    <message>
+        <source>Enter how many good bags to make.</source>
+        <translation>请输入要生产的合格袋数。</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::Orders</name>
+    <message>
+        <source>orders</source>
+        <translation>订单</translation>
+    </message>
+    <message>
+        <source>%1 is complete: %2 good bags, %3 rejected, %4 empty.</source>
+        <comment>%1: an order</comment>
+        <translation>%1 已完成：合格 %2 袋，剔除 %3 袋，空袋 %4 个。</translation>
+    </message>
+    <message>
+        <source>%1: %2 bags left.</source>
+        <comment>%1: an order</comment>
+        <translation>%1：还剩 %2 袋。</translation>
+    </message>
+    <message>
+        <source>The queue is full: %1 orders wait. Start or remove one first.</source>
+        <translation>队列已满：%1 个订单在等待。请先开始或删除一个。</translation>
+    </message>
+    <message>
+        <source>The panel&apos;s database is not open yet. Try again.</source>
+        <translation>面板数据库尚未打开。请重试。</translation>
+    </message>
+    <message>
+        <source>There is no connection to the controller.</source>
+        <translation>未连接到控制器。</translation>
+    </message>
+    <message>
+        <source>The controller has no program for a packing machine. Download a recipe first.</source>
+        <translation>控制器没有包装机程序。请先下载配方。</translation>
+    </message>
+    <message>
+        <source>The controller&apos;s order is being read. Try again.</source>
+        <translation>正在读取控制器的订单。请重试。</translation>
+    </message>
+    <message>
+        <source>An order is under way. End it first.</source>
+        <translation>一个订单正在进行。请先结束它。</translation>
+    </message>
+    <message>
+        <source>This order is for %1, and the controller has %2. Download %1 first.</source>
+        <comment>recipes</comment>
+        <translation>此订单用于 %1，而控制器中是 %2。请先下载 %1。</translation>
+    </message>
+</context>
+<context>
     <name>campanel::panel::OutputTry</name>
     <message>
         <source>A filled lamp means on. This controller cannot try outputs; update its firmware.</source>
@@ -8356,6 +8522,19 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
     <message>
         <source>nobody</source>
         <translation>无</translation>
+    </message>
+    <message>
+        <source>Orders</source>
+        <translation>订单</translation>
+    </message>
+    <message>
+        <source>%1, %2; rejected %3, empty %4; %5</source>
+        <comment>bags, state, counts, further facts of an order</comment>
+        <translation>%1，%2；剔除 %3，空袋 %4；%5</translation>
+    </message>
+    <message>
+        <source>No order in this shift.</source>
+        <translation>本班次无订单。</translation>
     </message>
 </context>
 <context>

@@ -28,7 +28,7 @@ Item {
     readonly property string alarm: alarms.length > 0 ? alarms.join("\n") : linkTrouble
     // Every screen has space for one alarm at a time.
     readonly property string mostUrgent: alarms.length > 1 ? Theme.fill(qsTr("%1\nAnd %2 more."), [alarms[0], alarms.length - 1]) : alarm
-    readonly property string answer: Controller.commandMessage.length > 0 ? Controller.commandMessage : Stops.answerText.length > 0 ? Stops.answerText : Scan.notice.length > 0 ? Scan.notice
+    readonly property string answer: Controller.commandMessage.length > 0 ? Controller.commandMessage : Stops.answerText.length > 0 ? Stops.answerText : Scan.notice.length > 0 ? Scan.notice : Orders.notice.length > 0 ? Orders.notice
         : Settings.notice.length > 0 ? Settings.notice : Editor.notice.length > 0 ? Editor.notice
         : DatabaseService.notice.length > 0 ? DatabaseService.notice
         : SoftwareUpdate.notice.length > 0 ? SoftwareUpdate.notice
@@ -67,6 +67,7 @@ Item {
         Controller.dismissMessage()
         Stops.dismissAnswer()
         Scan.dismissNotice()
+        Orders.dismissNotice()
         Settings.dismissNotice()
         Editor.dismissNotice()
         DatabaseService.dismissNotice()

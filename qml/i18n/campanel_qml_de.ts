@@ -436,6 +436,13 @@ Und %2 weitere.</translation>
     </message>
 </context>
 <context>
+    <name>CheckedBySheet</name>
+    <message>
+        <source>First bag checked by</source>
+        <translation>Erster Beutel geprüft von</translation>
+    </message>
+</context>
+<context>
     <name>CleaningMode</name>
     <message>
         <source>%1 s</source>
@@ -633,6 +640,25 @@ Und %2 weitere.</translation>
     <message>
         <source>In use</source>
         <translation>In Gebrauch</translation>
+    </message>
+</context>
+<context>
+    <name>CurrentOrder</name>
+    <message>
+        <source>%1 · %2</source>
+        <translation>%1 · %2</translation>
+    </message>
+    <message>
+        <source>good %1 · rejected %2 · empty %3</source>
+        <translation>gut %1 · ausgeworfen %2 · leer %3</translation>
+    </message>
+    <message>
+        <source>First bag checked</source>
+        <translation>Erster Beutel geprüft</translation>
+    </message>
+    <message>
+        <source>End order</source>
+        <translation>Auftrag beenden</translation>
     </message>
 </context>
 <context>
@@ -872,6 +898,17 @@ Und %2 weitere.</translation>
     <message>
         <source>Back to the start</source>
         <translation>Zurück zum Anfang</translation>
+    </message>
+</context>
+<context>
+    <name>EndOrderSheet</name>
+    <message>
+        <source>End order</source>
+        <translation>Auftrag beenden</translation>
+    </message>
+    <message>
+        <source>End %1 at %2 good bags? An ended order cannot be continued. The run goes on.</source>
+        <translation>%1 bei %2 guten Beuteln beenden? Ein beendeter Auftrag kann nicht fortgesetzt werden. Der Lauf geht weiter.</translation>
     </message>
 </context>
 <context>
@@ -1987,6 +2024,73 @@ Und %2 weitere.</translation>
     </message>
 </context>
 <context>
+    <name>NewOrderSheet</name>
+    <message>
+        <source>New order</source>
+        <translation>Neuer Auftrag</translation>
+    </message>
+    <message>
+        <source>Good bags</source>
+        <translation>Gute Beutel</translation>
+    </message>
+    <message>
+        <source>Recipe</source>
+        <translation>Rezept</translation>
+    </message>
+    <message>
+        <source>Any recipe</source>
+        <translation>Beliebiges Rezept</translation>
+    </message>
+    <message>
+        <source>Order</source>
+        <translation>Auftrag</translation>
+    </message>
+    <message>
+        <source>Order: enter or scan it</source>
+        <translation>Auftrag: eingeben oder scannen</translation>
+    </message>
+    <message>
+        <source>Lot</source>
+        <translation>Charge</translation>
+    </message>
+    <message>
+        <source>Lot: enter or scan it</source>
+        <translation>Charge: eingeben oder scannen</translation>
+    </message>
+    <message>
+        <source>At the quantity</source>
+        <translation>Bei Erreichen der Menge</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Anhalten</translation>
+    </message>
+    <message>
+        <source>Message before</source>
+        <translation>Vorher melden</translation>
+    </message>
+    <message>
+        <source>Run on</source>
+        <translation>Weiterlaufen</translation>
+    </message>
+    <message>
+        <source>First bag checked by</source>
+        <translation>Erster Beutel geprüft von</translation>
+    </message>
+    <message>
+        <source>Bags before the end</source>
+        <translation>Beutel vor dem Ende</translation>
+    </message>
+    <message>
+        <source>Add to the queue</source>
+        <translation>In die Warteschlange</translation>
+    </message>
+    <message>
+        <source>Start order</source>
+        <translation>Auftrag beginnen</translation>
+    </message>
+</context>
+<context>
     <name>NewPinSheet</name>
     <message>
         <source>The two PINs differ. Enter the new PIN again.</source>
@@ -2144,6 +2248,102 @@ Und %2 weitere.</translation>
     <message>
         <source>Choose a file to view its content.</source>
         <translation>Eine Datei wählen, um ihren Inhalt zu sehen.</translation>
+    </message>
+</context>
+<context>
+    <name>OrderList</name>
+    <message>
+        <source>No order matches the filter.</source>
+        <translation>Kein Auftrag passt zum Filter.</translation>
+    </message>
+    <message>
+        <source>No order was started yet.</source>
+        <translation>Noch kein Auftrag wurde begonnen.</translation>
+    </message>
+    <message>
+        <source>rejected %1 · empty %2</source>
+        <translation>ausgeworfen %1 · leer %2</translation>
+    </message>
+</context>
+<context>
+    <name>OrderRecipePicker</name>
+    <message>
+        <source>Recipe of the order</source>
+        <translation>Rezept des Auftrags</translation>
+    </message>
+    <message>
+        <source>Any recipe</source>
+        <translation>Beliebiges Rezept</translation>
+    </message>
+</context>
+<context>
+    <name>OrderStrip</name>
+    <message>
+        <source>Order</source>
+        <translation>Auftrag</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>good</source>
+        <translation>gut</translation>
+    </message>
+    <message>
+        <source>rejected</source>
+        <translation>ausgeworfen</translation>
+    </message>
+    <message>
+        <source>empty</source>
+        <translation>leer</translation>
+    </message>
+    <message>
+        <source>Orders that wait: %1</source>
+        <translation>Wartende Aufträge: %1</translation>
+    </message>
+    <message>
+        <source>New order</source>
+        <translation>Neuer Auftrag</translation>
+    </message>
+</context>
+<context>
+    <name>OrdersSheet</name>
+    <message>
+        <source>Orders</source>
+        <translation>Aufträge</translation>
+    </message>
+    <message>
+        <source>Order, lot or number</source>
+        <translation>Auftrag, Charge oder Nummer</translation>
+    </message>
+    <message>
+        <source>No order waits.</source>
+        <translation>Kein Auftrag wartet.</translation>
+    </message>
+    <message>
+        <source>Filter</source>
+        <translation>Filter</translation>
+    </message>
+    <message>
+        <source>CSV</source>
+        <translation>CSV</translation>
+    </message>
+    <message>
+        <source>Orders as CSV</source>
+        <translation>Aufträge als CSV</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>History</source>
+        <translation>Verlauf</translation>
+    </message>
+    <message>
+        <source>New order</source>
+        <translation>Neuer Auftrag</translation>
     </message>
 </context>
 <context>
@@ -2369,6 +2569,21 @@ Und %2 weitere.</translation>
     <message>
         <source>%1, differences from the active program: %2</source>
         <translation>%1, Unterschiede zum aktiven Programm: %2</translation>
+    </message>
+</context>
+<context>
+    <name>QueueRow</name>
+    <message>
+        <source>One place up</source>
+        <translation>Einen Platz nach oben</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Start order</source>
+        <translation>Auftrag beginnen</translation>
     </message>
 </context>
 <context>

@@ -436,6 +436,13 @@ And %2 more.</source>
     </message>
 </context>
 <context>
+    <name>CheckedBySheet</name>
+    <message>
+        <source>First bag checked by</source>
+        <translation>首袋检查人</translation>
+    </message>
+</context>
+<context>
     <name>CleaningMode</name>
     <message>
         <source>%1 s</source>
@@ -633,6 +640,25 @@ And %2 more.</source>
     <message>
         <source>In use</source>
         <translation>使用中</translation>
+    </message>
+</context>
+<context>
+    <name>CurrentOrder</name>
+    <message>
+        <source>%1 · %2</source>
+        <translation>%1 · %2</translation>
+    </message>
+    <message>
+        <source>good %1 · rejected %2 · empty %3</source>
+        <translation>合格 %1 · 剔除 %2 · 空袋 %3</translation>
+    </message>
+    <message>
+        <source>First bag checked</source>
+        <translation>首袋已检查</translation>
+    </message>
+    <message>
+        <source>End order</source>
+        <translation>结束订单</translation>
     </message>
 </context>
 <context>
@@ -872,6 +898,17 @@ And %2 more.</source>
     <message>
         <source>Back to the start</source>
         <translation>回到起点</translation>
+    </message>
+</context>
+<context>
+    <name>EndOrderSheet</name>
+    <message>
+        <source>End order</source>
+        <translation>结束订单</translation>
+    </message>
+    <message>
+        <source>End %1 at %2 good bags? An ended order cannot be continued. The run goes on.</source>
+        <translation>在合格 %2 袋时结束 %1？已结束的订单无法继续。机器继续运行。</translation>
     </message>
 </context>
 <context>
@@ -1987,6 +2024,73 @@ And %2 more.</source>
     </message>
 </context>
 <context>
+    <name>NewOrderSheet</name>
+    <message>
+        <source>New order</source>
+        <translation>新订单</translation>
+    </message>
+    <message>
+        <source>Good bags</source>
+        <translation>合格袋数</translation>
+    </message>
+    <message>
+        <source>Recipe</source>
+        <translation>配方</translation>
+    </message>
+    <message>
+        <source>Any recipe</source>
+        <translation>任意配方</translation>
+    </message>
+    <message>
+        <source>Order</source>
+        <translation>订单</translation>
+    </message>
+    <message>
+        <source>Order: enter or scan it</source>
+        <translation>订单：输入或扫描</translation>
+    </message>
+    <message>
+        <source>Lot</source>
+        <translation>批号</translation>
+    </message>
+    <message>
+        <source>Lot: enter or scan it</source>
+        <translation>批号：输入或扫描</translation>
+    </message>
+    <message>
+        <source>At the quantity</source>
+        <translation>达到数量时</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>停止</translation>
+    </message>
+    <message>
+        <source>Message before</source>
+        <translation>提前提示</translation>
+    </message>
+    <message>
+        <source>Run on</source>
+        <translation>继续运行</translation>
+    </message>
+    <message>
+        <source>First bag checked by</source>
+        <translation>首袋检查人</translation>
+    </message>
+    <message>
+        <source>Bags before the end</source>
+        <translation>结束前袋数</translation>
+    </message>
+    <message>
+        <source>Add to the queue</source>
+        <translation>加入队列</translation>
+    </message>
+    <message>
+        <source>Start order</source>
+        <translation>开始订单</translation>
+    </message>
+</context>
+<context>
     <name>NewPinSheet</name>
     <message>
         <source>The two PINs differ. Enter the new PIN again.</source>
@@ -2144,6 +2248,102 @@ And %2 more.</source>
     <message>
         <source>Choose a file to view its content.</source>
         <translation>请选择文件以查看其内容。</translation>
+    </message>
+</context>
+<context>
+    <name>OrderList</name>
+    <message>
+        <source>No order matches the filter.</source>
+        <translation>没有符合筛选的订单。</translation>
+    </message>
+    <message>
+        <source>No order was started yet.</source>
+        <translation>尚未开始任何订单。</translation>
+    </message>
+    <message>
+        <source>rejected %1 · empty %2</source>
+        <translation>剔除 %1 · 空袋 %2</translation>
+    </message>
+</context>
+<context>
+    <name>OrderRecipePicker</name>
+    <message>
+        <source>Recipe of the order</source>
+        <translation>订单的配方</translation>
+    </message>
+    <message>
+        <source>Any recipe</source>
+        <translation>任意配方</translation>
+    </message>
+</context>
+<context>
+    <name>OrderStrip</name>
+    <message>
+        <source>Order</source>
+        <translation>订单</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1：%2</translation>
+    </message>
+    <message>
+        <source>good</source>
+        <translation>合格</translation>
+    </message>
+    <message>
+        <source>rejected</source>
+        <translation>剔除</translation>
+    </message>
+    <message>
+        <source>empty</source>
+        <translation>空袋</translation>
+    </message>
+    <message>
+        <source>Orders that wait: %1</source>
+        <translation>等待的订单：%1</translation>
+    </message>
+    <message>
+        <source>New order</source>
+        <translation>新订单</translation>
+    </message>
+</context>
+<context>
+    <name>OrdersSheet</name>
+    <message>
+        <source>Orders</source>
+        <translation>订单</translation>
+    </message>
+    <message>
+        <source>Order, lot or number</source>
+        <translation>订单、批号或编号</translation>
+    </message>
+    <message>
+        <source>No order waits.</source>
+        <translation>没有等待的订单。</translation>
+    </message>
+    <message>
+        <source>Filter</source>
+        <translation>筛选</translation>
+    </message>
+    <message>
+        <source>CSV</source>
+        <translation>CSV</translation>
+    </message>
+    <message>
+        <source>Orders as CSV</source>
+        <translation>订单导出为 CSV</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>返回</translation>
+    </message>
+    <message>
+        <source>History</source>
+        <translation>历史</translation>
+    </message>
+    <message>
+        <source>New order</source>
+        <translation>新订单</translation>
     </message>
 </context>
 <context>
@@ -2369,6 +2569,21 @@ And %2 more.</source>
     <message>
         <source>%1, differences from the active program: %2</source>
         <translation>%1，与运行中的程序有 %2 处不同</translation>
+    </message>
+</context>
+<context>
+    <name>QueueRow</name>
+    <message>
+        <source>One place up</source>
+        <translation>上移一位</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>删除</translation>
+    </message>
+    <message>
+        <source>Start order</source>
+        <translation>开始订单</translation>
     </message>
 </context>
 <context>

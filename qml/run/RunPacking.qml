@@ -13,14 +13,20 @@ Item {
 
     readonly property int gap: Theme.size.gap
     property real bottomInset
-    readonly property real room: height - 2 * gap
+    readonly property real room: height - 2 * gap - (order.visible ? order.height + gap : 0)
     readonly property real bannerRow: height - skippedCuts.y   // a banner covers the lowest cards: nothing else moves
 
+    OrderStrip {
+        id: order
+        anchors { left: parent.left; right: parent.right }
+        visible: Orders.offered
+    }
     NumberCard {
         id: rate
         objectName: "packingRate"
         readonly property bool led: Controller.masterSetting.leads
         field: led ? "" : "rate_bags_per_min"
+        y: order.visible ? order.height + view.gap : 0
         width: Math.round((view.width - view.gap) * 0.32)
         height: Math.round(view.room * 0.3)
         value: Controller.live.rateBagsPerMin
@@ -38,7 +44,7 @@ Item {
         onTapped: Controller.masterSetting.explainRate()
     }
     BagStrip {
-        anchors { left: rate.right; leftMargin: view.gap; right: parent.right }
+        anchors { left: rate.right; leftMargin: view.gap; right: parent.right; top: rate.top }
         height: rate.height
     }
     FilmCard {

@@ -19,20 +19,20 @@ class PanelWindow {
 public:
     enum class Library { OneRecipe, Empty }; // of a panel in use, and of a new one
 
-    // Loads the window and connects; without a port to a simulated machine of its own. Its folder is new: all
-    // machine data comes from the line.
+    // Loads the window and connects; without a port to a simulated machine of its own. Without a folder, that
+    // of an earlier panel, it has a new one: all machine data comes from the line.
     explicit PanelWindow(const QString& port, const QString& language = QStringLiteral("en"),
-                         Library library = Library::OneRecipe)
-        : m_panel(m_link,
-                  {m_folder.filePath(QStringLiteral("settings.ini")),
-                   library == Library::OneRecipe ? withStoredRecipe(m_folder.path()) : m_folder.path()})
+                         Library library = Library::OneRecipe, const QString& folder = {})
+        : m_path(folder.isEmpty() ? m_folder.path() : folder)
+        , m_panel(m_link, {m_path + QStringLiteral("/settings.ini"),
+                           library == Library::OneRecipe ? withStoredRecipe(m_path) : m_path})
     {
         m_panel.settings().overrideValue("display.language", language);
         panel::ConnectionChoice choice;
         choice.simulated = port.isEmpty();
         choice.portName = port;
         m_panel.settings().overrideSimulator(programPath("campanel-controller"),
-                                             m_folder.filePath(QStringLiteral("controller")));
+                                             m_path + QStringLiteral("/controller"));
         m_panel.settings().overrideConnection(choice);
         QObject::connect(&m_link, &link::Link::statusReceived, &m_panel,
                          [this](const link::StatusBatch& batch) {
@@ -52,7 +52,7 @@ public:
     [[nodiscard]] panel::Maintenance& maintenance() { return m_panel.maintenance(); }
     [[nodiscard]] panel::Settings& settings() { return m_panel.settings(); }
     [[nodiscard]] shell::Panel& panel() { return m_panel; }
-    [[nodiscard]] QString folder() const { return m_folder.path(); }
+    [[nodiscard]] QString folder() const { return m_path; }
     [[nodiscard]] looks::TouchDriver& touchDriver() { return m_touch; }
     [[nodiscard]] const std::vector<modbus::StatusBlock>& statuses() const { return m_statuses; }
 
@@ -116,6 +116,7 @@ private:
     }
 
     QTemporaryDir m_folder;
+    QString m_path;
     link::ThreadedLink m_link{nullptr};
     shell::Panel m_panel;
     looks::TouchDriver m_touch{m_panel};

@@ -5,6 +5,7 @@
 #include "modbus/map/mark_edges.h"
 #include "tests/looks/demo_line.h"
 #include "tests/looks/demo_packing.h"
+#include "tests/support/order_image.h"
 
 #include <algorithm>
 #include <chrono>
@@ -153,6 +154,11 @@ void DemoLink::sendRead(const link::ReadRequest& request)
         film.bagMm = m_program.cutter().cycle.bagLengthMm;
         film.bags = m_bags;
         emit registersRead({request, link::ReadEnd::Done, demoEdges(film), m_now, std::nullopt});
+        return;
+    }
+    if (request.address == modbus::orderStatusAddress) {
+        emit registersRead(
+            {request, link::ReadEnd::Done, test::orderRegisters(m_order), m_now, std::nullopt});
         return;
     }
     const auto registers =

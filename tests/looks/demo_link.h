@@ -50,6 +50,8 @@ public:
     // Sets the state of the monitoring of the knife's torque.
     void setParameter(const std::string& name, double value) { m_parameters[name] = value; }
     void setJamState(modbus::JamState state) { m_jamState = state; }
+    // Sets the order that the controller counts.
+    void setOrder(const modbus::OrderStatus& order) { m_order = order; }
     // Ends the search; it never ends without this call.
     void endScan(bool isFound);
     // Behaves like the line to the simulated controller.
@@ -102,6 +104,8 @@ private:
     bool m_isScanning = false;
     bool m_isOld = false;
     modbus::JamState m_jamState = modbus::JamState::Armed;
+    modbus::OrderStatus m_order{
+        .state = modbus::OrderState::None, .action = modbus::OrderAction::None, .lot = {}};
     std::optional<link::ReadRequest> m_filmRequest; // last request; answered again with every bag
     double m_cycleShare = 0;                        // share of the present bag
 };

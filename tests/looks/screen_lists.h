@@ -20,6 +20,9 @@ inline constexpr auto screenPin = "258036";
 [[nodiscard]] QList<Screen> cutterScreens();
 [[nodiscard]] QList<Screen> firstScreens();
 [[nodiscard]] QList<Screen> motorScreens();
+// Removes the orders of another screen.
+void forgetOrders(TestWindow& window);
+[[nodiscard]] QList<Screen> orderScreens();
 [[nodiscard]] QList<Screen> packingScreens();
 [[nodiscard]] QList<Screen> recipeScreens();
 [[nodiscard]] QList<Screen> scanScreens();

@@ -633,7 +633,7 @@ const QList<Screen>& allScreens()
     static const QList<Screen> open = screens + packingScreens() + recipeScreens() + trendScreens() +
                                       stopScreens() + alarmScreens() + accessScreens() + firstScreens() +
                                       backupScreens() + maintenanceScreens() + cutterScreens() +
-                                      motorScreens() + scanScreens() + updateScreens();
+                                      motorScreens() + orderScreens() + scanScreens() + updateScreens();
     static const QList<Screen> all = open + lockedScreens(open);
     return all;
 }
@@ -748,6 +748,7 @@ void enterScreen(TestWindow& window, const Screen& screen)
     if (window.link().setOld(false))
         window.link().show(Situation::Empty);
     window.link().show(Situation::Running);
+    forgetOrders(window);
     window.panel().controller().dismissMessage();
     window.panel().scan().dismissNotice();
     window.panel().settings().overrideValue("scanner.prefix", {});

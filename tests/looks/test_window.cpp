@@ -49,6 +49,7 @@ TestWindow::TestWindow(const Variant& variant)
     m_panel.recipes().setWallClock(wallClock);
     m_panel.trends().setWallClock(
         [] { return QDateTime(QDate(2026, 1, 15), QTime(14, 7)).toMSecsSinceEpoch(); });
+    m_panel.orders().setWallClock([wallClock] { return wallClock().toMSecsSinceEpoch(); });
     m_panel.stops().setWallClock(
         [] { return QDateTime(QDate(2026, 1, 15), QTime(14, 7)).toMSecsSinceEpoch(); });
     m_panel.backup().setWallClock(wallClock);

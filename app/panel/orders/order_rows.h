@@ -3,6 +3,7 @@
 #pragma once
 
 #include "app/panel/kit/row_model.h"
+#include "app/panel/words/alarm_words.h"
 #include "app/panel/words/order_words.h"
 
 #include <QDate>

@@ -66,6 +66,8 @@ public:
     [[nodiscard]] QString message() const { return m_message; }
     [[nodiscard]] QString notice() const { return m_notice; }
     [[nodiscard]] const OrderBook& book() const { return m_book; }
+    // Returns true while the controller has not answered a start or an end.
+    [[nodiscard]] bool busy() const { return m_isSending; }
 
     // All of these are for operators; what cannot be done says so in `message`.
     // Adds the order of the form to the queue. Returns false when it was not added.

@@ -11,6 +11,16 @@ namespace campanel::panel {
 
 using store::OrderRow;
 
+namespace {
+
+QString minuteOf(qint64 utcMs, const QDate& today)
+{
+    const QDateTime local = QDateTime::fromMSecsSinceEpoch(utcMs);
+    return local.date() == today ? Format::local(local, u"HH:mm"_s) : Format::minute(local);
+}
+
+} // namespace
+
 QString OrderWords::state(OrderRow::State state)
 {
     switch (state) {
@@ -25,12 +35,14 @@ QString OrderWords::state(OrderRow::State state)
     case OrderRow::State::Lost:
         break;
     }
-    return tr("Lost by the controller");
+    return tr("Lost");
 }
 
 QString OrderWords::count(qint64 bags)
 {
-    return Format().locale().toString(bags);
+    QLocale locale = Format().locale();
+    locale.setNumberOptions(QLocale::DefaultNumberOptions);
+    return locale.toString(bags);
 }
 
 QString OrderWords::action(OrderRow::Action action, qint64 messageBefore)
@@ -70,10 +82,10 @@ QString OrderWords::recipe(const OrderRow& order)
 
 QString OrderWords::facts(const OrderRow& order, const QDate& today)
 {
-    const QString end = order.endedMs > 0 ? AlarmWords::time(order.endedMs, today) : QString();
+    const QString end = order.endedMs > 0 ? minuteOf(order.endedMs, today) : QString();
     QStringList parts;
     if (order.startedMs > 0) {
-        const QString begin = AlarmWords::time(order.startedMs, today);
+        const QString begin = minuteOf(order.startedMs, today);
         parts << (end.isEmpty() ? tr("since %1").arg(begin) : tr("%1 to %2", "times").arg(begin, end));
     }
     if (!order.recipe.isEmpty())

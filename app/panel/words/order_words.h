@@ -2,10 +2,10 @@
 // Orders as translated text: states, actions, and why an entry is refused.
 #pragma once
 
-#include "app/panel/words/alarm_words.h"
 #include "app/store/logs/order_log.h"
 
 #include <QCoreApplication>
+#include <QDateTime>
 
 namespace campanel::panel {
 

@@ -1,15 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 // campanelctl order, as a person calls it: an order from its start to its quantity, with a power cut of the
 // controller in between.
+#include "app/store/logs/order_log.h"
 #include "campanelctl_call.h"
 #include "tests/support/controller_process.h"
 #include "tests/support/test_program.h"
 
+#include <QJsonArray>
+#include <QTemporaryDir>
 #include <QtTest>
 
 namespace test_order_command {
 
 using namespace Qt::StringLiterals;
+using namespace campanel;
 using namespace campanel::test;
 
 class OrderCommandTest : public QObject {
@@ -23,8 +27,8 @@ private slots:
         const auto start = [](const QString& quantity, const QString& lot, const QStringList& more = {}) {
             return QStringList{u"start"_s, u"--quantity"_s, quantity, u"--lot"_s, lot} + more;
         };
-        QTest::newRow("nothing to do") << QStringList() << QByteArray("start, status or end");
-        QTest::newRow("no such thing") << QStringList{u"pause"_s} << QByteArray("start, status or end");
+        QTest::newRow("nothing to do") << QStringList() << QByteArray("start, status, end or list");
+        QTest::newRow("no such thing") << QStringList{u"pause"_s} << QByteArray("start, status, end or list");
         QTest::newRow("no quantity") << QStringList{u"start"_s, u"--lot"_s, u"L"_s}
                                      << QByteArray("--quantity");
         for (const char* quantity : {"0", "-5", "1000001", "1000000000", "4294967301", "2.5", "ten", ""})
@@ -48,6 +52,38 @@ private slots:
         QVERIFY2(result.complaint.contains(complaint), result.complaint.constData());
         QCOMPARE(result.complaint.count('\n'), 1);
         QVERIFY(result.out.isEmpty());
+    }
+
+    void theOrdersOfAPanelAreListed()
+    {
+        const QTemporaryDir folder;
+        const QString path = folder.filePath(u"campanel.sqlite"_s);
+        const auto list = [&path](const QString& format) {
+            return call({u"order"_s, u"list"_s, path, u"--format"_s, format});
+        };
+        {
+            const auto database = *store::Database::open(folder.path());
+            store::OrderRow done{.id = 1, .number = 7, .text = u"=1+1"_s, .lot = u"L1,7"_s, .quantity = 12};
+            done.state = store::OrderRow::State::Complete;
+            done.good = 12;
+            done.cut = 12;
+            done.startedMs = 1'795'000'000'000;
+            const store::OrderRow waiting{.text = u"4712"_s, .quantity = 30};
+            QVERIFY(store::OrderLog::write(*database, {{done}, QList{waiting}}));
+        }
+        const QJsonArray orders = list(u"json"_s).json()[u"orders"_s].toArray();
+        QCOMPARE(orders.size(), 2);
+        QCOMPARE(orders[0][u"state"_s], u"queued"_s);
+        QVERIFY(orders[0][u"started_utc"_s].isNull());
+        QCOMPARE(orders[1][u"lot"_s], u"L1,7"_s);
+        QCOMPARE(orders[1][u"good"_s], 12);
+        const Result text = list(u"text"_s);
+        QCOMPARE(text.lines().size(), 3);
+        QVERIFY2(text.lines()[2].startsWith("complete  =1+1"), text.out);
+        QVERIFY2(list(u"csv"_s).out.contains(",'=1+1,\"L1,7\","), list(u"csv"_s).out);
+        const Result missing = call({u"order"_s, u"list"_s, folder.filePath(u"none"_s)});
+        QCOMPARE(missing.code, int{File});
+        QVERIFY2(missing.complaint.contains("is not a file"), missing.complaint);
     }
 
     void anOrderEndsTheRun()

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: Apache-2.0
+// The order that the controller counts, those that wait, and those that were started.
+pragma ComponentBehavior: Bound
+import QtQuick
+import CamPanel.Theme
+import CamPanel.Controls
+import CamPanel.Parts
+import CamPanel.Panel
+
+Sheet {
+    id: sheet
+
+    property bool showsHistory
+
+    objectName: "ordersSheet"
+    title: qsTr("Orders")
+    note: Orders.message
+    Component.onCompleted: {
+        Orders.setWatchedBy(sheet, true)
+        Orders.history.watched = true
+    }
+    Component.onDestruction: {
+        Orders.setWatchedBy(sheet, false)
+        Orders.history.watched = false
+    }
+
+    LogFilterDialogs {
+        id: dialogs
+        filter: Orders.history.filter
+        idLabel: qsTr("Order, lot or number")
+        onClosed: Frame.open("Orders/OrdersSheet", { showsHistory: true })
+    }
+    CurrentOrder {
+        id: current
+        anchors { left: parent.left; right: parent.right; top: parent.top }
+        visible: Orders.current.present && !sheet.showsHistory
+    }
+    Item {
+        anchors { left: parent.left; right: parent.right; top: current.visible ? current.bottom : parent.top; bottom: parent.bottom; topMargin: current.visible ? Theme.size.spacing : 0 }
+        visible: !sheet.showsHistory
+        Label {
+            objectName: "queueEmpty"
+            anchors.centerIn: parent
+            visible: Orders.queue.count === 0
+            text: qsTr("No order waits.")
+            color: Theme.color.secondaryInk
+        }
+        ListView {
+            id: list
+            objectName: "queueList"
+            anchors.fill: parent
+            clip: true
+            spacing: Theme.size.outline
+            boundsBehavior: Flickable.StopAtBounds
+            model: Orders.queue
+            delegate: QueueRow {
+                objectName: "queue" + index
+                onRemoveRequested: Orders.remove(index)
+            }
+        }
+        ScrollMark { view: list }
+    }
+    OrderList {
+        anchors.fill: parent
+        visible: sheet.showsHistory
+    }
+    footer: [
+        Button {
+            objectName: "ordersFilter"
+            visible: sheet.showsHistory
+            glyph: Theme.icon.filter
+            text: qsTr("Filter")
+            onClicked: dialogs.open()
+        },
+        Button {
+            objectName: "ordersCsv"
+            visible: sheet.showsHistory
+            level: Access.Operator
+            glyph: Theme.icon.save
+            text: qsTr("CSV")
+            enabled: Orders.history.rows.count > 0 && !Orders.history.csv.busy
+            onClicked: {
+                if (!Access.ask(Access.Operator))
+                    return
+                Orders.history.csv.make(Maintenance.files)
+                Frame.open("Parts/ReportFilesSheet", { title: qsTr("Orders as CSV"), note: Orders.history.filter.summary })
+            }
+        },
+        Button {
+            objectName: "ordersHistory"
+            text: sheet.showsHistory ? qsTr("Back") : qsTr("History")
+            onClicked: sheet.showsHistory = !sheet.showsHistory
+        },
+        Button {
+            objectName: "ordersNew"
+            visible: !sheet.showsHistory
+            level: Access.Operator
+            kind: Button.Primary
+            text: qsTr("New order")
+            onClicked: if (Access.ask(Access.Operator)) Frame.open("Orders/NewOrderSheet", { fresh: true })
+        }
+    ]
+}
