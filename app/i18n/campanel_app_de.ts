@@ -660,6 +660,42 @@
         <source>The master runs backward by more than a cycle.</source>
         <translation>Die Leitachse läuft um mehr als einen Zyklus rückwärts.</translation>
     </message>
+    <message>
+        <source>Door open</source>
+        <translation>Tür offen</translation>
+    </message>
+    <message>
+        <source>Close the door, then start again.</source>
+        <translation>Tür schließen, dann neu starten.</translation>
+    </message>
+    <message>
+        <source>Next machine not ready</source>
+        <translation>Folgemaschine nicht bereit</translation>
+    </message>
+    <message>
+        <source>Clear the next machine, then start again.</source>
+        <translation>Ursache an der Folgemaschine beheben, dann neu starten.</translation>
+    </message>
+    <message>
+        <source>Date coder not ready</source>
+        <translation>Datumscodierer nicht bereit</translation>
+    </message>
+    <message>
+        <source>Clear the fault of the date coder or switch it on, then start again.</source>
+        <translation>Störung des Datumscodierers beheben oder ihn einschalten, dann neu starten.</translation>
+    </message>
+    <message>
+        <source>A door of the machine is open.</source>
+        <translation>Eine Tür der Maschine ist offen.</translation>
+    </message>
+    <message>
+        <source>The machine behind this one is not ready.</source>
+        <translation>Die Maschine hinter dieser ist nicht bereit.</translation>
+    </message>
+    <message>
+        <source>The date coder is not ready.</source>
+        <translation>Der Datumscodierer ist nicht bereit.</translation>
+    </message>
 </context>
 <context>
     <name>AlarmWords</name>
@@ -3213,6 +3249,114 @@ eff. %2</translation>
     <message>
         <source>Message</source>
         <translation>Meldung</translation>
+    </message>
+    <message>
+        <source>Start button</source>
+        <translation>Starttaste</translation>
+    </message>
+    <message>
+        <source>Starts a run when it is pressed, as Start on the panel does.</source>
+        <translation>Startet beim Drücken einen Lauf, wie Start am Bedienpanel.</translation>
+    </message>
+    <message>
+        <source>Stop button</source>
+        <translation>Stopptaste</translation>
+    </message>
+    <message>
+        <source>Ends a run at the end of its cycle and refuses a start.</source>
+        <translation>Beendet einen Lauf am Zyklusende und verhindert einen Start.</translation>
+    </message>
+    <message>
+        <source>Door open</source>
+        <translation>Tür offen</translation>
+    </message>
+    <message>
+        <source>Ends a run at once and refuses a start. No safety depends on this.</source>
+        <translation>Beendet einen Lauf sofort und verhindert einen Start. Keine Sicherheitsfunktion.</translation>
+    </message>
+    <message>
+        <source>Next machine not ready</source>
+        <translation>Folgemaschine nicht bereit</translation>
+    </message>
+    <message>
+        <source>Date coder not ready</source>
+        <translation>Datumscodierer nicht bereit</translation>
+    </message>
+    <message>
+        <source>On or blinking by the table of the light tower.</source>
+        <translation>Nach der Tabelle der Signalsäule ein oder blinkend.</translation>
+    </message>
+    <message>
+        <source>Light tower, red</source>
+        <translation>Signalsäule, rot</translation>
+    </message>
+    <message>
+        <source>Light tower, yellow</source>
+        <translation>Signalsäule, gelb</translation>
+    </message>
+    <message>
+        <source>Light tower, green</source>
+        <translation>Signalsäule, grün</translation>
+    </message>
+    <message>
+        <source>Horn</source>
+        <translation>Hupe</translation>
+    </message>
+    <message>
+        <source>Machine runs</source>
+        <translation>Maschine läuft</translation>
+    </message>
+    <message>
+        <source>On from the start of a run to its standstill.</source>
+        <translation>Vom Start eines Laufs bis zum Stillstand eingeschaltet.</translation>
+    </message>
+    <message>
+        <source>Acknowledgement</source>
+        <translation>Quittierung</translation>
+    </message>
+    <message>
+        <source>The Stop button of the machine is pressed. Release it.</source>
+        <translation>Die Stopptaste der Maschine ist gedrückt. Taste lösen.</translation>
+    </message>
+    <message>
+        <source>The door is open. Close it.</source>
+        <translation>Die Tür ist offen. Tür schließen.</translation>
+    </message>
+    <message>
+        <source>The next machine is not ready. Clear it first.</source>
+        <translation>Die Folgemaschine ist nicht bereit. Zuerst dort die Ursache beheben.</translation>
+    </message>
+    <message>
+        <source>The date coder is not ready. Clear its fault first.</source>
+        <translation>Der Datumscodierer ist nicht bereit. Zuerst seine Störung beheben.</translation>
+    </message>
+    <message>
+        <source>On</source>
+        <translation>Ein</translation>
+    </message>
+    <message>
+        <source>Blinks</source>
+        <translation>Blinkt</translation>
+    </message>
+    <message>
+        <source>Blinks, then on</source>
+        <translation>Blinkt, dann ein</translation>
+    </message>
+    <message>
+        <source>On, then off</source>
+        <translation>Ein, dann aus</translation>
+    </message>
+    <message>
+        <source>Warning</source>
+        <translation>Warnung</translation>
+    </message>
+    <message>
+        <source>Waiting</source>
+        <translation>Wartet</translation>
+    </message>
+    <message>
+        <source>Order complete</source>
+        <translation>Auftrag fertig</translation>
     </message>
 </context>
 <context>
@@ -9025,6 +9169,21 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
     <message>
         <source>The earlier calibration of the touchscreen did not return. %1</source>
         <translation>Die frühere Kalibrierung des Touchscreens kam nicht zurück. %1</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::TowerFields</name>
+    <message>
+        <source>No data of the light tower. Connect the controller.</source>
+        <translation>Keine Daten der Signalsäule. Steuerung verbinden.</translation>
+    </message>
+    <message>
+        <source>This controller has no light tower. Update the controller: its register map must be 1.6 or newer.</source>
+        <translation>Diese Steuerung hat keine Signalsäule. Steuerung aktualisieren: Die Registertabelle muss 1.6 oder neuer sein.</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
     </message>
 </context>
 <context>

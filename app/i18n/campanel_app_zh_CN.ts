@@ -660,6 +660,42 @@
         <source>The master runs backward by more than a cycle.</source>
         <translation>主轴反转超过一个周期。</translation>
     </message>
+    <message>
+        <source>Door open</source>
+        <translation>门已打开</translation>
+    </message>
+    <message>
+        <source>Close the door, then start again.</source>
+        <translation>请关门，然后重新启动。</translation>
+    </message>
+    <message>
+        <source>Next machine not ready</source>
+        <translation>下游设备未就绪</translation>
+    </message>
+    <message>
+        <source>Clear the next machine, then start again.</source>
+        <translation>请排除下游设备的原因，然后重新启动。</translation>
+    </message>
+    <message>
+        <source>Date coder not ready</source>
+        <translation>打码机未就绪</translation>
+    </message>
+    <message>
+        <source>Clear the fault of the date coder or switch it on, then start again.</source>
+        <translation>请排除打码机故障或将其接通，然后重新启动。</translation>
+    </message>
+    <message>
+        <source>A door of the machine is open.</source>
+        <translation>设备的门已打开。</translation>
+    </message>
+    <message>
+        <source>The machine behind this one is not ready.</source>
+        <translation>下游设备未就绪。</translation>
+    </message>
+    <message>
+        <source>The date coder is not ready.</source>
+        <translation>打码机未就绪。</translation>
+    </message>
 </context>
 <context>
     <name>AlarmWords</name>
@@ -3211,6 +3247,114 @@ RMS %2</source>
     <message>
         <source>Message</source>
         <translation>提示</translation>
+    </message>
+    <message>
+        <source>Start button</source>
+        <translation>启动按钮</translation>
+    </message>
+    <message>
+        <source>Starts a run when it is pressed, as Start on the panel does.</source>
+        <translation>按下时启动运行，与面板上的“启动”相同。</translation>
+    </message>
+    <message>
+        <source>Stop button</source>
+        <translation>停止按钮</translation>
+    </message>
+    <message>
+        <source>Ends a run at the end of its cycle and refuses a start.</source>
+        <translation>在周期结束时结束运行，并禁止启动。</translation>
+    </message>
+    <message>
+        <source>Door open</source>
+        <translation>门已打开</translation>
+    </message>
+    <message>
+        <source>Ends a run at once and refuses a start. No safety depends on this.</source>
+        <translation>立即结束运行并禁止启动。不承担安全功能。</translation>
+    </message>
+    <message>
+        <source>Next machine not ready</source>
+        <translation>下游设备未就绪</translation>
+    </message>
+    <message>
+        <source>Date coder not ready</source>
+        <translation>打码机未就绪</translation>
+    </message>
+    <message>
+        <source>On or blinking by the table of the light tower.</source>
+        <translation>按信号灯表接通或闪烁。</translation>
+    </message>
+    <message>
+        <source>Light tower, red</source>
+        <translation>信号灯，红</translation>
+    </message>
+    <message>
+        <source>Light tower, yellow</source>
+        <translation>信号灯，黄</translation>
+    </message>
+    <message>
+        <source>Light tower, green</source>
+        <translation>信号灯，绿</translation>
+    </message>
+    <message>
+        <source>Horn</source>
+        <translation>蜂鸣器</translation>
+    </message>
+    <message>
+        <source>Machine runs</source>
+        <translation>设备运行</translation>
+    </message>
+    <message>
+        <source>On from the start of a run to its standstill.</source>
+        <translation>从运行启动到停止期间接通。</translation>
+    </message>
+    <message>
+        <source>Acknowledgement</source>
+        <translation>确认</translation>
+    </message>
+    <message>
+        <source>The Stop button of the machine is pressed. Release it.</source>
+        <translation>设备的停止按钮已按下。请松开。</translation>
+    </message>
+    <message>
+        <source>The door is open. Close it.</source>
+        <translation>门已打开。请关门。</translation>
+    </message>
+    <message>
+        <source>The next machine is not ready. Clear it first.</source>
+        <translation>下游设备未就绪。请先排除原因。</translation>
+    </message>
+    <message>
+        <source>The date coder is not ready. Clear its fault first.</source>
+        <translation>打码机未就绪。请先排除其故障。</translation>
+    </message>
+    <message>
+        <source>On</source>
+        <translation>开</translation>
+    </message>
+    <message>
+        <source>Blinks</source>
+        <translation>闪烁</translation>
+    </message>
+    <message>
+        <source>Blinks, then on</source>
+        <translation>闪烁后常亮</translation>
+    </message>
+    <message>
+        <source>On, then off</source>
+        <translation>接通后关闭</translation>
+    </message>
+    <message>
+        <source>Warning</source>
+        <translation>警告</translation>
+    </message>
+    <message>
+        <source>Waiting</source>
+        <translation>等待</translation>
+    </message>
+    <message>
+        <source>Order complete</source>
+        <translation>订单完成</translation>
     </message>
 </context>
 <context>
@@ -9021,6 +9165,21 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
     <message>
         <source>The earlier calibration of the touchscreen did not return. %1</source>
         <translation>未能恢复触摸屏的原校准。%1</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::TowerFields</name>
+    <message>
+        <source>No data of the light tower. Connect the controller.</source>
+        <translation>没有信号灯的数据。请连接控制器。</translation>
+    </message>
+    <message>
+        <source>This controller has no light tower. Update the controller: its register map must be 1.6 or newer.</source>
+        <translation>此控制器没有信号灯。请升级控制器：寄存器表须为 1.6 或更新版本。</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1，%2</translation>
     </message>
 </context>
 <context>

@@ -1665,6 +1665,14 @@ Und %2 weitere.</translation>
         <source>Master</source>
         <translation>Leitachse</translation>
     </message>
+    <message>
+        <source>Light tower and horn</source>
+        <translation>Signalsäule und Hupe</translation>
+    </message>
+    <message>
+        <source>What each state shows</source>
+        <translation>Anzeige je Zustand</translation>
+    </message>
 </context>
 <context>
     <name>Main</name>
@@ -2447,7 +2455,7 @@ Und %2 weitere.</translation>
     </message>
 </context>
 <context>
-    <name>ParameterList</name>
+    <name>ParameterFoot</name>
     <message>
         <source>Changes take effect at once. Press Save to keep the values after power-off.</source>
         <translation>Änderungen wirken sofort. Speichern drücken, damit die Werte beim Ausschalten bleiben.</translation>
@@ -3144,6 +3152,10 @@ Und %2 weitere.</translation>
     <message>
         <source>Cut, product and length</source>
         <translation>Schnitt, Produkt und Länge</translation>
+    </message>
+    <message>
+        <source>Rate, slowed to %1</source>
+        <translation>Taktzahl, verlangsamt auf %1</translation>
     </message>
 </context>
 <context>
@@ -3846,6 +3858,17 @@ Und %2 weitere.</translation>
     <message>
         <source>Try again</source>
         <translation>Erneut versuchen</translation>
+    </message>
+</context>
+<context>
+    <name>TowerSection</name>
+    <message>
+        <source>Light tower and horn</source>
+        <translation>Signalsäule und Hupe</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
     </message>
 </context>
 <context>

@@ -1665,6 +1665,14 @@ And %2 more.</source>
         <source>Master</source>
         <translation>主轴</translation>
     </message>
+    <message>
+        <source>Light tower and horn</source>
+        <translation>信号灯和蜂鸣器</translation>
+    </message>
+    <message>
+        <source>What each state shows</source>
+        <translation>各状态的显示</translation>
+    </message>
 </context>
 <context>
     <name>Main</name>
@@ -2447,7 +2455,7 @@ And %2 more.</source>
     </message>
 </context>
 <context>
-    <name>ParameterList</name>
+    <name>ParameterFoot</name>
     <message>
         <source>Changes take effect at once. Press Save to keep the values after power-off.</source>
         <translation>更改立即生效。按“保存”后断电不丢失。</translation>
@@ -3144,6 +3152,10 @@ And %2 more.</source>
     <message>
         <source>Cut, product and length</source>
         <translation>切断、产品和长度</translation>
+    </message>
+    <message>
+        <source>Rate, slowed to %1</source>
+        <translation>速率，已减至 %1</translation>
     </message>
 </context>
 <context>
@@ -3846,6 +3858,17 @@ And %2 more.</source>
     <message>
         <source>Try again</source>
         <translation>重试</translation>
+    </message>
+</context>
+<context>
+    <name>TowerSection</name>
+    <message>
+        <source>Light tower and horn</source>
+        <translation>信号灯和蜂鸣器</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1：%2</translation>
     </message>
 </context>
 <context>
