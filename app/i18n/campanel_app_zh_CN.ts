@@ -9181,6 +9181,22 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
         <source>%1, %2</source>
         <translation>%1，%2</translation>
     </message>
+    <message>
+        <source>Red</source>
+        <translation>红</translation>
+    </message>
+    <message>
+        <source>Yellow</source>
+        <translation>黄</translation>
+    </message>
+    <message>
+        <source>Green</source>
+        <translation>绿</translation>
+    </message>
+    <message>
+        <source>Horn</source>
+        <translation>蜂鸣器</translation>
+    </message>
 </context>
 <context>
     <name>campanel::panel::Trends</name>

@@ -20,12 +20,12 @@ SettingsSection {
 
     onVisibleChanged: {
         if (section.visible)
-            section.tower.read()
+            section.tower.readIfUncertain()
     }
-    Component.onCompleted: section.tower.read()
+    Component.onCompleted: section.tower.readIfUncertain()
     Connections {
         target: Controller
-        function onConnectionChanged(): void { section.tower.read() }
+        function onConnectionChanged(): void { section.tower.readIfUncertain() }
     }
 
     Label {

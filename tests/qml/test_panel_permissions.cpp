@@ -113,7 +113,7 @@ const QList<Harmless>& harmless()
           u"ScreenRotation::screen="_s,
           u"TouchCalibration::cross="_s,
           u"Settings::refreshPorts"_s,
-          u"StartPermit::readIfUncertain"_s,
+          u"ParameterFields::readIfUncertain"_s,
           u"MasterSetting::explainRate"_s,
           u"ShiftView::showPrevious"_s,
           u"ShiftView::showNext"_s,

@@ -50,6 +50,12 @@ void ParameterFields::read()
         field.parameter->read();
 }
 
+void ParameterFields::readIfUncertain()
+{
+    for (const Field& field : m_fields)
+        field.parameter->readIfUncertain();
+}
+
 double ParameterFields::value(const char* name) const
 {
     const auto found =

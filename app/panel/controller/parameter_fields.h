@@ -43,6 +43,8 @@ public:
 
     // Reads every value from the controller.
     void read();
+    // The same for those that may have changed since they were read.
+    Q_INVOKABLE void readIfUncertain();
     // Returns NaN while the value is unknown. `name` as in the register table.
     [[nodiscard]] double value(const char* name) const;
     // Writes a value; for technicians. Ends in one written().

@@ -17,11 +17,6 @@ StartPermit::StartPermit(Controller& controller, QObject* parent)
     setFields({{&controller.parameter(permitNeeded), nullptr, true}});
 }
 
-void StartPermit::readIfUncertain()
-{
-    find(permitNeeded).parameter->readIfUncertain();
-}
-
 void StartPermit::turnOn()
 {
     const auto& identity = controller().identity();

@@ -15,8 +15,6 @@ public:
     // The controller must outlive the object.
     StartPermit(Controller& controller, QObject* parent);
 
-    // Reads the value unless it is known.
-    Q_INVOKABLE void readIfUncertain();
     // Turns the setting on, as the first start does, in a controller that has it.
     Q_INVOKABLE void turnOn();
 

@@ -14,8 +14,6 @@ namespace {
 
 constexpr std::string_view tableMode = "SignalMode";
 constexpr std::string_view tableCondition = "SignalBit";
-constexpr auto lightBits = {modbus::OutputBit::TowerRed, modbus::OutputBit::TowerYellow,
-                            modbus::OutputBit::TowerGreen, modbus::OutputBit::Horn};
 
 } // namespace
 
@@ -39,10 +37,7 @@ QStringList TowerFields::conditions()
 
 QStringList TowerFields::lights()
 {
-    QStringList names;
-    for (const modbus::OutputBit bit : lightBits)
-        names << ControllerSentences::text(bit);
-    return names;
+    return {tr("Red"), tr("Yellow"), tr("Green"), tr("Horn")};
 }
 
 QStringList TowerFields::modes()
