@@ -187,16 +187,16 @@ Outcome list(const Invocation& call, const QString& path)
     const auto version = (*database)->version();
     if (version && *version < store::OrderLog::since)
         return fail(ExitCode::File, u"%1 is of a version of CamPanel that kept no orders."_s.arg(path));
-    if (call.format() == u"csv") {
-        const auto csv = store::orderTable().csv(**database, {});
-        return csv ? call.deliver(csv->bytes)
-                   : fail(ExitCode::File,
-                          u"The orders of %1 cannot be read: %2."_s.arg(path, csv.error().detail));
-    }
     const auto orders = store::orderTable().read(**database, u"ORDER BY id < 0 DESC, id DESC"_s);
     if (!orders)
         return fail(ExitCode::File,
                     u"The orders of %1 cannot be read: %2."_s.arg(path, orders.error().detail));
+    if (call.format() == u"csv") {
+        store::CsvTable<store::OrderRow> csv(store::orderTable().csvColumns());
+        for (const store::OrderRow& order : *orders)
+            csv.add(order);
+        return call.deliver(csv.bytes());
+    }
     QJsonArray rows;
     for (const store::OrderRow& order : *orders)
         rows << objectOf(order);

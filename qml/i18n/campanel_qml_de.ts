@@ -2259,6 +2259,17 @@ Und %2 weitere.</translation>
     </message>
 </context>
 <context>
+    <name>OrderFilterSheet</name>
+    <message>
+        <source>Order, lot or number</source>
+        <translation>Auftrag, Charge oder Nummer</translation>
+    </message>
+    <message>
+        <source>Word</source>
+        <translation>Wort</translation>
+    </message>
+</context>
+<context>
     <name>OrderList</name>
     <message>
         <source>No order matches the filter.</source>
@@ -2320,10 +2331,6 @@ Und %2 weitere.</translation>
     <message>
         <source>Orders</source>
         <translation>Aufträge</translation>
-    </message>
-    <message>
-        <source>Order, lot or number</source>
-        <translation>Auftrag, Charge oder Nummer</translation>
     </message>
     <message>
         <source>No order waits.</source>

@@ -2259,6 +2259,17 @@ And %2 more.</source>
     </message>
 </context>
 <context>
+    <name>OrderFilterSheet</name>
+    <message>
+        <source>Order, lot or number</source>
+        <translation>订单、批号或编号</translation>
+    </message>
+    <message>
+        <source>Word</source>
+        <translation>文字</translation>
+    </message>
+</context>
+<context>
     <name>OrderList</name>
     <message>
         <source>No order matches the filter.</source>
@@ -2320,10 +2331,6 @@ And %2 more.</source>
     <message>
         <source>Orders</source>
         <translation>订单</translation>
-    </message>
-    <message>
-        <source>Order, lot or number</source>
-        <translation>订单、批号或编号</translation>
     </message>
     <message>
         <source>No order waits.</source>

@@ -24,12 +24,6 @@ Sheet {
         Orders.history.watched = false
     }
 
-    LogFilterDialogs {
-        id: dialogs
-        filter: Orders.history.filter
-        idLabel: qsTr("Order, lot or number")
-        onClosed: Frame.open("Orders/OrdersSheet", { showsHistory: true })
-    }
     CurrentOrder {
         id: current
         anchors { left: parent.left; right: parent.right; top: parent.top }
@@ -70,7 +64,7 @@ Sheet {
             visible: sheet.showsHistory
             glyph: Theme.icon.filter
             text: qsTr("Filter")
-            onClicked: dialogs.open()
+            onClicked: Frame.open("Orders/OrderFilterSheet", {})
         },
         Button {
             objectName: "ordersCsv"

@@ -15,7 +15,8 @@ Item {
     readonly property color figureInk: Orders.fresh || Orders.current.complete ? Theme.color.ink : Theme.color.disabledInk
     readonly property color noteInk: Orders.fresh || Orders.current.complete ? Theme.color.secondaryInk : Theme.color.disabledInk
 
-    implicitHeight: Theme.size.touch
+    // Two lines of text, also Chinese ones, on screens that are read from a distance.
+    implicitHeight: Math.max(Theme.size.touch, Math.round(1.7 * (Theme.size.caption + Theme.size.value)))
 
     component Count: Column {
         id: count

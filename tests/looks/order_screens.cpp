@@ -97,6 +97,8 @@ QList<Screen> orderScreens()
         order("run-order-complete", 5000, {}),
         order("orders-sheet", 1240, {strip}),
         order("orders-history", 1240, {strip, QStringLiteral("ordersHistory")}),
+        order("orders-filter", 1240,
+              {strip, QStringLiteral("ordersHistory"), QStringLiteral("ordersFilter")}),
         order("orders-end", 1240, {strip, QStringLiteral("orderEnd")}),
         order("new-order", 5000, {strip, entry}),
         {QStringLiteral("new-order-filled"),

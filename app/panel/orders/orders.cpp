@@ -61,6 +61,7 @@ Orders::Orders(Controller& controller, DatabaseService& records, QObject* parent
     m_timer.start(checkPeriod);
     updateEvery(checkPeriod, [this] { read(); });
     connect(&controller, &Controller::connectionChanged, this, &Orders::followConnection);
+    connect(&controller, &Controller::freshChanged, this, &Orders::changed);
     connect(&controller, &Controller::stateChanged, this, &Orders::read);
     connect(&controller, &Controller::programChanged, this, &Orders::read);
     connect(controller.packing(), &PackingLine::changed, this, [this, was = false]() mutable {
@@ -132,7 +133,7 @@ OrderListRow Orders::current() const
 
 bool Orders::fresh() const
 {
-    return m_status && m_controller.now() - m_readAt < freshFor;
+    return m_status && m_controller.fresh() && m_controller.now() - m_readAt < freshFor;
 }
 
 QString Orders::endText() const
