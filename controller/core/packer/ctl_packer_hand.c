@@ -61,8 +61,9 @@ static int64_t move_marks(ctl_packer* packer)
     ctl_marks* marks = &packer->marks;
     const ctl_phase_limits* limits = &packer->settings.phase;
     const int64_t wanted = packer->settings.marks.distance - marks->settings.distance;
-    const bool is_near = size_of(wanted) <= ctl_phase_max(limits, CTL_PHASE_FAST);
-    if (wanted != 0 && !is_near)
+    if (wanted == 0)
+        return 0;
+    if (size_of(wanted) > ctl_phase_max(limits, CTL_PHASE_FAST))
         ctl_packer_leave_register(packer, packer->bag);
     const bool tracks = marks->state == CTL_MARK_STATE_TRACKING;
     const int64_t step = tracks ? limited(wanted, ctl_phase_max(limits, CTL_PHASE_BY_HAND)) : wanted;
@@ -78,6 +79,8 @@ int64_t ctl_packer_move_cut(ctl_packer* packer)
         packer->cut_in_film = cut;
         return ctl_marks_follow(&packer->marks) ? move_marks(packer) : 0;
     }
+    if (cut == packer->cut_in_film)
+        return 0;
     const int64_t step =
         limited(cut - packer->cut_in_film, ctl_phase_max(&packer->settings.phase, CTL_PHASE_BY_HAND));
     packer->cut_in_film += step;
@@ -94,11 +97,10 @@ int64_t ctl_packer_next_move(const ctl_packer* packer)
 
 void ctl_packer_move_products(ctl_packer* packer)
 {
-    if (packer->infeed.span != 0 || packer->wheel.on)
+    if (packer->settings.product == packer->product_in_infeed || packer->infeed.span != 0 || packer->wheel.on)
         return;
     const int64_t step =
         limited(packer->settings.product - packer->product_in_infeed, packer->flight / INFEED_SHARE);
     packer->product_in_infeed += step;
-    if (step != 0)
-        ctl_feed_correct(&packer->infeed, step, packer->cut);
+    ctl_feed_correct(&packer->infeed, step, packer->cut);
 }
