@@ -271,8 +271,10 @@ void ctl_packer_follow_marks(ctl_packer* packer);
 int64_t ctl_packer_length_limit(const ctl_packer* packer);
 /* Returns the set length of a bag, with what the operator's hand adds. */
 int64_t ctl_packer_bag_um(const ctl_packer* packer);
-/* Computes the settings of the operator's trims. */
-void ctl_packer_read_trims(ctl_packer* packer);
+/* Compute the settings of the operator's trims, in this order. */
+void ctl_packer_read_cut_trim(ctl_packer* packer);
+void ctl_packer_read_length_trim(ctl_packer* packer);
+void ctl_packer_read_product_trim(ctl_packer* packer);
 /* Behind a sealing window: moves the next cut toward its trim, and its mark with it; returns by how much it
  * comes later than it would. */
 int64_t ctl_packer_move_cut(ctl_packer* packer);

@@ -22,9 +22,9 @@ static int64_t size_of(int64_t value)
     return value < 0 ? -value : value;
 }
 
-static int64_t trim(const ctl_packer* packer, uint32_t address)
+static int64_t film_of(const ctl_packer* packer, int64_t um)
 {
-    return ctl_packer_film(packer, ctl_trim_um(packer->board, address));
+    return um == 0 ? 0 : ctl_packer_film(packer, um);
 }
 
 int64_t ctl_packer_bag_um(const ctl_packer* packer)
@@ -33,26 +33,36 @@ int64_t ctl_packer_bag_um(const ctl_packer* packer)
     return ctl_packer_tracks(packer) ? bag_um : bag_um + ctl_trim_um(packer->board, CTL_REG_HAND_LENGTH);
 }
 
+void ctl_packer_read_cut_trim(ctl_packer* packer)
+{
+    packer->settings.cut = film_of(packer, ctl_trim_um(packer->board, CTL_REG_HAND_CUT));
+}
+
 /* A cut that is moved by hand in the same bag stays within what is allowed to one out of register. */
-static int64_t length_trim(const ctl_packer* packer)
+void ctl_packer_read_length_trim(ctl_packer* packer)
 {
     const ctl_phase_limits* limits = &packer->settings.phase;
     const int64_t um = (int16_t)ctl_parameter16(packer->board, CTL_REG_PARAMETER_LENGTH_TRIM);
-    return limited(ctl_packer_film(packer, um) + trim(packer, CTL_REG_HAND_LENGTH),
-                   ctl_phase_max(limits, CTL_PHASE_FAST) - ctl_phase_max(limits, CTL_PHASE_BY_HAND));
+    const int64_t length = film_of(packer, um + ctl_trim_um(packer->board, CTL_REG_HAND_LENGTH));
+    const bool unused = length == 0 || ctl_packer_tracks(packer);
+    packer->settings.length = unused ? 0
+                                     : limited(length, ctl_phase_max(limits, CTL_PHASE_FAST) -
+                                                           ctl_phase_max(limits, CTL_PHASE_BY_HAND));
 }
 
 /* On their way to the knife longer bags add to the distance of the product from its cut, so that it is laid
- * later by as much. Without marks a later cut leaves it farther forward on film that comes later, too. */
-void ctl_packer_read_trims(ctl_packer* packer)
+ * later by as much. Without marks the cut moves away from the products to come, too: the film on which they
+ * are laid moves with it. */
+void ctl_packer_read_product_trim(ctl_packer* packer)
 {
     ctl_packer_settings* settings = &packer->settings;
-    const bool tracks = ctl_packer_tracks(packer);
-    settings->cut = trim(packer, CTL_REG_HAND_CUT);
-    settings->length = tracks ? 0 : length_trim(packer);
-    const int64_t longer = packer->products.settings.distance * settings->length / packer->bag;
-    const int64_t forward = trim(packer, CTL_REG_HAND_PRODUCT) + (tracks ? 0 : settings->cut) - longer;
-    settings->product = limited(forward, packer->bag / PRODUCT_SHARE) * packer->flight / packer->bag;
+    int64_t forward = film_of(packer, ctl_trim_um(packer->board, CTL_REG_HAND_PRODUCT));
+    if (!ctl_packer_tracks(packer))
+        forward += settings->cut;
+    if (settings->length != 0)
+        forward -= packer->products.settings.distance * settings->length / packer->bag;
+    settings->product =
+        forward == 0 ? 0 : limited(forward, packer->bag / PRODUCT_SHARE) * packer->flight / packer->bag;
 }
 
 /* With marks the place of the cut is part of their distance. Far from it the cut is out of register. */

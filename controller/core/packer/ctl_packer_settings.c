@@ -114,8 +114,15 @@ static void sum_up_to_cut(ctl_packer* packer)
 }
 
 /* The first ones are what a start needs at once. */
-static void (*const pieces[])(ctl_packer* packer) = {
-    read_clearance, read_marks, read_phase, ctl_packer_read_trims, read_sizes, read_jaws, read_jam};
+static void (*const pieces[])(ctl_packer* packer) = {read_clearance,
+                                                     read_marks,
+                                                     read_phase,
+                                                     ctl_packer_read_cut_trim,
+                                                     ctl_packer_read_length_trim,
+                                                     ctl_packer_read_product_trim,
+                                                     read_sizes,
+                                                     read_jaws,
+                                                     read_jam};
 #define PIECES (sizeof pieces / sizeof pieces[0])
 #define PIECES_OF_A_START 2u
 
