@@ -653,10 +653,6 @@
         <translation>Leitachse läuft rückwärts</translation>
     </message>
     <message>
-        <source>Exchange wires A and B of the encoder, or change the sign: Settings, Machine, Master, Reversed counting. Then reset the fault.</source>
-        <translation>Adern A und B des Drehgebers tauschen oder das Vorzeichen ändern: Einstellungen, Maschine, Leitachse, Umgekehrte Zählrichtung. Dann Störung quittieren.</translation>
-    </message>
-    <message>
         <source>The master runs backward by more than a cycle.</source>
         <translation>Die Leitachse läuft um mehr als einen Zyklus rückwärts.</translation>
     </message>
@@ -695,6 +691,10 @@
     <message>
         <source>The date coder is not ready.</source>
         <translation>Der Datumscodierer ist nicht bereit.</translation>
+    </message>
+    <message>
+        <source>Exchange wires A and B, or change the sign with Reversed counting under Settings, Machine, Master, then reset the fault.</source>
+        <translation>Adern A und B tauschen oder unter Einstellungen, Maschine, Leitachse die Zählrichtung umkehren, dann Störung quittieren.</translation>
     </message>
 </context>
 <context>

@@ -653,10 +653,6 @@
         <translation>主轴反转</translation>
     </message>
     <message>
-        <source>Exchange wires A and B of the encoder, or change the sign: Settings, Machine, Master, Reversed counting. Then reset the fault.</source>
-        <translation>请互换编码器的 A、B 相接线，或更改计数方向：设置 &gt; 机器 &gt; 主轴 &gt; 反向计数。然后复位故障。</translation>
-    </message>
-    <message>
         <source>The master runs backward by more than a cycle.</source>
         <translation>主轴反转超过一个周期。</translation>
     </message>
@@ -695,6 +691,10 @@
     <message>
         <source>The date coder is not ready.</source>
         <translation>打码机未就绪。</translation>
+    </message>
+    <message>
+        <source>Exchange wires A and B, or change the sign with Reversed counting under Settings, Machine, Master, then reset the fault.</source>
+        <translation>请互换编码器的 A、B 相接线，或在“设置、机器、主轴”中更改反向计数，然后复位故障。</translation>
     </message>
 </context>
 <context>

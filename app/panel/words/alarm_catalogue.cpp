@@ -86,8 +86,8 @@ constexpr std::array kinds{
     AlarmKind{"C-14", fault, stops, QT_TRANSLATE_NOOP("AlarmCatalogue", "Master runs backward"),
               causeOf(FaultBit::MasterBackward),
               QT_TRANSLATE_NOOP("AlarmCatalogue",
-                                "Exchange wires A and B of the encoder, or change the sign: Settings, "
-                                "Machine, Master, Reversed counting. Then reset the fault.")},
+                                "Exchange wires A and B, or change the sign with Reversed counting under "
+                                "Settings, Machine, Master, then reset the fault.")},
     AlarmKind{
         "C-99", fault, stops, QT_TRANSLATE_NOOP("AlarmCatalogue", "Unknown fault"),
         QT_TRANSLATE_NOOP("AlarmCatalogue", "The controller reports a fault that this panel does not know."),
