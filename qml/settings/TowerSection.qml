@@ -115,7 +115,10 @@ SettingsSection {
                         width: section.cellWidth
                         height: Theme.size.touch
                         enabled: cell.known
-                        text: cell.value
+                        // "Blinks, then on" in two lines.
+                        readonly property var parts: cell.value.split(", ")
+                        text: cell.parts[0]
+                        note: cell.parts[1] ?? ""
                         kind: cell.choice > 0 ? Button.Normal : Button.Quiet
                         Accessible.name: Theme.fill(qsTr("%1: %2"), [cell.name, cell.value])
                         onClicked: Frame.open("Controls/ListPicker", {
