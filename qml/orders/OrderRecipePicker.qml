@@ -9,7 +9,7 @@ import CamPanel.Panel
 ListPicker {
     title: qsTr("Recipe of the order")
     level: Access.Operator
-    choices: [{ key: "", text: qsTr("Any recipe") }].concat(Recipes.choicesOf(Editor.Kind.RotaryCutter))
+    choices: [{ key: "", text: qsTr("Any recipe") }, ...Recipes.choicesOf(Editor.Kind.RotaryCutter)]
     current: Orders.entry.recipe
     onChosen: key => Orders.entry.recipe = key
     onClosed: Frame.open("Orders/NewOrderSheet", {})

@@ -13,7 +13,7 @@ Page {
     readonly property list<string> views: ["RunEmpty.qml", "RunCutter.qml", "RunAxis.qml", "RunAxis.qml", "RunAxis.qml", "RunPress.qml", "RunAxis.qml"]
     readonly property string view: Controller.active.kind === Editor.Kind.RotaryCutter && Controller.packing.present ? "RunPacking.qml" : page.views[Controller.active.kind]
 
-    readonly property bool watchesOrder: page.visible && !Display.dark && Orders.offered
+    readonly property bool watchesOrder: page.visible && !Display.dark
     onWatchesOrderChanged: Orders.setWatchedBy(page, page.watchesOrder)
 
     bannerRow: Stops.asking ? 0 : (loader.item as RunPacking)?.bannerRow ?? 0
