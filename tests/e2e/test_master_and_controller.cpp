@@ -97,7 +97,8 @@ private slots:
 
         panel.tap("nav_run");
         panel.tap("packingRate");
-        QVERIFY2(panel.texts().contains(QStringLiteral("The line sets the rate")), qPrintable(panel.texts()));
+        QTRY_VERIFY2_WITH_TIMEOUT(panel.texts().contains(QStringLiteral("The line sets the rate")),
+                                  qPrintable(panel.texts()), timeoutMs);
         QVERIFY(!panel.touchDriver().find(QStringLiteral("keypad")));
         controller.dismissMessage();
         setFault(panel, lineRow, "full");

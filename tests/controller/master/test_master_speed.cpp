@@ -27,6 +27,7 @@ private slots:
     void aLineThatIsTooFastIsRefused();
     void aLineThatBecomesTooFastEndsTheRun();
     void aSpeedThatNoLineHasIsAFault();
+    void aShortSliceMakesUpForOthers();
 };
 
 void TestMasterSpeed::aLineThatIsTooFastIsRefused()
@@ -78,6 +79,25 @@ void TestMasterSpeed::aSpeedThatNoLineHasIsAFault()
     QVERIFY(rig.runUntilState(CTL_STATE_FAULT, 10'000));
     QCOMPARE(rig.status(CTL_REG_STATUS_FAULT), 1u << CTL_FAULT_BIT_MASTER_SPEED);
     QVERIFY(rig.core().motion.commanded - before < knifePulses * 3 / 250); // 3 mm of film
+}
+
+// A slice without a reading, then one of 5 us with it: some counts more are no speed.
+void TestMasterSpeed::aShortSliceMakesUpForOthers()
+{
+    for (const std::uint32_t wholeSliceUs : {CTL_SLICE_US, 1u}) {
+        Bench bench(10'000);
+        bench.board.config.slice_us = wholeSliceUs;
+        bench.engage();
+        for (int i = 0; i < 20'000; ++i)
+            (void)bench.pass(10, 200);
+        QVERIFY(bench.master.fault == CTL_LOST_NONE);
+        bench.board.catching_up = true;
+        (void)bench.pass(0, 195);
+        bench.board.catching_up = false;
+        (void)bench.pass(20, 5);
+        QCOMPARE(bench.master.fault,
+                 wholeSliceUs == CTL_SLICE_US ? CTL_LOST_NONE : CTL_FAULT_BIT_MASTER_SPEED);
+    }
 }
 
 CAMPANEL_TEST(TestMasterSpeed)
