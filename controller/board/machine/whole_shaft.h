@@ -9,7 +9,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-/* What an axis travels while the shaft turns, 1/256 pulse a count. */
+/* The way of an axis while the shaft turns, 1/256 pulse a count. */
 typedef struct {
     uint64_t numerator;
     uint64_t denominator;
