@@ -11,6 +11,9 @@ ListPicker {
     level: Access.Operator
     choices: [{ key: "", text: qsTr("Any recipe") }, ...Recipes.choicesOf(Editor.Kind.RotaryCutter)]
     current: Orders.entry.recipe
-    onChosen: key => Orders.entry.recipe = key
+    onChosen: key => {
+        if (Access.ask(Access.Operator))
+            Orders.entry.recipe = key
+    }
     onClosed: Frame.open("Orders/NewOrderSheet", {})
 }
