@@ -30,8 +30,8 @@ enum class ClockState { NotSet, Unproven, Proven };
 [[nodiscard]] tl::expected<qint64, StoreError> newestRecordMs(Database& database);
 
 // Keeps that the clock is right at `nowMs`: what is later was recorded by a clock that ran ahead. Alarms,
-// states, orders and versions of recipes are marked. Rows of the audit trail are never changed; newestRecordMs()
-// leaves those out.
+// states, orders and versions of recipes are marked. Rows of the audit trail are never changed;
+// newestRecordMs() leaves those out.
 [[nodiscard]] tl::expected<void, StoreError> noteClockProven(Database& database, qint64 nowMs);
 
 } // namespace campanel::store

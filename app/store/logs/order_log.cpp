@@ -83,7 +83,6 @@ QString nameOf(OrderRow::Action action)
     return u"stop"_s;
 }
 
-// Pages and CSV are of orders that were started, and their filter has a time: ids of the queue are negative.
 const Table<OrderRow>& orderTable()
 {
     using Row = OrderRow;

@@ -168,7 +168,7 @@ public:
         if (!range)
             return tl::unexpected(range.error());
         const Condition condition = conditionOf(filter, m_sought);
-        const qint64 end = before > 0 ? before : std::numeric_limits<qint64>::max();
+        const qint64 end = before != 0 ? before : std::numeric_limits<qint64>::max();
         return read(database,
                     QStringLiteral("WHERE %1 < ? AND %1 BETWEEN ? AND ?%2 ORDER BY %1 DESC LIMIT ?")
                         .arg(key(), condition.sql),

@@ -184,6 +184,8 @@ private slots:
                             "checked_by,clock\n"
                             "1,1,2a,'=1+1,\"L17, night\",Biscuit 250,3,00c0ffee,5000,message,20,complete,"
                             "1240,3,2,1246,2026-11-18T11:06:40.000Z,2026-11-18T11:07:40.000Z,Ann,Bo,set\n"));
+        // Without a filter those that wait are in it too, behind all others.
+        QCOMPARE(orderTable().csv(*database, {})->bytes.count('\n'), 3);
     }
 };
 
