@@ -35,7 +35,7 @@ struct Recipe {
     std::string filmCode; // on the film reel that it needs; empty: any reel
     // The master of a program that follows one. The controller has a setting of its own.
     RecipeMaster master = RecipeMaster::Any;
-    // Of a cutter: what an operator saved with it. They come with its program, but are not part of it.
+    // The trims that an operator saved with a cutter. They come with its program, but are not part of it.
     Trims trims{};
 
     [[nodiscard]] profile::ProgramKind kind() const { return profile::kindOf(program); }

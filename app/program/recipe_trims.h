@@ -27,4 +27,7 @@ inline constexpr std::array<TrimInfo, trimCount> trimTable{
     TrimInfo{"length_mm", "hand.length", "hand.next_length"},
 };
 
+// Returns the limit in both directions.
+[[nodiscard]] double maxTrimMm(Trim trim);
+
 } // namespace campanel::program

@@ -25,7 +25,7 @@ struct TrimRow {
     Q_PROPERTY(int trim MEMBER trim)
     Q_PROPERTY(QString title MEMBER title)
     Q_PROPERTY(QString amount MEMBER amount) // "2.0 mm earlier"
-    // Of the keys: the film runs to the right, so that the right one is earlier, forward or longer.
+    // The texts of the keys; the film runs to the right, so that the right one is earlier, forward or longer.
     Q_PROPERTY(QString leftText MEMBER leftText)
     Q_PROPERTY(QString rightText MEMBER rightText)
     Q_PROPERTY(bool canLeft MEMBER canLeft)

@@ -8,7 +8,6 @@
 #include "app/store/files/json_keys.h"
 #include "app/store/files/json_reader.h"
 #include "app/store/recipes/program_json.h"
-#include "modbus/map/register_map.h"
 
 #include <QJsonDocument>
 
@@ -96,11 +95,10 @@ program::Trims trimsIn(const QJsonObject& object, std::optional<FileError>& fail
     ObjectReader reader(object, u"trims."_s, failure);
     for (std::size_t i = 0; i < trims.size(); ++i) {
         const QString key = toQString(program::trimTable[i].key);
-        const modbus::RegisterInfo& info = *modbus::findRegister(program::trimTable[i].registerName);
         profile::FieldInfo limits;
-        limits.min = info.minimum;
-        limits.max = info.maximum;
-        limits.unit = info.unit;
+        limits.max = program::maxTrimMm(static_cast<program::Trim>(i));
+        limits.min = -limits.max;
+        limits.unit = "mm";
         if (reader.has(key))
             trims[i] = reader.number(key, false, limits);
     }
