@@ -58,7 +58,6 @@ Item {
         anchors { right: parent.right; top: film.top; bottom: film.bottom }
         width: Math.round(1.5 * Theme.size.touch)
         visible: HandTrims.offered
-        level: Access.Operator
         text: qsTr("Trim")
         note: HandTrims.moved ? qsTr("moved") : ""
         Accessible.description: qsTr("Cut, product and length")

@@ -13,7 +13,7 @@ SettingsSection {
     readonly property TowerFields tower: Maintenance.tower
     readonly property var colors: [Theme.color.fault, Theme.color.warning, Theme.color.good, Theme.color.ink]
     readonly property int columns: section.tower.lights.length
-    readonly property real nameWidth: Math.round(table.width * 0.24)
+    readonly property real nameWidth: Math.round(table.width * 0.2)
     readonly property real cellWidth: (table.width - nameWidth - columns * Theme.size.spacing) / columns
 
     title: qsTr("Light tower and horn")
@@ -111,7 +111,6 @@ SettingsSection {
                         required property int choice
                         required property bool known
                         objectName: "tower" + index
-                        level: Access.Technician
                         width: section.cellWidth
                         height: Theme.size.touch
                         enabled: cell.known

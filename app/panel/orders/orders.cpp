@@ -65,8 +65,10 @@ Orders::Orders(Controller& controller, DatabaseService& records, QObject* parent
     connect(&controller, &Controller::stateChanged, this, &Orders::read);
     connect(&controller, &Controller::programChanged, this, &Orders::read);
     connect(controller.packing(), &PackingLine::changed, this, [this, was = false]() mutable {
-        if (std::exchange(was, offered()) != offered())
-            emit changed();
+        if (std::exchange(was, offered()) == offered())
+            return;
+        read(); // it can be started at once
+        emit changed();
     });
     LanguageNotifier::follow(this, [this] {
         m_queue.refresh();

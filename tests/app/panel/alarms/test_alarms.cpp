@@ -63,6 +63,11 @@ private slots:
         AlarmRig rig;
         rig.open();
         rig.panel.connectIdle();
+        link::LinkReport report;
+        report.state = link::LinkState::Connected;
+        report.identity = test::FakeLink::identity();
+        report.identity->mapMinor = modbus::mapMinor;
+        emit rig.panel.link.reported(report);
         const auto silenced = [&rig] {
             return std::ranges::count_if(rig.panel.link.requests, [](const auto& request) {
                 return request.command == modbus::Command::Acknowledge;
