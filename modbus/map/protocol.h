@@ -236,8 +236,8 @@ inline constexpr int orderLotRegisters = 20;
 // The run does this at an order's quantity.
 enum class OrderAction : std::uint16_t { None = 0, Message, Stop };
 
-// What a light of the tower, or the horn, does while its condition lasts. An unacknowledged one: BlinkThenOn
-// blinks, OnThenOff is on.
+// The conduct of a light of the tower, or of the horn, while its condition lasts. Until it is acknowledged,
+// BlinkThenOn blinks and OnThenOff is on.
 enum class SignalMode : std::uint16_t { Off = 0, On, Blink, BlinkThenOn, OnThenOff };
 
 // The conditions that the light tower shows, in the order of their registers in the group `signal`.

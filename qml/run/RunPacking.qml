@@ -49,7 +49,7 @@ Item {
     }
     FilmCard {
         id: film
-        anchors { left: parent.left; right: HandTrims.offered ? trimKey.left : parent.right; rightMargin: HandTrims.offered ? view.gap : 0; top: rate.bottom; topMargin: view.gap }
+        anchors { left: parent.left; right: HandTrims.present ? trimKey.left : parent.right; rightMargin: HandTrims.present ? view.gap : 0; top: rate.bottom; topMargin: view.gap }
         height: Math.round(view.room * 0.36)
     }
     Button {
@@ -57,7 +57,8 @@ Item {
         objectName: "trimKey"
         anchors { right: parent.right; top: film.top; bottom: film.bottom }
         width: Math.round(1.5 * Theme.size.touch)
-        visible: HandTrims.offered
+        visible: HandTrims.present
+        enabled: HandTrims.offered
         text: qsTr("Trim")
         note: HandTrims.moved ? qsTr("moved") : ""
         Accessible.description: qsTr("Cut, product and length")

@@ -12,6 +12,7 @@ SettingsSection {
 
     readonly property TowerFields tower: Maintenance.tower
     readonly property var colors: [Theme.color.fault, Theme.color.warning, Theme.color.good, Theme.color.ink]
+    readonly property var modes: tower.modes
     readonly property int columns: section.tower.lights.length
     readonly property real nameWidth: Math.round(table.width * 0.2)
     readonly property real cellWidth: (table.width - nameWidth - columns * Theme.size.spacing) / columns
@@ -122,7 +123,7 @@ SettingsSection {
                         Accessible.name: Theme.fill(qsTr("%1: %2"), [cell.name, cell.value])
                         onClicked: Frame.open("Controls/ListPicker", {
                             title: cell.name,
-                            choices: section.tower.modes.map((text, key) => ({ key: key, text: text })),
+                            choices: section.modes.map((text, key) => ({ key: key, text: text })),
                             current: cell.choice,
                             level: Access.Technician,
                             onChosen: key => section.tower.setChoice(cell.index, key)

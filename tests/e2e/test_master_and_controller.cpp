@@ -96,6 +96,7 @@ private slots:
             return;
 
         panel.tap("nav_run");
+        QTRY_VERIFY_WITH_TIMEOUT(panel.touchDriver().find(QStringLiteral("packingRate")), timeoutMs);
         panel.tap("packingRate");
         QTRY_VERIFY2_WITH_TIMEOUT(panel.texts().contains(QStringLiteral("The line sets the rate")),
                                   qPrintable(panel.texts()), timeoutMs);

@@ -70,6 +70,7 @@ const QList<House>& houses()
           {u"bank"_s},
           {u"packer"_s},
           {u"motion"_s},
+          {u"signal"_s},
           {u"link"_s},
           {u"."_s}}},
         {u"app/store"_s,

@@ -172,8 +172,6 @@ void Alarms::note(const QString& what, const QString& codes, const QString& afte
 {
     noteChange();
     publish();
-    if (what == acknowledging)
-        acknowledgeSignals();
     emit noted({.what = what, .object = codes, .after = after});
 }
 
@@ -184,6 +182,7 @@ void Alarms::acknowledge(int row)
     const store::AlarmRow alarm = m_live.row(row).alarm;
     m_book.acknowledge(alarm.code, alarm.id, person(), now().utcMs);
     note(acknowledging, alarm.code);
+    acknowledgeSignals();
 }
 
 void Alarms::acknowledgeSignals()
@@ -196,8 +195,10 @@ void Alarms::acknowledgeSignals()
 
 void Alarms::acknowledgeAll()
 {
-    if (m_controller.accessCheck().require(Level::Operator))
-        acknowledgeEach([](const AlarmEntry&) { return true; });
+    if (!m_controller.accessCheck().require(Level::Operator))
+        return;
+    acknowledgeEach([](const AlarmEntry&) { return true; });
+    acknowledgeSignals();
 }
 
 void Alarms::acknowledgeFaults()
@@ -248,6 +249,7 @@ void Alarms::acknowledgeShown()
     m_book.acknowledge(m_detail.code(), m_detail.row().id, person(), utcMs);
     m_detail.noteAcknowledged(utcMs, person());
     note(acknowledging, m_detail.code());
+    acknowledgeSignals();
 }
 
 void Alarms::shelveShown(int hours)

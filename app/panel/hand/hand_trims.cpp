@@ -68,10 +68,21 @@ HandTrims::HandTrims(Controller& controller, QObject* parent)
     update();
 }
 
+bool HandTrims::hasPacker() const
+{
+    return m_controller.program() && m_controller.program()->recipe.isCutter() &&
+           m_controller.packing()->present();
+}
+
+bool HandTrims::isTooOld() const
+{
+    const auto& identity = m_controller.identity();
+    return identity && !identity->hasRegister(m_values[0].info().name);
+}
+
 bool HandTrims::offered() const
 {
-    return m_controller.isConnected() && m_controller.program() &&
-           m_controller.program()->recipe.isCutter() && m_controller.packing()->present() &&
+    return m_controller.isConnected() && hasPacker() &&
            std::ranges::none_of(m_values, [](const HandValue& each) { return std::isnan(each.value()); });
 }
 
@@ -143,6 +154,10 @@ TrimRow HandTrims::row(Trim trim) const
 
 void HandTrims::update()
 {
+    if (offered())
+        m_isPresent = true;
+    else if (m_controller.isConnected() && (!hasPacker() || isTooOld()))
+        m_isPresent = false;
     QList<TrimRow> rows;
     if (offered()) {
         for (const Trim trim : trims)

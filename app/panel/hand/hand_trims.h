@@ -55,6 +55,8 @@ class HandTrims : public campanel::panel::Watched, public Singleton<HandTrims> {
     QML_SINGLETON
     // True with a packing machine's program in a controller that has trims.
     Q_PROPERTY(bool offered READ offered NOTIFY changed FINAL)
+    // The same, and stays true while the line is away.
+    Q_PROPERTY(bool present READ present NOTIFY changed FINAL)
     Q_PROPERTY(campanel::panel::RowModelBase* rows READ rows CONSTANT FINAL)
     // In the order of the rows, mm; 0 while one is unknown.
     Q_PROPERTY(QList<double> mm READ mm NOTIFY changed FINAL)
@@ -68,6 +70,7 @@ public:
     HandTrims(Controller& controller, QObject* parent);
 
     [[nodiscard]] bool offered() const;
+    [[nodiscard]] bool present() const { return m_isPresent; }
     [[nodiscard]] TrimRows* rows() { return &m_rows; }
     [[nodiscard]] QList<double> mm() const;
     [[nodiscard]] bool moved() const;
@@ -90,6 +93,8 @@ signals:
 
 private:
     void update();
+    [[nodiscard]] bool hasPacker() const;
+    [[nodiscard]] bool isTooOld() const;
     void moveTo(int row, double mm);
     [[nodiscard]] double stepMm() const;
     [[nodiscard]] QString blockedText(program::Trim trim) const;
@@ -104,6 +109,7 @@ private:
     Parameter& m_place; // of the encoder
     std::array<HandValue, program::trimCount> m_values;
     TrimRows m_rows{this};
+    bool m_isPresent = false;
 };
 
 } // namespace campanel::panel

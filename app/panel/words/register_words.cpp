@@ -47,7 +47,7 @@ QString RegisterWords::group(const QString& group)
 
 QString RegisterWords::readOnlyReason(const QString& group)
 {
-    if (group == u"parameter" || group == u"master")
+    if (group == u"parameter" || group == u"master" || group == u"signal")
         return {};
     if (group == u"exchange")
         return tr("Read only: the panel writes this register with every status request.");

@@ -58,7 +58,7 @@ private slots:
         }
         QCOMPARE(found.size(), static_cast<qsizetype>(faults.size() + warnings.size()));
         QCOMPARE(&AlarmCatalogue::of(static_cast<modbus::FaultBit>(15)), &AlarmCatalogue::unknownFault());
-        QCOMPARE(&AlarmCatalogue::of(static_cast<modbus::WarningBit>(15)), &AlarmCatalogue::unknownWarning());
+        QCOMPARE(&AlarmCatalogue::of(static_cast<modbus::WarningBit>(16)), &AlarmCatalogue::unknownWarning());
     }
 
     void everyProblemOfTheLinkHasItsOwn()
