@@ -463,6 +463,7 @@ private slots:
         rig.settings.set("access.operators_log_in", panel::settingText(true));
         rig.settings.set("access.hold_to_start", "on");
         rig.settings.set("recipes.order", "use");
+        rig.settings.set("hand.trim_step_mm", "0.2");
         rig.settings.set("machine.name", "Line 3");
         rig.settings.set("scanner.prefix", "~~");
         rig.settings.set("scanner.suffix", "tab");
