@@ -127,6 +127,38 @@ private slots:
         QVERIFY(rests(rig));
     }
 
+    // A press that waits for the end of a save is none any more once something ends motion.
+    void nothingStartsBehindAStop_data()
+    {
+        QTest::addColumn<int>("input"); // -1: the command Stop
+        QTest::newRow("command") << -1;
+        QTest::newRow("Stop button") << int{CTL_INPUT_BIT_STOP_BUTTON};
+        QTest::newRow("door") << int{CTL_INPUT_BIT_DOOR};
+        QTest::newRow("emergency stop") << int{CTL_INPUT_BIT_EMERGENCY_STOP};
+    }
+
+    void nothingStartsBehindAStop()
+    {
+        QFETCH(int, input);
+        Rig rig;
+        rig.install(cutter());
+        ctl_core& core = rig.core();
+        core.work.waits = true;
+        setInput(rig, CTL_INPUT_BIT_START_BUTTON, true);
+        QCOMPARE(rig.status(CTL_REG_SIGNAL_STATUS_PRESSES), 1);
+        if (input < 0) {
+            ++core.written.command[0]; // the counter
+            core.written.command[CTL_REG_COMMAND_CODE - CTL_REG_COMMAND_COUNTER] = CTL_COMMAND_STOP_NOW;
+            ctl_command(&core, true);
+        } else {
+            setInput(rig, static_cast<unsigned>(input), true);
+            setInput(rig, static_cast<unsigned>(input), false);
+            rig.run(3 * second);
+        }
+        core.work.waits = false;
+        QVERIFY(rests(rig));
+    }
+
     void inputEndsARun_data()
     {
         QTest::addColumn<unsigned>("input");
