@@ -195,6 +195,7 @@ void ctl_command(ctl_core* core, bool has_code)
     result[1] = request[CODE];
     core->work.checks = false; /* the command that waits is overtaken, and not carried out */
     core->work.by_button = false;
+    core->actions.wants_start = false;
     core->work.waits = false;
     if (!has_code || request[CODE] != CTL_COMMAND_TRY_OUTPUT)
         ctl_io_try(&core->io, &core->board, 0); /* whoever asks for something else has let go */
@@ -206,12 +207,14 @@ void ctl_command(ctl_core* core, bool has_code)
 
 void ctl_command_checked(ctl_core* core, const uint16_t* request)
 {
-    const uint16_t refusal = carry_out(core, request);
-    if (core->work.by_button)
-        core->actions.refusal = refusal;
-    else
-        answer(core, refusal);
+    if (!core->work.by_button) {
+        answer(core, carry_out(core, request));
+        return;
+    }
     core->work.by_button = false;
+    if (core->actions.wants_start)
+        core->actions.refusal = carry_out(core, request);
+    core->actions.wants_start = false;
 }
 
 void ctl_command_button(ctl_core* core)
@@ -220,7 +223,6 @@ void ctl_command_button(ctl_core* core)
     const uint16_t start[CTL_GROUP_COMMAND] = {[CODE] = CTL_COMMAND_START};
     if (work->checks || work->waits)
         return;
-    core->actions.wants_start = false;
     work->by_button = true;
     if (needs_check(core, CTL_COMMAND_START)) {
         work->checks = true;

@@ -18,7 +18,7 @@ void ctl_command(struct ctl_core* core, bool has_code);
 /* Carries out the last command, which waited for the check of the bank. */
 void ctl_command_checked(struct ctl_core* core, const uint16_t* request);
 /* Carries out a press of the Start button, behind the check of the bank and a save that waits. The panel's
- * last command keeps its result; the next one overtakes the check and with it the press. */
+ * last command keeps its result; the next one overtakes the press. */
 void ctl_command_button(struct ctl_core* core);
 /* Answers the save with this counter, unless another command came meanwhile. */
 void ctl_command_saved(struct ctl_core* core, uint16_t counter, bool done);

@@ -3,7 +3,8 @@
 
 #define INPUT(name) (1u << CTL_INPUT_BIT_##name)
 #define AT_CYCLE_END (INPUT(STOP_BUTTON) | INPUT(NEXT_MACHINE) | INPUT(CODER))
-#define ACTING (INPUT(START_BUTTON) | INPUT(DOOR) | AT_CYCLE_END)
+#define ENDS_A_RUN (INPUT(EMERGENCY_STOP) | INPUT(DOOR) | AT_CYCLE_END)
+#define ACTING (INPUT(START_BUTTON) | ENDS_A_RUN)
 
 void ctl_actions_init(ctl_actions* actions, const ctl_io* io)
 {
@@ -26,4 +27,6 @@ void ctl_actions_slice(ctl_actions* actions, const ctl_io* io, ctl_motion* motio
         actions->wants_start = true;
         actions->presses += 1;
     }
+    if ((pressed & ENDS_A_RUN) != 0)
+        actions->wants_start = false;
 }

@@ -12,7 +12,8 @@ extern "C" {
 
 typedef struct {
     uint16_t inputs;  /* those that act, as the last slice saw them */
-    bool wants_start; /* the Start button was pressed and has not been answered */
+    bool wants_start; /* the Start button was pressed and has not been answered; what ends a run ends this,
+                         too */
     uint16_t presses; /* of it since power-up */
     uint16_t refusal; /* CTL_REFUSAL_... of the last one */
 } ctl_actions;

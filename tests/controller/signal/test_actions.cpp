@@ -127,6 +127,24 @@ private slots:
         QVERIFY(rests(rig));
     }
 
+    // A door that opens and closes again while the bank is being checked.
+    void doorEndsThePress()
+    {
+        Rig rig;
+        rig.install(cutter());
+        rig.setParameter(CTL_REG_SIGNAL_DOOR_FILTER, 0);
+        rig.core().board.config.work_registers = 1;
+        rig.controller().machine().setInput(CTL_INPUT_BIT_START_BUTTON, true);
+        rig.run(21'000);
+        QVERIFY(rig.core().work.checks);
+        for (const bool isOpen : {true, false}) {
+            rig.controller().machine().setInput(CTL_INPUT_BIT_DOOR, isOpen);
+            rig.run(1'000);
+        }
+        QVERIFY(rig.core().work.checks);
+        QVERIFY(rests(rig));
+    }
+
     // A press that waits for the end of a save is none any more once something ends motion.
     void nothingStartsBehindAStop_data()
     {
