@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Who has checked the first bag of the order under way.
+// The person who has checked the first bag of the order under way.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Parts

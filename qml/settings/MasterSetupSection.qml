@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What leads the line: the encoder at its place as a drawing, with its angle live, and below it the machine data.
+// The master of the line: the encoder at its place as a drawing, with its angle live, and below it the machine data.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What each condition of the machine shows on the light tower and on the horn: a table, and a list of modes for each cell.
+// The table of light tower and horn: a row for each condition of the machine, a list of modes for each cell.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme

@@ -2,7 +2,8 @@
 #include "engine/ctl_ramp.h"
 
 #define SHARE_BITS CTL_RAMP_SHARE_BITS
-/* Of the stretch of a line that is led. */
+/* The place in the stretch of a line that is led has so many bits; a search looks at so many places near
+ * the last one. */
 #define PLACE_BITS 15u
 #define NEAR_PLACES 4u
 #define WHOLE ((uint64_t)1 << SHARE_BITS)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a packing line does behind an encoder, in both of its places: marks, products, drive faults and the
+// A packing line behind an encoder, in both of its places: marks, products, drive faults and the
 // operator's speed. Change of program, park, jam and order: test_master_change, test_wheel, test_jam and
 // test_order.
 #include "master/place_line.h"

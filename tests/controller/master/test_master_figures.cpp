@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a line that leads costs: no tick and no pulse in a million cycles, few marked bags; and its registers.
+// The cost of a line that leads: no tick and no pulse in a million cycles, few marked bags; and its registers.
 #include "master_bench.h"
 
 #include "engine/ctl_cam.h"

@@ -269,7 +269,7 @@ void TestHandTrims::bagsBecomeLongerWithoutMarks()
         // The product is in the middle of the longer bag.
         QVERIFY2(std::abs(line.productMm() - before - mm / 2) < 0.15,
                  qPrintable(QString::number(line.productMm() - before)));
-        // What was asked for is the set length.
+        // The set length is the one that was asked for.
         QVERIFY(std::abs(static_cast<int>(line.core().packer.last_cut.set_um) - (250'000 + mm * 1000)) < 5);
         QVERIFY(!line.hasStepped());
     }
