@@ -133,7 +133,8 @@ static void slice(ctl_core* core, uint32_t ticks)
     ctl_io_begin(&core->io, motion);
     if (ctl_io_drive_alarm(&core->io) && (motion->fault & 1u << CTL_FAULT_BIT_DRIVE_ALARM) == 0)
         ctl_motion_fault(motion, CTL_FAULT_BIT_DRIVE_ALARM);
-    ctl_actions_slice(&core->actions, &core->io, motion);
+    if (core->io.inputs != core->actions.inputs)
+        ctl_actions_slice(&core->actions, &core->io, motion);
     if (core->actions.wants_start)
         ctl_command_button(core);
     if (ctl_heartbeat_slice(&core->heartbeat, &core->board, keys))

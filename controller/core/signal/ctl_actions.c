@@ -4,20 +4,16 @@
 #define INPUT(name) (1u << CTL_INPUT_BIT_##name)
 #define AT_CYCLE_END (INPUT(STOP_BUTTON) | INPUT(NEXT_MACHINE) | INPUT(CODER))
 #define ENDS_A_RUN (INPUT(EMERGENCY_STOP) | INPUT(DOOR) | AT_CYCLE_END)
-#define ACTING (INPUT(START_BUTTON) | ENDS_A_RUN)
 
 void ctl_actions_init(ctl_actions* actions, const ctl_io* io)
 {
-    actions->inputs = io->inputs & ACTING;
+    actions->inputs = io->inputs;
 }
 
 void ctl_actions_slice(ctl_actions* actions, const ctl_io* io, ctl_motion* motion)
 {
-    const uint16_t inputs = io->inputs & ACTING;
-    if (inputs == actions->inputs)
-        return;
-    const uint32_t pressed = inputs & ~(uint32_t)actions->inputs;
-    actions->inputs = inputs;
+    const uint32_t pressed = io->inputs & ~(uint32_t)actions->inputs;
+    actions->inputs = io->inputs;
     if ((pressed & AT_CYCLE_END) != 0)
         ctl_motion_stop_unattended(motion);
     /* The film is threaded with the door open, so that a jog goes on. */

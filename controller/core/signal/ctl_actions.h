@@ -11,7 +11,7 @@ extern "C" {
 #endif
 
 typedef struct {
-    uint16_t inputs;  /* those that act, as the last slice saw them */
+    uint16_t inputs;  /* as they were when any had changed */
     bool wants_start; /* the Start button was pressed and has not been answered; what ends a run ends this,
                          too */
     uint16_t presses; /* of it since power-up */
@@ -20,7 +20,7 @@ typedef struct {
 
 /* Takes over the levels at power-up. */
 void ctl_actions_init(ctl_actions* actions, const ctl_io* io);
-/* Acts on what has changed since the last slice. */
+/* Acts on what has changed; called when any input has. */
 void ctl_actions_slice(ctl_actions* actions, const ctl_io* io, ctl_motion* motion);
 
 #ifdef __cplusplus
