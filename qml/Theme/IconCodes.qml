@@ -42,6 +42,8 @@ QtObject {
     readonly property string refresh: "\uf450"
     readonly property string table: "\uf4eb"
     readonly property string view: "\uf208"
+    readonly property string plus: "\uf415"
+    readonly property string minus: "\uf374"
     readonly property string more: "\uf1d9"
     readonly property string machine: "\uf5b7"
     readonly property string revert: "\uf2da"

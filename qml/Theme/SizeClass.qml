@@ -32,6 +32,9 @@ QtObject {
     readonly property int hairline: 1
     readonly property int outline: 2
     readonly property int accent: 4
+    // Font size of a number that is read from three metres: its digits are 14 mm high, and on a large screen more.
+    readonly property int distant: Math.max(Math.round(14 * pixelsPerMm / digitShare), Math.round(1.5 * hero))
+    readonly property real digitShare: 0.714   // of the font size: the height of a digit of Noto Sans
     // 12 and 18 mm, and never too small for their texts: a large screen is read from a distance.
     readonly property int touch: Math.max(Math.round(12 * reach * pixelsPerMm), Math.round(3.9 * body))
     readonly property int commandKey: Math.max(Math.floor(18 * reach * pixelsPerMm), Math.floor(3.75 * command))

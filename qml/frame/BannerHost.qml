@@ -14,6 +14,7 @@ Item {
 
     property bool startRefused             // ends when Start would be accepted
     property bool above                    // over a sheet, a keypad or the first start: only answers to a touch
+    property bool faultOnPage              // the page itself tells it
     property string answerBelow            // the sentence on the page when something opened above it
     property string putAside
 
@@ -35,7 +36,7 @@ Item {
         : TouchCalibration.notice.length > 0 ? TouchCalibration.notice : startRefused ? Controller.startBlockedReason : ""
     readonly property bool stopShown: Controller.stopWaits
     readonly property bool undoShown: !stopShown && answer.length > 0 && answer === Stops.answerText
-    readonly property bool alarmShown: !above && !stopShown && answer.length === 0 && alarm.length > 0 && alarm !== putAside && !Alarms.seen
+    readonly property bool alarmShown: !above && !faultOnPage && !stopShown && answer.length === 0 && alarm.length > 0 && alarm !== putAside && !Alarms.seen
     readonly property bool shown: stopShown || (answer.length > 0 && !(above && answer === answerBelow)) || alarmShown
 
     onAboveChanged: host.answerBelow = host.above ? host.answer : ""

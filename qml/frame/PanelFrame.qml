@@ -266,6 +266,7 @@ Rectangle {
         // The key that closes the sheet below stays free.
         readonly property real free: Math.min(frame.keypad?.free ?? overlay.width, (frame.login ?? frame.sheet)?.closeLeft ?? overlay.width) - leftEdge
         above: Frame.covered || firstStart.active
+        faultOnPage: frame.openPageItem?.showsFault ?? false
         x: leftEdge + Theme.size.gap
         y: above ? overlay.y + Theme.size.gap : parent.height - height - Theme.size.gap - (frame.openPageItem?.bannerBottom ?? 0)
         width: (above ? free : pageArea.x + pageArea.width - leftEdge) - 2 * Theme.size.gap

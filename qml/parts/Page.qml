@@ -9,6 +9,7 @@ Item {
     property real bannerLeft
     property real bannerBottom
     property real bannerRow                // height of the cards whose place the banner takes; 0: the page makes room
+    property bool showsFault               // a fault stands on the page itself: no banner tells it again
     property real leftInset                // width of what stands beside the page at the left: a sheet or its keypad
 
     // Shows the section of this file; a page without sections has none.

@@ -11,6 +11,7 @@ import CamPanel.Plot
 Card {
     id: card
 
+    property bool faultAtKnife
     readonly property PackingLine line: Controller.packing
     readonly property bool fresh: Controller.fresh && line.fresh
     readonly property bool follows: line.markState === PackingLine.Tracking
@@ -77,6 +78,8 @@ Card {
         cuts: card.line.cuts
         marks: card.line.seenMarks
         products: card.line.seenProducts
+        scrapBags: Controller.run.scrapAhead
+        scrapBehind: Controller.bags.isScrap
         nextMark: card.line.nextMarkMm
         position: card.line.filmPositionMm
         speed: card.line.filmSpeedMmPerS
@@ -84,6 +87,8 @@ Card {
         sensor: card.line.known && card.line.marksWanted ? card.line.sensorMm : NaN
         window: card.line.windowMm
         knifeOpen: card.line.knifeOpen
+        knifeFault: card.faultAtKnife
+        faultColor: Theme.color.fault
         stale: !card.fresh
         live: Theme.animated
         sensorText: qsTr("Mark sensor")

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The order of a packing machine on Run: how many bags are made, when it ends, and what they were. Without an order it is the
+// The order of a packing machine on Run: how many bags are made and rejected, and when it ends. Without an order it is the
 // key for a new one.
 pragma ComponentBehavior: Bound
 import QtQuick
@@ -15,13 +15,15 @@ Item {
     readonly property color figureInk: Orders.fresh || Orders.current.complete ? Theme.color.ink : Theme.color.disabledInk
     readonly property color noteInk: Orders.fresh || Orders.current.complete ? Theme.color.secondaryInk : Theme.color.disabledInk
 
-    // Two lines of text, also Chinese ones, on screens that are read from a distance.
-    implicitHeight: Math.max(Theme.size.touch, Math.round(1.7 * (Theme.size.caption + Theme.size.value)))
+    // A title, a number that is read from a distance, and the bar.
+    readonly property int numberSize: Math.round(1.3 * Theme.size.value)
+    implicitHeight: Math.max(Theme.size.touch, Math.round(1.5 * Theme.size.caption + 1.45 * strip.numberSize) + Theme.size.spacing)
 
     component Count: Column {
         id: count
         required property string title
-        required property double bags
+        required property string text
+        visible: count.text.length > 0
         anchors.verticalCenter: parent?.verticalCenter
         width: Math.max(word.implicitWidth, number.implicitWidth)
         Label {
@@ -32,9 +34,9 @@ Item {
         }
         Label {
             id: number
-            text: Theme.count(count.bags, 0)
+            text: count.text
             color: strip.figureInk
-            font { pixelSize: Theme.size.title; weight: Font.DemiBold }
+            font { pixelSize: Theme.size.value; weight: Font.DemiBold }
         }
     }
 
@@ -48,39 +50,36 @@ Item {
         background: Card { color: key.down ? Theme.color.touchTint : Theme.color.surface }
         onClicked: Frame.open("Orders/OrdersSheet", {})
 
-        Column {
-            id: words
-            anchors { left: parent.left; leftMargin: Theme.size.padding; verticalCenter: parent.verticalCenter }
-            width: Math.round(parent.width * 0.4)
-            Label {
-                objectName: "orderTitle"
-                width: parent.width
-                fontSizeMode: Text.HorizontalFit
-                text: Orders.current.title
-                color: strip.noteInk
-                font.pixelSize: Theme.size.caption
-            }
-            Label {
-                objectName: "orderProgress"
-                width: parent.width
-                fontSizeMode: Text.HorizontalFit
-                readonly property string more: Orders.current.complete ? Orders.current.stateText : Orders.endText
-                text: more.length > 0 ? Orders.current.progress + " · " + more : Orders.current.progress
-                color: strip.figureInk
-                font { pixelSize: Theme.size.value; weight: Font.DemiBold }
-            }
+        Label {
+            id: title
+            objectName: "orderTitle"
+            anchors { left: parent.left; leftMargin: Theme.size.padding; right: counts.left; rightMargin: Theme.size.padding; top: parent.top; topMargin: Theme.size.accent }
+            fontSizeMode: Text.HorizontalFit
+            text: Orders.current.complete ? Theme.fill(qsTr("%1 · %2"), [Orders.current.title, Orders.current.stateText]) : Orders.current.title
+            color: strip.noteInk
+            font.pixelSize: Theme.size.caption
+        }
+        Label {
+            objectName: "orderProgress"
+            anchors { left: title.left; right: title.right; top: title.bottom; bottom: bar.top }
+            fontSizeMode: Text.Fit
+            text: Orders.current.progress
+            color: strip.figureInk
+            font { pixelSize: strip.numberSize; bold: true }
         }
         ProgressBar {
-            anchors { left: words.right; leftMargin: Theme.size.padding; right: counts.left; rightMargin: Theme.size.padding; verticalCenter: parent.verticalCenter }
+            id: bar
+            anchors { left: title.left; right: title.right; bottom: parent.bottom; bottomMargin: Theme.size.accent }
+            height: Theme.size.spacing
             progress: Orders.current.fraction
         }
         Row {
             id: counts
             anchors { right: arrow.left; rightMargin: Theme.size.padding; verticalCenter: parent.verticalCenter }
             spacing: Theme.size.padding
-            Count { objectName: "orderGood"; title: qsTr("good"); bags: Orders.current.good }
-            Count { objectName: "orderRejected"; title: qsTr("rejected"); bags: Orders.current.rejected }
-            Count { objectName: "orderEmpty"; title: qsTr("empty"); bags: Orders.current.empty }
+            Count { objectName: "orderEndTime"; title: qsTr("ends"); text: Orders.endText }
+            Count { objectName: "orderRejected"; title: qsTr("rejected"); text: Theme.count(Orders.current.rejected, 0) }
+            Count { objectName: "orderEmpty"; title: qsTr("empty"); text: Theme.count(Orders.current.empty, 0) }
         }
         IconLabel {
             id: arrow

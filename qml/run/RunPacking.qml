@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Run of a packing machine: rate and bag length first, then the film as a picture, the knife's speed over its target and the
-// skipped cuts.
+// Run of a packing machine, in the order in which an operator looks: the order, rate and bag length in digits for three metres,
+// the film as a picture, then what is asked for less often.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme
@@ -13,72 +13,65 @@ Item {
 
     readonly property int gap: Theme.size.gap
     property real bottomInset
-    readonly property real room: height - 2 * gap - (order.visible ? order.height + gap : 0)
-    readonly property real bannerRow: height - skippedCuts.y   // a banner covers the lowest cards: nothing else moves
+    readonly property real numbersTop: order.visible ? order.height + gap : 0
+    readonly property real bannerRow: tiles.height   // a banner covers the lowest cards: nothing else moves
+
+    readonly property bool showsFault: Controller.faulted && Controller.fresh && Alarms.urgent.code.startsWith("C-")
 
     OrderStrip {
         id: order
         anchors { left: parent.left; right: parent.right }
         visible: Orders.offered
     }
-    NumberCard {
+    RateCard {
         id: rate
-        objectName: "packingRate"
-        readonly property bool led: Controller.masterSetting.leads
-        field: led ? "" : "rate_bags_per_min"
-        y: order.visible ? order.height + view.gap : 0
-        width: Math.round((view.width - view.gap) * 0.32)
-        height: Math.round(view.room * 0.3)
-        value: Controller.live.rateBagsPerMin
-        decimals: 1
-        title: led ? qsTr("Rate of the line") : HandSpeed.percent < 100 ? Theme.fill(qsTr("Rate, slowed to %1"), [Theme.joined(Theme.count(HandSpeed.percent, 0), "%")]) : qsTr("Rate")
-        unit: qsTr("bags/min")
-        // The seal time only where it fits; a long press explains it everywhere.
-        note: led && Controller.masterSetting.lineText !== "" ? Controller.masterSetting.lineText : isNaN(Controller.live.sealTimeMs) || words.advanceWidth > width - 2 * Theme.size.padding ? qsTr("%1 bags").arg(Theme.count(Controller.bags.count, 0)) : words.text
-        TextMetrics {
-            id: words
-            font.pixelSize: Theme.size.smallestText
-            text: Theme.fill(qsTr("%1 bags · seal %2"), [Theme.count(Controller.bags.count, 0), Theme.measure(Controller.live.sealTimeMs, 0, "ms")])
-        }
-        quantities: isNaN(Controller.live.sealTimeMs) ? [Explanations.Rate] : [Explanations.Rate, Explanations.LiveSealTime]
-        onTapped: Controller.masterSetting.explainRate()
+        visible: !view.showsFault
+        y: view.numbersTop
+        width: Math.round(Math.max(naturalWidth, 0.36 * (view.width - view.gap)))
+        height: Math.round(Math.min(implicitHeight, 0.45 * (view.height - view.numbersTop)))
     }
-    BagStrip {
-        anchors { left: rate.right; leftMargin: view.gap; right: parent.right; top: rate.top }
-        height: rate.height
+    LengthCard {
+        visible: rate.visible
+        anchors { left: rate.right; leftMargin: view.gap; right: parent.right; top: rate.top; bottom: rate.bottom }
+    }
+    // In the place of the numbers, which say nothing while the machine stands.
+    Loader {
+        anchors { left: parent.left; right: parent.right; top: rate.top; bottom: rate.bottom }
+        active: view.showsFault
+        source: "FaultCard.qml"
     }
     FilmCard {
         id: film
-        anchors { left: parent.left; right: HandTrims.present ? trimKey.left : parent.right; rightMargin: HandTrims.present ? view.gap : 0; top: rate.bottom; topMargin: view.gap }
-        height: Math.round(view.room * 0.36)
+        faultAtKnife: view.showsFault && ["C-01", "C-03", "C-08", "C-09"].includes(Alarms.urgent.code)
+        anchors { left: parent.left; right: parent.right; top: rate.bottom; topMargin: view.gap; bottom: tiles.top; bottomMargin: view.gap }
     }
-    Button {
-        id: trimKey
-        objectName: "trimKey"
-        anchors { right: parent.right; top: film.top; bottom: film.bottom }
-        width: Math.round(1.5 * Theme.size.touch)
-        visible: HandTrims.present
-        enabled: HandTrims.offered
-        text: qsTr("Trim")
-        note: HandTrims.moved ? qsTr("moved") : ""
-        Accessible.description: qsTr("Cut, product and length")
-        onClicked: Frame.open("Run/TrimSheet", {})
+    Row {
+        id: tiles
+        readonly property real tileWidth: (width - (HandTrims.present ? handKey.width + spacing : 0) - 2 * spacing) / 3
+        anchors { left: parent.left; right: parent.right; bottom: parent.bottom }
+        height: Math.max(Theme.size.touch, Math.round(0.42 * (view.height - rate.y - rate.height - 2 * view.gap)))
+        visible: view.bottomInset === 0
+        spacing: view.gap
+        // At the left: no key of a banner, which takes this place, is where it is.
+        Button {
+            id: handKey
+            objectName: "trimKey"
+            width: Math.round(1.5 * Theme.size.touch)
+            height: tiles.height
+            visible: HandTrims.present
+            enabled: HandTrims.offered
+            text: qsTr("By hand")
+            note: HandTrims.moved ? qsTr("moved") : ""
+            Accessible.description: qsTr("Cut, product and length")
+            onClicked: Frame.open("Run/TrimSheet", {})
+        }
+        KnifeCard { width: tiles.tileWidth; height: tiles.height }
+        SkippedCutsCard { width: tiles.tileWidth; height: tiles.height }
+        LastStopCard { width: tiles.tileWidth; height: tiles.height }
     }
     Binding {
         target: HandTrims
         property: "watched"
         value: view.visible && !Display.dark
-    }
-    SpeedCard {
-        visible: skippedCuts.visible
-        anchors { left: parent.left; right: skippedCuts.left; rightMargin: view.gap; top: film.bottom; topMargin: view.gap; bottom: skippedCuts.bottom }
-        compact: Theme.size.name === "small"
-        title: qsTr("Knife speed %1").arg(Theme.shownUnit("mm/s"))
-    }
-    SkippedCutsCard {
-        id: skippedCuts
-        anchors { right: parent.right; top: film.bottom; topMargin: view.gap; bottom: parent.bottom }
-        visible: view.bottomInset === 0
-        width: Math.round((view.width - view.gap) * 0.36)
     }
 }

@@ -16,6 +16,7 @@ Page {
     readonly property bool watchesOrder: page.visible && !Display.dark
     onWatchesOrderChanged: Orders.setWatchedBy(page, page.watchesOrder)
 
+    showsFault: !Stops.asking && ((loader.item as RunPacking)?.showsFault ?? false)
     bannerRow: Stops.asking ? 0 : (loader.item as RunPacking)?.bannerRow ?? 0
 
     Loader {

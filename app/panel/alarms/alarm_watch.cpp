@@ -86,8 +86,19 @@ void AlarmWatch::setControllerAlarms(const Kinds& now, const QString& bits, Alar
             continue;
         const bool isUnknown =
             &kind == &AlarmCatalogue::unknownFault() || &kind == &AlarmCatalogue::unknownWarning();
+        m_measures[&kind] = measured(kind);
         emit raised(kind, isUnknown ? bits : valuesOf(kind));
     }
+}
+
+FaultMeasure AlarmWatch::measured(const AlarmKind& kind) const
+{
+    const LiveValues live = m_controller.live();
+    if (&kind == &AlarmCatalogue::of(modbus::FaultBit::FollowingError))
+        return {std::abs(live.followingErrorMm), live.followingLimitMm};
+    if (&kind == &AlarmCatalogue::of(modbus::FaultBit::ForceLimit))
+        return {live.forceN, m_controller.active().maxStopForceN};
+    return {};
 }
 
 QString AlarmWatch::valuesOf(const AlarmKind& kind) const
@@ -121,6 +132,7 @@ void AlarmWatch::noteLink()
         m_patience.stop();
         m_isPatienceOver = false;
         setLinkAlarm(nullptr);
+        m_controller.parameter("parameter.following_error_limit").readIfUncertain();
         return;
     }
     if (isComing(report.state)) {

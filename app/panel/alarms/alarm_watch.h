@@ -2,11 +2,13 @@
 // Watches controller, link, recipe, settings and database and reports when an alarm comes and goes.
 #pragma once
 
+#include "app/panel/alarms/fault_measure.h"
 #include "app/panel/words/alarm_catalogue.h"
 #include "app/program/dead_time_estimate.h"
 #include "app/store/logs/alarm_log.h"
 #include "app/store/store_thread.h"
 
+#include <QHash>
 #include <QObject>
 #include <QSet>
 #include <QTimer>
@@ -37,6 +39,8 @@ public:
     // Sets the function that counts the touchscreens. Fewer than at any earlier check are an alarm; without
     // the function none is raised.
     void setTouchscreenCount(std::function<int()> count) { m_countTouchscreens = std::move(count); }
+    // Returns what broke the limit when this alarm was raised last; unknown for most.
+    [[nodiscard]] FaultMeasure measureOf(const AlarmKind& kind) const { return m_measures.value(&kind); }
     // Ends the database alarm after a successful write.
     void noteStored();
     // Raises the alarm of a mark sensor that has drifted, or ends it.
@@ -53,6 +57,7 @@ private:
 
     void noteController();
     void setControllerAlarms(const Kinds& now, const QString& detail, store::AlarmRow::End end);
+    [[nodiscard]] FaultMeasure measured(const AlarmKind& kind) const;
     // Returns the values that broke the limit, as far as the controller reports them.
     [[nodiscard]] QString valuesOf(const AlarmKind& kind) const;
     void noteLink();
@@ -70,6 +75,7 @@ private:
     Settings& m_settings;
     QTimer m_patience;
     bool m_isPatienceOver = false;
+    QHash<const AlarmKind*, FaultMeasure> m_measures;
     Kinds m_byController;
     const AlarmKind* m_link = nullptr;
     Kinds m_store; // until the next successful write

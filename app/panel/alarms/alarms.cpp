@@ -75,6 +75,7 @@ Alarms::Alarms(Controller& controller, Editor& editor, DatabaseService& records,
         [this](const tl::expected<AlarmLog::Start, StoreError>& start) { begin(start); });
     LanguageNotifier::follow(this);
     LanguageNotifier::follow(&m_detail);
+    LanguageNotifier::follow(&m_urgentDetail);
 }
 
 AlarmBook::Now Alarms::now() const
@@ -154,6 +155,8 @@ void Alarms::publish()
     m_shelved.setRows(shelves);
     m_history.setToday(today());
     m_detail.update(m_book, today());
+    const auto urgent = std::ranges::find(rows, urgentCode(), &AlarmListRow::code);
+    m_urgentDetail.show(urgent != rows.end() ? urgent->alarm : store::AlarmRow(), m_book, today());
     emit changed();
 }
 
@@ -219,6 +222,11 @@ void Alarms::acknowledgeEach(const std::function<bool(const AlarmEntry& entry)>&
     }
     if (!codes.isEmpty())
         note(acknowledging, codes.join(u", "_s));
+}
+
+FaultMeasure Alarms::urgentMeasure() const
+{
+    return m_urgent ? m_watch.measureOf(*m_urgent) : FaultMeasure();
 }
 
 void Alarms::showUrgent()

@@ -31,6 +31,9 @@ class Alarms : public QObject, public Singleton<Alarms> {
     Q_PROPERTY(campanel::panel::RowModelBase* shelved READ shelved CONSTANT FINAL)
     // The selected alarm.
     Q_PROPERTY(campanel::panel::AlarmDetail* detail READ detail CONSTANT FINAL)
+    // The most urgent active alarm in detail, and what broke its limit; its code is empty without one.
+    Q_PROPERTY(campanel::panel::AlarmDetail* urgent READ urgent CONSTANT FINAL)
+    Q_PROPERTY(campanel::panel::FaultMeasure urgentMeasure READ urgentMeasure NOTIFY changed FINAL)
     Q_PROPERTY(int unacknowledged READ unacknowledged NOTIFY changed FINAL)
     // The highest severity that needs to be acknowledged; None when there is none.
     Q_PROPERTY(Severity callingSeverity READ callingSeverity NOTIFY changed FINAL)
@@ -64,6 +67,8 @@ public:
     [[nodiscard]] AlarmHistory* history() { return &m_history; }
     [[nodiscard]] ShelvedAlarms* shelved() { return &m_shelved; }
     [[nodiscard]] AlarmDetail* detail() { return &m_detail; }
+    [[nodiscard]] AlarmDetail* urgent() { return &m_urgentDetail; }
+    [[nodiscard]] FaultMeasure urgentMeasure() const;
     [[nodiscard]] int active() const { return m_active; }
     [[nodiscard]] int unacknowledged() const { return m_unacknowledged; }
     [[nodiscard]] Severity callingSeverity() const { return m_callingSeverity; }
@@ -124,6 +129,7 @@ private:
     AlarmHistory m_history;
     ShelvedAlarms m_shelved{this};
     AlarmDetail m_detail{this};
+    AlarmDetail m_urgentDetail{this};
     QTimer m_publishTimer;
     QTimer m_writeTimer;
     QTimer m_checkTimer;

@@ -5,6 +5,8 @@
 #include "app/panel/kit/language_notifier.h"
 #include "app/panel/words/controller_sentences.h"
 
+#include <algorithm>
+
 namespace campanel::panel {
 
 RunStatements::RunStatements(Controller& controller)
@@ -60,6 +62,17 @@ RunFacts RunStatements::facts() const
     return facts;
 }
 
+int RunStatements::scrapOf(const RunFacts& facts) const
+{
+    if (!facts.isMoving())
+        return 0;
+    if (isAnnounced(facts))
+        return std::max(0, m_change->price.maxScrap - m_controller.bagStatistics().scrap());
+    const bool isOffMarks = facts.areMarksWanted && (facts.marks == modbus::MarkState::Searching ||
+                                                     facts.marks == modbus::MarkState::Aligning);
+    return isOffMarks ? 1 : 0;
+}
+
 void RunStatements::updateStart()
 {
     m_canStart = m_controller.canStart();
@@ -72,9 +85,11 @@ void RunStatements::update()
     if (m_change && (!status || status->generation > m_change->generation + 1))
         m_change.reset();
     const RunFacts now = facts();
-    if (now == m_facts)
+    const int scrap = scrapOf(now);
+    if (now == m_facts && scrap == m_scrapAhead)
         return;
     m_facts = now;
+    m_scrapAhead = scrap;
     emit changed();
 }
 

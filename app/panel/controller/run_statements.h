@@ -23,6 +23,9 @@ class RunStatements : public QObject {
     Q_PROPERTY(QString film READ film NOTIFY changed FINAL)       // why film or knife do not simply run
     Q_PROPERTY(QString stroke READ stroke NOTIFY changed FINAL)   // why there is no stroke of a press
     Q_PROPERTY(QString trends READ trends NOTIFY changed FINAL)   // why there are no data of any time
+    // The next bags that will not count, as far as that is known: those of a change, and the one that is in
+    // the making while the cuts are not on the marks.
+    Q_PROPERTY(int scrapAhead READ scrapAhead NOTIFY changed FINAL)
 
 public:
     // The controller must outlive the object.
@@ -32,6 +35,7 @@ public:
     [[nodiscard]] QString bags() const { return text(RunPlace::Bags); }
     [[nodiscard]] QString marks() const { return text(RunPlace::Marks); }
     [[nodiscard]] QString film() const;
+    [[nodiscard]] int scrapAhead() const { return m_scrapAhead; }
     [[nodiscard]] QString stroke() const { return text(RunPlace::Stroke); }
     [[nodiscard]] QString trends() const { return text(RunPlace::Trends); }
     // Returns what a download that has just ended means.
@@ -53,11 +57,13 @@ signals:
 private:
     [[nodiscard]] QString text(RunPlace place) const;
     [[nodiscard]] RunFacts facts() const;
+    [[nodiscard]] int scrapOf(const RunFacts& facts) const;
     // Returns true while the announced change is under way.
     [[nodiscard]] bool isAnnounced(const RunFacts& facts) const;
 
     Controller& m_controller;
     RunFacts m_facts;
+    int m_scrapAhead = 0;
     bool m_canStart = false;
     struct Change {
         program::ChangePrice price;

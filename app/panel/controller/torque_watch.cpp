@@ -85,6 +85,13 @@ void TorqueWatch::prepare()
     emit changed();
 }
 
+double TorqueWatch::limitPercent() const
+{
+    return m_machineData && m_machineData->ratedTorqueNm > 0
+               ? 100 * m_machineData->maxTorqueNm / m_machineData->ratedTorqueNm
+               : unknown;
+}
+
 bool TorqueWatch::isSameAxis() const
 {
     const auto& program = m_controller.program();

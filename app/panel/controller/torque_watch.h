@@ -26,7 +26,9 @@ class TorqueWatch : public campanel::panel::Watched {
     // The largest magnitude of measured minus predicted among the last readings at full speed.
     Q_PROPERTY(QString text READ text NOTIFY changed FINAL)
     Q_PROPERTY(QString shortText READ shortText NOTIFY changed FINAL)
-    // The data that a comparison needs and does not have, as a sentence; empty when there are none.
+    Q_PROPERTY(double measuredPercent READ measuredPercent NOTIFY changed FINAL)
+    // The largest torque of the motor by the machine data.
+    Q_PROPERTY(double limitPercent READ limitPercent NOTIFY changed FINAL)
 
 public:
     // The readings that the difference is of: half a minute of them.
@@ -44,6 +46,7 @@ public:
     explicit TorqueWatch(Controller& controller);
 
     [[nodiscard]] double measuredPercent() const;
+    [[nodiscard]] double limitPercent() const;
     [[nodiscard]] double predictedPercent() const { return m_last.predictedPercent; }
     [[nodiscard]] double differencePercent() const;
     [[nodiscard]] QString text() const; // empty when nothing is known

@@ -202,6 +202,11 @@ QPointF JamWatch::jam() const
                   : QPointF(unknown, unknown);
 }
 
+double JamWatch::limitPercent() const
+{
+    return m_status && m_status->last ? m_status->last->limitPercent : unknown;
+}
+
 double JamWatch::fromDeg() const
 {
     const bool hasBand = m_status && m_status->toDeg > m_status->fromDeg;

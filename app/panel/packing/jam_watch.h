@@ -33,6 +33,8 @@ class JamWatch : public campanel::panel::Watched {
     Q_PROPERTY(QList<QPointF> readings READ readings NOTIFY changed FINAL)
     // The last jam that was seen in the torque, (angle, torque).
     Q_PROPERTY(QPointF jam READ jam NOTIFY changed FINAL)
+    // The end of the band there.
+    Q_PROPERTY(double limitPercent READ limitPercent NOTIFY changed FINAL)
     // The ends of the picture.
     Q_PROPERTY(double fromDeg READ fromDeg NOTIFY changed FINAL)
     Q_PROPERTY(double toDeg READ toDeg NOTIFY changed FINAL)
@@ -59,6 +61,7 @@ public:
     [[nodiscard]] QList<double> halfWidths() const;
     [[nodiscard]] QList<QPointF> readings() const { return m_readings; }
     [[nodiscard]] QPointF jam() const;
+    [[nodiscard]] double limitPercent() const;
     [[nodiscard]] double fromDeg() const;
     [[nodiscard]] double toDeg() const;
     [[nodiscard]] double closingDeg() const;

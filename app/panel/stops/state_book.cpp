@@ -95,6 +95,16 @@ void StateBook::splitAtQuarters(link::SteadyTime steady)
     }
 }
 
+void StateBook::divide(const Now& now)
+{
+    if (!m_open)
+        return;
+    const qint64 elapsedMs = msSinceBegin(now.steady);
+    const qint64 beginMs = m_open->beginMs + elapsedMs;
+    close(elapsedMs);
+    open(m_seen, beginMs, now.steady);
+}
+
 bool StateBook::continuesStop(const Observation& seen, qint64 beginMs) const
 {
     if (!m_last || m_last->stop == 0 || isSuspended(m_last->state) != isSuspended(seen.state))

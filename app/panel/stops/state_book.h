@@ -55,6 +55,8 @@ public:
     void note(const Observation& seen, const Now& now);
     // Ends the interval when there was no status for some time.
     void check(const Now& now);
+    // Ends the present interval and goes on with another one: an order begins or ends.
+    void divide(const Now& now);
     // Adds pieces to the present interval, or to the last one.
     void add(const Pieces& pieces);
     // Sets the reason of the present stop. Returns false when this is not the present stop.

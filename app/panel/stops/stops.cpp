@@ -176,11 +176,37 @@ QString Stops::reasonText() const
     return m_present.reason.isEmpty() ? QString() : StopWords::reason(m_present.reason);
 }
 
+QString Stops::lastTitle() const
+{
+    if (m_present.lastBeginMs == 0)
+        return {};
+    const QString begin =
+        Format::local(QDateTime::fromMSecsSinceEpoch(m_present.lastBeginMs), QStringLiteral("HH:mm"));
+    return m_book.presentStop().id != 0 ? tr("Stopped at %1", "time").arg(begin)
+                                        : tr("Last stop %1", "time").arg(begin);
+}
+
+QString Stops::lastReason() const
+{
+    return m_present.lastBeginMs == 0 ? QString() : StopWords::reason(m_present.lastReason);
+}
+
+QString Stops::lastDuration() const
+{
+    return m_present.lastBeginMs == 0 ? QString() : StopWords::duration(m_present.lastMs);
+}
+
 void Stops::updatePresent()
 {
     Present present;
     const StopRow stop = m_book.presentStop();
+    present.lastBeginMs = m_present.lastBeginMs;
+    present.lastMs = m_present.lastMs;
+    present.lastReason = m_present.lastReason;
     if (stop.id != 0) {
+        present.lastBeginMs = m_book.stopBeginMs();
+        present.lastMs = m_book.stopMs();
+        present.lastReason = stop.reason;
         const qint64 afterMs = m_settings.values().whole("stops.ask_after_seconds") * msPerAskedSecond;
         const bool hasProgram = !m_book.present()->program.isEmpty();
         present.reason = stop.reason;

@@ -28,6 +28,11 @@ class Stops : public QObject, public Singleton<Stops> {
     // nobody has given one.
     Q_PROPERTY(QString reason READ reason NOTIFY presentChanged FINAL)
     Q_PROPERTY(QString reasonText READ reasonText NOTIFY presentChanged FINAL)
+    // The present stop, or while the machine produces the one before: "Last stop 13:52", its reason, "12 s".
+    // Empty without one.
+    Q_PROPERTY(QString lastTitle READ lastTitle NOTIFY presentChanged FINAL)
+    Q_PROPERTY(QString lastReason READ lastReason NOTIFY presentChanged FINAL)
+    Q_PROPERTY(QString lastDuration READ lastDuration NOTIFY presentChanged FINAL)
     // The last answer for some seconds, "Stop reason: Film change."; empty: nothing can be undone.
     Q_PROPERTY(QString answerText READ answerText NOTIFY answerChanged FINAL)
     // The keys that answer the question.
@@ -52,6 +57,9 @@ public:
     [[nodiscard]] QString sinceText() const { return m_present.sinceText; }
     [[nodiscard]] QString reason() const { return m_present.reason; }
     [[nodiscard]] QString reasonText() const;
+    [[nodiscard]] QString lastTitle() const;
+    [[nodiscard]] QString lastReason() const;
+    [[nodiscard]] QString lastDuration() const;
     [[nodiscard]] QString answerText() const;
     [[nodiscard]] ReasonKeys* keys() { return &m_keys; }
     [[nodiscard]] ShiftView* shift() { return &m_shift; }
@@ -65,6 +73,8 @@ public:
     Q_INVOKABLE void dismissAnswer();
     // Sets the reason of a stop, for operators. Returns false when the access check refuses.
     bool answer(qint64 stop, const StopReason& reason);
+    // Lets an interval begin now, so that those of an order are its own.
+    void divide() { m_book.divide(m_watch.now()); }
     // Writes the changes and the present interval.
     void write();
     // Writes what is due, and asks; runs every second.
@@ -81,6 +91,10 @@ private:
         bool isAsking = false;
         QString sinceText;
         QString reason;
+        // The present stop, or the one before.
+        qint64 lastBeginMs = 0; // 0: none
+        qint64 lastMs = 0;
+        QString lastReason;
 
         bool operator==(const Present&) const = default;
     };

@@ -50,6 +50,7 @@ void FilmPicture::paint(QPainter* painter)
     if (!std::isnan(m_positionMm)) {
         painter->save();
         painter->setClipRect(boundingRect());
+        paintScrap(*painter, places);
         paintProducts(*painter, places);
         paintWindow(*painter, places);
         paintMarks(*painter, places);
@@ -90,6 +91,30 @@ void FilmPicture::paintScale(QPainter& painter, const Rows& rows) const
     scale.tickColor = m_edgeColor;
     scale.textColor = m_textColor;
     scale.paint(painter);
+}
+
+// Hatches the bags that will be scrap, from the knife on, and the last one behind it. A skipped cut ends no
+// bag.
+void FilmPicture::paintScrap(QPainter& painter, const Rows& rows) const
+{
+    const QBrush hatch(live(m_skippedColor), Qt::BDiagPattern);
+    const auto paint = [&](double left, double right) {
+        painter.fillRect(QRectF(left, rows.filmTop, right - left, rows.filmBottom - rows.filmTop), hatch);
+    };
+    if (m_isScrapBehind)
+        paint(knifeX(), width());
+    double right = knifeX();
+    int bags = 0;
+    for (const QPointF& cut : m_cuts) {
+        if (bags == m_scrapBags)
+            break;
+        const double left = xOf(cut.x());
+        if (left >= knifeX() || cut.y() != 0)
+            continue; // made already, or skipped
+        paint(left, right);
+        right = left;
+        ++bags;
+    }
 }
 
 void FilmPicture::paintProducts(QPainter& painter, const Rows& rows) const
@@ -215,6 +240,12 @@ void FilmPicture::paintKnife(QPainter& painter, const Rows& rows) const
     painter.setBrush(m_isKnifeOpen ? QBrush() : QBrush(color));
     const double head = rows.filmTop - rows.headsTop - film::lineWidth;
     painter.drawPolygon(triangle({knifeX(), rows.filmTop - film::lineWidth}, half, head));
+    if (m_isKnifeFault) {
+        const double radius = (rows.filmBottom - rows.filmTop) / 2;
+        painter.setPen(QPen(m_faultColor, 2 * film::lineWidth));
+        painter.setBrush(Qt::NoBrush);
+        painter.drawEllipse(QPointF(knifeX(), (rows.filmTop + rows.filmBottom) / 2), radius, radius);
+    }
     painter.setPen(m_textColor);
     paintTextWithin(painter, width(), knifeX(), 0, m_knifeText);
 }

@@ -99,6 +99,32 @@ private slots:
         QCOMPARE(rig.inkAt(image, 400, black), 0);
     }
 
+    // Bags that will be scrap are hatched from the knife on; a skipped cut ends none.
+    void scrapIsHatched()
+    {
+        Rig rig;
+        rig.set("cuts", {{100, 0}, {350, 1}, {600, 0}, {850, 0}});
+        const auto hatched = [&](double mm) { return rig.inkAt(rig.paint(), mm, red, 12) > 30; };
+        QVERIFY(!hatched(50) && !hatched(225) && !hatched(-40));
+        rig.picture.setProperty("scrapBags", 2);
+        QVERIFY2(hatched(50), "the bag in the making");
+        QVERIFY2(hatched(225) && hatched(475), "the next one, of two lengths");
+        QVERIFY(!hatched(725) && !hatched(-40));
+        rig.picture.setProperty("scrapBags", 0);
+        rig.picture.setProperty("scrapBehind", true);
+        QVERIFY2(hatched(-40), "the last bag, behind the knife");
+        QVERIFY(!hatched(50));
+    }
+
+    void aFaultOfTheKnifeHasARing()
+    {
+        Rig rig;
+        rig.picture.setProperty("faultColor", green);
+        QCOMPARE(rig.inkAt(rig.paint(), 0, green, 60), 0);
+        rig.picture.setProperty("knifeFault", true);
+        QVERIFY(rig.inkAt(rig.paint(), 0, green, 60) > 100);
+    }
+
     void productsLieWhereTheirEdgesAre()
     {
         Rig rig;

@@ -260,12 +260,15 @@ private slots:
         QVERIFY(walk.download());
         const QString price = walk.machine.run()->film();
         QVERIFY2(price.startsWith(QStringLiteral("Changing to 200 mm: scrap ")), qPrintable(price));
+        QVERIFY2(walk.passUntil([&] { return walk.machine.run()->scrapAhead() > 0; }, 10),
+                 "the scrap of the change is told before it is cut");
         walk.link.setConnected(false);
         walk.pass(3);
         walk.connect();
         QVERIFY(walk.passUntil([&] { return walk.hasBags; }, 60));
         walk.pass(0.5);
         QVERIFY2(!walk.machine.run()->film().startsWith(QStringLiteral("Changing")), "the change is over");
+        QCOMPARE(walk.machine.run()->scrapAhead(), 0);
         walk.pass(3);
         finish(walk);
     }
