@@ -105,6 +105,7 @@ ProgramChange behindLine(const Side& before, const Side& behind, double ratio, d
     constexpr double slowest = 0.01; // a line that stands
     ProgramChange change;
     change.way = ChangeWay::FollowsLine;
+    change.speedRatio = 1 / ratio;
     change.speedBefore = std::max(slowest, parameters.line->share);
     change.speedBehind = change.speedBefore * ratio;
     change.shareBefore = change.speedBefore;
@@ -116,6 +117,7 @@ ProgramChange behindLine(const Side& before, const Side& behind, double ratio, d
         const double off = stretchCycles(before, change.speedBefore, parameters);
         const double on = stretchCycles(behind, change.speedBehind, parameters);
         change.way = ChangeWay::LeavesLine;
+        change.slowingS = off * beforeS;
         change.timeS = off * beforeS + on * behind.solved.cycleS() / change.speedBehind;
         change.cycles = (off + on) / 2;
     } else if (waitsForProducts(before.recipe, parameters)) {
@@ -151,8 +153,10 @@ std::optional<ProgramChange> programChange(const Recipe& from, const SolvedProgr
     const double downS = before.rampS(parameters);
     const double upS = behind.rampS(parameters);
     ProgramChange change;
+    change.speedRatio = 1 / ratio;
     change.shareBefore = share;
     change.shareBehind = shareBehind;
+    change.slowingS = down.time * downS;
     change.timeS = down.time * downS + up.time * upS;
     change.cycles = down.travel * downS / solvedFrom.cycleS() + up.travel * upS / solvedTo.cycleS();
     if (waitsForProducts(from, parameters))

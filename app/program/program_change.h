@@ -45,6 +45,8 @@ struct ProgramChange {
     double speedBehind = 1; // and when it is over
     double shareBefore = 1; // of full speed at the boundary, 0..1
     double shareBehind = 1; // of the new program's full speed
+    double speedRatio = 1;  // of film or master at the new program's full speed, to that at the old one's
+    double slowingS = 0;    // until the boundary
     double timeS = 0;       // from full speed to full speed, without waiting for the boundary
     double cycles = 0;      // completed in that time
     // More when a product lies under the first cut: two cycles until the knife stands open, each from and to

@@ -28,8 +28,8 @@ MouseArea {
             area.tapped()
             return
         }
-        Permission.tap(area, () => change.begin(area.field, area))
-        change.begin(area.field, area)
+        Permission.tap(area, () => change.begin(area.field))
+        change.begin(area.field)
     }
     onPressAndHold: {
         const quantities = area.explained()

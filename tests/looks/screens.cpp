@@ -494,6 +494,17 @@ const QList<Screen>& allScreens()
              window.checkClock();
              window.tap(run);
          }},
+        taps("run-change", {run, QStringLiteral("bagNumbers"), QStringLiteral("changeStep2"),
+                            QStringLiteral("changeMore"), QStringLiteral("changeMore")}),
+        {QStringLiteral("run-change-refused"),
+         [=](TestWindow& window) {
+             window.tap(run);
+             window.tap(QStringLiteral("packingRate"));
+             window.tap(QStringLiteral("changeKeypad"));
+             window.type(QStringLiteral("390"));
+             window.tap(QStringLiteral("keypadAccept"));
+         }},
+        taps("run-knife", {run, QStringLiteral("knifeCard")}),
         taps("run-film", {run, QStringLiteral("filmCard")}),
         taps("bag-tolerance", {settings, QStringLiteral("section2"), QStringLiteral("bagTolerance")}),
         situation("run-lost", Situation::Lost, run),

@@ -130,13 +130,13 @@ private slots:
         using namespace std::chrono_literals;
         enter(Situation::Running);
         QCOMPARE(controller().bags().series.size(), 60);
-        const QString figures = textOf("bagFigures");
+        const QString figures = textOf("lastDeviation");
         const QRectF film = placeOf("filmCard");
         loseLine(2s);
         QCOMPARE(placeOf("filmCard"), film);
         findLine();
         QCOMPARE(controller().bags().series.size(), 60);
-        QCOMPARE(textOf("bagFigures"), figures);
+        QCOMPARE(textOf("lastDeviation"), figures);
         // A longer one is told.
         loseLine(4s);
         QVERIFY2(textOf("banner").startsWith(u"No connection since"_s), qPrintable(textOf("banner")));
@@ -163,30 +163,75 @@ private slots:
     void aNumberIsChangedWhereItStands_data()
     {
         QTest::addColumn<QString>("card");
-        QTest::addColumn<QString>("keys");
         QTest::addColumn<QString>("field");
-        QTest::addRow("length") << u"bagNumbers"_s << u"190"_s << u"bag_length_mm"_s;
-        QTest::addRow("rate") << u"packingRate"_s << u"80"_s << u"rate_bags_per_min"_s;
+        QTest::addColumn<double>("after");
+        QTest::addRow("length") << u"bagNumbers"_s << u"bag_length_mm"_s << 251.0;
+        QTest::addRow("rate") << u"packingRate"_s << u"rate_bags_per_min"_s << 61.0;
     }
-    // Six touches for a length of three digits: the number, its digits, OK, Download.
+    // Three touches: the number, a step, Apply.
     void aNumberIsChangedWhereItStands()
     {
         QFETCH(QString, card);
-        QFETCH(QString, keys);
         QFETCH(QString, field);
+        QFETCH(double, after);
         enter(Situation::Running);
+        const double before = editor().field(field)->value();
         m_window->hold(card);
         QVERIFY2(m_window->find(u"sheetPanel"_s), "a held finger explains");
         tap("sheetClose");
         m_window->tap(card);
-        QVERIFY2(m_window->find(u"keypad"_s), "a tap on the number opens its keypad");
-        for (const QChar key : keys)
-            m_window->tapNamed(QString(key));
-        tap("keypadAccept");
-        QCOMPARE(editor().field(field)->value(), keys.toDouble());
-        QVERIFY2(m_window->find(u"downloadStart"_s), "what changes is told, with its key");
-        tap("downloadStart");
+        QVERIFY2(!m_window->find(u"changeApply"_s)->isEnabled(), "nothing is changed");
+        tap("changeMore");
+        QCOMPARE(editor().field(field)->value(), after);
+        QVERIFY2(m_window->find(u"changePicture"_s), "what the change does is drawn");
+        // The film's speed is length times rate.
+        const QList<QPointF> speeds = editor().programDownload()->changeSpeeds();
+        QCOMPARE(speeds.size(), 3);
+        QCOMPARE(speeds.first(), QPointF(0, 100));
+        QVERIFY(speeds[1].y() <= 100);
+        QVERIFY(qAbs(speeds.last().y() - 100 * after / before) < 1e-6);
+        QVERIFY(!textOf("changeText").isEmpty());
+        tap("changeApply");
         QCOMPARE(editor().programDownload()->state(), panel::ProgramDownload::State::Transferring);
+    }
+
+    void whatIsNotAppliedIsNotKept()
+    {
+        enter(Situation::Running);
+        const double before = editor().field(u"bag_length_mm"_s)->value();
+        const int undo = editor().undoLevel();
+        const QString name = editor().recipeName();
+        m_window->tap(u"bagNumbers"_s);
+        tap("changeStep2");
+        tap("changeMore");
+        tap("changeMore");
+        QCOMPARE(editor().field(u"bag_length_mm"_s)->value(), before + 20);
+        tap("changeCancel");
+        QCOMPARE(editor().field(u"bag_length_mm"_s)->value(), before);
+        QCOMPARE(editor().undoLevel(), undo);
+        QCOMPARE(editor().recipeName(), name);
+        m_window->tap(u"bagNumbers"_s);
+        tap("changeKeypad");
+        m_window->type(u"190"_s);
+        tap("keypadAccept");
+        QCOMPARE(editor().field(u"bag_length_mm"_s)->value(), 190.0);
+        QVERIFY2(m_window->find(u"changeApply"_s)->isEnabled(), "the sheet is still open");
+        tap("sheetClose");
+        QCOMPARE(editor().field(u"bag_length_mm"_s)->value(), before);
+    }
+
+    void whatTheMachineCannotDoIsRefusedInTheSheet()
+    {
+        enter(Situation::Running);
+        m_window->tap(u"packingRate"_s);
+        tap("changeKeypad");
+        m_window->type(u"390"_s);
+        tap("keypadAccept");
+        QVERIFY(!m_window->find(u"changeApply"_s)->isEnabled());
+        QVERIFY2(!textOf("changeText").startsWith(u"Not possible"_s), "the reason is told");
+        tap("changeSuggestion");
+        QVERIFY(m_window->find(u"changeApply"_s)->isEnabled());
+        tap("changeCancel");
     }
 
     void aCamShowsTheLine_data()

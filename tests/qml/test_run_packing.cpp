@@ -6,6 +6,7 @@
 #include "app/plot/film/film_picture.h"
 #include "tests/support/test_program.h"
 
+#include <QFontMetricsF>
 #include <QSignalSpy>
 
 #include <chrono>
@@ -57,7 +58,8 @@ private slots:
         QVERIFY(!picture().property("stale").toBool());
         QCOMPARE(textOf("markState"), QStringLiteral("Tracking marks"));
         QCOMPARE(textOf("markError"), QStringLiteral("mark error +0.04 mm"));
-        QVERIFY(textOf("bagFigures").startsWith(QStringLiteral("mean 250.0")));
+        QCOMPARE(textOf("bagLength"), QStringLiteral("250.0"));
+        QVERIFY(textOf("lastDeviation").endsWith(QStringLiteral("0.02")));
         QCOMPARE(textOf("bagsWithin"), QStringLiteral("60 of 60 within"));
         QCOMPARE(textOf("lastSkip"), QStringLiteral("Last: Product missing"));
         QVERIFY(!m_window->find(QStringLiteral("packingGate")));
@@ -96,6 +98,53 @@ private slots:
         QVERIFY(m_window->find(QStringLiteral("sheetMarkError")));
         tap("sheetClose");
         QVERIFY(!m_window->find(QStringLiteral("sheetPanel")));
+    }
+
+    // Digits of 14 mm by the screen's density, and whole numbers larger than decimals.
+    void numbersAreReadFromThreeMetres()
+    {
+        enter(Situation::Running);
+        const double pixelsPerMm =
+            m_window->theme()->property("size").value<QObject*>()->property("pixelsPerMm").toDouble();
+        for (const QString& name : {QStringLiteral("rateNumber"), QStringLiteral("bagLength")}) {
+            const QQuickItem* number = m_window->find(name);
+            QVERIFY2(number, qPrintable(name));
+            const QList<QQuickItem*> labels = number->childItems();
+            const QFont whole = labels[0]->property("font").value<QFont>();
+            const double digitPx = QFontMetricsF(whole).tightBoundingRect(QStringLiteral("250")).height();
+            QVERIFY2(digitPx >= 14 * pixelsPerMm - 1, qPrintable(QString::number(digitPx / pixelsPerMm)));
+            QVERIFY(labels[1]->property("font").value<QFont>().pixelSize() < whole.pixelSize() / 2);
+        }
+    }
+
+    // The knife's curve is one tap away.
+    void theKnifesCurveOpens()
+    {
+        enter(Situation::Running);
+        QVERIFY(!m_window->find(QStringLiteral("speedNumbers")));
+        m_window->tap(QStringLiteral("knifeCard"));
+        QVERIFY(m_window->find(QStringLiteral("speedNumbers")));
+        tap("sheetClose");
+    }
+
+    // A fault stands where the numbers were, with what to do; no banner tells it again.
+    void aFaultStandsOnThePage()
+    {
+        enter(Situation::Jammed);
+        QCOMPARE(textOf("faultTitle"), QStringLiteral("Jam at the jaws"));
+        QVERIFY2(textOf("faultAction").startsWith(QStringLiteral("Take out")),
+                 qPrintable(textOf("faultAction")));
+        QVERIFY(picture().property("knifeFault").toBool());
+        QVERIFY(!m_window->find(QStringLiteral("banner")));
+        QVERIFY(!m_window->find(QStringLiteral("rateNumber")));
+        m_window->tap(QStringLiteral("faultCard"));
+        QVERIFY(m_window->find(QStringLiteral("alarmReset")));
+        tap("sheetClose");
+        tap("nav_motion");
+        QVERIFY2(m_window->find(QStringLiteral("banner")), "other pages have it as a banner");
+        enter(Situation::Running);
+        QVERIFY(!m_window->find(QStringLiteral("faultCard")));
+        QVERIFY(m_window->find(QStringLiteral("rateNumber")));
     }
 
     void anOldControllerHasThePageAsBefore()

@@ -141,6 +141,16 @@ QString ChangeForecast::text() const
     return m_price ? change + u' ' + ControllerSentences::changePrice(*m_price) : change;
 }
 
+QList<QPointF> ChangeForecast::speeds() const
+{
+    if (!m_isKnown || !m_change || !(m_change->timeS > 0))
+        return {};
+    const bool rests = m_change->way == program::ChangeWay::LeavesLine;
+    const double boundary = rests ? 0.0 : m_change->shareBefore / m_change->speedBefore;
+    const double behind = rests ? 1.0 : m_change->speedRatio;
+    return {{0, 100}, {m_change->slowingS, 100 * boundary}, {m_change->timeS, 100 * behind}};
+}
+
 QString ChangeForecast::refusal() const
 {
     if (!m_isKnown)

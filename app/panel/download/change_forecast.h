@@ -7,7 +7,9 @@
 #include "app/program/change_price.h"
 #include "app/program/program_image.h"
 
+#include <QList>
 #include <QObject>
+#include <QPointF>
 
 #include <optional>
 #include <vector>
@@ -30,6 +32,9 @@ public:
     // Returns what the running machine will do and what that costs, without a forecast that it changes with
     // the next cycle.
     [[nodiscard]] QString text() const;
+    // Returns the speed of film or cam over the change as corners of a line, seconds and per cent of the
+    // speed before it; empty without a forecast, and when the speed goes on.
+    [[nodiscard]] QList<QPointF> speeds() const;
     // Returns what the change costs; empty without a packing line.
     [[nodiscard]] const std::optional<program::ChangePrice>& price() const { return m_price; }
     [[nodiscard]] double bagLengthMm() const { return m_bagLengthMm; }

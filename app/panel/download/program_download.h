@@ -22,6 +22,9 @@ class ProgramDownload : public QObject {
     Q_PROPERTY(State state READ state NOTIFY changed FINAL)
     Q_PROPERTY(double progress READ progress NOTIFY changed FINAL)
     Q_PROPERTY(QString text READ text NOTIFY changed FINAL)
+    // The speed of film or cam while the running machine changes: corners of a line in seconds and per cent
+    // of the speed before; empty when it goes on.
+    Q_PROPERTY(QList<QPointF> changeSpeeds READ changeSpeeds NOTIFY changed FINAL)
     Q_PROPERTY(bool canDownload READ canDownload NOTIFY changed FINAL)
     Q_PROPERTY(campanel::panel::RowModelBase* differences READ differences CONSTANT FINAL)
     Q_PROPERTY(int differenceCount READ differenceCount NOTIFY changed FINAL)
@@ -54,6 +57,7 @@ public:
     [[nodiscard]] State state() const { return m_state; }
     [[nodiscard]] double progress() const { return m_report.fraction; }
     [[nodiscard]] QString text() const;
+    [[nodiscard]] QList<QPointF> changeSpeeds() const { return m_forecast.speeds(); }
     [[nodiscard]] bool canDownload() const { return m_state == State::Ready || m_canRetry; }
     [[nodiscard]] DifferenceModel* differences() { return &m_differences; }
     [[nodiscard]] int differenceCount() const { return m_differences.count(); }

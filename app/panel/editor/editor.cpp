@@ -370,6 +370,20 @@ void Editor::revert()
     });
 }
 
+void Editor::beginTrial()
+{
+    m_trial = Trial{m_recipe, m_history};
+}
+
+void Editor::endTrial(bool isKept)
+{
+    const std::optional<Trial> trial = std::exchange(m_trial, std::nullopt);
+    if (isKept || !trial || sameRecipe(m_recipe, trial->recipe))
+        return;
+    m_history = trial->history;
+    replace(trial->recipe);
+}
+
 void Editor::replace(program::Recipe recipe)
 {
     m_recipe = std::move(recipe);

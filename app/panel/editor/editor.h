@@ -173,6 +173,9 @@ public:
     Q_INVOKABLE void undo();
     Q_INVOKABLE void redo();
     Q_INVOKABLE void revert();
+    // Edits that are tried on Run: unless they are kept, the end brings back what was there at the begin.
+    Q_INVOKABLE void beginTrial();
+    Q_INVOKABLE void endTrial(bool isKept);
     // Confirms the net advance of the cam; only that makes a progressive one downloadable.
     Q_INVOKABLE void confirmAdvance();
     // Ends the cam where it began. Can be undone.
@@ -284,6 +287,11 @@ private:
     std::map<profile::ProgramKind, profile::Machine> m_machines;
     std::optional<program::Recipe> m_beforeDrag;
     EditHistory<program::Recipe> m_history;
+    struct Trial {
+        program::Recipe recipe;
+        EditHistory<program::Recipe> history;
+    };
+    std::optional<Trial> m_trial;
     std::optional<modbus::Identity> m_identity; // controller that the solution was computed for
     Solution m_solution;
     program::Recipe m_solvedFor;

@@ -41,6 +41,12 @@ void Value::set(double value)
                                      m_view.minimum, m_view.maximum));
 }
 
+void Value::step(double by)
+{
+    const double digit = std::pow(10.0, -decimals());
+    set(std::clamp(std::round((shownValue() + by) / digit) * digit, minimum(), maximum()));
+}
+
 bool Value::isInRange(double metric) const
 {
     const double halfStep = std::pow(10.0, -m_view.decimals) / 2;

@@ -41,6 +41,7 @@ class Value : public QObject {
     Q_PROPERTY(QString label READ label NOTIFY changed FINAL)
     Q_PROPERTY(QString unit READ unit NOTIFY changed FINAL)
     Q_PROPERTY(QString text READ text NOTIFY changed FINAL)
+    Q_PROPERTY(double shownValue READ shownValue NOTIFY changed FINAL) // as it is typed; NaN: not known
     Q_PROPERTY(double minimum READ minimum NOTIFY changed FINAL)
     Q_PROPERTY(double maximum READ maximum NOTIFY changed FINAL)
     Q_PROPERTY(double defaultValue READ defaultValue NOTIFY changed FINAL)
@@ -56,6 +57,7 @@ public:
     [[nodiscard]] QString label() const { return m_view.label; }
     [[nodiscard]] QString unit() const { return shown().unit; }
     [[nodiscard]] QString text() const { return m_view.text; }
+    [[nodiscard]] double shownValue() const { return m_view.value * shown().factor; }
     [[nodiscard]] double minimum() const { return m_view.minimum * shown().factor; }
     [[nodiscard]] double maximum() const { return m_view.maximum * shown().factor; }
     [[nodiscard]] double defaultValue() const { return m_view.defaultValue * shown().factor; }
@@ -70,6 +72,8 @@ public:
     Q_INVOKABLE QString check(double value) const;
     // Requests the value. Values refused by check() change nothing.
     Q_INVOKABLE void set(double value);
+    // Requests the value changed by this much, at most up to its limits.
+    Q_INVOKABLE void step(double by);
 
     [[nodiscard]] bool isInRange(double metric) const;
     [[nodiscard]] ShownUnit shown() const

@@ -46,6 +46,8 @@ struct Exception {
 
 constexpr std::array exceptions{
     Exception{"openMotion", "bannerWay", "a program comes by a download, not between two taps"},
+    Exception{"faultCard", "downloadAgain",
+              "a fault and a lost program do not follow one another within two taps"},
     Exception{"speedKey", "middleKey",
               "a tap on Reset or Reference run does nothing, a hold on Speed neither"},
 };

@@ -3,10 +3,12 @@
 #include "tests/looks/checks/screen_checks.h"
 
 #include <QAccessible>
+#include <QFontMetricsF>
 #include <QImage>
 #include <QJSValue>
 #include <QQuickItem>
 
+#include <algorithm>
 #include <cmath>
 
 namespace campanel::looks {
@@ -61,7 +63,17 @@ QRectF paintedRect(const QQuickItem& text)
     const double spareY = text.height() - height;
     const double x = horizontal == Qt::AlignRight ? spareX : horizontal == Qt::AlignHCenter ? spareX / 2 : 0;
     const double y = vertical == Qt::AlignBottom ? spareY : vertical == Qt::AlignVCenter ? spareY / 2 : 0;
-    return {left + x, y, width, height};
+    // Digits alone are as high as their ink: of a large number a third of the font's box is empty.
+    const QString digits = text.property("text").toString();
+    const bool isNumber = std::ranges::any_of(digits, [](QChar each) { return each.isDigit(); });
+    if (!isNumber ||
+        std::ranges::any_of(digits, [](QChar each) { return each.isLetter() || each.isSpace(); }))
+        return {left + x, y, width, height};
+    QFont font = text.property("font").value<QFont>();
+    font.setPixelSize(
+        text.property("fontInfo").value<QJSValue>().property(QStringLiteral("pixelSize")).toInt());
+    const QFontMetricsF metrics(font);
+    return {left + x, y + metrics.ascent() - metrics.capHeight(), width, metrics.capHeight()};
 }
 
 // Returns the list or flickable that contains the item; null if it does not scroll.
