@@ -9023,6 +9023,16 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
         <source>Stop reason: %1.</source>
         <translation>Stillstandsgrund: %1.</translation>
     </message>
+    <message>
+        <source>Stopped at %1</source>
+        <comment>time</comment>
+        <translation>Stillstand seit %1</translation>
+    </message>
+    <message>
+        <source>Last stop %1</source>
+        <comment>time</comment>
+        <translation>Letzter Stillstand %1</translation>
+    </message>
 </context>
 <context>
     <name>campanel::panel::SystemClock</name>

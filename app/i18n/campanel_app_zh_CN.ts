@@ -9019,6 +9019,16 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
         <source>Stop reason: %1.</source>
         <translation>停机原因：%1。</translation>
     </message>
+    <message>
+        <source>Stopped at %1</source>
+        <comment>time</comment>
+        <translation>停机于 %1</translation>
+    </message>
+    <message>
+        <source>Last stop %1</source>
+        <comment>time</comment>
+        <translation>上次停机 %1</translation>
+    </message>
 </context>
 <context>
     <name>campanel::panel::SystemClock</name>

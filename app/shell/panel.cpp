@@ -137,6 +137,7 @@ Panel::Panel(link::Link& link, const Storage& storage)
     connect(&m_handTrims, &panel::HandTrims::noted, &m_trail, &panel::AuditTrail::note);
     connect(&m_handTrims, &panel::HandTrims::saveWanted, &m_recipes, &panel::Recipes::saveTrims);
     connect(&m_orders, &panel::Orders::noted, &m_trail, &panel::AuditTrail::note);
+    connect(&m_orders, &panel::Orders::turned, &m_stops, &panel::Stops::divide);
     connect(&m_stops, &panel::Stops::noted, &m_trail, &panel::AuditTrail::note);
     connect(&m_systemClock, &panel::SystemClock::noted, &m_trail, &panel::AuditTrail::note);
     connect(&m_systemNetwork, &panel::SystemNetwork::noted, &m_trail, &panel::AuditTrail::note);

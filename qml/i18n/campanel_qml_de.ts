@@ -326,33 +326,6 @@
     </message>
 </context>
 <context>
-    <name>BagStrip</name>
-    <message>
-        <source>Bag of %1 lengths, skipped cut</source>
-        <translation>Beutel aus %1 Längen, Schnitt ausgelassen</translation>
-    </message>
-    <message>
-        <source>Bag length</source>
-        <translation>Beutellänge</translation>
-    </message>
-    <message>
-        <source>mean %1, std dev %2</source>
-        <translation>Mittel %1, Std.-abw. %2</translation>
-    </message>
-    <message>
-        <source>%1 of %2 within, scrap: %3</source>
-        <translation>%1 von %2 innerhalb, Ausschuss: %3</translation>
-    </message>
-    <message>
-        <source>%1 of %2 within</source>
-        <translation>%1 von %2 innerhalb</translation>
-    </message>
-    <message>
-        <source>Scrap bag</source>
-        <translation>Ausschussbeutel</translation>
-    </message>
-</context>
-<context>
     <name>BannerHost</name>
     <message>
         <source>OK</source>
@@ -433,6 +406,64 @@ Und %2 weitere.</translation>
     <message>
         <source>Next</source>
         <translation>Weiter</translation>
+    </message>
+</context>
+<context>
+    <name>ChangePicture</name>
+    <message>
+        <source>The film keeps its speed.</source>
+        <translation>Die Folie behält ihr Tempo.</translation>
+    </message>
+    <message>
+        <source>down to %1 for %2</source>
+        <translation>bis auf %1, für %2</translation>
+    </message>
+</context>
+<context>
+    <name>ChangeSheet</name>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 bis %2</translation>
+    </message>
+    <message>
+        <source>Less</source>
+        <translation>Weniger</translation>
+    </message>
+    <message>
+        <source>Change: %1</source>
+        <translation>Ändern: %1</translation>
+    </message>
+    <message>
+        <source>More</source>
+        <translation>Mehr</translation>
+    </message>
+    <message>
+        <source>Keypad</source>
+        <translation>Tastatur</translation>
+    </message>
+    <message>
+        <source>The machine runs with %1.</source>
+        <translation>Die Maschine läuft mit %1.</translation>
+    </message>
+    <message>
+        <source>Cancel download</source>
+        <translation>Laden abbrechen</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Try again</source>
+        <translation>Erneut versuchen</translation>
+    </message>
+    <message>
+        <source>Apply at the next bag</source>
+        <translation>Ab dem nächsten Beutel</translation>
+    </message>
+    <message>
+        <source>Apply</source>
+        <translation>Übernehmen</translation>
     </message>
 </context>
 <context>
@@ -931,6 +962,13 @@ Und %2 weitere.</translation>
     <message>
         <source>Enter this value instead</source>
         <translation>Diesen Wert eingeben</translation>
+    </message>
+</context>
+<context>
+    <name>FaultCard</name>
+    <message>
+        <source>%1 more</source>
+        <translation>%1 weitere</translation>
     </message>
 </context>
 <context>
@@ -1445,6 +1483,36 @@ Und %2 weitere.</translation>
     </message>
 </context>
 <context>
+    <name>KnifeCard</name>
+    <message>
+        <source>Knife</source>
+        <translation>Messer</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>error</source>
+        <translation>Fehler</translation>
+    </message>
+    <message>
+        <source>torque</source>
+        <translation>Moment</translation>
+    </message>
+</context>
+<context>
+    <name>KnifeSheet</name>
+    <message>
+        <source>Knife</source>
+        <translation>Messer</translation>
+    </message>
+    <message>
+        <source>Knife speed %1</source>
+        <translation>Messergeschw. %1</translation>
+    </message>
+</context>
+<context>
     <name>KnotSheet</name>
     <message>
         <source>Add after</source>
@@ -1465,6 +1533,13 @@ Und %2 weitere.</translation>
     <message>
         <source>Knot %1</source>
         <translation>Stützpunkt %1</translation>
+    </message>
+</context>
+<context>
+    <name>LastStopCard</name>
+    <message>
+        <source>No stop yet</source>
+        <translation>Noch kein Stillstand</translation>
     </message>
 </context>
 <context>
@@ -1499,6 +1574,37 @@ Und %2 weitere.</translation>
     <message>
         <source>This law exceeds a limit with this recipe.</source>
         <translation>Dieses Gesetz überschreitet mit diesem Rezept eine Grenze.</translation>
+    </message>
+</context>
+<context>
+    <name>LengthCard</name>
+    <message>
+        <source>Scrap bag, %1</source>
+        <translation>Ausschuss, %1</translation>
+    </message>
+    <message>
+        <source>Bag of %1 lengths, skipped cut</source>
+        <translation>Beutel aus %1 Längen, Schnitt ausgelassen</translation>
+    </message>
+    <message>
+        <source>Bag length, %1</source>
+        <translation>Beutellänge, %1</translation>
+    </message>
+    <message>
+        <source>Scrap bag</source>
+        <translation>Ausschussbeutel</translation>
+    </message>
+    <message>
+        <source>Bag length</source>
+        <translation>Beutellänge</translation>
+    </message>
+    <message>
+        <source>%1 of %2 within</source>
+        <translation>%1 von %2 innerhalb</translation>
+    </message>
+    <message>
+        <source>%1 of %2 within, scrap: %3</source>
+        <translation>%1 von %2 innerhalb, Ausschuss: %3</translation>
     </message>
 </context>
 <context>
@@ -2306,10 +2412,6 @@ Und %2 weitere.</translation>
         <translation>%1: %2</translation>
     </message>
     <message>
-        <source>good</source>
-        <translation>gut</translation>
-    </message>
-    <message>
         <source>rejected</source>
         <translation>ausgeworfen</translation>
     </message>
@@ -2324,6 +2426,14 @@ Und %2 weitere.</translation>
     <message>
         <source>New order</source>
         <translation>Neuer Auftrag</translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
+        <translation>%1 · %2</translation>
+    </message>
+    <message>
+        <source>ends</source>
+        <translation>Ende</translation>
     </message>
 </context>
 <context>
@@ -2359,6 +2469,14 @@ Und %2 weitere.</translation>
     <message>
         <source>New order</source>
         <translation>Neuer Auftrag</translation>
+    </message>
+    <message>
+        <source>Stops and OEE</source>
+        <translation>Stillstände und OEE</translation>
+    </message>
+    <message>
+        <source>Open %1</source>
+        <translation>%1 öffnen</translation>
     </message>
 </context>
 <context>
@@ -2599,6 +2717,37 @@ Und %2 weitere.</translation>
     <message>
         <source>Start order</source>
         <translation>Auftrag beginnen</translation>
+    </message>
+</context>
+<context>
+    <name>RateCard</name>
+    <message>
+        <source>Rate of the line, bags/min</source>
+        <translation>Taktzahl der Linie, Beutel/min</translation>
+    </message>
+    <message>
+        <source>Slowed to %1, bags/min</source>
+        <translation>Verlangsamt auf %1, Beutel/min</translation>
+    </message>
+    <message>
+        <source>Rate, bags/min</source>
+        <translation>Taktzahl, Beutel/min</translation>
+    </message>
+    <message>
+        <source>Rate</source>
+        <translation>Taktzahl</translation>
+    </message>
+    <message>
+        <source>bags/min</source>
+        <translation>Beutel/min</translation>
+    </message>
+    <message>
+        <source>%1 bags</source>
+        <translation>%1 Beutel</translation>
+    </message>
+    <message>
+        <source>up to %1</source>
+        <translation>bis %1</translation>
     </message>
 </context>
 <context>
@@ -3125,34 +3274,6 @@ Und %2 weitere.</translation>
 <context>
     <name>RunPacking</name>
     <message>
-        <source>Knife speed %1</source>
-        <translation>Messergeschw. %1</translation>
-    </message>
-    <message>
-        <source>Rate</source>
-        <translation>Taktzahl</translation>
-    </message>
-    <message>
-        <source>bags/min</source>
-        <translation>Beutel/min</translation>
-    </message>
-    <message>
-        <source>%1 bags</source>
-        <translation>%1 Beutel</translation>
-    </message>
-    <message>
-        <source>%1 bags · seal %2</source>
-        <translation>%1 · Siegeln %2</translation>
-    </message>
-    <message>
-        <source>Rate of the line</source>
-        <translation>Taktzahl der Linie</translation>
-    </message>
-    <message>
-        <source>Trim</source>
-        <translation>Trimm</translation>
-    </message>
-    <message>
         <source>moved</source>
         <translation>verstellt</translation>
     </message>
@@ -3161,8 +3282,8 @@ Und %2 weitere.</translation>
         <translation>Schnitt, Produkt und Länge</translation>
     </message>
     <message>
-        <source>Rate, slowed to %1</source>
-        <translation>Taktzahl, verlangsamt auf %1</translation>
+        <source>By hand</source>
+        <translation>Von Hand</translation>
     </message>
 </context>
 <context>
@@ -3462,14 +3583,6 @@ Und %2 weitere.</translation>
     <message>
         <source>Skipped cuts</source>
         <translation>Ausgelassene Schnitte</translation>
-    </message>
-    <message>
-        <source>Bags without product</source>
-        <translation>Beutel ohne Produkt</translation>
-    </message>
-    <message>
-        <source>Film saved</source>
-        <translation>Gesparte Folie</translation>
     </message>
     <message>
         <source>Last: %1</source>

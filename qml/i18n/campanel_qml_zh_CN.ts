@@ -326,33 +326,6 @@
     </message>
 </context>
 <context>
-    <name>BagStrip</name>
-    <message>
-        <source>Bag of %1 lengths, skipped cut</source>
-        <translation>%1 个袋长，略过切断</translation>
-    </message>
-    <message>
-        <source>Bag length</source>
-        <translation>袋长</translation>
-    </message>
-    <message>
-        <source>mean %1, std dev %2</source>
-        <translation>平均 %1，标准差 %2</translation>
-    </message>
-    <message>
-        <source>%1 of %2 within, scrap: %3</source>
-        <translation>%2 袋中 %1 袋合格，废袋 %3</translation>
-    </message>
-    <message>
-        <source>%1 of %2 within</source>
-        <translation>%2 袋中 %1 袋合格</translation>
-    </message>
-    <message>
-        <source>Scrap bag</source>
-        <translation>废袋</translation>
-    </message>
-</context>
-<context>
     <name>BannerHost</name>
     <message>
         <source>OK</source>
@@ -433,6 +406,64 @@ And %2 more.</source>
     <message>
         <source>Next</source>
         <translation>下一个</translation>
+    </message>
+</context>
+<context>
+    <name>ChangePicture</name>
+    <message>
+        <source>The film keeps its speed.</source>
+        <translation>薄膜速度不变。</translation>
+    </message>
+    <message>
+        <source>down to %1 for %2</source>
+        <translation>降至 %1，持续 %2</translation>
+    </message>
+</context>
+<context>
+    <name>ChangeSheet</name>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 至 %2</translation>
+    </message>
+    <message>
+        <source>Less</source>
+        <translation>减少</translation>
+    </message>
+    <message>
+        <source>Change: %1</source>
+        <translation>更改：%1</translation>
+    </message>
+    <message>
+        <source>More</source>
+        <translation>增加</translation>
+    </message>
+    <message>
+        <source>Keypad</source>
+        <translation>键盘</translation>
+    </message>
+    <message>
+        <source>The machine runs with %1.</source>
+        <translation>机器以 %1 运行。</translation>
+    </message>
+    <message>
+        <source>Cancel download</source>
+        <translation>取消下载</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>关闭</translation>
+    </message>
+    <message>
+        <source>Try again</source>
+        <translation>重试</translation>
+    </message>
+    <message>
+        <source>Apply at the next bag</source>
+        <translation>从下一袋起应用</translation>
+    </message>
+    <message>
+        <source>Apply</source>
+        <translation>应用</translation>
     </message>
 </context>
 <context>
@@ -931,6 +962,13 @@ And %2 more.</source>
     <message>
         <source>Enter this value instead</source>
         <translation>改为输入此值</translation>
+    </message>
+</context>
+<context>
+    <name>FaultCard</name>
+    <message>
+        <source>%1 more</source>
+        <translation>另有 %1 个</translation>
     </message>
 </context>
 <context>
@@ -1445,6 +1483,36 @@ And %2 more.</source>
     </message>
 </context>
 <context>
+    <name>KnifeCard</name>
+    <message>
+        <source>Knife</source>
+        <translation>切刀</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>error</source>
+        <translation>误差</translation>
+    </message>
+    <message>
+        <source>torque</source>
+        <translation>转矩</translation>
+    </message>
+</context>
+<context>
+    <name>KnifeSheet</name>
+    <message>
+        <source>Knife</source>
+        <translation>切刀</translation>
+    </message>
+    <message>
+        <source>Knife speed %1</source>
+        <translation>切刀速度 %1</translation>
+    </message>
+</context>
+<context>
     <name>KnotSheet</name>
     <message>
         <source>Add after</source>
@@ -1465,6 +1533,13 @@ And %2 more.</source>
     <message>
         <source>Knot %1</source>
         <translation>型值点 %1</translation>
+    </message>
+</context>
+<context>
+    <name>LastStopCard</name>
+    <message>
+        <source>No stop yet</source>
+        <translation>尚无停机</translation>
     </message>
 </context>
 <context>
@@ -1499,6 +1574,37 @@ And %2 more.</source>
     <message>
         <source>This law exceeds a limit with this recipe.</source>
         <translation>此规律用于本配方时超出限值。</translation>
+    </message>
+</context>
+<context>
+    <name>LengthCard</name>
+    <message>
+        <source>Scrap bag, %1</source>
+        <translation>废袋，%1</translation>
+    </message>
+    <message>
+        <source>Bag of %1 lengths, skipped cut</source>
+        <translation>%1 个袋长，略过切断</translation>
+    </message>
+    <message>
+        <source>Bag length, %1</source>
+        <translation>袋长，%1</translation>
+    </message>
+    <message>
+        <source>Scrap bag</source>
+        <translation>废袋</translation>
+    </message>
+    <message>
+        <source>Bag length</source>
+        <translation>袋长</translation>
+    </message>
+    <message>
+        <source>%1 of %2 within</source>
+        <translation>%2 袋中 %1 袋合格</translation>
+    </message>
+    <message>
+        <source>%1 of %2 within, scrap: %3</source>
+        <translation>%2 袋中 %1 袋合格，废袋 %3</translation>
     </message>
 </context>
 <context>
@@ -2306,10 +2412,6 @@ And %2 more.</source>
         <translation>%1：%2</translation>
     </message>
     <message>
-        <source>good</source>
-        <translation>合格</translation>
-    </message>
-    <message>
         <source>rejected</source>
         <translation>剔除</translation>
     </message>
@@ -2324,6 +2426,14 @@ And %2 more.</source>
     <message>
         <source>New order</source>
         <translation>新订单</translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
+        <translation>%1 · %2</translation>
+    </message>
+    <message>
+        <source>ends</source>
+        <translation>结束</translation>
     </message>
 </context>
 <context>
@@ -2359,6 +2469,14 @@ And %2 more.</source>
     <message>
         <source>New order</source>
         <translation>新订单</translation>
+    </message>
+    <message>
+        <source>Stops and OEE</source>
+        <translation>停机与 OEE</translation>
+    </message>
+    <message>
+        <source>Open %1</source>
+        <translation>打开 %1</translation>
     </message>
 </context>
 <context>
@@ -2599,6 +2717,37 @@ And %2 more.</source>
     <message>
         <source>Start order</source>
         <translation>开始订单</translation>
+    </message>
+</context>
+<context>
+    <name>RateCard</name>
+    <message>
+        <source>Rate of the line, bags/min</source>
+        <translation>生产线速率，袋/分</translation>
+    </message>
+    <message>
+        <source>Slowed to %1, bags/min</source>
+        <translation>已减至 %1，袋/分</translation>
+    </message>
+    <message>
+        <source>Rate, bags/min</source>
+        <translation>速率，袋/分</translation>
+    </message>
+    <message>
+        <source>Rate</source>
+        <translation>速率</translation>
+    </message>
+    <message>
+        <source>bags/min</source>
+        <translation>袋/分</translation>
+    </message>
+    <message>
+        <source>%1 bags</source>
+        <translation>共 %1 袋</translation>
+    </message>
+    <message>
+        <source>up to %1</source>
+        <translation>最高 %1</translation>
     </message>
 </context>
 <context>
@@ -3125,34 +3274,6 @@ And %2 more.</source>
 <context>
     <name>RunPacking</name>
     <message>
-        <source>Knife speed %1</source>
-        <translation>切刀速度 %1</translation>
-    </message>
-    <message>
-        <source>Rate</source>
-        <translation>速率</translation>
-    </message>
-    <message>
-        <source>bags/min</source>
-        <translation>袋/分</translation>
-    </message>
-    <message>
-        <source>%1 bags</source>
-        <translation>共 %1 袋</translation>
-    </message>
-    <message>
-        <source>%1 bags · seal %2</source>
-        <translation>共 %1 袋 · 封口 %2</translation>
-    </message>
-    <message>
-        <source>Rate of the line</source>
-        <translation>生产线速率</translation>
-    </message>
-    <message>
-        <source>Trim</source>
-        <translation>微调</translation>
-    </message>
-    <message>
         <source>moved</source>
         <translation>已调</translation>
     </message>
@@ -3161,8 +3282,8 @@ And %2 more.</source>
         <translation>切断、产品和长度</translation>
     </message>
     <message>
-        <source>Rate, slowed to %1</source>
-        <translation>速率，已减至 %1</translation>
+        <source>By hand</source>
+        <translation>手动</translation>
     </message>
 </context>
 <context>
@@ -3462,14 +3583,6 @@ And %2 more.</source>
     <message>
         <source>Skipped cuts</source>
         <translation>略过的切断</translation>
-    </message>
-    <message>
-        <source>Bags without product</source>
-        <translation>无产品的袋</translation>
-    </message>
-    <message>
-        <source>Film saved</source>
-        <translation>节省薄膜</translation>
     </message>
     <message>
         <source>Last: %1</source>

@@ -42,10 +42,15 @@ Item {
             required property string progress
             required property string facts
             required property string clockNote
+            required property double startedMs
+            required property double endedMs
             required property double rejected
             required property double empty
             objectName: "order" + index
-            tappable: false
+            onClicked: {
+                Stops.shift.showOrder(title, startedMs, endedMs)
+                Frame.openPage("stops")
+            }
             frame: Theme.size.hairline
             text: title
             note: clockNote.length > 0 ? stateText + " · " + facts + " · " + clockNote : stateText + " · " + facts

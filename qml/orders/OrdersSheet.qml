@@ -81,6 +81,32 @@ Sheet {
             }
         },
         Button {
+            objectName: "orderStops"
+            visible: Orders.current.present && !sheet.showsHistory
+            text: qsTr("Stops and OEE")
+            onClicked: {
+                Stops.shift.showOrder(Orders.current.title, Orders.current.startedMs, Orders.current.endedMs)
+                Frame.openPage("stops")
+            }
+        },
+        Button {
+            objectName: "orderRecipe"
+            visible: Orders.wantedRecipe.length > 0 && !sheet.showsHistory
+            level: Access.Operator
+            text: Theme.fill(qsTr("Open %1"), [Orders.wantedRecipe])
+            onClicked: {
+                if (!Access.ask(Access.Operator))
+                    return
+                // Edits would be lost: the page of the recipes asks.
+                if (!Recipes.chooseNamed(Orders.wantedRecipe) || Editor.edited) {
+                    Frame.openPage("recipes")
+                    return
+                }
+                Recipes.open()
+                Frame.open("Download/DownloadSheet", {})
+            }
+        },
+        Button {
             objectName: "ordersHistory"
             text: sheet.showsHistory ? qsTr("Back") : qsTr("History")
             onClicked: sheet.showsHistory = !sheet.showsHistory

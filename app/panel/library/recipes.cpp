@@ -206,6 +206,14 @@ QString Recipes::nameProblem() const
     return {};
 }
 
+bool Recipes::chooseNamed(const QString& name)
+{
+    const RecipeVersion* found = named(name);
+    if (found)
+        chooseId(found->recipeId);
+    return found != nullptr;
+}
+
 void Recipes::open()
 {
     const RecipeVersion* chosen = chosenRecipe();

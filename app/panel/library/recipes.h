@@ -132,6 +132,8 @@ public:
     // Returns {key, text, note} of each recipe of this kind, for a choice.
     [[nodiscard]] Q_INVOKABLE QVariantList choicesOf(int kind) const;
     Q_INVOKABLE void choose(int row);
+    // Chooses the recipe of that name. Returns false when there is none.
+    Q_INVOKABLE bool chooseNamed(const QString& name);
     // Opens the chosen recipe in the Editor; unsaved edits are lost.
     Q_INVOKABLE void open();
     // Saves the edited recipe as the next version of its name.

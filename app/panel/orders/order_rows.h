@@ -27,7 +27,9 @@ struct OrderListRow {
     Q_PROPERTY(QString facts READ facts FINAL)
     Q_PROPERTY(QString checkedBy READ checkedBy FINAL)
     Q_PROPERTY(QString clockNote READ clockNote FINAL)
-    Q_PROPERTY(double fraction READ fraction FINAL) // of the good bags, 0..1
+    Q_PROPERTY(double fraction READ fraction FINAL)   // of the good bags, 0..1
+    Q_PROPERTY(double startedMs READ startedMs FINAL) // since 1970 UTC
+    Q_PROPERTY(double endedMs READ endedMs FINAL)     // 0: not yet
     Q_PROPERTY(double good READ good FINAL)
     Q_PROPERTY(double rejected READ rejected FINAL)
     Q_PROPERTY(double empty READ empty FINAL)
@@ -53,6 +55,8 @@ public:
     {
         return order.quantity > 0 ? static_cast<double>(order.good) / static_cast<double>(order.quantity) : 0;
     }
+    [[nodiscard]] double startedMs() const { return static_cast<double>(order.startedMs); }
+    [[nodiscard]] double endedMs() const { return static_cast<double>(order.endedMs); }
     [[nodiscard]] double good() const { return static_cast<double>(order.good); }
     [[nodiscard]] double rejected() const { return static_cast<double>(order.rejected); }
     [[nodiscard]] double empty() const { return static_cast<double>(order.empty); }

@@ -196,6 +196,8 @@ void Orders::noteChange(const OrderListRow& before)
 {
     const OrderListRow after = current();
     const OrderRow& order = after.order;
+    if (before.underWay() != after.underWay() || before.id() != after.id())
+        emit turned();
     if (before.underWay() && before.id() == after.id() && after.complete())
         showNotice(tr("%1 is complete: %2 good bags, %3 rejected, %4 empty.", "%1: an order")
                        .arg(after.title(), OrderWords::count(order.good), OrderWords::count(order.rejected),
@@ -271,8 +273,7 @@ bool Orders::addAndStart()
 {
     if (!m_controller.accessCheck().require(Level::Operator))
         return false;
-    showMessage(startRefusal(m_entry.order()));
-    if (!m_message.isEmpty() || !takeEntry(0))
+    if (!canBegin(m_entry.order()) || !takeEntry(0))
         return false;
     start(0);
     return true;
@@ -281,6 +282,18 @@ bool Orders::addAndStart()
 bool Orders::isRowOfQueue(int row) const
 {
     return row >= 0 && row < m_book.queue().size();
+}
+
+bool Orders::isForOther(const OrderRow& order) const
+{
+    return !order.recipe.isEmpty() && !store::isSameName(order.recipe, program().recipe);
+}
+
+bool Orders::canBegin(const OrderRow& order)
+{
+    m_wantedRecipe = isForOther(order) ? order.recipe : QString();
+    showMessage(startRefusal(order));
+    return m_message.isEmpty();
 }
 
 QString Orders::startRefusal(const OrderRow& order) const
@@ -295,7 +308,7 @@ QString Orders::startRefusal(const OrderRow& order) const
         return tr("The controller's order is being read. Try again.");
     if (m_status->state == OrderState::Active)
         return tr("An order is under way. End it first.");
-    if (!order.recipe.isEmpty() && !store::isSameName(order.recipe, program().recipe))
+    if (isForOther(order))
         return tr("This order is for %1, and the controller has %2. Download %1 first.", "recipes")
             .arg(order.recipe, program().recipe);
     return {};
@@ -305,8 +318,7 @@ void Orders::start(int row)
 {
     if (!m_controller.accessCheck().require(Level::Operator) || !isRowOfQueue(row) || m_isSending)
         return;
-    showMessage(startRefusal(m_book.queue()[row]));
-    if (!m_message.isEmpty())
+    if (!canBegin(m_book.queue()[row]))
         return;
     m_isSending = true;
     // The number tells an order from the one before it.

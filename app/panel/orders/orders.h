@@ -41,6 +41,8 @@ class Orders : public campanel::panel::Watched, public Singleton<Orders> {
     Q_PROPERTY(campanel::panel::OrderEntry* entry READ entry CONSTANT FINAL)
     // Why the last request was not carried out; empty: it was.
     Q_PROPERTY(QString message READ message NOTIFY changed FINAL)
+    // The recipe that an order needs whose start was refused for its want; empty: none was.
+    Q_PROPERTY(QString wantedRecipe READ wantedRecipe NOTIFY changed FINAL)
     // For the banner: an order is complete, or soon; empty: nothing to say.
     Q_PROPERTY(QString notice READ notice NOTIFY noticeChanged FINAL)
 
@@ -64,6 +66,7 @@ public:
     [[nodiscard]] History* history() { return &m_history; }
     [[nodiscard]] OrderEntry* entry() { return &m_entry; }
     [[nodiscard]] QString message() const { return m_message; }
+    [[nodiscard]] QString wantedRecipe() const { return m_message.isEmpty() ? QString() : m_wantedRecipe; }
     [[nodiscard]] QString notice() const { return m_notice; }
     [[nodiscard]] const OrderBook& book() const { return m_book; }
     // Returns true while the controller has not answered a start or an end.
@@ -90,6 +93,8 @@ public:
 signals:
     void changed();
     void noticeChanged();
+    // Emitted when the controller has begun to count an order, or has ended one.
+    void turned();
     // Emitted for the audit trail.
     void noted(const campanel::store::AuditEntry& entry);
 
@@ -97,6 +102,9 @@ private:
     [[nodiscard]] OrderBook::Now now() const;
     [[nodiscard]] OrderBook::Program program() const;
     [[nodiscard]] QString startRefusal(const store::OrderRow& order) const;
+    // Shows that refusal. Returns true without one.
+    [[nodiscard]] bool canBegin(const store::OrderRow& order);
+    [[nodiscard]] bool isForOther(const store::OrderRow& order) const;
     [[nodiscard]] bool isRowOfQueue(int row) const;
     [[nodiscard]] bool takeEntry(qsizetype place);
     void followConnection();
@@ -130,6 +138,7 @@ private:
     link::SteadyTime m_writtenAt{};
     qint64 m_announcedEnd = 0; // the order whose message has come
     QString m_message;
+    QString m_wantedRecipe;
     QString m_notice;
 };
 

@@ -105,15 +105,19 @@ void ShiftView::follow()
 {
     if (!watched())
         return;
-    show(calendar().at(m_isPresent ? m_owner.nowMs() : m_shift.beginMs));
+    if (m_order.isEmpty())
+        show(calendar().at(m_isPresent ? m_owner.nowMs() : m_shift.beginMs));
+    else
+        refresh();
 }
 
-void ShiftView::show(const Shift& shift)
+void ShiftView::show(const Shift& shift, const QString& order)
 {
-    const bool isOther = shift != m_shift;
+    const bool isOther = shift != m_shift || order != m_order;
     m_shift = shift;
+    m_order = order;
     const qint64 now = m_owner.nowMs();
-    m_isPresent = shift.beginMs <= now && now < shift.endMs;
+    m_isPresent = order.isEmpty() && shift.beginMs <= now && now < shift.endMs;
     if (isOther) {
         m_content = Unread;
         m_selected = 0;
@@ -131,6 +135,15 @@ void ShiftView::showNext()
 {
     if (!m_isPresent)
         show(calendar().after(m_shift));
+}
+
+// The interval of an order begins up to a second beside the time of the order: Orders sees it by the
+// controller.
+void ShiftView::showOrder(const QString& title, double beginMs, double endMs)
+{
+    constexpr qint64 besideMs = 1500;
+    const qint64 end = endMs > 0 ? static_cast<qint64>(endMs) - besideMs : m_owner.nowMs();
+    show({.beginMs = static_cast<qint64>(beginMs) - besideMs, .endMs = end}, title);
 }
 
 void ShiftView::showPresent()
@@ -184,8 +197,9 @@ QString ShiftView::title() const
         return {};
     const QString day = QLocale().toString(QDateTime::fromMSecsSinceEpoch(m_shift.beginMs).date(),
                                            tr("ddd d MMM", "date: weekday, day, month"));
-    return tr("%1, %2 – %3", "date, begin and end of a shift")
-        .arg(day, clockText(m_shift.beginMs), clockText(m_shift.endMs));
+    const QString time = tr("%1, %2 – %3", "date, begin and end of a shift")
+                             .arg(day, clockText(m_shift.beginMs), clockText(m_shift.endMs));
+    return m_order.isEmpty() ? time : m_order + u" · "_s + time;
 }
 
 QString ShiftView::note() const

@@ -21,7 +21,7 @@ class ShiftView : public campanel::panel::Watched {
     Q_OBJECT
     QML_ELEMENT
     QML_UNCREATABLE("The shift belongs to Stops")
-    // "Thu 15 Jan, 06:00 – 14:00", and what is special about it.
+    // "Thu 15 Jan, 06:00 – 14:00", before it the order whose time it is, and what is special about it.
     Q_PROPERTY(QString title READ title NOTIFY changed FINAL)
     Q_PROPERTY(QString note READ note NOTIFY changed FINAL)
     Q_PROPERTY(bool isPresent READ isPresent NOTIFY changed FINAL)
@@ -76,6 +76,8 @@ public:
     Q_INVOKABLE void showPrevious();
     Q_INVOKABLE void showNext();
     Q_INVOKABLE void showPresent();
+    // Shows the time of an order instead of a shift, ms since 1970 UTC; an end of 0 is now.
+    Q_INVOKABLE void showOrder(const QString& title, double beginMs, double endMs);
     // Selects a row of `stops`, for the keys.
     Q_INVOKABLE void select(int row);
     // Reads the shift again.
@@ -88,7 +90,7 @@ signals:
 private:
     [[nodiscard]] ShiftCalendar calendar() const;
     [[nodiscard]] qint64 shortMs() const;
-    void show(const Shift& shift);
+    void show(const Shift& shift, const QString& order = {});
     void follow();
     void take(const store::StopLog::Span& span, const Shift& shift);
     [[nodiscard]] CsvExport::Job csvJob();
@@ -99,6 +101,7 @@ private:
     ReasonKeys m_keys;
     CsvExport m_csv;
     Shift m_shift;
+    QString m_order; // whose time it is; empty: a shift
     bool m_isPresent = true;
     Content m_content = Unread;
     ShiftSummary m_summary;

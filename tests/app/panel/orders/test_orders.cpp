@@ -352,7 +352,10 @@ private slots:
         QVERIFY(rig.orders->add()); // it waits
         rig.orders->start(0);
         QVERIFY(!rig.orders->message().isEmpty());
+        QCOMPARE(rig.orders->wantedRecipe(), u"Waffle 90"_s);
         QVERIFY(rig.link.requests.isEmpty());
+        rig.orders->clearMessage();
+        QCOMPARE(rig.orders->wantedRecipe(), QString());
     }
 
     void anOlderControllerSaysSo()

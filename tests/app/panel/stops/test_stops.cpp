@@ -109,11 +109,18 @@ private slots:
         rig.pass(100);
         QCOMPARE(rig.stops->reason(), QStringLiteral("C-08"));
         QCOMPARE(rig.stops->reasonText(), QStringLiteral("Drive alarm (C-08)"));
+        QVERIFY2(rig.stops->lastTitle().startsWith(QStringLiteral("Stopped at ")),
+                 qPrintable(rig.stops->lastTitle()));
         QVERIFY(!rig.stops->asking());
         rig.panel.link.status.faultBits = 0;
         rig.setState(State::Running);
         rig.pass(10);
         QCOMPARE(rig.stops->reason(), QString());
+        // It stays in sight while the machine runs.
+        QVERIFY2(rig.stops->lastTitle().startsWith(QStringLiteral("Last stop ")),
+                 qPrintable(rig.stops->lastTitle()));
+        QCOMPARE(rig.stops->lastReason(), QStringLiteral("Drive alarm (C-08)"));
+        QCOMPARE(rig.stops->lastDuration(), QStringLiteral("1 min"));
         rig.panel.link.status.warningBits = 1u << static_cast<unsigned>(modbus::WarningBit::TooManySkips);
         rig.setState(State::Ready);
         rig.pass(100);
@@ -121,6 +128,42 @@ private slots:
         const auto stops = rig.logged().stops;
         QCOMPARE(stops.size(), 2);
         QCOMPARE(stops[1].reason, panel::AlarmCatalogue::of(modbus::WarningBit::TooManySkips).code());
+    }
+
+    // The times and pieces of an order are its own, though the machine ran before and goes on behind.
+    void anOrdersTimeIsShown()
+    {
+        StopRig rig;
+        run(rig);
+        rig.pass(100);
+        rig.stops->divide();
+        const qint64 beginMs = rig.wallMs;
+        rig.pass(60);
+        rig.setState(State::Ready);
+        rig.pass(30);
+        rig.setState(State::Running);
+        rig.pass(30);
+        rig.stops->divide();
+        const qint64 endMs = rig.wallMs;
+        rig.pass(100);
+        panel::ShiftView& view = *rig.stops->shift();
+        view.setWatched(true);
+        view.showOrder(QStringLiteral("4711"), static_cast<double>(beginMs), static_cast<double>(endMs));
+        rig.settle();
+        QTRY_COMPARE(view.content(), panel::ShiftView::Shown);
+        QVERIFY2(view.title().startsWith(QStringLiteral("4711 · ")), qPrintable(view.title()));
+        QCOMPARE(view.summary().production.runMs, 90'000);
+        QCOMPARE(view.summary().stopMs, 30'000);
+        QCOMPARE(view.stops()->count(), 1);
+        QCOMPARE(view.availability(), 0.75);
+        view.refresh(); // it stays until somebody chooses another time
+        rig.settle();
+        QVERIFY(!view.isPresent());
+        view.showPresent();
+        rig.settle();
+        QTRY_COMPARE(view.content(), panel::ShiftView::Shown);
+        QVERIFY(view.isPresent());
+        QVERIFY(view.summary().production.runMs >= 290'000);
     }
 
     void aLongStopIsAskedAbout()
