@@ -6,8 +6,10 @@
 #include "tests/support/controller_process.h"
 #include "tests/support/test_program.h"
 
+#include <QRandomGenerator>
 #include <QTest>
 
+#include <algorithm>
 #include <memory>
 
 namespace test_order_and_controller {
@@ -20,6 +22,9 @@ namespace {
 
 constexpr int timeoutMs = 60'000;
 constexpr int quantity = 12;
+
+// What happens in the middle of an order.
+enum class Between { PanelRestarts, ControllerLosesPower, OperatorStops };
 
 struct Line {
     test::ControllerProcess controller{{QStringLiteral("--speed"), QStringLiteral("2")}};
@@ -44,6 +49,26 @@ struct Line {
         for (const QChar letter : QString::fromLatin1(text))
             panel->tap(("key_" + QString(letter).toLatin1()).constData());
         panel->tap("textAccept");
+    }
+    void disturb(Between between)
+    {
+        switch (between) {
+        case Between::PanelRestarts:
+            panel.reset();
+            QTest::qWait(500);
+            startPanel();
+            break;
+        case Between::ControllerLosesPower:
+            controller.kill();
+            controller.start();
+            QTRY_VERIFY_WITH_TIMEOUT(machine().fresh() && machine().state() != Controller::State::Running,
+                                     timeoutMs);
+            break;
+        case Between::OperatorStops:
+            machine().stop();
+            QTRY_VERIFY_WITH_TIMEOUT(machine().state() != Controller::State::Running, timeoutMs);
+            break;
+        }
     }
     void enterQuantity(const char* digits)
     {
@@ -85,7 +110,8 @@ private slots:
         line.panel->start();
         QTRY_COMPARE_WITH_TIMEOUT(line.machine().state(), Controller::State::Running, timeoutMs);
         QTRY_VERIFY_WITH_TIMEOUT(line.order().good >= 3, timeoutMs);
-        QVERIFY2(line.panel->texts().contains(QStringLiteral("of 12 · ")), qPrintable(line.panel->texts()));
+        QVERIFY2(line.panel->texts().contains(QStringLiteral("of 12\nends")),
+                 qPrintable(line.panel->texts()));
 
         // The panel is away while the controller counts on.
         line.panel.reset();
@@ -122,6 +148,52 @@ private slots:
         QVERIFY2(texts.contains(QStringLiteral("a · lot")) && texts.contains(QStringLiteral("12 of 12")) &&
                      texts.contains(QStringLiteral("5 of 5")),
                  qPrintable(texts));
+        QCOMPARE(line.panel->complaints(), QStringList());
+    }
+
+    // CAMPANEL_RANDOM_CASES orders, in the push tier three: each ends at its quantity and all bags are
+    // accounted for, whatever comes between: a restart of the panel, a power cut of the controller, a Stop.
+    void eachOrderEndsAtItsQuantity()
+    {
+        const int cases = std::max(3, qEnvironmentVariableIntValue("CAMPANEL_RANDOM_CASES"));
+        Line line;
+        QTRY_COMPARE_WITH_TIMEOUT(line.machine().state(), Controller::State::Idle, timeoutMs);
+        line.panel->tap("nav_motion");
+        line.panel->download();
+        if (QTest::currentTestFailed())
+            return;
+        line.panel->editor().saveToFlash();
+        QTRY_VERIFY_WITH_TIMEOUT(line.panel->editor().programDownload()->isSaved(), timeoutMs);
+        line.panel->tap("nav_run");
+        QRandomGenerator random(20'261'128);
+        for (int i = 0; i < cases; ++i) {
+            const int wanted = random.bounded(4, 16);
+            const int before = random.bounded(1, wanted);
+            const Between between = i < 3 ? Between(i) : Between(random.bounded(3));
+            QTRY_VERIFY_WITH_TIMEOUT(line.panel->panel().orders().fresh() && line.machine().canStart(),
+                                     timeoutMs);
+            panel::Orders& orders = line.panel->panel().orders();
+            orders.entry()->begin({});
+            orders.entry()->quantity()->set(wanted);
+            orders.entry()->setLot(QString::number(i));
+            QVERIFY2(orders.addAndStart(), qPrintable(orders.message()));
+            const QString lot = QString::number(i);
+            QTRY_VERIFY_WITH_TIMEOUT(
+                line.order().lot == lot && line.order().state == store::OrderRow::State::Active, timeoutMs);
+            line.panel->start();
+            QTRY_VERIFY_WITH_TIMEOUT(line.order().good >= before, timeoutMs);
+            line.disturb(between);
+            QTRY_VERIFY_WITH_TIMEOUT(line.order().lot == lot, timeoutMs);
+            // What stopped is started by a person.
+            QTRY_VERIFY_WITH_TIMEOUT(line.order().isOver() || line.machine().canStart() ||
+                                         line.machine().state() == Controller::State::Running,
+                                     timeoutMs);
+            if (!line.order().isOver() && line.machine().canStart())
+                line.panel->start();
+            QTRY_COMPARE_WITH_TIMEOUT(line.order().state, store::OrderRow::State::Complete, timeoutMs);
+            QCOMPARE(line.order().good, wanted);
+            QCOMPARE(line.order().cut, line.order().good + line.order().rejected + line.order().empty);
+        }
         QCOMPARE(line.panel->complaints(), QStringList());
     }
 };
