@@ -158,6 +158,8 @@ private slots:
         m_window->settle();
         const Texts fresh(engine());
         for (const auto& [path, text] : fresh.all()) {
+            if (path == u"Alarms.urgent.detail")
+                continue; // a record keeps the words of its time
             const QString now = after.value(path);
             const bool isOld = !now.isEmpty() && now == before.value(path) && isChinese(text.value);
             QVERIFY2(!isOld || now == text.value,
