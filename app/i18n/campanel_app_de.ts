@@ -2516,6 +2516,10 @@ eff. %2</translation>
         <source>Lost</source>
         <translation>Verloren</translation>
     </message>
+    <message>
+        <source>%1 m of film</source>
+        <translation>%1 m Folie</translation>
+    </message>
 </context>
 <context>
     <name>PackageSentences</name>

@@ -2514,6 +2514,10 @@ RMS %2</source>
         <source>Lost</source>
         <translation>丢失</translation>
     </message>
+    <message>
+        <source>%1 m of film</source>
+        <translation>薄膜 %1 m</translation>
+    </message>
 </context>
 <context>
     <name>PackageSentences</name>

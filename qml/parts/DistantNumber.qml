@@ -9,7 +9,8 @@ import CamPanel.Controls
 Item {
     id: number
     Accessible.role: Accessible.StaticText
-    Accessible.name: [number.title, number.text, number.unit].join(" ").trim()
+    Accessible.name: (number.text + " " + number.unit).trim()
+    Accessible.description: number.title
 
     required property string text          // in the panel's language
     property string title                  // of the card; for a reader

@@ -78,6 +78,8 @@ TouchButton {
     }
     Label {
         objectName: "faultAction"
+        Accessible.role: Accessible.AlertMessage
+        Accessible.name: card.alarm.cause + " " + card.alarm.action
         anchors { left: title.left; right: parent.right; top: scale.bottom; bottom: parent.bottom; rightMargin: Theme.size.padding; bottomMargin: Theme.size.accent }
         wrapMode: Text.WordWrap
         fontSizeMode: Text.Fit

@@ -78,8 +78,7 @@ Card {
         cuts: card.line.cuts
         marks: card.line.seenMarks
         products: card.line.seenProducts
-        scrapBags: Controller.run.scrapAhead
-        scrapBehind: Controller.bags.isScrap
+        scrap: Qt.point(Controller.run.scrapAhead, Controller.bags.isScrap ? 1 : 0)
         nextMark: card.line.nextMarkMm
         position: card.line.filmPositionMm
         speed: card.line.filmSpeedMmPerS
@@ -87,8 +86,7 @@ Card {
         sensor: card.line.known && card.line.marksWanted ? card.line.sensorMm : NaN
         window: card.line.windowMm
         knifeOpen: card.line.knifeOpen
-        knifeFault: card.faultAtKnife
-        faultColor: Theme.color.fault
+        faultColor: card.faultAtKnife ? Theme.color.fault : "transparent"
         stale: !card.fresh
         live: Theme.animated
         sensorText: qsTr("Mark sensor")

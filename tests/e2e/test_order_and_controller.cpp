@@ -10,6 +10,7 @@
 #include <QTest>
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 
 namespace test_order_and_controller {
@@ -69,6 +70,13 @@ struct Line {
             QTRY_VERIFY_WITH_TIMEOUT(machine().state() != Controller::State::Running, timeoutMs);
             break;
         }
+    }
+    // Returns true when the machine runs, or its order is over; starts it when it can.
+    [[nodiscard]] bool runsOn()
+    {
+        if (!order().isOver() && machine().canStart())
+            panel->start();
+        return order().isOver() || machine().state() == Controller::State::Running;
     }
     void enterQuantity(const char* digits)
     {
@@ -184,15 +192,17 @@ private slots:
             QTRY_VERIFY_WITH_TIMEOUT(line.order().good >= before, timeoutMs);
             line.disturb(between);
             QTRY_VERIFY_WITH_TIMEOUT(line.order().lot == lot, timeoutMs);
-            // What stopped is started by a person.
-            QTRY_VERIFY_WITH_TIMEOUT(line.order().isOver() || line.machine().canStart() ||
-                                         line.machine().state() == Controller::State::Running,
-                                     timeoutMs);
-            if (!line.order().isOver() && line.machine().canStart())
-                line.panel->start();
-            QTRY_COMPARE_WITH_TIMEOUT(line.order().state, store::OrderRow::State::Complete, timeoutMs);
+            // A person starts what stopped, and tries again when that is refused.
+            QTRY_VERIFY_WITH_TIMEOUT(line.runsOn(), timeoutMs);
+            QTRY_VERIFY2_WITH_TIMEOUT(line.order().isOver(), qPrintable(line.panel->texts()), timeoutMs);
+            QCOMPARE(line.order().state, store::OrderRow::State::Complete);
             QCOMPARE(line.order().good, wanted);
             QCOMPARE(line.order().cut, line.order().good + line.order().rejected + line.order().empty);
+            // Film is fed before the first cut, and from the last one to the standstill.
+            const double bagMm = line.machine().active().bagLengthMm;
+            const double film = static_cast<double>(line.order().filmMm) / bagMm;
+            QVERIFY2(std::abs(film - static_cast<double>(line.order().cut)) < 8,
+                     qPrintable(QString::number(film)));
         }
         QCOMPARE(line.panel->complaints(), QStringList());
     }

@@ -78,7 +78,7 @@ private slots:
         show(Situation::Fault);
         QCOMPARE(textOf("navCalls"), QStringLiteral("1"));
         QCOMPARE(textOf("urgentAlarm"), QStringLiteral("Following error too large"));
-        QVERIFY(isShown("banner"));
+        QVERIFY(isShown("faultCard"));
         tap("nav_alarms");
         QCOMPARE(textOf("alarmsLive"), QStringLiteral("Active, 1 new")); // the number at the page's key
         QCOMPARE(textOf("alarmState"), QStringLiteral("C-01 · Active, not acknowledged"));
@@ -107,12 +107,12 @@ private slots:
         QVERIFY2(!alarms().history()->watched(), "nothing is read while nobody looks");
     }
 
-    // One flow: the banner leads to the fault, and its Reset is all that the fault asks for.
+    // One flow: the card on Run leads to the fault, and its Reset is all that the fault asks for.
     void aFaultIsResetWhereItIsRead()
     {
         using campanel::modbus::Command;
         show(Situation::Fault);
-        tap("bannerWay");
+        tap("faultCard");
         QCOMPARE(textOf("alarmCause"), QStringLiteral("The axis cannot follow its setpoint."));
         QVERIFY2(textOf("alarmDetail").startsWith(QStringLiteral("Axis: following error ")),
                  qPrintable(textOf("alarmDetail")));
@@ -223,6 +223,7 @@ private slots:
     void bannerPutAsideStaysOnThePage()
     {
         show(Situation::Fault);
+        tap("nav_motion");
         tap("bannerButton");
         QVERIFY(!isShown("banner"));
         QCOMPARE(textOf("navCalls"), QStringLiteral("1"));
@@ -256,18 +257,22 @@ private slots:
             campanel::looks::Variant{language, QStringLiteral("light"), size});
         show(Situation::ManyAlarms);
         m_window->tap(page);
-        const QQuickItem* text = m_window->find(QStringLiteral("bannerText"));
+        // Run tells a fault on the page itself.
+        const bool isRun = page == QStringLiteral("nav_run");
+        const QQuickItem* text =
+            m_window->find(isRun ? QStringLiteral("faultFacts") : QStringLiteral("bannerText"));
         QVERIFY(text);
         const QString told = text->property("text").toString();
-        QVERIFY2(told.section(u'\n', 1).contains(QStringLiteral("15")), qPrintable(told));
+        QVERIFY2(told.contains(QStringLiteral("15")), qPrintable(told));
         QVERIFY2(!text->property("truncated").toBool(), qPrintable(told));
         QVERIFY(text->property("contentHeight").toDouble() <= text->height() + 1);
         QVERIFY(text->property("contentWidth").toDouble() <= text->width() + 1);
-        const QQuickItem* banner = m_window->find(QStringLiteral("banner"));
+        const QQuickItem* banner =
+            m_window->find(isRun ? QStringLiteral("faultCard") : QStringLiteral("banner"));
         const QRectF frame = banner->mapRectToScene(banner->boundingRect());
         QVERIFY(frame.contains(text->mapRectToScene(text->boundingRect())));
         QVERIFY(QRectF(QPointF(), QSizeF(size)).contains(frame));
-        tap("bannerWay");
+        tap(isRun ? "faultCard" : "bannerWay");
         QVERIFY(isShown("liveAlarm0"));
     }
 

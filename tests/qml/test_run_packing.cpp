@@ -134,7 +134,7 @@ private slots:
         QCOMPARE(textOf("faultTitle"), QStringLiteral("Jam at the jaws"));
         QVERIFY2(textOf("faultAction").startsWith(QStringLiteral("Take out")),
                  qPrintable(textOf("faultAction")));
-        QVERIFY(picture().property("knifeFault").toBool());
+        QCOMPARE(picture().property("faultColor").value<QColor>().alpha(), 255);
         QVERIFY(!m_window->find(QStringLiteral("banner")));
         QVERIFY(!m_window->find(QStringLiteral("rateNumber")));
         m_window->tap(QStringLiteral("faultCard"));

@@ -26,6 +26,7 @@ template <const store::DatabaseFile& (*file)(), int version> store::DatabaseFile
         return u"ALTER TABLE %1 DROP COLUMN %2"_s.arg(table, column);
     };
     const QList<QStringList> undone{
+        {dropColumn(u"production_order"_s, u"film_mm"_s)},
         {u"DROP TABLE production_order"_s},
         {u"DROP TABLE clock_proof"_s},
         {u"DROP INDEX recipe_name_key"_s, u"DROP INDEX user_name_key"_s,

@@ -132,7 +132,6 @@ void AlarmWatch::noteLink()
         m_patience.stop();
         m_isPatienceOver = false;
         setLinkAlarm(nullptr);
-        m_controller.parameter("parameter.following_error_limit").readIfUncertain();
         return;
     }
     if (isComing(report.state)) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What broke a limit, as a fault shows it: how much it was, and the limit.
+// The measure that broke a limit, as a fault shows it: how much it was, and the limit.
 #pragma once
 
 #include <QString>

@@ -37,6 +37,8 @@ TorqueWatch::TorqueWatch(Controller& controller)
         if (!watched()) {
             m_last = {};
             m_readings.clear();
+        } else {
+            m_controller.parameter("parameter.following_error_limit").readIfUncertain(); // shown beside it
         }
         emit changed();
     });
@@ -57,6 +59,8 @@ void TorqueWatch::noteConnection()
 {
     if (!m_controller.isConnected())
         m_isPending = false;
+    else if (watched())
+        m_controller.parameter("parameter.following_error_limit").readIfUncertain();
     emit changed();
 }
 

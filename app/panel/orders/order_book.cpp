@@ -2,6 +2,7 @@
 #include "app/panel/orders/order_book.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace campanel::panel {
@@ -70,7 +71,7 @@ qsizetype OrderBook::announced(const OrderStatus& status) const
     return found == m_queue.end() ? -1 : found - m_queue.begin();
 }
 
-void OrderBook::note(const OrderStatus& status, const Program& program, const Now& now)
+void OrderBook::note(const OrderStatus& status, const Program& program, double filmMm, const Now& now)
 {
     if (!m_isBegun || !status.state)
         return;
@@ -79,8 +80,9 @@ void OrderBook::note(const OrderStatus& status, const Program& program, const No
     if (announced(status) >= 0 || !isLast(status)) {
         lose(now);
         start(status, program, now);
+        m_filmMm = filmMm;
     }
-    update(status, now);
+    update(status, program, filmMm, now);
 }
 
 void OrderBook::lose(const Now& now)
@@ -112,9 +114,15 @@ void OrderBook::start(const OrderStatus& status, const Program& program, const N
     keepLast(true);
 }
 
-void OrderBook::update(const OrderStatus& status, const Now& now)
+// Film that the panel did not see is counted by the bags that were cut of it.
+void OrderBook::update(const OrderStatus& status, const Program& program, double filmMm, const Now& now)
 {
     const OrderRow before = *m_last;
+    const double seenMm = filmMm - std::exchange(m_filmMm, filmMm);
+    if (!before.isOver() && seenMm >= 0)
+        m_last->filmMm += std::llround(seenMm);
+    else if (!before.isOver() && status.cut > before.cut)
+        m_last->filmMm += std::llround(static_cast<double>(status.cut - before.cut) * program.bagLengthMm);
     m_last->state = stateOf(*status.state);
     m_last->lot = lotOf(status);
     m_last->quantity = status.quantity;

@@ -6,6 +6,7 @@
 #include "app/link/link_values.h"
 #include "app/store/logs/order_log.h"
 
+#include <limits>
 #include <map>
 #include <optional>
 
@@ -24,6 +25,7 @@ public:
         QString recipe; // empty: none
         int version = 0;
         qint64 tableCrc = 0;
+        double bagLengthMm = 0;
     };
 
     // Continues with the last order of this controller, and the first time with the queue. Changes must be
@@ -32,7 +34,8 @@ public:
     [[nodiscard]] bool isBegun() const { return m_isBegun; }
 
     // Applies what the controller reports. An order that nobody at this panel has started is entered too.
-    void note(const modbus::OrderStatus& status, const Program& program, const Now& now);
+    // `filmMm` is the film's way so far, on any scale; NaN: unknown.
+    void note(const modbus::OrderStatus& status, const Program& program, double filmMm, const Now& now);
 
     // Returns the order that the controller counts, or the last one; empty: it has had none.
     [[nodiscard]] const std::optional<store::OrderRow>& last() const { return m_last; }
@@ -60,7 +63,7 @@ private:
     [[nodiscard]] qsizetype announced(const modbus::OrderStatus& status) const;
     [[nodiscard]] bool isLast(const modbus::OrderStatus& status) const;
     void start(const modbus::OrderStatus& status, const Program& program, const Now& now);
-    void update(const modbus::OrderStatus& status, const Now& now);
+    void update(const modbus::OrderStatus& status, const Program& program, double filmMm, const Now& now);
     void lose(const Now& now);
     void keepLast(bool isNews);
     void changeQueue();
@@ -69,6 +72,7 @@ private:
     QString m_controller;
     qint64 m_lastId = 0;
     std::optional<store::OrderRow> m_last;
+    double m_filmMm = std::numeric_limits<double>::quiet_NaN(); // at the last report
     QList<store::OrderRow> m_queue;
     std::map<qint64, store::OrderRow> m_changed; // by id
     bool m_isQueueChanged = false;

@@ -161,7 +161,8 @@ OrderBook::Program Orders::program() const
     if (!program)
         return {};
     return {QString::fromStdString(program->name),
-            std::isfinite(program->version) ? static_cast<int>(program->version) : 0, program->crc};
+            std::isfinite(program->version) ? static_cast<int>(program->version) : 0, program->crc,
+            m_controller.active().bagLengthMm};
 }
 
 void Orders::read()
@@ -187,7 +188,7 @@ void Orders::takeRead(const link::ReadOutcome& outcome)
     const OrderBook::Now seenAt = now();
     if (!seenAt.isClockDoubtful)
         m_newestMs = std::max(m_newestMs, seenAt.utcMs);
-    m_book.note(*m_status, program(), seenAt);
+    m_book.note(*m_status, program(), m_controller.packing()->filmTravelMm(), seenAt);
     noteChange(before);
     update();
 }

@@ -90,6 +90,8 @@ QString OrderWords::facts(const OrderRow& order, const QDate& today)
     }
     if (!order.recipe.isEmpty())
         parts << recipe(order);
+    if (order.filmMm > 0)
+        parts << tr("%1 m of film").arg(count((order.filmMm + 500) / 1000));
     if (order.startedMs > 0 && !order.startedBy.isEmpty())
         parts << tr("started by %1").arg(order.startedBy);
     if (!order.checkedBy.isEmpty())

@@ -27,19 +27,17 @@ class FilmPicture : public QQuickPaintedItem {
     Q_PROPERTY(QList<QPointF> cuts MEMBER m_cuts NOTIFY filmChanged FINAL)
     Q_PROPERTY(QList<QPointF> marks MEMBER m_marks NOTIFY filmChanged FINAL)
     Q_PROPERTY(QList<QPointF> products MEMBER m_products NOTIFY filmChanged FINAL)
-    Q_PROPERTY(double nextMark MEMBER m_nextMarkMm NOTIFY filmChanged FINAL)     // expected place; NaN: none
-    Q_PROPERTY(double position MEMBER m_positionMm NOTIFY filmChanged FINAL)     // NaN: unknown
-    Q_PROPERTY(double speed MEMBER m_speedMmPerS NOTIFY filmChanged FINAL)       // mm/s
-    Q_PROPERTY(int scrapBags MEMBER m_scrapBags NOTIFY filmChanged FINAL)        // before the knife
-    Q_PROPERTY(bool scrapBehind MEMBER m_isScrapBehind NOTIFY filmChanged FINAL) // the last bag was one
+    Q_PROPERTY(double nextMark MEMBER m_nextMarkMm NOTIFY filmChanged FINAL) // expected place; NaN: none
+    Q_PROPERTY(double position MEMBER m_positionMm NOTIFY filmChanged FINAL) // NaN: unknown
+    Q_PROPERTY(double speed MEMBER m_speedMmPerS NOTIFY filmChanged FINAL)   // mm/s
+    // Bags that do not count: the next x before the knife, and y behind it, 0 or 1.
+    Q_PROPERTY(QPoint scrap MEMBER m_scrap NOTIFY filmChanged FINAL)
     // The dimensions in mm; NaN while unknown.
     Q_PROPERTY(double bagLength MEMBER m_bagMm NOTIFY scaleChanged FINAL)
     Q_PROPERTY(double sensor MEMBER m_sensorMm NOTIFY scaleChanged FINAL) // before the knife; NaN: not drawn
     Q_PROPERTY(double window MEMBER m_windowMm NOTIFY scaleChanged FINAL) // in both directions from nextMark
     // True while the knife waits open.
     Q_PROPERTY(bool knifeOpen MEMBER m_isKnifeOpen NOTIFY styleChanged FINAL)
-    // True while a fault of the knife stands: a ring around its place.
-    Q_PROPERTY(bool knifeFault MEMBER m_isKnifeFault NOTIFY styleChanged FINAL)
     // True when the data is old: gray and without movement.
     Q_PROPERTY(bool stale MEMBER m_isStale NOTIFY styleChanged FINAL)
     // True to follow the film's speed between two reports; when false, the last report is displayed.
@@ -59,6 +57,7 @@ class FilmPicture : public QQuickPaintedItem {
     Q_PROPERTY(QColor productColor MEMBER m_productColor NOTIFY styleChanged FINAL)
     Q_PROPERTY(QColor cutColor MEMBER m_cutColor NOTIFY styleChanged FINAL)
     Q_PROPERTY(QColor skippedColor MEMBER m_skippedColor NOTIFY styleChanged FINAL)
+    // Of a ring around the knife; transparent: none.
     Q_PROPERTY(QColor faultColor MEMBER m_faultColor NOTIFY styleChanged FINAL)
     Q_PROPERTY(QColor knifeColor MEMBER m_knifeColor NOTIFY styleChanged FINAL)
     Q_PROPERTY(QColor textColor MEMBER m_textColor NOTIFY styleChanged FINAL)
@@ -122,13 +121,11 @@ private:
     double m_nextMarkMm = unknown;
     double m_positionMm = unknown;
     double m_speedMmPerS = 0;
-    int m_scrapBags = 0;
-    bool m_isScrapBehind = false;
+    QPoint m_scrap;
     double m_bagMm = unknown;
     double m_sensorMm = unknown;
     double m_windowMm = unknown;
     bool m_isKnifeOpen = false;
-    bool m_isKnifeFault = false;
     bool m_isStale = false;
     bool m_isLive = true;
     QString m_sensorText;
@@ -144,7 +141,7 @@ private:
     QColor m_productColor{Qt::darkCyan};
     QColor m_cutColor{Qt::blue};
     QColor m_skippedColor{Qt::red};
-    QColor m_faultColor{Qt::red};
+    QColor m_faultColor{Qt::transparent};
     QColor m_knifeColor{Qt::black};
     QColor m_textColor{Qt::black};
     QColor m_staleColor{Qt::gray};

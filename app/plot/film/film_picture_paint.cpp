@@ -101,12 +101,12 @@ void FilmPicture::paintScrap(QPainter& painter, const Rows& rows) const
     const auto paint = [&](double left, double right) {
         painter.fillRect(QRectF(left, rows.filmTop, right - left, rows.filmBottom - rows.filmTop), hatch);
     };
-    if (m_isScrapBehind)
+    if (m_scrap.y() > 0)
         paint(knifeX(), width());
     double right = knifeX();
     int bags = 0;
     for (const QPointF& cut : m_cuts) {
-        if (bags == m_scrapBags)
+        if (bags == m_scrap.x())
             break;
         const double left = xOf(cut.x());
         if (left >= knifeX() || cut.y() != 0)
@@ -240,7 +240,7 @@ void FilmPicture::paintKnife(QPainter& painter, const Rows& rows) const
     painter.setBrush(m_isKnifeOpen ? QBrush() : QBrush(color));
     const double head = rows.filmTop - rows.headsTop - film::lineWidth;
     painter.drawPolygon(triangle({knifeX(), rows.filmTop - film::lineWidth}, half, head));
-    if (m_isKnifeFault) {
+    if (m_faultColor.alpha() > 0) {
         const double radius = (rows.filmBottom - rows.filmTop) / 2;
         painter.setPen(QPen(m_faultColor, 2 * film::lineWidth));
         painter.setBrush(Qt::NoBrush);

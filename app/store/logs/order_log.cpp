@@ -108,6 +108,7 @@ const Table<OrderRow>& orderTable()
          {.name = u"rejected"_s, .member = &Row::rejected},
          {.name = u"empty"_s, .member = &Row::empty},
          {.name = u"cut"_s, .member = &Row::cut},
+         {.name = u"film_mm"_s, .member = &Row::filmMm, .since = 11},
          {.name = u"started_ms"_s,
           .member = &Row::startedMs,
           .heading = u"started_utc"_s,

@@ -35,6 +35,7 @@ struct OrderRow {
     qint64 rejected = 0;
     qint64 empty = 0;
     qint64 cut = 0;
+    qint64 filmMm = 0; // fed meanwhile, mm
     qint64 startedMs = 0;
     qint64 endedMs = 0; // when the panel saw the end; 0: not yet
     QString startedBy{};

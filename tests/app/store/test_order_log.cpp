@@ -38,6 +38,7 @@ OrderRow order(qint64 id, State state = State::Complete, qint64 startedMs = now)
     row.rejected = 3;
     row.empty = 2;
     row.cut = 1246;
+    row.filmMm = 311'500;
     row.startedMs = startedMs;
     row.startedBy = u"Ann"_s;
     row.checkedBy = u"Bo"_s;
@@ -137,10 +138,17 @@ private slots:
         QVERIFY2(orderTable().page(*database)->size() == 3, "a clock that is wrong deletes nothing");
     }
 
+    void aDatabaseOfAnEarlierVersionGetsTheTable_data()
+    {
+        QTest::addColumn<int>("before");
+        QTest::newRow("without orders") << 9;
+        QTest::newRow("without their film") << 10;
+    }
+
     void aDatabaseOfAnEarlierVersionGetsTheTable()
     {
         const QTemporaryDir folder;
-        constexpr int before = 9;
+        QFETCH(int, before);
         QVERIFY(campanel::test::goBackTo(**Database::open(folder.path()), before));
         const auto database = *Database::open(folder.path());
         QCOMPARE(database->opening().migratedFrom, before);
@@ -179,11 +187,12 @@ private slots:
         QVERIFY(OrderLog::write(*database, {{row}, QList{waiting(u"A"_s)}}));
         const QByteArray csv = orderTable().csv(*database, {.fromMs = 1})->bytes;
         QCOMPARE(csv,
-                 QByteArray("id,number,controller,order,lot,recipe,version,table_crc,quantity,action,"
-                            "message_before,state,good,rejected,empty,cut,started_utc,ended_utc,started_by,"
-                            "checked_by,clock\n"
-                            "1,1,2a,'=1+1,\"L17, night\",Biscuit 250,3,00c0ffee,5000,message,20,complete,"
-                            "1240,3,2,1246,2026-11-18T11:06:40.000Z,2026-11-18T11:07:40.000Z,Ann,Bo,set\n"));
+                 QByteArray(
+                     "id,number,controller,order,lot,recipe,version,table_crc,quantity,action,"
+                     "message_before,state,good,rejected,empty,cut,film_mm,started_utc,ended_utc,started_by,"
+                     "checked_by,clock\n"
+                     "1,1,2a,'=1+1,\"L17, night\",Biscuit 250,3,00c0ffee,5000,message,20,complete,"
+                     "1240,3,2,1246,311500,2026-11-18T11:06:40.000Z,2026-11-18T11:07:40.000Z,Ann,Bo,set\n"));
         // Without a filter those that wait are in it too, behind all others.
         QCOMPARE(orderTable().csv(*database, {})->bytes.count('\n'), 3);
     }

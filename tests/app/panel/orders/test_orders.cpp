@@ -53,6 +53,10 @@ private slots:
         QVERIFY(rig.orders->notice().isEmpty());
         QCOMPARE(rig.logged(), QList{rig.current()});
         QCOMPARE(rig.logged()[0].endedMs, rig.wallMs);
+        // Nobody told of the film here: it is counted by the bags.
+        QCOMPARE(rig.logged()[0].filmMm, qint64(5005) * 250);
+        QVERIFY2(rig.orders->current().facts().contains(u"1,251 m of film"_s),
+                 qPrintable(rig.orders->current().facts()));
     }
 
     void theEndFollowsFromTheRate()
