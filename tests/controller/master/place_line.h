@@ -28,10 +28,10 @@ inline controller::MachineOptions onLine(bool drivesFilm)
 
 class Line : public Rig {
 public:
-    explicit Line(bool drivesFilm, controller::MachineOptions options = {})
+    explicit Line(bool drivesFilm, controller::MachineOptions options = {}, std::uint32_t ticks = cycleTicks)
         : Rig(options.shaft.counts == 0 ? onLine(drivesFilm) : options)
     {
-        BankImage bank = camBank(knifePulses, 1, cycleTicks);
+        BankImage bank = camBank(knifePulses, 1, ticks);
         bank.bagLengthUm = 250'000;
         install(bank);
         write(CTL_REG_MASTER_SOURCE, {CTL_MASTER_SOURCE_ENCODER});

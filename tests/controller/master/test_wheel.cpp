@@ -37,6 +37,8 @@ private slots:
     void marksThatPassedBeforeTheStartAreForgotten();
     void aJamLeavesTheFilmAndTheRunGoesOn();
     void aStopInMidCycleBeginsAgainAtTheBoundary();
+    void misplacedProductsAreNotCut_data();
+    void misplacedProductsAreNotCut();
 };
 
 void TestWheel::onlyTheKnifeMoves()
@@ -336,6 +338,54 @@ void TestWheel::aStopInMidCycleBeginsAgainAtTheBoundary()
     }
     QCOMPARE(line.status(CTL_REG_STATUS_FAULT), 0);
     QVERIFY(line.core().motion.in_phase);
+}
+
+// Products lie anywhere in their bags, one in fifty is missing; the places of the others are found.
+void TestWheel::misplacedProductsAreNotCut_data()
+{
+    QTest::addColumn<int>("runs");
+    QTest::addColumn<double>("share");
+    QTest::newRow("one run, a fifth misplaced") << 1 << 0.2;
+    QTest::newRow("30 starts, a fifth misplaced") << 30 << 0.2;
+    QTest::newRow("one run, two fifths misplaced") << 1 << 0.4;
+}
+
+void TestWheel::misplacedProductsAreNotCut()
+{
+    QFETCH(int, runs);
+    QFETCH(double, share);
+    bool isSet = false;
+    const int cases = qEnvironmentVariableIntValue("CAMPANEL_RANDOM_CASES", &isSet);
+    const int periods = isSet ? cases : 6000;
+    MachineOptions options = onLine(true);
+    options.products.misplaced = share;
+    options.products.missing = 0.02;
+    options.products.lengthMm = 170.0;
+    options.shaft.speedMmPerS = 5 * bagMm;
+    int cuts = 0;
+    int through = 0;
+    std::uint32_t skipped = 0;
+    for (int i = 0; i < runs; ++i) {
+        options.seed = static_cast<std::uint64_t>(i) + 1;
+        Line line(true, options, cycleTicks / 5);
+        line.setParameter(CTL_REG_PARAMETER_SKIP_LIMIT, 100);
+        line.start();
+        const std::uint64_t untilUs =
+            line.controller().nowUs() + 200'000u * static_cast<std::uint64_t>(periods / runs);
+        while (line.controller().nowUs() < untilUs) {
+            if (line.core().motion.state == CTL_STATE_READY) // the delay of the knife is learned by then
+                QCOMPARE(line.command(CTL_COMMAND_START), CTL_REFUSAL_NONE);
+            line.controller().step();
+            const auto& cut = line.controller().cut();
+            cuts += cut ? 1 : 0;
+            through += cut && cut->throughProduct ? 1 : 0;
+        }
+        skipped += line.core().packer.skipped;
+    }
+    QVERIFY2(through == 0,
+             qPrintable(QStringLiteral("%1 of %2").arg(QString::number(through), QString::number(cuts))));
+    QVERIFY2(cuts > periods / 2, qPrintable(QString::number(cuts)));
+    QVERIFY(skipped > 100);
 }
 
 CAMPANEL_TEST(TestWheel)
