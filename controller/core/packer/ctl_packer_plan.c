@@ -89,6 +89,15 @@ static int64_t lag_ahead(const ctl_packer* packer, const ctl_drive* drive, uint3
     return ctl_packer_lag(packer, speed, ramp);
 }
 
+/* The film lags differently than at the last cut: that is no slip, but leaves room for one. */
+static int64_t lag_shift(const ctl_packer* packer, const ctl_drive* drive, int64_t lag_before)
+{
+    const ctl_phase_mode fast = drive->changes ? CTL_PHASE_FAST_AND_SHORT : CTL_PHASE_FAST;
+    const int64_t limit = ctl_phase_max(&packer->settings.phase, fast) / 2;
+    const int64_t shift = lag_before - packer->next.lag;
+    return shift > limit ? limit : shift < -limit ? -limit : shift;
+}
+
 /* Returns the shift of the film by which the next cut, `wanted` away from its mark, meets it, within limits.
  */
 static int64_t allowed_shift(ctl_packer* packer, const ctl_drive* drive, const ctl_mark* mark, int64_t wanted)
@@ -122,6 +131,7 @@ void ctl_packer_plan_cut(ctl_packer* packer, const ctl_drive* drive)
     const int64_t by_hand = ctl_packer_move_cut(packer) + packer->settings.length;
     ctl_marks_drop(&packer->marks, ctl_feed_position(&packer->film) - packer->bag / 2);
     const int64_t even = ctl_packer_uncorrected(packer);
+    const int64_t lag_before = packer->next.lag;
     packer->next.lag = lag_ahead(packer, drive, packer->cycle - packer->film.phase + packer->cut);
     note_speed(packer, drive->ramp);
     const ctl_mark* mark =
@@ -132,9 +142,11 @@ void ctl_packer_plan_cut(ctl_packer* packer, const ctl_drive* drive)
     const int64_t place = place_um == 0 ? 0 : ctl_packer_film(packer, place_um);
     int64_t shift = 0;
     ctl_phase_none(&packer->phase);
-    if (mark != NULL)
-        shift = allowed_shift(packer, drive, mark, mark->at - packer->next.lag - even - place - by_hand);
-    else if (place != packer->knives.in_film)
+    if (mark != NULL) {
+        shift = packer->marks.state == CTL_MARK_STATE_TRACKING ? lag_shift(packer, drive, lag_before) : 0;
+        shift +=
+            allowed_shift(packer, drive, mark, mark->at - packer->next.lag - even - place - by_hand - shift);
+    } else if (place != packer->knives.in_film)
         shift = ctl_phase_allow(&packer->phase, &packer->settings.phase, CTL_PHASE_LIMITED,
                                 packer->knives.in_film - place, 0);
     packer->knives.in_film = mark != NULL ? place : packer->knives.in_film - shift;

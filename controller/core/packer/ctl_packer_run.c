@@ -43,7 +43,9 @@ static void count_skip(ctl_packer* packer)
 static bool threads_up(ctl_packer* packer)
 {
     const bool sees_products = ctl_parameter16(packer->board, CTL_REG_PARAMETER_ANTI_CUT) != 0;
-    const bool knows = packer->products.known && packer->next.command >= packer->products.known_from;
+    const bool placed = !packer->wheel.on || ctl_wheel_is_placed(&packer->wheel);
+    const bool knows =
+        placed && packer->products.known && packer->next.command >= packer->products.known_from;
     const bool marked = packer->next.tracked || !ctl_packer_tracks(packer);
     if (!packer->wheel.on && !ctl_packer_tracks(packer))
         packer->threading = false;

@@ -93,9 +93,10 @@ static int64_t find_flights(ctl_packer* packer, int64_t at, bool covered)
     ctl_products* products = &packer->products;
     if (!packer->wheel.on || covered || !products->covered)
         return 0;
-    const int64_t by = ctl_wheel_find_flights(&packer->wheel, ctl_products_off(products, at), packer->flight);
-    ctl_products_shift(products, by);
-    return by;
+    const ctl_wheel_step step =
+        ctl_wheel_find_flights(&packer->wheel, ctl_products_off(products, at), packer->flight);
+    ctl_products_shift(products, step.found + step.drift, step.found);
+    return step.found + step.drift;
 }
 
 static void read_eye(ctl_packer* packer)

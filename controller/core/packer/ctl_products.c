@@ -62,10 +62,26 @@ int64_t ctl_products_off(const ctl_products* products, int64_t trail)
     return middle - place_at_eye(products, number_at_eye(products, middle));
 }
 
-void ctl_products_shift(ctl_products* products, int64_t by)
+/* It may belong to the place beside it then, as long as that was not laid. */
+static void place_again(ctl_products* products, ctl_coming* coming, int64_t found)
+{
+    const int64_t pitch = to_film(products, products->settings.flight);
+    coming->behind -= to_film(products, found);
+    if (2 * coming->behind >= pitch) {
+        coming->number += 1;
+        coming->behind -= pitch;
+    } else if (2 * coming->behind < -pitch && coming->number > products->next) {
+        coming->number -= 1;
+        coming->behind += pitch;
+    }
+}
+
+void ctl_products_shift(ctl_products* products, int64_t by, int64_t found)
 {
     products->lead -= by;
     products->watched_from -= by;
+    for (uint32_t i = 0; found != 0 && i < products->coming_count; ++i)
+        place_again(products, &products->coming[i], found);
 }
 
 static void come(ctl_products* products, int64_t lead, int64_t trail)

@@ -56,8 +56,9 @@ typedef struct {
 void ctl_products_set(ctl_products* products, const ctl_product_settings* settings, int64_t infeed);
 /* Returns how far the middle of a product that ends here at the eye is behind its place on the infeed. */
 int64_t ctl_products_off(const ctl_products* products, int64_t trail);
-/* The infeed's positions are counted anew from now on: smaller by so much. */
-void ctl_products_shift(ctl_products* products, int64_t by);
+/* The infeed's positions are counted anew from now on: smaller by so much, of which the places of the
+ * products between eye and film were elsewhere by `found`. */
+void ctl_products_shift(ctl_products* products, int64_t by, int64_t found);
 /* Handles an edge of a product at the eye. */
 void ctl_products_edge(ctl_products* products, int64_t infeed, bool covered);
 /* Returns true when product `number` is missing: its place passed the eye without a product. */

@@ -7,45 +7,63 @@
 #define PRINTS_IN_ROW 4u
 /* So many marks that did not come, while prints were seen elsewhere. */
 #define MISSING_IN_ROW 2u
-/* A product farther from its place than this part of a flight says nothing about the flights, but so many in
- * a row are at new places. */
-#define STRAY_SHARE 8
+/* A product farther from its place than so many times the usual is no sign of where the places are, but so
+ * many in a row that agree are at new places. */
+#define STRAY_TIMES 4
 #define STRAYS_IN_ROW 4u
-/* The places follow the products by these parts of their error, so that one of them does not move them far.
- */
-#define OFF_SHARE 4
-#define FIRST_PRODUCTS 8u
-#define FIRST_SOONER 2 /* times */
-#define MOST_SHARE 64  /* of a flight, of that error */
-#define DRIFT_SHARE 24
+/* No product moves the places as if it were farther off than this. */
+#define USED_TIMES 2
+/* The usual distance is the median: it grows by this part of itself with each product that is farther off,
+ * and falls with each that is nearer. Parts of a flight: as it begins, and its limits. */
+#define USUAL_SHARE 8
+#define USUAL_FIRST 128
+#define USUAL_MIN 512
+#define USUAL_MAX 32
+/* The places follow the products by these parts of what they are off, and their drift, critically damped: the
+ * more of them have been seen, the less. */
+typedef struct {
+    uint32_t products;
+    int64_t place;
+    int64_t drift;
+} follow_share;
+static const follow_share shares[] = {{8u, 2, 12}, {24u, 4, 28}, {UINT32_MAX, 8, 120}};
+#define PLACES_SURE 2u
 
 static int64_t size_of(int64_t value)
 {
     return value < 0 ? -value : value;
 }
 
-void ctl_wheel_switch(ctl_wheel* wheel, bool on)
+static void forget_flights(ctl_wheel* wheel)
 {
-    wheel->on = on;
-    wheel->strays = STRAYS_IN_ROW;
+    wheel->usual = 0;
+    wheel->placed = 0;
     wheel->drift = 0;
 }
 
-/* Goes on from `at`, where the ratio is another one. */
-static void set_gear(ctl_gear* gear, ctl_wheel_ratio ratio, int64_t counts, int64_t at, int64_t* from)
+void ctl_wheel_switch(ctl_wheel* wheel, bool on)
+{
+    wheel->on = on;
+    forget_flights(wheel);
+}
+
+/* Goes on from `at`, where the ratio is another one; returns true then. */
+static bool set_gear(ctl_gear* gear, ctl_wheel_ratio ratio, int64_t counts, int64_t at, int64_t* from)
 {
     if (gear->numerator == ratio.numerator && gear->denominator == ratio.denominator &&
         at == *from + ctl_gear_ticks(gear, counts, 0))
-        return;
+        return false;
     ctl_gear_set(gear, ratio.numerator, ratio.denominator, counts);
     *from = at;
+    return true;
 }
 
 void ctl_wheel_set(ctl_wheel* wheel, ctl_wheel_ratio film, ctl_wheel_ratio infeed, int64_t film_at,
                    int64_t infeed_at)
 {
-    set_gear(&wheel->film, film, wheel->counts, film_at, &wheel->film_from);
-    set_gear(&wheel->infeed, infeed, wheel->counts, infeed_at, &wheel->infeed_from);
+    (void)set_gear(&wheel->film, film, wheel->counts, film_at, &wheel->film_from);
+    if (set_gear(&wheel->infeed, infeed, wheel->counts, infeed_at, &wheel->infeed_from))
+        forget_flights(wheel);
     wheel->slips = false;
     wheel->doubtful = false;
 }
@@ -98,27 +116,76 @@ void ctl_wheel_read(ctl_wheel* wheel, int64_t counts, bool reversed)
     wheel->counts = counts;
 }
 
-int64_t ctl_wheel_find_flights(ctl_wheel* wheel, int64_t off, int64_t flight)
+static int64_t within(int64_t value, int64_t limit)
 {
-    int64_t by = off;
-    if (wheel->strays < STRAYS_IN_ROW && size_of(off) > flight / STRAY_SHARE) {
-        wheel->strays += 1;
-        by = wheel->drift;
-    } else if (wheel->strays < STRAYS_IN_ROW) {
-        const int64_t most = flight / MOST_SHARE;
-        const int64_t limited = off > most ? most : off < -most ? -most : off;
-        const int64_t sooner = wheel->placed < FIRST_PRODUCTS ? FIRST_SOONER : 1;
-        wheel->drift += limited * sooner / DRIFT_SHARE;
+    return value > limit ? limit : value < -limit ? -limit : value;
+}
+
+/* The flights begin at this product. */
+static int64_t place_anew(ctl_wheel* wheel, int64_t off, int64_t flight)
+{
+    wheel->strays = 0;
+    wheel->placed = 0;
+    wheel->usual = flight / USUAL_FIRST;
+    return off;
+}
+
+/* Returns true when it is far off its place; so many in a row may agree. */
+static bool is_stray(ctl_wheel* wheel, int64_t off)
+{
+    const int64_t limit = wheel->usual * STRAY_TIMES;
+    if (size_of(off) <= limit) {
         wheel->strays = 0;
-        wheel->placed += 1;
-        by = limited * sooner / OFF_SHARE + wheel->drift;
-    } else {
-        wheel->drift = 0;
-        wheel->strays = 0;
-        wheel->placed = 0;
+        return false;
     }
-    wheel->infeed_from -= by;
-    return by;
+    const bool agrees = wheel->strays != 0 && size_of(off - wheel->stray) <= limit;
+    wheel->strays = agrees ? wheel->strays + 1u : 1u;
+    wheel->stray = off;
+    return true;
+}
+
+static void follow_usual(ctl_wheel* wheel, int64_t off, int64_t flight)
+{
+    const int64_t step = wheel->usual / USUAL_SHARE;
+    wheel->usual += size_of(off) > wheel->usual ? step : -step;
+    if (wheel->usual < flight / USUAL_MIN)
+        wheel->usual = flight / USUAL_MIN;
+    if (wheel->usual > flight / USUAL_MAX)
+        wheel->usual = flight / USUAL_MAX;
+}
+
+static int64_t follow_product(ctl_wheel* wheel, int64_t off)
+{
+    const follow_share* share = shares;
+    while (wheel->placed >= share->products)
+        ++share;
+    const int64_t used = within(off, wheel->usual * USED_TIMES);
+    wheel->placed += 1;
+    wheel->drift += used / share->drift;
+    return used / share->place;
+}
+
+ctl_wheel_step ctl_wheel_find_flights(ctl_wheel* wheel, int64_t off, int64_t flight)
+{
+    ctl_wheel_step step = {0, 0};
+    if (wheel->usual == 0) {
+        step.found = place_anew(wheel, off, flight);
+    } else if (!is_stray(wheel, off)) {
+        step.found = follow_product(wheel, off);
+        step.drift = wheel->drift;
+    } else if (wheel->strays > STRAYS_IN_ROW) {
+        step.found = place_anew(wheel, off, flight);
+    } else {
+        step.drift = wheel->drift;
+    }
+    follow_usual(wheel, off, flight);
+    wheel->infeed_from -= step.found + step.drift;
+    return step;
+}
+
+bool ctl_wheel_is_placed(const ctl_wheel* wheel)
+{
+    return wheel->usual == 0 || wheel->placed >= PLACES_SURE;
 }
 
 /* How far a print is from the place of a mark, by those before it that were at theirs. */

@@ -31,8 +31,10 @@ typedef struct {
     int64_t per_tick; /* film of a tick of the table, and */
     int64_t per_film; /* ticks of its 1/256 pulse, both 1 / 2^CTL_WHEEL_FINE */
     int64_t drift;    /* of the infeed's flights from one product to the next */
-    uint32_t placed;  /* products that said where the flights are */
-    uint32_t strays;  /* products in a row far from their places; their places are known below a few */
+    int64_t usual;    /* distance of a product from its place, 0: the places are not known */
+    uint32_t placed;  /* products that said where they are */
+    uint32_t strays;  /* products in a row far from their places that agree, */
+    int64_t stray;    /* and the distance of the last one */
     int64_t slip;     /* film between the last two marks, less that by the wheel */
     int64_t limit;    /* 0: not watched */
     int64_t last;     /* mark that was seen */
@@ -45,6 +47,12 @@ typedef struct {
     uint32_t off_in_row; /* prints since the last one at the place of a mark */
     bool slips;          /* until the next start */
 } ctl_wheel;
+
+/* By how much the positions of the infeed are smaller from now on: */
+typedef struct {
+    int64_t found; /* its places were elsewhere, */
+    int64_t drift; /* or have moved since the last product */
+} ctl_wheel_step;
 
 void ctl_wheel_switch(ctl_wheel* wheel, bool on);
 /* Takes the present counts, in the line's direction; where their sign has been changed, film and infeed stay
@@ -60,9 +68,10 @@ int64_t ctl_wheel_film(ctl_wheel* wheel);
 int64_t ctl_wheel_infeed(ctl_wheel* wheel);
 int64_t ctl_wheel_film_at(ctl_wheel* wheel, int64_t counts);
 int64_t ctl_wheel_infeed_at(ctl_wheel* wheel, int64_t counts);
-/* A product was so far behind its place on the infeed, whose flights are `flight` apart. Returns by how much
- * the positions of the infeed are smaller from now on. */
-int64_t ctl_wheel_find_flights(ctl_wheel* wheel, int64_t off, int64_t flight);
+/* A product was so far behind its place on the infeed, whose flights are `flight` apart. */
+ctl_wheel_step ctl_wheel_find_flights(ctl_wheel* wheel, int64_t off, int64_t flight);
+/* Returns true when some products agree where their places are, or none has come yet. */
+bool ctl_wheel_is_placed(const ctl_wheel* wheel);
 /* Behind the edges of a slice, with the film here. */
 void ctl_wheel_watch(ctl_wheel* wheel, const ctl_marks* marks, int64_t film);
 

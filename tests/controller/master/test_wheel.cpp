@@ -37,6 +37,7 @@ private slots:
     void marksThatPassedBeforeTheStartAreForgotten();
     void aJamLeavesTheFilmAndTheRunGoesOn();
     void aStopInMidCycleBeginsAgainAtTheBoundary();
+    void aDelayThatIsNotKnownIsLearnedAtTheFirstCut();
     void misplacedProductsAreNotCut_data();
     void misplacedProductsAreNotCut();
 };
@@ -338,6 +339,38 @@ void TestWheel::aStopInMidCycleBeginsAgainAtTheBoundary()
     }
     QCOMPARE(line.status(CTL_REG_STATUS_FAULT), 0);
     QVERIFY(line.core().motion.in_phase);
+}
+
+// At 1250 mm/s the film passes 5 mm in the delay of the knife's drive: in the first cut, and in each stop of
+// the line, where the lag of a cut is another one than that of the cut before.
+void TestWheel::aDelayThatIsNotKnownIsLearnedAtTheFirstCut()
+{
+    MachineOptions options = onLine(true);
+    options.shaft.speedMmPerS = 5 * bagMm;
+    Line line(true, options, cycleTicks / 5);
+    line.start();
+    int cuts = 0;
+    double largestMm = 0.0;
+    const std::uint64_t fromUs = line.controller().nowUs();
+    for (int stops = 0; stops < 40;) {
+        line.controller().step();
+        const std::uint64_t timeUs = line.controller().nowUs() - fromUs;
+        if (timeUs > 10'000'000u * static_cast<unsigned>(stops + 1)) {
+            ++stops;
+            line.shaft().setSpeed(0.0);
+            line.run(3'000'000 + static_cast<unsigned>(stops) * 7'000);
+            line.shaft().setSpeed(5 * bagMm);
+        }
+        const auto& cut = line.controller().cut();
+        if (!cut)
+            continue;
+        if (++cuts == 1)
+            QVERIFY(cut->markErrorMm > 3.0);
+        else if (ctl_packer_bag_class(&line.core().packer) == CTL_BAG_GOOD)
+            largestMm = std::max(largestMm, std::abs(cut->markErrorMm));
+    }
+    QVERIFY2(largestMm < 0.4, qPrintable(QString::number(largestMm)));
+    QCOMPARE(line.core().packer.phase.limited, 0u);
 }
 
 // Products lie anywhere in their bags, one in fifty is missing; the places of the others are found.

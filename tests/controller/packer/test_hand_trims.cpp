@@ -383,9 +383,7 @@ void TestHandTrims::randomTouchesCutNoProduct()
     bool isSet = false;
     const int touches = qEnvironmentVariableIntValue("CAMPANEL_RANDOM_CASES", &isSet);
     MachineOptions options;
-    // Misplaced ones pull at the places of products that a wheel cannot move: too many in a row, also without
-    // a touch, are cut through.
-    options.products.misplaced = static_cast<Master>(master) == Master::Wheel ? 0.05 : 0.2;
+    options.products.misplaced = 0.2;
     options.products.missing = 0.02;
     options.products.lengthMm = 170.0;
     options.shaft = calm(static_cast<Master>(master)).shaft;
