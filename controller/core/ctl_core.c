@@ -135,7 +135,7 @@ static void slice(ctl_core* core, uint32_t ticks)
         ctl_motion_fault(motion, CTL_FAULT_BIT_DRIVE_ALARM);
     if (core->io.inputs != core->actions.inputs)
         ctl_actions_slice(&core->actions, &core->io, motion);
-    if (core->actions.wants_start)
+    if (core->actions.wants != CTL_COMMAND_NONE)
         ctl_command_button(core);
     if (ctl_heartbeat_slice(&core->heartbeat, &core->board, keys))
         ctl_motion_stop_unattended(motion);
@@ -209,14 +209,17 @@ size_t ctl_take_answer(ctl_core* core, uint8_t* bytes)
 
 void ctl_on_cut(ctl_core* core, int64_t film)
 {
-    ctl_master_on_cut(&core->master, core->packer.cut);
+    if (!core->packer.alone)
+        ctl_master_on_cut(&core->master, core->packer.cut);
     ctl_packer_on_cut(&core->packer, film, &core->motion.ramp);
-    ctl_switches_bag(&core->io.switches, ctl_packer_bag_class(&core->packer) != CTL_BAG_GOOD);
+    if (!core->packer.no_bag)
+        ctl_switches_bag(&core->io.switches, ctl_packer_bag_class(&core->packer) != CTL_BAG_GOOD);
 }
 
 void ctl_on_bag_cut(ctl_core* core, uint32_t length_um)
 {
-    ctl_packer_on_bag(&core->packer, length_um);
+    if (!ctl_packer_on_bag(&core->packer, length_um))
+        return;
     core->bags.length_um = length_um;
     core->bags.count += 1;
     ctl_order_bag(&core->order, &core->packer);

@@ -25,7 +25,8 @@ enum class InputBit : std::uint16_t {
     StopButton,
     Door,
     NextMachine,
-    Coder
+    Coder,
+    BagButton
 };
 
 // The bits of io.outputs. Command TryOutput switches each of them on at standstill.
@@ -101,6 +102,8 @@ inline constexpr std::array inputRows{
                    CAMPANEL_TEXT("Protocol", "Ends a run at the end of its cycle and refuses a start."))},
     InputRow{entry(InputBit::Coder, "Coder", CAMPANEL_TEXT("Protocol", "Date coder not ready"),
                    CAMPANEL_TEXT("Protocol", "Ends a run at the end of its cycle and refuses a start."))},
+    InputRow{entry(InputBit::BagButton, "BagButton", CAMPANEL_TEXT("Protocol", "One-bag button"),
+                   CAMPANEL_TEXT("Protocol", "Makes one bag when it is pressed at standstill."))},
 };
 
 constexpr EnumValue camSwitchRow(OutputBit bit, std::string_view name, std::string_view number)

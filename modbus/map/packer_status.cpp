@@ -63,11 +63,12 @@ std::vector<BagRecord> bagsOf(std::span<const std::uint16_t> ring, std::uint32_t
         const std::uint32_t number = newest - (back - 1);
         const auto record = ring.subspan(registersPerBag * (number % bagRecords), registersPerBag);
         const std::uint16_t flags = record[3];
-        bags.push_back({number, signedUm(record[0]), signedUm(record[1]), signedUm(record[2]), flags >> 8,
-                        hasBit(flags, BagBit::Tracked), hasBit(flags, BagBit::MarkMissed),
-                        hasBit(flags, BagBit::ProductAcross), hasBit(flags, BagBit::Empty),
-                        hasBit(flags, BagBit::ChangeOver), hasBit(flags, BagBit::StartUp),
-                        hasBit(flags, BagBit::Burned), hasBit(flags, BagBit::Jammed)});
+        bags.push_back(
+            {number, signedUm(record[0]), signedUm(record[1]), signedUm(record[2]),
+             static_cast<int>(flags >> bagLengthsFrom & maxBagLengths), hasBit(flags, BagBit::Tracked),
+             hasBit(flags, BagBit::MarkMissed), hasBit(flags, BagBit::ProductAcross),
+             hasBit(flags, BagBit::Empty), hasBit(flags, BagBit::ChangeOver), hasBit(flags, BagBit::StartUp),
+             hasBit(flags, BagBit::Burned), hasBit(flags, BagBit::Jammed), hasBit(flags, BagBit::Taken)});
     }
     return bags;
 }

@@ -32,9 +32,13 @@ struct BagRecord {
     bool isStartUp = false;    // start-up scrap: made before the film was in register
     bool isBurned = false;     // the jaws stood closed at one of its ends
     bool isJammed = false;     // the jaws were stopped by a jam at one of its ends
+    bool isTaken = false;      // a person wanted it
 
     // Rejected by the machine.
-    [[nodiscard]] bool isScrap() const { return isStartUp || isChangeOver || isBurned || isJammed; }
+    [[nodiscard]] bool isScrap() const
+    {
+        return isStartUp || isChangeOver || isBurned || isJammed || isTaken;
+    }
 
     bool operator==(const BagRecord&) const = default;
 };

@@ -181,6 +181,17 @@ constexpr std::array commands{
           "argument0 = number of the order under way: no further bag is counted. Since map 1.6."),
     entry(Command::Acknowledge, "Acknowledge", CAMPANEL_TEXT("Protocol", "Acknowledgement"),
           "What the light tower and the horn show now is acknowledged: see SignalMode. Since map 1.6."),
+    entry(
+        Command::JogBag, "JogBag", CAMPANEL_TEXT("Protocol", "One bag"),
+        "A packing machine makes one bag at a fifth of its program's rate, by the clock, and stands in phase "
+        "at the end of its cycle. The bag is start-up scrap. Start's rules apply. Since map 1.6."),
+    entry(Command::SingleCut, "SingleCut", CAMPANEL_TEXT("Protocol", "Single cut"),
+          "The knife alone makes one cut at parameter.home_frequency while the film stands, and is where it "
+          "was. The bags on both sides are start-up scrap; where the film has not moved since the last cut, "
+          "there is no bag. Start's rules apply. Since map 1.6."),
+    entry(Command::TakeBag, "TakeBag", CAMPANEL_TEXT("Protocol", "Next bag to me"),
+          "While running: the next bag that is cut is rejected, and its record has the bit Taken. Since map "
+          "1.6."),
 };
 
 constexpr std::array applyModes{
@@ -336,9 +347,9 @@ constexpr std::array refusals{
     entry(Refusal::NoOrder, "NoOrder", CAMPANEL_TEXT("Protocol", "This order is not under way."),
           "None with this number is Active."),
     entry(Refusal::NoBags, "NoBags",
-          CAMPANEL_TEXT("Protocol", "The active program makes no bags that could be counted. Download a "
+          CAMPANEL_TEXT("Protocol", "The active program makes no bags. Download a "
                                     "cutter's program to a packing machine first."),
-          "An order needs film and infeed, and no program of another kind than a cutter's."),
+          "They need film and infeed, and a cutter's program."),
     entry(Refusal::StopButton, "StopButton",
           CAMPANEL_TEXT("Protocol", "The Stop button of the machine is pressed. Release it.")),
     entry(Refusal::DoorOpen, "DoorOpen", CAMPANEL_TEXT("Protocol", "The door is open. Close it.")),
@@ -346,6 +357,20 @@ constexpr std::array refusals{
           CAMPANEL_TEXT("Protocol", "The next machine is not ready. Clear it first.")),
     entry(Refusal::Coder, "Coder",
           CAMPANEL_TEXT("Protocol", "The date coder is not ready. Clear its fault first.")),
+    entry(Refusal::NotInPhase, "NotInPhase",
+          CAMPANEL_TEXT("Protocol", "The knife is not in its place. Make a reference run first."),
+          "Not homed since power-up, a jog, a fault or another program."),
+    entry(Refusal::FilmNotOurs, "FilmNotOurs",
+          CAMPANEL_TEXT("Protocol", "The line in front drives the film, so no single bag can be made."),
+          "master.place is Wheel."),
+    entry(Refusal::FilmMoves, "FilmMoves", CAMPANEL_TEXT("Protocol", "The film moves. Stop the line first."),
+          "master.place is Wheel, and its counts change."),
+    entry(Refusal::ProductAtKnife, "ProductAtKnife",
+          CAMPANEL_TEXT("Protocol", "A product is under the knife. Make one bag first, or take it out."),
+          "It is nearer than parameter.cut_clearance."),
+    entry(Refusal::NoRejectGate, "NoRejectGate",
+          CAMPANEL_TEXT("Protocol", "No cam switch rejects bags. Set one under Maintenance."),
+          "No parameter.switch1_mode to switch8_mode is RejectedBags."),
 };
 static_assert(static_cast<std::uint16_t>(Refusal::PanelDisagrees) ==
               static_cast<std::uint16_t>(Refusal::NotWarm) +
@@ -603,6 +628,7 @@ constexpr std::array bagBits{
           "The jaws stood closed at one of its ends: for longer than parameter.jaws_closed_max, or at an "
           "emergency stop."),
     entry(BagBit::Jammed, "Jammed", "The jaws were stopped by a jam at one of its ends."),
+    entry(BagBit::Taken, "Taken", "A person wanted it. Since map 1.6."),
 };
 
 constexpr std::array<EnumInfo, 43> infos{{

@@ -86,11 +86,16 @@ enum class Command : std::uint16_t {
     OrderStart,
     OrderEnd,
     Acknowledge,
+    JogBag,
+    SingleCut,
+    TakeBag,
 };
 
-inline constexpr Command lastCommand = Command::Acknowledge;
+inline constexpr Command lastCommand = Command::TakeBag;
 // The first minor version of the map with Command::TryOutput.
 inline constexpr std::uint16_t tryOutputMapMinor = 5;
+// The first one with Command::JogBag, SingleCut and TakeBag.
+inline constexpr std::uint16_t bagsByHandMapMinor = 6;
 
 enum class ApplyMode : std::uint16_t { WhenStopped = 0, NextCycle = 1 };
 
@@ -152,6 +157,11 @@ enum class Refusal : std::uint16_t {
     DoorOpen,
     NextMachine,
     Coder,
+    NotInPhase,
+    FilmNotOurs,
+    FilmMoves,
+    ProductAtKnife,
+    NoRejectGate,
 };
 
 enum class TransferOperation : std::uint16_t { None = 0, Begin, Block, Seal };
@@ -196,7 +206,7 @@ enum class GateState : std::uint16_t { Running = 0, Slowing, Standing, CatchingU
 
 enum class SkipCause : std::uint16_t { None = 0, ProductAcross, ProductTooLong, NoProduct };
 
-// The bits of a record of packer.bags; the upper byte is the number of bag lengths in it.
+// The bits of a record of packer.bags; between the last two is the number of bag lengths in it.
 enum class BagBit : std::uint16_t {
     Tracked = 0,
     MarkMissed = 1,
@@ -205,8 +215,12 @@ enum class BagBit : std::uint16_t {
     ChangeOver = 4,
     StartUp = 5,
     Burned = 6,
-    Jammed = 7
+    Jammed = 7,
+    Taken = 15
 };
+// The bag lengths in such a record, from the bit `bagLengthsFrom` on.
+inline constexpr unsigned bagLengthsFrom = 8;
+inline constexpr unsigned maxBagLengths = 127;
 
 // The bits of exchange.jog; both set means neither.
 enum class JogBit : std::uint16_t { Forward = 0, Reverse = 1 };

@@ -535,7 +535,9 @@ constexpr std::array registerTable{
     CAMPANEL_SIGNAL("running", 0x0BB6, 0, 0, 1),
     CAMPANEL_SIGNAL("ready", 0x0BBA, 0, 0, 0),
     CAMPANEL_SIGNAL("order", 0x0BBE, 0, 2, 0),
-    since(6, ro16("signal_status.presses", 0x0BD0, "presses of the Start button since power-up")),
+    CAMPANEL_SIGNAL_INPUT("bag_button", 0x0BC2, 20),
+    since(6,
+          ro16("signal_status.presses", 0x0BD0, "presses of the Start and one-bag buttons since power-up")),
     since(6, ro16("signal_status.refusal", 0x0BD1, "why the last one started nothing", "Refusal")),
 
     block("active", activeBankBase, bankRegisters, Access::ReadOnly, "the active bank; layout below"),

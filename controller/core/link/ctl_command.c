@@ -91,6 +91,18 @@ static const ctl_bank* active_bank(const ctl_core* core)
     return core->banks.has_active ? ctl_active_bank(&core->banks) : NULL;
 }
 
+static uint16_t take_bag(ctl_core* core)
+{
+    if (!ctl_packer_drives(&core->packer, active_bank(core)))
+        return CTL_REFUSAL_NO_BAGS;
+    if (!ctl_motion_in_cycle(&core->motion))
+        return CTL_REFUSAL_NOT_RUNNING;
+    if (!ctl_switches_reject(&core->board))
+        return CTL_REFUSAL_NO_REJECT_GATE;
+    ctl_packer_take_next(&core->packer);
+    return CTL_REFUSAL_NONE;
+}
+
 static uint16_t carry_out(ctl_core* core, const uint16_t* request)
 {
     switch (request[CODE]) {
@@ -126,6 +138,12 @@ static uint16_t carry_out(ctl_core* core, const uint16_t* request)
                                ctl_get32(&request[ARGUMENT2]), core->written.order, active_bank(core));
     case CTL_COMMAND_ORDER_END:
         return ctl_order_end(&core->order, &core->packer, request[ARGUMENT0]);
+    case CTL_COMMAND_JOG_BAG:
+        return ctl_start_bag(&core->motion, &core->io);
+    case CTL_COMMAND_SINGLE_CUT:
+        return ctl_start_cut(&core->motion, &core->io);
+    case CTL_COMMAND_TAKE_BAG:
+        return take_bag(core);
     case CTL_COMMAND_ACKNOWLEDGE:
         ctl_tower_acknowledge(&core->tower);
         return CTL_REFUSAL_NONE;
@@ -139,8 +157,9 @@ static bool needs_check(const ctl_core* core, uint16_t code)
 {
     if (core->board.config.work_registers == 0 || !core->banks.has_active)
         return false;
-    const bool moves =
-        code == CTL_COMMAND_START || code == CTL_COMMAND_HOME || code == CTL_COMMAND_RESET_FAULT;
+    const bool moves = code == CTL_COMMAND_START || code == CTL_COMMAND_HOME ||
+                       code == CTL_COMMAND_RESET_FAULT || code == CTL_COMMAND_JOG_BAG ||
+                       code == CTL_COMMAND_SINGLE_CUT;
     return code == CTL_COMMAND_SAVE_TO_FLASH || (moves && ctl_motion_standstill(&core->motion));
 }
 
@@ -195,7 +214,7 @@ void ctl_command(ctl_core* core, bool has_code)
     result[1] = request[CODE];
     core->work.checks = false; /* the command that waits is overtaken, and not carried out */
     core->work.by_button = false;
-    core->actions.wants_start = false;
+    core->actions.wants = CTL_COMMAND_NONE;
     core->work.waits = false;
     if (!has_code || request[CODE] != CTL_COMMAND_TRY_OUTPUT)
         ctl_io_try(&core->io, &core->board, 0); /* whoever asks for something else has let go */
@@ -212,19 +231,19 @@ void ctl_command_checked(ctl_core* core, const uint16_t* request)
         return;
     }
     core->work.by_button = false;
-    if (core->actions.wants_start)
+    if (core->actions.wants != CTL_COMMAND_NONE)
         core->actions.refusal = carry_out(core, request);
-    core->actions.wants_start = false;
+    core->actions.wants = CTL_COMMAND_NONE;
 }
 
 void ctl_command_button(ctl_core* core)
 {
     ctl_work* work = &core->work;
-    const uint16_t start[CTL_GROUP_COMMAND] = {[CODE] = CTL_COMMAND_START};
+    const uint16_t start[CTL_GROUP_COMMAND] = {[CODE] = core->actions.wants};
     if (work->checks || work->waits)
         return;
     work->by_button = true;
-    if (needs_check(core, CTL_COMMAND_START)) {
+    if (needs_check(core, core->actions.wants)) {
         work->checks = true;
         work->position = 0;
         memcpy(work->request, start, sizeof start);

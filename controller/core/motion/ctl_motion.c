@@ -134,6 +134,8 @@ void ctl_motion_limit_speed(ctl_motion* motion)
     motion->speed_percent = motion->board->hand[CTL_REG_HAND_SPEED - CTL_REG_HAND_SPEED];
     if (repeats(motion))
         ctl_ramp_limit(&motion->ramp, motion->speed_percent);
+    if (motion->one_bag)
+        ctl_motion_limit_bag(motion);
 }
 
 static void begin_master_ramp(ctl_motion* motion)
@@ -173,14 +175,15 @@ void ctl_motion_take_wheel(ctl_motion* motion)
     ctl_packer_take_wheel(packer, bank, ctl_master_is_wheel(master, bank) && ctl_packer_drives(packer, bank));
 }
 
-/* The film that a wheel measures goes on meanwhile. */
+/* The film that a wheel measures goes on meanwhile. One bag is made by the clock. */
 static void engage(ctl_motion* motion)
 {
     const ctl_bank* bank = ctl_active_bank(motion->banks);
     ctl_master* master = motion->master;
     ctl_packer* packer = motion->packer;
     ctl_motion_take_wheel(motion);
-    ctl_master_engage(master, bank, start_position(motion), &motion->ramp);
+    if (!motion->one_bag)
+        ctl_master_engage(master, bank, start_position(motion), &motion->ramp);
     ctl_packer_run(packer, bank, &motion->ramp);
     if (packer->wheel.on)
         ctl_packer_join_film(packer, ctl_master_ahead(master));
@@ -197,6 +200,8 @@ void ctl_motion_run(ctl_motion* motion)
     motion->change_planned = false;
     motion->change_rests = false;
     ctl_park_run(&motion->park);
+    if (motion->one_bag)
+        ctl_packer_scrap_next(motion->packer);
     motion->state = CTL_STATE_RUNNING;
     motion->begins = true;
     if (ctl_motion_is_press(motion))
@@ -289,7 +294,7 @@ void ctl_motion_return(ctl_motion* motion)
                                               : park->place);
 }
 
-void ctl_motion_start(ctl_motion* motion)
+void ctl_motion_set_off(ctl_motion* motion)
 {
     if (motion->in_phase && (motion->park.away || begins_at_boundary(motion))) {
         ctl_motion_return(motion);
@@ -300,6 +305,12 @@ void ctl_motion_start(ctl_motion* motion)
         begin_homing(motion);
         motion->start_after_home = true;
     }
+}
+
+void ctl_motion_start(ctl_motion* motion)
+{
+    motion->one_bag = false;
+    ctl_motion_set_off(motion);
 }
 
 void ctl_motion_home(ctl_motion* motion)
@@ -322,6 +333,8 @@ uint16_t ctl_motion_stop_now(ctl_motion* motion)
     } else {
         if (ctl_motion_is_press(motion))
             ctl_press_stop(&motion->press);
+        if (motion->park.phase == CTL_PARK_CUTTING) /* the rest of its turn is not made up for */
+            motion->in_phase = false;
         ctl_park_stop(&motion->park);
         ctl_master_release(motion->master, &motion->ramp);
         motion->stop = CTL_STOP_NOW;

@@ -49,6 +49,7 @@ typedef struct {
     bool in_phase;  /* the axis stands where the table's cycle says */
     bool manual;    /* jogging or homing moves the axis, otherwise the table */
     bool start_after_home;
+    bool one_bag; /* this run ends with the next cut */
     bool begins;  /* a run or a program, in this slice */
     bool follows; /* the run follows an encoder, also while the knife is open under a line that stands */
     bool torque_limited; /* the drive of the axis says so */
@@ -90,6 +91,10 @@ void ctl_motion_fault(ctl_motion* motion, uint16_t fault_bit);
 
 /* Set the axis off. Only the gate in ctl_start.c calls them. */
 void ctl_motion_start(ctl_motion* motion);
+/* The same slowly, by the clock whatever leads, up to the end of the cycle of the next cut. */
+void ctl_motion_start_bag(ctl_motion* motion);
+/* The knife makes one cut while the film stands, and is where it was. */
+void ctl_motion_start_cut(ctl_motion* motion);
 void ctl_motion_home(ctl_motion* motion);
 /* Commands; each returns CTL_REFUSAL_... */
 uint16_t ctl_motion_stop_at_cycle_end(ctl_motion* motion);
@@ -127,6 +132,14 @@ bool ctl_motion_jaws_are_open(const ctl_motion* motion);
 void ctl_motion_end_after(ctl_motion* motion, uint32_t bags);
 
 /* Between the files of this module. */
+/* Sets the axis off, for a run or for one bag. */
+void ctl_motion_set_off(ctl_motion* motion);
+/* Limits the ramp to a speed from which the line can end within a cycle. */
+void ctl_motion_limit_bag(ctl_motion* motion);
+/* In a run of one bag: begins to stop, and returns true, as soon as the present cycle will be cut. */
+bool ctl_motion_ends_with_bag(ctl_motion* motion);
+/* The knife has made its cut at standstill. */
+void ctl_motion_end_cut(ctl_motion* motion);
 /* Returns true when the packing line, if any, allows a change to `bank` now. */
 bool ctl_motion_may_change(const ctl_motion* motion, const ctl_bank* bank);
 bool ctl_motion_is_press(const ctl_motion* motion);

@@ -71,11 +71,13 @@ static uint32_t move_on(ctl_motion* motion, ctl_pace* pace)
         (motion->state == CTL_STATE_RUNNING && !motion->change_rests) || motion->packer->wheel.on;
     const bool slows = motion->change_planned && !motion->master->leads;
     const uint64_t run_ticks = slows ? motion->change_ticks : CTL_DRIVE_NO_END;
+    const bool gains = motion->stop == CTL_STOP_AT_BOUNDARY && !motion->master->leads;
     const ctl_drive drive = {
         .ramp = &motion->ramp,
         .running = running,
         .end_ticks = running ? run_ticks : motion->stop_remaining,
         .end_speed = running ? motion->change_speed : 0,
+        .limit = gains ? motion->stop_limit : 0,
         .changes = changes_next,
         .opens = motion->change_planned && motion->change_opens,
     };
@@ -175,42 +177,6 @@ static bool opens_under_line(ctl_motion* motion)
     return true;
 }
 
-static void slice_running(ctl_motion* motion, ctl_pace pace)
-{
-    const uint32_t ticks = pace.ticks;
-    const int32_t wanted = ctl_motion_wanted_direction(motion);
-    if (motion->master->leads) {
-        if (motion->change_rests && motion->master->clutch.state == CTL_CLUTCH_OFF) {
-            ctl_motion_change_at_rest(motion);
-            return;
-        }
-        ctl_motion_plan_led_change(motion);
-        if (!opens_under_line(motion))
-            slice_led(motion, pace);
-        return;
-    }
-    if (motion->board->hand[0] != motion->speed_percent && ctl_packer_takes_other_speed(motion->packer))
-        ctl_motion_limit_speed(motion);
-    const bool changes = wanted == motion->direction && ctl_motion_changes(motion);
-    motion->change_planned = motion->change_planned && changes;
-    if (changes) {
-        if (!motion->change_planned)
-            ctl_motion_plan_change(motion, ticks);
-        pace.travel = ctl_ramp_approach(&motion->ramp, ticks, motion->change_ticks, motion->change_speed);
-        travel(motion, pace);
-        return;
-    }
-    if (wanted == motion->direction) {
-        pace.travel = ctl_ramp_up(&motion->ramp, ticks);
-        travel(motion, pace);
-        return;
-    }
-    pace.travel = ctl_ramp_down(&motion->ramp, ticks);
-    travel(motion, pace);
-    if (motion->ramp.speed == 0)
-        motion->direction = wanted;
-}
-
 static void slice_stopping(ctl_motion* motion, ctl_pace pace)
 {
     motion->change_planned = false;
@@ -235,6 +201,46 @@ static void slice_stopping(ctl_motion* motion, ctl_pace pace)
     }
     travel(motion, pace);
     motion->stop_remaining -= pace.travel < motion->stop_remaining ? pace.travel : motion->stop_remaining;
+}
+
+static void slice_running(ctl_motion* motion, ctl_pace pace)
+{
+    const uint32_t ticks = pace.ticks;
+    const int32_t wanted = ctl_motion_wanted_direction(motion);
+    if (motion->master->leads) {
+        if (motion->change_rests && motion->master->clutch.state == CTL_CLUTCH_OFF) {
+            ctl_motion_change_at_rest(motion);
+            return;
+        }
+        ctl_motion_plan_led_change(motion);
+        if (!opens_under_line(motion))
+            slice_led(motion, pace);
+        return;
+    }
+    if (ctl_motion_ends_with_bag(motion)) {
+        slice_stopping(motion, pace);
+        return;
+    }
+    if (motion->board->hand[0] != motion->speed_percent && ctl_packer_takes_other_speed(motion->packer))
+        ctl_motion_limit_speed(motion);
+    const bool changes = wanted == motion->direction && ctl_motion_changes(motion);
+    motion->change_planned = motion->change_planned && changes;
+    if (changes) {
+        if (!motion->change_planned)
+            ctl_motion_plan_change(motion, ticks);
+        pace.travel = ctl_ramp_approach(&motion->ramp, ticks, motion->change_ticks, motion->change_speed);
+        travel(motion, pace);
+        return;
+    }
+    if (wanted == motion->direction) {
+        pace.travel = ctl_ramp_up(&motion->ramp, ticks);
+        travel(motion, pace);
+        return;
+    }
+    pace.travel = ctl_ramp_down(&motion->ramp, ticks);
+    travel(motion, pace);
+    if (motion->ramp.speed == 0)
+        motion->direction = wanted;
 }
 
 /* A run has come to rest: what is left of the stop is a knife that must not stay closed. */
@@ -347,6 +353,10 @@ static void slice_park(ctl_motion* motion, ctl_pace pace)
         return;
     if (park->line) {
         park->phase = CTL_PARK_OPEN;
+        return;
+    }
+    if (park->phase == CTL_PARK_CUTTING) {
+        ctl_motion_end_cut(motion);
         return;
     }
     const bool returned = park->phase == CTL_PARK_RETURNING;

@@ -52,6 +52,27 @@ int64_t ctl_park_from_cut(const ctl_park* park, const ctl_packer* packer, int64_
     return here - park->cycle_at - (int64_t)packer->cut_pulses;
 }
 
+void ctl_park_begin_cut(ctl_park* park, const ctl_packer* packer, int64_t here, int64_t cycle)
+{
+    park->before_cut = ctl_park_from_cut(park, packer, here) < 0;
+    if (!park->before_cut)
+        park->cycle_at += cycle;
+    park->turn = cycle;
+    park->phase = CTL_PARK_CUTTING;
+    park->given_up = false;
+    park->emergency = false;
+    park->jam = false;
+    park->line = false;
+}
+
+void ctl_park_end_cut(ctl_park* park)
+{
+    if (park->before_cut)
+        park->cycle_at += park->turn;
+    park->place += park->turn;
+    park->phase = CTL_PARK_OFF;
+}
+
 bool ctl_park_touches(const ctl_park* park, const ctl_packer* packer, int64_t here)
 {
     const int64_t from = ctl_park_from_cut(park, packer, here);

@@ -20,7 +20,8 @@ typedef enum {
     CTL_PARK_WAITING,
     CTL_PARK_OPENING,
     CTL_PARK_OPEN,
-    CTL_PARK_RETURNING
+    CTL_PARK_RETURNING,
+    CTL_PARK_CUTTING
 } ctl_park_phase;
 
 typedef struct {
@@ -35,8 +36,10 @@ typedef struct {
     bool stands;      /* it does, since waits_us */
     bool closed;      /* at standstill, since closed_us */
     bool told;        /* the bags at the knife are marked */
+    bool before_cut;  /* a cut at standstill began before that of the knife's cycle */
     int64_t cycle_at; /* where the knife's present cycle began */
     int64_t place;
+    int64_t turn;      /* pulses of a cut at standstill */
     uint64_t waits_us; /* since then */
     uint64_t closed_us;
 } ctl_park;
@@ -52,6 +55,10 @@ bool ctl_park_touches(const ctl_park* park, const ctl_packer* packer, int64_t he
 /* Returns the way from the cut of the knife's present cycle to `here`, negative before it. */
 int64_t ctl_park_from_cut(const ctl_park* park, const ctl_packer* packer, int64_t here);
 void ctl_park_begin_cycle(ctl_park* park, int64_t here);
+/* The knife at `here` moves on by a cycle of so many pulses while the film stands, and has done so. Both know
+ * its cuts meanwhile. */
+void ctl_park_begin_cut(ctl_park* park, const ctl_packer* packer, int64_t here, int64_t cycle);
+void ctl_park_end_cut(ctl_park* park);
 /* A run has come to rest here. Returns true when the knife is to be opened. */
 bool ctl_park_begin(ctl_park* park, const ctl_board* board, const ctl_packer* packer, int64_t here);
 /* In a run that follows a line which stands, or does not: returns true when the knife is to be opened. */

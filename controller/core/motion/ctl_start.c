@@ -63,7 +63,7 @@ static uint16_t refusal_to_move(ctl_motion* motion, const ctl_io* io, uint16_t w
     return CTL_REFUSAL_NONE;
 }
 
-uint16_t ctl_start(ctl_motion* motion, const ctl_io* io)
+static uint16_t refusal_to_start(ctl_motion* motion, const ctl_io* io)
 {
     uint16_t refusal = refusal_to_move(motion, io, CTL_REFUSAL_ALREADY_RUNNING, ALL_PERMITS);
     if (refusal == CTL_REFUSAL_NONE)
@@ -75,8 +75,51 @@ uint16_t ctl_start(ctl_motion* motion, const ctl_io* io)
         refusal = ctl_packer_refusal(motion->packer, ctl_active_bank(motion->banks));
     if (refusal == CTL_REFUSAL_NONE)
         refusal = ctl_master_refusal(motion->master, ctl_active_bank(motion->banks));
+    return refusal;
+}
+
+uint16_t ctl_start(ctl_motion* motion, const ctl_io* io)
+{
+    const uint16_t refusal = refusal_to_start(motion, io);
     if (refusal == CTL_REFUSAL_NONE)
         ctl_motion_start(motion);
+    return refusal;
+}
+
+static uint16_t unless_in_phase(const ctl_motion* motion, uint16_t refusal)
+{
+    return refusal == CTL_REFUSAL_NONE && !motion->in_phase ? CTL_REFUSAL_NOT_IN_PHASE : refusal;
+}
+
+/* Returns true where somebody else drives the film. */
+static bool has_wheel(const ctl_motion* motion)
+{
+    return ctl_master_is_wheel(motion->master, ctl_active_bank(motion->banks));
+}
+
+uint16_t ctl_start_bag(ctl_motion* motion, const ctl_io* io)
+{
+    uint16_t refusal = refusal_to_start(motion, io);
+    if (refusal == CTL_REFUSAL_NONE && !ctl_packer_drives(motion->packer, ctl_active_bank(motion->banks)))
+        refusal = CTL_REFUSAL_NO_BAGS;
+    if (refusal == CTL_REFUSAL_NONE && has_wheel(motion))
+        refusal = CTL_REFUSAL_FILM_NOT_OURS;
+    refusal = unless_in_phase(motion, refusal);
+    if (refusal == CTL_REFUSAL_NONE)
+        ctl_motion_start_bag(motion);
+    return refusal;
+}
+
+uint16_t ctl_start_cut(ctl_motion* motion, const ctl_io* io)
+{
+    uint16_t refusal = refusal_to_start(motion, io);
+    if (refusal == CTL_REFUSAL_NONE)
+        refusal = ctl_packer_cut_refusal(motion->packer, ctl_active_bank(motion->banks));
+    refusal = unless_in_phase(motion, refusal);
+    if (refusal == CTL_REFUSAL_NONE && has_wheel(motion) && !ctl_tracker_stands(&motion->master->tracker))
+        refusal = CTL_REFUSAL_FILM_MOVES;
+    if (refusal == CTL_REFUSAL_NONE)
+        ctl_motion_start_cut(motion);
     return refusal;
 }
 

@@ -13,6 +13,10 @@ extern "C" {
 /* Each returns the first reason against it, CTL_REFUSAL_...; with CTL_REFUSAL_NONE the axis has been started.
  */
 uint16_t ctl_start(ctl_motion* motion, const ctl_io* io);
+/* The line makes one bag. */
+uint16_t ctl_start_bag(ctl_motion* motion, const ctl_io* io);
+/* The knife alone makes one cut. */
+uint16_t ctl_start_cut(ctl_motion* motion, const ctl_io* io);
 uint16_t ctl_start_home(ctl_motion* motion, const ctl_io* io);
 /* Switches one output on at standstill, for CTL_TRY_HOLD_US, or off; returns CTL_REFUSAL_... */
 uint16_t ctl_try_output(const ctl_motion* motion, ctl_io* io, uint16_t output, uint16_t on);

@@ -48,6 +48,14 @@ uint16_t ctl_switches_refusal(const ctl_board* board, const ctl_bank* bank)
     return CTL_REFUSAL_NONE;
 }
 
+bool ctl_switches_reject(const ctl_board* board)
+{
+    uint32_t i = 0;
+    while (i < CTL_SWITCH_COUNT && parameter(board, i, MODE) != CTL_SWITCH_MODE_REJECTED_BAGS)
+        ++i;
+    return i < CTL_SWITCH_COUNT;
+}
+
 void ctl_switches_bag(ctl_switches* switches, bool rejected)
 {
     for (uint32_t i = 0; i < CTL_SWITCH_COUNT; ++i)

@@ -52,6 +52,8 @@ typedef struct {
 /* Follows the cycle to its present position; NULL: no motion, all are off. Returns the levels, bit n: switch
  * n + 1. */
 uint16_t ctl_switches_slice(ctl_switches* switches, const ctl_board* board, const ctl_switch_cycle* cycle);
+/* Returns true when one of them is on for rejected bags. */
+bool ctl_switches_reject(const ctl_board* board);
 /* Handles a cut. */
 void ctl_switches_bag(ctl_switches* switches, bool rejected);
 /* Returns true when the program has a cycle that switches can follow: it repeats. */

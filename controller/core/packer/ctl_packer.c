@@ -234,6 +234,8 @@ uint32_t ctl_packer_start_position(const ctl_packer* packer, const ctl_bank* ban
 
 void ctl_packer_run(ctl_packer* packer, const ctl_bank* bank, const ctl_ramp* ramp)
 {
+    packer->takes = false;
+    packer->alone = false;
     if (!ctl_packer_drives(packer, bank)) {
         packer->bank = NULL;
         return;

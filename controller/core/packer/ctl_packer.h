@@ -51,6 +51,7 @@ typedef struct {
     bool scrap;      /* this or the previous cut was not in register */
     bool burned;     /* at one of its ends the jaws were closed for too long, */
     bool jammed;     /* or stopped by a jam */
+    bool taken;      /* a person wants it */
     uint32_t bags;   /* bag lengths since then */
     int64_t command; /* of the film motor at the time of the cut, 1/256 pulse */
     int64_t set_um;  /* set length of the previous bag */
@@ -84,6 +85,7 @@ typedef struct {
     bool running;       /* otherwise it is stopping */
     uint64_t end_ticks; /* of the master to a boundary, CTL_DRIVE_NO_END: none; */
     uint32_t end_speed; /* it comes down to this speed there, for a stop or a change of program */
+    uint32_t limit;     /* stopping, it may still gain this speed */
     bool changes;       /* the program changes at the end of its cycle */
     bool opens;         /* the knife is open for this */
 } ctl_drive;
@@ -147,6 +149,10 @@ typedef struct {
     uint32_t bags;
     uint32_t burned;     /* cuts whose bags were, from the next one */
     uint32_t jammed;     /* the same of a jam */
+    bool scrapped;       /* the bag that ends with the next cut is scrap of one by hand */
+    bool takes;          /* the next bag is for a person */
+    bool alone;          /* the knife has moved alone since the last run; */
+    bool no_bag;         /* it cut again at the same place */
     bool spoiled_behind; /* one of both behind the last cut, so that the recorded bag is spoiled, too */
     ctl_jam jam;
     uint32_t cut_pulses; /* of the knife, from the start of its cycle */
@@ -203,17 +209,30 @@ bool ctl_packer_slice(ctl_packer* packer, bool in_cycle);
 
 /* Handles a cut at this position of the film motor, 1/256 pulse. */
 void ctl_packer_on_cut(ctl_packer* packer, int64_t film, const ctl_ramp* ramp);
-void ctl_packer_on_bag(ctl_packer* packer, uint32_t length_um);
+/* Returns false when the last cut made no bag. */
+bool ctl_packer_on_bag(ctl_packer* packer, uint32_t length_um);
 /* The jaws were closed for too long, before a cut or behind it. */
 void ctl_packer_burn(ctl_packer* packer, bool before_cut);
 /* A jam stopped them there. */
 void ctl_packer_spoil(ctl_packer* packer, bool before_cut);
 /* Returns true when the lengths are computed that follow from parameters and program. */
 bool ctl_packer_is_set(const ctl_packer* packer);
-/* Returns what becomes of the bag that ended with the last cut. Rejected: it is longer than one bag, is scrap
- * of a start or a change of program, burned or jammed, or its cut did not follow a mark although mark
- * tracking is on. Empty: otherwise good, without a product. The reject output takes both. */
+/* Returns what becomes of the bag that ended with the last cut. Rejected: a person takes it, it is longer
+ * than one bag, is scrap of a start or a change of program, burned or jammed, or its cut did not follow a
+ * mark although mark tracking is on. Empty: otherwise good, without a product. The reject output takes both.
+ */
 ctl_bag_class ctl_packer_bag_class(const ctl_packer* packer);
+
+/* Returns CTL_REFUSAL_..., the reason why the knife cannot cut the film that stands. */
+uint16_t ctl_packer_cut_refusal(const ctl_packer* packer, const ctl_bank* bank);
+/* Returns true when the film's present cycle will be cut. */
+bool ctl_packer_cuts_next(const ctl_packer* packer);
+/* The bag that ends with the next cut is scrap of a start, */
+void ctl_packer_scrap_next(ctl_packer* packer);
+/* or a person takes it. */
+void ctl_packer_take_next(ctl_packer* packer);
+/* The knife moves without the film from now on, until a run begins. */
+void ctl_packer_cut_alone(ctl_packer* packer);
 
 /* Starts to measure the distances of `marks` marks; returns CTL_REFUSAL_... */
 uint16_t ctl_packer_teach(ctl_packer* packer, const ctl_bank* bank, uint16_t marks);
@@ -226,6 +245,8 @@ int64_t ctl_packer_film(const ctl_packer* packer, int64_t um);
 void ctl_packer_registers(const ctl_packer* packer, uint16_t* registers);
 
 /* Between the files of this module. */
+/* The knife has cut alone, with the film here. */
+void ctl_packer_on_cut_alone(ctl_packer* packer, int64_t film);
 /* Film and infeed are where their motors are. */
 void ctl_packer_take_positions(ctl_packer* packer);
 /* The next cut is not at its mark, and after another bag length than `bag_before` its mark is not known. */

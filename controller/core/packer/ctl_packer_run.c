@@ -9,6 +9,7 @@
 #define MISPLACED_UM 70
 #define SLOWEST_SHARE 32u
 #define LAG_CUTS 4
+#define MAX_LENGTHS 127u /* in the record of a bag */
 
 void ctl_packer_raise(ctl_packer* packer, uint32_t bit)
 {
@@ -229,10 +230,15 @@ static uint32_t bags_since(const ctl_packer* packer, int64_t film)
 
 void ctl_packer_on_cut(ctl_packer* packer, int64_t film, const ctl_ramp* ramp)
 {
+    packer->no_bag = packer->alone && packer->bank == NULL;
     if (packer->bank == NULL)
         return;
     if (packer->wheel.on)
         film = ctl_wheel_film_at(&packer->wheel, film);
+    if (packer->alone) {
+        ctl_packer_on_cut_alone(packer, film);
+        return;
+    }
     ctl_last_cut* last = &packer->last_cut;
     const ctl_mark* mark = ctl_marks_near(&packer->marks, film, packer->bag / 2);
     ctl_knives_cut(&packer->knives);
@@ -260,13 +266,16 @@ void ctl_packer_on_cut(ctl_packer* packer, int64_t film, const ctl_ramp* ramp)
     packer->burned -= packer->burned != 0 ? 1u : 0u;
     last->jammed = packer->jammed != 0;
     packer->jammed -= packer->jammed != 0 ? 1u : 0u;
+    last->taken = packer->takes;
+    packer->takes = false;
     last->command = packer->next.command;
     packer->changed = false;
     const bool was_in_register = packer->in_register;
     packer->in_register =
         was_in_register || (packer->next.tracked && lag_was_known) || !ctl_packer_tracks(packer);
     packer->in_register = packer->in_register && !misplaced;
-    last->scrap = !was_in_register || !packer->in_register;
+    last->scrap = !was_in_register || !packer->in_register || packer->scrapped;
+    packer->scrapped = false;
     packer->skips_in_row = 0;
     packer->skips_in_run = 0;
     packer->cut_before = true;
@@ -293,13 +302,16 @@ static uint32_t bag_bits(const ctl_packer* packer)
         bits |= 1u << CTL_BAG_BIT_BURNED;
     if (last->jammed)
         bits |= 1u << CTL_BAG_BIT_JAMMED;
+    if (last->taken)
+        bits |= 1u << CTL_BAG_BIT_TAKEN;
     return bits;
 }
 
 ctl_bag_class ctl_packer_bag_class(const ctl_packer* packer)
 {
     const uint32_t bad = 1u << CTL_BAG_BIT_PRODUCT_ACROSS | 1u << CTL_BAG_BIT_START_UP |
-                         1u << CTL_BAG_BIT_CHANGE_OVER | 1u << CTL_BAG_BIT_BURNED | 1u << CTL_BAG_BIT_JAMMED;
+                         1u << CTL_BAG_BIT_CHANGE_OVER | 1u << CTL_BAG_BIT_BURNED | 1u << CTL_BAG_BIT_JAMMED |
+                         1u << CTL_BAG_BIT_TAKEN;
     if (!ctl_packer_active(packer))
         return CTL_BAG_GOOD;
     const uint32_t bits = bag_bits(packer);
@@ -321,12 +333,12 @@ void ctl_packer_spoil(ctl_packer* packer, bool before_cut)
     packer->spoiled_behind = packer->spoiled_behind || !before_cut;
 }
 
-void ctl_packer_on_bag(ctl_packer* packer, uint32_t length_um)
+bool ctl_packer_on_bag(ctl_packer* packer, uint32_t length_um)
 {
-    if (packer->bank == NULL)
-        return;
+    if (packer->bank == NULL || packer->no_bag)
+        return !packer->no_bag;
     const ctl_last_cut* last = &packer->last_cut;
-    const uint32_t flags = (last->bags < 255u ? last->bags : 255u) << 8 | bag_bits(packer);
+    const uint32_t flags = (last->bags < MAX_LENGTHS ? last->bags : MAX_LENGTHS) << 8 | bag_bits(packer);
     packer->spoiled_behind = false;
     packer->bags += 1;
     packer->empty += last->had_products ? 0u : 1u;
@@ -335,6 +347,7 @@ void ctl_packer_on_bag(ctl_packer* packer, uint32_t length_um)
     record[1] = ctl_saturated16(ctl_packer_um(packer, last->error));
     record[2] = ctl_saturated16(ctl_packer_um(packer, last->pitch - (int64_t)last->bags * packer->bag));
     record[3] = (uint16_t)flags;
+    return true;
 }
 
 int64_t ctl_packer_set_um(const ctl_packer* packer, uint32_t bag_um)

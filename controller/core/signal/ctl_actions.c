@@ -19,10 +19,10 @@ void ctl_actions_slice(ctl_actions* actions, const ctl_io* io, ctl_motion* motio
     /* The film is threaded with the door open, so that a jog goes on. */
     if ((pressed & INPUT(DOOR)) != 0 && motion->state != CTL_STATE_JOGGING && !ctl_motion_standstill(motion))
         ctl_motion_emergency_stop(motion);
-    if ((pressed & INPUT(START_BUTTON)) != 0) {
-        actions->wants_start = true;
+    if ((pressed & (INPUT(START_BUTTON) | INPUT(BAG_BUTTON))) != 0) {
+        actions->wants = (pressed & INPUT(BAG_BUTTON)) != 0 ? CTL_COMMAND_JOG_BAG : CTL_COMMAND_START;
         actions->presses += 1;
     }
     if ((pressed & ENDS_A_RUN) != 0)
-        actions->wants_start = false;
+        actions->wants = CTL_COMMAND_NONE;
 }

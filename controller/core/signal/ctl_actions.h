@@ -12,9 +12,9 @@ extern "C" {
 
 typedef struct {
     uint16_t inputs;  /* as they were when any had changed */
-    bool wants_start; /* the Start button was pressed and has not been answered; what ends a run ends this,
-                         too */
-    uint16_t presses; /* of it since power-up */
+    uint16_t wants;   /* CTL_COMMAND_START or _JOG_BAG: that button was pressed and has not been answered;
+                         what ends a run ends this, too */
+    uint16_t presses; /* of both since power-up */
     uint16_t refusal; /* CTL_REFUSAL_... of the last one */
 } ctl_actions;
 
