@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// campanelctl start, stop, home, save and output: commands to the controller.
+// campanelctl start, stop, home, jog-bag, cut, take, save and output: commands to the controller.
 #include "app/cli/commands.h"
 #include "app/cli/invocation.h"
 #include "app/cli/link_session.h"
@@ -16,21 +16,26 @@ using namespace std::chrono_literals;
 namespace campanel::cli {
 namespace {
 
-Outcome give(const Invocation& call, modbus::Command code, const char* done, std::uint16_t permit = 0)
+Outcome give(const Invocation& call, modbus::Command code, const char* done, std::uint16_t permit = 0,
+             std::uint16_t minor = 0)
 {
     auto session = LinkSession::open(call);
     if (!session)
         return tl::unexpected(session.error());
+    if (session->identity().mapMinor < minor)
+        return fail(ExitCode::Refused,
+                    panel::ConnectionSentences::refused(code, modbus::Refusal::UnknownCommand));
     session->setPermit(permit);
     if (const Outcome given = session->command(code); !given)
         return given;
     return call.deliver(QByteArray(done) + '\n');
 }
 
-Outcome giveWithPermit(const Invocation& call, modbus::Command code, const char* done)
+Outcome giveWithPermit(const Invocation& call, modbus::Command code, const char* done,
+                       std::uint16_t minor = 0)
 {
     const auto permit = permitOf(call);
-    return permit ? give(call, code, done, *permit) : tl::unexpected(permit.error());
+    return permit ? give(call, code, done, *permit, minor) : tl::unexpected(permit.error());
 }
 
 // Within the 500 ms after which the controller switches the output off.
@@ -72,6 +77,22 @@ Outcome runStop(const Invocation& call)
 Outcome runHome(const Invocation& call)
 {
     return giveWithPermit(call, modbus::Command::Home, "Homing.");
+}
+
+Outcome runJogBag(const Invocation& call)
+{
+    return giveWithPermit(call, modbus::Command::JogBag, "Making one bag.", modbus::bagsByHandMapMinor);
+}
+
+Outcome runCut(const Invocation& call)
+{
+    return giveWithPermit(call, modbus::Command::SingleCut, "Cutting once.", modbus::bagsByHandMapMinor);
+}
+
+Outcome runTake(const Invocation& call)
+{
+    return give(call, modbus::Command::TakeBag, "The next bag will be rejected.", 0,
+                modbus::bagsByHandMapMinor);
 }
 
 Outcome runAcknowledge(const Invocation& call)

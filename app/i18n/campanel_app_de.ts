@@ -1227,6 +1227,18 @@
         <source>First bag checked</source>
         <translation>Erster Beutel geprüft</translation>
     </message>
+    <message>
+        <source>One bag by hand</source>
+        <translation>Ein Beutel von Hand</translation>
+    </message>
+    <message>
+        <source>Single cut by hand</source>
+        <translation>Einzelschnitt von Hand</translation>
+    </message>
+    <message>
+        <source>Next bag taken</source>
+        <translation>Nächster Beutel entnommen</translation>
+    </message>
 </context>
 <context>
     <name>Availability</name>
@@ -3227,10 +3239,6 @@ eff. %2</translation>
         <translation>Dieser Auftrag läuft nicht.</translation>
     </message>
     <message>
-        <source>The active program makes no bags that could be counted. Download a cutter&apos;s program to a packing machine first.</source>
-        <translation>Das aktive Programm macht keine Beutel, die gezählt werden könnten. Laden Sie zuerst das Programm eines Schneiders auf eine Packmaschine.</translation>
-    </message>
-    <message>
         <source>No order</source>
         <translation>Kein Auftrag</translation>
     </message>
@@ -3361,6 +3369,50 @@ eff. %2</translation>
     <message>
         <source>Order complete</source>
         <translation>Auftrag fertig</translation>
+    </message>
+    <message>
+        <source>One-bag button</source>
+        <translation>Taste für einen Beutel</translation>
+    </message>
+    <message>
+        <source>Makes one bag when it is pressed at standstill.</source>
+        <translation>Macht beim Drücken im Stillstand einen Beutel.</translation>
+    </message>
+    <message>
+        <source>One bag</source>
+        <translation>Ein Beutel</translation>
+    </message>
+    <message>
+        <source>Single cut</source>
+        <translation>Einzelschnitt</translation>
+    </message>
+    <message>
+        <source>Next bag to me</source>
+        <translation>Nächster Beutel zu mir</translation>
+    </message>
+    <message>
+        <source>The active program makes no bags. Download a cutter&apos;s program to a packing machine first.</source>
+        <translation>Das aktive Programm macht keine Beutel. Laden Sie zuerst das Programm eines Schneiders auf eine Packmaschine.</translation>
+    </message>
+    <message>
+        <source>The knife is not in its place. Make a reference run first.</source>
+        <translation>Das Messer ist nicht an seinem Platz. Zuerst eine Referenzfahrt machen.</translation>
+    </message>
+    <message>
+        <source>The line in front drives the film, so no single bag can be made.</source>
+        <translation>Die Linie davor treibt die Folie an; ein einzelner Beutel ist nicht möglich.</translation>
+    </message>
+    <message>
+        <source>The film moves. Stop the line first.</source>
+        <translation>Die Folie bewegt sich. Zuerst die Linie stoppen.</translation>
+    </message>
+    <message>
+        <source>No cam switch rejects bags. Set one under Maintenance.</source>
+        <translation>Kein Nocken wirft Beutel aus. Einen unter Wartung einstellen.</translation>
+    </message>
+    <message>
+        <source>A product is under the knife. Run the machine empty first.</source>
+        <translation>Unter dem Messer liegt ein Produkt. Die Maschine zuerst leer fahren.</translation>
     </message>
 </context>
 <context>

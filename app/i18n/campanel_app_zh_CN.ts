@@ -1227,6 +1227,18 @@
         <source>First bag checked</source>
         <translation>首袋已检查</translation>
     </message>
+    <message>
+        <source>One bag by hand</source>
+        <translation>手动单袋</translation>
+    </message>
+    <message>
+        <source>Single cut by hand</source>
+        <translation>手动单次切断</translation>
+    </message>
+    <message>
+        <source>Next bag taken</source>
+        <translation>取走下一袋</translation>
+    </message>
 </context>
 <context>
     <name>Availability</name>
@@ -3225,10 +3237,6 @@ RMS %2</source>
         <translation>该订单未在进行。</translation>
     </message>
     <message>
-        <source>The active program makes no bags that could be counted. Download a cutter&apos;s program to a packing machine first.</source>
-        <translation>当前程序不生产可计数的袋子。请先将切刀程序下载到包装机。</translation>
-    </message>
-    <message>
         <source>No order</source>
         <translation>无订单</translation>
     </message>
@@ -3359,6 +3367,50 @@ RMS %2</source>
     <message>
         <source>Order complete</source>
         <translation>订单完成</translation>
+    </message>
+    <message>
+        <source>One-bag button</source>
+        <translation>单袋按钮</translation>
+    </message>
+    <message>
+        <source>Makes one bag when it is pressed at standstill.</source>
+        <translation>静止时按下，生产一袋。</translation>
+    </message>
+    <message>
+        <source>One bag</source>
+        <translation>单袋</translation>
+    </message>
+    <message>
+        <source>Single cut</source>
+        <translation>单次切断</translation>
+    </message>
+    <message>
+        <source>Next bag to me</source>
+        <translation>取下一袋</translation>
+    </message>
+    <message>
+        <source>The active program makes no bags. Download a cutter&apos;s program to a packing machine first.</source>
+        <translation>当前程序不生产袋子。请先将切刀程序下载到包装机。</translation>
+    </message>
+    <message>
+        <source>The knife is not in its place. Make a reference run first.</source>
+        <translation>切刀不在其位置。请先回零。</translation>
+    </message>
+    <message>
+        <source>The line in front drives the film, so no single bag can be made.</source>
+        <translation>薄膜由前面的生产线驱动，无法单独生产一袋。</translation>
+    </message>
+    <message>
+        <source>The film moves. Stop the line first.</source>
+        <translation>薄膜在运动。请先停止生产线。</translation>
+    </message>
+    <message>
+        <source>No cam switch rejects bags. Set one under Maintenance.</source>
+        <translation>没有凸轮开关用于剔除袋子。请在“维护”中设置一个。</translation>
+    </message>
+    <message>
+        <source>A product is under the knife. Run the machine empty first.</source>
+        <translation>切刀下有产品。请先将机器运行至排空。</translation>
     </message>
 </context>
 <context>

@@ -17,6 +17,8 @@ Priority priorityOf(modbus::Command command)
     case modbus::Command::ResetFault:
     case modbus::Command::CancelApply:
     case modbus::Command::TryOutput:
+    case modbus::Command::JogBag:
+    case modbus::Command::SingleCut:
         return Priority::Motion;
     case modbus::Command::None:
     case modbus::Command::ApplyStaged:
@@ -27,6 +29,7 @@ Priority priorityOf(modbus::Command command)
     case modbus::Command::OrderStart:
     case modbus::Command::OrderEnd:
     case modbus::Command::Acknowledge:
+    case modbus::Command::TakeBag:
         return Priority::Write;
     }
     return Priority::Write;

@@ -74,6 +74,7 @@ Panel::Panel(link::Link& link, const Storage& storage)
     , m_stops(m_controller, m_settings, m_records, nullptr)
     , m_handSpeed(m_controller, nullptr)
     , m_handTrims(m_controller, nullptr)
+    , m_handBags(m_controller, nullptr)
     , m_orders(m_controller, m_records, nullptr)
     , m_access(m_records, m_controller, m_settings, nullptr)
     , m_systemClock(m_controller.accessCheck(), nullptr)
@@ -148,10 +149,10 @@ Panel::Panel(link::Link& link, const Storage& storage)
     connect(&m_versions, &panel::Versions::noted, &m_trail, &panel::AuditTrail::noteOutside);
     connect(&m_plant, &panel::PlantFeed::gatewayChanged, &m_versions, &panel::Versions::setGateway);
     panel::attachToEngine(m_qml->engine, m_access, m_alarms, m_audit, m_backup, m_commissioning, m_display,
-                          m_controller, m_editor, m_explanations, m_handSpeed, m_handTrims, m_orders,
-                          m_records, m_recipes, m_maintenance, m_scan, m_bundle, m_rotation, m_settings,
-                          m_shiftReport, m_stops, m_systemClock, m_systemNetwork, m_touchCalibration,
-                          m_trends, m_update, m_versions);
+                          m_controller, m_editor, m_explanations, m_handSpeed, m_handTrims, m_handBags,
+                          m_orders, m_records, m_recipes, m_maintenance, m_scan, m_bundle, m_rotation,
+                          m_settings, m_shiftReport, m_stops, m_systemClock, m_systemNetwork,
+                          m_touchCalibration, m_trends, m_update, m_versions);
     panel::Units::setOnScreen();
     connect(&m_settings, &panel::Settings::languageChanged, this, &Panel::translate);
     translate();

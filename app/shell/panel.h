@@ -14,6 +14,7 @@
 #include "app/panel/display/touch_calibration.h"
 #include "app/panel/editor/editor.h"
 #include "app/panel/explain/explanations.h"
+#include "app/panel/hand/hand_bags.h"
 #include "app/panel/hand/hand_speed.h"
 #include "app/panel/hand/hand_trims.h"
 #include "app/panel/library/recipes.h"
@@ -132,6 +133,7 @@ private:
     panel::Stops m_stops;
     panel::HandSpeed m_handSpeed;
     panel::HandTrims m_handTrims;
+    panel::HandBags m_handBags;
     panel::Orders m_orders;
     panel::Access m_access;
     panel::SystemClock m_systemClock;

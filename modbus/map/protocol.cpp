@@ -366,7 +366,7 @@ constexpr std::array refusals{
     entry(Refusal::FilmMoves, "FilmMoves", CAMPANEL_TEXT("Protocol", "The film moves. Stop the line first."),
           "master.place is Wheel, and its counts change."),
     entry(Refusal::ProductAtKnife, "ProductAtKnife",
-          CAMPANEL_TEXT("Protocol", "A product is under the knife. Make one bag first, or take it out."),
+          CAMPANEL_TEXT("Protocol", "A product is under the knife. Run the machine empty first."),
           "It is nearer than parameter.cut_clearance."),
     entry(Refusal::NoRejectGate, "NoRejectGate",
           CAMPANEL_TEXT("Protocol", "No cam switch rejects bags. Set one under Maintenance."),

@@ -4175,10 +4175,6 @@ Uhr nicht gestellt</translation>
 <context>
     <name>TrimSheet</name>
     <message>
-        <source>Trim the bags</source>
-        <translation>Beutel trimmen</translation>
-    </message>
-    <message>
         <source>The next bags follow. Each touch moves by %1; hold a key to repeat.</source>
         <translation>Die nächsten Beutel folgen. Jede Berührung verstellt um %1; Taste halten, um zu wiederholen.</translation>
     </message>
@@ -4189,6 +4185,22 @@ Uhr nicht gestellt</translation>
     <message>
         <source>%1 back to 0</source>
         <translation>%1 zurück auf 0</translation>
+    </message>
+    <message>
+        <source>By hand</source>
+        <translation>Von Hand</translation>
+    </message>
+    <message>
+        <source>One bag</source>
+        <translation>Ein Beutel</translation>
+    </message>
+    <message>
+        <source>Single cut</source>
+        <translation>Einzelschnitt</translation>
+    </message>
+    <message>
+        <source>Next bag to me</source>
+        <translation>Nächster Beutel zu mir</translation>
     </message>
 </context>
 <context>

@@ -4175,10 +4175,6 @@ clock not set</source>
 <context>
     <name>TrimSheet</name>
     <message>
-        <source>Trim the bags</source>
-        <translation>微调包装袋</translation>
-    </message>
-    <message>
         <source>The next bags follow. Each touch moves by %1; hold a key to repeat.</source>
         <translation>从后续的袋开始生效。每次触摸移动 %1；按住可重复。</translation>
     </message>
@@ -4189,6 +4185,22 @@ clock not set</source>
     <message>
         <source>%1 back to 0</source>
         <translation>%1归零</translation>
+    </message>
+    <message>
+        <source>By hand</source>
+        <translation>手动</translation>
+    </message>
+    <message>
+        <source>One bag</source>
+        <translation>单袋</translation>
+    </message>
+    <message>
+        <source>Single cut</source>
+        <translation>单次切断</translation>
+    </message>
+    <message>
+        <source>Next bag to me</source>
+        <translation>取下一袋</translation>
     </message>
 </context>
 <context>

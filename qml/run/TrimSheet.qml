@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Cut, product and length of the bags that are being made: a step left or right on the film, back to 0, and saved with the
-// recipe. It stays open, for the next step.
+// The operator's hand on the bags: cut, product and length a step left or right on the film, back to 0, and saved with the
+// recipe; one bag, one cut, the next bag for a person. It stays open, for the next step.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme
@@ -12,8 +12,9 @@ Sheet {
     id: sheet
 
     objectName: "trimSheet"
-    title: qsTr("Trim the bags")
-    note: HandTrims.message || qsTr("The next bags follow. Each touch moves by %1; hold a key to repeat.").arg(HandTrims.stepText)
+    property string reason: ""             // why the key that was touched last does nothing
+    title: qsTr("By hand")
+    note: HandTrims.message || sheet.reason || HandBags.message || qsTr("The next bags follow. Each touch moves by %1; hold a key to repeat.").arg(HandTrims.stepText)
 
     header: [
         Button {
@@ -26,17 +27,96 @@ Sheet {
         }
     ]
 
+    Row {
+        id: keys
+        visible: HandBags.offered
+        anchors { left: parent.left; right: parent.right; bottom: parent.bottom }
+        height: visible ? Theme.size.touch : 0
+        spacing: Theme.size.spacing
+        BagKey {
+            objectName: "bagKey"
+            glyph: Theme.icon.start
+            text: qsTr("One bag")
+            reason: HandBags.bagReason
+            onCommanded: HandBags.makeBag()
+        }
+        BagKey {
+            objectName: "cutKey"
+            glyph: Theme.icon.cut
+            text: qsTr("Single cut")
+            reason: HandBags.cutReason
+            onCommanded: HandBags.cut()
+        }
+        BagKey {
+            objectName: "takeKey"
+            glyph: Theme.icon.user
+            text: qsTr("Next bag to me")
+            holdMs: 0
+            reason: HandBags.takeReason
+            onCommanded: HandBags.take()
+        }
+    }
+
+    component BagKey: CommandButton {
+        id: bagKey
+        required property string glyph
+        required property string reason    // why it does nothing now
+        readonly property color inkColor: ready && !locked ? Theme.color.touch : Theme.color.secondaryInk
+        width: Math.floor((keys.width - 2 * keys.spacing) / 3)
+        height: keys.height
+        level: Access.Operator
+        ready: reason.length === 0
+        ringHost: sign
+        ringColor: inkColor
+        onRefused: sheet.reason = reason
+        onCommanded: sheet.reason = ""
+        background: Rectangle {
+            radius: Theme.size.radius
+            color: bagKey.down || !bagKey.ready ? Theme.color.inset : Theme.color.surface
+            border { width: Theme.size.outline; color: bagKey.ready && !bagKey.locked ? Theme.color.touch : Theme.color.line }
+        }
+        Item {
+            anchors { fill: parent; leftMargin: Theme.size.padding; rightMargin: Theme.size.padding }
+            IconLabel {
+                id: sign
+                anchors.verticalCenter: parent.verticalCenter
+                code: bagKey.glyph
+                color: bagKey.inkColor
+                font.pixelSize: Theme.size.icon
+            }
+            Column {
+                anchors { left: sign.right; leftMargin: Theme.size.padding; right: parent.right; verticalCenter: parent.verticalCenter }
+                Label {
+                    width: parent.width
+                    fontSizeMode: Text.HorizontalFit
+                    text: bagKey.text
+                    color: bagKey.inkColor
+                    font { pixelSize: Theme.size.body; bold: true }
+                }
+                Label {
+                    width: parent.width
+                    visible: text.length > 0
+                    fontSizeMode: Text.HorizontalFit
+                    text: bagKey.holdNote
+                    color: bagKey.inkColor
+                    font.pixelSize: Theme.size.caption
+                }
+            }
+        }
+    }
+
     TrimPicture {
         id: picture
         objectName: "trimPicture"
-        anchors { left: parent.left; right: parent.right; verticalCenter: parent.verticalCenter; verticalCenterOffset: -(lines.height + Theme.size.padding) / 2 }
+        anchors { left: parent.left; right: parent.right; verticalCenter: parent.verticalCenter; verticalCenterOffset: -(parent.height - lines.y + Theme.size.padding) / 2 }
         height: Math.min(3 * Theme.size.touch, lines.y - Theme.size.padding)
+        visible: height > Theme.size.touch / 2 // gloves on the smallest screen leave it no room
         mm: HandTrims.mm
         stale: !Controller.fresh
     }
     Column {
         id: lines
-        anchors { left: parent.left; right: parent.right; bottom: parent.bottom }
+        anchors { left: parent.left; right: parent.right; bottom: keys.top; bottomMargin: keys.visible ? Theme.size.padding : 0 }
         spacing: Theme.size.spacing
         Repeater {
             model: HandTrims.rows

@@ -126,6 +126,43 @@ private slots:
         QTRY_COMPARE_WITH_TIMEOUT(trimMm(), 0.0, timeoutMs);
         QCOMPARE(panel.complaints(), QStringList());
     }
+
+    // One bag after the other, held as Start is; a cut through a product is refused with its sentence.
+    void oneBagIsMadeByFinger()
+    {
+        PanelWindow panel{QString()};
+        Controller& controller = panel.controller();
+        QTRY_COMPARE_WITH_TIMEOUT(controller.state(), Controller::State::Idle, timeoutMs);
+        panel.tap("nav_motion");
+        panel.download();
+        if (QTest::currentTestFailed())
+            return;
+        panel.tap("nav_run");
+        QTRY_VERIFY_WITH_TIMEOUT(controller.canStart(), timeoutMs);
+        panel.tap("trimKey");
+        panel.hold("bagKey");
+        QVERIFY2(panel.texts().contains(QStringLiteral("Make a reference run first")),
+                 qPrintable(panel.texts()));
+        panel.tap("sheetClose");
+        panel.start();
+        QTRY_VERIFY_WITH_TIMEOUT(controller.bags().counted > 5, timeoutMs);
+        panel.tap("trimKey");
+        panel.tap("takeKey"); // the simulated machine has no reject gate as shipped
+        QTRY_VERIFY2_WITH_TIMEOUT(panel.texts().contains(QStringLiteral("No cam switch rejects bags")),
+                                  qPrintable(panel.texts()), timeoutMs);
+        panel.tap("stopKey");
+        QTRY_COMPARE_WITH_TIMEOUT(controller.state(), Controller::State::Ready, timeoutMs);
+        for (int i = 0; i < 2; ++i) {
+            const int scrap = controller.bags().scrap;
+            panel.hold("bagKey");
+            QTRY_COMPARE_WITH_TIMEOUT(controller.state(), Controller::State::Ready, timeoutMs);
+            QTRY_COMPARE_WITH_TIMEOUT(controller.bags().scrap, scrap + 1, timeoutMs);
+        }
+        panel.hold("cutKey");
+        QTRY_VERIFY2_WITH_TIMEOUT(panel.texts().contains(QStringLiteral("A product is under the knife")),
+                                  qPrintable(panel.texts()), timeoutMs);
+        QCOMPARE(panel.complaints(), QStringList());
+    }
 };
 
 CAMPANEL_TEST(TestHandAndController)

@@ -276,6 +276,7 @@ const QList<Screen>& allScreens()
         taps("run-trims",
              {run, QStringLiteral("trimKey"), QStringLiteral("trimRight0"), QStringLiteral("trimRight0"),
               QStringLiteral("trimRight0"), QStringLiteral("trimRight0"), QStringLiteral("trimRight1")}),
+        taps("run-bags-by-hand", {run, QStringLiteral("trimKey"), QStringLiteral("bagKey")}),
         taps("motion", {motion}),
         taps("keypad", {motion, length}),
         {QStringLiteral("keypad-refusal"),

@@ -42,6 +42,12 @@ QString commandKey(modbus::Command command)
         return u"command.save"_s;
     case modbus::Command::TeachMarks:
         return u"command.teach"_s;
+    case modbus::Command::JogBag:
+        return u"command.jog_bag"_s;
+    case modbus::Command::SingleCut:
+        return u"command.cut"_s;
+    case modbus::Command::TakeBag:
+        return u"command.take"_s;
     case modbus::Command::OrderStart:
         return u"command.order"_s;
     case modbus::Command::OrderEnd:

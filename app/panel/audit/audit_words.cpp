@@ -52,6 +52,9 @@ constexpr std::array areaWords{
 
 constexpr std::array whatWords{
     Word{"command.start", QT_TRANSLATE_NOOP("AuditWords", "Start")},
+    Word{"command.jog_bag", QT_TRANSLATE_NOOP("AuditWords", "One bag by hand")},
+    Word{"command.cut", QT_TRANSLATE_NOOP("AuditWords", "Single cut by hand")},
+    Word{"command.take", QT_TRANSLATE_NOOP("AuditWords", "Next bag taken")},
     Word{"command.stop", QT_TRANSLATE_NOOP("AuditWords", "Stop")},
     Word{"command.stop_now", QT_TRANSLATE_NOOP("AuditWords", "Immediate stop")},
     Word{"command.home", QT_TRANSLATE_NOOP("AuditWords", "Reference run")},

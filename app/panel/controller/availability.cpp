@@ -41,6 +41,9 @@ struct Row {
 constexpr std::array actionRows{
     Row{Action::Start, connected, in(State::Unknown), nullptr, modbus::Command::Start},
     Row{Action::Home, connected, in(State::Unknown), nullptr, modbus::Command::Home},
+    Row{Action::JogBag, connected, in(State::Unknown), nullptr, modbus::Command::JogBag},
+    Row{Action::SingleCut, connected, in(State::Unknown), nullptr, modbus::Command::SingleCut},
+    Row{Action::TakeBag, connected, in(State::Unknown), nullptr, modbus::Command::TakeBag},
     Row{Action::Jog, connected, all & ~standstill & ~in(State::Jogging), nullptr, {}, endedByEmergencyStop},
     Row{Action::TryOutput, connected, all & ~standstill, nullptr, {}, endedByEmergencyStop},
     Row{Action::Download, connected, 0},
@@ -85,6 +88,12 @@ constexpr std::array sentencesOfStates{
     QT_TRANSLATE_NOOP("Availability", "The controller is in fault. Reset the fault first."),
 };
 
+// The panel's own reasons against Start hold for these, too.
+constexpr bool isStart(Action action)
+{
+    return action == Action::Start || action == Action::JogBag || action == Action::SingleCut;
+}
+
 QString translated(const char* sentence)
 {
     return QCoreApplication::translate("Availability", sentence);
@@ -103,11 +112,11 @@ QString Controller::blockedReason(Action action) const
         return ControllerSentences::refusal(modbus::Refusal::EmergencyStop);
     const QString refusal =
         row.command ? ControllerSentences::refusal(expectedRefusal(*m_status, *row.command)) : QString();
-    if (refusal.isEmpty() && action == Action::Start && m_program) {
+    if (refusal.isEmpty() && isStart(action) && m_program) {
         if (const QString reason = m_masterSetting.refusal(m_program->recipe); !reason.isEmpty())
             return reason;
     }
-    const bool isInterlocked = refusal.isEmpty() && action == Action::Start && m_startInterlock;
+    const bool isInterlocked = refusal.isEmpty() && isStart(action) && m_startInterlock;
     return isInterlocked ? m_startInterlock() : refusal;
 }
 

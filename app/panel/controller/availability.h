@@ -7,6 +7,9 @@ namespace campanel::panel {
 enum class Action {
     Start,
     Home,
+    JogBag,    // one bag out of standstill
+    SingleCut, // of the knife alone
+    TakeBag,   // the next one of a run is for a person
     Jog,
     TryOutput, // at standstill, while a key is held
     Download,

@@ -20,6 +20,14 @@ Refusal refusalToMove(const modbus::StatusBlock& status, Refusal whenMoving)
     return status.has(modbus::WarningBit::EmergencyStop) ? Refusal::EmergencyStop : Refusal::None;
 }
 
+// One bag, or one cut, begins where the knife is in its place.
+Refusal refusalByHand(const modbus::StatusBlock& status)
+{
+    const Refusal refusal = refusalToMove(status, Refusal::AlreadyRunning);
+    return refusal == Refusal::None && status.has(modbus::WarningBit::NotHomed) ? Refusal::NotInPhase
+                                                                                : refusal;
+}
+
 } // namespace
 
 Refusal expectedRefusal(const modbus::StatusBlock& status, modbus::Command command)
@@ -27,6 +35,14 @@ Refusal expectedRefusal(const modbus::StatusBlock& status, modbus::Command comma
     switch (command) {
     case modbus::Command::Start:
         return refusalToMove(status, Refusal::AlreadyRunning);
+    case modbus::Command::JogBag:
+    case modbus::Command::SingleCut:
+        return refusalByHand(status);
+    case modbus::Command::TakeBag:
+        if (!status.activeCrc)
+            return Refusal::NoBags;
+        return status.state == State::Running || status.state == State::Stopping ? Refusal::None
+                                                                                 : Refusal::NotRunning;
     case modbus::Command::Home:
         return refusalToMove(status, Refusal::NotStandstill);
     case modbus::Command::ResetFault:

@@ -255,8 +255,13 @@ void Controller::start()
         showMessage(reason);
         return;
     }
+    startBy(modbus::Command::Start);
+}
+
+void Controller::startBy(modbus::Command command)
+{
     m_link.setPermit(permit());
-    send(modbus::Command::Start);
+    send(command);
 }
 
 void Controller::stop()

@@ -189,6 +189,8 @@ public:
     [[nodiscard]] double contactAngleDeg() const { return m_contactAngleDeg; }
     void setContactAngle(double deg);
     void send(modbus::Command command, const modbus::CommandArguments& arguments = {});
+    // Sends a command that starts the machine, with what the panel permits now.
+    void startBy(modbus::Command command);
     // Returns the parameter with a name of the register table.
     [[nodiscard]] Parameter& parameter(std::string_view name);
     // Returns the parameter with that name of the table, for QML.

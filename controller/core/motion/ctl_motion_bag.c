@@ -23,7 +23,7 @@ void ctl_motion_start_bag(ctl_motion* motion)
 
 bool ctl_motion_ends_with_bag(ctl_motion* motion)
 {
-    if (!motion->one_bag || !ctl_packer_cuts_next(motion->packer))
+    if (!ctl_packer_cuts_next(motion->packer))
         return false;
     (void)ctl_motion_stop_at_cycle_end(motion);
     motion->stop_limit = motion->ramp.limit;

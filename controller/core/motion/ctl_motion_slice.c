@@ -217,7 +217,7 @@ static void slice_running(ctl_motion* motion, ctl_pace pace)
             slice_led(motion, pace);
         return;
     }
-    if (ctl_motion_ends_with_bag(motion)) {
+    if (motion->one_bag && ctl_motion_ends_with_bag(motion)) {
         slice_stopping(motion, pace);
         return;
     }

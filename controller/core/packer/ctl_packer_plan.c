@@ -80,10 +80,12 @@ static int64_t lag_ahead(const ctl_packer* packer, const ctl_drive* drive, uint3
     }
     if (!drive->running && drive->end_ticks <= way) /* a cut of the next run, which sees to its lag */
         return 0;
-    uint32_t speed = ctl_ramp_speed_after(ramp, way);
-    if (!drive->running) {
-        const uint32_t limit = ramp->speed > drive->limit ? ramp->speed : drive->limit;
-        speed = speed < limit ? speed : limit;
+    uint32_t speed = ramp->speed;
+    if (drive->running) {
+        speed = ctl_ramp_speed_after(ramp, way);
+    } else if (speed < drive->limit) {
+        speed = ctl_ramp_speed_after(ramp, way);
+        speed = speed < drive->limit ? speed : drive->limit;
     }
     if (drive->end_ticks != CTL_DRIVE_NO_END) {
         const uint64_t before_end = drive->end_ticks > way ? drive->end_ticks - way : 0;

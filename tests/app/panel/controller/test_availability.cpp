@@ -22,6 +22,9 @@ private slots:
         QTest::addColumn<QString>("freeIn");
         QTest::addRow("start") << Action::Start << u"R"_s;
         QTest::addRow("home") << Action::Home << u"R"_s;
+        QTest::addRow("one bag") << Action::JogBag << u"R"_s;
+        QTest::addRow("single cut") << Action::SingleCut << u"R"_s;
+        QTest::addRow("take the next bag") << Action::TakeBag << u"US"_s;
         QTest::addRow("jog") << Action::Jog << u"IRJ"_s;
         QTest::addRow("try an output") << Action::TryOutput << u"IR"_s;
         QTest::addRow("download") << Action::Download << u"IRUSJHF"_s;
@@ -62,6 +65,8 @@ private slots:
         rig.link.sendStatus(rig.now);
         rig.machine.setStartInterlock([] { return u"Wrong film."_s; });
         QCOMPARE(rig.machine.blockedReason(Action::Start), u"Wrong film."_s);
+        QCOMPARE(rig.machine.blockedReason(Action::JogBag), u"Wrong film."_s);
+        QCOMPARE(rig.machine.blockedReason(Action::SingleCut), u"Wrong film."_s);
         QCOMPARE(rig.machine.blockedReason(Action::Home), QString());
     }
 };

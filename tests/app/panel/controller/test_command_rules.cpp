@@ -12,6 +12,7 @@
 
 #include <array>
 #include <memory>
+#include <vector>
 
 namespace test_command_rules {
 
@@ -31,6 +32,7 @@ enum class Situation {
     Ready,
     Jogging,
     Homing,
+    Homed,
     Running,
     Stopping,
     Fault,
@@ -68,6 +70,10 @@ std::unique_ptr<Rig> rigIn(Situation situation, profile::ProgramKind kind)
         break;
     case Situation::Homing:
         rig->command(CTL_COMMAND_HOME);
+        break;
+    case Situation::Homed:
+        rig->command(CTL_COMMAND_HOME);
+        rig->runUntilState(CTL_STATE_READY);
         break;
     case Situation::EmergencyStop:
         rig->controller().machine().setInput(CTL_INPUT_BIT_EMERGENCY_STOP, true);
@@ -114,6 +120,7 @@ private slots:
         row("jogging without a program", Situation::JoggingWithoutProgram, State::Jogging);
         row("fault without a program", Situation::FaultWithoutProgram, State::Fault);
         row("ready", Situation::Ready, State::Ready);
+        row("ready and homed", Situation::Homed, State::Ready);
         row("ready with a press", Situation::Ready, State::Ready, profile::ProgramKind::Press);
         row("ready with a move", Situation::Ready, State::Ready, profile::ProgramKind::PositionMove);
         row("jogging", Situation::Jogging, State::Jogging);
@@ -130,9 +137,13 @@ private slots:
         QFETCH(int, situation);
         QFETCH(int, kind);
         QFETCH(int, state);
-        for (const Command command : std::array{Command::Start, Command::Home, Command::ResetFault}) {
+        std::vector commands{Command::Start, Command::Home, Command::ResetFault};
+        if (kind == static_cast<int>(profile::ProgramKind::RotaryCutter))
+            commands.insert(commands.end(), {Command::JogBag, Command::SingleCut, Command::TakeBag});
+        for (const Command command : commands) {
             const auto rig =
                 rigIn(static_cast<Situation>(situation), static_cast<profile::ProgramKind>(kind));
+            rig->setParameter(CTL_REG_PARAMETER_SWITCH1_MODE, CTL_SWITCH_MODE_REJECTED_BAGS);
             const modbus::StatusBlock status = statusOf(*rig);
             QCOMPARE(status.state, std::optional(static_cast<State>(state)));
             const std::uint16_t refused = rig->command(static_cast<std::uint16_t>(command));
