@@ -12,9 +12,9 @@ Sheet {
     id: sheet
 
     objectName: "trimSheet"
-    property string reason: ""             // why the key that was touched last does nothing
+    property BagKey refused: null          // the key of a single bag that was touched last, where it does nothing
     title: qsTr("By hand")
-    note: HandTrims.message || sheet.reason || HandBags.message || qsTr("The next bags follow. Each touch moves by %1; hold a key to repeat.").arg(HandTrims.stepText)
+    note: HandTrims.message || (refused ? refused.reason : "") || HandBags.message || qsTr("The next bags follow. Each touch moves by %1; hold a key to repeat.").arg(HandTrims.stepText)
 
     header: [
         Button {
@@ -68,8 +68,8 @@ Sheet {
         ready: reason.length === 0
         ringHost: sign
         ringColor: inkColor
-        onRefused: sheet.reason = reason
-        onCommanded: sheet.reason = ""
+        onRefused: sheet.refused = bagKey
+        onCommanded: sheet.refused = null
         background: Rectangle {
             radius: Theme.size.radius
             color: bagKey.down || !bagKey.ready ? Theme.color.inset : Theme.color.surface

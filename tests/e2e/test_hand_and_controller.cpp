@@ -139,6 +139,11 @@ private slots:
             return;
         panel.tap("nav_run");
         QTRY_VERIFY_WITH_TIMEOUT(controller.canStart(), timeoutMs);
+        const auto canTrim = [&panel] {
+            const QQuickItem* key = panel.touchDriver().find(QStringLiteral("trimKey"));
+            return key && key->isEnabled();
+        };
+        QTRY_VERIFY_WITH_TIMEOUT(canTrim(), timeoutMs);
         panel.tap("trimKey");
         panel.hold("bagKey");
         QVERIFY2(panel.texts().contains(QStringLiteral("Make a reference run first")),

@@ -23,7 +23,7 @@ class HandBags : public QObject, public Singleton<HandBags> {
     Q_PROPERTY(QString bagReason READ bagReason NOTIFY changed FINAL)
     Q_PROPERTY(QString cutReason READ cutReason NOTIFY changed FINAL)
     Q_PROPERTY(QString takeReason READ takeReason NOTIFY changed FINAL)
-    // What the controller said against the last command; empty: nothing.
+    // The answer of the controller against the last command; empty: none.
     Q_PROPERTY(QString message READ message NOTIFY changed FINAL)
 
 public:
