@@ -13,6 +13,7 @@
 #include <QFile>
 #include <QSet>
 
+#include <bit>
 #include <cstring>
 
 namespace test_register_map {
@@ -78,6 +79,8 @@ void RegisterMapTest::enumValuesAreUniqueAndExplained()
         // Values count up without gaps, from 0 or, for laws, from 1: a decoder may compare with the last one.
         std::uint16_t expected = info.name == "Law" ? 1 : 0;
         for (const EnumValue& value : info.values) {
+            if (info.name == "BagBit" && value.name == "Taken") // behind the bag lengths of the record
+                expected = bagLengthsFrom + std::bit_width(maxBagLengths);
             QVERIFY2(value.value == expected++, value.name.data());
             const std::string text = meaning(value);
             QVERIFY2(text.ends_with('.'), value.name.data());
