@@ -199,13 +199,16 @@ void TouchDriver::hold(const QString& name)
 
 void TouchDriver::touch(const QString& name)
 {
-    QQuickItem* item = find(name);
-    if (!item) {
+    if (QQuickItem* item = find(name))
+        touch(*item);
+    else
         m_complaints += QStringLiteral("%1 is not on the screen").arg(name);
-        return;
-    }
-    scrollIntoSight(*item);
-    m_place = item->mapToScene(item->boundingRect().center());
+}
+
+void TouchDriver::touch(QQuickItem& item)
+{
+    scrollIntoSight(item);
+    m_place = item.mapToScene(item.boundingRect().center());
     sendMouse(window(), QEvent::MouseButtonPress, m_place);
 }
 

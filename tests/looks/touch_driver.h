@@ -37,6 +37,7 @@ public:
     void hold(const QString& name);
     // Presses the center of an item and holds it; the next call releases it.
     void touch(const QString& name);
+    void touch(QQuickItem& item);
     void slide(const QPointF& to); // to a place in the window, px
     void lift();
     void type(const QString& keys);
