@@ -15,6 +15,8 @@ constexpr milliseconds drainTime{25};
 constexpr int attemptsWhenDamaged = 2;
 // The units of a diagnosis besides the configured one.
 constexpr std::array likelyUnits{1, 2, 3};
+// The configured line, and every baud rate with the two usual formats.
+constexpr std::size_t usualLines = 2 * supportedBauds.size() + 1;
 // The allowance in a search: longer than the 16 ms of a USB adapter and the work of a slow device.
 constexpr milliseconds shortAllowance{60};
 constexpr milliseconds longAllowance = AnswerAllowance::longest; // the promised maximum
@@ -93,12 +95,12 @@ LineScan::LineScan(ScanPlan plan)
 {
     if (!m_plan.port.empty())
         m_ports.push_back({m_plan.port});
-    if (m_plan.depth == ScanPlan::Depth::Search) {
+    if (m_plan.depth != ScanPlan::Depth::Diagnosis) {
         for (const std::string& port : m_plan.otherPorts) {
             if (port != m_plan.port)
                 m_ports.push_back({port});
         }
-        planSearch();
+        planSearch(m_plan.depth == ScanPlan::Depth::Usual);
     } else if (!m_ports.empty()) {
         planDiagnosis();
     }
@@ -116,10 +118,13 @@ void LineScan::planDiagnosis()
     }
 }
 
-// Plans the configured unit and unit 1 with every setting of the line, then all units.
-void LineScan::planSearch()
+// Plans the configured unit and unit 1 with every setting of the line, then all units; a usual search has
+// only the first part, of the likely settings.
+void LineScan::planSearch(bool isUsual)
 {
-    const std::vector<LineSettings> lines = likelyLines(m_plan.line);
+    std::vector<LineSettings> lines = likelyLines(m_plan.line);
+    if (isUsual)
+        lines.resize(std::min(lines.size(), usualLines));
     const auto ports = static_cast<std::uint16_t>(m_ports.size());
     for (const LineSettings& line : lines) {
         for (std::uint16_t port = 0; port < ports; ++port) {
@@ -128,6 +133,8 @@ void LineScan::planSearch()
                 m_candidates.push_back({port, 1, line, shortAllowance});
         }
     }
+    if (isUsual)
+        return;
     for (const LineSettings& line : lines) {
         for (std::uint16_t port = 0; port < ports; ++port)
             planUnits(port, line);
@@ -178,7 +185,7 @@ void LineScan::advance()
         ask(candidate);
     skipDone();
     const LineFinding* found = controller();
-    const bool isFound = m_plan.depth == ScanPlan::Depth::Search ? found != nullptr : !m_findings.empty();
+    const bool isFound = m_plan.depth == ScanPlan::Depth::Diagnosis ? !m_findings.empty() : found != nullptr;
     if (isFound || m_next == m_candidates.size())
         finish();
 }

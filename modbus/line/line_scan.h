@@ -58,6 +58,7 @@ struct LineFinding {
 struct ScanPlan {
     enum class Depth : std::uint8_t {
         Diagnosis, // the configured port and line, the configured unit and several others
+        Usual,     // every port with the usual baud rates, no or even parity, the configured unit and unit 1
         Search,    // every port, baud rate, parity, stop bits and unit, until a controller is found
     };
 
@@ -109,7 +110,7 @@ private:
     };
 
     void planDiagnosis();
-    void planSearch();
+    void planSearch(bool isUsual);
     void planUnits(std::uint16_t port, const LineSettings& line);
     [[nodiscard]] bool openFor(const Candidate& candidate);
     void ask(const Candidate& candidate);
@@ -135,7 +136,7 @@ private:
     bool m_ended = false;
 };
 
-// Returns the lines by likelihood; the given one first.
+// Returns the lines by likelihood; the given one first, then every baud rate with each format.
 [[nodiscard]] std::vector<LineSettings> likelyLines(const LineSettings& first);
 
 } // namespace campanel::modbus

@@ -10,8 +10,7 @@ import CamPanel.Panel
 Sheet {
     id: sheet
 
-    readonly property bool busy: Editor.programDownload.state === ProgramDownload.State.Transferring
-        || Editor.programDownload.state === ProgramDownload.State.Sealing || Editor.programDownload.state === ProgramDownload.State.Armed
+    readonly property bool busy: Editor.programDownload.busy
     readonly property bool asks: Editor.programDownload.state === ProgramDownload.State.Unconfirmed
     readonly property bool failed: Editor.programDownload.state === ProgramDownload.State.Failed
 

@@ -11,8 +11,7 @@ import CamPanel.Panel
 Button {
     id: step
 
-    readonly property bool busy: Editor.programDownload.state === ProgramDownload.State.Transferring
-        || Editor.programDownload.state === ProgramDownload.State.Sealing || Editor.programDownload.state === ProgramDownload.State.Armed
+    readonly property bool busy: Editor.programDownload.busy
     readonly property bool asks: Editor.programDownload.state === ProgramDownload.State.Unconfirmed   // the sheet does
     readonly property bool suggests: !busy && !Editor.programDownload.canDownload && Editor.suggestionText.length > 0
     readonly property bool saves: !busy && !suggests && !asks && !Editor.programDownload.canDownload && Editor.programDownload.canSave

@@ -6,31 +6,29 @@ import CamPanel.Theme
 import CamPanel.Controls
 import CamPanel.Panel
 
-Item {
+FirstStep {
     id: step
 
     readonly property SettingField language: Settings.setting("display.language")
     readonly property var languages: language.choices
 
-    Column {
+    lit: "panel"
+
+    Repeater {
+        model: step.languages
+        ChoiceRow {
+            required property var modelData
+            objectName: "firstLanguage_" + modelData.key
+            width: step.inputsWidth
+            text: modelData.text
+            holds: step.language.key === modelData.key
+            onClicked: step.language.choose(modelData.key)
+        }
+    }
+    notes: Label {
         width: parent.width
-        spacing: Theme.size.spacing
-        Label {
-            width: parent.width
-            wrapMode: Text.WordWrap
-            text: qsTr("The Stop button is always available. It is not an emergency stop: use the machine's emergency-stop switch.")
-            color: Theme.color.secondaryInk
-        }
-        Repeater {
-            model: step.languages
-            ChoiceRow {
-                required property var modelData
-                objectName: "firstLanguage_" + modelData.key
-                width: parent.width
-                text: modelData.text
-                holds: step.language.key === modelData.key
-                onClicked: step.language.choose(modelData.key)
-            }
-        }
+        wrapMode: Text.WordWrap
+        text: qsTr("The Stop button is always available. It is not an emergency stop: use the machine's emergency-stop switch.")
+        color: Theme.color.secondaryInk
     }
 }

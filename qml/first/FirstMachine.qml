@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The numbers of the machine beside its drawing, which marks the chosen one and explains it.
+// The main numbers of the machine on one screen, the others behind a key: they have useful defaults. The drawing marks the
+// chosen one, a text explains it.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme
@@ -7,52 +8,68 @@ import CamPanel.Controls
 import CamPanel.Parts
 import CamPanel.Panel
 
-Item {
+FirstStep {
     id: step
 
-    property int chosen
-    readonly property EditorField field: Editor.machineFields[chosen] as EditorField
-    readonly property bool narrow: width < 5 * Theme.size.touch // beside the keypad
-    readonly property real rowHeight: Math.round(1.15 * Theme.size.touch)
+    readonly property list<string> mainNames: ["knife_radius_mm", "knives", "pulses_per_motor_rev", "gear_numerator", "gear_denominator"]
+    readonly property var mainFields: fields.filter(field => mainNames.includes(field.fieldId))
+    readonly property var fields: Array.from(Editor.machineFields)
+    // A machine without these numbers shows all of its own.
+    readonly property bool showsAll: detail || mainFields.length === 0
+    property EditorField chosen: (showsAll ? fields : mainFields)[0] as EditorField
 
-    ListView {
+    lit: "machine"
+    fieldId: chosen?.fieldId ?? ""
+    onDetailChanged: chosen = (detail ? fields.find(field => !mainNames.includes(field.fieldId)) : mainFields[0]) as EditorField
+
+    Flickable {
         id: list
         objectName: "firstMachine"
-        anchors { left: parent.left; top: parent.top; bottom: parent.bottom }
-        width: parent.width * (step.narrow ? 1 : 0.45)
+        width: parent.width
+        height: step.height
+        contentHeight: grid.height
         clip: true
-        spacing: Theme.size.spacing
         boundsBehavior: Flickable.StopAtBounds
-        model: Editor.machineFields
-        delegate: FieldTile {
-            required property int index
-            required property var modelData
-            objectName: "first_" + item.fieldId
-            item: modelData as EditorField
-            compact: false
+        Grid {
+            id: grid
+            columns: 2
+            spacing: Theme.size.spacing
             width: list.width - scrollMark.room
-            height: step.rowHeight
-            onClicked: step.chosen = index
+            readonly property real cell: Math.floor((width - spacing) / 2)
+            Repeater {
+                model: step.showsAll ? step.fields.filter(field => step.mainFields.length === 0 || !step.mainNames.includes(field.fieldId)) : step.mainFields
+                FieldTile {
+                    required property var modelData
+                    objectName: "first_" + item.fieldId
+                    item: modelData as EditorField
+                    compact: false
+                    width: grid.cell
+                    height: Theme.size.touch
+                    onClicked: step.chosen = item
+                }
+            }
+            SettingRow {
+                objectName: "firstOthers"
+                visible: !step.showsAll
+                width: grid.cell
+                height: Theme.size.touch
+                label: qsTr("Limits and more")
+                value: qsTr("as set")
+                onClicked: step.detail = true
+            }
         }
     }
     ScrollMark {
         id: scrollMark
+        parent: list
         view: list
-        x: list.width - width
     }
-    MachineDrawing {
-        id: drawing
-        anchors { left: list.right; leftMargin: Theme.size.padding; right: parent.right; top: parent.top }
-        height: parent.height * 0.58
-        visible: !step.narrow
-        fieldId: step.field?.fieldId ?? ""
-    }
-    Label {
-        anchors { left: drawing.left; right: drawing.right; top: drawing.bottom; topMargin: Theme.size.spacing; bottom: parent.bottom }
-        visible: !step.narrow
+    notes: Label {
+        width: parent.width
+        height: Math.min(implicitHeight, 0.34 * step.height)
         wrapMode: Text.WordWrap
         fontSizeMode: Text.Fit
-        text: step.field?.explanation ?? ""
+        text: step.chosen?.explanation ?? ""
         color: Theme.color.secondaryInk
     }
 }

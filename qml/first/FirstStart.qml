@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The setup of a new panel, step by step: language, controller, PINs, machine, a first recipe.
+// The setup of a new panel, step by step: language, controller, PINs, machine, a first recipe with its download. It ends with
+// Start, or with Finish.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme
@@ -21,21 +22,39 @@ Page {
         { title: qsTr("First recipe"), source: "FirstRecipe.qml" }
     ]
     readonly property bool isLast: step === steps.length - 1
+    readonly property FirstStep view: loader.item as FirstStep
+    readonly property bool narrow: rightInset > 0
 
     function goOn(): void {
-        if (!page.isLast) {
-            page.step += 1
-            return
-        }
+        page.step += 1
+        page.view.enter()
+    }
+    function goBack(): void {
+        if (page.view.detail)
+            page.view.detail = false
+        else
+            page.step -= 1
+    }
+    // A recipe that was not downloaded is saved all the same.
+    function finish(): void {
         if (Editor.edited)
             Recipes.save()
         Controller.startPermit.turnOn()
-        Frame.openPage("motion")
-        if (Editor.programDownload.canDownload)
-            Frame.open("Download/DownloadSheet", {})
+        Frame.openPage("run")
         Settings.endFirstStart() // closes this page
     }
+    function download(): void {
+        Controller.startPermit.turnOn()
+        Editor.download()
+    }
 
+    Connections {
+        target: Controller
+        function onStateChanged() {
+            if (page.isLast && Controller.state === Controller.State.Running && !ProgramNames.isOtherMotion)
+                page.finish()
+        }
+    }
     Rectangle {
         anchors.fill: parent
         color: Theme.color.ground
@@ -59,25 +78,56 @@ Page {
         }
         Loader {
             id: loader
-            anchors { left: parent.left; right: parent.right; top: heading.bottom; bottom: backKey.top; margins: Theme.size.padding; topMargin: Theme.size.spacing }
+            anchors { left: parent.left; right: parent.right; top: heading.bottom; bottom: keys.top; margins: Theme.size.padding; topMargin: Theme.size.spacing }
             source: page.steps[page.step].source
         }
         Button {
-            id: backKey
             objectName: "firstBack"
             anchors { left: parent.left; bottom: parent.bottom; margins: Theme.size.padding }
             width: 2 * Theme.size.touch
-            visible: page.step > 0 && page.rightInset === 0
+            visible: page.step > 0 && !page.narrow
             text: qsTr("Back")
-            onClicked: page.step -= 1
+            onClicked: page.goBack()
         }
-        Button {
-            objectName: "firstNext"
+        Row {
+            id: keys
             anchors { right: parent.right; bottom: parent.bottom; margins: Theme.size.padding }
-            width: Math.min(parent.width - 2 * Theme.size.padding, Math.max(implicitWidth, 2.4 * Theme.size.touch))
-            kind: Button.Primary
-            text: page.isLast ? qsTr("Finish") : qsTr("Next")
-            onClicked: page.goOn()
+            spacing: Theme.size.spacing
+            readonly property real keyWidth: Math.min(parent.width - 2 * Theme.size.padding, 2.4 * Theme.size.touch)
+            Button {
+                objectName: "firstFinish"
+                width: Math.max(implicitWidth, keys.keyWidth)
+                visible: page.isLast && !page.narrow
+                text: qsTr("Finish")
+                onClicked: page.finish()
+            }
+            Button {
+                objectName: "firstCancelDownload"
+                level: Access.Operator
+                width: Math.max(implicitWidth, keys.keyWidth)
+                visible: page.isLast && Editor.programDownload.busy
+                text: qsTr("Cancel download")
+                onClicked: Editor.cancelDownload()
+            }
+            Button {
+                objectName: "firstDownload"
+                level: Access.Operator
+                width: Math.max(implicitWidth, keys.keyWidth)
+                visible: page.isLast && !Editor.programDownload.busy
+                kind: Button.Primary
+                glyph: Theme.icon.download
+                enabled: Editor.programDownload.canDownload
+                text: Editor.programDownload.state === ProgramDownload.State.Failed ? qsTr("Try again") : qsTr("Download")
+                onClicked: page.download()
+            }
+            Button {
+                objectName: "firstNext"
+                width: Math.max(implicitWidth, keys.keyWidth)
+                visible: !page.isLast
+                kind: Button.Primary
+                text: qsTr("Next")
+                onClicked: page.goOn()
+            }
         }
     }
 }

@@ -106,7 +106,7 @@ Rectangle {
         frame.keypad.forceActiveFocus()
         const hidden = Math.min(0, frame.keypad.free - Theme.size.spacing - right)
         const isFirstStart = firstStart.active && frame.sheet === null
-        frame.rightInset = isFirstStart && (hidden < 0 || frame.rightInset > 0) ? overlay.width - frame.keypad.free : 0
+        frame.rightInset = isFirstStart ? overlay.width - frame.keypad.free : 0
         frame.shift = isFirstStart || frame.keypad.besideRight > 0 ? 0 : hidden
         if (frame.sheet && frame.keypad.besideRight === 0)
             frame.sheet.free = frame.keypad.free - hidden

@@ -326,6 +326,13 @@
     </message>
 </context>
 <context>
+    <name>BagDrawing</name>
+    <message>
+        <source>Knife and bag, to scale</source>
+        <translation>Messer und Beutel, maßstäblich</translation>
+    </message>
+</context>
+<context>
     <name>BannerHost</name>
     <message>
         <source>OK</source>
@@ -1089,18 +1096,6 @@ Und %2 weitere.</translation>
         <translation>Simulierte Steuerung</translation>
     </message>
     <message>
-        <source>for training and tests; can be changed in Settings at any time</source>
-        <translation>für Schulung und Versuche; in den Einstellungen jederzeit änderbar</translation>
-    </message>
-    <message>
-        <source>Search for the controller</source>
-        <translation>Steuerung suchen</translation>
-    </message>
-    <message>
-        <source>all serial ports and settings; may take several minutes</source>
-        <translation>alle seriellen Schnittstellen und Einstellungen; kann Minuten dauern</translation>
-    </message>
-    <message>
         <source>%1 · %2</source>
         <translation>%1 · %2</translation>
     </message>
@@ -1112,12 +1107,66 @@ Und %2 weitere.</translation>
         <source>Cancel</source>
         <translation>Abbrechen</translation>
     </message>
+    <message>
+        <source>Find the controller</source>
+        <translation>Steuerung suchen</translation>
+    </message>
+    <message>
+        <source>on all ports with the usual settings; takes seconds</source>
+        <translation>übliche Einstellungen; dauert Sekunden</translation>
+    </message>
+    <message>
+        <source>Choose the port</source>
+        <translation>Schnittstelle wählen</translation>
+    </message>
+    <message>
+        <source>by hand</source>
+        <translation>von Hand</translation>
+    </message>
+    <message>
+        <source>for training; moves no machine</source>
+        <translation>zum Üben; bewegt keine Maschine</translation>
+    </message>
+    <message>
+        <source>No controller with the usual settings. All settings take up to 15 min for each port.</source>
+        <translation>Keine Steuerung mit üblichen Einstellungen. Alle Einstellungen dauern bis zu 15 min je Schnittstelle.</translation>
+    </message>
+    <message>
+        <source>Search all settings</source>
+        <translation>Alle Einstellungen suchen</translation>
+    </message>
+    <message>
+        <source>Connect</source>
+        <translation>Verbinden</translation>
+    </message>
 </context>
 <context>
     <name>FirstLanguage</name>
     <message>
         <source>The Stop button is always available. It is not an emergency stop: use the machine&apos;s emergency-stop switch.</source>
         <translation>Die Taste Stopp ist immer verfügbar. Sie ist kein Not-Halt: dafür gibt es den Not-Halt der Maschine.</translation>
+    </message>
+</context>
+<context>
+    <name>FirstMachine</name>
+    <message>
+        <source>Limits and more</source>
+        <translation>Grenzen und mehr</translation>
+    </message>
+    <message>
+        <source>as set</source>
+        <translation>wie gesetzt</translation>
+    </message>
+</context>
+<context>
+    <name>FirstPicture</name>
+    <message>
+        <source>Controller</source>
+        <translation>Steuerung</translation>
+    </message>
+    <message>
+        <source>Panel</source>
+        <translation>Panel</translation>
     </message>
 </context>
 <context>
@@ -1140,10 +1189,6 @@ Und %2 weitere.</translation>
     <message>
         <source>Name</source>
         <translation>Name</translation>
-    </message>
-    <message>
-        <source>Next: Download, then Start.</source>
-        <translation>Weiter: Laden, dann Start.</translation>
     </message>
     <message>
         <source>Name of the recipe</source>
@@ -1187,6 +1232,18 @@ Und %2 weitere.</translation>
     <message>
         <source>Next</source>
         <translation>Weiter</translation>
+    </message>
+    <message>
+        <source>Cancel download</source>
+        <translation>Laden abbrechen</translation>
+    </message>
+    <message>
+        <source>Try again</source>
+        <translation>Erneut versuchen</translation>
+    </message>
+    <message>
+        <source>Download</source>
+        <translation>Laden</translation>
     </message>
 </context>
 <context>

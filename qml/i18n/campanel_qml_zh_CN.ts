@@ -326,6 +326,13 @@
     </message>
 </context>
 <context>
+    <name>BagDrawing</name>
+    <message>
+        <source>Knife and bag, to scale</source>
+        <translation>刀与袋（按比例）</translation>
+    </message>
+</context>
+<context>
     <name>BannerHost</name>
     <message>
         <source>OK</source>
@@ -1089,18 +1096,6 @@ And %2 more.</source>
         <translation>仿真控制器</translation>
     </message>
     <message>
-        <source>for training and tests; can be changed in Settings at any time</source>
-        <translation>用于培训和试验；随时可在“设置”中更改</translation>
-    </message>
-    <message>
-        <source>Search for the controller</source>
-        <translation>搜索控制器</translation>
-    </message>
-    <message>
-        <source>all serial ports and settings; may take several minutes</source>
-        <translation>所有串口和设置；可能需要几分钟</translation>
-    </message>
-    <message>
         <source>%1 · %2</source>
         <translation>%1 · %2</translation>
     </message>
@@ -1112,12 +1107,66 @@ And %2 more.</source>
         <source>Cancel</source>
         <translation>取消</translation>
     </message>
+    <message>
+        <source>Find the controller</source>
+        <translation>查找控制器</translation>
+    </message>
+    <message>
+        <source>on all ports with the usual settings; takes seconds</source>
+        <translation>所有端口，常用设置；只需数秒</translation>
+    </message>
+    <message>
+        <source>Choose the port</source>
+        <translation>选择端口</translation>
+    </message>
+    <message>
+        <source>by hand</source>
+        <translation>手动</translation>
+    </message>
+    <message>
+        <source>for training; moves no machine</source>
+        <translation>用于培训；不驱动机器</translation>
+    </message>
+    <message>
+        <source>No controller with the usual settings. All settings take up to 15 min for each port.</source>
+        <translation>常用设置下没有控制器。搜索全部设置时，每个端口最多需要 15 分钟。</translation>
+    </message>
+    <message>
+        <source>Search all settings</source>
+        <translation>搜索全部设置</translation>
+    </message>
+    <message>
+        <source>Connect</source>
+        <translation>连接</translation>
+    </message>
 </context>
 <context>
     <name>FirstLanguage</name>
     <message>
         <source>The Stop button is always available. It is not an emergency stop: use the machine&apos;s emergency-stop switch.</source>
         <translation>“停止”按钮始终可用。它不是急停：急停请用机器的急停开关。</translation>
+    </message>
+</context>
+<context>
+    <name>FirstMachine</name>
+    <message>
+        <source>Limits and more</source>
+        <translation>限值及其他</translation>
+    </message>
+    <message>
+        <source>as set</source>
+        <translation>按现有值</translation>
+    </message>
+</context>
+<context>
+    <name>FirstPicture</name>
+    <message>
+        <source>Controller</source>
+        <translation>控制器</translation>
+    </message>
+    <message>
+        <source>Panel</source>
+        <translation>面板</translation>
     </message>
 </context>
 <context>
@@ -1140,10 +1189,6 @@ And %2 more.</source>
     <message>
         <source>Name</source>
         <translation>名称</translation>
-    </message>
-    <message>
-        <source>Next: Download, then Start.</source>
-        <translation>下一步：在“运动”页按“下载”，再按“启动”。</translation>
     </message>
     <message>
         <source>Name of the recipe</source>
@@ -1187,6 +1232,18 @@ And %2 more.</source>
     <message>
         <source>Next</source>
         <translation>下一步</translation>
+    </message>
+    <message>
+        <source>Cancel download</source>
+        <translation>取消下载</translation>
+    </message>
+    <message>
+        <source>Try again</source>
+        <translation>重试</translation>
+    </message>
+    <message>
+        <source>Download</source>
+        <translation>下载</translation>
     </message>
 </context>
 <context>

@@ -69,15 +69,12 @@ void beginFirstStart(WalkingPanel& panel)
 // 180 mm, 80 a minute.
 void makeTheFirstRecipe(WalkingPanel& panel)
 {
-    panel.tap("Bag length");
-    panel.keys("180");
+    panel.keys("180"); // its keypad is open
     panel.tap("Rate");
     panel.keys("80");
-    panel.tap("Finish");
     panel.tap("Download");
     panel.waitFor("a program", [&] { return panel.controller().canStart(); });
     panel.hold("Start");
-    panel.tap("Run");
     panel.waitFor("a good bag", [&] { return std::abs(panel.controller().bags().meanMm - 180) < 1; });
 }
 
@@ -90,13 +87,13 @@ void change(WalkingPanel& panel, const char* field, const char* digits)
 }
 
 const Walk walks[] = {
-    {"1a", "first start to a good bag: 180 mm, 80 a minute, no PIN", 15, isNew, beginFirstStart,
+    {"1a", "first start to a good bag: 180 mm, 80 a minute, no PIN", 12, isNew, beginFirstStart,
      [](WalkingPanel& panel) {
          for (int step = 0; step < 4; ++step)
              panel.tap("Next");
          makeTheFirstRecipe(panel);
      }},
-    {"1b", "the same with a PIN of six digits", 31, isNew, beginFirstStart,
+    {"1b", "the same with a PIN of six digits", 28, isNew, beginFirstStart,
      [](WalkingPanel& panel) {
          panel.tap("Next");
          panel.tap("Next");

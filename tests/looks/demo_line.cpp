@@ -157,10 +157,10 @@ link::ScanReport demoSearch(modbus::ScanPlan::Depth depth)
     return report;
 }
 
-link::ScanReport demoSearchEnd(bool isFound, const modbus::Identity& identity)
+link::ScanReport demoSearchEnd(modbus::ScanPlan::Depth depth, bool isFound, const modbus::Identity& identity)
 {
     link::ScanReport report;
-    report.depth = modbus::ScanPlan::Depth::Search;
+    report.depth = depth;
     report.findings = troubles();
     if (!isFound)
         return report;

@@ -15,7 +15,8 @@ namespace campanel::looks {
 // Returns the progress of a search.
 [[nodiscard]] link::ScanReport demoSearch(modbus::ScanPlan::Depth depth);
 // Returns the end of a search: with a controller, or with the reasons why there is none.
-[[nodiscard]] link::ScanReport demoSearchEnd(bool isFound, const modbus::Identity& identity);
+[[nodiscard]] link::ScanReport demoSearchEnd(modbus::ScanPlan::Depth depth, bool isFound,
+                                             const modbus::Identity& identity);
 // Returns the registers of a machine that runs `program`, with an engaged encoder or none.
 [[nodiscard]] std::vector<std::uint16_t> demoRegisters(const link::ReadRequest& request,
                                                        const program::ProgramImage& program, bool hasEncoder);

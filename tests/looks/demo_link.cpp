@@ -200,6 +200,7 @@ void DemoLink::simulateFaults(const QStringList& /*rules*/)
 void DemoLink::startScan(modbus::ScanPlan::Depth depth)
 {
     m_isScanning = true;
+    m_scanDepth = depth;
     reportScan(demoSearch(depth));
 }
 
@@ -215,7 +216,7 @@ void DemoLink::cancelScan()
 void DemoLink::endScan(bool isFound)
 {
     m_isScanning = false;
-    reportScan(demoSearchEnd(isFound, demoIdentity()));
+    reportScan(demoSearchEnd(m_scanDepth, isFound, demoIdentity()));
 }
 
 void DemoLink::reportScan(const link::ScanReport& scan)

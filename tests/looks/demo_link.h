@@ -102,6 +102,7 @@ private:
     bool m_isShown = false;
     bool m_isSimulated = false;
     bool m_isScanning = false;
+    modbus::ScanPlan::Depth m_scanDepth = modbus::ScanPlan::Depth::Diagnosis;
     bool m_isOld = false;
     modbus::JamState m_jamState = modbus::JamState::Armed;
     modbus::OrderStatus m_order{

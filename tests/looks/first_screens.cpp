@@ -44,12 +44,26 @@ QList<Screen> firstScreens()
                  step("", 1, {QStringLiteral("firstSearch")}).enter(window);
                  window.settle();
              }},
+            {QStringLiteral("first-controller-none"),
+             [](TestWindow& window) {
+                 step("", 1, {QStringLiteral("firstSearch")}).enter(window);
+                 window.link().endScan(false);
+                 window.settle();
+             }},
+            {QStringLiteral("first-controller-found"),
+             [](TestWindow& window) {
+                 step("", 1, {QStringLiteral("firstSearch")}).enter(window);
+                 window.link().endScan(true);
+                 window.settle();
+             }},
             step("first-pin", 2),
             step("first-pin-user", 2, {QStringLiteral("firstSetPin")}),
             step("first-machine", 3),
+            step("first-machine-others", 3, {QStringLiteral("firstOthers")}),
             step("first-machine-keypad", 3, {QStringLiteral("first_knife_radius_mm")}),
-            step("first-recipe", 4),
+            step("first-recipe", 4), // the keypad of the length is open
             step("first-recipe-keypad", 4, {QStringLiteral("first_rate_bags_per_min")}),
+            step("first-recipe-wide", 4, {QStringLiteral("keypadCancel")}),
             step("first-start-refused", 4, {QStringLiteral("startKey")})};
 }
 

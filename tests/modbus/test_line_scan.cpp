@@ -204,6 +204,26 @@ private slots:
         QCOMPARE(slave.writes(), 0);
     }
 
+    void aUsualSearchTriesTheUsualSettings()
+    {
+        ScriptedSlave silent(9); // a unit that only a search of all settings asks
+        LineScan scan(ScanPlan{silent.port(), {}, 2, {"/dev/ttyNONE1", "/dev/ttyNONE2"}, Depth::Usual});
+        QCOMPARE(scan.progress().total, 3 * 2 * 10); // ports, units 2 and 1, lines
+        QVERIFY(scan.progress().remaining < std::chrono::seconds{15});
+        while (!scan.ended())
+            scan.advance();
+        QVERIFY(scan.controller() == nullptr);
+        QCOMPARE(scan.findings().size(), std::size_t{3}); // the reason of each port
+
+        ScriptedSlave answering; // unit 1, beside the configured one
+        LineScan found(ScanPlan{"", {}, 2, {answering.port()}, Depth::Usual});
+        while (!found.ended())
+            found.advance();
+        QVERIFY(found.controller() != nullptr);
+        QCOMPARE(found.controller()->unit, 1);
+        QCOMPARE(answering.writes(), 0);
+    }
+
     void echoIsNoGarbage()
     {
         ScriptedSlave slave;

@@ -502,7 +502,7 @@ private slots:
         QCOMPARE(textOf("banner"), QStringLiteral("The controller has no program. Download a recipe first."));
         const QQuickItem* banner = m_window->find(QStringLiteral("banner"));
         const QRectF notice = banner->mapRectToScene(banner->boundingRect());
-        for (const char* name : {"nextStep", "downloadStart", "firstNext", "keypadAccept"}) {
+        for (const char* name : {"nextStep", "downloadStart", "firstNext", "firstDownload", "keypadAccept"}) {
             if (const QQuickItem* wanted = m_window->find(QString::fromLatin1(name)))
                 QVERIFY2(!notice.intersects(wanted->mapRectToScene(wanted->boundingRect())), name);
         }

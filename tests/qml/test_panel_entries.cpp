@@ -83,8 +83,10 @@ private slots:
             }
         }
         m_window->type(u"180"_s);
-        tap("firstNext"); // takes the number and ends the first start
+        tap("firstDownload"); // takes the number and downloads
         QCOMPARE(editor().bagLength()->value(), 180.0);
+        QVERIFY(!isOn("keypad"));
+        tap("firstFinish");
         QVERIFY(!isOn("firstTitle"));
     }
 

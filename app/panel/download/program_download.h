@@ -26,6 +26,7 @@ class ProgramDownload : public QObject {
     // of the speed before; empty when it goes on.
     Q_PROPERTY(QList<QPointF> changeSpeeds READ changeSpeeds NOTIFY changed FINAL)
     Q_PROPERTY(bool canDownload READ canDownload NOTIFY changed FINAL)
+    Q_PROPERTY(bool busy READ isUnderWay NOTIFY changed FINAL)
     Q_PROPERTY(campanel::panel::RowModelBase* differences READ differences CONSTANT FINAL)
     Q_PROPERTY(int differenceCount READ differenceCount NOTIFY changed FINAL)
     Q_PROPERTY(QString controllerText READ controllerText NOTIFY changed FINAL)
@@ -58,6 +59,7 @@ public:
     [[nodiscard]] double progress() const { return m_report.fraction; }
     [[nodiscard]] QString text() const;
     [[nodiscard]] QList<QPointF> changeSpeeds() const { return m_forecast.speeds(); }
+    [[nodiscard]] bool isUnderWay() const;
     [[nodiscard]] bool canDownload() const { return m_state == State::Ready || m_canRetry; }
     [[nodiscard]] DifferenceModel* differences() { return &m_differences; }
     [[nodiscard]] int differenceCount() const { return m_differences.count(); }
@@ -81,7 +83,6 @@ signals:
 
 private:
     void sendTrims(const program::Recipe& recipe);
-    [[nodiscard]] bool isUnderWay() const;
     [[nodiscard]] QString blockedReason() const; // empty when the download is possible
     [[nodiscard]] QString readyText() const;
     [[nodiscard]] bool changesMachineData() const;

@@ -65,6 +65,12 @@ QString LinkDoctor::foundText() const
                                  .arg(found.port, DoctorSentences::settings(found.line, found.unit));
 }
 
+bool LinkDoctor::offersSearch() const
+{
+    return m_report && !m_report->isRunning && !m_report->isCanceled && !m_report->found &&
+           m_report->depth == Depth::Usual && !m_report->findings.isEmpty();
+}
+
 bool LinkDoctor::canTake() const
 {
     return m_report && !m_report->isRunning && m_report->found && !m_settings.isInUse(*m_report->found);
@@ -76,7 +82,7 @@ QString LinkDoctor::resultText() const
         return tr("Diagnose tests the port in use. Search tries all ports, baud rates, parities and unit "
                   "numbers, which may take long; both only read and interrupt the connection.");
     if (m_report->isRunning)
-        return m_report->depth == Depth::Search
+        return m_report->depth != Depth::Diagnosis
                    ? tr("Searching. The panel reconnects afterwards.")
                    : tr("Testing the port in use. The panel reconnects afterwards.");
     if (canTake())
@@ -95,6 +101,11 @@ void LinkDoctor::diagnose()
     begin(Depth::Diagnosis);
 }
 
+void LinkDoctor::searchUsual()
+{
+    begin(Depth::Usual);
+}
+
 void LinkDoctor::search()
 {
     begin(Depth::Search);
@@ -106,7 +117,7 @@ void LinkDoctor::begin(Depth depth)
     if (!m_controller.accessCheck().require(Level::Operator) || !canBegin())
         return;
     m_controller.link().startScan(depth);
-    emit begun(depth == Depth::Search);
+    emit begun(depth != Depth::Diagnosis);
 }
 
 void LinkDoctor::cancel()

@@ -34,6 +34,8 @@ class LinkDoctor : public QObject {
     // True when a controller answers on a connection other than the present one.
     Q_PROPERTY(bool canTake READ canTake NOTIFY changed FINAL)
     Q_PROPERTY(QString foundText READ foundText NOTIFY changed FINAL)
+    // True when a search of the usual settings has found no controller.
+    Q_PROPERTY(bool offersSearch READ offersSearch NOTIFY changed FINAL)
     Q_PROPERTY(campanel::panel::RowModelBase* findings READ findings CONSTANT FINAL)
 
 public:
@@ -49,10 +51,13 @@ public:
     [[nodiscard]] QString resultText() const;
     [[nodiscard]] bool canTake() const;
     [[nodiscard]] QString foundText() const;
+    [[nodiscard]] bool offersSearch() const;
     [[nodiscard]] OfferModel* findings() { return &m_findings; }
 
     // Checks the port in use with a few questions.
     Q_INVOKABLE void diagnose();
+    // Searches every port with the usual settings, which takes seconds.
+    Q_INVOKABLE void searchUsual();
     // Searches every port with every setting, up to the first controller.
     Q_INVOKABLE void search();
     Q_INVOKABLE void cancel();

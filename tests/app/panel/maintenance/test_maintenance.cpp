@@ -135,6 +135,33 @@ private slots:
         QVERIFY(!doctor.running() && !doctor.canTake());
     }
 
+    // The first start asks before the long search.
+    void aUsualSearchWithoutAControllerOffersTheLongOne()
+    {
+        PanelRig rig;
+        panel::LinkDoctor& doctor = *rig.maintenance.doctor();
+        doctor.searchUsual();
+        QCOMPARE(rig.link.scans, QList<Depth>{Depth::Usual});
+        link::ScanReport report;
+        report.depth = Depth::Usual;
+        report.isRunning = true;
+        emit rig.link.scanReported(report);
+        QVERIFY(!doctor.offersSearch());
+        report.isRunning = false;
+        emit rig.link.scanReported(report);
+        QVERIFY(!doctor.offersSearch()); // there is no port
+        report.findings = {modbus::LineFinding{}};
+        emit rig.link.scanReported(report);
+        QVERIFY(doctor.offersSearch());
+        report.isCanceled = true;
+        emit rig.link.scanReported(report);
+        QVERIFY(!doctor.offersSearch());
+        report.isCanceled = false;
+        report.depth = Depth::Search;
+        emit rig.link.scanReported(report);
+        QVERIFY(!doctor.offersSearch()); // nothing is left to try
+    }
+
     void aFoundConnectionIsTakenOver()
     {
         PanelRig rig;
