@@ -15,8 +15,6 @@ constexpr milliseconds drainTime{25};
 constexpr int attemptsWhenDamaged = 2;
 // The units of a diagnosis besides the configured one.
 constexpr std::array likelyUnits{1, 2, 3};
-// The configured line, and every baud rate with the two usual formats.
-constexpr std::size_t usualLines = 2 * supportedBauds.size() + 1;
 // The allowance in a search: longer than the 16 ms of a USB adapter and the work of a slow device.
 constexpr milliseconds shortAllowance{60};
 constexpr milliseconds longAllowance = AnswerAllowance::longest; // the promised maximum
@@ -118,13 +116,15 @@ void LineScan::planDiagnosis()
     }
 }
 
-// Plans the configured unit and unit 1 with every setting of the line, then all units; a usual search has
-// only the first part, of the likely settings.
+// Plans the configured unit and unit 1 with every setting of the line, then all units; a usual search only
+// has the first part, with one stop bit and no or even parity.
 void LineScan::planSearch(bool isUsual)
 {
     std::vector<LineSettings> lines = likelyLines(m_plan.line);
     if (isUsual)
-        lines.resize(std::min(lines.size(), usualLines));
+        std::erase_if(lines, [&](const LineSettings& line) {
+            return !isSame(line, m_plan.line) && (line.stopBits != 1 || line.parity == Parity::Odd);
+        });
     const auto ports = static_cast<std::uint16_t>(m_ports.size());
     for (const LineSettings& line : lines) {
         for (std::uint16_t port = 0; port < ports; ++port) {

@@ -58,7 +58,7 @@ struct LineFinding {
 struct ScanPlan {
     enum class Depth : std::uint8_t {
         Diagnosis, // the configured port and line, the configured unit and several others
-        Usual,     // every port with the usual baud rates, no or even parity, the configured unit and unit 1
+        Usual,     // every port and baud rate with 8N1 and 8E1, the configured unit and unit 1
         Search,    // every port, baud rate, parity, stop bits and unit, until a controller is found
     };
 

@@ -48,26 +48,28 @@ Item {
         name: qsTr("Controller")
         marked: picture.lit === "plug"
     }
-    Rectangle { // the line with its plug
+    Rectangle {
+        id: line
         x: controller.width
         y: picture.upper / 2 - height / 2
         width: panel.x - x
         height: Theme.size.accent
         visible: !picture.small
         color: picture.lit === "plug" ? Theme.color.touch : Theme.color.target
-        Rectangle {
+    }
+    Rectangle { // the plug of the line
+        anchors.centerIn: line
+        width: plug.width + 2 * Theme.size.spacing
+        height: width
+        radius: width / 2
+        visible: !picture.small
+        color: picture.lit === "plug" ? Theme.color.touch : Theme.color.surface
+        border { width: Theme.size.outline; color: line.color }
+        IconLabel {
+            id: plug
             anchors.centerIn: parent
-            width: plug.width + 2 * Theme.size.spacing
-            height: width
-            radius: width / 2
-            color: picture.lit === "plug" ? Theme.color.touch : Theme.color.surface
-            border { width: Theme.size.outline; color: picture.lit === "plug" ? Theme.color.touch : Theme.color.target }
-            IconLabel {
-                id: plug
-                anchors.centerIn: parent
-                code: Theme.icon.serialPort
-                color: picture.lit === "plug" ? Theme.color.touchInk : Theme.color.secondaryInk
-            }
+            code: Theme.icon.serialPort
+            color: picture.lit === "plug" ? Theme.color.touchInk : Theme.color.secondaryInk
         }
     }
     Box {

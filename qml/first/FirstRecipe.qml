@@ -75,7 +75,8 @@ FirstStep {
             width: parent.width
             wrapMode: Text.WordWrap
             text: Theme.unbroken(step.program.busy || step.ended || Editor.severity !== Editor.Severity.Bad ? step.program.text : "")
-            color: step.failed ? Theme.color.fault : Theme.color.secondaryInk
+            color: step.failed ? Theme.color.fault : step.ended ? Theme.color.ink : Theme.color.secondaryInk
+            font.weight: step.ended ? Font.DemiBold : Font.Normal
         },
         ProgressBar {
             width: parent.width

@@ -84,8 +84,8 @@ Page {
         Button {
             objectName: "firstBack"
             anchors { left: parent.left; bottom: parent.bottom; margins: Theme.size.padding }
-            width: 2 * Theme.size.touch
-            visible: page.step > 0 && !page.narrow
+            width: (page.narrow ? 1.5 : 2) * Theme.size.touch
+            visible: page.step > 0 && x + width < keys.x
             text: qsTr("Back")
             onClicked: page.goBack()
         }

@@ -64,6 +64,7 @@ QList<Screen> firstScreens()
             step("first-recipe", 4), // the keypad of the length is open
             step("first-recipe-keypad", 4, {QStringLiteral("first_rate_bags_per_min")}),
             step("first-recipe-wide", 4, {QStringLiteral("keypadCancel")}),
+            step("first-recipe-downloading", 4, {QStringLiteral("firstDownload")}),
             step("first-start-refused", 4, {QStringLiteral("startKey")})};
 }
 

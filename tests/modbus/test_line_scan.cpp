@@ -209,7 +209,7 @@ private slots:
         ScriptedSlave silent(9); // a unit that only a search of all settings asks
         LineScan scan(ScanPlan{silent.port(), {}, 2, {"/dev/ttyNONE1", "/dev/ttyNONE2"}, Depth::Usual});
         QCOMPARE(scan.progress().total, 3 * 2 * 10); // ports, units 2 and 1, lines
-        QVERIFY(scan.progress().remaining < std::chrono::seconds{15});
+        QVERIFY(scan.progress().remaining < std::chrono::seconds{10});
         while (!scan.ended())
             scan.advance();
         QVERIFY(scan.controller() == nullptr);

@@ -90,6 +90,49 @@ private slots:
         QVERIFY(!isOn("firstTitle"));
     }
 
+    void theFirstStartAsksBeforeTheLongSearch()
+    {
+        enter(u"first-controller-none"_s);
+        QVERIFY(!isOn("firstTake"));
+        QVERIFY(!isOn("firstSearchCancel"));
+        tap("firstSearchAll");
+        QVERIFY(isOn("firstSearchCancel"));
+        QVERIFY(!isOn("firstSearchAll"));
+        m_window->link().endScan(true);
+        m_window->settle();
+        tap("firstTake");
+        QCOMPARE(m_window->panel().settings().connection().portName, u"/dev/ttyUSB1"_s);
+    }
+
+    void theFirstStartTakesAPortThatSomebodyChooses()
+    {
+        enter(u"first-controller"_s);
+        QVERIFY(!isOn("firstConnect"));
+        tap("firstPort");
+        QVERIFY(isOn("sheetPanel"));
+        panel::Settings& settings = m_window->panel().settings();
+        settings.setPortName(u"/dev/ttyS7"_s); // as a row of the list does
+        tap("sheetClose");
+        tap("firstConnect");
+        QVERIFY(!settings.connection().simulated);
+        QCOMPARE(settings.connection().portName, u"/dev/ttyS7"_s);
+        QVERIFY(!isOn("firstConnect"));
+    }
+
+    void theOtherNumbersOfTheMachineHaveAWayBack()
+    {
+        enter(u"first-machine"_s);
+        QVERIFY(!isOn("first_max_motor_rpm"));
+        tap("firstOthers");
+        QVERIFY(isOn("first_max_motor_rpm"));
+        QVERIFY(!isOn("first_knives"));
+        tap("firstBack");
+        QVERIFY(isOn("first_knives"));
+        QCOMPARE(textOf("firstTitle"), u"Machine"_s);
+        tap("firstBack");
+        QVERIFY(!isOn("first_knives"));
+    }
+
     void theKeypadOfTheRatiosLeavesNavigationAndCurve_data() { addSizes(); }
     void theKeypadOfTheRatiosLeavesNavigationAndCurve()
     {
