@@ -50,7 +50,7 @@ FirstStep {
             }
             SettingRow {
                 objectName: "firstOthers"
-                visible: !step.showsAll
+                visible: !step.showsAll && !step.narrow
                 width: grid.cell
                 height: Theme.size.touch
                 label: qsTr("Limits and more")

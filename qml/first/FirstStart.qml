@@ -96,6 +96,7 @@ Page {
             readonly property real keyWidth: Math.min(parent.width - 2 * Theme.size.padding, 2.4 * Theme.size.touch)
             Button {
                 objectName: "firstFinish"
+                level: Access.Technician   // of the start permit
                 width: Math.max(implicitWidth, keys.keyWidth)
                 visible: page.isLast && !page.narrow
                 text: qsTr("Finish")
@@ -111,7 +112,7 @@ Page {
             }
             Button {
                 objectName: "firstDownload"
-                level: Access.Operator
+                level: Access.Technician
                 width: Math.max(implicitWidth, keys.keyWidth)
                 visible: page.isLast && !Editor.programDownload.busy
                 kind: Button.Primary
