@@ -12,15 +12,18 @@ FirstStep {
     id: step
 
     readonly property list<string> mainNames: ["knife_radius_mm", "knives", "pulses_per_motor_rev", "gear_numerator", "gear_denominator"]
-    readonly property var mainFields: fields.filter(field => mainNames.includes(field.fieldId))
     readonly property var fields: Array.from(Editor.machineFields)
     // A machine without these numbers shows all of its own.
-    readonly property bool showsAll: detail || mainFields.length === 0
-    property EditorField chosen: (showsAll ? fields : mainFields)[0] as EditorField
+    readonly property bool showsOthers: detail || !fields.some(field => mainNames.includes(field.fieldId))
+    property EditorField chosen: shown(showsOthers)[0] as EditorField
+
+    function shown(others: bool): var {
+        return step.fields.filter(field => step.mainNames.includes(field.fieldId) !== others)
+    }
 
     lit: "machine"
     fieldId: chosen?.fieldId ?? ""
-    onDetailChanged: chosen = (detail ? fields.find(field => !mainNames.includes(field.fieldId)) : mainFields[0]) as EditorField
+    onShowsOthersChanged: chosen = shown(showsOthers)[0] as EditorField
 
     Flickable {
         id: list
@@ -37,7 +40,7 @@ FirstStep {
             width: list.width - scrollMark.room
             readonly property real cell: Math.floor((width - spacing) / 2)
             Repeater {
-                model: step.showsAll ? step.fields.filter(field => step.mainFields.length === 0 || !step.mainNames.includes(field.fieldId)) : step.mainFields
+                model: step.shown(step.showsOthers)
                 FieldTile {
                     required property var modelData
                     objectName: "first_" + item.fieldId
@@ -50,7 +53,7 @@ FirstStep {
             }
             SettingRow {
                 objectName: "firstOthers"
-                visible: !step.showsAll && !step.narrow
+                visible: !step.showsOthers && !step.narrow
                 width: grid.cell
                 height: Theme.size.touch
                 label: qsTr("Limits and more")
