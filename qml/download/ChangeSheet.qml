@@ -14,7 +14,7 @@ Sheet {
     required property string name          // of the recipe's number
     readonly property EditorField field: Editor.field(sheet.name)
     readonly property ProgramDownload load: Editor.programDownload
-    readonly property bool busy: [ProgramDownload.State.Transferring, ProgramDownload.State.Sealing, ProgramDownload.State.Armed].includes(load.state)
+    readonly property bool busy: load.busy
     readonly property bool failed: load.state === ProgramDownload.State.Failed
     readonly property bool isChanged: field.shownValue !== before
     readonly property bool refused: isChanged && !busy && !load.canDownload && load.state !== ProgramDownload.State.NothingToDo

@@ -78,14 +78,6 @@ void makeTheFirstRecipe(WalkingPanel& panel)
     panel.waitFor("a good bag", [&] { return std::abs(panel.controller().bags().meanMm - 180) < 1; });
 }
 
-void change(WalkingPanel& panel, const char* field, const char* digits)
-{
-    panel.tap(QString::fromLatin1(field));
-    panel.keys(QString::fromLatin1(digits));
-    panel.tap("OK");
-    panel.tap("Download");
-}
-
 const Walk walks[] = {
     {"1a", "first start to a good bag: 180 mm, 80 a minute, no PIN", 12, isNew, beginFirstStart,
      [](WalkingPanel& panel) {
@@ -108,15 +100,28 @@ const Walk walks[] = {
          panel.tap("Next");
          makeTheFirstRecipe(panel);
      }},
-    {"2a", "another bag length while the machine runs", 6, used, run,
+    {"2a", "the bag length 1 mm longer while the machine runs", 3, used, run,
      [](WalkingPanel& panel) {
-         change(panel, "Change: Bag length", "220");
-         panel.waitFor("220 mm", [&] { return panel.controller().active().bagLengthMm == 220; });
+         panel.tap("Change: Bag length");
+         panel.tap("More");
+         panel.tap("Apply at the next bag");
+         panel.waitFor("251 mm", [&] { return panel.controller().active().bagLengthMm == 251; });
      }},
-    {"2b", "another rate while the machine runs", 5, used, run,
+    {"2b", "the rate 1 a minute higher while the machine runs", 3, used, run,
      [](WalkingPanel& panel) {
-         change(panel, "Change: Rate", "80");
-         panel.waitFor("80 a minute", [&] { return panel.controller().active().rateBagsPerMin == 80; });
+         panel.tap("Change: Rate");
+         panel.tap("More");
+         panel.tap("Apply at the next bag");
+         panel.waitFor("61 a minute", [&] { return panel.controller().active().rateBagsPerMin == 61; });
+     }},
+    {"2c", "a bag length of three digits while the machine runs", 7, used, run,
+     [](WalkingPanel& panel) {
+         panel.tap("Change: Bag length");
+         panel.tap("Keypad");
+         panel.keys("220");
+         panel.tap("OK");
+         panel.tap("Apply at the next bag");
+         panel.waitFor("220 mm", [&] { return panel.controller().active().bagLengthMm == 220; });
      }},
     {"3", "a length too small, too large, then a valid one", 7, used, openMotion,
      [](WalkingPanel& panel) {
