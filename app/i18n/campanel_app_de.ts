@@ -696,6 +696,18 @@
         <source>Exchange wires A and B, or change the sign with Reversed counting under Settings, Machine, Master, then reset the fault.</source>
         <translation>Adern A und B tauschen oder unter Einstellungen, Maschine, Leitachse die Zählrichtung umkehren, dann Störung quittieren.</translation>
     </message>
+    <message>
+        <source>Data disk missing</source>
+        <translation>Datenträger fehlt</translation>
+    </message>
+    <message>
+        <source>The disk with the panel&apos;s data cannot be used. Recipes, users and records are missing, and new data are lost at a restart.</source>
+        <translation>Der Datenträger mit den Daten des Panels ist nicht nutzbar. Rezepte, Benutzer und Aufzeichnungen fehlen, und neue Daten gehen bei einem Neustart verloren.</translation>
+    </message>
+    <message>
+        <source>Replace the disk and restore a backup.</source>
+        <translation>Datenträger tauschen und eine Sicherung zurückspielen.</translation>
+    </message>
 </context>
 <context>
     <name>AlarmWords</name>
@@ -4857,6 +4869,10 @@ eff. %2</translation>
     <message>
         <source>a name has visible characters only, and at least one</source>
         <translation>ein Name hat nur sichtbare Zeichen und mindestens eines</translation>
+    </message>
+    <message>
+        <source>The disk with the panel&apos;s data cannot be used: %1. Replace the disk and restore a backup.</source>
+        <translation>Der Datenträger mit den Daten des Panels ist nicht nutzbar: %1. Datenträger tauschen und eine Sicherung zurückspielen.</translation>
     </message>
 </context>
 <context>

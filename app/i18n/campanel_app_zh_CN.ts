@@ -696,6 +696,18 @@
         <source>Exchange wires A and B, or change the sign with Reversed counting under Settings, Machine, Master, then reset the fault.</source>
         <translation>请互换编码器的 A、B 相接线，或在“设置、机器、主轴”中更改反向计数，然后复位故障。</translation>
     </message>
+    <message>
+        <source>Data disk missing</source>
+        <translation>数据磁盘缺失</translation>
+    </message>
+    <message>
+        <source>The disk with the panel&apos;s data cannot be used. Recipes, users and records are missing, and new data are lost at a restart.</source>
+        <translation>面板的数据磁盘无法使用。配方、用户和记录缺失，新数据会在重启时丢失。</translation>
+    </message>
+    <message>
+        <source>Replace the disk and restore a backup.</source>
+        <translation>请更换数据磁盘并恢复备份。</translation>
+    </message>
 </context>
 <context>
     <name>AlarmWords</name>
@@ -4855,6 +4867,10 @@ RMS %2</source>
     <message>
         <source>a name has visible characters only, and at least one</source>
         <translation>名称只能含可见字符，且至少一个</translation>
+    </message>
+    <message>
+        <source>The disk with the panel&apos;s data cannot be used: %1. Replace the disk and restore a backup.</source>
+        <translation>面板的数据磁盘无法使用：%1。请更换数据盘并恢复备份。</translation>
     </message>
 </context>
 <context>

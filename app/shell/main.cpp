@@ -3,6 +3,7 @@
 #include "app/link/threaded_link.h"
 #include "app/shell/clock_state.h"
 #include "app/shell/configuration.h"
+#include "app/shell/data_disk.h"
 #include "app/shell/folder_wait.h"
 #include "app/shell/fonts.h"
 #include "app/shell/kiosk.h"
@@ -119,7 +120,8 @@ int runPanel(const shell::Options& options, const panel::SettingValues& configur
              const QString& keyFolder, const shell::ServiceManager& manager)
 {
     link::ThreadedLink link(nullptr);
-    shell::Panel panel(link, {{}, {}, configuration, keyFolder});
+    const QString diskLost = shell::diskLost();
+    shell::Panel panel(link, {{}, {}, configuration, keyFolder, diskLost});
     panel.records().setClockState([] { return shell::clockState(); });
     panel.update().setPlaces(panel::UpdatePlaces::ofService());
     panel.touchCalibration().setPlaces(panel::TouchPlaces::ofService());
@@ -144,14 +146,15 @@ int runPanel(const shell::Options& options, const panel::SettingValues& configur
     });
     QObject::connect(
         &panel.window(), &QQuickWindow::frameSwapped, &panel,
-        [&panel, &options] {
+        [&panel, &options, &diskLost] {
             if (options.isKiosk)
                 shell::noteScreenWorks({});
             if (options.isFirstFrameAnnounced) {
                 std::puts("first frame");
                 std::fflush(stdout);
             }
-            panel.settings().offerFirstStart(panel.wasSetUp());
+            if (diskLost.isEmpty()) // else the panel was set up, and the machine's configuration applies
+                panel.settings().offerFirstStart(panel.wasSetUp());
             panel.open();
         },
         Qt::ConnectionType(Qt::AutoConnection | Qt::SingleShotConnection));

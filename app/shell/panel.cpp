@@ -108,6 +108,8 @@ Panel::Panel(link::Link& link, const Storage& storage)
     m_commissioning.setPrinter(print);
     m_shiftReport.setPrinter(print);
     m_records.noteRestore(m_restore);
+    if (!storage.diskLost.isEmpty())
+        m_records.noteDiskLost(storage.diskLost);
     connect(&m_backup, &panel::Backup::restartWanted, this, &Panel::restartWanted);
     m_bundle.setScreen([this] {
         QByteArray png;

@@ -53,6 +53,7 @@ struct Storage {
     QString recipeFolder;
     panel::SettingValues standard{}; // until another value is set on the panel
     QString keyFolder{};             // public keys of those who sign recipes; empty: none
+    QString diskLost{};              // why the disk for the data is missing; empty: it is there
 };
 
 class Panel : public QObject {

@@ -17,7 +17,12 @@ StoreThread::StoreThread(const QString& folder, const DatabaseFile& file, QObjec
     qRegisterMetaType<Report>();
     m_thread.setObjectName(QStringLiteral("store"));
     m_worker->moveToThread(&m_thread);
-    QMetaObject::invokeMethod(m_worker.get(), [this] { take(Database::open(m_folder, m_file)); });
+    QMetaObject::invokeMethod(m_worker.get(), [this] {
+        if (m_withheld)
+            take(tl::unexpected(*m_withheld));
+        else
+            take(Database::open(m_folder, m_file));
+    });
 }
 
 void StoreThread::beginAnew()

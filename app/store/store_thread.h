@@ -30,6 +30,8 @@ public:
                          QObject* parent = nullptr);
     ~StoreThread() override;
 
+    // Keeps the database closed for this reason; open() then reports it. Call it before open().
+    void withhold(const StoreError& reason) { m_withheld = reason; }
     // Opens the database; opened() reports the result. Earlier jobs wait for it.
     void open();
     // Moves a file aside that a job found damaged and creates another one; opened() reports it.
@@ -60,6 +62,7 @@ private:
 
     QString m_folder;
     DatabaseFile m_file;
+    std::optional<StoreError> m_withheld;
     QThread m_thread;
     std::unique_ptr<QObject> m_worker;    // lives in m_thread
     std::unique_ptr<Database> m_database; // created, used and destroyed in m_thread

@@ -36,6 +36,7 @@ Item {
         : TouchCalibration.notice.length > 0 ? TouchCalibration.notice : startRefused ? Controller.startBlockedReason : ""
     readonly property bool stopShown: Controller.stopWaits
     readonly property bool undoShown: !stopShown && answer.length > 0 && answer === Stops.answerText
+    readonly property bool diskLostShown: DatabaseService.diskLost && answer.length > 0 && answer === DatabaseService.notice
     readonly property bool alarmShown: !above && !faultOnPage && !stopShown && answer.length === 0 && alarm.length > 0 && alarm !== putAside && !Alarms.seen
     readonly property bool shown: stopShown || (answer.length > 0 && !(above && answer === answerBelow)) || alarmShown
 
@@ -104,7 +105,7 @@ Item {
             objectName: "banner"
             anchors.fill: parent
             text: host.stopShown ? Controller.stopWaitsText : host.alarmShown ? host.mostUrgent : host.answer
-            severity: host.stopShown ? Banner.Warning : host.alarmShown ? (Controller.faulted ? Banner.Fault : Banner.Warning) : Banner.Information
+            severity: host.stopShown ? Banner.Warning : host.alarmShown ? (Controller.faulted ? Banner.Fault : Banner.Warning) : host.diskLostShown ? Banner.Fault : Banner.Information
             buttonText: host.stopShown ? qsTr("Withdraw") : qsTr("OK")
             wayText: host.undoShown ? qsTr("Undo") : host.alarmShown && (host.alarms.length > 1 || Controller.faulted && Alarms.urgentCode.length > 0) ? qsTr("Show") : ""
             onAccepted: host.accept()

@@ -293,6 +293,16 @@ QList<Screen> accessScreens()
                  window.tap(u"nav_motion"_s);
                  window.tap(u"field_base_speed_mm_per_s"_s);
              }},
+            {u"disk-lost"_s,
+             [](TestWindow& window) {
+                 QLoggingCategory::setFilterRules(u"campanel.store=false"_s); // the loss is intended
+                 window.panel().records().reportError(
+                     {store::StoreError::Kind::DiskLost,
+                      {},
+                      u"/dev/mmcblk0p3: the check found damage that cannot be repaired"_s});
+                 QLoggingCategory::setFilterRules({});
+                 window.settle();
+             }},
             {u"login-short-pin"_s,
              [](TestWindow& window) {
                  addUsers(window);

@@ -170,8 +170,7 @@ void AlarmWatch::noteRecipe()
 void AlarmWatch::noteOpening(const store::StoreThread::Report& report)
 {
     if (report.error)
-        emit raised(AlarmCatalogue::of(store::StoreError::Kind::CannotOpen),
-                    store::StoreErrorText::describe(*report.error));
+        emit raised(AlarmCatalogue::of(report.error->kind), store::StoreErrorText::describe(*report.error));
     else if (report.opening.isReplaced())
         raiseEvent(AlarmCatalogue::memoryDamaged(report.opening.fromCopy), report.opening.damagedKeptAs);
 }

@@ -31,6 +31,17 @@ DatabaseService::DatabaseService(const QString& folder, QObject* parent)
 
 DatabaseService::~DatabaseService() = default;
 
+void DatabaseService::noteDiskLost(const QString& reason)
+{
+    m_store.withhold({store::StoreError::Kind::DiskLost, {}, reason});
+}
+
+bool DatabaseService::isDiskLost() const
+{
+    const auto& shown = m_error ? m_error : m_openError;
+    return shown && shown->kind == store::StoreError::Kind::DiskLost;
+}
+
 void DatabaseService::takeOpening(const store::StoreThread::Report& report)
 {
     m_openError = report.error;

@@ -24,16 +24,22 @@ class DatabaseService : public QObject, public Singleton<DatabaseService> {
     QML_SINGLETON
     // The notice about the panel's storage: it was damaged, the disk is full ...; empty: none.
     Q_PROPERTY(QString notice READ notice NOTIFY noticeChanged FINAL)
+    // True while the notice says that the disk for the data is missing, which is as urgent as a fault.
+    Q_PROPERTY(bool diskLost READ isDiskLost NOTIFY noticeChanged FINAL)
 
 public:
     // `folder` contains the database.
     DatabaseService(const QString& folder, QObject* parent);
     ~DatabaseService() override;
 
+    // Keeps the database closed because the disk for the data is missing; `reason` is what the boot says.
+    // Call it before open().
+    void noteDiskLost(const QString& reason);
     // Opens the database; until then nothing is read or stored.
     void open() { m_store.open(); }
 
     [[nodiscard]] QString notice() const;
+    [[nodiscard]] bool isDiskLost() const;
     Q_INVOKABLE void dismissNotice();
 
     [[nodiscard]] store::StoreThread& store() { return m_store; }

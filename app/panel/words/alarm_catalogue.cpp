@@ -236,6 +236,11 @@ constexpr std::array kinds{
               QT_TRANSLATE_NOOP("AlarmCatalogue", "A touchscreen of this panel was unplugged or has failed."),
               QT_TRANSLATE_NOOP("AlarmCatalogue",
                                 "Check the cable of the touchscreen. Stop the machine with its own switch.")},
+    AlarmKind{"P-12", fault, runsOn, QT_TRANSLATE_NOOP("AlarmCatalogue", "Data disk missing"),
+              QT_TRANSLATE_NOOP("AlarmCatalogue",
+                                "The disk with the panel's data cannot be used. Recipes, users and records "
+                                "are missing, and new data are lost at a restart."),
+              QT_TRANSLATE_NOOP("AlarmCatalogue", "Replace the disk and restore a backup.")},
 };
 
 QString translated(const char* source)
@@ -354,6 +359,8 @@ const AlarmKind& AlarmCatalogue::of(store::StoreError::Kind kind)
     case Kind::Foreign:
     case Kind::InUse:
         return known("P-03");
+    case Kind::DiskLost:
+        return known("P-12");
     case Kind::PinsLost:
         return known("P-09");
     case Kind::Full:

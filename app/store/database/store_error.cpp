@@ -24,6 +24,9 @@ QString StoreErrorText::describe(const StoreError& error)
                   "file "
                   "away, restart the panel and restore a backup.")
             .arg(path, error.detail);
+    case StoreError::Kind::DiskLost:
+        return tr("The disk with the panel's data cannot be used: %1. Replace the disk and restore a backup.")
+            .arg(error.detail);
     case StoreError::Kind::InUse:
         return tr("The panel's database %1 is in use by another program. Close that program, then restart "
                   "the panel.")

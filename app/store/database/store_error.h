@@ -13,6 +13,7 @@ struct StoreError {
         NewerSchema, // written by a newer version of this program
         Damaged,
         Foreign,     // `detail` is what is in it and not CamPanel's, as "trigger x"
+        DiskLost,    // the disk for the data is not there; `detail` is what the boot says
         InUse,       // used by another program
         PinsLost,    // the panel had users, and there are none; `path` is the setup marker
         Full,        // no room on the disk

@@ -338,6 +338,23 @@ private slots:
         QVERIFY(access.ask(Access::Service));
     }
 
+    // It holds the PINs, and an empty folder in its place looks like a new panel.
+    void withoutTheDiskOfTheDataNobodyIsMoreThanAnOperator()
+    {
+        const QTemporaryDir folder;
+        AccessRig rig;
+        panel::DatabaseService records(folder.path(), nullptr);
+        records.noteDiskLost(u"no such partition"_s);
+        Access access(records, rig.machine, rig.settings, nullptr);
+        records.open();
+        access.open();
+        QTRY_VERIFY(access.locked());
+        QCOMPARE(access.level(), Access::Operator);
+        QVERIFY(!access.ask(Access::Technician));
+        QVERIFY2(access.refusalText(Access::Service).contains(u"no such partition"),
+                 qPrintable(access.refusalText(Access::Service)));
+    }
+
     void aPinThatWasChangedIsNotInTheCopy()
     {
         AccessRig rig;

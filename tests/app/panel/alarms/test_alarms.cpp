@@ -578,6 +578,24 @@ private slots:
         QVERIFY(alarms.live()->row(0).alarm.detail.contains(QStringLiteral("/proc/no/such/folder")));
     }
 
+    void aLostDiskStaysAFaultAndItsFolderIsLeftAlone()
+    {
+        AlarmRig rig;
+        const QTemporaryDir folder;
+        panel::DatabaseService records(folder.path(), nullptr);
+        panel::Alarms alarms(rig.panel.machine, rig.panel.editor, records, rig.panel.settings, nullptr);
+        records.noteDiskLost(QStringLiteral("/dev/vda3: no such partition"));
+        records.open();
+        QTRY_COMPARE(alarms.urgentCode(), "P-12");
+        QVERIFY(alarms.live()->row(0).alarm.detail.contains(QStringLiteral("/dev/vda3")));
+        QVERIFY(records.isDiskLost());
+        QVERIFY(records.notice().contains(QStringLiteral("/dev/vda3")));
+        QVERIFY(!QFile::exists(folder.filePath(QStringLiteral("campanel.sqlite"))));
+        records.dismissNotice();
+        QCOMPARE(records.notice(), QString());
+        QCOMPARE(alarms.urgentCode(), "P-12");
+    }
+
     void historyIsReadByPagesAndFollows()
     {
         AlarmRig rig;
