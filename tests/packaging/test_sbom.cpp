@@ -40,12 +40,15 @@ class TestSbom : public QObject {
     // Returns what the script prints; empty when it fails.
     QByteArray print(const QString& dependencies, const QString& tree = u"tree"_s)
     {
+        return run({u"--dependencies"_s, dependencies, u"campanel"_s, u"1.2.3+deb12"_s, path(tree)});
+    }
+    QByteArray run(const QStringList& arguments)
+    {
         QProcess process;
         QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
         environment.insert(u"SOURCE_DATE_EPOCH"_s, u"1795000000"_s);
         process.setProcessEnvironment(environment);
-        process.start(sourcePath("packaging/sbom"),
-                      {u"--dependencies"_s, dependencies, u"campanel"_s, u"1.2.3+deb12"_s, path(tree)});
+        process.start(sourcePath("packaging/sbom"), arguments);
         const bool isDone = process.waitForFinished(120'000) && process.exitCode() == 0;
         m_errors = QString::fromUtf8(process.readAllStandardError());
         return isDone ? process.readAllStandardOutput() : QByteArray();
@@ -125,6 +128,36 @@ private slots:
                 QVERIFY2(!package[key].toString().isEmpty(), qPrintable(key));
             QVERIFY(package[u"externalRefs"_s][0][u"referenceLocator"_s].toString().startsWith(u"pkg:"_s));
         }
+    }
+
+    void aSystemIsListedByItsPackages()
+    {
+        const auto write = [this](const QString& name, const QByteArray& text) {
+            QVERIFY(QDir().mkpath(QFileInfo(path(name)).path()));
+            QFile file(path(name));
+            QVERIFY(file.open(QIODevice::WriteOnly) && file.write(text) == text.size());
+        };
+        const auto package = [](const QByteArray& name, const QByteArray& state) {
+            return "Package: " + name + "\nStatus: " + state +
+                   "\nMaintainer: a\nArchitecture: amd64\nVersion: 1.2\nDescription: b\n\n";
+        };
+        write(u"root/etc/os-release"_s, "ID=debian\nVERSION_ID=12\n");
+        write(u"root/var/lib/dpkg/status"_s, package("campanel", "install ok installed") +
+                                                 package("libkept", "install ok installed") +
+                                                 package("removed", "deinstall ok config-files"));
+        write(u"root/usr/share/doc/libkept/copyright"_s, "Files: *\nLicense: Expat\n");
+        const QByteArray json = run({u"--root"_s, path(u"root"_s), u"system"_s, u"1.2.3"_s});
+        QVERIFY2(!json.isEmpty(), qPrintable(m_errors));
+        QCOMPARE(components(json),
+                 (QSet<QString>{u"campanel CONTAINS"_s, u"libkept CONTAINS"_s, u"system DESCRIBES"_s}));
+        for (const QJsonValue& each : QJsonDocument::fromJson(json).object()[u"packages"_s].toArray()) {
+            const bool isDebians = each[u"name"_s].toString() == u"libkept";
+            QCOMPARE(each[u"supplier"_s].toString() == u"Organization: Debian", isDebians);
+            if (isDebians)
+                QCOMPARE(each[u"licenseDeclared"_s].toString(), u"MIT"_s);
+        }
+        QVERIFY(run({u"--root"_s, path(u"nowhere"_s), u"system"_s, u"1.2.3"_s}).isEmpty());
+        QVERIFY2(m_errors.contains(u"is not the root of a Debian system"_s), qPrintable(m_errors));
     }
 
     void theSameInputGivesTheSameBytes()
