@@ -4870,7 +4870,7 @@ RMS %2</source>
     </message>
     <message>
         <source>The disk with the panel&apos;s data cannot be used: %1. Replace the disk and restore a backup.</source>
-        <translation>面板的数据磁盘无法使用：%1。请更换数据盘并恢复备份。</translation>
+        <translation>面板的数据磁盘无法使用：%1。请更换数据磁盘并恢复备份。</translation>
     </message>
 </context>
 <context>

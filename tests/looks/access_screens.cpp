@@ -297,9 +297,7 @@ QList<Screen> accessScreens()
              [](TestWindow& window) {
                  QLoggingCategory::setFilterRules(u"campanel.store=false"_s); // the loss is intended
                  window.panel().records().reportError(
-                     {store::StoreError::Kind::DiskLost,
-                      {},
-                      u"/dev/mmcblk0p3: the check found damage that cannot be repaired"_s});
+                     {store::StoreError::Kind::DiskLost, {}, u"/dev/mmcblk0p3 is damaged"_s});
                  QLoggingCategory::setFilterRules({});
                  window.settle();
              }},
