@@ -1,0 +1,177 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""Tests an image of packaging/image in QEMU: it opens the panel, a tap reaches it, the controller behind a USB adapter is connected, power cuts
+with lost writes leave it whole, and without its data partition the panel says so. Prints one line per step; ends with 1 when one has failed."""
+
+import argparse
+import os
+import random
+import subprocess
+import sys
+import time
+
+from machine import DATA_PARTITION, Machine, add_test_shell, partition
+from power_cuts import PowerCuts
+
+PATIENCE_S = 900  # without KVM, beside other work
+SETTINGS = "/var/lib/campanel/config/campanel/campanel.conf"
+
+
+class Check:
+    def __init__(self, options):
+        self.options, self.failed = options, 0
+        os.makedirs(options.folder, exist_ok=True)
+        self.base = self.path("base.img")
+
+    def path(self, name):
+        return os.path.join(self.options.folder, name)
+
+    def report(self, step, is_good, note=""):
+        self.failed += not is_good
+        print(f"campanel: image: {step}: {'ok' if is_good else 'FAILED'}{'; ' + note if note else ''}", flush=True)
+        return is_good
+
+    def start(self, disk, **more):
+        """Boots it and waits for the panel; the machine, and the seconds or None."""
+        machine = Machine(disk, self.options.folder, controller=self.path("line"), accel=self.options.accel, **more)
+        return machine, machine.wait_for_panel(PATIENCE_S)
+
+    def disk(self, name):
+        path = self.path(name)
+        subprocess.run(["cp", "--sparse=always", self.base, path], check=True)
+        return path
+
+    @staticmethod
+    def language_rows(machine):
+        """The choice of the language is the first page of a new panel. Where each language is depends on the size of the screen in mm, so taps
+        down the page find it: language to place."""
+        rows = {}
+        for y in range(170, 450, 30):
+            machine.tap(440, y)
+            time.sleep(2)
+            language = machine.shell(f"sed -n 's/^language=//p' {SETTINGS}")
+            if language:
+                rows.setdefault(language, (440, y))
+        return rows
+
+    def unpack(self):
+        subprocess.run(["zstd", "-q", "-d", "-f", self.options.image, "-o", self.base], check=True)
+        add_test_shell(self.base)
+        os.truncate(self.base, 2 << 30)  # a larger card
+
+    def boot(self):
+        """The first boot: what it opens, what it is, and what is closed."""
+        disk = self.disk("disk.img")
+        machine, seconds = self.start(disk, log=self.path("writes.log"))
+        try:
+            if not self.report("opens the panel", seconds is not None, seconds and f"picture after {seconds:.0f} s"):
+                print(machine.shell("systemctl --failed --no-legend; journalctl -b --no-pager | tail -n 40"))
+                return
+            machine.picture("first")
+            self.report("kiosk", machine.wait_for("systemctl is-active campanel-kiosk", "active"), machine.shell("campanel-kiosk status"))
+            self.report("no unit has failed", machine.shell("systemctl --failed --no-legend") == "", machine.shell("systemctl --failed --no-legend"))
+            size = int(machine.shell("df --output=size -m /run/campanel-data | tail -n 1"))
+            self.report("the data partition has grown", size > 1000, f"{size} MB")
+            mounts = machine.shell("grep -E ' (/|/run/campanel-base|/run/campanel-data) ' /proc/mounts")
+            self.report("the system is read-only", " / overlay " in mounts and "/run/campanel-base squashfs ro" in mounts and "/run/campanel-data ext4 rw" in mounts)
+            self.report("no login, no open port", machine.shell(
+                "systemctl list-units --no-legend --all 'getty@*' 'serial-getty@*' | grep -c running; cut -d: -f2 /etc/shadow | grep -vc '^[!*]'; "
+                "tail -qn +2 /proc/net/tcp /proc/net/tcp6 | awk '$4 == \"0A\"' | wc -l").split() == ["0", "0", "0"])
+            self.report("the fonts' cache is used", "regenerating" not in machine.shell("fc-cache -v 2>&1"))
+            self.report("connects to the controller behind a USB adapter",
+                        machine.wait_for("journalctl -b -u campanel-kiosk -o cat --no-pager", 'connected to "/dev/campanel-serial"', 60))
+            rows = self.language_rows(machine)
+            if not self.report("taps change the language", {"de", "zh_CN"} <= rows.keys(), " ".join(rows)):
+                return
+            machine.tap(*rows["zh_CN"])
+            time.sleep(3)
+            machine.picture("chinese")
+            # So that the power goes in the middle of work.
+            chance = random.Random(self.options.seed)
+            end = time.time() + 20
+            while time.time() < end:
+                machine.tap(*chance.choice(list(rows.values())))
+            print(f"campanel: image: {machine.shell('systemd-analyze | head -n 1')}; {machine.shell('systemctl show -P MemoryCurrent campanel-kiosk')} bytes in the kiosk's unit")
+        finally:
+            machine.cut()
+        os.remove(disk)
+
+    def power_cuts(self):
+        cuts = PowerCuts(self.base, self.path("writes.log"), self.options.folder)
+        print(f"campanel: image: {len(cuts.writes)} writes to the data partition, {cuts.flushes} flushes")
+        chance = random.Random(self.options.seed)
+        for number in range(self.options.cuts):
+            disk = self.path("cut.img")
+            lost, unsure = cuts.make(disk, chance)
+            damage = cuts.damage(disk)
+            self.report(f"power cut {number + 1}", not damage, f"{lost} of {unsure} blocks since the last flush lost" + "".join("; " + found for found in damage))
+            if number + 1 == self.options.cuts:
+                machine, seconds = self.start(disk)
+                try:
+                    self.report("opens the panel after it", seconds is not None and machine.shell("cat /run/campanel-no-data") .endswith("No such file or directory"),
+                                seconds and f"picture after {seconds:.0f} s")
+                finally:
+                    machine.cut()
+            os.remove(disk)
+
+    def without_data(self):
+        """The data partition is overwritten, the test shell with it; so the kernel is told to send the log to the serial line."""
+        disk = self.disk("no-data.img")
+        start, size = partition(disk, DATA_PARTITION)
+        with open(disk, "r+b") as file:
+            file.seek(start)
+            file.write(os.urandom(size))
+        boot = f"{disk}@@{partition(disk, 1)[0]}"
+        entry, name = self.path("campanel.conf"), "::/loader/entries/campanel.conf"
+        subprocess.run(["mcopy", "-n", "-i", boot, name, entry], check=True)
+        with open(entry) as file:
+            text = file.read()
+        with open(entry, "w") as file:
+            file.write(text.rstrip("\n") + " console=ttyS0 systemd.journald.forward_to_console=1\n")
+        subprocess.run(["mcopy", "-o", "-i", boot, entry, name], check=True)
+        machine, seconds = self.start(disk)
+        try:
+            self.report("opens the panel without its data", seconds is not None, seconds and f"picture after {seconds:.0f} s")
+            said = []
+            end = time.time() + 300
+            while not said and time.time() < end:
+                machine.drain(2)
+                said = [line.strip() for line in machine.seen.decode(errors="replace").splitlines() if "data cannot be used" in line]
+            self.report("says so", bool(said), "".join(said[:1]))
+            machine.drain(5)
+            machine.picture("no-data")
+        finally:
+            machine.cut()
+        os.remove(disk)
+
+    def run(self):
+        controller = subprocess.Popen([os.path.join(self.options.bin, "campanel-controller"), "--link", self.path("line"), "--state", self.path("controller")],
+                                      stdout=subprocess.DEVNULL)
+        try:
+            while not os.path.exists(self.path("line")):
+                time.sleep(0.1)
+                if controller.poll() is not None:
+                    sys.exit("the simulated controller has ended")
+            self.unpack()
+            self.boot()
+            if not self.failed:
+                self.power_cuts()
+                self.without_data()
+        finally:
+            controller.terminate()
+        return 1 if self.failed else 0
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("image", help="an image of packaging/image: campanel-...img.zst")
+    parser.add_argument("folder", help="gets pictures, logs and disks (5 GB)")
+    parser.add_argument("--bin", default="build/ci/bin", help="where campanel-controller is")
+    parser.add_argument("--cuts", type=int, default=5, help="how many power cuts")
+    parser.add_argument("--seed", type=int, default=1, help="of what the cuts lose and where the taps go")
+    parser.add_argument("--accel", default="tcg", help="what QEMU runs the processor by: tcg or kvm")
+    sys.exit(Check(parser.parse_args()).run())
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,189 @@
+# SPDX-License-Identifier: Apache-2.0
+"""A virtual computer that boots an image of packaging/image: its screen, taps, a USB serial adapter, a shell for tests, power cuts. Needs
+QEMU 7.1 or later; without KVM a boot takes one to three minutes."""
+
+import json
+import os
+import random
+import re
+import select
+import socket
+import subprocess
+import sys
+import time
+
+SHELL_UNIT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "test-shell.service")
+DATA_PARTITION = 3
+
+
+def partition(image, number):
+    """The first byte and the size in bytes of a partition."""
+    table = json.loads(subprocess.run(["sfdisk", "-J", image], check=True, capture_output=True).stdout)["partitiontable"]["partitions"]
+    return table[number - 1]["start"] * 512, table[number - 1]["size"] * 512
+
+
+def add_test_shell(image):
+    """Puts a root shell on the serial line into the data partition of a copy of an image. The image itself has none."""
+    start, _ = partition(image, DATA_PARTITION)
+    folders = ["etc", "etc/systemd", "etc/systemd/system", "etc/systemd/system/sysinit.target.wants"]
+    script = [f"mkdir /system/upper/{folder}" for folder in folders]
+    script.append("cd /system/upper/etc/systemd/system")
+    script.append(f"write {SHELL_UNIT} test-shell.service")
+    script.append("symlink sysinit.target.wants/test-shell.service ../test-shell.service")
+    result = subprocess.run(["debugfs", "-w", "-f", "-", f"{image}?offset={start}"], input="\n".join(script) + "\n", text=True, capture_output=True)
+    if "test-shell.service" not in subprocess.run(["debugfs", "-R", "ls /system/upper/etc/systemd/system", f"{image}?offset={start}"],
+                                                  text=True, capture_output=True).stdout:
+        sys.exit("the test shell cannot be added: " + result.stderr)
+
+
+class Picture:
+    def __init__(self, path):
+        with open(path, "rb") as file:
+            data = file.read()
+        kind, width, height, _ = data.split(None, 3)[:3] + [None]
+        if kind != b"P6":
+            raise ValueError("no picture")
+        self.width, self.height = int(width), int(height)
+        self.pixels = data[-3 * self.width * self.height:]
+
+    def sample(self):
+        """Every third pixel of every third row."""
+        for y in range(0, self.height, 3):
+            row = 3 * y * self.width
+            for x in range(0, self.width, 3):
+                at = row + 3 * x
+                yield self.pixels[at:at + 3]
+
+    def is_panel(self, size):
+        """True for the size of the screen and many colors: a text console has few. A firmware's logo has many, and is mostly black."""
+        sample = list(self.sample())
+        black = sum(1 for pixel in sample if max(pixel) < 16)
+        return (self.width, self.height) == size and black * 2 < len(sample) and len(set(sample)) >= 40
+
+    def share(self, matches):
+        """The share of pixels for which a function of red, green and blue is true."""
+        sample = list(self.sample())
+        return sum(1 for pixel in sample if matches(*pixel)) / len(sample)
+
+
+class Machine:
+    """One boot. `folder` gets the pictures and the log of the serial line. The disk is written."""
+
+    def __init__(self, disk, folder, controller=None, size=(1024, 600), log=None, accel="tcg"):
+        self.folder, self.size, self.seen = folder, size, b""
+        os.makedirs(folder, exist_ok=True)
+        if log:  # with every write and flush in a file
+            open(log, "wb").close()
+            drive = f"driver=blklogwrites,node-name=disk,file.driver=file,file.filename={disk},log.driver=file,log.filename={log}"
+        else:
+            drive = f"driver=raw,node-name=disk,file.driver=file,file.filename={disk}"
+        qmp, tty = os.path.join(folder, "qmp"), os.path.join(folder, "tty")
+        command = ["qemu-system-x86_64", "-M", "q35", "-cpu", "max" if accel == "tcg" else "host", "-accel", accel + (",thread=multi" if accel == "tcg" else ""),
+                   "-smp", "2", "-m", "1024", "-nic", "none", "-display", "none", "-monitor", "none", "-vga", "none",
+                   "-device", f"virtio-vga,xres={size[0]},yres={size[1]}",
+                   "-drive", "if=pflash,format=raw,readonly=on,file=/usr/share/OVMF/OVMF_CODE_4M.fd",
+                   "-drive", "if=pflash,format=raw,snapshot=on,file=/usr/share/OVMF/OVMF_VARS_4M.fd",
+                   "-blockdev", drive, "-device", "virtio-blk-pci,drive=disk,bootindex=0",
+                   "-device", "virtio-tablet-pci", "-device", "virtio-rng-pci", "-device", "qemu-xhci",
+                   "-qmp", f"unix:{qmp},server=on,wait=off", "-serial", f"unix:{tty},server=on,wait=off"]
+        if controller:
+            command += ["-chardev", f"serial,id=line,path={os.path.realpath(controller)}", "-device", "usb-serial,chardev=line"]
+        self.began = time.time()
+        with open(os.path.join(folder, "qemu.log"), "w") as errors:
+            self.process = subprocess.Popen(command, stdin=subprocess.DEVNULL, stderr=errors)
+        self.qmp, self.tty = self.connect(qmp), self.connect(tty)
+        self.answers = self.qmp.makefile("rw")
+        self.answers.readline()
+        self.ask("qmp_capabilities")
+
+    def connect(self, path):
+        for _ in range(200):
+            try:
+                line = socket.socket(socket.AF_UNIX)
+                line.connect(path)
+                return line
+            except OSError:
+                time.sleep(0.05)
+                if self.process.poll() is not None:
+                    break
+        with open(os.path.join(self.folder, "qemu.log")) as log:
+            sys.exit("QEMU ended: " + log.read())
+
+    def age(self):
+        return time.time() - self.began
+
+    def ask(self, name, **arguments):
+        self.answers.write(json.dumps({"execute": name, "arguments": arguments}) + "\n")
+        self.answers.flush()
+        while True:
+            answer = json.loads(self.answers.readline())
+            if "error" in answer:
+                raise RuntimeError(answer["error"]["desc"])
+            if "return" in answer:
+                return answer["return"]
+
+    def picture(self, save_as=None):
+        """What the screen shows; also as NAME.png in the folder."""
+        path = os.path.abspath(os.path.join(self.folder, "screen.ppm"))
+        self.ask("screendump", filename=path)
+        if save_as:
+            self.ask("screendump", filename=os.path.abspath(os.path.join(self.folder, save_as + ".png")), format="png")
+        return Picture(path)
+
+    def wait_for_panel(self, seconds):
+        """The seconds from power-on until the screen shows the panel; None if it does not."""
+        while self.age() < seconds:
+            self.drain()
+            try:
+                if self.picture().is_panel(self.size):
+                    return self.age()
+            except (RuntimeError, ValueError):
+                pass  # no screen yet
+            time.sleep(1)
+        return None
+
+    def tap(self, x, y):
+        """A tap at a pixel. QEMU 7.2 has no touchscreen, so it is the click of a tablet."""
+        place = [{"type": "abs", "data": {"axis": axis, "value": round(value * 32767 / span)}} for axis, value, span in (("x", x, self.size[0]), ("y", y, self.size[1]))]
+        self.ask("input-send-event", events=place)
+        for down in (True, False):
+            self.ask("input-send-event", events=[{"type": "btn", "data": {"button": "left", "down": down}}])
+            time.sleep(0.12)
+
+    def drain(self, seconds=0.0):
+        end = time.time() + seconds
+        while select.select([self.tty], [], [], max(0.0, end - time.time()))[0]:
+            data = self.tty.recv(65536)
+            if not data:
+                return
+            self.seen += data
+            with open(os.path.join(self.folder, "tty.log"), "ab") as log:
+                log.write(data)
+
+    def shell(self, command, seconds=120):
+        """Runs a command in the test shell and returns what it printed."""
+        mark = f"m{random.randrange(10**9)}"
+        self.drain()
+        start = len(self.seen)
+        self.tty.sendall(f"{command}; echo {mark[:1]}''{mark[1:]} $?\n".encode())
+        end = time.time() + seconds
+        while time.time() < end:
+            self.drain(0.2)
+            text = self.seen[start:].decode(errors="replace").replace("\r", "")
+            if re.search(re.escape(mark) + r" \d+\n", text):
+                return text.split("\n", 1)[1].rsplit(mark, 1)[0].strip()
+        raise TimeoutError(f"no answer to: {command}; {self.seen[start:]!r}")
+
+    def wait_for(self, command, wanted, seconds=120):
+        """Repeats a command until its output has this text; returns whether it came."""
+        end = time.time() + seconds
+        while time.time() < end:
+            if wanted in self.shell(command):
+                return True
+            time.sleep(1)
+        return False
+
+    def cut(self):
+        """Switches the power off without a warning."""
+        self.process.kill()
+        self.process.wait()
