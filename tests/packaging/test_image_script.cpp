@@ -112,6 +112,19 @@ private slots:
         }
     }
 
+    // They run at night only.
+    void programsOfTheBootTestAreProper()
+    {
+        const QDir folder(sourcePath("tests/image"));
+        const QStringList programs = folder.entryList({u"*.py"_s});
+        QVERIFY(programs.size() >= 3);
+        for (const QString& program : programs)
+            QCOMPARE(QProcess::execute(u"python3"_s,
+                                       {u"-c"_s, u"import ast, sys; ast.parse(open(sys.argv[1]).read())"_s,
+                                        folder.filePath(program)}),
+                     0);
+    }
+
     void scriptsOfTheBootAreProper_data()
     {
         QTest::addColumn<QString>("script");
