@@ -25,8 +25,8 @@ def partition(image, number):
 def add_test_shell(image):
     """Puts a root shell on the serial line into the data partition of a copy of an image. The image itself has none."""
     start, _ = partition(image, DATA_PARTITION)
-    folders = ["etc", "etc/systemd", "etc/systemd/system", "etc/systemd/system/sysinit.target.wants"]
-    script = [f"mkdir /system/upper/{folder}" for folder in folders]
+    folders = ["system", "system/upper"] + ["system/upper/etc" + folder for folder in ("", "/systemd", "/systemd/system", "/systemd/system/sysinit.target.wants")]
+    script = [f"mkdir /{folder}" for folder in folders]
     script.append("cd /system/upper/etc/systemd/system")
     script.append(f"write {SHELL_UNIT} test-shell.service")
     script.append("symlink sysinit.target.wants/test-shell.service ../test-shell.service")
