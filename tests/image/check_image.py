@@ -91,7 +91,9 @@ class Check:
             end = time.time() + 20
             while time.time() < end:
                 machine.tap(*chance.choice(list(rows.values())))
-            print(f"campanel: image: {machine.shell('systemd-analyze | head -n 1')}; {machine.shell('systemctl show -P MemoryCurrent campanel-kiosk')} bytes in the kiosk's unit")
+            seconds, memory, restarts = (machine.shell(command) for command in (
+                "systemd-analyze | head -n 1", "systemctl show -P MemoryCurrent campanel-kiosk", "systemctl show -P NRestarts campanel-kiosk"))
+            print(f"campanel: image: {seconds}; the kiosk has {int(memory) >> 20} MB and was restarted {restarts} times", flush=True)
         finally:
             machine.cut()
         os.remove(disk)
@@ -159,6 +161,9 @@ class Check:
                 self.without_data()
         finally:
             controller.terminate()
+        if not self.failed:
+            os.remove(self.base)
+            os.remove(self.path("writes.log"))
         return 1 if self.failed else 0
 
 
