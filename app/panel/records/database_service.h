@@ -22,7 +22,7 @@ class DatabaseService : public QObject, public Singleton<DatabaseService> {
     Q_OBJECT
     QML_ELEMENT
     QML_SINGLETON
-    // The notice about the panel's storage: it was damaged, the disk is full ...; empty: none.
+    // The notice about the panel's storage: it was damaged, the disk is full or missing ...; empty: none.
     Q_PROPERTY(QString notice READ notice NOTIFY noticeChanged FINAL)
     // True while the notice says that the disk for the data is missing, which is as urgent as a fault.
     Q_PROPERTY(bool diskLost READ isDiskLost NOTIFY noticeChanged FINAL)
