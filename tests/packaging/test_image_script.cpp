@@ -85,6 +85,16 @@ private slots:
         QCOMPARE(process.exitCode(), 1);
     }
 
+    void noPackageForAnUnknownComputer()
+    {
+        QProcess process;
+        process.setProcessChannelMode(QProcess::MergedChannels);
+        process.start(sourcePath("packaging/deb"), {u"--for"_s, u"nonsense"_s});
+        QVERIFY(process.waitForFinished());
+        QVERIFY(process.readAll().startsWith("campanel: there is no package for nonsense, only for "));
+        QCOMPARE(process.exitCode(), 1);
+    }
+
     // dpkg ignores a line that it does not know, and the image would have what it is to leave out.
     void leftOutIsInTheFormOfDpkg()
     {
