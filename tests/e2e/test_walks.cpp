@@ -78,6 +78,15 @@ void makeTheFirstRecipe(WalkingPanel& panel)
     panel.waitFor("a good bag", [&] { return std::abs(panel.controller().bags().meanMm - 180) < 1; });
 }
 
+void change(WalkingPanel& panel, const char* field, const char* digits)
+{
+    panel.tap(QString::fromLatin1(field));
+    panel.tap("Keypad");
+    panel.keys(QString::fromLatin1(digits));
+    panel.tap("OK");
+    panel.tap("Apply at the next bag");
+}
+
 const Walk walks[] = {
     {"1a", "first start to a good bag: 180 mm, 80 a minute, no PIN", 12, isNew, beginFirstStart,
      [](WalkingPanel& panel) {
@@ -112,15 +121,12 @@ const Walk walks[] = {
          panel.tap("Change: Rate");
          panel.tap("More");
          panel.tap("Apply at the next bag");
-         panel.waitFor("61 a minute", [&] { return panel.controller().active().rateBagsPerMin == 61; });
+         panel.waitFor("61 a minute",
+                       [&] { return std::abs(panel.controller().active().rateBagsPerMin - 61) < 0.01; });
      }},
     {"2c", "a bag length of three digits while the machine runs", 7, used, run,
      [](WalkingPanel& panel) {
-         panel.tap("Change: Bag length");
-         panel.tap("Keypad");
-         panel.keys("220");
-         panel.tap("OK");
-         panel.tap("Apply at the next bag");
+         change(panel, "Change: Bag length", "220");
          panel.waitFor("220 mm", [&] { return panel.controller().active().bagLengthMm == 220; });
      }},
     {"3", "a length too small, too large, then a valid one", 7, used, openMotion,
