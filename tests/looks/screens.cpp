@@ -762,6 +762,7 @@ void enterScreen(TestWindow& window, const Screen& screen)
     window.link().show(Situation::Running);
     forgetOrders(window);
     window.panel().controller().dismissMessage();
+    window.panel().records().dismissNotice();
     window.panel().scan().dismissNotice();
     window.panel().settings().overrideValue("scanner.prefix", {});
     window.panel().settings().overrideValue("machine.name", {});

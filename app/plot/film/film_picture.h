@@ -57,7 +57,7 @@ class FilmPicture : public QQuickPaintedItem {
     Q_PROPERTY(QColor productColor MEMBER m_productColor NOTIFY styleChanged FINAL)
     Q_PROPERTY(QColor cutColor MEMBER m_cutColor NOTIFY styleChanged FINAL)
     Q_PROPERTY(QColor skippedColor MEMBER m_skippedColor NOTIFY styleChanged FINAL)
-    // Of a ring around the knife; transparent: none.
+    // The color of a ring around the knife; transparent: none.
     Q_PROPERTY(QColor faultColor MEMBER m_faultColor NOTIFY styleChanged FINAL)
     Q_PROPERTY(QColor knifeColor MEMBER m_knifeColor NOTIFY styleChanged FINAL)
     Q_PROPERTY(QColor textColor MEMBER m_textColor NOTIFY styleChanged FINAL)
