@@ -4,7 +4,6 @@ pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme
 import CamPanel.Controls
-import CamPanel.Parts
 import CamPanel.Panel
 
 Sheet {

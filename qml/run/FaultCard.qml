@@ -62,7 +62,8 @@ TouchButton {
         objectName: "faultFacts"
         anchors { left: title.left; right: parent.right; top: title.bottom; rightMargin: Theme.size.padding }
         wrapMode: Text.WordWrap
-        text: [card.alarm.raisedText, card.jammed ? card.jam.lastText : card.alarm.detail, card.others > 0 ? qsTr("%1 more").arg(card.others) : ""].filter(part => part.length > 0).join(" · ")
+        readonly property var parts: [card.alarm.raisedText, card.jammed ? card.jam.lastText : card.alarm.detail, card.others > 0 ? qsTr("%1 more").arg(card.others) : ""]
+        text: facts.parts.filter(part => part.length > 0).join(" · ")
         color: Theme.color.secondaryInk
         font.pixelSize: Theme.size.caption
     }

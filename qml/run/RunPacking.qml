@@ -16,6 +16,7 @@ Item {
     readonly property real numbersTop: order.visible ? order.height + gap : 0
     readonly property real bannerRow: tiles.height   // a banner covers the lowest cards: nothing else moves
 
+    readonly property var knifeFaults: ["C-01", "C-03", "C-08", "C-09"]
     readonly property bool showsFault: Controller.faulted && Controller.fresh && Alarms.urgent.code.startsWith("C-")
 
     OrderStrip {
@@ -42,12 +43,12 @@ Item {
     }
     FilmCard {
         id: film
-        faultAtKnife: view.showsFault && ["C-01", "C-03", "C-08", "C-09"].includes(Alarms.urgent.code)
+        faultAtKnife: view.showsFault && view.knifeFaults.includes(Alarms.urgent.code)
         anchors { left: parent.left; right: parent.right; top: rate.bottom; topMargin: view.gap; bottom: tiles.top; bottomMargin: view.gap }
     }
     Row {
         id: tiles
-        readonly property real tileWidth: (width - (HandTrims.present ? handKey.width + spacing : 0) - 2 * spacing) / 3
+        readonly property int tileWidth: (width - (HandTrims.present ? handKey.width + spacing : 0) - 2 * spacing) / 3
         anchors { left: parent.left; right: parent.right; bottom: parent.bottom }
         height: Math.max(Theme.size.touch, Math.round(0.42 * (view.height - rate.y - rate.height - 2 * view.gap)))
         visible: view.bottomInset === 0
@@ -67,7 +68,7 @@ Item {
         }
         KnifeCard { width: tiles.tileWidth; height: tiles.height }
         SkippedCutsCard { width: tiles.tileWidth; height: tiles.height }
-        LastStopCard { width: tiles.tileWidth; height: tiles.height }
+        LastStopCard { width: tiles.width - x; height: tiles.height }
     }
     Binding {
         target: HandTrims

@@ -31,7 +31,7 @@ class FilmPicture : public QQuickPaintedItem {
     Q_PROPERTY(double position MEMBER m_positionMm NOTIFY filmChanged FINAL) // NaN: unknown
     Q_PROPERTY(double speed MEMBER m_speedMmPerS NOTIFY filmChanged FINAL)   // mm/s
     // Bags that do not count: the next x before the knife, and y behind it, 0 or 1.
-    Q_PROPERTY(QPoint scrap MEMBER m_scrap NOTIFY filmChanged FINAL)
+    Q_PROPERTY(QPointF scrap MEMBER m_scrap NOTIFY filmChanged FINAL)
     // The dimensions in mm; NaN while unknown.
     Q_PROPERTY(double bagLength MEMBER m_bagMm NOTIFY scaleChanged FINAL)
     Q_PROPERTY(double sensor MEMBER m_sensorMm NOTIFY scaleChanged FINAL) // before the knife; NaN: not drawn
@@ -121,7 +121,7 @@ private:
     double m_nextMarkMm = unknown;
     double m_positionMm = unknown;
     double m_speedMmPerS = 0;
-    QPoint m_scrap;
+    QPointF m_scrap;
     double m_bagMm = unknown;
     double m_sensorMm = unknown;
     double m_windowMm = unknown;

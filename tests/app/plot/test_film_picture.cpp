@@ -106,11 +106,11 @@ private slots:
         rig.set("cuts", {{100, 0}, {350, 1}, {600, 0}, {850, 0}});
         const auto hatched = [&](double mm) { return rig.inkAt(rig.paint(), mm, red, 12) > 30; };
         QVERIFY(!hatched(50) && !hatched(225) && !hatched(-40));
-        rig.picture.setProperty("scrap", QPoint(2, 0));
+        rig.picture.setProperty("scrap", QPointF(2, 0));
         QVERIFY2(hatched(50), "the bag in the making");
         QVERIFY2(hatched(225) && hatched(475), "the next one, of two lengths");
         QVERIFY(!hatched(725) && !hatched(-40));
-        rig.picture.setProperty("scrap", QPoint(0, 1));
+        rig.picture.setProperty("scrap", QPointF(0, 1));
         QVERIFY2(hatched(-40), "the last bag, behind the knife");
         QVERIFY(!hatched(50));
     }
