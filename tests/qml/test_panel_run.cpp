@@ -220,6 +220,21 @@ private slots:
         QCOMPARE(editor().field(u"bag_length_mm"_s)->value(), before);
     }
 
+    // A code may be scanned while the sheet is open: its recipe is not undone with the sheet's edits.
+    void anotherRecipeEndsTheChange()
+    {
+        enter(Situation::Running);
+        m_window->tap(u"bagNumbers"_s);
+        tap("changeMore");
+        program::Recipe other = editor().recipe();
+        other.name = "Rusk";
+        other.cutter().bagLengthMm = 190;
+        editor().open(other);
+        tap("changeCancel");
+        QCOMPARE(editor().recipeName(), u"Rusk"_s);
+        QCOMPARE(editor().field(u"bag_length_mm"_s)->value(), 190.0);
+    }
+
     void whatTheMachineCannotDoIsRefusedInTheSheet()
     {
         enter(Situation::Running);

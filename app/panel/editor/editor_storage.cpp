@@ -56,6 +56,7 @@ void Editor::open(const program::Recipe& stored, const std::optional<program::Re
 {
     m_beforeDrag.reset();
     m_history.clear();
+    m_trial.reset();
     m_comparedLaw.reset();
     m_recipe = edited.value_or(stored);
     takeStored(stored);
