@@ -104,12 +104,15 @@ private slots:
             return;
         line.panel->tap("nav_run");
         QTRY_VERIFY_WITH_TIMEOUT(line.isShown("newOrder"), timeoutMs);
+        // Until the controller's order has been read, none is started.
+        QTRY_VERIFY_WITH_TIMEOUT(line.panel->panel().orders().fresh(), timeoutMs);
         line.panel->tap("newOrder");
         line.enterQuantity("12");
         line.enter("orderLot", "lot");
         line.enter("orderText", "a");
         line.panel->tap("orderStart");
         QCOMPARE(line.panel->complaints(), QStringList());
+        QCOMPARE(line.panel->panel().orders().message(), QString());
         QTRY_COMPARE_WITH_TIMEOUT(line.order().state, store::OrderRow::State::Active, timeoutMs);
         QCOMPARE(line.order().lot, QStringLiteral("lot"));
         QCOMPARE(line.order().recipe, QStringLiteral("Biscuit 250"));
