@@ -60,7 +60,7 @@ RunTile {
         label: qsTr("error")
         text: Theme.measure(card.error, 2, "mm")
         value: card.error
-        limit: Controller.live.followingLimitMm
+        limit: Controller.torque.followingLimitMm
     }
     Amount {
         objectName: "torqueAmount"

@@ -93,12 +93,9 @@ void AlarmWatch::setControllerAlarms(const Kinds& now, const QString& bits, Alar
 
 FaultMeasure AlarmWatch::measured(const AlarmKind& kind) const
 {
-    const LiveValues live = m_controller.live();
-    if (&kind == &AlarmCatalogue::of(modbus::FaultBit::FollowingError))
-        return {std::abs(live.followingErrorMm), live.followingLimitMm};
-    if (&kind == &AlarmCatalogue::of(modbus::FaultBit::ForceLimit))
-        return {live.forceN, m_controller.active().maxStopForceN};
-    return {};
+    if (&kind != &AlarmCatalogue::of(modbus::FaultBit::FollowingError))
+        return {};
+    return {std::abs(m_controller.live().followingErrorMm), m_controller.torque()->followingLimitMm()};
 }
 
 QString AlarmWatch::valuesOf(const AlarmKind& kind) const

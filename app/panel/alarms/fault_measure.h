@@ -2,7 +2,6 @@
 // The measure that broke a limit, as a fault shows it: how much it was, and the limit.
 #pragma once
 
-#include <QString>
 #include <QtQml/qqmlregistration.h>
 
 #include <cmath>

@@ -193,9 +193,6 @@ LiveValues Controller::live() const
     if (program->pulsesPerMm > 0) {
         values.knifeSpeedMmPerS = m_status->actualFrequencyHz / program->pulsesPerMm;
         values.followingErrorMm = m_status->followingErrorPulses / program->pulsesPerMm;
-        if (const auto limit = m_parameters.find("parameter.following_error_limit");
-            limit != m_parameters.end())
-            values.followingLimitMm = limit->second->lastValue() / program->pulsesPerMm;
         values.positionMm = static_cast<double>(*m_axisPosition.actualPulses()) / program->pulsesPerMm;
     }
     const bool isKnife = program->recipe.isCutter();

@@ -21,7 +21,6 @@ struct LiveValues {
     Q_PROPERTY(double knifeAngleDeg MEMBER knifeAngleDeg FINAL)
     Q_PROPERTY(double knifeSpeedMmPerS MEMBER knifeSpeedMmPerS FINAL)
     Q_PROPERTY(double followingErrorMm MEMBER followingErrorMm FINAL)
-    Q_PROPERTY(double followingLimitMm MEMBER followingLimitMm FINAL) // above it a fault
     Q_PROPERTY(double pulseFrequencyHz MEMBER pulseFrequencyHz FINAL)
     Q_PROPERTY(double cycleCount MEMBER cycleCount FINAL)
     Q_PROPERTY(double positionMm MEMBER positionMm FINAL)
@@ -40,7 +39,6 @@ public:
     double knifeSpeedMmPerS = unknown;
     double followingErrorPulses = unknown;
     double followingErrorMm = unknown;
-    double followingLimitMm = unknown;
     double pulseFrequencyHz = unknown;
     double cycleCount = unknown; // of the present program, since power-up
     double positionMm = unknown;

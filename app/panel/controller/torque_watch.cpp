@@ -30,6 +30,7 @@ bool hasTorque(const ControllerProgram& program)
 
 TorqueWatch::TorqueWatch(Controller& controller)
     : m_controller(controller)
+    , m_followingLimit(controller.parameter("parameter.following_error_limit"))
     , m_pins(controller, this)
 {
     connect(this, &Watched::watchedChanged, this, [this] {
@@ -38,12 +39,13 @@ TorqueWatch::TorqueWatch(Controller& controller)
             m_last = {};
             m_readings.clear();
         } else {
-            m_controller.parameter("parameter.following_error_limit").readIfUncertain(); // shown beside it
+            m_followingLimit.readIfUncertain();
         }
         emit changed();
     });
     updateEvery(readPeriod, [this] { m_pins.read(); });
     connect(&m_pins, &IoPins::changed, this, &TorqueWatch::takePins);
+    connect(&m_followingLimit, &Parameter::changed, this, &TorqueWatch::changed);
     LanguageNotifier::follow(this);
 }
 
@@ -60,7 +62,7 @@ void TorqueWatch::noteConnection()
     if (!m_controller.isConnected())
         m_isPending = false;
     else if (watched())
-        m_controller.parameter("parameter.following_error_limit").readIfUncertain();
+        m_followingLimit.readIfUncertain();
     emit changed();
 }
 
@@ -87,6 +89,13 @@ void TorqueWatch::prepare()
     }
     m_last.predictedPercent = predictedAt(m_last.angleDeg);
     emit changed();
+}
+
+double TorqueWatch::followingLimitMm() const
+{
+    const auto& program = m_controller.program();
+    return program && program->pulsesPerMm > 0 ? m_followingLimit.lastValue() / program->pulsesPerMm
+                                               : unknown;
 }
 
 double TorqueWatch::limitPercent() const

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "app/panel/controller/io_pins.h"
+#include "app/panel/controller/parameter.h"
 #include "app/panel/kit/numbers.h"
 #include "app/panel/kit/watched.h"
 #include "profile/model/machine.h"
@@ -29,6 +30,8 @@ class TorqueWatch : public campanel::panel::Watched {
     Q_PROPERTY(double measuredPercent READ measuredPercent NOTIFY changed FINAL)
     // The largest torque of the motor by the machine data.
     Q_PROPERTY(double limitPercent READ limitPercent NOTIFY changed FINAL)
+    // The following error above which the controller stops, beside it on Run.
+    Q_PROPERTY(double followingLimitMm READ followingLimitMm NOTIFY changed FINAL)
 
 public:
     // The readings that the difference is of: half a minute of them.
@@ -47,6 +50,7 @@ public:
 
     [[nodiscard]] double measuredPercent() const;
     [[nodiscard]] double limitPercent() const;
+    [[nodiscard]] double followingLimitMm() const;
     [[nodiscard]] double predictedPercent() const { return m_last.predictedPercent; }
     [[nodiscard]] double differencePercent() const;
     [[nodiscard]] QString text() const; // empty when nothing is known
@@ -81,6 +85,7 @@ private:
     [[nodiscard]] double predictedAt(double angleDeg) const;
 
     Controller& m_controller;
+    Parameter& m_followingLimit;
     IoPins m_pins;
     std::optional<profile::Machine> m_machineData;
     profile::MotionProfile m_motion; // of the active program, forward; empty while unknown
