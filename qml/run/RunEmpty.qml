@@ -12,8 +12,6 @@ Item {
 
     property real bottomInset
     readonly property bool connected: Controller.connection === Controller.Connection.Connected
-    readonly property bool busy: Editor.programDownload.state === ProgramDownload.State.Transferring
-        || Editor.programDownload.state === ProgramDownload.State.Sealing || Editor.programDownload.state === ProgramDownload.State.Armed
 
     Card {
         anchors { fill: parent; bottomMargin: view.bottomInset }
@@ -32,7 +30,7 @@ Item {
                 horizontalAlignment: Text.AlignHCenter
                 wrapMode: Text.WordWrap
                 objectName: "noProgramText"
-                text: view.busy ? Editor.programDownload.text : view.connected ? Controller.run.program : Controller.connectionText
+                text: Editor.programDownload.busy ? Editor.programDownload.text : view.connected ? Controller.run.program : Controller.connectionText
                 color: Theme.color.secondaryInk
                 font.pixelSize: Theme.size.title
             }
