@@ -24,7 +24,7 @@ namespace {
 constexpr int timeoutMs = 60'000;
 constexpr int quantity = 12;
 
-// What happens in the middle of an order.
+// These things happen in the middle of an order.
 enum class Between { PanelRestarts, ControllerLosesPower, OperatorStops };
 
 struct Line {
@@ -134,7 +134,22 @@ private slots:
         QTRY_COMPARE_WITH_TIMEOUT(line.machine().state(), Controller::State::Ready, timeoutMs);
         QCOMPARE(line.order().cut, line.order().good + line.order().rejected + line.order().empty);
 
-        // The next one waits in the queue until a person starts it.
+        // One of another recipe is not started; a key leads to its recipe, which this library does not have.
+        panel::Orders& orders = line.panel->panel().orders();
+        orders.entry()->begin(QStringLiteral("Waffle 90"));
+        orders.entry()->quantity()->set(5);
+        QVERIFY(orders.add());
+        line.panel->tap("nav_run");
+        line.panel->tap("orderStrip");
+        QVERIFY(!line.isShown("orderRecipe"));
+        line.panel->tap("queueStart0");
+        line.panel->tap("orderRecipe");
+        QVERIFY(line.isShown("recipeSearch"));
+        orders.remove(0);
+
+        // The next one waits in the queue until a person starts it. Its intervals are its own.
+        const auto intervalMs = [&line] { return line.panel->panel().stops().book().present()->beginMs; };
+        const qint64 beforeMs = intervalMs();
         line.panel->tap("nav_run");
         line.panel->tap("orderStrip");
         line.panel->tap("ordersNew");
@@ -144,6 +159,7 @@ private slots:
         QVERIFY(line.isShown("queueStart0"));
         line.panel->tap("queueStart0");
         QTRY_COMPARE_WITH_TIMEOUT(line.order().lot, QStringLiteral("next"), timeoutMs);
+        QVERIFY(intervalMs() > beforeMs);
         QVERIFY(!line.isShown("queueStart0"));
         line.panel->tap("sheetClose");
         QTRY_VERIFY_WITH_TIMEOUT(line.machine().canStart(), timeoutMs);
@@ -159,6 +175,11 @@ private slots:
         QVERIFY2(texts.contains(QStringLiteral("a · lot")) && texts.contains(QStringLiteral("12 of 12")) &&
                      texts.contains(QStringLiteral("5 of 5")),
                  qPrintable(texts));
+        // A tap on one shows its time, with its stops.
+        line.panel->tap("order0");
+        QTRY_VERIFY2_WITH_TIMEOUT(line.panel->texts().contains(QStringLiteral("next · ")),
+                                  qPrintable(line.panel->texts()), timeoutMs);
+        QVERIFY(line.isShown("shiftTitle"));
         QCOMPARE(line.panel->complaints(), QStringList());
     }
 

@@ -34,6 +34,33 @@ private slots:
     void initTestCase() { QLocale::setDefault(QLocale(QLocale::English)); }
     void cleanup() { Units::setInch(false); }
 
+    // A step is one of the shown unit, and ends at the limits.
+    void aValueIsStepped()
+    {
+        panel::Value value;
+        const auto show = [&value](double metric) {
+            panel::ValueView view;
+            view.unit = u"mm"_s;
+            view.minimum = 10;
+            view.maximum = 2000;
+            view.decimals = 1;
+            view.value = metric;
+            value.show(view);
+        };
+        connect(&value, &panel::Value::setRequested, this, show);
+        show(180);
+        value.step(0.1);
+        QCOMPARE(value.value(), 180.1);
+        value.step(-1000);
+        QCOMPARE(value.value(), 10.0);
+        value.step(1e6);
+        QCOMPARE(value.value(), 2000.0);
+        Units::setInch(true);
+        show(254);
+        value.step(1);
+        QCOMPARE(value.value(), 279.4);
+    }
+
     void measures_data()
     {
         QTest::addColumn<double>("metric");
