@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What packaging/image refuses before it makes anything, and the lists that it reads. tests/image boots what
-// it makes.
+// This tests what packaging/image refuses before it makes anything, and the lists that it reads. tests/image
+// boots what it makes.
 #include "tests/support/places.h"
 #include "tests/support/test_program.h"
 
@@ -109,7 +109,7 @@ private slots:
         }
     }
 
-    // What the boot needs must not be left out.
+    // The boot needs these modules: none of them is left out.
     void modulesOfTheBootAreKept()
     {
         const QStringList left = entriesOf("packaging/card/left-out");

@@ -34,7 +34,7 @@ public:
     [[nodiscard]] bool isBegun() const { return m_isBegun; }
 
     // Applies what the controller reports. An order that nobody at this panel has started is entered too.
-    // `filmMm` is the film's way so far, on any scale; NaN: unknown.
+    // `filmMm` is the position of the film, of which only the changes count; NaN: unknown.
     void note(const modbus::OrderStatus& status, const Program& program, double filmMm, const Now& now);
 
     // Returns the order that the controller counts, or the last one; empty: it has had none.

@@ -41,7 +41,7 @@ class Orders : public campanel::panel::Watched, public Singleton<Orders> {
     Q_PROPERTY(campanel::panel::OrderEntry* entry READ entry CONSTANT FINAL)
     // Why the last request was not carried out; empty: it was.
     Q_PROPERTY(QString message READ message NOTIFY changed FINAL)
-    // The recipe that an order needs whose start was refused for its want; empty: none was.
+    // The recipe of the order whose start was refused because the controller has another one; empty: none.
     Q_PROPERTY(QString wantedRecipe READ wantedRecipe NOTIFY changed FINAL)
     // For the banner: an order is complete, or soon; empty: nothing to say.
     Q_PROPERTY(QString notice READ notice NOTIFY noticeChanged FINAL)

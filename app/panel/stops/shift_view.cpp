@@ -137,8 +137,7 @@ void ShiftView::showNext()
         show(calendar().after(m_shift));
 }
 
-// The interval of an order begins up to a second beside the time of the order: Orders sees it by the
-// controller.
+// Orders sees begin and end when it reads the controller, up to a second before or after the interval does.
 void ShiftView::showOrder(const QString& title, double beginMs, double endMs)
 {
     constexpr qint64 besideMs = 1500;

@@ -73,7 +73,7 @@ public:
     Q_INVOKABLE void dismissAnswer();
     // Sets the reason of a stop, for operators. Returns false when the access check refuses.
     bool answer(qint64 stop, const StopReason& reason);
-    // Lets an interval begin now, so that those of an order are its own.
+    // Begins a new interval now: an order begins or ends, and its intervals belong to it alone.
     void divide() { m_book.divide(m_watch.now()); }
     // Writes the changes and the present interval.
     void write();
