@@ -1251,6 +1251,10 @@
         <source>Next bag taken</source>
         <translation>Nächster Beutel entnommen</translation>
     </message>
+    <message>
+        <source>File of the machine builder</source>
+        <translation>Datei des Maschinenbauers</translation>
+    </message>
 </context>
 <context>
     <name>Availability</name>
@@ -5327,6 +5331,30 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
     </message>
 </context>
 <context>
+    <name>campanel::panel::BuilderFiles</name>
+    <message>
+        <source>recipes: %1</source>
+        <translation>Rezepte: %1</translation>
+    </message>
+    <message>
+        <source>Not taken from the card: %1. %2</source>
+        <comment>file, whole sentence</comment>
+        <translation>Nicht von der Karte übernommen: %1. %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>And %n more; the audit trail has all.</source>
+        <translation>
+            <numerusform>Und %n weitere; das Protokoll hat alle.</numerusform>
+            <numerusform>Und %n weitere; das Protokoll hat alle.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Taken from the card: %1.</source>
+        <comment>list</comment>
+        <translation>Von der Karte übernommen: %1.</translation>
+    </message>
+</context>
+<context>
     <name>campanel::panel::CamFiles</name>
     <message>
         <source>A new file %1 will be written.</source>
@@ -7822,6 +7850,10 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
     <message>
         <source>Active in controller: generation %1 · another kind of program</source>
         <translation>In der Steuerung aktiv: Generation %1 · andere Programmart</translation>
+    </message>
+    <message>
+        <source>Not possible: the disk with the data of this machine is missing. The controller keeps its program.</source>
+        <translation>Nicht möglich: Der Datenträger mit den Daten dieser Maschine fehlt. Die Steuerung behält ihr Programm.</translation>
     </message>
 </context>
 <context>

@@ -1251,6 +1251,10 @@
         <source>Next bag taken</source>
         <translation>取走下一袋</translation>
     </message>
+    <message>
+        <source>File of the machine builder</source>
+        <translation>设备制造商的文件</translation>
+    </message>
 </context>
 <context>
     <name>Availability</name>
@@ -5325,6 +5329,29 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
     </message>
 </context>
 <context>
+    <name>campanel::panel::BuilderFiles</name>
+    <message>
+        <source>recipes: %1</source>
+        <translation>配方：%1</translation>
+    </message>
+    <message>
+        <source>Not taken from the card: %1. %2</source>
+        <comment>file, whole sentence</comment>
+        <translation>未从存储卡采用：%1。%2</translation>
+    </message>
+    <message numerus="yes">
+        <source>And %n more; the audit trail has all.</source>
+        <translation>
+            <numerusform>另有 %n 条；审计记录中有全部内容。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Taken from the card: %1.</source>
+        <comment>list</comment>
+        <translation>已从存储卡采用：%1。</translation>
+    </message>
+</context>
+<context>
     <name>campanel::panel::CamFiles</name>
     <message>
         <source>A new file %1 will be written.</source>
@@ -7820,6 +7847,10 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
     <message>
         <source>Active in controller: generation %1 · another kind of program</source>
         <translation>控制器中运行：第 %1 代 · 另一种程序</translation>
+    </message>
+    <message>
+        <source>Not possible: the disk with the data of this machine is missing. The controller keeps its program.</source>
+        <translation>无法执行：存有本机数据的磁盘缺失。控制器保留其程序。</translation>
     </message>
 </context>
 <context>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The panel's executable: reads the options and creates the parts.
 #include "app/link/threaded_link.h"
+#include "app/shell/card.h"
 #include "app/shell/clock_state.h"
 #include "app/shell/configuration.h"
 #include "app/shell/data_disk.h"
@@ -71,17 +72,17 @@ QString keyFolderOf(Arguments arguments)
     return file.absoluteDir().filePath(QStringLiteral("recipe-keys"));
 }
 
-panel::SettingValues configurationOf(Arguments arguments)
+shell::ReadConfiguration configurationOf(Arguments arguments)
 {
     const QString named = valueOf(arguments, "--config");
-    const shell::ReadConfiguration read =
+    shell::ReadConfiguration read =
         shell::readConfiguration(named.isEmpty() ? shell::configurationFile() : named);
     for (const QString& complaint : read.complaints)
         std::fprintf(stderr, "campanel: %s\n", qPrintable(complaint));
     if (!named.isEmpty() && !QFile::exists(named))
         std::fprintf(stderr, "campanel: %s: there is no such file.\n", qPrintable(named));
     QLoggingCategory::setFilterRules(read.values.text("log.rules"));
-    return read.values;
+    return read;
 }
 
 constexpr std::chrono::seconds screenAwaited{30};
@@ -116,12 +117,16 @@ bool hasFonts()
 // The exit code of the event loop to rebuild the panel from the data on the disk.
 constexpr int restartCode = 1000;
 
-int runPanel(const shell::Options& options, const panel::SettingValues& configuration,
-             const QString& keyFolder, const shell::ServiceManager& manager)
+// Where the boot of the image leaves what the machine builder put on the card.
+const QString builderFolder = QStringLiteral("/var/lib/campanel/made-ready");
+
+int runPanel(const shell::Options& options, const shell::ReadConfiguration& read, const QString& keyFolder,
+             const shell::ServiceManager& manager)
 {
+    const panel::SettingValues& configuration = read.values;
     link::ThreadedLink link(nullptr);
     const QString diskLost = shell::diskLost();
-    shell::Panel panel(link, {{}, {}, configuration, keyFolder, diskLost});
+    shell::Panel panel(link, {{}, {}, configuration, keyFolder, diskLost, builderFolder, read.complaints});
     panel.records().setClockState([] { return shell::clockState(); });
     panel.update().setPlaces(panel::UpdatePlaces::ofService());
     panel.touchCalibration().setPlaces(panel::TouchPlaces::ofService());
@@ -167,13 +172,15 @@ int main(int argc, char* argv[])
 {
     shell::keepMemoryFlat();
     const Arguments arguments(argv, static_cast<std::size_t>(argc));
-    panel::SettingValues configuration;
+    if (const QString card = valueOf(arguments, "--check-card"); !card.isEmpty())
+        return shell::printCard(card);
+    shell::ReadConfiguration configuration;
     if (isOffscreen(arguments))
         qputenv("QT_QPA_PLATFORM", "offscreen");
     else
         configuration = configurationOf(arguments);
     if (!isOffscreen(arguments) && isGiven(arguments, "--kiosk") &&
-        !prepareScreen(configuration.text("kiosk.screen")))
+        !prepareScreen(configuration.values.text("kiosk.screen")))
         return EXIT_FAILURE;
     const shell::ServiceManager manager;
     QGuiApplication application(argc, argv);
@@ -189,8 +196,9 @@ int main(int argc, char* argv[])
     // Reads the fonts while the QML is loading; the panel works without them.
     const std::future<bool> fonts = std::async(std::launch::async, &hasFonts);
     shell::chooseRenderer();
-    const auto lock = shell::waitForFolder(
-        folder, options.language.isEmpty() ? configuration.text("display.language") : options.language);
+    const auto lock = shell::waitForFolder(folder, options.language.isEmpty()
+                                                       ? configuration.values.text("display.language")
+                                                       : options.language);
     if (!lock)
         return EXIT_FAILURE;
     const shell::TerminationSignals terminationSignals;

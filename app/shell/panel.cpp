@@ -59,7 +59,8 @@ Panel::Qml::Qml()
 }
 
 Panel::Panel(link::Link& link, const Storage& storage)
-    : m_restore(
+    : m_storage(storage)
+    , m_restore(
           store::finishRestore(privateDataFolder(storage), panel::Settings::fileName(storage.settingsFile)))
     , m_wasSetUp(store::wasSetUp(QDir(recipeFolder(storage)).filePath(QStringLiteral("campanel.sqlite"))))
     , m_settings(storage.settingsFile, nullptr, storage.standard)
@@ -68,6 +69,7 @@ Panel::Panel(link::Link& link, const Storage& storage)
     , m_records(recipeFolder(storage), nullptr)
     , m_alarms(m_controller, m_editor, m_records, m_settings, nullptr)
     , m_recipes(m_controller, m_editor, m_records, recipeFolder(storage), nullptr)
+    , m_builderFiles(m_recipes, m_records, nullptr)
     , m_scan({m_controller, m_editor, m_recipes, m_settings}, recipeFolder(storage), nullptr)
     , m_maintenance(m_controller, m_settings, recipeFolder(storage), nullptr)
     , m_trends(m_controller, m_settings, m_records, recipeFolder(storage), nullptr)
@@ -108,8 +110,10 @@ Panel::Panel(link::Link& link, const Storage& storage)
     m_commissioning.setPrinter(print);
     m_shiftReport.setPrinter(print);
     m_records.noteRestore(m_restore);
-    if (!storage.diskLost.isEmpty())
+    if (!storage.diskLost.isEmpty()) {
         m_records.noteDiskLost(storage.diskLost);
+        m_editor.programDownload()->noteDataLost();
+    }
     connect(&m_backup, &panel::Backup::restartWanted, this, &Panel::restartWanted);
     m_bundle.setScreen([this] {
         QByteArray png;
@@ -147,14 +151,15 @@ Panel::Panel(link::Link& link, const Storage& storage)
     connect(&m_touchCalibration, &panel::TouchCalibration::noted, &m_trail, &panel::AuditTrail::note);
     connect(&m_systemClock, &panel::SystemClock::moved, &m_records, &panel::DatabaseService::noteClockProven);
     connect(&m_update, &panel::SoftwareUpdate::noted, &m_trail, &panel::AuditTrail::note);
+    connect(&m_builderFiles, &panel::BuilderFiles::noted, &m_trail, &panel::AuditTrail::noteOutside);
     connect(&m_update, &panel::SoftwareUpdate::ended, &m_trail, &panel::AuditTrail::noteOutside);
     connect(&m_versions, &panel::Versions::noted, &m_trail, &panel::AuditTrail::noteOutside);
     connect(&m_plant, &panel::PlantFeed::gatewayChanged, &m_versions, &panel::Versions::setGateway);
-    panel::attachToEngine(m_qml->engine, m_access, m_alarms, m_audit, m_backup, m_commissioning, m_display,
-                          m_controller, m_editor, m_explanations, m_handSpeed, m_handTrims, m_handBags,
-                          m_orders, m_records, m_recipes, m_maintenance, m_scan, m_bundle, m_rotation,
-                          m_settings, m_shiftReport, m_stops, m_systemClock, m_systemNetwork,
-                          m_touchCalibration, m_trends, m_update, m_versions);
+    panel::attachToEngine(m_qml->engine, m_access, m_alarms, m_audit, m_backup, m_builderFiles,
+                          m_commissioning, m_display, m_controller, m_editor, m_explanations, m_handSpeed,
+                          m_handTrims, m_handBags, m_orders, m_records, m_recipes, m_maintenance, m_scan,
+                          m_bundle, m_rotation, m_settings, m_shiftReport, m_stops, m_systemClock,
+                          m_systemNetwork, m_touchCalibration, m_trends, m_update, m_versions);
     panel::Units::setOnScreen();
     connect(&m_settings, &panel::Settings::languageChanged, this, &Panel::translate);
     translate();
@@ -175,6 +180,7 @@ void Panel::open()
     m_trends.open();
     m_access.open();
     m_trail.open();
+    m_builderFiles.open(m_storage.builderFolder, m_storage.keyFolder, m_storage.complaints);
     m_update.open();
     m_versions.open();
     m_touchCalibration.resume();

@@ -17,6 +17,7 @@
 #include "app/panel/hand/hand_bags.h"
 #include "app/panel/hand/hand_speed.h"
 #include "app/panel/hand/hand_trims.h"
+#include "app/panel/library/builder_files.h"
 #include "app/panel/library/recipes.h"
 #include "app/panel/maintenance/maintenance.h"
 #include "app/panel/orders/orders.h"
@@ -54,6 +55,8 @@ struct Storage {
     panel::SettingValues standard{}; // until another value is set on the panel
     QString keyFolder{};             // public keys of those who sign recipes; empty: none
     QString diskLost{};              // why the disk for the data is missing; empty: it is there
+    QString builderFolder{};         // what the boot has taken from the machine builder's card
+    QStringList complaints{};        // about the machine builder's configuration, a sentence each
 };
 
 class Panel : public QObject {
@@ -72,6 +75,7 @@ public:
     [[nodiscard]] panel::SystemClock& systemClock() { return m_systemClock; }
     [[nodiscard]] panel::SystemNetwork& systemNetwork() { return m_systemNetwork; }
     [[nodiscard]] panel::Recipes& recipes() { return m_recipes; }
+    [[nodiscard]] panel::BuilderFiles& builderFiles() { return m_builderFiles; }
     [[nodiscard]] panel::Scan& scan() { return m_scan; }
     [[nodiscard]] panel::Maintenance& maintenance() { return m_maintenance; }
     [[nodiscard]] panel::Trends& trends() { return m_trends; }
@@ -120,7 +124,8 @@ private:
         QQmlComponent component{&engine};
     };
     std::unique_ptr<Qml> m_qml = std::make_unique<Qml>(); // deleted first, in the destructor
-    store::FinishedRestore m_restore;                     // before anything is read
+    Storage m_storage;
+    store::FinishedRestore m_restore; // before anything is read
     bool m_wasSetUp = false;
     panel::Settings m_settings;
     panel::Controller m_controller;
@@ -128,6 +133,7 @@ private:
     panel::DatabaseService m_records;
     panel::Alarms m_alarms;
     panel::Recipes m_recipes;
+    panel::BuilderFiles m_builderFiles;
     panel::Scan m_scan; // its filter sees a key after those of the members below
     panel::Maintenance m_maintenance;
     panel::Trends m_trends;

@@ -32,7 +32,7 @@ Item {
     readonly property string answer: Controller.commandMessage.length > 0 ? Controller.commandMessage : Stops.answerText.length > 0 ? Stops.answerText : Scan.notice.length > 0 ? Scan.notice : Orders.notice.length > 0 ? Orders.notice
         : Settings.notice.length > 0 ? Settings.notice : Editor.notice.length > 0 ? Editor.notice
         : DatabaseService.notice.length > 0 ? DatabaseService.notice
-        : SoftwareUpdate.notice.length > 0 ? SoftwareUpdate.notice
+        : BuilderFiles.notice.length > 0 ? BuilderFiles.notice : SoftwareUpdate.notice.length > 0 ? SoftwareUpdate.notice
         : TouchCalibration.notice.length > 0 ? TouchCalibration.notice : startRefused ? Controller.startBlockedReason : ""
     readonly property bool stopShown: Controller.stopWaits
     readonly property bool undoShown: !stopShown && answer.length > 0 && answer === Stops.answerText
@@ -73,6 +73,7 @@ Item {
         Settings.dismissNotice()
         Editor.dismissNotice()
         DatabaseService.dismissNotice()
+        BuilderFiles.dismissNotice()
         SoftwareUpdate.dismissNotice()
         TouchCalibration.dismissNotice()
     }

@@ -79,6 +79,7 @@ constexpr std::array whatWords{
     Word{"recipe.restore", QT_TRANSLATE_NOOP("AuditWords", "Recipe restored")},
     Word{"recipe.file_lost", QT_TRANSLATE_NOOP("AuditWords", "Recipe file lost or damaged")},
     Word{"recipe.machine_lost", QT_TRANSLATE_NOOP("AuditWords", "Machine data lost or damaged")},
+    Word{"builder.file", QT_TRANSLATE_NOOP("AuditWords", "File of the machine builder")},
     Word{"film.scan", QT_TRANSLATE_NOOP("AuditWords", "Film reel scanned")},
     Word{"film.override", QT_TRANSLATE_NOOP("AuditWords", "Wrong film reel allowed")},
     Word{"parameter.write", QT_TRANSLATE_NOOP("AuditWords", "Parameter written")},

@@ -70,6 +70,9 @@ QString ProgramDownload::blockedReason() const
 {
     if (const QString reason = m_controller.blockedReason(Action::Download); !reason.isEmpty())
         return reason;
+    if (m_isDataLost)
+        return tr("Not possible: the disk with the data of this machine is missing. The controller keeps its "
+                  "program.");
     if (!m_offer)
         return tr("Not possible: the machine cannot execute this recipe.");
     if (!m_controller.identity()->supports(static_cast<modbus::ProgramKind>(m_offer->recipe.kind())))

@@ -52,6 +52,12 @@ public:
 
     ProgramDownload(Controller& controller, QObject* parent);
 
+    // Refuses every download from now on: the machine data are not those of this machine.
+    void noteDataLost()
+    {
+        m_isDataLost = true;
+        update();
+    }
     // Sets the image to download; null when the recipe is not feasible.
     void offer(std::shared_ptr<const program::ProgramImage> image);
 
@@ -100,6 +106,7 @@ private:
     std::optional<program::Recipe> m_sent;
     std::vector<std::uint16_t> m_sentRegisters;
     link::DownloadReport m_report;
+    bool m_isDataLost = false;
     bool m_hasEnded = false; // the report belongs to an ended download without edits since then
 };
 

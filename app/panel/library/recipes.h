@@ -129,6 +129,12 @@ public:
     // operators.
     void saveTrims(const QString& name, const program::Trims& trims);
 
+    // Takes the recipe files of the machine builder from a folder, in the order of their names. On a panel
+    // without recipes the first of each kind sets the machine data, and the first of all is opened. Then
+    // `done` gets the number of recipes that were taken, and per file why it was not.
+    void takeFromBuilder(const QString& folder, const QString& keyFolder,
+                         std::function<void(int count, const QMap<QString, QString>& refused)> done);
+
     // Returns {key, text, note} of each recipe of this kind, for a choice.
     [[nodiscard]] Q_INVOKABLE QVariantList choicesOf(int kind) const;
     Q_INVOKABLE void choose(int row);

@@ -7,6 +7,11 @@
 #include "app/panel/recipe/recipe_edit.h"
 #include "app/panel/words/recipe_words.h"
 
+#include <QFileInfo>
+
+#include <algorithm>
+#include <map>
+
 using namespace Qt::StringLiterals;
 
 namespace campanel::panel {
@@ -93,6 +98,49 @@ void Recipes::reportLostMachineData()
                 .arg(RecipeWords::kindName(each.recipe.kind()), each.takenFrom));
         note(u"recipe.machine_lost"_s, each.takenFrom, {}, {});
     }
+}
+
+void Recipes::takeFromBuilder(const QString& folder, const QString& keyFolder,
+                              std::function<void(int count, const QMap<QString, QString>& refused)> done)
+{
+    const auto take = [this, done = std::move(done)](QList<store::RecipeOffer> offers) {
+        const bool isNew = m_all.isEmpty();
+        std::map<profile::ProgramKind, profile::Machine> machines;
+        QMap<QString, QString> refused;
+        int count = 0;
+        std::ranges::sort(offers, {}, &store::RecipeOffer::path);
+        for (const store::RecipeOffer& offer : std::as_const(offers)) {
+            const QString file = QFileInfo(offer.path).fileName();
+            if (!offer.recipe) {
+                refused.insert(file, store::FileErrorText::describe(offer.recipe.error()));
+                continue;
+            }
+            const RecipeFiles::Effect effect = consequence(offer);
+            if (effect.isRefused)
+                refused.insert(file, effect.text);
+            if (effect.isRefused || effect.isKnown)
+                continue;
+            Recipe recipe = onThisMachine(*offer.recipe);
+            if (isNew)
+                recipe.machine = machines.try_emplace(recipe.kind(), offer.recipe->machine).first->second;
+            const bool isFirst = isNew && count == 0;
+            ++count;
+            keep(
+                recipe, Origin::Library,
+                [this, isFirst](const RecipeVersion& kept) {
+                    if (isFirst)
+                        m_editor.open(kept.recipe);
+                },
+                offer.signature ? offer.signature->signer : QString());
+        }
+        done(count, refused);
+    };
+    m_records.store().run(
+        this,
+        [folder, keyFolder](store::Database&) {
+            return store::offeredRecipes({store::Place{.path = folder, .name = folder}}, keyFolder);
+        },
+        take);
 }
 
 } // namespace campanel::panel

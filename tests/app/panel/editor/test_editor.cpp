@@ -410,6 +410,21 @@ private slots:
         QCOMPARE(rig.editor.programDownload()->state(), ProgramDownload::State::Ready);
     }
 
+    // An empty controller would take the machine data of the image.
+    void withoutTheDataOfThisMachineNothingIsDownloaded()
+    {
+        PanelRig rig;
+        rig.connectIdle();
+        rig.editor.bagLength()->set(260);
+        QVERIFY(rig.editor.programDownload()->canDownload());
+        rig.editor.programDownload()->noteDataLost();
+        QVERIFY(!rig.editor.programDownload()->canDownload());
+        QVERIFY2(rig.editor.programDownload()->text().contains("disk with the data"),
+                 qPrintable(rig.editor.programDownload()->text()));
+        rig.editor.download();
+        QVERIFY(rig.link.banks.empty());
+    }
+
     void failedDownloadSaysWhyAndCanBeRepeated()
     {
         PanelRig rig;
