@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // campanel-gateway: publishes the values of one panel on the plant's network, by MQTT Sparkplug B. It carries
-// nothing the other way but refused commands, for the audit trail, and offered recipes, for a person.
+// nothing the other way but refused commands, for the audit trail, and offers, for a person.
 #include "app/plant/socket_path.h"
 #include "app/shell/termination_signals.h"
 #include "app/store/files/files.h"
@@ -84,10 +84,10 @@ public:
                  {[this](const plant::CommandMessage& command) { noteCommand(command); },
                   [this] { m_panel.renew(); },
                   [this](LogKind kind, const QString& sentence) { m_log.report(kind, sentence); }})
-        , m_inbox(settings.group, m_line,
-                  {[this](const plant::OfferMessage& offer) { return m_panel.send(offer); },
-                   [this](LogKind kind, const QString& sentence) { m_log.report(kind, sentence); }},
-                  QFileInfo(arguments.configuration).absoluteDir().filePath(u"recipe-keys"_s))
+        , m_recipes(OfferInbox::Kind::Recipe, OfferInbox::recipeTopic(settings.group), m_line, inboxEvents(),
+                    keyFolderOf(arguments))
+        , m_orders(OfferInbox::Kind::Order, OfferInbox::orderTopic(settings.group, settings.node), m_line,
+                   inboxEvents(), keyFolderOf(arguments))
     {
         connectPanel();
         connectBroker();
@@ -110,7 +110,17 @@ public:
 
 private:
     using LogKind = gateway::LogKind;
+    using OfferInbox = gateway::OfferInbox;
 
+    [[nodiscard]] static QString keyFolderOf(const Arguments& arguments)
+    {
+        return QFileInfo(arguments.configuration).absoluteDir().filePath(u"recipe-keys"_s);
+    }
+    [[nodiscard]] gateway::InboxEvents inboxEvents()
+    {
+        return {[this](const plant::OfferMessage& offer) { return m_panel.send(offer); },
+                [this](LogKind kind, const QString& sentence) { m_log.report(kind, sentence); }};
+    }
     void noteCommand(const plant::CommandMessage& command)
     {
         m_log.report(LogKind::Command, u"Refused: %1 = %2."_s.arg(store::oneLine(command.metric),
@@ -124,7 +134,8 @@ private:
                          [this](const plant::ValueMessage& message) { m_node.takeValues(message); });
         QObject::connect(&m_panel, &gateway::PanelLine::connected, &m_context, [this] {
             m_panel.send(plant::GatewayMessage{QCoreApplication::applicationVersion()});
-            m_inbox.panelConnected();
+            for (OfferInbox* inbox : {&m_recipes, &m_orders})
+                inbox->panelConnected();
         });
         QObject::connect(&m_panel, &gateway::PanelLine::lost, &m_context, [this] { m_node.panelLost(); });
         QObject::connect(&m_panel, &gateway::PanelLine::reported, &m_context,
@@ -136,7 +147,8 @@ private:
             m_log.report(LogKind::Connected,
                          u"Connected to %1:%2."_s.arg(m_settings.host, QString::number(m_settings.port)));
             m_node.brokerOpened(bdSeq);
-            m_inbox.brokerOpened();
+            for (OfferInbox* inbox : {&m_recipes, &m_orders})
+                inbox->brokerOpened();
         });
         QObject::connect(&m_line, &gateway::MqttLine::closed, &m_context, [this](const QString& reason) {
             if (reason != m_lastReason || m_node.isBorn())
@@ -146,7 +158,7 @@ private:
         });
         QObject::connect(&m_line, &gateway::MqttLine::received, &m_context,
                          [this](const QString& topic, const QByteArray& bytes) {
-                             if (!m_inbox.take(topic, bytes))
+                             if (!m_recipes.take(topic, bytes) && !m_orders.take(topic, bytes))
                                  m_node.takeMessage(topic, bytes);
                          });
         QObject::connect(&m_line, &gateway::MqttLine::barrierPassed, &m_context,
@@ -162,7 +174,8 @@ private:
     {
         m_commandsInTick = 0;
         m_node.tick();
-        m_inbox.tick();
+        for (OfferInbox* inbox : {&m_recipes, &m_orders})
+            inbox->tick();
         m_log.tick();
     }
 
@@ -172,7 +185,8 @@ private:
     gateway::MqttLine m_line;
     gateway::PanelLine m_panel;
     gateway::SparkplugNode m_node;
-    gateway::OfferInbox m_inbox;
+    OfferInbox m_recipes;
+    OfferInbox m_orders;
     QTimer m_ticks;
     QString m_lastReason;
     qint64 m_leftOut = 0;

@@ -2,6 +2,7 @@
 #include "gateway/offer_inbox.h"
 
 #include "app/store/files/files.h"
+#include "app/store/recipes/signed_order.h"
 #include "app/store/recipes/signed_recipe.h"
 
 #include <algorithm>
@@ -11,8 +12,20 @@ using namespace Qt::StringLiterals;
 
 namespace campanel::gateway {
 
-OfferInbox::OfferInbox(const QString& group, Broker& broker, InboxEvents events, QString keyFolder)
-    : m_folder(u"campanel/%1/recipes/"_s.arg(group))
+QString OfferInbox::recipeTopic(const QString& group)
+{
+    return u"campanel/%1/recipes/"_s.arg(group);
+}
+
+QString OfferInbox::orderTopic(const QString& group, const QString& node)
+{
+    return u"campanel/%1/orders/%2/"_s.arg(group, node);
+}
+
+OfferInbox::OfferInbox(Kind kind, const QString& folder, Broker& broker, InboxEvents events,
+                       QString keyFolder)
+    : m_kind(kind)
+    , m_folder(folder)
     , m_keyFolder(std::move(keyFolder))
     , m_broker(broker)
     , m_events(std::move(events))
@@ -59,24 +72,27 @@ bool OfferInbox::take(const QString& topic, const QByteArray& file)
 
 OfferInbox::Offer OfferInbox::offerOf(const QByteArray& file) const
 {
-    const auto recipe = store::verifyRecipe(file, {}, m_keys);
-    if (!recipe)
-        return {file, false, {}, 0, 0};
-    return {file, true, QString::fromStdString(recipe->recipe.name), recipe->recipe.version, 0};
+    if (m_kind == Kind::Order) {
+        if (const auto order = store::verifyOrder(file, {}, m_keys))
+            return {file, true, order->order.text, order->signedMs, 0};
+    } else if (const auto recipe = store::verifyRecipe(file, {}, m_keys)) {
+        return {file, true, QString::fromStdString(recipe->recipe.name), recipe->recipe.version, 0};
+    }
+    return {file, false, {}, 0, 0};
 }
 
 bool OfferInbox::makeRoom(const QString& name, const Offer& offer)
 {
     if (offer.isTrusted) {
         const auto other = std::find_if(m_offers.begin(), m_offers.end(), [&offer](const Offer& each) {
-            return each.isTrusted && each.recipe == offer.recipe;
+            return each.isTrusted && each.thing == offer.thing;
         });
         if (other != m_offers.end() && other->version > offer.version) {
-            report(u"The offer %1 is not passed on: a newer version of its recipe is offered."_s, name);
+            report(u"The offer %1 is not passed on: a newer one of its recipe or order is offered."_s, name);
             return false;
         }
         if (other != m_offers.end()) {
-            report(u"The offer %1 is replaced by another one of its recipe."_s, other.key());
+            report(u"The offer %1 is replaced by another one of its recipe or order."_s, other.key());
             remove(other.key());
         }
     }
@@ -133,10 +149,10 @@ void OfferInbox::panelConnected()
 
 void OfferInbox::tick()
 {
-    if (m_isClearDue && !m_events.offer({}))
+    if (m_isClearDue && !m_events.offer({{}, {}, m_kind}))
         return;
     m_isClearDue = false;
-    while (!m_due.isEmpty() && m_events.offer({m_due.first(), m_offers.value(m_due.first()).file}))
+    while (!m_due.isEmpty() && m_events.offer({m_due.first(), m_offers.value(m_due.first()).file, m_kind}))
         m_due.removeFirst();
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The recipes that the plant offers, as retained messages of the broker. They are passed on to the panel,
-// which checks signature and content again; a person there accepts. The signature decides here whose offers
-// have a place: anybody who reaches the broker may fill it with others.
+// The recipes or orders that the plant offers, as retained messages of the broker. They are passed on to the
+// panel, which checks signature and content again; a person there accepts. The signature decides here whose
+// offers have a place: anybody who reaches the broker may fill it with others.
 #pragma once
 
 #include "app/plant/local_messages.h"
@@ -25,8 +25,15 @@ public:
     // The places of offers without the signature of a trusted key: their reasons can be read on the panel.
     static constexpr qsizetype maxUntrusted = 4;
 
-    // `keyFolder` has the public keys of the signers that the panel trusts.
-    OfferInbox(const QString& group, Broker& broker, InboxEvents events, QString keyFolder = {});
+    using Kind = plant::OfferMessage::Kind;
+
+    // `folder` is the topic above the offers; see recipeTopic() and orderTopic(). `keyFolder` has the public
+    // keys of the signers that the panel trusts.
+    OfferInbox(Kind kind, const QString& folder, Broker& broker, InboxEvents events, QString keyFolder = {});
+
+    // Return the topics above the offers: of recipes to a group, of orders to a machine.
+    [[nodiscard]] static QString recipeTopic(const QString& group);
+    [[nodiscard]] static QString orderTopic(const QString& group, const QString& node);
 
     // Subscribes; the broker sends all offers anew.
     void brokerOpened();
@@ -41,9 +48,9 @@ private:
     struct Offer {
         QByteArray file; // a large one is cut
         bool isTrusted = false;
-        QString recipe; // of a trusted one
-        int version = 0;
-        qint64 order = 0; // of its arrival
+        QString thing;      // of a trusted one: the recipe, or the text of the order
+        qint64 version = 0; // of the recipe, or the time of the order's signature
+        qint64 order = 0;   // of its arrival
     };
 
     [[nodiscard]] Offer offerOf(const QByteArray& file) const;
@@ -55,6 +62,7 @@ private:
     void setDue(const QString& name);
     void report(const QString& sentence, const QString& name) const;
 
+    Kind m_kind;
     bool m_hasOpened = false; // the broker, once
     QString m_folder;         // topic of the offers, with the last slash
     QString m_keyFolder;

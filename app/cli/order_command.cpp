@@ -6,7 +6,10 @@
 #include "app/cli/invocation.h"
 #include "app/cli/link_session.h"
 #include "app/cli/report.h"
+#include "app/cli/signed_file.h"
+#include "app/panel/words/order_words.h"
 #include "app/store/logs/order_log.h"
+#include "app/store/recipes/signed_order.h"
 #include "modbus/map/order_status.h"
 
 #include <algorithm>
@@ -207,6 +210,59 @@ Outcome list(const Invocation& call, const QString& path)
                         u"rejected"_s, u"empty"_s, u"started_utc"_s, u"ended_utc"_s}));
 }
 
+// Prints the file of an order that a machine's panel offers to its operator.
+Outcome sign(const Invocation& call)
+{
+    const auto made = orderOf(call);
+    if (!made)
+        return tl::unexpected(made.error());
+    store::OrderRow order;
+    order.quantity = made->quantity;
+    order.lot = QString::fromStdString(made->lot);
+    order.action = static_cast<store::OrderRow::Action>(made->action); // the same numbers
+    order.text = call.value(u"order"_s).trimmed();
+    order.recipe = call.value(u"recipe"_s).trimmed();
+    bool isNumber = false;
+    order.messageBefore = call.value(u"message-before"_s).toLongLong(&isNumber);
+    if (!isNumber || order.messageBefore < 0 || order.messageBefore > modbus::maxOrderQuantity)
+        return fail(ExitCode::Usage, u"--message-before takes a whole number of bags."_s);
+    const QString machine = call.value(u"machine"_s).trimmed();
+    if (order.text.isEmpty() || machine.isEmpty())
+        return fail(ExitCode::Usage,
+                    u"--order takes the plant's number of the order, --machine the name of the machine."_s);
+    for (const QString& text : {order.text, order.recipe}) {
+        if (const QString refusal = panel::OrderWords::textRefusal(text); !refusal.isEmpty())
+            return fail(ExitCode::Usage, refusal);
+    }
+    const auto key = secretKeyOf(call);
+    if (!key)
+        return tl::unexpected(key.error());
+    return call.deliver(store::signOrder(order, machine, QDateTime::currentMSecsSinceEpoch(), *key));
+}
+
+Outcome verify(const Invocation& call, const QString& path)
+{
+    const auto keys = publicKeysOf(call);
+    if (!keys)
+        return tl::unexpected(keys.error());
+    const auto bytes = store::readBytes(path);
+    if (!bytes)
+        return fail(bytes.error());
+    const auto valid = store::verifyOrder(*bytes, path, *keys);
+    if (!valid)
+        return fail(ExitCode::Refused, store::FileErrorText::describe(valid.error()));
+    return call.deliver(formatted(QJsonObject{{u"order"_s, valid->order.text},
+                                              {u"lot"_s, valid->order.lot},
+                                              {u"recipe"_s, valid->order.recipe},
+                                              {u"quantity"_s, valid->order.quantity},
+                                              {u"action"_s, store::nameOf(valid->order.action)},
+                                              {u"message_before"_s, valid->order.messageBefore},
+                                              {u"machine"_s, valid->machine},
+                                              {u"signed_by"_s, valid->signer},
+                                              {u"signed_utc"_s, utcOf(valid->signedMs)}},
+                                  u"json"_s));
+}
+
 } // namespace
 
 Outcome runOrder(const Invocation& call)
@@ -220,7 +276,12 @@ Outcome runOrder(const Invocation& call)
         return end(call);
     if (words.size() == 2 && words.first() == u"list")
         return list(call, words.last());
-    return fail(ExitCode::Usage, u"Name what to do: campanelctl order start, status, end or list FILE."_s);
+    if (words == QStringList{u"sign"_s})
+        return sign(call);
+    if (words.size() == 2 && words.first() == u"verify")
+        return verify(call, words.last());
+    return fail(ExitCode::Usage,
+                u"Name what to do: campanelctl order start, status, end, list FILE, sign or verify FILE."_s);
 }
 
 } // namespace campanel::cli

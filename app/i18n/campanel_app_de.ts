@@ -1984,52 +1984,52 @@ eff. %2</translation>
 <context>
     <name>FileErrorText</name>
     <message>
-        <source>The recipe file %1 does not exist. Check its name.</source>
-        <translation>Die Rezeptdatei %1 ist nicht vorhanden. Namen prüfen.</translation>
+        <source>The file %1 does not exist. Check its name.</source>
+        <translation>Die Datei %1 ist nicht vorhanden. Namen prüfen.</translation>
     </message>
     <message>
-        <source>The recipe file %1 cannot be read: %2.</source>
-        <translation>Die Rezeptdatei %1 ist nicht lesbar: %2.</translation>
+        <source>The file %1 cannot be read: %2.</source>
+        <translation>Die Datei %1 ist nicht lesbar: %2.</translation>
     </message>
     <message>
         <source>The recipe could not be saved to %1: %2; the stored recipe is unchanged. Free disk space or check the permissions, then save again.</source>
         <translation>Das Rezept konnte nicht nach %1 gespeichert werden: %2; das gespeicherte Rezept ist unverändert. Platz schaffen oder Rechte prüfen, dann erneut speichern.</translation>
     </message>
     <message>
-        <source>The recipe file %1 is damaged at byte %2: %3. Restore it from a copy.</source>
-        <translation>Die Rezeptdatei %1 ist bei Byte %2 beschädigt: %3. Aus einer Kopie wiederherstellen.</translation>
+        <source>The file %1 is damaged at byte %2: %3. Restore it from a copy.</source>
+        <translation>Die Datei %1 ist bei Byte %2 beschädigt: %3. Aus einer Kopie wiederherstellen.</translation>
     </message>
     <message>
         <source>%1 is not a CamPanel recipe: the key &quot;format&quot; must be &quot;campanel-recipe&quot;.</source>
         <translation>%1 ist kein CamPanel-Rezept: Der Schlüssel &quot;format&quot; muss &quot;campanel-recipe&quot; sein.</translation>
     </message>
     <message>
-        <source>The recipe file %1 has format version %2, this program reads versions up to %3. Update the program.</source>
-        <translation>Die Rezeptdatei %1 hat die Formatversion %2, dieses Programm liest Versionen bis %3. Aktualisieren Sie das Programm.</translation>
+        <source>The file %1 has format version %2, this program reads versions up to %3. Update the program.</source>
+        <translation>Die Datei %1 hat die Formatversion %2, dieses Programm liest Versionen bis %3. Aktualisieren Sie das Programm.</translation>
     </message>
     <message>
-        <source>The recipe file %1 has an unknown key %2. Correct or remove the key.</source>
-        <translation>Die Rezeptdatei %1 hat einen unbekannten Schlüssel %2. Schlüssel korrigieren oder entfernen.</translation>
+        <source>The file %1 has an unknown key %2. Correct or remove the key.</source>
+        <translation>Die Datei %1 hat einen unbekannten Schlüssel %2. Schlüssel korrigieren oder entfernen.</translation>
     </message>
     <message>
-        <source>The recipe file %1 lacks the key %2. Add the key.</source>
-        <translation>In der Rezeptdatei %1 fehlt der Schlüssel %2. Schlüssel ergänzen.</translation>
+        <source>The file %1 lacks the key %2. Add the key.</source>
+        <translation>In der Datei %1 fehlt der Schlüssel %2. Schlüssel ergänzen.</translation>
     </message>
     <message>
-        <source>In the recipe file %1, %2 must be %3.</source>
-        <translation>In der Rezeptdatei %1 muss %2 %3 sein.</translation>
+        <source>In the file %1, %2 must be %3.</source>
+        <translation>In der Datei %1 muss %2 %3 sein.</translation>
     </message>
     <message>
-        <source>In the recipe file %1, %2 is %3; enter %4.</source>
-        <translation>In der Rezeptdatei %1 ist %2 gleich %3; %4 eingeben.</translation>
+        <source>In the file %1, %2 is %3; enter %4.</source>
+        <translation>In der Datei %1 ist %2 gleich %3; %4 eingeben.</translation>
     </message>
     <message>
-        <source>In the recipe file %1, %2 is &quot;%3&quot;; choose one of: %4.</source>
-        <translation>In der Rezeptdatei %1 ist %2 „%3“; eines davon wählen: %4.</translation>
+        <source>In the file %1, %2 is &quot;%3&quot;; choose one of: %4.</source>
+        <translation>In der Datei %1 ist %2 „%3“; eines davon wählen: %4.</translation>
     </message>
     <message>
-        <source>In the recipe file %1, %2 is longer than %3 bytes. Shorten the text.</source>
-        <translation>In der Rezeptdatei %1 ist %2 länger als %3 Bytes. Text kürzen.</translation>
+        <source>In the file %1, %2 is longer than %3 bytes. Shorten the text.</source>
+        <translation>In der Datei %1 ist %2 länger als %3 Bytes. Text kürzen.</translation>
     </message>
     <message>
         <source>a number</source>
@@ -2088,16 +2088,8 @@ eff. %2</translation>
         <translation>%1, Zeile %2: erwartet %3, gefunden „%4“.</translation>
     </message>
     <message>
-        <source>The file %1 does not exist. Check its name.</source>
-        <translation>Die Datei %1 ist nicht vorhanden. Namen prüfen.</translation>
-    </message>
-    <message>
         <source>The file %1 cannot be written: %2.</source>
         <translation>Die Datei %1 lässt sich nicht schreiben: %2.</translation>
-    </message>
-    <message>
-        <source>The file %1 cannot be read: %2.</source>
-        <translation>Die Datei %1 ist nicht lesbar: %2.</translation>
     </message>
     <message>
         <source>This panel</source>
@@ -2109,20 +2101,20 @@ eff. %2</translation>
         <translation>%1 Platz schaffen, Stick entsperren oder einen anderen Ort wählen.</translation>
     </message>
     <message>
-        <source>The recipe file %1 has the key %2 twice. Remove one of them.</source>
-        <translation>Die Rezeptdatei %1 hat den Schlüssel %2 zweimal. Einen davon entfernen.</translation>
+        <source>The file %1 has the key %2 twice. Remove one of them.</source>
+        <translation>Die Datei %1 hat den Schlüssel %2 zweimal. Einen davon entfernen.</translation>
     </message>
     <message>
-        <source>The recipe file %1 is signed by %2, whose key this machine does not have. Ask Service to install the key, or have the recipe signed by somebody else.</source>
-        <translation>Die Rezeptdatei %1 ist von %2 signiert, dessen Schlüssel diese Maschine nicht hat. Den Schlüssel vom Service installieren oder das Rezept von jemand anderem signieren lassen.</translation>
+        <source>The file %1 is signed by %2, whose key this machine does not have. Ask Service to install the key, or have it signed by somebody else.</source>
+        <translation>Die Datei %1 ist von %2 signiert, dessen Schlüssel diese Maschine nicht hat. Den Schlüssel vom Service installieren oder sie von jemand anderem signieren lassen.</translation>
     </message>
     <message>
-        <source>The recipe file %1 is signed by %2, whose key was withdrawn. Have the recipe signed with a valid key.</source>
-        <translation>Die Rezeptdatei %1 ist von %2 signiert, dessen Schlüssel zurückgezogen wurde. Das Rezept mit einem gültigen Schlüssel signieren lassen.</translation>
+        <source>The file %1 is signed by %2, whose key was withdrawn. Have it signed with a valid key.</source>
+        <translation>Die Datei %1 ist von %2 signiert, dessen Schlüssel zurückgezogen wurde. Sie mit einem gültigen Schlüssel signieren lassen.</translation>
     </message>
     <message>
-        <source>The recipe file %1 does not match the signature of %2: it was changed, or another key signed it. Ask for a new copy.</source>
-        <translation>Die Rezeptdatei %1 passt nicht zur Signatur von %2: sie wurde geändert oder mit einem anderen Schlüssel signiert. Eine neue Kopie anfordern.</translation>
+        <source>The file %1 does not match the signature of %2: it was changed, or another key signed it. Ask for a new copy.</source>
+        <translation>Die Datei %1 passt nicht zur Signatur von %2: sie wurde geändert oder mit einem anderen Schlüssel signiert. Eine neue Kopie anfordern.</translation>
     </message>
     <message>
         <source>not a regular file</source>
@@ -2145,16 +2137,16 @@ eff. %2</translation>
         <translation>eine Liste von Objekten</translation>
     </message>
     <message>
-        <source>The recipe file %1 is not signed; the plant&apos;s network offers signed recipes only. Have it signed.</source>
-        <translation>Die Rezeptdatei %1 ist nicht signiert; das Werksnetz bietet nur signierte Rezepte an. Datei signieren lassen.</translation>
+        <source>The file %1 is not signed; the plant&apos;s network offers signed files only. Have it signed.</source>
+        <translation>Die Datei %1 ist nicht signiert; das Werksnetz bietet nur signierte Dateien an. Datei signieren lassen.</translation>
     </message>
     <message>
         <source>Plant network</source>
         <translation>Werksnetz</translation>
     </message>
     <message>
-        <source>In the recipe file %1, %2 has the character %3, which nobody can see. Remove the character.</source>
-        <translation>In der Rezeptdatei %1 enthält %2 das unsichtbare Zeichen %3. Das Zeichen entfernen.</translation>
+        <source>In the file %1, %2 has the character %3, which nobody can see. Remove the character.</source>
+        <translation>In der Datei %1 enthält %2 das unsichtbare Zeichen %3. Das Zeichen entfernen.</translation>
     </message>
     <message>
         <source>a text of visible characters</source>
@@ -7414,6 +7406,26 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
     <message>
         <source>Enter how many good bags to make.</source>
         <translation>Eingeben, wie viele gute Beutel herzustellen sind.</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::OrderOffers</name>
+    <message>
+        <source>This order is for the machine %1; this one is %2.</source>
+        <translation>Dieser Auftrag ist für die Maschine %1; dies ist %2.</translation>
+    </message>
+    <message>
+        <source>It waits in the queue, or was started already.</source>
+        <translation>Er steht in der Warteschlange oder wurde schon gestartet.</translation>
+    </message>
+    <message>
+        <source>%1 bags</source>
+        <translation>%1 Beutel</translation>
+    </message>
+    <message>
+        <source>signed by %1</source>
+        <comment>person</comment>
+        <translation>signiert von %1</translation>
     </message>
 </context>
 <context>

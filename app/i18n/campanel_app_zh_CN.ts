@@ -1982,52 +1982,52 @@ RMS %2</source>
 <context>
     <name>FileErrorText</name>
     <message>
-        <source>The recipe file %1 does not exist. Check its name.</source>
-        <translation>配方文件 %1 不存在。请检查文件名。</translation>
+        <source>The file %1 does not exist. Check its name.</source>
+        <translation>文件 %1 不存在。请检查文件名。</translation>
     </message>
     <message>
-        <source>The recipe file %1 cannot be read: %2.</source>
-        <translation>配方文件 %1 无法读取：%2。</translation>
+        <source>The file %1 cannot be read: %2.</source>
+        <translation>文件 %1 无法读取：%2。</translation>
     </message>
     <message>
         <source>The recipe could not be saved to %1: %2; the stored recipe is unchanged. Free disk space or check the permissions, then save again.</source>
         <translation>配方无法保存到 %1：%2；已存储的配方没有改变。请腾出空间或检查权限，然后重新保存。</translation>
     </message>
     <message>
-        <source>The recipe file %1 is damaged at byte %2: %3. Restore it from a copy.</source>
-        <translation>配方文件 %1 在第 %2 字节处损坏：%3。请从副本恢复。</translation>
+        <source>The file %1 is damaged at byte %2: %3. Restore it from a copy.</source>
+        <translation>文件 %1 在第 %2 字节处损坏：%3。请从副本恢复。</translation>
     </message>
     <message>
         <source>%1 is not a CamPanel recipe: the key &quot;format&quot; must be &quot;campanel-recipe&quot;.</source>
         <translation>%1 不是 CamPanel 配方：键 &quot;format&quot; 必须为 &quot;campanel-recipe&quot;。</translation>
     </message>
     <message>
-        <source>The recipe file %1 has format version %2, this program reads versions up to %3. Update the program.</source>
-        <translation>配方文件 %1 的格式版本为 %2，本程序最高读取版本 %3。请升级程序。</translation>
+        <source>The file %1 has format version %2, this program reads versions up to %3. Update the program.</source>
+        <translation>文件 %1 的格式版本为 %2，本程序最高读取版本 %3。请升级程序。</translation>
     </message>
     <message>
-        <source>The recipe file %1 has an unknown key %2. Correct or remove the key.</source>
-        <translation>配方文件 %1 中有未知的键 %2。请更正或删除该键。</translation>
+        <source>The file %1 has an unknown key %2. Correct or remove the key.</source>
+        <translation>文件 %1 中有未知的键 %2。请更正或删除该键。</translation>
     </message>
     <message>
-        <source>The recipe file %1 lacks the key %2. Add the key.</source>
-        <translation>配方文件 %1 中缺少键 %2。请补上。</translation>
+        <source>The file %1 lacks the key %2. Add the key.</source>
+        <translation>文件 %1 中缺少键 %2。请补上。</translation>
     </message>
     <message>
-        <source>In the recipe file %1, %2 must be %3.</source>
-        <translation>配方文件 %1 中的 %2 必须是%3。</translation>
+        <source>In the file %1, %2 must be %3.</source>
+        <translation>文件 %1 中的 %2 必须是%3。</translation>
     </message>
     <message>
-        <source>In the recipe file %1, %2 is %3; enter %4.</source>
-        <translation>配方文件 %1 中的 %2 为 %3，请输入 %4。</translation>
+        <source>In the file %1, %2 is %3; enter %4.</source>
+        <translation>文件 %1 中的 %2 为 %3，请输入 %4。</translation>
     </message>
     <message>
-        <source>In the recipe file %1, %2 is &quot;%3&quot;; choose one of: %4.</source>
-        <translation>配方文件 %1 中的 %2 为“%3”，请从以下选择：%4。</translation>
+        <source>In the file %1, %2 is &quot;%3&quot;; choose one of: %4.</source>
+        <translation>文件 %1 中的 %2 为“%3”，请从以下选择：%4。</translation>
     </message>
     <message>
-        <source>In the recipe file %1, %2 is longer than %3 bytes. Shorten the text.</source>
-        <translation>配方文件 %1 中的 %2 超过 %3 字节。请缩短。</translation>
+        <source>In the file %1, %2 is longer than %3 bytes. Shorten the text.</source>
+        <translation>文件 %1 中的 %2 超过 %3 字节。请缩短。</translation>
     </message>
     <message>
         <source>a number</source>
@@ -2086,16 +2086,8 @@ RMS %2</source>
         <translation>%1 第 %2 行：应为%3，实际为“%4”。</translation>
     </message>
     <message>
-        <source>The file %1 does not exist. Check its name.</source>
-        <translation>文件 %1 不存在。请检查文件名。</translation>
-    </message>
-    <message>
         <source>The file %1 cannot be written: %2.</source>
         <translation>文件 %1 无法写入：%2。</translation>
-    </message>
-    <message>
-        <source>The file %1 cannot be read: %2.</source>
-        <translation>文件 %1 无法读取：%2。</translation>
     </message>
     <message>
         <source>This panel</source>
@@ -2107,20 +2099,20 @@ RMS %2</source>
         <translation>%1请腾出空间、解除 U 盘的写保护，或选择其他位置。</translation>
     </message>
     <message>
-        <source>The recipe file %1 has the key %2 twice. Remove one of them.</source>
-        <translation>配方文件 %1 中的键 %2 出现了两次。请删除其中一个。</translation>
+        <source>The file %1 has the key %2 twice. Remove one of them.</source>
+        <translation>文件 %1 中的键 %2 出现了两次。请删除其中一个。</translation>
     </message>
     <message>
-        <source>The recipe file %1 is signed by %2, whose key this machine does not have. Ask Service to install the key, or have the recipe signed by somebody else.</source>
-        <translation>配方文件 %1 由 %2 签名，但本机没有其密钥。请让维修人员安装该密钥，或由其他人签名。</translation>
+        <source>The file %1 is signed by %2, whose key this machine does not have. Ask Service to install the key, or have it signed by somebody else.</source>
+        <translation>文件 %1 由 %2 签名，但本机没有其密钥。请让维修人员安装该密钥，或由其他人签名。</translation>
     </message>
     <message>
-        <source>The recipe file %1 is signed by %2, whose key was withdrawn. Have the recipe signed with a valid key.</source>
-        <translation>配方文件 %1 由 %2 签名，其密钥已被撤销。请用有效的密钥重新签名。</translation>
+        <source>The file %1 is signed by %2, whose key was withdrawn. Have it signed with a valid key.</source>
+        <translation>文件 %1 由 %2 签名，其密钥已被撤销。请用有效的密钥重新签名。</translation>
     </message>
     <message>
-        <source>The recipe file %1 does not match the signature of %2: it was changed, or another key signed it. Ask for a new copy.</source>
-        <translation>配方文件 %1 与 %2 的签名不符：文件被更改过，或由其他密钥签名。请索取新的副本。</translation>
+        <source>The file %1 does not match the signature of %2: it was changed, or another key signed it. Ask for a new copy.</source>
+        <translation>文件 %1 与 %2 的签名不符：文件被更改过，或由其他密钥签名。请索取新的副本。</translation>
     </message>
     <message>
         <source>not a regular file</source>
@@ -2143,16 +2135,16 @@ RMS %2</source>
         <translation>对象列表</translation>
     </message>
     <message>
-        <source>The recipe file %1 is not signed; the plant&apos;s network offers signed recipes only. Have it signed.</source>
-        <translation>配方文件 %1 没有签名；工厂网络只提供已签名的配方。请先签名。</translation>
+        <source>The file %1 is not signed; the plant&apos;s network offers signed files only. Have it signed.</source>
+        <translation>文件 %1 没有签名；工厂网络只提供已签名的文件。请先签名。</translation>
     </message>
     <message>
         <source>Plant network</source>
         <translation>工厂网络</translation>
     </message>
     <message>
-        <source>In the recipe file %1, %2 has the character %3, which nobody can see. Remove the character.</source>
-        <translation>配方文件 %1 中 %2 含有不可见字符 %3。请删除该字符。</translation>
+        <source>In the file %1, %2 has the character %3, which nobody can see. Remove the character.</source>
+        <translation>文件 %1 中 %2 含有不可见字符 %3。请删除该字符。</translation>
     </message>
     <message>
         <source>a text of visible characters</source>
@@ -7411,6 +7403,26 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
     <message>
         <source>Enter how many good bags to make.</source>
         <translation>请输入要生产的合格袋数。</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::OrderOffers</name>
+    <message>
+        <source>This order is for the machine %1; this one is %2.</source>
+        <translation>此订单属于机器 %1；本机是 %2。</translation>
+    </message>
+    <message>
+        <source>It waits in the queue, or was started already.</source>
+        <translation>它已在队列中，或曾经启动过。</translation>
+    </message>
+    <message>
+        <source>%1 bags</source>
+        <translation>%1 袋</translation>
+    </message>
+    <message>
+        <source>signed by %1</source>
+        <comment>person</comment>
+        <translation>由 %1 签名</translation>
     </message>
 </context>
 <context>

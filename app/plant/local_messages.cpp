@@ -76,8 +76,10 @@ std::optional<LocalMessage> messageOf(const QCborMap& map)
         return message;
     }
     const QCborArray offer = map[int(OfferKey)].toArray();
-    if (offer.size() == 2 && offer.at(0).isString() && offer.at(1).isByteArray())
-        return OfferMessage{offer.at(0).toString().left(maxTextLength), offer.at(1).toByteArray()};
+    const qint64 kind = offer.at(2).toInteger(-1);
+    if (offer.size() == 3 && offer.at(0).isString() && offer.at(1).isByteArray() && (kind == 0 || kind == 1))
+        return OfferMessage{offer.at(0).toString().left(maxTextLength), offer.at(1).toByteArray(),
+                            static_cast<OfferMessage::Kind>(kind)};
     if (map[int(GatewayKey)].isString())
         return GatewayMessage{map[int(GatewayKey)].toString().left(maxTextLength)};
     const QCborArray command = map[int(CommandKey)].toArray();
@@ -105,7 +107,8 @@ QByteArray encoded(const LocalMessage& message)
     } else {
         const auto& offer = std::get<OfferMessage>(message);
         map.insert(int(OfferKey),
-                   QCborArray{offer.name.left(maxTextLength), offer.file.left(maxOfferBytes + 1)});
+                   QCborArray{offer.name.left(maxTextLength), offer.file.left(maxOfferBytes + 1),
+                              static_cast<int>(offer.kind)});
     }
     const QByteArray body = map.toCborValue().toCbor();
     QByteArray bytes(lengthBytes, Qt::Uninitialized);

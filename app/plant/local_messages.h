@@ -15,11 +15,11 @@
 namespace campanel::plant {
 
 // The version of the protocol and of the metric table; a peer with another one is not understood.
-inline constexpr int localVersion = 3;
+inline constexpr int localVersion = 4;
 // The largest file of an offer, that of all recipe files. A larger one is cut after one byte more, so that
 // the panel can name the fault.
 inline constexpr qsizetype maxOfferBytes = 1'000'000;
-// The offers that the gateway passes on.
+// The offers of each kind that the gateway passes on.
 inline constexpr qsizetype maxOffers = 16;
 // The largest message, without its length.
 inline constexpr qsizetype maxMessageBytes = maxOfferBytes + 4096;
@@ -43,10 +43,13 @@ struct CommandMessage {
     bool operator==(const CommandMessage&) const = default;
 };
 
-// From the gateway: a recipe file that the plant offers. Nothing is imported until a person accepts it.
+// From the gateway: the file of a recipe or an order that the plant offers. Nothing is taken until a person
+// accepts it.
 struct OfferMessage {
-    QString name;    // of the offer; empty: all offers so far are withdrawn
+    enum class Kind { Recipe, Order };
+    QString name;    // of the offer; empty: all offers of the kind so far are withdrawn
     QByteArray file; // empty: the offer is withdrawn
+    Kind kind = Kind::Recipe;
 
     bool operator==(const OfferMessage&) const = default;
 };

@@ -135,6 +135,9 @@ Panel::Panel(link::Link& link, const Storage& storage)
     sort();
     connect(m_scan.film(), &panel::FilmCheck::noted, &m_trail, &panel::AuditTrail::note);
     connect(&m_plant, &panel::PlantFeed::offerReceived, m_recipes.files(), &panel::RecipeFiles::takeOffer);
+    const QString node = storage.standard.text("gateway.node");
+    m_orders.offers()->setTrust(storage.keyFolder, node.isEmpty() ? QSysInfo::machineHostName() : node);
+    connect(&m_plant, &panel::PlantFeed::offerReceived, m_orders.offers(), &panel::OrderOffers::takeOffer);
     connect(&m_recipes, &panel::Recipes::noted, &m_trail, &panel::AuditTrail::note);
     connect(&m_alarms, &panel::Alarms::noted, &m_trail, &panel::AuditTrail::note);
     for (const panel::FileExchange* files : std::initializer_list<panel::FileExchange*>{

@@ -2422,6 +2422,17 @@ Und %2 weitere.</translation>
     </message>
 </context>
 <context>
+    <name>OfferedRow</name>
+    <message>
+        <source>Offered: %1</source>
+        <translation>Angeboten: %1</translation>
+    </message>
+    <message>
+        <source>Take</source>
+        <translation>Übernehmen</translation>
+    </message>
+</context>
+<context>
     <name>OrderFilterSheet</name>
     <message>
         <source>Order, lot or number</source>
@@ -2491,6 +2502,10 @@ Und %2 weitere.</translation>
     <message>
         <source>ends</source>
         <translation>Ende</translation>
+    </message>
+    <message>
+        <source>Offered by the plant: %1</source>
+        <translation>Vom Werk angeboten: %1</translation>
     </message>
 </context>
 <context>

@@ -2422,6 +2422,17 @@ And %2 more.</source>
     </message>
 </context>
 <context>
+    <name>OfferedRow</name>
+    <message>
+        <source>Offered: %1</source>
+        <translation>提供：%1</translation>
+    </message>
+    <message>
+        <source>Take</source>
+        <translation>接收</translation>
+    </message>
+</context>
+<context>
     <name>OrderFilterSheet</name>
     <message>
         <source>Order, lot or number</source>
@@ -2491,6 +2502,10 @@ And %2 more.</source>
     <message>
         <source>ends</source>
         <translation>结束</translation>
+    </message>
+    <message>
+        <source>Offered by the plant: %1</source>
+        <translation>工厂提供：%1</translation>
     </message>
 </context>
 <context>

@@ -35,14 +35,26 @@ Sheet {
         Label {
             objectName: "queueEmpty"
             anchors.centerIn: parent
-            visible: Orders.queue.count === 0
+            visible: Orders.queue.count === 0 && Orders.offers.rows.count === 0
             text: qsTr("No order waits.")
             color: Theme.color.secondaryInk
         }
         ListView {
+            id: offered
+            objectName: "offeredList"
+            anchors { left: parent.left; right: parent.right; top: parent.top }
+            height: Math.min(contentHeight, parent.height / 2)
+            clip: true
+            spacing: Theme.size.outline
+            boundsBehavior: Flickable.StopAtBounds
+            model: Orders.offers.rows
+            delegate: OfferedRow {}
+        }
+        ScrollMark { view: offered }
+        ListView {
             id: list
             objectName: "queueList"
-            anchors.fill: parent
+            anchors { left: parent.left; right: parent.right; top: offered.bottom; bottom: parent.bottom; topMargin: offered.count > 0 ? Theme.size.outline : 0 }
             clip: true
             spacing: Theme.size.outline
             boundsBehavior: Flickable.StopAtBounds

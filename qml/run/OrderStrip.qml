@@ -90,13 +90,15 @@ Item {
         }
     }
     Button {
+        readonly property bool waits: Orders.offers.titles.length > 0 || Orders.queue.count > 0
+
         objectName: "newOrder"
         anchors.fill: parent
         visible: !strip.shows && Orders.tooOldText.length === 0
-        level: Orders.queue.count > 0 ? Access.Viewer : Access.Operator
-        text: Orders.queue.count > 0 ? qsTr("Orders that wait: %1").arg(Orders.queue.count) : qsTr("New order")
+        level: waits ? Access.Viewer : Access.Operator
+        text: Orders.offers.titles.length > 0 ? Theme.fill(qsTr("Offered by the plant: %1"), [Orders.offers.titles]) : Orders.queue.count > 0 ? qsTr("Orders that wait: %1").arg(Orders.queue.count) : qsTr("New order")
         onClicked: {
-            if (Orders.queue.count > 0)
+            if (waits)
                 Frame.open("Orders/OrdersSheet", {})
             else if (Access.ask(Access.Operator))
                 Frame.open("Orders/NewOrderSheet", { fresh: true })

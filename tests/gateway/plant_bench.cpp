@@ -218,6 +218,8 @@ PanelStandIn::PanelStandIn(const QString& path)
             [this](const plant::CommandMessage& command) { commands << command; });
     connect(&m_server, &panel::PlantServer::offerReceived, this, [this](const plant::OfferMessage& offer) {
         ++offerMessages;
+        if (offer.kind != plant::OfferMessage::Kind::Recipe)
+            return;
         if (offer.name.isEmpty())
             offers.clear();
         else if (offer.file.isEmpty())

@@ -37,7 +37,8 @@ struct InboxRig {
     int messages = 0;
     bool hasRoom = true;
     QStringList reports;
-    OfferInbox inbox{u"Hall"_s,
+    OfferInbox inbox{OfferInbox::Kind::Recipe,
+                     OfferInbox::recipeTopic(u"Hall"_s),
                      broker,
                      {[this](const plant::OfferMessage& offer) { return take(offer); },
                       [this](LogKind, const QString& sentence) { reports << sentence; }},

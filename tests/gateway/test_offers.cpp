@@ -2,6 +2,7 @@
 // Recipes that the plant offers: from mosquitto through the gateway's executable to the panel, where a person
 // accepts; bad ones are refused with their reason, and a gateway that is killed leaves nothing half.
 #include "app/panel/library/recipes.h"
+#include "app/store/recipes/signed_order.h"
 #include "tests/app/panel/plant/plant_rig.h"
 #include "tests/gateway/plant_bench.h"
 #include "tests/support/test_program.h"
@@ -189,6 +190,34 @@ private slots:
         broker.publish(topicOf(u"R17"_s), {}, true);
         QTRY_COMPARE(machine.panel.offers.keys(), (QStringList{u"R15"_s, u"R16"_s, u"R18"_s}));
         QVERIFY(machine.panel.commands.isEmpty());
+    }
+
+    void aSignedOrderReachesTheQueueByAPerson()
+    {
+        OfferRig rig;
+        Mosquitto broker;
+        Machine gateway(broker.port());
+        rig.orders.offers()->setTrust(rig.folder.filePath(u"keys"_s), u"P1"_s);
+        QObject::connect(&rig.feed, &panel::PlantFeed::offerReceived, rig.orders.offers(),
+                         &panel::OrderOffers::takeOffer);
+        rig.openAt(gateway);
+        const store::OrderRow order{
+            .text = u"4711"_s, .lot = u"L17"_s, .recipe = u"Biscuit 250"_s, .quantity = 5000};
+        const QString topic = u"campanel/Hall/orders/%1/4711"_s;
+        const QByteArray offer = store::signOrder(order, u"P1"_s, signedMs, rig.key);
+        broker.publish(topic.arg(u"P2"_s), offer, true); // another machine's
+        broker.publish(topic.arg(u"P1"_s), offer, true);
+        QTRY_COMPARE_WITH_TIMEOUT(rig.orders.offers()->titles(), u"4711 · L17"_s, 20'000);
+        QCOMPARE(rig.orders.offers()->rows()->rows().size(), 1);
+        QCOMPARE(rig.orders.queue().rows().size(), 0); // nothing comes in without a person
+        rig.orders.addOffered(0);
+        QTRY_COMPARE(rig.orders.queue().rows().size(), 1);
+        QCOMPARE(rig.orders.queue().rows().first().order.quantity, 5000);
+        QTRY_COMPARE(rig.orders.offers()->titles(), QString()); // it cannot be taken twice
+        broker.publish(topic.arg(u"P1"_s), {}, true);           // withdrawn
+        QTRY_VERIFY(rig.orders.offers()->rows()->rows().isEmpty());
+        QCOMPARE(rig.orders.queue().rows().size(), 1); // what a person took stays
+        QVERIFY(rig.rows().isEmpty());                 // an order is no recipe
     }
 
     // Texts that anybody may publish do not keep out what a trusted person has signed, whichever comes first.

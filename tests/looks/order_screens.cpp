@@ -2,7 +2,11 @@
 // The screens of orders: on Run, the list of those that wait, the history, and a new one.
 #include "tests/looks/screen_lists.h"
 
+#include "app/store/recipes/signed_order.h"
 #include "tests/looks/test_window.h"
+
+#include <QFile>
+#include <QTemporaryDir>
 
 namespace campanel::looks {
 
@@ -66,6 +70,32 @@ void showOrder(TestWindow& window, std::uint32_t good)
     window.settle();
 }
 
+// Offers an order that can be taken, and one that is for another machine.
+void offer(TestWindow& window)
+{
+    panel::OrderOffers& offers = *window.panel().orders().offers();
+    const QTemporaryDir keys;
+    QFile file(keys.filePath(QStringLiteral("anna.json")));
+    if (!file.open(QIODevice::WriteOnly) || file.write(store::publicKeyFile(window.signer())) < 0)
+        qFatal("no key");
+    file.close();
+    offers.setTrust(keys.path(), QStringLiteral("Packer 7"));
+    const auto add = [&](const char* name, const char* machine, qint64 quantity) {
+        const store::OrderRow order{.text = QString::fromLatin1(name),
+                                    .lot = QStringLiteral("L19"),
+                                    .recipe = QStringLiteral("Biscuit 250"),
+                                    .quantity = quantity};
+        offers.takeOffer(
+            {order.text,
+             store::signOrder(order, QString::fromLatin1(machine), 1'790'000'000'000, window.signer()),
+             plant::OfferMessage::Kind::Order});
+    };
+    add("4714", "Packer 7", 20'000);
+    add("4715", "Packer 8", 500);
+    window.waitUntil(offers, &panel::OrderOffers::changed,
+                     [](panel::OrderOffers& each) { return each.rows()->rows().size() == 2; });
+}
+
 Screen order(const char* name, std::uint32_t good, const QStringList& taps)
 {
     return {QString::fromLatin1(name), [good, taps](TestWindow& window) {
@@ -82,6 +112,7 @@ void forgetOrders(TestWindow& window)
     panel::Orders& orders = window.panel().orders();
     while (orders.queue().count() > 0)
         orders.remove(0);
+    orders.offers()->takeOffer({{}, {}, plant::OfferMessage::Kind::Order});
     orders.dismissNotice();
     if (orders.current().present())
         count(window, none);
@@ -101,6 +132,12 @@ QList<Screen> orderScreens()
               {strip, QStringLiteral("ordersHistory"), QStringLiteral("ordersFilter")}),
         order("orders-end", 1240, {strip, QStringLiteral("orderEnd")}),
         order("new-order", 5000, {strip, entry}),
+        {QStringLiteral("orders-offered"),
+         [=](TestWindow& window) {
+             showOrder(window, 1240);
+             offer(window);
+             window.tap(strip);
+         }},
         {QStringLiteral("new-order-filled"),
          [=](TestWindow& window) {
              showOrder(window, 5000);

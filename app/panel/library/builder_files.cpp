@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/panel/library/builder_files.h"
 
+#include "app/panel/kit/language_notifier.h"
 #include "app/panel/library/recipes.h"
 #include "app/panel/records/database_service.h"
 #include "app/store/files/files.h"
@@ -25,11 +26,12 @@ BuilderFiles::BuilderFiles(Recipes& recipes, DatabaseService& records, QObject* 
     , m_records(records)
 {
     connect(&recipes, &Recipes::listChanged, this, &BuilderFiles::take);
+    LanguageNotifier::follow(this, [this] { show(); });
 }
 
 void BuilderFiles::open(const QString& folder, const QString& keyFolder, const QStringList& complaints)
 {
-    m_refusals = complaints;
+    m_complaints = complaints;
     m_keyFolder = keyFolder;
     if (QDir(folder).exists())
         m_folder = folder;
@@ -58,15 +60,14 @@ void BuilderFiles::take()
                               [this, folder](int count, const QMap<QString, QString>& refused) {
                                   for (const auto& [file, reason] : refused.asKeyValueRange())
                                       refuse(file, reason);
-                                  if (count > 0)
-                                      m_taken << tr("recipes: %1").arg(count);
+                                  m_recipeCount = count;
                                   finish(folder);
                               });
 }
 
 void BuilderFiles::refuse(const QString& file, const QString& reason)
 {
-    m_refusals << tr("Not taken from the card: %1. %2", "file, whole sentence").arg(file, reason);
+    m_refused << std::pair(file, reason);
     emit noted({.what = u"builder.file"_s, .object = file, .after = reason, .outcome = u"refused"_s});
 }
 
@@ -84,20 +85,29 @@ void BuilderFiles::finish(const QString& folder)
 void BuilderFiles::show()
 {
     constexpr qsizetype shown = 2;
-    QStringList sentences = m_refusals.first(std::min(m_refusals.size(), shown));
-    if (m_refusals.size() > shown)
-        sentences << tr("And %n more; the audit trail has all.", "",
-                        static_cast<int>(m_refusals.size() - shown));
-    if (!m_taken.isEmpty())
-        sentences << tr("Taken from the card: %1.", "list").arg(m_taken.join(u", "_s));
+    QStringList sentences = m_complaints;
+    for (const auto& [file, reason] : std::as_const(m_refused))
+        sentences << tr("Not taken from the card: %1. %2", "file, whole sentence").arg(file, reason);
+    if (const qsizetype more = sentences.size() - shown; more > 0) {
+        sentences.resize(shown);
+        sentences << tr("And %n more; the audit trail has all.", "", static_cast<int>(more));
+    }
+    QStringList taken = m_taken;
+    if (m_recipeCount > 0)
+        taken << tr("recipes: %1").arg(m_recipeCount);
+    if (!taken.isEmpty())
+        sentences << tr("Taken from the card: %1.", "list").arg(taken.join(u", "_s));
     if (std::exchange(m_notice, sentences.join(u' ')) != m_notice)
         emit noticeChanged();
 }
 
 void BuilderFiles::dismissNotice()
 {
-    if (!std::exchange(m_notice, {}).isEmpty())
-        emit noticeChanged();
+    m_complaints.clear();
+    m_refused.clear();
+    m_taken.clear();
+    m_recipeCount = 0;
+    show();
 }
 
 } // namespace campanel::panel

@@ -8,9 +8,12 @@
 #include "app/store/logs/audit_log.h"
 
 #include <QObject>
+#include <QList>
 #include <QString>
 #include <QStringList>
 #include <QtQml/qqmlregistration.h>
+
+#include <utility>
 
 namespace campanel::panel {
 
@@ -51,8 +54,10 @@ private:
     DatabaseService& m_records;
     QString m_folder; // empty: nothing to take
     QString m_keyFolder;
-    QStringList m_taken;
-    QStringList m_refusals; // a sentence each
+    QStringList m_complaints;                     // a sentence each
+    QList<std::pair<QString, QString>> m_refused; // file and reason
+    QStringList m_taken;                          // files that are no recipes
+    int m_recipeCount = 0;
     QString m_notice;
 };
 

@@ -48,6 +48,8 @@ void RecipeFiles::setKeyFolder(const QString& folder)
 
 void RecipeFiles::takeOffer(const plant::OfferMessage& offer)
 {
+    if (offer.kind != plant::OfferMessage::Kind::Recipe)
+        return;
     if (offer.name.isEmpty())
         m_received.clear();
     else if (offer.file.isEmpty())

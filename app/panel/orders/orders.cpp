@@ -55,6 +55,7 @@ Orders::Orders(Controller& controller, DatabaseService& records, QObject* parent
                  [](store::LogFilter& filter) { filter.fromMs = std::max<qint64>(filter.fromMs, 1); },
                  [] { return tr("orders"); }},
                 this)
+    , m_offers(records, this)
     , m_wallClock(&QDateTime::currentMSecsSinceEpoch)
 {
     connect(&m_timer, &QTimer::timeout, this, &Orders::check);
@@ -244,13 +245,18 @@ void Orders::write()
     m_writtenAt = m_controller.now();
     for (const OrderRow& row : changes.started)
         m_history.add(row);
+    m_offers.update();
 }
 
 bool Orders::takeEntry(qsizetype place)
 {
     if (!m_controller.accessCheck().require(Level::Operator))
         return false;
-    QString problem = m_entry.problem();
+    return insert(place, m_entry.order(), m_entry.problem());
+}
+
+bool Orders::insert(qsizetype place, const OrderRow& order, QString problem, const QString& signer)
+{
     if (problem.isEmpty() && m_book.queue().size() >= OrderBook::maxQueued)
         problem = tr("The queue is full: %1 orders wait. Start or remove one first.")
                       .arg(QString::number(OrderBook::maxQueued));
@@ -259,10 +265,21 @@ bool Orders::takeEntry(qsizetype place)
     showMessage(problem);
     if (!problem.isEmpty())
         return false;
-    m_book.insert(place, m_entry.order());
-    emit noted(entryOf(u"order.add"_s, m_entry.order()));
+    m_book.insert(place, order);
+    store::AuditEntry entry = entryOf(u"order.add"_s, order);
+    if (!signer.isEmpty())
+        entry.after += u", signed by "_s + signer;
+    emit noted(entry);
     update();
     return true;
+}
+
+void Orders::addOffered(int row)
+{
+    if (!m_controller.accessCheck().require(Level::Operator))
+        return;
+    if (const auto offered = m_offers.orderAt(row))
+        (void)insert(m_book.queue().size(), offered->order, {}, offered->signer);
 }
 
 bool Orders::add()

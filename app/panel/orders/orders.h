@@ -7,6 +7,7 @@
 #include "app/panel/kit/watched.h"
 #include "app/panel/orders/order_book.h"
 #include "app/panel/orders/order_entry.h"
+#include "app/panel/orders/order_offers.h"
 #include "app/panel/orders/order_rows.h"
 #include "app/panel/records/buffered_writer.h"
 #include "app/panel/records/paged_log.h"
@@ -39,6 +40,7 @@ class Orders : public campanel::panel::Watched, public Singleton<Orders> {
     Q_PROPERTY(campanel::panel::RowModelBase* queue READ queueRows CONSTANT FINAL)
     Q_PROPERTY(campanel::panel::PagedLogBase* history READ history CONSTANT FINAL)
     Q_PROPERTY(campanel::panel::OrderEntry* entry READ entry CONSTANT FINAL)
+    Q_PROPERTY(campanel::panel::OrderOffers* offers READ offers CONSTANT FINAL)
     // Why the last request was not carried out; empty: it was.
     Q_PROPERTY(QString message READ message NOTIFY changed FINAL)
     // The recipe of the order whose start was refused because the controller has another one; empty: none.
@@ -65,6 +67,7 @@ public:
     [[nodiscard]] const OrderRows& queue() const { return m_queue; }
     [[nodiscard]] History* history() { return &m_history; }
     [[nodiscard]] OrderEntry* entry() { return &m_entry; }
+    [[nodiscard]] OrderOffers* offers() { return &m_offers; }
     [[nodiscard]] QString message() const { return m_message; }
     [[nodiscard]] QString wantedRecipe() const { return m_message.isEmpty() ? QString() : m_wantedRecipe; }
     [[nodiscard]] QString notice() const { return m_notice; }
@@ -77,6 +80,8 @@ public:
     Q_INVOKABLE bool add();
     // Adds the order of the form before all others and starts it.
     Q_INVOKABLE bool addAndStart();
+    // Adds an order that the plant offers to the queue.
+    Q_INVOKABLE void addOffered(int row);
     Q_INVOKABLE void start(int row);
     Q_INVOKABLE void end();
     Q_INVOKABLE void remove(int row);
@@ -107,6 +112,9 @@ private:
     [[nodiscard]] bool isForOther(const store::OrderRow& order) const;
     [[nodiscard]] bool isRowOfQueue(int row) const;
     [[nodiscard]] bool takeEntry(qsizetype place);
+    // Adds the order unless `problem` or the queue refuses, and says so. Returns true when it was added.
+    [[nodiscard]] bool insert(qsizetype place, const store::OrderRow& order, QString problem,
+                              const QString& signer = {});
     void followConnection();
     void begin(const QString& controller);
     void read();
@@ -126,6 +134,7 @@ private:
     OrderRows m_queue{this};
     History m_history;
     OrderEntry m_entry{this};
+    OrderOffers m_offers;
     WallClock m_wallClock;
     QTimer m_timer;
     QString m_controllerId;

@@ -34,7 +34,7 @@ public:
     void open(const QString& socketPath);
 
 signals:
-    // Emitted for a recipe that the plant offers or withdraws.
+    // Emitted for a recipe or an order that the plant offers or withdraws.
     void offerReceived(const campanel::plant::OfferMessage& offer);
     // Emitted with the version of a gateway that has connected; empty: none is connected any more.
     void gatewayChanged(const QString& version);

@@ -11,59 +11,55 @@ QString FileErrorText::describe(const FileError& error)
     const QString path = QDir::toNativeSeparators(error.path);
     switch (error.kind) {
     case FileError::Kind::NotFound:
-        return tr("The recipe file %1 does not exist. Check its name.").arg(path);
+        return tr("The file %1 does not exist. Check its name.").arg(path);
     case FileError::Kind::NotReadable:
-        return tr("The recipe file %1 cannot be read: %2.").arg(path, error.found);
+        return tr("The file %1 cannot be read: %2.").arg(path, error.found);
     case FileError::Kind::NotWritable:
         return tr("The recipe could not be saved to %1: %2; the stored recipe is unchanged. Free disk space "
                   "or check the permissions, then save again.")
             .arg(path, error.found);
     case FileError::Kind::NotJson:
-        return tr("The recipe file %1 is damaged at byte %2: %3. Restore it from a copy.")
+        return tr("The file %1 is damaged at byte %2: %3. Restore it from a copy.")
             .arg(path, QString::number(error.offset), error.found);
     case FileError::Kind::NotARecipe:
         return tr("%1 is not a CamPanel recipe: the key \"format\" must be \"campanel-recipe\".").arg(path);
     case FileError::Kind::NewerVersion:
-        return tr("The recipe file %1 has format version %2, this program reads versions up to %3. "
+        return tr("The file %1 has format version %2, this program reads versions up to %3. "
                   "Update the program.")
             .arg(path, error.found, error.expected);
     case FileError::Kind::UnknownKey:
-        return tr("The recipe file %1 has an unknown key %2. Correct or remove the key.")
-            .arg(path, error.key);
+        return tr("The file %1 has an unknown key %2. Correct or remove the key.").arg(path, error.key);
     case FileError::Kind::MissingKey:
-        return tr("The recipe file %1 lacks the key %2. Add the key.").arg(path, error.key);
+        return tr("The file %1 lacks the key %2. Add the key.").arg(path, error.key);
     case FileError::Kind::WrongType:
-        return tr("In the recipe file %1, %2 must be %3.").arg(path, error.key, error.expected);
+        return tr("In the file %1, %2 must be %3.").arg(path, error.key, error.expected);
     case FileError::Kind::OutOfRange:
-        return tr("In the recipe file %1, %2 is %3; enter %4.")
-            .arg(path, error.key, error.found, error.expected);
+        return tr("In the file %1, %2 is %3; enter %4.").arg(path, error.key, error.found, error.expected);
     case FileError::Kind::NotAChoice:
-        return tr("In the recipe file %1, %2 is \"%3\"; choose one of: %4.")
+        return tr("In the file %1, %2 is \"%3\"; choose one of: %4.")
             .arg(path, error.key, error.found, error.expected);
     case FileError::Kind::TooLong:
-        return tr("In the recipe file %1, %2 is longer than %3 bytes. Shorten the text.")
+        return tr("In the file %1, %2 is longer than %3 bytes. Shorten the text.")
             .arg(path, error.key, error.expected);
     case FileError::Kind::RepeatedKey:
-        return tr("The recipe file %1 has the key %2 twice. Remove one of them.").arg(path, error.key);
+        return tr("The file %1 has the key %2 twice. Remove one of them.").arg(path, error.key);
     case FileError::Kind::HiddenCharacter:
-        return tr("In the recipe file %1, %2 has the character %3, which nobody can see. Remove the "
+        return tr("In the file %1, %2 has the character %3, which nobody can see. Remove the "
                   "character.")
             .arg(path, error.key, error.found);
     case FileError::Kind::UnknownSigner:
-        return tr("The recipe file %1 is signed by %2, whose key this machine does not have. Ask Service to "
-                  "install the key, or have the recipe signed by somebody else.")
+        return tr("The file %1 is signed by %2, whose key this machine does not have. Ask Service to "
+                  "install the key, or have it signed by somebody else.")
             .arg(path, error.found);
     case FileError::Kind::WithdrawnSigner:
-        return tr("The recipe file %1 is signed by %2, whose key was withdrawn. Have the recipe signed with "
-                  "a "
-                  "valid key.")
+        return tr("The file %1 is signed by %2, whose key was withdrawn. Have it signed with a valid key.")
             .arg(path, error.found);
     case FileError::Kind::WrongSignature:
-        return tr("The recipe file %1 does not match the signature of %2: it was changed, or another key "
+        return tr("The file %1 does not match the signature of %2: it was changed, or another key "
                   "signed it. Ask for a new copy.")
             .arg(path, error.found);
     case FileError::Kind::NotSigned:
-        return tr("The recipe file %1 is not signed; the plant's network offers signed recipes only. Have it "
+        return tr("The file %1 is not signed; the plant's network offers signed files only. Have it "
                   "signed.")
             .arg(path);
     case FileError::Kind::NotShown:

@@ -165,6 +165,14 @@ tl::expected<void, StoreError> OrderLog::write(Database& database, const OrderCh
     });
 }
 
+tl::expected<bool, StoreError> OrderLog::knows(Database& database, const QString& text)
+{
+    auto found = database.execute(u"SELECT 1 FROM production_order WHERE order_text = ? LIMIT 1"_s, {text});
+    if (!found)
+        return tl::unexpected(found.error());
+    return found->next();
+}
+
 Table<OrderRow>::Rows OrderLog::between(Database& database, qint64 fromMs, qint64 toMs)
 {
     return orderTable().read(

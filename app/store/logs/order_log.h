@@ -77,6 +77,8 @@ public:
     // Writes all changes or none, then deletes what is over and beyond the capacity or the years.
     [[nodiscard]] static tl::expected<void, StoreError> write(Database& database, const OrderChanges& changes,
                                                               qint64 capacity = OrderLog::capacity);
+    // Returns true when an order with this text waits or was started, as far as the log goes back.
+    [[nodiscard]] static tl::expected<bool, StoreError> knows(Database& database, const QString& text);
     // Returns the orders that were under way in a span of time, in order of their start.
     [[nodiscard]] static Table<OrderRow>::Rows between(Database& database, qint64 fromMs, qint64 toMs);
 };

@@ -56,6 +56,46 @@ private slots:
         QVERIFY(altered.out.isEmpty());
     }
 
+    void ordersAreSignedForAMachine()
+    {
+        const QTemporaryDir folder;
+        const auto path = [&folder](const QString& name) { return folder.filePath(name); };
+        QVERIFY(QDir(folder.path()).mkdir(u"keys"_s));
+        QCOMPARE(call({u"recipe"_s, u"new-key"_s, u"--name"_s, u"Anna Plant"_s, u"--key"_s, path(u"anna"_s),
+                       u"-o"_s, path(u"keys/anna.json"_s)})
+                     .code,
+                 Ok);
+        const QStringList order{u"order"_s, u"sign"_s,    u"--quantity"_s, u"5000"_s,  u"--lot"_s,
+                                u"L17"_s,   u"--order"_s, u"4711"_s,       u"--key"_s, path(u"anna"_s)};
+        QCOMPARE(call(order + QStringList{u"--machine"_s, u"Packer 7"_s, u"--recipe"_s, u"Biscuit 250"_s,
+                                          u"-o"_s, path(u"order.json"_s)})
+                     .code,
+                 Ok);
+        const Result verified =
+            call({u"order"_s, u"verify"_s, path(u"order.json"_s), u"--keys"_s, path(u"keys"_s)});
+        QCOMPARE(verified.code, Ok);
+        QCOMPARE(verified.json()[u"machine"_s].toString(), u"Packer 7"_s);
+        QCOMPARE(verified.json()[u"quantity"_s].toInt(), 5000);
+        QCOMPARE(verified.json()[u"action"_s].toString(), u"stop"_s);
+        QCOMPARE(verified.json()[u"signed_by"_s].toString(), u"Anna Plant"_s);
+
+        QCOMPARE(call(order).code, Usage); // no machine
+        for (const QString& quantity : {u"0"_s, u"1000000000"_s, u"-1"_s, u"many"_s}) {
+            QStringList wrong = order + QStringList{u"--machine"_s, u"P1"_s};
+            wrong[3] = quantity;
+            QCOMPARE(call(wrong).code, Usage);
+        }
+        QStringList wrong = order + QStringList{u"--machine"_s, u"P1"_s};
+        wrong[7] = u"47\n11"_s;
+        QCOMPARE(call(wrong).code, Usage);
+        wrong[7] = QString(500, u'x');
+        QCOMPARE(call(wrong).code, Usage);
+        const Result plain =
+            call({u"order"_s, u"verify"_s, path(u"keys/anna.json"_s), u"--keys"_s, path(u"keys"_s)});
+        QCOMPARE(plain.code, Refused);
+        QVERIFY2(plain.complaint.contains("anna.json"), plain.complaint);
+    }
+
     void refusals()
     {
         const QTemporaryDir folder;

@@ -44,12 +44,15 @@ private slots:
         LocalReader reader;
         reader.add(encoded(someValues()) + encoded(CommandMessage{u"Status/StateCurrent"_s, u"6"_s}) +
                    encoded(OfferMessage{u"Biscuit"_s, QByteArray("{\0}", 3)}) + encoded(OfferMessage{}) +
+                   encoded(OfferMessage{u"4711"_s, "{}", OfferMessage::Kind::Order}) +
                    encoded(ValueMessage{}) + encoded(GatewayMessage{u"1.2.3"_s}));
         QCOMPARE(std::get<ValueMessage>(reader.next().value()), someValues());
         QCOMPARE(std::get<CommandMessage>(reader.next().value()).metric, u"Status/StateCurrent"_s);
         QCOMPARE(std::get<OfferMessage>(reader.next().value()),
                  (OfferMessage{u"Biscuit"_s, QByteArray("{\0}", 3)}));
         QCOMPARE(std::get<OfferMessage>(reader.next().value()), OfferMessage());
+        QCOMPARE(std::get<OfferMessage>(reader.next().value()),
+                 (OfferMessage{u"4711"_s, "{}", OfferMessage::Kind::Order}));
         QVERIFY(std::get<ValueMessage>(reader.next().value()).readings.isEmpty());
         QCOMPARE(std::get<GatewayMessage>(reader.next().value()).version, u"1.2.3"_s);
         QVERIFY(!reader.next() && !reader.error());
