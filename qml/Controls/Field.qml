@@ -14,6 +14,7 @@ TouchButton {
     property string unit
     property bool pinned
     property bool derived
+    property alias digits: readout.pixelSize
     property bool compact: true            // in a narrow tile; otherwise the number is at the right
     signal explain()
 
@@ -32,6 +33,7 @@ TouchButton {
     Item {
         anchors.fill: parent
         Readout {
+            id: readout
             anchors { fill: parent; leftMargin: field.inset; rightMargin: field.inset; topMargin: field.inset - Theme.size.outline; bottomMargin: Theme.size.accent }
             Accessible.ignored: true       // the field says it
             title: field.label

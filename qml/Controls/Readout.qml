@@ -28,7 +28,7 @@ Item {
     readonly property bool tight: number.implicitWidth + wholeSuffix > width
     readonly property real suffixRoom: tight && hasSuffix ? suffix.implicitWidth + gap : wholeSuffix
 
-    implicitWidth: Math.max(title.length > 0 ? caption.implicitWidth + titleInset : 0, number.implicitWidth + wholeSuffix)
+    implicitWidth: Math.max(title.length > 0 ? Math.ceil(wholeTitle.advanceWidth) + titleInset : 0, number.implicitWidth + wholeSuffix)
     implicitHeight: (title.length > 0 ? caption.height : 0) + number.implicitHeight
 
     Label {
@@ -43,6 +43,11 @@ Item {
         wrapMode: smallestTitle.advanceWidth > width ? Text.WordWrap : Text.NoWrap
         fontSizeMode: Text.HorizontalFit
         lineHeight: lineCount > 1 ? 0.85 : 1
+        TextMetrics {
+            id: wholeTitle
+            font.pixelSize: Theme.size.caption
+            text: readout.title
+        }
         TextMetrics {
             id: smallestTitle
             font.pixelSize: Theme.size.smallestText

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A row of choices with at most one selected. Each choice is {key, text, glyph, name}; tests find it by the name. New texts
+// A row of choices with at most one selected. Each choice is {key, text, glyph, note, name}; tests find it by the name. New texts
 // for the same number of choices keep the keys, also during a touch.
 pragma ComponentBehavior: Bound
 import QtQuick
@@ -45,13 +45,14 @@ Rectangle {
                     Grid {
                         anchors.centerIn: parent
                         columns: segmented.stacked || !sign.visible ? 1 : 2   // an empty column has its spacing too
-                        spacing: segmented.stacked ? Theme.size.accent : Theme.size.spacing
+                        spacing: remark.visible ? 0 : segmented.stacked ? Theme.size.accent : Theme.size.spacing
                         horizontalItemAlignment: Grid.AlignHCenter
                         verticalItemAlignment: Grid.AlignVCenter
                         IconLabel {
                             id: sign
                             visible: code.length > 0
                             code: choice.entry.glyph ?? ""
+                            font.pixelSize: remark.visible ? Theme.size.title : Theme.size.icon
                             color: choice.ink
                         }
                         Label {
@@ -61,6 +62,15 @@ Rectangle {
                             text: choice.text
                             color: choice.ink
                             font { pixelSize: segmented.stacked ? Theme.size.caption : Theme.size.body; weight: choice.holds ? Font.Bold : Font.DemiBold }
+                        }
+                        Label {
+                            id: remark
+                            visible: segmented.stacked && text.length > 0
+                            width: Math.min(implicitWidth, choice.width - Theme.size.accent)
+                            fontSizeMode: Text.HorizontalFit
+                            text: choice.entry.note ?? ""
+                            color: choice.ink
+                            font.pixelSize: Theme.size.caption
                         }
                     }
                 }

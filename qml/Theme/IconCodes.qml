@@ -8,6 +8,8 @@ QtObject {
     readonly property string stop: "\uf4db"
     readonly property string speed: "\uf4c5"
     readonly property string referenceRun: "\uf01a\uf312"    // a shaft, and the mark that it turns to
+    readonly property string heat: "\uf50f"
+    readonly property string jolt: "\uf566"
     readonly property string cut: "\uf190"
     readonly property string resetFault: "\uf450"
     readonly property string run: "\uf40c"

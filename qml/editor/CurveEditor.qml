@@ -56,7 +56,7 @@ Card {
         anchors { left: parent.left; right: parent.right; top: parent.top; margins: Theme.size.padding; topMargin: Theme.size.spacing }
         horizontalAlignment: Text.AlignRight
         wrapMode: Text.WordWrap
-        text: editor.warns ? Theme.unbroken(Editor.verdict) : isNaN(editor.cursor) ? (editor.overlayText || Theme.unbroken(Editor.plot.peakText)) : editor.readout(editor.cursor, editor.revision)
+        text: editor.warns ? Theme.unbroken(Editor.verdict) : isNaN(editor.cursor) ? Theme.unbroken(Editor.plot.peakText) : editor.readout(editor.cursor, editor.revision)
         color: isNaN(editor.cursor) && !editor.warns ? Theme.color.secondaryInk : Theme.color.ink
         font { pixelSize: Theme.size.caption; weight: isNaN(editor.cursor) && !editor.warns ? Font.Normal : Font.DemiBold }
     }
@@ -109,8 +109,28 @@ Card {
         onLayoutChanged: ++editor.revision
         onCurvesChanged: ++editor.revision
     }
-    readonly property string overlayText: plot.overlayCurves && Editor.overlayName.length > 0
-        ? qsTr("grey: %1").arg(Editor.overlayName) : ""
+    Row { // what the dashed curve is
+        id: legend
+        visible: plot.visible && editor.compare
+        anchors { right: plot.right; rightMargin: Theme.size.handle + Theme.size.padding; top: plot.top }   // beside a handle at the end
+        spacing: Theme.size.accent
+        Repeater { // dashes
+            model: 3
+            Rectangle {
+                anchors.verticalCenter: parent.verticalCenter
+                width: 2 * Theme.size.accent
+                height: Theme.size.curve
+                color: Theme.color.target
+            }
+        }
+        Label {
+            objectName: "overlayName"
+            leftPadding: Theme.size.accent
+            text: Editor.overlayName || (Controller.state === Controller.State.Running ? qsTr("running") : qsTr("in the controller"))
+            color: Theme.color.secondaryInk
+            font.pixelSize: Theme.size.caption
+        }
+    }
     function titleOf(quantity: string): string {
         const unit = Theme.shownUnit(plot.metricUnits[quantity])
         return ({ position: qsTr("Position %1").arg(unit), velocity: qsTr("Velocity %1").arg(unit), acceleration: qsTr("Acceleration %1").arg(unit),

@@ -18,6 +18,18 @@ Sheet {
 
     title: qsTr("View and tools")
     panelWidth: width * 0.82
+    header: [
+        Button {
+            objectName: "operatorHalf"
+            visible: sheet.isCutter && sheet.page.technical && sheet.free === 0
+            kind: Button.Quiet
+            text: qsTr("Operator's page")
+            onClicked: {
+                sheet.page.showsCurves = false
+                sheet.closed()
+            }
+        }
+    ]
     panelHeight: body.height + Theme.size.touch + 2 * Theme.size.padding
 
     component Switch: ChoiceRow {
@@ -41,7 +53,7 @@ Sheet {
 
             Switch {
                 objectName: "positionSwitch"
-                visible: Editor.handles === null   // the handles of a cam are on this curve
+                visible: sheet.page.technical && Editor.handles === null   // the handles of a cam are on this curve
                 text: qsTr("Position curve")
                 note: sheet.page.showPosition ? qsTr("shown") : qsTr("hidden")
                 holds: sheet.page.showPosition
@@ -49,6 +61,7 @@ Sheet {
             }
             Switch {
                 objectName: "jerkSwitch"
+                visible: sheet.page.technical
                 text: qsTr("Jerk curve")
                 note: sheet.page.showJerk ? qsTr("shown") : qsTr("hidden")
                 holds: sheet.page.showJerk
@@ -56,7 +69,7 @@ Sheet {
             }
             Switch {
                 objectName: "torqueSwitch"
-                visible: Editor.kind !== Editor.Kind.Press   // the work piece decides the torque of a press
+                visible: sheet.page.technical && Editor.kind !== Editor.Kind.Press   // the work piece decides the torque of a press
                 enabled: Editor.plot.hasTorque
                 text: qsTr("Torque curve")
                 note: !Editor.plot.hasTorque ? qsTr("needs the inertia, see Settings, Machine") : sheet.page.showTorque ? qsTr("shown") : qsTr("hidden")
@@ -64,6 +77,7 @@ Sheet {
                 onClicked: sheet.page.showTorque = !sheet.page.showTorque
             }
             Switch {
+                visible: sheet.page.technical
                 text: qsTr("Compare with controller")
                 note: sheet.page.compare ? qsTr("controller in grey") : qsTr("hidden")
                 holds: sheet.page.compare

@@ -37,12 +37,14 @@ Sheet {
             spacing: Theme.size.outline
 
             Segmented {
+                readonly property list<string> lowered: Editor.cutter.ramps.presets   // motor speed, heat, jolt
                 width: parent.width
+                stacked: true
                 level: Access.Technician
                 choices: [
-                    { key: RampControl.Slow, text: qsTr("Slow"), name: "ratioSlow" },
-                    { key: RampControl.Cool, text: qsTr("Cool"), name: "ratioCool" },
-                    { key: RampControl.Gentle, text: qsTr("Gentle"), name: "ratioGentle" }
+                    { key: RampControl.Slow, text: qsTr("Slow"), glyph: Theme.icon.speed, note: lowered[0], name: "ratioSlow" },
+                    { key: RampControl.Cool, text: qsTr("Cool"), glyph: Theme.icon.heat, note: lowered[1], name: "ratioCool" },
+                    { key: RampControl.Gentle, text: qsTr("Gentle"), glyph: Theme.icon.jolt, note: lowered[2], name: "ratioGentle" }
                 ]
                 current: Editor.cutter.ramps.mode
                 onChosen: key => Editor.cutter.ramps.choose(key)

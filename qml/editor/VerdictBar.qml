@@ -11,6 +11,7 @@ Card {
     id: bar
 
     property bool textsVisible: true
+    required property bool technical       // other ramps are offered
     required property real pageWidth
 
     // Before the first edit the texts have the space; beside a wide sheet there is none.
@@ -63,7 +64,7 @@ Card {
         objectName: "rampOffer"
         level: Access.Technician
         anchors { right: back.left; rightMargin: Theme.size.spacing; verticalCenter: parent.verticalCenter }
-        visible: Editor.cutter.ramps.offerName.length > 0 && bar.room >= width
+        visible: bar.technical && Editor.cutter.ramps.offerName.length > 0 && bar.room >= width
         width: Math.max(Theme.size.touch, Math.round(8.5 * Theme.size.caption))   // two words, for each text
         text: Editor.cutter.ramps.offerName
         note: Editor.cutter.ramps.offerRate

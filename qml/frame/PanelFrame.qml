@@ -45,6 +45,7 @@ Rectangle {
             return
         frame.closeAll()
         frame.page = name
+        frame.openPageItem?.begin()
     }
     function openSection(name: string, section: string): void {
         frame.openPage(name)

@@ -706,10 +706,6 @@ Und %2 weitere.</translation>
         <translation>Kurve</translation>
     </message>
     <message>
-        <source>grey: %1</source>
-        <translation>grau: %1</translation>
-    </message>
-    <message>
         <source>limit</source>
         <translation>Grenze</translation>
     </message>
@@ -737,6 +733,14 @@ Und %2 weitere.</translation>
         <source>Motor torque Nm, RMS %1</source>
         <translation>Motormoment Nm, eff. %1</translation>
     </message>
+    <message>
+        <source>running</source>
+        <translation>läuft</translation>
+    </message>
+    <message>
+        <source>in the controller</source>
+        <translation>in der Steuerung</translation>
+    </message>
 </context>
 <context>
     <name>CutterInputs</name>
@@ -747,6 +751,14 @@ Und %2 weitere.</translation>
     <message>
         <source>View and tools</source>
         <translation>Ansicht und Werkzeuge</translation>
+    </message>
+    <message>
+        <source>Curves</source>
+        <translation>Kurven</translation>
+    </message>
+    <message>
+        <source>speeds, ratios, law</source>
+        <translation>Geschw., Verhältnisse</translation>
     </message>
 </context>
 <context>
@@ -2116,6 +2128,10 @@ Und %2 weitere.</translation>
         <source>needs the inertia, see Settings, Machine</source>
         <translation>braucht die Trägheit, siehe Einstellungen, Maschine</translation>
     </message>
+    <message>
+        <source>Operator&apos;s page</source>
+        <translation>Seite für Bediener</translation>
+    </message>
 </context>
 <context>
     <name>NameKeypad</name>
@@ -2716,6 +2732,17 @@ Und %2 weitere.</translation>
     <message>
         <source>Search again</source>
         <translation>Erneut suchen</translation>
+    </message>
+</context>
+<context>
+    <name>PossibleRate</name>
+    <message>
+        <source>Limit: %1 %2</source>
+        <translation>Grenze: %1 %2</translation>
+    </message>
+    <message>
+        <source>up to %1</source>
+        <translation>bis %1</translation>
     </message>
 </context>
 <context>

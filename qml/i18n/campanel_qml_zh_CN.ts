@@ -706,10 +706,6 @@ And %2 more.</source>
         <translation>曲线</translation>
     </message>
     <message>
-        <source>grey: %1</source>
-        <translation>灰色：%1</translation>
-    </message>
-    <message>
         <source>limit</source>
         <translation>限值</translation>
     </message>
@@ -737,6 +733,14 @@ And %2 more.</source>
         <source>Motor torque Nm, RMS %1</source>
         <translation>电机转矩 Nm，均方根 %1</translation>
     </message>
+    <message>
+        <source>running</source>
+        <translation>运行中</translation>
+    </message>
+    <message>
+        <source>in the controller</source>
+        <translation>在控制器中</translation>
+    </message>
 </context>
 <context>
     <name>CutterInputs</name>
@@ -747,6 +751,14 @@ And %2 more.</source>
     <message>
         <source>View and tools</source>
         <translation>视图与工具</translation>
+    </message>
+    <message>
+        <source>Curves</source>
+        <translation>曲线</translation>
+    </message>
+    <message>
+        <source>speeds, ratios, law</source>
+        <translation>速度、比例、规律</translation>
     </message>
 </context>
 <context>
@@ -2116,6 +2128,10 @@ And %2 more.</source>
         <source>needs the inertia, see Settings, Machine</source>
         <translation>需要惯量，见“设置 &gt; 机器”</translation>
     </message>
+    <message>
+        <source>Operator&apos;s page</source>
+        <translation>操作员页面</translation>
+    </message>
 </context>
 <context>
     <name>NameKeypad</name>
@@ -2716,6 +2732,17 @@ And %2 more.</source>
     <message>
         <source>Search again</source>
         <translation>重新搜索</translation>
+    </message>
+</context>
+<context>
+    <name>PossibleRate</name>
+    <message>
+        <source>Limit: %1 %2</source>
+        <translation>限值：%1 %2</translation>
+    </message>
+    <message>
+        <source>up to %1</source>
+        <translation>最高 %1</translation>
     </message>
 </context>
 <context>

@@ -13,6 +13,9 @@ Item {
     property real limit: NaN               // NaN: none
     property real set: NaN                 // NaN: none
     property bool stale
+    property int thickness: Theme.size.spacing
+    property color fill: scale.beyond ? Theme.color.fault : Theme.color.target
+    property color setColor: Theme.color.touch
     readonly property bool beyond: value > limit
 
     function place(value: real): real { return Math.round(width * Math.min(1, Math.max(0, value / scale.end))) }
@@ -22,7 +25,7 @@ Item {
     Rectangle {
         id: bar
         anchors { left: parent.left; right: parent.right; verticalCenter: parent.verticalCenter }
-        height: Theme.size.spacing
+        height: scale.thickness
         radius: height / 2
         color: Theme.color.line
         Rectangle {
@@ -30,7 +33,7 @@ Item {
             width: Math.max(height, scale.place(scale.value))
             height: parent.height
             radius: height / 2
-            color: scale.stale ? Theme.color.disabledInk : scale.beyond ? Theme.color.fault : Theme.color.target
+            color: scale.stale ? Theme.color.disabledInk : scale.fill
         }
     }
     Rectangle {
@@ -46,6 +49,6 @@ Item {
         width: Theme.size.accent
         height: parent.height
         radius: width / 2
-        color: Theme.color.touch
+        color: scale.setColor
     }
 }

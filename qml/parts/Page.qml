@@ -12,6 +12,8 @@ Item {
     property bool showsFault               // a fault stands on the page itself: no banner tells it again
     property real leftInset                // width of what stands beside the page at the left: a sheet or its keypad
 
+    // The page was opened, or its key touched again.
+    function begin(): void { }
     // Shows the section of this file; a page without sections has none.
     function open(section: string): void { }
 }

@@ -350,6 +350,7 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT(access.loggedIn(), timeoutMs);
         access.logOut();
         panel.tap("nav_motion");
+        panel.tap("curvesButton");
         panel.tap("field_base_speed_mm_per_s");
         panel.tap("login_Anna");
         typePin(panel, QStringLiteral("1379"));

@@ -83,6 +83,7 @@ void addUser(WalkingPanel& panel)
     panel.waitFor("a user", [&] { return access.loggedIn(); });
     access.logOut();
     panel.tap("Motion");
+    panel.tap("Curves");
 }
 
 const Walk walks[] = {

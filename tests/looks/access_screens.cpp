@@ -198,13 +198,21 @@ Screen trail(const char* name, const QStringList& taps, const QString& tamper = 
             }};
 }
 
+// Opens the technician's half of Motion as anybody.
+void openCurves(TestWindow& window)
+{
+    window.tap(u"nav_motion"_s);
+    if (window.find(u"curvesButton"_s))
+        window.tap(u"curvesButton"_s);
+}
+
 // Requests an action for technicians, then taps.
 Screen login(const char* name, const QStringList& taps, int wrongPins = 0)
 {
     return {QString::fromLatin1(name), [taps, wrongPins](TestWindow& window) {
                 addUsers(window);
                 window.panel().access().setWallClock([] { return timeMs(0); });
-                window.tap(u"nav_motion"_s);
+                openCurves(window);
                 window.tap(u"field_base_speed_mm_per_s"_s);
                 window.tap(u"login_Li Wei"_s);
                 for (int i = 0; i < wrongPins; ++i)
@@ -290,7 +298,7 @@ QList<Screen> accessScreens()
                  reloadUsers(window);
                  QLoggingCategory::setFilterRules({});
                  window.panel().records().dismissNotice();
-                 window.tap(u"nav_motion"_s);
+                 openCurves(window);
                  window.tap(u"field_base_speed_mm_per_s"_s);
              }},
             {u"disk-lost"_s,

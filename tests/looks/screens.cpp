@@ -89,6 +89,17 @@ Screen edited(const char* name, double bagLengthMm, const QStringList& names)
             }};
 }
 
+// Opens Motion as an operator does.
+Screen ofOperator(const char* name, double bagLengthMm, double rateBagsPerMin)
+{
+    return {QString::fromLatin1(name), [=](TestWindow& window) {
+                window.panel().editor().bagLength()->set(bagLengthMm);
+                window.panel().editor().rate()->set(rateBagsPerMin);
+                window.setLevel(panel::Level::Operator);
+                window.tap(QStringLiteral("nav_motion"));
+            }};
+}
+
 // Returns two files on a simulated stick with their dates, and the panel's own folder. The newer file has an
 // entry before the one above it.
 panel::CamFiles::Found listsOnStick(const QString&, const profile::Program& cam)
@@ -341,6 +352,9 @@ const QList<Screen>& allScreens()
         taps("tools", {motion, QStringLiteral("more")}),
         taps("table", {motion, QStringLiteral("more"), QStringLiteral("tableButton")}),
         edited("motion-edited", 320, {motion}),
+        ofOperator("motion-operator", 250, 60),
+        ofOperator("motion-operator-refused", 150, 390),
+        ofOperator("motion-operator-stroke", 1500, 60),
         edited("download", 320, {motion, QStringLiteral("nextStep")}),
         edited("downloading", 320, {motion, QStringLiteral("nextStep"), QStringLiteral("downloadStart")}),
         {QStringLiteral("motion-refused"),

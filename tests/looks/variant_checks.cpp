@@ -69,8 +69,8 @@ QStringList calmScreens()
 {
     QStringList names;
     for (const char* name :
-         {"run", "run-stopped", "run-position", "run-cam", "motion", "motion-all-curves", "recipes", "trends",
-          "alarms-none", "settings-display", "jog", "homing", "io", "dry-run"})
+         {"run", "run-stopped", "run-position", "run-cam", "motion", "motion-all-curves", "motion-operator",
+          "recipes", "trends", "alarms-none", "settings-display", "jog", "homing", "io", "dry-run"})
         names << QString::fromLatin1(name);
     return names;
 }

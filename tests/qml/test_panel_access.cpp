@@ -69,6 +69,7 @@ private slots:
         tap("field_bag_length_mm"); // the operator's
         QVERIFY(!isOn("loginUsers"));
         tap("keypadCancel");
+        tap("curvesButton");
         tap("field_base_speed_mm_per_s");
         QVERIFY(isOn("loginUsers"));
         QVERIFY(isOn("login_Li Wei"));
@@ -134,6 +135,7 @@ private slots:
     {
         enter("users-logged-out");
         tap("nav_motion");
+        tap("curvesButton");
         tap("lawButton");
         const QString before = editor().lawName();
         auto* list = m_window->find(u"lawList"_s);

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// Editing by touch: the page of the inputs stays, a compared law is seen and ends, no text leaves its field.
+// Editing by touch: the halves of Motion, the page of the inputs stays, a compared law is seen and ends, no
+// text leaves its field.
 #include "panel_test.h"
 
 #include "tests/support/test_program.h"
 
 #include <QJSValue>
 #include <QQuickWindow>
+
+#include <array>
 
 namespace test_panel_editing {
 
@@ -42,6 +45,20 @@ class TestPanelEditing : public test::PanelTest {
             bad += badTexts(*child);
         return bad;
     }
+    QRectF placeOf(const char* name)
+    {
+        const QQuickItem* item = m_window->find(QString::fromLatin1(name));
+        return item ? item->mapRectToScene(item->boundingRect()) : QRectF();
+    }
+    QStringList missing(const QStringList& names)
+    {
+        QStringList found;
+        for (const QString& name : names) {
+            if (!m_window->find(name))
+                found << name;
+        }
+        return found;
+    }
     static void addSizes()
     {
         QTest::addColumn<QSize>("size");
@@ -50,6 +67,99 @@ class TestPanelEditing : public test::PanelTest {
     }
 
 private slots:
+    void eachHalfHasItsNumbers_data()
+    {
+        addSizes();
+        QTest::newRow("1920x1080") << QSize(1920, 1080);
+    }
+    // The operator has length, rate and what is possible; the technician every field beside the three curves.
+    void eachHalfHasItsNumbers()
+    {
+        QFETCH(QSize, size);
+        const QStringList both{u"field_bag_length_mm"_s, u"field_rate_bags_per_min"_s, u"more"_s,
+                               u"nextStep"_s};
+        const QStringList curves{u"field_base_speed_mm_per_s"_s, u"field_film_speed_mm_per_s"_s, u"ratios"_s,
+                                 u"lawButton"_s, u"motionPlot"_s};
+        const QStringList bar{u"rateScale"_s, u"rateLimit"_s, u"rateMost"_s, u"curvesButton"_s};
+        m_window = std::make_unique<looks::TestWindow>(looks::Variant{u"en"_s, u"light"_s, size});
+        m_window->setLevel(panel::Level::Operator);
+        tap("nav_motion");
+        QCOMPARE(missing(both + bar), QStringList());
+        QCOMPARE(missing(curves), curves);
+        const std::array places{placeOf("more"), placeOf("nextStep")};
+        tap("curvesButton");
+        QCOMPARE(missing(both + curves), QStringList());
+        QCOMPARE(missing(bar), bar);
+        QCOMPARE(placeOf("more").center(), places[0].center());
+        QCOMPARE(placeOf("nextStep"), places[1]);
+        const QStringList quantities = m_window->find(u"motionPlot"_s)->property("quantities").toStringList();
+        QCOMPARE(quantities, QStringList({u"velocity"_s, u"acceleration"_s, u"frequency"_s}));
+        tap("nav_motion"); // the key of the page leads to its beginning
+        QCOMPARE(missing(both + bar), QStringList());
+        m_window->setLevel(panel::Level::Technician);
+        QCOMPARE(missing(bar), QStringList()); // nothing moves because somebody logs in
+        tap("nav_motion");
+        QCOMPARE(missing(curves), QStringList());
+        tap("more");
+        tap("operatorHalf");
+        QCOMPARE(missing(both + bar), QStringList());
+    }
+
+    // A length that is typed moves the end of the bar, and what sets it is marked in the drawing.
+    void theBarFollowsTheLength()
+    {
+        m_window->setLevel(panel::Level::Operator);
+        tap("nav_motion");
+        QCOMPARE(textOf("rateMost"), u"up to 303.5"_s);
+        QCOMPARE(textOf("rateSet"), u"60.0 bags/min"_s);
+        QCOMPARE(textOf("rateLimit"), u"Limit: Max. acceleration 50000 mm/s²"_s);
+        QCOMPARE(propertyOf("machineDrawing", "fieldId"), u"max_knife_acceleration_mm_per_s2"_s);
+        tap("field_bag_length_mm");
+        m_window->type(u"320"_s);
+        tap("keypadAccept");
+        QCOMPARE(textOf("rateMost"), u"up to 400.0"_s);
+        QCOMPARE(propertyOf("machineDrawing", "fieldId"), u"max_rate_bags_per_min"_s);
+        tap("undo");
+        QCOMPARE(textOf("rateMost"), u"up to 303.5"_s);
+        QVERIFY(editor().feasible());
+        editor().rate()->set(390);
+        m_window->settle();
+        QVERIFY(!editor().feasible());
+        QCOMPARE(textOf("rateSet"), u"390.0 bags/min"_s);
+        QVERIFY(propertyOf("rateScale", "setColor") != propertyOf("rateScale", "fill"));
+        tap("nextStep"); // the nearest possible rate
+        QVERIFY(editor().feasible());
+    }
+
+    // No other kind has a number for operators.
+    void anOperatorSeesTheCurvesOfTheOtherKinds()
+    {
+        for (const int kind : {2, 3, 4, 5, 6}) {
+            open(QSize(800, 480), kind);
+            m_window->setLevel(panel::Level::Operator);
+            tap("nav_motion");
+            QVERIFY2(m_window->find(u"motionPlot"_s), qPrintable(QString::number(kind)));
+            QVERIFY(!m_window->find(u"rateScale"_s));
+            tap("more");
+            QVERIFY(!m_window->find(u"operatorHalf"_s));
+        }
+    }
+
+    void theCurveOfTheControllerIsNamed()
+    {
+        tap("nav_motion");
+        QVERIFY(!m_window->find(u"overlayName"_s));
+        editor().bagLength()->set(240);
+        m_window->settle();
+        QCOMPARE(textOf("overlayName"), u"running"_s);
+        m_window->link().show(looks::DemoLink::Situation::Stopped);
+        m_window->settle();
+        QCOMPARE(textOf("overlayName"), u"in the controller"_s);
+        editor().compareLaw(u"harmonic"_s);
+        m_window->settle();
+        QCOMPARE(textOf("overlayName"), u"Harmonic"_s);
+    }
+
     void theOpenInputsStay_data() { addSizes(); }
     // In each group of each kind each choice is made: the group that shows it stays.
     void theOpenInputsStay()

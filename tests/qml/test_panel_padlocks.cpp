@@ -175,6 +175,7 @@ private slots:
     {
         enter(u"users-logged-out"_s);
         tap("nav_motion");
+        tap("curvesButton");
         QQuickItem* field = m_window->find(u"field_base_speed_mm_per_s"_s);
         QVERIFY(field);
         QVERIFY(field->property("locked").toBool());
@@ -193,6 +194,7 @@ private slots:
     {
         enter(u"users-logged-out"_s);
         tap("nav_motion");
+        tap("curvesButton");
         tap("field_base_speed_mm_per_s");
         tap("pinCancel");
         emit access().loginRequested(0);

@@ -16,6 +16,43 @@ namespace campanel::panel {
 namespace {
 
 constexpr double windowStep = 0.01; // of the cycle
+constexpr double mmPerM = 1000;
+
+// Returns the machine's number behind a limit of a cutter.
+std::optional<profile::Field> machineField(profile::Limit limit)
+{
+    using profile::Field;
+    using profile::Limit;
+    switch (limit) {
+    case Limit::MotorSpeed:
+        return Field::MaxMotorRpm;
+    case Limit::KnifeAcceleration:
+        return Field::MaxKnifeAcceleration;
+    case Limit::PulseFrequency:
+        return Field::MaxPulseFrequency;
+    case Limit::MachineRate:
+        return Field::MaxRate;
+    case Limit::MotorTorque:
+        return Field::MaxTorque;
+    case Limit::RmsTorque:
+        return Field::RatedTorque;
+    case Limit::NaturalFrequency:
+        return Field::NaturalFrequency;
+    case Limit::JawWindow:
+    case Limit::SealTime:
+        return Field::ContactAngle;
+    default:
+        return std::nullopt; // a number of the recipe
+    }
+}
+
+// Returns the machine's number that is exceeded, or that sets the highest rate.
+std::optional<profile::Field> limitOf(const Solution& solution)
+{
+    if (!solution.refusals.empty())
+        return machineField(solution.refusals.front().limit);
+    return solution.fastest ? machineField(solution.fastest->limitedBy) : std::nullopt;
+}
 
 QString ratioModeName(profile::RatioMode mode)
 {
@@ -40,6 +77,8 @@ void RampControl::show(const program::Recipe& recipe, const Solution& solution)
     m_machine = solution.solved ? solution.solved->machine : recipe.machine;
     m_offer = solution.refusals.empty() ? std::nullopt : solution.refusals.front().ramps;
     m_position = solution.cutter() ? profile::rampPosition(*solution.cutter()) : qQNaN();
+    const auto limit = m_isCutter ? limitOf(solution) : std::nullopt;
+    m_limitField = limit ? QString::fromUtf8(profile::info(*limit).id) : QString();
     showFigures(solution);
     emit changed();
 }
@@ -55,7 +94,6 @@ void RampControl::showFigures(const Solution& solution)
         speed = solution.solved->peaks.motorRpm;
     }
     const Format format;
-    constexpr double mmPerM = 1000;
     m_figures.setRows(
         {{tr("Peak acceleration"), format.measure(acceleration / mmPerM, 2, QStringLiteral("m/s²"))},
          {tr("RMS acceleration"), format.measure(rms / mmPerM, 2, QStringLiteral("m/s²"))},
@@ -63,6 +101,27 @@ void RampControl::showFigures(const Solution& solution)
          {tr("Highest rate"), solution.fastest ? RefusalSentences::valueWithUnit(
                                                      profile::Field::Rate, solution.fastest->rateBagsPerMin)
                                                : Format::unknownText()}});
+}
+
+QStringList RampControl::presets() const
+{
+    const auto with = [this](profile::RatioMode mode) {
+        profile::RotaryCutterProgram program = m_program;
+        program.ratioMode = mode;
+        return profile::solve(profile::withRatios(program, m_machine), m_machine);
+    };
+    const auto slow = with(profile::RatioMode::Slow);
+    const auto cool = with(profile::RatioMode::Cool);
+    const auto gentle = with(profile::RatioMode::Gentle);
+    if (!m_isCutter || !slow || !cool || !gentle)
+        return {Format::unknownText(), Format::unknownText(), Format::unknownText()};
+    const Format format;
+    const auto acceleration = [&format](double mmPerS2) {
+        return format.measure(mmPerS2 / mmPerM, 2, QStringLiteral("m/s²"));
+    };
+    return {tr("%1 r/min").arg(format.number(profile::peaks(*slow).motorRpm, 0)),
+            acceleration(profile::rmsAcceleration(cool->cycle, cool->program)),
+            acceleration(profile::peaks(*gentle).accelerationMmPerS2)};
 }
 
 QString RampControl::stateText() const

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// `Editor.cutter.ramps` in QML: how the ratios of a rotary cutter came about, what they demand, and the keys that
-// let them suit the machine. It displays the Editor's values and sends every change to the Editor.
+// `Editor.cutter.ramps` in QML: how the ratios of a rotary cutter came about, what they demand, and the keys
+// that let them suit the machine. It displays the Editor's values and sends every change to the Editor.
 #pragma once
 
 #include "app/panel/kit/figure_model.h"
 #include "app/panel/recipe/solution.h"
 
+#include <QStringList>
 #include <QtQml/qqmlregistration.h>
 
 #include <optional>
@@ -22,6 +23,10 @@ class RampControl : public QObject {
     Q_PROPERTY(QString stateText READ stateText NOTIFY changed FINAL)
     Q_PROPERTY(QString windowText READ windowText NOTIFY changed FINAL)
     Q_PROPERTY(campanel::panel::RowModelBase* figures READ figures CONSTANT FINAL)
+    // What each of Slow, Cool and Gentle lowers, with that choice: peak speed, RMS and peak acceleration.
+    Q_PROPERTY(QStringList presets READ presets NOTIFY changed FINAL)
+    // The machine's number that is exceeded, or that sets the highest rate, by its name; empty: none.
+    Q_PROPERTY(QString limitField READ limitField NOTIFY changed FINAL)
     // The ramps that allow what the present ones do not; empty when they do not help.
     Q_PROPERTY(QString offerName READ offerName NOTIFY changed FINAL)
     Q_PROPERTY(QString offerRate READ offerRate NOTIFY changed FINAL)
@@ -46,6 +51,8 @@ public:
     [[nodiscard]] QString stateText() const;
     [[nodiscard]] QString windowText() const;
     [[nodiscard]] FigureModel* figures() { return &m_figures; }
+    [[nodiscard]] QStringList presets() const;
+    [[nodiscard]] QString limitField() const { return m_limitField; }
     [[nodiscard]] QString offerName() const;
     [[nodiscard]] QString offerRate() const;
 
@@ -78,6 +85,7 @@ private:
     bool m_isCutter = false;
     double m_position = 0;
     std::optional<profile::RampOffer> m_offer;
+    QString m_limitField;
     FigureModel m_figures{this};
 };
 

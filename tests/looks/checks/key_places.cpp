@@ -33,6 +33,9 @@ const QMap<QString, QStringList>& states()
          {QStringLiteral("motion"), QStringLiteral("motion-edited"), QStringLiteral("motion-refused"),
           QStringLiteral("motion-limits"), QStringLiteral("motion-ramps"), QStringLiteral("motion-fault"),
           QStringLiteral("motion-many-alarms"), QStringLiteral("motion-lost")}},
+        {QStringLiteral("Motion, operator"),
+         {QStringLiteral("motion-operator"), QStringLiteral("motion-operator-refused"),
+          QStringLiteral("motion-operator-stroke")}},
     };
     return all;
 }

@@ -57,6 +57,36 @@ private slots:
         QCOMPARE(modeOf(rig.editor), RatioMode::ByHand);
     }
 
+    // Each of them lowers its own figure most.
+    void thePresetsSayWhatTheyLower()
+    {
+        PanelRig rig;
+        rig.editor.rate()->set(200);
+        const QStringList presets = rig.editor.ramps()->presets();
+        QCOMPARE(presets.size(), 3);
+        rig.editor.ramps()->choose(RampControl::Slow);
+        QCOMPARE(figure(rig.editor, 2), presets[0]);
+        rig.editor.ramps()->choose(RampControl::Cool);
+        QCOMPARE(figure(rig.editor, 1), presets[1]);
+        rig.editor.ramps()->choose(RampControl::Gentle);
+        QCOMPARE(figure(rig.editor, 0), presets[2]);
+        QCOMPARE(rig.editor.ramps()->presets(), presets); // they do not depend on the present choice
+        rig.editor.newProgram(static_cast<int>(Editor::Kind::PositionMove));
+        QCOMPARE(rig.editor.ramps()->presets(), QStringList({u"--"_s, u"--"_s, u"--"_s}));
+    }
+
+    void theLimitIsTheMachinesNumber()
+    {
+        PanelRig rig;
+        QCOMPARE(rig.editor.ramps()->limitField(), u"max_knife_acceleration_mm_per_s2"_s);
+        rig.editor.bagLength()->set(320);
+        QCOMPARE(rig.editor.ramps()->limitField(), u"max_rate_bags_per_min"_s);
+        rig.editor.bagLength()->set(1500); // no motion: the stroke is a number of the recipe
+        QCOMPARE(rig.editor.ramps()->limitField(), QString());
+        rig.editor.newProgram(static_cast<int>(Editor::Kind::PositionMove));
+        QCOMPARE(rig.editor.ramps()->limitField(), QString());
+    }
+
     void keysSetTheRatios_data()
     {
         QTest::addColumn<int>("mode");
