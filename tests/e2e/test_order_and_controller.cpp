@@ -97,6 +97,51 @@ class TestOrderAndController : public QObject {
 private slots:
     void initTestCase() { shell::applyFonts(); }
 
+    // One cut of standing film, then a bag for a person, each by finger; the order counts that bag as
+    // rejected.
+    void aCutAndABagAreTakenByFinger()
+    {
+        Line line;
+        QTRY_COMPARE_WITH_TIMEOUT(line.machine().state(), Controller::State::Idle, timeoutMs);
+        line.panel->tap("nav_motion");
+        line.panel->download();
+        if (QTest::currentTestFailed())
+            return;
+        line.panel->tap("nav_run");
+        QTRY_VERIFY_WITH_TIMEOUT(line.isShown("newOrder"), timeoutMs);
+        QTRY_VERIFY_WITH_TIMEOUT(line.panel->panel().orders().fresh(), timeoutMs);
+        line.panel->tap("newOrder");
+        line.enterQuantity("900");
+        line.panel->tap("orderStart");
+        QTRY_COMPARE_WITH_TIMEOUT(line.order().state, store::OrderRow::State::Active, timeoutMs);
+        line.panel->tap("sheetClose");
+        QTRY_VERIFY_WITH_TIMEOUT(line.machine().canStart(), timeoutMs);
+        line.panel->hold("middleKey"); // Reference run
+        QTRY_COMPARE_WITH_TIMEOUT(line.machine().state(), Controller::State::Ready, timeoutMs);
+
+        QTRY_VERIFY_WITH_TIMEOUT(line.isShown("trimKey"), timeoutMs);
+        line.panel->tap("trimKey");
+        line.panel->hold("cutKey"); // no product has come yet
+        QTRY_COMPARE_WITH_TIMEOUT(line.machine().state(), Controller::State::Running, timeoutMs);
+        QTRY_COMPARE_WITH_TIMEOUT(line.machine().state(), Controller::State::Ready, timeoutMs);
+        QCOMPARE(line.machine().commandMessage(), QString());
+
+        line.panel->start();
+        QTRY_VERIFY_WITH_TIMEOUT(line.order().good >= 3, timeoutMs);
+        line.machine()
+            .parameter("parameter.switch1_mode")
+            .write(2, {&line.machine(), [](const link::ParameterOutcome&) {}}); // the reject gate
+        QTRY_COMPARE_WITH_TIMEOUT(line.machine().parameter("parameter.switch1_mode").lastValue(), 2.0,
+                                  timeoutMs);
+        const auto rejected = line.order().rejected;
+        line.panel->tap("takeKey");
+        QTRY_COMPARE_WITH_TIMEOUT(line.order().rejected, rejected + 1, timeoutMs);
+        const auto good = line.order().good;
+        QTRY_VERIFY_WITH_TIMEOUT(line.order().good > good + 2, timeoutMs);
+        QCOMPARE(line.order().rejected, rejected + 1); // that bag alone
+        QCOMPARE(line.panel->complaints(), QStringList());
+    }
+
     void anOrderEndsTheRunAndTheNextOneFollows()
     {
         Line line;
