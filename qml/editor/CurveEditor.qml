@@ -111,7 +111,7 @@ Card {
     }
     Row { // what the dashed curve is
         id: legend
-        visible: plot.visible && editor.compare
+        visible: plot.visible && !!plot.overlayCurves   // none of a program of another kind
         anchors { right: plot.right; rightMargin: Theme.size.handle + Theme.size.padding; top: plot.top }   // beside a handle at the end
         spacing: Theme.size.accent
         Repeater { // dashes

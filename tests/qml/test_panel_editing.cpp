@@ -158,6 +158,10 @@ private slots:
         editor().compareLaw(u"harmonic"_s);
         m_window->settle();
         QCOMPARE(textOf("overlayName"), u"Harmonic"_s);
+        editor().compareLaw({});
+        editor().newProgram(2); // the controller has a cutter's
+        m_window->settle();
+        QVERIFY(!m_window->find(u"overlayName"_s));
     }
 
     void theOpenInputsStay_data() { addSizes(); }
