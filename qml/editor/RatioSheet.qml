@@ -37,7 +37,7 @@ Sheet {
             spacing: Theme.size.outline
 
             Segmented {
-                readonly property list<string> lowered: Editor.cutter.ramps.presets   // motor speed, heat, jolt
+                readonly property list<string> lowered: [...Editor.cutter.ramps.presets]   // motor speed, heat, jolt
                 width: parent.width
                 stacked: true
                 level: Access.Technician

@@ -352,7 +352,7 @@ const QList<Screen>& allScreens()
         taps("tools", {motion, QStringLiteral("more")}),
         taps("table", {motion, QStringLiteral("more"), QStringLiteral("tableButton")}),
         edited("motion-edited", 320, {motion}),
-        ofOperator("motion-operator", 250, 60),
+        ofOperator("motion-operator", 240, 60),
         ofOperator("motion-operator-refused", 150, 390),
         ofOperator("motion-operator-stroke", 1500, 60),
         edited("download", 320, {motion, QStringLiteral("nextStep")}),

@@ -23,7 +23,7 @@ class RampControl : public QObject {
     Q_PROPERTY(QString stateText READ stateText NOTIFY changed FINAL)
     Q_PROPERTY(QString windowText READ windowText NOTIFY changed FINAL)
     Q_PROPERTY(campanel::panel::RowModelBase* figures READ figures CONSTANT FINAL)
-    // What each of Slow, Cool and Gentle lowers, with that choice: peak speed, RMS and peak acceleration.
+    // The peak speed with Slow, the RMS acceleration with Cool, the peak acceleration with Gentle.
     Q_PROPERTY(QStringList presets READ presets NOTIFY changed FINAL)
     // The machine's number that is exceeded, or that sets the highest rate, by its name; empty: none.
     Q_PROPERTY(QString limitField READ limitField NOTIFY changed FINAL)
