@@ -21,10 +21,10 @@ QString nameOf(std::string_view enumeration, std::uint16_t value)
     return QString::fromStdString(modbus::enumName(enumeration, value));
 }
 
-QJsonArray bitNames(std::string_view enumName, std::uint16_t bits)
+QJsonArray bitNames(std::string_view enumName, std::uint32_t bits)
 {
     QJsonArray names;
-    constexpr std::uint16_t width = 16;
+    constexpr std::uint32_t width = 16;
     for (std::uint16_t bit = 0; bit < width; ++bit) {
         if ((bits & (1u << bit)) != 0)
             names.append(nameOf(enumName, bit));
@@ -168,7 +168,8 @@ Outcome runStatus(const Invocation& call)
         object[u"press"_s] = pressObject(*status->press);
     object[u"io"_s] = QJsonValue::Null; // of an older controller
     if (session->identity().mapMinor >= modbus::ioMapMinor) {
-        const auto io = session->client().readProven(modbus::ioAddress, modbus::ioRegisters);
+        const auto io = session->client().readProven(modbus::ioAddress,
+                                                     modbus::ioRegisters(session->identity().mapMinor));
         if (!io)
             return fail(io.error());
         object[u"io"_s] = ioObject(modbus::decodeIo(*io));

@@ -3422,6 +3422,34 @@ eff. %2</translation>
         <source>A product is under the knife. Run the machine empty first.</source>
         <translation>Unter dem Messer liegt ein Produkt. Die Maschine zuerst leer fahren.</translation>
     </message>
+    <message>
+        <source>Ready to start</source>
+        <translation>Startbereit</translation>
+    </message>
+    <message>
+        <source>On at standstill while nothing refuses a start.</source>
+        <translation>Ein im Stillstand, solange nichts gegen einen Start spricht.</translation>
+    </message>
+    <message>
+        <source>Product request</source>
+        <translation>Produktanforderung</translation>
+    </message>
+    <message>
+        <source>On in a run while the place at the product eye is free.</source>
+        <translation>Ein während des Laufs, solange der Platz an der Produktlichtschranke frei ist.</translation>
+    </message>
+    <message>
+        <source>Date coder pulse</source>
+        <translation>Impuls für den Datumscodierer</translation>
+    </message>
+    <message>
+        <source>One pulse for each product, at its place before the cut.</source>
+        <translation>Ein Impuls für jedes Produkt, an seiner Stelle vor dem Schnitt.</translation>
+    </message>
+    <message>
+        <source>The date coder prints before the products are on the film. Check the place of its pulse under Maintenance &gt; Inputs and outputs.</source>
+        <translation>Der Datumscodierer druckt, bevor die Produkte auf der Folie liegen. Prüfen Sie die Stelle seines Impulses unter Wartung &gt; Ein- und Ausgänge.</translation>
+    </message>
 </context>
 <context>
     <name>Recipe</name>
@@ -5419,6 +5447,14 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
     <message>
         <source>Drive</source>
         <translation>Antrieb</translation>
+    </message>
+    <message>
+        <source>Date coder pulse: film to the cut</source>
+        <translation>Impuls für den Datumscodierer: Folie bis zum Schnitt</translation>
+    </message>
+    <message>
+        <source>Date coder pulse: length</source>
+        <translation>Impuls für den Datumscodierer: Dauer</translation>
     </message>
 </context>
 <context>

@@ -3420,6 +3420,34 @@ RMS %2</source>
         <source>A product is under the knife. Run the machine empty first.</source>
         <translation>切刀下有产品。请先将机器运行至排空。</translation>
     </message>
+    <message>
+        <source>Ready to start</source>
+        <translation>可启动</translation>
+    </message>
+    <message>
+        <source>On at standstill while nothing refuses a start.</source>
+        <translation>静止且无任何拒绝启动的条件时接通。</translation>
+    </message>
+    <message>
+        <source>Product request</source>
+        <translation>请求产品</translation>
+    </message>
+    <message>
+        <source>On in a run while the place at the product eye is free.</source>
+        <translation>运行中且产品光电处的位置空着时接通。</translation>
+    </message>
+    <message>
+        <source>Date coder pulse</source>
+        <translation>打码机脉冲</translation>
+    </message>
+    <message>
+        <source>One pulse for each product, at its place before the cut.</source>
+        <translation>每个产品一个脉冲，在切断前的设定位置发出。</translation>
+    </message>
+    <message>
+        <source>The date coder prints before the products are on the film. Check the place of its pulse under Maintenance &gt; Inputs and outputs.</source>
+        <translation>打码机在产品落到膜上之前就打印。请在“维护 &gt; 输入与输出”中检查其脉冲位置。</translation>
+    </message>
 </context>
 <context>
     <name>Recipe</name>
@@ -5416,6 +5444,14 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
     <message>
         <source>Drive</source>
         <translation>驱动器</translation>
+    </message>
+    <message>
+        <source>Date coder pulse: film to the cut</source>
+        <translation>打码机脉冲：到切断处的膜长</translation>
+    </message>
+    <message>
+        <source>Date coder pulse: length</source>
+        <translation>打码机脉冲：时长</translation>
     </message>
 </context>
 <context>

@@ -6,6 +6,7 @@
 #include "link/ctl_map.h"
 #include "link/ctl_status.h"
 #include "link/ctl_work.h"
+#include "motion/ctl_start.h"
 
 #include <string.h>
 
@@ -114,12 +115,34 @@ static uint32_t conditions(ctl_core* core)
     return bits;
 }
 
+static void switch_signal(ctl_core* core, uint32_t bit, bool on)
+{
+    const uint32_t others = core->io.around & ~(1u << bit);
+    core->io.around = on ? others | 1u << bit : others;
+}
+
+/* A product that comes now is packed: the run goes on, and nothing has come to the place at the eye. */
+static bool wants_product(const ctl_core* core)
+{
+    const ctl_motion* motion = &core->motion;
+    return motion->state == CTL_STATE_RUNNING && ctl_packer_active(&core->packer) &&
+           (!motion->follows || core->master.leads) &&
+           ctl_products_place_free(&core->packer.products, core->packer.infeed_actual);
+}
+
 /* Does what can wait for a slice without much other work. */
 static void use_quiet_slice(ctl_core* core)
 {
-    if (ctl_tower_is_due(&core->tower, &core->board)) {
+    if (!ctl_coder_is_aimed(&core->coder, &core->packer)) {
+        ctl_coder_aim(&core->coder, &core->packer);
+    } else if (ctl_tower_is_due(&core->tower, &core->board)) {
         ctl_tower_slice(&core->tower, &core->board, conditions(core));
         core->io.tower = core->tower.levels;
+        core->asks_start = true;
+    } else if (core->asks_start) {
+        core->asks_start = false;
+        switch_signal(core, CTL_OUTPUT_BIT_READY, ctl_may_start(&core->motion, &core->io));
+        switch_signal(core, CTL_OUTPUT_BIT_REQUEST, wants_product(core));
     } else if (core->order.state == CTL_ORDER_STATE_ACTIVE) {
         follow_order(core);
     }
@@ -151,6 +174,8 @@ static void slice(ctl_core* core, uint32_t ticks)
         (void)ctl_motion_stop_at_cycle_end(motion);
     if (core->banks.has_active && motion->state != CTL_STATE_FAULT && !ctl_banks_check(&core->banks))
         ctl_motion_fault(motion, CTL_FAULT_BIT_ACTIVE_TABLE_DAMAGED);
+    if ((core->packer.bank != NULL || core->coder.on) && ctl_coder_slice(&core->coder, &core->packer))
+        core->io.around ^= 1u << CTL_OUTPUT_BIT_CODER_PULSE;
     ctl_io_slice(&core->io, motion);
     ctl_work_slice(core);
 }

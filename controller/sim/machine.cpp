@@ -103,9 +103,12 @@ void Machine::setDriveOn(bool on)
     switchDrives();
 }
 
-void Machine::setOutputs(std::uint16_t levels)
+void Machine::setOutputs(std::uint32_t levels)
 {
+    const unsigned begins = levels & ~m_outputs;
     m_outputs = levels;
+    if ((begins & 1u << CTL_OUTPUT_BIT_CODER_PULSE) != 0)
+        m_coderPulseMm = drawnMm();
     switchDrives();
 }
 
@@ -413,6 +416,11 @@ std::optional<Machine::Edge> Machine::takeEdge()
 std::optional<BagCut> Machine::takeCut()
 {
     return std::exchange(m_cut, std::nullopt);
+}
+
+std::optional<double> Machine::takeCoderPulseMm()
+{
+    return std::exchange(m_coderPulseMm, std::nullopt);
 }
 
 } // namespace campanel::controller

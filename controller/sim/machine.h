@@ -77,7 +77,7 @@ public:
     // Cuts the power of the main drive.
     void setDriveOn(bool on);
     // Sets the output pins; the drives follow only while they are enabled.
-    void setOutputs(std::uint16_t levels);
+    void setOutputs(std::uint32_t levels);
     // Sets an input pin that no movement sets: drive alarm, emergency stop, limit switches. A drive with an
     // alarm does not follow; the others have no effect.
     void setInput(unsigned bit, bool isOn);
@@ -135,6 +135,8 @@ public:
     [[nodiscard]] double filmMmPerS() const { return m_feed.filmMmPerS; }
     // Returns the cut of the last step.
     [[nodiscard]] std::optional<BagCut> takeCut();
+    // Returns the film drawn when the last pulse of the date coder began.
+    [[nodiscard]] std::optional<double> takeCoderPulseMm();
 
 private:
     void switchDrives();
@@ -155,7 +157,7 @@ private:
 
     MachineOptions m_options;
     std::uint16_t m_inputs = 0;
-    std::uint16_t m_outputs = 0;
+    std::uint32_t m_outputs = 0;
     bool m_hasPower = true;
     bool m_isEyeCovered = false;
     bool m_isMarkThere = false;
@@ -192,6 +194,7 @@ private:
     std::optional<double> m_materialAtCutMm;
     std::optional<std::int64_t> m_index;
     std::optional<BagCut> m_cut;
+    std::optional<double> m_coderPulseMm;
     std::optional<PressRam> m_ram;
     double m_pulseMm = 0.0; // mm per pulse of the ram
     double m_top = 0.0;     // motor position at the ram's upper position, pulses

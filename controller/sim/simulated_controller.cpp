@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "simulated_controller.h"
 
+#include <utility>
+
 namespace campanel::controller {
 namespace {
 
@@ -83,7 +85,7 @@ SimulatedController::SimulatedController(const ctl_config& config, const Machine
     port.scale = [](void* context) { return machineOf(context).scale(); };
     port.force = [](void* context) { return machineOf(context).forceN(); };
     port.inputs = [](void* context) { return machineOf(context).inputs(); };
-    port.outputs = [](void* context, std::uint16_t levels) { machineOf(context).setOutputs(levels); };
+    port.outputs = [](void* context, std::uint32_t levels) { machineOf(context).setOutputs(levels); };
     port.torque = [](void* context) { return machineOf(context).torqueTenthPercent(); };
     port.flash_read = [](void* context, std::uint32_t slot, std::uint32_t offset, std::uint8_t* bytes,
                          std::uint32_t size) {
@@ -133,12 +135,19 @@ void SimulatedController::step()
         takeOverProgram();
     m_machine.advance(static_cast<double>(m_stepUs) * sPerUs);
     m_cut = m_machine.takeCut();
+    m_cutByHand.reset();
     if (m_core->motion.manual && !m_core->motion.in_phase) {
         m_machine.forgetLastCut();
-        m_cut.reset();
+        m_cutByHand = std::exchange(m_cut, std::nullopt);
     }
-    if (!m_cut)
-        return;
+    if (m_cut)
+        passCut();
+    if (onStep)
+        onStep();
+}
+
+void SimulatedController::passCut()
+{
     ctl_on_cut(m_core.get(), m_cut->filmEncoder);
     if (m_cut->lengthUm)
         ctl_on_bag_cut(m_core.get(), *m_cut->lengthUm);

@@ -40,11 +40,17 @@ public:
     // Returns the cut of the last step.
     [[nodiscard]] const std::optional<BagCut>& cut() const { return m_cut; }
 
+    // Returns the cut that a person made in the last step by jogging the knife. The controller is not told.
+    [[nodiscard]] const std::optional<BagCut>& cutByHand() const { return m_cutByHand; }
+
     // Called with the pulses that the main drive is given, if set.
     std::function<void(const ctl_train&)> onPulses;
+    // Called behind each step, if set.
+    std::function<void()> onStep;
 
 private:
     void takeOverProgram();
+    void passCut();
 
     std::uint64_t m_stepUs;
     ctl_config m_config{};
@@ -55,6 +61,7 @@ private:
     std::uint64_t m_nowUs = 0;
     std::uint32_t m_generation = 0;
     std::optional<BagCut> m_cut;
+    std::optional<BagCut> m_cutByHand;
 };
 
 } // namespace campanel::controller

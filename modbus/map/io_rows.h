@@ -29,7 +29,8 @@ enum class InputBit : std::uint16_t {
     BagButton
 };
 
-// The bits of io.outputs. Command TryOutput switches each of them on at standstill.
+// The bits of io.outputs, and from 16 on of io.more_outputs. Command TryOutput switches each of them on at
+// standstill.
 enum class OutputBit : std::uint16_t {
     Switch1 = 0,
     Switch2,
@@ -45,7 +46,11 @@ enum class OutputBit : std::uint16_t {
     TowerYellow,
     TowerGreen,
     Horn,
-    Running
+    Running,
+    // Since io.more_outputs is there.
+    Ready,
+    Request,
+    CoderPulse
 };
 
 // The origin of an input's level. A contact has the registers NAME_contact and NAME_filter in the group
@@ -137,6 +142,12 @@ inline constexpr std::array outputRows{
     towerRow(OutputBit::Horn, "Horn", CAMPANEL_TEXT("Protocol", "Horn")),
     entry(OutputBit::Running, "Running", CAMPANEL_TEXT("Protocol", "Machine runs"),
           CAMPANEL_TEXT("Protocol", "On from the start of a run to its standstill.")),
+    entry(OutputBit::Ready, "Ready", CAMPANEL_TEXT("Protocol", "Ready to start"),
+          CAMPANEL_TEXT("Protocol", "On at standstill while nothing refuses a start.")),
+    entry(OutputBit::Request, "Request", CAMPANEL_TEXT("Protocol", "Product request"),
+          CAMPANEL_TEXT("Protocol", "On in a run while the place at the product eye is free.")),
+    entry(OutputBit::CoderPulse, "CoderPulse", CAMPANEL_TEXT("Protocol", "Date coder pulse"),
+          CAMPANEL_TEXT("Protocol", "One pulse for each product, at its place before the cut.")),
 };
 
 } // namespace campanel::modbus

@@ -14,7 +14,8 @@ template <typename Bit> bool hasPin(std::uint32_t levels, Bit bit)
     return (levels >> static_cast<unsigned>(bit) & 1u) != 0;
 }
 
-template <typename Bit> std::optional<bool> levelOf(const std::optional<std::uint16_t>& levels, Bit bit)
+template <typename Bit, typename Levels>
+std::optional<bool> levelOf(const std::optional<Levels>& levels, Bit bit)
 {
     return levels ? std::optional(hasPin(*levels, bit)) : std::nullopt;
 }
@@ -28,12 +29,19 @@ std::optional<bool> IoStatus::level(InputBit bit) const
 
 std::optional<bool> IoStatus::level(OutputBit bit) const
 {
-    return levelOf(outputs, bit);
+    return bit < OutputBit::Ready || hasAllOutputs ? levelOf(outputs, bit) : std::nullopt;
+}
+
+std::uint16_t ioRegisters(std::uint16_t minor)
+{
+    const RegisterInfo& more = registerNamed("io.more_outputs");
+    const unsigned end = more.address + (more.minor <= minor ? 1u : 0u);
+    return static_cast<std::uint16_t>(end - ioAddress);
 }
 
 IoStatus decodeIo(std::span<const std::uint16_t> registers)
 {
-    assert(registers.size() == ioRegisters);
+    assert(registers.size() <= ioRegisters());
     const RegisterReader reader(registers, ioAddress);
     const auto available = reader.u16("io.available");
     IoStatus status;
@@ -41,6 +49,9 @@ IoStatus decodeIo(std::span<const std::uint16_t> registers)
         status.inputs = reader.u16("io.inputs");
     if (hasPin(available, IoBit::Outputs))
         status.outputs = reader.u16("io.outputs");
+    status.hasAllOutputs = status.outputs && registers.size() == ioRegisters();
+    if (status.hasAllOutputs)
+        *status.outputs |= std::uint32_t{reader.u16("io.more_outputs")} << 16u;
     if (hasPin(available, IoBit::Torque)) {
         status.torquePercent = reader.physical("io.torque");
         status.torqueAngleDeg = reader.physical("io.torque_angle");

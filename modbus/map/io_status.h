@@ -11,14 +11,17 @@
 namespace campanel::modbus {
 
 inline constexpr std::uint16_t ioAddress = 0x01B0;
-inline constexpr std::uint16_t ioRegisters = 8;
 // The first minor version of the map with this group and the parameters of the cam switches.
 inline constexpr std::uint16_t ioMapMinor = 3;
+
+// Returns the size of the group in a controller of this version.
+[[nodiscard]] std::uint16_t ioRegisters(std::uint16_t minor = mapMinor);
 
 // Values that the machine does not have are empty.
 struct IoStatus {
     std::optional<std::uint16_t> inputs;  // bits of InputBit
-    std::optional<std::uint16_t> outputs; // bits of OutputBit
+    std::optional<std::uint32_t> outputs; // bits of OutputBit
+    bool hasAllOutputs = false;           // those from Ready on, too
     std::optional<double> torquePercent;  // of the rated torque
     std::optional<double> torqueAngleDeg; // of the master, when it was reported
     std::optional<double> infeedPositionMm;
@@ -35,7 +38,7 @@ struct IoStatus {
     bool operator==(const IoStatus&) const = default;
 };
 
-// Decodes ioRegisters registers from ioAddress on.
+// Decodes the registers of the group, as many as the controller has.
 [[nodiscard]] IoStatus decodeIo(std::span<const std::uint16_t> registers);
 
 } // namespace campanel::modbus

@@ -371,6 +371,10 @@ constexpr std::array refusals{
     entry(Refusal::NoRejectGate, "NoRejectGate",
           CAMPANEL_TEXT("Protocol", "No cam switch rejects bags. Set one under Maintenance."),
           "No parameter.switch1_mode to switch8_mode is RejectedBags."),
+    entry(Refusal::CoderTooFar, "CoderTooFar",
+          CAMPANEL_TEXT("Protocol",
+                        "The date coder prints before the products are on the film. Check the place of "
+                        "its pulse under Maintenance > Inputs and outputs.")),
 };
 static_assert(static_cast<std::uint16_t>(Refusal::PanelDisagrees) ==
               static_cast<std::uint16_t>(Refusal::NotWarm) +

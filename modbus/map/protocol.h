@@ -162,6 +162,7 @@ enum class Refusal : std::uint16_t {
     FilmMoves,
     ProductAtKnife,
     NoRejectGate,
+    CoderTooFar,
 };
 
 enum class TransferOperation : std::uint16_t { None = 0, Begin, Block, Seal };

@@ -41,7 +41,7 @@ static void feed(void* context, ctl_axis axis, int64_t from, int64_t to)
     inner.feed(context, axis, from, to);
 }
 
-static void outputs(void* context, uint16_t levels)
+static void outputs(void* context, uint32_t levels)
 {
     add(levels | 0x30000000u);
     inner.outputs(context, levels);

@@ -28,10 +28,15 @@ std::uint16_t tryOutput(Rig& rig, std::uint16_t output = tested, std::uint16_t o
     return rig.command(CTL_COMMAND_TRY_OUTPUT, output, on);
 }
 
+std::uint32_t levels(Rig& rig)
+{
+    return rig.status(CTL_REG_IO_OUTPUTS) | std::uint32_t{rig.status(CTL_REG_IO_MORE_OUTPUTS)} << 16u;
+}
+
 bool isOn(Rig& rig, unsigned output = tested)
 {
     rig.controller().step();
-    return (rig.status(CTL_REG_IO_OUTPUTS) & 1u << output) != 0;
+    return (levels(rig) & 1u << output) != 0;
 }
 
 void press(Rig& rig, unsigned input)
@@ -162,14 +167,16 @@ void TestOutputs::eachOutputAlone()
     Rig rig;
     rig.install(camBank(10'000, 1, 1'600'000));
     rig.setParameter(CTL_REG_PARAMETER_DRIVE_ENABLE, CTL_DRIVE_ENABLE_OFF);
+    rig.controller().machine().setInput(CTL_INPUT_BIT_STOP_BUTTON, true); // not ready to start
+    rig.run(100'000);
     for (std::uint16_t output = 0; output <= CTL_OUTPUT_BIT_LAST; ++output) {
         QCOMPARE(tryOutput(rig, output), CTL_REFUSAL_NONE);
         rig.run(1000);
-        QCOMPARE(rig.status(CTL_REG_IO_OUTPUTS), 1u << output);
+        QCOMPARE(levels(rig), 1u << output);
     }
     QCOMPARE(tryOutput(rig, 0, 0), CTL_REFUSAL_NONE);
     rig.run(1000);
-    QCOMPARE(rig.status(CTL_REG_IO_OUTPUTS), 0);
+    QCOMPARE(levels(rig), 0u);
 }
 
 void TestOutputs::withoutAProgram()

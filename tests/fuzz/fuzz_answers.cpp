@@ -47,7 +47,7 @@ Asked askedBy(std::uint8_t choice)
                                    Block{0x0210, commandResultRegisters},
                                    Block{0x0318, transferResultRegisters},
                                    Block{packerAddress, packerRegisters()},
-                                   Block{ioAddress, ioRegisters},
+                                   Block{ioAddress, ioRegisters()},
                                    Block{0x2000, 64}};
     const Block& block = blocks[choice % blocks.size()];
     const auto high = [](std::uint16_t value) { return static_cast<std::uint8_t>(value >> 8); };

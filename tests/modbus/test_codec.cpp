@@ -216,6 +216,17 @@ void CodecTest::ioHasWhatIsAvailable()
     QCOMPARE(all.infeedPositionMm, std::optional(-0.002));
     QCOMPARE(all.infeedFollowingErrorMm, std::optional(0.003));
     QVERIFY(!all.isAxisKept && !all.isFilmKept && !all.isInfeedKept);
+    // A controller of 1.5 has no further outputs.
+    QVERIFY(!all.level(OutputBit::Ready) && !all.level(OutputBit::CoderPulse));
+    QCOMPARE(std::size_t{ioRegisters(5)}, registers.size());
+    QCOMPARE(ioRegisters(), std::uint16_t(ioRegisters(5) + 1));
+    registers[2] = 0x8101;
+    registers.push_back(0x0002);
+    const IoStatus more = decodeIo(registers);
+    QCOMPARE(more.level(OutputBit::Ready), std::optional(true));
+    QCOMPARE(more.level(OutputBit::Request), std::optional(false));
+    QCOMPARE(more.level(OutputBit::CoderPulse), std::optional(true));
+    QCOMPARE(more.level(OutputBit::Switch1), std::optional(true));
     registers[0] = 0x0050;
     QVERIFY(decodeIo(registers).isAxisKept && !decodeIo(registers).isFilmKept);
     QVERIFY(decodeIo(registers).isInfeedKept);

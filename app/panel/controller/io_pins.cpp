@@ -37,15 +37,15 @@ void IoPins::read()
         return;
     m_isAsked = true;
     m_controller.link().readRegisters(
-        {0, modbus::ioAddress, modbus::ioRegisters},
+        {0, modbus::ioAddress, modbus::ioRegisters(m_controller.identity()->mapMinor)},
         {this, [this](const link::ReadOutcome& outcome) { takeRead(outcome); }});
 }
 
 void IoPins::takeRead(const link::ReadOutcome& outcome)
 {
     m_isAsked = false;
-    const bool isDone =
-        outcome.end == link::ReadEnd::Done && outcome.registers.size() == modbus::ioRegisters && present();
+    const bool isDone = outcome.end == link::ReadEnd::Done && present() &&
+                        outcome.registers.size() == modbus::ioRegisters(m_controller.identity()->mapMinor);
     if (isDone) {
         m_status = modbus::decodeIo(outcome.registers);
         if (m_status->infeedPositionMm)

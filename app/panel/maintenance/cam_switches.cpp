@@ -41,6 +41,14 @@ constexpr std::array contactParameters{
     SwitchParameter{"_filter", QT_TRANSLATE_NOOP("campanel::panel::CamSwitches", "%1: filter time"), false},
 };
 
+constexpr std::array coderParameters{
+    SwitchParameter{"signal.coder_place",
+                    QT_TRANSLATE_NOOP("campanel::panel::CamSwitches", "Date coder pulse: film to the cut"),
+                    false},
+    SwitchParameter{"signal.coder_pulse",
+                    QT_TRANSLATE_NOOP("campanel::panel::CamSwitches", "Date coder pulse: length"), false},
+};
+
 std::vector<modbus::InputRow> contactRows()
 {
     std::vector<modbus::InputRow> rows;
@@ -80,15 +88,20 @@ QStringList CamSwitches::names() const
     names << tr("Drive");
     for (const modbus::InputRow& row : contactRows())
         names << ControllerSentences::text(static_cast<modbus::InputBit>(row.value.value));
+    names << ControllerSentences::text(modbus::OutputBit::CoderPulse);
     return names;
 }
 
 void CamSwitches::choose(int current)
 {
     const auto inputs = contactRows();
-    m_current = std::clamp(current, 1, drives() + static_cast<int>(inputs.size()));
+    m_current = std::clamp(current, 1, drives() + static_cast<int>(inputs.size()) + 1);
     std::vector<Field> fields;
-    if (m_current > drives()) {
+    if (m_current > drives() + static_cast<int>(inputs.size())) {
+        for (const SwitchParameter& parameter : coderParameters)
+            fields.push_back(
+                {&controller().parameter(parameter.suffix), parameter.words, parameter.hasChoices});
+    } else if (m_current > drives()) {
         const modbus::InputRow& row = inputs[static_cast<std::size_t>(m_current - drives() - 1)];
         for (const SwitchParameter& parameter : contactParameters)
             fields.push_back(
@@ -121,6 +134,10 @@ QString CamSwitches::words(const QString& name)
                 return tr(parameter.words)
                     .arg(ControllerSentences::text(static_cast<modbus::InputBit>(row.value.value)));
         }
+    }
+    for (const SwitchParameter& parameter : coderParameters) {
+        if (name == QLatin1String(parameter.suffix))
+            return tr(parameter.words);
     }
     return {};
 }

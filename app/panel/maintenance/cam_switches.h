@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// `Maintenance.switches` in QML: the parameters of one cam switch at a time, those of the drives, or those of
-// an input that is a contact.
+// `Maintenance.switches` in QML: the parameters of one cam switch at a time, those of the drives, those of
+// an input that is a contact, or those of the date coder.
 #pragma once
 
 #include "app/panel/controller/parameter_fields.h"
@@ -11,7 +11,7 @@ class CamSwitches final : public campanel::panel::ParameterFields {
     Q_OBJECT
     QML_ELEMENT
     QML_UNCREATABLE("Cam switches belong to the Maintenance")
-    // The cam switch 1 to 8, `drives`, or an input behind it.
+    // The cam switch 1 to 8, `drives`, an input behind it, or the date coder as the last one.
     Q_PROPERTY(int current READ current NOTIFY currentChanged FINAL)
     // The names of what can be chosen, from 1 on.
     Q_PROPERTY(QStringList names READ names NOTIFY changed FINAL)

@@ -70,7 +70,7 @@ static uint16_t levels(const whole_machine* machine)
     return (uint16_t)bits;
 }
 
-static void outputs(void* context, uint16_t levels)
+static void outputs(void* context, uint32_t levels)
 {
     whole_machine* machine = context;
     machine->outputs = levels;

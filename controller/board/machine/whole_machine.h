@@ -26,7 +26,7 @@ typedef struct {
     bool has_press;
     bool is_enabled; /* by the output pin */
     uint16_t inputs; /* as they were at the end of the slice */
-    uint16_t outputs;
+    uint32_t outputs;
     uint32_t generation; /* of the program that the machine is set up for */
 } whole_machine;
 

@@ -65,7 +65,7 @@ typedef struct {
     /* Present levels of the input pins, bits CTL_INPUT_BIT_..., 1: true; NULL if there are none. */
     uint16_t (*inputs)(void* context);
     /* Sets the output pins, bits CTL_OUTPUT_BIT_...; NULL if there are none. */
-    void (*outputs)(void* context, uint16_t levels);
+    void (*outputs)(void* context, uint32_t levels);
 
     /* Torque of the axis, 0.1 % of the drive's rated torque; NULL if the drive does not report it. */
     int32_t (*torque)(void* context);

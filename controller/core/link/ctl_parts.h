@@ -9,6 +9,7 @@
 #include "motion/ctl_motion.h"
 #include "packer/ctl_order.h"
 #include "signal/ctl_actions.h"
+#include "signal/ctl_coder.h"
 #include "signal/ctl_tower.h"
 
 /* Writable registers as the panel left them. Groups of an odd length are the last ones: copies from an
@@ -74,6 +75,8 @@ typedef struct ctl_core {
     ctl_io io;
     ctl_actions actions;
     ctl_tower tower;
+    bool asks_start; /* the outputs to the machines around are due, behind the tower */
+    ctl_coder coder;
     ctl_bags bags;
     ctl_packer packer;
     ctl_order order;

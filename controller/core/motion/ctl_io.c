@@ -12,12 +12,12 @@
 #define LED_SPEED_STEPS 512u
 #define INPUT(name) (1u << CTL_INPUT_BIT_##name)
 
-_Static_assert(CTL_REG_IO_TORQUE_ANGLE - CTL_REG_IO_AVAILABLE + 1u == CTL_GROUP_IO,
+_Static_assert(CTL_REG_IO_MORE_OUTPUTS - CTL_REG_IO_AVAILABLE + 1u == CTL_GROUP_IO,
                "ctl_io_registers() fills the group");
 _Static_assert(CTL_OUTPUT_BIT_DRIVE_ENABLE >= CTL_SWITCH_COUNT && CTL_OUTPUT_BIT_DRIVE_ENABLE < 16u,
                "the drive's enable output is none of the switches");
 
-static void put_outputs(ctl_io* io, const ctl_board* board, uint16_t levels)
+static void put_outputs(ctl_io* io, const ctl_board* board, uint32_t levels)
 {
     if (levels != io->outputs && board->port.outputs != NULL)
         board->port.outputs(board->port.context, levels);
@@ -94,7 +94,7 @@ void ctl_io_init(ctl_io* io, const ctl_board* board)
 
 void ctl_io_try(ctl_io* io, const ctl_board* board, uint32_t outputs)
 {
-    io->tried = (uint16_t)outputs;
+    io->tried = outputs;
     io->tried_until_us = board->now_us + CTL_TRY_HOLD_US;
 }
 
@@ -140,7 +140,7 @@ void ctl_io_begin(ctl_io* io, ctl_motion* motion)
     const uint32_t enable = 1u << CTL_OUTPUT_BIT_DRIVE_ENABLE;
     const uint32_t others = io->outputs & ~enable;
     const uint32_t enabled = drives_enabled(io, motion) ? enable : tried(io, motion) & enable;
-    put_outputs(io, board, (uint16_t)(others | enabled));
+    put_outputs(io, board, others | enabled);
 }
 
 bool ctl_io_drive_alarm(const ctl_io* io)
@@ -198,7 +198,7 @@ void ctl_io_slice(ctl_io* io, const ctl_motion* motion)
     const uint32_t switches = switch_levels(io, motion);
     const uint32_t enable = io->outputs & 1u << CTL_OUTPUT_BIT_DRIVE_ENABLE;
     const uint32_t line = ctl_motion_follows(motion) ? 1u << CTL_OUTPUT_BIT_LINE_MAY_RUN : 0u;
-    put_outputs(io, motion->board, (uint16_t)(enable | line | switches | io->tower | tried(io, motion)));
+    put_outputs(io, motion->board, enable | line | switches | io->tower | io->around | tried(io, motion));
 }
 
 static int64_t infeed_um(const ctl_board* board, int64_t fine)
@@ -224,7 +224,8 @@ void ctl_io_registers(const ctl_io* io, const ctl_motion* motion, uint16_t* regi
     if (board->port.outputs != NULL)
         available |= 1u << CTL_IO_BIT_OUTPUTS;
     put(registers, CTL_REG_IO_INPUTS, io->inputs);
-    put(registers, CTL_REG_IO_OUTPUTS, io->outputs);
+    put(registers, CTL_REG_IO_OUTPUTS, (uint16_t)(io->outputs & 0xFFFFu));
+    put(registers, CTL_REG_IO_MORE_OUTPUTS, (uint16_t)(io->outputs >> 16u));
     if (board->port.torque != NULL) {
         available |= 1u << CTL_IO_BIT_TORQUE;
         put(registers, CTL_REG_IO_TORQUE, ctl_saturated16(board->port.torque(board->port.context)));

@@ -32,13 +32,14 @@ typedef struct {
     uint16_t bounces;  /* those that have changed for less than it */
     uint32_t changed_us[CTL_CONTACT_COUNT]; /* since when, modulo 2^32 */
     uint32_t parameter_writes;              /* at which the parameters were read */
-    uint16_t outputs;                       /* bits CTL_OUTPUT_BIT_..., as they are now */
+    uint32_t outputs;                       /* bits CTL_OUTPUT_BIT_..., as they are now */
     bool has_moved;                         /* since power-up */
     uint64_t moved_us;
     bool was_stopped; /* the emergency stop was pressed since power-up */
     uint64_t stopped_us;
-    uint16_t tower; /* outputs of the light tower */
-    uint16_t tried;   /* outputs that a person holds on at standstill */
+    uint16_t tower;  /* outputs of the light tower, */
+    uint32_t around; /* and those to the machines around */
+    uint32_t tried;  /* outputs that a person holds on at standstill */
     uint64_t tried_until_us;
     ctl_switches switches;
     ctl_switch_speed switch_speed;

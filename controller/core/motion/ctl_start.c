@@ -49,11 +49,17 @@ static uint16_t refusal_to_act(const ctl_motion* motion, const ctl_io* io, uint1
     return panel_refusal(motion->heartbeat, motion->board, permits);
 }
 
-static uint16_t refusal_to_move(ctl_motion* motion, const ctl_io* io, uint16_t when_moving, uint32_t permits)
+static uint16_t refusal_to_begin(const ctl_motion* motion, const ctl_io* io, uint16_t when_moving,
+                                 uint32_t permits)
 {
     if (motion->state != CTL_STATE_FAULT && !motion->banks->has_active)
         return CTL_REFUSAL_NO_ACTIVE_PROGRAM;
-    const uint16_t refusal = refusal_to_act(motion, io, when_moving, permits);
+    return refusal_to_act(motion, io, when_moving, permits);
+}
+
+static uint16_t refusal_to_move(ctl_motion* motion, const ctl_io* io, uint16_t when_moving, uint32_t permits)
+{
+    const uint16_t refusal = refusal_to_begin(motion, io, when_moving, permits);
     if (refusal != CTL_REFUSAL_NONE)
         return refusal;
     if (!ctl_active_bank_intact(motion->banks)) {
@@ -63,11 +69,10 @@ static uint16_t refusal_to_move(ctl_motion* motion, const ctl_io* io, uint16_t w
     return CTL_REFUSAL_NONE;
 }
 
-static uint16_t refusal_to_start(ctl_motion* motion, const ctl_io* io)
+/* Returns what inputs, parameters and program say against a run. */
+static uint16_t refusal_to_run(const ctl_motion* motion, const ctl_io* io)
 {
-    uint16_t refusal = refusal_to_move(motion, io, CTL_REFUSAL_ALREADY_RUNNING, ALL_PERMITS);
-    if (refusal == CTL_REFUSAL_NONE)
-        refusal = input_refusal(io);
+    uint16_t refusal = input_refusal(io);
     /* A switch with too long a lead would be on in the wrong cycle. */
     if (refusal == CTL_REFUSAL_NONE)
         refusal = ctl_switches_refusal(motion->board, ctl_active_bank(motion->banks));
@@ -76,6 +81,18 @@ static uint16_t refusal_to_start(ctl_motion* motion, const ctl_io* io)
     if (refusal == CTL_REFUSAL_NONE)
         refusal = ctl_master_refusal(motion->master, ctl_active_bank(motion->banks));
     return refusal;
+}
+
+static uint16_t refusal_to_start(ctl_motion* motion, const ctl_io* io)
+{
+    const uint16_t refusal = refusal_to_move(motion, io, CTL_REFUSAL_ALREADY_RUNNING, ALL_PERMITS);
+    return refusal == CTL_REFUSAL_NONE ? refusal_to_run(motion, io) : refusal;
+}
+
+bool ctl_may_start(const ctl_motion* motion, const ctl_io* io)
+{
+    return refusal_to_begin(motion, io, CTL_REFUSAL_ALREADY_RUNNING, ALL_PERMITS) == CTL_REFUSAL_NONE &&
+           refusal_to_run(motion, io) == CTL_REFUSAL_NONE;
 }
 
 uint16_t ctl_start(ctl_motion* motion, const ctl_io* io)

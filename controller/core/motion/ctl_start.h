@@ -13,6 +13,8 @@ extern "C" {
 /* Each returns the first reason against it, CTL_REFUSAL_...; with CTL_REFUSAL_NONE the axis has been started.
  */
 uint16_t ctl_start(ctl_motion* motion, const ctl_io* io);
+/* Returns true while nothing speaks against ctl_start(), which also checks the active bank. */
+bool ctl_may_start(const ctl_motion* motion, const ctl_io* io);
 /* The line makes one bag. */
 uint16_t ctl_start_bag(ctl_motion* motion, const ctl_io* io);
 /* The knife alone makes one cut. */

@@ -80,6 +80,16 @@ static bool too_fast(const ctl_packer* packer, const ctl_bank* bank)
            max_hz(full_speed_hz(packer, bank, flight), 3u, 2u * CTL_INFEED_CYCLES) > limit;
 }
 
+/* A product has its pulse of the date coder only when it is on the film. */
+static bool coder_too_far(const ctl_packer* packer, uint32_t bag_um)
+{
+    const int32_t place_um =
+        (int16_t)packer->board->signal[CTL_REG_SIGNAL_CODER_PLACE - CTL_REG_SIGNAL_START_BUTTON_CONTACT] *
+        (int32_t)TENTH_UM;
+    const uint32_t distance_um = ctl_parameter32(packer->board, CTL_REG_PARAMETER_PRODUCT_DISTANCE);
+    return place_um > 0 && (uint32_t)place_um > distance_um - distance_um % bag_um + bag_um / 2u;
+}
+
 uint16_t ctl_packer_refusal(const ctl_packer* packer, const ctl_bank* bank)
 {
     if (!ctl_packer_drives(packer, bank))
@@ -107,6 +117,8 @@ uint16_t ctl_packer_refusal(const ctl_packer* packer, const ctl_bank* bank)
         if (masking != 0 && masking + window >= bag)
             return CTL_REFUSAL_MARK_MASKING_TOO_LONG;
     }
+    if (coder_too_far(packer, bag))
+        return CTL_REFUSAL_CODER_TOO_FAR;
     return eye_too_near(packer, bank) ? CTL_REFUSAL_EYE_TOO_NEAR : CTL_REFUSAL_NONE;
 }
 

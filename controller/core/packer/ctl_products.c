@@ -123,6 +123,13 @@ bool ctl_products_missing(const ctl_products* products, int64_t number, int64_t 
     return true;
 }
 
+bool ctl_products_place_free(const ctl_products* products, int64_t infeed)
+{
+    const uint32_t count = products->coming_count;
+    const int64_t next = count != 0 ? products->coming[count - 1u].number + 1 : products->next;
+    return !products->covered && infeed >= place_at_eye(products, next) - products->settings.flight / 2;
+}
+
 static void lay_one(ctl_products* products, const ctl_coming* coming, int64_t film)
 {
     const int64_t middle = film + products->settings.distance + coming->behind;

@@ -63,6 +63,8 @@ void ctl_products_shift(ctl_products* products, int64_t by, int64_t found);
 void ctl_products_edge(ctl_products* products, int64_t infeed, bool covered);
 /* Returns true when product `number` is missing: its place passed the eye without a product. */
 bool ctl_products_missing(const ctl_products* products, int64_t number, int64_t infeed);
+/* Returns true when no product has come yet for the place that is at the eye. */
+bool ctl_products_place_free(const ctl_products* products, int64_t infeed);
 /* Places the products that are due on the film, for an infeed at `infeed` and a film that moved from
  * `film_before` to `film`. */
 void ctl_products_lay(ctl_products* products, int64_t infeed_before, int64_t infeed, int64_t film_before,
