@@ -117,7 +117,9 @@ Outcome runOutput(const Invocation& call)
     auto session = LinkSession::open(call);
     if (!session)
         return tl::unexpected(session.error());
-    if (session->identity().mapMinor < modbus::tryOutputMapMinor)
+    const bool isLater = row->value >= static_cast<std::int64_t>(modbus::OutputBit::Ready);
+    if (session->identity().mapMinor < modbus::tryOutputMapMinor ||
+        (isLater && !session->identity().hasRegister("io.more_outputs")))
         return fail(ExitCode::Refused, panel::ConnectionSentences::refused(modbus::Command::TryOutput,
                                                                            modbus::Refusal::UnknownCommand));
     session->setPermit(*permit);
