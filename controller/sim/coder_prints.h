@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a date coder has printed on the bags: its pulses against the products that the cuts found in their
-// bags. The machine counts both by itself; what the controller knows of products is not used.
+// The prints of a date coder: its pulses against the products that the cuts found in their bags. The machine
+// counts both by itself; what the controller knows of products is not used.
 #pragma once
 
 #include "machine.h"

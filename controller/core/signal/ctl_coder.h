@@ -12,7 +12,7 @@ extern "C" {
 #endif
 
 #define CTL_CODER_PRODUCTS 32u /* a power of two: a ring */
-/* Of a pulse that another one waits for, and between two. */
+/* The shortest pulse, which another one waits for, and the shortest time between two. */
 #define CTL_CODER_SHORTEST_US 5000u
 
 typedef struct {

@@ -281,7 +281,7 @@ private slots:
         QVERIFY(homing.explanation().contains(QStringLiteral("forward to the index mark")));
         homing.open();
         QCOMPARE(rig.link.reads.last().address, modbus::ioAddress);
-        answer(rig, {0x0013, 0, 0, 0, 0, 0, 0, 0});
+        answer(rig, {0x0013, 0, 0, 0, 0, 0, 0, 0, 0});
         QVERIFY(homing.explanation().contains(QStringLiteral("no index mark is searched")));
         become(rig, State::Homing, notHomed);
         QCOMPARE(homing.blockedReason(), QStringLiteral("Turning to 0° …"));
@@ -397,8 +397,10 @@ private slots:
             if (row.output >= 0)
                 outputs << row.output;
         }
-        QCOMPARE(pinRows, static_cast<qsizetype>(modbus::inputRows.size() + modbus::outputRows.size()));
-        QCOMPARE(outputs.size(), static_cast<qsizetype>(modbus::outputRows.size()));
+        // This controller has not the outputs from Ready on.
+        const auto has = static_cast<qsizetype>(modbus::OutputBit::Ready);
+        QCOMPARE(pinRows, static_cast<qsizetype>(modbus::inputRows.size()) + has);
+        QCOMPARE(outputs.size(), has);
         for (qsizetype i = 0; i < outputs.size(); ++i)
             QCOMPARE(outputs[i], static_cast<int>(i));
         // What the machine does not have has no row.
@@ -482,7 +484,7 @@ private slots:
         QCOMPARE(at(0, CamSwitches::ValueRole).toString(), "While running");
         const auto contacts =
             std::ranges::count(modbus::inputRows, modbus::InputSource::Contact, &modbus::InputRow::source);
-        QCOMPARE(switches.names().size(), CamSwitches::drives() + contacts);
+        QCOMPARE(switches.names().size(), CamSwitches::drives() + contacts + 1);
         for (const char* name : {"drive_alarm", "emergency_stop", "limit_forward", "limit_reverse"}) {
             switches.choose(switches.current() + 1);
             QCOMPARE(switches.rowCount(), 2);
@@ -494,6 +496,13 @@ private slots:
         }
         QCOMPARE(switches.names()[switches.current() - 1], "Limit switch, reverse");
         QCOMPARE(at(1, CamSwitches::NameRole).toString(), "Limit switch, reverse: filter time");
+        switches.choose(static_cast<int>(switches.names().size()));
+        QCOMPARE(switches.names().last(), "Date coder pulse");
+        QCOMPARE(rig.link.parameters[0].name, std::string("signal.coder_place"));
+        QCOMPARE(rig.link.parameters[1].name, std::string("signal.coder_pulse"));
+        answerAll(20);
+        QCOMPARE(at(0, CamSwitches::NameRole).toString(), "Date coder pulse: film to the cut");
+        QCOMPARE(at(1, CamSwitches::NoteRole).toString(), "1 ms to 1000 ms");
         QCOMPARE(CamSwitches::words(QStringLiteral("parameter.emergency_stop_contact")),
                  "Emergency stop: contact");
         QCOMPARE(CamSwitches::words(QStringLiteral("parameter.switch8_lead")), "Cam switch 8: lead time");

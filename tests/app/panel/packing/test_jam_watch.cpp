@@ -84,9 +84,11 @@ struct JamRig : test::PanelRig {
     void tellTorque(int torque, int angle)
     {
         const qsizetype before = jam().readings().size();
+        std::vector<std::uint16_t> io{0x000B, 0, 0, static_cast<std::uint16_t>(torque),
+                                      0,      0, 0, static_cast<std::uint16_t>(angle)};
+        io.resize(modbus::ioRegisters(minor));
         QTRY_VERIFY_WITH_TIMEOUT(
-            (answer(modbus::ioAddress, {0x000B, 0, 0, static_cast<std::uint16_t>(torque), 0, 0, 0,
-                                        static_cast<std::uint16_t>(angle)}),
+            (answer(modbus::ioAddress, io),
              jam().readings().size() > before || machine.state() != Controller::State::Running),
             5000);
     }
