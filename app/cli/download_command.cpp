@@ -7,6 +7,7 @@
 #include "app/cli/report.h"
 #include "app/panel/words/cam_sentences.h"
 #include "app/panel/words/master_sentences.h"
+#include "app/panel/words/refusal_sentences.h"
 #include "app/program/cam_advance.h"
 #include "modbus/download/download.h"
 
@@ -97,6 +98,19 @@ Outcome checkMaster(LinkSession& session, const program::Recipe& recipe)
     return {};
 }
 
+// Refuses values outside their approved windows without a reason.
+Outcome checkWindows(const std::vector<program::Excess>& outside, const Invocation& call)
+{
+    if (outside.empty() || !call.value(u"reason"_s).trimmed().isEmpty())
+        return {};
+    QStringList values;
+    for (const program::Excess& each : outside)
+        values << panel::RefusalSentences::outside(each);
+    return fail(ExitCode::Refused,
+                u"Outside the approved window: %1. Add --reason TEXT, or give an approved value."_s.arg(
+                    values.join(u"; "_s)));
+}
+
 // The recipe's trims become those of the machine with the program.
 Outcome writeTrims(LinkSession& session, const program::Trims& trims)
 {
@@ -122,6 +136,9 @@ Outcome runDownload(const Invocation& call)
         return fail(ExitCode::Refused,
                     u"%1 Add --progressive to confirm this, or --close to close the cam."_s.arg(
                         panel::CamSentences::unconfirmed(advanceMm)));
+    const std::vector<program::Excess> outside = program::outsideWindows(*recipe);
+    if (const Outcome checked = checkWindows(outside, call); !checked)
+        return checked;
     auto session = LinkSession::open(call);
     if (!session)
         return tl::unexpected(session.error());
@@ -171,6 +188,8 @@ Outcome runDownload(const Invocation& call)
                        {u"transfer_s"_s, transferS},
                        {u"saved"_s, call.isSet(u"save"_s)}};
     addAdvance(result, recipe->program);
+    if (!outside.empty())
+        result[u"outside_window_reason"_s] = call.value(u"reason"_s).trimmed();
     return call.deliver(formatted(result, call.format()));
 }
 

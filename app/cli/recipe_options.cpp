@@ -312,6 +312,41 @@ Outcome applyMaster(const Invocation& call, program::Recipe& recipe)
     return {};
 }
 
+// Reads "rate_bags_per_min=55..70,k1=none": sets the approved windows, or removes one.
+Outcome applyWindows(const Invocation& call, program::Recipe& recipe)
+{
+    const QString option = u"windows"_s;
+    if (!call.isSet(option))
+        return {};
+    for (const QString& part : call.value(option).split(u',')) {
+        const QString key = part.section(u'=', 0, 0).trimmed();
+        const QString limits = part.section(u'=', 1);
+        const auto info = std::ranges::find_if(
+            profile::fields, [&key](const profile::FieldInfo& each) { return fromText(each.id) == key; });
+        if (info == profile::fields.end() || !program::canHaveWindow(recipe, info->field))
+            return fail(
+                ExitCode::Usage,
+                u"--windows: \"%1\" is no value of this kind of program that can have a window."_s.arg(key));
+        if (limits == u"none") {
+            recipe.windows.erase(info->field);
+            continue;
+        }
+        bool isMin = false;
+        bool isMax = false;
+        const program::ApprovedWindow window{limits.section(u".."_s, 0, 0).toDouble(&isMin),
+                                             limits.section(u".."_s, 1).toDouble(&isMax)};
+        if (!isMin || !isMax)
+            return notANumber(option, part, u"FIELD=LOWEST..HIGHEST or FIELD=none"_s);
+        if (!(window.min <= window.max && window.min >= info->min && window.max <= info->max))
+            return fail(
+                ExitCode::Usage,
+                u"--windows: %1 takes a lowest value that is not above the highest, both from %2 to %3."_s
+                    .arg(key, QString::number(info->min, 'g', 9), QString::number(info->max, 'g', 9)));
+        recipe.windows[info->field] = window;
+    }
+    return {};
+}
+
 } // namespace
 
 QList<QCommandLineOption> recipeOptions()
@@ -341,6 +376,10 @@ QList<QCommandLineOption> recipeOptions()
     options << QCommandLineOption(
         u"for-master"_s, u"What the machine must follow: any (whatever it follows), clock, encoder."_s,
         u"MASTER"_s);
+    options << QCommandLineOption(
+        u"windows"_s,
+        u"Approved windows by the keys of the recipe file, such as rate_bags_per_min=55..70,k1=none."_s,
+        u"WINDOWS"_s);
     options << QCommandLineOption(u"progressive"_s,
                                   u"Confirm that the cam moves its axis on in every cycle."_s)
             << QCommandLineOption(u"close"_s, u"End the cam where it began: no advance."_s);
@@ -373,7 +412,7 @@ tl::expected<program::Recipe, Failure> recipeOf(const Invocation& call)
                         u"The recipe is of kind %1."_s.arg(fromText(program::kindInfo(recipe.kind()).key)));
     }
     for (const auto apply : {applyFields, applyGear, applyRatios, applyLaw, applyChoices, applyLists,
-                             applyAdvance, applyMaster}) {
+                             applyAdvance, applyMaster, applyWindows}) {
         if (const Outcome applied = apply(call, recipe); !applied)
             return tl::unexpected(applied.error());
     }

@@ -2,6 +2,7 @@
 // A recipe, the operator's unit of work: name, version, the inputs of the program and the machine it is for.
 #pragma once
 
+#include "app/program/approved_windows.h"
 #include "app/program/program_kinds.h"
 #include "app/program/recipe_trims.h"
 
@@ -37,6 +38,8 @@ struct Recipe {
     RecipeMaster master = RecipeMaster::Any;
     // The trims that an operator saved with a cutter. They come with its program, but are not part of it.
     Trims trims{};
+    // The windows that a technician approved. The controller does not know them.
+    ApprovedWindows windows{};
 
     [[nodiscard]] profile::ProgramKind kind() const { return profile::kindOf(program); }
     [[nodiscard]] bool isCutter() const { return kind() == profile::ProgramKind::RotaryCutter; }

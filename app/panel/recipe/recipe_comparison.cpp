@@ -66,6 +66,17 @@ QString RecipeComparison::trimText(const Recipe& recipe, std::size_t trim)
     return TrimWords::amount(static_cast<program::Trim>(trim), recipe.trims[trim]);
 }
 
+QString RecipeComparison::windowTitle(profile::Field field)
+{
+    return tr("Approved: %1", "name of a value").arg(RecipeWords::fieldName(field));
+}
+
+QString RecipeComparison::windowText(const Recipe& recipe, profile::Field field)
+{
+    const auto found = recipe.windows.find(field);
+    return found == recipe.windows.end() ? tr("none") : RefusalSentences::window(field, found->second);
+}
+
 QList<DifferenceRow> RecipeComparison::rows(const Recipe& before, const Recipe& after)
 {
     const Recipe a = solved(before);
@@ -94,6 +105,8 @@ QList<DifferenceRow> RecipeComparison::rows(const Recipe& before, const Recipe& 
                     RefusalSentences::valueWithUnit(field, program::value(a, field)),
                     RefusalSentences::valueWithUnit(field, program::value(b, field)));
     }
+    for (const profile::Field field : kind.programFields)
+        compare(windowTitle(field), windowText(a, field), windowText(b, field));
     for (const program::ChoiceInfo& each : kind.choices)
         compare(RecipeWords::inWords(each.name), choiceText(a, each.choice), choiceText(b, each.choice));
     const profile::LawParameters* left = program::lawParameters(a.program);

@@ -25,6 +25,9 @@ public:
     // Return name and amount of a trim, by its place in the table.
     [[nodiscard]] static QString trimTitle(std::size_t trim);
     [[nodiscard]] static QString trimText(const program::Recipe& recipe, std::size_t trim);
+    // Return name and limits of the approved window of an input.
+    [[nodiscard]] static QString windowTitle(profile::Field field);
+    [[nodiscard]] static QString windowText(const program::Recipe& recipe, profile::Field field);
 
 private:
     [[nodiscard]] static QString pinnedText(const program::Recipe& recipe);

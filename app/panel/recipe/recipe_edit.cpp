@@ -107,7 +107,7 @@ void dragRatio(Recipe& recipe, int index, double share)
 bool sameRecipe(const Recipe& left, const Recipe& right)
 {
     if (left.name != right.name || left.kind() != right.kind() || !program::sameCodes(left, right) ||
-        left.master != right.master || left.trims != right.trims)
+        left.master != right.master || left.trims != right.trims || left.windows != right.windows)
         return false;
     const program::KindInfo& kind = program::kindInfo(left.kind());
     const auto sameChoice = [&](const program::ChoiceInfo& each) {

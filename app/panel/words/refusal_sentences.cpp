@@ -30,6 +30,23 @@ QString RefusalSentences::valueWithUnit(profile::Field field, double value, std:
     return Format().measure(value, info.decimals, RecipeWords::unit(info.unit), beside);
 }
 
+QString RefusalSentences::window(profile::Field field, const program::ApprovedWindow& window)
+{
+    const profile::FieldInfo& info = profile::info(field);
+    const ShownUnit shown = Units::of(RecipeWords::unit(info.unit));
+    const QString from = Format().number(window.min * shown.factor, shown.decimals(info.decimals));
+    return tr("%1 to %2", "number, number with unit").arg(from, valueWithUnit(field, window.max));
+}
+
+QString RefusalSentences::outside(const program::Excess& excess)
+{
+    return tr("%1 %2, approved %3", "name, value, window")
+        .arg(RecipeWords::fieldName(excess.field),
+             valueWithUnit(excess.field, excess.value,
+                           excess.value > excess.window.max ? excess.window.max : excess.window.min),
+             window(excess.field, excess.window));
+}
+
 QString RefusalSentences::suggestion(const profile::Suggestion& suggestion)
 {
     if (suggestion.ratios)

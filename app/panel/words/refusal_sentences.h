@@ -32,7 +32,10 @@ public:
     // Returns "60.0 mm", as exact as needed to differ from the value beside it in the sentence.
     [[nodiscard]] static QString valueWithUnit(profile::Field field, double value,
                                                std::optional<double> beside = {});
-    // Returns "60.0 mm", or the number alone without a unit.
+    // Returns an approved window, "55.0 to 70.0 bags/min", and a value outside its window,
+    // "Rate 80.0 bags/min, approved 55.0 to 70.0 bags/min".
+    [[nodiscard]] static QString window(profile::Field field, const program::ApprovedWindow& window);
+    [[nodiscard]] static QString outside(const program::Excess& excess);
 
 private:
     [[nodiscard]] static QString limitBroken(const profile::Refusal& refusal);

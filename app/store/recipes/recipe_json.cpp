@@ -23,11 +23,14 @@ using program::Recipe;
 const QString recipeFormat = u"campanel-recipe"_s;
 
 // Returns the first version of the format that has all keys of the recipe, so that older readers know whether
-// they can read it. The confirmed advance is new in version 3, the master in version 4, trims in version 5.
+// they can read it. The confirmed advance is new in version 3, the master in version 4, trims in version 5,
+// windows in version 6.
 int formatVersionOf(const Recipe& recipe)
 {
-    if (recipe.trims != program::Trims{})
+    if (!recipe.windows.empty())
         return recipeFormatVersion;
+    if (recipe.trims != program::Trims{})
+        return 5;
     if (recipe.master != program::RecipeMaster::Any)
         return 4;
     return program::confirmedAdvanceMm(recipe.program) == 0 ? 2 : 3;
@@ -106,6 +109,38 @@ program::Trims trimsIn(const QJsonObject& object, std::optional<FileError>& fail
     return trims;
 }
 
+QJsonObject windowsJson(const program::ApprovedWindows& windows)
+{
+    QJsonObject object;
+    for (const auto& [field, window] : windows)
+        object[idOf(field)] = QJsonObject{{u"min"_s, window.min}, {u"max"_s, window.max}};
+    return object;
+}
+
+// Reads the windows of the recipe's inputs; the limits of an input are those of its window.
+program::ApprovedWindows windowsIn(const QJsonObject& object, const Recipe& recipe,
+                                   std::optional<FileError>& failure)
+{
+    program::ApprovedWindows windows;
+    ObjectReader reader(object, u"windows."_s, failure);
+    for (const profile::FieldInfo& info : profile::fields) {
+        const QString id = idOf(info.field);
+        if (!program::canHaveWindow(recipe, info.field) || !reader.has(id))
+            continue;
+        ObjectReader limits(reader.object(id), u"windows.%1."_s.arg(id), failure);
+        program::ApprovedWindow window;
+        window.min = limits.number(u"min"_s, false, info);
+        window.max = limits.number(u"max"_s, false, info);
+        if (window.min > window.max)
+            limits.fail(u"max"_s, FileError::Kind::OutOfRange, QString::number(window.max, 'g', 9),
+                        FileErrorText::range(window.min, info.max, toQString(info.unit)));
+        limits.refuseUnknownKeys();
+        windows[info.field] = window;
+    }
+    reader.refuseUnknownKeys();
+    return windows;
+}
+
 QString nameIn(ObjectReader& reader, Names names)
 {
     const QString text = reader.text(u"name"_s);
@@ -146,6 +181,8 @@ QByteArray toJson(const Recipe& recipe)
         root[u"master"_s] = toQString(program::masterKeys[static_cast<std::size_t>(recipe.master)]);
     if (recipe.trims != program::Trims{})
         root[u"trims"_s] = trimsJson(recipe.trims);
+    if (!recipe.windows.empty())
+        root[u"windows"_s] = windowsJson(recipe.windows);
     return QJsonDocument(root).toJson();
 }
 
@@ -188,6 +225,8 @@ tl::expected<Recipe, FileError> fromJson(const QByteArray& json, const QString& 
         readMachine(reader.object(u"machine"_s), recipe, failure);
     if (reader.has(u"trims"_s))
         recipe.trims = trimsIn(reader.object(u"trims"_s), failure);
+    if (reader.has(u"windows"_s))
+        recipe.windows = windowsIn(reader.object(u"windows"_s), recipe, failure);
     if (!program.contains(idOf(profile::Field::K1)) && !program.contains(idOf(profile::Field::K4)))
         program::followRatios(recipe);
     reader.refuseUnknownKeys();

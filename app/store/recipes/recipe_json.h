@@ -11,7 +11,7 @@
 
 namespace campanel::store {
 
-inline constexpr int recipeFormatVersion = 5;
+inline constexpr int recipeFormatVersion = 6;
 
 // Returns true for a code that a scanner can read: printable characters, none of them a space at an end.
 [[nodiscard]] bool isScannable(const QString& code);

@@ -49,7 +49,7 @@ QList<RecipeVersion> readVersions(QSqlQuery& query)
 bool isSameProgram(const program::Recipe& left, const program::Recipe& right)
 {
     return programJson(left) == programJson(right) && program::sameCodes(left, right) &&
-           left.trims == right.trims;
+           left.trims == right.trims && left.windows == right.windows;
 }
 
 } // namespace
