@@ -133,6 +133,8 @@ Panel::Panel(link::Link& link, const Storage& storage)
     const auto sort = [this] { m_recipes.setOrder(m_settings.values().text("recipes.order")); };
     connect(&m_settings, &panel::Settings::changed, &m_recipes, sort);
     sort();
+    connect(m_editor.programDownload()->windowReason(), &panel::WindowReason::noted, &m_trail,
+            &panel::AuditTrail::note);
     connect(m_scan.film(), &panel::FilmCheck::noted, &m_trail, &panel::AuditTrail::note);
     connect(&m_plant, &panel::PlantFeed::offerReceived, m_recipes.files(), &panel::RecipeFiles::takeOffer);
     const QString node = storage.standard.text("gateway.node");

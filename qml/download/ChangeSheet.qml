@@ -17,7 +17,8 @@ Sheet {
     readonly property bool busy: load.busy
     readonly property bool failed: load.state === ProgramDownload.State.Failed
     readonly property bool isChanged: field.shownValue !== before
-    readonly property bool refused: isChanged && !busy && !load.canDownload && load.state !== ProgramDownload.State.NothingToDo
+    readonly property bool wantsReason: isChanged && load.state === ProgramDownload.State.Unapproved
+    readonly property bool refused: isChanged && !busy && !load.canDownload && !wantsReason && load.state !== ProgramDownload.State.NothingToDo
     readonly property var steps: field.unit === "in" ? [0.01, 0.1, 1] : [0.1, 1, 10]
     property real before
     property real step: steps[1]
@@ -111,11 +112,22 @@ Sheet {
         text: qsTr("Keypad")
         onClicked: Frame.edit([sheet.field], 0, keypad, "")
     }
+    Loader {
+        id: reasons
+        parent: sheet
+        anchors.fill: parent
+        active: false
+        sourceComponent: WindowReasonSheet {
+            width: sheet.width
+            height: sheet.height
+            onClosed: reasons.active = false
+        }
+    }
     ChangePicture {
         id: picture
         objectName: "changePicture"
         anchors { left: parent.left; right: parent.right; top: stepChoice.bottom; topMargin: Theme.size.padding; bottom: words.top; bottomMargin: Theme.size.spacing }
-        visible: sheet.isChanged && !sheet.refused && height > 2 * Theme.size.body
+        visible: sheet.isChanged && !sheet.refused && !sheet.wantsReason && height > 2 * Theme.size.body
         speeds: sheet.load.changeSpeeds
     }
     Column {
@@ -149,8 +161,17 @@ Sheet {
             onClicked: Editor.applySuggestion()
         },
         Button {
+            objectName: "changeReason"
+            level: Access.Operator
+            visible: sheet.wantsReason
+            kind: Button.Primary
+            text: qsTr("Give a reason …")
+            onClicked: reasons.active = true
+        },
+        Button {
             objectName: "changeApply"
             level: Access.Operator
+            visible: !sheet.wantsReason
             kind: Button.Primary
             enabled: sheet.load.canDownload && (sheet.isChanged || sheet.failed)
             text: sheet.failed ? qsTr("Try again") : Controller.state === Controller.State.Running ? qsTr("Apply at the next bag") : qsTr("Apply")

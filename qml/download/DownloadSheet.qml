@@ -12,6 +12,7 @@ Sheet {
 
     readonly property bool busy: Editor.programDownload.busy
     readonly property bool asks: Editor.programDownload.state === ProgramDownload.State.Unconfirmed
+    readonly property bool wantsReason: Editor.programDownload.state === ProgramDownload.State.Unapproved
     readonly property bool failed: Editor.programDownload.state === ProgramDownload.State.Failed
 
     title: qsTr("Download to the controller")
@@ -53,6 +54,17 @@ Sheet {
             : qsTr("The controller has no program yet; this recipe becomes its first program.")
         color: Theme.color.secondaryInk
     }
+    Loader {
+        id: reasons
+        parent: sheet
+        anchors.fill: parent
+        active: false
+        sourceComponent: WindowReasonSheet {
+            width: sheet.width
+            height: sheet.height
+            onClosed: reasons.active = false
+        }
+    }
     Column {
         id: status
         anchors { left: parent.left; right: parent.right; bottom: parent.bottom }
@@ -78,12 +90,12 @@ Sheet {
         },
         Button {
             objectName: "downloadProof"
-            visible: !Editor.programDownload.canDownload && !sheet.busy && !sheet.asks && Controller.active.isPresent
+            visible: !Editor.programDownload.canDownload && !sheet.busy && !sheet.asks && !sheet.wantsReason && Controller.active.isPresent
             text: qsTr("Compare")
             onClicked: Frame.open("Download/ProofSheet", {})
         },
         Button {
-            visible: Editor.programDownload.canSave && !sheet.busy && !sheet.asks
+            visible: Editor.programDownload.canSave && !sheet.busy && !sheet.asks && !sheet.wantsReason
             glyph: Theme.icon.save
             text: Theme.fill(qsTr("Save %1"), [Controller.active.name])
             onClicked: Editor.saveToFlash()
@@ -104,9 +116,17 @@ Sheet {
             onClicked: Editor.confirmAdvance()
         },
         Button {
+            objectName: "downloadReason"
+            level: Access.Operator
+            visible: sheet.wantsReason
+            kind: Button.Primary
+            text: qsTr("Give a reason …")
+            onClicked: reasons.active = true
+        },
+        Button {
             objectName: "downloadStart"
             level: Access.Operator
-            visible: !sheet.asks
+            visible: !sheet.asks && !sheet.wantsReason
             kind: Button.Primary
             glyph: Theme.icon.download
             enabled: Editor.programDownload.canDownload

@@ -36,10 +36,14 @@ Page {
     bannerLeft: side.width + Theme.size.gap
     bannerBottom: verdict.height + Theme.size.gap
 
+    WindowLine {
+        id: windowLine
+        anchors { left: parent.left; leftMargin: page.editorBeside ? page.leftInset + Theme.size.gap : 0; right: parent.right; top: parent.top }
+    }
     Card {
         id: side
         width: Theme.size.sideColumn
-        anchors { left: parent.left; top: parent.top; bottom: verdict.top; bottomMargin: Theme.size.gap }
+        anchors { left: parent.left; top: windowLine.visible ? windowLine.bottom : parent.top; topMargin: windowLine.visible ? Theme.size.gap : 0; bottom: verdict.top; bottomMargin: Theme.size.gap }
 
         CutterInputs {
             visible: page.isCutter

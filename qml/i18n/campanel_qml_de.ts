@@ -472,6 +472,10 @@ Und %2 weitere.</translation>
         <source>Apply</source>
         <translation>Übernehmen</translation>
     </message>
+    <message>
+        <source>Give a reason …</source>
+        <translation>Grund angeben …</translation>
+    </message>
 </context>
 <context>
     <name>CheckedBySheet</name>
@@ -905,6 +909,10 @@ Und %2 weitere.</translation>
     <message>
         <source>Save %1</source>
         <translation>%1 speichern</translation>
+    </message>
+    <message>
+        <source>Give a reason …</source>
+        <translation>Grund angeben …</translation>
     </message>
 </context>
 <context>
@@ -3007,6 +3015,10 @@ Und %2 weitere.</translation>
         <source>In the controller and open here</source>
         <translation>In der Steuerung und hier offen</translation>
     </message>
+    <message>
+        <source>Approved …</source>
+        <translation>Freigaben …</translation>
+    </message>
 </context>
 <context>
     <name>RecipeComparisonSheet</name>
@@ -4435,6 +4447,71 @@ Uhr nicht gestellt</translation>
     <message>
         <source>Versions and disk</source>
         <translation>Versionen und Festplatte</translation>
+    </message>
+</context>
+<context>
+    <name>WindowLine</name>
+    <message>
+        <source>Give a reason …</source>
+        <translation>Grund angeben …</translation>
+    </message>
+</context>
+<context>
+    <name>WindowReasonSheet</name>
+    <message>
+        <source>Why outside the approved window?</source>
+        <translation>Warum außerhalb des freigegebenen Bereichs?</translation>
+    </message>
+    <message>
+        <source>The reason is shown until the machine runs within the window again, and kept in the audit trail.</source>
+        <translation>Der Grund wird angezeigt, bis die Maschine wieder im freigegebenen Bereich läuft, und steht im Änderungsprotokoll.</translation>
+    </message>
+    <message>
+        <source>Film or product differs</source>
+        <translation>Folie oder Produkt weicht ab</translation>
+    </message>
+    <message>
+        <source>Adapted to the line before or after</source>
+        <translation>An die Linie davor oder danach angepasst</translation>
+    </message>
+    <message>
+        <source>Trial, approved by word</source>
+        <translation>Versuch, mündlich freigegeben</translation>
+    </message>
+    <message>
+        <source>Another reason …</source>
+        <translation>Anderer Grund …</translation>
+    </message>
+</context>
+<context>
+    <name>WindowsSheet</name>
+    <message>
+        <source>Approved values of %1</source>
+        <translation>Freigegebene Werte von %1</translation>
+    </message>
+    <message>
+        <source>A value outside needs a reason. The limits of the machine stay.</source>
+        <translation>Ein Wert außerhalb braucht einen Grund. Die Grenzen der Maschine bleiben.</translation>
+    </message>
+    <message>
+        <source>Lowest</source>
+        <translation>Kleinster Wert</translation>
+    </message>
+    <message>
+        <source>Highest</source>
+        <translation>Größter Wert</translation>
+    </message>
+    <message>
+        <source>No window for %1</source>
+        <translation>Kein freigegebener Bereich für %1</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Speichern</translation>
     </message>
 </context>
 <context>

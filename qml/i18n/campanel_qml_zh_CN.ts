@@ -472,6 +472,10 @@ And %2 more.</source>
         <source>Apply</source>
         <translation>应用</translation>
     </message>
+    <message>
+        <source>Give a reason …</source>
+        <translation>说明原因 …</translation>
+    </message>
 </context>
 <context>
     <name>CheckedBySheet</name>
@@ -905,6 +909,10 @@ And %2 more.</source>
     <message>
         <source>Save %1</source>
         <translation>保存 %1</translation>
+    </message>
+    <message>
+        <source>Give a reason …</source>
+        <translation>说明原因 …</translation>
     </message>
 </context>
 <context>
@@ -3007,6 +3015,10 @@ And %2 more.</source>
         <source>In the controller and open here</source>
         <translation>在控制器中且在此打开</translation>
     </message>
+    <message>
+        <source>Approved …</source>
+        <translation>批准范围 …</translation>
+    </message>
 </context>
 <context>
     <name>RecipeComparisonSheet</name>
@@ -4435,6 +4447,71 @@ clock not set</source>
     <message>
         <source>Versions and disk</source>
         <translation>版本与磁盘</translation>
+    </message>
+</context>
+<context>
+    <name>WindowLine</name>
+    <message>
+        <source>Give a reason …</source>
+        <translation>说明原因 …</translation>
+    </message>
+</context>
+<context>
+    <name>WindowReasonSheet</name>
+    <message>
+        <source>Why outside the approved window?</source>
+        <translation>为何超出批准范围？</translation>
+    </message>
+    <message>
+        <source>The reason is shown until the machine runs within the window again, and kept in the audit trail.</source>
+        <translation>原因会一直显示，直到机器回到批准范围内，并记入审计追踪。</translation>
+    </message>
+    <message>
+        <source>Film or product differs</source>
+        <translation>膜或产品有差异</translation>
+    </message>
+    <message>
+        <source>Adapted to the line before or after</source>
+        <translation>配合上下游设备</translation>
+    </message>
+    <message>
+        <source>Trial, approved by word</source>
+        <translation>试验，口头批准</translation>
+    </message>
+    <message>
+        <source>Another reason …</source>
+        <translation>其他原因 …</translation>
+    </message>
+</context>
+<context>
+    <name>WindowsSheet</name>
+    <message>
+        <source>Approved values of %1</source>
+        <translation>%1 的批准范围</translation>
+    </message>
+    <message>
+        <source>A value outside needs a reason. The limits of the machine stay.</source>
+        <translation>超出范围的数值须说明原因。机器限值不变。</translation>
+    </message>
+    <message>
+        <source>Lowest</source>
+        <translation>下限</translation>
+    </message>
+    <message>
+        <source>Highest</source>
+        <translation>上限</translation>
+    </message>
+    <message>
+        <source>No window for %1</source>
+        <translation>%1 不设批准范围</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>保存</translation>
     </message>
 </context>
 <context>

@@ -146,6 +146,11 @@ Card {
                 onClicked: card.removeRequested()
             }
             Key {
+                objectName: "recipeWindows"
+                text: qsTr("Approved …")
+                onClicked: Frame.open("Library/WindowsSheet", {})
+            }
+            Key {
                 objectName: "recipeCodes"
                 visible: Scan.enabled
                 text: qsTr("Codes …")

@@ -38,7 +38,8 @@ Item {
                 objectName: "downloadAgain"
                 level: Access.Operator
                 anchors.horizontalCenter: parent.horizontalCenter
-                visible: view.connected && Editor.programDownload.canDownload
+                readonly property bool asks: Editor.programDownload.state === ProgramDownload.State.Unapproved   // the sheet does
+                visible: view.connected && (Editor.programDownload.canDownload || asks)
                 width: Math.max(implicitWidth, 3 * Theme.size.touch)
                 height: Theme.size.commandKey
                 kind: Button.Primary
@@ -46,7 +47,7 @@ Item {
                 text: Editor.recipeVersion === 0 ? Theme.fill(qsTr("Download %1"), [Editor.recipeName])
                     : Editor.edited ? Theme.fill(qsTr("Download %1, edited"), [Editor.recipeName])
                     : Theme.fill(qsTr("Download %1 v%2"), [Editor.recipeName, Editor.recipeVersion])
-                onClicked: Editor.download()
+                onClicked: asks ? Frame.open("Download/DownloadSheet", {}) : Editor.download()
             }
             Button {
                 objectName: "openMotion"

@@ -2,6 +2,7 @@
 // Run: the controller's program at work. Each kind has its own view; only the present one is loaded.
 pragma ComponentBehavior: Bound
 import QtQuick
+import CamPanel.Theme
 import CamPanel.Parts
 import CamPanel.Panel
 
@@ -19,9 +20,13 @@ Page {
     showsFault: !Stops.asking && ((loader.item as RunPacking)?.showsFault ?? false)
     bannerRow: Stops.asking ? 0 : (loader.item as RunPacking)?.bannerRow ?? 0
 
+    WindowLine {
+        id: windowLine
+        anchors { left: parent.left; right: parent.right; top: parent.top }
+    }
     Loader {
         id: loader
-        anchors.fill: parent
+        anchors { fill: parent; topMargin: windowLine.visible ? windowLine.height + Theme.size.gap : 0 }
         visible: !Stops.asking
         source: page.view
     }

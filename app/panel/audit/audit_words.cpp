@@ -77,6 +77,7 @@ constexpr std::array whatWords{
     Word{"recipe.rename", QT_TRANSLATE_NOOP("AuditWords", "Recipe renamed")},
     Word{"recipe.delete", QT_TRANSLATE_NOOP("AuditWords", "Recipe deleted")},
     Word{"recipe.restore", QT_TRANSLATE_NOOP("AuditWords", "Recipe restored")},
+    Word{"recipe.outside", QT_TRANSLATE_NOOP("AuditWords", "Value outside its approved window")},
     Word{"recipe.file_lost", QT_TRANSLATE_NOOP("AuditWords", "Recipe file lost or damaged")},
     Word{"recipe.machine_lost", QT_TRANSLATE_NOOP("AuditWords", "Machine data lost or damaged")},
     Word{"builder.file", QT_TRANSLATE_NOOP("AuditWords", "File of the machine builder")},

@@ -15,11 +15,12 @@ namespace campanel::panel {
 
 using link::DownloadStage;
 
-ProgramDownload::ProgramDownload(Controller& controller, QObject* parent)
+ProgramDownload::ProgramDownload(Controller& controller, const QString& folder, QObject* parent)
     : QObject(parent)
     , m_controller(controller)
     , m_differences(this)
     , m_proof(controller, this)
+    , m_windowReason(controller, folder, this)
     , m_forecast(controller, this)
 {
     connect(&controller.link(), &link::Link::downloadReported, this, &ProgramDownload::takeReport);
@@ -27,6 +28,7 @@ ProgramDownload::ProgramDownload(Controller& controller, QObject* parent)
     connect(&controller, &Controller::programChanged, this, &ProgramDownload::update);
     connect(&controller, &Controller::savedChanged, this, &ProgramDownload::update);
     connect(&controller, &Controller::commandsChanged, this, &ProgramDownload::update);
+    connect(&m_windowReason, &WindowReason::given, this, &ProgramDownload::update);
     LanguageNotifier::follow(this, &ProgramDownload::update);
 }
 
@@ -35,6 +37,7 @@ void ProgramDownload::offer(std::shared_ptr<const program::ProgramImage> image)
     m_offer = std::move(image);
     if (!m_offer || m_offer->crc != m_report.crc)
         m_hasEnded = false;
+    m_windowReason.setWanted(m_offer ? &m_offer->recipe : nullptr);
     update();
 }
 
@@ -84,26 +87,33 @@ QString ProgramDownload::blockedReason() const
     return reason.isEmpty() ? m_forecast.refusal() : reason;
 }
 
+ProgramDownload::State ProgramDownload::stateOfOffer() const
+{
+    if (!program::isAdvanceConfirmed(m_offer->recipe.program))
+        return State::Unconfirmed;
+    return m_windowReason.isMissing() ? State::Unapproved : State::Ready;
+}
+
 void ProgramDownload::update()
 {
     compare();
+    m_windowReason.setRunning(m_offer && m_controller.program() && !m_differs);
     m_proof.update();
     m_forecast.update(m_differs ? m_offer.get() : nullptr);
     m_canRetry = false;
-    const bool isConfirmed = !m_offer || program::isAdvanceConfirmed(m_offer->recipe.program);
     if (isUnderWay()) {
         m_state = m_report.stage == DownloadStage::Armed     ? State::Armed
                   : m_report.stage == DownloadStage::Sealing ? State::Sealing
                                                              : State::Transferring;
     } else if (m_hasEnded && m_report.stage == DownloadStage::Failed) {
         m_state = State::Failed;
-        m_canRetry = m_differs && blockedReason().isEmpty() && isConfirmed;
+        m_canRetry = m_differs && blockedReason().isEmpty() && stateOfOffer() == State::Ready;
     } else if (!blockedReason().isEmpty()) {
         m_state = State::Blocked;
     } else if (m_hasEnded && m_report.stage == DownloadStage::Active && !m_differs) {
         m_state = State::Applied;
     } else {
-        m_state = !m_differs ? State::NothingToDo : isConfirmed ? State::Ready : State::Unconfirmed;
+        m_state = m_differs ? stateOfOffer() : State::NothingToDo;
     }
     emit changed();
 }
@@ -127,6 +137,8 @@ QString ProgramDownload::text() const
     case State::Unconfirmed:
         return tr("%1 Confirm the advance, or close the cam.", "%1: whole sentence")
             .arg(CamSentences::unconfirmed(program::advanceMm(m_offer->recipe.program)));
+    case State::Unapproved:
+        return m_windowReason.question();
     case State::Blocked:
         return blockedReason();
     case State::Transferring:
@@ -184,6 +196,7 @@ void ProgramDownload::download(const program::ProgramImage& image, const program
     m_sentRegisters = image.registers;
     m_report = {};
     m_hasEnded = false;
+    m_windowReason.begin(image.crc);
     emit begun(image);
     if (m_forecast.price())
         m_controller.run()->announceChange(*m_forecast.price(), m_forecast.bagLengthMm());
@@ -227,8 +240,10 @@ void ProgramDownload::takeReport(const link::DownloadReport& report)
         m_hasEnded = true;
         sent = std::exchange(m_sent, std::nullopt);
     }
-    if (report.stage == DownloadStage::Active)
+    if (report.stage == DownloadStage::Active) {
+        m_windowReason.end(report.crc);
         m_proof.noteDownloaded(std::move(m_sentRegisters), report.crc);
+    }
     if (isOver)
         emit ended(report);
     if (sent && report.stage == DownloadStage::Active)

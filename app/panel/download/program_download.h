@@ -4,6 +4,7 @@
 
 #include "app/panel/download/change_forecast.h"
 #include "app/panel/download/program_proof.h"
+#include "app/panel/download/window_reason.h"
 #include "app/panel/kit/difference_model.h"
 #include "app/panel/recipe/solution.h"
 
@@ -31,16 +32,19 @@ class ProgramDownload : public QObject {
     Q_PROPERTY(int differenceCount READ differenceCount NOTIFY changed FINAL)
     Q_PROPERTY(QString controllerText READ controllerText NOTIFY changed FINAL)
     Q_PROPERTY(campanel::panel::ProgramProof* proof READ proof CONSTANT FINAL)
+    Q_PROPERTY(campanel::panel::WindowReason* windowReason READ windowReason CONSTANT FINAL)
     Q_PROPERTY(bool saved READ isSaved NOTIFY changed FINAL)
     Q_PROPERTY(bool canSave READ canSave NOTIFY changed FINAL)
 
 public:
     // The states, in the order and with the names of Editor.DownloadState in QML.
-    // Unconfirmed: the axis would advance in every cycle, and nobody has confirmed that.
+    // Unconfirmed: the axis would advance in every cycle, and nobody has confirmed that. Unapproved: a value
+    // is outside its approved window, and nobody has given a reason.
     enum class State {
         NothingToDo,
         Ready,
         Unconfirmed,
+        Unapproved,
         Blocked,
         Transferring,
         Sealing,
@@ -50,7 +54,7 @@ public:
     };
     Q_ENUM(State)
 
-    ProgramDownload(Controller& controller, QObject* parent);
+    ProgramDownload(Controller& controller, const QString& folder, QObject* parent);
 
     // Refuses every download from now on: the machine data are not those of this machine.
     void noteDataLost()
@@ -70,6 +74,7 @@ public:
     [[nodiscard]] DifferenceModel* differences() { return &m_differences; }
     [[nodiscard]] int differenceCount() const { return m_differences.count(); }
     [[nodiscard]] ProgramProof* proof() { return &m_proof; }
+    [[nodiscard]] WindowReason* windowReason() { return &m_windowReason; }
     [[nodiscard]] QString controllerText() const;
     [[nodiscard]] bool isSaved() const;
     [[nodiscard]] bool canSave() const;
@@ -94,11 +99,14 @@ private:
     [[nodiscard]] bool changesMachineData() const;
     void takeReport(const link::DownloadReport& report);
     void compare();
+    // Returns Ready, or what a person has to decide first.
+    [[nodiscard]] State stateOfOffer() const;
 
     Controller& m_controller;
     std::shared_ptr<const program::ProgramImage> m_offer;
     DifferenceModel m_differences;
     ProgramProof m_proof;
+    WindowReason m_windowReason;
     ChangeForecast m_forecast;
     bool m_differs = false;
     State m_state = State::Blocked;

@@ -133,6 +133,16 @@ void Recipes::setCodes(const program::Recipe& withCodes)
     keepBeside(withCodes, put, [this](const store::RecipeVersion& kept) { emit codesSet(kept); });
 }
 
+void Recipes::setWindows(const program::Recipe& withWindows)
+{
+    if (!m_controller.accessCheck().require(Level::Technician))
+        return;
+    const auto put = [](program::Recipe& recipe, const program::Recipe& kept) {
+        recipe.windows = kept.windows;
+    };
+    keepBeside(withWindows, put, {});
+}
+
 void Recipes::saveTrims(const QString& name, const program::Trims& trims)
 {
     if (!m_controller.accessCheck().require(Level::Operator))

@@ -11,6 +11,7 @@
 #include "app/panel/library/recipe_codes.h"
 #include "app/panel/library/recipe_files.h"
 #include "app/panel/library/recipe_list.h"
+#include "app/panel/library/recipe_windows.h"
 #include "app/panel/records/database_service.h"
 #include "app/store/logs/audit_log.h"
 #include "app/store/recipes/recipe_library.h"
@@ -64,6 +65,7 @@ class Recipes : public QObject, public Singleton<Recipes> {
     Q_PROPERTY(QString message READ message NOTIFY messageChanged FINAL)  // result of the last action
     Q_PROPERTY(bool canRestore READ canRestore NOTIFY messageChanged FINAL) // the last deletion
     Q_PROPERTY(campanel::panel::RecipeCodes* codes READ codes CONSTANT FINAL)
+    Q_PROPERTY(campanel::panel::RecipeWindows* windows READ windows CONSTANT FINAL)
     Q_PROPERTY(campanel::panel::RecipeFiles* files READ files CONSTANT FINAL)
     Q_PROPERTY(campanel::panel::ReportFiles* exports READ exports CONSTANT FINAL)
 
@@ -107,6 +109,7 @@ public:
     [[nodiscard]] QString message() const { return m_message; }
     [[nodiscard]] bool canRestore() const { return m_deletedId != 0; }
     [[nodiscard]] RecipeCodes* codes() { return &m_codes; }
+    [[nodiscard]] RecipeWindows* windows() { return &m_windows; }
     [[nodiscard]] RecipeFiles* files() { return &m_files; }
     [[nodiscard]] ReportFiles* exports() { return &m_exports; }
 
@@ -125,6 +128,8 @@ public:
     void chooseId(qint64 recipeId);
     // Saves the codes of the chosen recipe as its next version.
     void setCodes(const program::Recipe& withCodes);
+    // Saves the approved windows of the chosen recipe as its next version.
+    void setWindows(const program::Recipe& withWindows);
     // Saves the trims with the recipe of this name as its next version; says when there is none. For
     // operators.
     void saveTrims(const QString& name, const program::Trims& trims);
@@ -242,6 +247,7 @@ private:
     OfferModel m_candidates{this};
     DifferenceModel m_differences{this};
     RecipeCodes m_codes{*this};
+    RecipeWindows m_windows{*this};
     RecipeFiles m_files;
     ReportFiles m_exports;
     Versions m_compared; // the rows of the candidates

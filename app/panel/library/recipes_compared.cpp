@@ -103,7 +103,12 @@ void Recipes::openVersion(int row)
 {
     if (!m_controller.accessCheck().require(Level::Operator) || row < 0 || row >= m_compared.size())
         return;
-    m_editor.open(onThisMachine(m_compared[row].recipe));
+    // The windows that are approved now hold for an earlier version too: it is no way around them.
+    Recipe recipe = onThisMachine(m_compared[row].recipe);
+    const RecipeVersion* newest = chosenRecipe();
+    if (newest && newest->recipe.kind() == recipe.kind())
+        recipe.windows = newest->recipe.windows;
+    m_editor.open(recipe);
     dismissMessage();
 }
 

@@ -111,6 +111,8 @@ void Recipes::showFigures()
         if (recipe.trims[i] != 0)
             rows << FigureRow{RecipeComparison::trimTitle(i), RecipeComparison::trimText(recipe, i)};
     }
+    for (const auto& [field, window] : recipe.windows)
+        rows << FigureRow{RecipeComparison::windowTitle(field), RefusalSentences::window(field, window)};
     if (program::hasMaster(recipe))
         rows << FigureRow{MasterSentences::title(), MasterSentences::name(recipe.master)};
     addMotor(rows, chosen->recipe);
