@@ -4,6 +4,7 @@
 
 #include "app/program/register_fields.h"
 #include "modbus/map/codec.h"
+#include "modbus/map/register_map.h"
 #include "profile/cutter/ratios.h"
 #include "profile/laws/laws.h"
 
@@ -138,6 +139,11 @@ Recipe gentleRecipe(Recipe recipe)
         recipe.cutter().ratioMode = profile::RatioMode::Gentle;
     followRatios(recipe);
     return recipe;
+}
+
+double maxTrimMm(Trim trim)
+{
+    return modbus::findRegister(trimTable[static_cast<std::size_t>(trim)].registerName)->maximum;
 }
 
 profile::Machine withController(const profile::Machine& machine, const modbus::Identity& controller)

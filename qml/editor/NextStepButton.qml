@@ -12,7 +12,7 @@ Button {
     id: step
 
     readonly property bool busy: Editor.programDownload.busy
-    readonly property bool asks: [ProgramDownload.State.Unconfirmed, ProgramDownload.State.Unapproved].indexOf(Editor.programDownload.state) >= 0   // the sheet does
+    readonly property bool asks: Editor.programDownload.state === ProgramDownload.State.Unconfirmed || Editor.programDownload.state === ProgramDownload.State.Unapproved   // the sheet does
     readonly property bool suggests: !busy && !Editor.programDownload.canDownload && Editor.suggestionText.length > 0
     readonly property bool saves: !busy && !suggests && !asks && !Editor.programDownload.canDownload && Editor.programDownload.canSave
         && Controller.active.isPresent && !ProgramNames.isOtherMotion && Editor.severity !== Editor.Severity.Bad

@@ -26,63 +26,52 @@ Sheet {
         spacing: Theme.size.spacing
         boundsBehavior: Flickable.StopAtBounds
         model: sheet.windows.rows
-        delegate: Item {
+        delegate: ListRow {
             id: row
             required property RecipeWindow modelData
             readonly property real tileWidth: Math.round(0.25 * width)
-            width: list.width - 2 * Theme.size.accent
-            height: Theme.size.touch
-            Label {
-                id: name
-                anchors { left: parent.left; right: lowest.left; rightMargin: Theme.size.spacing; bottom: parent.verticalCenter }
-                fontSizeMode: Text.HorizontalFit
-                text: row.modelData.label
-                font.weight: Font.DemiBold
-            }
-            Label {
-                anchors { left: parent.left; right: lowest.left; rightMargin: Theme.size.spacing; top: parent.verticalCenter }
-                fontSizeMode: Text.HorizontalFit
-                text: row.modelData.present
-                color: Theme.color.secondaryInk
-                font.pixelSize: Theme.size.caption
-            }
-            Field {
-                id: lowest
-                objectName: "windowLowest_" + row.modelData.fieldId
-                anchors { right: highest.left; rightMargin: Theme.size.spacing }
-                width: row.tileWidth
-                height: row.height
-                level: Access.Technician
-                label: qsTr("Lowest")
-                Accessible.name: row.modelData.lowest.label
-                value: row.modelData.lowest.text
-                unit: row.modelData.lowest.unit
-                onClicked: Frame.edit([row.modelData.lowest, row.modelData.highest], 0, lowest, "")
-            }
-            Field {
-                id: highest
-                objectName: "windowHighest_" + row.modelData.fieldId
-                anchors { right: clear.left; rightMargin: Theme.size.spacing }
-                width: row.tileWidth
-                height: row.height
-                level: Access.Technician
-                label: qsTr("Highest")
-                Accessible.name: row.modelData.highest.label
-                value: row.modelData.highest.text
-                unit: row.modelData.highest.unit
-                onClicked: Frame.edit([row.modelData.lowest, row.modelData.highest], 1, highest, "")
-            }
-            Button {
-                id: clear
-                objectName: "windowClear_" + row.modelData.fieldId
-                Accessible.name: Theme.fill(qsTr("No window for %1"), [row.modelData.label])
+            tappable: false
+            text: modelData.label
+            note: modelData.present
+            rightPadding: tiles.width
+            Row {
+                id: tiles
                 anchors.right: parent.right
-                width: Theme.size.touch
-                height: row.height
-                level: Access.Technician
-                enabled: row.modelData.isSet
-                glyph: Theme.icon.close
-                onClicked: row.modelData.clear()
+                spacing: Theme.size.spacing
+                Field {
+                    id: lowest
+                    objectName: "windowLowest_" + row.modelData.fieldId
+                    width: row.tileWidth
+                    height: row.height
+                    level: Access.Technician
+                    label: qsTr("Lowest")
+                    Accessible.name: row.modelData.lowest.label
+                    value: row.modelData.lowest.text
+                    unit: row.modelData.lowest.unit
+                    onClicked: Frame.edit([row.modelData.lowest, row.modelData.highest], 0, lowest, "")
+                }
+                Field {
+                    id: highest
+                    objectName: "windowHighest_" + row.modelData.fieldId
+                    width: row.tileWidth
+                    height: row.height
+                    level: Access.Technician
+                    label: qsTr("Highest")
+                    Accessible.name: row.modelData.highest.label
+                    value: row.modelData.highest.text
+                    unit: row.modelData.highest.unit
+                    onClicked: Frame.edit([row.modelData.lowest, row.modelData.highest], 1, highest, "")
+                }
+                Button {
+                    objectName: "windowClear_" + row.modelData.fieldId
+                    Accessible.name: Theme.fill(qsTr("No window for %1"), [row.modelData.label])
+                    width: Theme.size.touch
+                    height: row.height
+                    level: Access.Technician
+                    enabled: row.modelData.isSet
+                    glyph: Theme.icon.close
+                    onClicked: row.modelData.clear()
+                }
             }
         }
     }
