@@ -59,11 +59,11 @@ Sheet {
         parent: sheet
         anchors.fill: parent
         active: false
-        sourceComponent: WindowReasonSheet {
-            width: sheet.width
-            height: sheet.height
-            onClosed: reasons.active = false
-        }
+        source: "WindowReasonSheet.qml"
+    }
+    Connections {
+        target: reasons.item
+        function onClosed() { reasons.active = false }
     }
     Column {
         id: status

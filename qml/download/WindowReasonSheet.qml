@@ -3,7 +3,6 @@
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Controls
-import CamPanel.Parts
 import CamPanel.Panel
 
 ListPicker {
@@ -42,14 +41,11 @@ ListPicker {
         parent: sheet
         anchors.fill: parent
         active: false
-        sourceComponent: TextSheet {
-            width: sheet.width
-            height: sheet.height
-            title: sheet.title
-            level: Access.Operator
-            check: text => sheet.reasons.problem(text)
-            onAccepted: text => sheet.give(text)
-            onClosed: typing.active = false
-        }
+        source: "WindowReasonText.qml"
+    }
+    Connections {
+        target: typing.item
+        function onAccepted(text: string) { sheet.give(text) }
+        function onClosed() { typing.active = false }
     }
 }

@@ -4484,6 +4484,13 @@ Uhr nicht gestellt</translation>
     </message>
 </context>
 <context>
+    <name>WindowReasonText</name>
+    <message>
+        <source>Why outside the approved window?</source>
+        <translation>Warum außerhalb des freigegebenen Bereichs?</translation>
+    </message>
+</context>
+<context>
     <name>WindowsSheet</name>
     <message>
         <source>Approved values of %1</source>

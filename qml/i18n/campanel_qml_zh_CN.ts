@@ -4484,6 +4484,13 @@ clock not set</source>
     </message>
 </context>
 <context>
+    <name>WindowReasonText</name>
+    <message>
+        <source>Why outside the approved window?</source>
+        <translation>为何超出批准范围？</translation>
+    </message>
+</context>
+<context>
     <name>WindowsSheet</name>
     <message>
         <source>Approved values of %1</source>
