@@ -232,6 +232,15 @@ QList<Screen> recipeScreens()
                      window.tap(QStringLiteral("key_") + letter);
              }},
             {QStringLiteral("recipes-codes"), [](TestWindow& window) { openCodes(window); }},
+            {QStringLiteral("recipes-windows"),
+             [](TestWindow& window) {
+                 openLibrary(window, {QStringLiteral("recipeWindows")});
+                 panel::RecipeWindows& windows = *window.panel().recipes().windows();
+                 windows.row(profile::Field::BagLength)->lowest()->set(240);
+                 windows.row(profile::Field::BagLength)->highest()->set(260);
+                 windows.row(profile::Field::Rate)->lowest()->set(70);
+                 windows.row(profile::Field::Rate)->highest()->set(55);
+             }},
             {QStringLiteral("recipes-code"),
              [](TestWindow& window) {
                  openCodes(window);

@@ -273,6 +273,23 @@ Screen network(const char* name, const QStringList& taps, const std::function<vo
             }};
 }
 
+// A running machine whose rate is outside the window that a technician has approved.
+Screen outside(const char* name, const QStringList& taps, bool isExplained)
+{
+    return {QString::fromLatin1(name), [=](TestWindow& window) {
+                panel::Editor& editor = window.panel().editor();
+                program::Recipe recipe = editor.recipe();
+                const double rate = recipe.cutter().rateBagsPerMin;
+                recipe.windows[profile::Field::Rate] = {rate - 25, isExplained ? rate - 10 : rate};
+                editor.open(recipe);
+                if (isExplained)
+                    editor.programDownload()->windowReason()->give(
+                        QStringLiteral("Film PP 35, tested on Monday"));
+                for (const QString& tapped : taps)
+                    window.tap(tapped);
+            }};
+}
+
 } // namespace
 
 const QList<Screen>& allScreens()
@@ -287,6 +304,14 @@ const QList<Screen>& allScreens()
         taps("run-trims",
              {run, QStringLiteral("trimKey"), QStringLiteral("trimRight0"), QStringLiteral("trimRight0"),
               QStringLiteral("trimRight0"), QStringLiteral("trimRight0"), QStringLiteral("trimRight1")}),
+        outside("run-outside", {run}, true),
+        outside("run-outside-asked", {run, QStringLiteral("packingRate"), QStringLiteral("changeMore")},
+                false),
+        outside("run-outside-reasons",
+                {run, QStringLiteral("packingRate"), QStringLiteral("changeMore"),
+                 QStringLiteral("changeReason")},
+                false),
+        outside("motion-outside", {motion}, true),
         taps("run-bags-by-hand", {run, QStringLiteral("trimKey"), QStringLiteral("bagKey")}),
         taps("motion", {motion}),
         taps("keypad", {motion, length}),
