@@ -49,7 +49,8 @@ const QList<Harmless>& harmless()
           u"Settings::setting"_s,        u"Controller::parameterField"_s,
           u"SoftwareUpdate::actionOf"_s, u"SystemClock::zonesOf"_s,
           u"SystemNetwork::label"_s,     u"SystemNetwork::hint"_s,
-          u"SystemNetwork::refusalOf"_s, u"Value::check"_s}},
+          u"SystemNetwork::refusalOf"_s, u"Value::check"_s,
+          u"WindowReason::problem"_s}},
         {"a sentence that was read",
          {u"BuilderFiles::dismissNotice"_s, u"Controller::dismissMessage"_s,
           u"DatabaseService::dismissNotice"_s, u"Editor::dismissNotice"_s, u"Orders::dismissNotice"_s,
@@ -133,13 +134,27 @@ const QList<Harmless>& harmless()
          {u"Commissioning::offer"_s, u"CsvExport::make"_s, u"FrameList::exportText"_s,
           u"LineFigures::exportCsv"_s, u"Recipes::offerExport"_s, u"ServiceBundle::make"_s,
           u"ShiftReport::offer"_s}},
-        {"a draft; what applies it asks",
-         {u"MarkWizard::restart"_s, u"MarkWizard::dropMeasurement"_s, u"MarkWizard::measureSimulatedBag"_s,
-          u"Value::set of MarkWizard"_s, u"RecipeCodes::enter"_s, u"Value::set of OrderEntry"_s,
-          u"OrderEntry::begin"_s, u"OrderEntry::text="_s, u"OrderEntry::lot="_s, u"OrderEntry::recipe="_s,
-          u"OrderEntry::checkedBy="_s, u"OrderEntry::action="_s, u"RecipeCodes::wanted="_s,
-          u"Recipes::wantedName="_s, u"SystemNetwork::port="_s, u"SystemNetwork::fixed="_s,
-          u"SystemNetwork::enter"_s, u"SystemNetwork::discard"_s}},
+        {"a draft; what applies it asks", {u"MarkWizard::restart"_s,
+                                           u"MarkWizard::dropMeasurement"_s,
+                                           u"MarkWizard::measureSimulatedBag"_s,
+                                           u"Value::set of MarkWizard"_s,
+                                           u"RecipeCodes::enter"_s,
+                                           u"Value::set of OrderEntry"_s,
+                                           u"OrderEntry::begin"_s,
+                                           u"OrderEntry::text="_s,
+                                           u"OrderEntry::lot="_s,
+                                           u"OrderEntry::recipe="_s,
+                                           u"OrderEntry::checkedBy="_s,
+                                           u"OrderEntry::action="_s,
+                                           u"RecipeCodes::wanted="_s,
+                                           u"RecipeWindows::begin"_s,
+                                           u"RecipeWindow::clear"_s,
+                                           u"Value::set of RecipeWindow"_s,
+                                           u"Recipes::wantedName="_s,
+                                           u"SystemNetwork::port="_s,
+                                           u"SystemNetwork::fixed="_s,
+                                           u"SystemNetwork::enter"_s,
+                                           u"SystemNetwork::discard"_s}},
         {"ends or undoes what was begun with permission",
          {u"CamHandles::beginDrag"_s, u"CamHandles::endDrag"_s, u"CutterMap::endDrag"_s,
           u"Editor::commitDrag"_s, u"Editor::beginTrial"_s, u"Editor::endTrial"_s, u"RampControl::endDrag"_s,
@@ -310,6 +325,12 @@ class TestPanelPermissions : public test::PanelTest {
     void tryEverything()
     {
         static const QSet<QString> known = harmlessNames();
+        panel::Recipes& recipes = m_window->panel().recipes();
+        QVERIFY(QTest::qWaitFor([&recipes] {
+            recipes.choose(0);
+            recipes.windows()->begin(); // the rows of a draft
+            return !recipes.windows()->rows().isEmpty();
+        }));
         Reached reached;
         auto& engine = m_window->panel().engine();
         for (const QByteArray& key : engine.dynamicPropertyNames())

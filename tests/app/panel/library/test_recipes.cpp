@@ -71,6 +71,55 @@ private slots:
         QVERIFY(rig.recipes.chosenNote().contains(QStringLiteral("by Anna")));
     }
 
+    void windowsAreADraftUntilTheyAreStored()
+    {
+        RecipesRig rig;
+        RecipeWindows& windows = *rig.recipes.windows();
+        windows.begin();
+        QVERIFY(!windows.isTouched());
+        QVERIFY(!windows.row(profile::Field::KnifeRadius));
+        RecipeWindow& rate = *windows.row(profile::Field::Rate);
+        QCOMPARE(rate.present(), QStringLiteral("60.0 bags/min"));
+        QCOMPARE(rate.lowest()->text(), QStringLiteral("--"));
+        rate.lowest()->set(55);
+        QCOMPARE(rate.highest()->value(), profile::info(profile::Field::Rate).max);
+        rate.highest()->set(50);
+        QCOMPARE(windows.problem(),
+                 QStringLiteral("Rate: the lowest value is above the highest. Correct one of them."));
+        windows.store();
+        rate.highest()->set(1e9); // beyond the limits of the keypad
+        QCOMPARE(rate.highest()->value(), 50.0);
+        rate.highest()->set(70);
+        QCOMPARE(windows.problem(), QString());
+        rig.machine.accessCheck().setLevel(Level::Operator);
+        windows.store();
+        QVERIFY(windows.isTouched());
+        rig.machine.accessCheck().setLevel(Level::Technician, QStringLiteral("Anna"));
+        rig.editor.bagLength()->set(240); // an unsaved edit stays
+        windows.store();
+        QVERIFY(!windows.isTouched());
+        QTRY_COMPARE(rig.names(), QStringList{QStringLiteral("Biscuit 250 v2")});
+        QTRY_VERIFY(!rig.editor.storedRecipe().windows.empty());
+        QCOMPARE(rig.editor.recipe().windows.at(profile::Field::Rate).max, 70.0);
+        QCOMPARE(rig.editor.bagLength()->value(), 240.0);
+        QVERIFY(rig.editor.edited());
+        const auto& figures = rig.recipes.figures()->rows();
+        QVERIFY(std::ranges::any_of(figures, [](const FigureRow& row) {
+            return row.label == QStringLiteral("Approved: Rate") &&
+                   row.value == QStringLiteral("55.0 to 70.0 bags/min");
+        }));
+        // An earlier version has the windows of now.
+        rig.recipes.listVersions();
+        QTRY_COMPARE(rig.recipes.candidates()->count(), 2);
+        rig.recipes.openVersion(1);
+        QVERIFY(!rig.editor.storedRecipe().windows.empty());
+        QCOMPARE(rig.editor.storedRecipe().version, 1);
+        windows.begin();
+        windows.row(profile::Field::Rate)->clear();
+        windows.store();
+        QTRY_VERIFY(rig.editor.storedRecipe().windows.empty());
+    }
+
     void versionsOfAClockThatIsNotSetSaySo()
     {
         RecipesRig rig;
