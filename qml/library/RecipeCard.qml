@@ -148,7 +148,10 @@ Card {
             Key {
                 objectName: "recipeWindows"
                 text: qsTr("Approved …")
-                onClicked: Frame.open("Library/WindowsSheet", {})
+                onClicked: {
+                    Recipes.windows.begin()
+                    Frame.open("Library/WindowsSheet", {})
+                }
             }
             Key {
                 objectName: "recipeCodes"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The approved windows of the chosen recipe: the lowest and highest value of each input. A value outside needs a reason before
-// it reaches the controller.
+// it reaches the controller. The draft was begun before.
 pragma ComponentBehavior: Bound
 import QtQuick
 import CamPanel.Theme
@@ -16,7 +16,6 @@ Sheet {
     title: qsTr("Approved values of %1").arg(Recipes.chosenName)
     note: windows.problem.length > 0 ? windows.problem : qsTr("A value outside needs a reason. The limits of the machine stay.")
     pending: windows.touched
-    Component.onCompleted: sheet.windows.begin()
 
     ListView {
         id: list
@@ -80,10 +79,7 @@ Sheet {
         Button {
             objectName: "windowsCancel"
             text: qsTr("Cancel")
-            onClicked: {
-                sheet.windows.begin()
-                sheet.closed()
-            }
+            onClicked: sheet.closed()
         },
         Button {
             objectName: "windowsSave"

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The approved windows of a recipe by touch: bad entries, a reason that is typed, a sheet that is left.
-#include "panel_test.h"
-
 #include "app/panel/library/recipes.h"
+#include "tests/qml/panel_test.h"
 #include "tests/support/test_program.h"
 
 namespace test_panel_windows {
@@ -50,6 +49,7 @@ private slots:
         QVERIFY(textOf("sheetNote").startsWith(u"A value outside needs a reason."_s));
         tap("windowsCancel");
         QVERIFY(!m_window->find(u"sheetPanel"_s));
+        tap("recipeWindows");
         QVERIFY(!m_window->panel().recipes().windows()->isTouched());
     }
 
