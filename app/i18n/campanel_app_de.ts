@@ -1255,6 +1255,10 @@
         <source>File of the machine builder</source>
         <translation>Datei des Maschinenbauers</translation>
     </message>
+    <message>
+        <source>Value outside its approved window</source>
+        <translation>Wert außerhalb des freigegebenen Bereichs</translation>
+    </message>
 </context>
 <context>
     <name>Availability</name>
@@ -4128,6 +4132,11 @@ eff. %2</translation>
         <source>Trim: %1</source>
         <translation>Trimm: %1</translation>
     </message>
+    <message>
+        <source>Approved: %1</source>
+        <comment>name of a value</comment>
+        <translation>Freigegeben: %1</translation>
+    </message>
 </context>
 <context>
     <name>RecipeWords</name>
@@ -4406,6 +4415,16 @@ eff. %2</translation>
         <source>This motion allows up to %1 (%2).</source>
         <comment>%1: rate with unit, %2: name of the limit</comment>
         <translation>Diese Bewegung erlaubt bis zu %1 (%2).</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <comment>number, number with unit</comment>
+        <translation>%1 bis %2</translation>
+    </message>
+    <message>
+        <source>%1 %2, approved %3</source>
+        <comment>name, value, window</comment>
+        <translation>%1 %2, freigegeben %3</translation>
     </message>
 </context>
 <context>
@@ -8128,6 +8147,26 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
     </message>
 </context>
 <context>
+    <name>campanel::panel::RecipeWindow</name>
+    <message>
+        <source>%1, lowest</source>
+        <comment>name of a value</comment>
+        <translation>%1, kleinster Wert</translation>
+    </message>
+    <message>
+        <source>%1, highest</source>
+        <comment>name of a value</comment>
+        <translation>%1, größter Wert</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::RecipeWindows</name>
+    <message>
+        <source>%1: the lowest value is above the highest. Correct one of them.</source>
+        <translation>%1: Der kleinste Wert liegt über dem größten. Einen von beiden korrigieren.</translation>
+    </message>
+</context>
+<context>
     <name>campanel::panel::Recipes</name>
     <message>
         <source>No version of these recipes can be read: %1. Restore a backup that has them.</source>
@@ -9480,6 +9519,40 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
         <source>%1, not saved</source>
         <comment>recipe</comment>
         <translation>%1, nicht gespeichert</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::WindowReason</name>
+    <message>
+        <source>Outside the approved window: %1. Give a reason, or enter an approved value.</source>
+        <translation>Außerhalb des freigegebenen Bereichs: %1. Grund angeben oder einen freigegebenen Wert eingeben.</translation>
+    </message>
+    <message>
+        <source>%1: since %2, %3</source>
+        <comment>values, time, reason</comment>
+        <translation>%1: seit %2, %3</translation>
+    </message>
+    <message>
+        <source>%1: by %2 since %3, %4</source>
+        <comment>values, person, time, reason</comment>
+        <translation>%1: durch %2 seit %3, %4</translation>
+    </message>
+    <message>
+        <source>%1: no reason given.</source>
+        <comment>values</comment>
+        <translation>%1: kein Grund angegeben.</translation>
+    </message>
+    <message>
+        <source>Enter the reason for the audit trail.</source>
+        <translation>Grund für das Änderungsprotokoll eingeben.</translation>
+    </message>
+    <message>
+        <source>A reason has at most %1 characters. Shorten it.</source>
+        <translation>Ein Grund hat höchstens %1 Zeichen. Bitte kürzen.</translation>
+    </message>
+    <message>
+        <source>The reason has characters that nobody can see. Remove them.</source>
+        <translation>Der Grund enthält unsichtbare Zeichen. Diese entfernen.</translation>
     </message>
 </context>
 </TS>

@@ -1255,6 +1255,10 @@
         <source>File of the machine builder</source>
         <translation>设备制造商的文件</translation>
     </message>
+    <message>
+        <source>Value outside its approved window</source>
+        <translation>数值超出批准范围</translation>
+    </message>
 </context>
 <context>
     <name>Availability</name>
@@ -4126,6 +4130,11 @@ RMS %2</source>
         <source>Trim: %1</source>
         <translation>微调：%1</translation>
     </message>
+    <message>
+        <source>Approved: %1</source>
+        <comment>name of a value</comment>
+        <translation>批准范围：%1</translation>
+    </message>
 </context>
 <context>
     <name>RecipeWords</name>
@@ -4404,6 +4413,16 @@ RMS %2</source>
         <source>This motion allows up to %1 (%2).</source>
         <comment>%1: rate with unit, %2: name of the limit</comment>
         <translation>此运动最高允许 %1（%2）。</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <comment>number, number with unit</comment>
+        <translation>%1 至 %2</translation>
+    </message>
+    <message>
+        <source>%1 %2, approved %3</source>
+        <comment>name, value, window</comment>
+        <translation>%1 %2，批准范围 %3</translation>
     </message>
 </context>
 <context>
@@ -8125,6 +8144,26 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
     </message>
 </context>
 <context>
+    <name>campanel::panel::RecipeWindow</name>
+    <message>
+        <source>%1, lowest</source>
+        <comment>name of a value</comment>
+        <translation>%1，下限</translation>
+    </message>
+    <message>
+        <source>%1, highest</source>
+        <comment>name of a value</comment>
+        <translation>%1，上限</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::RecipeWindows</name>
+    <message>
+        <source>%1: the lowest value is above the highest. Correct one of them.</source>
+        <translation>%1：下限高于上限。请更正其中之一。</translation>
+    </message>
+</context>
+<context>
     <name>campanel::panel::Recipes</name>
     <message>
         <source>No version of these recipes can be read: %1. Restore a backup that has them.</source>
@@ -9475,6 +9514,40 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
         <source>%1, not saved</source>
         <comment>recipe</comment>
         <translation>%1，未保存</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::WindowReason</name>
+    <message>
+        <source>Outside the approved window: %1. Give a reason, or enter an approved value.</source>
+        <translation>超出批准范围：%1。请说明原因，或输入范围内的数值。</translation>
+    </message>
+    <message>
+        <source>%1: since %2, %3</source>
+        <comment>values, time, reason</comment>
+        <translation>%1：自 %2 起，%3</translation>
+    </message>
+    <message>
+        <source>%1: by %2 since %3, %4</source>
+        <comment>values, person, time, reason</comment>
+        <translation>%1：%2，自 %3 起，%4</translation>
+    </message>
+    <message>
+        <source>%1: no reason given.</source>
+        <comment>values</comment>
+        <translation>%1：未说明原因。</translation>
+    </message>
+    <message>
+        <source>Enter the reason for the audit trail.</source>
+        <translation>请输入原因，用于审计追踪。</translation>
+    </message>
+    <message>
+        <source>A reason has at most %1 characters. Shorten it.</source>
+        <translation>原因最多 %1 个字符。请缩短。</translation>
+    </message>
+    <message>
+        <source>The reason has characters that nobody can see. Remove them.</source>
+        <translation>原因中含有不可见字符。请删除。</translation>
     </message>
 </context>
 </TS>
