@@ -15,6 +15,9 @@ from power_cuts import PowerCuts
 
 PATIENCE_S = 900  # without KVM, beside other work
 SETTINGS = "/var/lib/campanel/config/campanel/campanel.conf"
+RECIPE = "/var/lib/campanel/data/campanel/campanel/recipe.json"
+CONFIGURATION = "/etc/campanel/campanel.toml"
+SETTINGS_ON_CARD = '[connection]\nport = "/dev/campanel-serial"\n[display]\ntheme = "dark"\n'
 
 
 class Check:
@@ -59,9 +62,35 @@ class Check:
         add_test_shell(self.base)
         os.truncate(self.base, 2 << 30)  # a larger card
 
+    def fill_card(self, disk, settings):
+        """What a machine builder puts on the first partition."""
+        boot = f"{disk}@@{partition(disk, 1)[0]}"
+        folder = self.path("card")
+        os.makedirs(os.path.join(folder, "campanel/recipes"), exist_ok=True)
+        recipe = [os.path.join(self.options.bin, "campanelctl"), "recipe", "--name", "Rusk", "--bag-length-mm", "300", "--pulses-per-rev", "20000"]
+        for name, text in (("campanel.toml", settings), ("hostname", "packer-7\n"), ("recipes/rusk.json", subprocess.check_output(recipe, text=True))):
+            with open(os.path.join(folder, "campanel", name), "w") as file:
+                file.write(text)
+        subprocess.run(["mdeltree", "-i", boot, "::/campanel"], check=False, stderr=subprocess.DEVNULL)
+        subprocess.run(["mcopy", "-s", "-i", boot, os.path.join(folder, "campanel"), "::/"], check=True)
+
+    def made_ready(self, disk):
+        """The second boot, with the settings corrected on the card."""
+        self.fill_card(disk, SETTINGS_ON_CARD)
+        machine, seconds = self.start(disk)
+        try:
+            if self.report("opens the panel again", seconds is not None, seconds and f"picture after {seconds:.0f} s"):
+                self.report("the corrected settings are taken", machine.wait_for(f"cat {CONFIGURATION}", 'theme = "dark"', 60) and
+                            machine.shell("ls /var/lib/campanel-card") == "taken")
+                self.report("the recipe is kept", machine.wait_for(f"grep -c Rusk {RECIPE}", "1"))
+                machine.picture("made-ready")
+        finally:
+            machine.cut()
+
     def boot(self):
         """The first boot: what it opens, what it is, and what is closed."""
         disk = self.disk("disk.img")
+        self.fill_card(disk, SETTINGS_ON_CARD + "rate = = 3\n")
         machine, seconds = self.start(disk, log=self.path("writes.log"))
         try:
             if not self.report("opens the panel", seconds is not None, seconds and f"picture after {seconds:.0f} s"):
@@ -80,6 +109,12 @@ class Check:
             self.report("the fonts' cache is used", "regenerating" not in machine.shell("fc-cache -v 2>&1"))
             self.report("connects to the controller behind a USB adapter",
                         machine.wait_for("journalctl -b -u campanel-kiosk -o cat --no-pager", 'connected to "/dev/campanel-serial"', 60))
+            told = machine.shell("journalctl -b -u campanel-card -o cat --no-pager")
+            self.report("what the builder put on the card is taken, broken settings are not", "taken: hostname" in told and "taken: recipes/rusk.json" in told
+                        and "not taken: campanel.toml" in told and machine.shell("cat /etc/hostname /proc/sys/kernel/hostname").split() == ["packer-7", "packer-7"], told)
+            self.report("its recipe is open, with its machine data", machine.wait_for(f"cat {RECIPE}", "Rusk") and "20000" in machine.shell(f"cat {RECIPE}"))
+            time.sleep(10)
+            machine.picture("card")
             rows = self.language_rows(machine)
             if not self.report("taps change the language", {"de", "zh_CN"} <= rows.keys(), " ".join(rows)):
                 return
@@ -96,6 +131,8 @@ class Check:
             print(f"campanel: image: {seconds}; the kiosk has {int(memory) >> 20} MB and was restarted {restarts} times", flush=True)
         finally:
             machine.cut()
+        if not self.failed:
+            self.made_ready(disk)
         os.remove(disk)
 
     def power_cuts(self):
