@@ -9,6 +9,7 @@ Overlay {
 
     required property string title
     property string note
+    property bool covered                  // another sheet stands in its place
     default property alias content: body.data
     property alias header: headerRow.data  // keys beside the title
     property alias footer: footerRow.data
@@ -21,7 +22,7 @@ Overlay {
 
     Rectangle {
         anchors.fill: parent
-        visible: !sheet.beside
+        visible: !sheet.beside && !sheet.covered
         color: Theme.color.scrim
     }
     MouseArea { // not over the navigation
@@ -31,6 +32,7 @@ Overlay {
     Card {
         id: panel
         objectName: "sheetPanel"
+        visible: !sheet.covered
         x: sheet.beside ? Theme.size.navigation + Theme.size.gap : Math.round((parent.width - width) / 2)
         y: Math.round((parent.height - height) / 2)
         width: Math.round(Math.min(sheet.panelWidth, sheet.width - 2 * Theme.size.gap))

@@ -112,6 +112,7 @@ Sheet {
         text: qsTr("Keypad")
         onClicked: Frame.edit([sheet.field], 0, keypad, "")
     }
+    covered: reasons.active
     Loader {
         id: reasons
         parent: sheet
@@ -162,7 +163,6 @@ Sheet {
         },
         Button {
             objectName: "changeReason"
-            level: Access.Operator
             visible: sheet.wantsReason
             kind: Button.Primary
             text: qsTr("Give a reason …")

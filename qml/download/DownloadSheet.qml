@@ -54,6 +54,7 @@ Sheet {
             : qsTr("The controller has no program yet; this recipe becomes its first program.")
         color: Theme.color.secondaryInk
     }
+    covered: reasons.active
     Loader {
         id: reasons
         parent: sheet
@@ -117,7 +118,6 @@ Sheet {
         },
         Button {
             objectName: "downloadReason"
-            level: Access.Operator
             visible: sheet.wantsReason
             kind: Button.Primary
             text: qsTr("Give a reason …")

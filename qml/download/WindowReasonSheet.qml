@@ -20,6 +20,7 @@ ListPicker {
     panelWidth: Math.round(width * 0.8)
     level: Access.Operator
     stays: true
+    covered: typing.active
     current: ""
     choices: [
         { key: "material", text: qsTr("Film or product differs") },

@@ -66,7 +66,6 @@ Sheet {
                     Accessible.name: Theme.fill(qsTr("No window for %1"), [row.modelData.label])
                     width: Theme.size.touch
                     height: row.height
-                    level: Access.Technician
                     enabled: row.modelData.isSet
                     glyph: Theme.icon.close
                     onClicked: row.modelData.clear()

@@ -37,7 +37,6 @@ Item {
         id: key
         objectName: "windowReason"
         anchors { right: parent.right; verticalCenter: parent.verticalCenter }
-        level: Access.Operator
         visible: line.reasons.unexplained
         text: qsTr("Give a reason …")
         onClicked: Frame.open("Download/WindowReasonSheet", {})
