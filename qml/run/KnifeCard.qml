@@ -56,6 +56,7 @@ RunTile {
     }
 
     Amount {
+        id: following
         objectName: "followingAmount"
         label: qsTr("error")
         text: Theme.measure(card.error, 2, "mm")
@@ -68,6 +69,6 @@ RunTile {
         text: Theme.joined(Theme.number(Controller.torque.measuredPercent, 0), "%")
         value: Controller.torque.measuredPercent
         limit: Controller.torque.limitPercent
-        visible: !isNaN(value)
+        visible: !isNaN(value) && following.height + implicitHeight <= parent.height   // a tap shows it in any case
     }
 }
