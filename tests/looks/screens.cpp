@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 using namespace Qt::StringLiterals;
 
@@ -786,6 +787,8 @@ void enterScreen(TestWindow& window, const Screen& screen)
         editor.undo();
     if (editor.recipeVersion() == 0)
         editor.open(program::Recipe{}, {}); // after the first start
+    if (program::Recipe recipe = editor.recipe(); !std::exchange(recipe.windows, {}).empty())
+        editor.open(recipe);
     window.panel().settings().setSimulated(true);
     window.panel().settings().set("access.hold_to_start", QStringLiteral("auto"));
     window.panel().maintenance().doctor()->cancel();

@@ -27,8 +27,8 @@ private slots:
         const auto start = [](const QString& quantity, const QString& lot, const QStringList& more = {}) {
             return QStringList{u"start"_s, u"--quantity"_s, quantity, u"--lot"_s, lot} + more;
         };
-        QTest::newRow("nothing to do") << QStringList() << QByteArray("start, status, end or list");
-        QTest::newRow("no such thing") << QStringList{u"pause"_s} << QByteArray("start, status, end or list");
+        QTest::newRow("nothing to do") << QStringList() << QByteArray("start, status, end, list FILE");
+        QTest::newRow("no such thing") << QStringList{u"pause"_s} << QByteArray("start, status, end, list FILE");
         QTest::newRow("no quantity") << QStringList{u"start"_s, u"--lot"_s, u"L"_s}
                                      << QByteArray("--quantity");
         for (const char* quantity : {"0", "-5", "1000001", "1000000000", "4294967301", "2.5", "ten", ""})
