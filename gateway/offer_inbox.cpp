@@ -2,8 +2,8 @@
 #include "gateway/offer_inbox.h"
 
 #include "app/store/files/files.h"
-#include "app/store/recipes/signed_order.h"
 #include "app/store/recipes/signed_recipe.h"
+#include "app/store/signed_order.h"
 
 #include <algorithm>
 #include <utility>

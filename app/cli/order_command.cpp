@@ -9,7 +9,7 @@
 #include "app/cli/signed_file.h"
 #include "app/panel/words/order_words.h"
 #include "app/store/logs/order_log.h"
-#include "app/store/recipes/signed_order.h"
+#include "app/store/signed_order.h"
 #include "modbus/map/order_status.h"
 
 #include <algorithm>

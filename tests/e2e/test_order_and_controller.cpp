@@ -2,7 +2,7 @@
 // An order by finger: new, started, counted by the controller also while the panel is restarted, complete at
 // its quantity with the machine at a standstill; then the next one of the queue.
 #include "app/shell/fonts.h"
-#include "app/store/recipes/signed_order.h"
+#include "app/store/signed_order.h"
 #include "panel_window.h"
 #include "tests/support/controller_process.h"
 #include "tests/support/test_program.h"

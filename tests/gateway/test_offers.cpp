@@ -2,7 +2,7 @@
 // Recipes that the plant offers: from mosquitto through the gateway's executable to the panel, where a person
 // accepts; bad ones are refused with their reason, and a gateway that is killed leaves nothing half.
 #include "app/panel/library/recipes.h"
-#include "app/store/recipes/signed_order.h"
+#include "app/store/signed_order.h"
 #include "tests/app/panel/plant/plant_rig.h"
 #include "tests/gateway/plant_bench.h"
 #include "tests/support/test_program.h"

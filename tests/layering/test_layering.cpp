@@ -155,8 +155,8 @@ const QList<Rule>& includeRules()
             {u"gateway"_s,
              {standardCpp, posix, qtAny, u"app/plant/.*"_s,
               u"app/shell/(configuration|termination_signals)\\.h"_s, u"app/store/files/files\\.h"_s,
-              u"app/store/recipes/(recipe_keys|signed_recipe)\\.h"_s, u"gateway/.*"_s, u"mosquitto\\.h"_s,
-              u"sparkplug_payload\\.pb-c\\.h"_s}},
+              u"app/store/(recipes/(recipe_keys|signed_recipe)|signed_order)\\.h"_s, u"gateway/.*"_s,
+              u"mosquitto\\.h"_s, u"sparkplug_payload\\.pb-c\\.h"_s}},
             {u"app/shell"_s, {standardCpp, qtAny, u"app/.*"_s, posix, u"toml\\+\\+/toml\\.h"_s}},
         };
     return rules;

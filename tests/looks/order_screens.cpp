@@ -2,7 +2,7 @@
 // The screens of orders: on Run, the list of those that wait, the history, and a new one.
 #include "tests/looks/screen_lists.h"
 
-#include "app/store/recipes/signed_order.h"
+#include "app/store/signed_order.h"
 #include "tests/looks/test_window.h"
 
 #include <QFile>

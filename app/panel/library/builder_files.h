@@ -24,7 +24,7 @@ class BuilderFiles : public QObject, public Singleton<BuilderFiles> {
     Q_OBJECT
     QML_ELEMENT
     QML_SINGLETON
-    // What was taken, and what was not and why, until it is dismissed; empty: nothing to tell.
+    // The files that were taken, and those that were not and why, until it is dismissed; empty: none.
     Q_PROPERTY(QString notice READ notice NOTIFY noticeChanged FINAL)
 
 public:

@@ -6,7 +6,7 @@
 
 #include "app/panel/kit/offer_model.h"
 #include "app/plant/local_messages.h"
-#include "app/store/recipes/signed_order.h"
+#include "app/store/signed_order.h"
 
 #include <QMap>
 #include <QObject>

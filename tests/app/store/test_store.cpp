@@ -146,7 +146,7 @@ void StoreTest::complaints_data()
     };
     const QJsonValue removed(QJsonValue::Undefined);
     row("another format", {}, u"format"_s, u"recipe"_s, Kind::NotARecipe, u"campanel-recipe"_s);
-    row("a later version", {}, u"format_version"_s, 6, Kind::NewerVersion, u"version 6"_s);
+    row("a later version", {}, u"format_version"_s, 7, Kind::NewerVersion, u"version 7"_s);
     row("no version", {}, u"format_version"_s, removed, Kind::WrongType, u"format_version"_s);
     row("no name", {}, u"name"_s, removed, Kind::MissingKey, u"name"_s);
     row("name is a number", {}, u"name"_s, 5, Kind::WrongType, u"a text"_s);

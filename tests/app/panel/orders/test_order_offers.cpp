@@ -3,7 +3,7 @@
 #include "order_rig.h"
 #include "tests/support/test_program.h"
 
-#include "app/store/recipes/signed_order.h"
+#include "app/store/signed_order.h"
 
 #include <QDir>
 #include <QFile>
@@ -64,8 +64,7 @@ private slots:
         rig.receive(rig.offer());
         QCOMPARE(rig.orders->offers()->titles(), u"4711 · L17"_s);
         QVERIFY(rig.row().usable);
-        QCOMPARE(rig.row().note,
-                 u"5,000 bags · Biscuit 250 · The run stops · signed by Anna Plant"_s);
+        QCOMPARE(rig.row().note, u"5,000 bags · Biscuit 250 · The run stops · signed by Anna Plant"_s);
         QVERIFY(rig.waiting().isEmpty());
 
         QSignalSpy noted(rig.orders.get(), &panel::Orders::noted);

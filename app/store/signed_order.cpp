@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/store/recipes/signed_order.h"
+#include "app/store/signed_order.h"
 
 #include "app/store/files/json_keys.h"
 #include "app/store/files/json_reader.h"
