@@ -311,11 +311,8 @@ void TestCoder::noPulseIsLostOrDoubled()
             else if (random() % 2 == 0 && !hasWheel)
                 line.command(CTL_COMMAND_JOG_BAG);
             line.run(2'100'000);
-            // A slow bag by hand takes its time.
-            QVERIFY2(line.runUntilState(CTL_STATE_READY), qPrintable(QString("state %1, faults %2, cut %3")
-                                                                         .arg(line.core().motion.state)
-                                                                         .arg(line.core().motion.fault, 0, 16)
-                                                                         .arg(line.prints.products())));
+            // A bag by hand is slow, and skipped cuts make it longer: once in 13 000 products over a minute.
+            QVERIFY(line.runUntilState(CTL_STATE_READY, 300'000'000));
             const std::uint16_t refusal = line.command(CTL_COMMAND_START);
             QVERIFY2(refusal == CTL_REFUSAL_NONE, qPrintable(QString::number(refusal)));
         }
