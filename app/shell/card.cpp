@@ -4,8 +4,9 @@
 #include "app/shell/configuration.h"
 
 #include "app/store/files/files.h"
-#include "app/store/recipes/recipe_file.h"
+#include "app/store/recipes/recipe_json.h"
 #include "app/store/recipes/recipe_keys.h"
+#include "app/store/recipes/signed_recipe.h"
 
 #include <QDir>
 #include <QDirIterator>
@@ -68,8 +69,9 @@ QString errorOf(const QDir& folder, const QString& name)
         const auto key = store::publicKeyIn(*text);
         return key ? QString() : u"It is no public key: %1."_s.arg(key.error());
     }
-    if (isRecipe) { // a signed one is checked with its keys by the panel
-        const auto recipe = store::readRecipe(folder.filePath(name));
+    if (isRecipe) {
+        const auto recipe = store::fromJson(*text, name);
+        // The panel checks a signed one with its keys.
         return recipe || store::isSignedRecipe(*text) ? QString()
                                                       : store::FileErrorText::describe(recipe.error());
     }
