@@ -85,7 +85,7 @@ bool OfferInbox::makeRoom(const QString& name, const Offer& offer)
 {
     if (offer.isTrusted) {
         const auto other = std::find_if(m_offers.begin(), m_offers.end(), [&offer](const Offer& each) {
-            return each.isTrusted && each.thing == offer.thing;
+            return each.isTrusted && each.subject == offer.subject;
         });
         if (other != m_offers.end() && other->version > offer.version) {
             report(u"The offer %1 is not passed on: a newer one of its recipe or order is offered."_s, name);

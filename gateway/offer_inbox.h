@@ -48,7 +48,7 @@ private:
     struct Offer {
         QByteArray file; // a large one is cut
         bool isTrusted = false;
-        QString thing;      // of a trusted one: the recipe, or the text of the order
+        QString subject;      // of a trusted one: the recipe, or the text of the order
         qint64 version = 0; // of the recipe, or the time of the order's signature
         qint64 order = 0;   // of its arrival
     };

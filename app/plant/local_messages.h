@@ -7,9 +7,11 @@
 
 #include <QByteArray>
 #include <QList>
+#include <QMap>
 #include <QString>
 
 #include <optional>
+#include <utility>
 #include <variant>
 
 namespace campanel::plant {
@@ -53,6 +55,18 @@ struct OfferMessage {
 
     bool operator==(const OfferMessage&) const = default;
 };
+
+// Applies the message to the offers of its kind that were received before: their files by their names, at
+// most maxOffers.
+template <typename File> void applyOffer(QMap<QString, File>& offers, const OfferMessage& offer, File file)
+{
+    if (offer.name.isEmpty())
+        offers.clear();
+    else if (offer.file.isEmpty())
+        offers.remove(offer.name);
+    else if (offers.contains(offer.name) || offers.size() < maxOffers)
+        offers.insert(offer.name, std::move(file));
+}
 
 // From the gateway, once: the version of its program.
 struct GatewayMessage {

@@ -50,12 +50,7 @@ void RecipeFiles::takeOffer(const plant::OfferMessage& offer)
 {
     if (offer.kind != plant::OfferMessage::Kind::Recipe)
         return;
-    if (offer.name.isEmpty())
-        m_received.clear();
-    else if (offer.file.isEmpty())
-        m_received.remove(offer.name);
-    else if (m_received.contains(offer.name) || m_received.size() < plant::maxOffers)
-        m_received.insert(offer.name, {offer.file, QDateTime::currentDateTime()});
+    plant::applyOffer(m_received, offer, store::ReceivedFile{offer.file, QDateTime::currentDateTime()});
     if (!m_offerTimer.isActive()) // many offers must not delay it for ever
         m_offerTimer.start();
 }

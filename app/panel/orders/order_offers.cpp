@@ -27,12 +27,7 @@ void OrderOffers::takeOffer(const plant::OfferMessage& offer)
 {
     if (offer.kind != plant::OfferMessage::Kind::Order)
         return;
-    if (offer.name.isEmpty())
-        m_received.clear();
-    else if (offer.file.isEmpty())
-        m_received.remove(offer.name);
-    else if (m_received.contains(offer.name) || m_received.size() < plant::maxOffers)
-        m_received.insert(offer.name, offer.file);
+    plant::applyOffer(m_received, offer, offer.file);
     update();
 }
 
