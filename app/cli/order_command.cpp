@@ -20,6 +20,9 @@ using namespace Qt::StringLiterals;
 namespace campanel::cli {
 namespace {
 
+// The store knows no registers.
+static_assert(store::maxOrderedBags == modbus::maxOrderQuantity);
+
 using modbus::OrderAction;
 using modbus::OrderState;
 

@@ -18,7 +18,6 @@ namespace {
 
 const SignedForm orderForm{u"campanel-signed-order"_s, u"order"_s, u"machine"_s};
 
-constexpr double maxBags = 1'000'000; // that a controller counts, see modbus::maxOrderQuantity
 constexpr std::array actions{OrderRow::Action::None, OrderRow::Action::Message, OrderRow::Action::Stop};
 
 QByteArray textOf(const OrderRow& order)
@@ -37,7 +36,7 @@ tl::expected<OrderRow, FileError> orderIn(const QByteArray& text)
     std::optional<FileError> failure;
     ObjectReader reader(QJsonDocument::fromJson(text).object(), u"order."_s, failure);
     profile::FieldInfo bags;
-    bags.max = maxBags;
+    bags.max = maxOrderedBags;
     OrderRow order;
     order.text = reader.text(u"order"_s);
     order.lot = reader.text(u"lot"_s);

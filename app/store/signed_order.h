@@ -10,6 +10,9 @@
 
 namespace campanel::store {
 
+// The largest quantity: what a controller counts.
+inline constexpr qint64 maxOrderedBags = 1'000'000;
+
 struct SignedOrder {
     OrderRow order; // text, lot, recipe, quantity and what happens at it; the rest is as in a new one
     QString machine;
