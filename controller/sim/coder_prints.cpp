@@ -25,7 +25,7 @@ void CoderPrints::takePulse(double drawnMm)
 void CoderPrints::takeCut(const BagCut& cut, bool isPlaced)
 {
     m_cutMm = cut.drawnMm;
-    // Of several products in a bag the pulses follow one another.
+    // The pulses of several products in one bag follow one another.
     for (std::size_t i = 0; i < cut.products.size(); ++i) {
         ++m_products;
         m_bagged.push_back(isPlaced && i == 0 ? std::optional(cut.drawnMm - m_placeMm) : std::nullopt);

@@ -113,16 +113,10 @@ Sheet {
         onClicked: Frame.edit([sheet.field], 0, keypad, "")
     }
     covered: reasons.active
-    Loader {
+    SheetInPlace {
         id: reasons
-        parent: sheet
-        anchors.fill: parent
-        active: false
+        below: sheet
         source: "WindowReasonSheet.qml"
-    }
-    Connections {
-        target: reasons.item
-        function onClosed() { reasons.active = false }
     }
     ChangePicture {
         id: picture

@@ -55,16 +55,10 @@ Sheet {
         color: Theme.color.secondaryInk
     }
     covered: reasons.active
-    Loader {
+    SheetInPlace {
         id: reasons
-        parent: sheet
-        anchors.fill: parent
-        active: false
+        below: sheet
         source: "WindowReasonSheet.qml"
-    }
-    Connections {
-        target: reasons.item
-        function onClosed() { reasons.active = false }
     }
     Column {
         id: status

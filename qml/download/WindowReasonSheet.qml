@@ -37,16 +37,13 @@ ListPicker {
             sheet.give(sheet.choices.find(each => each.key === key)?.text ?? "")
     }
 
-    Loader {
+    SheetInPlace {
         id: typing
-        parent: sheet
-        anchors.fill: parent
-        active: false
+        below: sheet
         source: "WindowReasonText.qml"
     }
     Connections {
         target: typing.item
         function onAccepted(text: string) { sheet.give(text) }
-        function onClosed() { typing.active = false }
     }
 }

@@ -18,7 +18,7 @@ Card {
     readonly property bool tooFast: card.rate.shownValue > card.rate.possible
     readonly property color markColor: card.tooFast ? Theme.color.fault : isNaN(card.rate.possible) ? Theme.color.secondaryInk : Theme.color.touch
 
-    // Of a label over or under the bar, at a rate.
+    // Returns the left edge of a label that stands over or under the bar at this rate.
     function labelX(rate: real, width: real): real {
         return scale.x + Math.max(0, Math.min(scale.width - width, scale.place(rate) - width / 2))
     }

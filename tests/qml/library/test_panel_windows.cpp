@@ -76,7 +76,7 @@ private slots:
         QCOMPARE(download().state(), State::Transferring);
     }
 
-    // What is not applied leaves no reason behind.
+    // A change that is not applied leaves no reason behind.
     void anotherValueNeedsAnotherReason()
     {
         narrow();

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the machine builder put on the card: recipes and machine data of a new panel, the report of the boot.
+// The panel takes what the machine builder put on the card: recipes and machine data of a new panel, and the
+// report of the boot.
 #include "app/panel/library/builder_files.h"
 #include "app/panel/library/recipes.h"
 #include "tests/app/panel/panel_rig.h"
