@@ -81,6 +81,12 @@ struct Line {
             panel->start();
         return order().isOver();
     }
+    void download()
+    {
+        QTRY_COMPARE_WITH_TIMEOUT(machine().state(), Controller::State::Idle, timeoutMs);
+        panel->tap("nav_motion");
+        panel->download();
+    }
     void enterQuantity(const char* digits)
     {
         panel->tap("orderQuantity");
@@ -102,9 +108,7 @@ private slots:
     void aCutAndABagAreTakenByFinger()
     {
         Line line;
-        QTRY_COMPARE_WITH_TIMEOUT(line.machine().state(), Controller::State::Idle, timeoutMs);
-        line.panel->tap("nav_motion");
-        line.panel->download();
+        line.download();
         if (QTest::currentTestFailed())
             return;
         line.panel->tap("nav_run");
@@ -145,9 +149,7 @@ private slots:
     void anOrderEndsTheRunAndTheNextOneFollows()
     {
         Line line;
-        QTRY_COMPARE_WITH_TIMEOUT(line.machine().state(), Controller::State::Idle, timeoutMs);
-        line.panel->tap("nav_motion");
-        line.panel->download();
+        line.download();
         if (QTest::currentTestFailed())
             return;
         line.panel->tap("nav_run");
@@ -235,9 +237,7 @@ private slots:
     void anOfferedOrderIsTakenByFinger()
     {
         Line line;
-        QTRY_COMPARE_WITH_TIMEOUT(line.machine().state(), Controller::State::Idle, timeoutMs);
-        line.panel->tap("nav_motion");
-        line.panel->download();
+        line.download();
         if (QTest::currentTestFailed())
             return;
         line.panel->tap("nav_run");
@@ -276,9 +276,7 @@ private slots:
     {
         const int cases = std::max(3, qEnvironmentVariableIntValue("CAMPANEL_RANDOM_CASES"));
         Line line;
-        QTRY_COMPARE_WITH_TIMEOUT(line.machine().state(), Controller::State::Idle, timeoutMs);
-        line.panel->tap("nav_motion");
-        line.panel->download();
+        line.download();
         if (QTest::currentTestFailed())
             return;
         line.panel->editor().saveToFlash();
