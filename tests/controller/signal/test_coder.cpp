@@ -145,6 +145,7 @@ class TestCoder : public QObject {
 private slots:
     void eachProductAtItsPlace_data();
     void eachProductAtItsPlace();
+    void marksOnStretchedFilmTellThePlace();
     void followsTheHand_data();
     void followsTheHand();
     void noPulseIsLostOrDoubled_data();
@@ -185,6 +186,18 @@ void TestCoder::eachProductAtItsPlace()
     const CoderPrints& prints = line.prints;
     QVERIFY(prints.placed() > 100);
     QVERIFY2(prints.farthestMm() < allowedMm, qPrintable(QString::number(prints.farthestMm())));
+}
+
+// The film is longer than the program cuts it, by so much that a place by bag lengths alone would be off.
+void TestCoder::marksOnStretchedFilmTellThePlace()
+{
+    MachineOptions options = calm(Master::Clock);
+    options.film.stretch = 0.003;
+    Line line(options, Master::Clock, true, 400.0);
+    line.disturb(40);
+    line.run(400 * cycleUs);
+    QVERIFY(line.prints.placed() > 100);
+    QVERIFY2(line.prints.farthestMm() < allowedMm, qPrintable(QString::number(line.prints.farthestMm())));
 }
 
 void TestCoder::followsTheHand_data()
