@@ -10,7 +10,7 @@ import subprocess
 import sys
 import time
 
-from machine import DATA_PARTITION, Machine, add_test_shell, partition
+from machine import COMPUTERS, DATA_PARTITION, Machine, add_test_shell, partition
 from power_cuts import PowerCuts
 
 PATIENCE_S = 900  # without KVM, beside other work
@@ -25,6 +25,7 @@ class Check:
         self.options, self.failed = options, 0
         os.makedirs(options.folder, exist_ok=True)
         self.base = self.path("base.img")
+        self.computer = COMPUTERS[options.image.rsplit("-", 1)[1].split(".")[0]]
 
     def path(self, name):
         return os.path.join(self.options.folder, name)
@@ -36,7 +37,7 @@ class Check:
 
     def start(self, disk, **more):
         """Boots it and waits for the panel; the machine, and the seconds or None."""
-        machine = Machine(disk, self.options.folder, controller=self.path("line"), accel=self.options.accel, **more)
+        machine = Machine(self.computer, disk, self.options.folder, controller=self.path("line"), accel=self.options.accel, **more)
         return machine, machine.wait_for_panel(PATIENCE_S)
 
     def disk(self, name):
@@ -59,7 +60,7 @@ class Check:
 
     def unpack(self):
         subprocess.run(["zstd", "-q", "-d", "-f", self.options.image, "-o", self.base], check=True)
-        add_test_shell(self.base)
+        add_test_shell(self.base, self.computer["tty"])
         os.truncate(self.base, 2 << 30)  # a larger card
 
     def fill_card(self, disk, settings):
@@ -166,7 +167,7 @@ class Check:
         with open(entry) as file:
             text = file.read()
         with open(entry, "w") as file:
-            file.write(text.rstrip("\n") + " console=ttyS0 systemd.journald.forward_to_console=1\n")
+            file.write(text.rstrip("\n") + f" console={self.computer['tty']} systemd.journald.forward_to_console=1\n")
         subprocess.run(["mcopy", "-o", "-i", boot, entry, name], check=True)
         machine, seconds = self.start(disk)
         try:
@@ -206,7 +207,7 @@ class Check:
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("image", help="an image of packaging/image: campanel-...img.zst")
+    parser.add_argument("image", help="an image of packaging/image, with its name: campanel-VERSION-ARCHITECTURE.img.zst")
     parser.add_argument("folder", help="gets pictures, logs and disks (5 GB)")
     parser.add_argument("--bin", default="build/ci/bin", help="where campanel-controller is")
     parser.add_argument("--cuts", type=int, default=5, help="how many power cuts")

@@ -12,7 +12,15 @@ import subprocess
 import sys
 import time
 
-SHELL_UNIT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "test-shell.service")
+COMPUTERS = {
+    "amd64": {"tty": "ttyS0",
+              "command": ["qemu-system-x86_64", "-M", "q35", "-vga", "none"], "processor": "max", "screen": "virtio-vga",
+              "uefi": ("/usr/share/OVMF/OVMF_CODE_4M.fd", "/usr/share/OVMF/OVMF_VARS_4M.fd")},
+    "arm64": {"tty": "ttyAMA0",
+              "command": ["qemu-system-aarch64", "-M", "virt"], "processor": "cortex-a72", "screen": "virtio-gpu-pci",
+              "uefi": ("/usr/share/AAVMF/AAVMF_CODE.fd", "/usr/share/AAVMF/AAVMF_VARS.fd")},
+}
+SHELL_UNIT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "test-shell@.service")
 DATA_PARTITION = 3
 
 
@@ -22,16 +30,16 @@ def partition(image, number):
     return table[number - 1]["start"] * 512, table[number - 1]["size"] * 512
 
 
-def add_test_shell(image):
-    """Puts a root shell on the serial line into the data partition of a copy of an image. The image itself has none."""
+def add_test_shell(image, tty):
+    """Puts a root shell on a serial line into the data partition of a copy of an image. The image itself has none."""
     start, _ = partition(image, DATA_PARTITION)
     folders = ["system", "system/upper"] + ["system/upper/etc" + folder for folder in ("", "/systemd", "/systemd/system", "/systemd/system/sysinit.target.wants")]
     script = [f"mkdir /{folder}" for folder in folders]
     script.append("cd /system/upper/etc/systemd/system")
-    script.append(f"write {SHELL_UNIT} test-shell.service")
-    script.append("symlink sysinit.target.wants/test-shell.service ../test-shell.service")
+    script.append(f"write {SHELL_UNIT} test-shell@.service")
+    script.append(f"symlink sysinit.target.wants/test-shell@{tty}.service ../test-shell@.service")
     result = subprocess.run(["debugfs", "-w", "-f", "-", f"{image}?offset={start}"], input="\n".join(script) + "\n", text=True, capture_output=True)
-    if "test-shell.service" not in subprocess.run(["debugfs", "-R", "ls /system/upper/etc/systemd/system", f"{image}?offset={start}"],
+    if "test-shell@.service" not in subprocess.run(["debugfs", "-R", "ls /system/upper/etc/systemd/system", f"{image}?offset={start}"],
                                                   text=True, capture_output=True).stdout:
         sys.exit("the test shell cannot be added: " + result.stderr)
 
@@ -67,9 +75,9 @@ class Picture:
 
 
 class Machine:
-    """One boot. `folder` gets the pictures and the log of the serial line. The disk is written."""
+    """One boot of a computer of COMPUTERS. `folder` gets the pictures and the log of the serial line. The disk is written."""
 
-    def __init__(self, disk, folder, controller=None, size=(1024, 600), log=None, accel="tcg"):
+    def __init__(self, computer, disk, folder, controller=None, size=(1024, 600), log=None, accel="tcg"):
         self.folder, self.size, self.seen = folder, size, b""
         os.makedirs(folder, exist_ok=True)
         if log:  # with every write and flush in a file
@@ -78,11 +86,13 @@ class Machine:
         else:
             drive = f"driver=raw,node-name=disk,file.driver=file,file.filename={disk}"
         qmp, tty = os.path.join(folder, "qmp"), os.path.join(folder, "tty")
-        command = ["qemu-system-x86_64", "-M", "q35", "-cpu", "max" if accel == "tcg" else "host", "-accel", accel + (",thread=multi" if accel == "tcg" else ""),
-                   "-smp", "2", "-m", "1024", "-nic", "none", "-display", "none", "-monitor", "none", "-vga", "none",
-                   "-device", f"virtio-vga,xres={size[0]},yres={size[1]}",
-                   "-drive", "if=pflash,format=raw,readonly=on,file=/usr/share/OVMF/OVMF_CODE_4M.fd",
-                   "-drive", "if=pflash,format=raw,snapshot=on,file=/usr/share/OVMF/OVMF_VARS_4M.fd",
+        code, variables = computer["uefi"]
+        command = computer["command"] + [
+                   "-cpu", computer["processor"] if accel == "tcg" else "host", "-accel", accel + (",thread=multi" if accel == "tcg" else ""),
+                   "-smp", "2", "-m", "1024", "-nic", "none", "-display", "none", "-monitor", "none",
+                   "-device", f"{computer['screen']},xres={size[0]},yres={size[1]}",
+                   "-drive", f"if=pflash,format=raw,readonly=on,file={code}",
+                   "-drive", f"if=pflash,format=raw,snapshot=on,file={variables}",
                    "-blockdev", drive, "-device", "virtio-blk-pci,drive=disk,bootindex=0",
                    "-device", "virtio-tablet-pci", "-device", "virtio-rng-pci", "-device", "qemu-xhci",
                    "-qmp", f"unix:{qmp},server=on,wait=off", "-serial", f"unix:{tty},server=on,wait=off"]

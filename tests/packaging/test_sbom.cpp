@@ -146,14 +146,16 @@ private slots:
                                                  package("libkept", "install ok installed") +
                                                  package("removed", "deinstall ok config-files"));
         write(u"root/usr/share/doc/libkept/copyright"_s, "Files: *\nLicense: Expat\n");
+        write(u"root/usr/share/campanel-image/unpacked"_s, "installed raspi-firmware 1.20220830+ds-1 all\n");
         const QByteArray json = run({u"--root"_s, path(u"root"_s), u"system"_s, u"1.2.3"_s});
         QVERIFY2(!json.isEmpty(), qPrintable(m_errors));
-        QCOMPARE(components(json),
-                 (QSet<QString>{u"campanel CONTAINS"_s, u"libkept CONTAINS"_s, u"system DESCRIBES"_s}));
+        QCOMPARE(components(json), (QSet<QString>{u"campanel CONTAINS"_s, u"libkept CONTAINS"_s,
+                                                  u"raspi-firmware CONTAINS"_s, u"system DESCRIBES"_s}));
         for (const QJsonValue& each : QJsonDocument::fromJson(json).object()[u"packages"_s].toArray()) {
-            const bool isDebians = each[u"name"_s].toString() == u"libkept";
-            QCOMPARE(each[u"supplier"_s].toString() == u"Organization: Debian", isDebians);
-            if (isDebians)
+            const QString name = each[u"name"_s].toString();
+            QCOMPARE(each[u"supplier"_s].toString() == u"Organization: Debian",
+                     name == u"libkept" || name == u"raspi-firmware");
+            if (name == u"libkept")
                 QCOMPARE(each[u"licenseDeclared"_s].toString(), u"MIT"_s);
         }
         QVERIFY(run({u"--root"_s, path(u"nowhere"_s), u"system"_s, u"1.2.3"_s}).isEmpty());
