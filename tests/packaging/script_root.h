@@ -24,8 +24,9 @@ public:
     {
         QVERIFY(QDir(m_folder.path()).mkpath(QStringLiteral("bin")));
         for (const char* name :
-             {"apt-get", "campanelctl", "chown", "cp", "dpkg", "dpkg-deb", "dpkg-query", "loginctl", "mkdir",
-              "mountpoint", "mv", "pgrep", "pkill", "setpriv", "sleep", "sync", "systemctl", "tar"}) {
+             {"apt-get", "blockdev", "busctl",     "campanelctl", "chown", "cp",         "dd",
+              "dpkg",    "dpkg-deb", "dpkg-query", "loginctl",    "mkdir", "mountpoint", "mv",
+              "pgrep",   "pkill",    "setpriv",    "sleep",       "sync",  "systemctl",  "tar"}) {
             QVERIFY(QFile::link(sourcePath("tests/packaging/stand_in"),
                                 path(QStringLiteral("bin/") + QLatin1String(name))));
         }
