@@ -9,6 +9,7 @@
 #include "app/report/commissioning_pdf.h"
 #include "app/store/database/setup_marker.h"
 #include "app/store/files/private_files.h"
+#include "app/store/update/package_tools.h"
 
 #include <QBuffer>
 #include <QCoreApplication>
@@ -187,6 +188,8 @@ void Panel::open()
     m_trail.open();
     m_builderFiles.open(m_storage.builderFolder, m_storage.keyFolder, m_storage.complaints);
     m_update.open();
+    if (const auto image = store::imageIn(QStringLiteral("/etc/os-release")))
+        m_versions.setSystem(image->version);
     m_versions.open();
     m_touchCalibration.resume();
     if (m_hasBroker)

@@ -162,7 +162,7 @@ class Check:
             file.seek(start)
             file.write(os.urandom(size))
         boot = f"{disk}@@{partition(disk, 1)[0]}"
-        entry, name = self.path("campanel.conf"), "::/loader/entries/campanel.conf"
+        entry, name = self.path("campanel-a.conf"), "::/loader/entries/campanel-a.conf"
         subprocess.run(["mcopy", "-n", "-i", boot, name, entry], check=True)
         with open(entry) as file:
             text = file.read()

@@ -21,7 +21,7 @@ COMPUTERS = {
               "uefi": ("/usr/share/AAVMF/AAVMF_CODE.fd", "/usr/share/AAVMF/AAVMF_VARS.fd")},
 }
 SHELL_UNIT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "test-shell@.service")
-DATA_PARTITION = 3
+DATA_PARTITION = 4
 
 
 def partition(image, number):

@@ -136,6 +136,7 @@ constexpr std::array objectWords{
     Word{"simulated_faults", QT_TRANSLATE_NOOP("AuditWords", "simulated faults")},
     Word{"panel_software", QT_TRANSLATE_NOOP("AuditWords", "panel")},
     Word{"gateway_software", QT_TRANSLATE_NOOP("AuditWords", "gateway")},
+    Word{"system_software", QT_TRANSLATE_NOOP("AuditWords", "system")},
     Word{"controller_software", QT_TRANSLATE_NOOP("AuditWords", "controller")},
 };
 

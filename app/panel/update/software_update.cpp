@@ -35,7 +35,7 @@ SoftwareUpdate::SoftwareUpdate(Controller& controller, const QString& folder, QO
     , m_controller(controller)
     , m_bus{[] { return QDBusConnection::systemBus(); }, u"org.freedesktop.systemd1"_s}
     , m_scanner(&store::exchangePlaces)
-    , m_installed(&store::installedPackage)
+    , m_installed([] { return store::installedPackage(); })
 {
     m_timer.setInterval(pace);
     m_timer.setSingleShot(true);
@@ -215,11 +215,11 @@ QString SoftwareUpdate::question() const
     if (!m_chosen)
         return {};
     if (!m_chosen->request.package.isEmpty())
-        return tr("CamPanel %1 is replaced by %2. The panel closes for about a minute; the controller keeps "
+        return tr("CamPanel %1 is replaced by %2. The panel closes for some minutes; the controller keeps "
                   "its program. If the new version does not start, the panel puts %1 and its data back.")
             .arg(installedVersion(), store::shortVersion(m_chosen->version));
     if (m_seen.back && m_seen.back->schema == store::dataSchema())
-        return tr("CamPanel %1 is replaced by %2. The panel closes for about a minute. Recipes and records "
+        return tr("CamPanel %1 is replaced by %2. The panel closes for some minutes. Recipes and records "
                   "stay.")
             .arg(installedVersion(), store::shortVersion(m_chosen->version));
     return tr("CamPanel %1 is replaced by %2, which cannot read the present data. Recipes, users, settings "

@@ -91,6 +91,12 @@ void Versions::setGateway(const QString& version)
     update();
 }
 
+void Versions::setSystem(const QString& version)
+{
+    m_system = version;
+    update();
+}
+
 void Versions::noteSoftware(const QString& part, const QString& version)
 {
     if (!m_record || version.isEmpty() || m_record->software.value(part) == version)
@@ -145,6 +151,7 @@ void Versions::update()
     const QString panel = QCoreApplication::applicationVersion();
     noteSoftware(u"panel"_s, panel);
     noteSoftware(u"gateway"_s, m_gateway);
+    noteSoftware(u"system"_s, m_system);
     const auto& identity = m_controller.identity();
     if (identity && m_controller.isConnected())
         noteSoftware(u"controller"_s,
@@ -166,14 +173,18 @@ void Versions::update()
     const QString freeSpace =
         m_record ? tr("%1 GB free").arg(format.number(double(m_forecast.freeBytes) / bytesPerGigabyte, 1))
                  : QString();
-    m_rows.setRows({{tr("Panel"), known(panel.isEmpty() ? QString() : u"CamPanel "_s + panel), false},
-                    {tr("Gateway"), m_gateway.isEmpty() ? tr("unknown: not connected") : m_gateway, false},
-                    {tr("Controller"), known(controllerText()), false},
-                    {tr("Active program"), known(program), false},
-                    {tr("Generation"), known(table), false},
-                    {tr("Open recipe"), versionText(m_editor.recipeName(), m_editor.recipeVersion()), false},
-                    {tr("Disk"), known(freeSpace), m_forecast.isShort()},
-                    {tr("Growth"), growthText(), m_forecast.isShort()}});
+    QList<FigureRow> rows{{tr("Panel"), known(panel.isEmpty() ? QString() : u"CamPanel "_s + panel), false}};
+    if (!m_system.isEmpty())
+        rows << FigureRow{tr("System"), m_system, false};
+    rows << QList<FigureRow>{
+        {tr("Gateway"), m_gateway.isEmpty() ? tr("unknown: not connected") : m_gateway, false},
+        {tr("Controller"), known(controllerText()), false},
+        {tr("Active program"), known(program), false},
+        {tr("Generation"), known(table), false},
+        {tr("Open recipe"), versionText(m_editor.recipeName(), m_editor.recipeVersion()), false},
+        {tr("Disk"), known(freeSpace), m_forecast.isShort()},
+        {tr("Growth"), growthText(), m_forecast.isShort()}};
+    m_rows.setRows(rows);
     emit changed();
 }
 

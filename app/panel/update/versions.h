@@ -44,6 +44,8 @@ public:
 
     // Reads the record, and measures the disk at once and every six hours.
     void open();
+    // Sets the version of the image that the whole system is of; empty: the system is another one.
+    void setSystem(const QString& version);
     // Sets the version of the gateway that has connected; empty: none is connected.
     void setGateway(const QString& version);
 
@@ -74,6 +76,7 @@ private:
     std::optional<store::SystemRecord> m_record; // once it is read
     store::DiskForecast m_forecast;
     QString m_gateway;
+    QString m_system;
     FigureModel m_rows{this};
 };
 

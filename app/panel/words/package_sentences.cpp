@@ -39,7 +39,7 @@ QString PackageSentences::fault(const store::PackageFault& fault)
 QString PackageSentences::mismatch(const store::PackageId& package, const store::PackageId& installed)
 {
     if (package.name != installed.name)
-        return tr("This is the package %1, not CamPanel.").arg(package.name);
+        return tr("This is the package %1; this panel takes %2.").arg(package.name, installed.name);
     if (package.architecture != installed.architecture)
         return tr("This package is for computers of type %1; this panel has %2.")
             .arg(package.architecture, installed.architecture);
@@ -77,7 +77,7 @@ QString PackageSentences::shortFault(store::PackageFault::Kind kind)
 QString PackageSentences::shortMismatch(const store::PackageId& package, const store::PackageId& installed)
 {
     if (package.name != installed.name)
-        return tr("another program");
+        return tr("another package");
     if (package.architecture != installed.architecture)
         return tr("for another type of computer");
     const auto order = store::compareVersions(package.version, installed.version);
@@ -102,6 +102,11 @@ QString PackageSentences::failure(const QString& reason, const QString& detail)
             .arg(detail);
     if (reason == u"space")
         return tr("%1 MB of free space are needed on this panel.").arg(detail);
+    if (reason == u"too-large")
+        return tr("The system is larger than its place on the card. Write the new image to the card.");
+    if (reason == u"no-trial")
+        return tr("The firmware of this computer cannot start a system once, so there would be no way back. "
+                  "Write the new image to the card.");
     if (reason == u"busy")
         return tr("Another installation is under way on this panel. Wait until it has ended.");
     if (reason == u"processes")

@@ -36,7 +36,7 @@ QList<PackageOffer> offeredPackages(const QList<Place>& places, const QString& k
     CheckedPackages present;
     QList<PackageOffer> offers;
     for (const Place& place : places) {
-        const FolderFiles found = filesIn(place, u"campanel_*.deb"_s, maxFound);
+        const FolderFiles found = filesIn(place, u"campanel*_*.deb"_s, maxFound);
         if (!found.notice.isEmpty())
             offers << PackageOffer{place.path, place.name, tl::unexpected(PackageFault{}), found.notice};
         for (const QFileInfo& file : found.files) {

@@ -2,6 +2,7 @@
 #include "app/store/update/package_tools.h"
 
 #include "app/store/database/database.h"
+#include "app/store/files/files.h"
 #include "app/store/logs/trend_schema.h"
 
 #include <QProcess>
@@ -106,11 +107,32 @@ std::optional<PackageId> packageIn(const QString& path)
                                   u"--"_s, path});
 }
 
-std::optional<PackageId> installedPackage()
+std::optional<PackageId> installedPackage(const QString& osRelease)
 {
-    return idFrom(
-        u"dpkg-query"_s,
-        {u"--show"_s, u"--showformat=${Package}\\n${Version}\\n${Architecture}\\n"_s, u"campanel"_s});
+    auto id =
+        idFrom(u"dpkg-query"_s,
+               {u"--show"_s, u"--showformat=${Package}\\n${Version}\\n${Architecture}\\n"_s, u"campanel"_s});
+    const auto image = imageIn(osRelease);
+    if (id && image) {
+        id->name = image->name;
+        id->version = image->version;
+    }
+    return id;
+}
+
+std::optional<ImageId> imageIn(const QString& osRelease)
+{
+    const auto bytes = readBytes(osRelease);
+    if (!bytes)
+        return std::nullopt;
+    ImageId image;
+    for (const QString& line : QString::fromUtf8(*bytes).split(u'\n')) {
+        if (line.startsWith(u"IMAGE_ID="))
+            image.name = line.section(u'=', 1);
+        else if (line.startsWith(u"IMAGE_VERSION="))
+            image.version = line.section(u'=', 1);
+    }
+    return image.name == u"campanel-system" && !image.version.isEmpty() ? std::optional(image) : std::nullopt;
 }
 
 std::strong_ordering compareVersions(QStringView left, QStringView right)

@@ -118,6 +118,15 @@ private slots:
         QCOMPARE(rig.noted.first().after, u"1.3.0"_s);
     }
 
+    void theSystemOfAnImageIsAVersionToo()
+    {
+        VersionsRig rig;
+        QCOMPARE(rig.value(u"System"_s), u"no such row"_s);
+        rig.versions->setSystem(u"1.2.3-20260115"_s);
+        QCOMPARE(rig.value(u"System"_s), u"1.2.3-20260115"_s);
+        QCOMPARE(rig.noted.last().object, u"system_software"_s);
+    }
+
     void aDiskThatIsTooSmallIsSaid()
     {
         VersionsRig rig;
