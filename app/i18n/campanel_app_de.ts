@@ -1259,6 +1259,10 @@
         <source>Value outside its approved window</source>
         <translation>Wert außerhalb des freigegebenen Bereichs</translation>
     </message>
+    <message>
+        <source>system</source>
+        <translation>System</translation>
+    </message>
 </context>
 <context>
     <name>Availability</name>
@@ -2580,10 +2584,6 @@ eff. %2</translation>
         <translation>%1 ist beschädigt oder wurde nach dem Signieren geändert. Kopieren Sie die Datei neu.</translation>
     </message>
     <message>
-        <source>This is the package %1, not CamPanel.</source>
-        <translation>Dies ist das Paket %1, nicht CamPanel.</translation>
-    </message>
-    <message>
         <source>This package is for computers of type %1; this panel has %2.</source>
         <translation>Dieses Paket ist für Rechner vom Typ %1; dieses Panel hat %2.</translation>
     </message>
@@ -2626,10 +2626,6 @@ eff. %2</translation>
     <message>
         <source>damaged</source>
         <translation>beschädigt</translation>
-    </message>
-    <message>
-        <source>another program</source>
-        <translation>anderes Programm</translation>
     </message>
     <message>
         <source>for another type of computer</source>
@@ -2690,6 +2686,22 @@ eff. %2</translation>
     <message>
         <source>The files could not be read.</source>
         <translation>Die Dateien ließen sich nicht lesen.</translation>
+    </message>
+    <message>
+        <source>This is the package %1; this panel takes %2.</source>
+        <translation>Dies ist das Paket %1; dieses Panel nimmt %2.</translation>
+    </message>
+    <message>
+        <source>another package</source>
+        <translation>anderes Paket</translation>
+    </message>
+    <message>
+        <source>The system is larger than its place on the card. Make a backup, then write the new image to the card.</source>
+        <translation>Das System ist größer als sein Platz auf der Karte. Sichern Sie die Daten und schreiben Sie dann das neue Abbild auf die Karte.</translation>
+    </message>
+    <message>
+        <source>The firmware of this computer cannot start a system once, so there would be no way back. Make a backup, then write the new image to the card.</source>
+        <translation>Die Firmware dieses Computers kann ein System nicht nur einmal starten, es gäbe also keinen Weg zurück. Sichern Sie die Daten und schreiben Sie dann das neue Abbild auf die Karte.</translation>
     </message>
 </context>
 <context>
@@ -9126,14 +9138,6 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
         <translation>Zurück zu %1</translation>
     </message>
     <message>
-        <source>CamPanel %1 is replaced by %2. The panel closes for about a minute; the controller keeps its program. If the new version does not start, the panel puts %1 and its data back.</source>
-        <translation>CamPanel %1 wird durch %2 ersetzt. Das Panel schließt für etwa eine Minute; die Steuerung behält ihr Programm. Startet die neue Version nicht, stellt das Panel %1 mit seinen Daten wieder her.</translation>
-    </message>
-    <message>
-        <source>CamPanel %1 is replaced by %2. The panel closes for about a minute. Recipes and records stay.</source>
-        <translation>CamPanel %1 wird durch %2 ersetzt. Das Panel schließt für etwa eine Minute. Rezepte und Aufzeichnungen bleiben.</translation>
-    </message>
-    <message>
         <source>CamPanel %1 is replaced by %2, which cannot read the present data. Recipes, users, settings and records become those of %3; what was saved since then is put aside on this panel.</source>
         <translation>CamPanel %1 wird durch %2 ersetzt, das die jetzigen Daten nicht lesen kann. Rezepte, Benutzer, Einstellungen und Aufzeichnungen werden die vom %3; was seither gespeichert wurde, wird auf diesem Panel beiseitegelegt.</translation>
     </message>
@@ -9175,6 +9179,14 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
     <message>
         <source>Back from %1 to %2.</source>
         <translation>Von %1 zurück zu %2.</translation>
+    </message>
+    <message>
+        <source>CamPanel %1 is replaced by %2. The panel closes for some minutes; the controller keeps its program. If the new version does not start, the panel puts %1 and its data back.</source>
+        <translation>CamPanel %1 wird durch %2 ersetzt. Das Panel schließt für einige Minuten; die Steuerung behält ihr Programm. Startet die neue Version nicht, stellt das Panel %1 mit seinen Daten wieder her.</translation>
+    </message>
+    <message>
+        <source>CamPanel %1 is replaced by %2. The panel closes for some minutes. Recipes and records stay.</source>
+        <translation>CamPanel %1 wird durch %2 ersetzt. Das Panel schließt für einige Minuten. Rezepte und Aufzeichnungen bleiben.</translation>
     </message>
 </context>
 <context>
@@ -9519,6 +9531,10 @@ Sie ersetzt Rezepte, Maschinendaten, Benutzer mit PINs, Alarme, Protokoll, Beute
         <source>%1, not saved</source>
         <comment>recipe</comment>
         <translation>%1, nicht gespeichert</translation>
+    </message>
+    <message>
+        <source>System</source>
+        <translation>System</translation>
     </message>
 </context>
 <context>

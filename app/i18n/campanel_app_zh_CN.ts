@@ -1259,6 +1259,10 @@
         <source>Value outside its approved window</source>
         <translation>数值超出批准范围</translation>
     </message>
+    <message>
+        <source>system</source>
+        <translation>系统</translation>
+    </message>
 </context>
 <context>
     <name>Availability</name>
@@ -2578,10 +2582,6 @@ RMS %2</source>
         <translation>%1 已损坏，或签名后被修改。请重新复制该文件。</translation>
     </message>
     <message>
-        <source>This is the package %1, not CamPanel.</source>
-        <translation>这是软件包 %1，不是 CamPanel。</translation>
-    </message>
-    <message>
         <source>This package is for computers of type %1; this panel has %2.</source>
         <translation>此软件包适用于 %1 型计算机；本面板为 %2。</translation>
     </message>
@@ -2624,10 +2624,6 @@ RMS %2</source>
     <message>
         <source>damaged</source>
         <translation>已损坏</translation>
-    </message>
-    <message>
-        <source>another program</source>
-        <translation>其他程序</translation>
     </message>
     <message>
         <source>for another type of computer</source>
@@ -2688,6 +2684,22 @@ RMS %2</source>
     <message>
         <source>The files could not be read.</source>
         <translation>无法读取文件。</translation>
+    </message>
+    <message>
+        <source>This is the package %1; this panel takes %2.</source>
+        <translation>这是软件包 %1；此面板使用 %2。</translation>
+    </message>
+    <message>
+        <source>another package</source>
+        <translation>其他软件包</translation>
+    </message>
+    <message>
+        <source>The system is larger than its place on the card. Make a backup, then write the new image to the card.</source>
+        <translation>系统大于存储卡上的预留空间。请先备份，再将新映像写入存储卡。</translation>
+    </message>
+    <message>
+        <source>The firmware of this computer cannot start a system once, so there would be no way back. Make a backup, then write the new image to the card.</source>
+        <translation>此计算机的固件不能只启动一次新系统，因此无法返回旧版本。请先备份，再将新映像写入存储卡。</translation>
     </message>
 </context>
 <context>
@@ -9121,14 +9133,6 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
         <translation>恢复到 %1</translation>
     </message>
     <message>
-        <source>CamPanel %1 is replaced by %2. The panel closes for about a minute; the controller keeps its program. If the new version does not start, the panel puts %1 and its data back.</source>
-        <translation>CamPanel %1 将替换为 %2。面板将关闭约一分钟；控制器保留其程序。如果新版本无法启动，面板将恢复 %1 及其数据。</translation>
-    </message>
-    <message>
-        <source>CamPanel %1 is replaced by %2. The panel closes for about a minute. Recipes and records stay.</source>
-        <translation>CamPanel %1 将替换为 %2。面板将关闭约一分钟。配方和记录保留不变。</translation>
-    </message>
-    <message>
         <source>CamPanel %1 is replaced by %2, which cannot read the present data. Recipes, users, settings and records become those of %3; what was saved since then is put aside on this panel.</source>
         <translation>CamPanel %1 将替换为 %2，后者无法读取当前数据。配方、用户、设置和记录将恢复为 %3 的状态；此后保存的内容将另存在本面板上。</translation>
     </message>
@@ -9170,6 +9174,14 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
     <message>
         <source>Back from %1 to %2.</source>
         <translation>已从 %1 恢复到 %2。</translation>
+    </message>
+    <message>
+        <source>CamPanel %1 is replaced by %2. The panel closes for some minutes; the controller keeps its program. If the new version does not start, the panel puts %1 and its data back.</source>
+        <translation>CamPanel %1 将替换为 %2。面板将关闭几分钟；控制器保留其程序。如果新版本无法启动，面板将恢复 %1 及其数据。</translation>
+    </message>
+    <message>
+        <source>CamPanel %1 is replaced by %2. The panel closes for some minutes. Recipes and records stay.</source>
+        <translation>CamPanel %1 将替换为 %2。面板将关闭几分钟。配方和记录保留不变。</translation>
     </message>
 </context>
 <context>
@@ -9514,6 +9526,10 @@ It replaces recipes, machine data, users with their PINs, alarms, audit trail, b
         <source>%1, not saved</source>
         <comment>recipe</comment>
         <translation>%1，未保存</translation>
+    </message>
+    <message>
+        <source>System</source>
+        <translation>系统</translation>
     </message>
 </context>
 <context>

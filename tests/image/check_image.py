@@ -101,7 +101,7 @@ class Check:
             self.report("kiosk", machine.wait_for("systemctl is-active campanel-kiosk", "active"), machine.shell("campanel-kiosk status"))
             self.report("no unit has failed", machine.shell("systemctl --failed --no-legend") == "", machine.shell("systemctl --failed --no-legend"))
             size = int(machine.shell("df --output=size -m /run/campanel-data | tail -n 1"))
-            self.report("the data partition has grown", size > 1000, f"{size} MB")
+            self.report("the data partition has grown", size > 600, f"{size} MB")
             mounts = machine.shell("grep -E ' (/|/run/campanel-base|/run/campanel-data) ' /proc/mounts")
             self.report("the system is read-only", " / overlay " in mounts and "/run/campanel-base squashfs ro" in mounts and "/run/campanel-data ext4 rw" in mounts)
             self.report("no login, no open port", machine.shell(
@@ -184,7 +184,15 @@ class Check:
             machine.cut()
         os.remove(disk)
 
+    def check(self):
+        self.unpack()
+        self.boot()
+        if not self.failed:
+            self.power_cuts()
+            self.without_data()
+
     def run(self):
+        """Runs the check beside a simulated controller; the status of the program."""
         controller = subprocess.Popen([os.path.join(self.options.bin, "campanel-controller"), "--link", self.path("line"), "--state", self.path("controller")],
                                       stdout=subprocess.DEVNULL)
         try:
@@ -192,16 +200,13 @@ class Check:
                 time.sleep(0.1)
                 if controller.poll() is not None:
                     sys.exit("the simulated controller has ended")
-            self.unpack()
-            self.boot()
-            if not self.failed:
-                self.power_cuts()
-                self.without_data()
+            self.check()
         finally:
             controller.terminate()
         if not self.failed:
-            os.remove(self.base)
-            os.remove(self.path("writes.log"))
+            for name in os.listdir(self.options.folder):
+                if name.endswith((".img", ".deb", "writes.log", "update.log")):
+                    os.remove(self.path(name))
         return 1 if self.failed else 0
 
 

@@ -75,9 +75,10 @@ class Picture:
 
 
 class Machine:
-    """One boot of a computer of COMPUTERS. `folder` gets the pictures and the log of the serial line. The disk is written."""
+    """A computer of COMPUTERS from power-on to its cut. `folder` gets the pictures and the log of the serial line. The disk is written, and so is
+    the file with the firmware's variables, if there is one. `stick` is the disk of a stick that is not plugged in yet."""
 
-    def __init__(self, computer, disk, folder, controller=None, size=(1024, 600), log=None, accel="tcg"):
+    def __init__(self, computer, disk, folder, controller=None, size=(1024, 600), log=None, accel="tcg", variables=None, stick=None):
         self.folder, self.size, self.seen = folder, size, b""
         os.makedirs(folder, exist_ok=True)
         if log:  # with every write and flush in a file
@@ -86,18 +87,20 @@ class Machine:
         else:
             drive = f"driver=raw,node-name=disk,file.driver=file,file.filename={disk}"
         qmp, tty = os.path.join(folder, "qmp"), os.path.join(folder, "tty")
-        code, variables = computer["uefi"]
+        code, fresh = computer["uefi"]
         command = computer["command"] + [
                    "-cpu", computer["processor"] if accel == "tcg" else "host", "-accel", accel + (",thread=multi" if accel == "tcg" else ""),
                    "-smp", "2", "-m", "1024", "-nic", "none", "-display", "none", "-monitor", "none",
                    "-device", f"{computer['screen']},xres={size[0]},yres={size[1]}",
                    "-drive", f"if=pflash,format=raw,readonly=on,file={code}",
-                   "-drive", f"if=pflash,format=raw,snapshot=on,file={variables}",
+                   "-drive", f"if=pflash,format=raw,file={variables}" if variables else f"if=pflash,format=raw,snapshot=on,file={fresh}",
                    "-blockdev", drive, "-device", "virtio-blk-pci,drive=disk,bootindex=0",
                    "-device", "virtio-tablet-pci", "-device", "virtio-rng-pci", "-device", "qemu-xhci",
                    "-qmp", f"unix:{qmp},server=on,wait=off", "-serial", f"unix:{tty},server=on,wait=off"]
         if controller:
             command += ["-chardev", f"serial,id=line,path={os.path.realpath(controller)}", "-device", "usb-serial,chardev=line"]
+        if stick:
+            command += ["-blockdev", f"driver=raw,node-name=stick,file.driver=file,file.filename={stick}"]
         self.began = time.time()
         with open(os.path.join(folder, "qemu.log"), "w") as errors:
             self.process = subprocess.Popen(command, stdin=subprocess.DEVNULL, stderr=errors)
@@ -131,6 +134,12 @@ class Machine:
                 raise RuntimeError(answer["error"]["desc"])
             if "return" in answer:
                 return answer["return"]
+
+    def plug_stick(self):
+        self.ask("device_add", driver="usb-storage", drive="stick", id="stick", removable=True)
+
+    def pull_stick(self):
+        self.ask("device_del", id="stick")
 
     def picture(self, save_as=None):
         """What the screen shows; also as NAME.png in the folder."""

@@ -29,19 +29,22 @@ def entries_of(log):
 
 
 class PowerCuts:
-    """`base` is the disk before the run, `log` the log of it."""
+    """`base` is the disk before the run, `log` the log of it. The cuts come at a write behind the byte `start` of the disk, in the later
+    half of the run or in all of it."""
 
-    def __init__(self, base, log, folder):
+    def __init__(self, base, log, folder, start=None, later_half=True):
         self.base, self.log, self.folder = base, log, folder
         self.entries = entries_of(log)
-        start, _ = partition(base, DATA_PARTITION)
+        if start is None:
+            start, _ = partition(base, DATA_PARTITION)
         self.writes = [i for i, (place, length, flags, _) in enumerate(self.entries) if length and place >= start and not flags & (DISCARD | MARK)]
+        self.moments = self.writes[len(self.writes) // 2:] if later_half else self.writes
         self.flushes = sum(1 for entry in self.entries if entry[2] & FLUSH)
 
     def make(self, disk, chance):
-        """Writes the disk after a cut in the later half of the run; returns how many blocks were lost and how many were unsure."""
+        """Writes the disk after a cut; returns how many blocks were lost and how many were unsure."""
         subprocess.run(["cp", "--sparse=always", self.base, disk], check=True)
-        moment = chance.choice(self.writes[len(self.writes) // 2:])
+        moment = chance.choice(self.moments)
         last_flush = max((i for i in range(moment) if self.entries[i][2] & FLUSH), default=0)
         lost = unsure = 0
         with open(self.log, "rb") as source, open(disk, "r+b") as target:

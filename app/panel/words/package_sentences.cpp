@@ -103,10 +103,11 @@ QString PackageSentences::failure(const QString& reason, const QString& detail)
     if (reason == u"space")
         return tr("%1 MB of free space are needed on this panel.").arg(detail);
     if (reason == u"too-large")
-        return tr("The system is larger than its place on the card. Write the new image to the card.");
+        return tr("The system is larger than its place on the card. Make a backup, then write the new image "
+                  "to the card.");
     if (reason == u"no-trial")
         return tr("The firmware of this computer cannot start a system once, so there would be no way back. "
-                  "Write the new image to the card.");
+                  "Make a backup, then write the new image to the card.");
     if (reason == u"busy")
         return tr("Another installation is under way on this panel. Wait until it has ended.");
     if (reason == u"processes")
