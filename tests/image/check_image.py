@@ -154,24 +154,21 @@ class Check:
                     machine.cut()
             os.remove(disk)
 
-    def without_data(self):
-        """The data partition is overwritten, the test shell with it; so the kernel is told to send the log to the serial line."""
+    def without_data(self, name, lose):
+        """`lose` takes the data partition away, and with it the test shell; so the kernel is told to send the log to the serial line."""
         disk = self.disk("no-data.img")
-        start, size = partition(disk, DATA_PARTITION)
-        with open(disk, "r+b") as file:
-            file.seek(start)
-            file.write(os.urandom(size))
         boot = f"{disk}@@{partition(disk, 1)[0]}"
-        entry, name = self.path("campanel-a.conf"), "::/loader/entries/campanel-a.conf"
-        subprocess.run(["mcopy", "-n", "-i", boot, name, entry], check=True)
+        entry, place = self.path("campanel-a.conf"), "::/loader/entries/campanel-a.conf"
+        subprocess.run(["mcopy", "-n", "-i", boot, place, entry], check=True)
         with open(entry) as file:
             text = file.read()
         with open(entry, "w") as file:
             file.write(text.rstrip("\n") + f" console={self.computer['tty']} systemd.journald.forward_to_console=1\n")
-        subprocess.run(["mcopy", "-o", "-i", boot, entry, name], check=True)
+        subprocess.run(["mcopy", "-o", "-i", boot, entry, place], check=True)
+        lose(disk)
         machine, seconds = self.start(disk)
         try:
-            self.report("opens the panel without its data", seconds is not None, seconds and f"picture after {seconds:.0f} s")
+            self.report(f"opens the panel {name}", seconds is not None, seconds and f"picture after {seconds:.0f} s")
             said = []
             end = time.time() + 300
             while not said and time.time() < end:
@@ -179,17 +176,25 @@ class Check:
                 said = [line.strip() for line in machine.seen.decode(errors="replace").splitlines() if "data cannot be used" in line]
             self.report("says so", bool(said), "".join(said[:1]))
             machine.drain(5)
-            machine.picture("no-data")
+            machine.picture(name.replace(" ", "-"))
         finally:
             machine.cut()
         os.remove(disk)
+
+    @staticmethod
+    def overwrite_data(disk):
+        start, size = partition(disk, DATA_PARTITION)
+        with open(disk, "r+b") as file:
+            file.seek(start)
+            file.write(os.urandom(size))
 
     def check(self):
         self.unpack()
         self.boot()
         if not self.failed:
             self.power_cuts()
-            self.without_data()
+            self.without_data("without its data", self.overwrite_data)
+            self.without_data("on a card that is too small", lambda disk: os.truncate(disk, 1_000_000_000))
 
     def run(self):
         """Runs the check beside a simulated controller; the status of the program."""

@@ -24,7 +24,7 @@ inline QString makePackage(const QString& folder, const QString& version,
                            const QString& name = QStringLiteral("campanel"))
 {
     const QString tree = folder + QStringLiteral("/tree");
-    const QString path = QStringLiteral("%1/campanel_%2_%3.deb").arg(folder, version, architecture);
+    const QString path = QStringLiteral("%1/%2_%3_%4.deb").arg(folder, name, version, architecture);
     const QString control =
         QStringLiteral("Package: %1\nVersion: %2\nArchitecture: %3\nMaintainer: test <t@t>\n"
                        "Description: test\n")

@@ -29,9 +29,10 @@ class TestSoftwareUpdate : public QObject {
 
     QString path(const QString& name) { return m_rig->folder.filePath(name); }
     void write(const QString& name, const QByteArray& bytes) { QVERIFY(test::writeFile(path(name), bytes)); }
-    void addPackage(const QString& version, const QString& architecture = u"amd64"_s)
+    void addPackage(const QString& version, const QString& architecture = u"amd64"_s,
+                    const QString& name = u"campanel"_s)
     {
-        const QString package = test::makePackage(path(u"stick"_s), version, architecture);
+        const QString package = test::makePackage(path(u"stick"_s), version, architecture, name);
         QVERIFY(!package.isEmpty() && test::signPackage(package, m_anna));
     }
     void writeOutcome(const QString& kind, const QString& result, const QString& reason = {},
@@ -112,6 +113,21 @@ private slots:
             QVERIFY2(!row(title).usable, qPrintable(title));
             QVERIFY2(row(title).detail.contains(reason), qPrintable(row(title).detail));
         }
+    }
+
+    void anImageTakesWholeSystemsOnly()
+    {
+        m_update->setInstalled([] {
+            return store::PackageId{u"campanel-system"_s, u"1.1.0-20260101"_s, u"amd64"_s};
+        });
+        addPackage(u"1.1.0-20260201"_s, u"amd64"_s, u"campanel-system"_s);
+        addPackage(u"1.2.3+deb12"_s);
+        scan();
+        QVERIFY(row(u"CamPanel 1.1.0-20260201"_s).usable);
+        QCOMPARE(row(u"CamPanel 1.2.3"_s).detail,
+                 u"This is the package campanel; this panel takes campanel-system."_s);
+        m_update->choose(0);
+        QCOMPARE(m_update->actionText(), u"Update to 1.1.0-20260201"_s);
     }
 
     void aMovingMachineIsNotUpdated()
