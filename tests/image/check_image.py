@@ -198,6 +198,8 @@ class Check:
 
     def run(self):
         """Runs the check beside a simulated controller; the status of the program."""
+        if os.path.lexists(self.path("line")):
+            os.remove(self.path("line"))  # of a run that was killed
         controller = subprocess.Popen([os.path.join(self.options.bin, "campanel-controller"), "--link", self.path("line"), "--state", self.path("controller")],
                                       stdout=subprocess.DEVNULL)
         try:
