@@ -17,6 +17,8 @@ namespace {
 
 const QString home = u"var/lib/campanel-update/"_s;
 const QString data = u"var/lib/campanel/"_s;
+const QString variable =
+    u"sys/firmware/efi/efivars/LoaderEntryOneShot-4a67b082-0a4c-41cf-b6c7-440b29bb8c4f"_s;
 const QString loader = u"run/campanel-boot/loader/loader.conf"_s;
 
 QByteArray system(const QByteArray& version)
@@ -50,7 +52,8 @@ struct Computer : ScriptRoot {
         write(u"run/campanel-boot/tryboot.txt"_s, "arm_64bit=1\nos_prefix=b/\n");
         write(u"run/campanel-boot/a/linux"_s, "kernel 2.0");
         write(data + u"recipes"_s, "2.0");
-        QVERIFY(QDir(path({})).mkpath(u"usr/libexec/campanel-card"_s));
+        QVERIFY(QDir(path({})).mkpath(u"usr/libexec/campanel-card"_s) &&
+                QDir(path({})).mkpath(QFileInfo(variable).path()));
         QVERIFY(
             QFile::link(campanel::test::sourcePath("packaging/card/files/usr/libexec/campanel-card/system"),
                         path(u"usr/libexec/campanel-card/system"_s)));
@@ -94,7 +97,8 @@ struct Computer : ScriptRoot {
     // gone.
     void boot(bool keepsRequest = true)
     {
-        const QByteArray once = value(read(u"reboots"_s), u"campanel-(.)\\.conf"_s);
+        const QByteArray once = value(read(variable).replace('\0', ""), u"^\\x07campanel-(.)\\.conf$"_s);
+        QFile::remove(path(variable));
         start(keepsRequest && !once.isEmpty() ? once : everyBoot());
     }
     // A new version changes the data at its first start.
@@ -136,8 +140,8 @@ private slots:
         Computer computer;
         computer.request();
         computer.runUpdate();
-        QVERIFY2(computer.read(u"reboots"_s).contains("--boot-loader-entry=campanel-b.conf"),
-                 computer.read(u"log"_s));
+        QVERIFY2(computer.exists(u"reboots"_s) && computer.exists(variable), computer.read(u"log"_s));
+        QCOMPARE(computer.read(variable).size(), 4 + 2 * 16);
         QCOMPARE(computer.everyBoot(), "a"_ba);
         computer.toTheEnd();
         QVERIFY2(computer.told() == "done ", computer.read(u"log"_s));
@@ -187,21 +191,27 @@ private slots:
 
     void refusals_data()
     {
-        QTest::addColumn<QString>("told");
-        for (const char* told : {"no-trial", "too-large", "signature", "package"})
-            QTest::newRow(told) << QString::fromLatin1(told);
+        QTest::addColumn<QString>("reason");
+        QTest::newRow("another boot loader") << u"no-trial"_s;
+        QTest::newRow("no variables") << u"no-trial"_s;
+        QTest::newRow("large bundle") << u"too-large"_s;
+        QTest::newRow("stranger") << u"signature"_s;
+        QTest::newRow("older version") << u"package"_s;
     }
     void refusals()
     {
-        QFETCH(QString, told);
+        QFETCH(QString, reason);
+        const QByteArray row = QTest::currentDataTag();
         Computer computer;
-        computer.request(told == u"package" ? "1.0" : "3.0", told == u"too-large" ? 100 : 8);
-        if (told == u"no-trial")
+        computer.request(row == "older version" ? "1.0" : "3.0", row == "large bundle" ? 100 : 8);
+        if (row == "another boot loader")
             computer.write(u"can-try"_s, "s \"na\"\n");
-        if (told == u"signature")
+        if (row == "no variables")
+            QVERIFY(QDir(computer.path({})).rmdir(QFileInfo(variable).path()));
+        if (row == "stranger")
             computer.write(data + u"update/package.deb.sig"_s, "another's");
         computer.runUpdate();
-        QCOMPARE(computer.told(), "refused " + told.toUtf8());
+        QCOMPARE(computer.told(), "refused " + reason.toUtf8());
         QVERIFY(!computer.exists(u"reboots"_s) && !computer.exists(home + u"unfinished"_s));
         QCOMPARE(computer.read(Computer::partition("b")), QByteArray(20'000, '\0'));
     }
