@@ -55,7 +55,13 @@ int memcmp(const void* one, const void* other, size_t size)
 {
     const uint8_t* left = one;
     const uint8_t* right = other;
-    for (size_t i = 0; i < size; ++i) {
+    size_t i = 0;
+    if (is_aligned(one, other)) {
+        while (i + sizeof(word) <= size &&
+               *(const word*)(const void*)&left[i] == *(const word*)(const void*)&right[i])
+            i += sizeof(word);
+    }
+    for (; i < size; ++i) {
         if (left[i] != right[i])
             return left[i] < right[i] ? -1 : 1;
     }
