@@ -71,14 +71,46 @@ uint32_t ctl_ramp_down(ctl_ramp* ramp, uint32_t ticks)
     return travel(ramp, ramp->speed - falling, falling);
 }
 
+/* The root of 32 bits, rounded down, and *rest, which is left of the square. */
+static uint32_t short_root(uint32_t square, uint32_t* rest)
+{
+    uint32_t root = 0;
+    for (uint32_t bit = (uint32_t)1 << 30; bit != 0; bit >>= 2) {
+        const uint32_t sum = root + bit;
+        root >>= 1;
+        if (square >= sum) {
+            square -= sum;
+            root += bit;
+        }
+    }
+    *rest = square;
+    return root;
+}
+
+/* The lower half of the root is the rest by twice the upper half, or one less (P. Zimmermann, Karatsuba
+ * square root). */
 uint32_t ctl_square_root(uint64_t square)
 {
-    uint64_t root = 0;
-    for (uint64_t bit = (uint64_t)1 << 31; bit != 0; bit >>= 1) {
-        if ((root + bit) * (root + bit) <= square)
-            root += bit;
+    uint32_t rest = 0;
+    uint32_t shift = 0;
+    if (square <= UINT32_MAX)
+        return short_root((uint32_t)square, &rest);
+    for (uint32_t bits = 8; bits != 0; bits >>= 1) {
+        if (square >> (64u - 2u * bits) == 0) {
+            square <<= 2u * bits;
+            shift += bits;
+        }
     }
-    return (uint32_t)root;
+    const uint32_t upper = short_root((uint32_t)(square >> 32), &rest);
+    const uint32_t low = (uint32_t)square;
+    const uint32_t half = (rest << 15) + (low >> 17);
+    uint32_t lower = half / upper;
+    if (lower > UINT16_MAX)
+        return (upper << 16 | UINT16_MAX) >> shift;
+    const uint32_t left = half % upper << 1 | (low >> 16 & 1u);
+    if (left <= UINT16_MAX && (left << 16 | (low & UINT16_MAX)) < lower * lower)
+        return ((upper << 16) + lower - 1u) >> shift;
+    return ((upper << 16) + lower) >> shift;
 }
 
 /* 2 x^3 - x^4 of x in 1 / 2^15. */
@@ -139,16 +171,14 @@ uint32_t ctl_ramp_speed_after(const ctl_ramp* ramp, uint32_t way)
 {
     if (ramp->led)
         return led_speed_at(ramp, ramp->way + way);
-    const uint64_t square = (uint64_t)ramp->speed * ramp->speed;
-    const uint64_t change = 2u * (uint64_t)ramp->full * way;
     if (ramp->speed == ramp->limit)
         return ramp->speed;
-    if (ramp->speed > ramp->limit) {
-        const uint32_t slower = square > change ? ctl_square_root(square - change) : 0u;
-        return slower > ramp->limit ? slower : ramp->limit;
-    }
-    const uint32_t faster = ctl_square_root(square + change);
-    return faster < ramp->limit ? faster : ramp->limit;
+    const uint64_t square = (uint64_t)ramp->speed * ramp->speed;
+    const uint64_t change = 2u * (uint64_t)ramp->full * way;
+    const uint64_t end = (uint64_t)ramp->limit * ramp->limit;
+    if (ramp->speed > ramp->limit)
+        return square > end + change ? ctl_square_root(square - change) : ramp->limit;
+    return square + change < end ? ctl_square_root(square + change) : ramp->limit;
 }
 
 uint64_t ctl_ramp_stopping_way(const ctl_ramp* ramp)
@@ -156,11 +186,14 @@ uint64_t ctl_ramp_stopping_way(const ctl_ramp* ramp)
     return (uint64_t)ramp->speed * ramp->speed / (2u * (uint64_t)ramp->full);
 }
 
-uint32_t ctl_ramp_speed_before(const ctl_ramp* ramp, uint64_t way, uint32_t end)
+uint32_t ctl_ramp_speed_before(const ctl_ramp* ramp, uint64_t way, uint32_t end, uint32_t most)
 {
-    if (ramp->led)
-        return led_speed_at(ramp, way);
-    return ctl_square_root((uint64_t)end * end + 2u * (uint64_t)ramp->full * way);
+    if (ramp->led) {
+        const uint32_t speed = led_speed_at(ramp, way);
+        return speed < most ? speed : most;
+    }
+    const uint64_t square = (uint64_t)end * end + 2u * (uint64_t)ramp->full * way;
+    return square < (uint64_t)most * most ? ctl_square_root(square) : most;
 }
 
 bool ctl_ramp_can_land(const ctl_ramp* ramp, uint64_t remaining)
@@ -265,16 +298,16 @@ uint32_t ctl_ramp_land(ctl_ramp* ramp, uint32_t ticks, uint64_t remaining, uint3
         limit = ramp->limit;
     if (ramp->s_curve)
         return land_s(ramp, ticks, remaining, limit);
+    uint32_t end = ramp->speed;
+    if (end < limit)
+        end = limit - end < ticks ? limit : end + ticks;
     /* Speed from which the ramp ends exactly there: v = sqrt(2 a d). */
-    const uint32_t curve = ctl_ramp_speed_before(ramp, remaining, 0);
+    const uint32_t curve = ctl_ramp_speed_before(ramp, remaining, 0, end + ticks + 1u);
     if (curve <= ticks) {
         ramp->speed = 0;
         ramp->rest = 0;
         return (uint32_t)remaining;
     }
-    uint32_t end = ramp->speed;
-    if (end < limit)
-        end = limit - end < ticks ? limit : end + ticks;
     if (end > curve - ticks)
         end = curve - ticks;
     const uint32_t travelled = travel(ramp, end, ticks);
@@ -326,9 +359,9 @@ uint32_t ctl_ramp_approach(ctl_ramp* ramp, uint32_t ticks, uint64_t remaining, u
     if (ramp->s_curve)
         return approach_s(ramp, ticks, remaining, end);
     /* Speed from which the ramp comes down to `end` exactly there: v = sqrt(end^2 + 2 a d). */
-    const uint32_t curve = ctl_ramp_speed_before(ramp, remaining, end);
-    const uint32_t limit = curve < end + ticks ? end : curve - ticks;
     const uint32_t next = nearer_to_limit(ramp, ticks);
+    const uint32_t curve = ctl_ramp_speed_before(ramp, remaining, end, next + ticks);
+    const uint32_t limit = curve < end + ticks ? end : curve - ticks;
     return travel(ramp, next < limit ? next : limit, ticks);
 }
 

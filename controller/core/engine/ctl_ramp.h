@@ -60,8 +60,8 @@ uint32_t ctl_ramp_speed_after(const ctl_ramp* ramp, uint32_t way);
 /* Master ticks that a linear ramp travels down to standstill. */
 uint64_t ctl_ramp_stopping_way(const ctl_ramp* ramp);
 /* Largest speed of a linear ramp at `way` ticks before it has come down to `end`, of one that is led before
- * it stands. */
-uint32_t ctl_ramp_speed_before(const ctl_ramp* ramp, uint64_t way, uint32_t end);
+ * it stands; at most `most`, where no root is needed. */
+uint32_t ctl_ramp_speed_before(const ctl_ramp* ramp, uint64_t way, uint32_t end, uint32_t most);
 /* The share of `value` that the present speed is of full speed, rounded down; value below 2^32. */
 uint32_t ctl_ramp_share(const ctl_ramp* ramp, uint32_t value);
 

@@ -89,8 +89,7 @@ static int64_t lag_ahead(const ctl_packer* packer, const ctl_drive* drive, uint3
     }
     if (drive->end_ticks != CTL_DRIVE_NO_END) {
         const uint64_t before_end = drive->end_ticks > way ? drive->end_ticks - way : 0;
-        const uint32_t slower = ctl_ramp_speed_before(ramp, before_end, drive->end_speed);
-        speed = slower < speed ? slower : speed;
+        speed = ctl_ramp_speed_before(ramp, before_end, drive->end_speed, speed);
     }
     return ctl_packer_lag(packer, speed, ramp);
 }
