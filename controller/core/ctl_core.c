@@ -130,9 +130,20 @@ static bool wants_product(const ctl_core* core)
            ctl_products_place_free(&core->packer.products, core->packer.infeed_actual);
 }
 
+/* The staged program's lengths are ready before it takes over; returns true where there was something to do.
+ */
+static bool prepares_change(ctl_core* core)
+{
+    const uint32_t crc = core->transfer.staged_crc;
+    return crc != 0 && ctl_packer_active(&core->packer) &&
+           ctl_packer_prepare(&core->packer, ctl_staged_bank(&core->banks), crc);
+}
+
 /* Does what can wait for a slice without much other work. */
 static void use_quiet_slice(ctl_core* core)
 {
+    if (prepares_change(core))
+        return;
     if (!ctl_coder_is_aimed(&core->coder, &core->packer)) {
         ctl_coder_aim(&core->coder, &core->packer);
     } else if (ctl_tower_is_due(&core->tower, &core->board)) {

@@ -51,9 +51,9 @@ bool ctl_motion_follows(const ctl_motion* motion)
     return motion->state == CTL_STATE_RUNNING && motion->follows;
 }
 
-bool ctl_motion_may_change(const ctl_motion* motion, const ctl_bank* bank)
+bool ctl_motion_may_change(const ctl_motion* motion)
 {
-    return ctl_packer_may_change(motion->packer, bank, ctl_motion_standstill(motion));
+    return ctl_packer_may_change(motion->packer, ctl_motion_standstill(motion));
 }
 
 void ctl_motion_change_program(ctl_motion* motion)
@@ -64,10 +64,10 @@ void ctl_motion_change_program(ctl_motion* motion)
     ctl_transfer_apply(motion->transfer, motion->banks);
     ctl_jam_forget(&motion->packer->jam);
     const bool stands_right = motion->in_phase || !ctl_bank_needs_homing(ctl_active_bank(motion->banks));
-    if (same && stands_right && ctl_table_between_cycles(&motion->table) &&
-        ctl_motion_may_change(motion, ctl_active_bank(motion->banks))) {
+    if (same && stands_right && ctl_table_between_cycles(&motion->table) && ctl_motion_may_change(motion)) {
         ctl_table_change_bank(&motion->table, ctl_active_bank(motion->banks));
-        ctl_packer_change_bank(motion->packer, ctl_active_bank(motion->banks), &motion->ramp);
+        ctl_packer_change_bank(motion->packer, ctl_active_bank(motion->banks), motion->banks->active_crc,
+                               &motion->ramp);
     } else {
         ctl_packer_break_off(motion->packer);
         ctl_park_forget(&motion->park);
@@ -109,7 +109,7 @@ void ctl_motion_stand(ctl_motion* motion)
     if (motion->banks->has_active && !repeats(motion) && !ctl_table_between_cycles(&motion->table))
         ctl_table_reset(&motion->table, ctl_active_bank(motion->banks));
     if (motion->transfer->state == CTL_STAGED_STATE_ARMED && ctl_table_between_cycles(&motion->table) &&
-        ctl_motion_may_change(motion, ctl_staged_bank(motion->banks)))
+        ctl_motion_may_change(motion))
         ctl_motion_change_program(motion);
 }
 

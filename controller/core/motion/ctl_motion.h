@@ -140,8 +140,8 @@ void ctl_motion_limit_bag(ctl_motion* motion);
 bool ctl_motion_ends_with_bag(ctl_motion* motion);
 /* The knife has made its cut at standstill. */
 void ctl_motion_end_cut(ctl_motion* motion);
-/* Returns true when the packing line, if any, allows a change to `bank` now. */
-bool ctl_motion_may_change(const ctl_motion* motion, const ctl_bank* bank);
+/* Returns true when the packing line, if any, allows a change of program now. */
+bool ctl_motion_may_change(const ctl_motion* motion);
 bool ctl_motion_is_press(const ctl_motion* motion);
 /* Sets the present position of a press as its upper position. */
 void ctl_motion_take_top(ctl_motion* motion);

@@ -49,7 +49,8 @@ static void take_over_armed(ctl_motion* motion, uint32_t* ticks)
             ctl_ramp_speed_of(&motion->ramp, ctl_change_share_behind(&motion->change, share));
         *ticks = (uint32_t)ctl_change_share_behind(&motion->change, *ticks);
     }
-    ctl_packer_change_bank(motion->packer, ctl_active_bank(motion->banks), &motion->ramp);
+    ctl_packer_change_bank(motion->packer, ctl_active_bank(motion->banks), motion->banks->active_crc,
+                           &motion->ramp);
     motion->change_planned = false;
     motion->begins = true;
 }
@@ -104,7 +105,7 @@ void ctl_motion_change_at_rest(ctl_motion* motion)
     uint32_t none = 0;
     const ctl_bank* staged = ctl_staged_bank(motion->banks);
     if (ctl_motion_changes(motion) && ctl_table_between_cycles(&motion->table) &&
-        ctl_packer_may_change(motion->packer, staged, true) &&
+        ctl_packer_may_change(motion->packer, true) &&
         ctl_master_refusal(motion->master, staged) == CTL_REFUSAL_NONE) {
         take_over_armed(motion, &none); /* the next slice engages */
         return;
@@ -116,18 +117,18 @@ void ctl_motion_change_at_rest(ctl_motion* motion)
 /* At a boundary: takes over, or runs on as slowly to the next one. */
 void ctl_motion_pass_boundary(ctl_motion* motion, uint32_t* ticks)
 {
-    const ctl_bank* staged = ctl_staged_bank(motion->banks);
-    const bool waits = must_wait(motion);
+    const bool waits =
+        !ctl_packer_is_prepared(motion->packer, motion->transfer->staged_crc) || must_wait(motion);
     if (!waits && motion->master->leads && steps_too_far(motion, motion->ramp.speed)) {
         rest_for_change(motion, *ticks);
         return;
     }
     if (!waits && is_open(motion) && ctl_table_between_cycles(&motion->table) &&
-        ctl_motion_may_change(motion, staged)) {
+        ctl_motion_may_change(motion)) {
         take_over_armed(motion, ticks);
         return;
     }
     motion->change_opens =
-        !waits && (motion->change_opens || !is_open(motion) || ctl_packer_must_open(motion->packer, staged));
+        !waits && (motion->change_opens || !is_open(motion) || ctl_packer_must_open(motion->packer));
     motion->change_ticks += ctl_bank_cycle_ticks(motion->table.bank);
 }

@@ -7,7 +7,6 @@
 #include <string.h>
 
 #define FULL_CIRCLE 36000u /* 0.01 degrees */
-#define RATIO_BITS 20u
 /* The first cut of a changed program is shifted by so much of a bag, in so much of a cycle: as fast as
  * others. */
 #define FIRST_SHARE 50
@@ -52,40 +51,9 @@ bool ctl_packer_drives(const ctl_packer* packer, const ctl_bank* bank)
            ctl_bank_kind(bank) == CTL_PROGRAM_KIND_ROTARY_CUTTER;
 }
 
-/* Whole bags and a half, the nearest to the parameter: products lie in the middle between two cuts. */
-static int64_t product_distance(const ctl_packer* packer)
-{
-    const int64_t wanted =
-        ctl_packer_film(packer, ctl_parameter32(packer->board, CTL_REG_PARAMETER_PRODUCT_DISTANCE));
-    return wanted / packer->bag * packer->bag + packer->bag / 2;
-}
-
-static ctl_product_settings product_settings(const ctl_packer* packer)
-{
-    const uint64_t pitch_um = ctl_parameter32(packer->board, CTL_REG_PARAMETER_FLIGHT_PITCH);
-    const uint64_t pitch_film = (uint64_t)ctl_packer_film(packer, (int64_t)pitch_um);
-    const int64_t flight = packer->flight;
-    const ctl_product_settings settings = {
-        .flight = flight,
-        .lay = flight / 2,
-        .eye = (int64_t)(ctl_parameter32(packer->board, CTL_REG_PARAMETER_EYE_DISTANCE) * (uint64_t)flight /
-                         pitch_um),
-        .ratio = (pitch_film << RATIO_BITS) / (uint64_t)flight,
-        .distance = product_distance(packer),
-        .maximum = packer->products.settings.maximum,
-    };
-    return settings;
-}
-
 bool ctl_packer_tracks(const ctl_packer* packer)
 {
     return parameter(packer, CTL_REG_PARAMETER_MARK_TRACKING) != 0;
-}
-
-/* Film position of the cut in a cycle of `bank` that begins at `start` and draws `length`. */
-static int64_t first_cut(int64_t start, const ctl_bank* bank, int64_t length)
-{
-    return start + (int64_t)((uint64_t)length * bank->registers[CTL_OFFSET_BANK_CUT_ANGLE] / FULL_CIRCLE);
 }
 
 /* The lag of the film at a cut goes with its speed. */
@@ -95,24 +63,26 @@ static void scale_lag(ctl_packer* packer, int64_t bag_before, uint32_t cycle_bef
         packer->lag = packer->lag * packer->bag / bag_before * (int64_t)cycle_before / (int64_t)packer->cycle;
 }
 
-static void read_bank(ctl_packer* packer, const ctl_bank* bank)
+/* The lengths are those of `bank`. */
+static void take_bank(ctl_packer* packer, const ctl_bank* bank)
 {
+    const ctl_packer_lengths* lengths = &packer->lengths;
     const int64_t bag_before = packer->bag;
     const uint32_t cycle_before = packer->cycle;
     packer->bank = bank;
-    packer->cycle = ctl_bank_cycle_ticks(bank);
-    packer->engage = ctl_packer_ticks_at(bank, CTL_OFFSET_BANK_SYNC_START);
-    packer->release = ctl_packer_ticks_at(bank, CTL_OFFSET_BANK_SYNC_END);
-    packer->cut = ctl_packer_ticks_at(bank, CTL_OFFSET_BANK_CUT_ANGLE);
-    packer->bag = ctl_packer_film(packer, ctl_bank_bag_um(bank));
-    packer->flight = (int64_t)ctl_parameter32(packer->board, CTL_REG_PARAMETER_FLIGHT_PULSES) * CTL_FINE;
+    packer->cycle = lengths->cycle;
+    packer->engage = lengths->engage;
+    packer->release = lengths->release;
+    packer->cut = lengths->cut;
+    packer->bag = lengths->bag;
+    packer->flight = lengths->flight;
     if (packer->wheel.on)
         ctl_wheel_set_bag(&packer->wheel, packer->bag, packer->cycle);
     scale_lag(packer, bag_before, cycle_before);
     packer->settings.row = 0;
     packer->settings.ticks = packer->cut;
     packer->cut_pulses = 0;
-    ctl_packer_read_settings(packer);
+    ctl_packer_take_settings(packer);
 }
 
 void ctl_packer_take_positions(ctl_packer* packer)
@@ -143,20 +113,12 @@ void ctl_packer_break_off(ctl_packer* packer)
     packer->broken_off = true;
 }
 
-/* The laying place is half a flight from the start of the infeed's count; a product comes there at the cut.
- */
-static int64_t infeed_ahead(const ctl_packer* packer)
-{
-    return (int64_t)((uint64_t)packer->flight * packer->cut / packer->cycle) - packer->flight / 2 +
-           packer->product_in_infeed;
-}
-
 /* The position of the infeed is arbitrary: in the first cycles it is corrected to the nearest product place;
  * at a start only forward. */
 static void align_infeed(ctl_packer* packer, int64_t start, bool forward)
 {
     packer->product_in_infeed = packer->wheel.on ? 0 : packer->settings.product;
-    const int64_t ahead = infeed_ahead(packer);
+    const int64_t ahead = packer->lengths.ahead + packer->product_in_infeed;
     packer->number = (start + ahead + (forward ? packer->flight - 1 : packer->flight / 2)) / packer->flight;
     ctl_feed_reset(&packer->infeed, packer->cycle, start, packer->flight);
     const int64_t way = packer->number * packer->flight - ahead - start;
@@ -167,7 +129,7 @@ static void align_infeed(ctl_packer* packer, int64_t start, bool forward)
 /* It comes before the end of any sealing window, so that it cannot be shifted. */
 static void plan_first_cut(ctl_packer* packer)
 {
-    const ctl_cut cut = {first_cut(packer->film.start, packer->bank, packer->film.length), 0, false, false};
+    const ctl_cut cut = {packer->film.start + packer->lengths.way_to_cut, 0, false, false};
     packer->next = cut;
 }
 
@@ -187,11 +149,18 @@ static bool threads_up(const ctl_packer* packer)
     return wanted || packer->wheel.on;
 }
 
+static void take_products(ctl_packer* packer)
+{
+    packer->lengths.products.maximum = packer->products.settings.maximum;
+    ctl_products_set(&packer->products, &packer->lengths.products, packer->infeed_actual);
+}
+
 /* Knife, film and infeed at the start of a cycle. Film position and tracked marks are kept. */
 static void begin_cycle(ctl_packer* packer, const ctl_bank* bank)
 {
     const int64_t bag_before = packer->bag;
-    read_bank(packer, bank);
+    ctl_packer_read_lengths(packer, bank);
+    take_bank(packer, bank);
     packer->master = 0;
     packer->planned = false;
     packer->cut_before = false;
@@ -209,8 +178,7 @@ static void begin_cycle(ctl_packer* packer, const ctl_bank* bank)
     align_infeed(packer, packer->infeed_sent * CTL_FINE, true);
     plan_first_cut(packer);
     ctl_packer_leave_register(packer, bag_before);
-    const ctl_product_settings settings = product_settings(packer);
-    ctl_products_set(&packer->products, &settings, packer->infeed_actual);
+    take_products(packer);
 }
 
 /* The next cut was planned for another speed than that of the run that begins: at standstill the film can be
@@ -279,13 +247,15 @@ static bool plan_onto_mark(ctl_packer* packer, const ctl_ramp* ramp)
 
 /* The film goes on as it is. Bags of another length have other marks; those of the same length may be cut at
  * another angle, so that the cuts have to be brought onto their marks again. */
-void ctl_packer_change_bank(ctl_packer* packer, const ctl_bank* bank, const ctl_ramp* ramp)
+void ctl_packer_change_bank(ctl_packer* packer, const ctl_bank* bank, uint32_t crc, const ctl_ramp* ramp)
 {
     if (packer->bank == NULL)
         return;
     const int64_t bag_before = packer->bag;
     const int64_t film = ctl_feed_position(&packer->film);
-    read_bank(packer, bank);
+    while (ctl_packer_prepare(packer, bank, crc)) {
+    }
+    take_bank(packer, bank);
     if (packer->wheel.on)
         ctl_packer_go_on_with_wheel(packer, bank);
     packer->planned = false;
@@ -304,8 +274,7 @@ void ctl_packer_change_bank(ctl_packer* packer, const ctl_bank* bank, const ctl_
     plan_first_cut(packer);
     if (bag_before != packer->bag || !plan_onto_mark(packer, ramp))
         ctl_packer_leave_register(packer, bag_before);
-    const ctl_product_settings settings = product_settings(packer);
-    ctl_products_set(&packer->products, &settings, packer->infeed_actual);
+    take_products(packer);
     ctl_packer_follow_marks(packer);
 }
 
@@ -339,18 +308,17 @@ bool ctl_packer_correcting(const ctl_packer* packer)
     return packer->bank != NULL && (packer->film.span != 0 || packer->infeed.span != 0);
 }
 
-bool ctl_packer_must_open(const ctl_packer* packer, const ctl_bank* bank)
+bool ctl_packer_must_open(const ctl_packer* packer)
 {
     if (packer->bank == NULL || parameter(packer, CTL_REG_PARAMETER_ANTI_CUT) == 0)
         return false;
     /* The cut may still be shifted onto its mark. */
     const int64_t clearance = packer->settings.clearance + packer->bag / FIRST_SHARE;
-    const int64_t cut =
-        first_cut(ctl_feed_position(&packer->film), bank, ctl_packer_film(packer, ctl_bank_bag_um(bank)));
+    const int64_t cut = ctl_feed_position(&packer->film) + packer->lengths.way_to_cut;
     return ctl_products_across(&packer->products, cut, clearance);
 }
 
-bool ctl_packer_may_change(const ctl_packer* packer, const ctl_bank* bank, bool standstill)
+bool ctl_packer_may_change(const ctl_packer* packer, bool standstill)
 {
     if (packer->bank == NULL)
         return true;
@@ -360,7 +328,7 @@ bool ctl_packer_may_change(const ctl_packer* packer, const ctl_bank* bank, bool 
         return true;
     /* A correction across the boundary would end there with a step of the film's or the infeed's speed. */
     return !ctl_packer_correcting(packer) &&
-           (packer->knife_gate.state == CTL_GATE_STATE_STANDING || !ctl_packer_must_open(packer, bank));
+           (packer->knife_gate.state == CTL_GATE_STATE_STANDING || !ctl_packer_must_open(packer));
 }
 
 uint32_t ctl_packer_position(const ctl_packer* packer)

@@ -78,6 +78,25 @@ typedef struct {
     int64_t jam_back;    /* and the way back after a jam */
 } ctl_packer_settings;
 
+/* Lengths of a program, from it and the parameters, as far as it needs them where it takes over. They cost
+ * many divisions, so that they are computed before, in pieces. */
+typedef struct {
+    uint32_t crc;       /* of the program, 0: of none that is staged */
+    uint32_t writes;    /* board->parameter_writes when they were computed, */
+    uint32_t done;      /* so many pieces of them */
+    uint32_t cycle;     /* ticks */
+    uint32_t engage;    /* in it, */
+    uint32_t release;   /* likewise, */
+    uint32_t cut;       /* likewise */
+    int64_t bag;        /* film; */
+    int64_t way_to_cut; /* from the start of a cycle, film */
+    int64_t flight;     /* infeed; */
+    int64_t ahead;      /* the next product's place of the start of a cycle, infeed */
+    int64_t clearance;
+    ctl_mark_settings marks;
+    ctl_product_settings products;
+} ctl_packer_lengths;
+
 /* The master that drives the line. */
 #define CTL_DRIVE_NO_END UINT64_MAX
 typedef struct {
@@ -114,9 +133,10 @@ typedef struct {
     bool busy; /* the slice has begun a run, planned a cut or handled an edge */
     ctl_products products;
     ctl_packer_settings settings;
-    int64_t bag;       /* bag length, film */
-    int64_t flight;    /* from product to product, infeed; products lie at its multiples */
-    int64_t film_sent; /* whole pulses since power-up */
+    ctl_packer_lengths lengths; /* of the program that is to take over */
+    int64_t bag;                /* bag length, film */
+    int64_t flight;             /* from product to product, infeed; products lie at its multiples */
+    int64_t film_sent;          /* whole pulses since power-up */
     int64_t infeed_sent;
     int64_t film_at; /* the same with the fraction at the end of the slice, 1/256 pulse */
     int64_t infeed_at;
@@ -178,24 +198,29 @@ void ctl_packer_join_film(ctl_packer* packer, int64_t ahead);
 int64_t ctl_packer_wheel_shift(ctl_packer* packer, int64_t ahead);
 /* The line was shifted against the wheel by so many ticks, so that its cuts come sooner. */
 void ctl_packer_shift_line(ctl_packer* packer, int64_t ticks);
+/* Computes a piece of the lengths of a program with this CRC-32; returns false when nothing is left. */
+bool ctl_packer_prepare(ctl_packer* packer, const ctl_bank* bank, uint32_t crc);
+/* Returns true when a running line may take that program over as far as its lengths are concerned. */
+bool ctl_packer_is_prepared(const ctl_packer* packer, uint32_t crc);
 /* Continues with another program of the same machine, which became active at the boundary of a cycle, with
  * this ramp. */
-void ctl_packer_change_bank(ctl_packer* packer, const ctl_bank* bank, const ctl_ramp* ramp);
+void ctl_packer_change_bank(ctl_packer* packer, const ctl_bank* bank, uint32_t crc, const ctl_ramp* ramp);
 bool ctl_packer_active(const ctl_packer* packer);
 /* Returns the pulses of one turn of the knife's shaft, not 0. */
 uint32_t ctl_packer_revolution(const ctl_packer* packer);
 /* Returns true when infeed, film and knife are in the same phase, so that a program may be changed at the
- * boundary. The knife may be open there, and must be if a product is under the first cut of `bank`. */
-bool ctl_packer_may_change(const ctl_packer* packer, const ctl_bank* bank, bool standstill);
+ * boundary. The knife may be open there, and must be while running if a product is under the first cut of the
+ * prepared program. */
+bool ctl_packer_may_change(const ctl_packer* packer, bool standstill);
 /* Pulses per second of film and infeed at full speed of `bank`. */
 typedef struct {
     int64_t film;
     int64_t infeed;
 } ctl_line_speed;
 ctl_line_speed ctl_packer_full_speed(const ctl_packer* packer, const ctl_bank* bank);
-/* While running: returns true when a product is under the first cut of `bank`, so that it may take over only
- * while the knife is open. */
-bool ctl_packer_must_open(const ctl_packer* packer, const ctl_bank* bank);
+/* While running: returns true when a product is under the first cut of the prepared program, so that it may
+ * take over only while the knife is open. */
+bool ctl_packer_must_open(const ctl_packer* packer);
 /* Returns true during a correction of the film or the infeed. */
 bool ctl_packer_correcting(const ctl_packer* packer);
 /* Returns the ticks since the start of the master's cycle. */
@@ -260,8 +285,12 @@ bool ctl_packer_drives(const ctl_packer* packer, const ctl_bank* bank);
 uint32_t ctl_packer_ticks_at(const ctl_bank* bank, uint32_t offset);
 /* Returns the longer dead time of the eye's edges. */
 uint32_t ctl_packer_eye_dead_us(const ctl_packer* packer);
-/* Computes the settings that a start needs at once from the parameters and the program. */
+/* Computes the settings that a start needs at once from the parameters and the program; */
 void ctl_packer_read_settings(ctl_packer* packer);
+/* or takes them from its lengths. */
+void ctl_packer_take_settings(ctl_packer* packer);
+/* Computes all lengths of a program at once. */
+void ctl_packer_read_lengths(ctl_packer* packer, const ctl_bank* bank);
 /* Does a piece of the rest, or of everything when the panel has written a parameter; returns false when
  * nothing is left. */
 bool ctl_packer_refresh_settings(ctl_packer* packer);

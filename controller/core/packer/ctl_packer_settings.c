@@ -14,6 +14,7 @@
 #define TENTH_UM 100 /* of a mm */
 #define ROWS_AT_A_TIME 8u
 #define FULL_CIRCLE 36000 /* 0.01 degrees */
+#define RATIO_BITS 20u
 #define FIVE_DEGREES 500
 
 static uint16_t parameter(const ctl_packer* packer, uint32_t address)
@@ -21,9 +22,14 @@ static uint16_t parameter(const ctl_packer* packer, uint32_t address)
     return ctl_parameter16(packer->board, address);
 }
 
+static int64_t length_limit(const ctl_packer* packer, int64_t bag)
+{
+    return bag * parameter(packer, CTL_REG_PARAMETER_LENGTH_LIMIT) / 10000;
+}
+
 int64_t ctl_packer_length_limit(const ctl_packer* packer)
 {
-    return packer->bag * parameter(packer, CTL_REG_PARAMETER_LENGTH_LIMIT) / 10000;
+    return length_limit(packer, packer->bag);
 }
 
 static int64_t film_um(const ctl_packer* packer, uint32_t address)
@@ -37,10 +43,10 @@ static int64_t film_tenths(const ctl_packer* packer, uint32_t address)
     return ctl_packer_film(packer, (int64_t)parameter(packer, address) * TENTH_UM);
 }
 
-static void read_marks(ctl_packer* packer)
+static ctl_mark_settings mark_settings(const ctl_packer* packer, int64_t bag)
 {
-    packer->settings.marks = (ctl_mark_settings){
-        .nominal = packer->bag,
+    return (ctl_mark_settings){
+        .nominal = bag,
         .distance =
             ctl_packer_film(packer, (int64_t)ctl_parameter32(packer->board, CTL_REG_PARAMETER_MARK_DISTANCE) +
                                         ctl_parameter32(packer->board, CTL_REG_PARAMETER_MARK_OFFSET) +
@@ -48,16 +54,26 @@ static void read_marks(ctl_packer* packer)
         .window = film_um(packer, CTL_REG_PARAMETER_MARK_WINDOW),
         .jump = ctl_packer_film(packer, JUMP_UM),
         .masking = film_tenths(packer, CTL_REG_PARAMETER_MARK_MASKING),
-        .max_difference = ctl_packer_length_limit(packer),
+        .max_difference = length_limit(packer, bag),
         .phase_gain = parameter(packer, CTL_REG_PARAMETER_PHASE_GAIN),
         .length_gain = parameter(packer, CTL_REG_PARAMETER_LENGTH_GAIN),
         .missing_limit = parameter(packer, CTL_REG_PARAMETER_MARK_MISSING_LIMIT),
     };
 }
 
+static void read_marks(ctl_packer* packer)
+{
+    packer->settings.marks = mark_settings(packer, packer->bag);
+}
+
+static int64_t clearance(const ctl_packer* packer)
+{
+    return film_um(packer, CTL_REG_PARAMETER_CUT_CLEARANCE);
+}
+
 static void read_clearance(ctl_packer* packer)
 {
-    packer->settings.clearance = film_um(packer, CTL_REG_PARAMETER_CUT_CLEARANCE);
+    packer->settings.clearance = clearance(packer);
 }
 
 static void read_phase(ctl_packer* packer)
@@ -154,4 +170,100 @@ void ctl_packer_read_settings(ctl_packer* packer)
     packer->settings.writes = packer->board->parameter_writes;
     for (packer->settings.done = 0; packer->settings.done != PIECES_OF_A_START; packer->settings.done += 1)
         pieces[packer->settings.done](packer);
+}
+
+void ctl_packer_take_settings(ctl_packer* packer)
+{
+    const ctl_packer_lengths* lengths = &packer->lengths;
+    packer->busy = true;
+    packer->settings.writes = lengths->writes;
+    packer->settings.clearance = lengths->clearance;
+    packer->settings.marks = lengths->marks;
+    packer->settings.done = PIECES_OF_A_START;
+}
+
+static void prepare_ticks(const ctl_packer* packer, const ctl_bank* bank, ctl_packer_lengths* lengths)
+{
+    (void)packer;
+    lengths->cycle = ctl_bank_cycle_ticks(bank);
+    lengths->engage = ctl_packer_ticks_at(bank, CTL_OFFSET_BANK_SYNC_START);
+    lengths->release = ctl_packer_ticks_at(bank, CTL_OFFSET_BANK_SYNC_END);
+    lengths->cut = ctl_packer_ticks_at(bank, CTL_OFFSET_BANK_CUT_ANGLE);
+}
+
+/* The laying place is half a flight from the start of the infeed's count; a product comes there at the cut.
+ */
+static void prepare_ways(const ctl_packer* packer, const ctl_bank* bank, ctl_packer_lengths* lengths)
+{
+    lengths->bag = ctl_packer_film(packer, ctl_bank_bag_um(bank));
+    lengths->way_to_cut =
+        (int64_t)((uint64_t)lengths->bag * bank->registers[CTL_OFFSET_BANK_CUT_ANGLE] / FULL_CIRCLE);
+    lengths->flight = (int64_t)ctl_parameter32(packer->board, CTL_REG_PARAMETER_FLIGHT_PULSES) * CTL_FINE;
+    lengths->ahead =
+        (int64_t)((uint64_t)lengths->flight * lengths->cut / lengths->cycle) - lengths->flight / 2;
+    lengths->clearance = clearance(packer);
+}
+
+static void prepare_marks(const ctl_packer* packer, const ctl_bank* bank, ctl_packer_lengths* lengths)
+{
+    (void)bank;
+    lengths->marks = mark_settings(packer, lengths->bag);
+}
+
+/* Whole bags and a half, the nearest to the parameter: products lie in the middle between two cuts. */
+static int64_t product_distance(const ctl_packer* packer, int64_t bag)
+{
+    const int64_t wanted =
+        ctl_packer_film(packer, ctl_parameter32(packer->board, CTL_REG_PARAMETER_PRODUCT_DISTANCE));
+    return wanted / bag * bag + bag / 2;
+}
+
+static void prepare_products(const ctl_packer* packer, const ctl_bank* bank, ctl_packer_lengths* lengths)
+{
+    (void)bank;
+    const uint64_t pitch_um = ctl_parameter32(packer->board, CTL_REG_PARAMETER_FLIGHT_PITCH);
+    const uint64_t pitch_film = (uint64_t)ctl_packer_film(packer, (int64_t)pitch_um);
+    const int64_t flight = lengths->flight;
+    lengths->products = (ctl_product_settings){
+        .flight = flight,
+        .lay = flight / 2,
+        .eye = (int64_t)(ctl_parameter32(packer->board, CTL_REG_PARAMETER_EYE_DISTANCE) * (uint64_t)flight /
+                         pitch_um),
+        .ratio = (pitch_film << RATIO_BITS) / (uint64_t)flight,
+        .distance = product_distance(packer, lengths->bag),
+    };
+}
+
+static void (*const length_pieces[])(const ctl_packer* packer, const ctl_bank* bank,
+                                     ctl_packer_lengths* lengths) = {prepare_ticks, prepare_ways,
+                                                                     prepare_marks, prepare_products};
+#define LENGTH_PIECES (sizeof length_pieces / sizeof length_pieces[0])
+
+bool ctl_packer_prepare(ctl_packer* packer, const ctl_bank* bank, uint32_t crc)
+{
+    ctl_packer_lengths* lengths = &packer->lengths;
+    if (lengths->crc != crc || lengths->writes != packer->board->parameter_writes) {
+        lengths->crc = crc;
+        lengths->writes = packer->board->parameter_writes;
+        lengths->done = 0;
+    }
+    if (lengths->done == LENGTH_PIECES)
+        return false;
+    length_pieces[lengths->done++](packer, bank, lengths);
+    return true;
+}
+
+void ctl_packer_read_lengths(ctl_packer* packer, const ctl_bank* bank)
+{
+    packer->lengths.done = 0;
+    packer->lengths.crc = 0;
+    while (ctl_packer_prepare(packer, bank, 0)) {
+    }
+}
+
+bool ctl_packer_is_prepared(const ctl_packer* packer, uint32_t crc)
+{
+    const ctl_packer_lengths* lengths = &packer->lengths;
+    return packer->bank == NULL || (lengths->crc == crc && lengths->done == LENGTH_PIECES &&
+                                    lengths->writes == packer->board->parameter_writes);
 }
