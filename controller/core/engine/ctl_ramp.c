@@ -2,10 +2,10 @@
 #include "engine/ctl_ramp.h"
 
 #define SHARE_BITS CTL_RAMP_SHARE_BITS
-/* The place in the stretch of a line that is led has so many bits; a search looks at so many places near
- * the last one. */
+/* The place in the stretch of a line that is led has so many bits; a search looks so far from the last one
+ * first. */
 #define PLACE_BITS 15u
-#define NEAR_PLACES 4u
+#define NEAR_PLACES 32u
 #define WHOLE ((uint64_t)1 << SHARE_BITS)
 
 void ctl_ramp_reset(ctl_ramp* ramp, uint32_t full)
@@ -123,16 +123,15 @@ static uint64_t led_way(uint32_t x)
 /* Returns the largest place whose way is at most this, x of it being near. */
 static uint32_t led_place(uint64_t way, uint32_t x)
 {
-    for (uint32_t i = 0; i < NEAR_PLACES; ++i) {
-        if (led_way(x) > way)
-            x -= 1u;
-        else if (x + 1u < 1u << PLACE_BITS && led_way(x + 1u) <= way)
-            x += 1u;
-        else
-            return x;
+    uint32_t bit = NEAR_PLACES / 2u;
+    if (x < NEAR_PLACES || x + 2u * NEAR_PLACES > 1u << PLACE_BITS || led_way(x - NEAR_PLACES) > way ||
+        led_way(x + NEAR_PLACES) <= way) {
+        x = 0;
+        bit = 1u << (PLACE_BITS - 1u);
+    } else if (led_way(x) > way) {
+        x -= NEAR_PLACES;
     }
-    x = 0;
-    for (uint32_t bit = 1u << (PLACE_BITS - 1u); bit != 0; bit >>= 1) {
+    for (; bit != 0; bit >>= 1) {
         if (led_way(x + bit) <= way)
             x += bit;
     }
