@@ -67,12 +67,11 @@ static uint32_t window_rows(const ctl_bank* bank, const ctl_config* config)
 static bool crowds_slice(const ctl_bank* bank, const ctl_config* config, ctl_row_check* check, ctl_row row)
 {
     const uint32_t window = window_rows(bank, config);
-    const uint32_t rows = ctl_bank_row_count(bank);
     if (window == 0)
         return false;
     check->window += row.ticks;
     if (check->row >= window)
-        check->window -= ctl_step_row(bank, (check->row - window) % rows).ticks;
+        check->window -= ctl_step_row(bank, check->row - window).ticks;
     const uint32_t slice_us = config->slice_us == 0 ? CTL_SLICE_US : config->slice_us;
     return check->row + 1u >= window &&
            check->window * US_PER_S < (uint64_t)slice_us * config->timer_clock_hz;
@@ -103,14 +102,16 @@ ctl_verdict ctl_step_check(const ctl_bank* bank, const ctl_config* config, ctl_r
     const uint32_t window = window_rows(bank, config);
     const uint32_t end = count + (window == 0 ? 0u : window - 1u);
     for (uint32_t i = 0; i < rows && check->row < end; ++i, ++check->row) {
-        const ctl_row row = ctl_step_row(bank, check->row % count);
+        const bool again = check->row >= count; /* the window goes on over the boundary of the cycle */
+        const uint32_t index = again ? check->row - count : check->row;
+        const ctl_row row = ctl_step_row(bank, index);
         const bool is_pause = row.pulses == 0;
-        const bool crowds = is_pause && check->after_pause && check->row < count && is_too_short(row, config);
+        const bool crowds = is_pause && check->after_pause && !again && is_too_short(row, config);
         check->after_pause = is_pause;
         if (crowds || !row_fits(row, config) || crowds_slice(bank, config, check, row))
-            return ctl_refuse(CTL_TRANSFER_RESULT_BAD_ROW, check->row % count);
-        check->ticks += check->row < count ? row.ticks : 0u;
-        check->pulses += check->row < count ? row.pulses : 0u;
+            return ctl_refuse(CTL_TRANSFER_RESULT_BAD_ROW, index);
+        check->ticks += again ? 0u : row.ticks;
+        check->pulses += again ? 0u : row.pulses;
     }
     return check->row < end ? ctl_refuse(CTL_TRANSFER_RESULT_BUSY, 0) : check_sums(bank, config, check);
 }
