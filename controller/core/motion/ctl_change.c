@@ -49,7 +49,7 @@ static void limit_step(ctl_change_plan* plan, int64_t before_hz, int64_t behind_
 ctl_change_plan ctl_change_between(const ctl_board* board, const ctl_packer* packer, const ctl_bank* from,
                                    const ctl_bank* to, int32_t direction)
 {
-    ctl_change_plan plan = {WHOLE, UINT64_MAX, 1, 1};
+    ctl_change_plan plan = {WHOLE, UINT64_MAX, 1, 1, direction, board->parameter_writes};
     set_ratio(&plan, from, to);
     if (plan.numerator > plan.denominator) /* the new program is not run faster than its own speed */
         plan.share = (WHOLE * plan.denominator) / plan.numerator;

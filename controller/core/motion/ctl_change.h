@@ -23,6 +23,8 @@ typedef struct {
     uint64_t steps;     /* the same, as far as the steps of the axes demand */
     uint32_t numerator; /* the share after it is share * numerator / denominator */
     uint32_t denominator;
+    int32_t direction; /* of the master, and */
+    uint32_t writes;   /* board->parameter_writes that it was computed for */
 } ctl_change_plan;
 
 /* Computes the change from the active bank `from` to `to`, the master running in this direction. */

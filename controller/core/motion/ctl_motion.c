@@ -81,16 +81,17 @@ void ctl_motion_change_program(ctl_motion* motion)
         motion->state = CTL_STATE_READY;
 }
 
-uint16_t ctl_motion_change_refusal(const ctl_motion* motion)
+uint16_t ctl_motion_change_refusal(ctl_motion* motion)
 {
     const ctl_bank* staged = ctl_staged_bank(motion->banks);
-    const ctl_change_plan plan = ctl_change_between(
-        motion->board, motion->packer, ctl_active_bank(motion->banks), staged, motion->direction);
+    motion->change = ctl_change_between(motion->board, motion->packer, ctl_active_bank(motion->banks), staged,
+                                        motion->direction);
     const uint16_t line_refusal = ctl_packer_refusal(motion->packer, staged);
     if (line_refusal != CTL_REFUSAL_NONE)
         return line_refusal;
     /* Behind an encoder the line comes to rest where the steps demand it. */
-    return motion->master->leads ? ctl_master_refusal(motion->master, staged) : ctl_change_refusal(&plan);
+    return motion->master->leads ? ctl_master_refusal(motion->master, staged)
+                                 : ctl_change_refusal(&motion->change);
 }
 
 static bool repeats(const ctl_motion* motion)

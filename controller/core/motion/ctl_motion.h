@@ -70,7 +70,7 @@ typedef struct {
     bool change_decides;     /* whether it does, in this slice */
     uint32_t change_speed;   /* speed of the ramp at which it may take over */
     uint64_t change_ticks;   /* master ticks to the boundary of the change */
-    ctl_change_plan change;
+    ctl_change_plan change;  /* to the program that was last asked to take over while running */
     uint32_t manual_hz;
     int32_t manual_direction; /* 1 or -1 */
     uint64_t manual_rest;     /* of a pulse, in 1 / timer clock */
@@ -102,8 +102,9 @@ uint16_t ctl_motion_stop_now(ctl_motion* motion);
 /* The same, and the knife stays where it stops. */
 void ctl_motion_emergency_stop(ctl_motion* motion);
 uint16_t ctl_motion_reset_fault(ctl_motion* motion);
-/* While running: returns CTL_REFUSAL_..., the reason why the staged program cannot take over. */
-uint16_t ctl_motion_change_refusal(const ctl_motion* motion);
+/* While running: computes the change to the staged program; returns CTL_REFUSAL_..., the reason why it cannot
+ * take over. */
+uint16_t ctl_motion_change_refusal(ctl_motion* motion);
 /* Something is under the closing jaws: all axes stop together, within `parameter.jam_stop_time`, and the
  * knife goes back; then there is a fault in which film and knife keep their places. */
 void ctl_motion_stop_jam(ctl_motion* motion);

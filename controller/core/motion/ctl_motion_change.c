@@ -9,11 +9,15 @@ bool ctl_motion_changes(const ctl_motion* motion)
            ctl_bank_at_end(ctl_active_bank(motion->banks)) == CTL_END_BEHAVIOR_REPEAT;
 }
 
-/* Computes the change at the next boundary over which no correction of the film goes on. */
+/* Plans the change at the next boundary over which no correction of the film goes on. It was computed when it
+ * was asked for, and is again when a parameter or the direction has changed. */
 static void plan(ctl_motion* motion)
 {
-    motion->change = ctl_change_between(motion->board, motion->packer, ctl_active_bank(motion->banks),
-                                        ctl_staged_bank(motion->banks), motion->direction);
+    if (motion->change.writes != motion->board->parameter_writes ||
+        motion->change.direction != motion->direction)
+        motion->change = ctl_change_between(motion->board, motion->packer, ctl_active_bank(motion->banks),
+                                            ctl_staged_bank(motion->banks), motion->direction);
+    motion->packer->busy = true;
     motion->change_ticks = ctl_motion_to_boundary(motion);
     if (ctl_packer_correcting(motion->packer))
         motion->change_ticks += ctl_bank_cycle_ticks(motion->table.bank);
