@@ -130,19 +130,20 @@ static bool wants_product(const ctl_core* core)
            ctl_products_place_free(&core->packer.products, core->packer.infeed_actual);
 }
 
-/* The staged program's lengths are ready before it takes over; returns true where there was something to do.
- */
-static bool prepares_change(ctl_core* core)
+/* The lengths of the program that may begin next are ready before it does; returns true where there was
+ * something to do. */
+static bool prepares_program(ctl_core* core)
 {
-    const uint32_t crc = core->transfer.staged_crc;
-    return crc != 0 && ctl_packer_active(&core->packer) &&
-           ctl_packer_prepare(&core->packer, ctl_staged_bank(&core->banks), crc);
+    const bool changes = ctl_motion_in_cycle(&core->motion);
+    const ctl_bank* bank = changes ? ctl_staged_bank(&core->banks) : ctl_active_bank(&core->banks);
+    const uint32_t crc = changes ? core->transfer.staged_crc : core->banks.active_crc;
+    return crc != 0 && ctl_packer_drives(&core->packer, bank) && ctl_packer_prepare(&core->packer, bank, crc);
 }
 
 /* Does what can wait for a slice without much other work. */
 static void use_quiet_slice(ctl_core* core)
 {
-    if (prepares_change(core))
+    if (prepares_program(core))
         return;
     if (!ctl_coder_is_aimed(&core->coder, &core->packer)) {
         ctl_coder_aim(&core->coder, &core->packer);

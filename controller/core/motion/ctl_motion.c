@@ -185,7 +185,7 @@ static void engage(ctl_motion* motion)
     ctl_motion_take_wheel(motion);
     if (!motion->one_bag)
         ctl_master_engage(master, bank, start_position(motion), &motion->ramp);
-    ctl_packer_run(packer, bank, &motion->ramp);
+    ctl_packer_run(packer, bank, motion->banks->active_crc, &motion->ramp);
     if (packer->wheel.on)
         ctl_packer_join_film(packer, ctl_master_ahead(master));
 }

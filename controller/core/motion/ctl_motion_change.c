@@ -41,12 +41,13 @@ void ctl_motion_plan_change(ctl_motion* motion, uint32_t slice)
  * master that are left of this slice go on with the same speed of the film. */
 static void take_over_armed(ctl_motion* motion, uint32_t* ticks)
 {
-    const uint64_t share = ctl_ramp_whole_share(&motion->ramp);
+    const bool is_led = motion->master->leads && motion->master->clutch.state == CTL_CLUTCH_ON;
+    const uint64_t share = is_led ? 0u : ctl_ramp_whole_share(&motion->ramp);
     ctl_transfer_apply(motion->transfer, motion->banks);
     ctl_table_change_bank(&motion->table, ctl_active_bank(motion->banks));
     ctl_jam_forget(&motion->packer->jam);
     ctl_motion_set_ramp(motion);
-    if (motion->master->leads && motion->master->clutch.state == CTL_CLUTCH_ON) {
+    if (is_led) {
         *ticks = ctl_master_change(motion->master, ctl_active_bank(motion->banks), &motion->ramp, *ticks);
     } else {
         motion->ramp.speed =

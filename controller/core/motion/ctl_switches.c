@@ -182,32 +182,33 @@ static void follow(ctl_switches* switches, uint32_t which, const ctl_board* boar
         return;
     const uint32_t lead = present_lead(switches, one);
     const uint64_t reach = (uint64_t)lead + travelled;
-    const uint64_t step = reach > one->lead ? reach - one->lead : 0;
+    const uint64_t ahead = reach > one->lead ? reach - one->lead : 0;
+    const uint32_t step = ahead < UINT32_MAX ? (uint32_t)ahead : UINT32_MAX; /* a cycle at most */
     const uint64_t from = (uint64_t)switches->angle + one->lead;
     one->lead = step != 0 ? lead : one->lead - travelled;
 
     const uint32_t first = edge(one, true, direction);
     const uint32_t second = edge(one, false, direction);
-    /* One more than the way to each edge is 0 .. 2^32 - 1: an edge behind lies a cycle ahead. */
-    const uint64_t to_on = (uint64_t)(uint32_t)(first - (uint32_t)from - 1u) + 1u;
-    const uint64_t to_off = (uint64_t)(uint32_t)(second - (uint32_t)from - 1u) + 1u;
+    /* The way to each edge, less one: an edge at hand lies a cycle ahead. */
+    const uint32_t to_on = first - (uint32_t)from - 1u;
+    const uint32_t to_off = second - (uint32_t)from - 1u;
     if (one->hold != 0) {
         one->hold = one->hold > travelled ? one->hold - travelled : 0;
         one->on = one->hold != 0;
-    } else if (to_off <= step) {
+    } else if (to_off < step) {
         one->on = false;
     }
-    const uint64_t next = to_on < to_off ? to_on : to_off;
-    const bool stays = one->hold == 0 && one->lead == lead && next > step;
-    const uint32_t quiet = stays ? (uint32_t)(next - step - 1u) : 0;
+    const uint32_t next = to_on < to_off ? to_on : to_off;
+    const bool stays = one->hold == 0 && one->lead == lead && next >= step;
+    const uint32_t quiet = stays ? next - step : 0;
     if (quiet < switches->quiet)
         switches->quiet = quiet;
-    if (to_on > step || first == second)
+    if (to_on >= step || first == second)
         return;
-    if (!may_switch_on(one, board, which, switches->number + (uint32_t)((from + to_on) >> 32)))
+    if (!may_switch_on(one, board, which, switches->number + (uint32_t)((from + to_on + 1u) >> 32)))
         return;
     one->on = true;
-    one->hold = to_off > to_on && to_off <= step ? second - first : 0;
+    one->hold = to_off > to_on && to_off < step ? second - first : 0;
 }
 
 uint16_t ctl_switches_slice(ctl_switches* switches, const ctl_board* board, const ctl_switch_cycle* cycle)

@@ -63,9 +63,11 @@ static void scale_lag(ctl_packer* packer, int64_t bag_before, uint32_t cycle_bef
         packer->lag = packer->lag * packer->bag / bag_before * (int64_t)cycle_before / (int64_t)packer->cycle;
 }
 
-/* The lengths are those of `bank`. */
-static void take_bank(ctl_packer* packer, const ctl_bank* bank)
+/* What is not prepared yet of its lengths is computed now. */
+static void take_bank(ctl_packer* packer, const ctl_bank* bank, uint32_t crc)
 {
+    while (ctl_packer_prepare(packer, bank, crc)) {
+    }
     const ctl_packer_lengths* lengths = &packer->lengths;
     const int64_t bag_before = packer->bag;
     const uint32_t cycle_before = packer->cycle;
@@ -76,8 +78,8 @@ static void take_bank(ctl_packer* packer, const ctl_bank* bank)
     packer->cut = lengths->cut;
     packer->bag = lengths->bag;
     packer->flight = lengths->flight;
-    if (packer->wheel.on)
-        ctl_wheel_set_bag(&packer->wheel, packer->bag, packer->cycle);
+    packer->wheel.per_tick = lengths->per_tick;
+    packer->wheel.per_film = lengths->per_film;
     scale_lag(packer, bag_before, cycle_before);
     packer->settings.row = 0;
     packer->settings.ticks = packer->cut;
@@ -156,11 +158,10 @@ static void take_products(ctl_packer* packer)
 }
 
 /* Knife, film and infeed at the start of a cycle. Film position and tracked marks are kept. */
-static void begin_cycle(ctl_packer* packer, const ctl_bank* bank)
+static void begin_cycle(ctl_packer* packer, const ctl_bank* bank, uint32_t crc)
 {
     const int64_t bag_before = packer->bag;
-    ctl_packer_read_lengths(packer, bank);
-    take_bank(packer, bank);
+    take_bank(packer, bank, crc);
     packer->master = 0;
     packer->planned = false;
     packer->cut_before = false;
@@ -200,7 +201,7 @@ uint32_t ctl_packer_start_position(const ctl_packer* packer, const ctl_bank* ban
     return packer->broken_off || packer->bank != bank ? 0u : packer->master;
 }
 
-void ctl_packer_run(ctl_packer* packer, const ctl_bank* bank, const ctl_ramp* ramp)
+void ctl_packer_run(ctl_packer* packer, const ctl_bank* bank, uint32_t crc, const ctl_ramp* ramp)
 {
     packer->takes = false;
     packer->alone = false;
@@ -214,7 +215,7 @@ void ctl_packer_run(ctl_packer* packer, const ctl_bank* bank, const ctl_ramp* ra
     packer->skips_in_run = 0;
     packer->products.longest = 0;
     if (packer->broken_off || packer->bank != bank)
-        begin_cycle(packer, bank);
+        begin_cycle(packer, bank, crc);
     else
         ctl_packer_read_settings(packer);
     if (packer->marks.state == CTL_MARK_STATE_TRACKING && ended_by_limits)
@@ -253,9 +254,7 @@ void ctl_packer_change_bank(ctl_packer* packer, const ctl_bank* bank, uint32_t c
         return;
     const int64_t bag_before = packer->bag;
     const int64_t film = ctl_feed_position(&packer->film);
-    while (ctl_packer_prepare(packer, bank, crc)) {
-    }
-    take_bank(packer, bank);
+    take_bank(packer, bank, crc);
     if (packer->wheel.on)
         ctl_packer_go_on_with_wheel(packer, bank);
     packer->planned = false;

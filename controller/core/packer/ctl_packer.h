@@ -78,10 +78,10 @@ typedef struct {
     int64_t jam_back;    /* and the way back after a jam */
 } ctl_packer_settings;
 
-/* Lengths of a program, from it and the parameters, as far as it needs them where it takes over. They cost
- * many divisions, so that they are computed before, in pieces. */
+/* Lengths of a program, from it and the parameters, as far as it needs them where it begins. They cost many
+ * divisions, so that they are computed before, in pieces. */
 typedef struct {
-    uint32_t crc;       /* of the program, 0: of none that is staged */
+    uint32_t crc;       /* of the program; */
     uint32_t writes;    /* board->parameter_writes when they were computed, */
     uint32_t done;      /* so many pieces of them */
     uint32_t cycle;     /* ticks */
@@ -92,6 +92,8 @@ typedef struct {
     int64_t way_to_cut; /* from the start of a cycle, film */
     int64_t flight;     /* infeed; */
     int64_t ahead;      /* the next product's place of the start of a cycle, infeed */
+    int64_t per_tick;   /* of a wheel on the film, */
+    int64_t per_film;   /* likewise */
     int64_t clearance;
     ctl_mark_settings marks;
     ctl_product_settings products;
@@ -133,7 +135,7 @@ typedef struct {
     bool busy; /* the slice has begun a run, planned a cut or handled an edge */
     ctl_products products;
     ctl_packer_settings settings;
-    ctl_packer_lengths lengths; /* of the program that is to take over */
+    ctl_packer_lengths lengths; /* of the program that begins next, or began last */
     int64_t bag;                /* bag length, film */
     int64_t flight;             /* from product to product, infeed; products lie at its multiples */
     int64_t film_sent;          /* whole pulses since power-up */
@@ -182,9 +184,9 @@ typedef struct {
 void ctl_packer_init(ctl_packer* packer, const ctl_board* board);
 /* Returns CTL_REFUSAL_..., the reason why the active program `bank` cannot be run with these parameters. */
 uint16_t ctl_packer_refusal(const ctl_packer* packer, const ctl_bank* bank);
-/* Prepares a run of the active program `bank` with this ramp: clears interrupted cycles and alarms, plans the
- * next cut for the speed of the ramp. */
-void ctl_packer_run(ctl_packer* packer, const ctl_bank* bank, const ctl_ramp* ramp);
+/* Prepares a run of the active program `bank`, which has this CRC-32, with this ramp: clears interrupted
+ * cycles and alarms, plans the next cut for the speed of the ramp. */
+void ctl_packer_run(ctl_packer* packer, const ctl_bank* bank, uint32_t crc, const ctl_ramp* ramp);
 /* Returns the ticks into the cycle at which such a run begins. */
 uint32_t ctl_packer_start_position(const ctl_packer* packer, const ctl_bank* bank);
 void ctl_packer_break_off(ctl_packer* packer);
@@ -198,7 +200,8 @@ void ctl_packer_join_film(ctl_packer* packer, int64_t ahead);
 int64_t ctl_packer_wheel_shift(ctl_packer* packer, int64_t ahead);
 /* The line was shifted against the wheel by so many ticks, so that its cuts come sooner. */
 void ctl_packer_shift_line(ctl_packer* packer, int64_t ticks);
-/* Computes a piece of the lengths of a program with this CRC-32; returns false when nothing is left. */
+/* Computes a piece of the lengths of the program that may begin next, which has this CRC-32; returns false
+ * when nothing is left. */
 bool ctl_packer_prepare(ctl_packer* packer, const ctl_bank* bank, uint32_t crc);
 /* Returns true when a running line may take that program over as far as its lengths are concerned. */
 bool ctl_packer_is_prepared(const ctl_packer* packer, uint32_t crc);
@@ -289,8 +292,6 @@ uint32_t ctl_packer_eye_dead_us(const ctl_packer* packer);
 void ctl_packer_read_settings(ctl_packer* packer);
 /* or takes them from its lengths. */
 void ctl_packer_take_settings(ctl_packer* packer);
-/* Computes all lengths of a program at once. */
-void ctl_packer_read_lengths(ctl_packer* packer, const ctl_bank* bank);
 /* Does a piece of the rest, or of everything when the panel has written a parameter; returns false when
  * nothing is left. */
 bool ctl_packer_refresh_settings(ctl_packer* packer);

@@ -204,6 +204,14 @@ static void prepare_ways(const ctl_packer* packer, const ctl_bank* bank, ctl_pac
     lengths->clearance = clearance(packer);
 }
 
+static void prepare_wheel(const ctl_packer* packer, const ctl_bank* bank, ctl_packer_lengths* lengths)
+{
+    (void)packer;
+    (void)bank;
+    lengths->per_tick = (lengths->bag << CTL_WHEEL_FINE) / lengths->cycle;
+    lengths->per_film = ((int64_t)lengths->cycle << CTL_WHEEL_FINE) / lengths->bag;
+}
+
 static void prepare_marks(const ctl_packer* packer, const ctl_bank* bank, ctl_packer_lengths* lengths)
 {
     (void)bank;
@@ -235,8 +243,8 @@ static void prepare_products(const ctl_packer* packer, const ctl_bank* bank, ctl
 }
 
 static void (*const length_pieces[])(const ctl_packer* packer, const ctl_bank* bank,
-                                     ctl_packer_lengths* lengths) = {prepare_ticks, prepare_ways,
-                                                                     prepare_marks, prepare_products};
+                                     ctl_packer_lengths* lengths) = {
+    prepare_ticks, prepare_ways, prepare_wheel, prepare_marks, prepare_products};
 #define LENGTH_PIECES (sizeof length_pieces / sizeof length_pieces[0])
 
 bool ctl_packer_prepare(ctl_packer* packer, const ctl_bank* bank, uint32_t crc)
@@ -251,14 +259,6 @@ bool ctl_packer_prepare(ctl_packer* packer, const ctl_bank* bank, uint32_t crc)
         return false;
     length_pieces[lengths->done++](packer, bank, lengths);
     return true;
-}
-
-void ctl_packer_read_lengths(ctl_packer* packer, const ctl_bank* bank)
-{
-    packer->lengths.done = 0;
-    packer->lengths.crc = 0;
-    while (ctl_packer_prepare(packer, bank, 0)) {
-    }
 }
 
 bool ctl_packer_is_prepared(const ctl_packer* packer, uint32_t crc)

@@ -68,12 +68,6 @@ void ctl_wheel_set(ctl_wheel* wheel, ctl_wheel_ratio film, ctl_wheel_ratio infee
     wheel->doubtful = false;
 }
 
-void ctl_wheel_set_bag(ctl_wheel* wheel, int64_t bag, uint32_t cycle)
-{
-    wheel->per_tick = (bag << CTL_WHEEL_FINE) / cycle;
-    wheel->per_film = ((int64_t)cycle << CTL_WHEEL_FINE) / bag;
-}
-
 static int64_t forward(const ctl_wheel* wheel, int64_t counts)
 {
     return wheel->reversed ? -counts : counts;

@@ -61,8 +61,6 @@ void ctl_wheel_read(ctl_wheel* wheel, int64_t counts, bool reversed);
 /* The film is where `film_at` says at the present counts, or goes on from where it was with these ratios. */
 void ctl_wheel_set(ctl_wheel* wheel, ctl_wheel_ratio film, ctl_wheel_ratio infeed, int64_t film_at,
                    int64_t infeed_at);
-/* The bank's bag and cycle. */
-void ctl_wheel_set_bag(ctl_wheel* wheel, int64_t bag, uint32_t cycle);
 /* Return positions, 1/256 pulse: the present ones, and those at counts as the board gives them. */
 int64_t ctl_wheel_film(ctl_wheel* wheel);
 int64_t ctl_wheel_infeed(ctl_wheel* wheel);
