@@ -246,9 +246,12 @@ size_t ctl_take_answer(ctl_core* core, uint8_t* bytes)
 
 void ctl_on_cut(ctl_core* core, int64_t film)
 {
+    /* A knife that a jam stops, or that returns to its place, does not follow the film. */
+    const ctl_motion* motion = &core->motion;
+    const bool follows = ctl_motion_in_cycle(motion) && !motion->park.jam;
     if (!core->packer.alone)
         ctl_master_on_cut(&core->master, core->packer.cut);
-    ctl_packer_on_cut(&core->packer, film, &core->motion.ramp);
+    ctl_packer_on_cut(&core->packer, film, follows ? &motion->ramp : NULL);
     if (!core->packer.no_bag)
         ctl_switches_bag(&core->io.switches, ctl_packer_bag_class(&core->packer) != CTL_BAG_GOOD);
 }

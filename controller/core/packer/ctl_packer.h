@@ -235,7 +235,8 @@ uint32_t ctl_packer_advance(ctl_packer* packer, const ctl_drive* drive, uint32_t
  * present cycle. */
 bool ctl_packer_slice(ctl_packer* packer, bool in_cycle);
 
-/* Handles a cut at this position of the film motor, 1/256 pulse. */
+/* Handles a cut at this position of the film motor, 1/256 pulse, with the ramp of the line; NULL: the knife
+ * does not follow the film. */
 void ctl_packer_on_cut(ctl_packer* packer, int64_t film, const ctl_ramp* ramp);
 /* Returns false when the last cut made no bag. */
 bool ctl_packer_on_bag(ctl_packer* packer, uint32_t length_um);

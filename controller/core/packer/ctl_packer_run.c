@@ -244,10 +244,12 @@ void ctl_packer_on_cut(ctl_packer* packer, int64_t film, const ctl_ramp* ramp)
     ctl_knives_cut(&packer->knives);
     /* The place of another knife is no lag. */
     const bool lag_was_known = packer->lag_known;
-    /* Nor does a knife that stops on somebody else's film say anything of it. */
-    const bool left = packer->wheel.on && !ramp->led;
-    const bool misplaced = left || is_misplaced(packer, ramp);
-    if (!left && (packer->cut_before || packer->next.tracked) && (packer->knives.last == 0 || !lag_was_known))
+    /* Nor does a knife that stops on somebody else's film say anything of it, or one that does not follow it.
+     */
+    const bool left = packer->wheel.on && (ramp == NULL || !ramp->led);
+    const bool misplaced = left || (ramp != NULL && is_misplaced(packer, ramp));
+    if (ramp != NULL && !left && (packer->cut_before || packer->next.tracked) &&
+        (packer->knives.last == 0 || !lag_was_known))
         learn_lag(packer, film - packer->next.command, ramp);
     const uint32_t bags = bags_since(packer, film);
     const int64_t mark_before = last->mark_at;

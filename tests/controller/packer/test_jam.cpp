@@ -32,6 +32,16 @@ MachineOptions sealing()
     return options;
 }
 
+// The same with an encoder on the line's shaft.
+MachineOptions rippling()
+{
+    MachineOptions options = sealing();
+    options.shaft.counts = 10'000;
+    options.shaft.speedMmPerS = 1250.0;
+    options.shaft.ripple = 0.01;
+    return options;
+}
+
 class Line : public Rig {
 public:
     explicit Line(const MachineOptions& options = sealing())
@@ -46,6 +56,14 @@ public:
         start();
     }
 
+    void followEncoder()
+    {
+        command(CTL_COMMAND_STOP_NOW);
+        (void)runUntilState(CTL_STATE_READY);
+        write(CTL_REG_MASTER_SOURCE, {CTL_MASTER_SOURCE_ENCODER});
+        run(500'000);
+        command(CTL_COMMAND_START);
+    }
     unsigned jam(std::uint16_t address) { return status(address); }
     double jamDegrees(std::uint16_t address) { return static_cast<std::int16_t>(status(address)) / 100.0; }
     void block(bool on) { controller().machine().jaws().setBlocked(on); }
@@ -316,16 +334,8 @@ private slots:
     // An encoder leads the line, with a ripple of 1 %: the run leaves it for the jam, and meets it again.
     void anEncoderMayLead()
     {
-        MachineOptions options = sealing();
-        options.shaft.counts = 10'000;
-        options.shaft.speedMmPerS = 1250.0;
-        options.shaft.ripple = 0.01;
-        Line line(options);
-        QCOMPARE(line.command(CTL_COMMAND_STOP_NOW), CTL_REFUSAL_NONE);
-        QVERIFY(line.runUntilState(CTL_STATE_READY));
-        QCOMPARE(line.write(CTL_REG_MASTER_SOURCE, {CTL_MASTER_SOURCE_ENCODER}), 0);
-        line.run(500'000);
-        QCOMPARE(line.command(CTL_COMMAND_START), CTL_REFUSAL_NONE);
+        Line line(rippling());
+        line.followEncoder();
         line.run(60 * cycleUs);
         QVERIFY(line.core().master.leads);
         QCOMPARE(line.jam(CTL_REG_JAM_STATE), unsigned(CTL_JAM_STATE_ARMED));
@@ -337,6 +347,41 @@ private slots:
         QVERIFY(line.core().master.leads);
         QCOMPARE(line.core().motion.state, CTL_STATE_RUNNING);
         QCOMPARE(line.jam(CTL_REG_JAM_NUMBER), 1u);
+    }
+
+    // The axes stop within 26 ms, so that the knife is sent beyond its cut and makes it on its way back to
+    // its place. The film stands meanwhile, which says nothing of its lag.
+    void aJamTeachesNoLag_data()
+    {
+        QTest::addColumn<bool>("leads");
+        QTest::newRow("clock") << false;
+        QTest::newRow("encoder") << true;
+    }
+    void aJamTeachesNoLag()
+    {
+        QFETCH(bool, leads);
+        Line line(leads ? rippling() : sealing());
+        line.setParameter(CTL_REG_PARAMETER_JAM_STOP_TIME, 26);
+        if (leads)
+            line.followEncoder();
+        const ctl_packer& packer = line.core().packer;
+        for (int jam = 0; jam < 4; ++jam) {
+            line.run(60 * cycleUs);
+            QCOMPARE(line.core().master.leads, leads);
+            const auto lag = static_cast<double>(packer.lag);
+            QVERIFY(lag != 0.0);
+            QVERIFY(line.jams());
+            QVERIFY(line.goesOn());
+            for (int bag = 0; bag < 8; ++bag) {
+                const std::vector<unsigned> flags = line.flagsOfNext(1);
+                const double off = std::abs(static_cast<double>(packer.lag) / lag - 1.0);
+                QVERIFY2(off < 0.1, qPrintable(QString("jam %1, bag %2: %3").arg(jam).arg(bag).arg(off)));
+                const unsigned scrap = 1u << CTL_BAG_BIT_JAMMED | 1u << CTL_BAG_BIT_START_UP;
+                const double missedMm = std::abs(line.controller().cut()->markErrorMm);
+                QVERIFY2((flags[0] & scrap) != 0 || missedMm < 0.4,
+                         qPrintable(QString("jam %1, bag %2: %3 mm").arg(jam).arg(bag).arg(missedMm)));
+            }
+        }
     }
 
     // Somebody has turned the knife while he took it out: the next start looks for the index mark.
