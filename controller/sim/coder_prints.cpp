@@ -9,6 +9,7 @@ namespace campanel::controller {
 namespace {
 
 constexpr std::size_t keptPulses = 32;
+constexpr double acrossMm = 10.0; // from a cut to the middle of a product
 
 } // namespace
 
@@ -22,13 +23,26 @@ void CoderPrints::takePulse(double drawnMm)
     match();
 }
 
-void CoderPrints::takeCut(const BagCut& cut, bool isPlaced)
+// Returns where the pulse of a product belongs whose middle is so far before the cut.
+std::optional<double> CoderPrints::placeOf(double behindMm, int placedLengths, double bagMm)
+{
+    const int length = static_cast<int>(std::floor(behindMm / bagMm));
+    const double inLengthMm = behindMm - length * bagMm;
+    const bool isFirst = m_length != length;
+    m_length = length;
+    if (!isFirst || length >= placedLengths || std::min(inLengthMm, bagMm - inLengthMm) < acrossMm)
+        return std::nullopt;
+    return m_cutMm - length * bagMm - m_placeMm;
+}
+
+void CoderPrints::takeCut(const BagCut& cut, int placedLengths, double bagMm)
 {
     m_cutMm = cut.drawnMm;
-    // The pulses of several products in one bag follow one another.
-    for (std::size_t i = 0; i < cut.products.size(); ++i) {
+    m_length.reset();
+    for (const auto& product : cut.products) {
         ++m_products;
-        m_bagged.push_back(isPlaced && i == 0 ? std::optional(cut.drawnMm - m_placeMm) : std::nullopt);
+        const double middleMm = (product.leadMm + product.trailMm) / 2;
+        m_bagged.push_back(placeOf(cut.drawnMm - middleMm, placedLengths, bagMm));
     }
     match();
 }

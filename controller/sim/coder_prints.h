@@ -20,9 +20,10 @@ public:
     }
 
     void takePulse(double drawnMm);
-    // The bag is of one length, its cut in register and the film since the pulse not moved by hand: its print
-    // must be in its place.
-    void takeCut(const BagCut& cut, bool isPlaced);
+    // The bag is cut behind lengths of `bagMm`. The prints of the last `placedLengths` of them must be in
+    // their places; a product across two of them belongs to the one or the other, and the second one in a
+    // length waits for the pulse of the first.
+    void takeCut(const BagCut& cut, int placedLengths, double bagMm);
 
     // The products in bags without a pulse lay on the film before the controller could see them.
     void forgetUnseen();
@@ -38,6 +39,7 @@ public:
 
 private:
     void match();
+    [[nodiscard]] std::optional<double> placeOf(double behindMm, int placedLengths, double bagMm);
 
     double m_placeMm;
     std::uint32_t m_products = 0;
@@ -47,6 +49,7 @@ private:
     std::deque<double> m_due;                   // pulses, film drawn
     std::deque<double> m_last;                  // the last pulses, matched or not
     double m_cutMm = 0.0;                       // the last cut
+    std::optional<int> m_length;                // of the last product in its bag, counted from its end
     std::deque<std::optional<double>> m_bagged; // products in bags: the film where their pulse belongs
 };
 

@@ -127,7 +127,7 @@ Infeed::Cut Infeed::cut(double drawnMm)
     Cut result;
     for (const Laid& laid : m_laid)
         result.through = result.through || (laid.leadMm < drawnMm && drawnMm < laid.trailMm);
-    const auto past = std::partition(m_laid.begin(), m_laid.end(), [drawnMm](const Laid& laid) {
+    const auto past = std::stable_partition(m_laid.begin(), m_laid.end(), [drawnMm](const Laid& laid) {
         return 0.5 * (laid.leadMm + laid.trailMm) >= drawnMm;
     });
     result.products.assign(past, m_laid.end());

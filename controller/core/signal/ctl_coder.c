@@ -26,6 +26,28 @@ bool ctl_coder_is_aimed(const ctl_coder* coder, const ctl_packer* packer)
             coder->writes == packer->board->parameter_writes);
 }
 
+/* Returns where the mark of the cut near `cut` belongs, which the sensor need not have seen yet. */
+static int64_t mark_of(const ctl_packer* packer, int64_t cut)
+{
+    const ctl_marks* marks = &packer->marks;
+    const ctl_mark* mark = ctl_marks_near(marks, cut, packer->bag / 2);
+    if (mark != NULL)
+        return mark->at;
+    int64_t at = marks->expected + marks->settings.distance;
+    while (at + marks->pitch / 2 < cut)
+        at += marks->pitch;
+    return at;
+}
+
+/* Returns where so many cuts behind the next one are made: they come to their marks by so much at each cut.
+ */
+static int64_t align(const ctl_packer* packer, int64_t cut, uint32_t cuts)
+{
+    const int64_t way = mark_of(packer, cut) - cut;
+    const int64_t limit = (int64_t)cuts * ctl_phase_max(&packer->settings.phase, CTL_PHASE_FAST);
+    return way > limit ? cut + limit : way < -limit ? cut - limit : cut + way;
+}
+
 /* The cuts behind the next one are at their marks, or a bag apart. */
 static int64_t end_of_bag(const ctl_packer* packer, int64_t middle)
 {
@@ -34,12 +56,8 @@ static int64_t end_of_bag(const ctl_packer* packer, int64_t middle)
     uint32_t cuts = 0;
     for (; cut <= middle && cuts < MAX_CUTS; ++cuts)
         cut += bag;
-    if (cuts != 0) {
-        const ctl_mark* mark = packer->marks.state == CTL_MARK_STATE_TRACKING
-                                   ? ctl_marks_near(&packer->marks, cut, bag / 2)
-                                   : NULL;
-        return mark != NULL ? mark->at : cut;
-    }
+    if (cuts != 0)
+        return ctl_marks_follow(&packer->marks) ? align(packer, cut, cuts) : cut;
     for (; cut - bag > middle && cuts < MAX_CUTS; ++cuts)
         cut -= bag;
     return cut;
