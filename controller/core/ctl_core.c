@@ -48,6 +48,7 @@ void ctl_init(ctl_core* core, const ctl_config* config, const ctl_port* port, ui
     uint16_t* const saved[CTL_FLASH_GROUPS] = {core->written.parameter, core->written.master,
                                                &core->written.hand[TRIMS], core->written.signal};
     ctl_flash_load(&core->flash, &core->board, &core->banks, saved);
+    ctl_kept_trims_restore(&core->kept_trims, &core->board, &core->banks, &core->written.hand[TRIMS]);
     core->trims_of = core->banks.generation;
     ctl_master_init(&core->master, &core->board);
     ctl_packer_init(&core->packer, &core->board);
@@ -68,6 +69,7 @@ static void change_trims(ctl_core* core)
     if (memcmp(name, before, NAME_BYTES) != 0) {
         memcpy(trims, &trims[CTL_TRIMS], CTL_TRIMS * sizeof *trims);
         core->board.parameter_writes += 1;
+        ctl_kept_trims_follow(&core->kept_trims, &core->board, banks, trims);
     }
     memset(&trims[CTL_TRIMS], 0, CTL_TRIMS * sizeof *trims);
 }

@@ -66,7 +66,7 @@ tl::expected<FileFlash, std::string> FileFlash::open(const std::filesystem::path
     FileFlash flash;
     flash.m_lock = openFile("controller.lock");
     flash.m_slots = {openFile("flash-slot-0"), openFile("flash-slot-1")};
-    flash.m_records = {openFile("kept-record-0"), openFile("kept-record-1")};
+    flash.m_records = {openFile("kept-record-0"), openFile("kept-record-1"), openFile("kept-record-2")};
     const auto failed = [](int descriptor) { return descriptor < 0; };
     if (flash.m_lock < 0 || std::ranges::any_of(flash.m_slots, failed) ||
         std::ranges::any_of(flash.m_records, failed))
@@ -80,7 +80,7 @@ tl::expected<FileFlash, std::string> FileFlash::open(const std::filesystem::path
 
 FileFlash::FileFlash(FileFlash&& other) noexcept
     : m_slots(std::exchange(other.m_slots, {-1, -1}))
-    , m_records(std::exchange(other.m_records, {-1, -1}))
+    , m_records(std::exchange(other.m_records, {-1, -1, -1}))
     , m_sequences(other.m_sequences)
     , m_lock(std::exchange(other.m_lock, -1))
 {
@@ -88,10 +88,15 @@ FileFlash::FileFlash(FileFlash&& other) noexcept
 
 FileFlash::~FileFlash()
 {
-    for (const int descriptor : {m_slots[0], m_slots[1], m_records[0], m_records[1], m_lock}) {
-        if (descriptor >= 0)
-            close(descriptor);
-    }
+    const auto closeAll = [](const auto& descriptors) {
+        for (const int descriptor : descriptors) {
+            if (descriptor >= 0)
+                close(descriptor);
+        }
+    };
+    closeAll(m_slots);
+    closeAll(m_records);
+    closeAll(std::array{m_lock});
 }
 
 bool FileFlash::read(std::uint32_t slot, std::uint32_t offset, std::span<std::uint8_t> bytes)

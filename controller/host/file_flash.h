@@ -35,8 +35,8 @@ private:
     FileFlash() = default;
 
     std::array<int, 2> m_slots{-1, -1};
-    std::array<int, 2> m_records{-1, -1};
-    std::array<std::uint32_t, 2> m_sequences{}; // of their newest contents
+    std::array<int, CTL_KEPT_RECORDS> m_records{-1, -1, -1};
+    std::array<std::uint32_t, CTL_KEPT_RECORDS> m_sequences{}; // of their newest contents
     int m_lock = -1;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The storage of the simulated board that survives a power loss: two slots of bytes, erased to 0xFF, and two
+// The storage of the simulated board that survives a power loss: two slots of bytes, erased to 0xFF, and
 // small records that are replaced whole.
 #pragma once
 

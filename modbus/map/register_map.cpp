@@ -505,8 +505,8 @@ constexpr std::array registerTable{
     since(6, cutter(block("order_status.lot", 0x0B5F, orderLotRegisters, Access::ReadOnly,
                           "lot of the order, as order.lot"))),
 
-    // The operator's hand. The speed is 100 % at each power-up; the trims are saved with the program, and
-    // become those of the next one with a program of another name.
+    // The operator's hand. The speed is 100 % at each power-up; the trims are saved with the program and kept
+    // over a power cut where the board can, and become those of the next one with a program of another name.
     since(6, rw16("hand.speed", 0x0B80,
                   "speed of a cutter or a cam that follows the clock, of its program's rate", {}, 20, 100,
                   100, 1.0, "%")),

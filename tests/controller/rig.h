@@ -30,7 +30,7 @@ public:
 
     std::array<Bytes, 2> contents; // contents of each slot
     bool hasRecords = true;
-    std::array<Bytes, 2> records;
+    std::array<Bytes, CTL_KEPT_RECORDS> records;
     std::optional<std::size_t> bytesUntilPowerCut;
     std::size_t written = 0;
 };

@@ -327,6 +327,7 @@ void TestFlash::slotsOfOtherVersions()
     QFETCH(bool, hasCount);
     QFETCH(int, parameters);
     MemoryFlash flash;
+    flash.hasRecords = false;
     {
         Rig rig({}, &flash);
         rig.setParameter(CTL_REG_PARAMETER_RAMP_TIME, 1234);

@@ -12,7 +12,7 @@
 #define CTL_FLASH_SLOTS 2u
 #define CTL_SLICE_US 250u
 #define CTL_KEPT_BYTES 64u
-#define CTL_KEPT_RECORDS 2u
+#define CTL_KEPT_RECORDS 3u
 
 typedef enum { CTL_AXIS_FILM, CTL_AXIS_INFEED } ctl_axis;
 typedef enum { CTL_FLASH_DONE, CTL_FLASH_BUSY, CTL_FLASH_FAILED } ctl_flash_progress;
@@ -78,8 +78,9 @@ typedef struct {
      * CTL_FLASH_DONE or CTL_FLASH_FAILED. NULL: erase and write return when they are done. */
     ctl_flash_progress (*flash_progress)(void* context);
 
-    /* Records 0 and 1 of at most CTL_KEPT_BYTES, the first replaced at each bag: a power cut at any moment
-     * leaves the new one or the one before (FRAM, backup RAM). False: it failed. NULL: nothing survives. */
+    /* CTL_KEPT_RECORDS records of at most CTL_KEPT_BYTES, the first replaced at each bag: a power cut at any
+     * moment leaves the new one or the one before (FRAM, backup RAM). False: it failed. NULL: nothing
+     * survives. */
     bool (*keep)(void* context, uint32_t record, const uint8_t* bytes, uint32_t size);
     /* Reads a record; returns its size, 0 when there is none, at most `size` of it read. */
     uint32_t (*kept)(void* context, uint32_t record, uint8_t* bytes, uint32_t size);

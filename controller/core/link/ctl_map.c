@@ -280,6 +280,8 @@ uint8_t ctl_map_write(ctl_core* core, uint32_t address, const uint16_t* values, 
     memcpy(target, changed, ranges[group].count * sizeof changed[0]);
     if (group == GROUP_PARAMETER || group == GROUP_MASTER || group == GROUP_HAND || group == GROUP_SIGNAL)
         core->board.parameter_writes += 1;
+    if (group == GROUP_HAND)
+        ctl_kept_trims_follow(&core->kept_trims, &core->board, &core->banks, ctl_trims(&core->board));
     if (group == GROUP_EXCHANGE && !(covers(address, count, CTL_REG_EXCHANGE_HEARTBEAT) &&
                                      covers(address, count, CTL_REG_EXCHANGE_PERMIT)))
         core->written.exchange[PERMIT] = 0;

@@ -4,6 +4,7 @@
 #define CTL_PARTS_H
 
 #include "bank/ctl_flash.h"
+#include "bank/ctl_kept_trims.h"
 #include "link/ctl_rtu.h"
 #include "motion/ctl_io.h"
 #include "motion/ctl_motion.h"
@@ -66,6 +67,7 @@ typedef struct ctl_core {
     uint16_t command_result[CTL_GROUP_RESULT];
     ctl_banks banks;
     uint32_t trims_of; /* generation of the program that has the present trims */
+    ctl_kept_trims kept_trims;
     ctl_transfer transfer;
     ctl_work work;
     ctl_flash flash;

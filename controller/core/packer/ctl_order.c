@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "packer/ctl_order.h"
 
+#include "base/ctl_kept.h"
 #include "base/ctl_words.h"
 #include "ctl_registers.h"
 
@@ -9,7 +10,6 @@
 
 /* What survives a power cut, in registers: the counts, and the lot beside them. */
 #define KEPT_VERSION 1u
-enum { COUNTS_RECORD, LOT_RECORD };
 enum { LOT_NUMBER, LOT, LOT_REGISTERS = LOT + CTL_ORDER_LOT_REGISTERS };
 enum {
     VERSION,
@@ -24,30 +24,10 @@ enum {
 _Static_assert(2u * KEPT_REGISTERS <= CTL_KEPT_BYTES && 2u * LOT_REGISTERS <= CTL_KEPT_BYTES,
                "the order fits the records");
 
-static bool keep_registers(const ctl_order* order, uint32_t record, const uint16_t* registers, uint32_t count)
-{
-    const ctl_port* port = &order->board->port;
-    uint8_t bytes[CTL_KEPT_BYTES];
-    for (uint32_t i = 0; i < count; ++i)
-        ctl_put_bytes16(&bytes[2u * i], registers[i]);
-    return port->keep(port->context, record, bytes, 2u * count);
-}
-
-static bool read_registers(const ctl_order* order, uint32_t record, uint16_t* registers, uint32_t count)
-{
-    const ctl_port* port = &order->board->port;
-    uint8_t bytes[CTL_KEPT_BYTES];
-    if (port->kept(port->context, record, bytes, sizeof bytes) != 2u * count)
-        return false;
-    for (uint32_t i = 0; i < count; ++i)
-        registers[i] = ctl_get_bytes16(&bytes[2u * i]);
-    return true;
-}
-
 static void keep(ctl_order* order)
 {
     uint16_t record[KEPT_REGISTERS];
-    if (order->board->port.keep == NULL)
+    if (!ctl_keeps(order->board))
         return;
     record[VERSION] = KEPT_VERSION;
     record[STATE] = order->state;
@@ -57,24 +37,22 @@ static void keep(ctl_order* order)
     ctl_put32(&record[CUT], order->cut);
     for (uint32_t i = 0; i < CTL_BAG_CLASSES; ++i)
         ctl_put32(&record[COUNTS + 2u * i], order->counts[i]);
-    order->kept = keep_registers(order, COUNTS_RECORD, record, KEPT_REGISTERS);
+    order->kept = ctl_keep(order->board, CTL_KEPT_COUNTS, record, KEPT_REGISTERS);
 }
 
 static void keep_lot(const ctl_order* order)
 {
     uint16_t record[LOT_REGISTERS];
-    if (order->board->port.keep == NULL)
-        return;
     record[LOT_NUMBER] = order->number;
     memcpy(&record[LOT], order->lot, sizeof order->lot);
-    (void)keep_registers(order, LOT_RECORD, record, LOT_REGISTERS);
+    (void)ctl_keep(order->board, CTL_KEPT_LOT, record, LOT_REGISTERS);
 }
 
 static void restore(ctl_order* order)
 {
     uint16_t record[KEPT_REGISTERS];
     uint16_t lot[LOT_REGISTERS];
-    if (!read_registers(order, COUNTS_RECORD, record, KEPT_REGISTERS) || record[VERSION] != KEPT_VERSION ||
+    if (!ctl_kept(order->board, CTL_KEPT_COUNTS, record, KEPT_REGISTERS) || record[VERSION] != KEPT_VERSION ||
         record[STATE] > CTL_ORDER_STATE_ENDED || record[ACTION] > CTL_ORDER_ACTION_STOP)
         return;
     order->state = record[STATE];
@@ -88,7 +66,7 @@ static void restore(ctl_order* order)
         known += order->counts[i];
     }
     order->counts[CTL_BAG_REJECTED] += order->cut - known;
-    if (read_registers(order, LOT_RECORD, lot, LOT_REGISTERS) && lot[LOT_NUMBER] == order->number)
+    if (ctl_kept(order->board, CTL_KEPT_LOT, lot, LOT_REGISTERS) && lot[LOT_NUMBER] == order->number)
         memcpy(order->lot, &lot[LOT], sizeof order->lot);
 }
 
@@ -96,7 +74,7 @@ void ctl_order_init(ctl_order* order, const ctl_board* board)
 {
     memset(order, 0, sizeof *order);
     order->board = board;
-    order->kept = board->port.keep != NULL && board->port.kept != NULL;
+    order->kept = ctl_keeps(board);
     if (order->kept)
         restore(order);
 }

@@ -3,6 +3,7 @@
 // step of an axis, and nothing is cut through a product.
 #include "rig.h"
 
+#include "base/ctl_kept.h"
 #include "tests/support/test_program.h"
 
 #include <QTest>
@@ -60,8 +61,8 @@ public:
         : Line(calm(master), master, marks)
     {
     }
-    Line(const MachineOptions& options, Master master, bool marks)
-        : Rig(options)
+    Line(const MachineOptions& options, Master master, bool marks, MemoryFlash* flash = nullptr)
+        : Rig(options, flash)
     {
         install(bank());
         setParameter(CTL_REG_PARAMETER_MARK_TRACKING, marks ? 1 : 0);
@@ -88,6 +89,7 @@ public:
         m_film.known = m_infeed.known = 0; // the frames take some slices
         return write(address, {static_cast<std::uint16_t>(std::lround(mm * 1000))});
     }
+    std::uint16_t save() { return command(CTL_COMMAND_SAVE_TO_FLASH, 0, 0, core().banks.active_crc); }
     double value(std::uint16_t address) { return static_cast<std::int16_t>(status(address)) / 1000.0; }
     // Returns the next cut, with a product in its bag.
     BagCut next()
@@ -181,6 +183,9 @@ private slots:
     void trimsAtStandstillActFromTheStart();
     void trimsBelongToTheProgramsName();
     void trimsSurviveAPowerCutWhenSaved();
+    void unsavedTrimsSurviveAPowerCut();
+    void keptTrimsBelongToTheirProgram();
+    void recordOfOtherTrimsIsNone();
     void trimsBeyondTheirLimitsAreRefused();
     void randomTouchesCutNoProduct_data();
     void randomTouchesCutNoProduct();
@@ -341,16 +346,108 @@ void TestHandTrims::trimsBelongToTheProgramsName()
     QCOMPARE(line.value(CTL_REG_HAND_PRODUCT), 0.0);
 }
 
+// On a board that keeps no records.
 void TestHandTrims::trimsSurviveAPowerCutWhenSaved()
 {
-    Line line;
+    MemoryFlash flash;
+    flash.hasRecords = false;
+    Line line(calm(Master::Clock), Master::Clock, true, &flash);
     line.set(CTL_REG_HAND_CUT, 1.0);
-    QCOMPARE(line.command(CTL_COMMAND_SAVE_TO_FLASH, 0, 0, line.core().banks.active_crc), CTL_REFUSAL_NONE);
+    QCOMPARE(line.save(), CTL_REFUSAL_NONE);
     line.set(CTL_REG_HAND_CUT, 2.0);
     line.set(CTL_REG_HAND_NEXT_CUT, 3.0);
     line.controller().restart();
     QCOMPARE(line.value(CTL_REG_HAND_CUT), 1.0);
     QCOMPARE(line.value(CTL_REG_HAND_NEXT_CUT), 0.0);
+}
+
+// At each moment: the trims behind the power cut are those whose write was answered last.
+void TestHandTrims::unsavedTrimsSurviveAPowerCut()
+{
+    MemoryFlash flash;
+    Line line(calm(Master::Clock), Master::Clock, true, &flash);
+    QCOMPARE(line.save(), CTL_REFUSAL_NONE);
+    const Bytes slot = flash.contents[0];
+    std::mt19937_64 random(17);
+    for (int i = 0; i < 200; ++i) {
+        const auto mm = [&random] { return static_cast<double>(random() % 8001) / 1000.0 - 4.0; };
+        const double cut = mm();
+        const double product = mm();
+        line.run(random() % (3 * cycleUs));
+        QCOMPARE(line.set(CTL_REG_HAND_CUT, cut), 0);
+        line.run(random() % 1000);
+        QCOMPARE(line.set(CTL_REG_HAND_PRODUCT, product), 0);
+        line.run(random() % 1000);
+        line.controller().restart();
+        QCOMPARE(line.value(CTL_REG_HAND_CUT), cut);
+        QCOMPARE(line.value(CTL_REG_HAND_PRODUCT), product);
+        line.start();
+    }
+    QCOMPARE(flash.contents[0], slot);
+}
+
+// Another program at power-up has the trims that were saved with it, and so has the same one with other
+// values.
+void TestHandTrims::keptTrimsBelongToTheirProgram()
+{
+    MemoryFlash flash;
+    Line line(calm(Master::Clock), Master::Clock, true, &flash);
+    line.set(CTL_REG_HAND_CUT, 1.0);
+    QCOMPARE(line.save(), CTL_REFUSAL_NONE);
+    line.set(CTL_REG_HAND_CUT, 2.0);
+    line.controller().restart();
+    QCOMPARE(line.value(CTL_REG_HAND_CUT), 2.0);
+    Registers image = Line::bank().registers();
+    for (const unsigned name : {unsigned{'A'} << 8, 0u}) {
+        image[CTL_OFFSET_PROGRAM_RECIPE_VERSION] = 7;
+        image[CTL_OFFSET_PROGRAM_RECIPE_NAME] = static_cast<std::uint16_t>(name);
+        line.install(image, 2); // not saved
+        line.set(CTL_REG_HAND_CUT, 3.0);
+        line.controller().restart();
+        QCOMPARE(line.value(CTL_REG_HAND_CUT), 1.0);
+    }
+    // Back from a program of another name the first one has no trims.
+    line.set(CTL_REG_HAND_CUT, 2.0);
+    image[CTL_OFFSET_PROGRAM_RECIPE_NAME] = 'A' << 8;
+    line.install(image, 2);
+    line.install(Line::bank().registers(), 3);
+    line.run(1000);
+    QCOMPARE(line.value(CTL_REG_HAND_CUT), 0.0);
+    line.controller().restart();
+    QCOMPARE(line.value(CTL_REG_HAND_CUT), 0.0);
+    // A change of the same recipe leaves the trims, and so does a power cut behind its save.
+    line.set(CTL_REG_HAND_CUT, 4.0);
+    image[CTL_OFFSET_PROGRAM_RECIPE_NAME] = 0;
+    line.install(image, 4);
+    line.run(1000);
+    QCOMPARE(line.save(), CTL_REFUSAL_NONE);
+    line.controller().restart();
+    QCOMPARE(line.value(CTL_REG_HAND_CUT), 4.0);
+}
+
+void TestHandTrims::recordOfOtherTrimsIsNone()
+{
+    MemoryFlash flash;
+    Line line(calm(Master::Clock), Master::Clock, true, &flash);
+    QCOMPARE(line.save(), CTL_REFUSAL_NONE);
+    line.set(CTL_REG_HAND_CUT, 2.0);
+    const Bytes good = flash.records[CTL_KEPT_TRIMS];
+    const auto valueWith = [&](const Bytes& record) {
+        flash.records[CTL_KEPT_TRIMS] = record;
+        line.controller().restart();
+        return line.value(CTL_REG_HAND_CUT);
+    };
+    for (const std::size_t byte : {1u, 2u, 6u}) { // version, program, a cut beyond its limits
+        Bytes wrong = good;
+        wrong.at(byte) ^= 0x41u;
+        QCOMPARE(valueWith(wrong), 0.0);
+    }
+    QCOMPARE(valueWith(Bytes(good.begin(), good.end() - 1)), 0.0);
+    QCOMPARE(valueWith({}), 0.0); // of a controller that kept none
+    QCOMPARE(valueWith(good), 2.0);
+    flash.hasRecords = false;
+    Line without(calm(Master::Clock), Master::Clock, true, &flash);
+    QCOMPARE(without.value(CTL_REG_HAND_CUT), 0.0);
 }
 
 void TestHandTrims::trimsBeyondTheirLimitsAreRefused()
