@@ -19,8 +19,9 @@ constexpr double fullCircle = 36000.0;  // bank angles in 0.01 degrees
 constexpr double sameRevolution = 1e-6; // pulses
 // The sizes of what the pins see.
 constexpr double indexMarkShare = 0.01; // of a revolution
-constexpr double slowestPulses = 1.0;   // per second; slower ones have no friction
-constexpr double driftS = 600.0;        // of the friction, there and back
+constexpr double degreesPerTurn = 360.0;
+constexpr double slowestPulses = 1.0; // per second; slower ones have no friction
+constexpr double driftS = 600.0;      // of the friction, there and back
 constexpr double tenthsPerPercent = 10.0;
 constexpr double limitShare = 0.99; // of the maximum torque, from which the drive says so
 
@@ -70,6 +71,7 @@ Machine::Machine(const MachineOptions& options)
     , m_main(options.servoBandwidthHz)
     , m_filmMotor(options.feedBandwidthHz)
     , m_infeedMotor(options.feedBandwidthHz)
+    , m_indexRandom(options.seed ^ 0xC2B2AE3D27D4EB4Fu)
     , m_film(options.film, options.seed)
     , m_infeed(options.products, options.seed)
     , m_shaft(options.shaft)
@@ -79,13 +81,21 @@ Machine::Machine(const MachineOptions& options)
     , m_report(options.report, options.seed ^ 0x589965CC75374CC3u)
 {
     m_mark = -m_revolution * options.startAngleDegrees / 360.0;
+    for (unsigned axis = 0; axis < Axes; ++axis)
+        m_ways[axis].setReversed((static_cast<unsigned>(options.reversed) & 1u << axis) != 0, 0.0);
     switchDrives();
+}
+
+void Machine::commandMotor(Servo& servo, Axis axis, std::int64_t pulses)
+{
+    servo.command(m_ways[axis].isReversed() ? -pulses : pulses);
 }
 
 void Machine::commandFeed(ctl_axis axis, std::int64_t from, std::int64_t to)
 {
-    Servo& servo = axis == CTL_AXIS_FILM ? m_filmMotor : m_infeedMotor;
-    servo.command(ctl_whole_pulses(to) - ctl_whole_pulses(from));
+    const bool isFilm = axis == CTL_AXIS_FILM;
+    commandMotor(isFilm ? m_filmMotor : m_infeedMotor, isFilm ? FilmRoll : Flights,
+                 ctl_whole_pulses(to) - ctl_whole_pulses(from));
 }
 
 void Machine::standStill(const ByHand& byHand)
@@ -189,7 +199,8 @@ void Machine::setProgram(const ctl_bank& bank)
 {
     const std::uint16_t kind = ctl_bank_kind(&bank);
     m_hasKnife = kind == CTL_PROGRAM_KIND_ROTARY_CUTTER;
-    turnBy(m_hasKnife ? knifeRevolution(bank) : ctl_bank_revolution_pulses(&bank, 1));
+    const double revolution = m_hasKnife ? knifeRevolution(bank) : ctl_bank_revolution_pulses(&bank, 1);
+    turnBy(m_options.knifePulses > 0.0 ? m_options.knifePulses : revolution);
     if (m_hasKnife)
         setKnife(bank);
     else
@@ -226,7 +237,8 @@ void Machine::setPress(const ctl_bank& bank)
 void Machine::setKnife(const ctl_bank& bank)
 {
     m_stroke = m_revolution / bank.registers[CTL_OFFSET_PROGRAM_KNIVES];
-    m_cutOffset = pulsesAtAngle(bank, bank.registers[CTL_OFFSET_BANK_CUT_ANGLE]);
+    m_cutOffset =
+        pulsesAtAngle(bank, bank.registers[CTL_OFFSET_BANK_CUT_ANGLE]) * m_revolution / knifeRevolution(bank);
     const double radiusMm = wide(bank, CTL_OFFSET_PROGRAM_KNIFE_RADIUS) / umPerMm;
     m_pulsesPerMm = m_revolution / (2.0 * std::numbers::pi * radiusMm);
     const double bagMm = wide(bank, CTL_OFFSET_PROGRAM_BAG_LENGTH) / umPerMm;
@@ -245,11 +257,23 @@ void Machine::layOnPrint()
     m_feed.products = m_firstProduct + bags;
 }
 
+// Forward by the encoder, whose counts have the sign of the command.
 void Machine::passIndex()
 {
-    const double turns = std::floor((m_main.position() - m_mark) / m_revolution);
-    if (turns > std::floor((m_main.positionBefore() - m_mark) / m_revolution))
-        m_index = std::llround(m_mark + turns * m_revolution);
+    const double mark = m_ways[Knife].commanded(m_mark);
+    const double turns = std::floor((m_ways[Knife].commanded(m_main.position()) - mark) / m_revolution);
+    if (turns > std::floor((m_ways[Knife].commanded(m_main.positionBefore()) - mark) / m_revolution))
+        m_index = std::llround(mark + turns * m_revolution);
+}
+
+void Machine::turnIndexMark(IndexMark& mark, double turns)
+{
+    const double turn = std::round(turns);
+    if (turn != mark.turn)
+        mark.offTurns = m_options.indexScatterDegrees / degreesPerTurn * m_normal(m_indexRandom);
+    mark.turn = turn;
+    const double beyond = turns - turn - mark.offTurns;
+    mark.isOn = beyond >= 0.0 && beyond < indexMarkShare;
 }
 
 double Machine::rollMm(double pulses) const
@@ -275,6 +299,8 @@ void Machine::moveFeeds(double stepS)
     m_feed.filmMm = rollMm(m_filmMotor.position());
     m_feed.products = m_infeedMotor.position() / m_options.flightPulses;
     m_feed.filmMmPerS = rollMm(m_filmMotor.speed());
+    turnIndexMark(m_filmIndex, m_filmMotor.position() / m_options.filmPulses);
+    turnIndexMark(m_infeedIndex, m_feed.products);
 }
 
 // Returns what is latched at this share of the last step, where an axis is at `fine`, 1/256 pulse.
@@ -329,7 +355,8 @@ void Machine::passCut()
     const double materialMm = m_film.materialMm(drawnMm);
     Infeed::Cut infeed = m_infeed.cut(drawnMm);
     BagCut cut;
-    cut.filmEncoder = latched(passed, filmMm / m_options.filmFeedMm * m_options.filmPulses * CTL_FINE);
+    cut.filmEncoder = latched(
+        passed, m_ways[FilmRoll].commanded(filmMm / m_options.filmFeedMm * m_options.filmPulses) * CTL_FINE);
     cut.markErrorMm = m_film.offMarkMm(materialMm);
     cut.drawnMm = drawnMm;
     cut.products = std::move(infeed.products);
@@ -367,7 +394,7 @@ void Machine::advance(double stepS)
 std::int64_t Machine::encoder() const
 {
     return m_ram ? std::llround(m_top) + std::llround(m_ram->scaleMm() / m_pulseMm)
-                 : std::llround(m_main.position());
+                 : std::llround(m_ways[Knife].commanded(m_main.position()));
 }
 
 std::int64_t Machine::scale() const
@@ -384,12 +411,12 @@ std::optional<std::int64_t> Machine::takeIndex()
 
 std::int64_t Machine::filmEncoder() const
 {
-    return std::llround(m_filmMotor.position() * CTL_FINE);
+    return std::llround(m_ways[FilmRoll].commanded(m_filmMotor.position()) * CTL_FINE);
 }
 
 std::int64_t Machine::infeedEncoder() const
 {
-    return std::llround(m_infeedMotor.position() * CTL_FINE);
+    return std::llround(m_ways[Flights].commanded(m_infeedMotor.position()) * CTL_FINE);
 }
 
 std::optional<Machine::Edge> Machine::takeMark()
@@ -399,8 +426,8 @@ std::optional<Machine::Edge> Machine::takeMark()
         return std::nullopt;
     m_isMarkThere = edge.on;
     const double share = shareOf(edge.position, m_feedBefore.filmMm, m_feed.filmMm);
-    return Edge{latched(share, edge.position / m_options.filmFeedMm * m_options.filmPulses * CTL_FINE),
-                edge.on};
+    const double pulses = edge.position / m_options.filmFeedMm * m_options.filmPulses;
+    return Edge{latched(share, m_ways[FilmRoll].commanded(pulses) * CTL_FINE), edge.on};
 }
 
 std::optional<Machine::Edge> Machine::takeEdge()
@@ -410,7 +437,8 @@ std::optional<Machine::Edge> Machine::takeEdge()
         return std::nullopt;
     m_isEyeCovered = edge.on;
     const double share = shareOf(edge.position, m_feedBefore.products, m_feed.products);
-    return Edge{latched(share, edge.position * m_options.flightPulses * CTL_FINE), edge.on};
+    const double pulses = m_ways[Flights].commanded(edge.position * m_options.flightPulses);
+    return Edge{latched(share, pulses * CTL_FINE), edge.on};
 }
 
 std::optional<BagCut> Machine::takeCut()

@@ -12,12 +12,15 @@
 #include "jaws.h"
 #include "late_sensor.h"
 #include "line_shaft.h"
+#include "motor_way.h"
 #include "press_ram.h"
 #include "servo.h"
 #include "torque_report.h"
 
+#include <array>
 #include <cstdint>
 #include <optional>
+#include <random>
 #include <vector>
 
 namespace campanel::controller {
@@ -43,7 +46,10 @@ struct MachineOptions {
     double startAngleDegrees = 300.0; // shaft angle at power-up, from its index mark
     double filmFeedMm = 150.0;        // per revolution of the film motor
     double filmPulses = 10'000.0;
-    double flightPulses = 20'000.0; // infeed motor, per product
+    double flightPulses = 20'000.0;   // infeed motor, per product
+    double knifePulses = 0.0;         // per turn of the knife's shaft; 0: what the program says
+    double reversed = 0.0;            // bits: the motors of knife, film and infeed turn the other way
+    double indexScatterDegrees = 0.1; // of the index marks of film and infeed, standard deviation
     PressOptions press;
     DriveOptions drive;
     ReportOptions report; // of the torque
@@ -72,7 +78,7 @@ public:
     // Sets the program to execute; the shaft keeps its angle.
     void setProgram(const ctl_bank& bank);
     // Move the commands of the axes; within a time step they rise evenly. Feeds in 1/256 pulse.
-    void command(std::int64_t pulses) { m_main.command(pulses); }
+    void command(std::int64_t pulses) { commandMotor(m_main, Knife, pulses); }
     void commandFeed(ctl_axis axis, std::int64_t from, std::int64_t to);
     // Cuts the power of the main drive.
     void setDriveOn(bool on);
@@ -139,6 +145,15 @@ public:
     [[nodiscard]] std::optional<double> takeCoderPulseMm();
 
 private:
+    enum Axis { Knife, FilmRoll, Flights, Axes };
+    struct IndexMark { // of a turn of film or infeed, at each turn somewhere else
+        double turn = 0.0;
+        double offTurns = 0.0;
+        bool isOn = false;
+    };
+
+    void commandMotor(Servo& servo, Axis axis, std::int64_t pulses);
+    void turnIndexMark(IndexMark& mark, double turns);
     void switchDrives();
     void turnBy(double revolution);
     void setKnife(const ctl_bank& bank);
@@ -164,6 +179,11 @@ private:
     Servo m_main;
     Servo m_filmMotor;
     Servo m_infeedMotor;
+    std::array<MotorWay, Axes> m_ways;
+    IndexMark m_filmIndex;
+    IndexMark m_infeedIndex;
+    std::mt19937_64 m_indexRandom;
+    std::normal_distribution<double> m_normal;
     // Where film and infeed are, whoever drives them.
     struct Feed {
         double filmMm = 0.0;
