@@ -13,6 +13,7 @@
 #include "modbus/map/blocks.h"
 #include "modbus/map/io_status.h"
 #include "modbus/map/jam_status.h"
+#include "modbus/map/measure_status.h"
 #include "modbus/map/master_status.h"
 #include "modbus/map/order_status.h"
 #include "modbus/map/packer_status.h"

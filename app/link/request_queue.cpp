@@ -19,6 +19,7 @@ Priority priorityOf(modbus::Command command)
     case modbus::Command::TryOutput:
     case modbus::Command::JogBag:
     case modbus::Command::SingleCut:
+    case modbus::Command::Measure:
         return Priority::Motion;
     case modbus::Command::None:
     case modbus::Command::ApplyStaged:

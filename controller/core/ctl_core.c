@@ -32,6 +32,7 @@ static void compose(ctl_core* core)
     core->motion.packer = &core->packer;
     core->motion.master = &core->master;
     core->motion.heartbeat = &core->heartbeat;
+    core->motion.inputs = &core->io.inputs;
 }
 
 void ctl_init(ctl_core* core, const ctl_config* config, const ctl_port* port, uint64_t now_us)
@@ -49,6 +50,7 @@ void ctl_init(ctl_core* core, const ctl_config* config, const ctl_port* port, ui
                                                &core->written.hand[TRIMS], core->written.signal};
     ctl_flash_load(&core->flash, &core->board, &core->banks, saved);
     ctl_kept_trims_restore(&core->kept_trims, &core->board, &core->banks, &core->written.hand[TRIMS]);
+    ctl_machine_data_init(core);
     core->trims_of = core->banks.generation;
     ctl_master_init(&core->master, &core->board);
     ctl_packer_init(&core->packer, &core->board);
@@ -155,6 +157,7 @@ static void use_quiet_slice(ctl_core* core)
         core->asks_start = true;
     } else if (core->asks_start) {
         core->asks_start = false;
+        ctl_machine_data(core);
         switch_signal(core, CTL_OUTPUT_BIT_READY, ctl_may_start(&core->motion, &core->io));
         switch_signal(core, CTL_OUTPUT_BIT_REQUEST, wants_product(core));
     } else if (core->order.state == CTL_ORDER_STATE_ACTIVE) {

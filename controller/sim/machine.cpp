@@ -81,9 +81,16 @@ Machine::Machine(const MachineOptions& options)
     , m_report(options.report, options.seed ^ 0x589965CC75374CC3u)
 {
     m_mark = -m_revolution * options.startAngleDegrees / 360.0;
-    for (unsigned axis = 0; axis < Axes; ++axis)
-        m_ways[axis].setReversed((static_cast<unsigned>(options.reversed) & 1u << axis) != 0, 0.0);
+    setReversed(0);
     switchDrives();
+}
+
+void Machine::setReversed(unsigned axes)
+{
+    const unsigned other = static_cast<unsigned>(m_options.reversed) ^ axes;
+    const std::array<const Servo*, Axes> motors{&m_main, &m_filmMotor, &m_infeedMotor};
+    for (unsigned axis = 0; axis < Axes; ++axis)
+        m_ways[axis].setReversed((other & 1u << axis) != 0, motors[axis]->position());
 }
 
 void Machine::commandMotor(Servo& servo, Axis axis, std::int64_t pulses)
@@ -147,6 +154,10 @@ std::uint16_t Machine::inputs() const
     unsigned levels = m_inputs;
     if (!m_ram && turns - std::floor(turns) < indexMarkShare)
         levels |= pinBit(CTL_INPUT_BIT_INDEX_MARK);
+    if (m_filmIndex.isOn)
+        levels |= pinBit(CTL_INPUT_BIT_FILM_INDEX);
+    if (m_infeedIndex.isOn)
+        levels |= pinBit(CTL_INPUT_BIT_INFEED_INDEX);
     if (m_hasKnife && m_isMarkThere)
         levels |= pinBit(CTL_INPUT_BIT_MARK_SENSOR);
     if (m_hasKnife && m_isEyeCovered)

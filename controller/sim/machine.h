@@ -87,6 +87,8 @@ public:
     // Sets an input pin that no movement sets: drive alarm, emergency stop, limit switches. A drive with an
     // alarm does not follow; the others have no effect.
     void setInput(unsigned bit, bool isOn);
+    // Turns the motors of these axes, bits, the other way than they are wired and mounted; at standstill.
+    void setReversed(unsigned axes);
     // Sets what edges and cuts latch: the counts of the line's encoder, or film and infeed.
     void latchMaster(bool on) { m_latchesMaster = on; }
 
@@ -135,6 +137,8 @@ public:
     // Returns true when the jaws touch the film.
     [[nodiscard]] bool areJawsClosed() const;
     [[nodiscard]] bool areDrivesOn() const;
+    // Returns the place of the infeed, in products.
+    [[nodiscard]] double infeedTurns() const { return m_feed.products; }
     [[nodiscard]] double drawnMm() const { return m_film.drawnMm(m_feed.filmMm); }
     // Returns the shaft of the line that the machine may follow.
     [[nodiscard]] LineShaft& shaft() { return m_shaft; }

@@ -84,6 +84,7 @@ SimulatedController::SimulatedController(const ctl_config& config, const Machine
     port.index = takeIndex;
     port.scale = [](void* context) { return machineOf(context).scale(); };
     port.force = [](void* context) { return machineOf(context).forceN(); };
+    port.reverse = [](void* context, std::uint16_t axes) { machineOf(context).setReversed(axes); };
     port.inputs = [](void* context) { return machineOf(context).inputs(); };
     port.outputs = [](void* context, std::uint32_t levels) { machineOf(context).setOutputs(levels); };
     port.torque = [](void* context) { return machineOf(context).torqueTenthPercent(); };

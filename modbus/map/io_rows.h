@@ -26,7 +26,9 @@ enum class InputBit : std::uint16_t {
     Door,
     NextMachine,
     Coder,
-    BagButton
+    BagButton,
+    FilmIndex,
+    InfeedIndex
 };
 
 // The bits of io.outputs, and from 16 on of io.more_outputs. Command TryOutput switches each of them on at
@@ -66,6 +68,18 @@ inline constexpr std::array contacts{
           "Normally open: closed means on."),
     entry(Contact::NormallyClosed, "NormallyClosed", CAMPANEL_TEXT("Protocol", "NC contact"),
           "Normally closed: open means on, as a broken wire does."),
+};
+
+// The same of the index mark of an axis that may have none.
+enum class IndexContact : std::uint16_t { NormallyOpen = 0, NormallyClosed = 1, NotConnected = 2 };
+
+inline constexpr std::array indexContacts{
+    entry(IndexContact::NormallyOpen, "NormallyOpen", CAMPANEL_TEXT("Protocol", "NO contact"),
+          "Normally open: closed means on."),
+    entry(IndexContact::NormallyClosed, "NormallyClosed", CAMPANEL_TEXT("Protocol", "NC contact"),
+          "Normally closed: open means on."),
+    entry(IndexContact::NotConnected, "NotConnected", CAMPANEL_TEXT("Protocol", "Not connected"),
+          "Nothing is measured with it."),
 };
 
 struct InputRow {
@@ -109,6 +123,10 @@ inline constexpr std::array inputRows{
                    CAMPANEL_TEXT("Protocol", "Ends a run at the end of its cycle and refuses a start."))},
     InputRow{entry(InputBit::BagButton, "BagButton", CAMPANEL_TEXT("Protocol", "One-bag button"),
                    CAMPANEL_TEXT("Protocol", "Makes one bag when it is pressed at standstill."))},
+    InputRow{entry(InputBit::FilmIndex, "FilmIndex", CAMPANEL_TEXT("Protocol", "Film index"),
+                   CAMPANEL_TEXT("Protocol", "On once per turn of the film motor. For measuring it."))},
+    InputRow{entry(InputBit::InfeedIndex, "InfeedIndex", CAMPANEL_TEXT("Protocol", "Infeed index"),
+                   CAMPANEL_TEXT("Protocol", "On once per product of the infeed. For measuring it."))},
 };
 
 constexpr EnumValue camSwitchRow(OutputBit bit, std::string_view name, std::string_view number)

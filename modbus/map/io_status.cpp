@@ -62,6 +62,7 @@ IoStatus decodeIo(std::span<const std::uint16_t> registers)
     }
     status.isAxisKept = hasPin(available, IoBit::AxisKept);
     status.isFilmKept = hasPin(available, IoBit::FilmKept);
+    status.canReverse = hasPin(available, IoBit::Reversal);
     status.isInfeedKept = hasPin(available, IoBit::InfeedKept);
     return status;
 }

@@ -30,6 +30,7 @@ struct IoStatus {
     bool isAxisKept = false;
     bool isFilmKept = false;
     bool isInfeedKept = false;
+    bool canReverse = false; // motors can be turned the other way
 
     // Return the level of a pin; empty when the machine has no such pins.
     [[nodiscard]] std::optional<bool> level(InputBit bit) const;

@@ -192,6 +192,10 @@ constexpr std::array commands{
     entry(Command::TakeBag, "TakeBag", CAMPANEL_TEXT("Protocol", "Next bag to me"),
           "While running: the next bag that is cut is rejected, and its record has the bit Taken. Since map "
           "1.6."),
+    entry(Command::Measure, "Measure", CAMPANEL_TEXT("Protocol", "Measurement of an axis"),
+          "argument0 = MeasuredAxis, argument1 = turns of its index mark, 1 to 20: turns the axis forward at "
+          "parameter.home_frequency and counts; 0: a quarter of a turn. Ends without the heartbeat, by any "
+          "stop and by the door; see measure.state. Since map 1.7."),
 };
 
 constexpr std::array applyModes{
@@ -375,6 +379,15 @@ constexpr std::array refusals{
           CAMPANEL_TEXT("Protocol",
                         "The date coder prints before the products are on the film. Check the place of "
                         "its pulse under Maintenance > Inputs and outputs.")),
+    entry(Refusal::NoIndex, "NoIndex",
+          CAMPANEL_TEXT("Protocol", "This axis has no index sensor. Connect one under Maintenance > Inputs "
+                                    "and outputs, or enter the pulses by hand."),
+          "signal.film_index_contact or signal.infeed_index_contact is NotConnected, or this is a press."),
+    entry(Refusal::NoIndexMark, "NoIndexMark",
+          CAMPANEL_TEXT("Protocol", "No index mark came within four turns. Check the index sensor."),
+          "Only in measure.reason."),
+    entry(Refusal::JawsClosed, "JawsClosed",
+          CAMPANEL_TEXT("Protocol", "The jaws hold the film. Jog the knife open first.")),
 };
 static_assert(static_cast<std::uint16_t>(Refusal::PanelDisagrees) ==
               static_cast<std::uint16_t>(Refusal::NotWarm) +
@@ -499,6 +512,20 @@ constexpr std::array masterStates{
           "It stands at the end of its cycle then."),
 };
 
+constexpr std::array measuredAxes{
+    entry(MeasuredAxis::Knife, "Knife",
+          "The axis with the index mark of homing; of other programs the motor of the axis."),
+    entry(MeasuredAxis::Film, "Film", "The film motor."),
+    entry(MeasuredAxis::Infeed, "Infeed", "A turn is the way from product to product."),
+};
+
+constexpr std::array measureStates{
+    entry(MeasureState::None, "None", "Nothing was measured since power-up."),
+    entry(MeasureState::Moving, "Moving", "The axis turns."),
+    entry(MeasureState::Done, "Done", "The axis has made its turns, and comes to rest."),
+    entry(MeasureState::Ended, "Ended", "It was ended before; see measure.reason."),
+};
+
 constexpr std::array orderStates{
     entry(OrderState::None, "None", CAMPANEL_TEXT("Protocol", "No order")),
     entry(OrderState::Active, "Active", CAMPANEL_TEXT("Protocol", "Under way")),
@@ -550,6 +577,8 @@ constexpr std::array ioBits{
         IoBit::FilmKept, "FilmKept",
         "The position of the film motor survives. The film is believed only at its next mark all the same."),
     entry(IoBit::InfeedKept, "InfeedKept", "The position of the infeed motor survives."),
+    entry(IoBit::Reversal, "Reversal",
+          "The board can turn an axis the other way: signal.knife_reversed and those behind it."),
 };
 
 constexpr std::array inputBits = [] {
@@ -635,7 +664,7 @@ constexpr std::array bagBits{
     entry(BagBit::Taken, "Taken", "A person wanted it. Since map 1.6."),
 };
 
-constexpr std::array<EnumInfo, 43> infos{{
+constexpr std::array<EnumInfo, 46> infos{{
     {"State", states},
     {"ProgramKind", programKinds},
     {"StagedState", stagedStates},
@@ -672,6 +701,8 @@ constexpr std::array<EnumInfo, 43> infos{{
     {"MasterSource", masterSources},
     {"MasterSignal", masterSignals},
     {"MasterState", masterStates},
+    {"MeasuredAxis", measuredAxes},
+    {"MeasureState", measureStates},
     {"OrderState", orderStates},
     {"OrderAction", orderActions},
     {"SignalMode", signalModes},
@@ -679,6 +710,7 @@ constexpr std::array<EnumInfo, 43> infos{{
     {"IoBit", ioBits},
     {"InputBit", inputBits},
     {"Contact", contacts},
+    {"IndexContact", indexContacts},
 }};
 
 } // namespace

@@ -89,9 +89,10 @@ enum class Command : std::uint16_t {
     JogBag,
     SingleCut,
     TakeBag,
+    Measure,
 };
 
-inline constexpr Command lastCommand = Command::TakeBag;
+inline constexpr Command lastCommand = Command::Measure;
 // The first minor version of the map with Command::TryOutput.
 inline constexpr std::uint16_t tryOutputMapMinor = 5;
 // The first one with Command::JogBag, SingleCut and TakeBag.
@@ -163,6 +164,9 @@ enum class Refusal : std::uint16_t {
     ProductAtKnife,
     NoRejectGate,
     CoderTooFar,
+    NoIndex,
+    NoIndexMark,
+    JawsClosed,
 };
 
 enum class TransferOperation : std::uint16_t { None = 0, Begin, Block, Seal };
@@ -242,6 +246,10 @@ enum class MasterPlace : std::uint16_t { Shaft = 0, Wheel = 1 };
 enum class MasterSignal : std::uint16_t { Quadrature = 0, PulseAndDirection = 1 };
 enum class MasterState : std::uint16_t { Off = 0, Engaging, Engaged, Disengaging };
 
+// An axis of which command Measure counts the pulses, and what became of it.
+enum class MeasuredAxis : std::uint16_t { Knife = 0, Film, Infeed };
+enum class MeasureState : std::uint16_t { None = 0, Moving, Done, Ended };
+
 // The order that the controller counts.
 enum class OrderState : std::uint16_t { None = 0, Active, Complete, Ended };
 
@@ -269,6 +277,7 @@ enum class IoBit : std::uint16_t {
     AxisKept = 4,
     FilmKept = 5,
     InfeedKept = 6,
+    Reversal = 7,
 };
 
 struct EnumInfo {

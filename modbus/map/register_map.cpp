@@ -12,7 +12,7 @@
 
 namespace campanel::modbus {
 
-const std::uint16_t mapMinor = 6;
+const std::uint16_t mapMinor = 7;
 
 namespace {
 
@@ -47,6 +47,12 @@ constexpr double max32 = 4294967295.0;
         since(6, rw16("signal." name "_filter", (address) + 1,                                               \
                       "time for which this input must have changed before it counts", {}, 0, 100, filter,    \
                       1.0, "ms"))
+#define CAMPANEL_INDEX_INPUT(name, address)                                                                  \
+    since(7, rw16("signal." name "_contact", address, "kind of contact of this input", "IndexContact", 0, 2, \
+                  2)),                                                                                       \
+        since(7, rw16("signal." name "_filter", (address) + 1,                                               \
+                      "time for which this input must have changed before it counts", {}, 0, 100, 0, 1.0,    \
+                      "ms"))
 #define CAMPANEL_SIGNAL(name, address, red, yellow, green)                                                   \
     since(6, rw16("signal." name "_red", address, "red light while this lasts", "SignalMode", 0, 4, red)),   \
         since(6, rw16("signal." name "_yellow", (address) + 1, "yellow light", "SignalMode", 0, 4, yellow)), \
@@ -374,6 +380,19 @@ constexpr std::array registerTable{
     block("readback_result.data", 0x0313, readbackRegisters, Access::ReadOnly,
           "the registers at the time of the request"),
 
+    // The last measurement of an axis; see docs/commissioning.md.
+    since(7, ro16("measure.state", 0x08E8, "state of the measurement", "MeasureState")),
+    since(7, ro16("measure.axis", 0x08E9, "its axis", "MeasuredAxis")),
+    since(7, ro16("measure.turns", 0x08EA, "turns counted")),
+    since(7, ro16("measure.reason", 0x08EB, "why it ended; None: by a stop", "Refusal")),
+    since(7, ro32("measure.pulses", 0x08EC, "mean pulses per turn, 0: none counted", 0.01, "pulses")),
+    since(7,
+          ro32("measure.spread", 0x08EE, "difference of the longest and the shortest turn", 0.01, "pulses")),
+    since(7,
+          cutter(ro32("measure.bag_pulses", 0x08F0,
+                      "pulses of the film motor between the last two cuts, 0: not known", 0.01, "pulses"))),
+    since(7, cutter(ro32("measure.bag", 0x08F2, "packer.bag_number of the bag that ended with them"))),
+
     // The panel reads these records of the mark sensor while the film runs.
     since(6,
           cutter(ro32("sensor.mark_number", 0x0A00,
@@ -542,6 +561,15 @@ constexpr std::array registerTable{
                    -500, 3000, 0, 0.1, "mm")),
     since(6,
           rw16("signal.coder_pulse", 0x0BC5, "length of the date coder's pulse", {}, 1, 1000, 20, 1.0, "ms")),
+    CAMPANEL_INDEX_INPUT("film_index", 0x0BC6),
+    CAMPANEL_INDEX_INPUT("infeed_index", 0x0BC8),
+    // Motors that are wired or mounted the other way round; taken over at standstill.
+    since(7,
+          rw16("signal.knife_reversed", 0x0BCA, "1: forward is the other way of the main axis", {}, 0, 1, 0)),
+    since(7,
+          rw16("signal.film_reversed", 0x0BCB, "1: forward is the other way of the film motor", {}, 0, 1, 0)),
+    since(7, rw16("signal.infeed_reversed", 0x0BCC, "1: forward is the other way of the infeed motor", {}, 0,
+                  1, 0)),
     since(6,
           ro16("signal_status.presses", 0x0BD0, "presses of the Start and one-bag buttons since power-up")),
     since(6, ro16("signal_status.refusal", 0x0BD1, "why the last one started nothing", "Refusal")),
@@ -551,6 +579,7 @@ constexpr std::array registerTable{
 };
 
 #undef CAMPANEL_CAM_SWITCH
+#undef CAMPANEL_INDEX_INPUT
 #undef CAMPANEL_KNIFE
 #undef CAMPANEL_SIGNAL
 #undef CAMPANEL_SIGNAL_INPUT

@@ -322,6 +322,7 @@ void TestIo::missingPinsAreNotAvailable()
     ctl_port& port = rig.core().board.port;
     port.inputs = nullptr;
     port.torque = nullptr;
+    port.reverse = nullptr;
     rig.install(sineCam(0.0, 1000.0, 200, 1'600'000).registers());
     rig.start();
     rig.run(second);

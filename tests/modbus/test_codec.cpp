@@ -7,6 +7,7 @@
 #include "modbus/map/crc32.h"
 #include "modbus/map/io_status.h"
 #include "modbus/map/jam_status.h"
+#include "modbus/map/measure_status.h"
 #include "modbus/map/order_status.h"
 #include "modbus/map/packer_status.h"
 #include "tests/support/test_program.h"
@@ -44,6 +45,7 @@ private slots:
     void jamGroup();
     void orderStatusIsDecoded();
     void nothingKnownOfJams();
+    void measurementIsDecoded();
     void wireTimes_data();
     void wireTimes();
 };
@@ -368,6 +370,15 @@ void CodecTest::orderStatusIsDecoded()
     QVERIFY(!encodeOrderLot(full + 'x'));
     registers[0] = 4; // of a later version
     QVERIFY(!decodeOrderStatus(registers).state);
+}
+
+void CodecTest::measurementIsDecoded()
+{
+    const std::vector<std::uint16_t> registers{2, 1, 5, 0, 0x000F, 0x9F05, 0, 650, 0x0012, 0x4F80, 0, 7};
+    const MeasureStatus expected{MeasureState::Done, MeasuredAxis::Film, 5, Refusal::None, 10'237.49, 6.5,
+                                 12'000.0, 7};
+    QCOMPARE(decodeMeasure(registers), expected);
+    QVERIFY(!decodeMeasure(std::vector<std::uint16_t>(measureRegisters)).bagPulses);
 }
 
 void CodecTest::nothingKnownOfJams()

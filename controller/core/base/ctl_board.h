@@ -37,6 +37,11 @@ static inline uint32_t ctl_parameter32(const ctl_board* board, uint32_t address)
     return ctl_get32(&board->parameter[address - CTL_REG_PARAMETER_HEARTBEAT_TIMEOUT]);
 }
 
+static inline uint16_t ctl_signal16(const ctl_board* board, uint32_t address)
+{
+    return board->signal[address - CTL_REG_SIGNAL_START_BUTTON_CONTACT];
+}
+
 /* The operator's trims: those of the program, and as many of the next one behind them. */
 #define CTL_TRIMS (CTL_REG_HAND_NEXT_CUT - CTL_REG_HAND_CUT)
 

@@ -62,6 +62,10 @@ typedef struct {
      * infeed again. NULL: they cannot. */
     void (*latch_master)(void* context, bool on);
 
+    /* Bits CTL_MEASURED_AXIS_...: the motors of these axes turn the other way from now on. Pulses and
+     * positions stay those of the command, without a step; called at standstill. NULL: none can. */
+    void (*reverse)(void* context, uint16_t axes);
+
     /* Present levels of the input pins, bits CTL_INPUT_BIT_..., 1: true; NULL if there are none. */
     uint16_t (*inputs)(void* context);
     /* Sets the output pins, bits CTL_OUTPUT_BIT_...; NULL if there are none. */

@@ -103,6 +103,37 @@ static uint16_t take_bag(ctl_core* core)
     return CTL_REFUSAL_NONE;
 }
 
+/* Returns the bits CTL_MEASURED_AXIS_... of the axes that turn the other way by the settings. */
+static uint16_t wanted_reversals(const ctl_board* board)
+{
+    return (uint16_t)(ctl_signal16(board, CTL_REG_SIGNAL_KNIFE_REVERSED) << CTL_MEASURED_AXIS_KNIFE |
+                      ctl_signal16(board, CTL_REG_SIGNAL_FILM_REVERSED) << CTL_MEASURED_AXIS_FILM |
+                      ctl_signal16(board, CTL_REG_SIGNAL_INFEED_REVERSED) << CTL_MEASURED_AXIS_INFEED);
+}
+
+void ctl_machine_data_init(ctl_core* core)
+{
+    const ctl_port* port = &core->board.port;
+    core->reversed = wanted_reversals(&core->board);
+    if (port->reverse != NULL)
+        port->reverse(port->context, core->reversed);
+}
+
+void ctl_machine_data(ctl_core* core)
+{
+    const ctl_port* port = &core->board.port;
+    if (core->machine_writes == core->board.parameter_writes || !ctl_motion_standstill(&core->motion))
+        return;
+    const uint16_t axes = wanted_reversals(&core->board);
+    const bool reverses = axes != core->reversed && port->reverse != NULL;
+    core->machine_writes = core->board.parameter_writes;
+    core->reversed = axes;
+    if (reverses)
+        port->reverse(port->context, axes);
+    if (reverses || ctl_packer_has_other_lengths(&core->packer))
+        ctl_motion_lose_phase(&core->motion);
+}
+
 static uint16_t carry_out(ctl_core* core, const uint16_t* request)
 {
     switch (request[CODE]) {
@@ -144,6 +175,8 @@ static uint16_t carry_out(ctl_core* core, const uint16_t* request)
         return ctl_start_cut(&core->motion, &core->io);
     case CTL_COMMAND_TAKE_BAG:
         return take_bag(core);
+    case CTL_COMMAND_MEASURE:
+        return ctl_start_measure(&core->motion, &core->io, request[ARGUMENT0], request[ARGUMENT1]);
     case CTL_COMMAND_ACKNOWLEDGE:
         ctl_tower_acknowledge(&core->tower);
         return CTL_REFUSAL_NONE;
@@ -159,7 +192,7 @@ static bool needs_check(const ctl_core* core, uint16_t code)
         return false;
     const bool moves = code == CTL_COMMAND_START || code == CTL_COMMAND_HOME ||
                        code == CTL_COMMAND_RESET_FAULT || code == CTL_COMMAND_JOG_BAG ||
-                       code == CTL_COMMAND_SINGLE_CUT;
+                       code == CTL_COMMAND_SINGLE_CUT || code == CTL_COMMAND_MEASURE;
     return code == CTL_COMMAND_SAVE_TO_FLASH || (moves && ctl_motion_standstill(&core->motion));
 }
 
@@ -186,6 +219,7 @@ static bool joins_save(const ctl_core* core, const uint16_t* request)
 static void begin(ctl_core* core, const uint16_t* request)
 {
     ctl_work* work = &core->work;
+    ctl_machine_data(core);
     const bool saving = request[CODE] == CTL_COMMAND_SAVE_TO_FLASH && core->flash.saving.busy;
     if (saving && joins_save(core, request)) {
         work->saves = true;

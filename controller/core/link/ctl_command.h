@@ -20,6 +20,9 @@ void ctl_command_checked(struct ctl_core* core, const uint16_t* request);
 /* Carries out a press of the Start button, behind the check of the bank and a save that waits. The panel's
  * last command keeps its result; the next one overtakes the press. */
 void ctl_command_button(struct ctl_core* core);
+/* Takes over what the settings say of motors and film: at power-up, and from a standstill on. */
+void ctl_machine_data_init(struct ctl_core* core);
+void ctl_machine_data(struct ctl_core* core);
 /* Answers the save with this counter, unless another command came meanwhile. */
 void ctl_command_saved(struct ctl_core* core, uint16_t counter, bool done);
 /* Goes on with the save that waited for the end of another one. */

@@ -72,6 +72,7 @@ typedef union {
     uint16_t jam[CTL_GROUP_JAM];
     uint16_t eye[CTL_GROUP_EYE];
     uint16_t master_status[CTL_GROUP_MASTER_STATUS];
+    uint16_t measure[CTL_GROUP_MEASURE];
     uint16_t order_status[CTL_GROUP_ORDER_STATUS];
     uint16_t transfer_result[CTL_GROUP_TRANSFER_RESULT];
 } assembled_group;
@@ -129,6 +130,9 @@ static void read_group(ctl_core* core, group_name group, uint32_t first, uint16_
         ctl_master_registers(&core->master, taken);
         taken[CTL_REG_MASTER_STATUS_SLIP - CTL_REG_MASTER_STATUS_AVAILABLE] =
             ctl_saturated16(ctl_packer_um(&core->packer, core->packer.wheel.slip));
+        break;
+    case GROUP_MEASURE:
+        ctl_measure_registers(&core->motion, taken);
         break;
     case GROUP_ORDER_STATUS:
         ctl_order_registers(&core->order, taken);

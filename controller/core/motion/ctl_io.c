@@ -226,6 +226,8 @@ void ctl_io_registers(const ctl_io* io, const ctl_motion* motion, uint16_t* regi
     put(registers, CTL_REG_IO_INPUTS, io->inputs);
     put(registers, CTL_REG_IO_OUTPUTS, (uint16_t)(io->outputs & 0xFFFFu));
     put(registers, CTL_REG_IO_MORE_OUTPUTS, (uint16_t)(io->outputs >> 16u));
+    if (board->port.reverse != NULL)
+        available |= 1u << CTL_IO_BIT_REVERSAL;
     if (board->port.torque != NULL) {
         available |= 1u << CTL_IO_BIT_TORQUE;
         put(registers, CTL_REG_IO_TORQUE, ctl_saturated16(board->port.torque(board->port.context)));

@@ -267,6 +267,9 @@ void ctl_motion_fault(ctl_motion* motion, uint16_t fault_bit)
         motion->cycle_count += 1;
     }
     ctl_master_release(motion->master, &motion->ramp);
+    ctl_measure_end(&motion->measure,
+                    fault_bit == CTL_FAULT_BIT_DRIVE_ALARM ? CTL_REFUSAL_DRIVE_ALARM : CTL_REFUSAL_IN_FAULT);
+    motion->measures = false;
     motion->ramp.speed = 0;
     motion->manual = false;
     motion->start_after_home = false;
@@ -328,6 +331,7 @@ uint16_t ctl_motion_stop_now(ctl_motion* motion)
         return CTL_REFUSAL_NOT_RUNNING;
     if (motion->state == CTL_STATE_JOGGING) {
         motion->heartbeat->jog_blocked = true;
+        ctl_measure_end(&motion->measure, CTL_REFUSAL_NONE);
     } else if (motion->state == CTL_STATE_FAULT) {
         ctl_park_stop(&motion->park);
         motion->manual = false;
@@ -381,6 +385,7 @@ void ctl_motion_rest(ctl_motion* motion)
 void ctl_motion_emergency_stop(ctl_motion* motion)
 {
     motion->park.emergency = true;
+    ctl_measure_end(&motion->measure, CTL_REFUSAL_EMERGENCY_STOP);
     (void)ctl_motion_stop_now(motion);
 }
 
@@ -437,7 +442,9 @@ uint16_t ctl_motion_stop_at_cycle_end(ctl_motion* motion)
 
 void ctl_motion_stop_unattended(ctl_motion* motion)
 {
-    if (motion->state == CTL_STATE_RUNNING || motion->state == CTL_STATE_HOMING)
+    if (motion->measures && ctl_heartbeat_lost(motion->heartbeat, motion->board))
+        ctl_measure_end(&motion->measure, CTL_REFUSAL_HEARTBEAT_LOST);
+    if (motion->state == CTL_STATE_RUNNING || motion->state == CTL_STATE_HOMING || motion->measures)
         (void)ctl_motion_stop_at_cycle_end(motion);
 }
 

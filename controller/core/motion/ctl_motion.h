@@ -12,6 +12,7 @@
 #include "master/ctl_master.h"
 #include "motion/ctl_change.h"
 #include "motion/ctl_heartbeat.h"
+#include "motion/ctl_measure.h"
 #include "motion/ctl_park.h"
 #include "packer/ctl_packer.h"
 
@@ -43,11 +44,12 @@ typedef struct {
     ctl_packer* packer;
     ctl_master* master;
     ctl_heartbeat* heartbeat;
-    uint16_t state; /* CTL_STATE_... */
-    uint16_t fault; /* bits CTL_FAULT_BIT_... */
-    bool homed;     /* origin is the index mark */
-    bool in_phase;  /* the axis stands where the table's cycle says */
-    bool manual;    /* jogging or homing moves the axis, otherwise the table */
+    const uint16_t* inputs; /* bits CTL_INPUT_BIT_..., as the slice began */
+    uint16_t state;         /* CTL_STATE_... */
+    uint16_t fault;         /* bits CTL_FAULT_BIT_... */
+    bool homed;             /* origin is the index mark */
+    bool in_phase;          /* the axis stands where the table's cycle says */
+    bool manual;            /* jogging or homing moves the axis, otherwise the table */
     bool start_after_home;
     bool one_bag; /* this run ends with the next cut */
     bool begins;  /* a run or a program, in this slice */
@@ -56,6 +58,8 @@ typedef struct {
     ctl_stop stop;
     ctl_homing homing;
     ctl_park park;
+    bool measures;       /* the jog is a measurement's: */
+    ctl_measure measure; /* the last one */
     ctl_ramp ramp;
     ctl_table table;         /* valid while there is an active bank */
     int32_t direction;       /* of the master, 1 or -1 */
@@ -96,6 +100,8 @@ void ctl_motion_start_bag(ctl_motion* motion);
 /* The knife makes one cut while the film stands, and is where it was. */
 void ctl_motion_start_cut(ctl_motion* motion);
 void ctl_motion_home(ctl_motion* motion);
+/* An axis turns slowly forward, for so many turns of its index mark, 0: a quarter of a turn. */
+void ctl_motion_measure(ctl_motion* motion, uint16_t axis, uint16_t turns);
 /* Commands; each returns CTL_REFUSAL_... */
 uint16_t ctl_motion_stop_at_cycle_end(ctl_motion* motion);
 uint16_t ctl_motion_stop_now(ctl_motion* motion);
@@ -111,6 +117,8 @@ void ctl_motion_stop_jam(ctl_motion* motion);
 /* Stops unattended motion (jog, homing). */
 void ctl_motion_stop_unattended(ctl_motion* motion);
 
+/* At standstill: the axes are no longer in phase, and the next start is a new beginning. */
+void ctl_motion_lose_phase(ctl_motion* motion);
 /* At standstill: activates the staged program. */
 void ctl_motion_change_program(ctl_motion* motion);
 bool ctl_motion_standstill(const ctl_motion* motion);
@@ -122,6 +130,9 @@ bool ctl_motion_in_cycle(const ctl_motion* motion);
 uint16_t ctl_motion_master_angle(const ctl_motion* motion); /* 0.01 degrees */
 uint16_t ctl_motion_master_speed(const ctl_motion* motion); /* 0.01 % of the table's speed, unsigned */
 int64_t ctl_motion_commanded_hz(const ctl_motion* motion);
+
+/* Writes the registers of the group `measure`. */
+void ctl_measure_registers(const ctl_motion* motion, uint16_t* registers);
 
 /* Returns the force of a press, N; 0 without a press. */
 int32_t ctl_motion_press_force(const ctl_motion* motion);
@@ -176,6 +187,11 @@ int32_t ctl_motion_wanted_direction(const ctl_motion* motion);
 void ctl_motion_begin_manual(ctl_motion* motion, uint32_t frequency_hz, int32_t direction);
 /* The knife goes to where a run may begin, and the run begins there. */
 void ctl_motion_return(ctl_motion* motion);
+/* Pulses of jogging or homing while the ramp travels so far, at most `max`; returns their number. */
+uint32_t ctl_motion_move_by_hand(ctl_motion* motion, ctl_pace pace, uint32_t travelled, uint64_t max);
+/* Returns a turn of an axis by the settings, 1/256 pulse. */
+int64_t ctl_motion_turn(const ctl_motion* motion, uint16_t axis);
+void ctl_motion_slice_measure(ctl_motion* motion, const ctl_pace* pace);
 /* Begins to move to a position by hand, at the frequency of homing. */
 void ctl_motion_begin_move(ctl_motion* motion, int64_t target);
 

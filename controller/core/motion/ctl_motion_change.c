@@ -137,3 +137,13 @@ void ctl_motion_pass_boundary(ctl_motion* motion, uint32_t* ticks)
         !waits && (motion->change_opens || !is_open(motion) || ctl_packer_must_open(motion->packer));
     motion->change_ticks += ctl_bank_cycle_ticks(motion->table.bank);
 }
+
+void ctl_motion_lose_phase(ctl_motion* motion)
+{
+    motion->homed = motion->homed && ctl_motion_is_press(motion);
+    motion->in_phase = false;
+    ctl_park_forget(&motion->park);
+    ctl_packer_break_off(motion->packer);
+    if (motion->banks->has_active)
+        ctl_table_reset(&motion->table, ctl_active_bank(motion->banks));
+}

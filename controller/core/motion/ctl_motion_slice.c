@@ -97,9 +97,8 @@ static void travel(ctl_motion* motion, ctl_pace pace)
     }
 }
 
-/* Pulses of jogging or homing while the ramp travels so far, at most `max`; returns their number. Pulse j
- * leaves at floor((j * clock - rest) / frequency). */
-static uint32_t move_by_hand(ctl_motion* motion, ctl_pace pace, uint32_t travelled, uint64_t max)
+/* Pulse j leaves at floor((j * clock - rest) / frequency). */
+uint32_t ctl_motion_move_by_hand(ctl_motion* motion, ctl_pace pace, uint32_t travelled, uint64_t max)
 {
     const uint32_t clock_hz = motion->board->config.timer_clock_hz;
     const uint32_t hz = motion->manual_hz;
@@ -278,7 +277,7 @@ static void slice_table(ctl_motion* motion, ctl_pace pace)
 /* Jogging, homing or the return from an open knife was stopped. */
 static void slice_manual_stop(ctl_motion* motion, ctl_pace pace)
 {
-    (void)move_by_hand(motion, pace, ctl_ramp_down(&motion->ramp, pace.ticks), UINT64_MAX);
+    (void)ctl_motion_move_by_hand(motion, pace, ctl_ramp_down(&motion->ramp, pace.ticks), UINT64_MAX);
     if (motion->ramp.speed == 0)
         rest(motion);
 }
@@ -289,7 +288,7 @@ static void slice_jogging(ctl_motion* motion, ctl_pace pace)
                       (motion->manual_direction < 0 || !ctl_motion_force_forbids(motion));
     const uint32_t travelled =
         held ? ctl_ramp_up(&motion->ramp, pace.ticks) : ctl_ramp_down(&motion->ramp, pace.ticks);
-    (void)move_by_hand(motion, pace, travelled, UINT64_MAX);
+    (void)ctl_motion_move_by_hand(motion, pace, travelled, UINT64_MAX);
     if (!held && motion->ramp.speed == 0)
         ctl_motion_stand(motion);
 }
@@ -302,7 +301,7 @@ static void search_index(ctl_motion* motion, ctl_pace pace)
         motion->homing = CTL_HOMING_BRAKE;
     }
     motion->homing_left -=
-        move_by_hand(motion, pace, ctl_ramp_up(&motion->ramp, pace.ticks), motion->homing_left);
+        ctl_motion_move_by_hand(motion, pace, ctl_ramp_up(&motion->ramp, pace.ticks), motion->homing_left);
     if (motion->homing_left == 0)
         ctl_motion_fault(motion, CTL_FAULT_BIT_DRIVE_NOT_FOLLOWING);
 }
@@ -324,7 +323,7 @@ static bool move_to_target(ctl_motion* motion, ctl_pace pace)
         ctl_ramp_land(&motion->ramp, pace.ticks, motion->homing_left, motion->ramp.full);
     motion->homing_left -= travelled;
     if (motion->homing_left != 0) {
-        (void)move_by_hand(motion, pace, travelled, UINT64_MAX);
+        (void)ctl_motion_move_by_hand(motion, pace, travelled, UINT64_MAX);
         return false;
     }
     emit_evenly(motion, motion->target - motion->commanded, &pace);
@@ -380,7 +379,7 @@ static void slice_homing(ctl_motion* motion, ctl_pace pace)
         search_index(motion, pace);
         break;
     case CTL_HOMING_BRAKE:
-        (void)move_by_hand(motion, pace, ctl_ramp_down(&motion->ramp, pace.ticks), UINT64_MAX);
+        (void)ctl_motion_move_by_hand(motion, pace, ctl_ramp_down(&motion->ramp, pace.ticks), UINT64_MAX);
         if (motion->ramp.speed == 0) { /* it went past the mark; the same pulses lead back to it */
             ctl_motion_begin_move(motion, motion->origin);
             motion->homing = CTL_HOMING_RETURN;
@@ -491,7 +490,10 @@ void ctl_motion_slice(ctl_motion* motion, uint32_t ticks)
             slice_table(motion, pace);
         break;
     case CTL_STATE_JOGGING:
-        slice_jogging(motion, pace);
+        if (motion->measures)
+            ctl_motion_slice_measure(motion, &pace);
+        else
+            slice_jogging(motion, pace);
         break;
     case CTL_STATE_HOMING:
         slice_homing(motion, pace);

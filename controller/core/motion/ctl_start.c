@@ -149,6 +149,45 @@ uint16_t ctl_start_home(ctl_motion* motion, const ctl_io* io)
     return refusal;
 }
 
+/* Returns what film and infeed need. */
+static uint16_t refusal_to_feed(const ctl_motion* motion, uint16_t axis)
+{
+    if (!ctl_packer_drives(motion->packer, ctl_active_bank(motion->banks)))
+        return CTL_REFUSAL_NO_BAGS;
+    if (has_wheel(motion))
+        return CTL_REFUSAL_FILM_NOT_OURS;
+    return axis == CTL_MEASURED_AXIS_FILM && !ctl_motion_jaws_are_open(motion) ? CTL_REFUSAL_JAWS_CLOSED
+                                                                               : CTL_REFUSAL_NONE;
+}
+
+static bool has_index(const ctl_motion* motion, uint16_t axis)
+{
+    if (axis == CTL_MEASURED_AXIS_KNIFE)
+        return !ctl_motion_is_press(motion);
+    const uint32_t contact = axis == CTL_MEASURED_AXIS_FILM ? CTL_REG_SIGNAL_FILM_INDEX_CONTACT
+                                                            : CTL_REG_SIGNAL_INFEED_INDEX_CONTACT;
+    return motion->board->port.inputs != NULL &&
+           ctl_signal16(motion->board, contact) != CTL_INDEX_CONTACT_NOT_CONNECTED;
+}
+
+uint16_t ctl_start_measure(ctl_motion* motion, const ctl_io* io, uint16_t axis, uint16_t turns)
+{
+    uint16_t refusal = refusal_to_move(motion, io, CTL_REFUSAL_NOT_STANDSTILL, 1u << CTL_PERMIT_BIT_CLEAN);
+    if (refusal == CTL_REFUSAL_NONE && (axis > CTL_MEASURED_AXIS_INFEED || turns > CTL_MEASURE_MAX_TURNS))
+        refusal = CTL_REFUSAL_BAD_ARGUMENT;
+    if (refusal == CTL_REFUSAL_NONE && ctl_heartbeat_lost(motion->heartbeat, motion->board))
+        refusal = CTL_REFUSAL_HEARTBEAT_LOST;
+    if (refusal == CTL_REFUSAL_NONE && (io->inputs & 1u << CTL_INPUT_BIT_DOOR) != 0)
+        refusal = CTL_REFUSAL_DOOR_OPEN;
+    if (refusal == CTL_REFUSAL_NONE && axis != CTL_MEASURED_AXIS_KNIFE)
+        refusal = refusal_to_feed(motion, axis);
+    if (refusal == CTL_REFUSAL_NONE && turns != 0 && !has_index(motion, axis))
+        refusal = CTL_REFUSAL_NO_INDEX;
+    if (refusal == CTL_REFUSAL_NONE)
+        ctl_motion_measure(motion, axis, turns);
+    return refusal;
+}
+
 static uint16_t refusal_to_try(const ctl_motion* motion, const ctl_io* io, uint16_t output, uint16_t on)
 {
     if (output > CTL_OUTPUT_BIT_LAST || on > 1u || motion->board->port.outputs == NULL)

@@ -19,6 +19,8 @@ bool ctl_may_start(const ctl_motion* motion, const ctl_io* io);
 uint16_t ctl_start_bag(ctl_motion* motion, const ctl_io* io);
 /* The knife alone makes one cut. */
 uint16_t ctl_start_cut(ctl_motion* motion, const ctl_io* io);
+/* Measures an axis, see ctl_motion_measure(). */
+uint16_t ctl_start_measure(ctl_motion* motion, const ctl_io* io, uint16_t axis, uint16_t turns);
 uint16_t ctl_start_home(ctl_motion* motion, const ctl_io* io);
 /* Switches one output on at standstill, for CTL_TRY_HOLD_US, or off; returns CTL_REFUSAL_... */
 uint16_t ctl_try_output(const ctl_motion* motion, ctl_io* io, uint16_t output, uint16_t on);

@@ -35,6 +35,14 @@ bool ctl_packer_active(const ctl_packer* packer)
     return packer->bank != NULL;
 }
 
+bool ctl_packer_has_other_lengths(const ctl_packer* packer)
+{
+    const int64_t flight =
+        (int64_t)ctl_parameter32(packer->board, CTL_REG_PARAMETER_FLIGHT_PULSES) * CTL_FINE;
+    return packer->bank != NULL && (packer->flight != flight ||
+                                    packer->bag != ctl_packer_film(packer, ctl_bank_bag_um(packer->bank)));
+}
+
 uint32_t ctl_packer_revolution(const ctl_packer* packer)
 {
     return packer->bank == NULL ? 1u : (uint32_t)ctl_bank_revolution_pulses(packer->bank, 1);
@@ -113,6 +121,7 @@ void ctl_packer_init(ctl_packer* packer, const ctl_board* board)
 void ctl_packer_break_off(ctl_packer* packer)
 {
     packer->broken_off = true;
+    packer->cut_known = false;
 }
 
 /* The position of the infeed is arbitrary: in the first cycles it is corrected to the nearest product place;
@@ -225,6 +234,12 @@ void ctl_packer_run(ctl_packer* packer, const ctl_bank* bank, uint32_t crc, cons
     if (packer->film.phase == 0 && packer->knife_gate.state == CTL_GATE_STATE_RUNNING &&
         packer->knife_gate.phase == 0)
         ctl_packer_ask_first_cut(packer);
+}
+
+void ctl_packer_begin_by_hand(ctl_packer* packer, const ctl_bank* bank)
+{
+    begin_cycle(packer, bank);
+    packer->broken_off = true;
 }
 
 /* Plans the first cut of a changed program onto its mark, where that is near enough for the time up to its

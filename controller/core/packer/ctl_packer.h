@@ -169,6 +169,8 @@ typedef struct {
     uint32_t empty;
     uint64_t saved_um;
     uint32_t bags;
+    int64_t bag_film;    /* between the last two cuts, 0: the knife may have cut unseen */
+    bool cut_known;      /* the last cut is the newest one */
     uint32_t burned;     /* cuts whose bags were, from the next one */
     uint32_t jammed;     /* the same of a jam */
     bool scrapped;       /* the bag that ends with the next cut is scrap of one by hand */
@@ -209,6 +211,8 @@ bool ctl_packer_is_prepared(const ctl_packer* packer, uint32_t crc);
  * this ramp. */
 void ctl_packer_change_bank(ctl_packer* packer, const ctl_bank* bank, uint32_t crc, const ctl_ramp* ramp);
 bool ctl_packer_active(const ctl_packer* packer);
+/* Returns true when bag or flight have another length by the present parameters. */
+bool ctl_packer_has_other_lengths(const ctl_packer* packer);
 /* Returns the pulses of one turn of the knife's shaft, not 0. */
 uint32_t ctl_packer_revolution(const ctl_packer* packer);
 /* Returns true when infeed, film and knife are in the same phase, so that a program may be changed at the
@@ -263,6 +267,11 @@ void ctl_packer_take_next(ctl_packer* packer);
 /* The knife moves without the film from now on, until a run begins. */
 void ctl_packer_cut_alone(ctl_packer* packer);
 
+/* At standstill behind ctl_packer_break_off(): film and infeed can be fed by hand. */
+void ctl_packer_begin_by_hand(ctl_packer* packer, const ctl_bank* bank);
+/* Feeds one of them by so much in this slice, 1/256 pulse. */
+void ctl_packer_feed_by_hand(ctl_packer* packer, ctl_axis axis, int64_t way);
+
 /* Starts to measure the distances of `marks` marks; returns CTL_REFUSAL_... */
 uint16_t ctl_packer_teach(ctl_packer* packer, const ctl_bank* bank, uint16_t marks);
 /* Returns the set length of the last measured bag of a program with bags of `bag_um`. */
@@ -274,6 +283,8 @@ int64_t ctl_packer_film(const ctl_packer* packer, int64_t um);
 void ctl_packer_registers(const ctl_packer* packer, uint16_t* registers);
 
 /* Between the files of this module. */
+/* A cut with the film here, before it is the last one. */
+void ctl_packer_note_bag(ctl_packer* packer, int64_t film);
 /* The knife has cut alone, with the film here. */
 void ctl_packer_on_cut_alone(ctl_packer* packer, int64_t film);
 /* Film and infeed are where their motors are. */

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-/* Single bags by hand: the bag of a jog, the cut of a knife that moves alone, the bag that a person wants. */
+/* By hand: film and infeed fed alone, the bag of a jog, the cut of a knife that moves alone, the bag that a
+ * person wants. */
 #include "packer/ctl_packer.h"
 
 #define SAME_PLACE_UM 1000 /* two cuts nearer than this make no bag */
@@ -21,6 +22,18 @@ bool ctl_packer_cuts_next(const ctl_packer* packer)
     return packer->film.phase < packer->cut &&
            (film == CTL_GATE_STATE_RUNNING || film == CTL_GATE_STATE_CATCHING_UP) &&
            (knife == CTL_GATE_STATE_RUNNING || knife == CTL_GATE_STATE_CATCHING_UP);
+}
+
+void ctl_packer_feed_by_hand(ctl_packer* packer, ctl_axis axis, int64_t way)
+{
+    ctl_feed* feed = axis == CTL_AXIS_FILM ? &packer->film : &packer->infeed;
+    feed->start += way;
+}
+
+void ctl_packer_note_bag(ctl_packer* packer, int64_t film)
+{
+    packer->bag_film = packer->cut_known ? film - packer->last_cut.at : 0;
+    packer->cut_known = true;
 }
 
 void ctl_packer_scrap_next(ctl_packer* packer)
@@ -46,6 +59,7 @@ void ctl_packer_on_cut_alone(ctl_packer* packer, int64_t film)
     packer->no_bag = last->bags != 0 && way_um < SAME_PLACE_UM && way_um > -SAME_PLACE_UM;
     if (packer->no_bag)
         return;
+    ctl_packer_note_bag(packer, film);
     *last = (ctl_last_cut){
         .at = film,
         .mark_at = film,

@@ -253,6 +253,7 @@ void ctl_packer_on_cut(ctl_packer* packer, int64_t film, const ctl_ramp* ramp)
         learn_lag(packer, film - packer->next.command, ramp);
     const uint32_t bags = bags_since(packer, film);
     const int64_t mark_before = last->mark_at;
+    ctl_packer_note_bag(packer, film);
     last->at = film;
     last->mark_at = mark == NULL ? film : mark->at;
     last->pitch = packer->cut_before ? last->mark_at - mark_before : packer->bag;

@@ -16,6 +16,8 @@ void ctl_actions_slice(ctl_actions* actions, const ctl_io* io, ctl_motion* motio
     actions->inputs = io->inputs;
     if ((pressed & AT_CYCLE_END) != 0)
         ctl_motion_stop_unattended(motion);
+    if ((pressed & INPUT(DOOR)) != 0)
+        ctl_measure_end(&motion->measure, CTL_REFUSAL_DOOR_OPEN);
     /* The film is threaded with the door open, so that a jog goes on. */
     if ((pressed & INPUT(DOOR)) != 0 && motion->state != CTL_STATE_JOGGING && !ctl_motion_standstill(motion))
         ctl_motion_emergency_stop(motion);
