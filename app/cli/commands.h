@@ -34,6 +34,7 @@ class Invocation;
 [[nodiscard]] Outcome runTake(const Invocation& call);
 [[nodiscard]] Outcome runAcknowledge(const Invocation& call);
 [[nodiscard]] Outcome runOutput(const Invocation& call);
+[[nodiscard]] Outcome runMeasure(const Invocation& call);
 [[nodiscard]] Outcome runOrder(const Invocation& call);
 [[nodiscard]] Outcome runSave(const Invocation& call);
 [[nodiscard]] Outcome runDoctor(const Invocation& call);

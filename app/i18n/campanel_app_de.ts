@@ -1263,6 +1263,18 @@
         <source>system</source>
         <translation>System</translation>
     </message>
+    <message>
+        <source>Axis measured</source>
+        <translation>Achse gemessen</translation>
+    </message>
+    <message>
+        <source>Measurement of an axis ended</source>
+        <translation>Messung einer Achse beendet</translation>
+    </message>
+    <message>
+        <source>Measured value of an axis taken</source>
+        <translation>Messwert einer Achse übernommen</translation>
+    </message>
 </context>
 <context>
     <name>Availability</name>
@@ -3466,6 +3478,42 @@ eff. %2</translation>
         <source>The date coder prints before the products are on the film. Check the place of its pulse under Maintenance &gt; Inputs and outputs.</source>
         <translation>Der Datumscodierer druckt, bevor die Produkte auf der Folie liegen. Prüfen Sie die Stelle seines Impulses unter Wartung &gt; Ein- und Ausgänge.</translation>
     </message>
+    <message>
+        <source>Not connected</source>
+        <translation>Nicht angeschlossen</translation>
+    </message>
+    <message>
+        <source>Film index</source>
+        <translation>Index der Folie</translation>
+    </message>
+    <message>
+        <source>On once per turn of the film motor. For measuring it.</source>
+        <translation>Einmal je Umdrehung des Folienmotors ein. Zum Messen.</translation>
+    </message>
+    <message>
+        <source>Infeed index</source>
+        <translation>Index der Zuführung</translation>
+    </message>
+    <message>
+        <source>On once per product of the infeed. For measuring it.</source>
+        <translation>Einmal je Produkt der Zuführung ein. Zum Messen.</translation>
+    </message>
+    <message>
+        <source>Measurement of an axis</source>
+        <translation>Messung einer Achse</translation>
+    </message>
+    <message>
+        <source>This axis has no index sensor. Connect one under Maintenance &gt; Inputs and outputs, or enter the pulses by hand.</source>
+        <translation>Diese Achse hat keinen Indexsensor. Schließen Sie einen unter Wartung &gt; Ein- und Ausgänge an, oder geben Sie die Pulse von Hand ein.</translation>
+    </message>
+    <message>
+        <source>No index mark came within four turns. Check the index sensor.</source>
+        <translation>Innerhalb von vier Umdrehungen kam keine Indexmarke. Prüfen Sie den Indexsensor.</translation>
+    </message>
+    <message>
+        <source>The jaws hold the film. Jog the knife open first.</source>
+        <translation>Die Backen halten die Folie. Öffnen Sie zuerst das Messer im Tippbetrieb.</translation>
+    </message>
 </context>
 <context>
     <name>Recipe</name>
@@ -5322,6 +5370,164 @@ eff. %2</translation>
     <message>
         <source>Hash</source>
         <translation>Hash</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::AxisFields</name>
+    <message>
+        <source>Main motor: reversed</source>
+        <translation>Hauptmotor: umgekehrt</translation>
+    </message>
+    <message>
+        <source>Film motor: reversed</source>
+        <translation>Folienmotor: umgekehrt</translation>
+    </message>
+    <message>
+        <source>Infeed motor: reversed</source>
+        <translation>Zuführmotor: umgekehrt</translation>
+    </message>
+    <message>
+        <source>Film motor: pulses per revolution</source>
+        <translation>Folienmotor: Pulse je Umdrehung</translation>
+    </message>
+    <message>
+        <source>Film motor: film per revolution</source>
+        <translation>Folienmotor: Folie je Umdrehung</translation>
+    </message>
+    <message>
+        <source>Infeed motor: pulses per product</source>
+        <translation>Zuführmotor: Pulse je Produkt</translation>
+    </message>
+    <message>
+        <source>Film motor: index sensor</source>
+        <translation>Folienmotor: Indexsensor</translation>
+    </message>
+    <message>
+        <source>Infeed motor: index sensor</source>
+        <translation>Zuführmotor: Indexsensor</translation>
+    </message>
+    <message>
+        <source>This controller cannot turn a motor the other way. Set the direction at the drive.</source>
+        <translation>Diese Steuerung kann keinen Motor umkehren. Stellen Sie die Richtung am Antrieb ein.</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::AxisMeasurement</name>
+    <message>
+        <source>No data of the axes. Connect the controller.</source>
+        <translation>Keine Daten der Achsen. Verbinden Sie die Steuerung.</translation>
+    </message>
+    <message>
+        <source>This controller cannot measure its axes. Update the controller: its register map must be 1.7 or newer.</source>
+        <translation>Diese Steuerung kann ihre Achsen nicht messen. Aktualisieren Sie die Steuerung: Ihre Registertabelle muss 1.7 oder neuer sein.</translation>
+    </message>
+    <message>
+        <source>%1 Nothing was changed.</source>
+        <translation>%1 Nichts wurde geändert.</translation>
+    </message>
+    <message>
+        <source>Pulses per turn of the main motor</source>
+        <translation>Pulse je Umdrehung des Hauptmotors</translation>
+    </message>
+    <message>
+        <source>The measurement was stopped.</source>
+        <translation>Die Messung wurde gestoppt.</translation>
+    </message>
+    <message>
+        <source>The connection was lost during the measurement. The controller stops the axis.</source>
+        <translation>Die Verbindung brach während der Messung ab. Die Steuerung hält die Achse an.</translation>
+    </message>
+    <message>
+        <source>Length of the last bag by the ruler</source>
+        <translation>Länge des letzten Beutels nach dem Lineal</translation>
+    </message>
+    <message>
+        <source>The machine data could not be changed now.</source>
+        <translation>Die Maschinendaten ließen sich jetzt nicht ändern.</translation>
+    </message>
+    <message>
+        <source>%1 instead of %2 is in the machine data now. Download the recipe to use it.</source>
+        <translation>%1 statt %2 steht jetzt in den Maschinendaten. Laden Sie das Rezept, damit es gilt.</translation>
+    </message>
+    <message>
+        <source>The direction is right. Nothing was changed.</source>
+        <translation>Die Richtung stimmt. Nichts wurde geändert.</translation>
+    </message>
+    <message>
+        <source>The motor turns the other way now. Measure its direction again, then save.</source>
+        <translation>Der Motor dreht jetzt anders herum. Messen Sie die Richtung noch einmal, dann speichern Sie.</translation>
+    </message>
+    <message>
+        <source>%1 instead of %2 is in the controller now. Save it there.</source>
+        <translation>%1 statt %2 steht jetzt in der Steuerung. Speichern Sie den Wert dort.</translation>
+    </message>
+    <message>
+        <source>Reversed</source>
+        <translation>Umgekehrt</translation>
+    </message>
+    <message>
+        <source>As wired</source>
+        <translation>Wie verdrahtet</translation>
+    </message>
+    <message>
+        <source>%1 pulses</source>
+        <translation>%1 Pulse</translation>
+    </message>
+    <message>
+        <source>The controller knows no bag yet. Make one bag twice, or let the machine run, then measure the last bag with a ruler.</source>
+        <translation>Die Steuerung kennt noch keinen Beutel. Machen Sie zweimal einen Beutel, oder lassen Sie die Maschine laufen; messen Sie dann den letzten Beutel mit einem Lineal.</translation>
+    </message>
+    <message>
+        <source>By the present setting bag %1 is %2 long. Measure it with a ruler and enter its length, %3 to %4: a bag that is farther off is another one.</source>
+        <translation>Nach der jetzigen Einstellung ist Beutel %1 %2 lang. Messen Sie ihn mit einem Lineal und geben Sie seine Länge ein, %3 bis %4: Ein Beutel, der weiter abweicht, ist ein anderer.</translation>
+    </message>
+    <message>
+        <source>Keep hands away: the axis turns slowly by a quarter of a turn, forward. Watch which way.</source>
+        <translation>Hände weg: Die Achse dreht sich langsam eine Viertelumdrehung vorwärts. Beobachten Sie, in welche Richtung.</translation>
+    </message>
+    <message>
+        <source>Keep hands away and take the film out of the jaws: the axis turns slowly forward, past five index marks. The controller counts its pulses.</source>
+        <translation>Hände weg, und nehmen Sie die Folie aus den Backen: Die Achse dreht sich langsam vorwärts, an fünf Indexmarken vorbei. Die Steuerung zählt ihre Pulse.</translation>
+    </message>
+    <message>
+        <source>Keep hands away: the film motor turns slowly forward, past five index marks. The controller counts its pulses.</source>
+        <translation>Hände weg: Der Folienmotor dreht sich langsam vorwärts, an fünf Indexmarken vorbei. Die Steuerung zählt seine Pulse.</translation>
+    </message>
+    <message>
+        <source>Keep hands away: the infeed moves slowly forward by five products. The controller counts its pulses.</source>
+        <translation>Hände weg: Die Zuführung bewegt sich langsam um fünf Produkte vorwärts. Die Steuerung zählt ihre Pulse.</translation>
+    </message>
+    <message>
+        <source>The turns differ by %1 pulses, too much. Check the index sensor, then measure again.</source>
+        <translation>Die Umdrehungen unterscheiden sich um %1 Pulse, zu viel. Prüfen Sie den Indexsensor, dann messen Sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>The measured value is outside the range of the setting. Check the sensor and the bag.</source>
+        <translation>Der Messwert liegt außerhalb des Bereichs der Einstellung. Prüfen Sie Sensor und Beutel.</translation>
+    </message>
+    <message>
+        <source>The bag is %1 by the ruler and %2 by the setting.</source>
+        <translation>Der Beutel ist nach dem Lineal %1 und nach der Einstellung %2 lang.</translation>
+    </message>
+    <message>
+        <source>Five turns, which differ by %1 pulses.</source>
+        <translation>Fünf Umdrehungen, die sich um %1 Pulse unterscheiden.</translation>
+    </message>
+    <message>
+        <source>Turning: %1 of %2 turns counted.</source>
+        <translation>Dreht: %1 von %2 Umdrehungen gezählt.</translation>
+    </message>
+    <message>
+        <source>Turning …</source>
+        <translation>Dreht …</translation>
+    </message>
+    <message>
+        <source>Which way did it go?</source>
+        <translation>In welche Richtung ging es?</translation>
+    </message>
+    <message>
+        <source>Writing …</source>
+        <translation>Schreiben …</translation>
     </message>
 </context>
 <context>

@@ -1263,6 +1263,18 @@
         <source>system</source>
         <translation>系统</translation>
     </message>
+    <message>
+        <source>Axis measured</source>
+        <translation>测量轴</translation>
+    </message>
+    <message>
+        <source>Measurement of an axis ended</source>
+        <translation>轴测量结束</translation>
+    </message>
+    <message>
+        <source>Measured value of an axis taken</source>
+        <translation>已采用轴的测量值</translation>
+    </message>
 </context>
 <context>
     <name>Availability</name>
@@ -3464,6 +3476,42 @@ RMS %2</source>
         <source>The date coder prints before the products are on the film. Check the place of its pulse under Maintenance &gt; Inputs and outputs.</source>
         <translation>打码机在产品落到膜上之前就打印。请在“维护 &gt; 输入与输出”中检查其脉冲位置。</translation>
     </message>
+    <message>
+        <source>Not connected</source>
+        <translation>未连接</translation>
+    </message>
+    <message>
+        <source>Film index</source>
+        <translation>薄膜零位</translation>
+    </message>
+    <message>
+        <source>On once per turn of the film motor. For measuring it.</source>
+        <translation>薄膜电机每转接通一次，用于测量。</translation>
+    </message>
+    <message>
+        <source>Infeed index</source>
+        <translation>进料零位</translation>
+    </message>
+    <message>
+        <source>On once per product of the infeed. For measuring it.</source>
+        <translation>进料每送一件产品接通一次，用于测量。</translation>
+    </message>
+    <message>
+        <source>Measurement of an axis</source>
+        <translation>轴测量</translation>
+    </message>
+    <message>
+        <source>This axis has no index sensor. Connect one under Maintenance &gt; Inputs and outputs, or enter the pulses by hand.</source>
+        <translation>该轴没有零位传感器。请在“维护 &gt; 输入与输出”中连接，或手动输入脉冲数。</translation>
+    </message>
+    <message>
+        <source>No index mark came within four turns. Check the index sensor.</source>
+        <translation>四转内未出现零位标记。请检查零位传感器。</translation>
+    </message>
+    <message>
+        <source>The jaws hold the film. Jog the knife open first.</source>
+        <translation>封切口夹住薄膜。请先点动打开切刀。</translation>
+    </message>
 </context>
 <context>
     <name>Recipe</name>
@@ -5320,6 +5368,164 @@ RMS %2</source>
     <message>
         <source>Hash</source>
         <translation>哈希</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::AxisFields</name>
+    <message>
+        <source>Main motor: reversed</source>
+        <translation>主电机：反向</translation>
+    </message>
+    <message>
+        <source>Film motor: reversed</source>
+        <translation>薄膜电机：反向</translation>
+    </message>
+    <message>
+        <source>Infeed motor: reversed</source>
+        <translation>进料电机：反向</translation>
+    </message>
+    <message>
+        <source>Film motor: pulses per revolution</source>
+        <translation>薄膜电机：每转脉冲数</translation>
+    </message>
+    <message>
+        <source>Film motor: film per revolution</source>
+        <translation>薄膜电机：每转薄膜长度</translation>
+    </message>
+    <message>
+        <source>Infeed motor: pulses per product</source>
+        <translation>进料电机：每个产品的脉冲数</translation>
+    </message>
+    <message>
+        <source>Film motor: index sensor</source>
+        <translation>薄膜电机：零位传感器</translation>
+    </message>
+    <message>
+        <source>Infeed motor: index sensor</source>
+        <translation>进料电机：零位传感器</translation>
+    </message>
+    <message>
+        <source>This controller cannot turn a motor the other way. Set the direction at the drive.</source>
+        <translation>该控制器不能使电机反向。请在驱动器上设置方向。</translation>
+    </message>
+</context>
+<context>
+    <name>campanel::panel::AxisMeasurement</name>
+    <message>
+        <source>No data of the axes. Connect the controller.</source>
+        <translation>没有轴数据。请连接控制器。</translation>
+    </message>
+    <message>
+        <source>This controller cannot measure its axes. Update the controller: its register map must be 1.7 or newer.</source>
+        <translation>该控制器不能测量轴。请更新控制器：寄存器表须为 1.7 或更新版本。</translation>
+    </message>
+    <message>
+        <source>%1 Nothing was changed.</source>
+        <translation>%1 未作任何更改。</translation>
+    </message>
+    <message>
+        <source>Pulses per turn of the main motor</source>
+        <translation>主电机每转脉冲数</translation>
+    </message>
+    <message>
+        <source>The measurement was stopped.</source>
+        <translation>测量已停止。</translation>
+    </message>
+    <message>
+        <source>The connection was lost during the measurement. The controller stops the axis.</source>
+        <translation>测量期间连接中断。控制器会停止该轴。</translation>
+    </message>
+    <message>
+        <source>Length of the last bag by the ruler</source>
+        <translation>直尺测得的最后一袋长度</translation>
+    </message>
+    <message>
+        <source>The machine data could not be changed now.</source>
+        <translation>现在无法更改机器数据。</translation>
+    </message>
+    <message>
+        <source>%1 instead of %2 is in the machine data now. Download the recipe to use it.</source>
+        <translation>机器数据已由 %2 改为 %1。下载配方后生效。</translation>
+    </message>
+    <message>
+        <source>The direction is right. Nothing was changed.</source>
+        <translation>方向正确。未作任何更改。</translation>
+    </message>
+    <message>
+        <source>The motor turns the other way now. Measure its direction again, then save.</source>
+        <translation>电机现已反向。请再次测量方向，然后保存。</translation>
+    </message>
+    <message>
+        <source>%1 instead of %2 is in the controller now. Save it there.</source>
+        <translation>控制器中的值已由 %2 改为 %1。请在控制器中保存。</translation>
+    </message>
+    <message>
+        <source>Reversed</source>
+        <translation>反向</translation>
+    </message>
+    <message>
+        <source>As wired</source>
+        <translation>按接线</translation>
+    </message>
+    <message>
+        <source>%1 pulses</source>
+        <translation>%1 脉冲</translation>
+    </message>
+    <message>
+        <source>The controller knows no bag yet. Make one bag twice, or let the machine run, then measure the last bag with a ruler.</source>
+        <translation>控制器尚无袋的数据。请两次制作单袋，或让机器运行，然后用直尺测量最后一袋。</translation>
+    </message>
+    <message>
+        <source>By the present setting bag %1 is %2 long. Measure it with a ruler and enter its length, %3 to %4: a bag that is farther off is another one.</source>
+        <translation>按当前设置，第 %1 袋长 %2。请用直尺测量并输入其长度，%3 至 %4：偏差更大的是另一袋。</translation>
+    </message>
+    <message>
+        <source>Keep hands away: the axis turns slowly by a quarter of a turn, forward. Watch which way.</source>
+        <translation>请勿靠近：该轴缓慢向前转四分之一转。请观察方向。</translation>
+    </message>
+    <message>
+        <source>Keep hands away and take the film out of the jaws: the axis turns slowly forward, past five index marks. The controller counts its pulses.</source>
+        <translation>请勿靠近，并将薄膜从封切口中取出：该轴缓慢向前转，经过五个零位标记。控制器计数其脉冲。</translation>
+    </message>
+    <message>
+        <source>Keep hands away: the film motor turns slowly forward, past five index marks. The controller counts its pulses.</source>
+        <translation>请勿靠近：薄膜电机缓慢向前转，经过五个零位标记。控制器计数其脉冲。</translation>
+    </message>
+    <message>
+        <source>Keep hands away: the infeed moves slowly forward by five products. The controller counts its pulses.</source>
+        <translation>请勿靠近：进料缓慢向前送五件产品。控制器计数其脉冲。</translation>
+    </message>
+    <message>
+        <source>The turns differ by %1 pulses, too much. Check the index sensor, then measure again.</source>
+        <translation>各转相差 %1 脉冲，过大。请检查零位传感器，然后重新测量。</translation>
+    </message>
+    <message>
+        <source>The measured value is outside the range of the setting. Check the sensor and the bag.</source>
+        <translation>测量值超出设置范围。请检查传感器和袋。</translation>
+    </message>
+    <message>
+        <source>The bag is %1 by the ruler and %2 by the setting.</source>
+        <translation>该袋按直尺为 %1，按设置为 %2。</translation>
+    </message>
+    <message>
+        <source>Five turns, which differ by %1 pulses.</source>
+        <translation>共五转，各转相差 %1 脉冲。</translation>
+    </message>
+    <message>
+        <source>Turning: %1 of %2 turns counted.</source>
+        <translation>正在转动：已计 %1 转，共 %2 转。</translation>
+    </message>
+    <message>
+        <source>Turning …</source>
+        <translation>正在转动……</translation>
+    </message>
+    <message>
+        <source>Which way did it go?</source>
+        <translation>朝哪个方向转？</translation>
+    </message>
+    <message>
+        <source>Writing …</source>
+        <translation>正在写入……</translation>
     </message>
 </context>
 <context>

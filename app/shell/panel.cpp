@@ -125,6 +125,7 @@ Panel::Panel(link::Link& link, const Storage& storage)
     });
     m_alarms.watch().setTouchscreenCount(&countTouchscreens);
     m_maintenance.dryRun()->follow(m_editor);
+    m_maintenance.measurement()->follow(m_editor);
     connect(m_maintenance.packing()->sensor(), &panel::MarkSensor::driftChanged, &m_alarms.watch(),
             &panel::AlarmWatch::noteSensorDrift);
     connect(m_maintenance.packing()->jam(), &panel::JamWatch::residueRecorded, &m_trends,

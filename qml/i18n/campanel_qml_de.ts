@@ -212,6 +212,72 @@
     </message>
 </context>
 <context>
+    <name>AxesSection</name>
+    <message>
+        <source>Axes</source>
+        <translation>Achsen</translation>
+    </message>
+</context>
+<context>
+    <name>AxisSheet</name>
+    <message>
+        <source>Present setting</source>
+        <translation>Jetzige Einstellung</translation>
+    </message>
+    <message>
+        <source>Measured</source>
+        <translation>Gemessen</translation>
+    </message>
+    <message>
+        <source>As it should</source>
+        <translation>Wie es soll</translation>
+    </message>
+    <message>
+        <source>The other way</source>
+        <translation>Anders herum</translation>
+    </message>
+    <message>
+        <source>Reverses the motor</source>
+        <translation>Kehrt den Motor um</translation>
+    </message>
+    <message>
+        <source>Leave</source>
+        <translation>Lassen</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Read ruler</source>
+        <translation>Lineal ablesen</translation>
+    </message>
+    <message>
+        <source>Enter …</source>
+        <translation>Eingeben …</translation>
+    </message>
+    <message>
+        <source>Take</source>
+        <translation>Übernehmen</translation>
+    </message>
+    <message>
+        <source>One bag</source>
+        <translation>Ein Beutel</translation>
+    </message>
+    <message>
+        <source>Measure again</source>
+        <translation>Noch einmal messen</translation>
+    </message>
+    <message>
+        <source>Measure</source>
+        <translation>Messen</translation>
+    </message>
+</context>
+<context>
     <name>BackupSection</name>
     <message>
         <source>Backup</source>
@@ -1856,6 +1922,18 @@ Und %2 weitere.</translation>
         <source>What each state shows</source>
         <translation>Anzeige je Zustand</translation>
     </message>
+    <message>
+        <source>Axes</source>
+        <translation>Achsen</translation>
+    </message>
+    <message>
+        <source>Pulses, film per turn, direction</source>
+        <translation>Pulse, Folie je Umdrehung, Richtung</translation>
+    </message>
+    <message>
+        <source>Measure</source>
+        <translation>Messen</translation>
+    </message>
 </context>
 <context>
     <name>Main</name>
@@ -2691,6 +2769,10 @@ Und %2 weitere.</translation>
     <message>
         <source>Apply %1</source>
         <translation>%1 übernehmen</translation>
+    </message>
+    <message>
+        <source>Measure</source>
+        <translation>Messen</translation>
     </message>
 </context>
 <context>

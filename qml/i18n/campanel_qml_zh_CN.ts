@@ -212,6 +212,72 @@
     </message>
 </context>
 <context>
+    <name>AxesSection</name>
+    <message>
+        <source>Axes</source>
+        <translation>轴</translation>
+    </message>
+</context>
+<context>
+    <name>AxisSheet</name>
+    <message>
+        <source>Present setting</source>
+        <translation>当前设置</translation>
+    </message>
+    <message>
+        <source>Measured</source>
+        <translation>测量值</translation>
+    </message>
+    <message>
+        <source>As it should</source>
+        <translation>方向正确</translation>
+    </message>
+    <message>
+        <source>The other way</source>
+        <translation>方向相反</translation>
+    </message>
+    <message>
+        <source>Reverses the motor</source>
+        <translation>使电机反向</translation>
+    </message>
+    <message>
+        <source>Leave</source>
+        <translation>保留原值</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>关闭</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>Read ruler</source>
+        <translation>读取直尺</translation>
+    </message>
+    <message>
+        <source>Enter …</source>
+        <translation>输入……</translation>
+    </message>
+    <message>
+        <source>Take</source>
+        <translation>采用</translation>
+    </message>
+    <message>
+        <source>One bag</source>
+        <translation>单袋</translation>
+    </message>
+    <message>
+        <source>Measure again</source>
+        <translation>重新测量</translation>
+    </message>
+    <message>
+        <source>Measure</source>
+        <translation>测量</translation>
+    </message>
+</context>
+<context>
     <name>BackupSection</name>
     <message>
         <source>Backup</source>
@@ -1856,6 +1922,18 @@ And %2 more.</source>
         <source>What each state shows</source>
         <translation>各状态的显示</translation>
     </message>
+    <message>
+        <source>Axes</source>
+        <translation>轴</translation>
+    </message>
+    <message>
+        <source>Pulses, film per turn, direction</source>
+        <translation>脉冲、每转膜长、方向</translation>
+    </message>
+    <message>
+        <source>Measure</source>
+        <translation>测量</translation>
+    </message>
 </context>
 <context>
     <name>Main</name>
@@ -2691,6 +2769,10 @@ And %2 more.</source>
     <message>
         <source>Apply %1</source>
         <translation>采用 %1</translation>
+    </message>
+    <message>
+        <source>Measure</source>
+        <translation>测量</translation>
     </message>
 </context>
 <context>

@@ -11,6 +11,7 @@ Item {
 
     required property ParameterFields fields
     required property string name          // the objects of the rows begin with it
+    signal measureRequested(int row)
     property Item heading: null             // stands above the first row and moves with the rows
     readonly property real headingHeight: parameters.heading ? parameters.heading.height + Theme.size.spacing : 0
 
@@ -34,6 +35,7 @@ Item {
                 Frame.edit([parameters.fields.value], 0, null, "")
             }
             onChosen: choice => parameters.fields.setChoice(index, choice)
+            onMeasureRequested: parameters.measureRequested(index)
             onSuggestionTaken: parameters.fields.takeSuggestion(index)
         }
     }

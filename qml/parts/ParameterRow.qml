@@ -18,8 +18,10 @@ ListRow {
     required property int choice
     required property bool known
     required property string suggestion
+    required property bool measurable
     signal chosen(int choice)
     signal suggestionTaken()
+    signal measureRequested()
 
     readonly property bool toggle: row.choices.length > 0
 
@@ -27,6 +29,7 @@ ListRow {
     tappable: !row.toggle
     text: row.name
     rightPadding: Theme.size.padding + (row.toggle ? keys.width : shown.width + (take.visible ? take.width + Theme.size.spacing : 0))
+        + (measure.visible ? measure.width + Theme.size.spacing : 0)
     noteLabel { wrapMode: Text.WordWrap; fontSizeMode: Text.FixedSize; maximumLineCount: 2 }
     level: row.toggle ? 0 : row.neededLevel
 
@@ -38,6 +41,15 @@ ListRow {
         visible: row.suggestion.length > 0
         text: qsTr("Apply %1").arg(row.suggestion)
         onClicked: row.suggestionTaken()
+    }
+    Button {
+        id: measure
+        objectName: row.objectName + "measure"
+        level: row.neededLevel
+        anchors { right: row.toggle ? keys.left : shown.left; rightMargin: Theme.size.spacing; verticalCenter: parent.verticalCenter }
+        visible: row.measurable
+        text: qsTr("Measure")
+        onClicked: row.measureRequested()
     }
     Readout {
         id: shown

@@ -72,15 +72,43 @@ SettingsSection {
                 note: qsTr("What each state shows")
                 onClicked: section.settings.open("TowerSection.qml")
             }
+            ListRow {
+                objectName: "openAxes"
+                width: column.width
+                height: section.rowHeight
+                text: qsTr("Axes")
+                note: qsTr("Pulses, film per turn, direction")
+                onClicked: section.settings.open("AxesSection.qml")
+            }
             Repeater {
                 model: Editor.machineFields
-                FieldTile {
+                Row {
+                    id: line
                     required property var modelData
-                    item: modelData as EditorField
-                    compact: false
-                    width: column.width
-                    height: section.rowHeight
-                    onClicked: section.chosen = item
+                    readonly property EditorField item: modelData as EditorField
+                    readonly property bool measurable: item.fieldId === "pulses_per_motor_rev"
+                    visible: item.visible
+                    spacing: Theme.size.spacing
+                    FieldTile {
+                        item: line.item
+                        compact: false
+                        width: column.width - (measure.visible ? measure.width + line.spacing : 0)
+                        height: section.rowHeight
+                        onClicked: section.chosen = item
+                    }
+                    Button {
+                        id: measure
+                        objectName: "measureMainMotor"
+                        visible: line.measurable
+                        level: Access.Technician
+                        height: section.rowHeight
+                        text: qsTr("Measure")
+                        onClicked: {
+                            section.chosen = line.item
+                            Maintenance.measurement.beginMainMotor()
+                            Frame.open("Settings/AxisSheet", {})
+                        }
+                    }
                 }
             }
             ListRow {

@@ -5,6 +5,7 @@
 #include "modbus/map/mark_edges.h"
 #include "tests/looks/demo_line.h"
 #include "tests/looks/demo_packing.h"
+#include "tests/support/measure_image.h"
 #include "tests/support/order_image.h"
 
 #include <algorithm>
@@ -154,6 +155,11 @@ void DemoLink::sendRead(const link::ReadRequest& request)
         film.bagMm = m_program.cutter().cycle.bagLengthMm;
         film.bags = m_bags;
         emit registersRead({request, link::ReadEnd::Done, demoEdges(film), m_now, std::nullopt});
+        return;
+    }
+    if (request.address == modbus::measureAddress) {
+        emit registersRead(
+            {request, link::ReadEnd::Done, test::measureRegisters(m_measure), m_now, std::nullopt});
         return;
     }
     if (request.address == modbus::orderStatusAddress) {

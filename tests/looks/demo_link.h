@@ -52,6 +52,8 @@ public:
     void setJamState(modbus::JamState state) { m_jamState = state; }
     // Sets the order that the controller counts.
     void setOrder(const modbus::OrderStatus& order) { m_order = order; }
+    // Sets what a measurement of an axis has counted; one that is asked for makes its turns at once.
+    void setMeasure(const modbus::MeasureStatus& measure) { m_measure = measure; }
     // Ends the search; it never ends without this call.
     void endScan(bool isFound);
     // Behaves like the line to the simulated controller.
@@ -107,6 +109,7 @@ private:
     modbus::JamState m_jamState = modbus::JamState::Armed;
     modbus::OrderStatus m_order{
         .state = modbus::OrderState::None, .action = modbus::OrderAction::None, .lot = {}};
+    modbus::MeasureStatus m_measure{};
     std::optional<link::ReadRequest> m_filmRequest; // last request; answered again with every bag
     double m_cycleShare = 0;                        // share of the present bag
 };

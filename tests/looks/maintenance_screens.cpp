@@ -46,6 +46,38 @@ void tell(TestWindow& window, modbus::State state, std::uint16_t warningBits = 0
     window.settle();
 }
 
+// Opens the page of the axes; all have been measured but the film, which has no index sensor.
+void openAxes(TestWindow& window)
+{
+    DemoLink& link = window.link();
+    link.setParameter("parameter.film_pulses", 10'000);
+    link.setParameter("parameter.film_feed", 150);
+    link.setParameter("parameter.flight_pulses", 20'000);
+    link.setParameter("signal.film_index_contact", 2);
+    link.setMeasure({.state = modbus::MeasureState::Done,
+                     .turns = 5,
+                     .pulses = 10'237.4,
+                     .spread = 6.5,
+                     .bagPulses = 12'000.0,
+                     .bag = 1234});
+    link.show(Situation::Stopped);
+    window.checkClock();
+    for (const char* name : {"nav_settings", "section2", "openAxes"})
+        window.tap(QString::fromLatin1(name));
+}
+
+// Opens the measurement of a row and leads it so far.
+Screen axis(const char* name, int row, const std::function<void(TestWindow&)>& then = {})
+{
+    return {QString::fromLatin1(name), [row, then](TestWindow& window) {
+                openAxes(window);
+                window.tap(QStringLiteral("axes%1measure").arg(row));
+                if (then)
+                    then(window);
+                window.settle();
+            }};
+}
+
 // Opens the page of an encoder that leads, at this place, with its figures or its machine data.
 Screen master(const char* name, bool isSetting, double place = 0)
 {
@@ -149,6 +181,24 @@ QList<Screen> maintenanceScreens()
                  for (const char* name : {"nav_settings", "section2", "openMaster"})
                      window.tap(QString::fromLatin1(name));
              }},
+            {QStringLiteral("settings-axes"), &openAxes},
+            axis("axis-turns", 3),
+            axis("axis-moving", 3,
+                 [](TestWindow& window) {
+                     window.link().setMeasure({.state = modbus::MeasureState::Moving, .turns = 3});
+                     window.panel().maintenance().measurement()->start();
+                 }),
+            axis("axis-result", 3,
+                 [](TestWindow& window) { window.panel().maintenance().measurement()->start(); }),
+            axis("axis-direction", 1,
+                 [](TestWindow& window) { window.panel().maintenance().measurement()->start(); }),
+            axis("axis-film", 4),
+            axis("axis-ended", 5,
+                 [](TestWindow& window) {
+                     window.link().setMeasure(
+                         {.state = modbus::MeasureState::Ended, .reason = modbus::Refusal::DoorOpen});
+                     window.panel().maintenance().measurement()->start();
+                 }),
             screen("master-empty", "maintenanceMaster", Situation::Absent),
             dryRun("dry-run", Kind::RotaryCutter, 200),
             dryRun("dry-run-apart", Kind::RotaryCutter, 62.5),

@@ -48,6 +48,8 @@ QString commandKey(modbus::Command command)
         return u"command.cut"_s;
     case modbus::Command::TakeBag:
         return u"command.take"_s;
+    case modbus::Command::Measure:
+        return u"command.measure"_s;
     case modbus::Command::OrderStart:
         return u"command.order"_s;
     case modbus::Command::OrderEnd:
@@ -268,6 +270,19 @@ void AuditTrail::watchManual()
     connect(m_parts.maintenance.homing(), &Homing::ended, this, [this](Homing::Result result) {
         note({.what = u"command.home_end"_s, .object = activeProgram(), .outcome = outcomeKey(result)});
     });
+    connect(
+        m_parts.maintenance.measurement(), &AxisMeasurement::ended, this,
+        [this](const QString& subject, const QString& result, const QString& outcome) {
+            note({.what = u"command.measure_end"_s, .object = subject, .after = result, .outcome = outcome});
+        });
+    connect(m_parts.maintenance.measurement(), &AxisMeasurement::taken, this,
+            [this](const QString& subject, double before, double after) {
+                note({.what = u"wizard.axis"_s,
+                      .object = subject,
+                      .before = numberText(before),
+                      .after = numberText(after),
+                      .outcome = u"done"_s});
+            });
     connect(m_parts.maintenance.outputTry(), &OutputTry::begun, this, [this](const QString& output) {
         note({.what = u"command.try_output"_s, .object = activeProgram(), .after = output});
     });

@@ -3,6 +3,7 @@
 
 #include "app/panel/controller/start_permit.h"
 #include "app/panel/kit/format.h"
+#include "app/panel/maintenance/axis_fields.h"
 #include "app/panel/maintenance/cam_switches.h"
 #include "app/panel/maintenance/tower_fields.h"
 #include "app/panel/packing/packing_fields.h"
@@ -64,6 +65,8 @@ constexpr std::array whatWords{
     Word{"command.jog_end", QT_TRANSLATE_NOOP("AuditWords", "Jog ended")},
     Word{"command.try_output", QT_TRANSLATE_NOOP("AuditWords", "Output tried")},
     Word{"command.try_output_end", QT_TRANSLATE_NOOP("AuditWords", "Output try ended")},
+    Word{"command.measure", QT_TRANSLATE_NOOP("AuditWords", "Axis measured")},
+    Word{"command.measure_end", QT_TRANSLATE_NOOP("AuditWords", "Measurement of an axis ended")},
     Word{"command.reset", QT_TRANSLATE_NOOP("AuditWords", "Fault reset")},
     Word{"command.save", QT_TRANSLATE_NOOP("AuditWords", "Saved in the controller")},
     Word{"command.teach", QT_TRANSLATE_NOOP("AuditWords", "Marks measured")},
@@ -85,6 +88,7 @@ constexpr std::array whatWords{
     Word{"film.override", QT_TRANSLATE_NOOP("AuditWords", "Wrong film reel allowed")},
     Word{"parameter.write", QT_TRANSLATE_NOOP("AuditWords", "Parameter written")},
     Word{"wizard.marks", QT_TRANSLATE_NOOP("AuditWords", "Mark sensor measured")},
+    Word{"wizard.axis", QT_TRANSLATE_NOOP("AuditWords", "Measured value of an axis taken")},
     Word{"setting.change", QT_TRANSLATE_NOOP("AuditWords", "Setting")},
     Word{"hand.speed", QT_TRANSLATE_NOOP("AuditWords", "Speed changed by hand")},
     Word{"hand.trim", QT_TRANSLATE_NOOP("AuditWords", "Trimmed by hand")},
@@ -123,8 +127,8 @@ constexpr std::array whatWords{
 };
 
 // Each returns the label of a parameter; empty for one of something else.
-constexpr std::array parameterWords{PackingFields::words, CamSwitches::words, StartPermit::words,
-                                    TowerFields::words, MasterSentences::parameter};
+constexpr std::array parameterWords{PackingFields::words, AxisFields::words,  CamSwitches::words,
+                                    StartPermit::words,   TowerFields::words, MasterSentences::parameter};
 
 constexpr std::array objectWords{
     Word{"connection", QT_TRANSLATE_NOOP("AuditWords", "connection")},
@@ -214,7 +218,8 @@ QString AuditWords::object(const store::AuditEntry& entry)
         if (trim != program::trimTable.end())
             return TrimWords::title(static_cast<program::Trim>(trim - program::trimTable.begin()));
     }
-    if (entry.what == u"parameter.write") {
+    if (entry.what == u"parameter.write" || entry.what == u"command.measure_end" ||
+        entry.what == u"wizard.axis") {
         for (const auto wordsOf : parameterWords) {
             if (const QString words = wordsOf(entry.object); !words.isEmpty())
                 return words;

@@ -44,6 +44,7 @@ constexpr std::array actionRows{
     Row{Action::JogBag, connected, in(State::Unknown), nullptr, modbus::Command::JogBag},
     Row{Action::SingleCut, connected, in(State::Unknown), nullptr, modbus::Command::SingleCut},
     Row{Action::TakeBag, connected, in(State::Unknown), nullptr, modbus::Command::TakeBag},
+    Row{Action::Measure, connected, in(State::Unknown), nullptr, modbus::Command::Measure},
     Row{Action::Jog, connected, all & ~standstill & ~in(State::Jogging), nullptr, {}, endedByEmergencyStop},
     Row{Action::TryOutput, connected, all & ~standstill, nullptr, {}, endedByEmergencyStop},
     Row{Action::Download, connected, 0},

@@ -10,6 +10,7 @@ enum class Action {
     JogBag,    // one bag out of standstill
     SingleCut, // of the knife alone
     TakeBag,   // the next one of a run is for a person
+    Measure,   // the pulses of an axis, or its direction
     Jog,
     TryOutput, // at standstill, while a key is held
     Download,

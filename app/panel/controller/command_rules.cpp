@@ -44,6 +44,7 @@ Refusal expectedRefusal(const modbus::StatusBlock& status, modbus::Command comma
         return status.state == State::Running || status.state == State::Stopping ? Refusal::None
                                                                                  : Refusal::NotRunning;
     case modbus::Command::Home:
+    case modbus::Command::Measure:
         return refusalToMove(status, Refusal::NotStandstill);
     case modbus::Command::ResetFault:
         return status.state == State::Fault ? Refusal::None : Refusal::NoFault;

@@ -258,10 +258,10 @@ void Controller::start()
     startBy(modbus::Command::Start);
 }
 
-void Controller::startBy(modbus::Command command)
+void Controller::startBy(modbus::Command command, const modbus::CommandArguments& arguments)
 {
     m_link.setPermit(permit());
-    send(command);
+    send(command, arguments);
 }
 
 void Controller::stop()

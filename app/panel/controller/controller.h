@@ -190,7 +190,7 @@ public:
     void setContactAngle(double deg);
     void send(modbus::Command command, const modbus::CommandArguments& arguments = {});
     // Sends a command that starts the machine, with what the panel permits now.
-    void startBy(modbus::Command command);
+    void startBy(modbus::Command command, const modbus::CommandArguments& arguments = {});
     // Returns the parameter with a name of the register table.
     [[nodiscard]] Parameter& parameter(std::string_view name);
     // Returns the parameter with that name of the table, for QML.

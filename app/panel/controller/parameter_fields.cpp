@@ -243,6 +243,8 @@ QVariant ParameterFields::data(const QModelIndex& index, int role) const
                              std::abs(*field.suggestion - *field.value()) >= 5 * field.info().scale;
         return isOther ? Format().amount(*field.suggestion, digits, unitOf(field)) : QString();
     }
+    case MeasurableRole:
+        return isMeasurable(field);
     default:
         return {};
     }
@@ -250,9 +252,9 @@ QVariant ParameterFields::data(const QModelIndex& index, int role) const
 
 QHash<int, QByteArray> ParameterFields::roleNames() const
 {
-    return {{NameRole, "name"},   {ValueRole, "value"},          {UnitRole, "unit"},
-            {NoteRole, "note"},   {ChoicesRole, "choices"},      {ChoiceRole, "choice"},
-            {KnownRole, "known"}, {SuggestionRole, "suggestion"}};
+    return {{NameRole, "name"},   {ValueRole, "value"},           {UnitRole, "unit"},
+            {NoteRole, "note"},   {ChoicesRole, "choices"},       {ChoiceRole, "choice"},
+            {KnownRole, "known"}, {SuggestionRole, "suggestion"}, {MeasurableRole, "measurable"}};
 }
 
 } // namespace campanel::panel

@@ -38,7 +38,8 @@ public:
         ChoicesRole, // the texts of the values 0, 1 and so on; empty for a number
         ChoiceRole,  // the present one; -1 while unknown
         KnownRole,
-        SuggestionRole // a value other than the present one; empty when there is none
+        SuggestionRole, // a value other than the present one; empty when there is none
+        MeasurableRole  // the machine can measure it
     };
 
     // Reads every value from the controller.
@@ -93,6 +94,7 @@ protected:
     [[nodiscard]] QString range(const Field& field) const;
     // Returns why this value cannot be together with the others; empty when it can.
     [[nodiscard]] virtual QString objection(const Field& /*field*/, double /*value*/) const { return {}; }
+    [[nodiscard]] virtual bool isMeasurable(const Field& /*field*/) const { return false; }
 
 private:
     [[nodiscard]] const Field* selected() const;

@@ -24,6 +24,7 @@ Maintenance::Maintenance(Controller& controller, Settings& settings, const QStri
     , m_switches(controller, this)
     , m_tower(controller, this)
     , m_master(controller, this)
+    , m_measurement(controller, this)
     , m_dryRun(this)
 {
     m_files.guardBy(controller.accessCheck());

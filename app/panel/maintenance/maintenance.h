@@ -4,6 +4,7 @@
 
 #include "app/panel/kit/report_files.h"
 #include "app/panel/kit/singleton.h"
+#include "app/panel/maintenance/axis_measurement.h"
 #include "app/panel/maintenance/cam_switches.h"
 #include "app/panel/maintenance/dry_run.h"
 #include "app/panel/maintenance/frame_list.h"
@@ -41,6 +42,7 @@ class Maintenance : public QObject, public Singleton<Maintenance> {
     Q_PROPERTY(campanel::panel::CamSwitches* switches READ switches CONSTANT FINAL)
     Q_PROPERTY(campanel::panel::TowerFields* tower READ tower CONSTANT FINAL)
     Q_PROPERTY(campanel::panel::MasterWatch* master READ master CONSTANT FINAL)
+    Q_PROPERTY(campanel::panel::AxisMeasurement* measurement READ measurement CONSTANT FINAL)
     Q_PROPERTY(campanel::panel::DryRun* dryRun READ dryRun CONSTANT FINAL)
     Q_PROPERTY(campanel::panel::SimulatedFaults* simulatedFaults READ simulatedFaults CONSTANT FINAL)
     Q_PROPERTY(campanel::panel::ReportFiles* files READ files CONSTANT FINAL)
@@ -61,6 +63,7 @@ public:
     [[nodiscard]] CamSwitches* switches() { return &m_switches; }
     [[nodiscard]] TowerFields* tower() { return &m_tower; }
     [[nodiscard]] MasterWatch* master() { return &m_master; }
+    [[nodiscard]] AxisMeasurement* measurement() { return &m_measurement; }
     [[nodiscard]] DryRun* dryRun() { return &m_dryRun; }
     [[nodiscard]] SimulatedFaults* simulatedFaults() { return &m_simulatedFaults; }
     [[nodiscard]] ReportFiles* files() { return &m_files; }
@@ -80,6 +83,7 @@ private:
     CamSwitches m_switches;
     TowerFields m_tower;
     MasterWatch m_master;
+    AxisMeasurement m_measurement;
     DryRun m_dryRun;
 };
 

@@ -32,6 +32,7 @@ struct PanelRig {
     {
         machine.setClock([this] { return now; });
         maintenance.dryRun()->follow(editor);
+        maintenance.measurement()->follow(editor);
     }
 
     void connectIdle()

@@ -25,6 +25,7 @@ private slots:
         QTest::addRow("one bag") << Action::JogBag << u"R"_s;
         QTest::addRow("single cut") << Action::SingleCut << u"R"_s;
         QTest::addRow("take the next bag") << Action::TakeBag << u"US"_s;
+        QTest::addRow("measure an axis") << Action::Measure << u"R"_s;
         QTest::addRow("jog") << Action::Jog << u"IRJ"_s;
         QTest::addRow("try an output") << Action::TryOutput << u"IR"_s;
         QTest::addRow("download") << Action::Download << u"IRUSJHF"_s;

@@ -137,7 +137,7 @@ private slots:
         QFETCH(int, situation);
         QFETCH(int, kind);
         QFETCH(int, state);
-        std::vector commands{Command::Start, Command::Home, Command::ResetFault};
+        std::vector commands{Command::Start, Command::Home, Command::ResetFault, Command::Measure};
         if (kind == static_cast<int>(profile::ProgramKind::RotaryCutter))
             commands.insert(commands.end(), {Command::JogBag, Command::SingleCut, Command::TakeBag});
         for (const Command command : commands) {
@@ -146,6 +146,8 @@ private slots:
             rig->setParameter(CTL_REG_PARAMETER_SWITCH1_MODE, CTL_SWITCH_MODE_REJECTED_BAGS);
             const modbus::StatusBlock status = statusOf(*rig);
             QCOMPARE(status.state, std::optional(static_cast<State>(state)));
+            if (command == Command::Measure)
+                rig->heartbeat();
             const std::uint16_t refused = rig->command(static_cast<std::uint16_t>(command));
             QCOMPARE(static_cast<int>(expectedRefusal(status, command)), static_cast<int>(refused));
         }
