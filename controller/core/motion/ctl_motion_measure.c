@@ -24,7 +24,7 @@ void ctl_motion_measure(ctl_motion* motion, uint16_t axis, uint16_t turns)
     (void)motion->board->port.index(motion->board->port.context, &stale_mark);
     ctl_motion_begin_manual(motion, ctl_parameter32(motion->board, CTL_REG_PARAMETER_HOME_FREQUENCY), 1);
     if (axis != CTL_MEASURED_AXIS_KNIFE)
-        ctl_packer_begin_by_hand(motion->packer, ctl_active_bank(motion->banks));
+        ctl_packer_begin_by_hand(motion->packer, ctl_active_bank(motion->banks), motion->banks->active_crc);
     ctl_measure_begin(&motion->measure, axis, turns, ctl_motion_turn(motion, axis));
     motion->measures = true;
     motion->state = CTL_STATE_JOGGING;

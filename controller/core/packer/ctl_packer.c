@@ -236,9 +236,9 @@ void ctl_packer_run(ctl_packer* packer, const ctl_bank* bank, uint32_t crc, cons
         ctl_packer_ask_first_cut(packer);
 }
 
-void ctl_packer_begin_by_hand(ctl_packer* packer, const ctl_bank* bank)
+void ctl_packer_begin_by_hand(ctl_packer* packer, const ctl_bank* bank, uint32_t crc)
 {
-    begin_cycle(packer, bank);
+    begin_cycle(packer, bank, crc);
     packer->broken_off = true;
 }
 

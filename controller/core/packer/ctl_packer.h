@@ -268,7 +268,7 @@ void ctl_packer_take_next(ctl_packer* packer);
 void ctl_packer_cut_alone(ctl_packer* packer);
 
 /* At standstill behind ctl_packer_break_off(): film and infeed can be fed by hand. */
-void ctl_packer_begin_by_hand(ctl_packer* packer, const ctl_bank* bank);
+void ctl_packer_begin_by_hand(ctl_packer* packer, const ctl_bank* bank, uint32_t crc);
 /* Feeds one of them by so much in this slice, 1/256 pulse. */
 void ctl_packer_feed_by_hand(ctl_packer* packer, ctl_axis axis, int64_t way);
 
