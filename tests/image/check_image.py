@@ -15,6 +15,7 @@ from power_cuts import PowerCuts
 
 PATIENCE_S = 900  # without KVM, beside other work
 SETTINGS = "/var/lib/campanel/config/campanel/campanel.conf"
+PI_FILES = {"start4.elf", "fixup4.dat", "config.txt", "cmdline.txt", "bcm2711-rpi-4-b.dtb", "bcm2711-rpi-400.dtb", "bcm2711-rpi-cm4-io.dtb"}
 RECIPE = "/var/lib/campanel/data/campanel/campanel/recipe.json"
 CONFIGURATION = "/etc/campanel/campanel.toml"
 SETTINGS_ON_CARD = '[connection]\nport = "/dev/campanel-serial"\n[display]\ntheme = "dark"\n'
@@ -87,6 +88,15 @@ class Check:
                 machine.picture("made-ready")
         finally:
             machine.cut()
+
+    def pi_files(self):
+        """QEMU starts no Raspberry Pi, so only the files are looked at by which it would start."""
+        boot = f"{self.base}@@{partition(self.base, 1)[0]}"
+        files = {name.removeprefix("::/").lower() for name in subprocess.check_output(["mdir", "-b", "-i", boot, "::/"], text=True).split()}
+        configuration = dict(line.replace("initramfs ", "initramfs=").split("=") for line in
+                             subprocess.check_output(["mtype", "-i", boot, "::/config.txt"], text=True).splitlines()) if "config.txt" in files else {}
+        needed = PI_FILES | {configuration.get("kernel"), configuration.get("initramfs", "").split(" ")[0]}
+        self.report("the files of a Raspberry Pi are there", needed <= files, " ".join(map(str, sorted(needed - files, key=str))))
 
     def boot(self):
         """The first boot: what it opens, what it is, and what is closed."""
@@ -190,6 +200,8 @@ class Check:
 
     def check(self):
         self.unpack()
+        if self.computer is COMPUTERS["arm64"]:
+            self.pi_files()
         self.boot()
         if not self.failed:
             self.power_cuts()
