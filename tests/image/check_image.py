@@ -15,7 +15,7 @@ from power_cuts import PowerCuts
 
 PATIENCE_S = 900  # without KVM, beside other work
 SETTINGS = "/var/lib/campanel/config/campanel/campanel.conf"
-PI_FILES = {"start4.elf", "fixup4.dat", "config.txt", "cmdline.txt", "bcm2711-rpi-4-b.dtb", "bcm2711-rpi-400.dtb", "bcm2711-rpi-cm4-io.dtb"}
+PI_FILES = {"linux", "cmdline.txt", "bcm2711-rpi-4-b.dtb", "bcm2711-rpi-400.dtb", "bcm2711-rpi-cm4-io.dtb"}
 RECIPE = "/var/lib/campanel/data/campanel/campanel/recipe.json"
 CONFIGURATION = "/etc/campanel/campanel.toml"
 SETTINGS_ON_CARD = '[connection]\nport = "/dev/campanel-serial"\n[display]\ntheme = "dark"\n'
@@ -92,11 +92,15 @@ class Check:
     def pi_files(self):
         """QEMU starts no Raspberry Pi, so only the files are looked at by which it would start."""
         boot = f"{self.base}@@{partition(self.base, 1)[0]}"
-        files = {name.removeprefix("::/").lower() for name in subprocess.check_output(["mdir", "-b", "-i", boot, "::/"], text=True).split()}
-        configuration = dict(line.replace("initramfs ", "initramfs=").split("=") for line in
-                             subprocess.check_output(["mtype", "-i", boot, "::/config.txt"], text=True).splitlines()) if "config.txt" in files else {}
-        needed = PI_FILES | {configuration.get("kernel"), configuration.get("initramfs", "").split(" ")[0]}
-        self.report("the files of a Raspberry Pi are there", needed <= files, " ".join(map(str, sorted(needed - files, key=str))))
+        files = {name.removeprefix("::/").lower() for name in subprocess.check_output(["mdir", "-/", "-b", "-i", boot, "::/"], text=True).split()}
+        needed = {"start4.elf", "fixup4.dat", "b/cmdline.txt"} | {f"a/{name}" for name in PI_FILES}
+        for name, folder in (("config.txt", "a/"), ("tryboot.txt", "b/")):
+            text = subprocess.run(["mtype", "-i", boot, f"::/{name}"], capture_output=True, text=True).stdout
+            told = dict(line.replace("initramfs ", "initramfs=").split("=") for line in text.splitlines())
+            self.report(f"{name} names its system", told.get("os_prefix") == folder, text if told.get("os_prefix") != folder else "")
+            if folder == "a/":
+                needed |= {folder + str(told.get("kernel")), folder + told.get("initramfs", "").split(" ")[0]}
+        self.report("the files of a Raspberry Pi are there", needed <= files, " ".join(sorted(needed - files)))
 
     def boot(self):
         """The first boot: what it opens, what it is, and what is closed."""
