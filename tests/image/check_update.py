@@ -191,6 +191,7 @@ class UpdateCheck(Check):
         self.key_on_card(disk)
         machine = self.open(disk)
         self.report("the key of the builder is taken", machine.wait_for("ls /etc/campanel/package-keys", "builder.json", 60))
+        self.report("the panel has its database", machine.wait_for("find /var/lib/campanel -size +0 -name 'campanel.sqlite'", "campanel.sqlite", 120))
         machine.shell("sync")
         machine.cut()
         run("cp", "--sparse=always", disk, self.path("before.img"))
