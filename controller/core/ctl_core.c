@@ -183,7 +183,8 @@ static void slice(ctl_core* core, uint32_t ticks)
     if (core->packer.wheel.on)
         ctl_wheel_read(&core->packer.wheel, core->master.tracker.count, core->master.reversed);
     ctl_motion_slice(motion, ticks);
-    if (!core->packer.busy)
+    const bool quiet = !core->packer.busy;
+    if (quiet)
         use_quiet_slice(core);
     if (core->trims_of != core->banks.generation)
         change_trims(core);
@@ -194,7 +195,8 @@ static void slice(ctl_core* core, uint32_t ticks)
     if ((core->packer.bank != NULL || core->coder.on) && ctl_coder_slice(&core->coder, &core->packer))
         core->io.around ^= 1u << CTL_OUTPUT_BIT_CODER_PULSE;
     ctl_io_slice(&core->io, motion);
-    ctl_work_slice(core);
+    if (quiet)
+        ctl_work_slice(core);
 }
 
 /* Timer ticks of so many microseconds; what is left of one is kept. */

@@ -116,8 +116,7 @@ uint32_t ctl_square_root(uint64_t square)
 /* 2 x^3 - x^4 of x in 1 / 2^15. */
 static uint64_t led_way(uint32_t x)
 {
-    const uint64_t cube = (uint64_t)(x * x) * x;
-    return (cube << (PLACE_BITS + 1u)) - cube * x;
+    return (uint64_t)(x * x) * (x * ((2u << PLACE_BITS) - x));
 }
 
 /* Returns the largest place whose way is at most this, x of it being near. */

@@ -103,10 +103,15 @@ static bool has_master(const ctl_bank* bank)
 }
 
 /* A cam whose master turns back by itself would never engage. */
-static bool can_follow(const ctl_master* master, const ctl_bank* bank)
+static bool can_follow_by(gear_ratio ratio, const ctl_bank* bank)
 {
     return has_master(bank) && ctl_bank_at_end(bank) == CTL_END_BEHAVIOR_REPEAT &&
-           ctl_bank_direction(bank) > 0 && ratio_of(master, bank).denominator < MAX_DENOMINATOR;
+           ctl_bank_direction(bank) > 0 && ratio.denominator < MAX_DENOMINATOR;
+}
+
+static bool can_follow(const ctl_master* master, const ctl_bank* bank)
+{
+    return can_follow_by(ratio_of(master, bank), bank);
 }
 
 void ctl_master_init(ctl_master* master, const ctl_board* board)
@@ -189,14 +194,15 @@ void ctl_master_slice(ctl_master* master)
     watch_ripple(master);
 }
 
-/* The counts of a microsecond as ticks of the table's, in percent of full speed. */
-static bool is_too_fast(const ctl_master* master, const ctl_bank* bank)
+/* Compares the counts of a microsecond as ticks of the table's, in percent of full speed. */
+static bool is_too_fast(const ctl_master* master, gear_ratio ratio)
 {
-    const gear_ratio ratio = ratio_of(master, bank);
     const uint64_t per_count = ratio.numerator / ratio.denominator + 1u;
     const uint64_t speed = (uint64_t)(master->speed < 0 ? -master->speed : master->speed) >> FINE_BITS;
-    const uint64_t percent = speed * per_count * PERCENT / (master->board->config.timer_clock_hz / MS_PER_S);
-    return percent * MS_PER_S >> (CTL_TRACKER_BITS - FINE_BITS) > setting16(master, CTL_REG_MASTER_SPEED_MAX);
+    const uint32_t above = (setting16(master, CTL_REG_MASTER_SPEED_MAX) + 1u)
+                           << (CTL_TRACKER_BITS - FINE_BITS);
+    const uint64_t per_percent = master->board->config.timer_clock_hz / MS_PER_S;
+    return speed * per_count * PERCENT >= per_percent * ((above + MS_PER_S - 1u) / MS_PER_S);
 }
 
 uint16_t ctl_master_refusal(const ctl_master* master, const ctl_bank* bank)
@@ -206,9 +212,10 @@ uint16_t ctl_master_refusal(const ctl_master* master, const ctl_bank* bank)
     const ctl_port* port = &master->board->port;
     if (port->master == NULL || (is_wheel(master, bank) && port->latch_master == NULL))
         return CTL_REFUSAL_NO_MASTER_INPUT;
-    if (!can_follow(master, bank))
+    const gear_ratio ratio = ratio_of(master, bank);
+    if (!can_follow_by(ratio, bank))
         return CTL_REFUSAL_CANNOT_FOLLOW_MASTER;
-    return is_too_fast(master, bank) ? CTL_REFUSAL_MASTER_TOO_FAST : CTL_REFUSAL_NONE;
+    return is_too_fast(master, ratio) ? CTL_REFUSAL_MASTER_TOO_FAST : CTL_REFUSAL_NONE;
 }
 
 static uint32_t smoothing_us(const ctl_master* master)

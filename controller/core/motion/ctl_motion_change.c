@@ -76,10 +76,13 @@ static bool is_open(const ctl_motion* motion)
     return !motion->packer->wheel.on || motion->packer->knife_gate.state == CTL_GATE_STATE_STANDING;
 }
 
+/* Returns true when this speed is a larger share of full speed than the steps allow; it is never twice as
+ * fast. */
 static bool steps_too_far(const ctl_motion* motion, uint32_t speed)
 {
-    return !motion->packer->wheel.on &&
-           ((uint64_t)speed << CTL_RAMP_SHARE_BITS) / motion->ramp.full > motion->change.steps;
+    const uint64_t steps = motion->change.steps;
+    return !motion->packer->wheel.on && steps < UINT32_MAX &&
+           (uint64_t)speed << CTL_RAMP_SHARE_BITS >= (steps + 1u) * motion->ramp.full;
 }
 
 /* Returns true while the encoder is too fast for the armed program, or does not lead the line alone. */

@@ -5,6 +5,7 @@
 
 #define ONE_BITS CTL_SMOOTH_BITS
 #define ONE (UINT64_C(1) << ONE_BITS)
+#define INVERSE_BITS 62u
 
 void ctl_gate_reset(ctl_gate* gate, uint32_t cycle, uint32_t engage, uint32_t release)
 {
@@ -15,6 +16,7 @@ void ctl_gate_reset(ctl_gate* gate, uint32_t cycle, uint32_t engage, uint32_t re
     gate->phase = 0;
     gate->passed = 0;
     gate->ramped = 0;
+    gate->inverse = 0;
     gate->dwell = 0;
     gate->answered = false;
 }
@@ -31,10 +33,21 @@ static uint64_t state_ticks(const ctl_gate* gate)
     return gate->state == CTL_GATE_STATE_STANDING ? gate->dwell : 2u * (uint64_t)ramp_way(gate);
 }
 
-/* Slowing down over the way a takes 2 a of the driver: after the share x of that, 2 a (x - x^3 + x^4 / 2). */
-static uint32_t slowed(uint32_t way, uint64_t passed)
+/* The share of the ramp that has passed, rounded down: by the inverse it may be one too small. */
+static uint64_t share_of_ramp(const ctl_gate* gate, uint64_t passed)
 {
-    const uint64_t x = (passed << ONE_BITS) / (2u * (uint64_t)way);
+    const uint64_t whole = 2u * (uint64_t)ramp_way(gate);
+    if (gate->inverse == 0)
+        return (passed << ONE_BITS) / whole;
+    const uint64_t x = passed * gate->inverse >> (INVERSE_BITS - ONE_BITS);
+    return (passed << ONE_BITS) - x * whole >= whole ? x + 1u : x;
+}
+
+/* Slowing down over the way a takes 2 a of the driver: after the share x of that, 2 a (x - x^3 + x^4 / 2). */
+static uint32_t slowed(const ctl_gate* gate, uint64_t passed)
+{
+    const uint32_t way = ramp_way(gate);
+    const uint64_t x = share_of_ramp(gate, passed);
     const uint64_t x2 = x * x >> ONE_BITS;
     uint64_t share = x - (x2 * x >> ONE_BITS) + (x2 * x2 >> (ONE_BITS + 1u));
     if (share > ONE / 2u)
@@ -46,8 +59,8 @@ static uint32_t way_travelled(const ctl_gate* gate)
 {
     const uint32_t way = ramp_way(gate);
     if (gate->state == CTL_GATE_STATE_SLOWING)
-        return slowed(way, gate->passed);
-    return way - slowed(way, 2u * (uint64_t)way - gate->passed);
+        return slowed(gate, gate->passed);
+    return way - slowed(gate, 2u * (uint64_t)way - gate->passed);
 }
 
 bool ctl_gate_asks(const ctl_gate* gate)
@@ -62,6 +75,7 @@ static void begin(ctl_gate* gate, uint16_t state)
     gate->state = state;
     gate->passed = 0;
     gate->ramped = 0;
+    gate->inverse = 0;
 }
 
 void ctl_gate_stand(ctl_gate* gate)
@@ -125,6 +139,8 @@ uint32_t ctl_gate_advance(ctl_gate* gate, uint32_t ticks)
         gate->passed += ticks;
         return own;
     }
+    if (gate->inverse == 0 && gate->passed != 0 && state_ticks(gate) <= UINT32_MAX)
+        gate->inverse = ((uint64_t)1 << INVERSE_BITS) / state_ticks(gate);
     gate->passed += ticks;
     const uint32_t ramped = way_travelled(gate);
     if (ramped > gate->ramped) { /* the last bits may say that it went back */

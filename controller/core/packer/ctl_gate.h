@@ -20,12 +20,13 @@ typedef struct {
     uint32_t cycle;
     uint32_t engage; /* the sealing window, 0 < engage < release < cycle */
     uint32_t release;
-    uint16_t state;  /* CTL_GATE_STATE_... */
-    uint32_t phase;  /* position in its cycle, 0..cycle-1 */
-    uint64_t passed; /* ticks of the driver since this state began; not while running */
-    uint32_t ramped; /* its own ticks of the present ramp */
-    uint64_t dwell;  /* duration of its standstill */
-    bool answered;   /* running: the question of this cycle was answered */
+    uint16_t state;   /* CTL_GATE_STATE_... */
+    uint32_t phase;   /* position in its cycle, 0..cycle-1 */
+    uint64_t passed;  /* ticks of the driver since this state began; not while running */
+    uint32_t ramped;  /* its own ticks of the present ramp */
+    uint64_t inverse; /* 2^62 / the ticks of the ramp, from its second slice on; 0: not yet */
+    uint64_t dwell;   /* duration of its standstill */
+    bool answered;    /* running: the question of this cycle was answered */
 } ctl_gate;
 
 /* Sets the gate in phase with a driver at the start of its cycle. */

@@ -196,6 +196,7 @@ void ctl_packer_plan_again(ctl_packer* packer, const ctl_drive* drive)
     const uint32_t room = room_to_shift(packer, drive->changes, &way);
     if (room == 0)
         return;
+    packer->busy = true;
     const int64_t lag = lag_ahead(packer, drive, way);
     note_speed(packer, drive->ramp);
     if (lag != packer->next.lag)

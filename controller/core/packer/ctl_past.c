@@ -31,7 +31,12 @@ void ctl_past_add(ctl_past* past, uint64_t now_us, int64_t at)
 /* `way` x `part` / `whole`, part <= whole; way below 2^31 in size. */
 static int32_t share(int32_t way, uint32_t part, uint32_t whole)
 {
-    return whole == 0 ? 0 : (int32_t)((int64_t)way * part / whole);
+    if (whole == 0)
+        return 0;
+    const uint64_t product = (uint64_t)(way < 0 ? -(int64_t)way : way) * part;
+    /* The shorter division where it does. */
+    const uint32_t size = product <= UINT32_MAX ? (uint32_t)product / whole : (uint32_t)(product / whole);
+    return way < 0 ? -(int32_t)size : (int32_t)size;
 }
 
 /* Microseconds from the edge to the end of the slice, which the axis passes evenly. */
