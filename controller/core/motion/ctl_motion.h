@@ -183,6 +183,16 @@ void ctl_motion_run(ctl_motion* motion);
 void ctl_motion_stand(ctl_motion* motion);
 /* At standstill behind a run. */
 void ctl_motion_rest(ctl_motion* motion);
+/* A run has come to rest: what is left of the stop is a knife that must not stay closed. */
+void ctl_motion_come_to_rest(ctl_motion* motion);
+/* Parts of a slice by hand: */
+void ctl_motion_begin_jog_when_asked(ctl_motion* motion);
+void ctl_motion_slice_jogging(ctl_motion* motion, ctl_pace pace);
+void ctl_motion_slice_homing(ctl_motion* motion, ctl_pace pace);
+/* Jogging, homing or the return from an open knife was stopped. */
+void ctl_motion_slice_manual_stop(ctl_motion* motion, ctl_pace pace);
+/* The knife opens behind a stop, or returns before a run. */
+void ctl_motion_slice_park(ctl_motion* motion, ctl_pace pace);
 int32_t ctl_motion_wanted_direction(const ctl_motion* motion);
 void ctl_motion_begin_manual(ctl_motion* motion, uint32_t frequency_hz, int32_t direction);
 /* The knife goes to where a run may begin, and the run begins there. */
