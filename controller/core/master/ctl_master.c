@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "master/ctl_master.h"
 
-#include "base/ctl_smooth.h"
 #include "engine/ctl_cam.h"
 
 #include <stddef.h>
@@ -24,11 +23,7 @@
  * others without a reading makes up for them. */
 #define MAX_TRAVEL 4u
 #define RATE_BITS 24u
-/* A shift of the phase takes so many times its way: it is at most 1.5 times as fast as in the mean. */
-#define PHASE_STRETCH 12
-#define SHARE_BITS 20u
 #define HUNDREDTHS 10000
-#define FULL_CIRCLE 36000 /* 0.01 degrees */
 /* So many bits of the gear's fraction are dropped, so that the product stays below 2^64. */
 #define SPARE_BITS 4u
 /* The line disengages over a longer stretch where the master has become faster by this part. */
@@ -288,17 +283,6 @@ static ctl_clutch_curve engaging_curve(const ctl_master* master, const ctl_ramp*
     return (ctl_clutch_curve){2u * (uint32_t)way, (uint32_t)way};
 }
 
-/* At standstill the phase is set at once: the stretch of the clutch takes it up. */
-static void settle_phase(ctl_master* master)
-{
-    ctl_master_phase* phase = &master->phase;
-    const int32_t target = (int16_t)setting16(master, CTL_REG_MASTER_PHASE);
-    if (master->in_phase)
-        master->clutch.offset +=
-            phase->way - phase->done + (int64_t)(target - phase->set) * master->cycle / FULL_CIRCLE;
-    *phase = (ctl_master_phase){.set = target};
-}
-
 /* Sets what the gear decides. */
 static void set_line(ctl_master* master, const ctl_bank* bank, const ctl_ramp* ramp)
 {
@@ -323,21 +307,13 @@ void ctl_master_engage(ctl_master* master, const ctl_bank* bank, uint32_t start,
     set_gear(master, bank);
     set_line(master, bank, ramp);
     master->line = start;
-    settle_phase(master);
+    ctl_master_settle_phase(master);
     const int64_t at = position(master);
     const ctl_clutch_curve curve = engaging_curve(master, ramp, at);
     ctl_clutch_engage(&master->clutch, at, master->line, curve);
     master->in_phase = true;
     master->wanted = master->line;
     ctl_ramp_lead(ramp, top_of(master), curve.stretch, 0);
-}
-
-/* The rest of a shift begins anew, as the next cycle has another length. */
-static void keep_phase(ctl_master* master)
-{
-    ctl_master_phase* phase = &master->phase;
-    const int64_t left = (phase->way - phase->done) * FULL_CIRCLE / (int64_t)master->cycle;
-    *phase = (ctl_master_phase){.set = phase->set - (int32_t)left, .moved = phase->moved};
 }
 
 uint32_t ctl_master_change(ctl_master* master, const ctl_bank* bank, ctl_ramp* ramp, uint32_t left)
@@ -350,7 +326,7 @@ uint32_t ctl_master_change(ctl_master* master, const ctl_bank* bank, ctl_ramp* r
         ctl_gear_change(gear, ratio.numerator, ratio.denominator, gear->ticks + offset);
         offset = 0;
     }
-    keep_phase(master);
+    ctl_master_keep_phase(master);
     set_line(master, bank, ramp);
     master->clutch.offset = offset;
     master->wanted = position(master) + offset;
@@ -378,13 +354,6 @@ int64_t ctl_master_ahead(ctl_master* master)
 bool ctl_master_is_wheel(const ctl_master* master, const ctl_bank* bank)
 {
     return master->reads && is_wheel(master, bank) && can_follow(master, bank);
-}
-
-int64_t ctl_master_take_shift(ctl_master* master)
-{
-    const int64_t moved = master->phase.moved;
-    master->phase.moved = 0;
-    return moved;
 }
 
 void ctl_master_on_cut(ctl_master* master, uint32_t cut)
@@ -426,40 +395,6 @@ static void watch_speed(ctl_master* master, const ctl_ramp* ramp, uint64_t trave
         master->fault = CTL_FAULT_BIT_MASTER_TOO_FAST;
 }
 
-/* The line goes to its set phase within a stretch of the master that makes it faster or slower by an eighth,
- * with 3 x^2 - 2 x^3. */
-static void begin_shift(ctl_master* master, int64_t at, int32_t target)
-{
-    ctl_master_phase* phase = &master->phase;
-    const int64_t way = (int64_t)(target - phase->set) * master->cycle / FULL_CIRCLE;
-    const int64_t size = way < 0 ? -way : way;
-    const int64_t stretch = PHASE_STRETCH * size;
-    phase->set = target;
-    phase->from = at;
-    phase->way = way;
-    phase->done = 0;
-    phase->stretch = stretch > master->cycle / 2 ? stretch : master->cycle / 2;
-}
-
-/* Superimposes what the phase gains up to here; the master may go back meanwhile. */
-static void shift(ctl_master* master, int64_t at)
-{
-    ctl_master_phase* phase = &master->phase;
-    const int32_t target = (int16_t)setting16(master, CTL_REG_MASTER_PHASE);
-    if (phase->way == phase->done && target != phase->set && master->clutch.state == CTL_CLUTCH_ON)
-        begin_shift(master, at, target);
-    if (phase->way == phase->done)
-        return;
-    const int64_t passed = at - phase->from;
-    const int64_t within = passed < 0 ? 0 : passed < phase->stretch ? passed : phase->stretch;
-    const uint64_t x = ((uint64_t)within << SHARE_BITS) / (uint64_t)phase->stretch;
-    const bool ends = within == phase->stretch;
-    const int64_t done = ends ? phase->way : ctl_smooth_at(phase->way, x << (CTL_SMOOTH_BITS - SHARE_BITS));
-    ctl_clutch_shift(&master->clutch, done - phase->done);
-    phase->moved += done - phase->done;
-    phase->done = done;
-}
-
 /* The line still follows a master that has become faster since the end was chosen. */
 static void end_later_when_faster(ctl_master* master, const ctl_ramp* ramp)
 {
@@ -472,7 +407,7 @@ static void end_later_when_faster(ctl_master* master, const ctl_ramp* ramp)
 int32_t ctl_master_travel(ctl_master* master, ctl_ramp* ramp, uint32_t ticks)
 {
     const int64_t at = position(master);
-    shift(master, at);
+    ctl_master_shift_phase(master, at);
     master->wanted = ctl_clutch_follow(&master->clutch, at);
     const int64_t way = master->wanted - master->line;
     const int64_t travel = way > 0 || master->goes_back ? way : 0;

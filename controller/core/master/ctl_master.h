@@ -103,6 +103,14 @@ int64_t ctl_master_signed(const ctl_master* master, int64_t counts);
 /* Writes the registers of the group `master_status`. */
 void ctl_master_registers(const ctl_master* master, uint16_t* registers);
 
+/* Between the files of this module. */
+/* At standstill the phase is set at once: the stretch of the clutch takes it up. */
+void ctl_master_settle_phase(ctl_master* master);
+/* The rest of a shift begins anew, as the next cycle has another length. */
+void ctl_master_keep_phase(ctl_master* master);
+/* Superimposes what the phase gains up to this tick; the master may go back meanwhile. */
+void ctl_master_shift_phase(ctl_master* master, int64_t at);
+
 #ifdef __cplusplus
 }
 #endif
