@@ -27,7 +27,8 @@ Page {
         { source: "MasterSetupSection.qml", within: 2 },
         { source: "VersionsSection.qml", within: 4 },
         { source: "PermitSection.qml", within: 2 },
-        { source: "TowerSection.qml", within: 2 }
+        { source: "TowerSection.qml", within: 2 },
+        { source: "AxesSection.qml", within: 2 }
     ]
     readonly property var menu: sections.filter(row => row.within === undefined)
     readonly property int shown: sections[section].within ?? section // in the menu

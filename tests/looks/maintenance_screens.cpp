@@ -185,7 +185,8 @@ QList<Screen> maintenanceScreens()
             axis("axis-turns", 3),
             axis("axis-moving", 3,
                  [](TestWindow& window) {
-                     window.link().setMeasure({.state = modbus::MeasureState::Moving, .turns = 3});
+                     window.link().setMeasure(
+                         {.state = modbus::MeasureState::Moving, .turns = 3, .bagPulses = {}});
                      window.panel().maintenance().measurement()->start();
                  }),
             axis("axis-result", 3,
@@ -195,8 +196,9 @@ QList<Screen> maintenanceScreens()
             axis("axis-film", 4),
             axis("axis-ended", 5,
                  [](TestWindow& window) {
-                     window.link().setMeasure(
-                         {.state = modbus::MeasureState::Ended, .reason = modbus::Refusal::DoorOpen});
+                     window.link().setMeasure({.state = modbus::MeasureState::Ended,
+                                               .reason = modbus::Refusal::DoorOpen,
+                                               .bagPulses = {}});
                      window.panel().maintenance().measurement()->start();
                  }),
             screen("master-empty", "maintenanceMaster", Situation::Absent),

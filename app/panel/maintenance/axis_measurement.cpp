@@ -178,7 +178,9 @@ void AxisMeasurement::takeCommand(const link::CommandOutcome& outcome)
     if (outcome.command != modbus::Command::Measure || m_step != Step::Moving)
         return;
     m_isTurning = outcome.end == link::CommandEnd::Done;
-    if (!m_isTurning)
+    if (m_isTurning)
+        read();
+    else
         fail(ConnectionSentences::command(outcome));
 }
 

@@ -77,15 +77,15 @@ typedef struct ctl_core {
     ctl_io io;
     ctl_actions actions;
     ctl_tower tower;
-    uint16_t reversed;       /* axes that turn the other way, as the board was told */
-    uint32_t machine_writes; /* writes of parameters when the machine data were taken over */
-    bool asks_start;         /* the outputs to the machines around are due, behind the tower */
+    bool asks_start; /* the outputs to the machines around are due, behind the tower */
     ctl_coder coder;
     ctl_bags bags;
     ctl_packer packer;
     ctl_order order;
     ctl_order_sign order_sign;
     ctl_clock clock;
+    uint16_t reversed;       /* axes that turn the other way, as the board was told */
+    uint32_t machine_writes; /* writes of parameters when the machine data were taken over */
 } ctl_core;
 
 #endif

@@ -44,12 +44,11 @@ typedef struct {
     ctl_packer* packer;
     ctl_master* master;
     ctl_heartbeat* heartbeat;
-    const uint16_t* inputs; /* bits CTL_INPUT_BIT_..., as the slice began */
-    uint16_t state;         /* CTL_STATE_... */
-    uint16_t fault;         /* bits CTL_FAULT_BIT_... */
-    bool homed;             /* origin is the index mark */
-    bool in_phase;          /* the axis stands where the table's cycle says */
-    bool manual;            /* jogging or homing moves the axis, otherwise the table */
+    uint16_t state; /* CTL_STATE_... */
+    uint16_t fault; /* bits CTL_FAULT_BIT_... */
+    bool homed;     /* origin is the index mark */
+    bool in_phase;  /* the axis stands where the table's cycle says */
+    bool manual;    /* jogging or homing moves the axis, otherwise the table */
     bool start_after_home;
     bool one_bag; /* this run ends with the next cut */
     bool begins;  /* a run or a program, in this slice */
@@ -58,8 +57,6 @@ typedef struct {
     ctl_stop stop;
     ctl_homing homing;
     ctl_park park;
-    bool measures;       /* the jog is a measurement's: */
-    ctl_measure measure; /* the last one */
     ctl_ramp ramp;
     ctl_table table;         /* valid while there is an active bank */
     int32_t direction;       /* of the master, 1 or -1 */
@@ -85,6 +82,9 @@ typedef struct {
     int64_t origin;    /* position of the index mark in both, once homed; of a press the upper position */
     int64_t actual_hz;
     ctl_speed_meter meter;
+    const uint16_t* inputs; /* bits CTL_INPUT_BIT_..., as the slice began */
+    bool measures;          /* the jog is a measurement's: */
+    ctl_measure measure;    /* the last one */
 } ctl_motion;
 
 void ctl_motion_init(ctl_motion* motion);

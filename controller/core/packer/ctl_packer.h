@@ -169,8 +169,6 @@ typedef struct {
     uint32_t empty;
     uint64_t saved_um;
     uint32_t bags;
-    int64_t bag_film;    /* between the last two cuts, 0: the knife may have cut unseen */
-    bool cut_known;      /* the last cut is the newest one */
     uint32_t burned;     /* cuts whose bags were, from the next one */
     uint32_t jammed;     /* the same of a jam */
     bool scrapped;       /* the bag that ends with the next cut is scrap of one by hand */
@@ -181,6 +179,8 @@ typedef struct {
     ctl_jam jam;
     uint32_t cut_pulses; /* of the knife, from the start of its cycle */
     uint16_t records[CTL_BAG_REGISTERS * CTL_BAG_RECORDS];
+    int64_t bag_film; /* between the last two cuts, 0: the knife may have cut unseen */
+    bool cut_known;   /* the last cut is the newest one */
 } ctl_packer;
 
 void ctl_packer_init(ctl_packer* packer, const ctl_board* board);

@@ -177,7 +177,8 @@ private slots:
         QFETCH(int, reason);
         QFETCH(QString, sentence);
         openAxis(3);
-        m_window->link().setMeasure({.state = MeasureState::Ended, .reason = static_cast<Refusal>(reason)});
+        m_window->link().setMeasure(
+            {.state = MeasureState::Ended, .reason = static_cast<Refusal>(reason), .bagPulses = {}});
         turn();
         QCOMPARE(textOf("axisText"), sentence + u" Nothing was changed."_s);
         QCOMPARE(parameter("parameter.film_pulses"), 10'000.0);
@@ -186,7 +187,7 @@ private slots:
     void aLostLineHasItsSentence()
     {
         openAxis(3);
-        m_window->link().setMeasure({.state = MeasureState::Moving, .turns = 2});
+        m_window->link().setMeasure({.state = MeasureState::Moving, .turns = 2, .bagPulses = {}});
         holdFor("axisStart", 900);
         QTRY_COMPARE(textOf("axisText"), u"Turning: 2 of 5 turns counted."_s);
         m_window->link().show(Situation::Lost);
