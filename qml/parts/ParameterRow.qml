@@ -45,7 +45,6 @@ ListRow {
     Button {
         id: measure
         objectName: row.objectName + "measure"
-        level: row.neededLevel
         anchors { right: row.toggle ? keys.left : shown.left; rightMargin: Theme.size.spacing; verticalCenter: parent.verticalCenter }
         visible: row.measurable
         text: qsTr("Measure")

@@ -100,7 +100,6 @@ SettingsSection {
                         id: measure
                         objectName: "measureMainMotor"
                         visible: line.measurable
-                        level: Access.Technician
                         height: section.rowHeight
                         text: qsTr("Measure")
                         onClicked: {

@@ -220,11 +220,12 @@ std::vector<std::uint16_t> demoRegisters(const link::ReadRequest& request,
     for (std::size_t i = 0; i < status.readCount; ++i)
         map[status.readAddress + i] =
             static_cast<std::uint16_t>(status.data[3 + 2 * i] << 8 | status.data[4 + 2 * i]);
-    // Switches 1 and 3 on, 37.2 % torque at the angle of the status; the infeed of a cutter only.
+    // Motors can be reversed, switches 1 and 3 on, 37.2 % torque at the angle of the status; the infeed of a
+    // cutter only.
     const bool isCutter = program.recipe.isCutter();
     const std::array<std::uint16_t, 9> io{
-        static_cast<std::uint16_t>(isCutter ? 0x000F : 0x000B), 0x0020, 0x0105, 372, 0x002F, 0x1A80, 3180,
-        map[modbus::findSpan("status.master_angle")->address], 1};
+        static_cast<std::uint16_t>(isCutter ? 0x008F : 0x008B), 0x0020, 0x0105, 372, 0x002F, 0x1A80, 3180,
+        map[modbus::findSpan("status.master_angle")->address],  1};
     std::ranges::copy(io, map.begin() + modbus::ioAddress);
     if (hasEncoder)
         copyMaster(map);

@@ -182,6 +182,12 @@ QList<Screen> maintenanceScreens()
                      window.tap(QString::fromLatin1(name));
              }},
             {QStringLiteral("settings-axes"), &openAxes},
+            {QStringLiteral("settings-machine-measure"),
+             [](TestWindow& window) {
+                 window.link().show(Situation::Stopped);
+                 for (const char* name : {"nav_settings", "section2", "measureMainMotor", "axisLeave"})
+                     window.tap(QString::fromLatin1(name));
+             }},
             axis("axis-turns", 3),
             axis("axis-moving", 3,
                  [](TestWindow& window) {
