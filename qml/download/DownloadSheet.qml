@@ -80,6 +80,7 @@ Sheet {
     footer: [
         Button {
             objectName: "downloadCancel"
+            level: sheet.busy ? Access.Operator : Access.Viewer
             text: sheet.busy ? qsTr("Cancel download") : qsTr("Close")
             onClicked: sheet.busy ? Editor.cancelDownload() : sheet.closed()
         },
@@ -90,6 +91,7 @@ Sheet {
             onClicked: Frame.open("Download/ProofSheet", {})
         },
         Button {
+            level: Access.Operator
             visible: Editor.programDownload.canSave && !sheet.busy && !sheet.asks && !sheet.wantsReason
             glyph: Theme.icon.save
             text: Theme.fill(qsTr("Save %1"), [Controller.active.name])

@@ -14,6 +14,7 @@ OfferSheet {
 
     title: Editor.kind === Editor.Kind.SegmentCam ? qsTr("Segments as CSV") : qsTr("Knots as CSV")
     exchange: Editor.cam.files
+    level: exports ? Access.Operator : Access.Technician
     offers: exports ? Editor.cam.files.places : Editor.cam.files.files
     chooseText: exports ? qsTr("Choose the location of the new file.") : qsTr("Choose a file to view its content.")
     emptyText: qsTr("There is no CSV file on a USB stick or in %1. Plug a stick in; the panel finds it automatically.").arg(Editor.cam.files.ownFolder)

@@ -134,7 +134,7 @@ void TestWindow::tap(const QString& name)
 void TestWindow::setLevel(panel::Level level)
 {
     m_panel.controller().accessCheck().setLevel(level);
-    window().property("permission").value<QObject*>()->setProperty("level", static_cast<int>(level));
+    emit m_panel.access().changed();
     settle();
 }
 

@@ -137,6 +137,7 @@ private slots:
     void whatAsksForALoginHasAPadlock()
     {
         QFETCH(QStringList, screens);
+        m_pressed.clear();
         QStringList wrong;
         for (const QString& screen : std::as_const(screens))
             wrong += wrongOn(screen);

@@ -105,6 +105,11 @@ void Access::update()
     emit changed();
 }
 
+Access::Level Access::level() const
+{
+    return static_cast<Level>(m_controller.accessCheck().level());
+}
+
 bool Access::ask(int level)
 {
     return m_controller.accessCheck().require(static_cast<panel::Level>(level));

@@ -103,7 +103,7 @@ public:
     Q_INVOKABLE void changeLevel(int id, int level);
     Q_INVOKABLE void removeUser(int id);
 
-    [[nodiscard]] Level level() const { return static_cast<Level>(currentLevel()); }
+    [[nodiscard]] Level level() const;
     [[nodiscard]] QString levelText() const;
     [[nodiscard]] QString userName() const { return m_user ? m_user->name : QString(); }
     [[nodiscard]] bool loggedIn() const { return m_user.has_value(); }

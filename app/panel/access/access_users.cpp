@@ -42,7 +42,7 @@ bool isUserLevel(int level)
 
 QString Access::levelText() const
 {
-    return AccessSentences::level(currentLevel());
+    return AccessSentences::level(m_controller.accessCheck().level());
 }
 
 QVariantMap Access::entry(const store::User& user) const
