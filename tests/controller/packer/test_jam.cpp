@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <random>
 
 namespace test_jam {
 
@@ -365,8 +366,13 @@ private slots:
         if (leads)
             line.followEncoder();
         const ctl_packer& packer = line.core().packer;
-        for (int jam = 0; jam < 4; ++jam) {
-            line.run(60 * cycleUs);
+        const int jams = std::max(4, qEnvironmentVariableIntValue("CAMPANEL_RANDOM_CASES"));
+        std::mt19937 random(3);
+        std::uniform_int_distribution<std::uint64_t> runsUs(60 * cycleUs, 100 * cycleUs);
+        for (int jam = 0; jam < jams; ++jam) {
+            line.run(runsUs(random));
+            while (packer.jam.inside) // nothing comes between closed jaws
+                line.controller().step();
             QCOMPARE(line.core().master.leads, leads);
             const auto lag = static_cast<double>(packer.lag);
             QVERIFY(lag != 0.0);
