@@ -3479,10 +3479,6 @@ eff. %2</translation>
         <translation>Der Datumscodierer druckt, bevor die Produkte auf der Folie liegen. Prüfen Sie die Stelle seines Impulses unter Wartung &gt; Ein- und Ausgänge.</translation>
     </message>
     <message>
-        <source>Not connected</source>
-        <translation>Nicht angeschlossen</translation>
-    </message>
-    <message>
         <source>Film index</source>
         <translation>Index der Folie</translation>
     </message>
@@ -3513,6 +3509,10 @@ eff. %2</translation>
     <message>
         <source>The jaws hold the film. Jog the knife open first.</source>
         <translation>Die Backen halten die Folie. Öffnen Sie zuerst das Messer im Tippbetrieb.</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Keiner</translation>
     </message>
 </context>
 <context>

@@ -3477,10 +3477,6 @@ RMS %2</source>
         <translation>打码机在产品落到膜上之前就打印。请在“维护 &gt; 输入与输出”中检查其脉冲位置。</translation>
     </message>
     <message>
-        <source>Not connected</source>
-        <translation>未连接</translation>
-    </message>
-    <message>
         <source>Film index</source>
         <translation>薄膜零位</translation>
     </message>
@@ -3511,6 +3507,10 @@ RMS %2</source>
     <message>
         <source>The jaws hold the film. Jog the knife open first.</source>
         <translation>封切口夹住薄膜。请先点动打开切刀。</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>无</translation>
     </message>
 </context>
 <context>
@@ -5421,7 +5421,7 @@ RMS %2</source>
     </message>
     <message>
         <source>%1 Nothing was changed.</source>
-        <translation>%1 未作任何更改。</translation>
+        <translation>%1未作任何更改。</translation>
     </message>
     <message>
         <source>Pulses per turn of the main motor</source>

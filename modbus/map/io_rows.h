@@ -78,7 +78,7 @@ inline constexpr std::array indexContacts{
           "Normally open: closed means on."),
     entry(IndexContact::NormallyClosed, "NormallyClosed", CAMPANEL_TEXT("Protocol", "NC contact"),
           "Normally closed: open means on."),
-    entry(IndexContact::NotConnected, "NotConnected", CAMPANEL_TEXT("Protocol", "Not connected"),
+    entry(IndexContact::NotConnected, "NotConnected", CAMPANEL_TEXT("Protocol", "None"),
           "Nothing is measured with it."),
 };
 

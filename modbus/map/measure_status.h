@@ -22,11 +22,11 @@ struct MeasureStatus {
     MeasureState state = MeasureState::None;
     MeasuredAxis axis = MeasuredAxis::Knife;
     int turns = 0;
-    Refusal reason = Refusal::None;  // why it ended before
-    double pulses = 0.0;             // per turn, mean
-    double spread = 0.0;             // of the turns
-    std::optional<double> bagPulses; // of the film motor between the last two cuts; empty: not known
-    std::uint32_t bag = 0;           // number of the bag that ended with them
+    Refusal reason = Refusal::None;    // why it ended before
+    double pulses = 0.0;               // per turn, mean
+    double spread = 0.0;               // of the turns
+    std::optional<double> bagPulses{}; // of the film motor between the last two cuts; empty: not known
+    std::uint32_t bag = 0;             // number of the bag that ended with them
 
     bool operator==(const MeasureStatus&) const = default;
 };

@@ -1927,12 +1927,12 @@ Und %2 weitere.</translation>
         <translation>Achsen</translation>
     </message>
     <message>
-        <source>Pulses, film per turn, direction</source>
-        <translation>Pulse, Folie je Umdrehung, Richtung</translation>
-    </message>
-    <message>
         <source>Measure</source>
         <translation>Messen</translation>
+    </message>
+    <message>
+        <source>Pulses, direction</source>
+        <translation>Pulse, Richtung</translation>
     </message>
 </context>
 <context>

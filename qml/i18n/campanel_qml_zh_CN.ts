@@ -1927,12 +1927,12 @@ And %2 more.</source>
         <translation>轴</translation>
     </message>
     <message>
-        <source>Pulses, film per turn, direction</source>
-        <translation>脉冲、每转膜长、方向</translation>
-    </message>
-    <message>
         <source>Measure</source>
         <translation>测量</translation>
+    </message>
+    <message>
+        <source>Pulses, direction</source>
+        <translation>脉冲、方向</translation>
     </message>
 </context>
 <context>

@@ -77,12 +77,12 @@ SettingsSection {
                 width: column.width
                 height: section.rowHeight
                 text: qsTr("Axes")
-                note: qsTr("Pulses, film per turn, direction")
+                note: qsTr("Pulses, direction")
                 onClicked: section.settings.open("AxesSection.qml")
             }
             Repeater {
                 model: Editor.machineFields
-                Row {
+                Column {
                     id: line
                     required property var modelData
                     readonly property EditorField item: modelData as EditorField
@@ -92,15 +92,14 @@ SettingsSection {
                     FieldTile {
                         item: line.item
                         compact: false
-                        width: column.width - (measure.visible ? measure.width + line.spacing : 0)
+                        width: column.width
                         height: section.rowHeight
                         onClicked: section.chosen = item
                     }
                     Button {
-                        id: measure
                         objectName: "measureMainMotor"
                         visible: line.measurable
-                        height: section.rowHeight
+                        width: column.width
                         text: qsTr("Measure")
                         onClicked: {
                             section.chosen = line.item

@@ -9,7 +9,6 @@
 #include "app/panel/kit/numbers.h"
 #include "app/panel/kit/watched.h"
 #include "app/panel/maintenance/axis_fields.h"
-#include "modbus/map/measure_status.h"
 
 #include <QtQml/qqmlregistration.h>
 
@@ -27,7 +26,7 @@ class AxisMeasurement : public campanel::panel::Watched {
     Q_PROPERTY(Step step READ step NOTIFY changed FINAL)
     Q_PROPERTY(Subject subject READ subject NOTIFY changed FINAL)
     Q_PROPERTY(QString title READ title NOTIFY changed FINAL)
-    // What happens, what to do, or what came of it, in whole sentences.
+    // The instructions of the step, or its result, in whole sentences.
     Q_PROPERTY(QString text READ text NOTIFY changed FINAL)
     // The reason why the axis cannot be turned now; empty when it can.
     Q_PROPERTY(QString blockedReason READ blockedReason NOTIFY changed FINAL)
