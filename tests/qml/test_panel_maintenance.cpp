@@ -56,6 +56,38 @@ class TestPanelMaintenance : public campanel::test::PanelTest {
     }
 
 private slots:
+    void theDateCoderIsSetByFinger()
+    {
+        enter("io-standstill");
+        tap("ioSwitches");
+        tap("ioSwitch");
+        const QStringList names = m_window->panel().maintenance().switches()->names();
+        QCOMPARE(names.last(), QStringLiteral("Date coder pulse"));
+        QQuickItem* list = m_window->find(QStringLiteral("choice_1"))->parentItem()->parentItem();
+        QMetaObject::invokeMethod(list, "positionViewAtEnd");
+        m_window->settle();
+        m_window->tap(QStringLiteral("choice_%1").arg(names.size()));
+        QCOMPARE(propertyOf("ioSwitch", "value"), names.last());
+        const auto value = [this](const char* name) {
+            return m_window->panel().controller().parameter(name).lastValue();
+        };
+        const auto set = [this](const char* row, const char* digits) {
+            tap(row);
+            m_window->type(QString::fromLatin1(digits));
+            tap("keypadAccept");
+        };
+        set("camSwitch0", "-40,5");
+        QCOMPARE(value("signal.coder_place"), -40.5);
+        set("camSwitch1", "35");
+        QCOMPARE(value("signal.coder_pulse"), 35.0);
+        QCOMPARE(propertyOf("camSwitch0", "value"), QStringLiteral(u"\u221240.5"));
+        // Beyond its limits the number stays on the keypad, with the reason.
+        set("camSwitch1", "1001");
+        QVERIFY(textOf("keypadHint").contains(QStringLiteral("1000")));
+        QCOMPARE(value("signal.coder_pulse"), 35.0);
+        tap("keypadCancel");
+    }
+
     void theAxisIsAskedToMoveWhileTheFingerIsDown()
     {
         enter("jog");
