@@ -10,6 +10,7 @@ Overlay {
     required property string title
     property string note
     property bool covered                  // another sheet stands in its place
+    property bool asked                    // whether what is pending is to be dropped
     default property alias content: body.data
     property alias header: headerRow.data  // keys beside the title
     property alias footer: footerRow.data
@@ -17,6 +18,15 @@ Overlay {
     property real panelWidth: beside ? besideWidth : width - 2 * Theme.size.gap
     property real panelHeight: height - 2 * Theme.size.gap
 
+    // Closes it; what is pending is dropped by a second touch only.
+    function close(): void {
+        if (sheet.pending && !sheet.asked)
+            sheet.asked = true
+        else
+            sheet.closed()
+    }
+
+    onPendingChanged: sheet.asked = false
     closeLeft: beside ? width : panel.x + closeButton.x
     besideRight: beside ? panel.x + panel.width : 0
 
@@ -52,11 +62,12 @@ Overlay {
             }
             Label {
                 objectName: "sheetNote"
+                readonly property string warning: sheet.asked ? qsTr("Not confirmed yet. Close again to discard the entry.") : sheet.warning
                 visible: text.length > 0
                 width: parent.width
                 wrapMode: Text.WordWrap
-                text: sheet.warning.length > 0 ? sheet.warning : sheet.note
-                color: sheet.warning.length > 0 ? Theme.color.warning : Theme.color.secondaryInk
+                text: warning.length > 0 ? warning : sheet.note
+                color: warning.length > 0 ? Theme.color.warning : Theme.color.secondaryInk
                 font.pixelSize: Theme.size.caption
             }
         }
@@ -72,7 +83,7 @@ Overlay {
             anchors { right: parent.right; top: parent.top; margins: Theme.size.outline }
             kind: Button.Quiet
             glyph: Theme.icon.close
-            onClicked: sheet.closed()
+            onClicked: sheet.close()
         }
         Item {
             id: body

@@ -18,4 +18,17 @@ Loader {
         target: place.item
         function onClosed() { place.active = false }
     }
+    // What is typed there is not dropped with the lower one.
+    Binding {
+        target: place.below
+        property: "pending"
+        value: (place.item as Overlay)?.pending ?? false
+        when: place.active
+    }
+    Binding {
+        target: place.item
+        property: "warned"
+        value: place.below.warned
+        when: place.item !== null
+    }
 }

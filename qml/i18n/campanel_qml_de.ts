@@ -1121,10 +1121,6 @@ Und %2 weitere.</translation>
         <source>Mark sensor</source>
         <translation>Markensensor</translation>
     </message>
-    <message>
-        <source>Knife</source>
-        <translation>Messer</translation>
-    </message>
 </context>
 <context>
     <name>FilmLegend</name>
@@ -1748,6 +1744,13 @@ Und %2 weitere.</translation>
     <message>
         <source>%1 of %2 within, scrap: %3</source>
         <translation>%1 von %2 innerhalb, Ausschuss: %3</translation>
+    </message>
+</context>
+<context>
+    <name>LineFilm</name>
+    <message>
+        <source>Knife</source>
+        <translation>Messer</translation>
     </message>
 </context>
 <context>
@@ -3478,6 +3481,10 @@ Und %2 weitere.</translation>
         <source>By hand</source>
         <translation>Von Hand</translation>
     </message>
+    <message>
+        <source>not saved</source>
+        <translation>nicht gespeichert</translation>
+    </message>
 </context>
 <context>
     <name>RunPress</name>
@@ -3688,6 +3695,10 @@ Und %2 weitere.</translation>
     <message>
         <source>Close</source>
         <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Not confirmed yet. Close again to discard the entry.</source>
+        <translation>Nicht bestätigt. Zum Verwerfen noch einmal schließen.</translation>
     </message>
 </context>
 <context>
@@ -4394,6 +4405,10 @@ Uhr nicht gestellt</translation>
     <message>
         <source>Next bag to me</source>
         <translation>Nächster Beutel zu mir</translation>
+    </message>
+    <message>
+        <source>The next bags follow. Not saved with the recipe.</source>
+        <translation>Die nächsten Beutel folgen. Nicht mit dem Rezept gespeichert.</translation>
     </message>
 </context>
 <context>

@@ -1121,10 +1121,6 @@ And %2 more.</source>
         <source>Mark sensor</source>
         <translation>色标传感器</translation>
     </message>
-    <message>
-        <source>Knife</source>
-        <translation>切刀</translation>
-    </message>
 </context>
 <context>
     <name>FilmLegend</name>
@@ -1748,6 +1744,13 @@ And %2 more.</source>
     <message>
         <source>%1 of %2 within, scrap: %3</source>
         <translation>%2 袋中 %1 袋合格，废袋 %3</translation>
+    </message>
+</context>
+<context>
+    <name>LineFilm</name>
+    <message>
+        <source>Knife</source>
+        <translation>切刀</translation>
     </message>
 </context>
 <context>
@@ -3478,6 +3481,10 @@ And %2 more.</source>
         <source>By hand</source>
         <translation>手动</translation>
     </message>
+    <message>
+        <source>not saved</source>
+        <translation>未保存</translation>
+    </message>
 </context>
 <context>
     <name>RunPress</name>
@@ -3688,6 +3695,10 @@ And %2 more.</source>
     <message>
         <source>Close</source>
         <translation>关闭</translation>
+    </message>
+    <message>
+        <source>Not confirmed yet. Close again to discard the entry.</source>
+        <translation>尚未确认。再按一次关闭将放弃输入。</translation>
     </message>
 </context>
 <context>
@@ -4394,6 +4405,10 @@ clock not set</source>
     <message>
         <source>Next bag to me</source>
         <translation>取下一袋</translation>
+    </message>
+    <message>
+        <source>The next bags follow. Not saved with the recipe.</source>
+        <translation>从后续的袋开始生效。尚未随配方保存。</translation>
     </message>
 </context>
 <context>

@@ -68,6 +68,7 @@ Sheet {
             focus: true
             onTextChanged: {
                 sheet.warned = false
+                sheet.asked = false
                 sheet.insisted = false
                 sheet.edited(text)
             }

@@ -253,6 +253,10 @@ private slots:
         QTest::newRow("word of a filter")
             << u"audit"_s << QStringList{u"auditFilter"_s, u"filterWord"_s} << u"mark"_s << input;
         QTest::newRow("reason for a film") << u"scan-film-reason"_s << QStringList{} << u"Trial"_s << input;
+        QTest::newRow("reason outside the window")
+            << u"run-outside-reasons"_s << QStringList{u"choice_other"_s} << u"Trial"_s << input;
+        QTest::newRow("approved windows")
+            << u"recipes-windows"_s << QStringList{} << QString() << u"windowsSave"_s;
         QTest::newRow("wizard") << u"packing-wizard-measure"_s << QStringList{} << QString()
                                 << u"wizardMeasured"_s;
         QTest::newRow("network") << u"settings-network"_s << QStringList{u"networkFixed"_s} << QString()
@@ -284,6 +288,55 @@ private slots:
             QCOMPARE(textOf(qPrintable(seen)), before);
             QCOMPARE(page(), pageBefore);
         }
+    }
+
+    void aSecondTouchOnCloseDropsADraft_data()
+    {
+        QTest::addColumn<QString>("screen");
+        QTest::addColumn<QStringList>("way");
+        QTest::addColumn<QString>("keys");
+        QTest::addColumn<QString>("seen");
+        const QString input = u"textInput"_s;
+        QTest::newRow("rename") << u"recipes"_s << QStringList{u"recipeRename"_s} << u"Toast"_s << input;
+        QTest::newRow("reason outside the window")
+            << u"run-outside-reasons"_s << QStringList{u"choice_other"_s} << u"Trial"_s << input;
+        QTest::newRow("approved windows")
+            << u"recipes-windows"_s << QStringList{} << QString() << u"windowsSave"_s;
+        QTest::newRow("network") << u"settings-network"_s << QStringList{u"networkFixed"_s} << QString()
+                                 << u"networkApply"_s;
+    }
+    void aSecondTouchOnCloseDropsADraft()
+    {
+        QFETCH(QString, screen);
+        QFETCH(QStringList, way);
+        QFETCH(QString, keys);
+        QFETCH(QString, seen);
+        enter(screen);
+        go(way);
+        m_window->type(keys);
+        const QString before = textOf(qPrintable(seen));
+        tap("sheetClose");
+        QVERIFY2(isOn(seen), qPrintable(seen));
+        QCOMPARE(textOf(qPrintable(seen)), before);
+        QVERIFY2(textOf("sheetNote").startsWith(u"Not confirmed"), qPrintable(textOf("sheetNote")));
+        tap("sheetClose");
+        QVERIFY(!isOn(seen));
+    }
+    // What holds nothing is closed at once, and a changed entry is asked for again.
+    void closeAsksForEachEntry()
+    {
+        enter(u"recipes"_s);
+        tap("recipeRename");
+        tap("sheetClose");
+        QVERIFY(!isOn(u"textInput"_s));
+        tap("recipeRename");
+        m_window->type(u"Toast"_s);
+        tap("sheetClose");
+        m_window->type(u"s"_s);
+        tap("sheetClose");
+        QVERIFY(isOn(u"textInput"_s));
+        tap("sheetClose");
+        QVERIFY(!isOn(u"textInput"_s));
     }
 
     // Every sheet, picker and keypad of the panel: Escape closes what holds nothing, and keeps what holds
