@@ -150,6 +150,11 @@ Panel::Panel(link::Link& link, const Storage& storage)
     connect(&m_handSpeed, &panel::HandSpeed::noted, &m_trail, &panel::AuditTrail::note);
     connect(&m_handTrims, &panel::HandTrims::noted, &m_trail, &panel::AuditTrail::note);
     connect(&m_handTrims, &panel::HandTrims::saveWanted, &m_recipes, &panel::Recipes::saveTrims);
+    m_handTrims.setSaved([this](const QString& name) {
+        const store::RecipeVersion* recipe = m_recipes.named(name);
+        return recipe ? std::optional(recipe->recipe.trims) : std::nullopt;
+    });
+    connect(&m_recipes, &panel::Recipes::listChanged, &m_handTrims, &panel::HandTrims::update);
     connect(&m_orders, &panel::Orders::noted, &m_trail, &panel::AuditTrail::note);
     connect(&m_orders, &panel::Orders::turned, &m_stops, &panel::Stops::divide);
     connect(&m_stops, &panel::Stops::noted, &m_trail, &panel::AuditTrail::note);

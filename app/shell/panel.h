@@ -81,6 +81,7 @@ public:
     [[nodiscard]] panel::Trends& trends() { return m_trends; }
     [[nodiscard]] panel::Stops& stops() { return m_stops; }
     [[nodiscard]] panel::Orders& orders() { return m_orders; }
+    [[nodiscard]] panel::HandTrims& handTrims() { return m_handTrims; }
     [[nodiscard]] panel::Access& access() { return m_access; }
     [[nodiscard]] panel::AuditTrail& trail() { return m_trail; }
     [[nodiscard]] panel::Audit& audit() { return m_audit; }

@@ -62,7 +62,7 @@ Item {
             visible: HandTrims.present
             enabled: HandTrims.offered
             text: qsTr("By hand")
-            note: HandTrims.moved ? qsTr("moved") : ""
+            note: HandTrims.unsaved ? qsTr("not saved") : HandTrims.moved ? qsTr("moved") : ""
             Accessible.description: qsTr("Cut, product and length")
             onClicked: Frame.open("Run/TrimSheet", {})
         }

@@ -13,7 +13,7 @@ Sheet {
     objectName: "trimSheet"
     property BagKey refused: null          // the key of a single bag that was touched last, where it does nothing
     title: qsTr("By hand")
-    note: HandTrims.message || (refused ? refused.reason : "") || HandBags.message || qsTr("The next bags follow. Each touch moves by %1; hold a key to repeat.").arg(HandTrims.stepText)
+    note: HandTrims.message || (refused ? refused.reason : "") || HandBags.message || (HandTrims.unsaved ? qsTr("The next bags follow. Not saved with the recipe.") : qsTr("The next bags follow. Each touch moves by %1; hold a key to repeat.").arg(HandTrims.stepText))
 
     header: [
         Button {

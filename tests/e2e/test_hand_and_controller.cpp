@@ -3,6 +3,7 @@
 // keeps. campanel-controller is the panel's own simulated machine.
 #include "app/shell/fonts.h"
 #include "panel_window.h"
+#include "tests/support/controller_process.h"
 #include "tests/support/test_program.h"
 
 #include <QTest>
@@ -125,6 +126,45 @@ private slots:
         panel.tap("trimReset0");
         QTRY_COMPARE_WITH_TIMEOUT(trimMm(), 0.0, timeoutMs);
         QCOMPARE(panel.complaints(), QStringList());
+    }
+
+    // Not saved, the trim is there behind a power cut of the controller, and is still named as not saved.
+    void anUnsavedTrimSurvivesAPowerCut()
+    {
+        test::ControllerProcess process;
+        PanelWindow panel{process.port()};
+        Controller& controller = panel.controller();
+        QTRY_COMPARE_WITH_TIMEOUT(controller.state(), Controller::State::Idle, timeoutMs);
+        panel.tap("nav_motion");
+        panel.download();
+        if (QTest::currentTestFailed())
+            return;
+        panel.editor().saveToFlash();
+        QTRY_VERIFY_WITH_TIMEOUT(panel.editor().programDownload()->isSaved(), timeoutMs);
+        panel.tap("nav_run");
+        QTRY_VERIFY_WITH_TIMEOUT(controller.canStart(), timeoutMs);
+        panel.start();
+        panel::HandTrims& trims = panel.panel().handTrims();
+        QTRY_VERIFY_WITH_TIMEOUT(trims.offered(), timeoutMs);
+        panel.tap("trimKey");
+        for (int touch = 0; touch < 3; ++touch)
+            panel.tap("trimLeft0");
+        QTRY_COMPARE_WITH_TIMEOUT(controller.parameter("hand.cut").lastValue(), 1.5, timeoutMs);
+        panel.tap("sheetClose");
+        QCOMPARE(panel.complaints(), QStringList()); // the lost line is one
+
+        process.kill();
+        process.start();
+        QTRY_VERIFY_WITH_TIMEOUT(controller.fresh() && controller.state() != Controller::State::Running,
+                                 timeoutMs);
+        QTRY_VERIFY_WITH_TIMEOUT(trims.offered(), timeoutMs);
+        QCOMPARE(trims.mm(), (QList<double>{1.5, 0.0, 0.0}));
+        QVERIFY(trims.unsaved());
+        QVERIFY2(panel.texts().contains(QStringLiteral("not saved")), qPrintable(panel.texts()));
+        panel.tap("trimKey");
+        panel.tap("trimSave");
+        QTRY_VERIFY_WITH_TIMEOUT(!trims.unsaved(), timeoutMs);
+        QCOMPARE(trims.mm().first(), 1.5);
     }
 
     // One bag after the other, held as Start is; a cut through a product is refused with its sentence.

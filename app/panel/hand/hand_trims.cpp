@@ -21,6 +21,7 @@ using program::Trim;
 namespace {
 
 constexpr auto trimsReadPeriod = 2s;
+constexpr double trimResolutionMm = 0.001; // of the register
 constexpr std::array trims{Trim::Cut, Trim::Product, Trim::Length};
 static_assert(trims.size() == program::trimCount);
 
@@ -97,6 +98,17 @@ QList<double> HandTrims::mm() const
 bool HandTrims::moved() const
 {
     return std::ranges::any_of(mm(), [](double each) { return each != 0; });
+}
+
+bool HandTrims::unsaved() const
+{
+    if (!offered())
+        return false;
+    const auto known =
+        m_saved ? m_saved(QString::fromStdString(m_controller.program()->recipe.name)) : std::nullopt;
+    const program::Trims saved = known.value_or(program::Trims{});
+    return !std::ranges::equal(
+        mm(), saved, [](double live, double kept) { return std::abs(live - kept) < trimResolutionMm / 2; });
 }
 
 double HandTrims::stepMm() const

@@ -14,6 +14,9 @@
 #include <QtQml/qqmlregistration.h>
 
 #include <array>
+#include <functional>
+#include <optional>
+#include <utility>
 
 namespace campanel::panel {
 
@@ -60,7 +63,8 @@ class HandTrims : public campanel::panel::Watched, public Singleton<HandTrims> {
     Q_PROPERTY(campanel::panel::RowModelBase* rows READ rows CONSTANT FINAL)
     // In the order of the rows, mm; 0 while one is unknown.
     Q_PROPERTY(QList<double> mm READ mm NOTIFY changed FINAL)
-    Q_PROPERTY(bool moved READ moved NOTIFY changed FINAL) // any of them is not 0
+    Q_PROPERTY(bool moved READ moved NOTIFY changed FINAL)     // any of them is not 0
+    Q_PROPERTY(bool unsaved READ unsaved NOTIFY changed FINAL) // they are not those of the recipe
     Q_PROPERTY(QString stepText READ stepText NOTIFY changed FINAL)
     // Why the last touch has not reached the controller; empty: it has.
     Q_PROPERTY(QString message READ message NOTIFY changed FINAL)
@@ -74,8 +78,15 @@ public:
     [[nodiscard]] TrimRows* rows() { return &m_rows; }
     [[nodiscard]] QList<double> mm() const;
     [[nodiscard]] bool moved() const;
+    [[nodiscard]] bool unsaved() const;
     [[nodiscard]] QString stepText() const;
     [[nodiscard]] QString message() const;
+
+    // Sets where the saved trims of a recipe are found; empty: it is not among the recipes of this panel.
+    using Saved = std::function<std::optional<program::Trims>(const QString& recipe)>;
+    void setSaved(Saved saved) { m_saved = std::move(saved); }
+    // Shows them again after a change of the recipes.
+    void update();
 
     // Move a row by one step, and back to 0. For operators.
     Q_INVOKABLE void left(int row);
@@ -92,7 +103,6 @@ signals:
     void noted(const campanel::store::AuditEntry& entry);
 
 private:
-    void update();
     [[nodiscard]] bool hasPacker() const;
     [[nodiscard]] bool isTooOld() const;
     void moveTo(int row, double mm);
@@ -109,6 +119,7 @@ private:
     Parameter& m_place; // of the encoder
     std::array<HandValue, program::trimCount> m_values;
     TrimRows m_rows{this};
+    Saved m_saved;
     bool m_isPresent = false;
 };
 

@@ -184,7 +184,12 @@ private slots:
         TrimRig rig;
         panel::Recipes recipes{rig.machine, rig.editor, rig.records, rig.folder.path(), nullptr};
         QObject::connect(&rig.hand, &HandTrims::saveWanted, &recipes, &panel::Recipes::saveTrims);
+        rig.hand.setSaved([&recipes](const QString& recipe) {
+            const store::RecipeVersion* found = recipes.named(recipe);
+            return found ? std::optional(found->recipe.trims) : std::nullopt;
+        });
         rig.run();
+        QVERIFY(!rig.hand.unsaved()); // none are needed
         const QString name = rig.editor.recipeName();
         rig.hand.right(Cut);
         rig.answer();
@@ -192,9 +197,17 @@ private slots:
         QVERIFY(recipes.message().contains(name)); // it is not among the recipes yet
         recipes.save();
         QTRY_VERIFY(recipes.named(name) != nullptr);
+        QVERIFY(rig.hand.unsaved());
         rig.hand.save();
         QTRY_COMPARE(recipes.named(name)->recipe.trims, (program::Trims{-0.5, 0.0, 0.0}));
         const store::RecipeVersion* kept = recipes.named(name);
+        QVERIFY(rig.hand.moved() && !rig.hand.unsaved());
+        rig.hand.right(Cut);
+        rig.answer();
+        QVERIFY(rig.hand.unsaved());
+        rig.hand.left(Cut);
+        rig.answer();
+        QVERIFY(!rig.hand.unsaved());
         QCOMPARE(rig.editor.recipe().trims, kept->recipe.trims);
         QCOMPARE(rig.editor.storedRecipe().trims, kept->recipe.trims);
         rig.editor.programDownload()->download(rig.image(), rig.editor.recipe());
